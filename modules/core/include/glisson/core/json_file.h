@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+namespace glisson {
+
+/// Reads a JSON file. @throws FileError when missing, InputError with line and column when malformed.
+nlohmann::json read_json(const std::filesystem::path& path);
+
+/// Writes JSON, indented by two, atomically (see write_file_atomically). @throws FileError.
+void write_json(const std::filesystem::path& path, const nlohmann::json& document);
+
+/// The figures of a run: flat keys with their units in the name ("tre_volume_mean_mm"). Numbers that are not
+/// finite are written as null.
+using Figures = std::map<std::string, double>;
+
+/// Writes figures as one flat JSON object. @throws FileError.
+void write_figures(const std::filesystem::path& path, const Figures& figures,
+                   const std::map<std::string, std::string>& texts = {});
+
+}  // namespace glisson

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/core/json_file.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "glisson/core/error.h"
+#include "glisson/core/files.h"
+
+namespace glisson {
+
+nlohmann::json read_json(const std::filesystem::path& path) {
+  const std::string text = read_file(path);
+  try {
+    return nlohmann::json::parse(text);
+  } catch (const nlohmann::json::parse_error& failure) {
+    std::size_t line = 1, column = 1;
+    for (std::size_t i = 0; i + 1 < failure.byte && i < text.size(); ++i) {
+      column = text[i] == '\n' ? 1 : column + 1;
+      line += text[i] == '\n';
+    }
+    throw InputError(path.string(), "line " + std::to_string(line) + ", column " + std::to_string(column),
+                     "is not valid JSON", "Correct it there or write the file anew");
+  }
+}
+
+void write_json(const std::filesystem::path& path, const nlohmann::json& document) {
+  write_file_atomically(path, document.dump(2) + "\n");
+}
+
+void write_figures(const std::filesystem::path& path, const Figures& figures,
+                   const std::map<std::string, std::string>& texts) {
+  nlohmann::json document = nlohmann::json::object();
+  for (const auto& [key, text] : texts) document[key] = text;
+  for (const auto& [key, value] : figures) {
+    if (std::isfinite(value))
+      document[key] = value;
+    else
+      document[key] = nullptr;
+  }
+  write_json(path, document);
+}
+
+}  // namespace glisson

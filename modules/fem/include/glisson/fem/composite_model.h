@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "glisson/patient/patient_model.h"
+
+namespace glisson::fem {
+
+struct Material {
+  double young_modulus = 3500.0;  ///< Pa
+  double poisson_ratio = 0.45;
+};
+
+enum class TetrahedronLaw { corotational, neo_hookean };
+
+/// The constituents of the composite (paper, 2.1.2 and 3.2). validate() throws InputError.
+struct CompositeOptions {
+  Material parenchyma{3500.0, 0.45};
+  std::map<Label, Material> by_label;  ///< other sub-domains (lesions); missing ones are parenchyma
+  Material vessel_wall{620e3, 0.4};
+  Material capsule{8e6, 0.45};
+  double capsule_thickness = 20e-6;  ///< m
+  double wall_fraction = 0.1;        ///< wall thickness over the outer radius
+  double density = 1060.0;           ///< kg/m3
+  double rayleigh_mass = 0.1;        ///< 1/s
+  double rayleigh_stiffness = 0.1;   ///< s
+  bool with_vessels = true, with_capsule = true;
+  TetrahedronLaw law = TetrahedronLaw::corotational;
+
+  void validate() const;
+};
+
+/// Something that pulls at a point of the mesh, given by weights on up to four nodes: force + tangent *
+/// (displacement of the point from where the force was evaluated, negative). `tangent` is minus the force's
+/// derivative, symmetric, positive semi-definite; it enters the system matrix.
+struct AttachedLoad {
+  std::array<int, 4> nodes{-1, -1, -1, -1};  ///< -1: unused
+  std::array<double, 4> weights{};
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();    ///< N
+  Eigen::Matrix3d tangent = Eigen::Matrix3d::Zero();  ///< N/m
+};
+
+/// External loads of one step. All in the frame in which the node positions are.
+struct Loads {
+  Eigen::Vector3d gravity_change =
+      Eigen::Vector3d::Zero();          ///< g_new - g_supine, m/s2: the CT is in equilibrium
+  double pressure = 0.0;                ///< Pa on the surface, along the inward normal, following it
+  std::vector<int> pressure_triangles;  ///< of the boundary surface; empty: all
+  std::vector<AttachedLoad> attached;
+};
+
+/// The composite liver: co-rotational P1 tetrahedra, CST membranes on the surface, hollow Timoshenko beams
+/// bound by J^T K_v J (eq. 3 to 8). Immutable; everything that depends on the patient alone is computed once
+/// here. Thread-safe.
+class CompositeModel {
+ public:
+  /// @throws InputError for inverted, flat or duplicate elements (named), unusable materials.
+  CompositeModel(const TetMesh& mesh, const std::vector<VesselTree>& vessels,
+                 const CompositeOptions& options);
+  ~CompositeModel();
+  CompositeModel(const CompositeModel&) = delete;
+  CompositeModel& operator=(const CompositeModel&) = delete;
+
+  int node_count() const;
+  int beam_count() const;
+  const TetMesh& mesh() const;  ///< rest shape
+  const BoundarySurface& surface() const;
+  const CompositeOptions& options() const;
+  const Eigen::VectorXd& lumped_mass() const;  ///< kg, one a node
+  /// Vessel nodes that lay outside the mesh and were bound to the closest tetrahedron.
+  int vessel_nodes_outside() const;
+
+  /// Elastic energy at node positions x, joules.
+  double energy(const Points& x) const;
+  /// Internal force -dE/dx, N x 3.
+  Points internal_force(const Points& x) const;
+  /// von Mises stress of each tetrahedron, Pa.
+  Eigen::VectorXd von_mises(const Points& x) const;
+
+  struct Impl;
+  const Impl& impl() const { return *impl_; }
+
+ private:
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace glisson::fem

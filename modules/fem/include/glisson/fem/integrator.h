@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "glisson/core/run_context.h"
+#include "glisson/fem/composite_model.h"
+
+namespace glisson::fem {
+
+enum class LinearSolver { reference, direct };
+
+struct IntegratorOptions {
+  double time_step = 0.02;  ///< s
+  LinearSolver solver = LinearSolver::direct;
+  /// Nodes that do not move (0-based).
+  std::vector<int> fixed_nodes;
+
+  void validate() const;
+};
+
+struct StepSummary {
+  bool ok = true;  ///< false: the matrix was not positive definite or the state not finite; state unchanged
+  double residual = 0.0;        ///< relative, of the linear solve
+  double kinetic_energy = 0.0;  ///< J, after the step
+  int inverted_tetrahedra = 0;
+};
+
+/// Implicit backward Euler (Baraff and Witkin 1998), one linear system a step: (M/dt2 + B/dt + K + K_ext) dx
+/// = ... Symbolic analysis once, at construction. Not thread-safe. Same bits from run to run.
+class Integrator {
+ public:
+  Integrator(std::shared_ptr<const CompositeModel> model, const IntegratorOptions& options);
+  ~Integrator();
+  Integrator(Integrator&&) noexcept;
+  Integrator& operator=(Integrator&&) noexcept;
+
+  const Points& positions() const;
+  const Points& velocities() const;
+  /// Puts the model somewhere, at rest (its rest shape, rigidly moved, is a fine start: no force arises).
+  void set_state(const Points& positions);
+  void set_state(const Points& positions, const Points& velocities);
+  void stop();  ///< velocities to zero
+
+  StepSummary step(const Loads& loads);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+struct StaticOptions {
+  int max_iterations = 60;
+  double tolerance = 1e-8;  ///< of the residual force, relative to the external one
+  std::vector<int> fixed_nodes;
+};
+struct StaticSummary {
+  Points positions;
+  bool converged = false;
+  int iterations = 0;
+  double residual = 0.0;
+};
+/// Newton with line search on the energy, from `start`. `loads` is asked again at every iterate.
+/// @throws NumericalError when nothing holds the model (no fixed node, no attached load with a tangent).
+Cancellable<StaticSummary> solve_static(const CompositeModel& model, const Points& start,
+                                        const std::function<Loads(const Points&)>& loads,
+                                        const StaticOptions& options, const RunContext& context);
+
+}  // namespace glisson::fem

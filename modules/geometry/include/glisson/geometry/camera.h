@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+
+#include "glisson/geometry/rigid.h"
+
+namespace glisson {
+
+/// A pinhole with Brown's distortion, OpenCV's convention: x right, y down, z forward; pixel (0, 0) is the
+/// centre of the first pixel.
+struct Camera {
+  int width = 0, height = 0;
+  Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity();  ///< fx 0 cx; 0 fy cy; 0 0 1, pixels
+  /// k1 k2 p1 p2 k3.
+  Eigen::Matrix<double, 5, 1> distortion = Eigen::Matrix<double, 5, 1>::Zero();
+
+  /// Pixel of a point in the camera's frame (metres; only directions matter). @pre z > 0.
+  Eigen::Vector2d project(const Eigen::Vector3d& p_in_camera) const;
+  /// The ray (x, y, 1) through a pixel, distortion removed by Newton's method.
+  Eigen::Vector3d ray(const Eigen::Vector2d& pixel) const;
+  bool sees(const Eigen::Vector2d& pixel) const {
+    return pixel.x() >= -0.5 && pixel.y() >= -0.5 && pixel.x() < width - 0.5 && pixel.y() < height - 0.5;
+  }
+};
+
+/// A calibrated stereo laparoscope.
+struct StereoRig {
+  Camera left, right;
+  /// x_right = R x_left + T, metres.
+  Rigid<RightCameraFrame, CameraFrame> right_from_left;
+
+  double baseline() const { return right_from_left.translation.norm(); }
+};
+
+}  // namespace glisson

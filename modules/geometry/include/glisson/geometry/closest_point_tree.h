@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <limits>
+#include <vector>
+
+#include "glisson/geometry/mesh.h"
+
+namespace glisson {
+
+/// The closest point of a triangle mesh to a query.
+struct ClosestPoint {
+  int triangle = -1;  ///< -1: none within the search radius
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();
+  Eigen::Vector3d barycentric = Eigen::Vector3d::Zero();  ///< weights of the triangle's vertices, sum 1
+  double distance = std::numeric_limits<double>::infinity();
+};
+
+/// A bounding-volume tree over triangles. Built once; when the vertices move it is refitted in linear time,
+/// not rebuilt (registration moves the same surface hundreds of times). Queries are const and thread-safe.
+class ClosestPointTree {
+ public:
+  ClosestPointTree() = default;
+  /// @pre indices in range. An empty mesh gives a tree that finds nothing.
+  explicit ClosestPointTree(const TriangleMesh& mesh);
+  /// Only the chosen triangles of the mesh (for label-restricted pairs); results keep the mesh's triangle
+  /// numbers.
+  ClosestPointTree(const TriangleMesh& mesh, const std::vector<int>& triangles);
+
+  /// The same triangles with new vertex positions. @pre same number of rows as at construction.
+  void refit(const Points& vertices);
+
+  /// @param radius nothing farther than this (metres) is returned.
+  ClosestPoint closest(const Eigen::Vector3d& query,
+                       double radius = std::numeric_limits<double>::infinity()) const;
+
+  /// First hit of a ray from `origin` along `direction` (need not be a unit vector) with parameter in (t_min,
+  /// t_max); distance holds the parameter. triangle = -1: none.
+  ClosestPoint first_hit(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, double t_min = 0.0,
+                         double t_max = std::numeric_limits<double>::infinity()) const;
+
+  bool empty() const { return nodes_.empty(); }
+
+ private:
+  struct Node {
+    Eigen::Vector3d low, high;
+    int first = 0;  ///< leaf: first entry of order_; inner: index of the second child (the first follows)
+    int count = 0;  ///< > 0 for a leaf
+  };
+  int build(int begin, int end, const std::vector<Eigen::Vector3d>& centres);
+  void fit(Node& node) const;
+
+  Points vertices_;
+  Triangles triangles_;
+  std::vector<int> order_;
+  std::vector<Node> nodes_;
+};
+
+/// The point of triangle (a, b, c) closest to p, as barycentric weights (Ericson, Real-Time Collision
+/// Detection, 5.1.5).
+Eigen::Vector3d closest_on_triangle(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
+                                    const Eigen::Vector3d& b, const Eigen::Vector3d& c);
+
+}  // namespace glisson

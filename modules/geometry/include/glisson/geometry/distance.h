@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "glisson/geometry/mesh.h"
+
+namespace glisson {
+
+/// Summary of unsigned distances, metres.
+struct DistanceSummary {
+  double mean = 0.0, rms = 0.0, median = 0.0, percentile_95 = 0.0, maximum = 0.0;
+  int count = 0;
+};
+/// @param distances any order; empty gives zeros.
+DistanceSummary summarise(std::vector<double> distances);
+
+/// Distance of each point to the closest point of the surface, metres.
+std::vector<double> distances_to_surface(const Points& points, const TriangleMesh& surface);
+
+/// Points spread evenly over a surface (area-weighted, stratified by triangle, seeded).
+Points sample_surface(const TriangleMesh& surface, int count, unsigned seed);
+
+/// Both directions, from `samples` points on each surface. The paper's "mean Hausdorff distance" is
+/// vertices_to_surface(model.vertices, fine).mean; see METHOD in the model module's README.
+struct SurfaceDistance {
+  DistanceSummary forward;   ///< a to b
+  DistanceSummary backward;  ///< b to a
+};
+SurfaceDistance surface_distance(const TriangleMesh& a, const TriangleMesh& b, int samples = 20000);
+
+/// |a_i - b_i| row by row, summarised. @pre same number of rows.
+DistanceSummary point_errors(const Points& a, const Points& b);
+
+}  // namespace glisson

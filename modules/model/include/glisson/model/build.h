@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "glisson/core/run_context.h"
+#include "glisson/core/units.h"
+#include "glisson/patient/label_map.h"
+#include "glisson/patient/patient_model.h"
+
+namespace glisson::model {
+
+struct MeshOptions {
+  int target_vertices = 550;       ///< the paper's size; met within 10 %
+  double lesion_refinement = 1.0;  ///< edge length in lesions over that elsewhere
+  void validate() const;
+};
+
+/// What a person reads before approving a mesh.
+struct MeshQuality {
+  int vertices = 0, tetrahedra = 0;
+  double min_dihedral_deg = 0.0, max_dihedral_deg = 0.0;
+  double volume_error = 0.0;  ///< (mesh - labels) / labels
+  double vertices_to_fine_mean_mm =
+      0.0;  ///< mesh surface's vertices to the fine surface: the paper's measure
+  double mesh_to_fine_mean_mm = 0.0, fine_to_mesh_mean_mm = 0.0, fine_to_mesh_max_mm = 0.0;
+};
+
+struct ModelReport {
+  MeshQuality quality;
+  std::vector<std::string> notes;  ///< components dropped, vessel nodes outside, ...: codes with values
+};
+struct BuiltModel {
+  PatientModel model;
+  ModelReport report;
+};
+
+struct ModelOptions {
+  MeshOptions mesh;
+  bool vessels = true;
+  /// Where trees enter, one point a tree if given (CT, metres); otherwise the thickest end near the hilum or
+  /// the cava.
+  Points portal_root, hepatic_root;
+};
+
+/// Label map to model: CGAL tetrahedra with lesions as sub-domains, Lloyd, ODT, perturb, exude; fine surfaces
+/// by marching cubes; Dijkstra skeletons, Bezier fits, 6-DoF nodes; anterior margin by ridge detection. The
+/// same input and seed give the same bits. @throws InputError no liver, several large components.
+Cancellable<BuiltModel> build_from_labels(const LabelMap& labels, const ModelOptions& options,
+                                          const RunContext& context);
+
+/// Closed surfaces of one patient, CT frame, metres: `liver` required.
+struct SurfaceSet {
+  TriangleMesh liver;
+  std::vector<NamedSurface> others;  ///< vessels, lesions, vena cava
+};
+/// Reads a folder of surfaces named by structure (liver, portal_vein, hepatic_veins, arteries, liver_tumours,
+/// liver_cysts, gallbladder, vena_cava; .vtk .vtp .stl .obj .ply) or one closed surface file. Each connected
+/// component of a tumour file is a lesion of its own. @throws FileError, InputError (implausible size: names
+/// the unit remedy).
+SurfaceSet read_surfaces(const std::filesystem::path& path, LengthUnit unit);
+Cancellable<BuiltModel> build_from_surfaces(const SurfaceSet& surfaces, const ModelOptions& options,
+                                            const RunContext& context);
+
+/// A closed surface, meshed (one sub-domain). Used by `register` on a bare surface and by the theatre.
+Cancellable<TetMesh> mesh_surface(const TriangleMesh& surface, const MeshOptions& options,
+                                  const RunContext& context);
+
+/// The anterior margin as an ordered polyline (paper 2.2.1; thresholds from the mesh's own statistics). The
+/// same under rigid motion. Empty when there is no ridge.
+/// @param inferior_anterior the direction in which the margin is to be looked for; zero: any (the longest
+/// ridge).
+Points detect_anterior_margin(const TriangleMesh& surface, const Eigen::Vector3d& inferior_anterior);
+
+}  // namespace glisson::model

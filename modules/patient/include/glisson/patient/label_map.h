@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "glisson/volume/io.h"
+#include "glisson/volume/label_volume.h"
+
+namespace glisson {
+
+/// What a voxel can be. The codes are those of the files that Glisson writes; other files are mapped to them
+/// on the way in (see LabelCodes).
+namespace structure {
+inline constexpr Label kBackground = 0;
+inline constexpr Label kParenchyma = 1;
+inline constexpr Label kPortalVein = 2;
+inline constexpr Label kHepaticVeins = 3;
+inline constexpr Label kVenaCava = 4;
+inline constexpr Label kArtery = 5;
+inline constexpr Label kGallbladder = 6;
+/// Lesions are 16, 17, ...: each its own label.
+inline constexpr Label kFirstLesion = 16;
+inline constexpr Label kLastLesion = 255;
+}  // namespace structure
+
+/// Whether the label is part of the liver's body: parenchyma, vessels in it and lesions. The vena cava,
+/// artery outside and gallbladder are not.
+bool is_lesion(Label label);
+/// Code for people and files: "parenchyma", "portal_vein", ..., "lesion_1". Not translated.
+std::string structure_name(Label label);
+/// Colour-blind-safe (Okabe and Ito 2008), sRGB in [0, 1].
+std::array<double, 3> structure_colour(Label label);
+
+/// Which structure each code of a foreign label file means.
+using LabelCodes = std::map<Label, Label>;
+/// Reads a JSON object {"6": "parenchyma", "10": "portal_vein", "451": "lesion_1"}. @throws InputError.
+LabelCodes read_label_codes(const std::filesystem::path& path);
+
+/// The segmented patient. Value type; copies share bricks.
+struct LabelMap {
+  LabelVolume voxels;
+  std::vector<LabelInfo> infos;  ///< names, colours, terminology of the labels present
+  /// Voxels of the portal tree outside the liver are portal vein all the same; whether a vessel voxel lies
+  /// inside the liver is decided by the filled liver: see inside_liver().
+};
+/// Dense 0/1 mask of the liver with everything in it: parenchyma, lesions, and the vessel voxels enclosed by
+/// them (closing by `closing_mm`, then hole filling).
+std::vector<std::uint8_t> inside_liver(const LabelMap& labels, double closing_mm = 3.0);
+
+/// A foreign label volume, recoded. Codes that the table does not name become background.
+/// @throws InputError when nothing of the liver remains.
+LabelMap recode(const LabelFile& file, const LabelCodes& codes, const std::string& name);
+
+}  // namespace glisson

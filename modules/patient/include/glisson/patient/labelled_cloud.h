@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "glisson/core/units.h"
+#include "glisson/geometry/mesh.h"
+
+namespace glisson {
+
+/// Which feature of the liver a point shows. The numbers are those of the PLY property "label".
+enum class Feature : std::uint8_t { surface = 1, anterior_margin = 2, umbilical_notch = 3 };
+
+/// What the stereo laparoscope sees of the liver: points in the left camera's frame (as calibrated, not
+/// rectified), metres. Optional arrays are empty or as long as the points.
+struct LabelledCloud {
+  Points points;
+  Points normals;                 ///< unit, towards the camera
+  std::vector<Feature> features;  ///< empty: all surface
+  std::vector<double> sigma;      ///< standard deviation along the ray, metres
+
+  int size() const { return static_cast<int>(points.rows()); }
+  Feature feature(int i) const {
+    return features.empty() ? Feature::surface : features[static_cast<std::size_t>(i)];
+  }
+};
+
+/// Reads a PLY (ascii or binary, either endianness; x y z, optional nx ny nz, label, sigma). Our own reader:
+/// a malformed file is an InputError, never a crash.
+/// @throws FileError; InputError naming the element: NaN, truncated, no vertices, a label that is none.
+LabelledCloud read_cloud(const std::filesystem::path& path, LengthUnit unit = LengthUnit::millimetre);
+/// Binary little-endian PLY, atomic.
+void write_cloud(const std::filesystem::path& path, const LabelledCloud& cloud,
+                 LengthUnit unit = LengthUnit::millimetre);
+
+}  // namespace glisson

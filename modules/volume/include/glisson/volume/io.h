@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "glisson/core/run_context.h"
+#include "glisson/volume/image.h"
+#include "glisson/volume/label_volume.h"
+
+namespace glisson {
+
+/// Reads a volume: a folder of DICOM slices, a .tar.gz of one (unpacked here), NIfTI, NRRD, MetaImage, VTI.
+/// The result is right for every axis flip and permutation: grid.direction carries it.
+/// @throws FileError missing or unreadable; InputError empty folder, two series mixed, missing slice, gantry
+/// tilt,
+///   mirrored or unit-less geometry, not a scalar volume. Parsers that can abort run in a child process.
+Cancellable<Image> read_image(const std::filesystem::path& path, const RunContext& context);
+
+/// What a label file says of one of its labels (from .seg.nrrd; elsewhere only the code is known).
+struct LabelInfo {
+  Label code = 0;
+  std::string name;         ///< may be empty
+  std::string terminology;  ///< Slicer's Segmentation_TerminologyEntry, kept as it is; may be empty
+  std::array<double, 3> colour = {0.5, 0.5, 0.5};
+};
+struct LabelFile {
+  LabelVolume voxels;
+  std::vector<LabelInfo> infos;
+};
+/// Reads labels: .seg.nrrd (also with several layers), NRRD, NIfTI, MetaImage, VTI. @throws as read_image.
+LabelFile read_labels(const std::filesystem::path& path);
+
+/// Writes Hounsfield units as int16, compressed; the format by extension (.nrrd, .nii.gz, .mha). Atomic, read
+/// back.
+void write_image(const std::filesystem::path& path, const Image& image);
+/// Writes labels by extension: .seg.nrrd as Slicer reads it (names, colours, terminology), else plain.
+/// Atomic.
+void write_labels(const std::filesystem::path& path, const LabelVolume& labels,
+                  const std::vector<LabelInfo>& infos);
+
+/// @throws InputError naming `name` when two volumes that belong together differ in size or place.
+void require_same_grid(const VolumeGrid& a, const VolumeGrid& b, const std::string& name);
+
+}  // namespace glisson

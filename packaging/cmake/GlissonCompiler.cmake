@@ -1,0 +1,30 @@
+# Flags that hold for the whole house. Never -march=native: what is shipped dispatches at run time.
+find_program(GLISSON_CCACHE ccache)
+if(GLISSON_CCACHE)
+  set(CMAKE_C_COMPILER_LAUNCHER "${GLISSON_CCACHE}")
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${GLISSON_CCACHE}")
+endif()
+
+add_library(glisson_flags INTERFACE)
+target_compile_options(glisson_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wcast-align
+  -Werror
+  # The same bits on every machine and thread count: no fused multiply-add behind our back.
+  -ffp-contract=off)
+if(GLISSON_PCH)
+  target_compile_options(glisson_flags INTERFACE -Winvalid-pch)
+  if(GLISSON_CCACHE)
+    target_compile_options(glisson_flags INTERFACE -fpch-preprocess)
+  endif()
+endif()
+
+if(GLISSON_SANITIZER)
+  add_compile_options(-fsanitize=${GLISSON_SANITIZER} -fno-omit-frame-pointer -g1)
+  add_link_options(-fsanitize=${GLISSON_SANITIZER})
+  if(GLISSON_SANITIZER MATCHES "undefined")
+    add_compile_options(-fno-sanitize-recover=undefined -fno-sanitize=vptr)
+  endif()
+  # GCC 12 sees phantoms in Eigen's and libstdc++'s inlined code once it is instrumented.
+  target_compile_options(glisson_flags INTERFACE -Wno-maybe-uninitialized -Wno-stringop-overflow
+    -Wno-array-bounds -Wno-null-dereference)
+endif()
