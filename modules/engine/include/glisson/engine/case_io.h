@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+
+#include "glisson/core/run_context.h"
+#include "glisson/core/units.h"
+#include "glisson/engine/case_state.h"
+
+namespace glisson::engine {
+
+/// The edition of the folder's layout that this program writes; older ones are read, newer ones refused.
+inline constexpr int kCaseFormatVersion = 1;
+
+/// Writes a case as a folder NAME.glisson of standard files (see the module's README). Written beside,
+/// flushed, read back and compared, then exchanged in one step: killed at any moment it leaves the old case
+/// or the new one.
+/// @return false when cancelled; the old case stands then.
+/// @throws FileError, InputError (the path does not end in .glisson, or is something else than a case).
+bool save_case(const std::filesystem::path& path, const CaseState& state, const RunContext& context);
+
+/// Reads a case, stamps included. @throws FileError missing; InputError not a case, newer format, a part that
+/// is malformed (named).
+Cancellable<CaseState> open_case(const std::filesystem::path& path, const RunContext& context);
+
+/// Landmarks as JSON: {"frame": "LPS", "unit": "mm", "anterior_margin": [[x, y, z], ...], "umbilical_notch":
+/// ..., "vena_cava": ...}; absent ones may be left out. @throws InputError naming the field.
+Landmarks read_landmarks(const std::filesystem::path& path);
+void write_landmarks(const std::filesystem::path& path, const Landmarks& landmarks);
+
+/// The registered mesh: node order and units of the model, camera frame, field data `cloud_from_model` (4 x
+/// 4, the rigid part, translation in `unit`).
+void write_registration(const std::filesystem::path& path, const PatientModel& model,
+                        const Registration& registration, LengthUnit unit);
+/// @throws InputError when the mesh is not the model's (another number of nodes or other tetrahedra).
+Registration read_registration(const std::filesystem::path& path, const PatientModel& model, LengthUnit unit);
+
+}  // namespace glisson::engine

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <initializer_list>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "glisson/geometry/camera.h"
+#include "glisson/model/build.h"
+#include "glisson/patient/label_map.h"
+#include "glisson/patient/labelled_cloud.h"
+#include "glisson/patient/patient_model.h"
+#include "glisson/patient/picture.h"
+#include "glisson/patient/registration.h"
+#include "glisson/segmentation/segment.h"
+#include "glisson/stereo/reconstruct.h"
+#include "glisson/volume/image.h"
+
+namespace glisson::engine {
+
+/// The parts of a case, in the order in which they come into being.
+enum class Part { image, seeds, labels, model, landmarks, rig, frame, regions, cloud, registration, live };
+inline constexpr int kPartCount = 11;
+/// Code for files and figures: "image", "labels", ...
+std::string_view part_code(Part part);
+
+/// A set of parts.
+class Parts {
+ public:
+  constexpr Parts() = default;
+  constexpr Parts(std::initializer_list<Part> parts) {  // NOLINT: reads as {Part::a, Part::b}
+    for (const Part part : parts) bits_ |= 1U << static_cast<unsigned>(part);
+  }
+  static constexpr Parts all() {
+    Parts parts;
+    parts.bits_ = (1U << kPartCount) - 1U;
+    return parts;
+  }
+  constexpr bool has(Part part) const { return ((bits_ >> static_cast<unsigned>(part)) & 1U) != 0; }
+  constexpr bool meets(Parts other) const { return (bits_ & other.bits_) != 0; }
+  constexpr Parts operator|(Parts other) const {
+    Parts parts;
+    parts.bits_ = bits_ | other.bits_;
+    return parts;
+  }
+  constexpr bool operator==(const Parts&) const = default;
+
+ private:
+  unsigned bits_ = 0;
+};
+
+/// Which edition of a part this is, and of which editions of other parts it was made.
+struct Stamp {
+  std::uint64_t revision = 0;  ///< 0: absent
+  std::map<Part, std::uint64_t> made_from;
+};
+
+/// A stereo pair as it was taken, with what may be used of it.
+struct StereoInput {
+  StereoFrame frame;
+  Picture mask;  ///< one byte a pixel of the left image, non-zero is tissue; empty: everything
+};
+
+/// What the live view shows. Written by the live lane only.
+struct LiveState {
+  OverlayFrame overlay;
+  StereoFrame frame;
+  int frames = 0;          ///< followed since tracking began
+  int frames_late = 0;     ///< that took longer than a frame's time
+  int frames_dropped = 0;  ///< never followed because a newer one had come
+};
+
+/// Everything that is known of one patient. Each part is immutable and shared, so that a copy is cheap;
+/// absent parts are null.
+struct CaseState {
+  std::filesystem::path path;  ///< of the case's folder; empty: never saved
+  std::shared_ptr<const Image> image;
+  std::shared_ptr<const segmentation::Seeds> seeds;
+  std::shared_ptr<const LabelMap> labels;
+  std::shared_ptr<const model::BuiltModel> model;
+  std::shared_ptr<const Landmarks> landmarks;  ///< what a person placed or accepted
+  std::shared_ptr<const StereoRig> rig;
+  std::shared_ptr<const StereoInput> frame;
+  std::shared_ptr<const stereo::Regions> regions;
+  std::shared_ptr<const LabelledCloud> cloud;
+  std::shared_ptr<const Registration> registration;
+  std::shared_ptr<const LiveState> live;
+  std::array<Stamp, kPartCount> stamps;
+
+  bool has(Part part) const;
+  const Stamp& stamp(Part part) const { return stamps[static_cast<std::size_t>(part)]; }
+  Stamp& stamp(Part part) { return stamps[static_cast<std::size_t>(part)]; }
+  /// Copies one part (not its stamp) from another state.
+  void take(Part part, const CaseState& from);
+  /// Whether this part is the very same object in both.
+  bool shares(Part part, const CaseState& with) const;
+};
+
+enum class StageState { absent, current, stale };
+/// A part is stale when anything that it was made from has changed since, or is itself stale.
+StageState stage_state(const CaseState& state, Part part);
+
+/// The model's own landmarks, with what a person placed instead of them.
+/// @pre state.model
+Landmarks effective_landmarks(const CaseState& state);
+/// The model with its effective landmarks: what registration reads. @pre state.model
+PatientModel effective_model(const CaseState& state);
+
+}  // namespace glisson::engine

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "glisson/core/units.h"
+#include "glisson/engine/case_state.h"
+#include "glisson/guidance/tracker.h"
+#include "glisson/registration/register.h"
+
+/// @file
+/// Everything that can be asked of the engine, as values. The window, the command line and the tests post the
+/// same.
+
+namespace glisson::engine {
+
+/// Reads a CT or MR (see read_image).
+struct ImportImage {
+  std::filesystem::path path;
+};
+/// Reads labels, recoded by `codes` (empty: Glisson's own codes).
+struct ImportLabels {
+  std::filesystem::path path;
+  LabelCodes codes;
+};
+struct SetSeeds {
+  segmentation::Seeds seeds;
+};
+struct Segment {
+  segmentation::SegmentationOptions options;
+};
+struct BuildModel {
+  model::ModelOptions options;
+};
+/// A model from closed surfaces: a folder by structure, or one file.
+struct ImportSurfaces {
+  std::filesystem::path path;
+  LengthUnit unit = LengthUnit::millimetre;
+  model::ModelOptions options;
+};
+/// A tetrahedral mesh as it is: node order and all.
+struct ImportMesh {
+  std::filesystem::path path;
+  LengthUnit unit = LengthUnit::millimetre;
+};
+struct SetLandmarks {
+  Landmarks landmarks;
+};
+struct SetCalibration {
+  std::filesystem::path path;
+};
+/// A stereo pair of picture files; `mask` may be empty.
+struct LoadStereoPair {
+  std::filesystem::path left, right, mask;
+};
+/// The frame `index` of a stereo video (`right` empty: side by side).
+struct LoadVideoFrame {
+  std::filesystem::path left, right;
+  int index = 0;
+};
+struct SetRegions {
+  stereo::Regions regions;
+};
+struct Reconstruct {
+  stereo::ReconstructOptions options;
+};
+struct ImportCloud {
+  std::filesystem::path path;
+  LengthUnit unit = LengthUnit::millimetre;
+};
+/// Rigid start, then elastic.
+struct Register {
+  enum class Start { automatic, none, given };
+  Start start = Start::automatic;
+  CameraFromCt given;  ///< for Start::given
+  registration::RigidOptions rigid;
+  registration::ElasticOptions elastic;
+};
+/// A registration that was made before (registered.vtu), as the start of tracking.
+struct ImportRegistration {
+  std::filesystem::path path;
+  LengthUnit unit = LengthUnit::millimetre;
+};
+/// From now on frames are followed (see Engine::submit_frame). The frame part is the one that was registered.
+struct StartTracking {
+  guidance::TrackerOptions options;
+};
+struct StopTracking {};
+struct OpenCase {
+  std::filesystem::path path;
+};
+/// `path` empty: where the case was opened from or last saved.
+struct SaveCase {
+  std::filesystem::path path;
+};
+
+using Command =
+    std::variant<ImportImage, ImportLabels, SetSeeds, Segment, BuildModel, ImportSurfaces, ImportMesh,
+                 SetLandmarks, SetCalibration, LoadStereoPair, LoadVideoFrame, SetRegions, Reconstruct,
+                 ImportCloud, Register, ImportRegistration, StartTracking, StopTracking, OpenCase, SaveCase>;
+
+/// Code of a command for progress, figures and logs: "segment", "build_model", ...
+std::string_view command_code(const Command& command);
+/// What a command reads and writes. Two commands may overlap or overtake each other only where neither writes
+/// what the other touches; so the outcome is always that of the order in which they were posted.
+Parts reads(const Command& command);
+Parts writes(const Command& command);
+/// Whether it is done at once (an edit) rather than on the worker.
+bool is_edit(const Command& command);
+
+}  // namespace glisson::engine

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "glisson/core/json_file.h"
+#include "glisson/core/run_context.h"
+#include "glisson/engine/case_state.h"
+#include "glisson/engine/commands.h"
+
+namespace glisson::engine {
+
+using CommandId = std::uint64_t;
+
+/// What a command made of a state.
+struct Applied {
+  CaseState state;
+  Figures figures;                 ///< flat, units in the names
+  std::vector<std::string> notes;  ///< codes with values, for people to be told
+  /// The state brings its own stamps (a case that was opened).
+  bool keeps_stamps = false;
+};
+/// Pure but for files: reads `state`, never changes it. Empty: cancelled. Throws Error.
+using Apply = std::function<Cancellable<Applied>(const CaseState&, const Command&, const RunContext&)>;
+/// The real thing: each command by its module.
+Cancellable<Applied> apply(const CaseState& state, const Command& command, const RunContext& context);
+
+/// Follows frames. Used by the live lane only.
+class Follower {
+ public:
+  virtual ~Follower() = default;
+  virtual OverlayFrame follow(const StereoFrame& frame) = 0;
+};
+/// Makes a follower from the state. @throws Error when a part is missing or stale.
+using MakeFollower = std::function<std::unique_ptr<Follower>(const CaseState&, const StartTracking&)>;
+std::unique_ptr<Follower> make_follower(const CaseState& state, const StartTracking& command);
+
+enum class Status { done, cancelled, failed };
+
+/// How a command ended. Every posted command has exactly one outcome.
+struct Outcome {
+  CommandId id = 0;
+  std::string command;  ///< its code
+  Status status = Status::done;
+  std::string error;  ///< one sentence with the remedy, when failed
+  Figures figures;
+  std::vector<std::string> notes;
+  double seconds = 0.0;
+};
+struct Progress {
+  CommandId id = 0;
+  std::string command;
+  double fraction = 0.0;
+  std::string stage;  ///< code
+};
+using Event = std::variant<Progress, Outcome>;
+
+/// The case at one moment. Immutable; may be kept and read from any thread.
+struct Snapshot {
+  std::uint64_t revision = 0;
+  std::string cause;  ///< code of the command that led to it; "frame" for the live lane
+  CaseState state;
+  std::array<StageState, kPartCount> stages{};
+  StageState stage(Part part) const { return stages[static_cast<std::size_t>(part)]; }
+  bool tracking = false;
+};
+
+enum class Runner { inline_, threaded };
+
+/// The only writer of the case. With the threaded runner commands are done on threads of its own: edits and
+/// live frames on one, long work on another; with the inline runner inside post() and submit_frame(). Both
+/// pass the same tests. post, cancel, submit_frame, snapshot, take_events may be called from any thread.
+class Engine {
+ public:
+  struct Options {
+    Runner runner = Runner::threaded;
+    std::uint64_t seed = 1;
+    Apply apply = engine::apply;
+    MakeFollower make_follower = engine::make_follower;
+    /// Called from the engine's threads when a snapshot or an event is new; must return at once and not call
+    /// back.
+    std::function<void()> wake;
+    /// Inline runner: progress as it happens (events come only after the command).
+    std::function<void(const Progress&)> progress;
+    double frame_seconds = 1.0 / 30.0;  ///< a frame that takes longer counts as late
+  };
+  explicit Engine(Options options);
+  /// Cancels what is running, drops what waits, joins its threads.
+  ~Engine();
+  Engine(const Engine&) = delete;
+  Engine& operator=(const Engine&) = delete;
+
+  CommandId post(Command command);
+  /// Never lost: a command that waits ends as cancelled without starting; one that runs is told. Unknown or
+  /// finished ids are ignored.
+  void cancel(CommandId id);
+  void cancel_all();
+
+  /// Newest wins: an unfollowed older frame is dropped and counted. Ignored unless tracking.
+  void submit_frame(StereoFrame frame);
+
+  /// Never null.
+  std::shared_ptr<const Snapshot> snapshot() const;
+  /// Everything since the last call, in order. Outcomes are never dropped; of a command's progress only the
+  /// newest that was not taken is kept.
+  std::vector<Event> take_events();
+
+  /// Waits for a command's end; for command lines and tests, never for a window. @pre `id` came from post().
+  Outcome wait(CommandId id);
+  /// Waits until the submitted frame, if any, has been followed.
+  void wait_for_frames();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace glisson::engine
