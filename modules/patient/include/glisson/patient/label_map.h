@@ -47,11 +47,17 @@ struct LabelMap {
   /// inside the liver is decided by the filled liver: see inside_liver().
 };
 /// Dense 0/1 mask of the liver with everything in it: parenchyma, lesions, and the vessel voxels enclosed by
-/// them (closing by `closing_mm`, then hole filling).
+/// them (in the closing by `closing_mm`, or a hole of it in one slice of the three axes), then hole filling.
+/// @pre closing_mm >= 0
 std::vector<std::uint8_t> inside_liver(const LabelMap& labels, double closing_mm = 3.0);
 
+/// Whether the liver lies to the patient's left of the vena cava, as in a volume whose header swaps left and
+/// right. False when either is missing. Takes structure labels.
+bool looks_mirrored(const LabelVolume& labels);
+
 /// A foreign label volume, recoded. Codes that the table does not name become background.
-/// @throws InputError when nothing of the liver remains.
+/// @param name of the file, for messages.
+/// @throws InputError when nothing of the liver remains, or it looks mirrored.
 LabelMap recode(const LabelFile& file, const LabelCodes& codes, const std::string& name);
 
 }  // namespace glisson

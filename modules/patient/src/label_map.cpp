@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/patient/label_map.h"
+
+#include <algorithm>
+#include <charconv>
+#include <nlohmann/json.hpp>
+
+#include "glisson/core/error.h"
+#include "glisson/core/json_file.h"
+#include "glisson/volume/morphology.h"
+
+namespace glisson {
+namespace {
+
+bool is_liver_tissue(Label label) { return label == structure::kParenchyma || is_lesion(label); }
+bool is_liver_vessel(Label label) {
+  return label == structure::kPortalVein || label == structure::kHepaticVeins || label == structure::kArtery;
+}
+
+/// The label whose structure_name() is `name`, or none.
+std::optional<Label> structure_named(const std::string& name) {
+  for (int label = structure::kBackground; label <= structure::kLastLesion; ++label)
+    if (structure_name(static_cast<Label>(label)) == name && name.rfind("label_", 0) != 0)
+      return static_cast<Label>(label);
+  return std::nullopt;
+}
+
+std::optional<Label> code_from(const std::string& text) {
+  unsigned value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, failure] = std::from_chars(text.data(), end, value);
+  if (failure != std::errc() || stop != end || value > 65535) return std::nullopt;
+  return static_cast<Label>(value);
+}
+
+void set_united(Mask& mask, const Mask& more, const Mask& where) {
+  for (std::size_t i = 0; i < mask.voxels.size(); ++i)
+    if (more.voxels[i] != 0 && where.voxels[i] != 0) mask.voxels[i] = 1;
+}
+
+/// Mean LPS x of the voxels that satisfy `wanted`, mm.
+std::optional<double> mean_left_mm(const LabelVolume& voxels, const std::function<bool(Label)>& wanted) {
+  const VolumeGrid& grid = voxels.grid();
+  const std::vector<std::uint8_t> mask = voxels.mask(wanted);
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  long count = 0;
+  std::size_t at = 0;
+  for (int k = 0; k < grid.size.z(); ++k)
+    for (int j = 0; j < grid.size.y(); ++j)
+      for (int i = 0; i < grid.size.x(); ++i, ++at)
+        if (mask[at] != 0) {
+          sum += Eigen::Vector3d(i, j, k);
+          ++count;
+        }
+  if (count == 0) return std::nullopt;
+  return 1e3 * grid.p_in_ct(sum / static_cast<double>(count)).xyz.x();
+}
+
+}  // namespace
+
+LabelCodes read_label_codes(const std::filesystem::path& path) {
+  const nlohmann::json document = read_json(path);
+  if (!document.is_object() || document.empty())
+    throw InputError(path.string(), "", "names no label code",
+                     R"(Write a JSON object such as {"6": "parenchyma", "10": "portal_vein"})");
+  LabelCodes codes;
+  for (const auto& [key, value] : document.items()) {
+    const std::optional<Label> code = code_from(key);
+    if (!code)
+      throw InputError(path.string(), "\"" + key + "\"", "is not a label code",
+                       "Codes are whole numbers from 0 to 65535, in quotes");
+    const std::optional<Label> label =
+        value.is_string() ? structure_named(value.get<std::string>()) : std::nullopt;
+    if (!label)
+      throw InputError(
+          path.string(), "\"" + key + "\"", "stands for " + value.dump() + ", which is no structure",
+          "Use background, parenchyma, portal_vein, hepatic_veins, vena_cava, artery, gallbladder or "
+          "lesion_1 to lesion_240");
+    codes[*code] = *label;
+  }
+  return codes;
+}
+
+std::vector<std::uint8_t> inside_liver(const LabelMap& labels, double closing_mm) {
+  require(closing_mm >= 0.0, "a closing has a radius of zero or more");
+  const VolumeGrid& grid = labels.voxels.grid();
+  std::vector<std::uint8_t> whole = labels.voxels.mask(is_liver_tissue);
+  // Twice the radius of air around: the closing must see the outside on every side.
+  const VoxelBox box =
+      bounding_box(grid.size, grid.spacing_mm, whole, 2.0 * closing_mm + grid.spacing_mm.maxCoeff());
+  if (box.empty()) return whole;
+  Mask liver = crop(grid.size, grid.spacing_mm, whole, box);
+  const Mask vessels = crop(grid.size, grid.spacing_mm, labels.voxels.mask(is_liver_vessel), box);
+  // A thin vessel vanishes in the closing; of a thick one each cross-section is a hole in one of the slices.
+  // Only vessel voxels are taken from either, so that fissures stay open.
+  const Mask around = closing_mm > 0.0 ? closed(liver, closing_mm) : liver;
+  set_united(liver, around, vessels);
+  set_united(liver, slice_holes_filled(around), vessels);
+  liver = holes_filled(liver);
+  paste(liver, box, grid.size, whole);
+  return whole;
+}
+
+bool looks_mirrored(const LabelVolume& labels) {
+  // The vena cava runs near the midline, the bulk of the liver to the patient's right of it.
+  const auto liver = mean_left_mm(labels, is_liver_tissue);
+  const auto cava = mean_left_mm(labels, [](Label label) { return label == structure::kVenaCava; });
+  return liver && cava && *cava < *liver;
+}
+
+LabelMap recode(const LabelFile& file, const LabelCodes& codes, const std::string& name) {
+  std::vector<Label> table(65536, structure::kBackground);
+  for (const auto& [code, label] : codes) table[code] = label;
+  std::vector<Label> dense = file.voxels.dense();
+  for (Label& label : dense) label = table[label];
+  LabelMap map;
+  map.voxels = LabelVolume(file.voxels.grid(), dense);
+  const std::vector<long> counts = map.voxels.histogram();
+  bool any = false;
+  for (std::size_t i = 1; i < counts.size(); ++i) {
+    if (counts[i] == 0) continue;
+    const auto label = static_cast<Label>(i);
+    any = any || is_liver_tissue(label);
+    map.infos.push_back({label, structure_name(label), "", structure_colour(label)});
+    for (const LabelInfo& info : file.infos)
+      if (!info.terminology.empty() && codes.contains(info.code) && codes.at(info.code) == label)
+        map.infos.back().terminology = info.terminology;
+  }
+  if (!any)
+    throw InputError(name, "labels", "nothing of the liver is left after the codes were applied",
+                     "Give the codes of this file: which number is parenchyma, portal_vein and so on");
+  if (looks_mirrored(map.voxels))
+    throw InputError(name, "orientation",
+                     "the liver lies to the left of the vena cava: the volume is mirrored",
+                     "Correct the direction in the file's header (left and right are swapped)");
+  return map;
+}
+
+}  // namespace glisson

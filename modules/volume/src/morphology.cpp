@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/volume/morphology.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "glisson/core/error.h"
+
+namespace glisson {
+namespace {
+
+constexpr float kFar = std::numeric_limits<float>::infinity();
+
+/// Room for one line of the distance transform.
+struct Line {
+  std::vector<float> in, out;
+  std::vector<int> vertex;
+  std::vector<double> bound;
+  explicit Line(int length)
+      : in(static_cast<std::size_t>(length)),
+        out(static_cast<std::size_t>(length)),
+        vertex(static_cast<std::size_t>(length)),
+        bound(static_cast<std::size_t>(length) + 1) {}
+};
+
+/// Lower envelope of the parabolas in[q] + (h (p - q))^2, into out.
+void transform_line(Line& line, int length, double h) {
+  const double h2 = h * h;
+  int top = -1;
+  for (int q = 0; q < length; ++q) {
+    const double f = line.in[static_cast<std::size_t>(q)];
+    if (!std::isfinite(f)) continue;
+    double s = -std::numeric_limits<double>::infinity();
+    while (top >= 0) {
+      const int v = line.vertex[static_cast<std::size_t>(top)];
+      s = ((f + h2 * q * q) - (line.in[static_cast<std::size_t>(v)] + h2 * v * v)) / (2.0 * h2 * (q - v));
+      if (s > line.bound[static_cast<std::size_t>(top)]) break;
+      --top;
+      s = -std::numeric_limits<double>::infinity();
+    }
+    ++top;
+    line.vertex[static_cast<std::size_t>(top)] = q;
+    line.bound[static_cast<std::size_t>(top)] = s;
+  }
+  if (top < 0) {
+    std::fill(line.out.begin(), line.out.begin() + length, kFar);
+    return;
+  }
+  int k = 0;
+  for (int p = 0; p < length; ++p) {
+    while (k < top && line.bound[static_cast<std::size_t>(k) + 1] < p) ++k;
+    const int v = line.vertex[static_cast<std::size_t>(k)];
+    line.out[static_cast<std::size_t>(p)] =
+        static_cast<float>(line.in[static_cast<std::size_t>(v)] + h2 * (p - v) * (p - v));
+  }
+}
+
+/// One pass along an axis: `length` values `stride` apart, for every line that starts at one of `starts`.
+void transform_axis(std::vector<float>& field, const Eigen::Vector3i& size, int axis, double h) {
+  const std::array<std::size_t, 3> strides = {
+      1, static_cast<std::size_t>(size.x()),
+      static_cast<std::size_t>(size.x()) * static_cast<std::size_t>(size.y())};
+  const std::size_t stride = strides[static_cast<std::size_t>(axis)];
+  const int length = size[axis];
+  const int a = (axis + 1) % 3, b = (axis + 2) % 3;
+  Line line(length);
+  for (int ib = 0; ib < size[b]; ++ib)
+    for (int ia = 0; ia < size[a]; ++ia) {
+      const std::size_t start = static_cast<std::size_t>(ia) * strides[static_cast<std::size_t>(a)] +
+                                static_cast<std::size_t>(ib) * strides[static_cast<std::size_t>(b)];
+      for (int p = 0; p < length; ++p)
+        line.in[static_cast<std::size_t>(p)] = field[start + static_cast<std::size_t>(p) * stride];
+      transform_line(line, length, h);
+      for (int p = 0; p < length; ++p)
+        field[start + static_cast<std::size_t>(p) * stride] = line.out[static_cast<std::size_t>(p)];
+    }
+}
+
+std::vector<float> squared_distance_to(const Mask& mask, std::uint8_t wanted) {
+  std::vector<float> field(mask.voxels.size());
+  std::transform(mask.voxels.begin(), mask.voxels.end(), field.begin(),
+                 [&](std::uint8_t v) { return (v != 0) == (wanted != 0) ? 0.0F : kFar; });
+  for (int axis = 0; axis < 3; ++axis) transform_axis(field, mask.size, axis, mask.spacing_mm[axis]);
+  return field;
+}
+
+/// Floods from `seed` through faces over the voxels that satisfy `open`; calls take(offset) once for each.
+template <class Open, class Take>
+void flood(const Eigen::Vector3i& size, std::size_t seed, std::vector<std::size_t>& stack, Open&& open,
+           Take&& take) {
+  const auto nx = static_cast<std::size_t>(size.x());
+  const auto slice = nx * static_cast<std::size_t>(size.y());
+  const auto ny = static_cast<std::size_t>(size.y()), nz = static_cast<std::size_t>(size.z());
+  stack.assign(1, seed);
+  take(seed);
+  const auto visit = [&](std::size_t at) {
+    if (!open(at)) return;
+    take(at);
+    stack.push_back(at);
+  };
+  while (!stack.empty()) {
+    const std::size_t at = stack.back();
+    stack.pop_back();
+    const std::size_t i = at % nx, j = (at / nx) % ny, k = at / slice;
+    if (i > 0) visit(at - 1);
+    if (i + 1 < nx) visit(at + 1);
+    if (j > 0) visit(at - nx);
+    if (j + 1 < ny) visit(at + nx);
+    if (k > 0) visit(at - slice);
+    if (k + 1 < nz) visit(at + slice);
+  }
+}
+
+/// Fills the holes of one slice (nu x nv voxels, `su` and `sv` apart) into `filled`.
+void fill_slice(const std::vector<std::uint8_t>& voxels, std::vector<std::uint8_t>& filled, std::size_t start,
+                int nu, int nv, std::size_t su, std::size_t sv) {
+  std::vector<std::uint8_t> outside(static_cast<std::size_t>(nu) * static_cast<std::size_t>(nv), 0);
+  std::vector<std::pair<int, int>> stack;
+  const auto at = [&](int u, int v) {
+    return start + static_cast<std::size_t>(u) * su + static_cast<std::size_t>(v) * sv;
+  };
+  const auto visit = [&](int u, int v) {
+    if (u < 0 || v < 0 || u >= nu || v >= nv) return;
+    std::uint8_t& seen =
+        outside[static_cast<std::size_t>(u) + static_cast<std::size_t>(nu) * static_cast<std::size_t>(v)];
+    if (seen != 0 || voxels[at(u, v)] != 0) return;
+    seen = 1;
+    stack.emplace_back(u, v);
+  };
+  for (int u = 0; u < nu; ++u) visit(u, 0), visit(u, nv - 1);
+  for (int v = 0; v < nv; ++v) visit(0, v), visit(nu - 1, v);
+  while (!stack.empty()) {
+    const auto [u, v] = stack.back();
+    stack.pop_back();
+    visit(u - 1, v), visit(u + 1, v), visit(u, v - 1), visit(u, v + 1);
+  }
+  for (int v = 0; v < nv; ++v)
+    for (int u = 0; u < nu; ++u)
+      if (outside[static_cast<std::size_t>(u) + static_cast<std::size_t>(nu) * static_cast<std::size_t>(v)] ==
+          0)
+        filled[at(u, v)] = 1;
+}
+
+}  // namespace
+
+long Mask::count() const {
+  return std::count_if(voxels.begin(), voxels.end(), [](std::uint8_t v) { return v != 0; });
+}
+
+VoxelBox bounding_box(const Eigen::Vector3i& size, const Eigen::Vector3d& spacing_mm,
+                      const std::vector<std::uint8_t>& voxels, double margin_mm) {
+  VoxelBox box{size, Eigen::Vector3i::Zero()};
+  std::size_t at = 0;
+  for (int k = 0; k < size.z(); ++k)
+    for (int j = 0; j < size.y(); ++j)
+      for (int i = 0; i < size.x(); ++i, ++at)
+        if (voxels[at] != 0) {
+          box.low = box.low.cwiseMin(Eigen::Vector3i(i, j, k));
+          box.high = box.high.cwiseMax(Eigen::Vector3i(i + 1, j + 1, k + 1));
+        }
+  if (box.empty()) return {};
+  for (int axis = 0; axis < 3; ++axis) {
+    const int margin = static_cast<int>(std::ceil(margin_mm / spacing_mm[axis]));
+    box.low[axis] = std::max(0, box.low[axis] - margin);
+    box.high[axis] = std::min(size[axis], box.high[axis] + margin);
+  }
+  return box;
+}
+
+Mask crop(const Eigen::Vector3i& size, const Eigen::Vector3d& spacing_mm,
+          const std::vector<std::uint8_t>& voxels, const VoxelBox& box) {
+  require(!box.empty() && (box.low.array() >= 0).all() && (box.high.array() <= size.array()).all(),
+          "a crop lies inside its volume");
+  Mask part(box.size(), spacing_mm);
+  Mask whole;
+  whole.size = size;  // only for its offset()
+  for (int k = 0; k < part.size.z(); ++k)
+    for (int j = 0; j < part.size.y(); ++j) {
+      const auto from = voxels.begin() + static_cast<std::ptrdiff_t>(
+                                             whole.offset(box.low.x(), j + box.low.y(), k + box.low.z()));
+      std::copy(from, from + part.size.x(),
+                part.voxels.begin() + static_cast<std::ptrdiff_t>(part.offset(0, j, k)));
+    }
+  return part;
+}
+
+void paste(const Mask& part, const VoxelBox& box, const Eigen::Vector3i& size,
+           std::vector<std::uint8_t>& voxels) {
+  require(part.size == box.size(), "a crop is pasted into the box that it came from");
+  Mask whole;
+  whole.size = size;  // only for its offset()
+  for (int k = 0; k < part.size.z(); ++k)
+    for (int j = 0; j < part.size.y(); ++j) {
+      const auto from = part.voxels.begin() + static_cast<std::ptrdiff_t>(part.offset(0, j, k));
+      std::copy(from, from + part.size.x(),
+                voxels.begin() +
+                    static_cast<std::ptrdiff_t>(whole.offset(box.low.x(), j + box.low.y(), k + box.low.z())));
+    }
+}
+
+std::vector<float> squared_distance_mm2(const Mask& mask) { return squared_distance_to(mask, 1); }
+
+Mask dilated(const Mask& mask, double radius_mm) {
+  const std::vector<float> distance = squared_distance_to(mask, 1);
+  Mask result(mask.size, mask.spacing_mm);
+  const auto limit = static_cast<float>(radius_mm * radius_mm * (1.0 + 1e-6));
+  std::transform(distance.begin(), distance.end(), result.voxels.begin(),
+                 [&](float d) { return d <= limit ? 1 : 0; });
+  return result;
+}
+
+Mask eroded(const Mask& mask, double radius_mm) {
+  const std::vector<float> distance = squared_distance_to(mask, 0);
+  Mask result(mask.size, mask.spacing_mm);
+  const auto limit = static_cast<float>(radius_mm * radius_mm * (1.0 + 1e-6));
+  std::transform(distance.begin(), distance.end(), result.voxels.begin(),
+                 [&](float d) { return d > limit ? 1 : 0; });
+  return result;
+}
+
+Mask opened(const Mask& mask, double radius_mm) { return dilated(eroded(mask, radius_mm), radius_mm); }
+
+Mask closed(const Mask& mask, double radius_mm) { return eroded(dilated(mask, radius_mm), radius_mm); }
+
+std::vector<int> connected_components(const Mask& mask, std::vector<long>& sizes) {
+  std::vector<int> number(mask.voxels.size(), 0);
+  std::vector<std::size_t> stack;
+  sizes.clear();
+  for (std::size_t seed = 0; seed < number.size(); ++seed) {
+    if (mask.voxels[seed] == 0 || number[seed] != 0) continue;
+    const int current = static_cast<int>(sizes.size()) + 1;
+    sizes.push_back(0);
+    flood(
+        mask.size, seed, stack, [&](std::size_t at) { return mask.voxels[at] != 0 && number[at] == 0; },
+        [&](std::size_t at) {
+          number[at] = current;
+          ++sizes.back();
+        });
+  }
+  std::vector<int> order(sizes.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+    return sizes[static_cast<std::size_t>(a)] > sizes[static_cast<std::size_t>(b)];
+  });
+  std::vector<int> rank(sizes.size() + 1, 0);
+  std::vector<long> sorted(sizes.size());
+  for (std::size_t r = 0; r < order.size(); ++r) {
+    rank[static_cast<std::size_t>(order[r]) + 1] = static_cast<int>(r) + 1;
+    sorted[r] = sizes[static_cast<std::size_t>(order[r])];
+  }
+  for (int& n : number) n = rank[static_cast<std::size_t>(n)];
+  sizes = std::move(sorted);
+  return number;
+}
+
+Mask largest_component(const Mask& mask) {
+  std::vector<long> sizes;
+  const std::vector<int> number = connected_components(mask, sizes);
+  Mask result(mask.size, mask.spacing_mm);
+  std::transform(number.begin(), number.end(), result.voxels.begin(), [](int n) { return n == 1 ? 1 : 0; });
+  return result;
+}
+
+Mask holes_filled(const Mask& mask) {
+  std::vector<std::uint8_t> outside(mask.voxels.size(), 0);
+  std::vector<std::size_t> stack;
+  const auto open = [&](std::size_t at) { return mask.voxels[at] == 0 && outside[at] == 0; };
+  for (int k = 0; k < mask.size.z(); ++k)
+    for (int j = 0; j < mask.size.y(); ++j) {
+      const bool edge = k == 0 || j == 0 || k + 1 == mask.size.z() || j + 1 == mask.size.y();
+      for (int i = 0; i < mask.size.x(); i += edge ? 1 : std::max(1, mask.size.x() - 1)) {
+        const std::size_t at = mask.offset(i, j, k);
+        if (open(at)) flood(mask.size, at, stack, open, [&](std::size_t v) { outside[v] = 1; });
+      }
+    }
+  Mask result(mask.size, mask.spacing_mm);
+  std::transform(outside.begin(), outside.end(), result.voxels.begin(),
+                 [](std::uint8_t v) { return v == 0 ? 1 : 0; });
+  return result;
+}
+
+Mask slice_holes_filled(const Mask& mask) {
+  Mask result = mask;
+  const std::size_t sx = 1, sy = static_cast<std::size_t>(mask.size.x()),
+                    sz = sy * static_cast<std::size_t>(mask.size.y());
+  for (int k = 0; k < mask.size.z(); ++k)
+    fill_slice(mask.voxels, result.voxels, static_cast<std::size_t>(k) * sz, mask.size.x(), mask.size.y(), sx,
+               sy);
+  for (int j = 0; j < mask.size.y(); ++j)
+    fill_slice(mask.voxels, result.voxels, static_cast<std::size_t>(j) * sy, mask.size.x(), mask.size.z(), sx,
+               sz);
+  for (int i = 0; i < mask.size.x(); ++i)
+    fill_slice(mask.voxels, result.voxels, static_cast<std::size_t>(i) * sx, mask.size.y(), mask.size.z(), sy,
+               sz);
+  return result;
+}
+
+}  // namespace glisson
