@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/geometry/mesh_io.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+
+#include "glisson/core/error.h"
+#include "glisson/core/files.h"
+#include "glisson/geometry/topology.h"
+#include "mesh_io_formats.h"
+#include "text_scanner.h"
+
+namespace glisson {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr double kSmallestLiver = 0.08, kLargestLiver = 0.6;  // metres, diagonal of the box
+
+std::string extension_of(const fs::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
+
+bool is_vtk_format(const std::string& extension) {
+  return extension == ".vtk" || extension == ".vtu" || extension == ".vtp";
+}
+
+void require_finite(const Points& vertices, const std::string& name) {
+  for (Eigen::Index i = 0; i < vertices.rows(); ++i)
+    if (!vertices.row(i).allFinite())
+      throw InputError(name, "vertex " + std::to_string(i), "a coordinate is not a finite number",
+                       "Export the mesh anew");
+}
+
+void require_every_node_used(const TetMesh& mesh, const std::string& name) {
+  std::vector<char> used(static_cast<std::size_t>(mesh.vertex_count()), 0);
+  for (int t = 0; t < mesh.tetrahedron_count(); ++t)
+    for (int k = 0; k < 4; ++k) used[mesh.tetrahedra(t, k)] = 1;
+  const auto free = std::find(used.begin(), used.end(), 0);
+  if (free != used.end())
+    throw InputError(name, "vertex " + std::to_string(free - used.begin()), "belongs to no tetrahedron",
+                     "Remove the vertices that the volume does not use");
+}
+
+/// Some programs order a tetrahedron's corners the other way round: all of them, then, not a few.
+void follow_our_orientation(TetMesh& mesh) {
+  if (mesh.tetrahedron_count() > 0 && tetrahedron_volumes(mesh).maxCoeff() < 0.0) orient_tetrahedra(mesh);
+}
+
+void require_same_rows(const NamedArrays& arrays, Eigen::Index rows) {
+  for (const auto& [name, values] : arrays)
+    require(values.rows() == rows, "an array to be written has not one row a point or a cell");
+}
+
+/// Positions survive a file to within its number format.
+void require_same_positions(const Points& written, const Points& read, double relative,
+                            const std::string& name) {
+  const double scale = written.size() > 0 ? written.cwiseAbs().maxCoeff() : 0.0;
+  if (written.rows() != read.rows() || !((written - read).cwiseAbs().maxCoeff() <= relative * scale))
+    throw FileError(name + ": what was written reads back differently. Check the disk.");
+}
+
+}  // namespace
+
+const char* unit_code(LengthUnit unit) {
+  return unit == LengthUnit::millimetre ? "mm" : unit == LengthUnit::centimetre ? "cm" : "m";
+}
+
+bool is_tetrahedral(const fs::path& path) {
+  const std::string extension = extension_of(path);
+  if (extension == ".msh") return formats::read_msh(path).mesh.tetrahedron_count() > 0;
+  if (is_vtk_format(extension)) return formats::read_vtk(path).tets.mesh.tetrahedron_count() > 0;
+  if (extension == ".stl" || extension == ".obj" || extension == ".ply") {
+    if (!fs::exists(path)) throw FileError(path.string() + ": does not exist. Check the path.");
+    return false;
+  }
+  throw InputError(path.string(), "", "is of no known mesh format (\"" + extension + "\")",
+                   "Give .vtu, .vtk, .msh, .vtp, .stl, .obj or .ply");
+}
+
+TetFile read_tet_file(const fs::path& path, LengthUnit unit) {
+  const std::string extension = extension_of(path), name = path.string();
+  TetFile file;
+  if (extension == ".msh") {
+    file = formats::read_msh(path);
+  } else if (extension == ".vtu" || extension == ".vtk") {
+    file = std::move(formats::read_vtk(path).tets);
+  } else {
+    throw InputError(name, "", "is no tetrahedral mesh format (\"" + extension + "\")",
+                     "Give .vtu, legacy .vtk or .msh");
+  }
+  file.mesh.vertices *= metres_per(unit);
+  if (file.mesh.vertices.allFinite()) follow_our_orientation(file.mesh);
+  check_tetrahedra(file.mesh, name);
+  require_every_node_used(file.mesh, name);
+  return file;
+}
+
+TetMesh read_tet_mesh(const fs::path& path, LengthUnit unit) { return read_tet_file(path, unit).mesh; }
+
+void write_tet_mesh(const fs::path& path, const TetFile& file, LengthUnit unit) {
+  const std::string extension = extension_of(path);
+  if (extension != ".vtu" && extension != ".vtk")
+    throw InputError(path.string(), "", "a tetrahedral mesh is not written as \"" + extension + "\"",
+                     "Name the file .vtu or .vtk");
+  require_same_rows(file.point_data, file.mesh.vertices.rows());
+  require_same_rows(file.cell_data, file.mesh.tetrahedra.rows());
+  TetFile scaled = file;
+  scaled.mesh.vertices /= metres_per(unit);
+  write_file_atomically(
+      path, [&](const fs::path& to) { formats::write_vtk(to, scaled); },
+      [&](const fs::path& written) {
+        const TetFile back = formats::read_vtk(written).tets;
+        require_same_positions(scaled.mesh.vertices, back.mesh.vertices, 0.0, path.string());
+        if (back.mesh.tetrahedra != scaled.mesh.tetrahedra || back.mesh.labels != scaled.mesh.labels)
+          throw FileError(path.string() + ": what was written reads back differently. Check the disk.");
+      });
+}
+
+void write_tet_mesh(const fs::path& path, const TetMesh& mesh, LengthUnit unit) {
+  write_tet_mesh(path, TetFile{mesh, {}, {}, {}}, unit);
+}
+
+TriangleFile read_triangle_file(const fs::path& path, LengthUnit unit) {
+  const std::string extension = extension_of(path), name = path.string();
+  TriangleFile file;
+  if (extension == ".stl") {
+    file.mesh = formats::read_stl(path);
+  } else if (extension == ".obj") {
+    file.mesh = formats::read_obj(path);
+  } else if (extension == ".ply") {
+    file.mesh = formats::read_ply_surface(path);
+  } else if (is_vtk_format(extension)) {
+    file = std::move(formats::read_vtk(path).triangles);
+  } else {
+    throw InputError(name, "", "is no surface format (\"" + extension + "\")",
+                     "Give .vtp, legacy .vtk, .stl, .obj or .ply");
+  }
+  if (file.mesh.triangle_count() == 0)
+    throw InputError(name, "triangles", "there are none", "Give a closed surface");
+  require_finite(file.mesh.vertices, name);
+  file.mesh.vertices *= metres_per(unit);
+  return file;
+}
+
+TriangleMesh read_triangle_mesh(const fs::path& path, LengthUnit unit) {
+  return read_triangle_file(path, unit).mesh;
+}
+
+void write_triangle_mesh(const fs::path& path, const TriangleFile& file, LengthUnit unit) {
+  const std::string extension = extension_of(path);
+  require_same_rows(file.point_data, file.mesh.vertices.rows());
+  require_same_rows(file.cell_data, file.mesh.triangles.rows());
+  TriangleFile scaled = file;
+  scaled.mesh.vertices /= metres_per(unit);
+  if (extension == ".stl") {
+    write_file_atomically(path, formats::stl_bytes(scaled.mesh));
+  } else if (extension == ".obj") {
+    write_file_atomically(path, formats::obj_text(scaled.mesh));
+  } else if (extension == ".ply") {
+    write_file_atomically(path, formats::ply_bytes(scaled.mesh));
+  } else if (extension == ".vtp" || extension == ".vtk") {
+    write_file_atomically(
+        path, [&](const fs::path& to) { formats::write_vtk(to, scaled); },
+        [&](const fs::path& written) {
+          const TriangleFile back = formats::read_vtk(written).triangles;
+          require_same_positions(scaled.mesh.vertices, back.mesh.vertices, 0.0, path.string());
+          if (back.mesh.triangles != scaled.mesh.triangles)
+            throw FileError(path.string() + ": what was written reads back differently. Check the disk.");
+        });
+  } else {
+    throw InputError(path.string(), "", "a surface is not written as \"" + extension + "\"",
+                     "Name the file .vtp, .vtk, .stl, .obj or .ply");
+  }
+}
+
+void write_triangle_mesh(const fs::path& path, const TriangleMesh& mesh, LengthUnit unit) {
+  write_triangle_mesh(path, TriangleFile{mesh, {}, {}, {}}, unit);
+}
+
+Points read_node_list(const fs::path& path, LengthUnit unit) {
+  const std::string content = read_file(path);
+  TextScanner lines(content, path.string());
+  std::vector<double> values;
+  std::string_view line;
+  for (int number = 1; lines.next_line(line); ++number) {
+    line = line.substr(0, line.find('#'));
+    TextScanner words(line, path.string());
+    std::string_view word = words.token();
+    if (word.empty()) continue;
+    const std::string field = "line " + std::to_string(number);
+    for (int k = 0; k < 3; ++k, word = words.token()) {
+      double value = 0.0;
+      if (!TextScanner::parse(word, value) || !std::isfinite(value))
+        throw InputError(path.string(), field, "does not hold three finite numbers",
+                         "Give one node as \"x y z\" a line");
+      values.push_back(value);
+    }
+    if (!word.empty())
+      throw InputError(path.string(), field, "holds more than three numbers",
+                       "Give one node as \"x y z\" a line");
+  }
+  if (values.empty())
+    throw InputError(path.string(), "", "holds no nodes", "Give one node as \"x y z\" a line");
+  return Eigen::Map<const Points>(values.data(), static_cast<Eigen::Index>(values.size() / 3), 3) *
+         metres_per(unit);
+}
+
+void write_node_list(const fs::path& path, const Points& nodes, LengthUnit unit) {
+  std::string text;
+  char line[128];
+  for (Eigen::Index i = 0; i < nodes.rows(); ++i) {
+    const Eigen::Vector3d p = nodes.row(i).transpose() / metres_per(unit);
+    std::snprintf(line, sizeof line, "%.9g %.9g %.9g\n", p.x(), p.y(), p.z());
+    text += line;
+  }
+  write_file_atomically(path, text);
+}
+
+std::vector<int> read_node_numbers(const fs::path& path, int node_count) {
+  const std::string content = read_file(path);
+  TextScanner words(content, path.string());
+  std::vector<int> numbers;
+  for (std::string_view word = words.token(); !word.empty(); word = words.token()) {
+    int number = -1;
+    if (!TextScanner::parse(word, number) || number < 0 || number >= node_count)
+      throw InputError(
+          path.string(), "line " + std::to_string(words.line()),
+          "\"" + std::string(word.substr(0, 40)) + "\" is no node of a mesh of " + std::to_string(node_count),
+          "Give 0-based node numbers of this mesh");
+    numbers.push_back(number);
+  }
+  return numbers;
+}
+
+namespace {
+double box_diagonal(const Points& points) {
+  return points.rows() == 0 ? 0.0 : (points.colwise().maxCoeff() - points.colwise().minCoeff()).norm();
+}
+bool plausible(double metres) { return metres >= kSmallestLiver && metres <= kLargestLiver; }
+}  // namespace
+
+bool plausible_liver_size(const Points& points) { return plausible(box_diagonal(points)); }
+
+void check_liver_size(const Points& points, LengthUnit unit, const std::string& name) {
+  const double diagonal = box_diagonal(points);
+  if (plausible(diagonal)) return;
+  char problem[160];
+  std::snprintf(problem, sizeof problem,
+                "measures %.4g m across when read in %s, and a liver measures 0.08 to 0.6 m", diagonal,
+                unit_code(unit));
+  std::string remedy = "Check what the file holds; no usual unit makes a liver of it";
+  for (const LengthUnit other : {LengthUnit::millimetre, LengthUnit::centimetre, LengthUnit::metre})
+    if (plausible(diagonal / metres_per(unit) * metres_per(other)))
+      remedy = std::string("Read it in ") + unit_code(other);
+  throw InputError(name, "size", problem, remedy);
+}
+
+}  // namespace glisson

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "glisson/geometry/mesh_io.h"
+
+/// @file
+/// The formats behind mesh_io.h. Coordinates are in the file's unit here; nothing is checked beyond what
+/// parsing needs, except that every index is in range.
+
+namespace glisson::formats {
+
+/// What a file says before anyone decides whether it is a volume or a surface.
+struct MixedFile {
+  TetFile tets;
+  TriangleFile triangles;
+};
+
+// Through VTK.
+MixedFile read_vtk(const std::filesystem::path& path);  ///< .vtu .vtp .vtk
+void write_vtk(const std::filesystem::path& path, const TetFile& file);
+void write_vtk(const std::filesystem::path& path, const TriangleFile& file);
+
+// By our own parsers.
+TetFile read_msh(const std::filesystem::path& path);
+TriangleMesh read_stl(const std::filesystem::path& path);
+TriangleMesh read_obj(const std::filesystem::path& path);
+TriangleMesh read_ply_surface(const std::filesystem::path& path);
+std::string stl_bytes(const TriangleMesh& mesh);
+std::string obj_text(const TriangleMesh& mesh);
+std::string ply_bytes(const TriangleMesh& mesh);
+
+}  // namespace glisson::formats
