@@ -22,7 +22,8 @@ class StereoVideo {
   int width() const;  ///< of one view
   int height() const;
   double frames_per_second() const;
-  int frame_count() const;  ///< as the container says; may be more than can be read
+  /// As the container says; may be more than can be read; 0: it does not say.
+  int frame_count() const;
   /// The next frame. @return false at the end. @throws InputError when the video breaks off before
   /// frame_count().
   bool read(StereoFrame& frame);
@@ -35,6 +36,8 @@ class StereoVideo {
 
 /// Writes a video (mp4v in .mkv: a killed file keeps nearly all frames). close() flushes, reads back the
 /// number of frames and renames; without close() nothing remains.
+/// @pre even width and height; pictures of that size, three channels. @throws InputError another extension
+/// than .mkv, FileError.
 class VideoWriter {
  public:
   VideoWriter(const std::filesystem::path& path, int width, int height, double frames_per_second);

@@ -1,29 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <filesystem>
 #include <vector>
 
 #include "glisson/core/run_context.h"
 #include "glisson/geometry/camera.h"
 #include "glisson/patient/labelled_cloud.h"
 #include "glisson/patient/picture.h"
+#include "glisson/stereo/regions.h"
 
 namespace glisson::stereo {
-
-/// A closed polygon that the operator clicked on the left image; points in it get its feature. Pixel
-/// coordinates of the distorted left image. Overlaps: notch over margin over surface.
-struct Region {
-  Feature feature = Feature::surface;
-  std::vector<Eigen::Vector2d> polygon;
-};
-/// JSON {"image": "left", "frame": 0, "regions": [{"label": "surface", "polygon": [[x, y], ...]}, ...]}
-struct Regions {
-  int frame = 0;
-  std::vector<Region> regions;
-};
-Regions read_regions(const std::filesystem::path& path);
-void write_regions(const std::filesystem::path& path, const Regions& regions);
 
 struct ReconstructOptions {
   int features = 3000;  ///< wanted per image

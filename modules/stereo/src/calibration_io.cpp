@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/stereo/calibration_io.h"
+
+#include <cmath>
+#include <cstdio>
+#include <opencv2/core.hpp>
+#include <opencv2/core/persistence.hpp>
+#include <stdexcept>
+#include <string>
+
+#include "glisson/core/error.h"
+#include "glisson/core/files.h"
+#include "glisson/core/units.h"
+
+namespace glisson::stereo {
+namespace {
+
+constexpr const char* kCalibrateAgain = "Write the calibration anew or calibrate again";
+// The lenses of a laparoscope lie in a tube of 10 to 12 mm; robots and heads for open surgery reach further.
+constexpr double kSmallestBaseline = 1e-3, kLargestBaseline = 30e-3;
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+class Reader {
+ public:
+  Reader(std::string file, const std::string& content) : file_(std::move(file)) {
+    // Text only: the parser trusts the structure of what looks like binary blocks.
+    if (content.size() > (1u << 20) || content.find('\0') != std::string::npos)
+      throw InputError(file_, "", "is not a calibration (too large, or not text)", kCalibrateAgain);
+    try {
+      if (!storage_.open(content, cv::FileStorage::READ | cv::FileStorage::MEMORY))
+        throw InputError(file_, "", "is not an OpenCV YAML file", kCalibrateAgain);
+    } catch (const cv::Exception& failure) {
+      throw InputError(file_, "", "is not valid OpenCV YAML (" + first_line(failure.err) + ")",
+                       kCalibrateAgain);
+    } catch (const std::length_error&) {  // its parser lets the standard library's own errors out
+      throw InputError(file_, "", "is not valid OpenCV YAML", kCalibrateAgain);
+    }
+  }
+
+  cv::FileNode node(const char* name) const {
+    cv::FileNode found;
+    try {
+      found = storage_[name];
+    } catch (const cv::Exception&) {
+      found = cv::FileNode();
+    }
+    if (found.empty()) throw InputError(file_, name, "is missing", kCalibrateAgain);
+    return found;
+  }
+
+  cv::Mat matrix(const char* name) const {
+    cv::Mat read, values;
+    try {
+      node(name) >> read;
+      read.convertTo(values, CV_64F);
+    } catch (const cv::Exception&) {
+      throw InputError(file_, name, "is not a matrix", kCalibrateAgain);
+    }
+    if (values.empty() || values.channels() != 1 || values.dims != 2)
+      throw InputError(file_, name, "is not a matrix", kCalibrateAgain);
+    for (int r = 0; r < values.rows; ++r)
+      for (int c = 0; c < values.cols; ++c)
+        if (!std::isfinite(values.at<double>(r, c)))
+          throw InputError(file_, name, "has an entry that is not a number", kCalibrateAgain);
+    return values;
+  }
+
+  Eigen::Matrix3d square(const char* name) const {
+    const cv::Mat values = matrix(name);
+    if (values.rows != 3 || values.cols != 3)
+      throw InputError(file_, name,
+                       "is " + std::to_string(values.rows) + "x" + std::to_string(values.cols) + ", not 3x3",
+                       kCalibrateAgain);
+    Eigen::Matrix3d result;
+    for (int r = 0; r < 3; ++r)
+      for (int c = 0; c < 3; ++c) result(r, c) = values.at<double>(r, c);
+    return result;
+  }
+
+  /// A row or a column. @param least, most allowed lengths.
+  std::vector<double> vector(const char* name, int least, int most) const {
+    const cv::Mat values = matrix(name);
+    const int length = static_cast<int>(values.total());
+    if (std::min(values.rows, values.cols) != 1 || length < least || length > most)
+      throw InputError(file_, name,
+                       "is " + std::to_string(values.rows) + "x" + std::to_string(values.cols) +
+                           ", not a vector of " + std::to_string(least) + (most > least ? " or more" : "") +
+                           " numbers",
+                       kCalibrateAgain);
+    std::vector<double> result;
+    for (int i = 0; i < length; ++i)
+      result.push_back(values.rows == 1 ? values.at<double>(0, i) : values.at<double>(i, 0));
+    return result;
+  }
+
+  int pixels(const char* name) const {
+    const cv::FileNode found = node(name);
+    if (!found.isInt() || static_cast<int>(found) < 16 || static_cast<int>(found) > 16384)
+      throw InputError(file_, name, "is not a number of pixels from 16 to 16384", kCalibrateAgain);
+    return static_cast<int>(found);
+  }
+
+  double metres_per_unit() const {
+    const cv::FileNode found = node("unit");
+    const std::string unit = found.isString() ? static_cast<std::string>(found) : std::string();
+    if (unit == "mm") return metres_per(LengthUnit::millimetre);
+    if (unit == "cm") return metres_per(LengthUnit::centimetre);
+    if (unit == "m") return metres_per(LengthUnit::metre);
+    throw InputError(file_, "unit", "is \"" + unit.substr(0, 20) + "\", which is no unit of length here",
+                     "Write mm, cm or m: the unit of T");
+  }
+
+  Camera camera(const char* matrix_name, const char* distortion_name, int width, int height) const {
+    Camera result;
+    result.width = width;
+    result.height = height;
+    result.matrix = square(matrix_name);
+    const Eigen::Matrix3d& m = result.matrix;
+    if (m(0, 0) <= 0.0 || m(1, 1) <= 0.0 || m(1, 0) != 0.0 || m(2, 0) != 0.0 || m(2, 1) != 0.0 ||
+        std::abs(m(2, 2) - 1.0) > 1e-9)
+      throw InputError(file_, matrix_name, "is not a camera matrix (fx 0 cx; 0 fy cy; 0 0 1)",
+                       kCalibrateAgain);
+    if (m(0, 2) < 0.0 || m(0, 2) > width || m(1, 2) < 0.0 || m(1, 2) > height)
+      throw InputError(file_, matrix_name,
+                       "has its principal point (" + number(m(0, 2)) + ", " + number(m(1, 2)) +
+                           ") outside the image of " + std::to_string(width) + "x" + std::to_string(height),
+                       "Check image_width and image_height: the calibration is of another image size");
+    const std::vector<double> d = vector(distortion_name, 4, 14);
+    for (std::size_t i = 0; i < d.size(); ++i) {
+      if (i < 5)
+        result.distortion[static_cast<Eigen::Index>(i)] = d[i];
+      else if (d[i] != 0.0)
+        throw InputError(file_, distortion_name, "uses more than the five terms k1 k2 p1 p2 k3",
+                         "Calibrate without the rational, thin-prism and tilted models");
+    }
+    return result;
+  }
+
+  const std::string& file() const { return file_; }
+
+ private:
+  static std::string first_line(const std::string& text) {
+    return text.substr(0, text.find('\n')).substr(0, 120);
+  }
+
+  std::string file_;
+  cv::FileStorage storage_;
+};
+
+void check_geometry(const std::string& file, const StereoRig& rig) {
+  const Eigen::Matrix3d& r = rig.right_from_left.rotation;
+  const double baseline = rig.baseline();
+  if (baseline == 0.0) throw InputError(file, "T", "is zero: the cameras have no baseline", kCalibrateAgain);
+  if (baseline < kSmallestBaseline || baseline > kLargestBaseline)
+    throw InputError(
+        file, "T",
+        "gives a baseline of " + number(1e3 * baseline) + " mm, where a stereo laparoscope has 1 to 30 mm",
+        "Check the unit");
+  const Eigen::Vector3d right_in_left = -(r.transpose() * rig.right_from_left.translation);
+  if (right_in_left.x() <= 0.0)
+    throw InputError(
+        file, "T",
+        "puts the right camera " + number(-1e3 * right_in_left.x()) + " mm to the left of the left one",
+        "Left and right are swapped, or R and T map right to left: x_right = R x_left + T");
+}
+
+cv::Mat to_cv(const Eigen::MatrixXd& m) {
+  cv::Mat result(static_cast<int>(m.rows()), static_cast<int>(m.cols()), CV_64F);
+  for (int r = 0; r < result.rows; ++r)
+    for (int c = 0; c < result.cols; ++c) result.at<double>(r, c) = m(r, c);
+  return result;
+}
+
+}  // namespace
+
+StereoRig read_calibration(const std::filesystem::path& path) {
+  const Reader reader(path.string(), read_file(path));
+  const double metres = reader.metres_per_unit();
+  const int width = reader.pixels("image_width"), height = reader.pixels("image_height");
+  StereoRig rig;
+  rig.left = reader.camera("M1", "D1", width, height);
+  rig.right = reader.camera("M2", "D2", width, height);
+  const Eigen::Matrix3d r = reader.square("R");
+  if ((r * r.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() > 1e-3 ||
+      r.determinant() <= 0.0)
+    throw InputError(reader.file(), "R", "is not a rotation (determinant " + number(r.determinant()) + ")",
+                     kCalibrateAgain);
+  // Rounded to a few digits in the file; exact from here on.
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(r, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  rig.right_from_left.rotation = svd.matrixU() * svd.matrixV().transpose();
+  const std::vector<double> t = reader.vector("T", 3, 3);
+  rig.right_from_left.translation = metres * Eigen::Vector3d(t[0], t[1], t[2]);
+  check_geometry(reader.file(), rig);
+  return rig;
+}
+
+void write_calibration(const std::filesystem::path& path, const StereoRig& rig) {
+  require(rig.left.width == rig.right.width && rig.left.height == rig.right.height,
+          "both cameras of a rig have one image size");
+  cv::FileStorage storage(".yml", cv::FileStorage::WRITE | cv::FileStorage::MEMORY);
+  storage << "image_width" << rig.left.width << "image_height" << rig.left.height << "unit"
+          << "mm";
+  storage << "M1" << to_cv(rig.left.matrix) << "D1" << to_cv(rig.left.distortion.transpose());
+  storage << "M2" << to_cv(rig.right.matrix) << "D2" << to_cv(rig.right.distortion.transpose());
+  storage << "R" << to_cv(rig.right_from_left.rotation) << "T"
+          << to_cv(1e3 * rig.right_from_left.translation);
+  write_file_atomically(path, storage.releaseAndGetString());
+}
+
+}  // namespace glisson::stereo

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <opencv2/core.hpp>
+
+#include "glisson/patient/picture.h"
+
+namespace glisson::stereo {
+
+/// A view of the picture's bytes; they must outlive it, and nobody writes to it.
+cv::Mat view(const Picture& picture);
+/// Copies an 8-bit image of 1 or 3 channels.
+Picture to_picture(const cv::Mat& image);
+/// One channel, 8 bit.
+cv::Mat grey(const Picture& picture);
+
+}  // namespace glisson::stereo

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/stereo/calibration_io.h"
+
+#include <Eigen/Geometry>
+#include <QtTest>
+#include <fstream>
+
+#include "glisson/core/error.h"
+#include "glisson/core/files.h"
+
+using namespace glisson;
+using namespace glisson::stereo;
+
+namespace {
+
+StereoRig example() {
+  StereoRig rig;
+  rig.left.width = rig.right.width = 960;
+  rig.left.height = rig.right.height = 540;
+  rig.left.matrix << 900.5, 0, 470.25, 0, 901.5, 268.75, 0, 0, 1;
+  rig.right.matrix << 905.5, 0, 490.25, 0, 904.5, 271.75, 0, 0, 1;
+  rig.left.distortion << -0.2, 0.1, 0.001, -0.002, 0.03;
+  rig.right.distortion << -0.21, 0.12, -0.001, 0.002, 0.0;
+  rig.right_from_left.rotation =
+      Eigen::AngleAxisd(0.03, Eigen::Vector3d(0.1, 1.0, 0.2).normalized()).toRotationMatrix();
+  rig.right_from_left.translation << -0.0045, 0.0001, 0.0002;
+  return rig;
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  if (at == std::string::npos) throw std::logic_error("the test's text does not hold " + from);
+  return text.replace(at, from.size(), to);
+}
+
+/// What calibration programs write by hand, in the unit given.
+std::string yaml(const std::string& unit, const std::string& t) {
+  return "%YAML:1.0\n---\nimage_width: 960\nimage_height: 540\nunit: " + unit +
+         "\nM1: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n"
+         "   data: [ 900., 0., 470., 0., 900., 268., 0., 0., 1. ]\n"
+         "D1: !!opencv-matrix\n   rows: 4\n   cols: 1\n   dt: f\n   data: [ -0.1, 0.01, 0., 0. ]\n"
+         "M2: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n"
+         "   data: [ 900., 0., 490., 0., 900., 268., 0., 0., 1. ]\n"
+         "D2: !!opencv-matrix\n   rows: 1\n   cols: 5\n   dt: d\n   data: [ -0.1, 0.01, 0., 0., 0. ]\n"
+         "R: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n"
+         "   data: [ 1., 0., 0., 0., 1., 0., 0., 0., 1. ]\n"
+         "T: !!opencv-matrix\n   rows: 3\n   cols: 1\n   dt: d\n   data: [ " +
+         t + " ]\n";
+}
+
+}  // namespace
+
+class CalibrationIoTest : public QObject {
+  Q_OBJECT
+
+  TemporaryFolder folder_;
+
+  std::filesystem::path file(const std::string& content) {
+    std::ofstream(folder_.path() / "rig.yml", std::ios::binary) << content;
+    return folder_.path() / "rig.yml";
+  }
+
+  std::string refusal(const std::string& content) {
+    try {
+      read_calibration(file(content));
+      return "none";
+    } catch (const InputError& error) {
+      return error.remedy().empty() ? "no remedy" : error.field();
+    } catch (const std::exception& error) {
+      return std::string("other: ") + error.what();
+    }
+  }
+
+ private slots:
+  void WhatIsWrittenIsRead() {
+    const StereoRig rig = example();
+    const auto path = folder_.path() / "round.yml";
+    write_calibration(path, rig);
+    const StereoRig back = read_calibration(path);
+    QCOMPARE(back.left.width, 960);
+    QCOMPARE(back.right.height, 540);
+    QVERIFY((back.left.matrix - rig.left.matrix).cwiseAbs().maxCoeff() < 1e-12);
+    QVERIFY((back.right.matrix - rig.right.matrix).cwiseAbs().maxCoeff() < 1e-12);
+    QVERIFY((back.left.distortion - rig.left.distortion).cwiseAbs().maxCoeff() < 1e-15);
+    QVERIFY((back.right.distortion - rig.right.distortion).cwiseAbs().maxCoeff() < 1e-15);
+    QVERIFY((back.right_from_left.rotation - rig.right_from_left.rotation).cwiseAbs().maxCoeff() < 1e-12);
+    QVERIFY((back.right_from_left.translation - rig.right_from_left.translation).norm() < 1e-15);
+  }
+
+  void UnitsScaleTheBaseline() {
+    QVERIFY(std::abs(read_calibration(file(yaml("mm", "-4.5, 0., 0."))).baseline() - 0.0045) < 1e-15);
+    QVERIFY(std::abs(read_calibration(file(yaml("cm", "-0.45, 0., 0."))).baseline() - 0.0045) < 1e-15);
+    QVERIFY(std::abs(read_calibration(file(yaml("m", "-0.0045, 0., 0."))).baseline() - 0.0045) < 1e-15);
+  }
+
+  void RoundedRotationBecomesExact() {
+    const std::string text = replaced(yaml("mm", "-4.5, 0., 0."), "[ 1., 0., 0., 0., 1., 0., 0., 0., 1. ]",
+                                      "[ 0.9995, 0., -0.0302, 0., 1., 0., 0.0302, 0., 0.9995 ]");
+    const Eigen::Matrix3d r = read_calibration(file(text)).right_from_left.rotation;
+    QVERIFY((r * r.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < 1e-14);
+  }
+
+  void BadInputIsRefusedAndNamed_data() {
+    QTest::addColumn<QByteArray>("content");
+    QTest::addColumn<QByteArray>("field");
+    const auto row = [](const char* name, const std::string& content, const char* field) {
+      QTest::newRow(name) << QByteArray::fromStdString(content) << QByteArray(field);
+    };
+    const std::string good = yaml("mm", "-4.5, 0., 0.");
+    row("empty", "", "");
+    row("not YAML", "M1 = [1 2 3]", "");
+    row("cut off", good.substr(0, good.find("M2")), "M2");
+    row("cut off in a matrix", good.substr(0, good.find("490")), "");
+    row("metres written as mm", yaml("mm", "-0.0045, 0., 0."), "T");
+    row("mm written as metres", yaml("m", "-4.5, 0., 0."), "T");
+    row("no baseline", yaml("mm", "0., 0., 0."), "T");
+    row("swapped", yaml("mm", "4.5, 0., 0."), "T");
+    row("inches", yaml("inch", "-4.5, 0., 0."), "unit");
+    row("unit of a number", yaml("7", "-4.5, 0., 0."), "unit");
+    row("no unit", replaced(good, "unit: mm\n", ""), "unit");
+    row("no width", replaced(good, "image_width: 960\n", ""), "image_width");
+    row("width of zero", replaced(good, "image_width: 960", "image_width: 0"), "image_width");
+    row("width in words", replaced(good, "image_width: 960", "image_width: wide"), "image_width");
+    row("half the image", replaced(good, "image_width: 960", "image_width: 480"), "M2");
+    row("not a rotation", replaced(good, "[ 1., 0., 0., 0., 1., 0.,", "[ 1.1, 0., 0., 0., 1., 0.,"), "R");
+    row("mirrored", replaced(good, "[ 1., 0., 0., 0., 1., 0.,", "[ -1., 0., 0., 0., 1., 0.,"), "R");
+    row("R a vector",
+        replaced(good, "R: !!opencv-matrix\n   rows: 3\n   cols: 3",
+                 "R: !!opencv-matrix\n   rows: 9\n   cols: 1"),
+        "R");
+    row("D too short",
+        replaced(good, "rows: 4\n   cols: 1\n   dt: f\n   data: [ -0.1, 0.01, 0., 0. ]",
+                 "rows: 2\n   cols: 1\n   dt: f\n   data: [ -0.1, 0.01 ]"),
+        "D1");
+    row("D of the rational model",
+        replaced(good, "rows: 1\n   cols: 5\n   dt: d\n   data: [ -0.1, 0.01, 0., 0., 0. ]",
+                 "rows: 1\n   cols: 8\n   dt: d\n   data: [ -0.1, 0.01, 0., 0., 0., 0.1, 0., 0. ]"),
+        "D2");
+    row("M not a camera", replaced(good, "[ 900., 0., 470.", "[ -900., 0., 470."), "M1");
+    row("M of text", replaced(good, "M1: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n", "M1:\n"),
+        "M1");
+    row("NaN", replaced(good, "[ -4.5,", "[ .Nan,"), "T");
+  }
+  void BadInputIsRefusedAndNamed() {
+    QFETCH(QByteArray, content);
+    QFETCH(QByteArray, field);
+    QCOMPARE(QByteArray::fromStdString(refusal(content.toStdString())), field);
+  }
+
+  void MissingFileIsAFileError() {
+    QVERIFY_THROWS_EXCEPTION(FileError, read_calibration(folder_.path() / "absent.yml"));
+  }
+
+  void MutantsNeverCrash() {
+    const std::string good = yaml("mm", "-4.5, 0., 0.");
+    std::mt19937 random(11);  // NOLINT: the same mutants on every run
+    int refused = 0;
+    for (int mutant = 0; mutant < 1500; ++mutant) {
+      std::string text = good;
+      for (int edit = static_cast<int>(random() % 4); edit >= 0 && !text.empty(); --edit) {
+        const std::size_t at = random() % text.size();
+        switch (random() % 4) {
+          case 0:
+            text[at] = static_cast<char>(random());
+            break;
+          case 1:
+            text.erase(at, 1 + random() % 12);
+            break;
+          case 2:
+            text.insert(at, text.substr(random() % text.size(), random() % 24));
+            break;
+          default:
+            text.resize(at + 1);
+        }
+      }
+      const std::string result = refusal(text);
+      QVERIFY2(!result.starts_with("other") && result != "no remedy", result.c_str());
+      refused += result != "none";
+    }
+    QVERIFY(refused > 500);
+  }
+
+  void TwoImageSizesAreNotWritten() {
+    StereoRig rig = example();
+    rig.right.width = 640;
+    QVERIFY_THROWS_EXCEPTION(PreconditionError, write_calibration(folder_.path() / "never.yml", rig));
+  }
+};
+
+QTEST_APPLESS_MAIN(CalibrationIoTest)
+#include "calibration_io_test.moc"

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/stereo/picture_io.h"
+
+#include <QtTest>
+
+#include "glisson/core/error.h"
+#include "glisson/core/files.h"
+
+using namespace glisson;
+using namespace glisson::stereo;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Smooth colours that differ by position, and by frame.
+Picture pattern(int width, int height, int channels, int frame = 0) {
+  auto bytes = std::make_shared<std::vector<std::uint8_t>>();
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      for (int c = 0; c < channels; ++c)
+        bytes->push_back(
+            static_cast<std::uint8_t>(128.0 + 90.0 * std::sin(0.05 * x + 0.08 * y * (c + 1) + 0.3 * frame)));
+  return {width, height, channels, std::move(bytes)};
+}
+
+double mean_difference(const Picture& a, const Picture& b, int a_x0 = 0) {
+  double sum = 0.0;
+  for (int y = 0; y < b.height; ++y)
+    for (int x = 0; x < b.width; ++x)
+      for (int c = 0; c < b.channels; ++c)
+        sum += std::abs(
+            static_cast<int>(
+                (*a.bytes)[static_cast<std::size_t>((y * a.width + x + a_x0) * a.channels + c)]) -
+            static_cast<int>((*b.bytes)[static_cast<std::size_t>((y * b.width + x) * b.channels + c)]));
+  return sum / (b.width * b.height * b.channels);
+}
+
+std::size_t files_in(const fs::path& folder) {
+  return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+void write_video(const fs::path& path, int width, int height, int frames, double rate = 25.0) {
+  VideoWriter writer(path, width, height, rate);
+  for (int i = 0; i < frames; ++i) writer.write(pattern(width, height, 3, i));
+  writer.close();
+}
+
+}  // namespace
+
+class PictureIoTest : public QObject {
+  Q_OBJECT
+
+  TemporaryFolder folder_;
+
+ private slots:
+  void LosslessFormatsKeepEveryByte() {
+    for (const int channels : {1, 3})
+      for (const char* name : {"a.png", "a.bmp"}) {
+        const Picture picture = pattern(37, 23, channels);
+        write_picture(folder_.path() / name, picture);
+        const Picture back = read_picture(folder_.path() / name);
+        QCOMPARE(back.width, 37);
+        QCOMPARE(back.height, 23);
+        QCOMPARE(back.channels, channels);
+        QVERIFY(*back.bytes == *picture.bytes);
+      }
+  }
+
+  void JpegIsClose() {
+    write_picture(folder_.path() / "a.jpg", pattern(64, 48, 3));
+    QVERIFY(mean_difference(read_picture(folder_.path() / "a.jpg"), pattern(64, 48, 3)) < 4.0);
+  }
+
+  void TruncatedAndForeignPicturesAreRefused() {
+    for (const char* name : {"b.png", "b.bmp", "b.jpg"}) {
+      write_picture(folder_.path() / name, pattern(64, 48, 3));
+      const std::string content = read_file(folder_.path() / name);
+      write_file_atomically(folder_.path() / name, content.substr(0, content.size() / 2));
+      QVERIFY_THROWS_EXCEPTION(InputError, read_picture(folder_.path() / name));
+    }
+    write_file_atomically(folder_.path() / "c.png", std::string("no picture"));
+    QVERIFY_THROWS_EXCEPTION(InputError, read_picture(folder_.path() / "c.png"));
+    write_file_atomically(folder_.path() / "c.png", std::string());
+    QVERIFY_THROWS_EXCEPTION(InputError, read_picture(folder_.path() / "c.png"));
+    QVERIFY_THROWS_EXCEPTION(FileError, read_picture(folder_.path() / "absent.png"));
+  }
+
+  void OddExtensionsAndSizesAreNotWritten() {
+    QVERIFY_THROWS_EXCEPTION(InputError, write_picture(folder_.path() / "a.txt", pattern(4, 4, 3)));
+    Picture wrong = pattern(4, 4, 3);
+    wrong.width = 5;
+    QVERIFY_THROWS_EXCEPTION(PreconditionError, write_picture(folder_.path() / "d.png", wrong));
+    QVERIFY_THROWS_EXCEPTION(PreconditionError, write_picture(folder_.path() / "d.png", Picture{}));
+    QVERIFY_THROWS_EXCEPTION(FileError, write_picture(folder_.path() / "no" / "d.png", pattern(4, 4, 3)));
+    QVERIFY(!fs::exists(folder_.path() / "d.png"));
+  }
+
+  void SideBySideVideoGivesItsHalvesInOrder() {
+    const auto path = folder_.path() / "side.mkv";
+    write_video(path, 128, 48, 12);
+    StereoVideo video(path);
+    QCOMPARE(video.width(), 64);
+    QCOMPARE(video.height(), 48);
+    QCOMPARE(video.frame_count(), 12);
+    QVERIFY(std::abs(video.frames_per_second() - 25.0) < 1e-6);
+    for (int pass = 0; pass < 2; ++pass) {
+      StereoFrame frame;
+      int count = 0;
+      while (video.read(frame)) {
+        QCOMPARE(frame.index, count);
+        QVERIFY(std::abs(frame.seconds - count / 25.0) < 1e-9);
+        const Picture whole = pattern(128, 48, 3, count);
+        QVERIFY(mean_difference(whole, frame.left) < 8.0);
+        QVERIFY(mean_difference(whole, frame.right, 64) < 8.0);
+        ++count;
+      }
+      QCOMPARE(count, 12);
+      video.rewind();
+    }
+  }
+
+  void TwoFilesGiveOneStereoVideo() {
+    write_video(folder_.path() / "l.mkv", 64, 48, 5);
+    write_video(folder_.path() / "r.mkv", 64, 48, 5);
+    StereoVideo video(folder_.path() / "l.mkv", folder_.path() / "r.mkv");
+    StereoFrame frame;
+    int count = 0;
+    while (video.read(frame)) ++count;
+    QCOMPARE(count, 5);
+    QCOMPARE(frame.right.width, 64);
+  }
+
+  void TwoFilesThatDoNotBelongTogetherAreRefused() {
+    write_video(folder_.path() / "one.mkv", 64, 48, 5);
+    write_video(folder_.path() / "small.mkv", 32, 48, 5);
+    write_video(folder_.path() / "slow.mkv", 64, 48, 5, 10.0);
+    write_video(folder_.path() / "short.mkv", 64, 48, 3);
+    const auto one = folder_.path() / "one.mkv";
+    QVERIFY_THROWS_EXCEPTION(InputError, StereoVideo(one, folder_.path() / "small.mkv"));
+    QVERIFY_THROWS_EXCEPTION(InputError, StereoVideo(one, folder_.path() / "slow.mkv"));
+    StereoVideo video(one, folder_.path() / "short.mkv");
+    StereoFrame frame;
+    for (int i = 0; i < 3; ++i) QVERIFY(video.read(frame));
+    QVERIFY_THROWS_EXCEPTION(InputError, video.read(frame));
+  }
+
+  void VideoThatEndsEarlyIsRecognised() {
+    const auto path = folder_.path() / "cut.mkv";
+    write_video(path, 128, 64, 60);
+    const std::string content = read_file(path);
+    write_file_atomically(path, content.substr(0, content.size() / 2));
+    StereoVideo video(path);
+    QCOMPARE(video.frame_count(), 60);
+    StereoFrame frame;
+    int count = 0;
+    bool refused = false;
+    try {
+      while (video.read(frame)) ++count;
+    } catch (const InputError& error) {
+      refused = error.file() == path.string() && !error.remedy().empty();
+    }
+    QVERIFY(refused);
+    QVERIFY(count > 10 && count < 60);
+  }
+
+  void WhatIsNoVideoIsRefused() {
+    write_file_atomically(folder_.path() / "text.mkv", std::string("no video at all"));
+    QVERIFY_THROWS_EXCEPTION(InputError, StereoVideo(folder_.path() / "text.mkv"));
+    QVERIFY_THROWS_EXCEPTION(FileError, StereoVideo(folder_.path() / "absent.mkv"));
+    QVERIFY_THROWS_EXCEPTION(FileError, StereoVideo(folder_.path()));
+  }
+
+  void RecordingThatIsNotClosedLeavesNothing() {
+    TemporaryFolder own;
+    write_file_atomically(own.path() / "old.mkv", std::string("the old one"));
+    {
+      VideoWriter writer(own.path() / "old.mkv", 64, 48, 25.0);
+      writer.write(pattern(64, 48, 3));
+      QCOMPARE(files_in(own.path()), std::size_t{2});
+    }
+    QCOMPARE(files_in(own.path()), std::size_t{1});
+    QCOMPARE(read_file(own.path() / "old.mkv"), std::string("the old one"));
+  }
+
+  void RecordingReplacesTheOldOneOnlyWhenWhole() {
+    TemporaryFolder own;
+    write_file_atomically(own.path() / "a.mkv", std::string("the old one"));
+    write_video(own.path() / "a.mkv", 64, 48, 4);
+    QCOMPARE(files_in(own.path()), std::size_t{1});
+    QCOMPARE(StereoVideo(own.path() / "a.mkv").frame_count(), 4);
+  }
+
+  void WriterRefusesWhatItCannotRecord() {
+    QVERIFY_THROWS_EXCEPTION(InputError, VideoWriter(folder_.path() / "a.mp4", 64, 48, 25.0));
+    QVERIFY_THROWS_EXCEPTION(FileError, VideoWriter(folder_.path() / "no" / "a.mkv", 64, 48, 25.0));
+    QVERIFY_THROWS_EXCEPTION(PreconditionError, VideoWriter(folder_.path() / "a.mkv", 63, 48, 25.0));
+    QVERIFY_THROWS_EXCEPTION(PreconditionError, VideoWriter(folder_.path() / "a.mkv", 64, 48, 0.0));
+    VideoWriter writer(folder_.path() / "e.mkv", 64, 48, 25.0);
+    QVERIFY_THROWS_EXCEPTION(PreconditionError, writer.write(pattern(32, 48, 3)));
+    QVERIFY_THROWS_EXCEPTION(PreconditionError, writer.write(pattern(64, 48, 1)));
+    writer.write(pattern(64, 48, 3));
+    writer.close();
+    QVERIFY_THROWS_EXCEPTION(PreconditionError, writer.write(pattern(64, 48, 3)));
+    QVERIFY_THROWS_EXCEPTION(PreconditionError, writer.close());
+  }
+};
+
+QTEST_APPLESS_MAIN(PictureIoTest)
+#include "picture_io_test.moc"
