@@ -74,6 +74,8 @@ class CompositeModel {
   const Eigen::VectorXd& lumped_mass() const;  ///< kg, one a node
   /// Vessel nodes that lay outside the mesh and were bound to the closest tetrahedron.
   int vessel_nodes_outside() const;
+  /// Beams left out: both ends further outside than their radius, or without length once bound.
+  int vessel_beams_dropped() const;
 
   /// Elastic energy at node positions x, joules.
   double energy(const Points& x) const;

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "composite_impl.h"
+
+namespace glisson::fem {
+
+/// Which 3 x 3 blocks of the lower triangle are there. Unknown = a free node's place in the elimination
+/// order.
+struct BlockPattern {
+  int unknowns = 0;
+  std::vector<int> unknown_of_node;  ///< -1: the node is fixed
+  std::vector<int> node_of_unknown;
+  std::vector<int> column_start;  ///< unknowns + 1
+  std::vector<int> rows;          ///< ascending in a column, the diagonal first
+
+  int block_count() const { return static_cast<int>(rows.size()); }
+  /// Index of the block (row >= column), or -1.
+  int find(int row, int column) const;
+};
+
+/// The system matrix of one model with given fixed nodes: its pattern (tetrahedra's edges, couplings by
+/// beams) and the places of every element's blocks in it, found once.
+class BlockSystem {
+ public:
+  using Block = Eigen::Matrix3d;
+
+  /// @throws InputError for fixed nodes out of range or when all are fixed.
+  BlockSystem(const CompositeModel::Impl& model, const std::vector<int>& fixed_nodes);
+
+  const BlockPattern& pattern() const { return pattern_; }
+  /// Column-major 3 x 3 blocks in the pattern's order.
+  const std::vector<double>& values() const { return values_; }
+
+  /// Sets the matrix to `scale` times the model's tangent at x, and `force` (all nodes) to the internal
+  /// force.
+  void assemble(const Points& x, double scale, Tangent kind, Points& force);
+  /// Adds to the diagonal blocks: `scale` times one value a node (mass).
+  void add_diagonal(const Eigen::VectorXd& per_node, double scale);
+  /// Adds a block that couples two nodes (node indices), and its mirror image. Blocks of fixed nodes vanish.
+  /// @throws PreconditionError when the pattern does not hold it.
+  void add(int node_i, int node_j, const Eigen::Matrix3d& block);
+  /// y = A x, over unknowns (3 a node).
+  void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const;
+
+  Eigen::VectorXd gather(const Points& per_node) const;
+
+ private:
+  void add_tetrahedra(const Points& x, double scale, Tangent kind, Points& force);
+  void add_membranes(const Points& x, double scale, Tangent kind, Points& force);
+  void add_beams(const Points& x, double scale, Points& force);
+  int slot(int node_i, int node_j) const;
+  void add_to_slot(int code, const Eigen::Matrix3d& block);
+
+  const CompositeModel::Impl& model_;
+  BlockPattern pattern_;
+  std::vector<double> values_;
+  /// Twice the block's index, plus one when it is stored transposed; -1: a node is fixed.
+  std::vector<std::array<int, 10>> tetrahedron_slots_;
+  std::vector<std::array<int, 6>> membrane_slots_;
+};
+
+}  // namespace glisson::fem

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "block_matrix.h"
+#include "glisson/fem/integrator.h"
+
+namespace glisson::fem {
+
+/// @throws InputError for nodes and triangles out of range, values that are not finite.
+void check_loads(const CompositeModel::Impl& model, const Loads& loads);
+
+/// Adds gravity, the pressure at x and the attached forces to `force`.
+void add_external_force(const CompositeModel::Impl& model, const Loads& loads, const Points& x,
+                        Points& force);
+
+/// Adds minus the loads' derivatives to the system: attached tangents as they are, of the pressure's the
+/// symmetric part, triangle by triangle, without its negative eigenvalues.
+void add_external_tangent(const CompositeModel::Impl& model, const Loads& loads, const Points& x,
+                          BlockSystem& system);
+
+}  // namespace glisson::fem

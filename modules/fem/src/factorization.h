@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+
+#include "block_matrix.h"
+#include "glisson/fem/integrator.h"
+
+namespace glisson::fem {
+
+/// A = L L^T of the block matrix: the symbolic part once, at construction, the numbers every step.
+class Factorization {
+ public:
+  virtual ~Factorization() = default;
+  /// @return false when the matrix is not positive definite.
+  virtual bool factorise(const std::vector<double>& values) = 0;
+  /// In place, over unknowns in the pattern's order (3 a node). @pre factorise() succeeded.
+  virtual void solve(Eigen::VectorXd& b) = 0;
+};
+
+std::unique_ptr<Factorization> make_factorization(LinearSolver solver, const BlockPattern& pattern);
+
+}  // namespace glisson::fem

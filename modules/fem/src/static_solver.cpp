@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include "block_matrix.h"
+#include "external_loads.h"
+#include "factorization.h"
+#include "glisson/core/error.h"
+#include "glisson/fem/integrator.h"
+
+namespace glisson::fem {
+namespace {
+
+bool holds(const Loads& loads, const StaticOptions& options) {
+  if (!options.fixed_nodes.empty()) return true;
+  for (const AttachedLoad& load : loads.attached)
+    if (!load.tangent.isZero(0.0)) return true;
+  return false;
+}
+
+class StaticSolve {
+ public:
+  StaticSolve(const CompositeModel& model, const std::function<Loads(const Points&)>& loads,
+              const StaticOptions& options)
+      : model_(model),
+        loads_(loads),
+        options_(options),
+        system_(model.impl(), options.fixed_nodes),
+        factorization_(make_factorization(LinearSolver::direct, system_.pattern())) {}
+
+  Cancellable<StaticSummary> run(const Points& start, const RunContext& context) {
+    StaticSummary summary;
+    summary.positions = start;
+    Loads loads = loads_(start);
+    check_loads(model_.impl(), loads);
+    if (!holds(loads, options_))
+      throw NumericalError("Nothing holds the model in the static solve; fix nodes or attach springs to it.");
+    double energy = model_.energy(start);
+    external_ = external_force(start, loads);
+    for (; summary.iterations < options_.max_iterations; ++summary.iterations) {
+      if (context.cancelled()) return std::nullopt;
+      const Eigen::VectorXd residual = linearise(summary.positions, loads);
+      const double reference = std::max(system_.gather(external_).norm(), 1e-12);
+      summary.residual = residual.norm() / reference;
+      context.progress(progress(summary.residual), "fem.static");
+      if (!std::isfinite(summary.residual)) return summary;
+      if (summary.residual <= options_.tolerance) {
+        summary.converged = true;
+        break;
+      }
+      const Eigen::VectorXd direction = solve(residual);
+      if (!line_search(summary.positions, direction, residual, energy, loads)) break;
+    }
+    return summary;
+  }
+
+ private:
+  Points external_force(const Points& x, const Loads& loads) const {
+    Points force = Points::Zero(x.rows(), 3);
+    add_external_force(model_.impl(), loads, x, force);
+    return force;
+  }
+
+  /// Fills the system and returns the forces that are left over.
+  Eigen::VectorXd linearise(const Points& x, const Loads& loads) {
+    Points force;
+    system_.assemble(x, 1.0, Tangent::projected, force);
+    add_external_tangent(model_.impl(), loads, x, system_);
+    force += external_;
+    return system_.gather(force);
+  }
+
+  Eigen::VectorXd solve(const Eigen::VectorXd& residual) {
+    // Where the tangent is singular (too few held nodes), a shift by mass until it factorises.
+    double shift = 1.0;
+    while (!factorization_->factorise(system_.values())) {
+      if (shift > 1e12) throw NumericalError("The static solve's matrix is singular; hold more nodes.");
+      system_.add_diagonal(model_.lumped_mass(), shift);
+      shift *= 10.0;
+    }
+    Eigen::VectorXd direction = residual;
+    factorization_->solve(direction);
+    return direction;
+  }
+
+  /// Armijo's rule on elastic energy less the loads' work along the step (trapezoid: springs and pressure
+  /// change along it; a load need not have a potential). Near the solution, where that difference drowns in
+  /// round-off, a smaller residual counts.
+  bool line_search(Points& x, const Eigen::VectorXd& direction, const Eigen::VectorXd& residual,
+                   double& energy, Loads& loads) {
+    const double slope = residual.dot(direction);
+    if (!(slope > 0.0)) return false;
+    const double noise = 1e-13 * (std::abs(energy) + std::abs(slope));
+    const double before = system_.gather(external_).dot(direction);
+    double length = 1.0;
+    for (int k = 0; k < 30; ++k, length *= 0.5) {
+      Points trial = x;
+      const BlockPattern& pattern = system_.pattern();
+      for (int u = 0; u < pattern.unknowns; ++u)
+        trial.row(pattern.node_of_unknown[static_cast<std::size_t>(u)]) +=
+            length * direction.segment<3>(3 * u).transpose();
+      const double trial_energy = model_.energy(trial);
+      if (!std::isfinite(trial_energy)) continue;
+      Loads trial_loads = loads_(trial);
+      check_loads(model_.impl(), trial_loads);
+      Points trial_external = external_force(trial, trial_loads);
+      const double work = 0.5 * length * (before + system_.gather(trial_external).dot(direction));
+      const double change = trial_energy - energy - work;
+      bool accept = change <= -1e-4 * length * slope;
+      if (!accept && std::abs(change) <= noise * 1e2)
+        accept = system_.gather(model_.internal_force(trial) + trial_external).norm() < residual.norm();
+      if (!accept) continue;
+      x = std::move(trial);
+      energy = trial_energy;
+      loads = std::move(trial_loads);
+      external_ = std::move(trial_external);
+      return true;
+    }
+    return false;
+  }
+
+  double progress(double residual) const {
+    return std::clamp(std::log(residual) / std::log(options_.tolerance), 0.0, 1.0);
+  }
+
+  const CompositeModel& model_;
+  const std::function<Loads(const Points&)>& loads_;
+  const StaticOptions& options_;
+  BlockSystem system_;
+  std::unique_ptr<Factorization> factorization_;
+  Points external_;
+};
+
+}  // namespace
+
+Cancellable<StaticSummary> solve_static(const CompositeModel& model, const Points& start,
+                                        const std::function<Loads(const Points&)>& loads,
+                                        const StaticOptions& options, const RunContext& context) {
+  require(start.rows() == model.node_count(), "a start holds one row a node of the model");
+  require(start.allFinite(), "a start is finite");
+  return StaticSolve(model, loads, options).run(start, context);
+}
+
+}  // namespace glisson::fem
