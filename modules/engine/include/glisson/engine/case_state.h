@@ -24,8 +24,21 @@
 namespace glisson::engine {
 
 /// The parts of a case, in the order in which they come into being.
-enum class Part { image, seeds, labels, model, landmarks, rig, frame, regions, cloud, registration, live };
-inline constexpr int kPartCount = 11;
+enum class Part {
+  image,
+  seeds,
+  labels,
+  model,
+  landmarks,
+  rig,
+  video,
+  frame,
+  regions,
+  cloud,
+  registration,
+  live
+};
+inline constexpr int kPartCount = 12;
 /// Code for files and figures: "image", "labels", ...
 std::string_view part_code(Part part);
 
@@ -66,6 +79,11 @@ struct StereoInput {
   Picture mask;  ///< one byte a pixel of the left image, non-zero is tissue; empty: everything
 };
 
+/// Where the stereo video of the operation lies.
+struct VideoSource {
+  std::filesystem::path left, right;  ///< `right` empty: `left` holds both views side by side
+};
+
 /// What the live view shows. Written by the live lane only.
 struct LiveState {
   OverlayFrame overlay;
@@ -85,6 +103,7 @@ struct CaseState {
   std::shared_ptr<const model::BuiltModel> model;
   std::shared_ptr<const Landmarks> landmarks;  ///< what a person placed or accepted
   std::shared_ptr<const StereoRig> rig;
+  std::shared_ptr<const VideoSource> video;
   std::shared_ptr<const StereoInput> frame;
   std::shared_ptr<const stereo::Regions> regions;
   std::shared_ptr<const LabelledCloud> cloud;

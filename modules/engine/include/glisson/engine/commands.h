@@ -57,9 +57,12 @@ struct SetCalibration {
 struct LoadStereoPair {
   std::filesystem::path left, right, mask;
 };
-/// The frame `index` of a stereo video (`right` empty: side by side).
-struct LoadVideoFrame {
+/// From now on the case's video is this one (`right` empty: `left` holds both views side by side).
+struct SetVideo {
   std::filesystem::path left, right;
+};
+/// The frame `index` of the case's video, to be labelled and registered.
+struct LoadVideoFrame {
   int index = 0;
 };
 struct SetRegions {
@@ -85,9 +88,13 @@ struct ImportRegistration {
   std::filesystem::path path;
   LengthUnit unit = LengthUnit::millimetre;
 };
-/// From now on frames are followed (see Engine::submit_frame). The frame part is the one that was registered.
+/// From now on frames, or clouds, are followed (see Engine::submit_frame). For frames, the frame part is the
+/// one that was registered.
 struct StartTracking {
+  enum class Source { frames, clouds };
+  Source source = Source::frames;
   guidance::TrackerOptions options;
+  int steps_per_cloud = 50;  ///< implicit Euler steps towards each cloud
 };
 struct StopTracking {};
 struct OpenCase {
@@ -98,10 +105,10 @@ struct SaveCase {
   std::filesystem::path path;
 };
 
-using Command =
-    std::variant<ImportImage, ImportLabels, SetSeeds, Segment, BuildModel, ImportSurfaces, ImportMesh,
-                 SetLandmarks, SetCalibration, LoadStereoPair, LoadVideoFrame, SetRegions, Reconstruct,
-                 ImportCloud, Register, ImportRegistration, StartTracking, StopTracking, OpenCase, SaveCase>;
+using Command = std::variant<ImportImage, ImportLabels, SetSeeds, Segment, BuildModel, ImportSurfaces,
+                             ImportMesh, SetLandmarks, SetCalibration, LoadStereoPair, SetVideo,
+                             LoadVideoFrame, SetRegions, Reconstruct, ImportCloud, Register,
+                             ImportRegistration, StartTracking, StopTracking, OpenCase, SaveCase>;
 
 /// Code of a command for progress, figures and logs: "segment", "build_model", ...
 std::string_view command_code(const Command& command);

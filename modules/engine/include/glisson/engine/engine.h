@@ -31,11 +31,21 @@ using Apply = std::function<Cancellable<Applied>(const CaseState&, const Command
 /// The real thing: each command by its module.
 Cancellable<Applied> apply(const CaseState& state, const Command& command, const RunContext& context);
 
+/// A cloud with its place in time.
+struct IndexedCloud {
+  LabelledCloud cloud;
+  int index = 0;
+  double seconds = 0.0;
+};
+
+/// One moment of the operation for the live lane: pictures, or a cloud that somebody else made of them.
+using LiveInput = std::variant<StereoFrame, IndexedCloud>;
+
 /// Follows frames. Used by the live lane only.
 class Follower {
  public:
   virtual ~Follower() = default;
-  virtual OverlayFrame follow(const StereoFrame& frame) = 0;
+  virtual OverlayFrame follow(const LiveInput& input) = 0;
 };
 /// Makes a follower from the state. @throws Error when a part is missing or stale.
 using MakeFollower = std::function<std::unique_ptr<Follower>(const CaseState&, const StartTracking&)>;
@@ -103,7 +113,7 @@ class Engine {
   void cancel_all();
 
   /// Newest wins: an unfollowed older frame is dropped and counted. Ignored unless tracking.
-  void submit_frame(StereoFrame frame);
+  void submit_frame(LiveInput frame);
 
   /// Never null.
   std::shared_ptr<const Snapshot> snapshot() const;
