@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli.h"
+
+#include <signal.h>
+#include <unistd.h>
+
+#include <QLocale>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <system_error>
+
+namespace glisson::app {
+namespace fs = std::filesystem;
+namespace {
+
+volatile std::sig_atomic_t interrupt_seen = 0;
+void on_interrupt(int) { interrupt_seen = 1; }
+
+bool on_terminal() { return ::isatty(STDERR_FILENO) == 1; }
+
+}  // namespace
+
+bool interrupted() { return interrupt_seen != 0; }
+
+void catch_interrupts() {
+  struct sigaction action = {};
+  action.sa_handler = on_interrupt;
+  ::sigaction(SIGINT, &action, nullptr);
+  ::sigaction(SIGTERM, &action, nullptr);
+}
+
+void say(const QString& line) {
+  if (on_terminal()) std::fputs("\r\033[K", stderr);
+  std::puts(line.toUtf8().constData());
+  std::fflush(stdout);
+}
+
+Arguments::Arguments(const QString& command, const QString& description) : command_(command) {
+  parser_.setApplicationDescription(description);
+  parser_.addOption({{"h", "help"}, text("Show this help.")});
+  option("seed", text("Seed of everything random."), "N", "1");
+  option("json", text("Write the figures to this file, as one flat JSON object."), "FILE");
+}
+
+void Arguments::positional(const QString& name, const QString& description, const QString& syntax) {
+  parser_.addPositionalArgument(name, description, syntax);
+}
+void Arguments::option(const QString& name, const QString& description, const QString& value_name,
+                       const QString& fallback) {
+  parser_.addOption({name, description, value_name, fallback});
+}
+void Arguments::flag(const QString& name, const QString& description) {
+  parser_.addOption({name, description});
+}
+
+bool Arguments::parse(const QStringList& arguments) {
+  if (!parser_.parse(QStringList("glisson " + command_) + arguments))
+    throw UsageError(parser_.errorText().toStdString() + " See 'glisson " + command_.toStdString() +
+                     " --help'.");
+  if (!parser_.isSet("help")) return true;
+  QString help = parser_.helpText();
+  help.replace(QCoreApplication::arguments().value(0), "glisson " + command_);
+  std::fputs(help.toUtf8().constData(), stdout);
+  return false;
+}
+
+fs::path Arguments::required_path(const QString& name) const {
+  if (!has(name) || value(name).isEmpty())
+    throw UsageError("--" + name.toStdString() + " is needed. See 'glisson " + command_.toStdString() +
+                     " --help'.");
+  return path(name);
+}
+
+double Arguments::number(const QString& name, double low, double high) const {
+  bool good = false;
+  const double number = QLocale::c().toDouble(value(name), &good);
+  if (!good || !std::isfinite(number) || number < low || number > high)
+    throw UsageError("--" + name.toStdString() + " " + value(name).toStdString() +
+                     ": must be a number from " + QString::number(low).toStdString() + " to " +
+                     QString::number(high).toStdString() + ".");
+  return number;
+}
+
+int Arguments::integer(const QString& name, int low, int high) const {
+  const double found = number(name, low, high);
+  if (found != std::floor(found))
+    throw UsageError("--" + name.toStdString() + " " + value(name).toStdString() +
+                     ": must be a whole number.");
+  return static_cast<int>(found);
+}
+
+LengthUnit Arguments::unit(const QString& name) const {
+  const QString code = value(name);
+  if (code == "mm") return LengthUnit::millimetre;
+  if (code == "cm") return LengthUnit::centimetre;
+  if (code == "m") return LengthUnit::metre;
+  throw UsageError("--" + name.toStdString() + " " + code.toStdString() + ": must be mm, cm or m.");
+}
+
+QStringList Arguments::positionals(int low, int high) const {
+  const QStringList given = parser_.positionalArguments();
+  if (given.size() < low || given.size() > high)
+    throw UsageError("glisson " + command_.toStdString() + ": " + std::to_string(given.size()) +
+                     " arguments were given. See 'glisson " + command_.toStdString() + " --help'.");
+  return given;
+}
+
+std::uint64_t Arguments::seed() const {
+  bool good = false;
+  const std::uint64_t seed = value("seed").toULongLong(&good);
+  if (!good) throw UsageError("--seed " + value("seed").toStdString() + ": must be a whole number from 0.");
+  return seed;
+}
+
+Session::Session(const Arguments& arguments)
+    : arguments_(arguments), begin_(std::chrono::steady_clock::now()) {
+  engine::Engine::Options options;
+  options.runner = engine::Runner::inline_;
+  options.seed = arguments.seed();
+  options.progress = [this](const engine::Progress& progress) {
+    show(progress);
+    if (interrupted()) {
+      cancel_->request();
+      engine_->cancel(progress.id);
+    }
+  };
+  engine_ = std::make_unique<engine::Engine>(std::move(options));
+  snapshot_ = engine_->snapshot();
+}
+
+void Session::show(const engine::Progress& progress) {
+  if (!on_terminal()) return;
+  std::fprintf(stderr, "\r\033[K%-18s %3.0f %%  %s", progress.command.c_str(), 100.0 * progress.fraction,
+               progress.stage.c_str());
+  std::fflush(stderr);
+}
+
+engine::Outcome Session::post(engine::Command command) {
+  if (interrupted()) throw Interrupted();
+  const engine::CommandId id = engine_->post(std::move(command));
+  engine::Outcome outcome = engine_->wait(id);
+  engine_->take_events();
+  snapshot_ = engine_->snapshot();
+  if (on_terminal()) std::fputs("\r\033[K", stderr);
+  if (outcome.status == engine::Status::cancelled) throw Interrupted();
+  if (outcome.status == engine::Status::failed) throw Error(outcome.error);
+  for (const auto& [key, value] : outcome.figures) figures[key] = value;
+  figures["seconds_" + outcome.command] = outcome.seconds;
+  for (const std::string& note : outcome.notes) notes.push_back(note);
+  return outcome;
+}
+
+RunContext Session::context() const {
+  return RunContext(
+      [this](double fraction, std::string_view stage) {
+        if (interrupted()) cancel_->request();
+        const_cast<Session*>(this)->show({0, "", fraction, std::string(stage)});
+      },
+      cancel_, arguments_.seed());
+}
+
+void Session::finish() {
+  figures["seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  for (const std::string& note : notes) say(text("note: ") + QString::fromStdString(note));
+  for (const auto& [key, value] : texts)
+    say(QString("%1 %2").arg(QString::fromStdString(key), -36).arg(QString::fromStdString(value)));
+  for (const auto& [key, value] : figures)
+    say(QString("%1 %2")
+            .arg(QString::fromStdString(key), -36)
+            .arg(std::isfinite(value) ? QString::number(value, 'g', 6) : text("unknown")));
+  if (arguments_.has("json")) write_figures(arguments_.path("json"), figures, texts);
+}
+
+OutputFolder::OutputFolder(fs::path wanted) : wanted_(fs::absolute(std::move(wanted)).lexically_normal()) {
+  if (!wanted_.has_filename()) wanted_ = wanted_.parent_path();
+  if (fs::exists(wanted_) && !fs::is_directory(wanted_))
+    throw FileError(wanted_.string() + ": is a file, a folder is needed here. Choose another name.");
+  if (!fs::is_directory(wanted_.parent_path()))
+    throw FileError(wanted_.string() + ": its folder does not exist. Create it or choose another.");
+  working_ =
+      wanted_.parent_path() / ("." + wanted_.filename().string() + ".writing" + std::to_string(::getpid()));
+  std::error_code failure;
+  fs::create_directory(working_, failure);
+  if (failure) throw FileError(wanted_.string() + ": cannot be written (" + failure.message() + ").");
+}
+
+OutputFolder::~OutputFolder() {
+  std::error_code ignored;
+  if (!working_.empty()) fs::remove_all(working_, ignored);
+}
+
+void OutputFolder::commit() {
+  std::error_code failure;
+  if (!fs::exists(wanted_)) {
+    fs::rename(working_, wanted_, failure);
+  } else {
+    for (const auto& entry : fs::directory_iterator(working_)) {
+      const fs::path target = wanted_ / entry.path().filename();
+      if (entry.is_directory()) fs::remove_all(target, failure);
+      if (!failure) fs::rename(entry.path(), target, failure);
+      if (failure) break;
+    }
+  }
+  if (failure) throw FileError(wanted_.string() + ": could not be completed (" + failure.message() + ").");
+}
+
+}  // namespace glisson::app

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QCommandLineParser>
+#include <QCoreApplication>
+#include <QString>
+#include <QStringList>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "glisson/core/error.h"
+#include "glisson/core/json_file.h"
+#include "glisson/core/units.h"
+#include "glisson/engine/engine.h"
+
+/// @file
+/// What all sub-commands share: options, an inline engine with progress on the terminal, figures as JSON,
+/// exit codes.
+
+namespace glisson::app {
+
+/// Strings for people on the command line.
+inline QString text(const char* source) { return QCoreApplication::translate("cli", source); }
+
+/// Something is wrong with the command line itself; exit code 2.
+class UsageError : public Error {
+ public:
+  using Error::Error;
+};
+/// The person pressed Ctrl-C; exit code 130.
+class Interrupted : public Error {
+ public:
+  Interrupted() : Error("cancelled") {}
+};
+
+/// The arguments of one sub-command. Adds --help, --seed and --json to those that it declares.
+class Arguments {
+ public:
+  Arguments(const QString& command, const QString& description);
+
+  void positional(const QString& name, const QString& description, const QString& syntax = {});
+  void option(const QString& name, const QString& description, const QString& value_name,
+              const QString& fallback = {});
+  void flag(const QString& name, const QString& description);
+
+  /// @return false when help was asked for and printed. @throws UsageError.
+  bool parse(const QStringList& arguments);
+
+  bool has(const QString& name) const { return parser_.isSet(name); }
+  QString value(const QString& name) const { return parser_.value(name); }
+  std::filesystem::path path(const QString& name) const { return parser_.value(name).toStdString(); }
+  /// @throws UsageError when the option is absent.
+  std::filesystem::path required_path(const QString& name) const;
+  /// @throws UsageError when it is not a number, or outside [low, high].
+  double number(const QString& name, double low, double high) const;
+  int integer(const QString& name, int low, int high) const;
+  LengthUnit unit(const QString& name) const;
+  QStringList positionals() const { return parser_.positionalArguments(); }
+  /// @throws UsageError unless there are between `low` and `high`.
+  QStringList positionals(int low, int high) const;
+
+  std::uint64_t seed() const;
+
+ private:
+  QString command_;
+  QCommandLineParser parser_;
+};
+
+/// One inline engine, its progress on the terminal, and the figures of everything that it did.
+class Session {
+ public:
+  explicit Session(const Arguments& arguments);
+
+  /// Does a command. @throws Error with the engine's sentence, Interrupted.
+  engine::Outcome post(engine::Command command);
+  const engine::CaseState& state() const { return snapshot_->state; }
+  /// A context for work outside the engine, with the same progress, cancel and seed.
+  RunContext context() const;
+
+  Figures figures;
+  std::map<std::string, std::string> texts;
+  std::vector<std::string> notes;
+
+  /// Prints the figures, and writes them where --json says, with `seconds`.
+  void finish();
+
+ private:
+  void show(const engine::Progress& progress);
+
+  const Arguments& arguments_;
+  std::unique_ptr<engine::Engine> engine_;
+  std::shared_ptr<const engine::Snapshot> snapshot_;
+  std::shared_ptr<CancelFlag> cancel_ = std::make_shared<CancelFlag>();
+  std::chrono::steady_clock::time_point begin_;
+};
+
+/// Whether Ctrl-C was pressed since the program began.
+bool interrupted();
+void catch_interrupts();
+
+/// Prints a line and clears what progress left on it.
+void say(const QString& line);
+
+/// A folder that a command fills: made beside the wanted one and moved there by commit(). Without it nothing
+/// remains.
+class OutputFolder {
+ public:
+  explicit OutputFolder(std::filesystem::path wanted);
+  ~OutputFolder();
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
+  const std::filesystem::path& path() const { return working_; }
+  /// Replaces files of the same name in the wanted folder, leaves others alone.
+  void commit();
+
+ private:
+  std::filesystem::path wanted_, working_;
+};
+
+}  // namespace glisson::app

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From the pictures to the registration: calibration, frames, cloud, initial registration, and the follower.
+#include "apply_parts.h"
+#include "glisson/core/error.h"
+#include "glisson/engine/case_io.h"
+#include "glisson/geometry/distance.h"
+#include "glisson/stereo/calibration_io.h"
+#include "glisson/stereo/picture_io.h"
+
+namespace glisson::engine {
+namespace {
+
+class TrackerFollower : public Follower {
+ public:
+  TrackerFollower(const CaseState& state, const StartTracking& command)
+      : tracker_(effective_model(state), *state.registration, command.options),
+        steps_per_cloud_(command.steps_per_cloud) {
+    if (command.source == StartTracking::Source::frames)
+      tracker_.begin(*state.rig, state.frame->frame, state.frame->mask);
+  }
+  OverlayFrame follow(const LiveInput& input) override {
+    if (const auto* cloud = std::get_if<IndexedCloud>(&input))
+      return tracker_.follow(cloud->cloud, cloud->index, cloud->seconds, steps_per_cloud_);
+    return tracker_.follow(std::get<StereoFrame>(input));
+  }
+
+ private:
+  guidance::Tracker tracker_;
+  int steps_per_cloud_;
+};
+
+void require_rig_fits(const CaseState& state) {
+  if (!state.rig || !state.frame) return;
+  const Picture& left = state.frame->frame.left;
+  if (left.width == state.rig->left.width && left.height == state.rig->left.height) return;
+  throw InputError("calibration", "image_width, image_height",
+                   "is for pictures of " + std::to_string(state.rig->left.width) + "x" +
+                       std::to_string(state.rig->left.height) + ", the pictures are " +
+                       std::to_string(left.width) + "x" + std::to_string(left.height),
+                   "Use the calibration of this scope at this resolution");
+}
+
+Cancellable<Applied> with_frame(const CaseState& state, StereoInput input) {
+  if (input.frame.left.width != input.frame.right.width ||
+      input.frame.left.height != input.frame.right.height)
+    throw InputError("stereo pair", "size", "left and right pictures differ in size",
+                     "Give two pictures of one moment of one scope");
+  Applied applied;
+  applied.state = state;
+  applied.state.frame = std::make_shared<const StereoInput>(std::move(input));
+  require_rig_fits(applied.state);
+  return applied;
+}
+
+}  // namespace
+
+Cancellable<Applied> apply_one(const CaseState& state, const SetCalibration& command, const RunContext&) {
+  Applied applied;
+  applied.state = state;
+  applied.state.rig = std::make_shared<const StereoRig>(stereo::read_calibration(command.path));
+  return applied;
+}
+
+Cancellable<Applied> apply_one(const CaseState& state, const LoadStereoPair& command, const RunContext&) {
+  StereoInput input;
+  input.frame.left = stereo::read_picture(command.left);
+  input.frame.right = stereo::read_picture(command.right);
+  if (!command.mask.empty()) input.mask = stereo::read_picture(command.mask);
+  return with_frame(state, std::move(input));
+}
+
+Cancellable<Applied> apply_one(const CaseState& state, const SetVideo& command, const RunContext&) {
+  const stereo::StereoVideo video(command.left, command.right);  // refused here, not at the first frame
+  Applied applied;
+  applied.state = state;
+  applied.state.video = std::make_shared<const VideoSource>(VideoSource{command.left, command.right});
+  applied.figures["video_frames"] = video.frame_count();
+  applied.figures["video_frames_per_second"] = video.frames_per_second();
+  return applied;
+}
+
+Cancellable<Applied> apply_one(const CaseState& state, const LoadVideoFrame& command,
+                               const RunContext& context) {
+  require_part(state, Part::video, "Open a stereo video first");
+  stereo::StereoVideo video(state.video->left, state.video->right);
+  StereoInput input;
+  for (int i = 0; i <= command.index; ++i) {
+    if (context.cancelled()) return {};
+    if (!video.read(input.frame))
+      throw InputError(state.video->left.string(), "frame " + std::to_string(command.index),
+                       "the video has only " + std::to_string(i) + " frames", "Choose an earlier frame");
+    context.progress(static_cast<double>(i + 1) / (command.index + 1), "video.seek");
+  }
+  return with_frame(state, std::move(input));
+}
+
+Cancellable<Applied> apply_one(const CaseState& state, const SetRegions& command, const RunContext&) {
+  require_part(state, Part::frame, "Load a stereo pair first: regions are clicked on it");
+  Applied applied;
+  applied.state = state;
+  applied.state.regions = std::make_shared<const stereo::Regions>(command.regions);
+  return applied;
+}
+
+Cancellable<Applied> apply_one(const CaseState& state, const Reconstruct& command,
+                               const RunContext& context) {
+  require_part(state, Part::rig, "Load the laparoscope's calibration first");
+  require_part(state, Part::frame, "Load a stereo pair first");
+  require_rig_fits(state);
+  const stereo::Regions regions = state.regions ? *state.regions : stereo::Regions{};
+  auto made = stereo::reconstruct(state.frame->frame.left, state.frame->frame.right, *state.rig,
+                                  state.frame->mask, regions, command.options, context);
+  if (!made) return {};
+  Applied applied;
+  applied.state = state;
+  applied.figures["cloud_features_left"] = made->report.features_left;
+  applied.figures["cloud_features_right"] = made->report.features_right;
+  applied.figures["cloud_matches"] = made->report.matches;
+  applied.figures["cloud_points"] = made->report.points;
+  applied.figures["cloud_density_per_cm2"] = made->report.density_per_cm2;
+  applied.state.cloud = std::make_shared<const LabelledCloud>(std::move(made->cloud));
+  return applied;
+}
+
+Cancellable<Applied> apply_one(const CaseState& state, const ImportCloud& command, const RunContext&) {
+  Applied applied;
+  applied.state = state;
+  applied.state.cloud = std::make_shared<const LabelledCloud>(read_cloud(command.path, command.unit));
+  applied.figures["cloud_points"] = applied.state.cloud->size();
+  return applied;
+}
+
+Cancellable<Applied> apply_one(const CaseState& state, const Register& command, const RunContext& context) {
+  require_part(state, Part::model, "Build or import a model first");
+  require_part(state, Part::cloud, "Reconstruct or import a cloud first");
+  const PatientModel model = effective_model(state);
+  Applied applied;
+  applied.state = state;
+  CameraFromCt start = command.start == Register::Start::given ? command.given : CameraFromCt{};
+  std::vector<std::string> doubts;
+  if (command.start == Register::Start::automatic) {
+    auto rigid = registration::align_rigid(model, *state.cloud, command.rigid, context.part(0.0, 0.3));
+    if (!rigid) return {};
+    start = rigid->camera_from_ct;
+    doubts = rigid->doubts;
+    applied.figures["rigid_residual_mm"] = 1e3 * rigid->residual;
+  }
+  auto registered =
+      registration::register_elastic(model, *state.cloud, start, command.elastic, context.part(0.3, 1.0));
+  if (!registered) return {};
+  registered->doubts.insert(registered->doubts.begin(), doubts.begin(), doubts.end());
+  const Points rigid_nodes = registered->camera_from_ct.apply(model.mesh.vertices);
+  const DistanceSummary moved = point_errors(registered->nodes_in_camera, rigid_nodes);
+  applied.figures["displacement_mean_mm"] = 1e3 * moved.mean;
+  applied.figures["displacement_max_mm"] = 1e3 * moved.maximum;
+  applied.figures["registration_residual_mm"] = 1e3 * registered->residual;
+  applied.figures["registration_steps"] = registered->steps;
+  applied.figures["registration_plateaus"] = registered->plateaus;
+  applied.figures["registration_converged"] = registered->termination == Termination::converged ? 1.0 : 0.0;
+  applied.notes = registered->doubts;
+  applied.state.registration = std::make_shared<const Registration>(std::move(*registered));
+  return applied;
+}
+
+Cancellable<Applied> apply_one(const CaseState& state, const ImportRegistration& command, const RunContext&) {
+  require_part(state, Part::model, "Build or import a model first");
+  Applied applied;
+  applied.state = state;
+  applied.state.registration =
+      std::make_shared<const Registration>(read_registration(command.path, state.model->model, command.unit));
+  return applied;
+}
+
+std::unique_ptr<Follower> make_follower(const CaseState& state, const StartTracking& command) {
+  require_part(state, Part::model, "Build or import a model first");
+  require_part(state, Part::registration, "Register the model first");
+  if (stage_state(state, Part::registration) == StageState::stale)
+    throw InputError("case", "registration", "is stale: something that it was made from has changed",
+                     "Register again");
+  if (command.source == StartTracking::Source::frames) {
+    require_part(state, Part::rig, "Load the laparoscope's calibration first");
+    require_part(state, Part::frame, "Load the stereo pair that was registered first");
+    require_rig_fits(state);
+  }
+  return std::make_unique<TrackerFollower>(state, command);
+}
+
+}  // namespace glisson::engine

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "case_files.h"
+
+#include <vtkCellArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkIdList.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkXMLPolyDataReader.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include <nlohmann/json.hpp>
+
+#include "glisson/core/error.h"
+#include "glisson/core/files.h"
+#include "glisson/core/json_file.h"
+#include "glisson/engine/case_io.h"
+#include "glisson/geometry/mesh_io.h"
+
+namespace glisson::engine {
+namespace fs = std::filesystem;
+using nlohmann::json;
+namespace {
+
+constexpr double kMillimetre = 1e-3;
+
+vtkNew<vtkIntArray> int_array(const char* name) {
+  vtkNew<vtkIntArray> array;
+  array->SetName(name);
+  return array;
+}
+
+vtkNew<vtkPolyData> vessels_to_vtk(const std::vector<VesselTree>& trees) {
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  vtkNew<vtkDoubleArray> radii;
+  radii->SetName("radius_mm");
+  auto tree_of_point = int_array("tree"), structures = int_array("structures"), roots = int_array("roots");
+  for (std::size_t i = 0; i < trees.size(); ++i) {
+    const VesselTree& tree = trees[i];
+    const vtkIdType first = points->GetNumberOfPoints();
+    for (Eigen::Index k = 0; k < tree.nodes.rows(); ++k) {
+      const Eigen::Vector3d p = tree.nodes.row(k).transpose() / kMillimetre;
+      points->InsertNextPoint(p.data());
+      radii->InsertNextValue(tree.radii[static_cast<std::size_t>(k)] / kMillimetre);
+      tree_of_point->InsertNextValue(static_cast<int>(i));
+    }
+    for (const auto& beam : tree.beams) {
+      const vtkIdType ends[2] = {first + beam[0], first + beam[1]};
+      lines->InsertNextCell(2, ends);
+    }
+    structures->InsertNextValue(tree.structure);
+    roots->InsertNextValue(tree.root);
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetLines(lines);
+  data->GetPointData()->AddArray(radii);
+  data->GetPointData()->AddArray(tree_of_point);
+  data->GetFieldData()->AddArray(structures);
+  data->GetFieldData()->AddArray(roots);
+  return data;
+}
+
+}  // namespace
+
+void write_vessels(const fs::path& path, const std::vector<VesselTree>& trees) {
+  write_file_atomically(
+      path,
+      [&](const fs::path& to) {
+        vtkNew<vtkXMLPolyDataWriter> writer;
+        writer->SetFileName(to.c_str());
+        writer->SetInputData(vessels_to_vtk(trees));
+        writer->Write();
+      },
+      [&](const fs::path& written) {
+        if (read_vessels(written).size() != trees.size())
+          throw FileError(path.string() + ": the vessels read back incomplete. Check the disk's free space.");
+      });
+}
+
+std::vector<VesselTree> read_vessels(const fs::path& path) {
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(path.c_str());
+  if (reader->CanReadFile(path.c_str()) == 0)
+    throw InputError(path.string(), "", "is not a VTP file",
+                     "Restore the case from a copy, or build the model anew");
+  reader->Update();
+  vtkPolyData* data = reader->GetOutput();
+  auto* radii = vtkDoubleArray::SafeDownCast(data->GetPointData()->GetArray("radius_mm"));
+  auto* tree_of_point = vtkIntArray::SafeDownCast(data->GetPointData()->GetArray("tree"));
+  auto* structures = vtkIntArray::SafeDownCast(data->GetFieldData()->GetArray("structures"));
+  auto* roots = vtkIntArray::SafeDownCast(data->GetFieldData()->GetArray("roots"));
+  const bool has_points = data->GetNumberOfPoints() > 0;
+  if (structures == nullptr || roots == nullptr ||
+      (has_points && (radii == nullptr || tree_of_point == nullptr)))
+    throw InputError(path.string(), "arrays", "radius_mm, tree, structures or roots is missing",
+                     "Build the model anew");
+  std::vector<VesselTree> trees(static_cast<std::size_t>(structures->GetNumberOfValues()));
+  for (std::size_t i = 0; i < trees.size(); ++i) {
+    trees[i].structure = static_cast<Label>(structures->GetValue(static_cast<vtkIdType>(i)));
+    trees[i].root = roots->GetValue(static_cast<vtkIdType>(i));
+  }
+  std::vector<int> local(static_cast<std::size_t>(data->GetNumberOfPoints()));
+  std::vector<int> sizes(trees.size(), 0);
+  for (vtkIdType p = 0; p < data->GetNumberOfPoints(); ++p) {
+    const int tree = tree_of_point->GetValue(p);
+    if (tree < 0 || tree >= static_cast<int>(trees.size()))
+      throw InputError(path.string(), "tree", "names a tree that is not there", "Build the model anew");
+    local[static_cast<std::size_t>(p)] = sizes[static_cast<std::size_t>(tree)]++;
+    trees[static_cast<std::size_t>(tree)].radii.push_back(radii->GetValue(p) * kMillimetre);
+  }
+  for (std::size_t i = 0; i < trees.size(); ++i) trees[i].nodes.resize(sizes[i], 3);
+  for (vtkIdType p = 0; p < data->GetNumberOfPoints(); ++p) {
+    double xyz[3];
+    data->GetPoint(p, xyz);
+    trees[static_cast<std::size_t>(tree_of_point->GetValue(p))].nodes.row(
+        local[static_cast<std::size_t>(p)]) = kMillimetre * Eigen::RowVector3d(xyz[0], xyz[1], xyz[2]);
+  }
+  vtkNew<vtkIdList> ends;
+  vtkCellArray* lines = data->GetLines();
+  for (lines->InitTraversal(); lines->GetNextCell(ends) != 0;) {
+    if (ends->GetNumberOfIds() != 2 ||
+        tree_of_point->GetValue(ends->GetId(0)) != tree_of_point->GetValue(ends->GetId(1)))
+      throw InputError(path.string(), "lines", "a beam does not join two nodes of one tree",
+                       "Build the model anew");
+    trees[static_cast<std::size_t>(tree_of_point->GetValue(ends->GetId(0)))].beams.push_back(
+        {local[static_cast<std::size_t>(ends->GetId(0))], local[static_cast<std::size_t>(ends->GetId(1))]});
+  }
+  return trees;
+}
+
+json points_to_json(const Points& points) {
+  json array = json::array();
+  for (Eigen::Index i = 0; i < points.rows(); ++i)
+    array.push_back({points(i, 0) / kMillimetre, points(i, 1) / kMillimetre, points(i, 2) / kMillimetre});
+  return array;
+}
+
+Points points_from_json(const json& array, const std::string& file, const std::string& field) {
+  const auto refuse = [&](const std::string& problem) {
+    throw InputError(file, field, problem, "Write it as a list of [x, y, z] in millimetres (LPS)");
+  };
+  if (!array.is_array()) refuse("is not a list");
+  Points points(static_cast<Eigen::Index>(array.size()), 3);
+  for (std::size_t i = 0; i < array.size(); ++i) {
+    const json& triple = array[i];
+    if (!triple.is_array() || triple.size() != 3) refuse("entry " + std::to_string(i) + " is not a triple");
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!triple[k].is_number())
+        refuse("entry " + std::to_string(i) + " holds something that is not a number");
+      points(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) =
+          triple[k].get<double>() * kMillimetre;
+    }
+  }
+  return points;
+}
+
+Landmarks read_landmarks(const fs::path& path) {
+  const json document = read_json(path);
+  const std::string file = path.string();
+  if (!document.is_object())
+    throw InputError(file, "", "is not a JSON object", "See the engine module's README for the format");
+  if (document.value("frame", "LPS") != "LPS" || document.value("unit", "mm") != "mm")
+    throw InputError(file, "frame, unit", "landmarks are read in LPS millimetres only",
+                     "Convert them, or correct the two fields");
+  Landmarks landmarks;
+  const auto take = [&](const char* field, Points& into) {
+    if (document.contains(field)) into = points_from_json(document[field], file, field);
+  };
+  take("anterior_margin", landmarks.anterior_margin);
+  take("umbilical_notch", landmarks.umbilical_notch);
+  take("vena_cava", landmarks.vena_cava);
+  if (landmarks.empty() && landmarks.vena_cava.rows() == 0)
+    throw InputError(file, "", "holds no landmark", "Give anterior_margin, umbilical_notch or vena_cava");
+  return landmarks;
+}
+
+void write_landmarks(const fs::path& path, const Landmarks& landmarks) {
+  json document = {{"frame", "LPS"}, {"unit", "mm"}};
+  if (landmarks.anterior_margin.rows() > 0)
+    document["anterior_margin"] = points_to_json(landmarks.anterior_margin);
+  if (landmarks.umbilical_notch.rows() > 0)
+    document["umbilical_notch"] = points_to_json(landmarks.umbilical_notch);
+  if (landmarks.vena_cava.rows() > 0) document["vena_cava"] = points_to_json(landmarks.vena_cava);
+  write_json(path, document);
+}
+
+void write_registration(const fs::path& path, const PatientModel& model, const Registration& registration,
+                        LengthUnit unit) {
+  TetFile file;
+  file.mesh = model.mesh;
+  file.mesh.vertices = registration.nodes_in_camera;
+  Eigen::Matrix4d matrix = registration.camera_from_ct.matrix();
+  matrix.topRightCorner<3, 1>() /= metres_per(unit);
+  file.field_data["cloud_from_model"] = matrix;
+  file.point_data[std::string("displacement_") + unit_code(unit)] =
+      (registration.nodes_in_camera - registration.camera_from_ct.apply(model.mesh.vertices)) /
+      metres_per(unit);
+  write_tet_mesh(path, file, unit);
+}
+
+Registration read_registration(const fs::path& path, const PatientModel& model, LengthUnit unit) {
+  const TetFile file = read_tet_file(path, unit);
+  if (file.mesh.vertex_count() != model.mesh.vertex_count() || file.mesh.tetrahedra != model.mesh.tetrahedra)
+    throw InputError(path.string(), "mesh",
+                     "is not this model's (" + std::to_string(file.mesh.vertex_count()) +
+                         " nodes, the model has " + std::to_string(model.mesh.vertex_count()) + ")",
+                     "Give the file that 'glisson register' wrote for this model");
+  Registration registration;
+  registration.nodes_in_camera = file.mesh.vertices;
+  registration.termination = Termination::converged;
+  const auto rigid = file.field_data.find("cloud_from_model");
+  if (rigid != file.field_data.end() && rigid->second.size() == 16) {
+    // Field data is a table of tuples: 4 x 4 as written, or one row of 16 from other writers.
+    Eigen::Matrix4d matrix;
+    for (int i = 0; i < 4; ++i)
+      for (int k = 0; k < 4; ++k)
+        matrix(i, k) = rigid->second.rows() == 4 ? rigid->second(i, k) : rigid->second(0, 4 * i + k);
+    matrix.topRightCorner<3, 1>() *= metres_per(unit);
+    registration.camera_from_ct = CameraFromCt::from_matrix(matrix);
+  } else {
+    registration.camera_from_ct = fit_rigid<CameraFrame, CtFrame>(model.mesh.vertices, file.mesh.vertices);
+  }
+  return registration;
+}
+
+}  // namespace glisson::engine

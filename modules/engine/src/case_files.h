@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "glisson/patient/patient_model.h"
+
+/// @file
+/// The single files of a case that no other module reads or writes.
+
+namespace glisson::engine {
+
+/// Vessel trees as VTP lines, LPS mm: point data "radius_mm" and "tree", field data "structures" and "roots".
+void write_vessels(const std::filesystem::path& path, const std::vector<VesselTree>& trees);
+std::vector<VesselTree> read_vessels(const std::filesystem::path& path);
+
+/// N x 3 points (metres here, mm there) to and from a JSON array of triples.
+nlohmann::json points_to_json(const Points& points);
+/// @throws InputError naming file and field.
+Points points_from_json(const nlohmann::json& array, const std::string& file, const std::string& field);
+
+}  // namespace glisson::engine

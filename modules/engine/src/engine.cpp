@@ -1,0 +1,413 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/engine/engine.h"
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <exception>
+#include <map>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include "glisson/core/error.h"
+
+namespace glisson::engine {
+namespace {
+
+enum class Lane { edits, work };
+
+/// A command on its way.
+struct Job {
+  CommandId id = 0;
+  Command command;
+  std::shared_ptr<CancelFlag> cancel;
+
+  Lane lane() const { return is_edit(command) ? Lane::edits : Lane::work; }
+  bool conflicts_with(const Job& other) const {
+    return writes(command).meets(reads(other.command) | writes(other.command)) ||
+           writes(other.command).meets(reads(command));
+  }
+};
+
+/// Outcomes that nobody waited for are kept so long that a late wait() still finds them, but not for ever.
+constexpr std::size_t kOutcomesKept = 1024;
+
+}  // namespace
+
+struct Engine::Impl {
+  explicit Impl(Options given) : options(std::move(given)), current(std::make_shared<Snapshot>()) {}
+
+  Options options;
+
+  mutable std::mutex mutex;          // guards everything below but the follower
+  std::condition_variable changed;   // for the lanes: a job or a frame came, a job ended, or stop
+  std::condition_variable finished;  // for waiters
+  bool stopping = false;
+  CommandId next_id = 1;
+  std::uint64_t revision = 0;
+  std::deque<std::shared_ptr<Job>> waiting;  // in the order of post()
+  std::vector<std::shared_ptr<Job>> running;
+  std::shared_ptr<const Snapshot> current;
+  std::deque<Event> events;
+  bool wake_sent = false;
+  std::map<CommandId, Outcome> outcomes;
+  std::optional<LiveInput> frame;  // newest wins
+  bool following = false;          // a frame is being followed just now
+  LiveState live;                  // counters since tracking began
+
+  std::unique_ptr<Follower> follower;  // touched by the edits lane only
+  std::jthread edits_thread, work_thread;
+
+  void wake(std::unique_lock<std::mutex>& lock) {
+    changed.notify_all();
+    if (wake_sent || !options.wake) return;
+    wake_sent = true;
+    lock.unlock();
+    options.wake();
+    lock.lock();
+  }
+
+  void publish(CaseState state, std::string cause) {
+    auto snapshot = std::make_shared<Snapshot>();
+    snapshot->revision = ++revision;
+    snapshot->cause = std::move(cause);
+    snapshot->state = std::move(state);
+    for (int i = 0; i < kPartCount; ++i)
+      snapshot->stages[static_cast<std::size_t>(i)] = stage_state(snapshot->state, static_cast<Part>(i));
+    snapshot->tracking = current->tracking;
+    current = std::move(snapshot);
+  }
+
+  /// The first waiting job of the lane that may start: nothing before it, waiting or running, touches what it
+  /// writes or writes what it touches.
+  std::shared_ptr<Job> take_ready(Lane lane) {
+    for (std::size_t i = 0; i < waiting.size(); ++i) {
+      const std::shared_ptr<Job> job = waiting[i];
+      if (job->lane() != lane) continue;
+      const auto blocks = [&](const std::shared_ptr<Job>& other) { return job->conflicts_with(*other); };
+      const auto before = waiting.begin() + static_cast<std::ptrdiff_t>(i);
+      if (std::any_of(running.begin(), running.end(), blocks) || std::any_of(waiting.begin(), before, blocks))
+        continue;
+      waiting.erase(before);
+      running.push_back(job);
+      return job;
+    }
+    return nullptr;
+  }
+
+  void report_progress(const Job& job, double fraction, std::string_view stage) {
+    Progress progress{job.id, std::string(command_code(job.command)), fraction, std::string(stage)};
+    if (options.runner == Runner::inline_ && options.progress) options.progress(progress);
+    std::unique_lock lock(mutex);
+    const auto same = std::find_if(events.rbegin(), events.rend(), [&](const Event& event) {
+      const auto* old = std::get_if<Progress>(&event);
+      return old != nullptr && old->id == job.id;
+    });
+    if (same != events.rend())
+      *same = std::move(progress);
+    else
+      events.emplace_back(std::move(progress));
+    wake(lock);
+  }
+
+  /// Takes over what a command made. Only the parts that it writes; the rest may have moved on meanwhile.
+  void commit(const Job& job, const CaseState& base, Applied&& applied) {
+    CaseState state = current->state;
+    state.path = applied.state.path != base.path ? applied.state.path : state.path;
+    if (applied.keeps_stamps) {
+      for (int i = 0; i < kPartCount; ++i) {
+        const Part part = static_cast<Part>(i);
+        revision = std::max(revision, applied.state.stamp(part).revision);
+      }
+      state = std::move(applied.state);
+    } else {
+      for (int i = 0; i < kPartCount; ++i) {
+        const Part part = static_cast<Part>(i);
+        if (!writes(job.command).has(part) || applied.state.shares(part, base)) continue;
+        state.take(part, applied.state);
+        Stamp stamp;
+        if (state.has(part)) {
+          stamp.revision = ++revision;
+          for (int k = 0; k < kPartCount; ++k) {
+            const Part input = static_cast<Part>(k);
+            if (input != part && reads(job.command).has(input) && base.has(input))
+              stamp.made_from[input] = base.stamp(input).revision;
+          }
+        }
+        state.stamp(part) = stamp;
+      }
+    }
+    publish(std::move(state), std::string(command_code(job.command)));
+  }
+
+  /// Everything of a command from start to outcome. Called without the lock, on the lane's thread.
+  void run(const std::shared_ptr<Job>& job) {
+    CaseState base;
+    {
+      const std::scoped_lock lock(mutex);
+      base = current->state;
+    }
+    Outcome outcome;
+    outcome.id = job->id;
+    outcome.command = command_code(job->command);
+    const auto begin = std::chrono::steady_clock::now();
+    std::optional<Applied> applied;
+    const RunContext context(
+        [this, &job](double fraction, std::string_view stage) { report_progress(*job, fraction, stage); },
+        job->cancel, options.seed);
+    try {
+      if (!job->cancel->requested()) applied = perform(base, job->command, context);
+      if (!applied) outcome.status = Status::cancelled;
+    } catch (const Error& failure) {
+      outcome.status = Status::failed;
+      outcome.error = failure.what();
+    } catch (const std::exception& failure) {
+      outcome.status = Status::failed;
+      outcome.error =
+          outcome.command + ": stopped unexpectedly (" + failure.what() + "). The case is as it was.";
+    }
+    std::unique_lock lock(mutex);
+    if (outcome.status == Status::done && job->cancel->requested()) outcome.status = Status::cancelled;
+    if (outcome.status == Status::done) {
+      outcome.figures = std::move(applied->figures);
+      outcome.notes = std::move(applied->notes);
+      settle_tracking(job->command);
+      commit(*job, base, std::move(*applied));
+    } else if (std::holds_alternative<StartTracking>(job->command)) {
+      stop_following();
+    }
+    outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    std::erase(running, job);
+    finish(lock, std::move(outcome));
+  }
+
+  Cancellable<Applied> perform(const CaseState& base, const Command& command, const RunContext& context) {
+    if (const auto* start = std::get_if<StartTracking>(&command)) {
+      follower = options.make_follower(base, *start);
+      Applied applied;
+      applied.state = base;
+      applied.state.live = std::make_shared<LiveState>();
+      return applied;
+    }
+    if (std::holds_alternative<StopTracking>(command)) {
+      follower.reset();
+      Applied applied;
+      applied.state = base;
+      applied.state.live = nullptr;
+      return applied;
+    }
+    return options.apply(base, command, context);
+  }
+
+  void settle_tracking(const Command& command) {
+    if (std::holds_alternative<StartTracking>(command)) {
+      set_tracking(true);
+    } else if (std::holds_alternative<StopTracking>(command) || std::holds_alternative<OpenCase>(command)) {
+      stop_following();
+    }
+  }
+  void stop_following() {
+    set_tracking(false);
+    frame.reset();
+  }
+  void set_tracking(bool on) {
+    live = {};
+    auto changed_snapshot = std::make_shared<Snapshot>(*current);
+    changed_snapshot->tracking = on;
+    current = std::move(changed_snapshot);
+  }
+
+  void finish(std::unique_lock<std::mutex>& lock, Outcome outcome) {
+    std::erase_if(events, [&](const Event& event) {
+      const auto* progress = std::get_if<Progress>(&event);
+      return progress != nullptr && progress->id == outcome.id;
+    });
+    events.emplace_back(outcome);
+    outcomes.emplace(outcome.id, std::move(outcome));
+    if (outcomes.size() > kOutcomesKept) outcomes.erase(outcomes.begin());
+    finished.notify_all();
+    wake(lock);
+  }
+
+  /// Follows the newest frame. Called with the lock held; lets go of it meanwhile.
+  void follow(std::unique_lock<std::mutex>& lock) {
+    const LiveInput taken = std::move(*frame);
+    frame.reset();
+    following = true;
+    lock.unlock();
+    OverlayFrame overlay;
+    std::visit(
+        [&](const auto& input) {
+          overlay.index = input.index;
+          overlay.seconds = input.seconds;
+        },
+        taken);
+    overlay.validity = Validity::mechanics_failed;
+    try {
+      if (follower) overlay = follower->follow(taken);
+    } catch (const std::exception&) {
+      // Whatever went wrong, there is no overlay for this frame; the next one may do better.
+      overlay.nodes_in_camera.resize(0, 3);
+    }
+    lock.lock();
+    following = false;
+    if (current->tracking) {
+      if (stage_state(current->state, Part::live) == StageState::stale) overlay.validity = Validity::stale;
+      ++live.frames;
+      live.frames_late += overlay.milliseconds > 1e3 * options.frame_seconds;
+      live.overlay = std::move(overlay);
+      if (const auto* pictures = std::get_if<StereoFrame>(&taken)) live.frame = *pictures;
+      CaseState state = current->state;
+      state.live = std::make_shared<LiveState>(live);
+      publish(std::move(state), "frame");
+    }
+    finished.notify_all();
+    wake(lock);
+  }
+
+  bool frame_ready() const { return frame.has_value() && current->tracking; }
+
+  void serve_edits() {
+    std::unique_lock lock(mutex);
+    while (!stopping) {
+      if (const auto job = take_ready(Lane::edits)) {
+        lock.unlock();
+        run(job);
+        lock.lock();
+      } else if (frame_ready()) {
+        follow(lock);
+      } else {
+        changed.wait(lock);
+      }
+    }
+  }
+
+  void serve_work() {
+    std::unique_lock lock(mutex);
+    while (!stopping) {
+      if (const auto job = take_ready(Lane::work)) {
+        lock.unlock();
+        run(job);
+        lock.lock();
+      } else {
+        changed.wait(lock);
+      }
+    }
+  }
+
+  /// Inline: everything that waits, in order, on the caller's thread. A post from within a command waits its
+  /// turn.
+  void drain() {
+    for (;;) {
+      std::shared_ptr<Job> job;
+      {
+        const std::scoped_lock lock(mutex);
+        if (waiting.empty() || !running.empty()) return;
+        job = waiting.front();
+        waiting.pop_front();
+        running.push_back(job);
+      }
+      run(job);
+    }
+  }
+};
+
+Engine::Engine(Options options) : impl_(std::make_unique<Impl>(std::move(options))) {
+  if (impl_->options.runner == Runner::inline_) return;
+  impl_->edits_thread = std::jthread([this] { impl_->serve_edits(); });
+  impl_->work_thread = std::jthread([this] { impl_->serve_work(); });
+}
+
+Engine::~Engine() {
+  cancel_all();
+  {
+    const std::scoped_lock lock(impl_->mutex);
+    impl_->stopping = true;
+    impl_->options.wake = nullptr;
+  }
+  impl_->changed.notify_all();
+  if (impl_->edits_thread.joinable()) impl_->edits_thread.join();
+  if (impl_->work_thread.joinable()) impl_->work_thread.join();
+}
+
+CommandId Engine::post(Command command) {
+  auto job = std::make_shared<Job>();
+  job->command = std::move(command);
+  job->cancel = std::make_shared<CancelFlag>();
+  {
+    const std::scoped_lock lock(impl_->mutex);
+    job->id = impl_->next_id++;
+    impl_->waiting.push_back(job);
+  }
+  if (impl_->options.runner == Runner::inline_)
+    impl_->drain();
+  else
+    impl_->changed.notify_all();
+  return job->id;
+}
+
+void Engine::cancel(CommandId id) {
+  std::unique_lock lock(impl_->mutex);
+  for (const auto& job : impl_->running)
+    if (job->id == id) job->cancel->request();
+  const auto waits = std::find_if(impl_->waiting.begin(), impl_->waiting.end(),
+                                  [&](const auto& job) { return job->id == id; });
+  if (waits == impl_->waiting.end()) return;
+  Outcome outcome;
+  outcome.id = id;
+  outcome.command = command_code((*waits)->command);
+  outcome.status = Status::cancelled;
+  impl_->waiting.erase(waits);
+  impl_->finish(lock, std::move(outcome));
+}
+
+void Engine::cancel_all() {
+  std::vector<CommandId> ids;
+  {
+    const std::scoped_lock lock(impl_->mutex);
+    for (const auto& job : impl_->running) ids.push_back(job->id);
+    for (const auto& job : impl_->waiting) ids.push_back(job->id);
+  }
+  for (const CommandId id : ids) cancel(id);
+}
+
+void Engine::submit_frame(LiveInput frame) {
+  std::unique_lock lock(impl_->mutex);
+  if (!impl_->current->tracking) return;
+  impl_->live.frames_dropped += impl_->frame.has_value();
+  impl_->frame = std::move(frame);
+  if (impl_->options.runner == Runner::inline_)
+    impl_->follow(lock);
+  else
+    impl_->changed.notify_all();
+}
+
+std::shared_ptr<const Snapshot> Engine::snapshot() const {
+  const std::scoped_lock lock(impl_->mutex);
+  return impl_->current;
+}
+
+std::vector<Event> Engine::take_events() {
+  const std::scoped_lock lock(impl_->mutex);
+  impl_->wake_sent = false;
+  std::vector<Event> taken(std::make_move_iterator(impl_->events.begin()),
+                           std::make_move_iterator(impl_->events.end()));
+  impl_->events.clear();
+  return taken;
+}
+
+Outcome Engine::wait(CommandId id) {
+  std::unique_lock lock(impl_->mutex);
+  require(id > 0 && id < impl_->next_id, "wait needs the id of a posted command");
+  impl_->finished.wait(lock, [&] { return impl_->outcomes.contains(id); });
+  return impl_->outcomes.at(id);
+}
+
+void Engine::wait_for_frames() {
+  std::unique_lock lock(impl_->mutex);
+  impl_->finished.wait(lock, [&] { return !impl_->frame_ready() && !impl_->following; });
+}
+
+}  // namespace glisson::engine
