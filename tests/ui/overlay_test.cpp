@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <vtkActor.h>
+#include <vtkNew.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkSphereSource.h>
+
+#include <QtTest>
+#include <thread>
+
+#include "box_patient.h"
+#include "glisson/core/error.h"
+#include "glisson/scene/headless_gui.h"
+#include "glisson/scene/lens_maps.h"
+#include "glisson/scene/offscreen_renderer.h"
+#include "glisson/scene/overlay_painter.h"
+#include "glisson/scene/picture_image.h"
+#include "glisson/scene/pinhole_camera.h"
+
+namespace glisson {
+namespace {
+
+/// Off-centre principal point, two focal lengths, strong barrel distortion.
+Camera laparoscope() {
+  Camera camera;
+  camera.width = 640;
+  camera.height = 360;
+  camera.matrix << 520.0, 0.0, 341.5, 0.0, 505.0, 162.25, 0.0, 0.0, 1.0;
+  camera.distortion << -0.28, 0.09, 1.2e-3, -8e-4, 0.0;
+  return camera;
+}
+
+Picture grey_frame(const Camera& camera) {
+  return {camera.width, camera.height, 3,
+          std::make_shared<std::vector<std::uint8_t>>(
+              static_cast<std::size_t>(3 * camera.width * camera.height), std::uint8_t{90})};
+}
+
+OverlayFrame at(const Points& nodes) {
+  OverlayFrame overlay;
+  overlay.validity = Validity::valid;
+  overlay.nodes_in_camera = nodes;
+  return overlay;
+}
+
+/// A bend that is no rigid motion and no affine one.
+Points bent(const Points& rest, const Eigen::Vector3d& shift) {
+  Points nodes = rest;
+  for (Eigen::Index i = 0; i < nodes.rows(); ++i) {
+    nodes(i, 2) += 1.5 * nodes(i, 0) * nodes(i, 0) - 0.1 * nodes(i, 1);
+    nodes.row(i) += shift.transpose();
+  }
+  return nodes;
+}
+
+scene::OverlayStyle only_lesions() {
+  scene::OverlayStyle style;
+  style.portal_vein = style.hepatic_veins = style.arteries = style.outline = style.anterior_margin = false;
+  style.legend = style.status = false;
+  return style;
+}
+
+/// Centre of what differs between two pictures.
+Eigen::Vector2d centre_of_change(const Picture& a, const Picture& b, int* count = nullptr) {
+  Eigen::Vector2d low(1e9, 1e9), high(-1e9, -1e9);
+  int changed = 0;
+  for (int v = 0; v < a.height; ++v)
+    for (int u = 0; u < a.width; ++u) {
+      const auto i = static_cast<std::size_t>(3 * (v * a.width + u));
+      if ((*a.bytes)[i] == (*b.bytes)[i] && (*a.bytes)[i + 1] == (*b.bytes)[i + 1] &&
+          (*a.bytes)[i + 2] == (*b.bytes)[i + 2])
+        continue;
+      low = low.cwiseMin(Eigen::Vector2d(u, v));
+      high = high.cwiseMax(Eigen::Vector2d(u, v));
+      ++changed;
+    }
+  if (count != nullptr) *count = changed;
+  return 0.5 * (low + high);
+}
+
+}  // namespace
+
+class OverlayTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void RendersWithoutADisplayRepeatedly();
+  void RendersOnAnotherThread();
+  void PinholeShowsAPointWhereTheCameraProjectsIt();
+  void DepthReadBackIsMetric();
+  void LensMapsSendEveryPixelToItsRay();
+  void DeformedLesionAppearsWhereTheCameraProjectsIt();
+  void VesselsFadeWithDepthBelowTheSurface();
+  void NothingIsDrawnUnlessValid();
+  void InvalidFramesSayWhyAndCarryABorder();
+  void SamePictureFromTheSameInput();
+  void VesselsThatLeaveTheLiverAreNotDrawnOutsideIt();
+  void FrameOfAnotherSizeIsRefused();
+  void NodesOfAnotherModelAreRefused();
+  void BadStyleIsRefused();
+  void EmptySizeIsRefused();
+};
+
+void OverlayTest::RendersWithoutADisplayRepeatedly() {
+  QVERIFY2(qEnvironmentVariableIsEmpty("DISPLAY"), "this test proves something only without a display");
+  for (int pass = 0; pass < 5; ++pass) {
+    scene::OffscreenRenderer offscreen(80 + pass, 60);
+    for (int again = 0; again < 3; ++again) {
+      vtkNew<vtkRenderer> renderer;
+      renderer->SetBackground(again == 0 ? 1.0 : 0.0, again == 1 ? 1.0 : 0.0, again == 2 ? 1.0 : 0.0);
+      const Picture picture = offscreen.render(*renderer);
+      QCOMPARE(picture.width, 80 + pass);
+      QCOMPARE(int((*picture.bytes)[static_cast<std::size_t>(2 - again)]), 255);  // blue, green, red
+      QCOMPARE(int((*picture.bytes)[static_cast<std::size_t>((4 - again) % 3)]), 0);
+    }
+    offscreen.resize(33, 21);
+    vtkNew<vtkRenderer> renderer;
+    QCOMPARE(offscreen.render(*renderer).height, 21);
+  }
+}
+
+void OverlayTest::RendersOnAnotherThread() {
+  int blue = 0;
+  std::thread worker([&] {
+    scene::OffscreenRenderer offscreen(32, 32);
+    vtkNew<vtkRenderer> renderer;
+    renderer->SetBackground(0.0, 0.0, 1.0);
+    blue = (*offscreen.render(*renderer).bytes)[0];
+  });
+  worker.join();
+  QCOMPARE(blue, 255);
+}
+
+void OverlayTest::PinholeShowsAPointWhereTheCameraProjectsIt() {
+  Camera camera = laparoscope();
+  camera.distortion.setZero();
+  camera.matrix(0, 1) = 3.0;  // skew
+  scene::OffscreenRenderer offscreen(camera.width, camera.height);
+  for (const Eigen::Vector3d& p : {Eigen::Vector3d(0.02, -0.01, 0.1), Eigen::Vector3d(-0.05, 0.02, 0.12),
+                                   Eigen::Vector3d(0.06, 0.035, 0.15)}) {
+    vtkNew<vtkSphereSource> ball;
+    ball->SetRadius(4e-4);
+    ball->SetThetaResolution(16);
+    ball->SetPhiResolution(16);
+    ball->SetCenter(p.x(), p.y(), p.z());
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(ball->GetOutputPort());
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->GetProperty()->LightingOff();
+    vtkNew<vtkRenderer> renderer;
+    renderer->AddActor(actor);
+    scene::set_pinhole_camera(*renderer, camera, 0.01, 1.0);
+    const scene::Raster raster = offscreen.render(*renderer, false);
+    Eigen::Vector2d sum(0, 0);
+    double weight = 0.0;
+    for (int v = 0; v < raster.height; ++v)
+      for (int u = 0; u < raster.width; ++u)
+        if (raster.rgba[static_cast<std::size_t>(4 * (v * raster.width + u))] > 100) {
+          sum += Eigen::Vector2d(u, v);
+          weight += 1.0;
+        }
+    QVERIFY(weight > 3.0);
+    const double miss = (sum / weight - camera.project(p)).norm();
+    QVERIFY2(miss < 0.35, qPrintable(QStringLiteral("missed by %1 px").arg(miss)));
+  }
+}
+
+void OverlayTest::DepthReadBackIsMetric() {
+  Camera camera = laparoscope();
+  camera.distortion.setZero();
+  vtkNew<vtkSphereSource> ball;
+  ball->SetRadius(0.02);
+  ball->SetThetaResolution(60);
+  ball->SetPhiResolution(60);
+  ball->SetCenter(0.0, 0.0, 0.12);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(ball->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  vtkNew<vtkRenderer> renderer;
+  renderer->AddActor(actor);
+  scene::set_pinhole_camera(*renderer, camera, 0.005, 2.0);
+  scene::OffscreenRenderer offscreen(camera.width, camera.height);
+  const scene::Raster raster = offscreen.render(*renderer, true);
+  const Eigen::Vector2d c = camera.project({0, 0, 0.1});
+  const double depth =
+      raster.depth[static_cast<std::size_t>(std::lround(c.y()) * raster.width + std::lround(c.x()))];
+  QVERIFY(std::abs(scene::metric_depth(depth, 0.005, 2.0) - 0.1) < 2e-4);
+}
+
+void OverlayTest::LensMapsSendEveryPixelToItsRay() {
+  const Camera camera = laparoscope();
+  const scene::LensMaps maps = scene::make_lens_maps(camera);
+  QVERIFY(maps.pinhole.width > camera.width);  // barrel: the lens sees farther than the pinhole
+  for (const Eigen::Vector2d& pixel :
+       {Eigen::Vector2d(0, 0), Eigen::Vector2d(639, 359), Eigen::Vector2d(100, 300)}) {
+    const auto i = static_cast<std::size_t>(pixel.y() * camera.width + pixel.x());
+    const Eigen::Vector3d ray = maps.pinhole.ray({maps.x[i], maps.y[i]});
+    QVERIFY((camera.project(ray) - pixel).norm() < 1e-2);  // single precision maps
+    QVERIFY(maps.pinhole.sees({maps.x[i], maps.y[i]}));
+  }
+}
+
+void OverlayTest::DeformedLesionAppearsWhereTheCameraProjectsIt() {
+  const Camera camera = laparoscope();
+  PatientModel model = box_patient();
+  const Picture frame = grey_frame(camera);
+  double worst = 0.0;
+  for (const Eigen::Vector3d& lesion : {Eigen::Vector3d(0.03, 0.0, 0.0), Eigen::Vector3d(-0.05, -0.03, 0.01),
+                                        Eigen::Vector3d(0.045, 0.03, -0.01)}) {
+    model.surfaces.back().mesh = ball_mesh(lesion, 0.003, 16);
+    scene::OverlayPainter painter(model, camera, only_lesions());
+    const Points nodes = bent(model.mesh.vertices, {0.004, -0.002, 0.13});
+    int changed = 0;
+    const Picture picture = painter.paint(frame, at(nodes));
+    const Eigen::Vector2d seen = centre_of_change(frame, picture, &changed);
+    Points centre(1, 3);
+    centre.row(0) = lesion.transpose();
+    const Points moved = bind_points(model.mesh, centre).apply(model.mesh, nodes);
+    const Eigen::Vector2d expected = camera.project(moved.row(0).transpose());
+    QVERIFY(changed > 100);
+    worst = std::max(worst, (seen - expected).norm());
+  }
+  QVERIFY2(worst < 1.0, qPrintable(QStringLiteral("missed by %1 px").arg(worst)));
+}
+
+void OverlayTest::VesselsFadeWithDepthBelowTheSurface() {
+  const Camera camera = laparoscope();
+  double change[2] = {0.0, 0.0};
+  for (int deep = 0; deep < 2; ++deep) {
+    PatientModel model = box_patient();
+    model.vessels.resize(1);
+    model.vessels[0].nodes.col(2).setConstant(deep != 0 ? 0.015 : -0.018);  // the camera looks along +z
+    scene::OverlayStyle style = only_lesions();
+    style.portal_vein = true;
+    style.lesions = false;
+    scene::OverlayPainter painter(model, camera, style);
+    const Points nodes = model.mesh.vertices.rowwise() + Eigen::RowVector3d(0, 0, 0.13);
+    const Picture frame = grey_frame(camera), picture = painter.paint(frame, at(nodes));
+    const Eigen::Vector2d pixel = camera.project({0.0, -0.02, deep != 0 ? 0.145 : 0.112});
+    const auto i =
+        static_cast<std::size_t>(3 * (std::lround(pixel.y()) * camera.width + std::lround(pixel.x())));
+    change[deep] = std::abs(double((*picture.bytes)[i]) - 90.0);
+  }
+  QVERIFY2(change[1] > 8.0, "a deep vessel is still seen");
+  QVERIFY2(change[0] > 1.4 * change[1], "a shallow vessel is drawn clearly stronger");
+}
+
+void OverlayTest::NothingIsDrawnUnlessValid() {
+  const Camera camera = laparoscope();
+  const PatientModel model = box_patient();
+  scene::OverlayStyle style;
+  style.legend = style.status = false;
+  scene::OverlayPainter painter(model, camera, style);
+  const Picture frame = grey_frame(camera);
+  OverlayFrame overlay = at(bent(model.mesh.vertices, {0, 0, 0.13}));
+  int valid = 0;
+  centre_of_change(frame, painter.paint(frame, overlay), &valid);
+  QVERIFY(valid > 5000);
+  for (const Validity why : {Validity::not_started, Validity::too_few_points, Validity::inconsistent_motion,
+                             Validity::residual_too_large, Validity::mechanics_failed, Validity::stale}) {
+    overlay.validity = why;
+    const Picture picture = painter.paint(frame, overlay);
+    for (int v = camera.height / 2; v < camera.height - 20; ++v)  // the reason stands in the upper half
+      for (int u = 20; u < camera.width - 20; ++u)
+        QCOMPARE((*picture.bytes)[static_cast<std::size_t>(3 * (v * camera.width + u))], std::uint8_t{90});
+  }
+}
+
+void OverlayTest::InvalidFramesSayWhyAndCarryABorder() {
+  const Camera camera = laparoscope();
+  scene::OverlayPainter painter(box_patient(), camera);
+  const Picture frame = grey_frame(camera);
+  OverlayFrame overlay;
+  overlay.validity = Validity::mechanics_failed;
+  const Picture lost = painter.paint(frame, overlay);
+  const auto left_edge = static_cast<std::size_t>(3 * (camera.height / 2 * camera.width));
+  QVERIFY((*lost.bytes)[left_edge + 2] > 200 && (*lost.bytes)[left_edge + 1] < 100);  // red
+  overlay.validity = Validity::too_few_points;
+  const Picture few = painter.paint(frame, overlay);
+  QVERIFY((*few.bytes)[left_edge + 2] > 200 && (*few.bytes)[left_edge + 1] > 130);  // amber
+  // Different reasons read differently.
+  QVERIFY(scene::validity_text(Validity::mechanics_failed) != scene::validity_text(Validity::too_few_points));
+  int words = 0;
+  for (int v = 30; v < camera.height / 3; ++v)
+    for (int u = 100; u < camera.width - 100; ++u)
+      words += (*few.bytes)[static_cast<std::size_t>(3 * (v * camera.width + u) + 2)] > 200 ? 1 : 0;
+  QVERIFY2(words > 200, "the reason is written");
+}
+
+void OverlayTest::SamePictureFromTheSameInput() {
+  const Camera camera = laparoscope();
+  const PatientModel model = box_patient();
+  const OverlayFrame overlay = at(bent(model.mesh.vertices, {0, 0, 0.13}));
+  const OverlayFrame other = at(bent(model.mesh.vertices, {0.01, 0, 0.16}));
+  scene::OverlayPainter first(model, camera), second(model, camera);
+  const Picture frame = grey_frame(camera);
+  const Picture a = first.paint(frame, overlay);
+  second.paint(frame, other);  // what was drawn before leaves no trace
+  QVERIFY(*a.bytes == *second.paint(frame, overlay).bytes);
+  QVERIFY(*a.bytes != *second.paint(frame, other).bytes);
+  if (qEnvironmentVariableIsSet("GLISSON_SAVE_PICTURES"))
+    scene::view_as_image(a).save(qEnvironmentVariable("GLISSON_SAVE_PICTURES") + "/overlay.png");
+}
+
+void OverlayTest::VesselsThatLeaveTheLiverAreNotDrawnOutsideIt() {
+  const Camera camera = laparoscope();
+  PatientModel model = box_patient();
+  model.vessels[0].nodes(0, 0) = -0.12;  // 60 mm out of the block, as the portal vein below the liver
+  scene::OverlayStyle style = only_lesions();
+  style.lesions = false;
+  style.portal_vein = true;
+  scene::OverlayPainter painter(model, camera, style);
+  const Points nodes = model.mesh.vertices.rowwise() + Eigen::RowVector3d(0.03, 0, 0.16);
+  const Picture frame = grey_frame(camera), picture = painter.paint(frame, at(nodes));
+  const int edge = static_cast<int>(camera.project({-0.03, -0.02, 0.135}).x());
+  for (int v = 0; v < camera.height; ++v)
+    for (int u = 0; u < edge - 8; ++u)
+      QCOMPARE((*picture.bytes)[static_cast<std::size_t>(3 * (v * camera.width + u))], std::uint8_t{90});
+  int changed = 0;
+  centre_of_change(frame, picture, &changed);
+  QVERIFY(changed > 500);
+}
+
+void OverlayTest::FrameOfAnotherSizeIsRefused() {
+  const Camera camera = laparoscope();
+  scene::OverlayPainter painter(box_patient(), camera);
+  Camera other = camera;
+  other.width = 320;
+  QVERIFY_EXCEPTION_THROWN(painter.paint(grey_frame(other), OverlayFrame()), InputError);
+  QVERIFY_EXCEPTION_THROWN(painter.paint(Picture(), OverlayFrame()), InputError);
+}
+
+void OverlayTest::NodesOfAnotherModelAreRefused() {
+  const Camera camera = laparoscope();
+  scene::OverlayPainter painter(box_patient(), camera);
+  QVERIFY_EXCEPTION_THROWN(painter.paint(grey_frame(camera), at(Points::Ones(3, 3))), PreconditionError);
+  PatientModel empty;
+  QVERIFY_EXCEPTION_THROWN(scene::OverlayPainter(empty, camera), PreconditionError);
+}
+
+void OverlayTest::BadStyleIsRefused() {
+  scene::OverlayStyle style;
+  style.opacity = 1.5;
+  QVERIFY_EXCEPTION_THROWN(style.validate(), InputError);
+  style = {};
+  style.fade_depth = 0.0;
+  QVERIFY_EXCEPTION_THROWN(style.validate(), InputError);
+}
+
+void OverlayTest::EmptySizeIsRefused() {
+  QVERIFY_EXCEPTION_THROWN(scene::OffscreenRenderer(0, 10), PreconditionError);
+  QVERIFY_EXCEPTION_THROWN(scene::make_lens_maps(Camera()), PreconditionError);
+  vtkNew<vtkRenderer> renderer;
+  QVERIFY_EXCEPTION_THROWN(scene::set_pinhole_camera(*renderer, laparoscope(), 1.0, 0.5), PreconditionError);
+}
+
+}  // namespace glisson
+
+int main(int argc, char** argv) {
+  qunsetenv("DISPLAY");
+  const glisson::scene::HeadlessGui gui;
+  glisson::OverlayTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+#include "overlay_test.moc"

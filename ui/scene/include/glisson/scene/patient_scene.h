@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "glisson/patient/labelled_cloud.h"
+#include "glisson/patient/patient_model.h"
+#include "glisson/patient/picture.h"
+#include "glisson/scene/slice_picture.h"
+
+class vtkRenderer;
+
+namespace glisson::scene {
+
+/// A point that the operator placed, drawn as a small ball.
+struct Marker {
+  Eigen::Vector3d p = Eigen::Vector3d::Zero();  ///< metres, the scene's frame
+  Label structure = 0;                          ///< gives the colour
+  double radius = 2.5e-3;                       ///< metres
+};
+
+/// From where the patient is looked at.
+enum class ViewFrom { anterior, right, left, superior, inferior, camera };
+
+/// The patient in three dimensions: surfaces, mesh, vessels, landmarks, cloud, slices and markers as VTK
+/// actors in one renderer. The scene's frame is the CT's, or the camera's once set_nodes() was given nodes
+/// there. Holds what was given to it until it is replaced. Not thread-safe.
+class PatientScene {
+ public:
+  PatientScene();
+  ~PatientScene();
+  PatientScene(const PatientScene&) = delete;
+  PatientScene& operator=(const PatientScene&) = delete;
+
+  vtkRenderer& renderer() const;
+
+  /// Replaces the model (null: none), at rest.
+  void set_model(std::shared_ptr<const PatientModel> model);
+  /// Puts the model's nodes somewhere (empty: at rest). @pre one row a node.
+  void set_nodes(const Points& nodes);
+  /// Replaces the model's own landmarks; CT frame, follow the nodes.
+  void set_landmarks(const Landmarks& landmarks);
+  /// In the scene's frame as it is. An empty cloud removes it.
+  void set_cloud(const LabelledCloud& cloud);
+  void set_markers(const std::vector<Marker>& markers);
+  /// A slice as a textured plane; one a plane. An empty picture removes it.
+  void set_slice(const SliceGeometry& geometry, const Picture& picture);
+
+  void set_visible(Label structure, bool visible);
+  void set_opacity(Label structure, double opacity);
+  void set_mesh_visible(bool visible);
+  void set_slices_visible(bool visible);
+
+  /// Whole scene in view. `camera` looks along +z with y down (the laparoscope's own view).
+  void look_from(ViewFrom from);
+  /// The first point of the liver's surface under a place in the view, at the nodes where they are now.
+  /// @param x, y in [0, 1] from the view's top left corner. @param aspect width over height.
+  std::optional<Eigen::Vector3d> surface_point(double x, double y, double aspect) const;
+  /// Where a point appears, in the same coordinates. Empty behind the viewer.
+  std::optional<Eigen::Vector2d> view_point(const Eigen::Vector3d& p, double aspect) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace glisson::scene

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "glisson/patient/registration.h"
+#include "glisson/scene/overlay_painter.h"
+#include "glisson/volume/label_volume.h"
+
+namespace glisson::scene {
+
+/// Lines and words on the picture; where the lens puts them was computed before.
+struct Annotations {
+  std::vector<Eigen::Vector2d> margin;  ///< pixels, in order
+  std::vector<Label> structures;        ///< drawn ones, for the legend
+};
+Picture annotate(const Picture& picture, const OverlayFrame& overlay, const Annotations& annotations,
+                 const OverlayStyle& style, const OverlayStatus& status);
+
+}  // namespace glisson::scene

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/scene/overlay_painter.h"
+
+#include "glisson/core/error.h"
+#include "glisson/patient/label_map.h"
+#include "glisson/scene/lens_maps.h"
+#include "glisson/scene/surface_shapes.h"
+#include "overlay_annotations.h"
+#include "overlay_blend.h"
+#include "overlay_layers.h"
+
+namespace glisson::scene {
+
+void OverlayStyle::validate() const {
+  if (!(opacity >= 0.0 && opacity <= 1.0))
+    throw InputError("overlay style", "opacity", "is " + std::to_string(opacity),
+                     "Give a number from 0 to 1.");
+  if (!(fade_depth > 0.0))
+    throw InputError("overlay style", "fade_depth", "is " + std::to_string(fade_depth) + " m",
+                     "Give a depth above 0.");
+}
+
+struct OverlayPainter::Impl {
+  Impl(const PatientModel& model, const Camera& view, const OverlayStyle& look)
+      : camera(view),
+        style(look),
+        lens(make_lens_maps(view)),
+        layers(model, lens.pinhole),
+        structures(inner_structures(model)),
+        mesh(model.mesh) {
+    if (model.landmarks.anterior_margin.rows() > 0)
+      margin = bind_points(mesh, model.landmarks.anterior_margin);
+  }
+
+  Camera camera;
+  OverlayStyle style;
+  LensMaps lens;
+  OverlayLayers layers;
+  std::vector<Label> structures;
+  TetMesh mesh;
+  Binding margin;
+
+  bool shown(Label label) const {
+    if (label == structure::kPortalVein) return style.portal_vein;
+    if (label == structure::kHepaticVeins) return style.hepatic_veins;
+    if (label == structure::kArtery) return style.arteries;
+    return style.lesions;
+  }
+  Annotations annotations(const Points& nodes) const {
+    Annotations result;
+    for (const Label label : structures)
+      if (shown(label)) result.structures.push_back(label);
+    if (margin.weights.rows() == 0) return result;
+    const Points line = margin.apply(mesh, nodes);
+    for (Eigen::Index i = 0; i < line.rows(); ++i)
+      if (line(i, 2) > OverlayLayers::kNear) result.margin.push_back(camera.project(line.row(i).transpose()));
+    return result;
+  }
+};
+
+OverlayPainter::OverlayPainter(const PatientModel& model, const Camera& camera, const OverlayStyle& style) {
+  style.validate();
+  impl_ = std::make_unique<Impl>(model, camera, style);
+}
+OverlayPainter::~OverlayPainter() = default;
+
+void OverlayPainter::set_style(const OverlayStyle& style) {
+  style.validate();
+  impl_->style = style;
+}
+const OverlayStyle& OverlayPainter::style() const { return impl_->style; }
+
+Picture OverlayPainter::paint(const Picture& frame, const OverlayFrame& overlay,
+                              const OverlayStatus& status) {
+  const Camera& camera = impl_->camera;
+  if (frame.empty() || frame.width != camera.width || frame.height != camera.height)
+    throw InputError("frame", "size",
+                     "is " + std::to_string(frame.width) + " x " + std::to_string(frame.height) +
+                         " and the calibration's is " + std::to_string(camera.width) + " x " +
+                         std::to_string(camera.height),
+                     "Use the calibration that belongs to this laparoscope.");
+  if (overlay.validity != Validity::valid) return annotate(frame, overlay, {}, impl_->style, status);
+  const LayerRasters layers = impl_->layers.draw(overlay.nodes_in_camera);
+  const Picture blended = blend_layers(frame, layers, impl_->lens, impl_->style);
+  return annotate(blended, overlay, impl_->annotations(overlay.nodes_in_camera), impl_->style, status);
+}
+
+}  // namespace glisson::scene

@@ -1,0 +1,395 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/scene/patient_scene.h"
+
+#include <vtkActor.h>
+#include <vtkAppendPolyData.h>
+#include <vtkCamera.h>
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkLight.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkSphereSource.h>
+#include <vtkTexture.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "glisson/core/error.h"
+#include "glisson/geometry/closest_point_tree.h"
+#include "glisson/patient/label_map.h"
+#include "glisson/scene/surface_shapes.h"
+
+namespace glisson::scene {
+namespace {
+
+constexpr int kTriangles = 40000;
+
+struct Shape {
+  Binding binding;
+  vtkSmartPointer<vtkPolyData> data;
+  vtkNew<vtkActor> actor;
+};
+
+std::unique_ptr<Shape> make_shape(vtkSmartPointer<vtkPolyData> data) {
+  auto shape = std::make_unique<Shape>();
+  shape->data = std::move(data);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(shape->data);
+  shape->actor->SetMapper(mapper);
+  return shape;
+}
+
+void give_colour(vtkActor& actor, Label structure) {
+  auto colour = structure_colour(structure);
+  actor.GetProperty()->SetColor(colour.data());
+  actor.GetProperty()->SetSpecular(0.25);
+  actor.GetProperty()->SetSpecularPower(30.0);
+}
+
+vtkSmartPointer<vtkPolyData> balls(const Points& points, double radius) {
+  vtkNew<vtkAppendPolyData> all;
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    vtkNew<vtkSphereSource> ball;
+    ball->SetCenter(points(i, 0), points(i, 1), points(i, 2));
+    ball->SetRadius(radius);
+    ball->SetThetaResolution(12);
+    ball->SetPhiResolution(12);
+    ball->Update();
+    all->AddInputData(ball->GetOutput());
+  }
+  all->Update();
+  return all->GetOutput();
+}
+
+TriangleMesh polyline_tube(const Points& line, double radius) {
+  VesselTree tree;
+  tree.nodes = line;
+  tree.radii.assign(static_cast<std::size_t>(line.rows()), radius);
+  for (int i = 0; i + 1 < line.rows(); ++i) tree.beams.push_back({i, i + 1});
+  return tube_mesh(tree, 8);
+}
+
+std::array<unsigned char, 3> feature_colour(Feature feature) {
+  switch (feature) {
+    case Feature::surface:
+      return {120, 200, 255};
+    case Feature::anterior_margin:
+      return {255, 255, 255};
+    case Feature::umbilical_notch:
+      return {255, 140, 0};
+  }
+  return {255, 255, 255};
+}
+
+}  // namespace
+
+struct PatientScene::Impl {
+  vtkNew<vtkRenderer> renderer;
+  std::shared_ptr<const PatientModel> model;
+  Points nodes;
+  std::map<Label, std::unique_ptr<Shape>> structures;
+  std::unique_ptr<Shape> mesh, margin, notch, cava, cloud;
+  Landmarks landmarks;
+  Binding margin_binding, notch_binding, cava_binding;
+  std::vector<std::unique_ptr<Shape>> markers;
+  struct Slice {
+    std::unique_ptr<Shape> shape;
+    vtkNew<vtkTexture> texture;
+  };
+  std::array<std::unique_ptr<Slice>, 3> slices;
+  std::map<Label, bool> visible;
+  std::map<Label, double> opacity{{structure::kParenchyma, 0.35}};
+  bool mesh_visible = false, slices_visible = true;
+  ClosestPointTree skin;
+
+  void remove(std::unique_ptr<Shape>& shape) {
+    if (shape) renderer->RemoveActor(shape->actor);
+    shape.reset();
+  }
+  void add(Shape& shape) { renderer->AddActor(shape.actor); }
+
+  void apply_look(Label structure) {
+    const auto found = structures.find(structure);
+    if (found == structures.end()) return;
+    vtkActor& actor = *found->second->actor;
+    const auto shown = visible.find(structure);
+    actor.SetVisibility(shown == visible.end() || shown->second ? 1 : 0);
+    const auto strength = opacity.find(structure);
+    const double alpha = strength == opacity.end() ? 1.0 : strength->second;
+    actor.GetProperty()->SetOpacity(alpha);
+    // One layer of a translucent skin needs no sorting, which software drawing could not afford.
+    actor.GetProperty()->SetBackfaceCulling(alpha < 1.0 ? 1 : 0);
+  }
+
+  void add_structure(Label label) {
+    const TriangleMesh surface = simplified(structure_surface(*model, label), kTriangles);
+    if (surface.triangle_count() == 0) return;
+    auto shape = make_shape(make_poly_data(surface));
+    add_normals(*shape->data);
+    if (model->mesh.tetrahedron_count() > 0)
+      shape->binding = bind_points(model->mesh, surface.vertices, false);
+    give_colour(*shape->actor, label);
+    add(*shape);
+    structures[label] = std::move(shape);
+    apply_look(label);
+  }
+
+  void draw_landmarks() {
+    for (auto* shape : {&margin, &notch, &cava}) remove(*shape);
+    const auto place = [&](const Points& points, const Binding& binding) -> Points {
+      return nodes.rows() == 0 || binding.weights.rows() == 0 ? points : binding.apply(model->mesh, nodes);
+    };
+    if (landmarks.anterior_margin.rows() > 1) {
+      margin =
+          make_shape(make_poly_data(polyline_tube(place(landmarks.anterior_margin, margin_binding), 1.2e-3)));
+      margin->actor->GetProperty()->SetColor(0.96, 0.96, 0.96);
+      add(*margin);
+    }
+    if (landmarks.umbilical_notch.rows() > 0) {
+      notch = make_shape(balls(place(landmarks.umbilical_notch, notch_binding), 4e-3));
+      notch->actor->GetProperty()->SetColor(1.0, 0.55, 0.0);
+      add(*notch);
+    }
+    if (landmarks.vena_cava.rows() > 0) {
+      cava = make_shape(balls(place(landmarks.vena_cava, cava_binding), 2.5e-3));
+      give_colour(*cava->actor, structure::kVenaCava);
+      add(*cava);
+    }
+  }
+
+  vtkSmartPointer<vtkMatrix4x4> clip_from_world(double aspect) const {
+    auto matrix = vtkSmartPointer<vtkMatrix4x4>::New();
+    matrix->DeepCopy(renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0));
+    return matrix;
+  }
+};
+
+PatientScene::PatientScene() : impl_(std::make_unique<Impl>()) {
+  impl_->renderer->SetBackground(0.086, 0.102, 0.118);
+  impl_->renderer->SetBackgroundAlpha(1.0);  // VTK's default lets the widget behind shine through
+}
+PatientScene::~PatientScene() = default;
+
+vtkRenderer& PatientScene::renderer() const { return *impl_->renderer; }
+
+void PatientScene::set_model(std::shared_ptr<const PatientModel> model) {
+  for (auto& [label, shape] : impl_->structures) impl_->renderer->RemoveActor(shape->actor);
+  impl_->structures.clear();
+  impl_->remove(impl_->mesh);
+  impl_->nodes.resize(0, 3);
+  impl_->model = std::move(model);
+  impl_->skin = {};
+  if (!impl_->model) {
+    set_landmarks({});
+    return;
+  }
+  std::vector<Label> drawn = inner_structures(*impl_->model);
+  drawn.insert(drawn.end(), {structure::kParenchyma, structure::kVenaCava, structure::kGallbladder});
+  for (const Label label : drawn) impl_->add_structure(label);
+  if (impl_->model->surface.mesh.triangle_count() > 0) {
+    impl_->mesh = make_shape(make_poly_data(impl_->model->surface.mesh));
+    vtkProperty& look = *impl_->mesh->actor->GetProperty();
+    look.SetRepresentationToWireframe();
+    look.SetColor(0.85, 0.88, 0.9);
+    look.LightingOff();
+    impl_->add(*impl_->mesh);
+    set_mesh_visible(impl_->mesh_visible);
+    impl_->skin = ClosestPointTree(impl_->model->surface.mesh);
+  }
+  set_landmarks(impl_->model->landmarks);
+}
+
+void PatientScene::set_nodes(const Points& nodes) {
+  if (!impl_->model) return;
+  const PatientModel& model = *impl_->model;
+  require(nodes.rows() == 0 || nodes.rows() == model.mesh.vertex_count(),
+          "a scene's nodes are those of its model");
+  impl_->nodes = nodes;
+  const Points& at = nodes.rows() > 0 ? nodes : model.mesh.vertices;
+  for (auto& [label, shape] : impl_->structures)
+    if (shape->binding.weights.rows() > 0) move_vertices(*shape->data, shape->binding.apply(model.mesh, at));
+  if (impl_->mesh) {
+    Points skin(model.surface.mesh.vertices.rows(), 3);
+    for (std::size_t i = 0; i < model.surface.node_of_vertex.size(); ++i)
+      skin.row(static_cast<Eigen::Index>(i)) = at.row(model.surface.node_of_vertex[i]);
+    move_vertices(*impl_->mesh->data, skin);
+    impl_->skin.refit(skin);
+  }
+  impl_->draw_landmarks();
+}
+
+void PatientScene::set_landmarks(const Landmarks& landmarks) {
+  impl_->landmarks = landmarks;
+  impl_->margin_binding = impl_->notch_binding = impl_->cava_binding = {};
+  if (impl_->model && impl_->model->mesh.tetrahedron_count() > 0) {
+    const TetMesh& mesh = impl_->model->mesh;
+    impl_->margin_binding = bind_points(mesh, landmarks.anterior_margin, false);
+    impl_->notch_binding = bind_points(mesh, landmarks.umbilical_notch, false);
+    impl_->cava_binding = bind_points(mesh, landmarks.vena_cava, false);
+  }
+  impl_->draw_landmarks();
+}
+
+void PatientScene::set_cloud(const LabelledCloud& cloud) {
+  impl_->remove(impl_->cloud);
+  if (cloud.size() == 0) return;
+  TriangleMesh points;
+  points.vertices = cloud.points;
+  impl_->cloud = make_shape(make_poly_data(points));
+  vtkNew<vtkCellArray> vertices;
+  vtkNew<vtkUnsignedCharArray> colours;
+  colours->SetNumberOfComponents(3);
+  for (int i = 0; i < cloud.size(); ++i) {
+    const vtkIdType id = i;
+    vertices->InsertNextCell(1, &id);
+    colours->InsertNextTypedTuple(feature_colour(cloud.feature(i)).data());
+  }
+  impl_->cloud->data->SetVerts(vertices);
+  impl_->cloud->data->GetPointData()->SetScalars(colours);
+  impl_->cloud->actor->GetProperty()->SetPointSize(4.0F);
+  impl_->cloud->actor->GetProperty()->LightingOff();
+  impl_->add(*impl_->cloud);
+}
+
+void PatientScene::set_markers(const std::vector<Marker>& markers) {
+  for (auto& shape : impl_->markers) impl_->renderer->RemoveActor(shape->actor);
+  impl_->markers.clear();
+  for (const Marker& marker : markers) {
+    Points one(1, 3);
+    one.row(0) = marker.p.transpose();
+    impl_->markers.push_back(make_shape(balls(one, marker.radius)));
+    give_colour(*impl_->markers.back()->actor, marker.structure);
+    impl_->add(*impl_->markers.back());
+  }
+}
+
+void PatientScene::set_slice(const SliceGeometry& geometry, const Picture& picture) {
+  auto& slice = impl_->slices[static_cast<std::size_t>(geometry.plane)];
+  if (picture.empty()) {
+    if (slice) impl_->remove(slice->shape);
+    slice.reset();
+    return;
+  }
+  require(picture.width == geometry.width && picture.height == geometry.height && picture.channels == 3,
+          "a slice's picture has the slice's size");
+  if (!slice) {
+    slice = std::make_unique<Impl::Slice>();
+    TriangleMesh quad;
+    quad.vertices.resize(4, 3);
+    quad.vertices.setZero();
+    quad.triangles.resize(2, 3);
+    quad.triangles << 0, 1, 2, 0, 2, 3;
+    slice->shape = make_shape(make_poly_data(quad));
+    vtkNew<vtkFloatArray> coordinates;
+    coordinates->SetNumberOfComponents(2);
+    for (const auto& [s, t] : {std::pair{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}})
+      coordinates->InsertNextTuple2(s, t);
+    slice->shape->data->GetPointData()->SetTCoords(coordinates);
+    slice->texture->InterpolateOn();
+    slice->shape->actor->SetTexture(slice->texture);
+    slice->shape->actor->GetProperty()->LightingOff();
+    impl_->add(*slice->shape);
+    slice->shape->actor->SetVisibility(impl_->slices_visible ? 1 : 0);
+  }
+  // Texture row 0 is the picture's top row: it lies at the slice's origin.
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(picture.width, picture.height, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  auto* out = static_cast<std::uint8_t*>(image->GetScalarPointer());
+  for (std::size_t i = 0; i < picture.bytes->size(); i += 3)
+    for (std::size_t c = 0; c < 3; ++c) out[i + c] = (*picture.bytes)[i + 2 - c];
+  slice->texture->SetInputData(image);
+  Points corners(4, 3);
+  const double w = picture.width - 0.5, h = picture.height - 0.5;
+  corners.row(0) = geometry.p_in_ct({-0.5, -0.5}).xyz.transpose();
+  corners.row(1) = geometry.p_in_ct({w, -0.5}).xyz.transpose();
+  corners.row(2) = geometry.p_in_ct({w, h}).xyz.transpose();
+  corners.row(3) = geometry.p_in_ct({-0.5, h}).xyz.transpose();
+  move_vertices(*slice->shape->data, corners);
+}
+
+void PatientScene::set_visible(Label structure, bool visible) {
+  impl_->visible[structure] = visible;
+  impl_->apply_look(structure);
+}
+
+void PatientScene::set_opacity(Label structure, double opacity) {
+  impl_->opacity[structure] = std::clamp(opacity, 0.0, 1.0);
+  impl_->apply_look(structure);
+}
+
+void PatientScene::set_mesh_visible(bool visible) {
+  impl_->mesh_visible = visible;
+  if (impl_->mesh) impl_->mesh->actor->SetVisibility(visible ? 1 : 0);
+}
+
+void PatientScene::set_slices_visible(bool visible) {
+  impl_->slices_visible = visible;
+  for (auto& slice : impl_->slices)
+    if (slice) slice->shape->actor->SetVisibility(visible ? 1 : 0);
+}
+
+void PatientScene::look_from(ViewFrom from) {
+  Eigen::Vector3d direction(0, 1, 0), up(0, 0, 1);  // LPS: from the viewer to the patient
+  switch (from) {
+    case ViewFrom::anterior:
+      direction = {0, 1, 0}, up = {0, 0, 1};
+      break;
+    case ViewFrom::right:
+      direction = {1, 0, 0}, up = {0, 0, 1};
+      break;
+    case ViewFrom::left:
+      direction = {-1, 0, 0}, up = {0, 0, 1};
+      break;
+    case ViewFrom::superior:
+      direction = {0, 0, -1}, up = {0, -1, 0};
+      break;
+    case ViewFrom::inferior:
+      direction = {0, 0, 1}, up = {0, -1, 0};
+      break;
+    case ViewFrom::camera:
+      direction = {0, 0, 1}, up = {0, -1, 0};
+      break;
+  }
+  vtkCamera& view = *impl_->renderer->GetActiveCamera();
+  view.SetUseExplicitProjectionTransformMatrix(false);
+  view.SetFocalPoint(0, 0, 0);
+  view.SetPosition((-direction).eval().data());
+  view.SetViewUp(up.data());
+  impl_->renderer->ResetCamera();
+}
+
+std::optional<Eigen::Vector3d> PatientScene::surface_point(double x, double y, double aspect) const {
+  if (impl_->skin.empty()) return std::nullopt;
+  const auto inverse = impl_->clip_from_world(aspect);
+  inverse->Invert();
+  const auto unproject = [&](double depth) {
+    const double clip[4] = {2.0 * x - 1.0, 1.0 - 2.0 * y, depth, 1.0};
+    double world[4];
+    inverse->MultiplyPoint(clip, world);
+    return Eigen::Vector3d(world[0] / world[3], world[1] / world[3], world[2] / world[3]);
+  };
+  const Eigen::Vector3d near = unproject(-1.0), far = unproject(1.0);
+  const ClosestPoint hit = impl_->skin.first_hit(near, far - near, 0.0, 1.0);
+  if (hit.triangle < 0) return std::nullopt;
+  return hit.point;
+}
+
+std::optional<Eigen::Vector2d> PatientScene::view_point(const Eigen::Vector3d& p, double aspect) const {
+  const double world[4] = {p.x(), p.y(), p.z(), 1.0};
+  double clip[4];
+  impl_->clip_from_world(aspect)->MultiplyPoint(world, clip);
+  if (clip[3] <= 0.0) return std::nullopt;
+  return Eigen::Vector2d(0.5 * (clip[0] / clip[3] + 1.0), 0.5 * (1.0 - clip[1] / clip[3]));
+}
+
+}  // namespace glisson::scene
