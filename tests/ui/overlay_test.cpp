@@ -11,12 +11,12 @@
 
 #include "box_patient.h"
 #include "glisson/core/error.h"
-#include "glisson/scene/headless_gui.h"
-#include "glisson/scene/lens_maps.h"
-#include "glisson/scene/offscreen_renderer.h"
-#include "glisson/scene/overlay_painter.h"
-#include "glisson/scene/picture_image.h"
-#include "glisson/scene/pinhole_camera.h"
+#include "glisson/ui/scene/headless_gui.h"
+#include "glisson/ui/scene/lens_maps.h"
+#include "glisson/ui/scene/offscreen_renderer.h"
+#include "glisson/ui/scene/overlay_painter.h"
+#include "glisson/ui/scene/picture_image.h"
+#include "glisson/ui/scene/pinhole_camera.h"
 
 namespace glisson {
 namespace {

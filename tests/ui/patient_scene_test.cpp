@@ -5,10 +5,10 @@
 
 #include "box_patient.h"
 #include "glisson/core/error.h"
-#include "glisson/scene/offscreen_renderer.h"
-#include "glisson/scene/patient_scene.h"
-#include "glisson/scene/picture_image.h"
-#include "glisson/scene/surface_shapes.h"
+#include "glisson/ui/scene/offscreen_renderer.h"
+#include "glisson/ui/scene/patient_scene.h"
+#include "glisson/ui/scene/picture_image.h"
+#include "glisson/ui/scene/surface_shapes.h"
 
 namespace glisson {
 namespace {

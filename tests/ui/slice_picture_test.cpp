@@ -3,7 +3,7 @@
 
 #include "glisson/core/error.h"
 #include "glisson/patient/label_map.h"
-#include "glisson/scene/slice_picture.h"
+#include "glisson/ui/scene/slice_picture.h"
 
 namespace glisson {
 namespace {

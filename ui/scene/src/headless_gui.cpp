@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glisson/scene/headless_gui.h"
+#include "glisson/ui/scene/headless_gui.h"
 
 #include <QGuiApplication>
 #include <array>

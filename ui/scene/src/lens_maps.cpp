@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glisson/scene/lens_maps.h"
+#include "glisson/ui/scene/lens_maps.h"
 
 #include <algorithm>
 #include <cmath>

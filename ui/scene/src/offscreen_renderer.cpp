@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glisson/scene/offscreen_renderer.h"
+#include "glisson/ui/scene/offscreen_renderer.h"
 
 #include <EGL/egl.h>
 #include <EGL/eglext.h>

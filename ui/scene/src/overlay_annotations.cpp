@@ -6,7 +6,7 @@
 #include <QPainterPath>
 
 #include "glisson/patient/label_map.h"
-#include "glisson/scene/picture_image.h"
+#include "glisson/ui/scene/picture_image.h"
 
 namespace glisson::scene {
 namespace {

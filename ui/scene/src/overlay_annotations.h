@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "glisson/patient/registration.h"
-#include "glisson/scene/overlay_painter.h"
+#include "glisson/ui/scene/overlay_painter.h"
 #include "glisson/volume/label_volume.h"
 
 namespace glisson::scene {

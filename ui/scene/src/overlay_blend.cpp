@@ -7,7 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "glisson/patient/label_map.h"
-#include "glisson/scene/pinhole_camera.h"
+#include "glisson/ui/scene/pinhole_camera.h"
 
 namespace glisson::scene {
 namespace {

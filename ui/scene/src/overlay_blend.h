@@ -3,8 +3,8 @@
 
 #include "glisson/patient/patient_model.h"
 #include "glisson/patient/picture.h"
-#include "glisson/scene/lens_maps.h"
-#include "glisson/scene/overlay_painter.h"
+#include "glisson/ui/scene/lens_maps.h"
+#include "glisson/ui/scene/overlay_painter.h"
 #include "overlay_layers.h"
 
 namespace glisson::scene {

@@ -11,8 +11,8 @@
 #include "glisson/core/error.h"
 #include "glisson/geometry/closest_point_tree.h"
 #include "glisson/patient/label_map.h"
-#include "glisson/scene/pinhole_camera.h"
-#include "glisson/scene/surface_shapes.h"
+#include "glisson/ui/scene/pinhole_camera.h"
+#include "glisson/ui/scene/surface_shapes.h"
 
 namespace glisson::scene {
 namespace {

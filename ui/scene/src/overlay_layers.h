@@ -6,7 +6,7 @@
 
 #include "glisson/geometry/camera.h"
 #include "glisson/patient/patient_model.h"
-#include "glisson/scene/offscreen_renderer.h"
+#include "glisson/ui/scene/offscreen_renderer.h"
 
 namespace glisson::scene {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glisson/scene/overlay_painter.h"
+#include "glisson/ui/scene/overlay_painter.h"
 
 #include "glisson/core/error.h"
 #include "glisson/patient/label_map.h"
-#include "glisson/scene/lens_maps.h"
-#include "glisson/scene/surface_shapes.h"
+#include "glisson/ui/scene/lens_maps.h"
+#include "glisson/ui/scene/surface_shapes.h"
 #include "overlay_annotations.h"
 #include "overlay_blend.h"
 #include "overlay_layers.h"

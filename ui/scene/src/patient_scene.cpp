@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glisson/scene/patient_scene.h"
+#include "glisson/ui/scene/patient_scene.h"
 
 #include <vtkActor.h>
 #include <vtkAppendPolyData.h>
@@ -26,7 +26,7 @@
 #include "glisson/core/error.h"
 #include "glisson/geometry/closest_point_tree.h"
 #include "glisson/patient/label_map.h"
-#include "glisson/scene/surface_shapes.h"
+#include "glisson/ui/scene/surface_shapes.h"
 
 namespace glisson::scene {
 namespace {

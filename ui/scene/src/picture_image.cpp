@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glisson/scene/picture_image.h"
+#include "glisson/ui/scene/picture_image.h"
 
 #include <algorithm>
 

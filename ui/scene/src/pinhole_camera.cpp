@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glisson/scene/pinhole_camera.h"
+#include "glisson/ui/scene/pinhole_camera.h"
 
 #include <vtkCamera.h>
 #include <vtkMatrix4x4.h>

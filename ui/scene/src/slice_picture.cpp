@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glisson/scene/slice_picture.h"
+#include "glisson/ui/scene/slice_picture.h"
 
 #include <array>
 #include <cmath>

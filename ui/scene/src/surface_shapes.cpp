@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glisson/scene/surface_shapes.h"
+#include "glisson/ui/scene/surface_shapes.h"
 
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>

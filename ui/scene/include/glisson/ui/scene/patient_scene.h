@@ -8,7 +8,7 @@
 #include "glisson/patient/labelled_cloud.h"
 #include "glisson/patient/patient_model.h"
 #include "glisson/patient/picture.h"
-#include "glisson/scene/slice_picture.h"
+#include "glisson/ui/scene/slice_picture.h"
 
 class vtkRenderer;
 
