@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <itkMetaDataObject.h>
+#include <itkMetaImageIO.h>
+#include <itkNiftiImageIO.h>
+#include <itkNrrdImageIO.h>
+
+#include <limits>
+
+#include "glisson/core/error.h"
+#include "itk_buffer.h"
+#include "raw_volume.h"
+
+namespace glisson::reader {
+namespace {
+
+bool ends_with(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+enum class Format { nifti, nrrd, meta };
+
+Format format_of(const Request& request) {
+  std::string name = request.path.filename().string();
+  for (char& letter : name) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  if (ends_with(name, ".nii") || ends_with(name, ".nii.gz")) return Format::nifti;
+  if (ends_with(name, ".nrrd") || ends_with(name, ".nhdr")) return Format::nrrd;
+  if (ends_with(name, ".mha") || ends_with(name, ".mhd")) return Format::meta;
+  throw InputError(request.name, "", "has an extension that is not known",
+                   "Give a folder of DICOM slices, .tar.gz, .nii, .nii.gz, .nrrd, .nhdr, .mha, .mhd or .vti");
+}
+
+itk::ImageIOBase::Pointer io_for(Format format) {
+  switch (format) {
+    case Format::nifti:
+      return itk::NiftiImageIO::New().GetPointer();
+    case Format::nrrd:
+      return itk::NrrdImageIO::New().GetPointer();
+    case Format::meta:
+      break;
+  }
+  return itk::MetaImageIO::New().GetPointer();
+}
+
+/// The NIfTI library takes the voxels of a.nii for those of a.nii.gz when both lie in one folder: give it a
+/// folder with nothing else.
+std::filesystem::path alone(const Request& request) {
+  const bool packed = ends_with(request.path.string(), "z") || ends_with(request.path.string(), "Z");
+  const std::filesystem::path link = request.scratch / (packed ? "input.nii.gz" : "input.nii");
+  std::filesystem::create_symlink(std::filesystem::absolute(request.path), link);
+  return link;
+}
+
+std::map<std::string, std::string> texts_of(const itk::ImageIOBase& io) {
+  std::map<std::string, std::string> texts;
+  for (const std::string& key : io.GetMetaDataDictionary().GetKeys()) {
+    std::string value;
+    if (itk::ExposeMetaData<std::string>(io.GetMetaDataDictionary(), key, value)) texts[key] = value;
+  }
+  return texts;
+}
+
+void check_nrrd_space(const Request& request, const std::map<std::string, std::string>& texts) {
+  const auto found = texts.find("NRRD_space");
+  const std::string space = found == texts.end() ? "" : found->second;
+  for (const char* known :
+       {"left-posterior-superior", "right-anterior-superior", "left-anterior-superior", "LPS", "RAS", "LAS"})
+    if (space == known) return;
+  throw InputError(request.name, "space",
+                   space.empty() ? std::string("is missing: the file does not say which way the patient lies")
+                                 : "is \"" + space + "\", which is no patient's",
+                   "Write it as left-posterior-superior with space directions in mm");
+}
+
+}  // namespace
+
+RawVolume read_itk_file(const Request& request) {
+  const Format format = format_of(request);
+  if (format == Format::nifti) check_nifti_header(request);
+  const itk::ImageIOBase::Pointer io = io_for(format);
+  io->SetFileName((format == Format::nifti ? alone(request) : request.path).string());
+  io->ReadImageInformation();
+
+  RawVolume raw;
+  raw.texts = texts_of(*io);
+  if (format == Format::nrrd) check_nrrd_space(request, raw.texts);
+  raw.components = static_cast<int>(io->GetNumberOfComponents());
+  raw.layers = format == Format::nrrd && raw.components > 1 && raw.texts.contains("Segment0_ID");
+
+  const unsigned dimensions = io->GetNumberOfDimensions();
+  for (unsigned axis = 3; axis < dimensions; ++axis)
+    if (io->GetDimensions(axis) > 1)
+      throw InputError(
+          request.name, "dimension",
+          "is a series of " + std::to_string(io->GetDimensions(axis)) + " volumes, not one volume",
+          "Export a single time point");
+  if (dimensions < 3)
+    throw InputError(request.name, "dimension", "is a flat picture, not a volume", "Name a volume");
+  Eigen::Vector3i size;
+  Eigen::Vector3d spacing, origin;
+  Eigen::Matrix3d direction;
+  for (unsigned axis = 0; axis < 3; ++axis) {
+    const auto length = io->GetDimensions(axis);
+    size[axis] = length > 100000 ? -1 : static_cast<int>(length);
+    spacing[axis] = io->GetSpacing(axis);
+    origin[axis] = io->GetOrigin(axis);
+    for (unsigned row = 0; row < 3; ++row) direction(row, axis) = io->GetDirection(axis)[row];
+  }
+  check_value_count(request, size, raw.components);
+  raw.grid = checked_grid(request, size, spacing, origin, direction);
+  request.progress(0.1);
+  raw.voxels = read_buffer(request, *io);
+  if (const auto modality = raw.texts.find("modality"); modality != raw.texts.end())
+    raw.modality = modality->second;
+  return raw;
+}
+
+}  // namespace glisson::reader

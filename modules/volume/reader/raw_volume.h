@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "glisson/volume/grid.h"
+
+namespace glisson::reader {
+
+/// What a file holds, before it becomes an image or labels. Voxels are floats: every int16 and uint16 is one.
+struct RawVolume {
+  VolumeGrid grid;
+  int components = 1;         ///< values a voxel, next to each other in memory
+  bool layers = false;        ///< the components are layers of a segmentation, not a colour or a vector
+  std::vector<float> voxels;  ///< components x grid.voxel_count() values
+  std::string modality;       ///< "ct", "mr", "other"; empty: the file does not say
+  std::string description;
+  std::map<std::string, std::string> texts;  ///< the file's own key/value pairs
+};
+
+/// What is being read, and what to call it in messages.
+struct Request {
+  std::filesystem::path path;
+  std::string name;
+  std::filesystem::path scratch;  ///< a folder of our own
+  std::function<void(double)> progress;
+};
+
+/// @throws InputError, FileError, or whatever the libraries throw (they may also abort).
+RawVolume read_dicom_folder(const Request& request);
+RawVolume read_itk_file(const Request& request);
+RawVolume read_vti_file(const Request& request);
+
+/// Refuses what ITK reads without a word: two orientations that disagree, none at all, shear.
+void check_nifti_header(const Request& request);
+
+/// Builds the grid. @throws InputError zero or absurd size or spacing, shear, not finite.
+VolumeGrid checked_grid(const Request& request, const Eigen::Vector3i& size,
+                        const Eigen::Vector3d& spacing_mm, const Eigen::Vector3d& origin_mm,
+                        const Eigen::Matrix3d& direction);
+/// @throws InputError when a volume of so many values cannot be meant.
+void check_value_count(const Request& request, const Eigen::Vector3i& size, int components);
+
+}  // namespace glisson::reader

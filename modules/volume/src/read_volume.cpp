@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <unistd.h>
+
+#include <array>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "child_process.h"
+#include "glisson/core/error.h"
+#include "glisson/core/files.h"
+#include "glisson/core/json_file.h"
+#include "glisson/volume/io.h"
+#include "slicer_segments.h"
+
+namespace glisson {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr int kRefused = 3;  // reader/main.cpp
+constexpr const char* kProgram = "glisson-read-volume";
+
+bool ends_with(std::string text, const std::string& end) {
+  for (char& letter : text) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+/// The program that parses: named by GLISSON_READ_VOLUME, beside the running program, or where it was built.
+fs::path reader_program() {
+  std::vector<fs::path> places;
+  if (const char* named = std::getenv("GLISSON_READ_VOLUME")) places.emplace_back(named);
+  std::error_code failure;
+  const fs::path self = fs::read_symlink("/proc/self/exe", failure);
+  if (!failure) {
+    places.push_back(self.parent_path() / kProgram);
+    places.push_back(self.parent_path().parent_path() / "bin" / kProgram);
+  }
+  places.emplace_back(GLISSON_READ_VOLUME_PROGRAM);
+  for (const fs::path& place : places)
+    if (::access(place.c_str(), X_OK) == 0 && fs::is_regular_file(place, failure)) return place;
+  throw FileError(places.front().string() +
+                  ": the program that reads volumes is missing. Install Glisson again.");
+}
+
+/// What the reading program has left.
+struct Delivered {
+  VolumeGrid grid;
+  int components = 1;
+  std::string modality, description;
+  Texts texts;
+  fs::path voxels;
+};
+
+template <class Vector>
+void fill(const nlohmann::json& from, Vector& to) {
+  for (Eigen::Index i = 0; i < to.size(); ++i) to[i] = from.at(static_cast<std::size_t>(i));
+}
+
+Delivered delivered_in(const fs::path& folder) {
+  const nlohmann::json header = read_json(folder / "header.json");
+  Delivered result;
+  fill(header.at("size"), result.grid.size);
+  fill(header.at("spacing"), result.grid.spacing_mm);
+  fill(header.at("origin"), result.grid.origin_mm);
+  for (std::size_t i = 0; i < 9; ++i)
+    result.grid.direction(static_cast<Eigen::Index>(i / 3), static_cast<Eigen::Index>(i % 3)) =
+        header.at("direction").at(i);
+  result.components = header.at("components");
+  result.modality = header.at("modality");
+  result.description = header.at("description");
+  result.texts = header.at("texts").get<Texts>();
+  result.voxels = folder / "voxels.raw";
+  return result;
+}
+
+[[noreturn]] void throw_refusal(const fs::path& folder) {
+  const nlohmann::json refusal = read_json(folder / "refusal.json");
+  throw InputError(refusal.at("file"), refusal.at("field"), refusal.at("problem"), refusal.at("remedy"));
+}
+
+/// Runs the reading program on `input`. Empty when cancelled.
+std::optional<Delivered> deliver(const char* mode, const fs::path& input, const std::string& name,
+                                 const fs::path& folder, const RunContext& context) {
+  const auto end = run_child(
+      reader_program().string(), {mode, input.string(), folder.string(), name}, context,
+      [&](const std::string& line) { context.progress(std::strtod(line.c_str(), nullptr), "volume.read"); });
+  if (!end) return std::nullopt;
+  if (end->code == kRefused) throw_refusal(folder);
+  if (end->code == 127) throw FileError(reader_program().string() + ": cannot run. Install Glisson again.");
+  if (end->code != 0)
+    throw InputError(name, "", "is damaged: the program that reads it broke down", "Export it again");
+  return delivered_in(folder);
+}
+
+template <class T>
+std::vector<T> read_raw(const fs::path& path, std::size_t count) {
+  std::vector<T> values(count);
+  std::ifstream stream(path, std::ios::binary);
+  stream.read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(count * sizeof(T)));
+  if (static_cast<std::size_t>(stream.gcount()) != count * sizeof(T))
+    throw FileError(path.string() + ": is shorter than expected. Free space for temporary files.");
+  return values;
+}
+
+void require_exists(const fs::path& path) {
+  std::error_code failure;
+  if (!fs::exists(path, failure)) throw FileError(path.string() + ": does not exist. Check the path.");
+  if (fs::is_directory(path, failure)) return;
+  if (!std::ifstream(path, std::ios::binary))
+    throw FileError(path.string() + ": cannot be opened (" + std::strerror(errno) +
+                    "). Check its permissions.");
+}
+
+bool is_archive(const fs::path& path) {
+  const std::string name = path.filename().string();
+  return ends_with(name, ".tar.gz") || ends_with(name, ".tgz") || ends_with(name, ".tar");
+}
+
+/// Unpacks into `folder`. False when cancelled.
+bool unpack(const fs::path& archive, const fs::path& folder, const RunContext& context) {
+  // Owners and permissions of another machine are of no use here; GNU tar refuses to write outside `folder`.
+  const auto end = run_child("tar",
+                             {"-x", "--no-same-owner", "--no-same-permissions", "-C", folder.string(), "-f",
+                              fs::absolute(archive).string()},
+                             context, nullptr);
+  if (!end) return false;
+  if (end->code != 0)
+    throw InputError(archive.string(), "", "cannot be unpacked: it is damaged, or the disk is full",
+                     "Fetch the archive again, or unpack it yourself and name the folder");
+  return true;
+}
+
+std::vector<LabelInfo> infos_of(const LabelVolume& voxels) {
+  std::vector<LabelInfo> infos;
+  const std::vector<long> counts = voxels.histogram();
+  for (std::size_t label = 1; label < counts.size(); ++label)
+    if (counts[label] > 0) infos.push_back({static_cast<Label>(label), "", "", {0.5, 0.5, 0.5}});
+  return infos;
+}
+
+}  // namespace
+
+Cancellable<Image> read_image(const fs::path& path, const RunContext& context) {
+  require_exists(path);
+  const TemporaryFolder work;
+  fs::path input = path;
+  RunContext reading = context.part(0.0, 0.95);
+  if (is_archive(path)) {
+    context.progress(0.0, "volume.unpack");
+    input = work.path() / "archive";
+    fs::create_directory(input);
+    if (!unpack(path, input, context)) return std::nullopt;
+    reading = context.part(0.2, 0.95);
+  }
+  const auto delivered = deliver("image", input, path.string(), work.path(), reading);
+  if (!delivered) return std::nullopt;
+  Image image;
+  image.grid = delivered->grid;
+  image.modality = delivered->modality == "ct"   ? Modality::ct
+                   : delivered->modality == "mr" ? Modality::mr
+                                                 : Modality::other;
+  image.description = delivered->description;
+  image.voxels = std::make_shared<const std::vector<std::int16_t>>(
+      read_raw<std::int16_t>(delivered->voxels, static_cast<std::size_t>(image.grid.voxel_count())));
+  context.progress(1.0, "volume.read");
+  return image;
+}
+
+LabelFile read_labels(const fs::path& path) {
+  require_exists(path);
+  const TemporaryFolder work;
+  const auto delivered = deliver("labels", path, path.string(), work.path(), RunContext());
+  const auto values =
+      read_raw<Label>(delivered->voxels, static_cast<std::size_t>(delivered->grid.voxel_count()) *
+                                             static_cast<std::size_t>(delivered->components));
+  const std::vector<SlicerSegment> segments =
+      slicer_segments(path.string(), delivered->texts, delivered->components);
+  if (delivered->components > 1) return flattened(delivered->grid, delivered->components, values, segments);
+  LabelFile file;
+  file.voxels = LabelVolume(delivered->grid, values);
+  for (const SlicerSegment& segment : segments)
+    file.infos.push_back({segment.value, segment.name, segment.terminology, segment.colour});
+  if (segments.empty()) file.infos = infos_of(file.voxels);
+  return file;
+}
+
+void require_same_grid(const VolumeGrid& a, const VolumeGrid& b, const std::string& name) {
+  if (a.same_as(b)) return;
+  const auto text = [](const Eigen::Vector3i& size) {
+    return std::to_string(size.x()) + " x " + std::to_string(size.y()) + " x " + std::to_string(size.z());
+  };
+  if (a.size != b.size)
+    throw InputError(name, "size", "is " + text(b.size) + " voxels where " + text(a.size) + " are expected",
+                     "Resample one of the two volumes to the other's grid");
+  throw InputError(name, "position", "has the right size but lies elsewhere in the patient",
+                   "Check origin, spacing and direction of the two volumes");
+}
+
+}  // namespace glisson
