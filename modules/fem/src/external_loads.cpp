@@ -26,10 +26,11 @@ void for_each_pressed(const CompositeModel::Impl& model, const Loads& loads, con
   }
 }
 
-/// The positive part of the symmetric part of minus the pressure force's derivative. In blocks of nodes that
-/// symmetric part is (p/12) [e_k - e_i]x, e the edge opposite to a node: it couples moves along the normal
-/// with moves in the plane, so that its eigenvalues are plus and minus the singular values of that coupling.
-Eigen::Matrix<double, 9, 9> pressure_tangent(const Eigen::Matrix3d& corners, double pressure) {
+/// The symmetric part of minus the pressure force's derivative, or the positive part of that. In blocks of
+/// nodes that symmetric part is (p/12) [e_k - e_i]x, e the edge opposite to a node: it couples moves along
+/// the normal with moves in the plane, so that its eigenvalues are plus and minus the singular values of that
+/// coupling.
+Eigen::Matrix<double, 9, 9> pressure_tangent(const Eigen::Matrix3d& corners, double pressure, bool project) {
   Eigen::Matrix3d opposite;
   for (int k = 0; k < 3; ++k) opposite.col(k) = corners.col((k + 2) % 3) - corners.col((k + 1) % 3);
   Eigen::Vector3d normal = opposite.col(0).cross(opposite.col(1));
@@ -42,6 +43,15 @@ Eigen::Matrix<double, 9, 9> pressure_tangent(const Eigen::Matrix3d& corners, dou
   for (int k = 0; k < 3; ++k)
     for (int i = 0; i < 3; ++i)
       coupling.block<3, 1>(3 * k, i) = pressure / 12.0 * (opposite.col(i) - opposite.col(k)).cross(normal);
+  if (!project) {
+    for (int k = 0; k < 3; ++k)
+      for (int i = 0; i < 3; ++i) {
+        const Eigen::Matrix3d block = coupling.block<3, 1>(3 * k, i) * normal.transpose();
+        tangent.block<3, 3>(3 * k, 3 * i) += block;
+        tangent.block<3, 3>(3 * i, 3 * k) += block.transpose();
+      }
+    return tangent;
+  }
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen;
   eigen.computeDirect(Eigen::Matrix3d(coupling.transpose() * coupling));
   const double largest = eigen.eigenvalues()[2];
@@ -99,9 +109,10 @@ void add_external_force(const CompositeModel::Impl& model, const Loads& loads, c
 }
 
 void add_external_tangent(const CompositeModel::Impl& model, const Loads& loads, const Points& x,
-                          BlockSystem& system) {
+                          Tangent kind, BlockSystem& system) {
   for_each_pressed(model, loads, [&](const std::array<int, 3>& nodes) {
-    const Eigen::Matrix<double, 9, 9> k = pressure_tangent(corners_of(nodes, x), loads.pressure);
+    const Eigen::Matrix<double, 9, 9> k =
+        pressure_tangent(corners_of(nodes, x), loads.pressure, kind != Tangent::exact);
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j <= i; ++j)
         system.add(nodes[static_cast<std::size_t>(i)], nodes[static_cast<std::size_t>(j)],

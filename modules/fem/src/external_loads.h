@@ -14,8 +14,8 @@ void add_external_force(const CompositeModel::Impl& model, const Loads& loads, c
                         Points& force);
 
 /// Adds minus the loads' derivatives to the system: attached tangents as they are, of the pressure's the
-/// symmetric part, triangle by triangle, without its negative eigenvalues.
+/// symmetric part, triangle by triangle; without its negative eigenvalues unless `kind` is exact.
 void add_external_tangent(const CompositeModel::Impl& model, const Loads& loads, const Points& x,
-                          BlockSystem& system);
+                          Tangent kind, BlockSystem& system);
 
 }  // namespace glisson::fem

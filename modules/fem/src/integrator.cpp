@@ -82,7 +82,7 @@ StepSummary Integrator::step(const Loads& loads) {
   // (M (1/dt2 + r_M/dt) + (1 + r_K/dt) K + K_ext) dx = M v / dt + f
   s.system.assemble(s.x, 1.0 + o.rayleigh_stiffness / dt, Tangent::rotated, s.force);
   s.system.add_diagonal(model.lumped_mass, 1.0 / (dt * dt) + o.rayleigh_mass / dt);
-  add_external_tangent(model, loads, s.x, s.system);
+  add_external_tangent(model, loads, s.x, Tangent::rotated, s.system);
   add_external_force(model, loads, s.x, s.force);
   s.force += model.lumped_mass.asDiagonal() * s.v / dt;
   s.right = s.system.gather(s.force);

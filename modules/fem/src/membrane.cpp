@@ -13,16 +13,16 @@ Eigen::Matrix2d plane_stress(const Membrane& e, const Eigen::Matrix2d& stretch) 
   return 2.0 * e.mu * strain + e.lambda * strain.trace() * Eigen::Matrix2d::Identity();
 }
 
-/// What R^T K0 R leaves out of the second derivative, where it is positive: the turn in the plane and, under
-/// tension, the bulge out of it.
-void add_geometric(const Membrane& e, const PlanePolar& polar, Eigen::Matrix<double, 9, 9>& k) {
+/// What R^T K0 R leaves out of the second derivative: the turn in the plane and, under tension, the bulge out
+/// of it; only where it is positive when projecting.
+void add_geometric(const Membrane& e, const PlanePolar& polar, bool project, Eigen::Matrix<double, 9, 9>& k) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(polar.stretch);
   const Eigen::Vector2d s = eigen.eigenvalues();
   const Eigen::Matrix<double, 3, 2> u = polar.rotation * eigen.eigenvectors();
   const Eigen::Matrix<double, 2, 3> g = eigen.eigenvectors().transpose() * e.gradients;
   const double trace = s.sum() - 2.0;
   const auto add = [&](const Eigen::Matrix3d& columns, double value) {
-    if (!(value > 0.0)) return;
+    if (project && !(value > 0.0)) return;
     const Eigen::Map<const Eigen::Matrix<double, 9, 1>> d(columns.data());
     k.noalias() += (e.volume * value) * d * d.transpose();
   };
@@ -81,7 +81,7 @@ Eigen::Matrix<double, 9, 9> tangent(const Membrane& e, const Eigen::Matrix<doubl
       k.block<3, 3>(3 * i, 3 * j) =
           e.volume * (e.lambda * g.col(i) * g.col(j).transpose() + e.mu * g.col(j) * g.col(i).transpose() +
                       e.mu * g.col(i).dot(g.col(j)) * plane);
-  if (kind == Tangent::projected) add_geometric(e, polar, k);
+  if (kind != Tangent::rotated) add_geometric(e, polar, kind == Tangent::projected, k);
   return k;
 }
 

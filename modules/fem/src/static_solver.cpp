@@ -38,7 +38,8 @@ class StaticSolve {
     external_ = external_force(start, loads);
     for (; summary.iterations < options_.max_iterations; ++summary.iterations) {
       if (context.cancelled()) return std::nullopt;
-      const Eigen::VectorXd residual = linearise(summary.positions, loads);
+      const Eigen::VectorXd residual = left_over(summary.positions);
+      judge_exact(residual.norm());
       const double reference = std::max(system_.gather(external_).norm(), 1e-12);
       summary.residual = residual.norm() / reference;
       context.progress(progress(summary.residual), "fem.static");
@@ -47,7 +48,7 @@ class StaticSolve {
         summary.converged = true;
         break;
       }
-      const Eigen::VectorXd direction = solve(residual);
+      const Eigen::VectorXd direction = solve(summary.positions, loads, residual);
       if (!line_search(summary.positions, direction, residual, energy, loads)) break;
     }
     return summary;
@@ -60,22 +61,44 @@ class StaticSolve {
     return force;
   }
 
-  /// Fills the system and returns the forces that are left over.
-  Eigen::VectorXd linearise(const Points& x, const Loads& loads) {
-    Points force;
-    system_.assemble(x, 1.0, Tangent::projected, force);
-    add_external_tangent(model_.impl(), loads, x, system_);
-    force += external_;
-    return system_.gather(force);
+  Eigen::VectorXd left_over(const Points& x) const {
+    return system_.gather(model_.internal_force(x) + external_);
   }
 
-  Eigen::VectorXd solve(const Eigen::VectorXd& residual) {
-    // Where the tangent is singular (too few held nodes), a shift by mass until it factorises.
-    double shift = 1.0;
-    while (!factorization_->factorise(system_.values())) {
+  /// Whether the last step, if it was an exact one, was worth it: close to the solution it brings much. Where
+  /// it does not (far away, or a load without potential), projected steps for a while, longer each time.
+  void judge_exact(double residual) {
+    if (last_was_exact_ && !(residual < 0.5 * last_residual_)) {
+      penalty_ = std::min(2 * penalty_, 48);
+      patience_ = penalty_;
+    }
+    last_residual_ = residual;
+  }
+
+  bool factorise(const Points& x, const Loads& loads, Tangent kind) {
+    Points force;
+    system_.assemble(x, 1.0, kind, force);
+    add_external_tangent(model_.impl(), loads, x, kind, system_);
+    return factorization_->factorise(system_.values());
+  }
+
+  /// Newton's step with the exact second derivative where that is positive definite (quadratic convergence
+  /// at the end), else with the projected one, which always descends.
+  Eigen::VectorXd solve(const Points& x, const Loads& loads, const Eigen::VectorXd& residual) {
+    bool done = false;
+    if (patience_ == 0) {
+      done = factorise(x, loads, Tangent::exact);
+      if (!done) patience_ = penalty_;  // it costs a factorisation to find out: not every time
+    } else {
+      --patience_;
+    }
+    last_was_exact_ = done;
+    // Where even that is singular (too few held nodes), a shift by mass until it factorises.
+    if (!done) done = factorise(x, loads, Tangent::projected);
+    for (double shift = 1.0; !done; shift *= 10.0) {
       if (shift > 1e12) throw NumericalError("The static solve's matrix is singular; hold more nodes.");
       system_.add_diagonal(model_.lumped_mass(), shift);
-      shift *= 10.0;
+      done = factorization_->factorise(system_.values());
     }
     Eigen::VectorXd direction = residual;
     factorization_->solve(direction);
@@ -128,6 +151,9 @@ class StaticSolve {
   BlockSystem system_;
   std::unique_ptr<Factorization> factorization_;
   Points external_;
+  int penalty_ = 3, patience_ = 3;  ///< projected steps before the exact derivative is tried
+  bool last_was_exact_ = false;
+  double last_residual_ = 0.0;
 };
 
 }  // namespace

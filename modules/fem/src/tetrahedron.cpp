@@ -65,10 +65,10 @@ double twist_eigenvalue(const Tetrahedron& e, TetrahedronLaw law, const Eigen::V
   return 2.0 * e.mu + (2.0 * e.lambda * (s.sum() - 3.0) - 4.0 * e.mu) / sum;
 }
 
-/// The projected second derivative of the density by F as sum of lambda_m d_m d_m^T over its nine eigen
-/// matrices d_m (isotropic laws: Smith et al. 2019, "Analytic eigensystems").
-Eigen::Matrix<double, 12, 12> projected_tangent(const Tetrahedron& e, TetrahedronLaw law,
-                                                const Eigen::Matrix3d& f) {
+/// The second derivative of the density by F, projected or not, as sum of lambda_m d_m d_m^T over its nine
+/// eigen matrices d_m (isotropic laws: Smith et al. 2019, "Analytic eigensystems").
+Eigen::Matrix<double, 12, 12> spectral_tangent(const Tetrahedron& e, TetrahedronLaw law,
+                                               const Eigen::Matrix3d& f, bool project) {
   Eigen::Matrix3d u, v, second;
   Eigen::Vector3d s, first;
   rotation_svd(f, u, s, v);
@@ -76,7 +76,7 @@ Eigen::Matrix<double, 12, 12> projected_tangent(const Tetrahedron& e, Tetrahedro
   const Eigen::Matrix<double, 3, 4> g = v.transpose() * e.gradients;
   Eigen::Matrix<double, 12, 12> k = Eigen::Matrix<double, 12, 12>::Zero();
   const auto add = [&](const Eigen::Matrix3d& mode, double value) {
-    if (!(value > 0.0)) return;
+    if (project && !(value > 0.0)) return;
     const Eigen::Matrix<double, 3, 4> columns = u * mode * g;
     const Eigen::Map<const Eigen::Matrix<double, 12, 1>> d(columns.data());
     k.noalias() += (e.volume * value) * d * d.transpose();
@@ -152,7 +152,7 @@ Eigen::Matrix<double, 12, 12> tangent(const Tetrahedron& e, TetrahedronLaw law, 
                                       Tangent kind) {
   if (law == TetrahedronLaw::corotational && kind == Tangent::rotated)
     return rotated_tangent(e, polar_decomposition(f).rotation);
-  return projected_tangent(e, law, f);
+  return spectral_tangent(e, law, f, kind != Tangent::exact);
 }
 
 double von_mises(const Tetrahedron& e, TetrahedronLaw law, const Eigen::Matrix3d& f) {

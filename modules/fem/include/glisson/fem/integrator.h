@@ -52,7 +52,7 @@ class Integrator {
 };
 
 struct StaticOptions {
-  int max_iterations = 60;
+  int max_iterations = 200;
   double tolerance = 1e-8;  ///< of the residual force, relative to the external one
   std::vector<int> fixed_nodes;
 };

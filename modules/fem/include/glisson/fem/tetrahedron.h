@@ -17,11 +17,12 @@ struct Lame {
                ((1.0 + material.poisson_ratio) * (1.0 - 2.0 * material.poisson_ratio))) {}
 };
 
-/// What stands in the system matrix for an element's second derivative. Both are symmetric and positive
-/// semi-definite.
+/// What stands in the system matrix for an element's second derivative. All are symmetric, the first two also
+/// positive semi-definite.
 enum class Tangent {
-  rotated,   ///< R^T K0 R: linear elasticity in the current frame (paper, eq. 3). Neo-Hookean: as projected
-  projected  ///< the exact second derivative with its negative eigenvalues set to zero
+  rotated,    ///< R^T K0 R: linear elasticity in the current frame (paper, eq. 3). Neo-Hookean: as projected
+  projected,  ///< the exact second derivative with its negative eigenvalues set to zero
+  exact       ///< the second derivative itself (beams: without the strains' second derivatives)
 };
 
 /// One linear tetrahedron with an isotropic law. Co-rotational: psi = mu |S - I|^2 + lambda/2 tr(S - I)^2
