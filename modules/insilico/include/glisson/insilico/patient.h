@@ -15,6 +15,9 @@ struct PatientOptions {
   std::uint64_t shape_seed = 1;               ///< one member of the population
   Eigen::Vector3d spacing_mm{1.5, 1.5, 2.0};  ///< of the CT
   double noise_hu = 12.0, blur_mm = 1.0;
+  double surface_spacing_mm =
+      1.5;  ///< samples of the surfaces; vessels and lesions are never coarser than 1 mm
+  /// @throws InputError naming the field that is out of its range.
   void validate() const;
 };
 
