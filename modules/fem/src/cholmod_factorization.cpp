@@ -70,9 +70,4 @@ void CholmodFactorization::solve(Eigen::VectorXd& b) {
   std::copy_n(static_cast<const double*>(solution_->x), b.size(), b.data());
 }
 
-std::unique_ptr<Factorization> make_factorization(LinearSolver solver, const BlockPattern& pattern) {
-  (void)solver;
-  return std::make_unique<CholmodFactorization>(pattern);
-}
-
 }  // namespace glisson::fem

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dense_kernels.h"
+
+#include <algorithm>
+#include <cmath>
+
+// One body, compiled three times: always_inline templates on the vector type, inside functions that name
+// their target. Loads are unaligned.
+#define GLISSON_INLINE inline __attribute__((always_inline))
+
+namespace glisson::fem {
+namespace {
+
+template <int Bytes>
+struct Vector {
+  typedef double type __attribute__((vector_size(Bytes), aligned(8), may_alias));
+};
+
+constexpr int kPanel = 12;  ///< columns factorised at once
+
+/// c (MV vectors x NR columns) -= sum over k of a(:, k) b(:, k)^T.
+template <int Bytes, int MV, int NR>
+GLISSON_INLINE void tile(double* c, int stride_c, const double* a, const double* b, int stride, int depth) {
+  using V = typename Vector<Bytes>::type;
+  constexpr int kLanes = Bytes / 8;
+  V sum[NR][MV];
+#pragma GCC unroll 8
+  for (int j = 0; j < NR; ++j)
+#pragma GCC unroll 8
+    for (int i = 0; i < MV; ++i)
+      sum[j][i] = *reinterpret_cast<const V*>(c + static_cast<long>(j) * stride_c + i * kLanes);
+  for (int k = 0; k < depth; ++k, a += stride, b += stride) {
+    V rows[MV];
+#pragma GCC unroll 8
+    for (int i = 0; i < MV; ++i) rows[i] = *reinterpret_cast<const V*>(a + i * kLanes);
+#pragma GCC unroll 8
+    for (int j = 0; j < NR; ++j) {
+      const double factor = b[j];
+#pragma GCC unroll 8
+      for (int i = 0; i < MV; ++i) sum[j][i] -= rows[i] * factor;
+    }
+  }
+#pragma GCC unroll 8
+  for (int j = 0; j < NR; ++j)
+#pragma GCC unroll 8
+    for (int i = 0; i < MV; ++i)
+      *reinterpret_cast<V*>(c + static_cast<long>(j) * stride_c + i * kLanes) = sum[j][i];
+}
+
+/// The same for `rows` rows (a multiple of 8) in the tallest tiles that fit the registers.
+template <int Bytes, int NR>
+GLISSON_INLINE void column_tiles(double* c, int stride_c, const double* a, const double* b, int stride,
+                                 int depth, int rows) {
+  int i = 0;
+  if constexpr (Bytes == 64) {
+    for (; i + 32 <= rows; i += 32) tile<64, 4, NR>(c + i, stride_c, a + i, b, stride, depth);
+    if (i + 16 <= rows) {
+      tile<64, 2, NR>(c + i, stride_c, a + i, b, stride, depth);
+      i += 16;
+    }
+    if (i < rows) tile<64, 1, NR>(c + i, stride_c, a + i, b, stride, depth);
+  } else {
+    constexpr int kRows = 2 * Bytes / 8;
+    for (; i < rows; i += kRows) tile<Bytes, 2, NR>(c + i, stride_c, a + i, b, stride, depth);
+  }
+}
+
+template <int Bytes>
+GLISSON_INLINE void update_columns(double* c, int stride_c, const double* a, const double* b, int stride,
+                                   int depth, int rows, int columns) {
+  int j = 0;
+  for (; j + 6 <= columns; j += 6)
+    column_tiles<Bytes, 6>(c + static_cast<long>(j) * stride_c, stride_c, a, b + j, stride, depth, rows);
+  if (j < columns)
+    column_tiles<Bytes, 3>(c + static_cast<long>(j) * stride_c, stride_c, a, b + j, stride, depth, rows);
+}
+
+/// Rows times L^-T for a triangle of N columns: x_j = (b_j - sum_l x_l L(j, l)) / L(j, j).
+template <int Bytes, int N>
+GLISSON_INLINE void solve_rows(double* panel, int stride, int rows, const double (*l)[kPanel],
+                               const double* inverse) {
+  using V = typename Vector<Bytes>::type;
+  for (int i = 0; i < rows; i += Bytes / 8) {
+    V x[N];
+#pragma GCC unroll 12
+    for (int j = 0; j < N; ++j) {
+      V value = *reinterpret_cast<const V*>(panel + static_cast<long>(j) * stride + i);
+#pragma GCC unroll 12
+      for (int k = 0; k < j; ++k) value -= x[k] * l[j][k];
+      x[j] = value * inverse[j];
+      *reinterpret_cast<V*>(panel + static_cast<long>(j) * stride + i) = x[j];
+    }
+  }
+}
+
+GLISSON_INLINE bool small_cholesky(const double* panel, int stride, int n, double (*l)[kPanel],
+                                   double* inverse) {
+  for (int j = 0; j < n; ++j)
+    for (int i = j; i < n; ++i) l[i][j] = panel[static_cast<long>(j) * stride + i];
+  for (int j = 0; j < n; ++j) {
+    double pivot = l[j][j];
+    for (int k = 0; k < j; ++k) pivot -= l[j][k] * l[j][k];
+    if (!(pivot > 0.0) || !std::isfinite(pivot)) return false;
+    const double root = __builtin_sqrt(pivot);
+    l[j][j] = root;
+    inverse[j] = 1.0 / root;
+    for (int i = j + 1; i < n; ++i) {
+      double value = l[i][j];
+      for (int k = 0; k < j; ++k) value -= l[i][k] * l[j][k];
+      l[i][j] = value * inverse[j];
+    }
+  }
+  return true;
+}
+
+template <int Bytes>
+GLISSON_INLINE bool factor_panel(double* panel, int stride, int columns) {
+  double l[kPanel][kPanel], inverse[kPanel];
+  for (int p = 0; p < columns; p += kPanel) {
+    const int n = std::min(kPanel, columns - p);
+    const int top = p & ~7;  // tiles start at multiples of 8: rows above the diagonal are scratch
+    double* here = panel + static_cast<long>(p) * stride;
+    if (p > 0) update_columns<Bytes>(here + top, stride, panel + top, panel + p, stride, p, stride - top, n);
+    if (!small_cholesky(here + p, stride, n, l, inverse)) return false;
+    // The triangle's own rows go through the same solve: what comes out is the triangle.
+    switch (n) {
+      case 3:
+        solve_rows<Bytes, 3>(here + top, stride, stride - top, l, inverse);
+        break;
+      case 6:
+        solve_rows<Bytes, 6>(here + top, stride, stride - top, l, inverse);
+        break;
+      case 9:
+        solve_rows<Bytes, 9>(here + top, stride, stride - top, l, inverse);
+        break;
+      default:
+        solve_rows<Bytes, 12>(here + top, stride, stride - top, l, inverse);
+    }
+  }
+  return true;
+}
+
+template <int Bytes>
+GLISSON_INLINE void subtract_product(double* schur, int stride_schur, int size, const double* panel,
+                                     int stride, int columns) {
+  const double* b = panel + columns;
+  // Bands of columns, so that a tile's rows start at or above the diagonal.
+  for (int j = 0; j < size; j += 6) {
+    const int top = j & ~7;
+    update_columns<Bytes>(schur + static_cast<long>(j) * stride_schur + top, stride_schur, b + top, b + j,
+                          stride, columns, stride_schur - top, std::min(6, size - j));
+  }
+}
+
+template <int Bytes>
+GLISSON_INLINE void forward(const double* panel, int stride, int columns, int rows, double* x1, double* x2) {
+  for (int j = 0; j < columns; ++j) {
+    const double* column = panel + static_cast<long>(j) * stride;
+    const double x = x1[j] / column[j];
+    x1[j] = x;
+    for (int i = j + 1; i < columns; ++i) x1[i] -= column[i] * x;
+  }
+  // Three columns at a time: fewer passes over x2.
+  for (int j = 0; j < columns; j += 3) {
+    const double* a = panel + static_cast<long>(j) * stride + columns;
+    const double *b = a + stride, *c = b + stride;
+    const double xa = x1[j], xb = x1[j + 1], xc = x1[j + 2];
+    for (int i = 0; i < rows; ++i) x2[i] = ((x2[i] - a[i] * xa) - b[i] * xb) - c[i] * xc;
+  }
+}
+
+template <int Bytes>
+GLISSON_INLINE void backward(const double* panel, int stride, int columns, int rows, double* x1,
+                             const double* x2) {
+  using V = typename Vector<64>::type;  // eight partial sums on every machine: the same bits
+  for (int j = columns - 1; j >= 0; --j) {
+    const double* column = panel + static_cast<long>(j) * stride;
+    const double* a = column + columns;
+    V sums{};
+    int i = 0;
+    for (; i + 8 <= rows; i += 8)
+      sums += *reinterpret_cast<const V*>(a + i) * *reinterpret_cast<const V*>(x2 + i);
+    double sum = 0.0;
+    for (int k = 0; k < 8; ++k) sum += sums[k];
+    for (; i < rows; ++i) sum += a[i] * x2[i];
+    for (int k = j + 1; k < columns; ++k) sum += column[k] * x1[k];
+    x1[j] = (x1[j] - sum) / column[j];
+  }
+}
+
+#define GLISSON_KERNELS(suffix, bytes, ...)                                                                  \
+  __VA_ARGS__ bool factor_panel_##suffix(double* panel, int stride, int columns) {                           \
+    return factor_panel<bytes>(panel, stride, columns);                                                      \
+  }                                                                                                          \
+  __VA_ARGS__ void subtract_product_##suffix(double* schur, int stride_schur, int size, const double* panel, \
+                                             int stride, int columns) {                                      \
+    subtract_product<bytes>(schur, stride_schur, size, panel, stride, columns);                              \
+  }                                                                                                          \
+  __VA_ARGS__ void forward_##suffix(const double* panel, int stride, int columns, int rows, double* x1,      \
+                                    double* x2) {                                                            \
+    forward<bytes>(panel, stride, columns, rows, x1, x2);                                                    \
+  }                                                                                                          \
+  __VA_ARGS__ void backward_##suffix(const double* panel, int stride, int columns, int rows, double* x1,     \
+                                     const double* x2) {                                                     \
+    backward<bytes>(panel, stride, columns, rows, x1, x2);                                                   \
+  }                                                                                                          \
+  constexpr DenseKernels kKernels_##suffix{factor_panel_##suffix, subtract_product_##suffix,                 \
+                                           forward_##suffix, backward_##suffix, #suffix};
+
+GLISSON_KERNELS(avx512, 64, __attribute__((target("avx512f"))))
+GLISSON_KERNELS(avx2, 32, __attribute__((target("avx2"))))
+GLISSON_KERNELS(sse2, 16, )
+
+}  // namespace
+
+const DenseKernels& dense_kernels() {
+  if (__builtin_cpu_supports("avx512f")) return kKernels_avx512;
+  if (__builtin_cpu_supports("avx2")) return kKernels_avx2;
+  return kKernels_sse2;
+}
+
+}  // namespace glisson::fem

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "factorization.h"
+
+#include "cholmod_factorization.h"
+#include "multifrontal_factorization.h"
+
+namespace glisson::fem {
+
+std::unique_ptr<Factorization> make_factorization(LinearSolver solver, const BlockPattern& pattern) {
+  if (solver == LinearSolver::reference) return std::make_unique<CholmodFactorization>(pattern);
+  return std::make_unique<MultifrontalFactorization>(pattern);
+}
+
+}  // namespace glisson::fem

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "block_matrix.h"
+
+namespace glisson::fem {
+
+/// Columns that are eliminated together, and the rows below that they touch. Numbers of 3 x 3 blocks.
+struct Front {
+  int first = 0, columns = 0;
+  std::vector<int> rows;      ///< below the columns, ascending
+  std::vector<int> children;  ///< fronts, ascending
+  int parent = -1;
+  /// Where each row is in the parent: below parent.columns its column, from there on its row.
+  std::vector<int> place_in_parent;
+};
+
+/// The elimination tree of a pattern in postorder, its columns gathered into fronts; a front joins its
+/// parent where the zeros that this stores cost less time than the front's own overhead.
+std::vector<Front> build_fronts(const BlockPattern& pattern);
+
+/// Offsets for buffers of given sizes that live from their own turn to their parent's (inclusive), packed.
+/// @param total receives the space needed.
+std::vector<std::size_t> plan_memory(const std::vector<Front>& fronts, const std::vector<std::size_t>& sizes,
+                                     std::size_t* total);
+
+}  // namespace glisson::fem

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "multifrontal_factorization.h"
+
+#include <algorithm>
+
+namespace glisson::fem {
+namespace {
+
+int round_up_8(int n) { return (n + 7) & ~7; }
+
+}  // namespace
+
+MultifrontalFactorization::MultifrontalFactorization(const BlockPattern& pattern)
+    : kernels_(dense_kernels()), fronts_(build_fronts(pattern)) {
+  std::size_t panel_space = 0, most_rows = 0;
+  std::vector<std::size_t> schur_sizes;
+  for (const Front& front : fronts_) {
+    Layout layout{};
+    layout.columns = 3 * front.columns;
+    layout.rows = 3 * static_cast<int>(front.rows.size());
+    layout.stride_schur = round_up_8(layout.rows);
+    layout.stride = round_up_8(layout.columns + layout.stride_schur);
+    // Columns that lie a multiple of 4 kB apart fall into the same few cache sets.
+    if (layout.stride % 256 == 0) layout.stride += 8;
+    layout.panel = panel_space;
+    panel_space += static_cast<std::size_t>(layout.stride) * static_cast<std::size_t>(layout.columns);
+    schur_sizes.push_back(static_cast<std::size_t>(layout.stride_schur) *
+                          static_cast<std::size_t>(layout.rows));
+    most_rows = std::max(most_rows, static_cast<std::size_t>(layout.stride_schur));
+    layout.runs = runs_.size();
+    for (std::size_t r = 0; r < front.place_in_parent.size(); ++r) {
+      const int to = 3 * front.place_in_parent[r];
+      // A run may not cross from the parent's columns into its rows: they are stored apart.
+      const bool joins = r > 0 && runs_.back().to + runs_.back().length == to &&
+                         front.place_in_parent[r] != fronts_[static_cast<std::size_t>(front.parent)].columns;
+      if (joins)
+        runs_.back().length += 3;
+      else
+        runs_.push_back({3 * static_cast<int>(r), to, 3});
+    }
+    layout.run_count = runs_.size() - layout.runs;
+    layouts_.push_back(layout);
+  }
+  std::size_t schur_space = 0;
+  const std::vector<std::size_t> offsets = plan_memory(fronts_, schur_sizes, &schur_space);
+  panels_.assign(panel_space + 64, 0.0);
+  schur_.assign(schur_space + 64, 0.0);
+  below_.assign(most_rows, 0.0);
+  for (std::size_t f = 0; f < fronts_.size(); ++f) {
+    const Front& front = fronts_[f];
+    layouts_[f].schur = offsets[f];
+    block_start_.push_back(pattern.column_start[static_cast<std::size_t>(front.first)]);
+    for (int c = 0; c < front.columns; ++c) {
+      const auto column = static_cast<std::size_t>(front.first + c);
+      for (int b = pattern.column_start[column]; b < pattern.column_start[column + 1]; ++b) {
+        const int row = pattern.rows[static_cast<std::size_t>(b)];
+        const int place = row < front.first + front.columns
+                              ? row - front.first
+                              : front.columns + static_cast<int>(std::lower_bound(front.rows.begin(),
+                                                                                  front.rows.end(), row) -
+                                                                 front.rows.begin());
+        block_targets_.push_back(layouts_[f].panel + static_cast<std::size_t>(3 * place) +
+                                 static_cast<std::size_t>(3 * c) *
+                                     static_cast<std::size_t>(layouts_[f].stride));
+      }
+    }
+  }
+  block_start_.push_back(pattern.block_count());
+}
+
+void MultifrontalFactorization::load_panel(std::size_t f, const std::vector<double>& values) {
+  const Layout& layout = layouts_[f];
+  double* panel = panels_.data() + layout.panel;
+  std::fill_n(panel, static_cast<std::size_t>(layout.stride) * static_cast<std::size_t>(layout.columns), 0.0);
+  for (auto b = static_cast<std::size_t>(block_start_[f]); b < static_cast<std::size_t>(block_start_[f + 1]);
+       ++b) {
+    const double* source = values.data() + 9 * b;
+    double* target = panels_.data() + block_targets_[b];
+    for (int k = 0; k < 3; ++k, source += 3, target += layout.stride) {
+      target[0] = source[0];
+      target[1] = source[1];
+      target[2] = source[2];
+    }
+  }
+}
+
+void MultifrontalFactorization::add_child(std::size_t child, std::size_t parent) {
+  const Layout &from = layouts_[child], &to = layouts_[parent];
+  const double* source = schur_.data() + from.schur;
+  const Run* runs = runs_.data() + from.runs;
+  for (std::size_t a = 0; a < from.run_count; ++a)
+    for (int c = 0; c < runs[a].length; ++c) {
+      const int column = runs[a].to + c;
+      const bool in_panel = column < to.columns;
+      double* target = in_panel ? panels_.data() + to.panel + static_cast<std::ptrdiff_t>(column) * to.stride
+                                : schur_.data() + to.schur - to.columns +
+                                      static_cast<std::ptrdiff_t>(column - to.columns) * to.stride_schur;
+      const double* entries = source + static_cast<std::ptrdiff_t>(runs[a].from + c) * from.stride_schur;
+      // From the diagonal down: what is above is scratch.
+      for (int i = c; i < runs[a].length; ++i) target[runs[a].to + i] += entries[runs[a].from + i];
+      for (std::size_t b = a + 1; b < from.run_count; ++b) {
+        double* t = target + runs[b].to;
+        const double* e = entries + runs[b].from;
+        for (int i = 0; i < runs[b].length; ++i) t[i] += e[i];
+      }
+    }
+}
+
+bool MultifrontalFactorization::factorise(const std::vector<double>& values) {
+  for (std::size_t f = 0; f < fronts_.size(); ++f) {
+    const Layout& layout = layouts_[f];
+    load_panel(f, values);
+    double* schur = schur_.data() + layout.schur;
+    std::fill_n(schur, static_cast<std::size_t>(layout.stride_schur) * static_cast<std::size_t>(layout.rows),
+                0.0);
+    for (const int child : fronts_[f].children) add_child(static_cast<std::size_t>(child), f);
+    double* panel = panels_.data() + layout.panel;
+    if (!kernels_.factor_panel(panel, layout.stride, layout.columns)) return false;
+    if (layout.rows > 0)
+      kernels_.subtract_product(schur, layout.stride_schur, layout.rows, panel, layout.stride,
+                                layout.columns);
+  }
+  return true;
+}
+
+void MultifrontalFactorization::solve(Eigen::VectorXd& x) {
+  for (std::size_t f = 0; f < fronts_.size(); ++f) {
+    const Layout& layout = layouts_[f];
+    const std::vector<int>& rows = fronts_[f].rows;
+    std::fill_n(below_.data(), layout.rows, 0.0);
+    kernels_.forward(panels_.data() + layout.panel, layout.stride, layout.columns, layout.rows,
+                     x.data() + 3 * fronts_[f].first, below_.data());
+    for (std::size_t r = 0; r < rows.size(); ++r)
+      for (std::size_t k = 0; k < 3; ++k) x[3 * rows[r] + static_cast<Eigen::Index>(k)] += below_[3 * r + k];
+  }
+  for (std::size_t f = fronts_.size(); f-- > 0;) {
+    const Layout& layout = layouts_[f];
+    const std::vector<int>& rows = fronts_[f].rows;
+    for (std::size_t r = 0; r < rows.size(); ++r)
+      for (std::size_t k = 0; k < 3; ++k) below_[3 * r + k] = x[3 * rows[r] + static_cast<Eigen::Index>(k)];
+    kernels_.backward(panels_.data() + layout.panel, layout.stride, layout.columns, layout.rows,
+                      x.data() + 3 * fronts_[f].first, below_.data());
+  }
+}
+
+}  // namespace glisson::fem
