@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <vector>
-
 #include "glisson/core/run_context.h"
 #include "glisson/geometry/camera.h"
 #include "glisson/patient/labelled_cloud.h"
@@ -11,26 +9,48 @@
 
 namespace glisson::stereo {
 
+enum class Method {
+  sparse,  ///< the paper's: SURF features, matched
+  dense    ///< semi-global matching, sampled: covers what lies between features
+};
+
 struct ReconstructOptions {
-  int features = 3000;  ///< wanted per image
-  double ratio = 0.8;   ///< Lowe's
-  double epipolar_px = 1.5, reprojection_px = 1.0;
-  bool smooth = true;  ///< moving least squares
+  Method method = Method::sparse;
+  int features = 3000;           ///< sparse: wanted per image, spread over it
+  double ratio = 0.8;            ///< Lowe's, in (0, 1]
+  double epipolar_px = 1.5;      ///< after refinement, rectified rows
+  double reprojection_px = 1.0;  ///< in both images as they were taken
+  double near = 0.03;            ///< metres along z, what lies closer is no match
+  double far = 0.30;             ///< metres along z
+  double points_per_cm2 = 8.0;   ///< dense: wanted density
+  int patch = 10;                ///< half width of the patches that refine a match, pixels
+  bool smooth = true;            ///< moving least squares
+  /// @throws PreconditionError naming what is out of range.
   void validate() const;
 };
+
 struct ReconstructReport {
-  int features_left = 0, features_right = 0, matches = 0, points = 0;
-  double density_per_cm2 = 0.0;
+  int features_left = 0, features_right = 0;
+  int matches = 0;  ///< before refinement and gates
+  int points = 0;
+  double area_cm2 = 0.0;         ///< of the surface that the points stand for (mask, regions)
+  double density_per_cm2 = 0.0;  ///< points / area
+  double epipolar_rms_px = 0.0;  ///< of the points kept: what calibration and refinement leave
+  double sigma_median = 0.0;     ///< metres, along the ray
 };
+
 struct Reconstructed {
   LabelledCloud cloud;
   ReconstructReport report;
 };
 
-/// Stereo pair to labelled cloud: SURF, ratio and cross check, epipolar gate, triangulation, reprojection
-/// gate, moving least squares with normals. With regions only what lies in one is kept.
+/// Stereo pair to labelled cloud: SURF, ratio and cross check, refinement of each match to a fraction of a
+/// pixel, epipolar gate, triangulation, reprojection gate, rejection of outliers, moving least squares with
+/// normals. With regions only what lies in one is kept. Deterministic.
 /// @param mask empty, or one byte a pixel of the left image: non-zero is to be used.
-/// @throws InputError images of another size than the calibration's, left and right swapped, too few points.
+/// @throws InputError images of another size than the calibration's, mask of another size, left and right
+///   swapped, fewer than ten points.
+/// @throws PreconditionError options out of range.
 Cancellable<Reconstructed> reconstruct(const Picture& left, const Picture& right, const StereoRig& rig,
                                        const Picture& mask, const Regions& regions,
                                        const ReconstructOptions& options, const RunContext& context);

@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/stereo/reconstruct.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <opencv2/imgproc.hpp>
+#include <string>
+
+#include "dense.h"
+#include "glisson/core/error.h"
+#include "highlights.h"
+#include "matching.h"
+#include "picture_cv.h"
+#include "rectification.h"
+#include "refine.h"
+#include "surf.h"
+#include "surface_fit.h"
+
+namespace glisson::stereo {
+namespace {
+
+constexpr int kFewestPoints = 10;
+constexpr int kNeighbours = 24;        // of the moving least squares
+constexpr double kLargestSigma = 0.5;  // pixels: less certain matches carry no depth
+constexpr double kSamePoint = 2.0;     // pixels
+constexpr double kBandRows = 2.0;      // of epipolar_px, before refinement
+
+std::string size_text(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
+
+void check_inputs(const Picture& left, const Picture& right, const StereoRig& rig, const Picture& mask) {
+  const auto check = [&](const char* name, const Picture& picture, const Camera& camera) {
+    if (picture.empty())
+      throw InputError(std::string(name) + " image", "", "is empty", "Give a picture of each camera");
+    if (picture.width != camera.width || picture.height != camera.height)
+      throw InputError(std::string(name) + " image", "",
+                       "is " + size_text(picture.width, picture.height) + " pixels, its calibration is for " +
+                           size_text(camera.width, camera.height),
+                       "Use the calibration of this laparoscope at this image size");
+  };
+  check("left", left, rig.left);
+  check("right", right, rig.right);
+  if (!mask.empty() && (mask.width != left.width || mask.height != left.height))
+    throw InputError("mask", "",
+                     "is " + size_text(mask.width, mask.height) + " pixels, the left image " +
+                         size_text(left.width, left.height),
+                     "Draw the mask on the left image");
+}
+
+/// What all steps share.
+struct Pair {
+  const StereoRig& rig;
+  Rectification rectification;
+  cv::Mat left, right;                ///< grey, as taken
+  cv::Mat left_highlights;            ///< as taken
+  cv::Mat usable_left, usable_right;  ///< as taken
+  MatchLimits limits;
+};
+
+/// Where the right picture can show what the left one shows in its usable part.
+cv::Mat band_in_right(const Pair& pair, const ReconstructOptions& options) {
+  constexpr int kStep = 6, kDepths = 24, kRadius = 10;
+  cv::Mat band = cv::Mat::zeros(pair.right.size(), CV_8U);
+  for (int y = 0; y < pair.left.rows; y += kStep)
+    for (int x = 0; x < pair.left.cols; x += kStep) {
+      if (pair.usable_left.at<std::uint8_t>(y, x) == 0) continue;
+      const Eigen::Vector3d ray = pair.rig.left.ray({x, y});
+      for (int k = 0; k <= kDepths; ++k) {
+        const double t = static_cast<double>(k) / kDepths;
+        const double depth = 1.0 / ((1.0 - t) / options.far + t / options.near);
+        const Eigen::Vector3d p =
+            (pair.rig.right_from_left * Point<CameraFrame>(Eigen::Vector3d(depth * ray))).xyz;
+        if (p.z() <= 0.0) continue;
+        const Eigen::Vector2d pixel = pair.rig.right.project(p);
+        if (!pair.rig.right.sees(pixel)) continue;
+        cv::rectangle(band,
+                      cv::Point(static_cast<int>(pixel.x()) - kRadius, static_cast<int>(pixel.y()) - kRadius),
+                      cv::Point(static_cast<int>(pixel.x()) + kRadius, static_cast<int>(pixel.y()) + kRadius),
+                      cv::Scalar(255), cv::FILLED);
+      }
+    }
+  return band;
+}
+
+Pair prepare(const Picture& left, const Picture& right, const StereoRig& rig, const Picture& mask,
+             const ReconstructOptions& options) {
+  Pair pair{rig, Rectification(rig), grey(left), grey(right), highlights(left), {}, {}, {}};
+  pair.usable_left = pair.left_highlights == 0;
+  if (!mask.empty()) pair.usable_left.setTo(0, grey(mask) == 0);
+  pair.usable_right = highlights(right) == 0;
+  if (!mask.empty()) pair.usable_right &= band_in_right(pair, options);
+  pair.limits.ratio = options.ratio;
+  pair.limits.rows = kBandRows * options.epipolar_px;
+  pair.limits.least_disparity = pair.rectification.disparity_at(options.far);
+  pair.limits.largest_disparity = pair.rectification.disparity_at(options.near);
+  return pair;
+}
+
+/// Features of both pictures, matched; the pair is refused when it fits the other way round better.
+std::vector<Match> match_features(const Pair& pair, const ReconstructOptions& options,
+                                  ReconstructReport& report) {
+  const Eigen::Matrix3d& r = pair.rig.right_from_left.rotation;
+  const double roll = std::atan2(r(1, 0) - r(0, 1), r(0, 0) + r(1, 1));
+  auto in_left = detect_surf(pair.left, pair.usable_left, options.features, 0.0);
+  auto in_right = detect_surf(pair.right, pair.usable_right, options.features, roll);
+  report.features_left = static_cast<int>(in_left.size());
+  report.features_right = static_cast<int>(in_right.size());
+  const Rectification& rectification = pair.rectification;
+  const Rectified left = rectify(rectification, Side::left, in_left);
+  const Rectified right = rectify(rectification, Side::right, in_right);
+  std::vector<Match> matches = match(left, right, pair.limits);
+  const Fit fit = fit_of(rectification, matches, pair.limits);
+  const Fit swapped = fit_of(rectification,
+                             match(rectify(rectification, Side::left, std::move(in_right)),
+                                   rectify(rectification, Side::right, std::move(in_left)), pair.limits),
+                             pair.limits);
+  // By the sign of the depths; where the cameras look across each other and both signs are possible, by rows
+  // that agree far better.
+  const bool by_sign = swapped.plausible > fit.plausible + fit.plausible / 2;
+  const bool by_rows = swapped.plausible > fit.plausible / 5 * 4 && swapped.rows < 0.5 * fit.rows;
+  if (swapped.plausible >= 20 && (by_sign || by_rows))
+    throw InputError("left and right images", "",
+                     "fit the calibration better when swapped (" + std::to_string(swapped.plausible) +
+                         " matches in front of the cameras, " + std::to_string(fit.plausible) + " as given)",
+                     "Swap the two images, or the calibration's cameras");
+  std::erase_if(matches, [&](const Match& m) {
+    const double d = rectification.disparity(m.left, m.right);
+    return d < pair.limits.least_disparity || d > pair.limits.largest_disparity;
+  });
+  return matches;
+}
+
+/// Depths narrowed to what the features show, with room.
+MatchLimits narrowed(const Pair& pair, const std::vector<Match>& features) {
+  MatchLimits limits = pair.limits;
+  if (features.size() < 30) return limits;
+  std::vector<double> disparities;
+  for (const Match& m : features) disparities.push_back(pair.rectification.disparity(m.left, m.right));
+  std::sort(disparities.begin(), disparities.end());
+  const double low = disparities[disparities.size() / 20], high = disparities[disparities.size() * 19 / 20];
+  const double room = std::max(8.0, 0.4 * (high - low));
+  limits.least_disparity = std::max(limits.least_disparity, low - room);
+  limits.largest_disparity = std::min(limits.largest_disparity, high + room);
+  return limits;
+}
+
+/// Refined matches through the epipolar and disparity gates, the best of each place.
+std::vector<Match> refined(const Pair& pair, const Refiner& refiner, const std::vector<Match>& matches,
+                           const ReconstructOptions& options, const RunContext& context) {
+  std::vector<Match> result;
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    if (i % 64 == 0) {
+      if (context.cancelled()) return {};
+      context.progress(0.4 + 0.4 * static_cast<double>(i) / static_cast<double>(matches.size()),
+                       "stereo.refine");
+    }
+    const auto match = refiner.refine(matches[i]);
+    if (!match || match->sigma > kLargestSigma) continue;
+    const double d = pair.rectification.disparity(match->left, match->right);
+    if (d < pair.limits.least_disparity || d > pair.limits.largest_disparity) continue;
+    if (std::abs(match->left.y() - match->right.y()) > options.epipolar_px) continue;
+    result.push_back(*match);
+  }
+  std::stable_sort(result.begin(), result.end(),
+                   [](const Match& a, const Match& b) { return a.sigma < b.sigma; });
+  // Rounded to a raster first, so that the search for neighbours stays short.
+  std::vector<Match> distinct;
+  cv::Mat taken = cv::Mat::zeros(pair.left.size(), CV_8U);
+  for (const Match& m : result) {
+    const cv::Point at(static_cast<int>(std::lround(m.left.x())), static_cast<int>(std::lround(m.left.y())));
+    if (at.x < 0 || at.y < 0 || at.x >= taken.cols || at.y >= taken.rows) continue;
+    if (taken.at<std::uint8_t>(at) != 0) continue;
+    cv::circle(taken, at, static_cast<int>(kSamePoint), cv::Scalar(255), cv::FILLED);
+    distinct.push_back(m);
+  }
+  return distinct;
+}
+
+/// A point that passed every gate.
+struct Candidate {
+  Match match;
+  Eigen::Vector2d pixel;  ///< in the left picture as taken
+  Eigen::Vector3d point;
+  double sigma = 0.0;
+  Feature feature = Feature::surface;
+};
+
+std::vector<Candidate> triangulated(const Pair& pair, const std::vector<Match>& matches,
+                                    const Regions& regions, const ReconstructOptions& options) {
+  const Rectification& rectification = pair.rectification;
+  const std::vector<bool> agrees = agreeing(rectification, matches);
+  std::vector<Candidate> candidates;
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    if (!agrees[i]) continue;
+    Candidate c{matches[i], {}, {}};
+    const auto left = rectification.unrectify(Side::left, c.match.left);
+    const auto right = rectification.unrectify(Side::right, c.match.right);
+    if (!left || !right) continue;
+    c.pixel = *left;
+    const double d = rectification.disparity(c.match.left, c.match.right);
+    c.point = rectification.triangulate(c.match.left, c.match.right.y(), d);
+    const Eigen::Vector3d in_right = (pair.rig.right_from_left * Point<CameraFrame>(c.point)).xyz;
+    if (c.point.z() <= 0.0 || in_right.z() <= 0.0) continue;
+    if ((pair.rig.left.project(c.point) - *left).norm() > options.reprojection_px ||
+        (pair.rig.right.project(in_right) - *right).norm() > options.reprojection_px)
+      continue;
+    c.sigma = c.match.sigma * rectification.depth_per_pixel(c.match.left, d);
+    if (!regions.regions.empty()) {
+      const auto feature = feature_at(regions, c.pixel);
+      if (!feature) continue;
+      c.feature = *feature;
+    }
+    candidates.push_back(c);
+  }
+  return candidates;
+}
+
+/// The area that the points stand for: cells of the left picture that may show points (mask, regions; without
+/// either, those near a point), each at the depth and slant of its closest point.
+double area_cm2(const Pair& pair, const LabelledCloud& cloud, const std::vector<Candidate>& candidates,
+                const Picture& mask, const Regions& regions) {
+  constexpr int kCell = 8;
+  std::vector<Eigen::Vector2d> pixels;
+  for (const Candidate& c : candidates) pixels.push_back(c.pixel);
+  std::vector<double> spacing;
+  const auto nearest = nearest_in_picture(pixels, 3);
+  for (std::size_t i = 0; i < pixels.size(); ++i)
+    spacing.push_back((pixels[static_cast<std::size_t>(nearest[i].back())] - pixels[i]).norm());
+  std::nth_element(spacing.begin(), spacing.begin() + static_cast<std::ptrdiff_t>(spacing.size() / 2),
+                   spacing.end());
+  const double near = std::max(1.5 * kCell, 3.0 * spacing[spacing.size() / 2]);
+  const bool bounded = !mask.empty() || !regions.regions.empty();
+  const cv::Mat allowed = mask.empty() ? cv::Mat() : cv::Mat(grey(mask) != 0);
+  double area = 0.0;
+  for (int y = kCell / 2; y < pair.left.rows; y += kCell)
+    for (int x = kCell / 2; x < pair.left.cols; x += kCell) {
+      if (!allowed.empty() && allowed.at<std::uint8_t>(y, x) == 0) continue;
+      if (!regions.regions.empty() && !feature_at(regions, {x, y})) continue;
+      std::size_t best = 0;
+      double distance = HUGE_VAL;
+      for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const double d = (pixels[i] - Eigen::Vector2d(x, y)).squaredNorm();
+        if (d < distance) distance = d, best = i;
+      }
+      if (!bounded && distance > near * near) continue;
+      const Eigen::Vector3d p = cloud.points.row(static_cast<Eigen::Index>(best)).transpose();
+      const Eigen::Vector3d n = cloud.normals.row(static_cast<Eigen::Index>(best)).transpose();
+      const double side = kCell * p.z() / pair.rectification.focal();
+      area += side * side / std::max(0.2, std::abs(n.dot(p.normalized())));
+    }
+  return 1e4 * area;
+}
+
+Reconstructed assemble(const Pair& pair, const std::vector<Candidate>& candidates, const Picture& mask,
+                       const Regions& regions, const ReconstructOptions& options, ReconstructReport report) {
+  std::vector<Eigen::Vector2d> places;
+  std::vector<Eigen::Vector3d> points;
+  std::vector<double> sigma;
+  double rows = 0.0;
+  for (const Candidate& c : candidates) {
+    places.push_back(c.match.left);
+    points.push_back(c.point);
+    sigma.push_back(c.sigma);
+    rows += std::pow(c.match.left.y() - c.match.right.y(), 2);
+  }
+  const auto surface = fit_surface(points, sigma, nearest_in_picture(places, kNeighbours), options.smooth);
+  Reconstructed result;
+  LabelledCloud& cloud = result.cloud;
+  const auto n = static_cast<Eigen::Index>(surface.size());
+  cloud.points.resize(n, 3);
+  cloud.normals.resize(n, 3);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const SurfacePoint& p = surface[static_cast<std::size_t>(i)];
+    cloud.points.row(i) = p.point.transpose();
+    cloud.normals.row(i) = p.normal.transpose();
+    cloud.sigma.push_back(p.sigma);
+    cloud.features.push_back(candidates[static_cast<std::size_t>(i)].feature);
+  }
+  report.points = cloud.size();
+  report.epipolar_rms_px = std::sqrt(rows / static_cast<double>(n));
+  std::vector<double> sorted = cloud.sigma;
+  std::nth_element(sorted.begin(), sorted.begin() + n / 2, sorted.end());
+  report.sigma_median = sorted[static_cast<std::size_t>(n / 2)];
+  report.area_cm2 = area_cm2(pair, cloud, candidates, mask, regions);
+  report.density_per_cm2 = report.area_cm2 > 0.0 ? report.points / report.area_cm2 : 0.0;
+  result.report = report;
+  return result;
+}
+
+}  // namespace
+
+void ReconstructOptions::validate() const {
+  require(features >= 10 && features <= 100000, "features is from 10 to 100000");
+  require(ratio > 0.0 && ratio <= 1.0, "ratio is in (0, 1]");
+  require(epipolar_px > 0.0 && reprojection_px > 0.0, "gates are positive");
+  require(near > 0.0 && far > near && std::isfinite(far), "depths are positive, far beyond near");
+  require(points_per_cm2 > 0.0 && std::isfinite(points_per_cm2), "points_per_cm2 is positive");
+  require(patch >= 3 && patch <= 50, "patch is from 3 to 50 pixels");
+}
+
+Cancellable<Reconstructed> reconstruct(const Picture& left, const Picture& right, const StereoRig& rig,
+                                       const Picture& mask, const Regions& regions,
+                                       const ReconstructOptions& options, const RunContext& context) {
+  options.validate();
+  check_inputs(left, right, rig, mask);
+  if (context.cancelled()) return std::nullopt;
+  context.progress(0.0, "stereo.detect");
+  const Pair pair = prepare(left, right, rig, mask, options);
+  ReconstructReport report;
+  std::vector<Match> matches = match_features(pair, options, report);
+  if (context.cancelled()) return std::nullopt;
+  context.progress(0.2, "stereo.match");
+  const cv::Mat rectified_left = pair.rectification.warp(Side::left, pair.left);
+  const cv::Mat rectified_right = pair.rectification.warp(Side::right, pair.right);
+  if (options.method == Method::dense) {
+    const cv::Mat usable = pair.rectification.warp(Side::left, pair.usable_left) > 127;
+    matches = dense_matches(pair.rectification, rectified_left, rectified_right, usable,
+                            narrowed(pair, matches), options.points_per_cm2);
+  }
+  report.matches = static_cast<int>(matches.size());
+  if (context.cancelled()) return std::nullopt;
+  context.progress(0.4, "stereo.refine");
+  const cv::Mat excluded = pair.rectification.warp(Side::left, pair.left_highlights) > 127;
+  const Refiner refiner(pair.rectification, rectified_left, rectified_right, excluded, options.patch);
+  const std::vector<Match> precise = refined(pair, refiner, matches, options, context);
+  if (context.cancelled()) return std::nullopt;
+  context.progress(0.8, "stereo.surface");
+  const std::vector<Candidate> candidates = triangulated(pair, precise, regions, options);
+  if (candidates.size() < kFewestPoints)
+    throw InputError("stereo pair", "",
+                     "gives " + std::to_string(candidates.size()) + " points (" +
+                         std::to_string(report.features_left) + " and " +
+                         std::to_string(report.features_right) + " features, " +
+                         std::to_string(report.matches) + " matches), too few for a surface",
+                     "Check that both images show the same tissue sharply and lit, that mask and regions lie "
+                     "on it, and that the calibration is of this laparoscope");
+  Reconstructed result = assemble(pair, candidates, mask, regions, options, report);
+  if (context.cancelled()) return std::nullopt;
+  context.progress(1.0, "stereo.done");
+  return result;
+}
+
+}  // namespace glisson::stereo
