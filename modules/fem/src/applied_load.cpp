@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "glisson/core/error.h"
+#include "glisson/fem/loads_io.h"
+
+namespace glisson::fem {
+namespace {
+
+bool contains(const LoadRegion& region, const Eigen::Vector3d& p) {
+  if (region.centre && (p - *region.centre).norm() > region.radius) return false;
+  if (region.low && ((p - *region.low).minCoeff() < 0.0 || (*region.high - p).minCoeff() < 0.0)) return false;
+  return true;
+}
+
+std::vector<int> triangles_of(const LoadRegion& region, const TriangleMesh& surface) {
+  const Points normals = triangle_normals(surface);
+  std::vector<int> result;
+  for (int t = 0; t < surface.triangle_count(); ++t) {
+    const Eigen::Vector3d centre =
+        (surface.vertex(surface.triangles(t, 0)) + surface.vertex(surface.triangles(t, 1)) +
+         surface.vertex(surface.triangles(t, 2))) /
+        3.0;
+    if (region.normal && normals.row(t).dot(region.normal->transpose()) < std::cos(region.angle)) continue;
+    if (contains(region, centre)) result.push_back(t);
+  }
+  return result;
+}
+
+/// A third of the area of the triangles around each surface vertex.
+Eigen::VectorXd vertex_areas(const TriangleMesh& surface) {
+  const Eigen::VectorXd areas = triangle_areas(surface);
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(surface.vertex_count());
+  for (int t = 0; t < surface.triangle_count(); ++t)
+    for (int k = 0; k < 3; ++k) result[surface.triangles(t, k)] += areas[t] / 3.0;
+  return result;
+}
+
+void check_node(int node, const CompositeModel& model, const std::string& field) {
+  if (node < 0 || node >= model.node_count())
+    throw InputError("load", field, "names node " + std::to_string(node),
+                     "The mesh has nodes 0 to " + std::to_string(model.node_count() - 1));
+}
+
+[[noreturn]] void fail_empty(const std::string& field) {
+  throw InputError("load", field, "holds nothing of the mesh",
+                   "Move or widen the region (millimetres, in the mesh's frame)");
+}
+
+}  // namespace
+
+std::vector<std::pair<AppliedLoad::Anchor, double>> AppliedLoad::places(const LoadPlace& place,
+                                                                        const CompositeModel& model,
+                                                                        const std::string& field) const {
+  std::vector<std::pair<Anchor, double>> result;
+  if (place.node) {
+    check_node(*place.node, model, field);
+    Anchor anchor;
+    anchor.nodes[0] = *place.node;
+    anchor.weights[0] = 1.0;
+    result.emplace_back(anchor, 1.0);
+  } else if (place.point) {
+    Points point(1, 3);
+    point.row(0) = place.point->transpose();
+    const Binding binding = bind_points(model.mesh(), point, true);
+    Anchor anchor;
+    for (int k = 0; k < 4; ++k) {
+      anchor.nodes[static_cast<std::size_t>(k)] = model.mesh().tetrahedra(binding.tetrahedron[0], k);
+      anchor.weights[static_cast<std::size_t>(k)] = binding.weights(0, k);
+    }
+    result.emplace_back(anchor, 1.0);
+  } else {
+    const BoundarySurface& surface = model.surface();
+    const Eigen::VectorXd areas = vertex_areas(surface.mesh);
+    double total = 0.0;
+    for (int v = 0; v < surface.mesh.vertex_count(); ++v) {
+      if (!contains(*place.region, surface.mesh.vertex(v))) continue;
+      Anchor anchor;
+      anchor.nodes[0] = surface.node_of_vertex[static_cast<std::size_t>(v)];
+      anchor.weights[0] = 1.0;
+      result.emplace_back(anchor, areas[v]);
+      total += areas[v];
+    }
+    if (result.empty()) fail_empty(field);
+    for (auto& [anchor, share] : result) share /= total;
+  }
+  return result;
+}
+
+AppliedLoad::AppliedLoad(const LoadCase& load, const CompositeModel& model) : ramp_(load.ramp) {
+  base_.gravity_change = load.gravity_change;
+  base_.pressure = load.pressure;
+  base_.pressure_triangles = load.pressure_triangles;
+  for (const int t : load.pressure_triangles)
+    if (t < 0 || t >= model.surface().mesh.triangle_count())
+      throw InputError(
+          "load", "pressure.triangles", "names triangle " + std::to_string(t),
+          "The surface has triangles 0 to " + std::to_string(model.surface().mesh.triangle_count() - 1));
+  if (load.pressure_region) {
+    std::vector<int> chosen = triangles_of(*load.pressure_region, model.surface().mesh);
+    if (!load.pressure_triangles.empty())
+      std::erase_if(chosen, [&](int t) {
+        return std::find(load.pressure_triangles.begin(), load.pressure_triangles.end(), t) ==
+               load.pressure_triangles.end();
+      });
+    if (chosen.empty()) fail_empty("pressure.region");
+    base_.pressure_triangles = std::move(chosen);
+  }
+  const Points& rest = model.mesh().vertices;
+  for (std::size_t i = 0; i < load.springs.size(); ++i) {
+    const LoadSpring& spring = load.springs[i];
+    for (auto& [anchor, share] : places(spring.place, model, "springs[" + std::to_string(i) + "]")) {
+      anchor.stiffness = share * spring.stiffness;
+      for (std::size_t k = 0; k < 4; ++k)
+        if (anchor.nodes[k] >= 0) anchor.rest += anchor.weights[k] * rest.row(anchor.nodes[k]).transpose();
+      anchor.target = spring.target.value_or(anchor.rest);
+      anchors_.push_back(anchor);
+    }
+  }
+  for (std::size_t i = 0; i < load.forces.size(); ++i)
+    for (auto& [anchor, share] : places(load.forces[i].place, model, "forces[" + std::to_string(i) + "]")) {
+      anchor.force = share * load.forces[i].force;
+      anchors_.push_back(anchor);
+    }
+  for (const int node : load.fixed_nodes) check_node(node, model, "fixed.nodes");
+  fixed_nodes_ = load.fixed_nodes;
+  if (load.fixed_region) {
+    const std::size_t before = fixed_nodes_.size();
+    for (int node = 0; node < model.node_count(); ++node)
+      if (contains(*load.fixed_region, rest.row(node).transpose())) fixed_nodes_.push_back(node);
+    if (fixed_nodes_.size() == before) fail_empty("fixed.region");
+  }
+  std::sort(fixed_nodes_.begin(), fixed_nodes_.end());
+  fixed_nodes_.erase(std::unique(fixed_nodes_.begin(), fixed_nodes_.end()), fixed_nodes_.end());
+}
+
+bool AppliedLoad::holds() const {
+  return !fixed_nodes_.empty() ||
+         std::any_of(anchors_.begin(), anchors_.end(), [](const Anchor& a) { return a.stiffness > 0.0; });
+}
+
+Loads AppliedLoad::at(const Points& x) const { return scaled(x, 1.0); }
+
+Loads AppliedLoad::at(const Points& x, double time) const {
+  return scaled(x, ramp_ > 0.0 ? std::clamp(time / ramp_, 0.0, 1.0) : 1.0);
+}
+
+Loads AppliedLoad::scaled(const Points& x, double fraction) const {
+  Loads loads = base_;
+  loads.gravity_change *= fraction;
+  loads.pressure *= fraction;
+  loads.attached.reserve(anchors_.size());
+  for (const Anchor& anchor : anchors_) {
+    AttachedLoad load;
+    load.nodes = anchor.nodes;
+    load.weights = anchor.weights;
+    load.force = fraction * anchor.force;
+    if (anchor.stiffness > 0.0) {
+      Eigen::Vector3d p = Eigen::Vector3d::Zero();
+      for (std::size_t k = 0; k < 4; ++k)
+        if (anchor.nodes[k] >= 0) p += anchor.weights[k] * x.row(anchor.nodes[k]).transpose();
+      // It holds from the start; what grows is how far it pulls.
+      load.force += anchor.stiffness * (anchor.rest + fraction * (anchor.target - anchor.rest) - p);
+      load.tangent = anchor.stiffness * Eigen::Matrix3d::Identity();
+    }
+    loads.attached.push_back(load);
+  }
+  return loads;
+}
+
+}  // namespace glisson::fem

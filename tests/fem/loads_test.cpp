@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QtTest>
+#include <memory>
+
+#include "block_mesh.h"
+#include "glisson/core/error.h"
+#include "glisson/core/files.h"
+#include "glisson/fem/loads_io.h"
+#include "glisson/fem/materials.h"
+#include "glisson/fem/simulate.h"
+
+using namespace glisson;
+using namespace glisson::fem;
+using namespace glisson::fem_test;
+
+namespace {
+
+std::shared_ptr<const CompositeModel> bar() {
+  CompositeOptions options = composite_preset("healthy_homogeneous");
+  return std::make_shared<CompositeModel>(block_mesh({5, 2, 2}, {0.05, 0.02, 0.02}),
+                                          std::vector<VesselTree>{}, options);
+}
+
+LoadCase parsed(const char* text) { return parse_load_case(text, "test.json"); }
+
+}  // namespace
+
+class LoadsTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void GravityTurnsFromSupineToFlank() {
+    const LoadCase load = parsed(R"({"gravity": {"to": "left_flank"}})");
+    // Supine pulls to the back (+y in LPS), the left flank down to the left (+x).
+    QVERIFY((load.gravity_change - Eigen::Vector3d(9.81, -9.81, 0.0)).norm() < 1e-12);
+    const LoadCase same = parsed(R"({"gravity": {"from": [0, 9.81, 0], "to": [9.81, 0, 0]}})");
+    QVERIFY((load.gravity_change - same.gravity_change).norm() < 1e-12);
+  }
+
+  void EveryKeyArrivesInMetres() {
+    const LoadCase load = parsed(R"({
+      "pressure": {"pascal": 1600, "region": {"normal": [0, -2, 0], "angle_deg": 60}},
+      "forces": [{"point_mm": [50, 10, 10], "newton": [0, 0, 0.5]}],
+      "springs": [{"node": 3, "newton_per_metre": 50, "target_mm": [1, 2, 3]},
+                  {"region": {"centre_mm": [50, 10, 10], "radius_mm": 12},
+                   "structure": {"pascal": 20e6, "area_mm2": 2, "length_mm": 40}}],
+      "fixed": {"nodes": [6], "region": {"low_mm": [-1, -1, -1], "high_mm": [1, 30, 30]}},
+      "ramp_s": 0.5})");
+    QCOMPARE(load.pressure, 1600.0);
+    QVERIFY((*load.pressure_region->normal - Eigen::Vector3d(0, -1, 0)).norm() < 1e-12);
+    QVERIFY((*load.forces[0].place.point - Eigen::Vector3d(0.05, 0.01, 0.01)).norm() < 1e-12);
+    QVERIFY((*load.springs[0].target - Eigen::Vector3d(1e-3, 2e-3, 3e-3)).norm() < 1e-12);
+    QVERIFY(std::abs(load.springs[1].stiffness - 20e6 * 2e-6 / 0.04) < 1e-9);
+    const auto model = bar();
+    const AppliedLoad applied(load, *model);
+    QCOMPARE(applied.fixed_nodes(), nodes_at(model->mesh(), 0, 0.0));
+    const Loads whole = applied.at(model->mesh().vertices);
+    // The face y = 0 of five by two cells, two triangles each.
+    QCOMPARE(whole.pressure_triangles.size(), std::size_t{20});
+    double stiffness = 0.0;
+    Eigen::Vector3d force = Eigen::Vector3d::Zero();
+    for (std::size_t k = 1; k < whole.attached.size(); ++k) stiffness += whole.attached[k].tangent(0, 0);
+    for (const AttachedLoad& a : whole.attached)
+      if (a.tangent.isZero(0.0)) force += a.force;
+    QVERIFY(std::abs(stiffness - 1000.0) < 1e-9);
+    QVERIFY((force - Eigen::Vector3d(0, 0, 0.5)).norm() < 1e-12);
+    QCOMPARE(applied.at(model->mesh().vertices, 0.25).pressure, 800.0);
+  }
+
+  void MalformedFilesAreRefused_data() {
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<QString>("field");
+    QTest::newRow("not JSON") << "{"
+                              << "";
+    QTest::newRow("nothing in it") << "{}"
+                                   << "";
+    QTest::newRow("not an object") << "[1]"
+                                   << "";
+    QTest::newRow("misspelt key") << R"({"gravty": {"to": "prone"}})"
+                                  << "gravty";
+    QTest::newRow("unknown posture") << R"({"gravity": {"to": "upside_down"}})"
+                                     << "gravity.to";
+    QTest::newRow("two numbers") << R"({"gravity": {"change": [0, 1]}})"
+                                 << "gravity.change";
+    QTest::newRow("both ways") << R"({"gravity": {"change": [0, 1, 0], "to": "prone"}})"
+                               << "gravity.change";
+    QTest::newRow("text for pressure") << R"({"pressure": {"pascal": "high"}})"
+                                       << "pressure.pascal";
+    QTest::newRow("absurd pressure") << R"({"pressure": {"pascal": 1e9}})"
+                                     << "pressure.pascal";
+    QTest::newRow("no place") << R"({"forces": [{"newton": [0, 0, 1]}]})"
+                              << "forces[0]";
+    QTest::newRow("negative node") << R"({"forces": [{"node": -1, "newton": [0, 0, 1]}]})"
+                                   << "forces[0].node";
+    QTest::newRow("no stiffness") << R"({"springs": [{"node": 1}]})"
+                                  << "springs[0].newton_per_metre";
+    QTest::newRow("slack spring") << R"({"springs": [{"node": 1, "newton_per_metre": 0}]})"
+                                  << "springs[0].newton_per_metre";
+    QTest::newRow("region of nothing") << R"({"pressure": {"pascal": 1, "region": {}}})"
+                                       << "pressure.region";
+    QTest::newRow("box inside out")
+        << R"({"pressure": {"pascal": 1, "region": {"low_mm": [1, 0, 0], "high_mm": [0, 1, 1]}}})"
+        << "pressure.region.low_mm";
+    QTest::newRow("negative ramp") << R"({"gravity": {"to": "prone"}, "ramp_s": -1})"
+                                   << "ramp_s";
+  }
+  void MalformedFilesAreRefused() {
+    QFETCH(QString, text);
+    QFETCH(QString, field);
+    try {
+      parse_load_case(text.toStdString(), "test.json");
+      QFAIL("accepted");
+    } catch (const InputError& error) {
+      QCOMPARE(QString::fromStdString(error.field()), field);
+      QCOMPARE(QString::fromStdString(error.file()), QString("test.json"));
+      QVERIFY(!error.remedy().empty());
+    }
+  }
+
+  void LoadsThatTheMeshDoesNotHaveAreRefused() {
+    const auto model = bar();
+    for (const char* text : {R"({"forces": [{"node": 100000, "newton": [0, 0, 1]}]})",
+                             R"({"pressure": {"pascal": 1, "triangles": [100000]}})",
+                             R"({"gravity": {"to": "prone"}, "fixed": {"nodes": [100000]}})",
+                             R"({"gravity": {"to": "prone"},
+                                 "fixed": {"region": {"centre_mm": [900, 0, 0], "radius_mm": 1}}})"})
+      QVERIFY_EXCEPTION_THROWN(AppliedLoad(parsed(text), *model), InputError);
+  }
+
+  void MissingFileIsNamed() { QVERIFY_EXCEPTION_THROWN(read_load_case("/nowhere/load.json"), FileError); }
+
+  void StaticSimulationBalancesAForceByTheBarsStiffness() {
+    // A bar of 50 x 20 x 20 mm pulled along by 0.01 N: about F L / (E A) longer, a little less as its held
+    // end cannot narrow.
+    const auto model = bar();
+    const LoadCase load = parsed(R"({
+      "forces": [{"region": {"low_mm": [49.9, -1, -1], "high_mm": [51, 21, 21]}, "newton": [0.01, 0, 0]}],
+      "fixed": {"region": {"low_mm": [-1, -1, -1], "high_mm": [0.1, 21, 21]}}})");
+    SimulationOptions options;
+    options.static_solve = true;
+    const auto result = simulate(model, load, options, RunContext());
+    QVERIFY(result && result->converged);
+    QVERIFY(result->records.front().force_residual < 1e-8);
+    const double expected = 0.01 * 0.05 / (3500.0 * 0.02 * 0.02);
+    double moved = 0.0;
+    const std::vector<int> end = nodes_at(model->mesh(), 0, 0.05);
+    for (const int node : end) moved += (result->positions(node, 0) - 0.05) / static_cast<double>(end.size());
+    QVERIFY2(moved > 0.85 * expected && moved < 1.02 * expected,
+             qPrintable(QString::number(moved / expected)));
+  }
+
+  void DynamicSimulationWritesOneLineAStep() {
+    const auto model = bar();
+    const LoadCase load = parsed(R"({"gravity": {"to": "left_flank"}, "fixed": {"nodes": [0, 1, 6]}})");
+    SimulationOptions options;
+    options.steps = 5;
+    int seen = 0;
+    const auto result = simulate(model, load, options, RunContext(),
+                                 [&](const SimulationRecord& r, const Points&) { QCOMPARE(r.step, ++seen); });
+    QVERIFY(result);
+    QCOMPARE(seen, 5);
+    TemporaryFolder folder;
+    write_simulation_csv(folder.path() / "steps.csv", result->records);
+    const std::string text = read_file(folder.path() / "steps.csv");
+    QCOMPARE(std::count(text.begin(), text.end(), '\n'), std::ptrdiff_t{6});
+  }
+
+  void CancelLeavesNoResult() {
+    const auto flag = std::make_shared<CancelFlag>();
+    flag->request();
+    const RunContext context({}, flag, 1);
+    const LoadCase load = parsed(R"({"gravity": {"to": "prone"}, "fixed": {"nodes": [0, 1, 6]}})");
+    SimulationOptions options;
+    QVERIFY(!simulate(bar(), load, options, context));
+    options.static_solve = true;
+    QVERIFY(!simulate(bar(), load, options, context));
+  }
+
+  void NothingHeldInAStaticSolveIsRefused() {
+    SimulationOptions options;
+    options.static_solve = true;
+    QVERIFY_EXCEPTION_THROWN(
+        simulate(bar(), parsed(R"({"gravity": {"to": "prone"}})"), options, RunContext()), InputError);
+  }
+
+  void PresetsAreThePapers() {
+    QCOMPARE(composite_preset("healthy").parenchyma.young_modulus, 3500.0);
+    QCOMPARE(composite_preset("cirrhotic").parenchyma.young_modulus, 30e3);
+    QVERIFY(composite_preset("cirrhotic").with_vessels);
+    QVERIFY(!composite_preset("cirrhotic_homogeneous").with_vessels);
+    QVERIFY_EXCEPTION_THROWN(composite_preset("stone"), InputError);
+    QCOMPARE(spring_stiffness(20e6, 1e-6, 0.02), 1000.0);
+    QVERIFY_EXCEPTION_THROWN(spring_stiffness(20e6, 0.0, 0.02), InputError);
+  }
+};
+
+QTEST_APPLESS_MAIN(LoadsTest)
+#include "loads_test.moc"
