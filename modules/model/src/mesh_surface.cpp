@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include "glisson/core/error.h"
+#include "glisson/geometry/topology.h"
+#include "glisson/model/build.h"
+#include "mesh_to_size.h"
+#include "surface_field.h"
+
+namespace glisson::model {
+
+void MeshOptions::validate() const {
+  if (target_vertices < 20 || target_vertices > 200000)
+    throw InputError("mesh options", "target_vertices", std::to_string(target_vertices) + " is out of range",
+                     "Ask for 20 to 200000 vertices");
+  if (!(lesion_refinement >= 0.1 && lesion_refinement <= 10.0))
+    throw InputError("mesh options", "lesion_refinement",
+                     std::to_string(lesion_refinement) + " is out of range", "Give a ratio of 0.1 to 10");
+}
+
+Cancellable<TetMesh> mesh_surface(const TriangleMesh& surface, const MeshOptions& options,
+                                  const RunContext& context) {
+  options.validate();
+  const TriangleMesh closed = largest_closed_piece(surface, "surface");
+  context.progress(0.0, "model.mesh.field");
+  MesherInput input;
+  input.body = field_of_surface(closed, body_spacing_mm(closed, options.target_vertices));
+  std::vector<std::string> notes;
+  return mesh_to_size(input, options, notes, context.part(0.1, 1.0));
+}
+
+}  // namespace glisson::model

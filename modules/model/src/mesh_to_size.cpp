@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh_to_size.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "glisson/core/error.h"
+#include "glisson/geometry/topology.h"
+
+namespace glisson::model {
+namespace {
+
+constexpr double kTolerance = 0.10;  // of the number of nodes
+constexpr double kSearchTolerance = 0.04;
+constexpr int kSearchPasses = 10;
+constexpr double kLeastDihedral = 10.0;  // degrees
+constexpr int kAttempts = 4;
+constexpr double kNextSize = 0.985;  // edge length of the next attempt over this one's
+
+MesherSizes sizes_of(double edge, const MeshOptions& options) {
+  return {edge, edge * options.lesion_refinement};
+}
+
+/// The edge length at which bare refinement gives the wanted number of nodes. Nodes go with a power of the
+/// edge between -2 (a thin body, all surface) and -3: a secant on logarithms.
+std::optional<double> find_edge(const MesherInput& input, const MeshOptions& options,
+                                const RunContext& context) {
+  const double wanted = std::log(static_cast<double>(options.target_vertices));
+  double edge = 1.25 * std::cbrt(input.body.volume() / options.target_vertices);
+  double best_edge = edge, best_miss = std::numeric_limits<double>::infinity();
+  double last_log_edge = 0.0, last_log_count = 0.0, slope = -2.6;
+  for (int pass = 0; pass < kSearchPasses; ++pass) {
+    const double done = static_cast<double>(pass) / kSearchPasses;
+    const auto mesh = fill_with_tetrahedra(input, sizes_of(edge, options), false, context.part(done, done));
+    if (!mesh) return {};
+    const double log_edge = std::log(edge), log_count = std::log(std::max(4.0, double(mesh->vertex_count())));
+    const double miss = std::abs(log_count - wanted);
+    if (miss < best_miss) {
+      best_miss = miss;
+      best_edge = edge;
+    }
+    if (miss < std::log1p(kSearchTolerance)) break;
+    if (pass > 0 && std::abs(log_edge - last_log_edge) > 1e-3)
+      slope = std::clamp((log_count - last_log_count) / (log_edge - last_log_edge), -3.2, -1.4);
+    last_log_edge = log_edge;
+    last_log_count = log_count;
+    edge = std::exp(log_edge + std::clamp((wanted - log_count) / slope, -0.7, 0.7));
+  }
+  return best_edge;
+}
+
+struct Flaws {
+  double dihedral = 0.0;  ///< smallest, degrees
+  bool whole = false;     ///< boundary closed, manifold, one piece
+  double off_target = 0.0;
+  bool acceptable() const { return whole && dihedral >= kLeastDihedral && off_target <= kTolerance; }
+  bool better_than(const Flaws& other) const {
+    if (whole != other.whole) return whole;
+    if ((off_target <= kTolerance) != (other.off_target <= kTolerance)) return off_target <= kTolerance;
+    return dihedral > other.dihedral;
+  }
+};
+
+Flaws flaws_of(const TetMesh& mesh, int wanted) {
+  Flaws flaws;
+  flaws.dihedral = mesh.tetrahedron_count() > 0 ? dihedral_angles(mesh).col(0).minCoeff() : 0.0;
+  const BoundarySurface surface = boundary_surface(mesh);
+  int pieces = 0;
+  connected_components(surface.mesh, &pieces);
+  flaws.whole = is_closed(surface.mesh) && pieces == 1;
+  flaws.off_target = std::abs(mesh.vertex_count() - wanted) / static_cast<double>(wanted);
+  return flaws;
+}
+
+}  // namespace
+
+Cancellable<TetMesh> mesh_to_size(const MesherInput& input, const MeshOptions& options,
+                                  std::vector<std::string>& notes, const RunContext& context) {
+  options.validate();
+  const std::optional<double> found = find_edge(input, options, context.part(0.0, 0.3));
+  if (!found) return {};
+  double edge = *found;
+  TetMesh best;
+  Flaws best_flaws;
+  double done = 0.3;
+  for (int attempt = 0; attempt < kAttempts; ++attempt, edge *= kNextSize) {
+    const double from = done;
+    done = 0.5 * (1.0 + done);  // more attempts may follow: each takes half of what is left
+    auto mesh = fill_with_tetrahedra(input, sizes_of(edge, options), true, context.part(from, done));
+    if (!mesh) return {};
+    const Flaws flaws = flaws_of(*mesh, options.target_vertices);
+    if (attempt == 0 || flaws.better_than(best_flaws)) {
+      best = std::move(*mesh);
+      best_flaws = flaws;
+    }
+    if (best_flaws.acceptable()) break;
+  }
+  if (best.tetrahedron_count() == 0)
+    throw NumericalError("The mesher filled nothing. Check that the surface encloses a volume.");
+  if (!best_flaws.whole) notes.push_back("mesh.boundary_not_manifold");
+  if (best_flaws.dihedral < kLeastDihedral)
+    notes.push_back("mesh.sliver_deg " + std::to_string(best_flaws.dihedral));
+  if (best_flaws.off_target > kTolerance)
+    notes.push_back("mesh.vertices_off_target " + std::to_string(best.vertex_count()));
+  check_tetrahedra(best, "mesh");
+  context.progress(1.0, "model.mesh.size");
+  return best;
+}
+
+}  // namespace glisson::model

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "glisson/core/run_context.h"
+#include "glisson/geometry/mesh.h"
+#include "glisson/volume/label_volume.h"
+#include "scalar_field.h"
+
+namespace glisson::model {
+
+/// What is to be filled with tetrahedra: a body, and sub-domains in it. A point belongs to the sub-domain
+/// whose field is positive there (the first one named), else to the body, else to nothing.
+struct MesherInput {
+  ScalarField body;
+  Label body_label = 1;
+  std::vector<std::pair<Label, ScalarField>> inclusions;
+};
+
+struct MesherSizes {
+  double edge = 0.02;            ///< metres
+  double inclusion_edge = 0.02;  ///< metres, in the sub-domains
+};
+
+/// CGAL Mesh_3 (Jamin, Alliez, Yvinec, Boissonnat 2015), sequential, then Lloyd, ODT, perturb, exude where
+/// `optimise`. The same input and seed give the same bits. Nodes and tetrahedra in a canonical order.
+Cancellable<TetMesh> fill_with_tetrahedra(const MesherInput& input, const MesherSizes& sizes, bool optimise,
+                                          const RunContext& context);
+
+}  // namespace glisson::model
