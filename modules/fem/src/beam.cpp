@@ -98,7 +98,21 @@ double BeamElement::energy(const BeamNodeState& a, const BeamNodeState& b) const
 }
 
 BeamElement::Gradient BeamElement::gradient(const BeamNodeState& a, const BeamNodeState& b) const {
+  return gradient_of(kinematics(a, b));
+}
+
+BeamElement::Rows BeamElement::stiffness_rows(const BeamNodeState& a, const BeamNodeState& b) const {
+  return rows_of(kinematics(a, b));
+}
+
+void BeamElement::linearise(const BeamNodeState& a, const BeamNodeState& b, Gradient& gradient,
+                            Rows& rows) const {
   const Kinematics k = kinematics(a, b);
+  gradient = gradient_of(k);
+  rows = rows_of(k);
+}
+
+BeamElement::Gradient BeamElement::gradient_of(const Kinematics& k) const {
   const Eigen::Vector3d n = c_gamma_ * k.gamma, m = k.d_psi * (c_kappa_ * k.psi) / length_;
   const Eigen::Vector3d q = n.cross(k.chord);
   const Eigen::Vector3d difference = m - k.d_mean.transpose() * q;
@@ -110,8 +124,7 @@ BeamElement::Gradient BeamElement::gradient(const BeamNodeState& a, const BeamNo
   return g;
 }
 
-BeamElement::Rows BeamElement::stiffness_rows(const BeamNodeState& a, const BeamNodeState& b) const {
-  const Kinematics k = kinematics(a, b);
+BeamElement::Rows BeamElement::rows_of(const Kinematics& k) const {
   const Eigen::Matrix3d to_mean = k.mean.transpose();
   const Eigen::Matrix3d lever = cross_matrix(k.chord);  // d gamma L = Rm^T dd + chord x (Rm^T wm)
   Rows rows;

@@ -92,44 +92,100 @@ int BlockPattern::find(int row, int column) const {
 
 BlockSystem::BlockSystem(const CompositeModel::Impl& model, const std::vector<int>& fixed_nodes)
     : model_(model), pattern_(make_pattern(model, fixed_nodes)) {
-  values_.assign(static_cast<std::size_t>(pattern_.block_count()) * 9, 0.0);
-  for (const Tetrahedron& e : model_.tetrahedra) {
-    auto& slots = tetrahedron_slots_.emplace_back();
-    int k = 0;
-    for (int i = 0; i < 4; ++i)
-      for (int j = 0; j <= i; ++j) slots[static_cast<std::size_t>(k++)] = slot(e.nodes[i], e.nodes[j]);
-  }
-  for (const Membrane& e : model_.membranes) {
-    auto& slots = membrane_slots_.emplace_back();
-    int k = 0;
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j <= i; ++j) slots[static_cast<std::size_t>(k++)] = slot(e.nodes[i], e.nodes[j]);
-  }
+  values_.assign(static_cast<std::size_t>(pattern_.block_count() + 1) * 9, 0.0);
+  build_groups();
+  build_couplings();
 }
 
-int BlockSystem::slot(int node_i, int node_j) const {
+int BlockSystem::block_of(int node_i, int node_j) const {
   const int i = pattern_.unknown_of_node[static_cast<std::size_t>(node_i)];
   const int j = pattern_.unknown_of_node[static_cast<std::size_t>(node_j)];
-  if (i < 0 || j < 0) return -1;
+  if (i < 0 || j < 0) return pattern_.block_count();
   const int index = pattern_.find(std::max(i, j), std::min(i, j));
   if (index < 0)
     throw PreconditionError(
         "An attached load couples nodes " + std::to_string(node_i) + " and " + std::to_string(node_j) +
         ", which share no element; attach it to the nodes of one tetrahedron or triangle.");
-  return 2 * index + (i < j ? 1 : 0);
+  return index;
 }
 
-void BlockSystem::add_to_slot(int code, const Eigen::Matrix3d& block) {
-  if (code < 0) return;
-  Eigen::Map<Eigen::Matrix3d> target(values_.data() + static_cast<std::ptrdiff_t>(code >> 1) * 9);
-  if (code & 1)
-    target += block.transpose();
-  else
-    target += block;
+void BlockSystem::build_groups() {
+  const auto by_unknown = [&](int a, int b) {
+    return pattern_.unknown_of_node[static_cast<std::size_t>(a)] <
+           pattern_.unknown_of_node[static_cast<std::size_t>(b)];
+  };
+  // Lanes beyond the last element: its nodes, no stiffness, the spare block.
+  const auto fill = [&](auto& groups, std::size_t number, const auto& element, bool padding) {
+    constexpr auto kNodes = std::tuple_size_v<std::remove_cvref_t<decltype(element.nodes)>>;
+    if (number % kLanes == 0) groups.emplace_back();
+    auto& group = groups.back();
+    const std::size_t lane = number % kLanes;
+    std::array<std::size_t, kNodes> order;
+    for (std::size_t k = 0; k < kNodes; ++k) order[k] = k;
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return by_unknown(element.nodes[a], element.nodes[b]); });
+    group.lambda[lane] = padding ? 0.0 : element.volume * element.lambda;
+    group.mu[lane] = padding ? 0.0 : element.volume * element.mu;
+    std::size_t block = 0;
+    for (std::size_t i = 0; i < kNodes; ++i) {
+      const auto gi = element.gradients.col(static_cast<Eigen::Index>(order[i]));
+      group.node[i][lane] = element.nodes[order[i]];
+      if (i > 0)
+        for (Eigen::Index r = 0; r < gi.rows(); ++r)
+          group.gradients[(static_cast<Eigen::Index>(i) - 1) * gi.rows() + r][lane] = gi[r];
+      for (std::size_t j = 0; j <= i; ++j, ++block) {
+        group.dots[block][lane] =
+            group.mu[lane] * gi.dot(element.gradients.col(static_cast<Eigen::Index>(order[j])));
+        group.slot[block][lane] =
+            padding ? pattern_.block_count() : block_of(element.nodes[order[i]], element.nodes[order[j]]);
+      }
+    }
+  };
+  const auto fill_all = [&](auto& groups, const auto& elements) {
+    for (std::size_t e = 0; e < elements.size(); ++e) fill(groups, e, elements[e], false);
+    for (std::size_t e = elements.size(); e % kLanes != 0; ++e) fill(groups, e, elements.back(), true);
+  };
+  fill_all(tetrahedron_groups_, model_.tetrahedra);
+  fill_all(membrane_groups_, model_.membranes);
+}
+
+void BlockSystem::build_couplings() {
+  for (const VesselBeam& beam : model_.vessels.beams) {
+    BeamCoupling coupling;
+    std::array<int, 8> all{};
+    for (int end = 0; end < 2; ++end) {
+      const auto bound = static_cast<std::size_t>(end == 0 ? beam.a : beam.b);
+      const auto t = static_cast<std::size_t>(model_.vessels.nodes[bound].tetrahedron);
+      for (std::size_t k = 0; k < 4; ++k)
+        all[static_cast<std::size_t>(4 * end) + k] = model_.tetrahedra[t].nodes[k];
+    }
+    coupling.nodes = all;
+    const auto rank = [&](int node) { return pattern_.unknown_of_node[static_cast<std::size_t>(node)]; };
+    std::sort(coupling.nodes.begin(), coupling.nodes.end(), [&](int a, int b) {
+      return rank(a) != rank(b) ? rank(a) < rank(b) : a < b;  // fixed nodes all rank alike
+    });
+    coupling.count =
+        static_cast<int>(std::unique(coupling.nodes.begin(), coupling.nodes.end()) - coupling.nodes.begin());
+    for (std::size_t k = 0; k < 8; ++k)
+      coupling.place[k] = static_cast<int>(
+          std::find(coupling.nodes.begin(), coupling.nodes.begin() + coupling.count, all[k]) -
+          coupling.nodes.begin());
+    std::size_t slot = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(coupling.count); ++i)
+      for (std::size_t j = 0; j <= i; ++j)
+        coupling.slots[slot++] = block_of(coupling.nodes[i], coupling.nodes[j]);
+    couplings_.push_back(coupling);
+  }
 }
 
 void BlockSystem::add(int node_i, int node_j, const Eigen::Matrix3d& block) {
-  add_to_slot(slot(node_i, node_j), block);
+  Eigen::Map<Eigen::Matrix3d> target(values_.data() +
+                                     static_cast<std::ptrdiff_t>(block_of(node_i, node_j)) * 9);
+  if (pattern_.unknown_of_node[static_cast<std::size_t>(node_i)] <
+      pattern_.unknown_of_node[static_cast<std::size_t>(node_j)])
+    target += block.transpose();
+  else
+    target += block;
 }
 
 void BlockSystem::add_diagonal(const Eigen::VectorXd& per_node, double scale) {
@@ -153,69 +209,67 @@ void BlockSystem::assemble(const Points& x, double scale, Tangent kind, Points& 
 
 void BlockSystem::add_tetrahedra(const Points& x, double scale, Tangent kind, Points& force) {
   const TetrahedronLaw law = model_.options.law;
-  for (std::size_t t = 0; t < model_.tetrahedra.size(); ++t) {
-    const Tetrahedron& e = model_.tetrahedra[t];
+  if (law == TetrahedronLaw::corotational && kind == Tangent::rotated) {
+    batch_kernels().tetrahedra(tetrahedron_groups_.data(), static_cast<int>(tetrahedron_groups_.size()),
+                               scale, x.data(), values_.data(), force.data());
+    return;
+  }
+  for (const Tetrahedron& e : model_.tetrahedra) {
     const Eigen::Matrix3d f = e.deformation_gradient(x);
     const Eigen::Matrix<double, 3, 4> forces = e.volume * stress(e, law, f) * e.gradients;
     for (int k = 0; k < 4; ++k) force.row(e.nodes[k]) -= forces.col(k).transpose();
     const Eigen::Matrix<double, 12, 12> k = scale * tangent(e, law, f, kind);
-    int s = 0;
     for (int i = 0; i < 4; ++i)
-      for (int j = 0; j <= i; ++j)
-        add_to_slot(tetrahedron_slots_[t][static_cast<std::size_t>(s++)], k.block<3, 3>(3 * i, 3 * j));
+      for (int j = 0; j <= i; ++j) add(e.nodes[i], e.nodes[j], k.block<3, 3>(3 * i, 3 * j));
   }
 }
 
 void BlockSystem::add_membranes(const Points& x, double scale, Tangent kind, Points& force) {
-  for (std::size_t t = 0; t < model_.membranes.size(); ++t) {
-    const Membrane& e = model_.membranes[t];
+  if (kind == Tangent::rotated) {
+    batch_kernels().membranes(membrane_groups_.data(), static_cast<int>(membrane_groups_.size()), scale,
+                              x.data(), values_.data(), force.data());
+    return;
+  }
+  for (const Membrane& e : model_.membranes) {
     const Eigen::Matrix<double, 3, 2> f = e.deformation_gradient(x);
     const Eigen::Matrix3d forces = e.volume * stress(e, f) * e.gradients;
     for (int k = 0; k < 3; ++k) force.row(e.nodes[k]) -= forces.col(k).transpose();
     const Eigen::Matrix<double, 9, 9> k = scale * tangent(e, f, kind);
-    int s = 0;
     for (int i = 0; i < 3; ++i)
-      for (int j = 0; j <= i; ++j)
-        add_to_slot(membrane_slots_[t][static_cast<std::size_t>(s++)], k.block<3, 3>(3 * i, 3 * j));
+      for (int j = 0; j <= i; ++j) add(e.nodes[i], e.nodes[j], k.block<3, 3>(3 * i, 3 * j));
   }
 }
 
 void BlockSystem::add_beams(const Points& x, double scale, Points& force) {
   const VesselBeams& vessels = model_.vessels;
   const std::vector<BoundState> states = bound_states(vessels, model_.tetrahedra, x);
-  for (const VesselBeam& beam : vessels.beams) {
-    const BeamElement::Rows rows =
-        std::sqrt(scale) * beam.element.stiffness_rows(states[static_cast<std::size_t>(beam.a)].state,
-                                                       states[static_cast<std::size_t>(beam.b)].state);
-    const BeamElement::Gradient gradient = beam.element.gradient(
-        states[static_cast<std::size_t>(beam.a)].state, states[static_cast<std::size_t>(beam.b)].state);
-    std::array<int, 8> nodes{};
+  const double root = std::sqrt(scale);
+  for (std::size_t n = 0; n < vessels.beams.size(); ++n) {
+    const VesselBeam& beam = vessels.beams[n];
+    const BeamCoupling& coupling = couplings_[n];
+    const BoundState &first = states[static_cast<std::size_t>(beam.a)],
+                     &second = states[static_cast<std::size_t>(beam.b)];
+    BeamElement::Gradient gradient;
+    BeamElement::Rows rows;
+    beam.element.linearise(first.state, second.state, gradient, rows);
     std::array<Eigen::Matrix<double, 6, 3>, 8> columns;  // rows J, a node
-    std::size_t count = 0;
+    for (auto& column : columns) column.setZero();
     for (int end = 0; end < 2; ++end) {
-      const int index = end == 0 ? beam.a : beam.b;
-      const BoundNode& node = vessels.nodes[static_cast<std::size_t>(index)];
-      const BoundState& bound = states[static_cast<std::size_t>(index)];
+      const BoundNode& node = vessels.nodes[static_cast<std::size_t>(end == 0 ? beam.a : beam.b)];
+      const BoundState& bound = end == 0 ? first : second;
       add_bound_force(node, model_.tetrahedra, bound, gradient.segment<6>(6 * end), force);
-      const auto& tetrahedron = model_.tetrahedra[static_cast<std::size_t>(node.tetrahedron)].nodes;
-      for (std::size_t i = 0; i < 4; ++i) {
-        const Eigen::Matrix<double, 6, 3> column =
-            node.weights[static_cast<Eigen::Index>(i)] * rows.block<6, 3>(0, 6 * end) +
-            rows.block<6, 3>(0, 6 * end + 3) * bound.turn[i];
-        const auto at =
-            std::find(nodes.begin(), nodes.begin() + static_cast<std::ptrdiff_t>(count), tetrahedron[i]) -
-            nodes.begin();
-        const auto place = static_cast<std::size_t>(at);
-        if (place < count) {
-          columns[place] += column;
-        } else {
-          nodes[count] = tetrahedron[i];
-          columns[count++] = column;
-        }
-      }
+      for (std::size_t i = 0; i < 4; ++i)
+        columns[static_cast<std::size_t>(coupling.place[static_cast<std::size_t>(4 * end) + i])] +=
+            (root * node.weights[static_cast<Eigen::Index>(i)]) * rows.block<6, 3>(0, 6 * end) +
+            root * (rows.block<6, 3>(0, 6 * end + 3) * bound.turn[i]);
     }
-    for (std::size_t i = 0; i < count; ++i)
-      for (std::size_t j = 0; j <= i; ++j) add(nodes[i], nodes[j], columns[i].transpose() * columns[j]);
+    std::size_t slot = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(coupling.count); ++i)
+      for (std::size_t j = 0; j <= i; ++j) {
+        Eigen::Map<Eigen::Matrix3d> target(values_.data() +
+                                           9 * static_cast<std::ptrdiff_t>(coupling.slots[slot++]));
+        target.noalias() += columns[i].transpose().lazyProduct(columns[j]);
+      }
   }
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "batch_kernels.h"
 #include "composite_impl.h"
 
 namespace glisson::fem {
@@ -33,7 +34,7 @@ class BlockSystem {
   BlockSystem(const CompositeModel::Impl& model, const std::vector<int>& fixed_nodes);
 
   const BlockPattern& pattern() const { return pattern_; }
-  /// Column-major 3 x 3 blocks in the pattern's order.
+  /// Column-major 3 x 3 blocks in the pattern's order (and a spare one behind them).
   const std::vector<double>& values() const { return values_; }
 
   /// Sets the matrix to `scale` times the model's tangent at x, and `force` (all nodes) to the internal
@@ -50,18 +51,26 @@ class BlockSystem {
   Eigen::VectorXd gather(const Points& per_node) const;
 
  private:
+  /// The 3 x 3 blocks that a beam couples: those of its two tetrahedra's nodes.
+  struct BeamCoupling {
+    int count = 0;
+    std::array<int, 8> nodes{};  ///< in the order of their unknowns
+    std::array<int, 8> place{};  ///< in nodes, of the first and the second tetrahedron's four
+    std::array<int, 36> slots{};
+  };
+  int block_of(int node_i, int node_j) const;
+  void build_groups();
+  void build_couplings();
   void add_tetrahedra(const Points& x, double scale, Tangent kind, Points& force);
   void add_membranes(const Points& x, double scale, Tangent kind, Points& force);
   void add_beams(const Points& x, double scale, Points& force);
-  int slot(int node_i, int node_j) const;
-  void add_to_slot(int code, const Eigen::Matrix3d& block);
 
   const CompositeModel::Impl& model_;
   BlockPattern pattern_;
-  std::vector<double> values_;
-  /// Twice the block's index, plus one when it is stored transposed; -1: a node is fixed.
-  std::vector<std::array<int, 10>> tetrahedron_slots_;
-  std::vector<std::array<int, 6>> membrane_slots_;
+  std::vector<double> values_;  ///< and a spare block behind them, where the fixed nodes' go
+  std::vector<TetrahedronGroup> tetrahedron_groups_;
+  std::vector<MembraneGroup> membrane_groups_;
+  std::vector<BeamCoupling> couplings_;
 };
 
 }  // namespace glisson::fem

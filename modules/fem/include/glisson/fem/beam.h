@@ -46,9 +46,13 @@ class BeamElement {
   Gradient gradient(const BeamNodeState& a, const BeamNodeState& b) const;
   /// Square root of the tangent without the strains' second derivatives (exact at rest): K_v = rows^T rows.
   Rows stiffness_rows(const BeamNodeState& a, const BeamNodeState& b) const;
+  /// Both at once.
+  void linearise(const BeamNodeState& a, const BeamNodeState& b, Gradient& gradient, Rows& rows) const;
 
  private:
   struct Kinematics;
+  Gradient gradient_of(const Kinematics& k) const;
+  Rows rows_of(const Kinematics& k) const;
   Kinematics kinematics(const BeamNodeState& a, const BeamNodeState& b) const;
 
   Eigen::Vector3d axis_;
