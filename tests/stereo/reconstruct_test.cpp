@@ -84,9 +84,9 @@ class ReconstructTest : public QObject {
           errors.normalised);
     QVERIFY(result.cloud.size() > 150);
     // A pixel of disparity is 2.9 mm at 100 mm.
-    QVERIFY(std::abs(errors.bias) < 0.1e-3);
-    QVERIFY(errors.distance.median < (smooth ? 0.25e-3 : 0.35e-3));
-    QVERIFY(errors.distance.percentile_95 < (smooth ? 1.0e-3 : 1.3e-3));
+    QVERIFY(std::abs(errors.bias) < 0.08e-3);
+    QVERIFY(errors.distance.median < (smooth ? 0.1e-3 : 0.15e-3));
+    QVERIFY(errors.distance.percentile_95 < 0.7e-3);
     QVERIFY(errors.distance.maximum < 6e-3);
   }
 

@@ -144,9 +144,22 @@ MatchLimits narrowed(const Pair& pair, const std::vector<Match>& features) {
   return limits;
 }
 
+/// By how much right rows exceed left ones: what the calibration leaves, from a sample of the matches.
+double row_offset(const Refiner& refiner, const std::vector<Match>& matches) {
+  constexpr std::size_t kSample = 300, kFewest = 20;
+  std::vector<double> rows;
+  for (std::size_t i = 0; i < matches.size(); i += matches.size() / kSample + 1)
+    if (const auto match = refiner.refine(matches[i], 0.0))
+      rows.push_back(match->right.y() - match->left.y());
+  if (rows.size() < kFewest) return 0.0;
+  const auto middle = rows.begin() + static_cast<std::ptrdiff_t>(rows.size() / 2);
+  std::nth_element(rows.begin(), middle, rows.end());
+  return *middle;
+}
+
 /// Refined matches through the epipolar and disparity gates, the best of each place.
 std::vector<Match> refined(const Pair& pair, const Refiner& refiner, const std::vector<Match>& matches,
-                           const ReconstructOptions& options, const RunContext& context) {
+                           double row, const ReconstructOptions& options, const RunContext& context) {
   std::vector<Match> result;
   for (std::size_t i = 0; i < matches.size(); ++i) {
     if (i % 64 == 0) {
@@ -154,11 +167,11 @@ std::vector<Match> refined(const Pair& pair, const Refiner& refiner, const std::
       context.progress(0.4 + 0.4 * static_cast<double>(i) / static_cast<double>(matches.size()),
                        "stereo.refine");
     }
-    const auto match = refiner.refine(matches[i]);
+    const auto match = refiner.refine(matches[i], row);
     if (!match || match->sigma > kLargestSigma) continue;
     const double d = pair.rectification.disparity(match->left, match->right);
     if (d < pair.limits.least_disparity || d > pair.limits.largest_disparity) continue;
-    if (std::abs(match->left.y() - match->right.y()) > options.epipolar_px) continue;
+    if (std::abs(match->right.y() - match->left.y() - row) > options.epipolar_px) continue;
     result.push_back(*match);
   }
   std::stable_sort(result.begin(), result.end(),
@@ -174,6 +187,14 @@ std::vector<Match> refined(const Pair& pair, const Refiner& refiner, const std::
     distinct.push_back(m);
   }
   return distinct;
+}
+
+/// The picture moved up by `rows`.
+cv::Mat shifted(const cv::Mat& image, double rows) {
+  cv::Mat result;
+  const cv::Mat move = (cv::Mat_<double>(2, 3) << 1, 0, 0, 0, 1, -rows);
+  cv::warpAffine(image, result, move, image.size(), cv::INTER_LINEAR, cv::BORDER_REPLICATE);
+  return result;
 }
 
 /// A point that passed every gate.
@@ -312,17 +333,19 @@ Cancellable<Reconstructed> reconstruct(const Picture& left, const Picture& right
   context.progress(0.2, "stereo.match");
   const cv::Mat rectified_left = pair.rectification.warp(Side::left, pair.left);
   const cv::Mat rectified_right = pair.rectification.warp(Side::right, pair.right);
+  const cv::Mat excluded = pair.rectification.warp(Side::left, pair.left_highlights) > 127;
+  const Refiner refiner(pair.rectification, rectified_left, rectified_right, excluded, options.patch);
+  report.row_offset_px = row_offset(refiner, matches);
   if (options.method == Method::dense) {
     const cv::Mat usable = pair.rectification.warp(Side::left, pair.usable_left) > 127;
-    matches = dense_matches(pair.rectification, rectified_left, rectified_right, usable,
-                            narrowed(pair, matches), options.points_per_cm2);
+    matches =
+        dense_matches(pair.rectification, rectified_left, shifted(rectified_right, report.row_offset_px),
+                      usable, narrowed(pair, matches), options.points_per_cm2);
   }
   report.matches = static_cast<int>(matches.size());
   if (context.cancelled()) return std::nullopt;
   context.progress(0.4, "stereo.refine");
-  const cv::Mat excluded = pair.rectification.warp(Side::left, pair.left_highlights) > 127;
-  const Refiner refiner(pair.rectification, rectified_left, rectified_right, excluded, options.patch);
-  const std::vector<Match> precise = refined(pair, refiner, matches, options, context);
+  const std::vector<Match> precise = refined(pair, refiner, matches, report.row_offset_px, options, context);
   if (context.cancelled()) return std::nullopt;
   context.progress(0.8, "stereo.surface");
   const std::vector<Candidate> candidates = triangulated(pair, precise, regions, options);

@@ -15,7 +15,7 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 constexpr double kSlopePrior = 0.12, kRowPrior = 0.7, kGainPrior = 0.3, kOffsetPrior = 40.0;
 // Residuals of neighbouring pixels are alike (sensor, warp and blur mix them): fewer are independent than are
 // counted. Measured on rendered pairs of known depth: see the module's README.
-constexpr double kCorrelation = 1.6;
+constexpr double kCorrelation = 1.4;
 constexpr double kLeastNoise = 1.0;        // grey levels
 constexpr double kLeastCorrelation = 0.7;  // of the patches
 constexpr double kSigmaFloor = 0.03;       // pixels: interpolation
@@ -44,6 +44,7 @@ struct Refiner::Patch {
 
 struct Refiner::State {
   double disparity = 0.0, slope_x = 0.0, slope_y = 0.0, row = 0.0, gain = 1.0, offset = 0.0;
+  double expected_row = 0.0;
   double sigma = 1.0, correlation = 0.0;
 };
 
@@ -81,7 +82,7 @@ bool Refiner::sample_left(const Eigen::Vector2d& centre, Patch& patch) const {
 }
 
 /// The whole-pixel shift around the start with the least difference, light removed.
-double Refiner::search(const Patch& patch, const Match& start) const {
+double Refiner::search(const Patch& patch, const Match& start, double row) const {
   constexpr int kReach = 3;
   const double disparity = rectification_.disparity(start.left, start.right);
   double best = disparity, best_score = -2.0;
@@ -90,7 +91,7 @@ double Refiner::search(const Patch& patch, const Match& start) const {
     for (std::size_t k = 0; k < patch.offsets.size(); ++k) {
       const double x =
           rectification_.right_column(patch.centre.x(), disparity + shift) + patch.offsets[k].x();
-      const double y = patch.centre.y() + patch.offsets[k].y();
+      const double y = patch.centre.y() + row + patch.offsets[k].y();
       if (!inside(right_, x, y)) continue;
       const double l = patch.values[k], r = sample(right_, x, y), w = patch.weights[k];
       n += w, sl += w * l, sr += w * r, sll += w * l * l, srr += w * r * r, slr += w * l * r;
@@ -131,7 +132,7 @@ std::optional<double> Refiner::iterate(const Patch& patch, State& s) const {
       noise / (kRowPrior * kRowPrior), noise / (kGainPrior * kGainPrior),
       noise / (kOffsetPrior * kOffsetPrior);
   Vector6 held;
-  held << 0.0, s.slope_x, s.slope_y, s.row, s.gain - 1.0, s.offset;
+  held << 0.0, s.slope_x, s.slope_y, s.row - s.expected_row, s.gain - 1.0, s.offset;
   normal.diagonal() += prior;
   const Eigen::LDLT<Matrix6> factor(normal);
   const Vector6 step = factor.solve(right_side - prior.cwiseProduct(held));
@@ -150,19 +151,19 @@ std::optional<double> Refiner::iterate(const Patch& patch, State& s) const {
   return step[0];
 }
 
-std::optional<Match> Refiner::refine(const Match& start) const {
+std::optional<Match> Refiner::refine(const Match& start, double row) const {
   Patch patch;
   if (!sample_left(start.left, patch)) return std::nullopt;
   State state;
-  const double first = search(patch, start);
+  const double first = search(patch, start, row);
   state.disparity = first;
-  state.row = 0.0;
-  for (int pass = 0; pass < 12; ++pass) {
+  state.row = state.expected_row = row;
+  for (int pass = 0; pass < 30; ++pass) {
     const auto change = iterate(patch, state);
     if (!change || std::abs(state.disparity - first) > 2.0 || std::abs(state.slope_x) > 0.5 ||
         std::abs(state.slope_y) > 0.5)
       return std::nullopt;
-    if (std::abs(*change) > 0.005) continue;
+    if (std::abs(*change) > 0.01) continue;
     if (state.correlation < kLeastCorrelation) return std::nullopt;
     Match refined = start;
     refined.right = {rectification_.right_column(start.left.x(), state.disparity),

@@ -12,7 +12,8 @@ namespace glisson::stereo {
 /// squares over a patch:
 ///   I_l(c + o) = gain I_r(c + o - (d + a o_x + b o_y, -v)) + offset,
 /// with disparity d, its slope (a, b) (a slanted surface), the rows' difference v, and both pictures' light.
-/// Gauss-Newton; v, a and b are held near zero by what calibrations and organs leave possible.
+/// Gauss-Newton; v is held near what
+/// the other matches show, a and b near zero by what organs leave possible.
 class Refiner {
  public:
   /// @param left, right rectified, grey, 8 bit. @param excluded non-zero where the left picture shows a
@@ -20,15 +21,16 @@ class Refiner {
   Refiner(const Rectification& rectification, const cv::Mat& left, const cv::Mat& right,
           const cv::Mat& excluded, int half_width);
 
+  /// @param row what the right row exceeds the left one by where calibration is not perfect, pixels.
   /// @return the refined match with its sigma from the residual; empty where it does not converge, lies
   ///   outside, or the patches differ (correlation below 0.7).
-  std::optional<Match> refine(const Match& start) const;
+  std::optional<Match> refine(const Match& start, double row) const;
 
  private:
   struct Patch;
   struct State;
   bool sample_left(const Eigen::Vector2d& centre, Patch& patch) const;
-  double search(const Patch& patch, const Match& start) const;
+  double search(const Patch& patch, const Match& start, double row) const;
   std::optional<double> iterate(const Patch& patch, State& state) const;
 
   const Rectification& rectification_;

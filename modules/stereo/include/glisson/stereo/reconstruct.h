@@ -18,7 +18,7 @@ struct ReconstructOptions {
   Method method = Method::sparse;
   int features = 3000;           ///< sparse: wanted per image, spread over it
   double ratio = 0.8;            ///< Lowe's, in (0, 1]
-  double epipolar_px = 1.5;      ///< after refinement, rectified rows
+  double epipolar_px = 1.5;      ///< after refinement, rectified rows less their common offset
   double reprojection_px = 1.0;  ///< in both images as they were taken
   double near = 0.03;            ///< metres along z, what lies closer is no match
   double far = 0.30;             ///< metres along z
@@ -35,6 +35,8 @@ struct ReconstructReport {
   int points = 0;
   double area_cm2 = 0.0;         ///< of the surface that the points stand for (mask, regions)
   double density_per_cm2 = 0.0;  ///< points / area
+  double row_offset_px =
+      0.0;  ///< median by which rectified right rows exceed left ones: the calibration's error
   double epipolar_rms_px = 0.0;  ///< of the points kept: what calibration and refinement leave
   double sigma_median = 0.0;     ///< metres, along the ray
 };
