@@ -23,12 +23,18 @@ struct RigidStart {
   double residual = 0.0;  ///< metres, trimmed mean
   std::vector<std::string> doubts;
 };
-/// Rigid alignment from the labelled features, robust to a partial view and a wrong start.
-/// @throws InputError fewer than 10 points.
+/// Rigid alignment from the labelled features, robust to a partial view and a wrong start: seeded starts,
+/// trimmed label-restricted ICP, the better ones refined and judged along the camera's rays too. The camera
+/// is at the origin of the cloud's frame. Doubts: few_margin_points, no_notch, rigid_residual_large,
+/// rigid_ambiguous (another pose, 20 mm away on average and more, fits nearly as well).
+/// @throws InputError fewer than 10 points, not finite, options out of range.
 Cancellable<RigidStart> align_rigid(const PatientModel& model, const LabelledCloud& cloud,
                                     const RigidOptions& options, const RunContext& context);
 
-/// How eq. 14 is read; see METHOD in the README. `corrected`: f = k w(s d)(p - q), w(x) = 1 - (2/pi) atan x.
+/// How eq. 14 is read; see METHOD in the README. `corrected`: f = k w(s d)(p - q), w(x) = 1 - (2/pi) atan x:
+/// a spring at contact, saturating far away. `clamped`: the printed magnitude where it attracts, zero beyond
+/// s d = tan 1. `printed`: literally, from the cloud to the model. The last two are forces over a stiffness,
+/// so they are scaled by the length 1/s; they are kept for the comparison only.
 enum class PenaltyForm { corrected, clamped, printed };
 
 /// Schedule of eq. 15. Factors are in metres: k = factor * E of the parenchyma.
@@ -38,8 +44,17 @@ struct ElasticOptions {
   double k_notch = 1e-3, k_margin_min = 1e-4, k_margin_max = 1e-3, k_surface_min = 0.0, k_surface_max = 1e-3;
   int r_margin = 2, r_surface = 10;
   double reference_density_per_cm2 = 3.9;
+  /// After eq. 15's last plateau the surface's k is multiplied by this once more, and one more plateau is
+  /// waited for. 1: the paper's method. Why more: see the README.
+  double final_stiffening = 10.0;
+  /// Share of k that resists sliding along the surface, in [0, 1]; 1: eq. 14's isotropic spring.
+  double tangential = 0.1;
   int max_steps = 2000;
-  double time_step = 0.02;
+  double time_step = 0.1;  ///< s; the end does not depend on it
+  /// A plateau: over `plateau_window` steps the mean residual has changed by less than this share (of itself,
+  /// plus a tenth of a millimetre), and the kinetic energy is that of steps under `plateau_motion` metres.
+  double plateau_change = 0.01, plateau_motion = 5e-5;
+  int plateau_window = 4;
   std::vector<int> fixed_nodes;  ///< stay where the rigid start puts them
   fem::CompositeOptions materials;
   void validate() const;
@@ -47,13 +62,16 @@ struct ElasticOptions {
 
 /// Initial elastic registration (paper 2.2.3; eq. 14 and 15 as METHOD corrects them): label-restricted
 /// closest points, implicit Euler steps, plateaus of kinetic energy and mean residual, stop at max(r) + 1.
+/// Registration::residual is the mean over the pairs kept (outliers excluded).
+/// Doubts: few_margin_points, no_notch, many_outliers, residual_large, inverted_elements, mechanics_failed.
+/// @throws InputError fewer than 10 points, not finite, unusable options or mesh; fixed nodes out of range.
 Cancellable<Registration> register_elastic(const PatientModel& model, const LabelledCloud& cloud,
                                            const CameraFromCt& start, const ElasticOptions& options,
                                            const RunContext& context);
 
-/// eq. 15. @param n plateau index.
+/// Eq. 15. @param n plateau index. @pre r > 0, n >= 0.
 double stiffness_at_plateau(double k_min, double k_max, int r, int n);
-/// Magnitude of eq. 14's force over k, at distance d (metres).
+/// Eq. 14's force over k at distance d, metres, positive towards the cloud. @pre s > 0, d >= 0.
 double penalty_force(PenaltyForm form, double s, double d);
 
 }  // namespace glisson::registration

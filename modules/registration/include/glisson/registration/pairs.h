@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "glisson/patient/labelled_cloud.h"
+#include "glisson/registration/moving_surface.h"
+#include "glisson/registration/register.h"
+
+namespace glisson::registration {
+
+/// A cloud made ready for pairing: what depends on the cloud alone, computed once.
+struct PreparedCloud {
+  LabelledCloud cloud;
+  /// What a point stands for: the share of the reference density's point on the surface (A_i / A_ref), of a
+  /// reference spacing along the margin, of the notch. No unit; a cloud twice as dense has half the weights.
+  std::vector<double> weight;
+  /// The nearest other points, nearest first; fewer in a small cloud.
+  std::vector<std::vector<int>> neighbours;
+};
+
+struct CloudOptions {
+  double reference_density_per_cm2 = 3.9;
+  int maximum_points = 2000;  ///< a larger cloud is thinned evenly; the weights make up for it
+  int neighbours = 10;
+};
+
+/// Weighs, thins and links a cloud. @throws InputError fewer than 10 points, not finite, arrays of unequal
+/// length.
+PreparedCloud prepare_cloud(const LabelledCloud& cloud, const CloudOptions& options);
+
+/// Unit normals from the neighbours' plane (principal components), turned towards the camera (the origin).
+Points estimate_normals(const PreparedCloud& cloud);
+
+/// A point of the cloud and where on the model it is thought to be.
+struct Pair {
+  int point = -1;
+  Feature feature = Feature::surface;
+  ClosestPoint on_model;
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< of the model, outwards
+  Eigen::Vector3d gap = Eigen::Vector3d::Zero();     ///< cloud point - model point, metres
+  bool kept = true;
+};
+
+struct PairOptions {
+  /// Cosine between the normals below which a pair is refused; used where the cloud has normals.
+  double minimum_normal_cosine = 0.3;
+  /// A distance is an outlier when it differs from its neighbours' median by more than `outlier_deviations`
+  /// scaled MADs of all such differences, and by more than `outlier_floor` metres.
+  double outlier_deviations = 4.0, outlier_floor = 3e-3;
+};
+
+/// One pair a point, label-restricted; those against the normal and outliers are not `kept`. Coherent
+/// distances, however large, are no outliers: a lobe that has moved far is what is looked for.
+std::vector<Pair> find_pairs(const PreparedCloud& cloud, const MovingSurface& surface,
+                             const PairOptions& options);
+
+/// Mean distance over the kept pairs, metres; 0 when there are none.
+double mean_distance(const std::vector<Pair>& pairs);
+
+/// Eq. 14 as a load on the surface's nodes: force k w(s d) N gap, tangent k w(s d) N (the secant, positive
+/// semi-definite), N = n n^T + tangential (I - n n^T).
+/// @param stiffness k of this pair, N/m. @param tangential share of k that resists sliding, in [0, 1].
+fem::AttachedLoad pair_load(const Pair& pair, const MovingSurface& surface, PenaltyForm form, double s,
+                            double stiffness, double tangential);
+
+}  // namespace glisson::registration

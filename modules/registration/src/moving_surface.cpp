@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/registration/moving_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "glisson/core/error.h"
+
+namespace glisson::registration {
+namespace {
+
+constexpr double kPolylineSpacing = 2e-3;
+
+/// The polyline with intermediate points, so that distances to its points stand for distances to it.
+Points densify(const Points& polyline) {
+  std::vector<Eigen::Vector3d> dense;
+  for (Eigen::Index i = 0; i < polyline.rows(); ++i) {
+    dense.emplace_back(polyline.row(i).transpose());
+    if (i + 1 == polyline.rows()) break;
+    const Eigen::Vector3d step = (polyline.row(i + 1) - polyline.row(i)).transpose();
+    const int pieces = std::max(1, static_cast<int>(std::ceil(step.norm() / kPolylineSpacing)));
+    for (int k = 1; k < pieces; ++k)
+      dense.emplace_back(polyline.row(i).transpose() + step * (static_cast<double>(k) / pieces));
+  }
+  Points points(static_cast<Eigen::Index>(dense.size()), 3);
+  for (std::size_t i = 0; i < dense.size(); ++i)
+    points.row(static_cast<Eigen::Index>(i)) = dense[i].transpose();
+  return points;
+}
+
+/// Triangles that carry the landmark's points, and those within `radius` of them.
+std::vector<int> triangles_near(const TriangleMesh& mesh, const ClosestPointTree& tree, const Points& points,
+                                double radius) {
+  std::vector<char> chosen(static_cast<std::size_t>(mesh.triangle_count()), 0);
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    const ClosestPoint at = tree.closest(points.row(i).transpose());
+    if (at.triangle >= 0) chosen[static_cast<std::size_t>(at.triangle)] = 1;
+  }
+  for (int t = 0; t < mesh.triangle_count(); ++t) {
+    const Eigen::Vector3d a = mesh.vertex(mesh.triangles(t, 0)), b = mesh.vertex(mesh.triangles(t, 1)),
+                          c = mesh.vertex(mesh.triangles(t, 2));
+    const Eigen::Vector3d low = a.cwiseMin(b).cwiseMin(c).array() - radius,
+                          high = a.cwiseMax(b).cwiseMax(c).array() + radius;
+    for (Eigen::Index i = 0; i < points.rows() && chosen[static_cast<std::size_t>(t)] == 0; ++i) {
+      const Eigen::Vector3d p = points.row(i).transpose();
+      if ((p.array() < low.array()).any() || (p.array() > high.array()).any()) continue;
+      const Eigen::Vector3d w = closest_on_triangle(p, a, b, c);
+      if ((w[0] * a + w[1] * b + w[2] * c - p).norm() <= radius) chosen[static_cast<std::size_t>(t)] = 1;
+    }
+  }
+  std::vector<int> triangles;
+  for (int t = 0; t < mesh.triangle_count(); ++t)
+    if (chosen[static_cast<std::size_t>(t)] != 0) triangles.push_back(t);
+  return triangles;
+}
+
+}  // namespace
+
+MovingSurface::MovingSurface(const PatientModel& model, double margin_radius, double notch_radius)
+    : node_of_vertex_(model.surface.node_of_vertex),
+      mesh_(model.surface.mesh),
+      normals_(vertex_normals(mesh_)),
+      whole_(mesh_) {
+  require(mesh_.triangle_count() > 0, "a model needs a surface to be registered");
+  part_[0].resize(static_cast<std::size_t>(mesh_.triangle_count()));
+  std::iota(part_[0].begin(), part_[0].end(), 0);
+  if (model.landmarks.anterior_margin.rows() > 0) {
+    part_[1] = triangles_near(mesh_, whole_, densify(model.landmarks.anterior_margin), margin_radius);
+    margin_ = ClosestPointTree(mesh_, part_[1]);
+  }
+  if (model.landmarks.umbilical_notch.rows() > 0) {
+    part_[2] = triangles_near(mesh_, whole_, model.landmarks.umbilical_notch, notch_radius);
+    notch_ = ClosestPointTree(mesh_, part_[2]);
+  }
+}
+
+void MovingSurface::move(const Points& nodes) {
+  require(nodes.rows() > *std::max_element(node_of_vertex_.begin(), node_of_vertex_.end()),
+          "a moving surface is given all nodes of its mesh");
+  for (std::size_t i = 0; i < node_of_vertex_.size(); ++i)
+    mesh_.vertices.row(static_cast<Eigen::Index>(i)) = nodes.row(node_of_vertex_[i]);
+  normals_ = vertex_normals(mesh_);
+  whole_.refit(mesh_.vertices);
+  if (!margin_.empty()) margin_.refit(mesh_.vertices);
+  if (!notch_.empty()) notch_.refit(mesh_.vertices);
+}
+
+const ClosestPointTree& MovingSurface::tree(Feature feature) const {
+  return feature == Feature::anterior_margin   ? margin_
+         : feature == Feature::umbilical_notch ? notch_
+                                               : whole_;
+}
+
+ClosestPoint MovingSurface::closest(Feature feature, const Eigen::Vector3d& p) const {
+  const ClosestPointTree& part = tree(feature);
+  return part.empty() ? whole_.closest(p) : part.closest(p);
+}
+
+Eigen::Vector3d MovingSurface::normal(const ClosestPoint& at) const {
+  Eigen::Vector3d n = Eigen::Vector3d::Zero();
+  for (int k = 0; k < 3; ++k)
+    n += at.barycentric[k] * normals_.row(mesh_.triangles(at.triangle, k)).transpose();
+  const double length = n.norm();
+  return length > 0.0 ? Eigen::Vector3d(n / length) : n;
+}
+
+std::array<int, 3> MovingSurface::nodes(int triangle) const {
+  std::array<int, 3> nodes{};
+  for (int k = 0; k < 3; ++k)
+    nodes[static_cast<std::size_t>(k)] =
+        node_of_vertex_[static_cast<std::size_t>(mesh_.triangles(triangle, k))];
+  return nodes;
+}
+
+}  // namespace glisson::registration

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/registration/pairs.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "glisson/core/error.h"
+
+namespace glisson::registration {
+namespace {
+
+constexpr int kMinimumPoints = 10;
+/// The notch pulls like what 1 cm2 holds at the paper's density, however many points were labelled.
+constexpr double kNotchPoints = 3.9;
+
+void check(const LabelledCloud& cloud) {
+  const auto n = static_cast<std::size_t>(cloud.size());
+  if (cloud.size() < kMinimumPoints)
+    throw InputError("cloud", "points",
+                     "there are " + std::to_string(cloud.size()) + ", at least 10 are needed",
+                     "Reconstruct with more features or larger regions");
+  for (int i = 0; i < cloud.size(); ++i)
+    if (!cloud.points.row(i).allFinite())
+      throw InputError("cloud", "point " + std::to_string(i), "a coordinate is not a finite number",
+                       "Remove the point");
+  if (cloud.normals.rows() != 0 && cloud.normals.rows() != cloud.points.rows())
+    throw InputError("cloud", "normals", "there are not as many as points", "Give one a point, or none");
+  if (!cloud.features.empty() && cloud.features.size() != n)
+    throw InputError("cloud", "labels", "there are not as many as points", "Give one a point, or none");
+  if (!cloud.sigma.empty() && cloud.sigma.size() != n)
+    throw InputError("cloud", "sigma", "there are not as many as points", "Give one a point, or none");
+}
+
+/// Evenly in the cloud's own order, which tells nothing of place: features stay in proportion.
+LabelledCloud thin(const LabelledCloud& cloud, int maximum) {
+  if (cloud.size() <= maximum) return cloud;
+  LabelledCloud thinned;
+  thinned.points.resize(maximum, 3);
+  if (cloud.normals.rows() > 0) thinned.normals.resize(maximum, 3);
+  for (int k = 0; k < maximum; ++k) {
+    const auto i = static_cast<int>(static_cast<long>(k) * cloud.size() / maximum);
+    thinned.points.row(k) = cloud.points.row(i);
+    if (cloud.normals.rows() > 0) thinned.normals.row(k) = cloud.normals.row(i);
+    if (!cloud.features.empty()) thinned.features.push_back(cloud.features[static_cast<std::size_t>(i)]);
+    if (!cloud.sigma.empty()) thinned.sigma.push_back(cloud.sigma[static_cast<std::size_t>(i)]);
+  }
+  return thinned;
+}
+
+std::vector<std::vector<int>> nearest_neighbours(const Points& points, int count) {
+  const auto n = static_cast<int>(points.rows());
+  count = std::min(count, n - 1);
+  std::vector<std::vector<int>> neighbours(static_cast<std::size_t>(n));
+  std::vector<std::pair<double, int>> distances;
+  for (int i = 0; i < n; ++i) {
+    distances.clear();
+    for (int j = 0; j < n; ++j)
+      if (j != i) distances.emplace_back((points.row(j) - points.row(i)).squaredNorm(), j);
+    std::partial_sort(distances.begin(), distances.begin() + count, distances.end());
+    auto& own = neighbours[static_cast<std::size_t>(i)];
+    for (int k = 0; k < count; ++k) own.push_back(distances[static_cast<std::size_t>(k)].second);
+  }
+  return neighbours;
+}
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// A_i: the disc that reaches the k-th neighbour holds k points. Holes and borders would count for what was
+/// not seen, so no point stands for more than three times the median.
+void weigh_surface(PreparedCloud& prepared, double reference_area) {
+  std::vector<double> areas(prepared.weight.size(), 0.0), of_surface;
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    const auto& neighbours = prepared.neighbours[i];
+    const double reach = (prepared.cloud.points.row(neighbours.back()) -
+                          prepared.cloud.points.row(static_cast<Eigen::Index>(i)))
+                             .squaredNorm();
+    areas[i] = std::numbers::pi * reach / static_cast<double>(neighbours.size());
+    if (prepared.cloud.feature(static_cast<int>(i)) == Feature::surface) of_surface.push_back(areas[i]);
+  }
+  const double most = 3.0 * median(of_surface);
+  for (std::size_t i = 0; i < areas.size(); ++i)
+    if (prepared.cloud.feature(static_cast<int>(i)) == Feature::surface)
+      prepared.weight[i] = std::min(areas[i], most) / reference_area;
+}
+
+/// By length: a net of centres one reference spacing apart stands for the line; each cell's points share its
+/// one.
+void weigh_margin(PreparedCloud& prepared, double spacing) {
+  std::vector<int> centres, members, cell(prepared.weight.size(), -1);
+  const Points& points = prepared.cloud.points;
+  for (int i = 0; i < prepared.cloud.size(); ++i) {
+    if (prepared.cloud.feature(i) != Feature::anterior_margin) continue;
+    int nearest = -1;
+    double best = spacing;
+    for (std::size_t c = 0; c < centres.size(); ++c) {
+      const double d = (points.row(centres[c]) - points.row(i)).norm();
+      if (d < best) best = d, nearest = static_cast<int>(c);
+    }
+    if (nearest < 0) {
+      nearest = static_cast<int>(centres.size());
+      centres.push_back(i);
+      members.push_back(0);
+    }
+    cell[static_cast<std::size_t>(i)] = nearest;
+    ++members[static_cast<std::size_t>(nearest)];
+  }
+  for (std::size_t i = 0; i < cell.size(); ++i)
+    if (cell[i] >= 0) prepared.weight[i] = 1.0 / members[static_cast<std::size_t>(cell[i])];
+}
+
+void weigh_notch(PreparedCloud& prepared) {
+  int count = 0;
+  for (int i = 0; i < prepared.cloud.size(); ++i)
+    count += prepared.cloud.feature(i) == Feature::umbilical_notch;
+  for (int i = 0; i < prepared.cloud.size(); ++i)
+    if (prepared.cloud.feature(i) == Feature::umbilical_notch)
+      prepared.weight[static_cast<std::size_t>(i)] = std::min(1.0, kNotchPoints / count);
+}
+
+/// Marks the pairs whose distance stands out from its neighbours'.
+void reject_outliers(const PreparedCloud& cloud, const PairOptions& options, std::vector<Pair>& pairs) {
+  std::vector<double> deviation(pairs.size(), 0.0), sizes;
+  std::vector<double> around;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    around.clear();
+    for (const int j : cloud.neighbours[i])
+      if (pairs[static_cast<std::size_t>(j)].feature == pairs[i].feature)
+        around.push_back(pairs[static_cast<std::size_t>(j)].on_model.distance);
+    if (around.size() < 4) continue;
+    deviation[i] = std::abs(pairs[i].on_model.distance - median(around));
+    sizes.push_back(deviation[i]);
+  }
+  const double limit = std::max(options.outlier_floor, options.outlier_deviations * 1.4826 * median(sizes));
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    if (deviation[i] > limit) pairs[i].kept = false;
+}
+
+}  // namespace
+
+PreparedCloud prepare_cloud(const LabelledCloud& cloud, const CloudOptions& options) {
+  check(cloud);
+  require(options.reference_density_per_cm2 > 0.0 && options.maximum_points >= kMinimumPoints &&
+              options.neighbours >= 3,
+          "a cloud is prepared with a positive density, ten points and three neighbours at least");
+  PreparedCloud prepared;
+  prepared.cloud = thin(cloud, options.maximum_points);
+  prepared.neighbours = nearest_neighbours(prepared.cloud.points, options.neighbours);
+  prepared.weight.assign(static_cast<std::size_t>(prepared.cloud.size()), 0.0);
+  const double reference_area = 1e-4 / options.reference_density_per_cm2;
+  weigh_surface(prepared, reference_area);
+  weigh_margin(prepared, std::sqrt(reference_area));
+  weigh_notch(prepared);
+  return prepared;
+}
+
+Points estimate_normals(const PreparedCloud& prepared) {
+  const Points& points = prepared.cloud.points;
+  Points normals(points.rows(), 3);
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    const auto& neighbours = prepared.neighbours[static_cast<std::size_t>(i)];
+    Eigen::RowVector3d mean = points.row(i);
+    for (const int j : neighbours) mean += points.row(j);
+    mean /= static_cast<double>(neighbours.size() + 1);
+    Eigen::Matrix3d covariance = (points.row(i) - mean).transpose() * (points.row(i) - mean);
+    for (const int j : neighbours) covariance += (points.row(j) - mean).transpose() * (points.row(j) - mean);
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(covariance);
+    Eigen::Vector3d n = eigen.eigenvectors().col(0);
+    if (n.dot(points.row(i).transpose()) > 0.0) n = -n;  // the camera is at the origin
+    normals.row(i) = n.transpose();
+  }
+  return normals;
+}
+
+std::vector<Pair> find_pairs(const PreparedCloud& prepared, const MovingSurface& surface,
+                             const PairOptions& options) {
+  const LabelledCloud& cloud = prepared.cloud;
+  std::vector<Pair> pairs(static_cast<std::size_t>(cloud.size()));
+  for (int i = 0; i < cloud.size(); ++i) {
+    Pair& pair = pairs[static_cast<std::size_t>(i)];
+    const Eigen::Vector3d p = cloud.points.row(i).transpose();
+    pair.point = i;
+    pair.feature = cloud.feature(i);
+    pair.on_model = surface.closest(pair.feature, p);
+    pair.gap = p - pair.on_model.point;
+    pair.normal = surface.normal(pair.on_model);
+    // The ridge and the notch have no one normal: they are kept whatever the cloud's says.
+    if (cloud.normals.rows() > 0 && pair.feature == Feature::surface &&
+        pair.normal.dot(cloud.normals.row(i).transpose()) < options.minimum_normal_cosine)
+      pair.kept = false;
+  }
+  reject_outliers(prepared, options, pairs);
+  return pairs;
+}
+
+double mean_distance(const std::vector<Pair>& pairs) {
+  double sum = 0.0;
+  int count = 0;
+  for (const Pair& pair : pairs)
+    if (pair.kept) sum += pair.on_model.distance, ++count;
+  return count > 0 ? sum / count : 0.0;
+}
+
+fem::AttachedLoad pair_load(const Pair& pair, const MovingSurface& surface, PenaltyForm form, double s,
+                            double stiffness, double tangential) {
+  // Where the force does not vanish at contact its direction flips there: a tenth of a millimetre softens it.
+  constexpr double kSoftening = 1e-4;
+  fem::AttachedLoad load;
+  const std::array<int, 3> nodes = surface.nodes(pair.on_model.triangle);
+  for (std::size_t k = 0; k < 3; ++k) {
+    load.nodes[k] = nodes[k];
+    load.weights[k] = pair.on_model.barycentric[static_cast<Eigen::Index>(k)];
+  }
+  const double d = pair.gap.norm();
+  const double secant = form == PenaltyForm::corrected ? 1.0 - 2.0 / std::numbers::pi * std::atan(s * d)
+                                                       : penalty_force(form, s, d) / std::max(d, kSoftening);
+  const Eigen::Matrix3d along = pair.normal * pair.normal.transpose();
+  const Eigen::Matrix3d directions =
+      form == PenaltyForm::corrected
+          ? Eigen::Matrix3d(along + tangential * (Eigen::Matrix3d::Identity() - along))
+          : Eigen::Matrix3d::Identity();
+  load.force = stiffness * secant * directions * pair.gap;
+  load.tangent = stiffness * std::max(0.0, secant) * directions;
+  return load;
+}
+
+}  // namespace glisson::registration

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QtTest>
+#include <algorithm>
+
+#include "glisson/core/error.h"
+#include "glisson/geometry/distance.h"
+#include "glisson/registration/register.h"
+#include "phantom.h"
+
+using namespace glisson;
+using namespace glisson::registration;
+
+class ElasticTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void WhatIsSeenIsReached();
+  void MovingTheCloudMovesTheResult();
+  void SameInputGivesSameBits();
+  void FixedNodesStay();
+  void ScheduleRunsToItsLastPlateau();
+  void StepLimitIsReported();
+  void PrintedFormDoesNotRegister();
+  void CancelIsObeyed();
+  void UnusableInputIsRefused();
+
+ private:
+  /// The body bent about an axis through the back: a formula, no mechanics, so that the model cannot meet
+  /// itself. Metres.
+  static Points bend(const Points& points, double most) {
+    Points bent = points;
+    for (Eigen::Index i = 0; i < points.rows(); ++i) {
+      const double x = points(i, 0), sagged = std::max(0.0, x / 0.105);
+      bent(i, 2) -= most * sagged * sagged;
+      bent(i, 0) -= 0.5 * most * most / 0.105 * sagged * sagged;
+    }
+    return bent;
+  }
+  LabelledCloud seen(double most, double share = 0.4) const {
+    phantom::PatchOptions options;
+    options.share = share;
+    return phantom::patch(truth_, phantom::view().apply(bend(truth_.mesh.vertices, most)), options);
+  }
+  static ElasticOptions brief() {
+    ElasticOptions options;
+    options.r_surface = 3;
+    return options;
+  }
+
+  PatientModel model_ = phantom::model(10, 8, 4), truth_ = phantom::model(17, 13, 6);
+};
+
+void ElasticTest::WhatIsSeenIsReached() {
+  const double most = 0.035;
+  const Points target = phantom::view().apply(bend(model_.mesh.vertices, most));
+  const auto best = fit_rigid<CameraFrame, CtFrame>(model_.mesh.vertices, target);
+  const LabelledCloud cloud = seen(most);
+  const auto distance = [&](const Points& nodes) {
+    TriangleMesh surface = model_.surface.mesh;
+    for (int i = 0; i < surface.vertex_count(); ++i)
+      surface.vertices.row(i) = nodes.row(model_.surface.node_of_vertex[static_cast<std::size_t>(i)]);
+    return summarise(distances_to_surface(cloud.points, surface)).mean;
+  };
+  const auto registration = register_elastic(model_, cloud, best, {}, RunContext());
+  QVERIFY(registration->termination == Termination::converged);
+  const double rigid = distance(best.apply(model_.mesh.vertices));
+  const double elastic = distance(registration->nodes_in_camera);
+  QVERIFY2(rigid > 2e-3 && elastic < 0.9e-3, qPrintable(QString("%1 and %2").arg(rigid).arg(elastic)));
+  QVERIFY(std::abs(registration->residual - elastic) < 1e-4);
+}
+
+void ElasticTest::MovingTheCloudMovesTheResult() {
+  LabelledCloud cloud = seen(0.02);
+  CameraFromCt start = phantom::view();
+  const auto one = register_elastic(model_, cloud, start, brief(), RunContext());
+  Rigid<CameraFrame, CameraFrame> moved;
+  moved.rotation = Eigen::AngleAxisd(1.1, Eigen::Vector3d(1.0, -2.0, 0.5).normalized()).toRotationMatrix();
+  moved.translation = {0.05, -0.1, 0.2};
+  cloud.points = moved.apply(cloud.points);
+  cloud.normals = (cloud.normals * moved.rotation.transpose()).eval();
+  const auto other = register_elastic(model_, cloud, moved * start, brief(), RunContext());
+  QVERIFY(point_errors(other->nodes_in_camera, moved.apply(one->nodes_in_camera)).maximum < 2e-4);
+}
+
+void ElasticTest::SameInputGivesSameBits() {
+  const LabelledCloud cloud = seen(0.02);
+  const auto a = register_elastic(model_, cloud, phantom::view(), brief(), RunContext());
+  const auto b = register_elastic(model_, cloud, phantom::view(), brief(), RunContext());
+  QVERIFY(a->nodes_in_camera == b->nodes_in_camera);
+  QCOMPARE(a->steps, b->steps);
+}
+
+void ElasticTest::FixedNodesStay() {
+  ElasticOptions options = brief();
+  for (int node = 0; node < model_.mesh.vertex_count(); ++node)
+    if (model_.mesh.vertices(node, 0) < -0.07) options.fixed_nodes.push_back(node);
+  const CameraFromCt start = phantom::view();
+  const auto registration = register_elastic(model_, seen(0.03), start, options, RunContext());
+  const Points before = start.apply(model_.mesh.vertices);
+  for (const int node : options.fixed_nodes)
+    QVERIFY((registration->nodes_in_camera.row(node) - before.row(node)).norm() < 1e-12);
+  QVERIFY(point_errors(registration->nodes_in_camera, before).maximum > 0.01);
+}
+
+void ElasticTest::ScheduleRunsToItsLastPlateau() {
+  ElasticOptions options = brief();
+  options.final_stiffening = 1.0;
+  const auto paper = register_elastic(model_, seen(0.01), phantom::view(), options, RunContext());
+  QCOMPARE(paper->plateaus, 4);  // n = max(r) + 1
+  options.final_stiffening = 10.0;
+  const auto stiffened = register_elastic(model_, seen(0.01), phantom::view(), options, RunContext());
+  QCOMPARE(stiffened->plateaus, 5);
+  QVERIFY(stiffened->residual < paper->residual);
+}
+
+void ElasticTest::StepLimitIsReported() {
+  ElasticOptions options;
+  options.max_steps = 7;
+  const auto registration = register_elastic(model_, seen(0.02), phantom::view(), options, RunContext());
+  QVERIFY(registration->termination == Termination::step_limit);
+  QCOMPARE(registration->steps, 7);
+}
+
+void ElasticTest::PrintedFormDoesNotRegister() {
+  ElasticOptions options = brief();
+  options.max_steps = 100;
+  const auto corrected = register_elastic(model_, seen(0.02), phantom::view(), options, RunContext());
+  options.form = PenaltyForm::printed;
+  const auto printed = register_elastic(model_, seen(0.02), phantom::view(), options, RunContext());
+  QVERIFY(printed->termination == Termination::diverged || printed->residual > 3.0 * corrected->residual);
+}
+
+void ElasticTest::CancelIsObeyed() {
+  const auto flag = std::make_shared<CancelFlag>();
+  int calls = 0;
+  const RunContext context(
+      [&](double, std::string_view) {
+        if (++calls == 5) flag->request();
+      },
+      flag, 1);
+  QVERIFY(!register_elastic(model_, seen(0.02), phantom::view(), {}, context).has_value());
+  QVERIFY(calls < 8);
+}
+
+void ElasticTest::UnusableInputIsRefused() {
+  const LabelledCloud cloud = seen(0.02);
+  const auto refused = [&](auto change) {
+    ElasticOptions options;
+    change(options);
+    QVERIFY_EXCEPTION_THROWN(register_elastic(model_, cloud, phantom::view(), options, RunContext()),
+                             InputError);
+  };
+  refused([](ElasticOptions& o) { o.s = 0.0; });
+  refused([](ElasticOptions& o) { o.k_surface_min = 1.0; });
+  refused([](ElasticOptions& o) { o.r_surface = 0; });
+  refused([](ElasticOptions& o) { o.time_step = -1.0; });
+  refused([](ElasticOptions& o) { o.final_stiffening = 0.5; });
+  refused([](ElasticOptions& o) { o.tangential = 2.0; });
+  refused([](ElasticOptions& o) { o.reference_density_per_cm2 = 0.0; });
+  refused([](ElasticOptions& o) { o.fixed_nodes = {100000}; });
+  refused([](ElasticOptions& o) { o.materials.parenchyma.poisson_ratio = 0.5; });
+  LabelledCloud few = cloud;
+  few.points.conservativeResize(5, 3);
+  few.normals.conservativeResize(5, 3);
+  few.features.resize(5);
+  QVERIFY_EXCEPTION_THROWN(register_elastic(model_, few, phantom::view(), {}, RunContext()), InputError);
+}
+
+QTEST_APPLESS_MAIN(ElasticTest)
+#include "elastic_test.moc"

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QtTest>
+#include <algorithm>
+#include <limits>
+
+#include "glisson/core/error.h"
+#include "glisson/geometry/distance.h"
+#include "glisson/registration/register.h"
+#include "phantom.h"
+
+using namespace glisson;
+using namespace glisson::registration;
+
+class RigidTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void AnyOrientationIsFoundFromAPartialNoisyView_data();
+  void AnyOrientationIsFoundFromAPartialNoisyView();
+  void MovingTheCloudMovesTheResult();
+  void SameSeedGivesSameBits();
+  void WithoutLabelsItSaysSo();
+  void CloudWithoutNormalsIsAligned();
+  void CancelIsObeyed();
+  void TooFewPointsAreRefused();
+  void UnusableOptionsAreRefused();
+
+ private:
+  static bool has(const std::vector<std::string>& doubts, const char* doubt) {
+    return std::find(doubts.begin(), doubts.end(), doubt) != doubts.end();
+  }
+  /// The cloud comes from another, finer mesh of the same body.
+  PatientModel model_ = phantom::model(12, 9, 5), truth_ = phantom::model(17, 14, 7);
+  LabelledCloud seen(const CameraFromCt& pose, double share) const {
+    phantom::PatchOptions options;
+    options.share = share;
+    options.noise = 1e-3;
+    options.outliers = 10;
+    return phantom::patch(truth_, pose.apply(truth_.mesh.vertices), options);
+  }
+  double error(const CameraFromCt& found, const CameraFromCt& true_pose) const {
+    return point_errors(found.apply(model_.mesh.vertices), true_pose.apply(model_.mesh.vertices)).mean;
+  }
+};
+
+void RigidTest::AnyOrientationIsFoundFromAPartialNoisyView_data() {
+  QTest::addColumn<double>("turn");
+  QTest::addColumn<double>("share");
+  QTest::newRow("30 %, upright") << 0.0 << 0.30;
+  QTest::newRow("30 %, turned") << 2.5 << 0.30;
+  QTest::newRow("12 %, turned back") << -2.0 << 0.12;
+  QTest::newRow("12 %, turned") << 1.0 << 0.12;
+}
+
+void RigidTest::AnyOrientationIsFoundFromAPartialNoisyView() {
+  QFETCH(double, turn);
+  QFETCH(double, share);
+  const CameraFromCt pose = phantom::view(turn);
+  const auto start = align_rigid(model_, seen(pose, share), {}, RunContext());
+  QVERIFY(start.has_value());
+  const double e = error(start->camera_from_ct, pose);
+  QVERIFY2(e < 4e-3, qPrintable(QString("mean error %1 mm").arg(1e3 * e)));
+  QVERIFY(start->residual < 2e-3);
+  QVERIFY(!has(start->doubts, "no_notch"));
+}
+
+void RigidTest::MovingTheCloudMovesTheResult() {
+  // About the camera's centre, so that the same things are seen.
+  const CameraFromCt pose = phantom::view();
+  LabelledCloud cloud = seen(pose, 0.3);
+  Rigid<CameraFrame, CameraFrame> moved;
+  moved.rotation = Eigen::AngleAxisd(0.9, Eigen::Vector3d(1.0, 2.0, -0.5).normalized()).toRotationMatrix();
+  const auto one = align_rigid(model_, cloud, {}, RunContext());
+  cloud.points = moved.apply(cloud.points);
+  cloud.normals = (cloud.normals * moved.rotation.transpose()).eval();
+  const auto other = align_rigid(model_, cloud, {}, RunContext());
+  const auto together = moved * one->camera_from_ct;
+  QVERIFY(error(other->camera_from_ct, together) < 1e-3);
+}
+
+void RigidTest::SameSeedGivesSameBits() {
+  const LabelledCloud cloud = seen(phantom::view(), 0.3);
+  RigidOptions few;
+  few.starts = 30;
+  const auto a = align_rigid(model_, cloud, few, RunContext()),
+             b = align_rigid(model_, cloud, few, RunContext());
+  QVERIFY(a->camera_from_ct.rotation == b->camera_from_ct.rotation);
+  QVERIFY(a->camera_from_ct.translation == b->camera_from_ct.translation);
+}
+
+void RigidTest::WithoutLabelsItSaysSo() {
+  LabelledCloud cloud = seen(phantom::view(), 0.2);
+  cloud.features.clear();
+  RigidOptions few;
+  few.starts = 30;
+  const auto start = align_rigid(model_, cloud, few, RunContext());
+  QVERIFY(has(start->doubts, "no_notch") && has(start->doubts, "few_margin_points"));
+}
+
+void RigidTest::CloudWithoutNormalsIsAligned() {
+  const CameraFromCt pose = phantom::view(1.0);
+  LabelledCloud cloud = seen(pose, 0.3);
+  cloud.normals.resize(0, 3);
+  QVERIFY(error(align_rigid(model_, cloud, {}, RunContext())->camera_from_ct, pose) < 4e-3);
+}
+
+void RigidTest::CancelIsObeyed() {
+  const auto flag = std::make_shared<CancelFlag>();
+  int calls = 0;
+  const RunContext context(
+      [&](double, std::string_view) {
+        if (++calls == 5) flag->request();
+      },
+      flag, 1);
+  QVERIFY(!align_rigid(model_, seen(phantom::view(), 0.2), {}, context).has_value());
+  QVERIFY(calls < 10);
+}
+
+void RigidTest::TooFewPointsAreRefused() {
+  LabelledCloud cloud;
+  cloud.points = Points::Random(9, 3);
+  QVERIFY_EXCEPTION_THROWN(align_rigid(model_, cloud, {}, RunContext()), InputError);
+  cloud.points = Points::Random(20, 3);
+  cloud.points(3, 0) = std::numeric_limits<double>::infinity();
+  QVERIFY_EXCEPTION_THROWN(align_rigid(model_, cloud, {}, RunContext()), InputError);
+}
+
+void RigidTest::UnusableOptionsAreRefused() {
+  RigidOptions none;
+  none.starts = 0;
+  QVERIFY_EXCEPTION_THROWN(none.validate(), InputError);
+  RigidOptions all;
+  all.outlier_share = 1.0;
+  QVERIFY_EXCEPTION_THROWN(all.validate(), InputError);
+}
+
+QTEST_APPLESS_MAIN(RigidTest)
+#include "rigid_test.moc"
