@@ -10,19 +10,31 @@
 #include "glisson/patient/patient_model.h"
 #include "glisson/patient/picture.h"
 #include "glisson/patient/registration.h"
+#include "glisson/registration/register.h"
 
 namespace glisson::guidance {
 
 struct TrackerOptions {
   int points = 200;                  ///< followed per camera
   double forward_backward_px = 1.0;  ///< gate on the disagreement
+  double epipolar_px = 2.0;          ///< gate on how far a pair's rays pass by each other
+  int window_px = 17, levels = 3;    ///< of Lucas-Kanade
   int minimum_pairs = 30;            ///< fewer: no overlay
   double maximum_residual = 5e-3;    ///< m; more: no overlay
+  /// A frame in which a smaller share of the points agrees with its neighbours shows no one motion.
+  double minimum_consistent_share = 0.5;
   double time_step = 1.0 / 30.0;
   int steps_per_frame = 1;
+  /// All points together pull like the patch that they show at eq. 14's k = point_stiffness * E per reference
+  /// area, metres.
+  double point_stiffness = 1e-2;
+  /// The registered shape is in balance with forces that no picture shows (gas, neighbours): they stay on.
+  bool hold_start = true;
   fem::CompositeOptions materials;
-  double boundary_young_modulus = 20e6;  ///< vena cava, tree entrances
+  double boundary_young_modulus = 20e6;  ///< vena cava, tree entrances, Pa; 0: none
+  double boundary_length = 0.05;         ///< of those structures, m: k = E A / L
   std::vector<int> fixed_nodes;
+  registration::ElasticOptions cloud;  ///< for follow(cloud): form, s, surface stiffness, density
   void validate() const;
 };
 
@@ -30,15 +42,21 @@ struct TrackerOptions {
 /// backward in both images, triangulated, pulling at the model; one registration a frame. Not thread-safe.
 class Tracker {
  public:
+  /// @throws InputError options out of range, a start that is not of this model or not finite.
   Tracker(const PatientModel& model, const Registration& start, const TrackerOptions& options);
   ~Tracker();
+  Tracker(Tracker&&) noexcept;
+  Tracker& operator=(Tracker&&) noexcept;
 
   /// Gives the video its camera and its first frame: the one that `start` was registered to.
   /// @param mask optional, non-zero where tissue may be followed.
+  /// @throws InputError pictures or mask of another size than the calibration's, or empty.
   void begin(const StereoRig& rig, const StereoFrame& first, const Picture& mask);
-  /// The next frame. Always returns; validity says whether it may be shown.
+  /// The next frame. Always returns; validity says whether it may be shown. Without begin(): not_started. A
+  /// frame without a usable picture is too_few_points; the next good one is followed from the last good one.
   OverlayFrame follow(const StereoFrame& frame);
-  /// Registration to a cloud instead of pictures (no correspondences in time are assumed).
+  /// Registration to a cloud instead of pictures (no correspondences in time are assumed): eq. 14 on the
+  /// whole surface at its final stiffness, labels unused, `steps` implicit steps with new pairs each.
   OverlayFrame follow(const LabelledCloud& cloud, int index, double seconds, int steps);
 
  private:

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "anchored_points.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace glisson::guidance {
+namespace {
+
+constexpr std::size_t kNeighbours = 9;
+
+double median(std::vector<double>& values) {
+  if (values.empty()) return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace
+
+bool AnchoredPoints::bind(const FollowedPoint& point, const registration::MovingSurface& surface,
+                          double radius) {
+  const ClosestPoint at = surface.closest(Feature::surface, point.p_in_camera);
+  // What faces away from the camera was not seen.
+  if (at.triangle < 0 || at.distance > radius || surface.normal(at).dot(point.p_in_camera) > 0.0)
+    return false;
+  anchors_[point.id] = {at.triangle, at.barycentric};
+  return true;
+}
+
+void AnchoredPoints::retain(const std::vector<FollowedPoint>& points) {
+  std::unordered_map<int, Anchor> kept;
+  kept.reserve(points.size());
+  for (const FollowedPoint& point : points) {
+    const auto found = anchors_.find(point.id);
+    if (found != anchors_.end()) kept.insert(*found);
+  }
+  anchors_ = std::move(kept);
+}
+
+Eigen::Vector3d AnchoredPoints::place(const FollowedPoint& point,
+                                      const registration::MovingSurface& surface) const {
+  const Anchor& anchor = anchors_.at(point.id);
+  Eigen::Vector3d p = Eigen::Vector3d::Zero();
+  for (int k = 0; k < 3; ++k)
+    p += anchor.barycentric[k] * surface.mesh().vertex(surface.mesh().triangles(anchor.triangle, k));
+  return p;
+}
+
+std::vector<Eigen::Vector3d> AnchoredPoints::gaps(const std::vector<FollowedPoint>& points,
+                                                  const registration::MovingSurface& surface) const {
+  std::vector<Eigen::Vector3d> gaps;
+  gaps.reserve(points.size());
+  for (const FollowedPoint& point : points) gaps.push_back(point.p_in_camera - place(point, surface));
+  return gaps;
+}
+
+void AnchoredPoints::add(const std::vector<FollowedPoint>& points, const registration::MovingSurface& surface,
+                         double stiffness, std::vector<fem::AttachedLoad>& loads) const {
+  for (const FollowedPoint& point : points) {
+    const Anchor& anchor = anchors_.at(point.id);
+    const std::array<int, 3> nodes = surface.nodes(anchor.triangle);
+    fem::AttachedLoad load;
+    for (std::size_t k = 0; k < 3; ++k) {
+      load.nodes[k] = nodes[k];
+      load.weights[k] = anchor.barycentric[static_cast<Eigen::Index>(k)];
+    }
+    load.tangent = stiffness * point.information;
+    load.force = load.tangent * (point.p_in_camera - place(point, surface));
+    loads.push_back(load);
+  }
+}
+
+std::vector<char> consistent(const std::vector<FollowedPoint>& points,
+                             const std::vector<Eigen::Vector3d>& gaps, double deviations, double floor) {
+  const std::size_t n = points.size();
+  std::vector<double> difference(n, 0.0);
+  std::vector<std::pair<double, std::size_t>> near;
+  std::vector<double> values;
+  for (std::size_t i = 0; i < n; ++i) {
+    near.clear();
+    for (std::size_t j = 0; j < n; ++j)
+      if (j != i) near.emplace_back((points[i].p_in_camera - points[j].p_in_camera).squaredNorm(), j);
+    const std::size_t count = std::min(kNeighbours, near.size());
+    if (count < 3) continue;
+    std::partial_sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count), near.end());
+    Eigen::Vector3d middle;
+    for (int axis = 0; axis < 3; ++axis) {
+      values.clear();
+      for (std::size_t k = 0; k < count; ++k) values.push_back(gaps[near[k].second][axis]);
+      middle[axis] = median(values);
+    }
+    const Eigen::Vector3d d = gaps[i] - middle;
+    difference[i] = std::sqrt(std::max(0.0, d.dot(points[i].information * d)));
+  }
+  values = difference;
+  const double limit = std::max(floor, deviations * 1.4826 * median(values));
+  std::vector<char> result(n);
+  for (std::size_t i = 0; i < n; ++i) result[i] = difference[i] <= limit;
+  return result;
+}
+
+}  // namespace glisson::guidance

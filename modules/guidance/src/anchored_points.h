@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <unordered_map>
+#include <vector>
+
+#include "glisson/fem/composite_model.h"
+#include "glisson/registration/moving_surface.h"
+#include "stereo_follower.h"
+
+namespace glisson::guidance {
+
+/// Where followed points sit on the model. A point is bound to the material of the surface when it is first
+/// seen, and keeps its place: so it also tells how the tissue moves along the surface, which no closest point
+/// can.
+class AnchoredPoints {
+ public:
+  /// Binds to the closest place of the surface as it is now. @return false, and nothing bound, farther than
+  /// `radius` from it.
+  bool bind(const FollowedPoint& point, const registration::MovingSurface& surface, double radius);
+  /// Forgets all that are not among `points`.
+  void retain(const std::vector<FollowedPoint>& points);
+
+  /// Measured minus modelled place of each point, metres. @pre all bound.
+  std::vector<Eigen::Vector3d> gaps(const std::vector<FollowedPoint>& points,
+                                    const registration::MovingSurface& surface) const;
+  /// A spring from each point's place on the model to where it was seen, weaker along the line of sight.
+  void add(const std::vector<FollowedPoint>& points, const registration::MovingSurface& surface,
+           double stiffness, std::vector<fem::AttachedLoad>& loads) const;
+
+  void clear() { anchors_.clear(); }
+
+ private:
+  struct Anchor {
+    int triangle = -1;
+    Eigen::Vector3d barycentric = Eigen::Vector3d::Zero();
+  };
+  Eigen::Vector3d place(const FollowedPoint& point, const registration::MovingSurface& surface) const;
+
+  std::unordered_map<int, Anchor> anchors_;
+};
+
+/// Which gaps agree with those of their neighbours: the difference from the neighbours' median, measured as
+/// the points' information weighs it, is under `deviations` scaled MADs of all such differences, or under
+/// `floor` metres. One decision a point.
+std::vector<char> consistent(const std::vector<FollowedPoint>& points,
+                             const std::vector<Eigen::Vector3d>& gaps, double deviations, double floor);
+
+}  // namespace glisson::guidance

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "boundary_springs.h"
+
+#include <numbers>
+
+namespace glisson::guidance {
+namespace {
+
+/// Outer radius of the vena cava where it holds the liver, metres, and its wall's share of it.
+constexpr double kCavaRadius = 12e-3, kWallShare = 0.1;
+
+double wall_section(double radius) {
+  const double inner = radius * (1.0 - kWallShare);
+  return std::numbers::pi * (radius * radius - inner * inner);
+}
+
+Eigen::Vector3d place(const std::array<int, 4>& nodes, const std::array<double, 4>& weights,
+                      const Points& positions) {
+  Eigen::Vector3d p = Eigen::Vector3d::Zero();
+  for (std::size_t k = 0; k < 4; ++k) p += weights[k] * positions.row(nodes[k]).transpose();
+  return p;
+}
+
+}  // namespace
+
+BoundarySprings::BoundarySprings(const PatientModel& model, const Points& start, double young_modulus,
+                                 double length) {
+  if (young_modulus <= 0.0) return;
+  const Points& cava = model.landmarks.vena_cava;
+  if (cava.rows() > 0) {
+    // All its points together are one tube.
+    const double each = young_modulus * wall_section(kCavaRadius) / length / static_cast<double>(cava.rows());
+    attach(model, cava, std::vector<double>(static_cast<std::size_t>(cava.rows()), each), start);
+  }
+  for (const VesselTree& tree : model.vessels) {
+    if (tree.root < 0 || tree.root >= tree.nodes.rows()) continue;
+    const double radius = tree.radii[static_cast<std::size_t>(tree.root)];
+    attach(model, tree.nodes.row(tree.root), {young_modulus * wall_section(radius) / length}, start);
+  }
+}
+
+void BoundarySprings::attach(const PatientModel& model, const Points& places,
+                             const std::vector<double>& stiffness, const Points& start) {
+  const Binding binding = bind_points(model.mesh, places);
+  for (Eigen::Index i = 0; i < places.rows(); ++i) {
+    Spring spring{};
+    for (std::size_t k = 0; k < 4; ++k) {
+      const auto column = static_cast<Eigen::Index>(k);
+      spring.nodes[k] = model.mesh.tetrahedra(binding.tetrahedron[static_cast<std::size_t>(i)], column);
+      spring.weights[k] = binding.weights(i, column);
+    }
+    spring.stiffness = stiffness[static_cast<std::size_t>(i)];
+    spring.anchor = place(spring.nodes, spring.weights, start);
+    springs_.push_back(spring);
+  }
+}
+
+void BoundarySprings::add(const Points& nodes, std::vector<fem::AttachedLoad>& loads) const {
+  for (const Spring& spring : springs_) {
+    fem::AttachedLoad load;
+    load.nodes = spring.nodes;
+    load.weights = spring.weights;
+    load.force = spring.stiffness * (spring.anchor - place(spring.nodes, spring.weights, nodes));
+    load.tangent = spring.stiffness * Eigen::Matrix3d::Identity();
+    loads.push_back(load);
+  }
+}
+
+}  // namespace glisson::guidance

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "glisson/fem/composite_model.h"
+#include "glisson/patient/patient_model.h"
+
+namespace glisson::guidance {
+
+/// The boundary conditions of the temporal registration (paper, 2.2.3): the vena cava and the entrances of
+/// the vessel trees, springs of k = E A / L between a place of the model and where the registration put it.
+class BoundarySprings {
+ public:
+  /// @param start nodes where the registration put them, camera frame.
+  /// @param young_modulus of the structures, Pa; 0: no springs. @param length of what holds, metres.
+  BoundarySprings(const PatientModel& model, const Points& start, double young_modulus, double length);
+
+  void add(const Points& nodes, std::vector<fem::AttachedLoad>& loads) const;
+  int count() const { return static_cast<int>(springs_.size()); }
+
+ private:
+  struct Spring {
+    std::array<int, 4> nodes;
+    std::array<double, 4> weights;
+    double stiffness;
+    Eigen::Vector3d anchor;
+  };
+  void attach(const PatientModel& model, const Points& places, const std::vector<double>& stiffness,
+              const Points& start);
+
+  std::vector<Spring> springs_;
+};
+
+}  // namespace glisson::guidance

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "glisson/geometry/camera.h"
+#include "glisson/patient/picture.h"
+
+namespace glisson::guidance {
+
+/// A point that both cameras follow.
+struct FollowedPoint {
+  int id = 0;                                                                       ///< never used twice
+  Eigen::Vector2d left = Eigen::Vector2d::Zero(), right = Eigen::Vector2d::Zero();  ///< pixels
+  Eigen::Vector3d p_in_camera = Eigen::Vector3d::Zero();                            ///< metres
+  Eigen::Matrix3d information = Eigen::Matrix3d::Identity();                        ///< see Triangulated
+};
+
+struct FollowerOptions {
+  int points = 200;
+  double forward_backward_px = 1.0;
+  double epipolar_px = 2.0;
+  int window_px = 17, levels = 3;
+};
+
+/// Shi and Tomasi's corners on the organ, followed by pyramidal Lucas-Kanade forward and backward in both
+/// pictures. A pair is matched once, when it is made: the expected depth says where to look in the right
+/// picture. Each frame's pyramid is built once and serves as "next" and then as "previous".
+class StereoFollower {
+ public:
+  /// Where the organ is expected along a left pixel's ray, in the camera's frame; empty: no organ there.
+  using Expected = std::function<std::optional<Eigen::Vector3d>(const Eigen::Vector2d& left)>;
+
+  StereoFollower(const StereoRig& rig, const FollowerOptions& options);
+  ~StereoFollower();
+
+  /// @param mask optional, of the left picture's size; non-zero where points may start.
+  /// @throws InputError when a picture or the mask is not of the calibration's size.
+  void begin(const StereoFrame& first, const Picture& mask);
+
+  /// Follows all points into the next frame; those that fail a gate are gone.
+  /// @return how many each camera followed on its own, before the gates between the two.
+  struct Counts {
+    int left = 0, right = 0;
+  };
+  Counts follow(const StereoFrame& frame);
+
+  /// Keeps the points whose entry is true. @pre one entry a point.
+  void keep(const std::vector<char>& kept);
+  /// Takes the last accepted frame and points as the place to follow from again (the present frame was no
+  /// good); undoes the last follow().
+  void forget_last();
+  /// Finds new points in the present frame, away from those that there are, up to the number wanted.
+  /// @return how many were added, at the end of points().
+  int replenish(const Expected& expected);
+
+  const std::vector<FollowedPoint>& points() const { return points_; }
+
+ private:
+  struct Images;
+  StereoRig rig_;
+  FollowerOptions options_;
+  std::vector<FollowedPoint> points_, before_;
+  std::unique_ptr<Images> images_;
+  int next_id_ = 0;
+};
+
+}  // namespace glisson::guidance

@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/guidance/tracker.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+#include "anchored_points.h"
+#include "boundary_springs.h"
+#include "glisson/core/error.h"
+#include "glisson/fem/integrator.h"
+#include "glisson/registration/moving_surface.h"
+#include "glisson/registration/pairs.h"
+#include "stereo_follower.h"
+
+namespace glisson::guidance {
+namespace {
+
+/// A new point must lie this near the model to be taken for one of the organ's, metres.
+constexpr double kBindRadius = 8e-3;
+/// New points are looked for when this share is missing.
+constexpr double kMissing = 0.1;
+/// A gap may differ from its neighbours' by so much, metres across the line of sight, and so many MADs.
+constexpr double kConsistentFloor = 1.5e-3, kConsistentDeviations = 4.0;
+
+void demand(bool good, const char* field, double value, const char* remedy) {
+  if (!good) throw InputError("tracker options", field, "is " + std::to_string(value), remedy);
+}
+
+double mean_norm(const std::vector<Eigen::Vector3d>& vectors) {
+  double sum = 0.0;
+  for (const Eigen::Vector3d& v : vectors) sum += v.norm();
+  return vectors.empty() ? 0.0 : sum / static_cast<double>(vectors.size());
+}
+
+}  // namespace
+
+void TrackerOptions::validate() const {
+  demand(points >= 10, "points", points, "Give ten at least");
+  demand(forward_backward_px > 0.0, "forward_backward_px", forward_backward_px, "Give a positive number");
+  demand(epipolar_px > 0.0, "epipolar_px", epipolar_px, "Give a positive number");
+  demand(window_px >= 5 && window_px % 2 == 1, "window_px", window_px, "Give an odd number from 5");
+  demand(levels >= 1 && levels <= 6, "levels", levels, "Give a number from 1 to 6");
+  demand(minimum_pairs >= 3, "minimum_pairs", minimum_pairs, "Give three at least");
+  demand(maximum_residual > 0.0, "maximum_residual", maximum_residual, "Give a positive length");
+  demand(minimum_consistent_share >= 0.0 && minimum_consistent_share <= 1.0, "minimum_consistent_share",
+         minimum_consistent_share, "Give a share from 0 to 1");
+  demand(time_step > 0.0, "time_step", time_step, "Give a positive number of seconds");
+  demand(steps_per_frame >= 1, "steps_per_frame", steps_per_frame, "Give one at least");
+  demand(point_stiffness > 0.0, "point_stiffness", point_stiffness, "Give a positive length");
+  demand(boundary_young_modulus >= 0.0, "boundary_young_modulus", boundary_young_modulus,
+         "Give a number from zero");
+  demand(boundary_length > 0.0, "boundary_length", boundary_length, "Give a positive length");
+  materials.validate();
+  cloud.validate();
+}
+
+struct Tracker::Impl {
+  Impl(const PatientModel& model, const Registration& start, const TrackerOptions& given)
+      : options(checked(model, start, given)),
+        composite(std::make_shared<fem::CompositeModel>(model.mesh, model.vessels, options.materials)),
+        integrator(composite, integrator_options()),
+        surface(model),
+        springs(model, start.nodes_in_camera, options.boundary_young_modulus, options.boundary_length) {
+    integrator.set_state(start.nodes_in_camera);
+    surface.move(start.nodes_in_camera);
+    if (options.hold_start) hold(start.nodes_in_camera);
+  }
+
+  static TrackerOptions checked(const PatientModel& model, const Registration& start,
+                                const TrackerOptions& options) {
+    options.validate();
+    if (start.nodes_in_camera.rows() != model.mesh.vertex_count())
+      throw InputError("start", "nodes",
+                       "there are " + std::to_string(start.nodes_in_camera.rows()) + ", the model has " +
+                           std::to_string(model.mesh.vertex_count()),
+                       "Give a registration of this model");
+    if (!start.nodes_in_camera.allFinite())
+      throw InputError("start", "nodes", "a coordinate is not a finite number", "Register again");
+    for (const int node : options.fixed_nodes)
+      if (node < 0 || node >= model.mesh.vertex_count())
+        throw InputError("fixed nodes", "node " + std::to_string(node),
+                         "the mesh has nodes 0 to " + std::to_string(model.mesh.vertex_count() - 1),
+                         "Give 0-based node numbers of this mesh");
+    return options;
+  }
+
+  fem::IntegratorOptions integrator_options() const {
+    fem::IntegratorOptions result;
+    result.time_step = options.time_step;
+    result.fixed_nodes = options.fixed_nodes;
+    return result;
+  }
+
+  /// Constant nodal forces under which the registered shape is at rest.
+  void hold(const Points& start) {
+    const Points internal = composite->internal_force(start);
+    for (Eigen::Index i = 0; i < internal.rows(); ++i) {
+      fem::AttachedLoad load;
+      load.nodes[0] = static_cast<int>(i);
+      load.weights[0] = 1.0;
+      load.force = -internal.row(i).transpose();
+      held.push_back(load);
+    }
+  }
+
+  void begin(const StereoRig& rig, const StereoFrame& first, const Picture& mask) {
+    FollowerOptions follow;
+    follow.points = options.points;
+    follow.forward_backward_px = options.forward_backward_px;
+    follow.epipolar_px = options.epipolar_px;
+    follow.window_px = options.window_px;
+    follow.levels = options.levels;
+    follower.emplace(rig, follow);
+    follower->begin(first, mask);
+    anchors.clear();
+    camera = rig.left;
+    seen = seen_area();
+    replenish();
+  }
+
+  /// Of the model, in the left picture, square metres.
+  double seen_area() const {
+    const TriangleMesh& mesh = surface.mesh();
+    const Eigen::VectorXd areas = triangle_areas(mesh);
+    double sum = 0.0;
+    for (int t = 0; t < mesh.triangle_count(); ++t) {
+      const Eigen::Vector3d a = mesh.vertex(mesh.triangles(t, 0)), b = mesh.vertex(mesh.triangles(t, 1)),
+                            c = mesh.vertex(mesh.triangles(t, 2)), centre = (a + b + c) / 3.0;
+      if (centre.z() > 0.0 && (b - a).cross(c - a).dot(centre) < 0.0 && camera.sees(camera.project(centre)))
+        sum += areas[t];
+    }
+    return sum;
+  }
+
+  void replenish() {
+    const auto expected = [&](const Eigen::Vector2d& pixel) -> std::optional<Eigen::Vector3d> {
+      const ClosestPoint hit = surface.first_hit(Eigen::Vector3d::Zero(), camera.ray(pixel), 0.0,
+                                                 std::numeric_limits<double>::infinity());
+      if (hit.triangle < 0) return std::nullopt;
+      return hit.point;
+    };
+    const int added = follower->replenish(expected);
+    std::vector<char> kept(follower->points().size(), 1);
+    for (std::size_t i = kept.size() - static_cast<std::size_t>(added); i < kept.size(); ++i)
+      kept[i] = anchors.bind(follower->points()[i], surface, kBindRadius);
+    follower->keep(kept);
+    anchors.retain(follower->points());
+  }
+
+  /// One implicit step under loads that `pull` adds. @return false: the mechanics failed, nothing has moved.
+  template <class Pull>
+  bool step(const Pull& pull, bool with_held) {
+    fem::Loads loads;
+    if (with_held) loads.attached = held;
+    springs.add(integrator.positions(), loads.attached);
+    pull(loads.attached);
+    if (!integrator.step(loads).ok) {
+      integrator.stop();
+      return false;
+    }
+    surface.move(integrator.positions());
+    return true;
+  }
+
+  Validity follow_points(OverlayFrame& overlay) {
+    std::vector<Eigen::Vector3d> gaps = anchors.gaps(follower->points(), surface);
+    const std::vector<char> good =
+        consistent(follower->points(), gaps, kConsistentDeviations, kConsistentFloor);
+    const auto agreeing = std::count(good.begin(), good.end(), char{1});
+    if (static_cast<double>(agreeing) < options.minimum_consistent_share * static_cast<double>(good.size()))
+      return Validity::inconsistent_motion;
+    if (agreeing < options.minimum_pairs) return Validity::too_few_points;
+    follower->keep(good);
+    overlay.pairs = static_cast<int>(agreeing);
+    const double reference_area = 1e-4 / options.cloud.reference_density_per_cm2;
+    const double stiffness = options.point_stiffness * options.materials.parenchyma.young_modulus * seen /
+                             (reference_area * static_cast<double>(agreeing));
+    for (int k = 0; k < options.steps_per_frame; ++k)
+      if (!step([&](auto& loads) { anchors.add(follower->points(), surface, stiffness, loads); },
+                options.hold_start))
+        return Validity::mechanics_failed;
+    overlay.residual = mean_norm(anchors.gaps(follower->points(), surface));
+    if (overlay.residual > options.maximum_residual) return Validity::residual_too_large;
+    if (static_cast<int>(follower->points().size()) < (1.0 - kMissing) * options.points) replenish();
+    return Validity::valid;
+  }
+
+  OverlayFrame follow(const StereoFrame& frame) {
+    OverlayFrame overlay;
+    overlay.index = frame.index;
+    overlay.seconds = frame.seconds;
+    if (follower) {
+      try {
+        const StereoFollower::Counts counts = follower->follow(frame);
+        overlay.tracked_left = counts.left;
+        overlay.tracked_right = counts.right;
+        overlay.pairs = static_cast<int>(follower->points().size());
+        overlay.validity =
+            overlay.pairs < options.minimum_pairs ? Validity::too_few_points : follow_points(overlay);
+      } catch (const InputError&) {
+        overlay.validity = Validity::too_few_points;  // no picture of the camera's size
+      }
+      // What could not be used is followed again from the last frame that could.
+      if (overlay.validity == Validity::too_few_points || overlay.validity == Validity::inconsistent_motion) {
+        follower->forget_last();
+        integrator.stop();
+      }
+    }
+    overlay.nodes_in_camera = integrator.positions();
+    return overlay;
+  }
+
+  OverlayFrame follow(const LabelledCloud& cloud, int index, double seconds, int steps) {
+    OverlayFrame overlay;
+    overlay.index = index;
+    overlay.seconds = seconds;
+    overlay.validity = follow_cloud(cloud, steps, overlay);
+    overlay.nodes_in_camera = integrator.positions();
+    return overlay;
+  }
+
+  Validity follow_cloud(const LabelledCloud& cloud, int steps, OverlayFrame& overlay) {
+    if (cloud.size() < std::max(10, options.minimum_pairs)) return Validity::too_few_points;
+    LabelledCloud unlabelled = cloud;
+    unlabelled.features.clear();
+    const auto prepared = registration::prepare_cloud(unlabelled, {options.cloud.reference_density_per_cm2});
+    const double k = options.cloud.k_surface_max * options.cloud.final_stiffening *
+                     options.materials.parenchyma.young_modulus;
+    std::vector<registration::Pair> pairs;
+    for (int i = 0; i < steps; ++i) {
+      pairs = registration::find_pairs(prepared, surface, {});
+      const auto pull = [&](std::vector<fem::AttachedLoad>& loads) {
+        for (const registration::Pair& pair : pairs)
+          if (pair.kept)
+            loads.push_back(registration::pair_load(pair, surface, options.cloud.form, options.cloud.s,
+                                                    k * prepared.weight[static_cast<std::size_t>(pair.point)],
+                                                    options.cloud.tangential));
+      };
+      if (!step(pull, false)) return Validity::mechanics_failed;
+    }
+    pairs = registration::find_pairs(prepared, surface, {});
+    overlay.pairs = static_cast<int>(
+        std::count_if(pairs.begin(), pairs.end(), [](const auto& pair) { return pair.kept; }));
+    overlay.residual = registration::mean_distance(pairs);
+    if (overlay.pairs < options.minimum_pairs) return Validity::too_few_points;
+    return overlay.residual > options.maximum_residual ? Validity::residual_too_large : Validity::valid;
+  }
+
+  TrackerOptions options;
+  std::shared_ptr<const fem::CompositeModel> composite;
+  fem::Integrator integrator;
+  registration::MovingSurface surface;
+  BoundarySprings springs;
+  std::vector<fem::AttachedLoad> held;
+  std::optional<StereoFollower> follower;
+  AnchoredPoints anchors;
+  Camera camera;
+  double seen = 0.0;  ///< area of the model in the picture, square metres
+};
+
+namespace {
+
+/// Runs and times one frame.
+template <class Follow>
+OverlayFrame timed(const Follow& follow) {
+  const auto start = std::chrono::steady_clock::now();
+  OverlayFrame overlay = follow();
+  overlay.milliseconds =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return overlay;
+}
+
+}  // namespace
+
+Tracker::Tracker(const PatientModel& model, const Registration& start, const TrackerOptions& options)
+    : impl_(std::make_unique<Impl>(model, start, options)) {}
+Tracker::~Tracker() = default;
+Tracker::Tracker(Tracker&&) noexcept = default;
+Tracker& Tracker::operator=(Tracker&&) noexcept = default;
+
+void Tracker::begin(const StereoRig& rig, const StereoFrame& first, const Picture& mask) {
+  impl_->begin(rig, first, mask);
+}
+
+OverlayFrame Tracker::follow(const StereoFrame& frame) {
+  return timed([&] { return impl_->follow(frame); });
+}
+
+OverlayFrame Tracker::follow(const LabelledCloud& cloud, int index, double seconds, int steps) {
+  return timed([&] { return impl_->follow(cloud, index, seconds, steps); });
+}
+
+}  // namespace glisson::guidance
