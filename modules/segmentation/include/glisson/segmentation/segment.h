@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "glisson/core/run_context.h"
+#include "glisson/geometry/mesh.h"
 #include "glisson/patient/label_map.h"
 #include "glisson/volume/image.h"
 

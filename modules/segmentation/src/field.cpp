@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "field.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace glisson::segmentation {
+namespace {
+
+/// Weighted sources of one output sample along an axis.
+struct Tap {
+  int first = 0;
+  std::vector<float> weights;
+};
+
+std::vector<Tap> triangle_taps(int low, int high, double first, double step, int count) {
+  const double half = std::max(1.0, step);
+  std::vector<Tap> taps(static_cast<std::size_t>(count));
+  for (int n = 0; n < count; ++n) {
+    Tap& tap = taps[static_cast<std::size_t>(n)];
+    const double centre = first + step * n;
+    const int from = std::clamp(static_cast<int>(std::ceil(centre - half)), low, high - 1);
+    const int to = std::clamp(static_cast<int>(std::floor(centre + half)), from, high - 1);
+    tap.first = from;
+    double sum = 0.0;
+    for (int i = from; i <= to; ++i) {
+      const double w = std::max(1e-6, 1.0 - std::abs(i - centre) / half);
+      tap.weights.push_back(static_cast<float>(w));
+      sum += w;
+    }
+    for (float& w : tap.weights) w = static_cast<float>(w / sum);
+  }
+  return taps;
+}
+
+/// Applies taps along `axis` of a volume; taps index from `base`.
+std::vector<float> apply_taps(const std::vector<float>& in, const Eigen::Vector3i& size, int axis, int base,
+                              const std::vector<Tap>& taps) {
+  Eigen::Vector3i out_size = size;
+  out_size[axis] = static_cast<int>(taps.size());
+  const auto nx = static_cast<std::size_t>(size.x()), ny = static_cast<std::size_t>(size.y());
+  const std::array<std::size_t, 3> strides = {1, nx, nx * ny};
+  const std::size_t stride = strides[static_cast<std::size_t>(axis)];
+  std::vector<float> out(static_cast<std::size_t>(out_size.x()) * static_cast<std::size_t>(out_size.y()) *
+                         static_cast<std::size_t>(out_size.z()));
+  std::size_t at = 0;
+  for (int k = 0; k < out_size.z(); ++k)
+    for (int j = 0; j < out_size.y(); ++j)
+      for (int i = 0; i < out_size.x(); ++i, ++at) {
+        Eigen::Vector3i v(i, j, k);
+        const Tap& tap = taps[static_cast<std::size_t>(v[axis])];
+        v[axis] = tap.first - base;
+        std::size_t from = static_cast<std::size_t>(v.x()) +
+                           nx * (static_cast<std::size_t>(v.y()) + ny * static_cast<std::size_t>(v.z()));
+        float sum = 0.0F;
+        for (const float w : tap.weights) {
+          sum += w * in[from];
+          from += stride;
+        }
+        out[at] = sum;
+      }
+  return out;
+}
+
+}  // namespace
+
+Field Field::filled(float value) const {
+  Field field = *this;
+  field.values.assign(static_cast<std::size_t>(size.x()) * static_cast<std::size_t>(size.y()) *
+                          static_cast<std::size_t>(size.z()),
+                      value);
+  return field;
+}
+
+Field Field::cropped(const VoxelBox& box) const {
+  Field part = *this;
+  part.size = box.size();
+  part.first_index += box.low.cast<double>().cwiseProduct(step);
+  part.values.clear();
+  for (int k = box.low.z(); k < box.high.z(); ++k)
+    for (int j = box.low.y(); j < box.high.y(); ++j) {
+      const auto row = values.begin() + static_cast<std::ptrdiff_t>(offset(box.low.x(), j, k));
+      part.values.insert(part.values.end(), row, row + part.size.x());
+    }
+  return part;
+}
+
+Field resampled(const Image& image, const VoxelBox& box, double spacing_mm) {
+  Field field;
+  Eigen::Vector3i size = box.size();
+  std::vector<float> values;
+  values.reserve(static_cast<std::size_t>(size.x()) * static_cast<std::size_t>(size.y()) *
+                 static_cast<std::size_t>(size.z()));
+  for (int k = box.low.z(); k < box.high.z(); ++k)
+    for (int j = box.low.y(); j < box.high.y(); ++j) {
+      const auto row = image.voxels->begin() + image.grid.offset({box.low.x(), j, k});
+      values.insert(values.end(), row, row + size.x());
+    }
+  for (int axis = 0; axis < 3; ++axis) {
+    const double step = spacing_mm / image.grid.spacing_mm[axis];
+    const int count = std::max(1, static_cast<int>(std::floor((size[axis] - 1) / step)) + 1);
+    const double first = box.low[axis] + 0.5 * ((size[axis] - 1) - step * (count - 1));
+    values = apply_taps(values, size, axis, box.low[axis],
+                        triangle_taps(box.low[axis], box.high[axis], first, step, count));
+    size[axis] = count;
+    field.first_index[axis] = first;
+    field.step[axis] = step;
+    field.spacing_mm[axis] = spacing_mm;
+  }
+  field.size = size;
+  field.values = std::move(values);
+  return field;
+}
+
+std::vector<float> on_image(const Field& field, const VoxelBox& box) {
+  const Eigen::Vector3i size = box.size();
+  std::array<std::vector<std::pair<int, float>>, 3> places;
+  for (int axis = 0; axis < 3; ++axis)
+    for (int n = box.low[axis]; n < box.high[axis]; ++n) {
+      const double x = std::clamp((n - field.first_index[axis]) / field.step[axis], 0.0,
+                                  static_cast<double>(field.size[axis] - 1));
+      const int cell = std::min(static_cast<int>(x), std::max(0, field.size[axis] - 2));
+      places[static_cast<std::size_t>(axis)].emplace_back(cell, static_cast<float>(x - cell));
+    }
+  std::vector<float> values;
+  values.reserve(static_cast<std::size_t>(size.x()) * static_cast<std::size_t>(size.y()) *
+                 static_cast<std::size_t>(size.z()));
+  const std::size_t dx = field.size.x() > 1 ? 1 : 0,
+                    dy = field.size.y() > 1 ? static_cast<std::size_t>(field.size.x()) : 0,
+                    dz = field.size.z() > 1 ? static_cast<std::size_t>(field.size.x()) *
+                                                  static_cast<std::size_t>(field.size.y())
+                                            : 0;
+  for (const auto& [k, c] : places[2])
+    for (const auto& [j, b] : places[1])
+      for (const auto& [i, a] : places[0]) {
+        const float* p = field.values.data() + field.offset(i, j, k);
+        const float v00 = p[0] + a * (p[dx] - p[0]), v10 = p[dy] + a * (p[dy + dx] - p[dy]);
+        const float v01 = p[dz] + a * (p[dz + dx] - p[dz]),
+                    v11 = p[dz + dy] + a * (p[dz + dy + dx] - p[dz + dy]);
+        const float v0 = v00 + b * (v10 - v00), v1 = v01 + b * (v11 - v01);
+        values.push_back(v0 + c * (v1 - v0));
+      }
+  return values;
+}
+
+void diffuse(Field& field, double contrast, int iterations) {
+  const std::array<std::size_t, 3> stride = {
+      1, static_cast<std::size_t>(field.size.x()),
+      static_cast<std::size_t>(field.size.x()) * static_cast<std::size_t>(field.size.y())};
+  const auto inverse_square = static_cast<float>(1.0 / (contrast * contrast));
+  constexpr float kStep = 1.0F / 7.0F;  // below 1/6: stable
+  std::vector<float> next = field.values;
+  for (int n = 0; n < iterations; ++n) {
+    std::size_t at = 0;
+    for (int k = 0; k < field.size.z(); ++k)
+      for (int j = 0; j < field.size.y(); ++j)
+        for (int i = 0; i < field.size.x(); ++i, ++at) {
+          const float centre = field.values[at];
+          float flow = 0.0F;
+          const auto from = [&](std::size_t neighbour) {
+            const float d = field.values[neighbour] - centre;
+            flow += d / (1.0F + d * d * inverse_square);
+          };
+          if (i > 0) from(at - stride[0]);
+          if (i + 1 < field.size.x()) from(at + stride[0]);
+          if (j > 0) from(at - stride[1]);
+          if (j + 1 < field.size.y()) from(at + stride[1]);
+          if (k > 0) from(at - stride[2]);
+          if (k + 1 < field.size.z()) from(at + stride[2]);
+          next[at] = centre + kStep * flow;
+        }
+    field.values.swap(next);
+  }
+}
+
+void smooth(Field& field, double sigma_mm) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const double sigma = sigma_mm / field.spacing_mm[axis];
+    const int radius = static_cast<int>(std::ceil(3.0 * sigma));
+    std::vector<Tap> taps(static_cast<std::size_t>(field.size[axis]));
+    for (int n = 0; n < field.size[axis]; ++n) {
+      // Samples beyond the edge repeat the edge: their weight goes to it.
+      Tap& tap = taps[static_cast<std::size_t>(n)];
+      tap.first = std::max(0, n - radius);
+      const int last = std::min(field.size[axis] - 1, n + radius);
+      tap.weights.assign(static_cast<std::size_t>(last - tap.first) + 1, 0.0F);
+      double sum = 0.0;
+      for (int d = -radius; d <= radius; ++d) sum += std::exp(-0.5 * d * d / (sigma * sigma));
+      for (int d = -radius; d <= radius; ++d)
+        tap.weights[static_cast<std::size_t>(std::clamp(n + d, tap.first, last) - tap.first)] +=
+            static_cast<float>(std::exp(-0.5 * d * d / (sigma * sigma)) / sum);
+    }
+    field.values = apply_taps(field.values, field.size, axis, 0, taps);
+  }
+}
+
+std::vector<float> gradient_magnitude(const Field& field) {
+  std::vector<float> result(field.values.size());
+  const Eigen::Vector3i s = field.size;
+  std::size_t at = 0;
+  for (int k = 0; k < s.z(); ++k)
+    for (int j = 0; j < s.y(); ++j)
+      for (int i = 0; i < s.x(); ++i, ++at) {
+        const auto difference = [&](int a, int low, int high, auto&& value) {
+          const float span = static_cast<float>((high - low) * field.spacing_mm[a]);
+          return high > low ? (value(high) - value(low)) / span : 0.0F;
+        };
+        const float x = difference(0, std::max(0, i - 1), std::min(s.x() - 1, i + 1),
+                                   [&](int n) { return field.values[field.offset(n, j, k)]; });
+        const float y = difference(1, std::max(0, j - 1), std::min(s.y() - 1, j + 1),
+                                   [&](int n) { return field.values[field.offset(i, n, k)]; });
+        const float z = difference(2, std::max(0, k - 1), std::min(s.z() - 1, k + 1),
+                                   [&](int n) { return field.values[field.offset(i, j, n)]; });
+        result[at] = std::sqrt(x * x + y * y + z * z);
+      }
+  return result;
+}
+
+}  // namespace glisson::segmentation

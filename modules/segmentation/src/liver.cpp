@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "liver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+
+#include "glisson/core/error.h"
+#include "level_set.h"
+
+namespace glisson::segmentation {
+namespace {
+
+constexpr double kSeedRadius = 6.0;   // mm, where a click's statistics are taken
+constexpr double kNeck = 6.0;         // mm, half the width of the passages that the start closes
+constexpr double kVesselWidth = 5.0;  // mm, closed over in the liver-like tissue
+constexpr double kWidth = 2.2;        // standard deviations that count as liver at first
+constexpr double kLeastSigma = 3.0, kMostSigma = 15.0;  // HU, after denoising
+constexpr double kReach = 8.0;                          // mm that the contour may go beyond its start
+constexpr double kCurvature = 3.0;                      // mm
+constexpr double kAttraction = 1.5;                     // mm
+constexpr double kEdgeScale = 6.0;                      // HU/mm at which an edge halves the edge map
+
+float median_of(std::vector<float>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+Tissue robust_tissue(std::vector<float>& values, double low_sigma, double high_sigma) {
+  Tissue tissue;
+  tissue.mean = median_of(values);
+  for (float& v : values) v = std::abs(v - static_cast<float>(tissue.mean));
+  tissue.sigma = std::clamp(1.4826 * median_of(values), low_sigma, high_sigma);
+  return tissue;
+}
+
+/// Tissue that could be liver: near its intensity, and the bright vessels enclosed by it.
+Mask liver_like(const Field& ct, const Tissue& tissue, double width, const Mask& barred,
+                const Mask& included) {
+  Mask mask = ct.empty_mask();
+  for (std::size_t i = 0; i < mask.voxels.size(); ++i)
+    mask.voxels[i] = std::abs(ct.values[i] - tissue.mean) < width * tissue.sigma || included.voxels[i] != 0;
+  const Mask around = closed(mask, kVesselWidth);
+  for (std::size_t i = 0; i < mask.voxels.size(); ++i) {
+    if (around.voxels[i] != 0 && ct.values[i] > tissue.mean && ct.values[i] < tissue.mean + 130.0)
+      mask.voxels[i] = 1;
+    if (barred.voxels[i] != 0) mask.voxels[i] = 0;
+  }
+  return mask;
+}
+
+struct Entry {
+  float cost;
+  std::size_t at;
+  bool operator>(const Entry& other) const { return cost != other.cost ? cost > other.cost : at > other.at; }
+};
+
+/// Who reaches each voxel first: 1 the seeds inside, 2 those outside, 0 nobody. A step costs its length times
+/// (kNeck / depth)^2, depth being the distance to the edge of `open`: fronts run through wide tissue and meet
+/// in the necks.
+std::vector<std::uint8_t> compete(const Field& ct, const Mask& open, const std::vector<float>& depth2,
+                                  const LiverSeeds& seeds, std::vector<float>& cost) {
+  std::vector<std::uint8_t> owner(open.voxels.size(), 0);
+  cost.assign(open.voxels.size(), 1e30F);
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  const auto place = [&](const std::vector<Eigen::Vector3i>& points, std::uint8_t who) {
+    for (const Eigen::Vector3i& p : points) {
+      const std::size_t at = ct.offset(p);
+      cost[at] = 0.0F;
+      owner[at] = who;
+      queue.push({0.0F, at});
+    }
+  };
+  place(seeds.inside, 1);
+  place(seeds.outside, 2);
+  const std::size_t sy = static_cast<std::size_t>(ct.size.x()),
+                    sz = sy * static_cast<std::size_t>(ct.size.y());
+  const auto neck2 = static_cast<float>(kNeck * kNeck);
+  const auto h = static_cast<float>(ct.spacing_mm.minCoeff());
+  while (!queue.empty()) {
+    const Entry entry = queue.top();
+    queue.pop();
+    if (entry.cost > cost[entry.at]) continue;
+    const int i = static_cast<int>(entry.at % sy), j = static_cast<int>((entry.at % sz) / sy),
+              k = static_cast<int>(entry.at / sz);
+    const auto visit = [&](std::size_t other) {
+      if (open.voxels[other] == 0) return;
+      const float next = entry.cost + h * neck2 / std::max(depth2[other], 1.0F);
+      if (next >= cost[other]) return;
+      cost[other] = next;
+      owner[other] = owner[entry.at];
+      queue.push({next, other});
+    };
+    if (i > 0) visit(entry.at - 1);
+    if (i + 1 < ct.size.x()) visit(entry.at + 1);
+    if (j > 0) visit(entry.at - sy);
+    if (j + 1 < ct.size.y()) visit(entry.at + sy);
+    if (k > 0) visit(entry.at - sz);
+    if (k + 1 < ct.size.z()) visit(entry.at + sz);
+  }
+  return owner;
+}
+
+/// Where the contour starts: what the seeds inside own of the tissue that is wider than a neck.
+Mask start_of(const Field& ct, const Mask& open, const LiverSeeds& seeds) {
+  Mask closed_off = open;
+  for (auto& v : closed_off.voxels) v = v == 0 ? 1 : 0;
+  const std::vector<float> depth2 = squared_distance_mm2(closed_off);
+  std::vector<float> cost;
+  const std::vector<std::uint8_t> owner = compete(ct, open, depth2, seeds, cost);
+  Mask core = ct.empty_mask();
+  for (std::size_t i = 0; i < core.voxels.size(); ++i)
+    core.voxels[i] = owner[i] == 1 && depth2[i] > static_cast<float>(kNeck * kNeck);
+  std::vector<long> sizes;
+  const std::vector<int> number = connected_components(core, sizes);
+  // Keep the components in which, or close to which, somebody clicked.
+  std::vector<std::uint8_t> keep(sizes.size() + 1, 0);
+  const int reach = static_cast<int>(std::ceil(2.0 * kNeck / ct.spacing_mm.minCoeff()));
+  for (const Eigen::Vector3i& p : seeds.inside) {
+    double best = 1e30;
+    int nearest = 0;
+    for (int k = -reach; k <= reach; ++k)
+      for (int j = -reach; j <= reach; ++j)
+        for (int i = -reach; i <= reach; ++i) {
+          const Eigen::Vector3i v = p + Eigen::Vector3i(i, j, k);
+          if (!ct.contains(v) || number[ct.offset(v)] == 0) continue;
+          const double d = Eigen::Vector3d(i, j, k).squaredNorm();
+          if (d < best) best = d, nearest = number[ct.offset(v)];
+        }
+    keep[static_cast<std::size_t>(nearest)] = nearest > 0 ? 1 : 0;
+  }
+  for (std::size_t i = 0; i < core.voxels.size(); ++i)
+    core.voxels[i] = keep[static_cast<std::size_t>(number[i])];
+  for (const Eigen::Vector3i& p : seeds.inside) core.voxels[ct.offset(p)] = 1;
+  Mask start = dilated(core, kNeck);
+  for (std::size_t i = 0; i < start.voxels.size(); ++i)
+    if (owner[i] != 1) start.voxels[i] = 0;
+  return start;
+}
+
+Field edge_map(const Field& ct) {
+  Field edge = ct;
+  const std::vector<float> gradient = gradient_magnitude(ct);
+  for (std::size_t i = 0; i < gradient.size(); ++i) {
+    const float r = gradient[i] / static_cast<float>(kEdgeScale);
+    edge.values[i] = 1.0F / (1.0F + r * r);
+  }
+  return edge;
+}
+
+/// What the contour works on: the surroundings of the start.
+struct Scene {
+  Field ct;
+  Mask open, start, barred, included;
+  std::vector<Eigen::Vector3i> outside;
+};
+
+void impose(Field& region, const Scene& scene) {
+  for (std::size_t i = 0; i < region.values.size(); ++i) {
+    if (scene.included.voxels[i] != 0) region.values[i] = 1.0F;
+    if (scene.barred.voxels[i] != 0) region.values[i] = -1.0F;
+  }
+  for (const Eigen::Vector3i& p : scene.outside) region.values[region.offset(p)] = -1.0F;
+}
+
+/// On a strong edge the region's opinion counts for little: there the contour comes to rest where the edge is
+/// steepest, half way between the two tissues.
+void quieten_on_edges(Field& region, const Field& edge) {
+  for (std::size_t i = 0; i < region.values.size(); ++i) region.values[i] *= edge.values[i];
+}
+
+/// log of a smoothed histogram's ratio, as a table over intensity.
+class Ratio {
+ public:
+  Ratio(const Field& ct, const Field& phi, double rim_mm) {
+    std::vector<double> in(kBins, 1e-3), out(kBins, 1e-3);
+    for (std::size_t i = 0; i < ct.values.size(); ++i) {
+      const float d = phi.values[i];
+      if (d < -2.0F) in[bin(ct.values[i])] += 1.0;
+      if (d > 2.0F && d < rim_mm) out[bin(ct.values[i])] += 1.0;
+    }
+    blur(in);
+    blur(out);
+    table_.resize(kBins);
+    const double si = sum(in), so = sum(out);
+    for (std::size_t b = 0; b < kBins; ++b)
+      table_[b] = static_cast<float>(std::log((in[b] / si + 1e-5) / (out[b] / so + 1e-5)));
+  }
+  float operator()(float intensity) const { return table_[bin(intensity)]; }
+
+ private:
+  static constexpr std::size_t kBins = 400;  // of 1 HU from -150
+  static std::size_t bin(float v) { return static_cast<std::size_t>(std::clamp(v + 150.0F, 0.0F, 399.0F)); }
+  static double sum(const std::vector<double>& h) {
+    double s = 0.0;
+    for (const double v : h) s += v;
+    return s;
+  }
+  static void blur(std::vector<double>& h) {
+    for (int pass = 0; pass < 3; ++pass) {
+      std::vector<double> next = h;
+      for (std::size_t b = 1; b + 1 < h.size(); ++b) next[b] = 0.25 * h[b - 1] + 0.5 * h[b] + 0.25 * h[b + 1];
+      h.swap(next);
+    }
+  }
+  std::vector<float> table_;
+};
+
+/// The same over the depth of a region, what it encloses included: unlike the window that made the region,
+/// this does not cut the tails off.
+Tissue tissue_within(const Field& ct, const Mask& region, double depth_mm) {
+  const Mask deep = eroded(holes_filled(closed(region, kVesselWidth)), depth_mm);
+  std::vector<float> values;
+  for (std::size_t i = 0; i < deep.voxels.size(); ++i)
+    if (deep.voxels[i] != 0) values.push_back(ct.values[i]);
+  return values.empty() ? Tissue{0.0, 0.0} : robust_tissue(values, kLeastSigma, kMostSigma);
+}
+
+/// The last region force, from what lies on either side close by (Lankton and Tannenbaum 2008): the contour
+/// comes to rest half way between the liver and its neighbour there, be that fat, muscle or lung. Where both
+/// look alike it has no opinion.
+void local_region(const Field& ct, const Field& phi, Field& region) {
+  constexpr float kNear = 1.5F, kFar = 6.0F;  // mm from the contour, where the two sides are sampled
+  constexpr double kWindow = 4.0;             // mm
+  constexpr float kContrast = 15.0F;          // HU below which the sides are alike
+  Field in = ct.filled(0.0F), in_weight = in, out = in, out_weight = in;
+  for (std::size_t i = 0; i < ct.values.size(); ++i) {
+    const float d = phi.values[i];
+    if (d < -kNear && d > -kFar) in.values[i] = ct.values[i], in_weight.values[i] = 1.0F;
+    if (d > kNear && d < kFar) out.values[i] = std::max(ct.values[i], -150.0F), out_weight.values[i] = 1.0F;
+  }
+  for (Field* field : {&in, &in_weight, &out, &out_weight}) smooth(*field, kWindow);
+  for (std::size_t i = 0; i < ct.values.size(); ++i) {
+    region.values[i] = 0.0F;
+    if (in_weight.values[i] < 1e-3F || out_weight.values[i] < 1e-3F) continue;
+    const float inner = in.values[i] / in_weight.values[i], outer = out.values[i] / out_weight.values[i];
+    const float contrast = inner - outer;
+    if (std::abs(contrast) < kContrast) continue;
+    region.values[i] = std::clamp(2.0F * (ct.values[i] - 0.5F * (inner + outer)) / contrast, -1.0F, 1.0F);
+    // What is beyond both sides (a vessel, a lesion within the liver) is no reason to move.
+    if (contrast > 0.0F && ct.values[i] > inner) region.values[i] = 1.0F;
+  }
+}
+
+}  // namespace
+
+Tissue tissue_around(const Field& ct, const std::vector<Eigen::Vector3i>& points, double radius_mm,
+                     double low_sigma, double high_sigma) {
+  std::vector<float> values;
+  const Eigen::Vector3i reach =
+      (radius_mm * ct.spacing_mm.cwiseInverse()).array().ceil().matrix().cast<int>();
+  for (const Eigen::Vector3i& p : points)
+    for (int k = -reach.z(); k <= reach.z(); ++k)
+      for (int j = -reach.y(); j <= reach.y(); ++j)
+        for (int i = -reach.x(); i <= reach.x(); ++i) {
+          const Eigen::Vector3i v = p + Eigen::Vector3i(i, j, k);
+          if (ct.contains(v) && Eigen::Vector3d(i, j, k).cwiseProduct(ct.spacing_mm).norm() <= radius_mm)
+            values.push_back(ct.values[ct.offset(v)]);
+        }
+  require(!values.empty(), "a tissue is estimated around points inside the volume");
+  return robust_tissue(values, low_sigma, high_sigma);
+}
+
+namespace {
+
+/// The three contours, from the start to the boundary. Empty when cancelled.
+Cancellable<Field> run_contours(const Scene& scene, const Tissue& tissue, const RunContext& context) {
+  const Field& ct = scene.ct;
+  Field phi = signed_distance(scene.start, ct);
+  ContourForces forces;
+  forces.curvature_mm = kCurvature;
+  forces.attraction_mm = kAttraction;
+  forces.edge = edge_map(ct);
+  forces.region = ct;
+  const auto reach = static_cast<float>(kReach);
+  const Field from_start = phi;
+  const auto bound = [&] {
+    quieten_on_edges(forces.region, forces.edge);
+    for (std::size_t i = 0; i < ct.values.size(); ++i)
+      if (from_start.values[i] > reach) forces.region.values[i] = -1.0F;
+    impose(forces.region, scene);
+  };
+  for (std::size_t i = 0; i < ct.values.size(); ++i) {
+    const double z = (ct.values[i] - tissue.mean) / (kWidth * tissue.sigma);
+    forces.region.values[i] =
+        scene.open.voxels[i] != 0 ? 1.0F : static_cast<float>(std::clamp(1.0 - z * z, -1.0, 1.0));
+  }
+  bound();
+  if (!evolve(phi, forces, 48, context.part(0.0, 0.4))) return std::nullopt;
+
+  const Ratio ratio(ct, phi, 12.0);
+  for (std::size_t i = 0; i < ct.values.size(); ++i)
+    forces.region.values[i] = std::clamp(0.5F * ratio(ct.values[i]), -1.0F, 1.0F);
+  bound();
+  if (!evolve(phi, forces, 80, context.part(0.4, 0.8))) return std::nullopt;
+
+  local_region(ct, phi, forces.region);
+  impose(forces.region, scene);
+  forces.curvature_mm = 0.5 * kCurvature;
+  forces.attraction_mm = 0.0;
+  if (!evolve(phi, forces, 24, context.part(0.8, 1.0))) return std::nullopt;
+  return phi;
+}
+
+}  // namespace
+
+Cancellable<LiverContour> find_liver(const Field& ct, const LiverSeeds& seeds, const Mask& barred,
+                                     const Mask& included, const RunContext& context) {
+  require(!seeds.inside.empty(), "the liver has at least one seed");
+  LiverContour result;
+  Tissue& tissue = result.parenchyma;
+  tissue = tissue_around(ct, seeds.inside, kSeedRadius, kLeastSigma, kMostSigma);
+  Mask open, start;
+  for (int round = 0; round < 3; ++round) {
+    if (context.cancelled()) return std::nullopt;
+    context.progress(0.1 * round, "segmentation.start");
+    open = liver_like(ct, tissue, kWidth, barred, included);
+    start = start_of(ct, open, seeds);
+    if (round == 2) break;
+    const Tissue next = tissue_within(ct, start, 4.0);
+    if (next.sigma > 0.0) tissue = next;
+  }
+  // From here on only the surroundings of the start matter.
+  const VoxelBox box = bounding_box(ct.size, ct.spacing_mm, start.voxels, kReach + 16.0);
+  const auto cut = [&](const Mask& mask) { return crop(ct.size, ct.spacing_mm, mask.voxels, box); };
+  Scene scene{ct.cropped(box), cut(open), cut(start), cut(barred), cut(included), {}};
+  for (const Eigen::Vector3i& p : seeds.outside)
+    if (scene.ct.contains(p - box.low)) scene.outside.push_back(p - box.low);
+  const auto phi = run_contours(scene, tissue, context.part(0.3, 1.0));
+  if (!phi) return std::nullopt;
+  result.phi = ct.filled(static_cast<float>(kReach));
+  for (int k = 0; k < phi->size.z(); ++k)
+    for (int j = 0; j < phi->size.y(); ++j)
+      std::copy_n(phi->values.begin() + static_cast<std::ptrdiff_t>(phi->offset(0, j, k)), phi->size.x(),
+                  result.phi.values.begin() +
+                      static_cast<std::ptrdiff_t>(ct.offset(box.low + Eigen::Vector3i(0, j, k))));
+  return result;
+}
+
+}  // namespace glisson::segmentation

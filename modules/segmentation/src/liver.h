@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "field.h"
+#include "glisson/core/run_context.h"
+
+namespace glisson::segmentation {
+
+/// Normal distribution of a tissue's intensity, estimated robustly.
+struct Tissue {
+  double mean = 0.0, sigma = 1.0;
+};
+/// Median and scaled median absolute deviation within `radius_mm` of the points. sigma is kept in
+/// [low_sigma, high_sigma].
+Tissue tissue_around(const Field& ct, const std::vector<Eigen::Vector3i>& points, double radius_mm,
+                     double low_sigma, double high_sigma);
+
+struct LiverSeeds {
+  std::vector<Eigen::Vector3i> inside, outside;  ///< voxels of the field
+};
+
+struct LiverContour {
+  Field phi;  ///< mm, negative inside
+  Tissue parenchyma;
+};
+
+/// Steps: robust statistics at the seeds; a start by competition between seeds inside and outside over what
+/// looks like liver, in which narrow necks are long ways; a contour driven by that; new statistics inside and
+/// in a rim outside; a second contour driven by their ratio; a last one that settles half way between the
+/// liver and what lies beside it.
+/// @param ct denoised. @param barred structures that are known not to be liver (vena cava, gallbladder).
+/// @param included structures that are known to be (lesions).
+Cancellable<LiverContour> find_liver(const Field& ct, const LiverSeeds& seeds, const Mask& barred,
+                                     const Mask& included, const RunContext& context);
+
+}  // namespace glisson::segmentation

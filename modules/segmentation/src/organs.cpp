@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "organs.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace glisson::segmentation {
+namespace {
+
+/// Voxels whose intensity lies in (low, high).
+Mask between(const Field& ct, double low, double high) {
+  Mask mask = ct.empty_mask();
+  for (std::size_t i = 0; i < mask.voxels.size(); ++i)
+    mask.voxels[i] = ct.values[i] > low && ct.values[i] < high ? 1 : 0;
+  return mask;
+}
+
+Mask complement(Mask mask) {
+  for (auto& v : mask.voxels) v = v == 0 ? 1 : 0;
+  return mask;
+}
+
+/// The part of `mask` in the box around a voxel, `radius_mm` to each side.
+VoxelBox box_around(const Field& ct, const Eigen::Vector3i& centre, double radius_mm) {
+  VoxelBox box;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int reach = static_cast<int>(std::ceil(radius_mm / ct.spacing_mm[axis]));
+    box.low[axis] = std::max(0, centre[axis] - reach);
+    box.high[axis] = std::min(ct.size[axis], centre[axis] + reach + 1);
+  }
+  return box;
+}
+
+/// Climbs from `v` to where the depth is locally greatest.
+Eigen::Vector3i deepest_near(const Mask& part, const std::vector<float>& depth2, Eigen::Vector3i v) {
+  while (true) {
+    Eigen::Vector3i best = v;
+    for (int k = -2; k <= 2; ++k)
+      for (int j = -2; j <= 2; ++j)
+        for (int i = -2; i <= 2; ++i) {
+          const Eigen::Vector3i w = v + Eigen::Vector3i(i, j, k);
+          if ((w.array() < 0).any() || (w.array() >= part.size.array()).any()) continue;
+          if (depth2[part.offset(w.x(), w.y(), w.z())] > depth2[part.offset(best.x(), best.y(), best.z())])
+            best = w;
+        }
+    if (best == v) return v;
+    v = best;
+  }
+}
+
+/// Components of `mask` that hold one of the marked voxels.
+Mask touching(const Mask& mask, const std::vector<std::size_t>& marks) {
+  std::vector<long> sizes;
+  const std::vector<int> number = connected_components(mask, sizes);
+  std::vector<std::uint8_t> keep(sizes.size() + 1, 0);
+  for (const std::size_t at : marks) keep[static_cast<std::size_t>(number[at])] = 1;
+  keep[0] = 0;
+  Mask result(mask.size, mask.spacing_mm);
+  for (std::size_t i = 0; i < number.size(); ++i)
+    result.voxels[i] = keep[static_cast<std::size_t>(number[i])];
+  return result;
+}
+
+/// One seed's body within a box.
+void grow_one(const Field& ct, const Mask& alike, const Eigen::Vector3i& seed, Mask& body) {
+  constexpr double kLargest = 80.0;  // mm: half the width of the box that is searched
+  const VoxelBox box = box_around(ct, seed, kLargest);
+  const Mask part = crop(ct.size, ct.spacing_mm, alike.voxels, box);
+  const std::vector<float> depth2 = squared_distance_mm2(complement(part));
+  const Eigen::Vector3i centre = deepest_near(part, depth2, seed - box.low);
+  const double half_width = std::sqrt(depth2[part.offset(centre.x(), centre.y(), centre.z())]);
+  if (!(half_width > 0.0)) return;
+  const double neck = 0.5 * half_width;
+  Mask core(part.size, part.spacing_mm);
+  for (std::size_t i = 0; i < core.voxels.size(); ++i) core.voxels[i] = std::sqrt(depth2[i]) > neck;
+  core = touching(core, {core.offset(centre.x(), centre.y(), centre.z())});
+  const Mask grown = dilated(core, neck);
+  for (int k = 0; k < part.size.z(); ++k)
+    for (int j = 0; j < part.size.y(); ++j)
+      for (int i = 0; i < part.size.x(); ++i) {
+        const std::size_t at = part.offset(i, j, k);
+        const double d =
+            (Eigen::Vector3i(i, j, k) - centre).cast<double>().cwiseProduct(ct.spacing_mm).norm();
+        if (grown.voxels[at] != 0 && part.voxels[at] != 0 && d < 2.5 * half_width)
+          body.voxels[ct.offset(box.low + Eigen::Vector3i(i, j, k))] = 1;
+      }
+}
+
+/// Slice `n` along `axis` of a 3-D mask, as a flat one, and back.
+Mask slice_of(const Mask& mask, int axis, int n) {
+  VoxelBox box{Eigen::Vector3i::Zero(), mask.size};
+  box.low[axis] = n;
+  box.high[axis] = n + 1;
+  return crop(mask.size, mask.spacing_mm, mask.voxels, box);
+}
+void put_slice(const Mask& slice, int axis, int n, Mask& mask) {
+  VoxelBox box{Eigen::Vector3i::Zero(), mask.size};
+  box.low[axis] = n;
+  box.high[axis] = n + 1;
+  paste(slice, box, mask.size, mask.voxels);
+}
+
+Mask both(Mask a, const Mask& b) {
+  for (std::size_t i = 0; i < a.voxels.size(); ++i) a.voxels[i] = a.voxels[i] != 0 && b.voxels[i] != 0;
+  return a;
+}
+
+constexpr double kCavaStep = 2.5;  // mm that the cava's wall moves from slice to slice at most
+constexpr double kCavaNeck = 3.0;  // mm, closes the mouths of smaller veins
+
+}  // namespace
+
+Mask grow_body(const Field& ct, const std::vector<Eigen::Vector3i>& seeds, const Tissue& liver) {
+  Mask body = ct.empty_mask();
+  for (const Eigen::Vector3i& seed : seeds) {
+    const Tissue own = tissue_around(ct, {seed}, 4.0, 5.0, 15.0);
+    const double middle = 0.5 * (own.mean + liver.mean);
+    const bool darker = own.mean < liver.mean;
+    const double low = darker ? own.mean - 3.0 * own.sigma : std::max(middle, own.mean - 3.0 * own.sigma);
+    const double high = darker ? std::min(middle, own.mean + 3.0 * own.sigma) : own.mean + 3.0 * own.sigma;
+    grow_one(ct, between(ct, low, high), seed, body);
+  }
+  return body.count() > 0 ? holes_filled(body) : body;
+}
+
+Mask follow_cava(const Field& ct, const std::vector<Eigen::Vector3i>& seeds, int axis) {
+  const Tissue own = tissue_around(ct, seeds, 4.0, 4.0, 12.0);
+  const Mask alike = between(ct, own.mean - 2.5 * own.sigma, own.mean + 2.5 * own.sigma);
+  Mask cava = ct.empty_mask();
+  for (const Eigen::Vector3i& seed : seeds) {
+    // The first cross-section: what is alike around the click, no wider than a cava.
+    Mask near = ct.empty_mask();
+    near.voxels[ct.offset(seed)] = 1;
+    Mask first = both(slice_of(alike, axis, seed[axis]), dilated(slice_of(near, axis, seed[axis]), 16.0));
+    std::size_t mark = 0;
+    {
+      Mask seed_slice = slice_of(near, axis, seed[axis]);
+      mark = static_cast<std::size_t>(std::find(seed_slice.voxels.begin(), seed_slice.voxels.end(), 1) -
+                                      seed_slice.voxels.begin());
+    }
+    first = touching(opened(first, kCavaNeck), {mark});
+    const long area = first.count();
+    if (area == 0) continue;
+    put_slice(first, axis, seed[axis], cava);
+    for (const int direction : {-1, 1}) {
+      Mask last = first;
+      for (int n = seed[axis] + direction; n >= 0 && n < ct.size[axis]; n += direction) {
+        Mask next = both(slice_of(alike, axis, n), dilated(last, kCavaStep));
+        next = largest_component(opened(next, kCavaNeck));
+        const long count = next.count();
+        if (count < area / 5 || count > 2 * area) break;
+        put_slice(next, axis, n, cava);
+        last = next;
+      }
+    }
+  }
+  return cava.count() > 0 ? closed(cava, 3.0) : cava;
+}
+
+}  // namespace glisson::segmentation

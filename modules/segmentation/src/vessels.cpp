@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vessels.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <queue>
+
+namespace glisson::segmentation {
+namespace {
+
+constexpr double kOutside = 10.0;      // mm that a vessel is followed outside the liver
+constexpr double kThickest = 9.0;      // mm: the radius from which on something bright is no liver vessel
+constexpr double kSmallestTree = 0.2;  // ml below which a piece is noise
+constexpr std::array<double, 3> kScales = {1.2, 2.0, 3.2};  // mm
+
+/// Second derivatives by central differences at an inner voxel.
+Eigen::Matrix3f hessian(const Field& f, std::size_t at) {
+  const std::array<std::ptrdiff_t, 3> s = {
+      1, f.size.x(), static_cast<std::ptrdiff_t>(f.size.x()) * static_cast<std::ptrdiff_t>(f.size.y())};
+  const float* p = f.values.data() + at;
+  Eigen::Matrix3f h;
+  for (int a = 0; a < 3; ++a)
+    for (int b = a; b < 3; ++b) {
+      const std::ptrdiff_t sa = s[static_cast<std::size_t>(a)], sb = s[static_cast<std::size_t>(b)];
+      const auto scale = static_cast<float>(1.0 / (f.spacing_mm[a] * f.spacing_mm[b]));
+      const float d = a == b ? p[sa] - 2.0F * p[0] + p[-sa]
+                             : 0.25F * (p[sa + sb] - p[sa - sb] - p[sb - sa] + p[-sa - sb]);
+      h(a, b) = h(b, a) = d * scale;
+    }
+  return h;
+}
+
+float tube_response(const Eigen::Matrix3f& h) {
+  // Cheap refusal first: a bright tube curves downwards on the whole.
+  if (h.trace() >= 0.0F) return 0.0F;
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
+  solver.computeDirect(h, Eigen::EigenvaluesOnly);
+  const Eigen::Vector3f lambda = solver.eigenvalues();  // rising
+  return lambda[1] < 0.0F ? -lambda[1] : 0.0F;
+}
+
+struct Entry {
+  float cost;
+  std::size_t at;
+  bool operator>(const Entry& other) const { return cost != other.cost ? cost > other.cost : at > other.at; }
+};
+using Queue = std::priority_queue<Entry, std::vector<Entry>, std::greater<>>;
+
+/// Visits the 26 neighbours with the length of the step.
+template <class Visit>
+void each_of_26(const Field& f, std::size_t at, Visit&& visit) {
+  const auto nx = static_cast<std::size_t>(f.size.x()), slice = nx * static_cast<std::size_t>(f.size.y());
+  const int i = static_cast<int>(at % nx), j = static_cast<int>((at % slice) / nx),
+            k = static_cast<int>(at / slice);
+  for (int dk = -1; dk <= 1; ++dk)
+    for (int dj = -1; dj <= 1; ++dj)
+      for (int di = -1; di <= 1; ++di) {
+        const Eigen::Vector3i v(i + di, j + dj, k + dk);
+        if ((di == 0 && dj == 0 && dk == 0) || !f.contains(v)) continue;
+        visit(f.offset(v), static_cast<float>(Eigen::Vector3d(di, dj, dk).cwiseProduct(f.spacing_mm).norm()));
+      }
+}
+
+/// Where vessels are looked for: in the liver with its bays and a little around, not in the cava.
+Mask search_region(const Mask& liver, const Mask& cava) {
+  Mask region = dilated(closed(liver, 8.0), kOutside);
+  for (std::size_t i = 0; i < region.voxels.size(); ++i)
+    if (cava.voxels[i] != 0) region.voxels[i] = 0;
+  return region;
+}
+
+/// Removes what is too thick to be a liver vessel (kidney, aorta, bowel beside the liver).
+void remove_thick(Mask& candidates) {
+  const Mask thick = dilated(eroded(candidates, kThickest), kThickest + 2.0);
+  for (std::size_t i = 0; i < candidates.voxels.size(); ++i)
+    if (thick.voxels[i] != 0) candidates.voxels[i] = 0;
+}
+
+/// The nearest candidate to each click, within a few mm: clicks are not exact.
+std::vector<std::size_t> snapped(const Field& ct, const Mask& candidates,
+                                 const std::vector<Eigen::Vector3i>& clicks) {
+  constexpr double kReach = 5.0;  // mm
+  const int reach = static_cast<int>(std::ceil(kReach / ct.spacing_mm.minCoeff()));
+  std::vector<std::size_t> places;
+  for (const Eigen::Vector3i& click : clicks) {
+    double best = kReach;
+    std::ptrdiff_t place = -1;
+    for (int k = -reach; k <= reach; ++k)
+      for (int j = -reach; j <= reach; ++j)
+        for (int i = -reach; i <= reach; ++i) {
+          const Eigen::Vector3i v = click + Eigen::Vector3i(i, j, k);
+          const double d = Eigen::Vector3d(i, j, k).cwiseProduct(ct.spacing_mm).norm();
+          if (d > best || !ct.contains(v) || candidates.voxels[ct.offset(v)] == 0) continue;
+          best = d;
+          place = static_cast<std::ptrdiff_t>(ct.offset(v));
+        }
+    if (place >= 0) places.push_back(static_cast<std::size_t>(place));
+  }
+  return places;
+}
+
+/// 1: portal, 2: hepatic, for each candidate that either reaches.
+std::vector<std::uint8_t> compete(const Field& ct, const Mask& candidates, const std::vector<float>& ease,
+                                  const std::vector<std::size_t>& portal,
+                                  const std::vector<std::size_t>& hepatic) {
+  std::vector<std::uint8_t> owner(candidates.voxels.size(), 0);
+  std::vector<float> cost(candidates.voxels.size(), 1e30F);
+  Queue queue;
+  const auto place = [&](const std::vector<std::size_t>& starts, std::uint8_t who) {
+    for (const std::size_t at : starts) {
+      cost[at] = 0.0F;
+      owner[at] = who;
+      queue.push({0.0F, at});
+    }
+  };
+  place(hepatic, 2);
+  place(portal, 1);
+  while (!queue.empty()) {
+    const Entry entry = queue.top();
+    queue.pop();
+    if (entry.cost > cost[entry.at]) continue;
+    each_of_26(ct, entry.at, [&](std::size_t other, float length) {
+      if (candidates.voxels[other] == 0) return;
+      const float next = entry.cost + length / ease[other];
+      if (next >= cost[other]) return;
+      cost[other] = next;
+      owner[other] = owner[entry.at];
+      queue.push({next, other});
+    });
+  }
+  return owner;
+}
+
+Mask pieces_of(const Field& ct, const std::vector<std::uint8_t>& owner, std::uint8_t who) {
+  Mask mask = ct.empty_mask();
+  for (std::size_t i = 0; i < owner.size(); ++i) mask.voxels[i] = owner[i] == who ? 1 : 0;
+  std::vector<long> sizes;
+  const std::vector<int> number = connected_components(mask, sizes);
+  const double voxel_ml = 1e-3 * ct.spacing_mm.prod();
+  for (std::size_t i = 0; i < owner.size(); ++i)
+    if (number[i] > 0 &&
+        static_cast<double>(sizes[static_cast<std::size_t>(number[i]) - 1]) * voxel_ml < kSmallestTree)
+      mask.voxels[i] = 0;
+  return mask;
+}
+
+/// How much brighter than parenchyma the clicked vessels are, HU.
+double vessel_contrast(const Field& ct, const VesselSeeds& seeds, const Tissue& parenchyma) {
+  std::vector<Eigen::Vector3i> all = seeds.portal;
+  all.insert(all.end(), seeds.hepatic.begin(), seeds.hepatic.end());
+  const Tissue vessel = tissue_around(ct, all, 2.0, 1.0, 50.0);
+  return std::max(vessel.mean - parenchyma.mean, 3.0 * parenchyma.sigma);
+}
+
+}  // namespace
+
+Cancellable<std::vector<float>> tubeness(const Field& ct, const Mask& where,
+                                         const std::vector<double>& sigmas_mm, const RunContext& context) {
+  std::vector<float> best(ct.values.size(), 0.0F);
+  for (std::size_t n = 0; n < sigmas_mm.size(); ++n) {
+    if (context.cancelled()) return std::nullopt;
+    context.progress(static_cast<double>(n) / static_cast<double>(sigmas_mm.size()),
+                     "segmentation.vesselness");
+    Field blurred = ct;
+    smooth(blurred, sigmas_mm[n]);
+    const auto scale = static_cast<float>(sigmas_mm[n] * sigmas_mm[n]);
+    for (int k = 1; k + 1 < ct.size.z(); ++k)
+      for (int j = 1; j + 1 < ct.size.y(); ++j)
+        for (int i = 1; i + 1 < ct.size.x(); ++i) {
+          const std::size_t at = ct.offset(i, j, k);
+          if (where.voxels[at] != 0)
+            best[at] = std::max(best[at], scale * tube_response(hessian(blurred, at)));
+        }
+  }
+  return best;
+}
+
+Cancellable<Vessels> find_vessels(const Field& ct, const Mask& liver, const Mask& cava,
+                                  const Tissue& parenchyma, const VesselSeeds& seeds,
+                                  const RunContext& context) {
+  Vessels vessels{ct.empty_mask(), ct.empty_mask()};
+  if (seeds.portal.empty() && seeds.hepatic.empty()) return vessels;
+  const Mask region = search_region(liver, cava);
+  const auto tubes =
+      tubeness(ct, region, std::vector<double>(kScales.begin(), kScales.end()), context.part(0.0, 0.6));
+  if (!tubes) return std::nullopt;
+
+  const double contrast = vessel_contrast(ct, seeds, parenchyma);
+  Mask candidates = ct.empty_mask();
+  std::vector<float> ease(ct.values.size(), 0.0F);
+  for (std::size_t i = 0; i < candidates.voxels.size(); ++i) {
+    if (region.voxels[i] == 0) continue;
+    const double bright = (ct.values[i] - parenchyma.mean) / contrast;
+    const double tube = (*tubes)[i] / contrast;
+    // Thick vessels are bright without looking like tubes; thin ones look like tubes but are dimmed by blur.
+    // Outside the liver, where other bright things lie, only what is as bright as the clicks counts.
+    const bool in = liver.voxels[i] != 0;
+    candidates.voxels[i] =
+        in ? (bright > 0.55 || (bright > 0.25 && tube > 0.12)) : (bright > 0.6 && bright < 1.6);
+    ease[i] = static_cast<float>(0.02 + std::clamp(bright, 0.0, 1.0) * std::clamp(bright, 0.0, 1.0) +
+                                 std::clamp(tube, 0.0, 1.0));
+  }
+  remove_thick(candidates);
+  if (context.cancelled()) return std::nullopt;
+  context.progress(0.7, "segmentation.trees");
+
+  std::vector<std::size_t> hepatic = snapped(ct, candidates, seeds.hepatic);
+  const std::vector<std::size_t> portal = snapped(ct, candidates, seeds.portal);
+  // The hepatic veins drain into the cava: its wall is a source of theirs.
+  const Mask wall = dilated(cava, 1.5 * ct.spacing_mm.maxCoeff());
+  for (std::size_t i = 0; i < wall.voxels.size(); ++i)
+    if (!seeds.hepatic.empty() && wall.voxels[i] != 0 && candidates.voxels[i] != 0 && liver.voxels[i] != 0)
+      hepatic.push_back(i);
+  const std::vector<std::uint8_t> owner = compete(ct, candidates, ease, portal, hepatic);
+  vessels.portal = pieces_of(ct, owner, 1);
+  vessels.hepatic = pieces_of(ct, owner, 2);
+  return vessels;
+}
+
+}  // namespace glisson::segmentation

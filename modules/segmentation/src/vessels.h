@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "field.h"
+#include "glisson/core/run_context.h"
+#include "liver.h"
+
+namespace glisson::segmentation {
+
+struct VesselSeeds {
+  std::vector<Eigen::Vector3i> portal, hepatic;  ///< voxels of the field
+};
+
+struct Vessels {
+  Mask portal, hepatic;
+};
+
+/// Tubeness of bright vessels over several scales, in HU: the largest over sigma of sigma^2 times the smaller
+/// of the two strongest downward curvatures (after Sato 1998), 0 where a curvature points up. Only where
+/// `where` is set.
+Cancellable<std::vector<float>> tubeness(const Field& ct, const Mask& where,
+                                         const std::vector<double>& sigmas_mm, const RunContext& context);
+
+/// Both venous trees. Candidates are bright or tubular; each tree is what its seeds reach through candidates
+/// first, where a step through bright, tubular tissue is short (competition of fronts).
+/// @param ct lightly smoothed, about 1 mm. @param liver filled. @param cava a source of the hepatic veins;
+/// they end there.
+Cancellable<Vessels> find_vessels(const Field& ct, const Mask& liver, const Mask& cava,
+                                  const Tissue& parenchyma, const VesselSeeds& seeds,
+                                  const RunContext& context);
+
+}  // namespace glisson::segmentation

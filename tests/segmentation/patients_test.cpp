@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QElapsedTimer>
+#include <QtTest>
+
+#include "glisson/core/files.h"
+#include "glisson/insilico/patient.h"
+#include "glisson/segmentation/segment.h"
+#include "glisson/volume/morphology.h"
+#include "operator.h"
+
+using namespace glisson;
+using namespace glisson::segmentation;
+namespace fs = std::filesystem;
+
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+Bytes where(const std::vector<Label>& labels, const std::function<bool(Label)>& wanted) {
+  Bytes mask(labels.size());
+  std::transform(labels.begin(), labels.end(), mask.begin(),
+                 [&](Label label) { return wanted(label) ? 1 : 0; });
+  return mask;
+}
+Bytes is(const std::vector<Label>& labels, std::initializer_list<int> codes) {
+  return where(labels,
+               [&](Label label) { return std::find(codes.begin(), codes.end(), label) != codes.end(); });
+}
+
+/// Liver-like tissue beside the liver, where a person who sees it run together clicks "not liver".
+Bytes look_alikes(const Image& image, const Bytes& liver, const Bytes& vessels) {
+  double sum = 0.0, count = 0.0;
+  for (std::size_t i = 0; i < liver.size(); ++i)
+    if (liver[i] != 0) sum += (*image.voxels)[i], count += 1.0;
+  const VoxelBox box = bounding_box(image.grid.size, image.grid.spacing_mm, liver, 40.0);
+  const Mask near = crop(image.grid.size, image.grid.spacing_mm, liver, box);
+  const std::vector<float> distance2 = squared_distance_mm2(near);
+  Bytes mask(liver.size(), 0);
+  for (int k = 0; k < near.size.z(); ++k)
+    for (int j = 0; j < near.size.y(); ++j)
+      for (int i = 0; i < near.size.x(); ++i) {
+        const auto at = static_cast<std::size_t>(image.grid.offset(box.low + Eigen::Vector3i(i, j, k)));
+        const float d2 = distance2[near.offset(i, j, k)];
+        mask[at] = d2 > 16.0F && d2 < 1600.0F && vessels[at] == 0 &&
+                   std::abs((*image.voxels)[at] - sum / count) < 35.0;
+      }
+  // Smoothed: single noisy voxels are not what a person sees.
+  const Mask seen = opened(crop(image.grid.size, image.grid.spacing_mm, mask, box), 2.0);
+  std::fill(mask.begin(), mask.end(), 0);
+  paste(seen, box, image.grid.size, mask);
+  return mask;
+}
+
+/// One mask for each component of at least `least_ml`, the largest first.
+std::vector<Bytes> bodies_of(const VolumeGrid& grid, const Bytes& mask, double least_ml) {
+  const VoxelBox box = bounding_box(grid.size, grid.spacing_mm, mask, 2.0);
+  if (box.empty()) return {};
+  std::vector<long> sizes;
+  const Mask part = crop(grid.size, grid.spacing_mm, mask, box);
+  const std::vector<int> number = connected_components(part, sizes);
+  std::vector<Bytes> bodies;
+  for (std::size_t n = 0; n < sizes.size(); ++n) {
+    if (1e-3 * static_cast<double>(sizes[n]) * grid.voxel_volume_mm3() < least_ml) break;
+    Mask one = part;
+    for (std::size_t i = 0; i < number.size(); ++i) one.voxels[i] = number[i] == static_cast<int>(n) + 1;
+    bodies.emplace_back(mask.size(), 0);
+    paste(one, box, grid.size, bodies.back());
+  }
+  return bodies;
+}
+
+struct Figures {
+  double liver = 0.0, portal = 0.0, hepatic = 0.0, seconds = 0.0;
+  std::vector<double> lesions;
+};
+
+/// Segments from a file of clicks alone.
+Segmented segment_from_file(const Image& image, const Seeds& clicks, double& seconds) {
+  const TemporaryFolder folder;
+  write_seeds(folder.path() / "seeds.json", clicks);
+  const Seeds seeds = read_seeds(folder.path() / "seeds.json");
+  QElapsedTimer timer;
+  timer.start();
+  Segmented result = segment(image, seeds, {}, RunContext()).value();
+  seconds = 1e-3 * static_cast<double>(timer.elapsed());
+  return result;
+}
+
+void report(const char* name, const Figures& figures, const SegmentationReport& report) {
+  QString text = QString("%1: Dice liver %2, portal %3, hepatic %4; %5 s; liver %6 ml")
+                     .arg(name)
+                     .arg(figures.liver, 0, 'f', 4)
+                     .arg(figures.portal, 0, 'f', 3)
+                     .arg(figures.hepatic, 0, 'f', 3)
+                     .arg(figures.seconds, 0, 'f', 1)
+                     .arg(report.liver_ml, 0, 'f', 0);
+  for (std::size_t n = 0; n < figures.lesions.size(); ++n)
+    text += QString("; lesion %1 %2 (%3 ml)")
+                .arg(n + 1)
+                .arg(figures.lesions[n], 0, 'f', 3)
+                .arg(report.lesion_ml[n]);
+  for (const std::string& note : report.notes) text += "; " + QString::fromStdString(note);
+  qInfo("%s", qPrintable(text));
+}
+
+fs::path data_folder() {
+  if (const char* named = std::getenv("GLISSON_DATA")) return named;
+  const char* source = std::getenv("GLISSON_SOURCE_DIR");
+  return source != nullptr ? fs::path(source) / "../shared/data" : fs::path();
+}
+
+}  // namespace
+
+class PatientsTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void SyntheticPatientIsFoundFromClicks();
+  void RealPatientIsFoundFromClicks();
+};
+
+void PatientsTest::SyntheticPatientIsFoundFromClicks() {
+  const auto patient = insilico::make_patient({}, RunContext()).value();
+  const std::vector<Label> truth = patient.truth.voxels.dense();
+  const Bytes liver = inside_liver(patient.truth);
+  test::Operator person(patient.ct.grid, 1, 1.5);
+  Seeds seeds;
+  seeds.liver = person.click(is(truth, {structure::kParenchyma}), 6, 8.0);
+  seeds.background = person.click(
+      look_alikes(patient.ct, liver,
+                  is(truth, {structure::kPortalVein, structure::kHepaticVeins, structure::kVenaCava})),
+      3, 7.0);
+  seeds.portal_vein = person.click(is(truth, {structure::kPortalVein}), 2, 4.0);
+  seeds.hepatic_veins = person.click(is(truth, {structure::kHepaticVeins}), 3, 3.0);
+  seeds.vena_cava = person.click(is(truth, {structure::kVenaCava}), 2, 8.0);
+  seeds.gallbladder = person.click(is(truth, {structure::kGallbladder}), 1, 8.0);
+  const std::vector<Bytes> tumours = bodies_of(patient.ct.grid, where(truth, is_lesion), 0.3);
+  for (const Bytes& tumour : tumours) seeds.lesions.push_back(person.click(tumour, 1, 4.0));
+
+  Figures figures;
+  const Segmented result = segment_from_file(patient.ct, seeds, figures.seconds);
+  const std::vector<Label> found = result.labels.voxels.dense();
+  figures.liver = dice(inside_liver(result.labels), liver);
+  figures.portal = dice(is(found, {structure::kPortalVein}), is(truth, {structure::kPortalVein}));
+  figures.hepatic = dice(is(found, {structure::kHepaticVeins}), is(truth, {structure::kHepaticVeins}));
+  for (std::size_t n = 0; n < tumours.size(); ++n)
+    figures.lesions.push_back(dice(is(found, {static_cast<int>(structure::kFirstLesion + n)}), tumours[n]));
+  report("synthetic patient 1", figures, result.report);
+  qInfo("cava %.3f, gallbladder %.3f",
+        dice(is(found, {structure::kVenaCava}), is(truth, {structure::kVenaCava})),
+        dice(is(found, {structure::kGallbladder}), is(truth, {structure::kGallbladder})));
+  QVERIFY(figures.liver > 0.95);
+  QVERIFY(figures.portal > 0.45 && figures.hepatic > 0.45);
+  for (const double lesion : figures.lesions) QVERIFY(lesion > 0.6);
+  QVERIFY(dice(is(found, {structure::kVenaCava}), is(truth, {structure::kVenaCava})) > 0.6);
+  QVERIFY(dice(is(found, {structure::kGallbladder}), is(truth, {structure::kGallbladder})) > 0.6);
+}
+
+void PatientsTest::RealPatientIsFoundFromClicks() {
+  const fs::path folder = data_folder() / "ct_ircad1";
+  if (!fs::exists(folder / "PATIENT_DICOM.tar.gz")) QSKIP("the real CT is not here (set GLISSON_DATA)");
+  const Image image = read_image(folder / "PATIENT_DICOM.tar.gz", RunContext()).value();
+  const std::vector<Label> truth = read_labels(folder / "3Dircadb0101Labeled.vti").voxels.dense();
+  const Bytes liver = is(truth, {449, 451, 453, 465, 481});
+  test::Operator person(image.grid, 1, 1.5);
+  Seeds seeds;
+  seeds.liver = person.click(is(truth, {449}), 6, 8.0);
+  seeds.background = person.click(look_alikes(image, liver, is(truth, {17, 33, 513})), 3, 7.0);
+  seeds.portal_vein = person.click(is(truth, {17, 465}), 2, 4.0);
+  seeds.hepatic_veins = person.click(is(truth, {481}), 3, 3.0);
+  seeds.vena_cava = person.click(is(truth, {33}), 2, 8.0);
+  const std::vector<Bytes> tumours = bodies_of(image.grid, is(truth, {451}), 0.5);
+  for (const Bytes& tumour : tumours) seeds.lesions.push_back(person.click(tumour, 1, 6.0));
+
+  Figures figures;
+  const Segmented result = segment_from_file(image, seeds, figures.seconds);
+  const std::vector<Label> found = result.labels.voxels.dense();
+  figures.liver = dice(inside_liver(result.labels), liver);
+  // Inside the liver only: how far a tree is followed outside is a matter of taste.
+  const auto within = [&](Bytes mask) {
+    for (std::size_t i = 0; i < mask.size(); ++i) mask[i] = mask[i] != 0 && liver[i] != 0;
+    return mask;
+  };
+  figures.portal = dice(within(is(found, {structure::kPortalVein})), is(truth, {465}));
+  figures.hepatic = dice(within(is(found, {structure::kHepaticVeins})), is(truth, {481}));
+  for (std::size_t n = 0; n < tumours.size(); ++n)
+    figures.lesions.push_back(dice(is(found, {static_cast<int>(structure::kFirstLesion + n)}), tumours[n]));
+  report("3D-IRCADb-01 patient 1 (real)", figures, result.report);
+  qInfo("vessels together %.3f, lesions together %.3f",
+        dice(within(is(found, {structure::kPortalVein, structure::kHepaticVeins})), is(truth, {465, 481})),
+        dice(where(found, is_lesion), is(truth, {451})));
+  QVERIFY(figures.liver > 0.93);
+}
+
+QTEST_APPLESS_MAIN(PatientsTest)
+#include "patients_test.moc"
