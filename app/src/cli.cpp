@@ -15,16 +15,30 @@ namespace glisson::app {
 namespace fs = std::filesystem;
 namespace {
 
-volatile std::sig_atomic_t interrupt_seen = 0;
-void on_interrupt(int) { interrupt_seen = 1; }
-
 bool on_terminal() { return ::isatty(STDERR_FILENO) == 1; }
+
+/// Set by the signal handler: an atomic bool that is lock-free, which a handler may touch.
+const std::shared_ptr<CancelFlag>& interrupt_flag() {
+  static const auto kFlag = std::make_shared<CancelFlag>();
+  return kFlag;
+}
+void on_interrupt(int) { interrupt_flag()->request(); }
+
+void clear_progress() {
+  if (on_terminal()) std::fputs("\r\033[K", stderr);
+}
+
+void show_progress(const std::string& command, double fraction, std::string_view stage) {
+  if (!on_terminal()) return;
+  std::fprintf(stderr, "\r\033[K%-18s %3.0f %%  %.*s", command.c_str(), 100.0 * fraction,
+               static_cast<int>(stage.size()), stage.data());
+  std::fflush(stderr);
+}
 
 }  // namespace
 
-bool interrupted() { return interrupt_seen != 0; }
-
 void catch_interrupts() {
+  interrupt_flag();  // made now, not inside the handler
   struct sigaction action = {};
   action.sa_handler = on_interrupt;
   ::sigaction(SIGINT, &action, nullptr);
@@ -32,7 +46,7 @@ void catch_interrupts() {
 }
 
 void say(const QString& line) {
-  if (on_terminal()) std::fputs("\r\033[K", stderr);
+  clear_progress();
   std::puts(line.toUtf8().constData());
   std::fflush(stdout);
 }
@@ -115,50 +129,28 @@ std::uint64_t Arguments::seed() const {
 }
 
 Session::Session(const Arguments& arguments)
-    : arguments_(arguments), begin_(std::chrono::steady_clock::now()) {
-  engine::Engine::Options options;
-  options.runner = engine::Runner::inline_;
-  options.seed = arguments.seed();
-  options.progress = [this](const engine::Progress& progress) {
-    show(progress);
-    if (interrupted()) {
-      cancel_->request();
-      engine_->cancel(progress.id);
-    }
-  };
-  engine_ = std::make_unique<engine::Engine>(std::move(options));
-  snapshot_ = engine_->snapshot();
-}
-
-void Session::show(const engine::Progress& progress) {
-  if (!on_terminal()) return;
-  std::fprintf(stderr, "\r\033[K%-18s %3.0f %%  %s", progress.command.c_str(), 100.0 * progress.fraction,
-               progress.stage.c_str());
-  std::fflush(stderr);
-}
+    : arguments_(arguments),
+      context_([this](double fraction, std::string_view stage) { show_progress(command_, fraction, stage); },
+               interrupt_flag(), arguments.seed()),
+      script_(context_),
+      begin_(std::chrono::steady_clock::now()) {}
 
 engine::Outcome Session::post(engine::Command command) {
-  if (interrupted()) throw Interrupted();
-  const engine::CommandId id = engine_->post(std::move(command));
-  engine::Outcome outcome = engine_->wait(id);
-  engine_->take_events();
-  snapshot_ = engine_->snapshot();
-  if (on_terminal()) std::fputs("\r\033[K", stderr);
-  if (outcome.status == engine::Status::cancelled) throw Interrupted();
-  if (outcome.status == engine::Status::failed) throw Error(outcome.error);
-  for (const auto& [key, value] : outcome.figures) figures[key] = value;
-  figures["seconds_" + outcome.command] = outcome.seconds;
-  for (const std::string& note : outcome.notes) notes.push_back(note);
-  return outcome;
+  command_ = engine::command_code(command);
+  auto outcome = script_.run(std::move(command));
+  if (!outcome) throw Interrupted();
+  clear_progress();
+  for (const auto& [key, value] : outcome->figures) figures[key] = value;
+  figures["seconds_" + outcome->command] = outcome->seconds;
+  notes.insert(notes.end(), outcome->notes.begin(), outcome->notes.end());
+  return *outcome;
 }
 
-RunContext Session::context() const {
-  return RunContext(
-      [this](double fraction, std::string_view stage) {
-        if (interrupted()) cancel_->request();
-        const_cast<Session*>(this)->show({0, "", fraction, std::string(stage)});
-      },
-      cancel_, arguments_.seed());
+OverlayFrame Session::follow(engine::LiveInput input) {
+  auto overlay = script_.follow(std::move(input));
+  if (!overlay) throw Interrupted();
+  show_progress("track", 0.0, "frame " + std::to_string(overlay->index));
+  return *overlay;
 }
 
 void Session::finish() {

@@ -15,7 +15,7 @@
 #include "glisson/core/error.h"
 #include "glisson/core/json_file.h"
 #include "glisson/core/units.h"
-#include "glisson/engine/engine.h"
+#include "glisson/engine/script.h"
 
 /// @file
 /// What all sub-commands share: options, an inline engine with progress on the terminal, figures as JSON,
@@ -70,16 +70,18 @@ class Arguments {
   QCommandLineParser parser_;
 };
 
-/// One inline engine, its progress on the terminal, and the figures of everything that it did.
+/// A script of engine commands with its progress on the terminal, and the figures of everything that it did.
 class Session {
  public:
   explicit Session(const Arguments& arguments);
 
   /// Does a command. @throws Error with the engine's sentence, Interrupted.
   engine::Outcome post(engine::Command command);
-  const engine::CaseState& state() const { return snapshot_->state; }
-  /// A context for work outside the engine, with the same progress, cancel and seed.
-  RunContext context() const;
+  /// Follows one input, however long it takes. @pre tracking was started. @throws Interrupted.
+  OverlayFrame follow(engine::LiveInput input);
+  const engine::CaseState& state() const { return script_.state(); }
+  /// Progress, cancel and seed, for work outside the engine.
+  const RunContext& context() const { return context_; }
 
   Figures figures;
   std::map<std::string, std::string> texts;
@@ -89,17 +91,14 @@ class Session {
   void finish();
 
  private:
-  void show(const engine::Progress& progress);
-
   const Arguments& arguments_;
-  std::unique_ptr<engine::Engine> engine_;
-  std::shared_ptr<const engine::Snapshot> snapshot_;
-  std::shared_ptr<CancelFlag> cancel_ = std::make_shared<CancelFlag>();
+  std::string command_;  ///< that is running, for the terminal
+  RunContext context_;
+  engine::Script script_;
   std::chrono::steady_clock::time_point begin_;
 };
 
-/// Whether Ctrl-C was pressed since the program began.
-bool interrupted();
+/// From now on Ctrl-C cancels what is running instead of ending the process.
 void catch_interrupts();
 
 /// Prints a line and clears what progress left on it.

@@ -35,6 +35,8 @@ Cancellable<Applied> apply_one(const CaseState& state, const Register& command, 
 Cancellable<Applied> apply_one(const CaseState& state, const ImportRegistration& command,
                                const RunContext& context);
 
+Cancellable<Applied> apply_one(const CaseState& state, const Simulate& command, const RunContext& context);
+
 /// @throws InputError "there is no ... yet" with what to do first.
 void require_part(const CaseState& state, Part part, const char* remedy);
 

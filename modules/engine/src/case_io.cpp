@@ -7,6 +7,7 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
@@ -114,8 +115,10 @@ json registration_entry(const Registration& registration) {
 
 // ---- the case ----
 
-/// Writes the files of every part that there is. @return case.json, or nothing when cancelled.
-std::optional<json> write_parts(const fs::path& folder, const CaseState& state, const RunContext& context) {
+/// Writes the files of every part that there is into `folder`, for a case that will stand at `path`.
+/// @return case.json, or nothing when cancelled.
+std::optional<json> write_parts(const fs::path& folder, const fs::path& path, const CaseState& state,
+                                const RunContext& context) {
   json parts = json::object();
   const auto write = [&](Part part, const std::function<json()>& files) {
     if (context.cancelled() || !state.has(part)) return;
@@ -150,12 +153,18 @@ std::optional<json> write_parts(const fs::path& folder, const CaseState& state, 
   write(Part::landmarks, file(landmarks));
   const auto rig = [&] { stereo::write_calibration(folder / "calibration.yaml", *state.rig); };
   write(Part::rig, file(rig));
-  // Videos are large: the case says where they lie.
+  // Videos are large: the case says where they lie, relative to itself where they lie beside it, so that both
+  // can move.
   write(Part::video, [&] {
-    const auto absolute = [](const fs::path& video) {
-      return video.empty() ? std::string() : fs::absolute(video).lexically_normal().string();
+    const auto place = [&](const fs::path& video) {
+      if (video.empty()) return std::string();
+      const fs::path relative = fs::absolute(video).lexically_normal().lexically_relative(path);
+      const bool beside = !relative.empty() && relative.begin() != relative.end() &&
+                          std::next(relative.begin()) != relative.end() &&
+                          *std::next(relative.begin()) != "..";
+      return beside ? relative.string() : fs::absolute(video).lexically_normal().string();
     };
-    return json{{"left", absolute(state.video->left)}, {"right", absolute(state.video->right)}};
+    return json{{"left", place(state.video->left)}, {"right", place(state.video->right)}};
   });
   write(Part::frame, [&] { return write_frame(folder, *state.frame); });
   const auto regions = [&] { stereo::write_regions(folder / "regions.json", *state.regions); };
@@ -202,10 +211,14 @@ void read_part(CaseState& state, Part part, const json& entry, const fs::path& f
     case Part::rig:
       state.rig = std::make_shared<const StereoRig>(stereo::read_calibration(folder / "calibration.yaml"));
       break;
-    case Part::video:
-      state.video = std::make_shared<const VideoSource>(
-          VideoSource{entry.at("left").get<std::string>(), entry.at("right").get<std::string>()});
+    case Part::video: {
+      const auto place = [&](const char* side) {
+        const fs::path video = entry.at(side).get<std::string>();
+        return video.empty() || video.is_absolute() ? video : (folder / video).lexically_normal();
+      };
+      state.video = std::make_shared<const VideoSource>(VideoSource{place("left"), place("right")});
       break;
+    }
     case Part::frame:
       state.frame = std::make_shared<const StereoInput>(read_frame(folder, entry));
       break;
@@ -316,7 +329,7 @@ bool save_case(const fs::path& given, const CaseState& state, const RunContext& 
   const TemporaryFolder temporary(path.parent_path());
   const fs::path fresh = temporary.path() / path.filename();
   fs::create_directory(fresh);
-  const auto document = write_parts(fresh, state, context);
+  const auto document = write_parts(fresh, path, state, context);
   if (!document) return false;
   write_json(fresh / "case.json", *document);
   context.progress(0.85, "case.verify");

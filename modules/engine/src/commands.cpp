@@ -43,6 +43,7 @@ Traits traits(const StartTracking&) {
           true};
 }
 Traits traits(const StopTracking&) { return {"stop_tracking", {}, {Part::live}, true}; }
+Traits traits(const Simulate&) { return {"simulate", {Part::model}, {}}; }
 Traits traits(const OpenCase&) { return {"open_case", {}, Parts::all()}; }
 // A save reads the whole case; the live view goes on beside it and is not saved.
 Traits traits(const SaveCase&) {

@@ -9,6 +9,8 @@
 
 #include "glisson/core/units.h"
 #include "glisson/engine/case_state.h"
+#include "glisson/fem/loads_io.h"
+#include "glisson/fem/simulate.h"
 #include "glisson/guidance/tracker.h"
 #include "glisson/registration/register.h"
 
@@ -97,6 +99,16 @@ struct StartTracking {
   int steps_per_cloud = 50;  ///< implicit Euler steps towards each cloud
 };
 struct StopTracking {};
+/// Plain mechanics on the model, from its rest shape. Changes no part: writes step_00001.vtu ...
+/// (displacement_mm, von_mises_pa) and steps.csv into `folder`, which exists.
+struct Simulate {
+  fem::LoadCase load;
+  fem::SimulationOptions options;
+  fem::CompositeOptions materials;
+  std::filesystem::path folder;
+  LengthUnit unit = LengthUnit::millimetre;  ///< of the meshes
+  int every = 1;                             ///< write every so many steps, and the last
+};
 struct OpenCase {
   std::filesystem::path path;
 };
@@ -108,7 +120,7 @@ struct SaveCase {
 using Command = std::variant<ImportImage, ImportLabels, SetSeeds, Segment, BuildModel, ImportSurfaces,
                              ImportMesh, SetLandmarks, SetCalibration, LoadStereoPair, SetVideo,
                              LoadVideoFrame, SetRegions, Reconstruct, ImportCloud, Register,
-                             ImportRegistration, StartTracking, StopTracking, OpenCase, SaveCase>;
+                             ImportRegistration, StartTracking, StopTracking, Simulate, OpenCase, SaveCase>;
 
 /// Code of a command for progress, figures and logs: "segment", "build_model", ...
 std::string_view command_code(const Command& command);

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QStringList>
+#include <vector>
+
+/// @file
+/// The sub-commands. Each takes what follows its name and returns the exit code: 0 done, 1 failed, 2 wrong
+/// usage, 130 cancelled. Errors are thrown; main prints them.
+
+namespace glisson::app {
+
+int run_demo(const QStringList& arguments);
+int run_import(const QStringList& arguments);
+int run_segment(const QStringList& arguments);
+int run_model(const QStringList& arguments);
+int run_reconstruct(const QStringList& arguments);
+int run_register(const QStringList& arguments);
+int run_track(const QStringList& arguments);
+int run_render(const QStringList& arguments);
+int run_overlay(const QStringList& arguments);
+int run_simulate(const QStringList& arguments);
+/// Opens the window, with what the program's own first argument names, if anything. @throws UsageError no
+/// display.
+int run_window(int argc, char** argv);
+
+struct SubCommand {
+  const char* name;
+  int (*run)(const QStringList&);
+  bool draws;               ///< needs fonts
+  const char* description;  ///< to be translated
+};
+const std::vector<SubCommand>& sub_commands();
+
+}  // namespace glisson::app

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QProcess>
+#include <QUrl>
+
+#include "cli.h"
+#include "commands.h"
+#include "glisson/experiments/demo.h"
+#include "glisson/ui/scene/offscreen_renderer.h"
+#include "glisson/ui/scene/patient_scene.h"
+#include "glisson/ui/scene/slice_picture.h"
+#include "live_overlay.h"
+
+namespace glisson::app {
+namespace fs = std::filesystem;
+namespace {
+
+Picture draw_model(const engine::CaseState& state) {
+  scene::PatientScene patient;
+  patient.set_model(std::make_shared<const PatientModel>(engine::effective_model(state)));
+  patient.set_landmarks(engine::effective_landmarks(state));
+  patient.set_opacity(structure::kParenchyma, 0.35);
+  patient.look_from(scene::ViewFrom::anterior);
+  scene::OffscreenRenderer renderer(960, 720);
+  return renderer.render(patient.renderer());
+}
+
+Picture draw_slice(const engine::CaseState& state) {
+  // Through the liver's middle, so that the liver is what one sees.
+  const Point<CtFrame> middle(centroid(state.model->model.surface.mesh));
+  const scene::SliceGeometry geometry = scene::slice_geometry(state.image->grid, scene::Plane::axial, middle);
+  return scene::slice_picture(*state.image, state.labels ? &state.labels->voxels : nullptr, geometry, {});
+}
+
+/// Makes the drawer when the first frame comes, and again only for another model.
+std::function<Picture(const engine::CaseState&, const StereoFrame&, const OverlayFrame&)> overlay_hook() {
+  struct Kept {
+    std::shared_ptr<const model::BuiltModel> model;
+    std::unique_ptr<OverlayDrawer> drawer;
+  };
+  return [kept = std::make_shared<Kept>()](const engine::CaseState& state, const StereoFrame& frame,
+                                           const OverlayFrame& overlay) {
+    if (kept->model != state.model) {
+      kept->drawer = std::make_unique<OverlayDrawer>(state);
+      kept->model = state.model;
+    }
+    return kept->drawer->draw(frame, overlay);
+  };
+}
+
+bool has_display() {
+  return qEnvironmentVariableIsSet("DISPLAY") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY");
+}
+
+}  // namespace
+
+int run_demo(const QStringList& given) {
+  Arguments arguments("demo", text("The main job from end to end: a patient becomes a model, an in-silico "
+                                   "theatre deforms and films the liver, the model "
+                                   "is registered to the pictures and follows the video; ends with an "
+                                   "overlay video and a report with the true errors."));
+  arguments.option("out", text("The folder for the results."), "DIR", "glisson-demo");
+  arguments.option("patient",
+                   text("Another patient than the synthetic one: a case, a label map, or surfaces (a folder "
+                        "by structure, or one file)."),
+                   "CASE|LABELMAP|SURFACES");
+  arguments.option("codes", text("What a label map's codes mean (JSON)."), "FILE");
+  arguments.option("unit", text("Unit of surfaces: mm, cm or m."), "UNIT", "mm");
+  arguments.option("vertices", text("Vertices of the model."), "N", "550");
+  arguments.option("frames", text("Length of the film, at 30 frames a second."), "N", "300");
+  arguments.option("distance", text("Distance of the laparoscope, mm (80 to 160)."), "MM", "110");
+  arguments.option("share", text("Share of the surface in the patch of the paper's protocol."), "SHARE",
+                   "0.3");
+  arguments.option("shape", text("Which member of the synthetic population."), "SEED", "1");
+  arguments.flag("headless", text("Do not open the window at the end."));
+  if (!arguments.parse(given)) return 0;
+  experiments::DemoOptions options;
+  options.patient = arguments.path("patient");
+  if (!options.patient.empty() && !fs::exists(options.patient))
+    throw FileError(options.patient.string() + ": does not exist. Check --patient.");
+  options.unit = arguments.unit("unit");
+  if (arguments.has("codes")) options.codes = read_label_codes(arguments.path("codes"));
+  options.vertices = arguments.integer("vertices", 50, 20000);
+  options.patch_share = arguments.number("share", 0.05, 1.0);
+  options.synthetic.shape_seed = static_cast<std::uint64_t>(arguments.integer("shape", 0, 1000000));
+  options.theatre.frames = arguments.integer("frames", 1, 100000);
+  options.theatre.camera_distance_mm = arguments.number("distance", 80.0, 160.0);
+  options.theatre.seed = options.clicks.seed = arguments.seed();
+  OutputFolder out(arguments.path("out"));
+  Session session(arguments);
+  const auto result =
+      experiments::run_demo(options, out.path(), {overlay_hook(), draw_slice, draw_model}, session.context());
+  if (!result) throw Interrupted();
+  out.commit();
+  session.figures = result->figures;
+  session.notes = result->notes;
+  const fs::path folder = arguments.path("out");
+  for (const auto& [name, path] :
+       {std::pair("case", result->case_folder), std::pair("overlay video", result->overlay_video),
+        std::pair("report", result->report)})
+    if (!path.empty()) session.texts[name] = (folder / path.filename()).string();
+  session.finish();
+  if (!arguments.has("headless") && has_display())
+    QProcess::startDetached(QCoreApplication::applicationFilePath(),
+                            {QString::fromStdString((folder / result->case_folder.filename()).string())});
+  return 0;
+}
+
+}  // namespace glisson::app

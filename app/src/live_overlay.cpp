@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "live_overlay.h"
+
+#include <chrono>
+
+namespace glisson::app {
+namespace {
+
+const engine::CaseState& drawable(const engine::CaseState& state) {
+  if (!state.model) throw InputError("case", "model", "there is none to draw", "Run 'glisson model' first");
+  if (!state.rig)
+    throw InputError("case", "calibration", "there is none, so nothing can be drawn in its place",
+                     "Load the laparoscope's calibration");
+  return state;
+}
+
+}  // namespace
+
+OverlayDrawer::OverlayDrawer(const engine::CaseState& state)
+    : painter_(engine::effective_model(drawable(state)), state.rig->left) {}
+
+Picture OverlayDrawer::draw(const StereoFrame& frame, const OverlayFrame& overlay) {
+  return painter_.paint(frame.left, overlay);
+}
+
+OverlayRecorder::OverlayRecorder(const engine::CaseState& state, const std::filesystem::path& path,
+                                 double frames_per_second)
+    : drawer_(state), writer_(path, state.rig->left.width, state.rig->left.height, frames_per_second) {}
+
+double OverlayRecorder::add(const StereoFrame& frame, const OverlayFrame& overlay) {
+  const auto begin = std::chrono::steady_clock::now();
+  const Picture drawn = drawer_.draw(frame, overlay);
+  const double milliseconds =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+  writer_.write(drawn);
+  return milliseconds;
+}
+
+void OverlayRecorder::close() { writer_.close(); }
+
+void follow_video(Session& session, const guidance::TrackerOptions& options, int last,
+                  const std::function<void(const StereoFrame&, const OverlayFrame&)>& frame) {
+  const engine::CaseState& state = session.state();
+  if (!state.video)
+    throw InputError("case", "video", "there is none", "Open the operation's stereo video first");
+  if (!state.frame)
+    throw InputError("case", "frame", "no frame was registered", "Register a frame of the video first");
+  engine::StartTracking start;
+  start.options = options;
+  const int first = state.frame->frame.index;
+  session.post(start);
+  stereo::StereoVideo video(session.state().video->left, session.state().video->right);
+  for (StereoFrame next; video.read(next);) {
+    if (next.index < first) continue;
+    frame(next, session.follow(next));
+    if (last >= 0 && next.index >= last) break;
+  }
+}
+
+}  // namespace glisson::app

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+
+#include "cli.h"
+#include "glisson/stereo/picture_io.h"
+#include "glisson/ui/scene/overlay_painter.h"
+
+/// @file
+/// Follows the case's video and draws what was found: shared by render, overlay and demo.
+
+namespace glisson::app {
+
+/// Draws a case's overlay into its laparoscope's left pictures.
+class OverlayDrawer {
+ public:
+  /// @throws InputError when the case has no model or calibration.
+  explicit OverlayDrawer(const engine::CaseState& state);
+  Picture draw(const StereoFrame& frame, const OverlayFrame& overlay);
+
+ private:
+  scene::OverlayPainter painter_;
+};
+
+/// Records drawn frames as a video of the left camera. Without close() nothing remains.
+class OverlayRecorder {
+ public:
+  OverlayRecorder(const engine::CaseState& state, const std::filesystem::path& path,
+                  double frames_per_second);
+  /// @return milliseconds that drawing took.
+  double add(const StereoFrame& frame, const OverlayFrame& overlay);
+  void close();
+
+ private:
+  OverlayDrawer drawer_;
+  stereo::VideoWriter writer_;
+};
+
+/// Follows the case's video from its registered frame and hands each frame over; every frame is processed.
+/// @param last number of the last frame, or -1 for all. @throws Error, Interrupted.
+void follow_video(Session& session, const guidance::TrackerOptions& options, int last,
+                  const std::function<void(const StereoFrame&, const OverlayFrame&)>& frame);
+
+}  // namespace glisson::app

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QCoreApplication>
+#include <QLocale>
+#include <QTranslator>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <optional>
+
+#include "cli.h"
+#include "commands.h"
+#include "glisson/ui/scene/headless_gui.h"
+
+namespace glisson::app {
+
+namespace {
+
+void print_usage() {
+  say(
+      text("Glisson: planning and guidance of minimally invasive liver surgery. Research software: not for "
+           "clinical use."));
+  say(QString());
+  say(text("Usage: glisson [CASE]              open the window"));
+  say(text("       glisson COMMAND [OPTIONS]   work without a display; 'glisson COMMAND --help' tells more"));
+  say(QString());
+  for (const SubCommand& command : sub_commands())
+    say(QString("  %1 %2").arg(command.name, -12).arg(text(command.description)));
+}
+
+int run(int argc, char** argv) {
+  const char* first = argc > 1 ? argv[1] : "";
+  for (const SubCommand& command : sub_commands()) {
+    if (std::strcmp(first, command.name) != 0) continue;
+    // Text in pictures needs Qt's fonts, which need no display.
+    std::optional<scene::HeadlessGui> gui;
+    std::optional<QCoreApplication> application;
+    if (command.draws)
+      gui.emplace();
+    else
+      application.emplace(argc, argv);
+    catch_interrupts();
+    QStringList arguments;
+    for (int i = 2; i < argc; ++i) arguments << QString::fromLocal8Bit(argv[i]);
+    return command.run(arguments);
+  }
+  if (std::strcmp(first, "--help") == 0 || std::strcmp(first, "-h") == 0 || std::strcmp(first, "help") == 0) {
+    const QCoreApplication application(argc, argv);
+    print_usage();
+    return 0;
+  }
+  if (std::strcmp(first, "--version") == 0) {
+    std::puts("glisson " GLISSON_VERSION);
+    return 0;
+  }
+  if (first[0] == '-') throw UsageError(std::string(first) + ": unknown option. See 'glisson --help'.");
+  return run_window(argc, argv);
+}
+
+}  // namespace
+}  // namespace glisson::app
+
+int main(int argc, char** argv) {
+  try {
+    return glisson::app::run(argc, argv);
+  } catch (const glisson::app::UsageError& failure) {
+    std::fprintf(stderr, "glisson: %s\n", failure.what());
+    return 2;
+  } catch (const glisson::app::Interrupted&) {
+    std::fprintf(stderr, "\nglisson: cancelled; nothing was written.\n");
+    return 130;
+  } catch (const std::exception& failure) {
+    std::fprintf(stderr, "glisson: %s\n", failure.what());
+    return 1;
+  }
+}

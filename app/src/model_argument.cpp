@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model_argument.h"
+
+#include "glisson/engine/case_io.h"
+#include "glisson/fem/materials.h"
+#include "glisson/geometry/mesh_io.h"
+
+namespace glisson::app {
+namespace fs = std::filesystem;
+
+void declare_model(Arguments& arguments) {
+  arguments.option(
+      "model",
+      text("The model: a case (NAME.glisson), a tetrahedral mesh (.vtu, legacy .vtk, .msh), a closed surface "
+           "(.vtk .vtp .stl .obj .ply) or a folder of surfaces."),
+      "M");
+  arguments.option("unit", text("Unit of the model's files and of what is written: mm, cm or m."), "UNIT",
+                   "mm");
+  arguments.option("vertices", text("Vertices wanted when a surface is meshed."), "N", "550");
+  arguments.option("landmarks", text("Landmarks of the model (JSON, LPS mm)."), "FILE");
+}
+
+ModelArgument load_model(const Arguments& arguments, Session& session) {
+  ModelArgument argument;
+  argument.path = arguments.required_path("model");
+  argument.unit = arguments.unit("unit");
+  if (!fs::exists(argument.path))
+    throw FileError(argument.path.string() + ": does not exist. Check --model.");
+  const bool is_folder = fs::is_directory(argument.path);
+  if (is_folder && argument.path.lexically_normal().filename().empty())
+    argument.path = argument.path.parent_path();
+  if (is_folder && (fs::exists(argument.path / "case.json") || argument.path.extension() == ".glisson")) {
+    session.post(engine::OpenCase{argument.path});
+    if (!session.state().model)
+      throw InputError(argument.path.string(), "model", "the case has none yet",
+                       "Run 'glisson model --case CASE' first");
+  } else if (!is_folder && is_tetrahedral(argument.path)) {
+    session.post(engine::ImportMesh{argument.path, argument.unit});
+  } else {
+    model::ModelOptions options;
+    options.mesh.target_vertices = arguments.integer("vertices", 50, 200000);
+    session.post(engine::ImportSurfaces{argument.path, argument.unit, options});
+    if (!is_folder) argument.surface = read_triangle_mesh(argument.path, argument.unit);
+  }
+  if (arguments.has("landmarks"))
+    session.post(engine::SetLandmarks{engine::read_landmarks(arguments.path("landmarks"))});
+  return argument;
+}
+
+void write_deformed(const fs::path& path, const ModelArgument& argument, const Session& session,
+                    const Registration& registration) {
+  const PatientModel& model = session.state().model->model;
+  if (!argument.surface) {
+    engine::write_registration(path, model, registration, argument.unit);
+    return;
+  }
+  TriangleFile file;
+  file.mesh = *argument.surface;
+  file.mesh.vertices = bind_points(model.mesh, argument.surface->vertices, false)
+                           .apply(model.mesh, registration.nodes_in_camera);
+  Eigen::Matrix4d matrix = registration.camera_from_ct.matrix();
+  matrix.topRightCorner<3, 1>() /= metres_per(argument.unit);
+  file.field_data["cloud_from_model"] = matrix;
+  write_triangle_mesh(path, file, argument.unit);
+}
+
+Points read_true_nodes(const fs::path& path, LengthUnit unit) {
+  const std::string extension = path.extension().string();
+  if (extension == ".xyz" || extension == ".txt") return read_node_list(path, unit);
+  return is_tetrahedral(path) ? read_tet_mesh(path, unit).vertices : read_triangle_mesh(path, unit).vertices;
+}
+
+void declare_materials(Arguments& arguments) {
+  QStringList names;
+  for (const std::string& name : fem::composite_preset_names()) names << QString::fromStdString(name);
+  arguments.option("materials", text("What the liver is made of: %1.").arg(names.join(", ")), "NAME",
+                   "healthy");
+  arguments.flag("homogeneous", text("Parenchyma only: no vessels, no capsule."));
+  arguments.option("young", text("Young's modulus of the parenchyma, Pa."), "E");
+  arguments.option("poisson", text("Poisson's ratio of the parenchyma."), "NU");
+}
+
+fem::CompositeOptions materials(const Arguments& arguments) {
+  fem::CompositeOptions options = fem::composite_preset(arguments.value("materials").toStdString());
+  if (arguments.has("young")) options.parenchyma.young_modulus = arguments.number("young", 1.0, 1e9);
+  if (arguments.has("poisson")) options.parenchyma.poisson_ratio = arguments.number("poisson", 0.0, 0.499);
+  if (arguments.has("homogeneous")) options.with_capsule = options.with_vessels = false;
+  return options;
+}
+
+std::vector<int> fixed_nodes(const Arguments& arguments, const Session& session) {
+  if (!arguments.has("fixed")) return {};
+  return read_node_numbers(arguments.path("fixed"), session.state().model->model.mesh.vertex_count());
+}
+
+}  // namespace glisson::app

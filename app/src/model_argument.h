@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "cli.h"
+
+/// @file
+/// "M" of the command line: a case, a tetrahedral mesh, or a closed surface.
+
+namespace glisson::app {
+
+/// What was given as a model, and how results go back to it.
+struct ModelArgument {
+  std::filesystem::path path;
+  LengthUnit unit = LengthUnit::millimetre;
+  /// Set when a surface was given: results are that surface, deformed.
+  std::optional<TriangleMesh> surface;
+};
+
+/// Declares --model, --unit, --vertices and --landmarks.
+void declare_model(Arguments& arguments);
+/// Brings the model into the session. @throws Error.
+ModelArgument load_model(const Arguments& arguments, Session& session);
+
+/// Writes the model at `nodes` (camera frame) as what was given: the tetrahedral mesh in its node order, or
+/// the surface deformed; in its unit, with `cloud_from_model` as field data.
+void write_deformed(const std::filesystem::path& path, const ModelArgument& argument, const Session& session,
+                    const Registration& registration);
+/// True node positions: .xyz, or any mesh file with as many nodes. Metres.
+Points read_true_nodes(const std::filesystem::path& path, LengthUnit unit);
+
+/// Declares what the mechanics is made of: --materials, --homogeneous, --young, --poisson.
+void declare_materials(Arguments& arguments);
+fem::CompositeOptions materials(const Arguments& arguments);
+/// Node numbers of --fixed, or none.
+std::vector<int> fixed_nodes(const Arguments& arguments, const Session& session);
+
+}  // namespace glisson::app

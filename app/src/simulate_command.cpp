@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli.h"
+#include "commands.h"
+#include "model_argument.h"
+
+namespace glisson::app {
+
+int run_simulate(const QStringList& given) {
+  Arguments arguments("simulate", text("Plain mechanics: a load on the model. Writes deformed meshes with "
+                                       "displacement and von Mises stress, and steps.csv "
+                                       "with energies, residuals and time per step."));
+  declare_model(arguments);
+  declare_materials(arguments);
+  arguments.option(
+      "load",
+      text("The load (JSON): gravity, pressure, forces, springs, fixed; see the fem module's README."),
+      "FILE");
+  arguments.option("steps", text("Steps of the dynamics."), "N", "100");
+  arguments.option("dt", text("Time step, s."), "S", "0.02");
+  arguments.flag("static", text("The equilibrium instead of the dynamics."));
+  arguments.option("solver", text("Linear solver: direct or reference."), "NAME", "direct");
+  arguments.option("every", text("Write a mesh every so many steps (the last is always written)."), "N", "1");
+  arguments.flag("neo-hookean", text("The non-linear law instead of the co-rotational one."));
+  arguments.option("out", text("The folder for the results."), "DIR");
+  if (!arguments.parse(given)) return 0;
+  OutputFolder out(arguments.required_path("out"));
+  engine::Simulate command;
+  command.load = fem::read_load_case(arguments.required_path("load"));
+  command.options.steps = arguments.integer("steps", 1, 10000000);
+  command.options.time_step = arguments.number("dt", 1e-6, 10.0);
+  command.options.static_solve = arguments.has("static");
+  if (arguments.value("solver") == "reference")
+    command.options.solver = fem::LinearSolver::reference;
+  else if (arguments.value("solver") != "direct")
+    throw UsageError("--solver " + arguments.value("solver").toStdString() +
+                     ": must be direct or reference.");
+  command.every = arguments.integer("every", 1, 10000000);
+  command.materials = materials(arguments);
+  if (arguments.has("neo-hookean")) command.materials.law = fem::TetrahedronLaw::neo_hookean;
+  command.folder = out.path();
+  Session session(arguments);
+  command.unit = load_model(arguments, session).unit;
+  session.post(command);
+  out.commit();
+  session.finish();
+  return 0;
+}
+
+}  // namespace glisson::app

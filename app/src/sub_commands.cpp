@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli.h"
+#include "commands.h"
+
+namespace glisson::app {
+
+const std::vector<SubCommand>& sub_commands() {
+  static const std::vector<SubCommand> kCommands = {
+      {"demo", run_demo, true,
+       QT_TRANSLATE_NOOP("cli", "From CT to overlay video on the built-in synthetic patient, or another")},
+      {"import", run_import, false, QT_TRANSLATE_NOOP("cli", "Read a CT into a case")},
+      {"segment", run_segment, false,
+       QT_TRANSLATE_NOOP("cli", "Segment liver, vessels and lesions from seeds")},
+      {"model", run_model, false, QT_TRANSLATE_NOOP("cli", "Build the biomechanical model")},
+      {"reconstruct", run_reconstruct, false, QT_TRANSLATE_NOOP("cli", "Stereo pair to labelled cloud")},
+      {"register", run_register, false, QT_TRANSLATE_NOOP("cli", "Register the model to a cloud")},
+      {"track", run_track, false, QT_TRANSLATE_NOOP("cli", "Follow a stereo video or a series of clouds")},
+      {"render", run_render, true, QT_TRANSLATE_NOOP("cli", "Draw one frame with its overlay")},
+      {"overlay", run_overlay, true, QT_TRANSLATE_NOOP("cli", "Record the overlay video")},
+      {"simulate", run_simulate, false,
+       QT_TRANSLATE_NOOP("cli", "Plain mechanics: gravity, pressure, springs, fixed nodes")},
+  };
+  return kCommands;
+}
+
+}  // namespace glisson::app

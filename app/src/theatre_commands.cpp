@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From the pictures to the registered, tracked model: reconstruct, register, track.
+#include <QRegularExpression>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <sstream>
+
+#include "cli.h"
+#include "commands.h"
+#include "glisson/core/files.h"
+#include "glisson/engine/case_io.h"
+#include "glisson/experiments/evaluate.h"
+#include "glisson/geometry/distance.h"
+#include "glisson/geometry/mesh_io.h"
+#include "glisson/insilico/film.h"
+#include "glisson/stereo/evaluate.h"
+#include "glisson/stereo/picture_io.h"
+#include "model_argument.h"
+
+namespace glisson::app {
+namespace fs = std::filesystem;
+namespace {
+
+Eigen::Matrix4d read_rigid(const fs::path& path, LengthUnit unit) {
+  const std::string content = read_file(path);
+  std::istringstream stream(content);
+  Eigen::Matrix4d matrix;
+  for (int i = 0; i < 16; ++i)
+    if (!(stream >> matrix(i / 4, i % 4)))
+      throw InputError(path.string(), "matrix", "is not 16 numbers",
+                       "Write a 4 x 4 matrix, cloud_from_model, row by row");
+  const Eigen::Matrix3d rotation = matrix.topLeftCorner<3, 3>();
+  if ((rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).norm() > 1e-3 ||
+      rotation.determinant() < 0.0)
+    throw InputError(path.string(), "matrix", "its upper left 3 x 3 block is not a rotation",
+                     "Take out scale and mirroring");
+  matrix.topRightCorner<3, 1>() *= metres_per(unit);
+  return matrix;
+}
+
+void append(Figures& figures, const Figures& more) { figures.insert(more.begin(), more.end()); }
+
+/// The files that a printf-like pattern ('cloud_%02d.ply') stands for, in order, with their numbers.
+std::vector<std::pair<int, fs::path>> expand(const QString& pattern) {
+  static const QRegularExpression kNumber("%(0?)(\\d*)d");
+  const QRegularExpressionMatch match = kNumber.match(pattern);
+  if (!match.hasMatch())
+    throw UsageError(pattern.toStdString() + ": must hold a number such as %02d, as in 'cloud_%02d.ply'.");
+  const int width = match.captured(2).toInt();
+  const QChar fill = match.captured(1).isEmpty() ? QChar(' ') : QChar('0');
+  std::vector<std::pair<int, fs::path>> files;
+  for (int number = 0; number < 100000; ++number) {
+    QString name = pattern;
+    name.replace(match.capturedStart(), match.capturedLength(), QString("%1").arg(number, width, 10, fill));
+    if (fs::exists(name.toStdString()))
+      files.emplace_back(number, name.toStdString());
+    else if (!files.empty() || number > 1000)
+      break;
+  }
+  if (files.empty())
+    throw FileError(pattern.toStdString() +
+                    ": no file of this name exists. Check the pattern's folder and number.");
+  return files;
+}
+
+QString numbered(const QString& pattern, int number) {
+  static const QRegularExpression kNumber("%0?(\\d*)d");
+  const QRegularExpressionMatch match = kNumber.match(pattern);
+  QString name = pattern;
+  return name.replace(match.capturedStart(), match.capturedLength(),
+                      QString("%1").arg(number, match.captured(1).toInt(), 10, QChar('0')));
+}
+
+int digits_of(const QString& pattern) {
+  static const QRegularExpression kNumber("%0?(\\d*)d");
+  return kNumber.match(pattern).captured(1).toInt();
+}
+
+double percentile(std::vector<double> values, double share) {
+  if (values.empty()) return std::nan("");
+  std::sort(values.begin(), values.end());
+  return values[static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size() - 1)))];
+}
+
+/// Follows every input, writes one mesh each, and sums up errors and times.
+class TrackRecord {
+ public:
+  TrackRecord(Session& session, const ModelArgument& argument, const Arguments& arguments, fs::path folder,
+              int digits)
+      : session_(session),
+        argument_(argument),
+        arguments_(arguments),
+        folder_(std::move(folder)),
+        digits_(digits) {}
+
+  void add(int number, const OverlayFrame& overlay) {
+    milliseconds_.push_back(overlay.milliseconds);
+    late_ += overlay.milliseconds > 1e3 / 30.0;
+    valid_ += overlay.validity == Validity::valid;
+    if (overlay.nodes_in_camera.rows() == 0) return;
+    Registration registration = *session_.state().registration;
+    registration.nodes_in_camera = overlay.nodes_in_camera;
+    const QString name = QString("registered_%1.vtu").arg(number, digits_, 10, QChar('0'));
+    const bool is_surface = argument_.surface.has_value();
+    write_deformed(folder_ / (is_surface ? fs::path(name.toStdString()).replace_extension(".vtp")
+                                         : fs::path(name.toStdString())),
+                   argument_, session_, registration);
+    compare(number, overlay.nodes_in_camera);
+  }
+
+  void finish() {
+    Figures& figures = session_.figures;
+    figures["frames"] = static_cast<double>(milliseconds_.size());
+    figures["frames_late"] = late_;
+    figures["frames_valid"] = valid_;
+    figures["frame_p50_ms"] = percentile(milliseconds_, 0.5);
+    figures["frame_p99_ms"] = percentile(milliseconds_, 0.99);
+    if (compared_ == 0) return;
+    for (const auto& [key, sum] : sums_)
+      figures[key] = key.find("_max_") == std::string::npos ? sum / compared_ : maxima_[key];
+    figures["frames_compared"] = compared_;
+  }
+
+ private:
+  void compare(int number, const Points& nodes) {
+    if (!arguments_.has("truth")) return;
+    const fs::path path = numbered(arguments_.value("truth"), number).toStdString();
+    if (!fs::exists(path)) return;  // truth may be given for some frames only
+    const Points truth = read_true_nodes(path, argument_.unit);
+    const PatientModel& model = session_.state().model->model;
+    Figures errors = experiments::target_errors(model, nodes, truth, path.string());
+    errors["tre_frozen_mean_mm"] =
+        1e3 * point_errors(session_.state().registration->nodes_in_camera, truth).mean;
+    session_.texts["tre_volume_mean_mm frame " + std::to_string(number)] =
+        std::to_string(errors["tre_volume_mean_mm"]);
+    for (const auto& [key, value] : errors) {
+      sums_[key] += value;
+      maxima_[key] = std::max(maxima_[key], value);
+    }
+    ++compared_;
+  }
+
+  Session& session_;
+  const ModelArgument& argument_;
+  const Arguments& arguments_;
+  fs::path folder_;
+  int digits_;
+  std::vector<double> milliseconds_;
+  int late_ = 0, valid_ = 0, compared_ = 0;
+  std::map<std::string, double> sums_, maxima_;
+};
+
+/// The cloud against a surface in the camera's frame, or a depth map (.pfm, millimetres).
+stereo::CloudErrors cloud_truth(const Arguments& arguments, const engine::CaseState& state) {
+  const fs::path path = arguments.path("truth");
+  if (path.extension() != ".pfm")
+    return stereo::cloud_errors(*state.cloud, read_triangle_mesh(path, arguments.unit("unit")));
+  int width = 0, height = 0;
+  const std::vector<float> depth = insilico::read_depth(path, width, height);
+  if (width != state.rig->left.width || height != state.rig->left.height)
+    throw InputError(path.string(), "size", "is not that of the pictures",
+                     "Give the depth map of the left picture");
+  return stereo::cloud_errors(*state.cloud, state.rig->left, depth);
+}
+
+}  // namespace
+
+int run_reconstruct(const QStringList& given) {
+  Arguments arguments("reconstruct",
+                      text("Turns a stereo pair into a labelled cloud in the left camera's frame."));
+  arguments.option("left", text("The left picture."), "L");
+  arguments.option("right", text("The right picture."), "R");
+  arguments.option("calibration", text("OpenCV YAML: M1 D1 M2 D2 R T image_width image_height unit."), "C");
+  arguments.option("mask", text("What of the left picture is tissue (non-zero)."), "M");
+  arguments.option("regions", text("Clicked regions (JSON): only what lies in one is kept, with its label."),
+                   "R.json");
+  arguments.flag("dense", text("Semi-global matching instead of features."));
+  arguments.option("out", text("The cloud (PLY)."), "cloud.ply");
+  arguments.option("unit", text("Unit of the cloud and of --truth: mm, cm or m."), "UNIT", "mm");
+  arguments.option("truth",
+                   text("A surface in the left camera's frame, or its depth map (.pfm, mm): adds the "
+                        "distances. Read after everything else."),
+                   "FILE");
+  if (!arguments.parse(given)) return 0;
+  const fs::path out = arguments.required_path("out");
+  Session session(arguments);
+  session.post(engine::SetCalibration{arguments.required_path("calibration")});
+  session.post(engine::LoadStereoPair{arguments.required_path("left"), arguments.required_path("right"),
+                                      arguments.path("mask")});
+  if (arguments.has("regions"))
+    session.post(engine::SetRegions{stereo::read_regions(arguments.path("regions"))});
+  engine::Reconstruct command;
+  if (arguments.has("dense")) command.options.method = stereo::Method::dense;
+  session.post(command);
+  const LabelledCloud& cloud = *session.state().cloud;
+  if (arguments.has("truth")) {
+    const stereo::CloudErrors errors = cloud_truth(arguments, session.state());
+    session.figures["cloud_error_median_mm"] = 1e3 * errors.distance.median;
+    session.figures["cloud_error_mean_mm"] = 1e3 * errors.distance.mean;
+    session.figures["cloud_error_p95_mm"] = 1e3 * errors.distance.percentile_95;
+    session.figures["cloud_bias_mm"] = 1e3 * errors.bias;
+    session.figures["cloud_points_without_truth"] = errors.without_truth;
+  }
+  write_cloud(out, cloud, arguments.unit("unit"));
+  session.finish();
+  return 0;
+}
+
+int run_register(const QStringList& given) {
+  Arguments arguments(
+      "register",
+      text("Registers a model to a cloud: rigid start, then elastically. What is written keeps the model's "
+           "node "
+           "order and unit and is in the cloud's frame; its field data cloud_from_model is the rigid part."));
+  declare_model(arguments);
+  declare_materials(arguments);
+  arguments.option("cloud",
+                   text("The cloud (PLY); an integer property label is optional: 1 surface, 2 anterior "
+                        "margin, 3 umbilical notch."),
+                   "cloud.ply");
+  arguments.option("cloud-unit", text("Unit of the cloud: mm, cm or m. Without it, the model's."), "UNIT");
+  arguments.option("rigid", text("Rigid start: auto, none, or a file with a 4 x 4 matrix cloud_from_model."),
+                   "auto|none|FILE", "auto");
+  arguments.option("fixed", text("Nodes that stay where the rigid start puts them (0-based numbers)."),
+                   "FILE");
+  arguments.option("truth",
+                   text("True node positions (.xyz or a mesh): adds the errors. Read after everything else."),
+                   "FILE");
+  arguments.option("out", text("The registered mesh (.vtu), or surface (.vtp) when a surface was given."),
+                   "registered.vtu");
+  if (!arguments.parse(given)) return 0;
+  const fs::path out = arguments.required_path("out");
+  const fs::path cloud = arguments.required_path("cloud");
+  Session session(arguments);
+  const ModelArgument argument = load_model(arguments, session);
+  session.post(
+      engine::ImportCloud{cloud, arguments.has("cloud-unit") ? arguments.unit("cloud-unit") : argument.unit});
+  engine::Register command;
+  command.elastic.materials = materials(arguments);
+  command.elastic.fixed_nodes = fixed_nodes(arguments, session);
+  if (arguments.value("rigid") == "none") {
+    command.start = engine::Register::Start::none;
+  } else if (arguments.value("rigid") != "auto") {
+    command.start = engine::Register::Start::given;
+    command.given = CameraFromCt::from_matrix(read_rigid(arguments.path("rigid"), argument.unit));
+  }
+  session.post(command);
+  const Registration& registration = *session.state().registration;
+  if (arguments.has("truth")) {
+    const PatientModel& model = session.state().model->model;
+    const Points truth = read_true_nodes(arguments.path("truth"), argument.unit);
+    append(session.figures, experiments::target_errors(model, registration.nodes_in_camera, truth,
+                                                       arguments.path("truth").string()));
+    append(session.figures,
+           experiments::motion_figures(model, registration.camera_from_ct.apply(model.mesh.vertices), truth));
+  }
+  write_deformed(out, argument, session, registration);
+  session.finish();
+  return 0;
+}
+
+int run_track(const QStringList& given) {
+  Arguments arguments("track", text("Follows a stereo video, or a series of clouds, from a registered start. "
+                                    "Every frame is processed; one mesh a "
+                                    "frame is written, numbered like its input."));
+  declare_model(arguments);
+  declare_materials(arguments);
+  arguments.option("start", text("What 'glisson register' wrote for this model and the first frame."),
+                   "registered.vtu");
+  arguments.option("video", text("Stereo video, views side by side."), "V");
+  arguments.option("video-right", text("The right view, when it is a file of its own."), "V");
+  arguments.option("calibration", text("OpenCV YAML of the laparoscope."), "C");
+  arguments.option("mask", text("What of the left picture is tissue (non-zero)."), "M");
+  arguments.option("clouds", text("Series of clouds instead of a video, e.g. 'cloud_%02d.ply'."), "PATTERN");
+  arguments.option("cloud-unit", text("Unit of the clouds: mm, cm or m. Without it, the model's."), "UNIT");
+  arguments.option("cloud-steps", text("Steps towards each cloud."), "N", "50");
+  arguments.option("fixed", text("Nodes that do not move (0-based numbers)."), "FILE");
+  arguments.option("truth",
+                   text("Series of true node positions, e.g. 'truth_%02d.xyz'; may lack frames. Read after "
+                        "everything else."),
+                   "PATTERN");
+  arguments.option("out", text("The folder for the meshes."), "DIR");
+  if (!arguments.parse(given)) return 0;
+  OutputFolder out(arguments.required_path("out"));
+  if (arguments.has("video") == arguments.has("clouds"))
+    throw UsageError("Give either --video with --calibration, or --clouds.");
+  Session session(arguments);
+  const ModelArgument argument = load_model(arguments, session);
+  session.post(engine::ImportRegistration{arguments.required_path("start"), argument.unit});
+  engine::StartTracking command;
+  command.options.materials = materials(arguments);
+  command.options.fixed_nodes = fixed_nodes(arguments, session);
+  command.steps_per_cloud = arguments.integer("cloud-steps", 1, 10000);
+  if (arguments.has("clouds")) {
+    command.source = engine::StartTracking::Source::clouds;
+    session.post(command);
+    TrackRecord record(session, argument, arguments, out.path(), digits_of(arguments.value("clouds")));
+    for (const auto& [number, path] : expand(arguments.value("clouds"))) {
+      const LengthUnit unit = arguments.has("cloud-unit") ? arguments.unit("cloud-unit") : argument.unit;
+      record.add(number, session.follow(engine::IndexedCloud{read_cloud(path, unit), number, number / 30.0}));
+    }
+    record.finish();
+  } else {
+    session.post(engine::SetCalibration{arguments.required_path("calibration")});
+    session.post(engine::SetVideo{arguments.path("video"), arguments.path("video-right")});
+    session.post(engine::LoadVideoFrame{0});
+    session.post(command);
+    TrackRecord record(session, argument, arguments, out.path(), 5);
+    stereo::StereoVideo video(arguments.path("video"), arguments.path("video-right"));
+    for (StereoFrame frame; video.read(frame);) record.add(frame.index, session.follow(frame));
+    record.finish();
+  }
+  session.finish();
+  out.commit();
+  return 0;
+}
+
+}  // namespace glisson::app

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What can be looked at: render, overlay.
+#include "cli.h"
+#include "commands.h"
+#include "glisson/stereo/picture_io.h"
+#include "live_overlay.h"
+
+namespace glisson::app {
+
+int run_render(const QStringList& given) {
+  Arguments arguments(
+      "render",
+      text(
+          "Draws one frame of the case's video with vessels and tumours, followed from the registered frame. "
+          "Where the position is not known, the picture says so and shows no overlay."));
+  arguments.option("case", text("The case's folder, NAME.glisson, with a registration and a video."), "CASE");
+  arguments.option("frame", text("Number of the frame, from 0."), "N", "0");
+  arguments.option("out", text("The picture (.png, .jpg)."), "picture.png");
+  if (!arguments.parse(given)) return 0;
+  const std::filesystem::path out = arguments.required_path("out");
+  const int wanted = arguments.integer("frame", 0, 10000000);
+  Session session(arguments);
+  session.post(engine::OpenCase{arguments.required_path("case")});
+  Picture picture;
+  follow_video(session, {}, wanted, [&](const StereoFrame& frame, const OverlayFrame& overlay) {
+    if (frame.index != wanted) return;
+    picture = OverlayDrawer(session.state()).draw(frame, overlay);
+    session.texts["validity"] = validity_code(overlay.validity);
+    session.figures["registration_residual_mm"] = 1e3 * overlay.residual;
+  });
+  if (picture.empty())
+    throw InputError(arguments.path("case").string(), "frame " + std::to_string(wanted),
+                     "is not in the video, or lies before the registered frame",
+                     "Choose a frame between the registered one and the video's end");
+  stereo::write_picture(out, picture);
+  session.finish();
+  return 0;
+}
+
+int run_overlay(const QStringList& given) {
+  Arguments arguments("overlay",
+                      text("Follows the case's video and records it with vessels and tumours drawn in."));
+  arguments.option("case", text("The case's folder, NAME.glisson, with a registration and a video."), "CASE");
+  arguments.option("frames", text("Record only so many frames."), "N");
+  arguments.option("out", text("The video (.mkv)."), "overlay.mkv");
+  if (!arguments.parse(given)) return 0;
+  const std::filesystem::path out = arguments.required_path("out");
+  Session session(arguments);
+  session.post(engine::OpenCase{arguments.required_path("case")});
+  if (!session.state().video)
+    throw InputError(arguments.path("case").string(), "video", "there is none",
+                     "Open the operation's stereo video first");
+  const double rate =
+      stereo::StereoVideo(session.state().video->left, session.state().video->right).frames_per_second();
+  OverlayRecorder recorder(session.state(), out, rate);
+  const int first = session.state().frame ? session.state().frame->frame.index : 0;
+  const int last = arguments.has("frames") ? first + arguments.integer("frames", 1, 10000000) - 1 : -1;
+  double frames = 0.0, late = 0.0, valid = 0.0, drawing = 0.0;
+  follow_video(session, {}, last, [&](const StereoFrame& frame, const OverlayFrame& overlay) {
+    drawing += recorder.add(frame, overlay);
+    ++frames;
+    late += overlay.milliseconds > 1e3 / rate;
+    valid += overlay.validity == Validity::valid;
+  });
+  recorder.close();
+  session.figures["frames"] = frames;
+  session.figures["frames_late"] = late;
+  session.figures["frames_valid"] = valid;
+  session.figures["draw_mean_ms"] = frames > 0.0 ? drawing / frames : 0.0;
+  session.finish();
+  return 0;
+}
+
+}  // namespace glisson::app

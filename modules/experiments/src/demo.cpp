@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/experiments/demo.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "demo_report.h"
+#include "glisson/core/error.h"
+#include "glisson/engine/case_io.h"
+#include "glisson/experiments/evaluate.h"
+#include "glisson/geometry/distance.h"
+#include "glisson/geometry/mesh_io.h"
+#include "glisson/insilico/film.h"
+#include "glisson/stereo/picture_io.h"
+
+namespace glisson::experiments {
+namespace fs = std::filesystem;
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+/// Thrown inside a run when it was cancelled, so that every stage need not hand it on; never leaves run_demo.
+struct Cancelled {};
+
+class DemoRun {
+ public:
+  DemoRun(const DemoOptions& options, const fs::path& folder, const DemoPictures& pictures,
+          const RunContext& context)
+      : options_(options),
+        folder_(folder),
+        pictures_(pictures),
+        context_(context),
+        script_(context.part(0.0, 1.0)) {}
+
+  DemoResult run() {
+    fs::create_directory(folder_ / "operator");
+    fs::create_directory(folder_ / "pictures");
+    make_patient();
+    open_theatre();
+    register_patch();
+    register_pictures();
+    track();
+    finish();
+    return std::move(result_);
+  }
+
+ private:
+  void post(engine::Command command) {
+    const auto outcome = script_.run(std::move(command));
+    if (!outcome) throw Cancelled();
+    for (const auto& [key, value] : outcome->figures) result_.figures[key] = value;
+    result_.figures["seconds_" + outcome->command] = outcome->seconds;
+    result_.notes.insert(result_.notes.end(), outcome->notes.begin(), outcome->notes.end());
+  }
+  template <class T>
+  T take(Cancellable<T> value) {
+    if (!value) throw Cancelled();
+    return std::move(*value);
+  }
+  const engine::CaseState& state() const { return script_.state(); }
+  const PatientModel& model() const { return state().model->model; }
+
+  // ---- the patient ----
+
+  void make_patient() {
+    model::ModelOptions model_options;
+    model_options.mesh.target_vertices = options_.vertices;
+    if (options_.patient.empty()) {
+      make_synthetic_patient(model_options);
+    } else if (fs::is_directory(options_.patient) && fs::exists(options_.patient / "case.json")) {
+      post(engine::OpenCase{options_.patient});
+      if (!state().model) post(engine::BuildModel{model_options});
+      theatre_patient_ = model();
+    } else if (is_volume(options_.patient)) {
+      post(engine::ImportLabels{options_.patient, options_.codes});
+      post(engine::BuildModel{model_options});
+      theatre_patient_ = model();
+    } else {
+      post(engine::ImportSurfaces{options_.patient, options_.unit, model_options});
+      theatre_patient_ = model();
+    }
+  }
+
+  static bool is_volume(const fs::path& path) {
+    const std::string name = path.filename().string();
+    for (const char* ending : {".nii", ".nii.gz", ".nrrd", ".mha", ".mhd", ".vti"})
+      if (name.ends_with(ending)) return true;
+    return false;
+  }
+
+  void make_synthetic_patient(const model::ModelOptions& model_options) {
+    const auto begin = Clock::now();
+    insilico::SyntheticPatient patient = take(insilico::make_patient(options_.synthetic, context_));
+    write_image(folder_ / "ct.nrrd", patient.ct);
+    segmentation::write_seeds(folder_ / "operator/seeds.json",
+                              insilico::click_seeds(patient.truth, options_.clicks));
+    result_.figures["seconds_synthetic_patient"] = seconds_since(begin);
+    // From here on the stages see files only; the truth waits for the comparison.
+    post(engine::ImportImage{folder_ / "ct.nrrd"});
+    post(engine::SetSeeds{segmentation::read_seeds(folder_ / "operator/seeds.json")});
+    post(engine::Segment{});
+    result_.figures["segmentation_dice_liver"] =
+        segmentation::dice(inside_liver(*state().labels), inside_liver(patient.truth));
+    post(engine::BuildModel{model_options});
+    theatre_patient_.surfaces = std::move(patient.surfaces);
+    theatre_patient_.vessels = std::move(patient.trees);
+    theatre_patient_.landmarks = std::move(patient.landmarks);
+  }
+
+  // ---- the operating theatre ----
+
+  void open_theatre() {
+    const auto begin = Clock::now();
+    theatre_ = take(insilico::Theatre::build(theatre_patient_, options_.theatre, context_));
+    const insilico::Film film = take(insilico::film(*theatre_, folder_ / "theatre", {}, context_));
+    result_.figures["seconds_theatre"] = seconds_since(begin);
+    film_ = film;
+    const insilico::TheatreFigures& figures = theatre_->figures();
+    result_.figures["theatre_pressure_pa"] = figures.pressure_pa;
+    result_.figures["theatre_breathing_mm"] = figures.breathing_mm;
+    result_.figures["theatre_heartbeat_mm"] = figures.heartbeat_mm;
+    result_.figures["theatre_tetrahedra"] = figures.tetrahedra;
+    result_.figures["theatre_visible_share"] = film.visible_share;
+    engine::write_landmarks(folder_ / "operator/landmarks.json",
+                            insilico::click_landmarks(theatre_->landmarks(), options_.clicks));
+    stereo::write_regions(folder_ / "operator/regions.json",
+                          insilico::click_regions(*theatre_, 0, options_.clicks));
+    post(engine::SetLandmarks{engine::read_landmarks(folder_ / "operator/landmarks.json")});
+    truth_ = theatre_->carry(model().mesh.vertices, 0);
+    // How far the organ itself moved (the camera's place is not a motion of the organ), and what no rigid
+    // motion explains.
+    const Points as_if_rigid = theatre_->camera_from_ct().apply(model().mesh.vertices);
+    for (const auto& [key, value] : motion_figures(model(), as_if_rigid, truth_))
+      result_.figures[key] = value;
+  }
+
+  // ---- initial registration ----
+
+  void compare_registration(const std::string& prefix) {
+    for (const auto& [key, value] :
+         target_errors(model(), state().registration->nodes_in_camera, truth_, "theatre"))
+      result_.figures[prefix + key] = value;
+    const char* const kept[] = {"displacement_mean_mm", "registration_residual_mm", "seconds_register",
+                                "registration_steps", "cloud_points"};
+    for (const char* key : kept)
+      if (result_.figures.contains(key)) result_.figures[prefix + key] = result_.figures[key];
+  }
+
+  void register_patch() {
+    insilico::PatchOptions patch;
+    patch.share = options_.patch_share;
+    patch.seed = context_.seed();
+    const insilico::Patch sampled = theatre_->patch(0, patch);
+    write_cloud(folder_ / "operator/patch.ply", sampled.cloud);
+    result_.figures["patch_visible_share"] = sampled.share;
+    post(engine::ImportCloud{folder_ / "operator/patch.ply"});
+    post(engine::Register{});
+    compare_registration("patch_");
+  }
+
+  void register_pictures() {
+    post(engine::SetCalibration{folder_ / "theatre" / film_.calibration});
+    post(engine::SetVideo{folder_ / "theatre" / film_.video, {}});
+    post(engine::LoadVideoFrame{0});
+    post(engine::SetRegions{stereo::read_regions(folder_ / "operator/regions.json")});
+    post(engine::Reconstruct{});
+    const DistanceSummary errors =
+        summarise(distances_to_surface(state().cloud->points, theatre_->surface(0)));
+    result_.figures["cloud_error_median_mm"] = 1e3 * errors.median;
+    result_.figures["cloud_error_p95_mm"] = 1e3 * errors.percentile_95;
+    post(engine::Register{});
+    compare_registration("");
+  }
+
+  // ---- live ----
+
+  void track() {
+    post(engine::StartTracking{});
+    const Points frozen = state().registration->nodes_in_camera;
+    stereo::StereoVideo video(state().video->left, state().video->right);
+    std::unique_ptr<stereo::VideoWriter> overlay_video;
+    if (pictures_.overlay)
+      overlay_video = std::make_unique<stereo::VideoWriter>(folder_ / "overlay.mkv", video.width(),
+                                                            video.height(), video.frames_per_second());
+    std::vector<double> milliseconds;
+    double errors = 0.0, target_errors_sum = 0.0, frozen_errors = 0.0, drawing = 0.0;
+    int valid = 0, late = 0, compared = 0;
+    const int frames = theatre_->frame_count();
+    for (StereoFrame frame; video.read(frame);) {
+      const OverlayFrame overlay = take(script_.follow(frame));
+      milliseconds.push_back(overlay.milliseconds);
+      late += overlay.milliseconds > 1e3 / video.frames_per_second();
+      valid += overlay.validity == Validity::valid;
+      const Points truth = theatre_->carry(model().mesh.vertices, frame.index);
+      if (overlay.nodes_in_camera.rows() == truth.rows()) {
+        const Figures now = target_errors(model(), overlay.nodes_in_camera, truth, "theatre");
+        errors += now.at("tre_volume_mean_mm");
+        target_errors_sum += now.at("tre_target_mean_mm");
+        frozen_errors += 1e3 * point_errors(frozen, truth).mean;
+        ++compared;
+      }
+      if (overlay_video) {
+        const auto begin = Clock::now();
+        const Picture drawn = pictures_.overlay(state(), frame, overlay);
+        drawing += 1e3 * seconds_since(begin);
+        overlay_video->write(drawn);
+        if (frame.index == 0 || frame.index == frames / 3 || frame.index == 2 * frames / 3)
+          keep_picture("overlay_" + std::to_string(frame.index), drawn);
+      }
+      context_.progress(static_cast<double>(frame.index + 1) / frames, "track");
+    }
+    if (overlay_video) {
+      overlay_video->close();
+      result_.overlay_video = folder_ / "overlay.mkv";
+      result_.figures["draw_mean_ms"] = drawing / std::max<std::size_t>(1, milliseconds.size());
+    }
+    post(engine::StopTracking{});
+    Figures& figures = result_.figures;
+    figures["frames"] = static_cast<double>(milliseconds.size());
+    figures["frames_late"] = late;
+    figures["frames_valid"] = valid;
+    if (!milliseconds.empty()) {
+      std::sort(milliseconds.begin(), milliseconds.end());
+      const auto at = [&](double share) {
+        return milliseconds[static_cast<std::size_t>(
+            std::ceil(share * static_cast<double>(milliseconds.size() - 1)))];
+      };
+      figures["frame_p50_ms"] = at(0.5);
+      figures["frame_p99_ms"] = at(0.99);
+    }
+    if (compared > 0) {
+      figures["track_tre_volume_mean_mm"] = errors / compared;
+      figures["track_tre_target_mean_mm"] = target_errors_sum / compared;
+      figures["track_tre_frozen_mean_mm"] = frozen_errors / compared;
+    }
+  }
+
+  // ---- what remains ----
+
+  void keep_picture(const std::string& name, const Picture& picture) {
+    stereo::write_picture(folder_ / "pictures" / (name + ".png"), picture);
+    kept_.push_back(name);
+  }
+
+  void finish() {
+    if (pictures_.slice && state().image) keep_picture("slice", pictures_.slice(state()));
+    if (pictures_.model) keep_picture("model", pictures_.model(state()));
+    keep_picture("left", state().frame->frame.left);
+    result_.case_folder = folder_ / "patient.glisson";
+    post(engine::SaveCase{result_.case_folder});
+    result_.report = folder_ / "report.html";
+    write_demo_report(
+        result_.report,
+        options_.patient.empty() ? "the synthetic patient" : options_.patient.filename().string(), kept_,
+        result_);
+    write_figures(folder_ / "figures.json", result_.figures);
+  }
+
+  const DemoOptions& options_;
+  fs::path folder_;
+  const DemoPictures& pictures_;
+  RunContext context_;
+  engine::Script script_;
+  PatientModel theatre_patient_;
+  std::unique_ptr<insilico::Theatre> theatre_;
+  insilico::Film film_;
+  Points truth_;
+  std::vector<std::string> kept_;
+  DemoResult result_;
+};
+
+}  // namespace
+
+Cancellable<DemoResult> run_demo(const DemoOptions& options, const fs::path& folder,
+                                 const DemoPictures& pictures, const RunContext& context) {
+  try {
+    return DemoRun(options, folder, pictures, context).run();
+  } catch (const Cancelled&) {
+    return {};
+  }
+}
+
+}  // namespace glisson::experiments

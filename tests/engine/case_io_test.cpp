@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/engine/case_io.h"
+
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <QtTest>
+
+#include <fstream>
+
+#include "glisson/core/error.h"
+#include "glisson/core/files.h"
+
+using namespace glisson;
+using namespace glisson::engine;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Two tetrahedra, 0.2 m long: small, but with everything that a case can hold.
+CaseState small_case(double scale = 1.0) {
+  CaseState state;
+  VolumeGrid grid;
+  grid.size = {20, 18, 16};
+  grid.spacing_mm = {1.5, 1.5, 2.0};
+  grid.origin_mm = {-10.0, 20.0, -30.0};
+  auto voxels = std::make_shared<std::vector<std::int16_t>>(static_cast<std::size_t>(grid.voxel_count()));
+  for (std::size_t i = 0; i < voxels->size(); ++i) (*voxels)[i] = static_cast<std::int16_t>(i % 700) - 100;
+  auto image = std::make_shared<Image>();
+  image->grid = grid;
+  image->voxels = voxels;
+  state.image = image;
+  auto labels = std::make_shared<LabelMap>();
+  labels->voxels = LabelVolume(grid);
+  for (int i = 4; i < 12; ++i) labels->voxels.set({i, 5, 6}, structure::kParenchyma);
+  labels->infos.push_back(
+      {structure::kParenchyma, "parenchyma", "", structure_colour(structure::kParenchyma)});
+  state.labels = labels;
+  auto built = std::make_shared<model::BuiltModel>();
+  built->model.mesh.vertices.resize(5, 3);
+  built->model.mesh.vertices << 0, 0, 0, 0.2, 0, 0, 0, 0.2, 0, 0, 0, 0.2, 0.2, 0.2, 0.2;
+  built->model.mesh.vertices *= scale;
+  built->model.mesh.tetrahedra.resize(2, 4);
+  built->model.mesh.tetrahedra << 0, 1, 2, 3, 1, 4, 2, 3;
+  built->model.mesh.labels = {structure::kParenchyma, structure::kFirstLesion};
+  built->model.surface = boundary_surface(built->model.mesh);
+  built->model.surfaces.push_back({structure::kParenchyma, "liver", built->model.surface.mesh});
+  VesselTree tree;
+  tree.structure = structure::kPortalVein;
+  tree.nodes.resize(3, 3);
+  tree.nodes << 0.01, 0.01, 0.01, 0.02, 0.02, 0.02, 0.03, 0.02, 0.02;
+  tree.radii = {0.005, 0.004, 0.003};
+  tree.beams = {{0, 1}, {1, 2}};
+  tree.root = 0;
+  built->model.vessels.push_back(tree);
+  built->model.landmarks.anterior_margin = built->model.mesh.vertices.topRows(3);
+  built->report.notes = {"a note"};
+  state.model = built;
+  auto landmarks = std::make_shared<Landmarks>();
+  landmarks->umbilical_notch = built->model.mesh.vertices.topRows(1);
+  state.landmarks = landmarks;
+  auto cloud = std::make_shared<LabelledCloud>();
+  cloud->points = built->model.mesh.vertices;
+  cloud->features = {Feature::surface, Feature::surface, Feature::anterior_margin, Feature::surface,
+                     Feature::umbilical_notch};
+  state.cloud = cloud;
+  auto registration = std::make_shared<Registration>();
+  registration->camera_from_ct.translation = {0.0, 0.0, 0.1};
+  registration->nodes_in_camera = registration->camera_from_ct.apply(built->model.mesh.vertices);
+  registration->termination = Termination::converged;
+  registration->steps = 12;
+  registration->doubts = {"few_margin_points"};
+  state.registration = registration;
+  std::uint64_t revision = 0;
+  for (int i = 0; i < kPartCount; ++i)
+    if (state.has(static_cast<Part>(i))) state.stamp(static_cast<Part>(i)).revision = ++revision;
+  state.stamp(Part::model).made_from[Part::labels] = state.stamp(Part::labels).revision;
+  return state;
+}
+
+std::string error_of(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const Error& failure) {
+    return failure.what();
+  }
+  return {};
+}
+
+}  // namespace
+
+class CaseIoTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void ACaseComesBackAsItWas();
+  void SavingAgainReplacesTheCase();
+  void ASaveKilledAtAnyMomentLeavesTheOldCaseOrTheNewOne();
+  void ACancelledSaveLeavesTheOldCase();
+  void RefusesWhatIsNotACase();
+  void RefusesANewerFormat();
+  void NamesTheMalformedPart();
+  void LandmarksNameTheirMistakes();
+  void ARegistrationOfAnotherModelIsRefused();
+};
+
+void CaseIoTest::ACaseComesBackAsItWas() {
+  const TemporaryFolder folder;
+  const CaseState state = small_case();
+  QVERIFY(save_case(folder.path() / "a.glisson", state, RunContext()));
+  const auto read = open_case(folder.path() / "a.glisson", RunContext());
+  QVERIFY(read.has_value());
+  for (int i = 0; i < kPartCount; ++i)
+    QCOMPARE(read->has(static_cast<Part>(i)), state.has(static_cast<Part>(i)));
+  QCOMPARE(*read->image->voxels, *state.image->voxels);
+  QVERIFY(read->labels->voxels == state.labels->voxels);
+  QVERIFY((read->model->model.mesh.vertices - state.model->model.mesh.vertices).norm() < 1e-9);
+  QCOMPARE(read->model->model.mesh.labels, state.model->model.mesh.labels);
+  QCOMPARE(read->model->model.vessels.size(), std::size_t{1});
+  QCOMPARE(read->model->model.vessels[0].beams, state.model->model.vessels[0].beams);
+  QVERIFY(std::abs(read->model->model.vessels[0].radii[2] - 0.003) < 1e-12);
+  QCOMPARE(read->cloud->features, state.cloud->features);
+  QCOMPARE(read->registration->doubts, state.registration->doubts);
+  QVERIFY((read->registration->camera_from_ct.translation - Eigen::Vector3d(0, 0, 0.1)).norm() < 1e-9);
+  QCOMPARE(stage_state(*read, Part::model), StageState::current);
+  QCOMPARE(read->stamp(Part::model).made_from, state.stamp(Part::model).made_from);
+}
+
+void CaseIoTest::SavingAgainReplacesTheCase() {
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / "a.glisson";
+  QVERIFY(save_case(path, small_case(1.0), RunContext()));
+  CaseState without_image = small_case(2.0);
+  without_image.image = nullptr;
+  QVERIFY(save_case(path, without_image, RunContext()));
+  const auto read = open_case(path, RunContext());
+  QVERIFY(!read->image);
+  QVERIFY(std::abs(read->model->model.mesh.vertices(1, 0) - 0.4) < 1e-9);
+  int entries = 0;
+  for ([[maybe_unused]] const auto& entry : fs::directory_iterator(folder.path())) ++entries;
+  QCOMPARE(entries, 1);  // nothing was left beside it
+}
+
+void CaseIoTest::ASaveKilledAtAnyMomentLeavesTheOldCaseOrTheNewOne() {
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / "a.glisson";
+  QVERIFY(save_case(path, small_case(1.0), RunContext()));
+  const CaseState next = small_case(2.0);
+  // A child saves and is killed when its progress has been told the n-th time, until one comes through.
+  bool completed = false;
+  int survivors = 0;
+  for (int moment = 1; !completed && moment < 100; ++moment) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+      int told = 0;
+      const RunContext context(
+          [&](double, std::string_view) {
+            if (++told == moment) ::kill(::getpid(), SIGKILL);
+          },
+          nullptr, 1);
+      try {
+        save_case(path, next, context);
+      } catch (...) {
+        ::_exit(3);
+      }
+      ::_exit(0);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    completed = WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    QVERIFY(completed || WIFSIGNALED(status));
+    const auto read = open_case(path, RunContext());
+    const double edge = read->model->model.mesh.vertices(1, 0);
+    QVERIFY(std::abs(edge - 0.2) < 1e-9 || std::abs(edge - 0.4) < 1e-9);
+    survivors += std::abs(edge - 0.2) < 1e-9;
+  }
+  QVERIFY(completed);
+  QVERIFY(survivors >= 3);  // it was really killed on the way
+  QVERIFY(std::abs(open_case(path, RunContext())->model->model.mesh.vertices(1, 0) - 0.4) < 1e-9);
+}
+
+void CaseIoTest::ACancelledSaveLeavesTheOldCase() {
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / "a.glisson";
+  QVERIFY(save_case(path, small_case(1.0), RunContext()));
+  auto cancel = std::make_shared<CancelFlag>();
+  const RunContext context(
+      [&](double fraction, std::string_view) {
+        if (fraction > 0.3) cancel->request();
+      },
+      cancel, 1);
+  QVERIFY(!save_case(path, small_case(2.0), context));
+  QVERIFY(std::abs(open_case(path, RunContext())->model->model.mesh.vertices(1, 0) - 0.2) < 1e-9);
+}
+
+void CaseIoTest::RefusesWhatIsNotACase() {
+  const TemporaryFolder folder;
+  QVERIFY(error_of([&] { save_case(folder.path() / "a", small_case(), RunContext()); }).find(".glisson") !=
+          std::string::npos);
+  fs::create_directory(folder.path() / "b.glisson");
+  write_file_atomically(folder.path() / "b.glisson/precious.txt", "do not lose me");
+  QVERIFY(!error_of([&] { save_case(folder.path() / "b.glisson", small_case(), RunContext()); }).empty());
+  QCOMPARE(read_file(folder.path() / "b.glisson/precious.txt"), std::string("do not lose me"));
+  QVERIFY(error_of([&] { open_case(folder.path() / "b.glisson", RunContext()); }).find("case.json") !=
+          std::string::npos);
+  QVERIFY(error_of([&] { open_case(folder.path() / "none.glisson", RunContext()); }).find("does not exist") !=
+          std::string::npos);
+}
+
+void CaseIoTest::RefusesANewerFormat() {
+  const TemporaryFolder folder;
+  fs::create_directory(folder.path() / "a.glisson");
+  write_file_atomically(folder.path() / "a.glisson/case.json",
+                        R"({"format": "glisson-case", "version": 99, "parts": {}})");
+  QVERIFY(error_of([&] { open_case(folder.path() / "a.glisson", RunContext()); }).find("newer Glisson") !=
+          std::string::npos);
+}
+
+void CaseIoTest::NamesTheMalformedPart() {
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / "a.glisson";
+  QVERIFY(save_case(path, small_case(), RunContext()));
+  write_file_atomically(path / "model/vessels.vtp", "this is not XML");
+  QVERIFY(error_of([&] { open_case(path, RunContext()); }).find("vessels.vtp") != std::string::npos);
+  write_file_atomically(path / "case.json",
+                        R"({"format": "glisson-case", "version": 1, "parts": {"model": {}}})");
+  QVERIFY(error_of([&] { open_case(path, RunContext()); }).find(path.string()) != std::string::npos);
+}
+
+void CaseIoTest::LandmarksNameTheirMistakes() {
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / "landmarks.json";
+  write_file_atomically(path, R"({"umbilical_notch": [[1, 2]]})");
+  QVERIFY(error_of([&] { read_landmarks(path); }).find("umbilical_notch: entry 0") != std::string::npos);
+  write_file_atomically(path, R"({"frame": "RAS", "umbilical_notch": [[1, 2, 3]]})");
+  QVERIFY(error_of([&] { read_landmarks(path); }).find("LPS") != std::string::npos);
+  write_file_atomically(path, "{}");
+  QVERIFY(error_of([&] { read_landmarks(path); }).find("holds no landmark") != std::string::npos);
+  write_file_atomically(path, "{\n  \"umbilical_notch\": [[1, 2, 3]\n}");
+  QVERIFY(error_of([&] { read_landmarks(path); }).find("line 3") != std::string::npos);
+}
+
+void CaseIoTest::ARegistrationOfAnotherModelIsRefused() {
+  const TemporaryFolder folder;
+  const CaseState state = small_case();
+  write_registration(folder.path() / "r.vtu", state.model->model, *state.registration,
+                     LengthUnit::millimetre);
+  PatientModel other = state.model->model;
+  other.mesh.tetrahedra.row(0).swap(other.mesh.tetrahedra.row(1));
+  QVERIFY(error_of([&] {
+            read_registration(folder.path() / "r.vtu", other, LengthUnit::millimetre);
+          }).find("is not this model's") != std::string::npos);
+  const Registration same =
+      read_registration(folder.path() / "r.vtu", state.model->model, LengthUnit::millimetre);
+  QVERIFY((same.nodes_in_camera - state.registration->nodes_in_camera).norm() < 1e-9);
+}
+
+QTEST_APPLESS_MAIN(CaseIoTest)
+#include "case_io_test.moc"

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The main job on a small scale: a coarse CT, a short film. What it leaves on disk, and that registration and
+// tracking are better than doing without.
+#include "glisson/experiments/demo.h"
+
+#include <QtTest>
+
+#include "glisson/core/files.h"
+#include "glisson/engine/case_io.h"
+
+using namespace glisson;
+namespace fs = std::filesystem;
+
+class DemoTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void FromCtToTrackedVideo();
+  void ACancelIsAStatusNotAnError();
+};
+
+namespace {
+
+experiments::DemoOptions small_options() {
+  experiments::DemoOptions options;
+  options.synthetic.spacing_mm = {2.5, 2.5, 3.0};
+  options.theatre.frames = 8;
+  options.theatre.truth_vertices = 1200;
+  return options;
+}
+
+}  // namespace
+
+void DemoTest::FromCtToTrackedVideo() {
+  const TemporaryFolder folder;
+  const auto result = experiments::run_demo(small_options(), folder.path(), {}, RunContext());
+  QVERIFY(result.has_value());
+  for (const auto& [key, value] : result->figures) qInfo("%s %g", key.c_str(), value);
+  for (const char* file :
+       {"report.html", "figures.json", "patient.glisson/case.json", "operator/seeds.json",
+        "operator/landmarks.json", "operator/regions.json", "theatre/stereo.mkv", "theatre/calibration.yaml"})
+    QVERIFY2(fs::exists(folder.path() / file), file);
+  const Figures& figures = result->figures;
+  QVERIFY(figures.at("segmentation_dice_liver") > 0.9);
+  QVERIFY(figures.at("motion_mean_mm") > 20.0);
+  QVERIFY(figures.at("rigid_best_mean_mm") > 8.0);
+  // The floors are measured at full size; here: clearly better than the best rigid motion.
+  QVERIFY(figures.at("patch_tre_volume_mean_mm") < 0.6 * figures.at("rigid_best_mean_mm"));
+  QVERIFY(figures.at("tre_volume_mean_mm") < figures.at("rigid_best_mean_mm"));
+  QCOMPARE(figures.at("frames"), 8.0);
+  const auto opened = engine::open_case(result->case_folder, RunContext());
+  QVERIFY(opened && opened->registration && opened->video);
+  QVERIFY(fs::exists(opened->video->left));
+  QCOMPARE(engine::stage_state(*opened, engine::Part::registration), engine::StageState::current);
+}
+
+void DemoTest::ACancelIsAStatusNotAnError() {
+  const TemporaryFolder folder;
+  const auto cancel = std::make_shared<CancelFlag>();
+  cancel->request();
+  QVERIFY(!experiments::run_demo(small_options(), folder.path(), {}, RunContext({}, cancel, 1)).has_value());
+}
+
+QTEST_APPLESS_MAIN(DemoTest)
+#include "demo_test.moc"
