@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <filesystem>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
 #include "glisson/core/run_context.h"
 #include "glisson/geometry/camera.h"
+#include "glisson/patient/label_map.h"
+#include "glisson/patient/labelled_cloud.h"
 #include "glisson/patient/patient_model.h"
 #include "glisson/patient/picture.h"
-#include "glisson/segmentation/segment.h"
-#include "glisson/stereo/reconstruct.h"
 
 namespace glisson::insilico {
 
@@ -19,12 +19,30 @@ struct TheatreOptions {
   int width = 960, height = 540;
   double frames_per_second = 30.0;
   int frames = 300;
-  double camera_distance_mm = 110.0;   ///< 80 to 160
-  double pneumoperitoneum_pa = 0.0;    ///< 0: chosen so that the mean displacement meets the next line
-  double mean_displacement_mm = 22.0;  ///< of the first frame from the CT, at least 20
-  double breathing_mm = 6.0, breathing_period_s = 4.0, heartbeat_mm = 1.0, heartbeat_period_s = 0.9;
-  double noise = 2.0;  ///< grey levels
+  double camera_distance_mm = 110.0;  ///< to the middle of what is seen, 80 to 160
+  double horizontal_view_deg = 70.0;  ///< field of view
+  double baseline_mm = 5.0;
+  double pneumoperitoneum_pa = 0.0;    ///< on the anterior face; 0: chosen so that elastic_motion_mm remains
+  double mean_displacement_mm = 22.0;  ///< of the first frame from the CT, 20 to 60
+  double elastic_motion_mm = 8.6;      ///< of it, after the best rigid alignment: 8 and more prove something
+  double breathing_mm = 6.0, breathing_period_s = 4.0;  ///< mean motion from expiration to inspiration
+  double heartbeat_mm = 1.0, heartbeat_period_s = 0.9;  ///< largest motion, next to the heart
+  double noise = 2.0;                                   ///< grey levels, standard deviation
+  int truth_vertices = 3000;         ///< of the theatre's own mesh; the registration's has some 550
+  double young_modulus_pa = 8000.0;  ///< of the truth's Neo-Hookean parenchyma (the registration's: 3500)
+  /// @throws InputError naming the option.
   void validate() const;
+};
+
+/// What the theatre did to the liver, in-silico figures.
+struct TheatreFigures {
+  double mean_displacement_mm = 0.0;  ///< frame 0 from the CT, mean over the truth's nodes, CT frame
+  double elastic_motion_mm = 0.0;     ///< of it after the best rigid alignment (fit_rigid)
+  double pressure_pa = 0.0;           ///< of the gas on the anterior face
+  double breathing_mm = 0.0;          ///< mean motion from expiration to inspiration
+  double heartbeat_mm = 0.0;          ///< largest
+  int nodes = 0, tetrahedra = 0, static_solves = 0;
+  double smallest_volume_ratio = 0.0;  ///< of any tetrahedron, deformed over rest, over all key states
 };
 
 /// What is true in one frame.
@@ -33,32 +51,75 @@ struct FrameTruth {
   Points targets_in_camera;  ///< lesion centres, in the order of Theatre::targets()
 };
 
+/// A lesion whose centre is followed.
+struct Target {
+  Label structure = 0;
+  Eigen::Vector3d centre_in_ct = Eigen::Vector3d::Zero();  ///< metres
+};
+
+/// How a patch of the surface is sampled.
+struct PatchOptions {
+  double share = 0.3;  ///< of the liver's surface, in (0, 1]
+  double density_per_cm2 = 3.9;
+  double noise_mm = 1.0;       ///< standard deviation a coordinate
+  double outlier_share = 0.0;  ///< of the points, displaced by up to 15 mm
+  int holes = 0;               ///< discs of hole_mm without points
+  double hole_mm = 12.0;
+  double margin_mm = 5.0, notch_mm = 8.0;  ///< within which distance a point is labelled so
+  std::uint64_t seed = 1;
+  void validate() const;
+};
+struct Patch {
+  LabelledCloud cloud;  ///< left camera's frame
+  double share = 0.0;   ///< of the surface that was covered
+};
+
 /// The operating room: the patient's liver on a finer mesh of its own with a Neo-Hookean law, moved by gas,
 /// gravity, breathing and heartbeat, seen by a calibrated stereo laparoscope through a ray caster (Embree)
 /// with lens distortion, highlights, fall-off, vignetting and noise. Nothing of it is read by the stages,
-/// only its pictures.
+/// only its pictures. Thread-safe; pictures are drawn one at a time, on two threads. The same patient and
+/// options give the same bits. See the README for the physics and what it leaves out.
 class Theatre {
  public:
-  /// @param patient surfaces (liver required), lesions, landmarks of any patient, CT frame.
+  /// @param patient surfaces (liver required), lesions, landmarks of any patient, CT frame. A missing margin
+  /// is
+  ///   detected, a missing notch is where that margin runs in deepest, a missing vena cava is the posterior
+  ///   superior medial surface.
+  /// @throws InputError no closed liver surface; NumericalError no load moves it enough.
   static Cancellable<std::unique_ptr<Theatre>> build(const PatientModel& patient,
                                                      const TheatreOptions& options,
                                                      const RunContext& context);
   ~Theatre();
 
+  const TheatreOptions& options() const;
+  const TheatreFigures& figures() const;
   const StereoRig& rig() const;
-  const TetMesh& mesh() const;  ///< rest shape, CT frame
+  const CameraFromCt& camera_from_ct() const;  ///< the truth; the liver moves in the CT's frame besides
+  const TetMesh& mesh() const;                 ///< rest shape, CT frame
+  const TriangleMesh& liver_surface() const;   ///< fine, closed, rest shape, CT frame: what is drawn
+  const Landmarks& landmarks() const;          ///< the patient's, completed; CT frame, rest
+  const std::vector<Target>& targets() const;
   int frame_count() const;
+  double seconds(int frame) const;
+
+  /// @pre 0 <= frame < frame_count(), here and below.
   FrameTruth truth(int frame) const;
   StereoFrame render(int frame) const;
   /// Depth along z of every left pixel, metres; 0 where the liver is not hit. Row-major, width * height.
   std::vector<float> depth(int frame) const;
-  /// Where any points of the CT-frame liver are in a frame, carried by the truth's mesh (for nodes of another
-  /// mesh).
+  /// Where any points of the CT-frame liver are in a frame (left camera's frame, metres), carried by the
+  /// truth's mesh (for nodes of another mesh). Points outside the mesh move with the tetrahedron next to
+  /// them.
   Points carry(const Points& points_in_ct, int frame) const;
+  /// The carried fine surface of a frame, left camera's frame.
+  TriangleMesh surface(int frame) const;
+  /// Which of the points (left camera's frame) the left camera sees in a frame.
+  std::vector<bool> seen(const Points& points_in_camera, int frame) const;
   /// Share of the liver's surface seen by both cameras in a frame.
   double visible_share(int frame) const;
   /// A patch of about `share` of the surface, seen from the camera's side, noisy, labelled: the paper's
-  /// protocol.
+  /// protocol. It need not be inside the field of view. @throws InputError options.
+  Patch patch(int frame, const PatchOptions& options) const;
   LabelledCloud patch(int frame, double share, double density_per_cm2, double noise_mm,
                       std::uint64_t seed) const;
 
@@ -67,16 +128,5 @@ class Theatre {
   explicit Theatre(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;
 };
-
-/// A simulated operator: knows the truth, writes what a person would click, with click noise. Stages read
-/// only its files.
-struct OperatorOptions {
-  double click_noise_mm = 1.5;  ///< in the CT
-  double click_noise_px = 3.0;  ///< on the screen
-  std::uint64_t seed = 1;
-};
-segmentation::Seeds click_seeds(const LabelMap& truth, const OperatorOptions& options);
-Landmarks click_landmarks(const Landmarks& truth, const OperatorOptions& options);
-stereo::Regions click_regions(const Theatre& theatre, int frame, const OperatorOptions& options);
 
 }  // namespace glisson::insilico

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "patch.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <queue>
+#include <random>
+
+#include "glisson/core/error.h"
+#include "glisson/geometry/topology.h"
+
+namespace glisson::insilico {
+namespace {
+
+/// Numbers that do not depend on the standard library's distributions.
+class Dice {
+ public:
+  explicit Dice(std::uint64_t seed) : random_(seed) {}
+  double uniform() { return static_cast<double>(random_() >> 11) * 0x1.0p-53; }
+  double normal() {
+    const double u = uniform() + 0x1.0p-54;
+    return std::sqrt(-2.0 * std::log(u)) * std::cos(2.0 * std::numbers::pi * uniform());
+  }
+  Eigen::Vector3d normal_vector() {
+    const double x = normal(), y = normal(), z = normal();
+    return {x, y, z};
+  }
+
+ private:
+  std::mt19937_64 random_;
+};
+
+struct Face {
+  Eigen::Vector3d centre, normal;
+  double area = 0.0;
+  int tier = 2;  ///< 0: seen from the camera; 1: faces it; 2: neither
+  std::vector<int> neighbours;
+};
+
+std::vector<Face> faces_of(const TriangleMesh& surface, const RayCaster& caster) {
+  const Points normals = triangle_normals(surface);
+  const Eigen::VectorXd areas = triangle_areas(surface);
+  std::vector<Face> faces(static_cast<std::size_t>(surface.triangle_count()));
+  for (int t = 0; t < surface.triangle_count(); ++t) {
+    Face& face = faces[static_cast<std::size_t>(t)];
+    face.centre = (surface.vertex(surface.triangles(t, 0)) + surface.vertex(surface.triangles(t, 1)) +
+                   surface.vertex(surface.triangles(t, 2))) /
+                  3.0;
+    face.normal = normals.row(t).transpose();
+    face.area = areas[t];
+    const double facing = -face.normal.dot(face.centre.normalized());
+    if (facing > 0.0) face.tier = 1;
+    if (facing > 0.1 && caster.sees(Eigen::Vector3d::Zero(), face.centre)) face.tier = 0;
+  }
+  for (const Edge& edge : edges(surface)) {
+    if (edge.left < 0 || edge.right < 0) continue;
+    faces[static_cast<std::size_t>(edge.left)].neighbours.push_back(edge.right);
+    faces[static_cast<std::size_t>(edge.right)].neighbours.push_back(edge.left);
+  }
+  return faces;
+}
+
+int first_face(const std::vector<Face>& faces, const Eigen::Vector3d& start) {
+  int best = -1;
+  for (int tier = 0; tier < 3 && best < 0; ++tier) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t t = 0; t < faces.size(); ++t) {
+      const double d = (faces[t].centre - start).squaredNorm();
+      if (faces[t].tier <= tier && d < nearest) nearest = d, best = static_cast<int>(t);
+    }
+  }
+  return best;
+}
+
+/// Dijkstra over the faces; a worse tier waits until the better ones are used up.
+std::vector<int> grow(const std::vector<Face>& faces, int start, double wanted_area, double& area) {
+  using Entry = std::tuple<int, double, int>;  // worst tier on the way, length of the way, face
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+  std::vector<char> taken(faces.size(), 0);
+  std::vector<int> patch;
+  open.emplace(faces[static_cast<std::size_t>(start)].tier, 0.0, start);
+  area = 0.0;
+  while (!open.empty() && area < wanted_area) {
+    const auto [tier, length, t] = open.top();
+    open.pop();
+    if (taken[static_cast<std::size_t>(t)] != 0) continue;
+    taken[static_cast<std::size_t>(t)] = 1;
+    const Face& face = faces[static_cast<std::size_t>(t)];
+    patch.push_back(t);
+    area += face.area;
+    for (const int other : face.neighbours) {
+      const Face& next = faces[static_cast<std::size_t>(other)];
+      if (taken[static_cast<std::size_t>(other)] == 0)
+        open.emplace(std::max(tier, next.tier), length + (next.centre - face.centre).norm(), other);
+    }
+  }
+  std::sort(patch.begin(), patch.end());
+  return patch;
+}
+
+double distance_to_line(const Points& line, const Eigen::Vector3d& p) {
+  double best = std::numeric_limits<double>::infinity();
+  for (Eigen::Index i = 0; i + 1 < line.rows(); ++i) {
+    const Eigen::Vector3d a = line.row(i).transpose(), edge = line.row(i + 1).transpose() - a;
+    const double along = std::clamp((p - a).dot(edge) / std::max(edge.squaredNorm(), 1e-18), 0.0, 1.0);
+    best = std::min(best, (a + along * edge - p).norm());
+  }
+  return best;
+}
+
+Feature feature_of(const Eigen::Vector3d& p, const Points& margin, const Points& notch,
+                   const PatchOptions& options) {
+  for (Eigen::Index i = 0; i < notch.rows(); ++i)
+    if ((notch.row(i).transpose() - p).norm() < 1e-3 * options.notch_mm) return Feature::umbilical_notch;
+  return distance_to_line(margin, p) < 1e-3 * options.margin_mm ? Feature::anterior_margin : Feature::surface;
+}
+
+}  // namespace
+
+void PatchOptions::validate() const {
+  const auto check = [](bool good, const char* field, double value, const char* remedy) {
+    if (!good) throw InputError("patch", field, std::to_string(value) + " is out of range", remedy);
+  };
+  check(share > 0.0 && share <= 1.0, "share", share, "give a share of the surface in (0, 1]");
+  check(density_per_cm2 > 0.0 && density_per_cm2 <= 1000.0, "density_per_cm2", density_per_cm2,
+        "give more than 0, up to 1000 points per cm2");
+  check(noise_mm >= 0.0 && noise_mm <= 20.0, "noise_mm", noise_mm, "give 0 to 20 mm");
+  check(outlier_share >= 0.0 && outlier_share < 1.0, "outlier_share", outlier_share,
+        "give a share in [0, 1)");
+  check(holes >= 0 && hole_mm >= 0.0, "holes", holes, "give a number and a diameter of 0 or more");
+  check(margin_mm >= 0.0 && notch_mm >= 0.0, "margin_mm", margin_mm, "give a width of 0 or more");
+}
+
+Patch sample_patch(const TriangleMesh& surface, const RayCaster& caster, const Eigen::Vector3d& start,
+                   const Points& margin, const Points& notch, const PatchOptions& options) {
+  options.validate();
+  Dice dice(options.seed * 6364136223846793005ULL + 1442695040888963407ULL);
+  const std::vector<Face> faces = faces_of(surface, caster);
+  double area = 0.0, total = 0.0;
+  for (const Face& face : faces) total += face.area;
+  const std::vector<int> patch = grow(faces, first_face(faces, start), options.share * total, area);
+
+  std::vector<double> up_to;  // area up to each face, for the lottery
+  for (double sum = 0.0; const int t : patch) up_to.push_back(sum += faces[static_cast<std::size_t>(t)].area);
+  const auto draw_face = [&] {
+    const auto hit = std::lower_bound(up_to.begin(), up_to.end(), dice.uniform() * up_to.back());
+    return patch[static_cast<std::size_t>(std::min(hit - up_to.begin(), std::ssize(up_to) - 1))];
+  };
+  std::vector<Eigen::Vector3d> holes;
+  for (int h = 0; h < options.holes; ++h)
+    holes.push_back(faces[static_cast<std::size_t>(draw_face())].centre);
+
+  const auto count = static_cast<Eigen::Index>(std::lround(1e4 * area * options.density_per_cm2));
+  Patch result;
+  result.share = area / total;
+  LabelledCloud& cloud = result.cloud;
+  cloud.points.resize(count, 3);
+  cloud.normals.resize(count, 3);
+  Eigen::Index kept = 0;
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const int t = draw_face();
+    const double root = std::sqrt(dice.uniform()), v = dice.uniform();
+    const Eigen::Vector3d p = (1.0 - root) * surface.vertex(surface.triangles(t, 0)) +
+                              root * (1.0 - v) * surface.vertex(surface.triangles(t, 1)) +
+                              root * v * surface.vertex(surface.triangles(t, 2));
+    const bool hole = std::any_of(holes.begin(), holes.end(), [&](const Eigen::Vector3d& h) {
+      return (p - h).norm() < 0.5e-3 * options.hole_mm;
+    });
+    const Eigen::Vector3d noise = 1e-3 * options.noise_mm * dice.normal_vector();
+    const bool outlier = dice.uniform() < options.outlier_share;
+    const Eigen::Vector3d astray = dice.normal_vector().normalized() * (0.005 + 0.010 * dice.uniform());
+    if (hole) continue;
+    cloud.points.row(kept) = (p + (outlier ? astray : noise)).transpose();
+    cloud.normals.row(kept++) = faces[static_cast<std::size_t>(t)].normal.transpose();
+    cloud.features.push_back(feature_of(p, margin, notch, options));
+    cloud.sigma.push_back(1e-3 * options.noise_mm);
+  }
+  cloud.points.conservativeResize(kept, 3);
+  cloud.normals.conservativeResize(kept, 3);
+  return result;
+}
+
+}  // namespace glisson::insilico

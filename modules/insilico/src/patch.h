@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "glisson/insilico/ray_caster.h"
+#include "glisson/insilico/theatre.h"
+
+namespace glisson::insilico {
+
+/// Grows a connected patch over the triangles that face the camera and that nothing hides, from the one
+/// nearest to `start`, by distance along the surface; where they do not suffice, over those that face it,
+/// then over any. Samples it. All in the left camera's frame.
+Patch sample_patch(const TriangleMesh& surface, const RayCaster& caster, const Eigen::Vector3d& start,
+                   const Points& margin, const Points& notch, const PatchOptions& options);
+
+}  // namespace glisson::insilico
