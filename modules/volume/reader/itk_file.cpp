@@ -107,6 +107,8 @@ RawVolume read_itk_file(const Request& request) {
   }
   check_value_count(request, size, raw.components);
   raw.grid = checked_grid(request, size, spacing, origin, direction);
+  if (format == Format::meta)
+    check_meta_complete(request, static_cast<std::uintmax_t>(io->GetImageSizeInBytes()));
   request.progress(0.1);
   raw.voxels = read_buffer(request, *io);
   if (const auto modality = raw.texts.find("modality"); modality != raw.texts.end())

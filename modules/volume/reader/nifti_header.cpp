@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <vector>
 
 #include "glisson/core/error.h"
 #include "raw_volume.h"
@@ -69,10 +70,28 @@ Affine sform(const Header& header) {
   return affine;
 }
 
+/// The library fills up a file that ends early with zeros: count its bytes ourselves.
+void check_complete(const Request& request, const Header& header) {
+  double values = 1.0;
+  const int dimensions = std::clamp<int>(header.at<std::int16_t>(40), 0, 7);
+  for (int axis = 1; axis <= dimensions; ++axis)
+    values *= std::max<int>(1, header.at<std::int16_t>(40 + 2 * axis));
+  const double expected = header.number(108) + values * header.at<std::int16_t>(72) / 8.0;
+  gzFile file = gzopen(request.path.c_str(), "rb");
+  std::vector<char> buffer(1u << 20);
+  double total = 0.0;
+  int got = 0;
+  while ((got = gzread(file, buffer.data(), static_cast<unsigned>(buffer.size()))) > 0) total += got;
+  const int state = gzclose(file);
+  if (got < 0 || state != Z_OK || total < expected)
+    throw InputError(request.name, "voxels", "end early: the file is damaged", "Export it again");
+}
+
 }  // namespace
 
 void check_nifti_header(const Request& request) {
   const Header header(request);
+  check_complete(request, header);
   const bool has_qform = header.at<std::int16_t>(252) > 0, has_sform = header.at<std::int16_t>(254) > 0;
   if (!has_qform && !has_sform)
     throw InputError(request.name, "qform_code, sform_code",

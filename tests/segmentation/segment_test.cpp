@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/segmentation/segment.h"
+
+#include <QtTest>
+
+#include "glisson/core/error.h"
+#include "glisson/core/files.h"
+
+using namespace glisson;
+using namespace glisson::segmentation;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Phantom {
+  Image image;
+  std::vector<std::uint8_t> liver, lesion;
+};
+
+/// An ellipsoid of 110 HU in fat, a ball of 118 HU that touches it through a bridge, a vessel of 160 HU and a
+/// dark lesion in it; noise of 12 HU.
+Phantom phantom() {
+  Phantom result;
+  VolumeGrid& grid = result.image.grid;
+  grid.size = {80, 64, 56};
+  grid.spacing_mm = {2.0, 2.0, 2.2};
+  grid.origin_mm = {-90, -60, 20};
+  std::mt19937 random(5);
+  std::normal_distribution<double> noise(0.0, 12.0);
+  std::vector<std::int16_t> voxels;
+  for (int k = 0; k < grid.size.z(); ++k)
+    for (int j = 0; j < grid.size.y(); ++j)
+      for (int i = 0; i < grid.size.x(); ++i) {
+        const Eigen::Vector3d p = Eigen::Vector3d(i, j, k).cwiseProduct(grid.spacing_mm);
+        const bool liver =
+            (p - Eigen::Vector3d(62, 62, 60)).cwiseQuotient(Eigen::Vector3d(46, 40, 38)).norm() < 1.0;
+        const bool neighbour = (p - Eigen::Vector3d(134, 62, 60)).norm() < 26.0;
+        const bool bridge = p.x() > 100 && p.x() < 120 && std::hypot(p.y() - 62, p.z() - 60) < 6.0;
+        const bool vessel = liver && std::hypot(p.y() - 50, p.z() - 60) < 4.0;
+        const bool lesion = (p - Eigen::Vector3d(50, 75, 60)).norm() < 9.0;
+        double hu = -100.0;
+        if (neighbour || bridge) hu = 118.0;
+        if (liver) hu = vessel ? 160.0 : lesion ? 60.0 : 110.0;
+        result.liver.push_back(liver ? 1 : 0);
+        result.lesion.push_back(lesion ? 1 : 0);
+        voxels.push_back(static_cast<std::int16_t>(std::lround(hu + noise(random))));
+      }
+  result.image.voxels = std::make_shared<const std::vector<std::int16_t>>(std::move(voxels));
+  return result;
+}
+
+Points points_at(const Image& image, std::initializer_list<Eigen::Vector3d> places_mm) {
+  Points points(static_cast<Eigen::Index>(places_mm.size()), 3);
+  Eigen::Index n = 0;
+  for (const Eigen::Vector3d& place : places_mm)
+    points.row(n++) = (1e-3 * (image.grid.origin_mm + place)).transpose();
+  return points;
+}
+
+Seeds clicks_in(const Image& image) {
+  Seeds seeds;
+  seeds.liver = points_at(image, {{62, 75, 75}, {80, 62, 45}});
+  seeds.portal_vein = points_at(image, {{62, 50, 60}});
+  seeds.lesions = {points_at(image, {{50, 75, 60}})};
+  return seeds;
+}
+
+std::vector<std::uint8_t> mask_of(const Segmented& result, Label label) {
+  return result.labels.voxels.mask([=](Label l) { return l == label; });
+}
+
+}  // namespace
+
+class SegmentTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void LiverLesionAndVesselAreFound();
+  void ABridgeToANeighbourIsNotCrossed();
+  void ResultDoesNotDependOnTheStorageOrder();
+  void TheSameInputGivesTheSameLabels();
+  void CancelledWorkGivesNothing();
+  void ProgressRunsFromStartToEnd();
+  void SeedsComeBackFromTheirFile();
+  void BadSeedFilesAreRefused_data();
+  void BadSeedFilesAreRefused();
+  void BadInputIsRefused();
+  void DiceOfKnownMasks();
+};
+
+void SegmentTest::LiverLesionAndVesselAreFound() {
+  const Phantom p = phantom();
+  const Segmented result = segment(p.image, clicks_in(p.image), {}, RunContext()).value();
+  const double liver = dice(inside_liver(result.labels), p.liver);
+  QVERIFY2(liver > 0.95, qPrintable(QString::number(liver)));
+  const double lesion = dice(mask_of(result, structure::kFirstLesion), p.lesion);
+  QVERIFY2(lesion > 0.75, qPrintable(QString::number(lesion)));
+  QVERIFY(result.report.portal_ml > 1.0 && result.report.portal_ml < 8.0);
+  QCOMPARE(result.report.hepatic_ml, 0.0);
+  QCOMPARE(result.report.lesion_ml.size(), std::size_t(1));
+}
+
+void SegmentTest::ABridgeToANeighbourIsNotCrossed() {
+  const Phantom p = phantom();
+  const Segmented result = segment(p.image, clicks_in(p.image), {}, RunContext()).value();
+  const Eigen::Vector3i in_neighbour(67, 31, 27);
+  QCOMPARE(result.labels.voxels.at(in_neighbour), structure::kBackground);
+}
+
+void SegmentTest::ResultDoesNotDependOnTheStorageOrder() {
+  const Phantom p = phantom();
+  const Segmented straight = segment(p.image, clicks_in(p.image), {}, RunContext()).value();
+  // The same patient, stored with i and j exchanged and k running backwards.
+  Image turned = p.image;
+  const VolumeGrid& g = p.image.grid;
+  turned.grid.size = {g.size.y(), g.size.x(), g.size.z()};
+  turned.grid.spacing_mm = {g.spacing_mm.y(), g.spacing_mm.x(), g.spacing_mm.z()};
+  turned.grid.direction.setZero();
+  turned.grid.direction(1, 0) = turned.grid.direction(0, 1) = 1.0;
+  turned.grid.direction(2, 2) = -1.0;
+  turned.grid.origin_mm.z() += g.spacing_mm.z() * (g.size.z() - 1);
+  std::vector<std::int16_t> voxels;
+  for (int k = 0; k < g.size.z(); ++k)
+    for (int i = 0; i < g.size.x(); ++i)
+      for (int j = 0; j < g.size.y(); ++j) voxels.push_back(p.image.at({i, j, g.size.z() - 1 - k}));
+  turned.voxels = std::make_shared<const std::vector<std::int16_t>>(std::move(voxels));
+  const Segmented other = segment(turned, clicks_in(p.image), {}, RunContext()).value();
+  std::vector<std::uint8_t> back;
+  for (int k = 0; k < g.size.z(); ++k)
+    for (int j = 0; j < g.size.y(); ++j)
+      for (int i = 0; i < g.size.x(); ++i)
+        back.push_back(other.labels.voxels.at({j, i, g.size.z() - 1 - k}) != 0 ? 1 : 0);
+  const double same = dice(back, straight.labels.voxels.mask([](Label l) { return l != 0; }));
+  QVERIFY2(same > 0.995, qPrintable(QString::number(same)));
+}
+
+void SegmentTest::TheSameInputGivesTheSameLabels() {
+  const Phantom p = phantom();
+  const Segmented a = segment(p.image, clicks_in(p.image), {}, RunContext()).value();
+  const Segmented b = segment(p.image, clicks_in(p.image), {}, RunContext()).value();
+  QVERIFY(a.labels.voxels == b.labels.voxels);
+}
+
+void SegmentTest::CancelledWorkGivesNothing() {
+  const Phantom p = phantom();
+  const auto flag = std::make_shared<CancelFlag>();
+  // Cancelled from within, in the middle of the contour.
+  const RunContext context(
+      [&](double, std::string_view stage) {
+        if (stage == "segmentation.contour") flag->request();
+      },
+      flag, 1);
+  QVERIFY(!segment(p.image, clicks_in(p.image), {}, context).has_value());
+  const auto late = std::make_shared<CancelFlag>();
+  const RunContext in_vessels(
+      [&](double, std::string_view stage) {
+        if (stage == "segmentation.vesselness") late->request();
+      },
+      late, 1);
+  QVERIFY(!segment(p.image, clicks_in(p.image), {}, in_vessels).has_value());
+}
+
+void SegmentTest::ProgressRunsFromStartToEnd() {
+  const Phantom p = phantom();
+  double last = 0.0;
+  bool rising = true;
+  const RunContext context(
+      [&](double fraction, std::string_view) {
+        rising = rising && fraction >= last - 1e-9;
+        last = fraction;
+      },
+      nullptr, 1);
+  QVERIFY(segment(p.image, clicks_in(p.image), {}, context).has_value());
+  QVERIFY(rising);
+  QCOMPARE(last, 1.0);
+}
+
+void SegmentTest::SeedsComeBackFromTheirFile() {
+  const TemporaryFolder folder;
+  const Phantom p = phantom();
+  Seeds seeds = clicks_in(p.image);
+  seeds.background = points_at(p.image, {{134, 62, 60}});
+  seeds.lesions.push_back(points_at(p.image, {{1, 2, 3}, {4, 5, 6}}));
+  write_seeds(folder.path() / "seeds.json", seeds);
+  const Seeds back = read_seeds(folder.path() / "seeds.json");
+  QVERIFY((back.liver - seeds.liver).cwiseAbs().maxCoeff() < 1e-12);
+  QVERIFY((back.background - seeds.background).cwiseAbs().maxCoeff() < 1e-12);
+  QCOMPARE(back.lesions.size(), std::size_t(2));
+  QVERIFY((back.lesions[1] - seeds.lesions[1]).cwiseAbs().maxCoeff() < 1e-12);
+  QCOMPARE(back.vena_cava.rows(), Eigen::Index(0));
+  QVERIFY(read_file(folder.path() / "seeds.json").find("-28") !=
+          std::string::npos);  // millimetres, not metres
+}
+
+void SegmentTest::BadSeedFilesAreRefused_data() {
+  QTest::addColumn<QByteArray>("text");
+  QTest::newRow("not JSON") << QByteArray("{");
+  QTest::newRow("a list") << QByteArray("[]");
+  QTest::newRow("no list") << QByteArray(R"({"liver": 3})");
+  QTest::newRow("two numbers") << QByteArray(R"({"liver": [[1, 2]]})");
+  QTest::newRow("text") << QByteArray(R"({"liver": [["a", 2, 3]]})");
+  QTest::newRow("far away") << QByteArray(R"({"liver": [[1e9, 2, 3]]})");
+  QTest::newRow("unknown") << QByteArray(R"({"spleen": [[1, 2, 3]]})");
+  QTest::newRow("lesions flat") << QByteArray(R"({"lesions": [[1, 2, 3]]})");
+}
+
+void SegmentTest::BadSeedFilesAreRefused() {
+  QFETCH(QByteArray, text);
+  const TemporaryFolder folder;
+  write_file_atomically(folder.path() / "seeds.json", text.toStdString());
+  QVERIFY_EXCEPTION_THROWN(read_seeds(folder.path() / "seeds.json"), InputError);
+}
+
+void SegmentTest::BadInputIsRefused() {
+  const Phantom p = phantom();
+  const Seeds good = clicks_in(p.image);
+  Seeds none = good;
+  none.liver.resize(0, 3);
+  QVERIFY_EXCEPTION_THROWN(segment(p.image, none, {}, RunContext()), InputError);
+  Seeds outside = good;
+  outside.lesions.push_back(points_at(p.image, {{-50, 0, 0}}));
+  QVERIFY_EXCEPTION_THROWN(segment(p.image, outside, {}, RunContext()), InputError);
+  Image mr = p.image;
+  mr.modality = Modality::mr;
+  QVERIFY_EXCEPTION_THROWN(segment(mr, good, {}, RunContext()), InputError);
+  QVERIFY_EXCEPTION_THROWN(segment(Image(), good, {}, RunContext()), InputError);
+  SegmentationOptions options;
+  options.working_spacing_mm = 0.0;
+  QVERIFY_EXCEPTION_THROWN(segment(p.image, good, options, RunContext()), InputError);
+  QVERIFY_EXCEPTION_THROWN(dice({1, 0}, {1}), PreconditionError);
+}
+
+void SegmentTest::DiceOfKnownMasks() {
+  QCOMPARE(dice({1, 1, 0, 0}, {1, 0, 1, 0}), 0.5);
+  QCOMPARE(dice({1, 1}, {1, 1}), 1.0);
+  QCOMPARE(dice({1, 0}, {0, 1}), 0.0);
+  QCOMPARE(dice({0, 0}, {0, 0}), 1.0);
+}
+
+QTEST_APPLESS_MAIN(SegmentTest)
+#include "segment_test.moc"
