@@ -241,10 +241,14 @@ GLISSON_BATCH(sse2, )
 
 }  // namespace
 
-const BatchKernels& batch_kernels() {
-  if (__builtin_cpu_supports("avx512f")) return kBatch_avx512;
-  if (__builtin_cpu_supports("avx2")) return kBatch_avx2;
-  return kBatch_sse2;
+std::vector<const BatchKernels*> available_batch_kernels() {
+  std::vector<const BatchKernels*> kernels;
+  if (__builtin_cpu_supports("avx512f")) kernels.push_back(&kBatch_avx512);
+  if (__builtin_cpu_supports("avx2")) kernels.push_back(&kBatch_avx2);
+  kernels.push_back(&kBatch_sse2);
+  return kernels;
 }
+
+const BatchKernels& batch_kernels() { return *available_batch_kernels().front(); }
 
 }  // namespace glisson::fem

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
 namespace glisson::fem {
 
 inline constexpr int kLanes = 8;
@@ -34,5 +36,7 @@ struct BatchKernels {
 };
 
 const BatchKernels& batch_kernels();
+/// All that this machine can run, widest first.
+std::vector<const BatchKernels*> available_batch_kernels();
 
 }  // namespace glisson::fem

@@ -90,8 +90,9 @@ int BlockPattern::find(int row, int column) const {
   return at != last && *at == row ? static_cast<int>(at - rows.begin()) : -1;
 }
 
-BlockSystem::BlockSystem(const CompositeModel::Impl& model, const std::vector<int>& fixed_nodes)
-    : model_(model), pattern_(make_pattern(model, fixed_nodes)) {
+BlockSystem::BlockSystem(const CompositeModel::Impl& model, const std::vector<int>& fixed_nodes,
+                         const BatchKernels& kernels)
+    : model_(model), kernels_(kernels), pattern_(make_pattern(model, fixed_nodes)) {
   values_.assign(static_cast<std::size_t>(pattern_.block_count() + 1) * 9, 0.0);
   build_groups();
   build_couplings();
@@ -173,7 +174,7 @@ void BlockSystem::build_couplings() {
     std::size_t slot = 0;
     for (std::size_t i = 0; i < static_cast<std::size_t>(coupling.count); ++i)
       for (std::size_t j = 0; j <= i; ++j)
-        coupling.slots[slot++] = block_of(coupling.nodes[i], coupling.nodes[j]);
+        coupling.blocks[slot++] = block_of(coupling.nodes[i], coupling.nodes[j]);
     couplings_.push_back(coupling);
   }
 }
@@ -210,8 +211,8 @@ void BlockSystem::assemble(const Points& x, double scale, Tangent kind, Points& 
 void BlockSystem::add_tetrahedra(const Points& x, double scale, Tangent kind, Points& force) {
   const TetrahedronLaw law = model_.options.law;
   if (law == TetrahedronLaw::corotational && kind == Tangent::rotated) {
-    batch_kernels().tetrahedra(tetrahedron_groups_.data(), static_cast<int>(tetrahedron_groups_.size()),
-                               scale, x.data(), values_.data(), force.data());
+    kernels_.tetrahedra(tetrahedron_groups_.data(), static_cast<int>(tetrahedron_groups_.size()), scale,
+                        x.data(), values_.data(), force.data());
     return;
   }
   for (const Tetrahedron& e : model_.tetrahedra) {
@@ -226,8 +227,8 @@ void BlockSystem::add_tetrahedra(const Points& x, double scale, Tangent kind, Po
 
 void BlockSystem::add_membranes(const Points& x, double scale, Tangent kind, Points& force) {
   if (kind == Tangent::rotated) {
-    batch_kernels().membranes(membrane_groups_.data(), static_cast<int>(membrane_groups_.size()), scale,
-                              x.data(), values_.data(), force.data());
+    kernels_.membranes(membrane_groups_.data(), static_cast<int>(membrane_groups_.size()), scale, x.data(),
+                       values_.data(), force.data());
     return;
   }
   for (const Membrane& e : model_.membranes) {
@@ -267,7 +268,7 @@ void BlockSystem::add_beams(const Points& x, double scale, Points& force) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(coupling.count); ++i)
       for (std::size_t j = 0; j <= i; ++j) {
         Eigen::Map<Eigen::Matrix3d> target(values_.data() +
-                                           9 * static_cast<std::ptrdiff_t>(coupling.slots[slot++]));
+                                           9 * static_cast<std::ptrdiff_t>(coupling.blocks[slot++]));
         target.noalias() += columns[i].transpose().lazyProduct(columns[j]);
       }
   }

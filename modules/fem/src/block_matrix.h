@@ -31,7 +31,8 @@ class BlockSystem {
   using Block = Eigen::Matrix3d;
 
   /// @throws InputError for fixed nodes out of range or when all are fixed.
-  BlockSystem(const CompositeModel::Impl& model, const std::vector<int>& fixed_nodes);
+  BlockSystem(const CompositeModel::Impl& model, const std::vector<int>& fixed_nodes,
+              const BatchKernels& kernels = batch_kernels());
 
   const BlockPattern& pattern() const { return pattern_; }
   /// Column-major 3 x 3 blocks in the pattern's order (and a spare one behind them).
@@ -56,7 +57,7 @@ class BlockSystem {
     int count = 0;
     std::array<int, 8> nodes{};  ///< in the order of their unknowns
     std::array<int, 8> place{};  ///< in nodes, of the first and the second tetrahedron's four
-    std::array<int, 36> slots{};
+    std::array<int, 36> blocks{};
   };
   int block_of(int node_i, int node_j) const;
   void build_groups();
@@ -66,6 +67,7 @@ class BlockSystem {
   void add_beams(const Points& x, double scale, Points& force);
 
   const CompositeModel::Impl& model_;
+  const BatchKernels& kernels_;
   BlockPattern pattern_;
   std::vector<double> values_;  ///< and a spare block behind them, where the fixed nodes' go
   std::vector<TetrahedronGroup> tetrahedron_groups_;

@@ -213,10 +213,14 @@ GLISSON_KERNELS(sse2, 16, )
 
 }  // namespace
 
-const DenseKernels& dense_kernels() {
-  if (__builtin_cpu_supports("avx512f")) return kKernels_avx512;
-  if (__builtin_cpu_supports("avx2")) return kKernels_avx2;
-  return kKernels_sse2;
+std::vector<const DenseKernels*> available_dense_kernels() {
+  std::vector<const DenseKernels*> kernels;
+  if (__builtin_cpu_supports("avx512f")) kernels.push_back(&kKernels_avx512);
+  if (__builtin_cpu_supports("avx2")) kernels.push_back(&kKernels_avx2);
+  kernels.push_back(&kKernels_sse2);
+  return kernels;
 }
+
+const DenseKernels& dense_kernels() { return *available_dense_kernels().front(); }
 
 }  // namespace glisson::fem

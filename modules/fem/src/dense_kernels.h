@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
 namespace glisson::fem {
 
 /// Dense kernels of a front, for the widest vectors that the machine has (AVX-512, AVX2, SSE2), chosen once
@@ -22,5 +24,7 @@ struct DenseKernels {
 };
 
 const DenseKernels& dense_kernels();
+/// All that this machine can run, widest first.
+std::vector<const DenseKernels*> available_dense_kernels();
 
 }  // namespace glisson::fem

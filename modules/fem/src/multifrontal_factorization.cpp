@@ -10,8 +10,8 @@ int round_up_8(int n) { return (n + 7) & ~7; }
 
 }  // namespace
 
-MultifrontalFactorization::MultifrontalFactorization(const BlockPattern& pattern)
-    : kernels_(dense_kernels()), fronts_(build_fronts(pattern)) {
+MultifrontalFactorization::MultifrontalFactorization(const BlockPattern& pattern, const DenseKernels& kernels)
+    : kernels_(kernels), fronts_(build_fronts(pattern)) {
   std::size_t panel_space = 0, most_rows = 0;
   std::vector<std::size_t> schur_sizes;
   for (const Front& front : fronts_) {

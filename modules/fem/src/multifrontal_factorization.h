@@ -13,7 +13,8 @@ namespace glisson::fem {
 /// is factorised in part, what remains is added to its parent. One thread, a fixed order of sums.
 class MultifrontalFactorization : public Factorization {
  public:
-  explicit MultifrontalFactorization(const BlockPattern& pattern);
+  explicit MultifrontalFactorization(const BlockPattern& pattern,
+                                     const DenseKernels& kernels = dense_kernels());
   bool factorise(const std::vector<double>& values) override;
   void solve(Eigen::VectorXd& b) override;
 
