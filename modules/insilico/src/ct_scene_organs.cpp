@@ -42,7 +42,8 @@ void paint_kidney(Canvas& canvas, const LiverShape& shape, double side) {
   };
   const Vec centre = side < 0.0 ? Vec(-64, 54, -58) : Vec(62, 54, -40);
   const auto sinus = [&](const Vec& p) {
-    return ellipsoid(p - centre - Vec(-side * 14.0, -5.0, 0), {15.0, 12.0, 26.0});
+    const Vec d = p - centre - Vec(-side * 17.0, -4.0, 0);
+    return ellipsoid(d, {18.0, 8.0, 25.0}) + 2.0 * std::sin(0.42 * p.z()) + 1.2 * std::sin(0.5 * p.x());
   };
   canvas.paint(centre - Vec(50, 45, 70), centre + Vec(50, 45, 70), kidney, [&](const Vec& p, double f) {
     const double wave = 1.6 * std::sin(0.33 * p.z()) * std::cos(0.25 * p.y());
@@ -56,7 +57,7 @@ void paint_heart(Canvas& canvas, const LiverShape& shape) {
   const auto heart = [&](const Vec& p) {
     const Vec d = p - Vec(22.0, -36.0, 112.0);
     const Vec q(0.92 * d.x() + 0.30 * d.z(), d.y(), 0.95 * d.z() - 0.30 * d.x());
-    return smooth_max(0.95 * ellipsoid(q, {76.0, 54.0, 62.0}), 0.9 - below_diaphragm(shape, p) + 1.0, 5.0);
+    return smooth_max(0.95 * ellipsoid(q, {72.0, 52.0, 60.0}), 1.6 - below_diaphragm(shape, p), 5.0);
   };
   const auto sac = [&](const Vec& p) {
     return std::max({heart(p) - 5.0, shape.cage(p) + 3.0, 1.8 - below_diaphragm(shape, p)});
@@ -88,6 +89,10 @@ void paint_great_vessels(Canvas& canvas, const LiverShape& shape) {
   const Hose superior{{portal, portal + Vec(-2, 2, -30), {-8, -8, -140}, {-10, -10, -190}},
                       {5.8, 5.5, 4.6, 4.0}};
   canvas.paint(superior.low(), superior.high(), superior, tissue::kPortal);
+  // The gullet comes down before the aorta and turns into the stomach.
+  const Hose gullet{{{6, 20, 200}, {6, 17, 110}, {14, 10, 74}, {44, 6, 54}}, {8.0, 8.0, 8.0, 9.0}};
+  canvas.paint(gullet.low(), gullet.high(), gullet,
+               [](const Vec&, double f) { return mix(70.0, 20.0, smooth_step(-4.0, -5.5, f)); });
   const Hose splenic{{portal, portal + Vec(28, 8, 14), {70, 24, 4}, {96, 34, 20}}, {4.2, 4.0, 3.6, 3.0}};
   canvas.paint(splenic.low(), splenic.high(), splenic, tissue::kPortal);
 }

@@ -19,13 +19,21 @@ double below_diaphragm(const LiverShape& shape, const Vec& p) {
 namespace {
 
 double skin(const Vec& p) {
-  const double body = elliptic_cylinder(p.x(), p.y() - 2.0, 165.0, 121.0);
+  // More fat in front and at the flanks further down.
+  const double belly = smooth_step(40.0, -120.0, p.z());
+  const double body = trunk_ring(p, 2.0 - 2.0 * belly, 161.0 + 6.0 * belly, 117.0 + 7.0 * belly);
   // A furrow over the spine.
-  return smooth_max(body, -elliptic_cylinder(p.x(), p.y() - 134.0, 26.0, 16.0), 16.0);
+  return smooth_max(body, -elliptic_cylinder(p.x(), p.y() - 133.0, 26.0, 16.0), 16.0);
 }
 
-double muscle_wall(const Vec& p) {
-  return elliptic_cylinder(p.x(), p.y() - 1.0, 149.0, 105.0) - 4.0 * smooth_step(60, -60, p.z());
+double muscle_wall(const Vec& p) { return trunk_ring(p, 1.0, 150.0, 107.0); }
+
+/// The surface on which the ribs lie.
+double rib_wall(const Vec& p) { return trunk_ring(p, 1.0, 144.5, 102.0); }
+
+/// Round the trunk from the spine (0) to the sternum (180 degrees), alike on both sides.
+double turn_degrees(const Vec& p) {
+  return std::atan2(std::abs(p.x()) / 144.5, p.y() / 102.0) * 180.0 / std::numbers::pi;
 }
 
 /// Bone of one vertebra or disc, seen as distances within the plane.
@@ -33,7 +41,7 @@ void paint_spine(Canvas& canvas) {
   const auto lordosis = [](double z) { return 54.0 + 5.0 * std::sin((z + 60.0) / 90.0); };
   constexpr double kPitch = 33.0;
   const auto body = [&](const Vec& p) {
-    const double waist = 1.8 * std::cos(2.0 * std::numbers::pi * p.z() / kPitch);
+    const double waist = 1.2 * std::cos(2.0 * std::numbers::pi * p.z() / kPitch);
     return elliptic_cylinder(p.x(), p.y() - lordosis(p.z()), 22.5 + waist, 17.0 + waist);
   };
   const auto in_disc = [&](double z) { return std::abs(z / kPitch - std::round(z / kPitch)) * kPitch < 4.0; };
@@ -52,7 +60,7 @@ void paint_spine(Canvas& canvas) {
   canvas.paint(low, high, body, [&](const Vec& p, double f) {
     if (in_disc(p.z())) return tissue::kDisc;
     const double edge = std::max(f, std::abs(p.z() / kPitch - std::round(p.z() / kPitch)) * -kPitch + 4.0);
-    return mix(tissue::kMarrow, tissue::kCortical, smooth_step(-2.6, -0.6, edge)) + 18.0 * mottle(p, 4.0, 11);
+    return mix(tissue::kMarrow, tissue::kCortical, smooth_step(-1.8, -0.5, edge)) + 18.0 * mottle(p, 4.0, 11);
   });
   canvas.paint(
       low, high,
@@ -69,10 +77,9 @@ void paint_ribs(Canvas& canvas) {
   const Rib ribs[] = {{-22, 62},  {2, 88},    {27, 118},  {52, 132}, {78, 138},
                       {104, 140}, {130, 142}, {156, 144}, {182, 146}};
   const auto rib = [&](const Vec& p) {
-    const double wall =
-        elliptic_cylinder(p.x(), p.y() - 1.0, 143.5, 100.0) - 4.0 * smooth_step(60, -60, p.z());
+    const double wall = rib_wall(p);
     if (std::abs(wall) > 12.0) return std::abs(wall) - 6.0;
-    const double angle = std::atan2(std::abs(p.x()) / 143.5, p.y() / 100.0) * 180.0 / std::numbers::pi;
+    const double angle = turn_degrees(p);
     double nearest = 1e3;
     for (const Rib& r : ribs) {
       const double fall = 74.0 * smooth_step(10, r.end, angle) * (r.end / 140.0);
@@ -84,16 +91,15 @@ void paint_ribs(Canvas& canvas) {
     return 4.4 * (nearest - 1.0);
   };
   const auto cartilage = [&](const Vec& p) {
-    const double wall =
-        elliptic_cylinder(p.x(), p.y() - 1.0, 143.5, 100.0) - 4.0 * smooth_step(60, -60, p.z());
+    const double wall = rib_wall(p);
     if (std::abs(wall) > 12.0 || p.y() > 0.0) return std::abs(wall) + 1.0;
-    const double angle = std::atan2(std::abs(p.x()) / 143.5, p.y() / 100.0) * 180.0 / std::numbers::pi;
+    const double angle = turn_degrees(p);
     double nearest = 1e3;
     for (const Rib& r : ribs) {
       if (r.end < 130.0) continue;
       const double way = std::clamp((angle - r.end) / (172.0 - r.end), 0.0, 1.0);
       const double start = r.height - 74.0 * (r.end / 140.0);
-      const double across = 0.7 * (p.z() - (start + way * way * std::max(0.0, 66.0 - 0.5 * (start - 0.0))));
+      const double across = 0.7 * (p.z() - (start + way * way * std::max(0.0, 66.0 - 0.5 * start)));
       const double beyond = std::max({0.0, (r.end - angle) * 2.0, (angle - 172.0) * 2.0});
       nearest = std::min(nearest, std::hypot(std::hypot(across, beyond) / 6.5, wall / 4.2));
     }
@@ -104,10 +110,33 @@ void paint_ribs(Canvas& canvas) {
   canvas.paint(low, high, rib,
                [](const Vec&, double f) { return mix(150.0, 520.0, smooth_step(-3.2, -1.2, f)); });
   const auto sternum = [](const Vec& p) {
-    return std::max(elliptic_cylinder(p.x(), p.y() + 100.0, 17.0, 6.5), 0.8 * (46.0 - p.z()));
+    return std::max(elliptic_cylinder(p.x(), p.y() + 101.0 * trunk_scale(p.z()), 17.0, 6.0),
+                    0.8 * (46.0 - p.z()));
   };
   canvas.paint(low, high, sternum,
                [](const Vec&, double f) { return mix(140.0, 400.0, smooth_step(-3.5, -1.0, f)); });
+}
+
+/// Psoas before the spine's flanks, from the twelfth rib downwards; the erectors behind, thinner behind the
+/// lungs.
+void paint_back_muscles(Canvas& canvas, std::uint64_t seed) {
+  for (const double side : {-1.0, 1.0}) {
+    const auto psoas = [side](const Vec& p) {
+      const double full = smooth_step(20.0, -70.0, p.z());
+      const double out = 28.0 + 14.0 * smooth_step(-20.0, -150.0, p.z());
+      return elliptic_cylinder(p.x() - side * out, p.y() - 58.0, 4.0 + 12.0 * full, 6.0 + 12.0 * full) +
+             10.0 * smooth_step(8.0, 22.0, p.z());
+    };
+    canvas.paint({-70, 20, -1e3}, {70, 95, 30}, psoas, tissue::kMuscle);
+    const auto erector = [side](const Vec& p) {
+      const double chest = smooth_step(-20.0, 50.0, p.z());
+      return elliptic_cylinder(p.x() - side * 31.0, p.y() - mix(92.0, 98.0, chest) * trunk_scale(p.z()), 30.0,
+                               mix(19.0, 12.0, chest));
+    };
+    canvas.paint({-80, 60, -1e3}, {80, 130, 1e3}, erector, [&](const Vec& p, double) {
+      return tissue::kMuscle - 4.0 + 9.0 * mottle(p, 5.0, seed + 5);
+    });
+  }
 }
 
 }  // namespace
@@ -131,22 +160,6 @@ bool paint_trunk(Canvas& canvas, const LiverShape& shape, const RunContext& cont
   canvas.paint(low, high, cavity,
                [&](const Vec& p, double) { return tissue::kInnerFat + 6.0 * mottle(p, 8.0, seed + 4); });
   context.progress(0.3, "patient.ct");
-  // Muscles along the spine: psoas inside, erectors behind.
-  for (const double side : {-1.0, 1.0}) {
-    canvas.paint(
-        low, high,
-        [&](const Vec& p) {
-          const double out = 30.0 - 0.10 * std::min(0.0, p.z());
-          return std::max(0.9 * elliptic_cylinder(p.x() - side * out, p.y() - 57.0, 15.0, 17.0),
-                          0.8 * (p.z() + 10.0));
-        },
-        tissue::kMuscle);
-    canvas.paint(
-        low, high,
-        [&](const Vec& p) { return elliptic_cylinder(p.x() - side * 31.0, p.y() - 92.0, 30.0, 19.0); },
-        [&](const Vec& p, double) { return tissue::kMuscle - 4.0 + 9.0 * mottle(p, 5.0, seed + 5); });
-  }
-  if (context.cancelled()) return false;
   // Lungs over the diaphragm. The diaphragm itself is the layer left between them and what lies below.
   canvas.paint(
       low, high,
@@ -165,6 +178,7 @@ bool paint_trunk(Canvas& canvas, const LiverShape& shape, const RunContext& cont
       [&](const Vec& p) { return std::max(shape.cage(p), std::abs(below_diaphragm(shape, p) - 1.3) - 1.4); },
       tissue::kMuscle);
   context.progress(0.7, "patient.ct");
+  paint_back_muscles(canvas, seed);
   paint_ribs(canvas);
   paint_spine(canvas);
   context.progress(1.0, "patient.ct");

@@ -10,11 +10,17 @@ namespace {
 /// Where the visceral surface's tilt changes: the hilum's place seen from below.
 constexpr double kHilumX = -16.0, kHilumY = -6.0;
 
-/// A dome: an ellipsoid above its equator, a straight wall below (so that the wall meets the visceral surface
-/// at a sharp angle).
+/// A dome: a full ellipsoid above its equator, a straight wall below (so that the wall meets the visceral
+/// surface at a sharp angle). The exponent makes the top broader than an ellipsoid's.
 double dome_field(const Vec& p, const Vec& centre, const Vec& axes) {
   const Vec d = p - centre;
-  return ellipsoid({d.x(), d.y(), soft_ramp(d.z(), 14.0)}, axes);
+  const double plan = std::hypot(d.x() / axes.x(), d.y() / axes.y());
+  const double rise = soft_ramp(d.z(), 14.0) / axes.z();
+  constexpr double kPower = 2.35;
+  const double k0 = std::pow(std::pow(plan, kPower) + std::pow(rise, kPower), 1.0 / kPower);
+  const double k1 = Vec(d.x() / (axes.x() * axes.x()), d.y() / (axes.y() * axes.y()), rise / axes.z()).norm();
+  if (k1 < 1e-9) return -axes.minCoeff();
+  return std::hypot(plan, rise) * (k0 - 1.0) / k1;
 }
 
 }  // namespace
@@ -43,22 +49,21 @@ LiverShape::LiverShape(const ShapeParameters& parameters) : parameters_(paramete
   place_gallbladder();
 }
 
-double LiverShape::cage(const Vec& p) const {
-  return elliptic_cylinder(p.x(), p.y() - 1.0, 138.0, 95.0) - 4.0 * smooth_step(60, -60, p.z());
-}
+double LiverShape::cage(const Vec& p) const { return trunk_ring(p, 1.0, 139.0, 97.0); }
 
 double LiverShape::dome(const Vec& p) const {
-  return smooth_min(dome_field(p, right_centre_, right_axes_), dome_field(p, left_centre_, left_axes_), 34.0);
+  return smooth_min(dome_field(p, right_centre_, right_axes_), dome_field(p, left_centre_, left_axes_),
+                    parameters_.saddle);
 }
 
 double LiverShape::lobes(const Vec& p) const { return smooth_max(dome(p), cage(p) + 1.5, 14.0); }
 
-double LiverShape::upper(const Vec& p) const { return smooth_max(lobes(p), -notch_(p), 5.0); }
+double LiverShape::upper(const Vec& p) const { return smooth_max(lobes(p), -notch_(p), 8.0); }
 
 double LiverShape::visceral_height(double x, double y) const {
   const ShapeParameters& s = parameters_;
   const double dx = x - kHilumX, dy = y - kHilumY;
-  return s.slope_left * soft_ramp(dx, 30.0) - s.slope_right * soft_ramp(-dx, 30.0) +
+  return s.lift + s.slope_left * soft_ramp(dx, 30.0) - s.slope_right * soft_ramp(-dx, 30.0) +
          0.06 * soft_ramp(dy, 40.0) - s.slope_anterior * soft_ramp(-dy, 40.0) - s.hollow * dy * dy -
          0.0007 * dx * dx;
 }
@@ -81,7 +86,7 @@ double LiverShape::cava(const Vec& p) const {
   return 0.95 * elliptic_cylinder(p.x() - c.x(), p.y() - c.y(), 1.12 * r, 0.9 * r);
 }
 
-double LiverShape::gallbladder(const Vec& p) const { return smooth_min(bladder_(p), bladder_neck_(p), 6.0); }
+double LiverShape::gallbladder(const Vec& p) const { return smooth_min(bladder_(p), bladder_neck_(p), 12.0); }
 
 double LiverShape::right_kidney(const Vec& p) const {
   const Vec d = p - Vec(-64.0, 54.0, -58.0);
@@ -95,13 +100,15 @@ double LiverShape::liver(const Vec& p) const {
   const double edge = mix(5.0, 34.0, smooth_step(-30.0, 35.0, p.y()));
   double f = smooth_max(upper(p), visceral(p), edge);
   if (f > 60.0) return f;
+  // The caudate lobe fills the corner between the porta and the vena cava.
+  f = smooth_min(f, ellipsoid(p - Vec(-17.0, 21.0, 20.0 + parameters_.lift), {25.0, 17.0, 33.0}), 16.0);
   // The spine with its crura, then the grooves and impressions of the visceral and posterior sides.
   f = smooth_max(f, -elliptic_cylinder(p.x() - 9.0, p.y() - 66.0, 45.0, 44.0), 18.0);
   f = smooth_max(f, -cava(p), 3.0);
   f = smooth_max(f, -(gallbladder(p) - 0.3), 4.0);
   f = smooth_max(f, -(right_kidney(p) - 2.5), 16.0);
-  f = smooth_max(f, -porta_(p), 9.0);
-  return smooth_max(f, -fissure_(p), 6.0);
+  f = smooth_max(f, -porta_(p), 12.0);
+  return smooth_max(f, -fissure_(p), 9.0);
 }
 
 Vec LiverShape::gradient(const Vec& p) const {

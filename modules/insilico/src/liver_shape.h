@@ -18,15 +18,17 @@ struct ShapeParameters {
   double right_depth = 84;
   double right_height = 112;
   double left_width = 82;  ///< half axes of the left lobe's dome
-  double left_depth = 50;
-  double left_height = 60;
+  double left_depth = 52;
+  double left_height = 64;
   double left_reach = 8;         ///< x of the left lobe's centre
+  double saddle = 46;            ///< width of the blend between the two domes
   double slope_right = 0.50;     ///< rise of the visceral surface per mm to the left, right of the hilum
   double slope_left = 0.34;      ///< the same, left of it
   double slope_anterior = 0.36;  ///< fall of the visceral surface per mm to the front
   double hollow = 0.0022;        ///< its curvature from front to back, per mm
+  double lift = 0;               ///< z of the visceral surface at the hilum
   double notch_x = 6;
-  double notch_depth = 20;
+  double notch_depth = 22;
   double bladder_x = -46;  ///< of the gallbladder's fundus
   double bladder_length = 62;
   double cava_radius = 11.5;
@@ -44,6 +46,17 @@ struct Lesion {
   double field(const Vec& p) const;
   double reach() const { return half_axes.maxCoeff() * (1.0 + bump); }
 };
+
+/// The trunk's width at a height, relative to that at the liver: it narrows towards the shoulders and the
+/// waist.
+inline double trunk_scale(double z) {
+  return 1.0 - 0.11 * smooth_step(10.0, 190.0, z) - 0.045 * smooth_step(-10.0, -150.0, z);
+}
+/// An elliptic ring of the trunk with half axes rx, ry at the liver's height.
+inline double trunk_ring(const Vec& p, double centre_y, double rx, double ry) {
+  const double s = trunk_scale(p.z());
+  return elliptic_cylinder(p.x(), p.y() - centre_y, s * rx, s * ry);
+}
 
 /// The liver as an implicit shape, and what it leans on. Immutable.
 class LiverShape {

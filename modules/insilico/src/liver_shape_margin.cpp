@@ -36,7 +36,7 @@ void LiverShape::place_notch() {
   }
   const Vec ridge = ridge_point(0.5 * (low + high), false);
   const Vec outwards = Vec(0.05, -0.80, -0.60).normalized();
-  notch_ = {ridge - s.notch_depth * outwards + Vec(0, 0, 2), ridge + 12.0 * outwards, 2.5, 12.0};
+  notch_ = {ridge - s.notch_depth * outwards + Vec(0, 0, 2), ridge + 12.0 * outwards, 3.5, 14.0};
   // The fissure of the round ligament runs on from the notch along the visceral surface to the porta.
   const auto below = [&](double x, double y, double depth) {
     return Vec(x, y, visceral_height(x, y) - depth);
