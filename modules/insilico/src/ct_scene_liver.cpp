@@ -55,6 +55,13 @@ bool paint_liver(Canvas& canvas, const Anatomy& anatomy, std::vector<Label>& lab
     canvas.where(low, high, 0.0, field, [&](std::size_t at, const Vec&, double) { labels[at] = label; });
   };
   const auto liver = [&](const Vec& p) { return shape.liver(p); };
+  // Below the diaphragm a film of fat parts the liver from its neighbours, in patches: elsewhere they touch.
+  const auto film = [&](const Vec& p) {
+    const double f = shape.liver(p);
+    if (f > 2.0 || below_diaphragm(shape, p) > -5.0) return f + 0.5;
+    return f - 1.3 * smooth_step(-0.2, 0.8, mottle(p, 16.0, seed + 9));
+  };
+  canvas.paint(shape.low(), shape.high(), film, tissue::kInnerFat);
   canvas.paint(shape.low(), shape.high(), liver,
                [&](const Vec& p, double) { return tissue::kLiver + 2.5 * mottle(p, 14.0, seed); });
   tag(shape.low(), shape.high(), liver, structure::kParenchyma);

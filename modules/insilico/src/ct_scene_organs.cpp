@@ -57,10 +57,10 @@ void paint_heart(Canvas& canvas, const LiverShape& shape) {
   const auto heart = [&](const Vec& p) {
     const Vec d = p - Vec(22.0, -36.0, 112.0);
     const Vec q(0.92 * d.x() + 0.30 * d.z(), d.y(), 0.95 * d.z() - 0.30 * d.x());
-    return smooth_max(0.95 * ellipsoid(q, {72.0, 52.0, 60.0}), 1.6 - below_diaphragm(shape, p), 5.0);
+    return smooth_max(0.95 * ellipsoid(q, {72.0, 52.0, 60.0}), -1.2 - below_diaphragm(shape, p), 5.0);
   };
   const auto sac = [&](const Vec& p) {
-    return std::max({heart(p) - 5.0, shape.cage(p) + 3.0, 1.8 - below_diaphragm(shape, p)});
+    return std::max({heart(p) - 5.0, shape.cage(p) + 3.0, 0.2 - below_diaphragm(shape, p)});
   };
   const Vec low(-100, -110, 20), high(130, 50, 1e3);
   canvas.paint(low, high, sac, tissue::kInnerFat);
@@ -71,7 +71,7 @@ void paint_heart(Canvas& canvas, const LiverShape& shape) {
         // Blood and muscle differ little in this phase.
         const double left = ellipsoid(p - left_chamber, {24.0, 22.0, 30.0});
         const double right = ellipsoid(p - right_chamber, {26.0, 22.0, 32.0});
-        return tissue::kHeart + 10.0 * smooth_step(2.0, -2.0, std::min(left, right));
+        return tissue::kHeart + 14.0 * smooth_step(2.0, -2.0, std::min(left, right));
       });
 }
 
@@ -105,7 +105,7 @@ void paint_bowel(Canvas& canvas, const LiverShape& shape, Dice& dice) {
     const double turn = dice.between(0.0, 2.0 * std::numbers::pi), length = dice.between(14, 30);
     const Vec along(length * std::cos(turn), 0.5 * length * std::sin(turn), dice.between(-8, 8));
     const double r = dice.between(9.5, 13.0);
-    const double content = dice.between(0.0, 1.0) < 0.5 ? tissue::kBowelContent : dice.between(20, 70);
+    const double content = dice.between(0.0, 1.0) < 0.7 ? tissue::kBowelContent : dice.between(20, 70);
     const Hose hose{{at - along, at, at + along + Vec(0, 6, 0)}, {r, r, r}};
     canvas.paint(
         hose.low(), hose.high(), [&](const Vec& p) { return inside(p, hose(p)); },
@@ -138,17 +138,17 @@ void paint_stomach(Canvas& canvas, const LiverShape& shape) {
     return std::max({lumen(p), shape.cage(p) + 2.0, below_diaphragm(shape, p) + 1.2});
   };
   canvas.paint(lumen.low(), lumen.high(), stomach, [&](const Vec& p, double f) {
-    if (f > -4.0) return tissue::kStomach + 3.0;
+    if (f > -4.0) return tissue::kStomach + 1.0;
     // Gas gathers in front, over diluted contrast with food in it.
     const double level = -60.0 - p.y();
-    const double content = tissue::kStomach + 4.0 * mottle(p, 8.0, 31);
+    const double content = tissue::kStomach + 2.0 * mottle(p, 8.0, 31);
     return mix(content, -940.0, smooth_step(-0.8, 0.8, level));
   });
   const Hose duodenum{
       {{-16, -44, -44}, {-36, -22, -44}, {-38, 4, -62}, {-34, 8, -92}, {-8, 12, -104}, {28, 12, -98}},
       {11, 13, 13, 12, 11, 11}};
   canvas.paint(duodenum.low(), duodenum.high(), duodenum, [&](const Vec&, double f) {
-    return f > -2.4 ? tissue::kBowelWall + 4.0 : tissue::kBowelContent - 30.0;
+    return f > -2.4 ? tissue::kBowelWall + 4.0 : tissue::kBowelContent;
   });
   const Hose pancreas{
       {{-22, -6, -72}, {-12, -10, -54}, {8, -14, -38}, {38, 6, -26}, {72, 24, -2}, {90, 32, 14}},
@@ -166,7 +166,7 @@ void paint_spleen(Canvas& canvas, const LiverShape& shape) {
     const Vec d = p - Vec(98.0, 36.0, 30.0);
     const Vec q(d.x() + 0.25 * d.z(), 0.92 * d.y() - 0.38 * d.z(), 0.92 * d.z() + 0.38 * d.y());
     const double whole = 0.9 * ellipsoid(q, {33.0, 56.0, 46.0});
-    const double hollow = ellipsoid(p - Vec(62, 20, 30), {28.0, 40.0, 44.0});
+    const double hollow = ellipsoid(p - Vec(62, 20, 30), {20.0, 32.0, 40.0});
     return std::max({smooth_max(whole, -hollow, 8.0), shape.cage(p) + 2.0, below_diaphragm(shape, p) + 1.5});
   };
   canvas.paint({40, -40, -60}, {150, 110, 110}, spleen,
@@ -182,10 +182,10 @@ bool paint_organs(Canvas& canvas, const LiverShape& shape, const RunContext& con
   context.progress(0.3, "patient.ct");
   paint_kidney(canvas, shape, -1.0);
   paint_kidney(canvas, shape, 1.0);
-  paint_stomach(canvas, shape);
   if (context.cancelled()) return false;
   context.progress(0.6, "patient.ct");
   paint_spleen(canvas, shape);
+  paint_stomach(canvas, shape);
   paint_great_vessels(canvas, shape);
   if (context.cancelled()) return false;
   paint_heart(canvas, shape);

@@ -13,7 +13,7 @@ double below_diaphragm(const LiverShape& shape, const Vec& p) {
   const double recess = 0.9 * (p.z() - mix(8.0, -34.0, smooth_step(-70, 90, p.y())));
   // The crura stand before the spine up to the hiatus.
   const double crura = std::max(elliptic_cylinder(p.x() - 4.0, p.y() - 40.0, 46.0, 36.0), p.z() - 42.0);
-  return smooth_min(smooth_min(smooth_min(shape.dome(p), left_dome, 18.0), recess, 10.0), crura, 10.0) - 2.6;
+  return smooth_min(smooth_min(smooth_min(shape.dome(p), left_dome, 12.0), recess, 10.0), crura, 10.0) - 2.6;
 }
 
 namespace {
@@ -165,7 +165,7 @@ bool paint_trunk(Canvas& canvas, const LiverShape& shape, const RunContext& cont
       low, high,
       [&](const Vec& p) {
         const double abdomen = below_diaphragm(shape, p);
-        return smooth_max(std::max(shape.cage(p) + 2.0, -abdomen + 2.6),
+        return smooth_max(std::max(shape.cage(p) + 2.0, 0.3 - abdomen),
                           -elliptic_cylinder(p.x() - 3.0, p.y() - 52.0, 29.0, 26.0), 8.0);
       },
       [&](const Vec& p, double) {
@@ -175,7 +175,7 @@ bool paint_trunk(Canvas& canvas, const LiverShape& shape, const RunContext& cont
   if (context.cancelled()) return false;
   canvas.paint(
       low, high,
-      [&](const Vec& p) { return std::max(shape.cage(p), std::abs(below_diaphragm(shape, p) - 1.3) - 1.4); },
+      [&](const Vec& p) { return std::max(shape.cage(p), std::abs(below_diaphragm(shape, p) + 1.2) - 1.6); },
       tissue::kMuscle);
   context.progress(0.7, "patient.ct");
   paint_back_muscles(canvas, seed);

@@ -107,7 +107,7 @@ void add_surfaces(SyntheticPatient& patient, const Anatomy& anatomy, double spac
   add(structure::kGallbladder,
       contour(shape.low(), shape.high(), spacing, [&](const Vec& p) { return shape.gallbladder(p); }));
   // Thin branches need samples finer than their radius.
-  const double fine = std::min(spacing, 0.8);
+  const double fine = std::min(0.53 * spacing, 1.0);
   add(structure::kPortalVein, contour(anatomy.trees.portal, fine));
   add(structure::kHepaticVeins, contour(anatomy.trees.hepatic, fine));
 }

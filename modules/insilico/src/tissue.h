@@ -13,7 +13,7 @@ namespace tissue {
 inline constexpr double kAir = -1000, kLung = -840, kFat = -102, kInnerFat = -96, kSkin = 15, kMuscle = 60;
 inline constexpr double kLiver = 110, kPortal = 172, kHepatic = 162, kCava = 150, kTumour = 65, kBile = 10;
 inline constexpr double kSpleen = 120, kCortex = 195, kMedulla = 165, kPelvis = -20, kPancreas = 104;
-inline constexpr double kHeart = 116, kAorta = 168, kBowelWall = 100, kBowelContent = 98, kStomach = 103;
+inline constexpr double kHeart = 122, kAorta = 168, kBowelWall = 100, kBowelContent = 98, kStomach = 99;
 inline constexpr double kCortical = 380, kMarrow = 190, kDisc = 85, kCanal = 25, kCartilage = 115;
 }  // namespace tissue
 
