@@ -81,7 +81,7 @@ void grow_one(const Field& ct, const Mask& alike, const Eigen::Vector3i& seed, M
         const std::size_t at = part.offset(i, j, k);
         const double d =
             (Eigen::Vector3i(i, j, k) - centre).cast<double>().cwiseProduct(ct.spacing_mm).norm();
-        if (grown.voxels[at] != 0 && part.voxels[at] != 0 && d < 2.5 * half_width)
+        if (grown.voxels[at] != 0 && part.voxels[at] != 0 && d < 4.0 * half_width)
           body.voxels[ct.offset(box.low + Eigen::Vector3i(i, j, k))] = 1;
       }
 }

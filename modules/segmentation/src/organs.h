@@ -8,7 +8,7 @@ namespace glisson::segmentation {
 
 /// A compact body (lesion, gallbladder) grown from seeds: tissue like that at the seeds, on the seeds' side
 /// of the middle between it and the liver. Guards against leaks: passages narrower than half the body's own
-/// half-width are closed, and nothing farther than 2.5 half-widths from its centre is taken.
+/// half-width are closed, and nothing farther than 4 half-widths from its centre is taken.
 Mask grow_body(const Field& ct, const std::vector<Eigen::Vector3i>& seeds, const Tissue& liver);
 
 /// The vena cava, followed from its seeds slice by slice along `axis` (the one that runs head to foot): the

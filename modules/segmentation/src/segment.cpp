@@ -266,8 +266,9 @@ Cancellable<Segmented> segment(const Image& image, const Seeds& seeds, const Seg
   // What is painted later covers what was painted before.
   Painting painting{box, std::vector<Label>(static_cast<std::size_t>(box.size().prod()), 0)};
   painting.paint(bodies->liver_phi, structure::kParenchyma);
-  painting.paint(smooth_boundary(vessels->hepatic, fine), structure::kHepaticVeins);
-  painting.paint(smooth_boundary(vessels->portal, fine), structure::kPortalVein);
+  // Not smoothed: a branch of one voxel would vanish.
+  painting.paint(signed_distance(vessels->hepatic, fine), structure::kHepaticVeins);
+  painting.paint(signed_distance(vessels->portal, fine), structure::kPortalVein);
   if (bodies->cava.count() > 0) painting.paint(cava_phi, structure::kVenaCava);
   if (bodies->gallbladder.count() > 0)
     painting.paint(smooth_boundary(bodies->gallbladder, bodies->liver_phi), structure::kGallbladder);

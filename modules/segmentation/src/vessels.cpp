@@ -197,7 +197,7 @@ Cancellable<Vessels> find_vessels(const Field& ct, const Mask& liver, const Mask
     // Outside the liver, where other bright things lie, only what is as bright as the clicks counts.
     const bool in = liver.voxels[i] != 0;
     candidates.voxels[i] =
-        in ? (bright > 0.55 || (bright > 0.25 && tube > 0.12)) : (bright > 0.6 && bright < 1.6);
+        in ? (bright > 0.35 || (bright > 0.2 && tube > 0.08)) : (bright > 0.6 && bright < 1.6);
     ease[i] = static_cast<float>(0.02 + std::clamp(bright, 0.0, 1.0) * std::clamp(bright, 0.0, 1.0) +
                                  std::clamp(tube, 0.0, 1.0));
   }
