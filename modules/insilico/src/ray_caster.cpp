@@ -4,6 +4,7 @@
 #include <embree3/rtcore.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -139,6 +140,41 @@ RayHit RayCaster::cast(const Eigen::Vector3f& origin, const Eigen::Vector3f& dir
   return hit;
 }
 
+void RayCaster::cast(const Eigen::Vector3f& origin, const Eigen::Vector3f* directions, int count,
+                     RayHit* hits) const {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  for (int first = 0; first < count; first += 8) {
+    alignas(32) RTCRayHit8 ray{};
+    alignas(32) int valid[8];
+    for (int k = 0; k < 8; ++k) {
+      valid[k] = first + k < count ? -1 : 0;
+      const Eigen::Vector3f& way = directions[std::min(first + k, count - 1)];
+      ray.ray.org_x[k] = origin.x();
+      ray.ray.org_y[k] = origin.y();
+      ray.ray.org_z[k] = origin.z();
+      ray.ray.dir_x[k] = way.x();
+      ray.ray.dir_y[k] = way.y();
+      ray.ray.dir_z[k] = way.z();
+      ray.ray.tfar[k] = std::numeric_limits<float>::infinity();
+      ray.ray.mask[k] = 0xFFFFFFFFU;
+      ray.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
+      ray.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
+    }
+    rtcIntersect8(valid, impl_->scene, &context, &ray);
+    for (int k = 0; k < 8 && first + k < count; ++k) {
+      RayHit& hit = hits[first + k];
+      hit = RayHit{};
+      if (ray.hit.geomID[k] == RTC_INVALID_GEOMETRY_ID) continue;
+      hit.thing = ray.hit.geomID[k] == impl_->wall ? RayHit::Thing::wall : RayHit::Thing::organ;
+      hit.triangle = static_cast<int>(ray.hit.primID[k]);
+      hit.parameter = ray.ray.tfar[k];
+      hit.barycentric = {1.0F - ray.hit.u[k] - ray.hit.v[k], ray.hit.u[k], ray.hit.v[k]};
+    }
+  }
+}
+
 bool RayCaster::sees(const Eigen::Vector3d& origin, const Eigen::Vector3d& target, double slack) const {
   const Eigen::Vector3d way = target - origin;
   const double length = way.norm();
@@ -162,10 +198,10 @@ std::vector<float> RayCaster::organ_depth(const RayTable& rays) const {
   std::vector<float> depth(rays.directions.size(), 0.0F);
   for_each_row(rays.height, [&](int y) {
     const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(rays.width);
-    for (std::size_t i = row; i < row + static_cast<std::size_t>(rays.width); ++i) {
-      const RayHit hit = cast(rays.origin, rays.directions[i]);
-      if (hit.thing == RayHit::Thing::organ) depth[i] = hit.parameter;
-    }
+    std::vector<RayHit> hits(static_cast<std::size_t>(rays.width));
+    cast(rays.origin, rays.directions.data() + row, rays.width, hits.data());
+    for (std::size_t x = 0; x < hits.size(); ++x)
+      if (hits[x].thing == RayHit::Thing::organ) depth[row + x] = hits[x].parameter;
   });
   return depth;
 }

@@ -85,7 +85,9 @@ class Scout {
                                     .cross(liver_.vertex(liver_.triangles(hit.triangle, 2)) - a)
                                     .normalized();
       const double cosine = -n.dot(direction.cast<double>());  // times the ray's length, as the area wants
-      seen_area += hit.parameter * hit.parameter * pixel / std::max(0.15, cosine);
+      // What the gas lays bare counts most; the face behind is hidden by other organs in a patient.
+      const double bare = n.y() < 0.0 ? 1.0 : 0.3;
+      seen_area += bare * hit.parameter * hit.parameter * pixel / std::max(0.15, cosine);
     }
   }
 
@@ -185,10 +187,12 @@ TriangleMesh make_wall(const TriangleMesh& liver_in_camera, const StereoRig& rig
     if (hit.thing == RayHit::Thing::organ) farthest = std::max(farthest, hit.parameter * ray.norm());
   }
   const double radius = farthest + 0.028;
+  Lattice lattice;
+  lattice.seed = static_cast<std::uint32_t>(seed * 2654435761U + 31U);
   const auto noise = [&](const Eigen::Vector3d& p) {
     const Eigen::Vector3f at = p.cast<float>();
     float value = 0.0F;
-    gradient_noise(1, &at[0], &at[1], &at[2], static_cast<std::uint32_t>(seed * 2654435761U + 31U), &value);
+    gradient_noise(1, &at[0], &at[1], &at[2], lattice, &value);
     return static_cast<double>(value);
   };
   constexpr int kSteps = 96;

@@ -95,6 +95,7 @@ struct Painter::Row {
       to_eye.clear();
     }
   };
+  std::vector<RayHit> hits;
   Part liver, wall;
 };
 
@@ -105,9 +106,11 @@ void Painter::meet(Eye eye, int y, const RayCaster& caster, const PaintedSurface
   row.liver.clear();
   row.wall.clear();
   const std::size_t first = static_cast<std::size_t>(y) * static_cast<std::size_t>(table.width);
+  row.hits.resize(static_cast<std::size_t>(table.width));
+  caster.cast(table.origin, table.directions.data() + first, table.width, row.hits.data());
   for (std::size_t i = first; i < first + static_cast<std::size_t>(table.width); ++i) {
     const Eigen::Vector3f& ray = table.directions[i];
-    const RayHit hit = caster.cast(table.origin, ray);
+    const RayHit& hit = row.hits[i - first];
     if (hit.thing == RayHit::Thing::nothing) continue;
     const bool organ = hit.thing == RayHit::Thing::organ;
     const PaintedSurface& surface = organ ? liver : wall;

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "tissue_noise.h"
+
 namespace glisson::insilico {
 
 /// Points of tissue to be looked at together.
@@ -53,9 +55,7 @@ class Tissue {
   Values octave(std::size_t number, const TissuePoints& points, float size_mm,
                 const std::array<const Values*, 3>& bend = {}, float bend_mm = 0.0F) const;
 
-  std::array<Eigen::Matrix3f, kOctaves> turn_;
-  std::array<Eigen::Vector3f, kOctaves> shift_;
-  std::array<std::uint32_t, kOctaves> seed_;
+  std::array<Lattice, kOctaves> lattice_;
 };
 
 }  // namespace glisson::insilico

@@ -32,15 +32,19 @@ namespace {
 #if defined(__GNUC__) && defined(__x86_64__)
 [[gnu::target_clones("avx2", "default")]]
 #endif
-void gradient_noise(int n, const float* __restrict x, const float* __restrict y, const float* __restrict z,
-                    std::uint32_t seed, float* __restrict out) {
+void gradient_noise(int n, const float* __restrict px, const float* __restrict py, const float* __restrict pz,
+                    const Lattice& lattice, float* __restrict out) {
   constexpr float kScale = 1.7F / 512.0F;
+  const Lattice a = lattice;  // a copy: nothing that out could overwrite
   for (int i = 0; i < n; ++i) {
-    const std::int32_t ix = floor_of(x[i]), iy = floor_of(y[i]), iz = floor_of(z[i]);
-    const float fx = x[i] - static_cast<float>(ix), fy = y[i] - static_cast<float>(iy),
-                fz = z[i] - static_cast<float>(iz);
-    const std::uint32_t x0 = static_cast<std::uint32_t>(ix) * 0x8DA6B343U ^ seed,
-                        x1 = (static_cast<std::uint32_t>(ix) + 1U) * 0x8DA6B343U ^ seed;
+    const float x = a.turn[0] * px[i] + a.turn[1] * py[i] + a.turn[2] * pz[i] + a.shift[0];
+    const float y = a.turn[3] * px[i] + a.turn[4] * py[i] + a.turn[5] * pz[i] + a.shift[1];
+    const float z = a.turn[6] * px[i] + a.turn[7] * py[i] + a.turn[8] * pz[i] + a.shift[2];
+    const std::int32_t ix = floor_of(x), iy = floor_of(y), iz = floor_of(z);
+    const float fx = x - static_cast<float>(ix), fy = y - static_cast<float>(iy),
+                fz = z - static_cast<float>(iz);
+    const std::uint32_t x0 = static_cast<std::uint32_t>(ix) * 0x8DA6B343U ^ a.seed,
+                        x1 = (static_cast<std::uint32_t>(ix) + 1U) * 0x8DA6B343U ^ a.seed;
     const std::uint32_t y0 = static_cast<std::uint32_t>(iy) * 0xD8163841U,
                         y1 = (static_cast<std::uint32_t>(iy) + 1U) * 0xD8163841U;
     const std::uint32_t z0 = static_cast<std::uint32_t>(iz) * 0xCB1AB31FU,

@@ -43,6 +43,8 @@ class RayCaster {
   void set_wall(const TriangleMesh& wall);
 
   RayHit cast(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction) const;
+  /// The same for `count` rays from one origin, eight at a time: neighbours in a picture's row.
+  void cast(const Eigen::Vector3f& origin, const Eigen::Vector3f* directions, int count, RayHit* hits) const;
   /// Whether nothing lies between the two points (up to `slack` metres before `target`).
   bool sees(const Eigen::Vector3d& origin, const Eigen::Vector3d& target, double slack = 5e-4) const;
   /// Depth of the organ at every pixel, metres; 0 where the ray meets something else.
