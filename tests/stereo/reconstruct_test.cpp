@@ -237,6 +237,13 @@ class ReconstructTest : public QObject {
     }
   }
 
+  void OnePictureTwiceIsRefused() {
+    const rendered::Pair& pair = plane_pair();
+    const Picture copy{pair.left.width, pair.left.height, 3,
+                       std::make_shared<std::vector<std::uint8_t>>(*pair.left.bytes)};
+    QVERIFY_THROWS_EXCEPTION(InputError, reconstruct(pair.left, copy, pair.rig, {}, {}, {}, RunContext()));
+  }
+
   void PicturesWithoutTissueAreRefused() {
     const rendered::Pair& pair = plane_pair();
     const Picture black = uniform(640, 480, 3, 0);

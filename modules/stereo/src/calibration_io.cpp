@@ -93,6 +93,7 @@ class Reader {
                            " numbers",
                        kCalibrateAgain);
     std::vector<double> result;
+    result.reserve(values.total());
     for (int i = 0; i < length; ++i)
       result.push_back(values.rows == 1 ? values.at<double>(0, i) : values.at<double>(i, 0));
     return result;

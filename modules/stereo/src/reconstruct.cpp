@@ -40,6 +40,9 @@ void check_inputs(const Picture& left, const Picture& right, const StereoRig& ri
   };
   check("left", left, rig.left);
   check("right", right, rig.right);
+  if (*left.bytes == *right.bytes)
+    throw InputError("left and right images", "", "are the same picture",
+                     "Give the picture of each camera; one of them may be lost");
   if (!mask.empty() && (mask.width != left.width || mask.height != left.height))
     throw InputError("mask", "",
                      "is " + size_text(mask.width, mask.height) + " pixels, the left image " +
@@ -135,6 +138,7 @@ MatchLimits narrowed(const Pair& pair, const std::vector<Match>& features) {
   MatchLimits limits = pair.limits;
   if (features.size() < 30) return limits;
   std::vector<double> disparities;
+  disparities.reserve(features.size());
   for (const Match& m : features) disparities.push_back(pair.rectification.disparity(m.left, m.right));
   std::sort(disparities.begin(), disparities.end());
   const double low = disparities[disparities.size() / 20], high = disparities[disparities.size() * 19 / 20];
@@ -242,6 +246,7 @@ double area_cm2(const Pair& pair, const LabelledCloud& cloud, const std::vector<
                 const Picture& mask, const Regions& regions) {
   constexpr int kCell = 8;
   std::vector<Eigen::Vector2d> pixels;
+  pixels.reserve(candidates.size());
   for (const Candidate& c : candidates) pixels.push_back(c.pixel);
   std::vector<double> spacing;
   const auto nearest = nearest_in_picture(pixels, 3);

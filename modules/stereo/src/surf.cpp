@@ -24,7 +24,8 @@ std::vector<dlib::interest_point> spread(std::vector<dlib::interest_point> point
            std::make_tuple(-b.score, b.center.y(), b.center.x(), b.scale);
   });
   const int columns = usable.cols / kCell + 1;
-  std::vector<int> taken(static_cast<std::size_t>(columns * (usable.rows / kCell + 1)), 0);
+  std::vector<int> taken(
+      static_cast<std::size_t>(columns) * static_cast<std::size_t>(usable.rows / kCell + 1), 0);
   std::vector<std::pair<int, std::size_t>> order;  // rank within its cell, then strength
   for (std::size_t i = 0; i < points.size(); ++i) {
     const int x = static_cast<int>(std::lround(points[i].center.x()));

@@ -34,12 +34,14 @@ std::pair<double, double> plane_at_origin(const std::vector<Eigen::Vector3d>& sa
     }
     if (pass == 0) {  // the median first: least squares would follow a gross outlier
       std::vector<double> values;
+      values.reserve(samples.size());
       for (const auto& s : samples) values.push_back(s.z());
       plane = Eigen::Vector3d(median(values), 0.0, 0.0);
     } else {
       plane = normal.ldlt().solve(right);
     }
     std::vector<double> residuals;
+    residuals.reserve(samples.size());
     for (const auto& s : samples)
       residuals.push_back(std::abs(s.z() - plane.dot(Eigen::Vector3d(1.0, s.x(), s.y()))));
     deviation = 1.4826 * median(residuals);
@@ -183,10 +185,13 @@ std::vector<std::vector<int>> nearest_in_picture(const std::vector<Eigen::Vector
   const auto cell = [&](const Eigen::Vector2d& p) {
     return std::pair(static_cast<int>((p.x() - low.x()) / side), static_cast<int>((p.y() - low.y()) / side));
   };
-  std::vector<std::vector<int>> buckets(static_cast<std::size_t>(columns * rows));
+  const auto bucket = [columns](int x, int y) {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(x);
+  };
+  std::vector<std::vector<int>> buckets(bucket(0, rows));
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto [x, y] = cell(points[i]);
-    buckets[static_cast<std::size_t>(y * columns + x)].push_back(static_cast<int>(i));
+    buckets[bucket(x, y)].push_back(static_cast<int>(i));
   }
   const auto wanted = std::min(static_cast<std::size_t>(k), points.size() - 1);
   std::vector<std::pair<double, int>> found;
@@ -197,7 +202,7 @@ std::vector<std::vector<int>> nearest_in_picture(const std::vector<Eigen::Vector
       for (int y = std::max(0, cy - ring); y <= std::min(rows - 1, cy + ring); ++y)
         for (int x = std::max(0, cx - ring); x <= std::min(columns - 1, cx + ring); ++x) {
           if (std::max(std::abs(x - cx), std::abs(y - cy)) != ring) continue;
-          for (const int j : buckets[static_cast<std::size_t>(y * columns + x)])
+          for (const int j : buckets[bucket(x, y)])
             if (j != static_cast<int>(i))
               found.emplace_back((points[static_cast<std::size_t>(j)] - points[i]).squaredNorm(), j);
         }
@@ -213,6 +218,7 @@ std::vector<std::vector<int>> nearest_in_picture(const std::vector<Eigen::Vector
 std::vector<bool> agreeing(const Rectification& rectification, const std::vector<Match>& matches) {
   constexpr int kNeighbours = 12;
   std::vector<Eigen::Vector2d> places;
+  places.reserve(matches.size());
   for (const Match& m : matches) places.push_back(m.left);
   const auto neighbours = nearest_in_picture(places, kNeighbours);
   const double lonely = 0.12 * rectification.width();
