@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "glisson/core/error.h"
 #include "glisson/geometry/topology.h"
@@ -15,10 +16,18 @@ constexpr double kSearchTolerance = 0.04;
 constexpr int kSearchPasses = 10;
 constexpr double kLeastDihedral = 10.0;  // degrees
 constexpr int kAttempts = 4;
-constexpr double kNextSize = 0.985;  // edge length of the next attempt over this one's
+constexpr double kEdgesAcrossLesion = 0.7;  // edge length over a lesion's diameter, at most
+constexpr double kNextSize = 0.985;         // edge length of the next attempt over this one's
 
-MesherSizes sizes_of(double edge, const MeshOptions& options) {
-  return {edge, edge * options.lesion_refinement};
+/// A lesion gets elements that can show it, however small it is against the others.
+MesherSizes sizes_of(double edge, const MesherInput& input, const MeshOptions& options) {
+  MesherSizes sizes{edge, {}};
+  for (const auto& [label, field] : input.inclusions) {
+    const double diameter = std::cbrt(6.0 / std::numbers::pi * field.volume());
+    sizes.inclusion_edges.push_back(
+        std::min(edge * options.lesion_refinement, kEdgesAcrossLesion * diameter));
+  }
+  return sizes;
 }
 
 /// The edge length at which bare refinement gives the wanted number of nodes. Nodes go with a power of the
@@ -31,7 +40,8 @@ std::optional<double> find_edge(const MesherInput& input, const MeshOptions& opt
   double last_log_edge = 0.0, last_log_count = 0.0, slope = -2.6;
   for (int pass = 0; pass < kSearchPasses; ++pass) {
     const double done = static_cast<double>(pass) / kSearchPasses;
-    const auto mesh = fill_with_tetrahedra(input, sizes_of(edge, options), false, context.part(done, done));
+    const auto mesh =
+        fill_with_tetrahedra(input, sizes_of(edge, input, options), false, context.part(done, done));
     if (!mesh) return {};
     const double log_edge = std::log(edge), log_count = std::log(std::max(4.0, double(mesh->vertex_count())));
     const double miss = std::abs(log_count - wanted);
@@ -86,7 +96,7 @@ Cancellable<TetMesh> mesh_to_size(const MesherInput& input, const MeshOptions& o
   for (int attempt = 0; attempt < kAttempts; ++attempt, edge *= kNextSize) {
     const double from = done;
     done = 0.5 * (1.0 + done);  // more attempts may follow: each takes half of what is left
-    auto mesh = fill_with_tetrahedra(input, sizes_of(edge, options), true, context.part(from, done));
+    auto mesh = fill_with_tetrahedra(input, sizes_of(edge, input, options), true, context.part(from, done));
     if (!mesh) return {};
     const Flaws flaws = flaws_of(*mesh, options.target_vertices);
     if (attempt == 0 || flaws.better_than(best_flaws)) {

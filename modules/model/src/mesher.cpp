@@ -31,9 +31,10 @@ constexpr double kFacetAngle = 25.0;  // degrees; 30 is the limit of the theory
 constexpr double kRadiusEdge = 2.0;
 constexpr double kFacetDistance = 0.15;  // of the edge: chord error on a curved surface
 constexpr double kLeastDihedral = 10.0;  // degrees: no worse cell is put in to mend the boundary
-constexpr double kSliverBound = 14.0;    // degrees: what perturb and exude aim at
+constexpr double kSliverBound = 12.0;    // degrees: what perturb and exude aim at
 constexpr int kLloydPasses = 20, kOdtPasses = 20;
-constexpr int kPollEvery = 4096;  // label queries between two looks at the cancel flag
+constexpr long kMostQueries = 300'000'000;  // a liver of 5000 nodes takes some ten million
+constexpr int kPollEvery = 4096;            // label queries between two looks at the cancel flag
 
 /// Leaves CGAL from inside a query; caught in fill_with_tetrahedra.
 struct Cancelled {};
@@ -130,17 +131,20 @@ std::vector<std::pair<Point3, Domain::Index>> first_points(const MesherInput& in
   return points;
 }
 
-/// Edge length by place: inclusions may be finer.
+/// Edge length by sub-domain: inclusions may be finer, and their boundary goes with them.
 struct Sizing {
-  const MesherInput* input;
-  const Placement* place;
-  MesherSizes sizes;
+  const MesherSizes* sizes;
   double factor;
   using FT = double;
-  template <class Point, class Index>
-  double operator()(const Point& p, int, const Index&) const {
-    const int domain = subdomain_at(*input, place->in_ct(Point3(p.x(), p.y(), p.z())));
-    return factor * 1e3 * (domain >= 2 ? sizes.inclusion_edge : sizes.edge);
+  template <class Point>
+  double operator()(const Point&, int, const Domain::Index& index) const {
+    int domain = 1;
+    if (const auto* patch = boost::get<Domain::Surface_patch_index>(&index))
+      domain = std::max(patch->first, patch->second);
+    else if (const auto* subdomain = boost::get<Domain::Subdomain_index>(&index))
+      domain = *subdomain;
+    return factor * 1e3 *
+           (domain >= 2 ? sizes->inclusion_edges[static_cast<std::size_t>(domain - 2)] : sizes->edge);
   }
 };
 
@@ -187,25 +191,30 @@ TetMesh extract(const Complex& complex, const MesherInput& input, const Placemen
 
 Cancellable<TetMesh> fill_with_tetrahedra(const MesherInput& input, const MesherSizes& sizes, bool optimise,
                                           const RunContext& context) {
+  require(sizes.inclusion_edges.size() == input.inclusions.size(), "one edge length an inclusion");
   const Placement place{0.5 * (input.body.low() + input.body.high())};
   const double radius = 0.55 * (input.body.high() - input.body.low()).norm();
   CGAL::get_default_random() = CGAL::Random(static_cast<unsigned>(context.seed()));
   CGAL::Random random(static_cast<unsigned>(context.seed()));
-  auto queries = std::make_shared<int>(0);
+  auto queries = std::make_shared<long>(0);
   const auto label = [&input, &place, &context, queries](const Point3& p) {
     if (++*queries % kPollEvery == 0 && context.cancelled()) throw Cancelled();
+    if (*queries > kMostQueries)
+      throw NumericalError(
+          "The mesher does not come to an end. Smooth the labels or ask for fewer vertices.");
     return subdomain_at(input, place.in_ct(p));
   };
   try {
     const Domain domain(label, 1e3 * radius, &random, first_points(input, place, radius));
-    const Criteria criteria(parameters::facet_angle = kFacetAngle,
-                            parameters::facet_size = Sizing{&input, &place, sizes, 1.0},
-                            parameters::facet_distance = Sizing{&input, &place, sizes, kFacetDistance},
-                            parameters::cell_radius_edge_ratio = kRadiusEdge,
-                            parameters::cell_size = Sizing{&input, &place, sizes, 1.0});
+    const Criteria criteria(
+        parameters::facet_angle = kFacetAngle, parameters::facet_size = Sizing{&sizes, 1.0},
+        parameters::facet_distance = Sizing{&sizes, kFacetDistance},
+        parameters::cell_radius_edge_ratio = kRadiusEdge, parameters::cell_size = Sizing{&sizes, 1.0});
     context.progress(0.0, "model.mesh.refine");
+    // Where three sub-domains meet no surface is a manifold, and refinement that asks for one does not end.
+    const auto topology = input.inclusions.empty() ? parameters::manifold() : parameters::non_manifold();
     Complex complex = CGAL::make_mesh_3<Complex>(domain, criteria, parameters::no_perturb(),
-                                                 parameters::no_exude(), parameters::manifold());
+                                                 parameters::no_exude(), topology);
     if (optimise) {
       // No time limits: they would make the result depend on the machine's load.
       context.progress(0.2, "model.mesh.lloyd");

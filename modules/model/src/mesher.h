@@ -19,8 +19,8 @@ struct MesherInput {
 };
 
 struct MesherSizes {
-  double edge = 0.02;            ///< metres
-  double inclusion_edge = 0.02;  ///< metres, in the sub-domains
+  double edge = 0.02;                   ///< metres
+  std::vector<double> inclusion_edges;  ///< metres, one a sub-domain
 };
 
 /// CGAL Mesh_3 (Jamin, Alliez, Yvinec, Boissonnat 2015), sequential, then Lloyd, ODT, perturb, exude where

@@ -119,6 +119,20 @@ Eigen::Vector3d ScalarField::deepest() const {
       .xyz;
 }
 
+ScalarField resampled(const ScalarField& field, double spacing_mm) {
+  Points corners(2, 3);
+  corners << field.low().transpose(), field.high().transpose();
+  const VolumeGrid grid =
+      grid_around(corners, spacing_mm, 2.0 * spacing_mm + field.grid().spacing_mm.maxCoeff());
+  std::vector<float> values;
+  values.reserve(static_cast<std::size_t>(grid.voxel_count()));
+  for (int k = 0; k < grid.size.z(); ++k)
+    for (int j = 0; j < grid.size.y(); ++j)
+      for (int i = 0; i < grid.size.x(); ++i)
+        values.push_back(static_cast<float>(field.at(grid.p_in_ct({double(i), double(j), double(k)}).xyz)));
+  return ScalarField(grid, std::move(values));
+}
+
 VolumeGrid grid_around(const Points& points, double spacing_mm, double margin_mm) {
   VolumeGrid grid;
   grid.spacing_mm.setConstant(spacing_mm);

@@ -50,6 +50,9 @@ ScalarField field_of_mask(const VolumeGrid& grid, const std::vector<std::uint8_t
 /// @pre is_closed(surface)
 ScalarField field_of_surface(const TriangleMesh& surface, double spacing_mm);
 
+/// The field on a grid along the axes of the CT.
+ScalarField resampled(const ScalarField& field, double spacing_mm);
+
 /// An axis-parallel grid around points, with a margin.
 VolumeGrid grid_around(const Points& points, double spacing_mm, double margin_mm);
 

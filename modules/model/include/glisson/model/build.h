@@ -40,9 +40,14 @@ struct BuiltModel {
 struct ModelOptions {
   MeshOptions mesh;
   bool vessels = true;
+  /// Beams in all trees together, about: spacing is chosen to meet it, then the thinnest leaves are pruned
+  /// (and reported).
+  int target_beams = 120;
+  bool arteries = false;  ///< trees of arteries too
   /// Where trees enter, one point a tree if given (CT, metres); otherwise the thickest end near the hilum or
   /// the cava.
   Points portal_root, hepatic_root;
+  void validate() const;
 };
 
 /// Label map to model: CGAL tetrahedra with lesions as sub-domains, Lloyd, ODT, perturb, exude; fine surfaces
@@ -55,6 +60,7 @@ Cancellable<BuiltModel> build_from_labels(const LabelMap& labels, const ModelOpt
 struct SurfaceSet {
   TriangleMesh liver;
   std::vector<NamedSurface> others;  ///< vessels, lesions, vena cava
+  std::vector<std::string> notes;    ///< what was left out of the folder: codes with values
 };
 /// Reads a folder of surfaces named by structure (liver, portal_vein, hepatic_veins, arteries, liver_tumours,
 /// liver_cysts, gallbladder, vena_cava; .vtk .vtp .stl .obj .ply) or one closed surface file. Each connected

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "anatomy.h"
+#include "glisson/core/error.h"
+#include "surface_field.h"
+
+namespace glisson::model {
+namespace {
+
+constexpr double kSpeck = 0.01;           // of the largest piece's voxels
+constexpr double kFineSpacingMm = 1.5;    // of the liver's fine surface
+constexpr double kLeastLesionMm3 = 15.0;  // below, a lesion is a few voxels of noise
+
+double smoothing_of(const VolumeGrid& grid) { return std::clamp(0.8 * grid.spacing_mm.maxCoeff(), 0.6, 2.0); }
+
+long count(const std::vector<std::uint8_t>& mask) { return std::count(mask.begin(), mask.end(), 1); }
+
+/// Keeps the one large piece of the liver.
+void keep_largest(const VolumeGrid& grid, std::vector<std::uint8_t>& mask, std::vector<std::string>& notes) {
+  const VoxelBox box = bounding_box(grid.size, grid.spacing_mm, mask, 0.0);
+  if (box.empty())
+    throw InputError("labels", "liver", "there is no liver in them", "Segment the liver first");
+  Mask part = crop(grid.size, grid.spacing_mm, mask, box);
+  std::vector<long> sizes;
+  const std::vector<int> pieces = connected_components(part, sizes);
+  double dropped_ml = 0.0;
+  for (std::size_t n = 1; n < sizes.size(); ++n) {
+    if (static_cast<double>(sizes[n]) > kSpeck * static_cast<double>(sizes[0]))
+      throw InputError("labels", "liver",
+                       "is in several large pieces (" + shown(sizes[0] * grid.voxel_volume_mm3() * 1e-3) +
+                           " ml and " + shown(sizes[n] * grid.voxel_volume_mm3() * 1e-3) + " ml)",
+                       "Join them or erase those that are not liver");
+    dropped_ml += static_cast<double>(sizes[n]) * grid.voxel_volume_mm3() * 1e-3;
+  }
+  if (sizes.size() > 1)
+    notes.push_back("liver.pieces_dropped " + std::to_string(sizes.size() - 1) + " ml " + shown(dropped_ml));
+  for (std::size_t i = 0; i < pieces.size(); ++i) part.voxels[i] = pieces[i] == 1;
+  paste(part, box, grid.size, mask);
+}
+
+NamedSurface surface_of(Label label, const ScalarField& field) {
+  return {label, structure_name(label), zero_level(field)};
+}
+
+/// Vessel voxels in the liver or at its entrances.
+VesselMask vessel_in_liver(Label structure, const LabelVolume& labels,
+                           const std::vector<std::uint8_t>& near_liver) {
+  VesselMask vessel{structure, labels.grid(), labels.mask([&](Label label) { return label == structure; })};
+  for (std::size_t i = 0; i < vessel.voxels.size(); ++i) vessel.voxels[i] &= near_liver[i];
+  return vessel;
+}
+
+std::vector<std::uint8_t> grown(const VolumeGrid& grid, const std::vector<std::uint8_t>& mask, double by_mm) {
+  const VoxelBox box = bounding_box(grid.size, grid.spacing_mm, mask, by_mm + grid.spacing_mm.maxCoeff());
+  std::vector<std::uint8_t> all = mask;
+  paste(dilated(crop(grid.size, grid.spacing_mm, mask, box), by_mm), box, grid.size, all);
+  return all;
+}
+
+}  // namespace
+
+const TriangleMesh* Anatomy::vena_cava() const {
+  for (const NamedSurface& surface : surfaces)
+    if (surface.structure == structure::kVenaCava) return &surface.mesh;
+  return nullptr;
+}
+
+bool is_wanted_vessel(Label structure, const ModelOptions& options) {
+  return options.vessels && (structure == structure::kPortalVein || structure == structure::kHepaticVeins ||
+                             (structure == structure::kArtery && options.arteries));
+}
+
+std::string shown(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
+Cancellable<Anatomy> anatomy_of(const LabelMap& labels, const ModelOptions& options,
+                                const RunContext& context) {
+  const LabelVolume& voxels = labels.voxels;
+  const VolumeGrid& grid = voxels.grid();
+  context.progress(0.0, "model.labels");
+  if (voxels.empty()) throw InputError("labels", "", "are empty", "Segment the liver first");
+  Anatomy anatomy;
+  std::vector<std::uint8_t> liver = inside_liver(labels);
+  keep_largest(grid, liver, anatomy.notes);
+  anatomy.liver_volume = static_cast<double>(count(liver)) * grid.voxel_volume_mm3() * 1e-9;
+  anatomy.liver = field_of_mask(grid, liver, smoothing_of(grid));
+  anatomy.fine_liver = largest_closed_piece(
+      zero_level(resampled(anatomy.liver, std::max(kFineSpacingMm, grid.spacing_mm.minCoeff()))), "labels");
+  anatomy.surfaces.push_back({structure::kParenchyma, "liver", anatomy.fine_liver});
+  if (context.cancelled()) return {};
+  context.progress(0.4, "model.labels");
+
+  const std::vector<std::uint8_t> near_liver = grown(grid, liver, kEntranceMm);
+  const std::vector<long> histogram = voxels.histogram();
+  for (std::size_t code = 2; code < histogram.size(); ++code) {
+    if (histogram[code] == 0) continue;
+    const auto label = static_cast<Label>(code);
+    std::vector<std::uint8_t> mask = voxels.mask([&](Label other) { return other == label; });
+    if (is_lesion(label)) {
+      for (std::size_t i = 0; i < mask.size(); ++i) mask[i] &= liver[i];
+      const double volume = static_cast<double>(count(mask)) * grid.voxel_volume_mm3();
+      if (volume < kLeastLesionMm3) {
+        anatomy.notes.push_back("lesion.dropped " + structure_name(label) + " mm3 " + shown(volume));
+        continue;
+      }
+      anatomy.lesions.emplace_back(label, field_of_mask(grid, mask, 0.5 * smoothing_of(grid)));
+      anatomy.surfaces.push_back(surface_of(label, anatomy.lesions.back().second));
+    } else if (label <= structure::kGallbladder) {
+      anatomy.surfaces.push_back(surface_of(label, field_of_mask(grid, mask, 0.5 * smoothing_of(grid))));
+      if (is_wanted_vessel(label, options))
+        anatomy.vessels.push_back(vessel_in_liver(label, voxels, near_liver));
+    }
+    if (context.cancelled()) return {};
+  }
+  context.progress(1.0, "model.labels");
+  return anatomy;
+}
+
+}  // namespace glisson::model

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "anatomy.h"
+#include "glisson/core/error.h"
+#include "glisson/geometry/topology.h"
+#include "surface_field.h"
+
+namespace glisson::model {
+namespace {
+
+constexpr double kVesselSpacingMm = 1.0;
+constexpr double kLesionSamples = 16.0;  // across a lesion
+
+/// Each closed piece by itself, so that a piece turned inside out still counts as full.
+std::vector<std::uint8_t> voxels_of(const TriangleMesh& surface, const VolumeGrid& grid) {
+  std::vector<std::uint8_t> all(static_cast<std::size_t>(grid.voxel_count()), 0);
+  for (const TriangleMesh& piece : split_components(surface)) {
+    const std::vector<std::uint8_t> inside = voxelise(piece, grid);
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] |= inside[i];
+  }
+  return all;
+}
+
+VesselMask vessel_in_liver(const NamedSurface& vessel, const ScalarField& liver) {
+  VesselMask mask;
+  mask.structure = vessel.structure;
+  Points corners(2, 3);  // of what the vessel and the liver share
+  corners.row(0) = vessel.mesh.vertices.colwise().minCoeff().cwiseMax(liver.low().transpose());
+  corners.row(1) = vessel.mesh.vertices.colwise().maxCoeff().cwiseMin(liver.high().transpose());
+  if ((corners.row(0).array() >= corners.row(1).array()).any()) return mask;
+  mask.grid = grid_around(corners, kVesselSpacingMm, kEntranceMm + kVesselSpacingMm);
+  mask.voxels = voxels_of(vessel.mesh, mask.grid);
+  for (int k = 0; k < mask.grid.size.z(); ++k)
+    for (int j = 0; j < mask.grid.size.y(); ++j)
+      for (int i = 0; i < mask.grid.size.x(); ++i) {
+        auto& voxel = mask.voxels[static_cast<std::size_t>(mask.grid.offset({i, j, k}))];
+        if (voxel != 0 && liver.at(mask.grid.p_in_ct({double(i), double(j), double(k)}).xyz) < -kEntranceMm)
+          voxel = 0;
+      }
+  return mask;
+}
+
+}  // namespace
+
+Cancellable<Anatomy> anatomy_of(const SurfaceSet& surfaces, const ModelOptions& options,
+                                const RunContext& context) {
+  Anatomy anatomy;
+  anatomy.notes = surfaces.notes;
+  context.progress(0.0, "model.surfaces");
+  std::vector<double> dropped;
+  anatomy.fine_liver = largest_closed_piece(surfaces.liver, "liver", &dropped);
+  for (const double ml : dropped) anatomy.notes.push_back("liver.piece_dropped ml " + shown(ml));
+  anatomy.liver_volume = volume(anatomy.fine_liver);
+  anatomy.liver =
+      field_of_surface(anatomy.fine_liver, body_spacing_mm(anatomy.fine_liver, options.mesh.target_vertices));
+  anatomy.surfaces.push_back({structure::kParenchyma, "liver", anatomy.fine_liver});
+  for (const NamedSurface& other : surfaces.others) {
+    if (context.cancelled()) return {};
+    context.progress(0.5, "model.surfaces");
+    if (is_lesion(other.structure)) {
+      const TriangleMesh lesion = largest_closed_piece(other.mesh, other.name);
+      if (anatomy.liver.at(centroid(lesion)) <= 0.0) {
+        anatomy.notes.push_back("lesion.outside_liver " + other.name);
+        continue;
+      }
+      const double diameter_mm = 1e3 * std::cbrt(6.0 / std::numbers::pi * volume(lesion));
+      anatomy.lesions.emplace_back(
+          other.structure, field_of_surface(lesion, std::clamp(diameter_mm / kLesionSamples, 0.25, 2.0)));
+      anatomy.surfaces.push_back({other.structure, other.name, lesion});
+      continue;
+    }
+    anatomy.surfaces.push_back(other);
+    if (!is_wanted_vessel(other.structure, options)) continue;
+    VesselMask mask = vessel_in_liver(other, anatomy.liver);
+    if (mask.voxels.empty())
+      anatomy.notes.push_back("vessels.outside_liver " + other.name);
+    else
+      anatomy.vessels.push_back(std::move(mask));
+  }
+  context.progress(1.0, "model.surfaces");
+  return anatomy;
+}
+
+}  // namespace glisson::model

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/model/build.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "anatomy.h"
+#include "glisson/core/error.h"
+#include "glisson/geometry/closest_point_tree.h"
+#include "glisson/geometry/distance.h"
+#include "mesh_to_size.h"
+#include "vessels.h"
+
+namespace glisson::model {
+namespace {
+
+constexpr double kLeastLesionInEdges = 0.6;  // diameter over the mesh's edge length
+constexpr double kCavaContact = 0.005;       // metres between liver and vena cava
+constexpr double kLandmarkSpacing = 0.004;   // metres, of the cava's points
+/// The margin faces the feet and the belly: LPS axes.
+const Eigen::Vector3d kInferiorAnterior(0.0, -1.0, -1.0);
+
+MeshQuality quality_of(const TetMesh& mesh, const BoundarySurface& boundary, const Anatomy& anatomy) {
+  MeshQuality quality;
+  quality.vertices = mesh.vertex_count();
+  quality.tetrahedra = mesh.tetrahedron_count();
+  const Eigen::MatrixX2d angles = dihedral_angles(mesh);
+  quality.min_dihedral_deg = angles.col(0).minCoeff();
+  quality.max_dihedral_deg = angles.col(1).maxCoeff();
+  quality.volume_error = volume(mesh) / anatomy.liver_volume - 1.0;
+  quality.vertices_to_fine_mean_mm =
+      1e3 * summarise(distances_to_surface(boundary.mesh.vertices, anatomy.fine_liver)).mean;
+  const SurfaceDistance distance = surface_distance(boundary.mesh, anatomy.fine_liver);
+  quality.mesh_to_fine_mean_mm = 1e3 * distance.forward.mean;
+  quality.fine_to_mesh_mean_mm = 1e3 * distance.backward.mean;
+  quality.fine_to_mesh_max_mm = 1e3 * distance.backward.maximum;
+  return quality;
+}
+
+/// The liver's surface where the vena cava touches it, thinned to kLandmarkSpacing.
+Points cava_contact(const TriangleMesh& liver, const TriangleMesh* cava) {
+  if (cava == nullptr) return Points(0, 3);
+  const ClosestPointTree tree(*cava);
+  std::vector<Eigen::Vector3d> points;
+  for (int v = 0; v < liver.vertex_count(); ++v) {
+    const Eigen::Vector3d p = liver.vertex(v);
+    if (tree.closest(p, kCavaContact).triangle < 0) continue;
+    const bool near = std::any_of(points.begin(), points.end(), [&](const Eigen::Vector3d& q) {
+      return (p - q).norm() < kLandmarkSpacing;
+    });
+    if (!near) points.push_back(p);
+  }
+  Points result(static_cast<Eigen::Index>(points.size()), 3);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    result.row(static_cast<Eigen::Index>(i)) = points[i].transpose();
+  return result;
+}
+
+void count_vessel_nodes_outside(const PatientModel& model, std::vector<std::string>& notes) {
+  std::size_t outside = 0, beams = 0;
+  for (const VesselTree& tree : model.vessels) {
+    outside += bind_points(model.mesh, tree.nodes).outside.size();
+    beams += tree.beams.size();
+  }
+  notes.push_back("vessels.beams " + std::to_string(beams));
+  if (outside > 0) notes.push_back("vessels.nodes_outside_mesh " + std::to_string(outside));
+}
+
+/// Lesions that elements of the wanted size can show become sub-domains. Smaller ones would draw most of the
+/// nodes to themselves; they stay as surfaces, carried by the tetrahedra around them.
+std::vector<std::pair<Label, ScalarField>> lesions_to_mesh(const Anatomy& anatomy, const MeshOptions& options,
+                                                           std::vector<std::string>& notes) {
+  const double edge = std::cbrt(anatomy.liver_volume / options.target_vertices);
+  std::vector<std::pair<Label, ScalarField>> large;
+  for (const auto& lesion : anatomy.lesions) {
+    const double diameter = std::cbrt(6.0 / std::numbers::pi * lesion.second.volume());
+    if (diameter >= kLeastLesionInEdges * edge)
+      large.push_back(lesion);
+    else
+      notes.push_back("lesion.too_small_for_the_mesh " + structure_name(lesion.first) + " mm " +
+                      shown(1e3 * diameter));
+  }
+  return large;
+}
+
+Cancellable<BuiltModel> assemble(Anatomy anatomy, const ModelOptions& options, const RunContext& context) {
+  BuiltModel built;
+  PatientModel& model = built.model;
+  std::vector<std::string>& notes = built.report.notes;
+  notes = std::move(anatomy.notes);
+  MesherInput input;
+  input.body = anatomy.liver;
+  input.body_label = structure::kParenchyma;
+  input.inclusions = lesions_to_mesh(anatomy, options.mesh, notes);
+  auto mesh = mesh_to_size(input, options.mesh, notes, context.part(0.0, 0.6));
+  if (!mesh) return {};
+  model.mesh = std::move(*mesh);
+  model.surface = boundary_surface(model.mesh);
+  for (const auto& [label, field] : input.inclusions)
+    if (std::find(model.mesh.labels.begin(), model.mesh.labels.end(), static_cast<int>(label)) ==
+        model.mesh.labels.end())
+      notes.push_back("lesion.without_tetrahedra " + structure_name(label));
+
+  auto trees = vessel_trees(anatomy, options, notes, context.part(0.6, 0.85));
+  if (!trees) return {};
+  model.vessels = std::move(*trees);
+  if (options.vessels) count_vessel_nodes_outside(model, notes);
+
+  context.progress(0.85, "model.margin");
+  model.landmarks.anterior_margin = detect_anterior_margin(anatomy.fine_liver, kInferiorAnterior);
+  if (model.landmarks.anterior_margin.rows() == 0) notes.push_back("landmarks.no_anterior_margin");
+  model.landmarks.vena_cava = cava_contact(anatomy.fine_liver, anatomy.vena_cava());
+  if (context.cancelled()) return {};
+  context.progress(0.95, "model.quality");
+  built.report.quality = quality_of(model.mesh, model.surface, anatomy);
+  model.surfaces = std::move(anatomy.surfaces);
+  context.progress(1.0, "model.quality");
+  return built;
+}
+
+template <class Source>
+Cancellable<BuiltModel> build(const Source& source, const ModelOptions& options, const RunContext& context) {
+  options.validate();
+  auto anatomy = anatomy_of(source, options, context.part(0.0, 0.2));
+  if (!anatomy) return {};
+  return assemble(std::move(*anatomy), options, context.part(0.2, 1.0));
+}
+
+}  // namespace
+
+void ModelOptions::validate() const {
+  mesh.validate();
+  if (target_beams < 1 || target_beams > 100000)
+    throw InputError("model options", "target_beams", std::to_string(target_beams) + " is out of range",
+                     "Ask for 1 to 100000 beams");
+  if (!portal_root.allFinite() || !hepatic_root.allFinite())
+    throw InputError("model options", "root", "is not a finite point", "Place it on the vessel's entrance");
+}
+
+Cancellable<BuiltModel> build_from_labels(const LabelMap& labels, const ModelOptions& options,
+                                          const RunContext& context) {
+  return build(labels, options, context);
+}
+
+Cancellable<BuiltModel> build_from_surfaces(const SurfaceSet& surfaces, const ModelOptions& options,
+                                            const RunContext& context) {
+  return build(surfaces, options, context);
+}
+
+}  // namespace glisson::model

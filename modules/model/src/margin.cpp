@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <queue>
+
+#include "glisson/core/error.h"
+#include "glisson/geometry/closest_point_tree.h"
+#include "glisson/geometry/topology.h"
+#include "glisson/model/build.h"
+
+namespace glisson::model {
+namespace {
+
+constexpr double kPatchRadius = 0.012;  // metres: over which the normals' spread is taken
+constexpr double kLongestEdge =
+    0.005;  // metres, mean: coarser meshes are subdivided (they stay the same surface)
+constexpr double kSeedDeviations = 1.5, kExtensionDeviations = 0.5;  // above the mean, of the whole mesh
+constexpr double kLeastSeed = 0.12;  // spread of two planes that meet at 123 degrees
+constexpr double kLeastExtension = 0.06;
+constexpr double kLeastLength = 0.05;  // metres; shorter ridges are dropped
+constexpr double kSpacing = 0.003;     // metres, of the polyline
+constexpr double kWrongSide = -0.2;    // cosine: normals farther from the wanted direction are no margin
+constexpr double kPullToRidge = 8.0;   // how much dearer a path beside the ridge is
+
+/// Every triangle cut into four: the same surface with more vertices.
+TriangleMesh subdivided(const TriangleMesh& mesh) {
+  const std::vector<Edge> all = edges(mesh);
+  std::map<std::pair<int, int>, int> middle;
+  TriangleMesh fine;
+  fine.vertices.resize(mesh.vertex_count() + static_cast<Eigen::Index>(all.size()), 3);
+  fine.vertices.topRows(mesh.vertex_count()) = mesh.vertices;
+  for (std::size_t e = 0; e < all.size(); ++e) {
+    const int at = mesh.vertex_count() + static_cast<int>(e);
+    middle[{all[e].a, all[e].b}] = at;
+    fine.vertices.row(at) = 0.5 * (mesh.vertices.row(all[e].a) + mesh.vertices.row(all[e].b));
+  }
+  const auto between = [&](int a, int b) { return middle.at({std::min(a, b), std::max(a, b)}); };
+  fine.triangles.resize(4L * mesh.triangle_count(), 3);
+  for (int t = 0; t < mesh.triangle_count(); ++t) {
+    const int a = mesh.triangles(t, 0), b = mesh.triangles(t, 1), c = mesh.triangles(t, 2);
+    const int ab = between(a, b), bc = between(b, c), ca = between(c, a);
+    fine.triangles.row(4L * t) << a, ab, ca;
+    fine.triangles.row(4L * t + 1) << ab, b, bc;
+    fine.triangles.row(4L * t + 2) << ca, bc, c;
+    fine.triangles.row(4L * t + 3) << ab, bc, ca;
+  }
+  return fine;
+}
+
+double mean_edge(const TriangleMesh& mesh) {
+  double sum = 0.0;
+  const std::vector<Edge> all = edges(mesh);
+  for (const Edge& edge : all) sum += (mesh.vertex(edge.a) - mesh.vertex(edge.b)).norm();
+  return all.empty() ? 0.0 : sum / static_cast<double>(all.size());
+}
+
+/// How far the normals spread around each vertex: 1 - |mean normal| over the connected patch within
+/// kPatchRadius. 0 on a plane, 1 - cos(a / 2) on a crease between normals an angle a apart, negative where
+/// the surface is hollow. An integral, so that the tessellation does not matter.
+class Sharpness {
+ public:
+  explicit Sharpness(const TriangleMesh& mesh)
+      : mesh_(mesh), normals_(triangle_normals(mesh)), areas_(triangle_areas(mesh)) {
+    triangles_of_.resize(static_cast<std::size_t>(mesh.vertex_count()));
+    for (int t = 0; t < mesh.triangle_count(); ++t)
+      for (int k = 0; k < 3; ++k) triangles_of_[mesh.triangles(t, k)].push_back(t);
+    seen_.assign(static_cast<std::size_t>(mesh.triangle_count()), -1);
+    mean_normal_ = Points::Zero(mesh.vertex_count(), 3);
+    value_.assign(static_cast<std::size_t>(mesh.vertex_count()), 0.0);
+    for (int v = 0; v < mesh.vertex_count(); ++v) measure(v);
+  }
+  const std::vector<double>& value() const { return value_; }
+  Eigen::Vector3d normal(int v) const { return mean_normal_.row(v).transpose(); }
+
+ private:
+  Eigen::Vector3d centre(int t) const {
+    return (mesh_.vertex(mesh_.triangles(t, 0)) + mesh_.vertex(mesh_.triangles(t, 1)) +
+            mesh_.vertex(mesh_.triangles(t, 2))) /
+           3.0;
+  }
+  void measure(int v) {
+    const Eigen::Vector3d p = mesh_.vertex(v);
+    std::vector<int> patch = triangles_of_[v];
+    for (const int t : patch) seen_[t] = v;
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero(), place = normal;
+    double area = 0.0;
+    for (std::size_t next = 0; next < patch.size(); ++next) {
+      const int t = patch[next];
+      const Eigen::Vector3d c = centre(t);
+      normal += areas_[t] * normals_.row(t).transpose();
+      place += areas_[t] * c;
+      area += areas_[t];
+      for (int k = 0; k < 3; ++k)
+        for (const int neighbour : triangles_of_[mesh_.triangles(t, k)]) {
+          if (seen_[neighbour] == v || (centre(neighbour) - p).norm() > kPatchRadius) continue;
+          seen_[neighbour] = v;
+          patch.push_back(neighbour);
+        }
+    }
+    if (!(area > 0.0) || !(normal.norm() > 0.0)) return;
+    const double spread = 1.0 - normal.norm() / area;
+    mean_normal_.row(v) = normal.normalized().transpose();
+    value_[v] = (p - place / area).dot(normal) >= 0.0 ? spread : -spread;
+  }
+
+  const TriangleMesh& mesh_;
+  Points normals_;
+  Eigen::VectorXd areas_;
+  std::vector<std::vector<int>> triangles_of_;
+  std::vector<int> seen_;
+  Points mean_normal_;
+  std::vector<double> value_;
+};
+
+struct Reach {
+  std::vector<double> cost;
+  std::vector<int> from;
+};
+
+/// Dijkstra over the vertices of one ridge. @param sharp empty: plain lengths.
+Reach reach(const TriangleMesh& mesh, const std::vector<std::vector<int>>& neighbours,
+            const std::vector<int>& ridge_of, int start, const std::vector<double>& dearness) {
+  Reach result{std::vector<double>(ridge_of.size(), std::numeric_limits<double>::infinity()),
+               std::vector<int>(ridge_of.size(), -1)};
+  using Entry = std::pair<double, int>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> heap;
+  result.cost[start] = 0.0;
+  heap.emplace(0.0, start);
+  while (!heap.empty()) {
+    const auto [cost, v] = heap.top();
+    heap.pop();
+    if (cost > result.cost[v]) continue;
+    for (const int w : neighbours[v]) {
+      if (ridge_of[w] != ridge_of[start]) continue;
+      const double length = (mesh.vertex(v) - mesh.vertex(w)).norm();
+      const double next = cost + length * (dearness.empty() ? 1.0 : 0.5 * (dearness[v] + dearness[w]));
+      if (next >= result.cost[w]) continue;
+      result.cost[w] = next;
+      result.from[w] = v;
+      heap.emplace(next, w);
+    }
+  }
+  return result;
+}
+
+int farthest(const Reach& reached) {
+  int best = -1;
+  for (std::size_t v = 0; v < reached.cost.size(); ++v)
+    if (std::isfinite(reached.cost[v]) && (best < 0 || reached.cost[v] > reached.cost[best]))
+      best = static_cast<int>(v);
+  return best;
+}
+
+/// Seeds above one threshold, extended over all that is above a lower one and hangs together: the number of
+/// the ridge at each vertex, -1 for none.
+std::vector<int> ridges(const std::vector<std::vector<int>>& neighbours, const std::vector<double>& sharp,
+                        int& count) {
+  double mean = 0.0, square = 0.0;
+  for (const double s : sharp) {
+    mean += std::max(0.0, s);
+    square += std::max(0.0, s) * std::max(0.0, s);
+  }
+  mean /= static_cast<double>(sharp.size());
+  const double deviation = std::sqrt(std::max(0.0, square / static_cast<double>(sharp.size()) - mean * mean));
+  const double seed = std::max(kLeastSeed, mean + kSeedDeviations * deviation);
+  const double extension = std::max(kLeastExtension, mean + kExtensionDeviations * deviation);
+  std::vector<int> ridge_of(sharp.size(), -1);
+  count = 0;
+  for (std::size_t start = 0; start < sharp.size(); ++start) {
+    if (sharp[start] < seed || ridge_of[start] >= 0) continue;
+    std::vector<int> members{static_cast<int>(start)};
+    ridge_of[start] = count;
+    for (std::size_t next = 0; next < members.size(); ++next)
+      for (const int w : neighbours[members[next]]) {
+        if (ridge_of[w] >= 0 || sharp[w] < extension) continue;
+        ridge_of[w] = count;
+        members.push_back(w);
+      }
+    ++count;
+  }
+  return ridge_of;
+}
+
+/// Points at even distances along a polyline.
+Points evenly_spaced(const std::vector<Eigen::Vector3d>& line, double spacing) {
+  std::vector<double> at{0.0};
+  for (std::size_t i = 1; i < line.size(); ++i) at.push_back(at.back() + (line[i] - line[i - 1]).norm());
+  const int count = std::max(1, static_cast<int>(std::lround(at.back() / spacing)));
+  Points points(count + 1, 3);
+  std::size_t segment = 0;
+  for (int i = 0; i <= count; ++i) {
+    const double wanted = at.back() * i / count;
+    while (segment + 2 < at.size() && at[segment + 1] < wanted) ++segment;
+    const double width = at[segment + 1] - at[segment];
+    const double share = width > 0.0 ? std::clamp((wanted - at[segment]) / width, 0.0, 1.0) : 0.0;
+    points.row(i) = (line[segment] + share * (line[segment + 1] - line[segment])).transpose();
+  }
+  return points;
+}
+
+/// Takes the vertices' zigzag away and puts the line back on the surface.
+Points smoothed(Points line, const TriangleMesh& surface) {
+  for (int pass = 0; pass < 4; ++pass) {
+    const Points before = line;
+    for (Eigen::Index i = 1; i + 1 < line.rows(); ++i)
+      line.row(i) = 0.25 * before.row(i - 1) + 0.5 * before.row(i) + 0.25 * before.row(i + 1);
+  }
+  const ClosestPointTree tree(surface);
+  for (Eigen::Index i = 0; i < line.rows(); ++i)
+    line.row(i) = tree.closest(line.row(i).transpose()).point.transpose();
+  return line;
+}
+
+/// Along the sharpest way between the two ends of a ridge that lie farthest apart.
+std::vector<int> crest(const TriangleMesh& mesh, const std::vector<std::vector<int>>& neighbours,
+                       const std::vector<int>& ridge_of, int member, const std::vector<double>& sharp) {
+  const int first = farthest(reach(mesh, neighbours, ridge_of, member, {}));
+  const int last = farthest(reach(mesh, neighbours, ridge_of, first, {}));
+  double sharpest = 0.0;
+  for (std::size_t v = 0; v < sharp.size(); ++v)
+    if (ridge_of[v] == ridge_of[member]) sharpest = std::max(sharpest, sharp[v]);
+  std::vector<double> dearness(sharp.size());
+  for (std::size_t v = 0; v < sharp.size(); ++v)
+    dearness[v] = std::exp(kPullToRidge * (1.0 - std::clamp(sharp[v] / sharpest, 0.0, 1.0)));
+  const Reach way = reach(mesh, neighbours, ridge_of, first, dearness);
+  std::vector<int> path{last};
+  while (path.back() != first) path.push_back(way.from[path.back()]);
+  return path;
+}
+
+}  // namespace
+
+Points detect_anterior_margin(const TriangleMesh& surface, const Eigen::Vector3d& inferior_anterior) {
+  if (surface.triangle_count() == 0) return Points(0, 3);
+  TriangleMesh mesh = surface;
+  while (mean_edge(mesh) > kLongestEdge && mesh.triangle_count() < 400000) mesh = subdivided(mesh);
+  const Sharpness sharpness(mesh);
+  std::vector<double> sharp = sharpness.value();
+  const Eigen::Vector3d wanted =
+      inferior_anterior.norm() > 0.0 ? inferior_anterior.normalized().eval() : Eigen::Vector3d::Zero().eval();
+  const auto neighbours = vertex_neighbours(mesh);
+  // Thresholds come from the whole mesh; only then what faces the wrong way is left out.
+  int count = 0;
+  if (wanted.norm() > 0.0)
+    for (std::size_t v = 0; v < sharp.size(); ++v)
+      if (sharpness.normal(static_cast<int>(v)).dot(wanted) < kWrongSide) sharp[v] = std::min(sharp[v], 0.0);
+  const std::vector<int> ridge_of = ridges(neighbours, sharp, count);
+
+  std::vector<Eigen::Vector3d> best;
+  double best_score = 0.0;
+  for (int ridge = 0; ridge < count; ++ridge) {
+    const auto member =
+        static_cast<int>(std::find(ridge_of.begin(), ridge_of.end(), ridge) - ridge_of.begin());
+    const std::vector<int> path = crest(mesh, neighbours, ridge_of, member, sharp);
+    double length = 0.0, score = 0.0;
+    std::vector<Eigen::Vector3d> line{mesh.vertex(path.front())};
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      line.push_back(mesh.vertex(path[i]));
+      const double step = (line[i] - line[i - 1]).norm();
+      length += step;
+      score += step * (wanted.norm() > 0.0 ? 0.5 + sharpness.normal(path[i]).dot(wanted) : 1.0);
+    }
+    if (length < kLeastLength || score <= best_score) continue;
+    best_score = score;
+    best = std::move(line);
+  }
+  if (best.size() < 2) return Points(0, 3);
+  // The end farther from the middle of the organ comes first, whatever the frame.
+  const Eigen::Vector3d middle = centroid(surface);
+  if ((best.back() - middle).norm() > (best.front() - middle).norm()) std::reverse(best.begin(), best.end());
+  return smoothed(evenly_spaced(best, kSpacing), surface);
+}
+
+}  // namespace glisson::model
