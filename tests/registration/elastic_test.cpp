@@ -1,14 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QtTest>
 #include <algorithm>
+#include <cstdlib>
+#include <filesystem>
 
 #include "glisson/core/error.h"
 #include "glisson/geometry/distance.h"
+#include "glisson/geometry/mesh_io.h"
 #include "glisson/registration/register.h"
 #include "phantom.h"
 
 using namespace glisson;
 using namespace glisson::registration;
+
+namespace {
+
+std::filesystem::path sequence_folder() {
+  const char* data = std::getenv("GLISSON_DATA");
+  const char* source = std::getenv("GLISSON_SOURCE_DIR");
+  const std::filesystem::path root = data != nullptr     ? std::filesystem::path(data)
+                                     : source != nullptr ? std::filesystem::path(source) / "../shared/data"
+                                                         : std::filesystem::path();
+  const std::filesystem::path folder = root / "elastic_sequence";
+  return std::filesystem::exists(folder / "rest.vtk") ? folder : std::filesystem::path();
+}
+
+}  // namespace
 
 class ElasticTest : public QObject {
   Q_OBJECT
@@ -20,6 +37,7 @@ class ElasticTest : public QObject {
   void ScheduleRunsToItsLastPlateau();
   void StepLimitIsReported();
   void PrintedFormDoesNotRegister();
+  void ForeignDeformationIsRecovered();
   void CancelIsObeyed();
   void UnusableInputIsRefused();
 
@@ -127,6 +145,24 @@ void ElasticTest::PrintedFormDoesNotRegister() {
   options.form = PenaltyForm::printed;
   const auto printed = register_elastic(model_, seen(0.02), phantom::view(), options, RunContext());
   QVERIFY(printed->termination == Termination::diverged || printed->residual > 3.0 * corrected->residual);
+}
+
+void ElasticTest::ForeignDeformationIsRecovered() {
+  // Mestdagh and Cotin's sequence: mesh, cloud and truth were not made here; the truth is linear elasticity.
+  const std::filesystem::path folder = sequence_folder();
+  if (folder.empty()) QSKIP("the elastic sequence is not there: set GLISSON_DATA to the data folder");
+  PatientModel model;
+  model.mesh = read_tet_mesh(folder / "rest.vtk", LengthUnit::millimetre);
+  model.surface = boundary_surface(model.mesh);
+  ElasticOptions options = options_for(model);
+  options.fixed_nodes = read_node_numbers(folder / "fixed_vertices.txt", model.mesh.vertex_count());
+  const auto registration =
+      register_elastic(model, read_cloud(folder / "cloud_00.ply"), {}, options, RunContext());
+  const Points truth = read_node_list(folder / "truth_00.xyz", LengthUnit::millimetre);
+  const double before = point_errors(model.mesh.vertices, truth).mean;
+  const double after = point_errors(registration->nodes_in_camera, truth).mean;
+  QVERIFY(registration->termination == Termination::converged);
+  QVERIFY2(after < 1.15e-3 && before > 5e-3, qPrintable(QString("mean error %1 mm").arg(1e3 * after)));
 }
 
 void ElasticTest::CancelIsObeyed() {

@@ -15,6 +15,7 @@ class PairsTest : public QObject {
   Q_OBJECT
  private slots:
   void LabelledPointsGoToTheirPartOnly();
+  void NotchPointsGoTogetherToTheCarriedLandmark();
   void WithoutALandmarkTheWholeSurfaceServes();
   void RefittedTreesFindWhatBruteForceFinds();
   void PairsAgainstTheNormalAreRefused();
@@ -62,6 +63,29 @@ void PairsTest::LabelledPointsGoToTheirPartOnly() {
     labelled += pair.feature != Feature::surface;
   }
   QVERIFY(labelled > 10);
+}
+
+void PairsTest::NotchPointsGoTogetherToTheCarriedLandmark() {
+  const PatientModel model = phantom::model(10, 8, 4);
+  const CameraFromCt pose = phantom::view();
+  MovingSurface surface(model);
+  surface.move(pose.apply(model.mesh.vertices));
+  const LabelledCloud cloud = seen(model);
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  int count = 0;
+  for (int i = 0; i < cloud.size(); ++i)
+    if (cloud.feature(i) == Feature::umbilical_notch) middle += cloud.points.row(i).transpose(), ++count;
+  middle /= count;
+  const Eigen::Vector3d landmark =
+      (pose * Point<CtFrame>(model.landmarks.umbilical_notch.row(0).transpose())).xyz;
+  int tested = 0;
+  for (const Pair& pair : find_pairs(prepare_cloud(cloud, {}), surface, {})) {
+    if (pair.feature != Feature::umbilical_notch) continue;
+    QVERIFY((pair.on_model.point - landmark).norm() < 3e-3);  // the mesh cuts the notch's corner
+    QVERIFY((pair.on_model.point + pair.gap - middle).norm() < 1e-12);
+    ++tested;
+  }
+  QVERIFY(tested > 0 && tested == count);
 }
 
 void PairsTest::WithoutALandmarkTheWholeSurfaceServes() {

@@ -89,6 +89,10 @@ class ElasticRun {
   }
 
   double factor(Feature feature, int n, int last) const {
+    return (n < last ? 1.0 : options_.final_stiffening) * scheduled(feature, n);
+  }
+
+  double scheduled(Feature feature, int n) const {
     switch (feature) {
       case Feature::umbilical_notch:
         return options_.k_notch;
@@ -97,9 +101,7 @@ class ElasticRun {
       case Feature::surface:
         break;
     }
-    const double k =
-        stiffness_at_plateau(options_.k_surface_min, options_.k_surface_max, options_.r_surface, n);
-    return n < last ? k : k * options_.final_stiffening;
+    return stiffness_at_plateau(options_.k_surface_min, options_.k_surface_max, options_.r_surface, n);
   }
 
   /// Whether anything pulls at plateau n: with no labelled feature eq. 15 starts from nothing.
@@ -185,6 +187,16 @@ void ElasticOptions::validate() const {
   demand(plateau_motion > 0.0, "plateau_motion", plateau_motion, "Give a positive length");
   demand(plateau_window > 0, "plateau_window", plateau_window, "Give one at least");
   materials.validate();
+}
+
+ElasticOptions options_for(const PatientModel& model) {
+  ElasticOptions options;
+  if (model.vessels.empty() && model.landmarks.empty()) {
+    options.materials.with_capsule = false;
+    options.final_stiffening = 1.0;
+    options.tangential = 1.0;
+  }
+  return options;
 }
 
 Cancellable<Registration> register_elastic(const PatientModel& model, const LabelledCloud& cloud,

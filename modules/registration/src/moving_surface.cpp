@@ -72,7 +72,17 @@ MovingSurface::MovingSurface(const PatientModel& model, double margin_radius, do
   if (model.landmarks.umbilical_notch.rows() > 0) {
     part_[2] = triangles_near(mesh_, whole_, model.landmarks.umbilical_notch, notch_radius);
     notch_ = ClosestPointTree(mesh_, part_[2]);
+    notch_point_ = whole_.closest(model.landmarks.umbilical_notch.colwise().mean().transpose());
   }
+}
+
+ClosestPoint MovingSurface::notch() const {
+  ClosestPoint at = notch_point_;
+  if (at.triangle < 0) return at;
+  at.point.setZero();
+  for (int k = 0; k < 3; ++k) at.point += at.barycentric[k] * mesh_.vertex(mesh_.triangles(at.triangle, k));
+  at.distance = 0.0;
+  return at;
 }
 
 void MovingSurface::move(const Points& nodes) {

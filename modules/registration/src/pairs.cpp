@@ -124,6 +124,14 @@ void weigh_notch(PreparedCloud& prepared) {
       prepared.weight[static_cast<std::size_t>(i)] = std::min(1.0, kNotchPoints / count);
 }
 
+Eigen::Vector3d centroid_of(const LabelledCloud& cloud, Feature feature) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  int count = 0;
+  for (int i = 0; i < cloud.size(); ++i)
+    if (cloud.feature(i) == feature) sum += cloud.points.row(i).transpose(), ++count;
+  return count > 0 ? Eigen::Vector3d(sum / count) : sum;
+}
+
 /// Marks the pairs whose distance stands out from its neighbours'.
 void reject_outliers(const PreparedCloud& cloud, const PairOptions& options, std::vector<Pair>& pairs) {
   std::vector<double> deviation(pairs.size(), 0.0), sizes;
@@ -182,13 +190,20 @@ std::vector<Pair> find_pairs(const PreparedCloud& prepared, const MovingSurface&
                              const PairOptions& options) {
   const LabelledCloud& cloud = prepared.cloud;
   std::vector<Pair> pairs(static_cast<std::size_t>(cloud.size()));
+  const ClosestPoint notch = surface.notch();
+  const Eigen::Vector3d notch_seen = centroid_of(cloud, Feature::umbilical_notch);
   for (int i = 0; i < cloud.size(); ++i) {
     Pair& pair = pairs[static_cast<std::size_t>(i)];
-    const Eigen::Vector3d p = cloud.points.row(i).transpose();
     pair.point = i;
     pair.feature = cloud.feature(i);
-    pair.on_model = surface.closest(pair.feature, p);
+    const bool at_notch = pair.feature == Feature::umbilical_notch && notch.triangle >= 0;
+    const Eigen::Vector3d p = at_notch ? notch_seen : Eigen::Vector3d(cloud.points.row(i).transpose());
+    if (at_notch)
+      pair.on_model = notch;
+    else
+      pair.on_model = surface.closest(pair.feature, p);
     pair.gap = p - pair.on_model.point;
+    pair.on_model.distance = pair.gap.norm();
     pair.normal = surface.normal(pair.on_model);
     // The ridge and the notch have no one normal: they are kept whatever the cloud's says.
     if (cloud.normals.rows() > 0 && pair.feature == Feature::surface &&
@@ -222,7 +237,7 @@ fem::AttachedLoad pair_load(const Pair& pair, const MovingSurface& surface, Pena
                                                        : penalty_force(form, s, d) / std::max(d, kSoftening);
   const Eigen::Matrix3d along = pair.normal * pair.normal.transpose();
   const Eigen::Matrix3d directions =
-      form == PenaltyForm::corrected
+      form == PenaltyForm::corrected && pair.feature == Feature::surface
           ? Eigen::Matrix3d(along + tangential * (Eigen::Matrix3d::Identity() - along))
           : Eigen::Matrix3d::Identity();
   load.force = stiffness * secant * directions * pair.gap;

@@ -27,6 +27,8 @@ class MovingSurface {
   bool has(Feature feature) const { return !tree(feature).empty(); }
   /// Closest point on the feature's part; on the whole surface where the model lacks the landmark.
   ClosestPoint closest(Feature feature, const Eigen::Vector3d& p) const;
+  /// The notch as the landmark has it, carried by the surface; triangle -1: unknown.
+  ClosestPoint notch() const;
   /// First hit of a ray with the whole surface; see ClosestPointTree::first_hit.
   ClosestPoint first_hit(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, double t_min,
                          double t_max) const {
@@ -52,6 +54,7 @@ class MovingSurface {
   Points normals_;
   std::array<std::vector<int>, 3> part_;
   ClosestPointTree whole_, margin_, notch_;
+  ClosestPoint notch_point_;  ///< triangle and weights, bound at rest
 };
 
 }  // namespace glisson::registration

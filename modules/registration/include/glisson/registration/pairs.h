@@ -51,7 +51,9 @@ struct PairOptions {
   double outlier_deviations = 4.0, outlier_floor = 3e-3;
 };
 
-/// One pair a point, label-restricted; those against the normal and outliers are not `kept`. Coherent
+/// One pair a point, label-restricted: margin points go to the margin's part, the notch's points together to
+/// the carried landmark (all with the gap of their centroid: the region clicked around a notch says where it
+/// is, not what its outline is); those against the normal and outliers are not `kept`. Coherent
 /// distances, however large, are no outliers: a lobe that has moved far is what is looked for.
 std::vector<Pair> find_pairs(const PreparedCloud& cloud, const MovingSurface& surface,
                              const PairOptions& options);
@@ -60,7 +62,7 @@ std::vector<Pair> find_pairs(const PreparedCloud& cloud, const MovingSurface& su
 double mean_distance(const std::vector<Pair>& pairs);
 
 /// Eq. 14 as a load on the surface's nodes: force k w(s d) N gap, tangent k w(s d) N (the secant, positive
-/// semi-definite), N = n n^T + tangential (I - n n^T).
+/// semi-definite), N = n n^T + tangential (I - n n^T) for surface points, the identity for margin and notch.
 /// @param stiffness k of this pair, N/m. @param tangential share of k that resists sliding, in [0, 1].
 fem::AttachedLoad pair_load(const Pair& pair, const MovingSurface& surface, PenaltyForm form, double s,
                             double stiffness, double tangential);

@@ -40,12 +40,12 @@ enum class PenaltyForm { corrected, clamped, printed };
 /// Schedule of eq. 15. Factors are in metres: k = factor * E of the parenchyma.
 struct ElasticOptions {
   PenaltyForm form = PenaltyForm::corrected;
-  double s = 50.0;  ///< 1/m
+  double s = 20.0;  ///< 1/m; chosen by the in-silico study in the README
   double k_notch = 1e-3, k_margin_min = 1e-4, k_margin_max = 1e-3, k_surface_min = 0.0, k_surface_max = 1e-3;
   int r_margin = 2, r_surface = 10;
   double reference_density_per_cm2 = 3.9;
-  /// After eq. 15's last plateau the surface's k is multiplied by this once more, and one more plateau is
-  /// waited for. 1: the paper's method. Why more: see the README.
+  /// After eq. 15's last plateau every k is multiplied by this, and one more plateau is waited for. 1: the
+  /// paper's method. Why more: see the README.
   double final_stiffening = 10.0;
   /// Share of k that resists sliding along the surface, in [0, 1]; 1: eq. 14's isotropic spring.
   double tangential = 0.1;
@@ -59,6 +59,10 @@ struct ElasticOptions {
   fem::CompositeOptions materials;
   void validate() const;
 };
+
+/// The defaults for a model. One that is a bare mesh (no vessels, no landmarks) is taken for homogeneous: no
+/// capsule, and the paper's schedule without the final stiffening (see the README).
+ElasticOptions options_for(const PatientModel& model);
 
 /// Initial elastic registration (paper 2.2.3; eq. 14 and 15 as METHOD corrects them): label-restricted
 /// closest points, implicit Euler steps, plateaus of kinetic energy and mean residual, stop at max(r) + 1.
