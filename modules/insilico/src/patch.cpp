@@ -149,6 +149,7 @@ Patch sample_patch(const TriangleMesh& surface, const RayCaster& caster, const E
     return patch[static_cast<std::size_t>(std::min(hit - up_to.begin(), std::ssize(up_to) - 1))];
   };
   std::vector<Eigen::Vector3d> holes;
+  holes.reserve(static_cast<std::size_t>(options.holes));
   for (int h = 0; h < options.holes; ++h)
     holes.push_back(faces[static_cast<std::size_t>(draw_face())].centre);
 
@@ -158,6 +159,8 @@ Patch sample_patch(const TriangleMesh& surface, const RayCaster& caster, const E
   LabelledCloud& cloud = result.cloud;
   cloud.points.resize(count, 3);
   cloud.normals.resize(count, 3);
+  cloud.features.reserve(static_cast<std::size_t>(count));
+  cloud.sigma.reserve(static_cast<std::size_t>(count));
   Eigen::Index kept = 0;
   for (Eigen::Index i = 0; i < count; ++i) {
     const int t = draw_face();
