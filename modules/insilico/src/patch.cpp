@@ -143,6 +143,7 @@ Patch sample_patch(const TriangleMesh& surface, const RayCaster& caster, const E
   const std::vector<int> patch = grow(faces, first_face(faces, start), options.share * total, area);
 
   std::vector<double> up_to;  // area up to each face, for the lottery
+  up_to.reserve(patch.size());
   for (double sum = 0.0; const int t : patch) up_to.push_back(sum += faces[static_cast<std::size_t>(t)].area);
   const auto draw_face = [&] {
     const auto hit = std::lower_bound(up_to.begin(), up_to.end(), dice.uniform() * up_to.back());
