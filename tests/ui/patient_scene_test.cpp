@@ -50,7 +50,7 @@ class PatientSceneTest : public QObject {
 
 void PatientSceneTest::AnteriorViewHasThePatientsRightOnTheLeft() {
   scene::PatientScene patient;
-  patient.set_model(std::make_shared<PatientModel>(box_patient()));
+  patient.set_model(box_patient());
   patient.look_from(scene::ViewFrom::anterior);
   const auto right = patient.view_point({-0.06, 0, 0}, kAspect),
              left = patient.view_point({0.06, 0, 0}, kAspect);
@@ -63,7 +63,7 @@ void PatientSceneTest::AnteriorViewHasThePatientsRightOnTheLeft() {
 
 void PatientSceneTest::PickedPointProjectsBackToWhereItWasPicked() {
   scene::PatientScene patient;
-  patient.set_model(std::make_shared<PatientModel>(box_patient()));
+  patient.set_model(box_patient());
   for (const auto from : {scene::ViewFrom::anterior, scene::ViewFrom::right, scene::ViewFrom::inferior}) {
     patient.look_from(from);
     const auto p = patient.surface_point(0.52, 0.47, kAspect);
@@ -80,7 +80,7 @@ void PatientSceneTest::PickedPointProjectsBackToWhereItWasPicked() {
 void PatientSceneTest::DeformedNodesMoveSurfacesAndPicks() {
   const auto model = std::make_shared<PatientModel>(box_patient());
   scene::PatientScene patient;
-  patient.set_model(model);
+  patient.set_model(*model);
   patient.look_from(scene::ViewFrom::anterior);
   const Picture rest = draw(patient);
   Points nodes = model->mesh.vertices;
@@ -95,7 +95,7 @@ void PatientSceneTest::DeformedNodesMoveSurfacesAndPicks() {
 void PatientSceneTest::HiddenStructureIsNotDrawn() {
   scene::PatientScene patient;
   const Picture empty = draw(patient);
-  patient.set_model(std::make_shared<PatientModel>(box_patient()));
+  patient.set_model(box_patient());
   patient.set_landmarks({});
   patient.look_from(scene::ViewFrom::anterior);
   const Picture all = draw(patient);
@@ -140,7 +140,7 @@ void PatientSceneTest::SliceIsDrawnUnmirrored() {
 
 void PatientSceneTest::CloudAndMarkersAppearAndGo() {
   scene::PatientScene patient;
-  patient.set_model(std::make_shared<PatientModel>(box_patient()));
+  patient.set_model(box_patient());
   patient.look_from(scene::ViewFrom::anterior);
   const Picture before = draw(patient);
   LabelledCloud cloud;
@@ -178,7 +178,7 @@ void PatientSceneTest::SimplifiedKeepsShape() {
 
 void PatientSceneTest::WrongNodesAreRefused() {
   scene::PatientScene patient;
-  patient.set_model(std::make_shared<PatientModel>(box_patient()));
+  patient.set_model(box_patient());
   QVERIFY_EXCEPTION_THROWN(patient.set_nodes(Points::Zero(2, 3)), PreconditionError);
 }
 

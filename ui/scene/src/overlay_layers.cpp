@@ -9,7 +9,6 @@
 #include <vtkRenderer.h>
 
 #include "glisson/core/error.h"
-#include "glisson/geometry/closest_point_tree.h"
 #include "glisson/patient/label_map.h"
 #include "glisson/ui/scene/pinhole_camera.h"
 #include "glisson/ui/scene/surface_shapes.h"
@@ -17,38 +16,17 @@
 namespace glisson::scene {
 namespace {
 
-constexpr int kTrianglesPerStructure = 20000;
-/// Vessels run on outside the liver, where the model says nothing of how they move.
-constexpr double kOutsideTolerance = 3e-3;
-
-/// A surface bound to the mesh.
+/// A surface as VTK holds it.
 struct BoundShape {
-  Binding binding;
+  const DrawableSurface* surface = nullptr;
   vtkSmartPointer<vtkPolyData> shape;
   vtkNew<vtkActor> actor;
 };
 
-TriangleMesh without_far_parts(const TriangleMesh& surface, const PatientModel& model) {
-  const Binding binding = bind_points(model.mesh, surface.vertices, false);
-  if (binding.outside.empty()) return surface;
-  const ClosestPointTree skin(model.surface.mesh);
-  std::vector<bool> far(static_cast<std::size_t>(surface.vertex_count()), false);
-  for (const int i : binding.outside)
-    far[static_cast<std::size_t>(i)] = skin.closest(surface.vertex(i), kOutsideTolerance).triangle < 0;
-  std::vector<int> kept;
-  for (int t = 0; t < surface.triangle_count(); ++t) {
-    bool near = true;
-    for (int k = 0; k < 3; ++k) near = near && !far[static_cast<std::size_t>(surface.triangles(t, k))];
-    if (near) kept.push_back(t);
-  }
-  return select_triangles(surface, kept);
-}
-
-std::unique_ptr<BoundShape> make_shape(const PatientModel& model, const TriangleMesh& surface,
-                                       Channel channel) {
+std::unique_ptr<BoundShape> make_shape(const DrawableSurface& surface, Channel channel) {
   auto bound = std::make_unique<BoundShape>();
-  bound->binding = bind_points(model.mesh, surface.vertices, false);
-  bound->shape = make_poly_data(surface);
+  bound->surface = &surface;
+  bound->shape = make_poly_data({surface.mesh.vertices, surface.inside});
   add_normals(*bound->shape);
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(bound->shape);
@@ -64,6 +42,11 @@ std::unique_ptr<BoundShape> make_shape(const PatientModel& model, const Triangle
   return bound;
 }
 
+bool is_vessel(Label structure) {
+  return structure == structure::kPortalVein || structure == structure::kHepaticVeins ||
+         structure == structure::kArtery;
+}
+
 Channel channel_of(Label structure) {
   if (structure == structure::kHepaticVeins) return Channel::green;
   if (structure == structure::kArtery) return Channel::blue;
@@ -73,7 +56,7 @@ Channel channel_of(Label structure) {
 }  // namespace
 
 struct OverlayLayers::Impl {
-  TetMesh mesh;
+  std::shared_ptr<const DrawableModel> model;
   std::vector<std::unique_ptr<BoundShape>> liver, vessels, lesions;
   vtkNew<vtkRenderer> renderer;
   std::unique_ptr<OffscreenRenderer> offscreen;
@@ -90,23 +73,20 @@ struct OverlayLayers::Impl {
   }
 };
 
-OverlayLayers::OverlayLayers(const PatientModel& model, const Camera& pinhole)
+OverlayLayers::OverlayLayers(std::shared_ptr<const DrawableModel> model, const Camera& pinhole)
     : impl_(std::make_unique<Impl>()) {
-  require(model.mesh.tetrahedron_count() > 0, "an overlay follows a model that has a mesh");
-  impl_->mesh = model.mesh;
-  const auto add = [&](std::vector<std::unique_ptr<BoundShape>>& group, const TriangleMesh& surface,
-                       Channel channel) {
-    if (surface.triangle_count() == 0) return;
-    group.push_back(make_shape(model, surface, channel));
-    impl_->renderer->AddActor(group.back()->actor);
-    group.back()->actor->SetVisibility(0);
-  };
-  add(impl_->liver, simplified(structure_surface(model, structure::kParenchyma), kTrianglesPerStructure),
-      Channel::red);
-  for (const Label inner : inner_structures(model)) {
-    const TriangleMesh surface =
-        without_far_parts(simplified(structure_surface(model, inner), kTrianglesPerStructure), model);
-    add(is_lesion(inner) ? impl_->lesions : impl_->vessels, surface, channel_of(inner));
+  require(model != nullptr && model->model->mesh.tetrahedron_count() > 0,
+          "an overlay follows a model that has a mesh");
+  impl_->model = std::move(model);
+  for (const DrawableSurface& surface : impl_->model->surfaces) {
+    auto* group = surface.structure == structure::kParenchyma ? &impl_->liver
+                  : is_lesion(surface.structure)              ? &impl_->lesions
+                  : is_vessel(surface.structure)              ? &impl_->vessels
+                                                              : nullptr;
+    if (group == nullptr || surface.inside.rows() == 0) continue;
+    group->push_back(make_shape(surface, channel_of(surface.structure)));
+    impl_->renderer->AddActor(group->back()->actor);
+    group->back()->actor->SetVisibility(0);
   }
   impl_->renderer->SetBackground(0.0, 0.0, 0.0);
   set_pinhole_camera(*impl_->renderer, pinhole, kNear, kFar);
@@ -116,11 +96,11 @@ OverlayLayers::OverlayLayers(const PatientModel& model, const Camera& pinhole)
 OverlayLayers::~OverlayLayers() = default;
 
 LayerRasters OverlayLayers::draw(const Points& nodes_in_camera) {
-  require(nodes_in_camera.rows() == impl_->mesh.vertex_count(),
+  require(nodes_in_camera.rows() == impl_->model->model->mesh.vertex_count(),
           "the overlay's nodes are those of the model that it was made for");
   for (auto* group : {&impl_->liver, &impl_->vessels, &impl_->lesions})
     for (const auto& bound : *group)
-      move_vertices(*bound->shape, bound->binding.apply(impl_->mesh, nodes_in_camera));
+      move_vertices(*bound->shape, bound->surface->binding.apply(impl_->model->model->mesh, nodes_in_camera));
   return {impl_->pass(impl_->liver), impl_->pass(impl_->vessels), impl_->pass(impl_->lesions)};
 }
 

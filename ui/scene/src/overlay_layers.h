@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "glisson/geometry/camera.h"
-#include "glisson/patient/patient_model.h"
+#include "glisson/ui/scene/drawable_model.h"
 #include "glisson/ui/scene/offscreen_renderer.h"
 
 namespace glisson::scene {
@@ -24,7 +24,7 @@ struct LayerRasters {
 class OverlayLayers {
  public:
   /// @param pinhole the undistorted view that is drawn.
-  OverlayLayers(const PatientModel& model, const Camera& pinhole);
+  OverlayLayers(std::shared_ptr<const DrawableModel> model, const Camera& pinhole);
   ~OverlayLayers();
 
   /// @param nodes_in_camera N x 3, metres. @pre one row a node of the model's mesh.

@@ -4,7 +4,7 @@
 #include "glisson/core/error.h"
 #include "glisson/patient/label_map.h"
 #include "glisson/ui/scene/lens_maps.h"
-#include "glisson/ui/scene/surface_shapes.h"
+#include "glisson/ui/scene/model_surfaces.h"
 #include "overlay_annotations.h"
 #include "overlay_blend.h"
 #include "overlay_layers.h"
@@ -21,23 +21,23 @@ void OverlayStyle::validate() const {
 }
 
 struct OverlayPainter::Impl {
-  Impl(const PatientModel& model, const Camera& view, const OverlayStyle& look)
+  Impl(const std::shared_ptr<const DrawableModel>& drawable, const Points& anterior_margin,
+       const Camera& view, const OverlayStyle& look)
       : camera(view),
         style(look),
         lens(make_lens_maps(view)),
-        layers(model, lens.pinhole),
-        structures(inner_structures(model)),
-        mesh(model.mesh) {
-    if (model.landmarks.anterior_margin.rows() > 0)
-      margin = bind_points(mesh, model.landmarks.anterior_margin);
+        layers(drawable, lens.pinhole),
+        model(drawable->model),
+        structures(inner_structures(*model)) {
+    if (anterior_margin.rows() > 0) margin = bind_points(model->mesh, anterior_margin);
   }
 
   Camera camera;
   OverlayStyle style;
   LensMaps lens;
   OverlayLayers layers;
+  std::shared_ptr<const PatientModel> model;
   std::vector<Label> structures;
-  TetMesh mesh;
   Binding margin;
 
   bool shown(Label label) const {
@@ -51,7 +51,7 @@ struct OverlayPainter::Impl {
     for (const Label label : structures)
       if (shown(label)) result.structures.push_back(label);
     if (margin.weights.rows() == 0) return result;
-    const Points line = margin.apply(mesh, nodes);
+    const Points line = margin.apply(model->mesh, nodes);
     for (Eigen::Index i = 0; i < line.rows(); ++i)
       if (line(i, 2) > OverlayLayers::kNear) result.margin.push_back(camera.project(line.row(i).transpose()));
     return result;
@@ -60,7 +60,15 @@ struct OverlayPainter::Impl {
 
 OverlayPainter::OverlayPainter(const PatientModel& model, const Camera& camera, const OverlayStyle& style) {
   style.validate();
-  impl_ = std::make_unique<Impl>(model, camera, style);
+  require(model.mesh.tetrahedron_count() > 0, "an overlay follows a model that has a mesh");
+  impl_ = std::make_unique<Impl>(make_drawable(std::make_shared<const PatientModel>(model)),
+                                 model.landmarks.anterior_margin, camera, style);
+}
+OverlayPainter::OverlayPainter(std::shared_ptr<const DrawableModel> model, const Points& anterior_margin,
+                               const Camera& camera, const OverlayStyle& style) {
+  style.validate();
+  require(model != nullptr, "there is a model to draw");
+  impl_ = std::make_unique<Impl>(model, anterior_margin, camera, style);
 }
 OverlayPainter::~OverlayPainter() = default;
 

@@ -31,10 +31,8 @@
 namespace glisson::scene {
 namespace {
 
-constexpr int kTriangles = 40000;
-
 struct Shape {
-  Binding binding;
+  const Binding* binding = nullptr;  ///< the drawable model's
   vtkSmartPointer<vtkPolyData> data;
   vtkNew<vtkActor> actor;
 };
@@ -94,7 +92,8 @@ std::array<unsigned char, 3> feature_colour(Feature feature) {
 
 struct PatientScene::Impl {
   vtkNew<vtkRenderer> renderer;
-  std::shared_ptr<const PatientModel> model;
+  std::shared_ptr<const DrawableModel> drawable;
+  std::shared_ptr<const PatientModel> model;  ///< drawable's
   Points nodes;
   std::map<Label, std::unique_ptr<Shape>> structures;
   std::unique_ptr<Shape> mesh, margin, notch, cava, cloud;
@@ -130,17 +129,14 @@ struct PatientScene::Impl {
     actor.GetProperty()->SetBackfaceCulling(alpha < 1.0 ? 1 : 0);
   }
 
-  void add_structure(Label label) {
-    const TriangleMesh surface = simplified(structure_surface(*model, label), kTriangles);
-    if (surface.triangle_count() == 0) return;
-    auto shape = make_shape(make_poly_data(surface));
+  void add_surface(const DrawableSurface& surface) {
+    auto shape = make_shape(make_poly_data(surface.mesh));
     add_normals(*shape->data);
-    if (model->mesh.tetrahedron_count() > 0)
-      shape->binding = bind_points(model->mesh, surface.vertices, false);
-    give_colour(*shape->actor, label);
+    shape->binding = &surface.binding;
+    give_colour(*shape->actor, surface.structure);
     add(*shape);
-    structures[label] = std::move(shape);
-    apply_look(label);
+    structures[surface.structure] = std::move(shape);
+    apply_look(surface.structure);
   }
 
   void draw_landmarks() {
@@ -181,20 +177,23 @@ PatientScene::~PatientScene() = default;
 
 vtkRenderer& PatientScene::renderer() const { return *impl_->renderer; }
 
-void PatientScene::set_model(std::shared_ptr<const PatientModel> model) {
+void PatientScene::set_model(const PatientModel& model) {
+  set_model(make_drawable(std::make_shared<const PatientModel>(model)));
+}
+
+void PatientScene::set_model(std::shared_ptr<const DrawableModel> drawable) {
   for (auto& [label, shape] : impl_->structures) impl_->renderer->RemoveActor(shape->actor);
   impl_->structures.clear();
   impl_->remove(impl_->mesh);
   impl_->nodes.resize(0, 3);
-  impl_->model = std::move(model);
+  impl_->drawable = std::move(drawable);
+  impl_->model = impl_->drawable ? impl_->drawable->model : nullptr;
   impl_->skin = {};
   if (!impl_->model) {
     set_landmarks({});
     return;
   }
-  std::vector<Label> drawn = inner_structures(*impl_->model);
-  drawn.insert(drawn.end(), {structure::kParenchyma, structure::kVenaCava, structure::kGallbladder});
-  for (const Label label : drawn) impl_->add_structure(label);
+  for (const DrawableSurface& surface : impl_->drawable->surfaces) impl_->add_surface(surface);
   if (impl_->model->surface.mesh.triangle_count() > 0) {
     impl_->mesh = make_shape(make_poly_data(impl_->model->surface.mesh));
     vtkProperty& look = *impl_->mesh->actor->GetProperty();
@@ -216,7 +215,8 @@ void PatientScene::set_nodes(const Points& nodes) {
   impl_->nodes = nodes;
   const Points& at = nodes.rows() > 0 ? nodes : model.mesh.vertices;
   for (auto& [label, shape] : impl_->structures)
-    if (shape->binding.weights.rows() > 0) move_vertices(*shape->data, shape->binding.apply(model.mesh, at));
+    if (shape->binding->weights.rows() > 0)
+      move_vertices(*shape->data, shape->binding->apply(model.mesh, at));
   if (impl_->mesh) {
     Points skin(model.surface.mesh.vertices.rows(), 3);
     for (std::size_t i = 0; i < model.surface.node_of_vertex.size(); ++i)

@@ -9,6 +9,7 @@
 #include "glisson/patient/patient_model.h"
 #include "glisson/patient/picture.h"
 #include "glisson/patient/registration.h"
+#include "glisson/ui/scene/drawable_model.h"
 
 namespace glisson::scene {
 
@@ -40,6 +41,10 @@ class OverlayPainter {
   /// @param model CT frame. @pre it has tetrahedra. @param camera the left one, as calibrated.
   /// @throws Error no EGL, InputError bad style.
   OverlayPainter(const PatientModel& model, const Camera& camera, const OverlayStyle& style = {});
+  /// The same from what was made before, which may be shared. @param anterior_margin CT frame, metres; may be
+  /// empty.
+  OverlayPainter(std::shared_ptr<const DrawableModel> model, const Points& anterior_margin,
+                 const Camera& camera, const OverlayStyle& style = {});
   ~OverlayPainter();
 
   void set_style(const OverlayStyle& style);

@@ -8,6 +8,7 @@
 #include "glisson/patient/labelled_cloud.h"
 #include "glisson/patient/patient_model.h"
 #include "glisson/patient/picture.h"
+#include "glisson/ui/scene/drawable_model.h"
 #include "glisson/ui/scene/slice_picture.h"
 
 class vtkRenderer;
@@ -37,7 +38,9 @@ class PatientScene {
   vtkRenderer& renderer() const;
 
   /// Replaces the model (null: none), at rest.
-  void set_model(std::shared_ptr<const PatientModel> model);
+  void set_model(std::shared_ptr<const DrawableModel> model);
+  /// The same, made drawable here: takes its time.
+  void set_model(const PatientModel& model);
   /// Puts the model's nodes somewhere (empty: at rest). @pre one row a node.
   void set_nodes(const Points& nodes);
   /// Replaces the model's own landmarks; CT frame, follow the nodes.

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <cmath>
+#include <thread>
+
+#include "box_patient.h"
+#include "glisson/core/error.h"
+#include "glisson/core/files.h"
+#include "glisson/engine/engine.h"
+#include "glisson/stereo/calibration_io.h"
+#include "glisson/stereo/picture_io.h"
+
+namespace glisson {
+
+/// An engine whose stages are quick and known, so that tests of the window test the window: the scheduling,
+/// the staleness and the cancelling are the real ones, only what each command computes is made here.
+class FakeOperation {
+ public:
+  Image ct;
+  LabelMap labels;
+  PatientModel model;
+  StereoRig rig;
+  CameraFromCt camera_from_ct;
+  std::filesystem::path video;  ///< side by side
+  /// While set, long commands go on until they are cancelled.
+  std::atomic<bool> hold{false};
+
+  engine::Engine::Options options() {
+    engine::Engine::Options options;
+    options.apply = [this](const engine::CaseState& state, const engine::Command& command,
+                           const RunContext& context) { return apply(state, command, context); };
+    options.make_follower = [this](const engine::CaseState& state, const engine::StartTracking&) {
+      return std::make_unique<Breathing>(state.registration->nodes_in_camera);
+    };
+    return options;
+  }
+
+  /// Writes a video of `frames` frames in which everything is grey-red with a moving bar.
+  void film(const std::filesystem::path& path, int frames) {
+    video = path;
+    stereo::VideoWriter writer(path, 2 * rig.left.width, rig.left.height, 30.0);
+    for (int i = 0; i < frames; ++i) writer.write(picture(2 * rig.left.width, rig.left.height, i));
+    writer.close();
+  }
+
+  static Picture picture(int width, int height, int index) {
+    auto bytes = std::make_shared<std::vector<std::uint8_t>>(static_cast<std::size_t>(3 * width * height));
+    for (int v = 0; v < height; ++v)
+      for (int u = 0; u < width; ++u) {
+        const auto i = static_cast<std::size_t>(3 * (v * width + u));
+        const double r =
+            std::hypot((u % (width / 2)) / (0.5 * width) - 0.5, static_cast<double>(v) / height - 0.5);
+        const double tissue = 15.0 * std::sin(0.13 * u + 0.3 * std::sin(0.05 * v)) * std::sin(0.11 * v);
+        const double light = std::max(0.1, 1.0 - 1.4 * r * r);
+        const bool bar = (u + 3 * index) % 200 < 2;
+        (*bytes)[i] = static_cast<std::uint8_t>(light * (55 + 0.5 * tissue) + (bar ? 20 : 0));
+        (*bytes)[i + 1] = static_cast<std::uint8_t>(light * (60 + 0.6 * tissue) + (bar ? 20 : 0));
+        (*bytes)[i + 2] = static_cast<std::uint8_t>(light * (150 + 2.0 * tissue));
+      }
+    return {width, height, 3, bytes};
+  }
+
+ private:
+  class Breathing : public engine::Follower {
+   public:
+    explicit Breathing(Points nodes) : nodes_(std::move(nodes)) {}
+    OverlayFrame follow(const engine::LiveInput& input) override {
+      const auto& frame = std::get<StereoFrame>(input);
+      OverlayFrame overlay;
+      overlay.index = frame.index;
+      overlay.seconds = frame.seconds;
+      overlay.validity = Validity::valid;
+      overlay.nodes_in_camera =
+          nodes_.rowwise() + Eigen::RowVector3d(0, 3e-3 * std::sin(0.2 * frame.index), 0);
+      overlay.tracked_left = 200;
+      overlay.tracked_right = 196;
+      overlay.pairs = 181;
+      overlay.residual = 0.8e-3;
+      overlay.milliseconds = 12.0;
+      return overlay;
+    }
+
+   private:
+    Points nodes_;
+  };
+
+  /// @return false when cancelled.
+  bool work(const RunContext& context, const char* stage) const {
+    int turn = 0;
+    do {
+      if (context.cancelled()) return false;
+      context.progress(std::min(0.4, 0.01 * ++turn), stage);
+      std::this_thread::yield();
+    } while (hold.load());
+    context.progress(1.0, stage);
+    return true;
+  }
+
+  Cancellable<engine::Applied> apply(const engine::CaseState& state, const engine::Command& command,
+                                     const RunContext& context) {
+    engine::Applied applied;
+    applied.state = state;
+    const bool ok = std::visit([&](const auto& one) { return change(applied, one, context); }, command);
+    if (!ok) return {};
+    return applied;
+  }
+
+  template <class Other>
+  bool change(engine::Applied&, const Other&, const RunContext&) const {
+    throw InputError("test", "", "this command is not part of the fake operation", "Use another");
+  }
+  bool change(engine::Applied& applied, const engine::ImportImage& command, const RunContext&) const {
+    if (command.path.filename() == "broken.nii")
+      throw InputError(command.path.string(), "header", "is cut off after 12 bytes", "Copy the file again");
+    applied.state.image = std::make_shared<const Image>(ct);
+    return true;
+  }
+  bool change(engine::Applied& applied, const engine::SetSeeds& command, const RunContext&) const {
+    applied.state.seeds = std::make_shared<const segmentation::Seeds>(command.seeds);
+    return true;
+  }
+  bool change(engine::Applied& applied, const engine::Segment&, const RunContext& context) const {
+    if (!work(context, "segment.liver")) return false;
+    applied.state.labels = std::make_shared<const LabelMap>(labels);
+    applied.figures = {{"liver_ml", 1523.4}, {"portal_ml", 24.2}, {"hepatic_ml", 31.9}};
+    return true;
+  }
+  bool change(engine::Applied& applied, const engine::BuildModel&, const RunContext& context) const {
+    if (!work(context, "mesh.refine")) return false;
+    model::BuiltModel built;
+    built.model = model;
+    built.report.quality.vertices = model.mesh.vertex_count();
+    built.report.quality.tetrahedra = model.mesh.tetrahedron_count();
+    built.report.quality.min_dihedral_deg = 14.2;
+    built.report.quality.max_dihedral_deg = 151.0;
+    built.report.quality.volume_error = -0.011;
+    built.report.quality.vertices_to_fine_mean_mm = 0.21;
+    built.report.quality.fine_to_mesh_max_mm = 4.4;
+    applied.state.model = std::make_shared<const model::BuiltModel>(std::move(built));
+    return true;
+  }
+  bool change(engine::Applied& applied, const engine::SetLandmarks& command, const RunContext&) const {
+    applied.state.landmarks = std::make_shared<const Landmarks>(command.landmarks);
+    return true;
+  }
+  bool change(engine::Applied& applied, const engine::SetCalibration&, const RunContext&) const {
+    applied.state.rig = std::make_shared<const StereoRig>(rig);
+    return true;
+  }
+  bool change(engine::Applied& applied, const engine::SetVideo&, const RunContext&) const {
+    applied.state.video = std::make_shared<const engine::VideoSource>(engine::VideoSource{video, {}});
+    return true;
+  }
+  bool change(engine::Applied& applied, const engine::LoadVideoFrame& command, const RunContext&) const {
+    engine::StereoInput input;
+    input.frame.left = picture(rig.left.width, rig.left.height, command.index);
+    input.frame.right = input.frame.left;
+    input.frame.index = command.index;
+    applied.state.frame = std::make_shared<const engine::StereoInput>(std::move(input));
+    return true;
+  }
+  bool change(engine::Applied& applied, const engine::SetRegions& command, const RunContext&) const {
+    applied.state.regions = std::make_shared<const stereo::Regions>(command.regions);
+    return true;
+  }
+  bool change(engine::Applied& applied, const engine::Reconstruct&, const RunContext& context) const {
+    if (!work(context, "stereo.match")) return false;
+    LabelledCloud cloud;
+    const Points skin = camera_from_ct.apply(model.surface.mesh.vertices);
+    cloud.points.resize(skin.rows(), 3);
+    Eigen::Index kept = 0;
+    const double middle = skin.col(2).mean();
+    for (Eigen::Index i = 0; i < skin.rows(); ++i)
+      if (skin(i, 2) < middle) cloud.points.row(kept++) = skin.row(i);
+    cloud.points.conservativeResize(kept, 3);
+    applied.figures = {{"cloud_points", static_cast<double>(kept)}, {"cloud_density_per_cm2", 2.4}};
+    applied.state.cloud = std::make_shared<const LabelledCloud>(std::move(cloud));
+    return true;
+  }
+  bool change(engine::Applied& applied, const engine::Register&, const RunContext& context) const {
+    if (!work(context, "register.elastic")) return false;
+    Registration registration;
+    registration.camera_from_ct = camera_from_ct;
+    registration.nodes_in_camera = camera_from_ct.apply(model.mesh.vertices);
+    registration.termination = Termination::converged;
+    registration.plateaus = 11;
+    registration.residual = 1.1e-3;
+    registration.doubts = {"few_margin_points"};
+    applied.state.registration = std::make_shared<const Registration>(std::move(registration));
+    return true;
+  }
+  bool change(engine::Applied& applied, const engine::SaveCase& command, const RunContext&) const {
+    if (!command.path.empty()) applied.state.path = command.path;
+    return true;
+  }
+};
+
+/// The block patient in a small CT, seen by a small laparoscope.
+inline void make_box_operation(FakeOperation& operation) {
+  operation.model = box_patient();
+  Image& ct = operation.ct;
+  ct.grid.size = {80, 60, 40};
+  ct.grid.spacing_mm = {2.0, 2.0, 2.0};
+  ct.grid.origin_mm = {-79.0, -59.0, -39.0};
+  auto voxels = std::make_shared<std::vector<std::int16_t>>(static_cast<std::size_t>(ct.grid.voxel_count()));
+  LabelVolume labels(ct.grid);
+  for (int k = 0; k < 40; ++k)
+    for (int j = 0; j < 60; ++j)
+      for (int i = 0; i < 80; ++i) {
+        const Eigen::Vector3d p = ct.grid.p_in_ct({double(i), double(j), double(k)}).xyz;
+        const bool liver = std::abs(p.x()) < 0.06 && std::abs(p.y()) < 0.04 && std::abs(p.z()) < 0.025;
+        const bool lesion = (p - Eigen::Vector3d(0.03, 0, 0)).norm() < 0.006;
+        (*voxels)[static_cast<std::size_t>(ct.grid.offset({i, j, k}))] =
+            static_cast<std::int16_t>(lesion  ? 60
+                                      : liver ? 110
+                                              : -80 + (i + j + k) % 7);
+        if (liver) labels.set({i, j, k}, lesion ? structure::kFirstLesion : structure::kParenchyma);
+      }
+  ct.voxels = voxels;
+  operation.labels.voxels = labels;
+  Camera& left = operation.rig.left;
+  left.width = 320;
+  left.height = 180;
+  left.matrix << 260.0, 0.0, 162.0, 0.0, 260.0, 88.0, 0.0, 0.0, 1.0;
+  left.distortion << -0.1, 0.02, 0.0, 0.0, 0.0;
+  operation.rig.right = left;
+  operation.rig.right_from_left.translation = {-0.0045, 0.0, 0.0};
+  operation.camera_from_ct.rotation << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+  operation.camera_from_ct.translation = {0.0, 0.0, 0.15};
+}
+
+}  // namespace glisson

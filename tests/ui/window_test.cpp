@@ -1,0 +1,398 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Drives the window by mouse and keyboard, from opening a CT to the recorded live view. The engine's
+// scheduling is the real one; what its commands compute is made by FakeOperation.
+#include <QApplication>
+#include <QDropEvent>
+#include <QLabel>
+#include <QListWidget>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QToolButton>
+#include <QtTest>
+
+#include "fake_operation.h"
+#include "glisson/ui/atlas/atlas_panel.h"
+#include "glisson/ui/common/task_button.h"
+#include "glisson/ui/guidance/guidance_panel.h"
+#include "glisson/ui/segmentation/segmentation_panel.h"
+#include "glisson/ui/shell/case_opening.h"
+#include "glisson/ui/shell/main_window.h"
+#include "glisson/ui/shell/run_window.h"
+#include "glisson/ui/stereo/stereo_panel.h"
+
+namespace glisson {
+
+using engine::Part;
+using engine::StageState;
+using ui::MainWindow;
+
+class WindowTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void init();
+  void cleanup();
+  void WelcomesUntilSomethingIsOpen();
+  void OpensWhatIsDropped();
+  void ErrorsAreShownAndLeaveTheCase();
+  void ClickMovesTheCrosshairInAllSlices();
+  void ProbeLineSaysWhatIsUnderThePointer();
+  void WheelStepsBySlices();
+  void RightDragChangesTheWindow();
+  void SeedsAreClickedListedAndDeleted();
+  void CancelLeavesTheCaseAsItWas();
+  void EditMakesLaterStepsStale();
+  void NotchIsPlacedOnTheSurface();
+  void RegionIsClickedClosedDraggedAndTakenBack();
+  void LiveViewPlaysShowsAgeAndRecords();
+  void WholePathByMouse();
+  void PathsAreTakenForWhatTheyAre();
+
+ private:
+  bool settle() {
+    return QTest::qWaitFor([this] { return window_->engine().tasks().empty(); }, 20000);
+  }
+  ui::TaskButton* task(const char* name) {
+    return window_->findChild<ui::TaskButton*>(QString::fromLatin1(name));
+  }
+  void press(const char* name) { QTest::mouseClick(task(name)->button(), Qt::LeftButton); }
+  StageState stage(Part part) { return window_->engine().snapshot()->stage(part); }
+  ui::SliceView& slice(scene::Plane plane) { return window_->views().slice(plane); }
+  void click(ui::SliceView& view, const Point<CtFrame>& p) {
+    QTest::mouseClick(&view, Qt::LeftButton, {}, view.widget_point(p).toPoint());
+  }
+  void open_ct() {
+    window_->open("ct_folder");
+    QVERIFY(settle());
+    QVERIFY(window_->engine().state().image != nullptr);
+  }
+  void reach_model() {
+    open_ct();
+    segmentation::Seeds seeds;
+    ui::add_seed(seeds, structure::kParenchyma, {0, 0, 0});
+    window_->engine().post(engine::SetSeeds{seeds});
+    window_->engine().post(engine::Segment{});
+    window_->engine().post(engine::BuildModel{});
+    QVERIFY(settle());
+  }
+  void reach_registration() {
+    reach_model();
+    operation_->film(folder_->path() / "scope.mkv", 40);
+    window_->engine().post(engine::SetCalibration{"scope.yml"});
+    window_->engine().post(engine::SetVideo{operation_->video, {}});
+    window_->engine().post(engine::LoadVideoFrame{2});
+    window_->engine().post(engine::Reconstruct{});
+    window_->engine().post(engine::Register{});
+    QVERIFY(settle());
+    QCOMPARE(stage(Part::registration), StageState::current);
+  }
+
+  std::unique_ptr<TemporaryFolder> folder_;
+  std::unique_ptr<FakeOperation> operation_;
+  std::unique_ptr<MainWindow> window_;
+};
+
+void WindowTest::init() {
+  folder_ = std::make_unique<TemporaryFolder>();
+  operation_ = std::make_unique<FakeOperation>();
+  make_box_operation(*operation_);
+  window_ = std::make_unique<MainWindow>(operation_->options());
+  window_->resize(1280, 800);
+  window_->show();
+  QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+}
+
+void WindowTest::cleanup() {
+  operation_->hold = false;
+  window_.reset();
+  operation_.reset();
+  folder_.reset();
+}
+
+void WindowTest::WelcomesUntilSomethingIsOpen() {
+  QVERIFY(!window_->views().isVisible());
+  QVERIFY(!task("segment")->button()->isEnabled());  // and the panel says what is missing
+  open_ct();
+  QVERIFY(window_->views().isVisible());
+  QCOMPARE(window_->size(), QSize(1280, 800));  // nothing forces the window beyond a small screen
+}
+
+void WindowTest::OpensWhatIsDropped() {
+  QMimeData data;
+  data.setUrls({QUrl::fromLocalFile(QStringLiteral("/patient/ct.nii.gz"))});
+  QDropEvent drop(QPointF(300, 300), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(window_.get(), &drop);
+  QVERIFY(settle());
+  QVERIFY(window_->engine().state().image != nullptr);
+}
+
+void WindowTest::ErrorsAreShownAndLeaveTheCase() {
+  open_ct();
+  const auto before = window_->engine().state().image;
+  window_->open("broken.nii");
+  QVERIFY(settle());
+  QVERIFY(window_->engine().state().image == before);
+  QVERIFY(window_->status_text().contains(QStringLiteral("cut off after 12 bytes")));
+  QVERIFY(window_->status_text().contains(QStringLiteral("Copy the file again")));
+}
+
+void WindowTest::ClickMovesTheCrosshairInAllSlices() {
+  open_ct();
+  const Point<CtFrame> target(0.03, -0.012, 0.0);
+  click(slice(scene::Plane::axial), target);
+  QVERIFY(std::abs(slice(scene::Plane::sagittal).geometry_in_ct().origin.x() - 0.03) < 1e-3);
+  QVERIFY(std::abs(slice(scene::Plane::coronal).geometry_in_ct().origin.y() + 0.012) < 1e-3);
+}
+
+void WindowTest::ProbeLineSaysWhatIsUnderThePointer() {
+  reach_model();
+  ui::SliceView& axial = slice(scene::Plane::axial);
+  const Point<CtFrame> lesion(0.03, 0.0, axial.geometry_in_ct().origin.z());
+  QTest::mouseMove(&axial, axial.widget_point(lesion).toPoint());
+  QTRY_VERIFY(window_->views().probe_line().contains(QStringLiteral("60 HU")));
+  QVERIFY(window_->views().probe_line().contains(QStringLiteral("L 30")) ||
+          window_->views().probe_line().contains(QStringLiteral("L 29")));
+  QVERIFY(window_->views().probe_line().contains(QStringLiteral("Lesion 1")));
+  const Point<CtFrame> liver(-0.04, 0.0, axial.geometry_in_ct().origin.z());
+  QTest::mouseMove(&axial, axial.widget_point(liver).toPoint());
+  QTRY_VERIFY(window_->views().probe_line().contains(QStringLiteral("110 HU")));
+  QVERIFY(window_->views().probe_line().startsWith(QLatin1Char('R')));
+  QVERIFY(window_->views().probe_line().contains(QStringLiteral("Liver")));
+}
+
+void WindowTest::WheelStepsBySlices() {
+  open_ct();
+  ui::SliceView& axial = slice(scene::Plane::axial);
+  const double before = axial.geometry_in_ct().origin.z();
+  QWheelEvent wheel(QPointF(100, 100), axial.mapToGlobal(QPointF(100, 100)), {}, QPoint(0, 240), Qt::NoButton,
+                    Qt::NoModifier, Qt::NoScrollPhase, false);
+  QCoreApplication::sendEvent(&axial, &wheel);
+  QVERIFY(std::abs(axial.geometry_in_ct().origin.z() - before - 0.004) < 1e-9);  // two slices of 2 mm
+}
+
+void WindowTest::RightDragChangesTheWindow() {
+  open_ct();
+  ui::SliceView& axial = slice(scene::Plane::axial);
+  const Picture before = axial.slice();
+  QTest::mousePress(&axial, Qt::RightButton, {}, QPoint(100, 100));
+  QMouseEvent move(QEvent::MouseMove, QPointF(160, 80), axial.mapToGlobal(QPointF(160, 80)), Qt::NoButton,
+                   Qt::RightButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(&axial, &move);
+  QTest::mouseRelease(&axial, Qt::RightButton, {}, QPoint(160, 80));
+  QVERIFY(*before.bytes != *axial.slice().bytes);
+}
+
+void WindowTest::SeedsAreClickedListedAndDeleted() {
+  open_ct();
+  auto* panel = window_->findChild<ui::SegmentationPanel*>();
+  QTest::mouseClick(panel->findChild<QPushButton*>(QStringLiteral("seed_parenchyma")), Qt::LeftButton);
+  const double z = slice(scene::Plane::axial).geometry_in_ct().origin.z();
+  click(slice(scene::Plane::axial), Point<CtFrame>(-0.03, 0.01, z));
+  click(slice(scene::Plane::axial), Point<CtFrame>(0.02, 0.01, z));
+  QTest::mouseClick(panel->findChild<QPushButton*>(QStringLiteral("seed_lesion_1")), Qt::LeftButton);
+  click(slice(scene::Plane::axial), Point<CtFrame>(0.03, 0.0, z));
+  QVERIFY(settle());
+  const auto& stored = window_->engine().state().seeds;
+  QVERIFY(stored != nullptr);
+  QCOMPARE(stored->liver.rows(), 2);
+  QVERIFY(std::abs(stored->liver(0, 0) + 0.03) < 1e-3 && std::abs(stored->liver(0, 1) - 0.01) < 1e-3);
+  QCOMPARE(stored->lesions.size(), std::size_t{1});
+  auto* list = panel->findChild<QListWidget*>(QStringLiteral("seed_list"));
+  QCOMPARE(list->count(), 3);
+  list->setCurrentRow(0);
+  QTest::keyClick(list, Qt::Key_Delete);
+  QVERIFY(settle());
+  QCOMPARE(window_->engine().state().seeds->liver.rows(), 1);
+  QVERIFY(std::abs(window_->engine().state().seeds->liver(0, 0) - 0.02) < 1e-3);
+  QTest::keyClick(panel, Qt::Key_Escape);
+  click(slice(scene::Plane::axial), Point<CtFrame>(0.0, 0.0, z));  // only the crosshair now
+  QVERIFY(settle());
+  QCOMPARE(window_->engine().state().seeds->liver.rows(), 1);
+}
+
+void WindowTest::CancelLeavesTheCaseAsItWas() {
+  open_ct();
+  segmentation::Seeds seeds;
+  ui::add_seed(seeds, structure::kParenchyma, {0, 0, 0});
+  window_->engine().post(engine::SetSeeds{seeds});
+  QVERIFY(settle());
+  operation_->hold = true;
+  press("segment");
+  QTRY_VERIFY(task("segment")->cancel_button()->isVisible());
+  QTRY_COMPARE(window_->panel(MainWindow::segmentation).step_state(), ui::StepState::running);
+  window_->show_step(MainWindow::model);  // the window stays alive meanwhile
+  window_->show_step(MainWindow::segmentation);
+  QTest::mouseClick(task("segment")->cancel_button(), Qt::LeftButton);
+  QVERIFY(settle());
+  QVERIFY(window_->engine().state().labels == nullptr);
+  QCOMPARE(window_->panel(MainWindow::segmentation).step_state(), ui::StepState::waiting);
+  operation_->hold = false;
+  press("segment");
+  QVERIFY(settle());
+  QVERIFY(window_->engine().state().labels != nullptr);
+}
+
+void WindowTest::EditMakesLaterStepsStale() {
+  reach_registration();
+  QCOMPARE(window_->panel(MainWindow::guidance).step_state(), ui::StepState::done);
+  segmentation::Seeds seeds;
+  ui::add_seed(seeds, structure::kParenchyma, {0.01, 0, 0});
+  window_->engine().post(engine::SetSeeds{seeds});
+  QVERIFY(settle());
+  QCOMPARE(window_->panel(MainWindow::segmentation).step_state(), ui::StepState::stale);
+  QCOMPARE(window_->panel(MainWindow::model).step_state(), ui::StepState::stale);
+  QCOMPARE(window_->panel(MainWindow::guidance).step_state(), ui::StepState::stale);
+  QCOMPARE(window_->panel(MainWindow::stereo).step_state(), ui::StepState::done);
+  QVERIFY(!task("start_tracking")->button()->isEnabled());
+}
+
+void WindowTest::NotchIsPlacedOnTheSurface() {
+  reach_model();
+  window_->show_step(MainWindow::atlas);
+  ui::RenderView& view = window_->views().volume();
+  // The model is made drawable beside the window.
+  QTRY_VERIFY(window_->views().surface_point(0.5, 0.5).has_value());
+  auto* panel = window_->findChild<ui::AtlasPanel*>();
+  QTest::mouseClick(panel->findChild<QPushButton*>(QStringLiteral("place_notch")), Qt::LeftButton);
+  const auto before = panel->landmarks().umbilical_notch.rows();
+  const Eigen::Vector3d wanted(0.02, -0.04, 0.005);  // on the anterior face
+  const auto place = view.patient().view_point(wanted, view.aspect());
+  QVERIFY(place.has_value());
+  QTest::mouseClick(
+      &view, Qt::LeftButton, {},
+      QPoint(static_cast<int>(place->x() * view.width()), static_cast<int>(place->y() * view.height())));
+  QVERIFY(settle());
+  const auto& stored = window_->engine().state().landmarks;
+  QVERIFY(stored != nullptr);
+  QCOMPARE(stored->umbilical_notch.rows(), before + 1);
+  QVERIFY((stored->umbilical_notch.bottomRows(1).transpose() - wanted).norm() < 2e-3);  // a pixel or so
+}
+
+void WindowTest::RegionIsClickedClosedDraggedAndTakenBack() {
+  reach_registration();
+  window_->show_step(MainWindow::stereo);
+  auto* panel = window_->findChild<ui::StereoPanel*>();
+  ui::RegionEditor& editor = panel->editor();
+  QTRY_VERIFY(editor.isVisible() && !editor.picture().empty());
+  QTest::mouseClick(panel->findChild<QPushButton*>(QStringLiteral("region_2")), Qt::LeftButton);
+  const auto at = [&](double x, double y) { return editor.widget_point({x, y}).toPoint(); };
+  QTest::mouseClick(&editor, Qt::LeftButton, {}, at(100, 50));
+  QTest::mouseClick(&editor, Qt::LeftButton, {}, at(200, 60));
+  QTest::mouseClick(&editor, Qt::LeftButton, {}, at(300, 170));
+  QTest::keyClick(&editor, Qt::Key_Backspace);
+  QCOMPARE(editor.open_polygon().size(), std::size_t{2});
+  QTest::mouseClick(&editor, Qt::LeftButton, {}, at(180, 120));
+  QTest::mouseClick(&editor, Qt::LeftButton, {}, at(100, 50));
+  QVERIFY(settle());
+  const auto& regions = window_->engine().state().regions;
+  QVERIFY(regions != nullptr);
+  QCOMPARE(regions->regions.size(), std::size_t{1});
+  QCOMPARE(regions->regions[0].feature, Feature::anterior_margin);
+  QCOMPARE(regions->regions[0].polygon.size(), std::size_t{3});
+  QVERIFY((regions->regions[0].polygon[1] - Eigen::Vector2d(200, 60)).norm() < 1.0);
+  QCOMPARE(stage(Part::cloud), StageState::stale);  // the cloud was made without it
+  QTest::keyClick(&editor, Qt::Key_Escape);
+  QTest::mousePress(&editor, Qt::LeftButton, {}, at(200, 60));
+  QMouseEvent move(QEvent::MouseMove, QPointF(at(230, 70)), editor.mapToGlobal(QPointF(at(230, 70))),
+                   Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(&editor, &move);
+  QTest::mouseRelease(&editor, Qt::LeftButton, {}, at(230, 70));
+  QVERIFY(settle());
+  QVERIFY((window_->engine().state().regions->regions[0].polygon[1] - Eigen::Vector2d(230, 70)).norm() < 1.0);
+  QTest::mouseClick(&editor, Qt::RightButton, {}, at(170, 75));
+  QVERIFY(settle());
+  QVERIFY(window_->engine().state().regions->regions.empty());
+}
+
+void WindowTest::LiveViewPlaysShowsAgeAndRecords() {
+  reach_registration();
+  window_->show_step(MainWindow::guidance);
+  auto* panel = window_->findChild<ui::GuidancePanel*>();
+  QTRY_VERIFY_WITH_TIMEOUT(panel->pictures_shown() > 0, 20000);  // the registered frame
+  const QString file = QString::fromStdString((folder_->path() / "live.mkv").string());
+  press("start_tracking");
+  QTRY_VERIFY(window_->engine().snapshot()->tracking);
+  panel->record_to(file);
+  const auto line = [&] {
+    QString all;
+    for (const QLabel* label : panel->view()->findChildren<QLabel*>())
+      all += label->text() + QLatin1Char('\n');
+    return all;
+  };
+  QTRY_VERIFY(line().contains(QStringLiteral("LIVE")) && line().contains(QStringLiteral("age")));
+  // The video ends: tracking stops, the picture says that it is not live, the recording is closed.
+  QTRY_VERIFY_WITH_TIMEOUT(!window_->engine().snapshot()->tracking, 20000);
+  QTRY_VERIFY(line().contains(QStringLiteral("not live")));
+  QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(file), 20000);
+  stereo::StereoVideo recorded(file.toStdString());
+  QVERIFY(recorded.frame_count() > 5);
+  QCOMPARE(recorded.height(), operation_->rig.left.height);
+}
+
+void WindowTest::WholePathByMouse() {
+  open_ct();
+  auto* segmentation_panel = window_->findChild<ui::SegmentationPanel*>();
+  QTest::mouseClick(segmentation_panel->findChild<QPushButton*>(QStringLiteral("seed_parenchyma")),
+                    Qt::LeftButton);
+  click(slice(scene::Plane::axial),
+        Point<CtFrame>(0, 0, slice(scene::Plane::axial).geometry_in_ct().origin.z()));
+  QVERIFY(settle());
+  press("segment");
+  QVERIFY(settle());
+  const auto go_to = [&](int step) {
+    QTest::mouseClick(window_->findChild<QPushButton*>(QStringLiteral("step_%1").arg(step)), Qt::LeftButton);
+    QCOMPARE(window_->step(), step);
+  };
+  go_to(MainWindow::model);
+  press("build_model");
+  QVERIFY(settle());
+  go_to(MainWindow::atlas);
+  QTest::mouseClick(window_->findChild<QPushButton*>(QStringLiteral("accept_landmarks")), Qt::LeftButton);
+  QVERIFY(settle());
+  QCOMPARE(stage(Part::landmarks), StageState::current);
+  go_to(MainWindow::stereo);
+  operation_->film(folder_->path() / "scope.mkv", 10);
+  window_->open("/scope/calibration.yml");  // as a drop of the file
+  window_->open(operation_->video);
+  QVERIFY(settle());
+  press("reconstruct");
+  QVERIFY(settle());
+  go_to(MainWindow::guidance);
+  press("register");
+  QVERIFY(settle());
+  for (int step = 0; step < 5; ++step) QCOMPARE(window_->panel(step).step_state(), ui::StepState::done);
+  auto* guidance = window_->findChild<ui::GuidancePanel*>();
+  QTRY_VERIFY_WITH_TIMEOUT(!guidance->picture().picture().empty(), 20000);
+}
+
+void WindowTest::PathsAreTakenForWhatTheyAre() {
+  const auto code = [](const std::filesystem::path& path) {
+    const auto command = ui::command_to_open(path);
+    return command ? std::string(engine::command_code(*command)) : std::string();
+  };
+  const std::filesystem::path root = folder_->path();
+  std::filesystem::create_directories(root / "dicom");
+  std::filesystem::create_directories(root / "a.glisson");
+  std::filesystem::create_directories(root / "surfaces");
+  write_file_atomically(root / "surfaces" / "liver.vtk", std::string("x"));
+  QCOMPARE(code(root / "dicom"), std::string("import_image"));
+  QCOMPARE(code(root / "a.glisson"), std::string("open_case"));
+  QCOMPARE(code((root / "a.glisson").string() + "/"), std::string("open_case"));
+  QCOMPARE(code(root / "surfaces"), std::string("import_surfaces"));
+  QCOMPARE(code("ct.NII.gz"), std::string("import_image"));
+  QCOMPARE(code("liver.seg.nrrd"), std::string("import_labels"));
+  QCOMPARE(code("scope.yaml"), std::string("set_calibration"));
+  QCOMPARE(code("film.mkv"), std::string("set_video"));
+  QCOMPARE(code("letter.pdf"), std::string());
+}
+
+}  // namespace glisson
+
+int main(int argc, char** argv) {
+  glisson::ui::prepare_application();
+  QApplication application(argc, argv);
+  glisson::ui::dress_application(application);
+  glisson::WindowTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+#include "window_test.moc"

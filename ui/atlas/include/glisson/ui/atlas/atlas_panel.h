@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <set>
+
+#include "glisson/ui/common/linked_views.h"
+#include "glisson/ui/common/panel.h"
+
+class QLabel;
+class QPushButton;
+
+namespace glisson::ui {
+
+/// Review of the anatomical landmarks: the anterior margin that was found is shown, notch and vena cava are
+/// placed by clicking on the surface in three dimensions.
+class AtlasPanel : public Panel {
+  Q_OBJECT
+ public:
+  enum class Tool { none, notch, vena_cava };
+
+  AtlasPanel(EngineBridge& engine, LinkedViews& views, QWidget* parent = nullptr);
+
+  void activate() override;
+  void deactivate() override;
+  void choose(Tool tool);
+  const Landmarks& landmarks() const { return landmarks_; }
+
+ private:
+  QPushButton* add_tool(const QString& heading, const QString& explanation, QLabel*& state,
+                        Points Landmarks::*points, Tool tool);
+  void place(double x, double y);
+  void store();
+  void show_case();
+  void show_landmarks();
+
+  LinkedViews& views_;
+  Tool tool_ = Tool::none;
+  Landmarks landmarks_;  ///< effective ones, as on the screen
+  std::shared_ptr<const Landmarks> taken_;
+  std::shared_ptr<const model::BuiltModel> model_;
+  std::set<engine::CommandId> storing_;
+  bool active_ = false;
+  QLabel* margin_ = nullptr;
+  QLabel* notch_ = nullptr;
+  QLabel* cava_ = nullptr;
+  QLabel* obstacle_ = nullptr;
+  QPushButton* place_notch_ = nullptr;
+  QPushButton* place_cava_ = nullptr;
+  QPushButton* accept_ = nullptr;
+};
+
+}  // namespace glisson::ui

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/ui/atlas/atlas_panel.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QShortcut>
+#include <QVBoxLayout>
+
+namespace glisson::ui {
+namespace {
+
+double length_mm(const Points& line) {
+  double length = 0.0;
+  for (Eigen::Index i = 0; i + 1 < line.rows(); ++i) length += (line.row(i + 1) - line.row(i)).norm();
+  return 1e3 * length;
+}
+
+}  // namespace
+
+AtlasPanel::AtlasPanel(EngineBridge& engine, LinkedViews& views, QWidget* parent)
+    : Panel(engine, tr("Landmarks"),
+            tr("Features that are found again in the laparoscope's pictures. Check them on the 3D surface "
+               "and place "
+               "what is missing."),
+            parent),
+      views_(views) {
+  setObjectName(QStringLiteral("atlas_panel"));
+  obstacle_ = make_explanation(tr("Build a model first."), this);
+  content()->addWidget(obstacle_);
+  QVBoxLayout* margin =
+      add_section(tr("Anterior margin"), tr("The sharp lower edge, found on the model (white line)."));
+  margin_ = new QLabel(this);
+  margin->addWidget(margin_);
+  place_notch_ = add_tool(tr("Umbilical notch"), tr("Where the round ligament enters (orange)."), notch_,
+                          &Landmarks::umbilical_notch, Tool::notch);
+  place_notch_->setObjectName(QStringLiteral("place_notch"));
+  place_cava_ = add_tool(tr("Vena cava"), tr("Where the liver is attached to it, seen from behind (green)."),
+                         cava_, &Landmarks::vena_cava, Tool::vena_cava);
+  place_cava_->setObjectName(QStringLiteral("place_vena_cava"));
+  QVBoxLayout* end = add_section(tr("Acceptance"));
+  end->addWidget(
+      make_explanation(tr("What you see in the 3D view is what the registration will use."), this));
+  accept_ = new QPushButton(tr("Accept landmarks"), this);
+  accept_->setObjectName(QStringLiteral("accept_landmarks"));
+  accept_->setProperty("role", "run");
+  end->addWidget(accept_);
+  connect(accept_, &QPushButton::clicked, this, &AtlasPanel::store);
+  connect(&views_.volume(), &RenderView::clicked, this, &AtlasPanel::place);
+  connect(&this->engine(), &EngineBridge::case_changed, this, &AtlasPanel::show_case);
+  connect(&this->engine(), &EngineBridge::finished, this, [this](const engine::Outcome& outcome) {
+    if (storing_.erase(outcome.id) > 0 && storing_.empty()) show_case();
+  });
+  auto* escape = new QShortcut(Qt::Key_Escape, this);
+  connect(escape, &QShortcut::activated, this, [this] { choose(Tool::none); });
+  watch(engine::Part::landmarks, {"set_landmarks"});
+  show_case();
+}
+
+QPushButton* AtlasPanel::add_tool(const QString& heading, const QString& explanation, QLabel*& state,
+                                  Points Landmarks::*points, Tool tool) {
+  QVBoxLayout* box = add_section(heading, explanation);
+  state = new QLabel(this);
+  box->addWidget(state);
+  auto* row = new QHBoxLayout;
+  auto* place = new QPushButton(tr("Place by clicking"), this);
+  place->setCheckable(true);
+  place->setProperty("role", "choice");
+  auto* undo = new QPushButton(tr("Undo last"), this);
+  auto* clear = new QPushButton(tr("Clear"), this);
+  row->addWidget(place, 1);
+  row->addWidget(undo);
+  row->addWidget(clear);
+  box->addLayout(row);
+  connect(place, &QPushButton::clicked, this, [this, tool](bool on) { choose(on ? tool : Tool::none); });
+  connect(undo, &QPushButton::clicked, this, [this, points] {
+    Points& list = landmarks_.*points;
+    if (list.rows() == 0) return;
+    list.conservativeResize(list.rows() - 1, 3);
+    store();
+  });
+  connect(clear, &QPushButton::clicked, this, [this, points] {
+    (landmarks_.*points).resize(0, 3);
+    store();
+  });
+  return place;
+}
+
+void AtlasPanel::activate() { active_ = true; }
+
+void AtlasPanel::deactivate() {
+  active_ = false;
+  choose(Tool::none);
+}
+
+void AtlasPanel::choose(Tool tool) {
+  tool_ = tool;
+  place_notch_->setChecked(tool == Tool::notch);
+  place_cava_->setChecked(tool == Tool::vena_cava);
+  views_.volume().setCursor(tool == Tool::none ? Qt::ArrowCursor : Qt::CrossCursor);
+}
+
+void AtlasPanel::place(double x, double y) {
+  if (!active_ || tool_ == Tool::none) return;
+  const auto p = views_.surface_point(x, y);
+  if (!p) return;
+  Points& list = tool_ == Tool::notch ? landmarks_.umbilical_notch : landmarks_.vena_cava;
+  list.conservativeResize(list.rows() + 1, 3);
+  list.row(list.rows() - 1) = p->transpose();
+  store();
+}
+
+void AtlasPanel::store() {
+  storing_.insert(engine().post(engine::SetLandmarks{landmarks_}));
+  show_landmarks();
+}
+
+void AtlasPanel::show_case() {
+  const engine::CaseState& now = engine().state();
+  const bool changed = now.landmarks != taken_ || now.model != model_;
+  if (storing_.empty() && changed) {
+    taken_ = now.landmarks;
+    model_ = now.model;
+    landmarks_ = now.model ? engine::effective_landmarks(now) : Landmarks{};
+  }
+  show_landmarks();
+}
+
+void AtlasPanel::show_landmarks() {
+  const bool ready = engine().state().model != nullptr;
+  obstacle_->setVisible(!ready);
+  for (QPushButton* button : {place_notch_, place_cava_, accept_}) button->setEnabled(ready);
+  margin_->setText(landmarks_.anterior_margin.rows() > 1
+                       ? tr("%1 mm long").arg(length_mm(landmarks_.anterior_margin), 0, 'f', 0)
+                       : tr("not found"));
+  const auto placed = [](const Points& points) {
+    return points.rows() == 0 ? tr("not placed") : tr("points: %1").arg(points.rows());
+  };
+  notch_->setText(placed(landmarks_.umbilical_notch));
+  cava_->setText(placed(landmarks_.vena_cava));
+  if (!ready) return;
+  views_.volume().patient().set_landmarks(landmarks_);
+  views_.volume().update();
+}
+
+}  // namespace glisson::ui

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <array>
+#include <memory>
+
+#include "glisson/ui/common/drawable_source.h"
+#include "glisson/ui/common/engine_bridge.h"
+#include "glisson/ui/common/render_view.h"
+#include "glisson/ui/common/slice_view.h"
+#include "glisson/ui/common/view_state.h"
+
+class QLabel;
+class QToolButton;
+
+namespace glisson::ui {
+
+/// The pre-operative patient: axial, coronal and sagittal slices and three dimensions, linked by one
+/// crosshair, with a line that says what is under the pointer.
+class LinkedViews : public QWidget {
+  Q_OBJECT
+ public:
+  LinkedViews(EngineBridge& engine, ViewState& state, DrawableSource& drawables, QWidget* parent = nullptr);
+
+  SliceView& slice(scene::Plane plane) { return *slices_[static_cast<std::size_t>(plane)]; }
+  RenderView& volume() { return *volume_; }
+  /// "R 12.3  A 40.0  S 210.5 mm   104 HU   Portal vein"
+  QString probe_line() const;
+  /// The model's liver surface under a place in the 3D view, in the CT's frame.
+  std::optional<Eigen::Vector3d> surface_point(double x, double y) const;
+
+ private:
+  QWidget* make_volume_pane();
+  void show_case();
+  void show_model();
+  void show_markers();
+  void show_slice(scene::Plane plane);
+  void probe(const Point<CtFrame>& p);
+
+  EngineBridge& engine_;
+  ViewState& state_;
+  DrawableSource& drawables_;
+  std::array<SliceView*, 3> slices_{};
+  RenderView* volume_ = nullptr;
+  QToolButton* slices_toggle_ = nullptr;
+  QLabel* position_ = nullptr;
+  QLabel* value_ = nullptr;
+  QLabel* label_ = nullptr;
+  std::shared_ptr<const scene::DrawableModel> shown_model_;
+  std::shared_ptr<const Landmarks> shown_landmarks_;
+  bool scene_is_empty_ = true;
+};
+
+}  // namespace glisson::ui

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <optional>
+
+#include "glisson/ui/common/engine_bridge.h"
+
+class QLabel;
+class QVBoxLayout;
+
+namespace glisson::ui {
+
+/// How a step of the work stands, for the step bar and the panel's head.
+enum class StepState { waiting, done, stale, running };
+
+/// One module of the window: controls on the right, and optionally a view of its own in the middle (otherwise
+/// the linked slices stay).
+class Panel : public QWidget {
+  Q_OBJECT
+ public:
+  Panel(EngineBridge& engine, const QString& title, const QString& purpose, QWidget* parent = nullptr);
+
+  const QString& title() const { return title_; }
+  /// Shown in the middle of the window while this panel is open; null: the linked views.
+  virtual QWidget* view() { return nullptr; }
+  /// The panel comes to the front, or leaves it.
+  virtual void activate() {}
+  virtual void deactivate() {}
+  StepState step_state() const { return step_state_; }
+
+ signals:
+  void step_state_changed();
+
+ protected:
+  /// Where a panel puts its controls.
+  QVBoxLayout* content() const { return content_; }
+  /// A heading with a line of explanation (may be empty) above what follows.
+  QVBoxLayout* add_section(const QString& heading, const QString& explanation = {});
+  /// @param commands codes of the commands that make this step `running`.
+  void watch(engine::Part part, const std::vector<std::string>& commands);
+  EngineBridge& engine() const { return engine_; }
+
+ private:
+  void update_step_state();
+
+  EngineBridge& engine_;
+  QString title_;
+  QVBoxLayout* content_;
+  QLabel* chip_;
+  std::optional<engine::Part> part_;
+  std::vector<std::string> commands_;
+  StepState step_state_ = StepState::waiting;
+};
+
+/// Sets a property that the style sheet reads, and lets it be read again.
+void set_style_property(QWidget* widget, const char* name, const QVariant& value);
+/// A label for explanations: small, grey, wrapped.
+QLabel* make_explanation(const QString& text, QWidget* parent = nullptr);
+
+}  // namespace glisson::ui

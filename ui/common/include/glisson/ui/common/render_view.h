@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QOpenGLWidget>
+#include <memory>
+
+#include "glisson/ui/scene/patient_scene.h"
+
+class QLabel;
+
+namespace glisson::ui {
+
+/// A patient in three dimensions: VTK inside a Qt 6 widget. Left drag turns, middle drag moves, wheel and
+/// right drag zoom, a click that does not drag picks. Call update() after the scene has changed.
+class RenderView : public QOpenGLWidget {
+  Q_OBJECT
+ public:
+  explicit RenderView(QWidget* parent = nullptr);
+  ~RenderView() override;
+
+  /// The default surface format that VTK needs; to be set before the QApplication is made.
+  static void prepare_surface_format();
+
+  scene::PatientScene& patient() { return *patient_; }
+  double aspect() const { return static_cast<double>(width()) / std::max(1, height()); }
+  /// Shown in the view's middle while there is nothing to see. Empty: nothing.
+  void set_hint(const QString& hint);
+  void set_title(const QString& title);
+  QSize sizeHint() const override { return {360, 320}; }
+  QSize minimumSizeHint() const override { return {160, 140}; }
+
+ signals:
+  /// A place in the view, [0, 1] from the top left corner.
+  void clicked(double x, double y);
+  void drawn();
+
+ protected:
+  void initializeGL() override;
+  void resizeGL(int width, int height) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void paintGL() override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+
+ private:
+  struct Impl;
+  void pass_on(QMouseEvent* event, unsigned long vtk_event);
+
+  std::unique_ptr<scene::PatientScene> patient_;
+  std::unique_ptr<Impl> impl_;
+  QLabel* hint_ = nullptr;
+  QLabel* title_ = nullptr;
+};
+
+}  // namespace glisson::ui

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <functional>
+#include <optional>
+
+#include "glisson/ui/common/engine_bridge.h"
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QToolButton;
+
+namespace glisson::ui {
+
+/// A button that posts one command, and while that waits or runs its progress with a way to cancel it. Below,
+/// how it ended: time, or the error with its remedy.
+class TaskButton : public QWidget {
+  Q_OBJECT
+ public:
+  /// @param make is asked when the button is pressed; empty: nothing is posted.
+  TaskButton(EngineBridge& engine, const QString& text, std::function<std::optional<engine::Command>()> make,
+             QWidget* parent = nullptr);
+
+  /// Why the button cannot be pressed now; empty: it can.
+  void set_obstacle(const QString& obstacle);
+  /// As pressing the button, where it can be pressed.
+  void trigger();
+  bool is_running() const { return running_.has_value(); }
+  QPushButton* button() const { return button_; }
+  QToolButton* cancel_button() const { return cancel_; }
+
+ signals:
+  void done(const glisson::engine::Outcome& outcome);
+
+ private:
+  void start();
+  void show_tasks();
+  void show_outcome(const engine::Outcome& outcome);
+  void show_state();
+
+  EngineBridge& engine_;
+  std::function<std::optional<engine::Command>()> make_;
+  std::optional<engine::CommandId> running_;
+  QString obstacle_;
+  QPushButton* button_;
+  QWidget* progress_row_;
+  QProgressBar* bar_;
+  QLabel* stage_;
+  QToolButton* cancel_;
+  QLabel* outcome_;
+};
+
+}  // namespace glisson::ui

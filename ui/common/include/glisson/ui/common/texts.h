@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <string_view>
+
+#include "glisson/engine/case_state.h"
+
+namespace glisson::ui {
+
+/// Words for the codes that the engine and the modules speak. A code that is not known is made readable.
+QString command_text(std::string_view code);
+QString stage_text(std::string_view code);
+QString note_text(std::string_view code);
+QString structure_text(Label label);
+QString stage_state_text(engine::StageState state);
+
+/// A figure whose unit is at the end of its key: "model_volume_ml" -> "Model volume", "812 ml".
+QString figure_name(std::string_view key);
+QString figure_value(std::string_view key, double value);
+
+}  // namespace glisson::ui

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/ui/common/linked_views.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QToolButton>
+
+#include "glisson/ui/common/texts.h"
+
+namespace glisson::ui {
+namespace {
+
+constexpr std::array<scene::Plane, 3> kPlanes = {scene::Plane::axial, scene::Plane::coronal,
+                                                 scene::Plane::sagittal};
+
+}  // namespace
+
+LinkedViews::LinkedViews(EngineBridge& engine, ViewState& state, DrawableSource& drawables, QWidget* parent)
+    : QWidget(parent), engine_(engine), state_(state), drawables_(drawables) {
+  for (const scene::Plane plane : kPlanes) {
+    auto* view = new SliceView(state, plane, this);
+    slices_[static_cast<std::size_t>(plane)] = view;
+    connect(view, &SliceView::hovered, this, &LinkedViews::probe);
+    connect(view, &SliceView::left_view, this, [this] { probe(state_.crosshair()); });
+    connect(view, &SliceView::slice_changed, this, [this, plane] { show_slice(plane); });
+  }
+  auto* layout = new QGridLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(2);
+  layout->addWidget(slices_[0], 0, 0);
+  layout->addWidget(make_volume_pane(), 0, 1);
+  layout->addWidget(slices_[1], 1, 0);
+  layout->addWidget(slices_[2], 1, 1);
+  for (int k = 0; k < 2; ++k) {
+    layout->setRowStretch(k, 1);
+    layout->setColumnStretch(k, 1);
+  }
+  auto* line = new QWidget(this);
+  line->setProperty("role", "probe");
+  auto* row = new QHBoxLayout(line);
+  row->setContentsMargins(10, 4, 10, 4);
+  row->setSpacing(24);
+  position_ = new QLabel(line);
+  value_ = new QLabel(line);
+  label_ = new QLabel(line);
+  position_->setMinimumWidth(240);
+  value_->setMinimumWidth(90);
+  row->addWidget(position_);
+  row->addWidget(value_);
+  row->addWidget(label_, 1);
+  layout->addWidget(line, 2, 0, 1, 2);
+
+  connect(&engine_, &EngineBridge::case_changed, this, &LinkedViews::show_case);
+  connect(&drawables_, &DrawableSource::changed, this, &LinkedViews::show_model);
+  connect(&state_, &ViewState::markers_changed, this, &LinkedViews::show_markers);
+  connect(&state_, &ViewState::crosshair_changed, this, [this] { probe(state_.crosshair()); });
+  connect(&state_, &ViewState::volume_changed, this, [this] { probe(state_.crosshair()); });
+  show_case();
+}
+
+QWidget* LinkedViews::make_volume_pane() {
+  auto* pane = new QWidget(this);
+  auto* layout = new QVBoxLayout(pane);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  volume_ = new RenderView(pane);
+  volume_->set_title(tr("3D"));
+  layout->addWidget(volume_, 1);
+  auto* bar = new QWidget(pane);
+  bar->setProperty("role", "viewbar");
+  auto* row = new QHBoxLayout(bar);
+  row->setContentsMargins(6, 2, 6, 2);
+  row->setSpacing(4);
+  const std::array<std::pair<QString, scene::ViewFrom>, 5> sides = {
+      {{tr("Anterior"), scene::ViewFrom::anterior},
+       {tr("Right"), scene::ViewFrom::right},
+       {tr("Left"), scene::ViewFrom::left},
+       {tr("Superior"), scene::ViewFrom::superior},
+       {tr("Inferior"), scene::ViewFrom::inferior}}};
+  for (const auto& [name, from] : sides) {
+    auto* button = new QToolButton(bar);
+    button->setText(name);
+    button->setToolTip(tr("Look from this side"));
+    row->addWidget(button);
+    connect(button, &QToolButton::clicked, this, [this, side = from] {
+      volume_->patient().look_from(side);
+      volume_->update();
+    });
+  }
+  row->addStretch(1);
+  slices_toggle_ = new QToolButton(bar);
+  slices_toggle_->setText(tr("Slices"));
+  slices_toggle_->setCheckable(true);
+  slices_toggle_->setChecked(true);
+  slices_toggle_->setToolTip(tr("Show the three slices in the 3D view"));
+  row->addWidget(slices_toggle_);
+  connect(slices_toggle_, &QToolButton::toggled, this, [this](bool on) {
+    volume_->patient().set_slices_visible(on);
+    volume_->update();
+  });
+  layout->addWidget(bar);
+  return pane;
+}
+
+void LinkedViews::show_case() {
+  const engine::CaseState& now = engine_.state();
+  state_.set_volume(now.image, now.labels);
+  if (shown_model_ && now.landmarks != shown_landmarks_ && now.model) {
+    shown_landmarks_ = now.landmarks;
+    volume_->patient().set_landmarks(engine::effective_landmarks(now));
+  }
+  const bool was_empty = scene_is_empty_;
+  scene_is_empty_ = !now.model && !now.image;
+  if (was_empty && !scene_is_empty_) volume_->patient().look_from(scene::ViewFrom::anterior);
+  show_model();
+}
+
+void LinkedViews::show_model() {
+  const engine::CaseState& now = engine_.state();
+  if (drawables_.drawable() != shown_model_) {
+    shown_model_ = drawables_.drawable();
+    scene::PatientScene& patient = volume_->patient();
+    patient.set_model(shown_model_);
+    shown_landmarks_ = now.landmarks;
+    if (shown_model_) {
+      patient.set_landmarks(engine::effective_landmarks(now));
+      slices_toggle_->setChecked(false);  // the liver would hide in them
+      patient.look_from(scene::ViewFrom::anterior);
+    }
+  }
+  volume_->set_hint(scene_is_empty_             ? tr("No volume")
+                    : drawables_.is_preparing() ? tr("Preparing the model for drawing…")
+                                                : QString());
+  volume_->update();
+}
+
+void LinkedViews::show_slice(scene::Plane plane) {
+  const SliceView& view = slice(plane);
+  volume_->patient().set_slice(view.geometry_in_ct(), view.slice());
+  volume_->update();
+}
+
+void LinkedViews::show_markers() {
+  volume_->patient().set_markers(state_.markers());
+  volume_->update();
+}
+
+void LinkedViews::probe(const Point<CtFrame>& p) {
+  if (!state_.image()) {
+    for (QLabel* part : {position_, value_, label_}) part->clear();
+    return;
+  }
+  const LabelVolume* labels = state_.labels() ? &state_.labels()->voxels : nullptr;
+  const scene::Probe found = scene::probe(*state_.image(), labels, p);
+  QStringList coordinates;
+  for (int axis = 0; axis < 3; ++axis)
+    coordinates << QString::fromStdString(scene::anatomical_coordinate(axis, p.xyz[axis]));
+  position_->setText(tr("%1 mm").arg(coordinates.join(QStringLiteral("   "))));
+  const QString value = QString::number(qRound(found.value));
+  value_->setText(!found.inside                              ? tr("outside")
+                  : state_.image()->modality == Modality::ct ? tr("%1 HU").arg(value)
+                                                             : value);
+  label_->setText(found.label == structure::kBackground ? QString() : structure_text(found.label));
+}
+
+QString LinkedViews::probe_line() const {
+  return QStringLiteral("%1   %2   %3").arg(position_->text(), value_->text(), label_->text()).trimmed();
+}
+
+std::optional<Eigen::Vector3d> LinkedViews::surface_point(double x, double y) const {
+  return volume_->patient().surface_point(x, y, volume_->aspect());
+}
+
+}  // namespace glisson::ui

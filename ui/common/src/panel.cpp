@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/ui/common/panel.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QStyle>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "glisson/ui/common/texts.h"
+
+namespace glisson::ui {
+
+void set_style_property(QWidget* widget, const char* name, const QVariant& value) {
+  if (widget->property(name) == value) return;
+  widget->setProperty(name, value);
+  widget->style()->unpolish(widget);
+  widget->style()->polish(widget);
+}
+
+QLabel* make_explanation(const QString& text, QWidget* parent) {
+  auto* label = new QLabel(text, parent);
+  label->setProperty("role", "explanation");
+  label->setWordWrap(true);
+  return label;
+}
+
+Panel::Panel(EngineBridge& engine, const QString& title, const QString& purpose, QWidget* parent)
+    : QWidget(parent), engine_(engine), title_(title) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(14, 12, 14, 12);
+  layout->setSpacing(8);
+  auto* head = new QHBoxLayout;
+  auto* name = new QLabel(title, this);
+  name->setProperty("role", "title");
+  chip_ = new QLabel(this);
+  chip_->setProperty("role", "chip");
+  head->addWidget(name, 1);
+  head->addWidget(chip_, 0, Qt::AlignRight | Qt::AlignVCenter);
+  layout->addLayout(head);
+  layout->addWidget(make_explanation(purpose, this));
+  content_ = new QVBoxLayout;
+  content_->setSpacing(8);
+  layout->addLayout(content_);
+  layout->addStretch(1);
+  connect(&engine_, &EngineBridge::case_changed, this, &Panel::update_step_state);
+  connect(&engine_, &EngineBridge::tasks_changed, this, &Panel::update_step_state);
+}
+
+QVBoxLayout* Panel::add_section(const QString& heading, const QString& explanation) {
+  auto* box = new QVBoxLayout;
+  box->setSpacing(5);
+  auto* label = new QLabel(heading, this);
+  label->setProperty("role", "heading");
+  box->addSpacing(6);
+  box->addWidget(label);
+  if (!explanation.isEmpty()) box->addWidget(make_explanation(explanation, this));
+  content_->addLayout(box);
+  return box;
+}
+
+void Panel::watch(engine::Part part, const std::vector<std::string>& commands) {
+  part_ = part;
+  commands_ = commands;
+  update_step_state();
+}
+
+void Panel::update_step_state() {
+  if (!part_) return;
+  const engine::StageState stage = engine_.snapshot()->stage(*part_);
+  const bool running = std::any_of(engine_.tasks().begin(), engine_.tasks().end(), [&](const Task& task) {
+    return std::find(commands_.begin(), commands_.end(), task.command) != commands_.end();
+  });
+  const StepState now = running                               ? StepState::running
+                        : stage == engine::StageState::absent ? StepState::waiting
+                        : stage == engine::StageState::stale  ? StepState::stale
+                                                              : StepState::done;
+  static constexpr std::array<const char*, 4> kNames = {"waiting", "done", "stale", "running"};
+  chip_->setText(running ? tr("Running") : stage_state_text(stage));
+  set_style_property(chip_, "state", QString::fromLatin1(kNames[static_cast<std::size_t>(now)]));
+  if (now == step_state_) return;
+  step_state_ = now;
+  emit step_state_changed();
+}
+
+}  // namespace glisson::ui

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/ui/common/picture_view.h"
+
+#include <QPainter>
+
+#include "glisson/ui/scene/picture_image.h"
+
+namespace glisson::ui {
+
+PictureView::PictureView(const QString& title, QWidget* parent) : QWidget(parent), title_(title) {
+  setMouseTracking(true);
+}
+
+void PictureView::set_picture(const Picture& picture) {
+  picture_ = picture;
+  image_ = scene::view_as_image(picture_);
+  update();
+}
+
+void PictureView::set_hint(const QString& hint) {
+  hint_ = hint;
+  update();
+}
+
+QRectF PictureView::picture_area() const {
+  if (picture_.empty()) return {};
+  const double scale = std::min(static_cast<double>(width()) / picture_.width,
+                                static_cast<double>(height()) / picture_.height);
+  const QSizeF size(scale * picture_.width, scale * picture_.height);
+  return {QPointF(0.5 * (width() - size.width()), 0.5 * (height() - size.height())), size};
+}
+
+QPointF PictureView::widget_point(const Eigen::Vector2d& pixel) const {
+  const QRectF area = picture_area();
+  return {area.left() + (pixel.x() + 0.5) / picture_.width * area.width(),
+          area.top() + (pixel.y() + 0.5) / picture_.height * area.height()};
+}
+
+Eigen::Vector2d PictureView::pixel_at(const QPointF& widget) const {
+  const QRectF area = picture_area();
+  return {(widget.x() - area.left()) / area.width() * picture_.width - 0.5,
+          (widget.y() - area.top()) / area.height() * picture_.height - 0.5};
+}
+
+void PictureView::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.fillRect(rect(), QColor(0, 0, 0));
+  if (image_.isNull()) {
+    painter.setPen(QColor(140, 150, 158));
+    painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap, hint_);
+  } else {
+    painter.setRenderHints(QPainter::SmoothPixmapTransform | QPainter::Antialiasing);
+    painter.drawImage(picture_area(), image_);
+    paint_over(painter);
+  }
+  if (title_.isEmpty()) return;
+  QFont font = painter.font();
+  font.setBold(true);
+  painter.setFont(font);
+  const QRect box = painter.fontMetrics().boundingRect(title_).adjusted(-6, -2, 6, 2);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(QColor(12, 16, 20, 170));
+  const QRect plate(QPoint(6, 6), box.size());
+  painter.drawRoundedRect(plate, 3, 3);
+  painter.setPen(QColor(225, 230, 233));
+  painter.drawText(plate, Qt::AlignCenter, title_);
+}
+
+void PictureView::paint_over(QPainter&) {}
+
+}  // namespace glisson::ui

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/ui/common/render_view.h"
+
+#include <vtkCommand.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkGenericRenderWindowInteractor.h>
+#include <vtkInteractorStyleTrackballCamera.h>
+#include <vtkNew.h>
+#include <vtkOpenGLFramebufferObject.h>
+#include <vtkRenderer.h>
+
+#include <QLabel>
+#include <QMouseEvent>
+#include <QOpenGLContext>
+#include <QOpenGLExtraFunctions>
+#include <QSurfaceFormat>
+#include <QWheelEvent>
+
+namespace glisson::ui {
+
+struct RenderView::Impl {
+  vtkNew<vtkGenericOpenGLRenderWindow> window;
+  vtkNew<vtkGenericRenderWindowInteractor> interactor;
+  vtkNew<vtkInteractorStyleTrackballCamera> style;
+  QPointF pressed;
+  bool dragged = false;
+};
+
+RenderView::RenderView(QWidget* parent)
+    : QOpenGLWidget(parent),
+      patient_(std::make_unique<scene::PatientScene>()),
+      impl_(std::make_unique<Impl>()) {
+  impl_->window->SetReadyForRendering(false);
+  impl_->window->SetOwnContext(0);
+  impl_->window->SetMultiSamples(0);
+  impl_->window->AddRenderer(&patient_->renderer());
+  impl_->interactor->SetRenderWindow(impl_->window);
+  impl_->interactor->SetInteractorStyle(impl_->style);
+  // Drawing happens in paintGL only; the interactor's renders become updates.
+  impl_->interactor->EnableRenderOff();
+  impl_->interactor->Initialize();
+  setMinimumSize(120, 100);
+  // Labels rather than a painter: VTK leaves OpenGL in a state that Qt's painter does not expect.
+  title_ = new QLabel(this);
+  title_->setProperty("role", "view-title");
+  title_->move(8, 6);
+  hint_ = new QLabel(this);
+  hint_->setProperty("role", "view-hint");
+  hint_->setAlignment(Qt::AlignCenter);
+  hint_->setWordWrap(true);
+  for (QLabel* label : {title_, hint_}) label->setAttribute(Qt::WA_TransparentForMouseEvents);
+}
+
+RenderView::~RenderView() {
+  if (context() != nullptr) {
+    makeCurrent();
+    impl_->window->Finalize();
+    doneCurrent();
+  }
+}
+
+void RenderView::prepare_surface_format() {
+  QSurfaceFormat format;
+  format.setRenderableType(QSurfaceFormat::OpenGL);
+  format.setVersion(3, 2);
+  format.setProfile(QSurfaceFormat::CoreProfile);
+  format.setDepthBufferSize(24);
+  format.setSamples(0);
+  format.setSwapInterval(0);
+  QSurfaceFormat::setDefaultFormat(format);
+}
+
+void RenderView::set_hint(const QString& hint) {
+  hint_->setText(hint);
+  hint_->setVisible(!hint.isEmpty());
+}
+
+void RenderView::set_title(const QString& title) {
+  title_->setText(title);
+  title_->adjustSize();
+}
+
+void RenderView::resizeEvent(QResizeEvent* event) {
+  QOpenGLWidget::resizeEvent(event);
+  hint_->setGeometry(rect().adjusted(24, 24, -24, -24));
+}
+
+void RenderView::initializeGL() {
+  impl_->window->SetReadyForRendering(true);
+  impl_->window->SetMapped(1);
+  impl_->window->SetIsCurrent(true);
+  impl_->window->SetSupportsOpenGL(1);
+  impl_->window->InitializeFromCurrentContext();
+  // The widget moves to another context when it is re-parented: let go of the old one in time.
+  connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] {
+    makeCurrent();
+    impl_->window->Finalize();
+    impl_->window->SetReadyForRendering(false);
+    doneCurrent();
+  });
+}
+
+void RenderView::resizeGL(int width, int height) {
+  const double ratio = devicePixelRatioF();
+  const int w = std::max(1, static_cast<int>(width * ratio)),
+            h = std::max(1, static_cast<int>(height * ratio));
+  impl_->window->SetSize(w, h);
+  impl_->interactor->SetSize(w, h);
+}
+
+void RenderView::paintGL() {
+  vtkGenericOpenGLRenderWindow& window = *impl_->window;
+  patient_->renderer().ResetCameraClippingRange();
+  window.Render();
+  QOpenGLExtraFunctions* gl = context()->extraFunctions();
+  const int w = window.GetSize()[0], h = window.GetSize()[1];
+  window.GetDisplayFramebuffer()->Bind(GL_READ_FRAMEBUFFER);
+  gl->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
+  gl->glBlitFramebuffer(0, 0, w, h, 0, 0, w, h, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  gl->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
+  gl->glUseProgram(0);
+  emit drawn();
+}
+
+void RenderView::pass_on(QMouseEvent* event, unsigned long vtk_event) {
+  const double ratio = devicePixelRatioF();
+  const auto keys = event->modifiers();
+  impl_->interactor->SetEventInformationFlipY(
+      static_cast<int>(event->position().x() * ratio), static_cast<int>(event->position().y() * ratio),
+      keys.testFlag(Qt::ControlModifier) ? 1 : 0, keys.testFlag(Qt::ShiftModifier) ? 1 : 0);
+  impl_->interactor->InvokeEvent(vtk_event);
+  update();
+}
+
+void RenderView::mousePressEvent(QMouseEvent* event) {
+  impl_->pressed = event->position();
+  impl_->dragged = false;
+  if (event->button() == Qt::LeftButton) pass_on(event, vtkCommand::LeftButtonPressEvent);
+  if (event->button() == Qt::MiddleButton) pass_on(event, vtkCommand::MiddleButtonPressEvent);
+  if (event->button() == Qt::RightButton) pass_on(event, vtkCommand::RightButtonPressEvent);
+}
+
+void RenderView::mouseMoveEvent(QMouseEvent* event) {
+  constexpr double kClickReach = 4.0;  // pixels
+  if ((event->position() - impl_->pressed).manhattanLength() > kClickReach) impl_->dragged = true;
+  if (impl_->dragged) pass_on(event, vtkCommand::MouseMoveEvent);
+}
+
+void RenderView::mouseReleaseEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton) pass_on(event, vtkCommand::LeftButtonReleaseEvent);
+  if (event->button() == Qt::MiddleButton) pass_on(event, vtkCommand::MiddleButtonReleaseEvent);
+  if (event->button() == Qt::RightButton) pass_on(event, vtkCommand::RightButtonReleaseEvent);
+  if (event->button() == Qt::LeftButton && !impl_->dragged)
+    emit clicked(event->position().x() / width(), event->position().y() / height());
+}
+
+void RenderView::wheelEvent(QWheelEvent* event) {
+  impl_->interactor->InvokeEvent(event->angleDelta().y() > 0 ? vtkCommand::MouseWheelForwardEvent
+                                                             : vtkCommand::MouseWheelBackwardEvent);
+  update();
+  event->accept();
+}
+
+}  // namespace glisson::ui

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/ui/common/slice_view.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QWheelEvent>
+#include <cmath>
+
+#include "glisson/ui/scene/picture_image.h"
+
+namespace glisson::ui {
+namespace {
+
+constexpr double kMarkerReach = 4e-3;  ///< metres from the slice within which a marker is drawn
+
+QColor plane_colour(scene::Plane plane) {
+  switch (plane) {
+    case scene::Plane::axial:
+      return {239, 83, 80};
+    case scene::Plane::coronal:
+      return {102, 187, 106};
+    case scene::Plane::sagittal:
+      return {255, 202, 40};
+  }
+  return {};
+}
+
+QColor colour_of(Label label) {
+  const auto rgb = structure_colour(label);
+  return QColor::fromRgbF(static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2]));
+}
+
+/// White on any grey.
+void draw_outlined(QPainter& painter, const QRectF& box, Qt::Alignment alignment, const QString& text,
+                   const QColor& colour) {
+  painter.setPen(QColor(0, 0, 0, 210));
+  for (const QPointF& shift : {QPointF(1, 1), QPointF(-1, 1), QPointF(1, -1), QPointF(-1, -1)})
+    painter.drawText(box.translated(shift), alignment, text);
+  painter.setPen(colour);
+  painter.drawText(box, alignment, text);
+}
+
+}  // namespace
+
+SliceView::SliceView(ViewState& state, scene::Plane plane, QWidget* parent)
+    : QWidget(parent), state_(state), plane_(plane) {
+  setMouseTracking(true);
+  setFocusPolicy(Qt::WheelFocus);
+  setToolTip(
+      tr("Click: crosshair. Wheel: next slice. Right drag: contrast. Middle drag: move. Ctrl + wheel: zoom. "
+         "Double click: whole picture."));
+  setToolTipDuration(4000);
+  connect(&state_, &ViewState::volume_changed, this, [this] {
+    picture_ = {};
+    refresh_slice();
+  });
+  connect(&state_, &ViewState::crosshair_changed, this, [this] { refresh_slice(); });
+  connect(&state_, &ViewState::style_changed, this, [this] {
+    picture_ = {};
+    refresh_slice();
+  });
+  connect(&state_, &ViewState::markers_changed, this, qOverload<>(&QWidget::update));
+  connect(&state_, &ViewState::picking_changed, this,
+          [this] { setCursor(state_.picking() ? Qt::CrossCursor : Qt::ArrowCursor); });
+  refresh_slice();
+}
+
+void SliceView::refresh_slice() {
+  if (!state_.image() || state_.image()->empty()) {
+    slice_ = {};
+    picture_ = {};
+    image_ = {};
+  } else {
+    const scene::SliceGeometry wanted =
+        scene::slice_geometry(state_.image()->grid, plane_, state_.crosshair());
+    const int axis = scene::normal_axis(plane_);
+    if (picture_.empty() || wanted.origin[axis] != slice_.origin[axis]) {
+      slice_ = wanted;
+      const LabelVolume* labels = state_.labels() ? &state_.labels()->voxels : nullptr;
+      picture_ = scene::slice_picture(*state_.image(), labels, slice_, state_.style());
+      image_ = scene::view_as_image(picture_);
+      emit slice_changed();
+    }
+  }
+  update();
+}
+
+QTransform SliceView::widget_from_pixel() const {
+  if (slice_.width == 0) return {};
+  const double fit =
+      std::min(static_cast<double>(width()) / slice_.width, static_cast<double>(height()) / slice_.height);
+  const double scale = fit * zoom_;
+  QTransform transform;
+  transform.translate(0.5 * width() + pan_.x(), 0.5 * height() + pan_.y());
+  transform.scale(scale, scale);
+  transform.translate(-0.5 * slice_.width + 0.5, -0.5 * slice_.height + 0.5);  // pixel (0, 0) is a centre
+  return transform;
+}
+
+QPointF SliceView::widget_point(const Point<CtFrame>& p) const {
+  const Eigen::Vector2d pixel = slice_.pixel_of(p);
+  return widget_from_pixel().map(QPointF(pixel.x(), pixel.y()));
+}
+
+Point<CtFrame> SliceView::p_in_ct(const QPointF& widget) const {
+  const QPointF pixel = widget_from_pixel().inverted().map(widget);
+  return slice_.p_in_ct({pixel.x(), pixel.y()});
+}
+
+void SliceView::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.fillRect(rect(), QColor(0, 0, 0));
+  if (image_.isNull()) {
+    painter.setPen(QColor(120, 130, 138));
+    painter.drawText(rect(), Qt::AlignCenter, tr("No volume"));
+    return;
+  }
+  painter.setRenderHints(QPainter::SmoothPixmapTransform | QPainter::Antialiasing);
+  painter.setTransform(widget_from_pixel());
+  painter.drawImage(QPointF(-0.5, -0.5), image_);
+  painter.resetTransform();
+  paint_marks(painter);
+  paint_texts(painter);
+}
+
+void SliceView::paint_marks(QPainter& painter) const {
+  const QPointF cross = widget_point(state_.crosshair());
+  // The lines have the colours of the planes that they are the traces of, and spare the crossing.
+  const bool axial = plane_ == scene::Plane::axial, sagittal = plane_ == scene::Plane::sagittal;
+  QColor vertical = plane_colour(sagittal ? scene::Plane::coronal : scene::Plane::sagittal);
+  QColor horizontal = plane_colour(axial ? scene::Plane::coronal : scene::Plane::axial);
+  vertical.setAlpha(150);
+  horizontal.setAlpha(150);
+  constexpr double kGap = 7.0;
+  painter.setPen(QPen(vertical, 1.0));
+  painter.drawLine(QPointF(cross.x(), 0), QPointF(cross.x(), cross.y() - kGap));
+  painter.drawLine(QPointF(cross.x(), cross.y() + kGap), QPointF(cross.x(), height()));
+  painter.setPen(QPen(horizontal, 1.0));
+  painter.drawLine(QPointF(0, cross.y()), QPointF(cross.x() - kGap, cross.y()));
+  painter.drawLine(QPointF(cross.x() + kGap, cross.y()), QPointF(width(), cross.y()));
+  for (const scene::Marker& marker : state_.markers()) {
+    const double off = std::abs(slice_.distance_of(Point<CtFrame>(marker.p)));
+    if (off > kMarkerReach) continue;
+    QColor colour = colour_of(marker.structure);
+    painter.setPen(QPen(Qt::black, 1.5));
+    colour.setAlphaF(static_cast<float>(1.0 - 0.6 * off / kMarkerReach));
+    painter.setBrush(colour);
+    painter.drawEllipse(widget_point(Point<CtFrame>(marker.p)), 5.0, 5.0);
+  }
+}
+
+void SliceView::paint_texts(QPainter& painter) const {
+  const QRectF area = QRectF(rect()).adjusted(8, 6, -8, -6);
+  QFont font = painter.font();
+  font.setBold(true);
+  painter.setFont(font);
+  const scene::EdgeLetters letters = scene::edge_letters(plane_);
+  const QColor white(238, 241, 243);
+  draw_outlined(painter, area, Qt::AlignLeft | Qt::AlignVCenter, QString(QLatin1Char(letters.left)), white);
+  draw_outlined(painter, area, Qt::AlignRight | Qt::AlignVCenter, QString(QLatin1Char(letters.right)), white);
+  draw_outlined(painter, area, Qt::AlignHCenter | Qt::AlignTop, QString(QLatin1Char(letters.top)), white);
+  draw_outlined(painter, area, Qt::AlignHCenter | Qt::AlignBottom, QString(QLatin1Char(letters.bottom)),
+                white);
+
+  const int axis = scene::normal_axis(plane_);
+  const QString name = plane_ == scene::Plane::axial     ? tr("Axial")
+                       : plane_ == scene::Plane::coronal ? tr("Coronal")
+                                                         : tr("Sagittal");
+  draw_outlined(painter, area, Qt::AlignLeft | Qt::AlignTop, name, plane_colour(plane_));
+  font.setBold(false);
+  painter.setFont(font);
+  const QString where =
+      tr("%1 mm").arg(QString::fromStdString(scene::anatomical_coordinate(axis, slice_.origin[axis])));
+  draw_outlined(painter, area, Qt::AlignRight | Qt::AlignTop, where, white);
+  const QString window = tr("L %1  W %2").arg(qRound(state_.style().level)).arg(qRound(state_.style().width));
+  draw_outlined(painter, area, Qt::AlignLeft | Qt::AlignBottom, window, QColor(190, 198, 204));
+}
+
+void SliceView::mousePressEvent(QMouseEvent* event) {
+  last_ = event->position();
+  if (slice_.width == 0 || event->button() != Qt::LeftButton) return;
+  const Point<CtFrame> p = p_in_ct(event->position());
+  if (state_.picking())
+    state_.pick(p);
+  else
+    state_.set_crosshair(p);
+}
+
+void SliceView::mouseMoveEvent(QMouseEvent* event) {
+  if (slice_.width == 0) return;
+  const QPointF moved = event->position() - last_;
+  last_ = event->position();
+  if (event->buttons() & Qt::RightButton) {
+    const double speed = state_.style().width / 300.0;
+    state_.set_window(state_.style().level - speed * moved.y(), state_.style().width + speed * moved.x());
+  } else if (event->buttons() & Qt::MiddleButton) {
+    pan_ += moved;
+    update();
+  } else if ((event->buttons() & Qt::LeftButton) && !state_.picking()) {
+    state_.set_crosshair(p_in_ct(event->position()));
+  }
+  emit hovered(p_in_ct(event->position()));
+}
+
+void SliceView::mouseDoubleClickEvent(QMouseEvent*) {
+  zoom_ = 1.0;
+  pan_ = {};
+  update();
+}
+
+void SliceView::wheelEvent(QWheelEvent* event) {
+  if (slice_.width == 0) return;
+  const double notches = event->angleDelta().y() / 120.0;
+  if (event->modifiers() & Qt::ControlModifier) {
+    const QPointF pixel = widget_from_pixel().inverted().map(event->position());
+    zoom_ = std::clamp(zoom_ * std::pow(1.2, notches), 0.5, 20.0);
+    pan_ += event->position() - widget_from_pixel().map(pixel);  // what is under the pointer stays there
+    update();
+  } else {
+    wheel_rest_ += notches;
+    const int slices = static_cast<int>(std::trunc(wheel_rest_));
+    wheel_rest_ -= slices;
+    step(slices);
+  }
+  event->accept();
+}
+
+void SliceView::keyPressEvent(QKeyEvent* event) {
+  switch (event->key()) {
+    case Qt::Key_Up:
+    case Qt::Key_PageUp:
+      step(event->key() == Qt::Key_Up ? 1 : 10);
+      break;
+    case Qt::Key_Down:
+    case Qt::Key_PageDown:
+      step(event->key() == Qt::Key_Down ? -1 : -10);
+      break;
+    default:
+      QWidget::keyPressEvent(event);
+  }
+}
+
+void SliceView::step(int slices) {
+  if (slices == 0 || !state_.image()) return;
+  // One slice is a voxel along the volume's axis that is closest to this plane's normal.
+  const VolumeGrid& grid = state_.image()->grid;
+  const int axis = scene::normal_axis(plane_);
+  Eigen::Index voxel_axis = 0;
+  grid.direction.row(axis).cwiseAbs().maxCoeff(&voxel_axis);
+  Point<CtFrame> p = state_.crosshair();
+  p.xyz[axis] += slices * 1e-3 * grid.spacing_mm[voxel_axis];
+  state_.set_crosshair(p);
+}
+
+void SliceView::leaveEvent(QEvent*) { emit left_view(); }
+
+}  // namespace glisson::ui

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/ui/common/task_button.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "glisson/ui/common/panel.h"
+#include "glisson/ui/common/texts.h"
+
+namespace glisson::ui {
+
+TaskButton::TaskButton(EngineBridge& engine, const QString& text,
+                       std::function<std::optional<engine::Command>()> make, QWidget* parent)
+    : QWidget(parent), engine_(engine), make_(std::move(make)) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(5);
+  button_ = new QPushButton(text, this);
+  button_->setProperty("role", "run");
+  layout->addWidget(button_);
+
+  progress_row_ = new QWidget(this);
+  auto* row = new QHBoxLayout(progress_row_);
+  row->setContentsMargins(0, 0, 0, 0);
+  bar_ = new QProgressBar(progress_row_);
+  bar_->setRange(0, 1000);
+  bar_->setTextVisible(false);
+  cancel_ = new QToolButton(progress_row_);
+  cancel_->setText(tr("Cancel"));
+  row->addWidget(bar_, 1);
+  row->addWidget(cancel_);
+  layout->addWidget(progress_row_);
+  stage_ = make_explanation({}, this);
+  layout->addWidget(stage_);
+  outcome_ = new QLabel(this);
+  outcome_->setWordWrap(true);
+  outcome_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  layout->addWidget(outcome_);
+  outcome_->hide();
+
+  connect(button_, &QPushButton::clicked, this, &TaskButton::start);
+  connect(cancel_, &QToolButton::clicked, this, [this] {
+    if (running_) engine_.cancel(*running_);
+    cancel_->setEnabled(false);
+    stage_->setText(tr("Cancelling…"));
+  });
+  connect(&engine_, &EngineBridge::tasks_changed, this, &TaskButton::show_tasks);
+  connect(&engine_, &EngineBridge::finished, this, &TaskButton::show_outcome);
+  show_state();
+}
+
+void TaskButton::set_obstacle(const QString& obstacle) {
+  obstacle_ = obstacle;
+  show_state();
+}
+
+void TaskButton::trigger() {
+  if (!running_ && obstacle_.isEmpty()) start();
+}
+
+void TaskButton::start() {
+  const std::optional<engine::Command> command = make_();
+  if (!command) return;
+  outcome_->hide();
+  cancel_->setEnabled(true);
+  bar_->setValue(0);
+  running_ = engine_.post(*command);
+  show_tasks();
+  show_state();
+}
+
+void TaskButton::show_tasks() {
+  if (!running_) return;
+  for (const Task& task : engine_.tasks())
+    if (task.id == *running_) {
+      bar_->setValue(static_cast<int>(1000 * task.fraction));
+      if (cancel_->isEnabled()) stage_->setText(task.stage.empty() ? tr("Waiting…") : stage_text(task.stage));
+    }
+}
+
+void TaskButton::show_outcome(const engine::Outcome& outcome) {
+  if (!running_ || outcome.id != *running_) return;
+  running_.reset();
+  switch (outcome.status) {
+    case engine::Status::done:
+      outcome_->setText(tr("Done in %1 s").arg(outcome.seconds, 0, 'f', 1));
+      set_style_property(outcome_, "role", "good");
+      break;
+    case engine::Status::cancelled:
+      outcome_->setText(tr("Cancelled; nothing was changed"));
+      set_style_property(outcome_, "role", "muted");
+      break;
+    case engine::Status::failed:
+      outcome_->setText(QString::fromStdString(outcome.error));
+      set_style_property(outcome_, "role", "error");
+      break;
+  }
+  outcome_->show();
+  show_state();
+  emit done(outcome);
+}
+
+void TaskButton::show_state() {
+  progress_row_->setVisible(running_.has_value());
+  stage_->setVisible(running_.has_value() || !obstacle_.isEmpty());
+  button_->setEnabled(!running_ && obstacle_.isEmpty());
+  if (!running_) stage_->setText(obstacle_);
+  if (!obstacle_.isEmpty()) outcome_->hide();
+}
+
+}  // namespace glisson::ui

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/ui/common/texts.h"
+
+#include <QCoreApplication>
+#include <QHash>
+#include <array>
+
+namespace glisson::ui {
+namespace {
+
+/// Context of these words for translators.
+class Texts {
+  Q_DECLARE_TR_FUNCTIONS(Texts)
+ public:
+  static QHash<QString, QString> commands() {
+    return {{"import_image", tr("Reading the volume")},
+            {"import_labels", tr("Reading the labels")},
+            {"set_seeds", tr("Storing the seeds")},
+            {"segment", tr("Segmenting")},
+            {"build_model", tr("Building the model")},
+            {"import_surfaces", tr("Building the model from surfaces")},
+            {"import_mesh", tr("Reading the mesh")},
+            {"set_landmarks", tr("Storing the landmarks")},
+            {"set_calibration", tr("Reading the calibration")},
+            {"load_stereo_pair", tr("Reading the stereo pair")},
+            {"set_video", tr("Opening the video")},
+            {"load_video_frame", tr("Reading the video's frame")},
+            {"set_regions", tr("Storing the regions")},
+            {"reconstruct", tr("Reconstructing the surface")},
+            {"import_cloud", tr("Reading the cloud")},
+            {"register", tr("Registering")},
+            {"import_registration", tr("Reading the registration")},
+            {"start_tracking", tr("Starting the tracking")},
+            {"stop_tracking", tr("Stopping the tracking")},
+            {"open_case", tr("Opening the case")},
+            {"save_case", tr("Saving the case")}};
+  }
+  static QHash<QString, QString> figures() {
+    return {{"model_vertices_to_fine", tr("Mesh vertices to fine surface, mean")},
+            {"model_fine_to_mesh", tr("Fine surface to mesh")},
+            {"model_volume_error", tr("Volume error")},
+            {"model_min_dihedral", tr("Smallest dihedral angle")},
+            {"cloud_density", tr("Points per cm²")},
+            {"registration_residual", tr("Residual (not an accuracy)")},
+            {"rigid_residual", tr("Residual of the rigid start")},
+            {"registration_converged", tr("Converged")},
+            {"displacement_mean", tr("Elastic displacement, mean")},
+            {"displacement_max", tr("Elastic displacement, largest")}};
+  }
+  static QHash<QString, QString> stages() { return {{"video.seek", tr("Looking for the frame")}}; }
+  static QHash<QString, QString> structures() {
+    return {{"background", tr("Background")},   {"parenchyma", tr("Liver")},
+            {"portal_vein", tr("Portal vein")}, {"hepatic_veins", tr("Hepatic veins")},
+            {"vena_cava", tr("Vena cava")},     {"artery", tr("Hepatic artery")},
+            {"gallbladder", tr("Gallbladder")}};
+  }
+  static QString lesion(int number) { return tr("Lesion %1").arg(number); }
+  static QString yes() { return tr("yes"); }
+  static QString no() { return tr("no"); }
+  static QString state(engine::StageState state) {
+    switch (state) {
+      case engine::StageState::absent:
+        return tr("Not done");
+      case engine::StageState::current:
+        return tr("Up to date");
+      case engine::StageState::stale:
+        return tr("Out of date");
+    }
+    return {};
+  }
+};
+
+QString to_q(std::string_view text) {
+  return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+/// "mesh.refine_edges" -> "Mesh: refine edges".
+QString readable(std::string_view code) {
+  QString text = to_q(code);
+  text.replace(QLatin1Char('.'), QStringLiteral(": ")).replace(QLatin1Char('_'), QLatin1Char(' '));
+  if (!text.isEmpty()) text[0] = text[0].toUpper();
+  return text;
+}
+
+struct Unit {
+  const char* suffix;
+  const char* shown;
+};
+constexpr std::array<Unit, 9> kUnits = {{{"_per_cm2", "/cm²"},
+                                         {"_seconds", "s"},
+                                         {"_per_second", "/s"},
+                                         {"_mm", "mm"},
+                                         {"_ml", "ml"},
+                                         {"_deg", "°"},
+                                         {"_ms", "ms"},
+                                         {"_px", "px"},
+                                         {"_kpa", "kPa"}}};
+
+const Unit* unit_of(std::string_view key) {
+  for (const Unit& unit : kUnits)
+    if (key.ends_with(unit.suffix)) return &unit;
+  return nullptr;
+}
+
+std::string_view without_unit(std::string_view key) {
+  const Unit* unit = unit_of(key);
+  return unit == nullptr ? key : key.substr(0, key.size() - std::string_view(unit->suffix).size());
+}
+
+}  // namespace
+
+QString command_text(std::string_view code) { return Texts::commands().value(to_q(code), readable(code)); }
+QString stage_text(std::string_view code) { return Texts::stages().value(to_q(code), readable(code)); }
+QString note_text(std::string_view code) { return readable(code); }
+
+QString structure_text(Label label) {
+  if (is_lesion(label)) return Texts::lesion(label - structure::kFirstLesion + 1);
+  const std::string name = structure_name(label);
+  return Texts::structures().value(to_q(name), readable(name));
+}
+
+QString stage_state_text(engine::StageState state) { return Texts::state(state); }
+
+QString figure_name(std::string_view key) {
+  const std::string_view bare = without_unit(key);
+  const auto known = Texts::figures();
+  if (const auto found = known.find(to_q(bare)); found != known.end()) return *found;
+  for (const auto& [ending, word] : {std::pair{"_mean", ", mean"}, {"_max", ", largest"}})
+    if (bare.ends_with(ending)) {
+      const std::string_view stem = bare.substr(0, bare.size() - std::string_view(ending).size());
+      if (const auto found = known.find(to_q(stem)); found != known.end())
+        return *found + QString::fromLatin1(word);
+      return readable(stem) + QString::fromLatin1(word);
+    }
+  return readable(bare);
+}
+
+QString figure_value(std::string_view key, double value) {
+  if (key.ends_with("_converged")) return value != 0.0 ? Texts::yes() : Texts::no();
+  if (key.ends_with("_error") && std::abs(value) < 10.0)
+    return QStringLiteral("%1 %").arg(100.0 * value, 0, 'f', 1);
+  const Unit* unit = unit_of(key);
+  const bool whole =
+      std::abs(value - std::round(value)) < 1e-9 && (unit == nullptr || std::abs(value) >= 1000.0);
+  const int decimals = whole ? 0 : std::abs(value) >= 100.0 ? 0 : std::abs(value) >= 10.0 ? 1 : 2;
+  const QString number = QString::number(value, 'f', decimals);
+  return unit == nullptr ? number : number + QLatin1Char(' ') + QString::fromUtf8(unit->shown);
+}
+
+}  // namespace glisson::ui

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <chrono>
+#include <condition_variable>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "glisson/geometry/camera.h"
+#include "glisson/patient/patient_model.h"
+#include "glisson/patient/picture.h"
+#include "glisson/patient/registration.h"
+#include "glisson/ui/scene/overlay_painter.h"
+
+namespace glisson::ui {
+
+/// One augmented picture to be drawn.
+struct OverlayJob {
+  std::shared_ptr<const scene::DrawableModel> model;  ///< null: the picture as it is
+  std::shared_ptr<const Points> margin;               ///< anterior margin, CT frame; may be null
+  std::shared_ptr<const StereoRig> rig;
+  Picture frame;
+  OverlayFrame overlay;
+  /// When the picture was taken; empty: not live, age is not counted.
+  std::optional<std::chrono::steady_clock::time_point> taken;
+  scene::OverlayStyle style;
+  double frames_per_second = 0.0;
+};
+
+/// Draws overlays, and records them, on a thread of its own, so that neither the window nor the engine waits
+/// for the drawing. Newest wins. Signals come from that thread.
+class OverlayWorker : public QObject {
+  Q_OBJECT
+ public:
+  explicit OverlayWorker(QObject* parent = nullptr);
+  ~OverlayWorker() override;
+
+  void submit(OverlayJob job);
+  /// From now on live pictures are written, one a frame of the source: frames that were not drawn repeat the
+  /// one before.
+  void start_recording(const std::filesystem::path& path, double frames_per_second);
+  /// Closes the file; recording_ended() tells how it went.
+  void stop_recording();
+
+ signals:
+  /// @param age_seconds from the camera to the end of drawing; 0 when not live.
+  void painted(const glisson::Picture& picture, const glisson::OverlayFrame& overlay, double age_seconds,
+               double draw_seconds);
+  void failed(const QString& message);
+  /// @param error empty: all is well.
+  void recording_ended(const QString& path, int frames, const QString& error);
+
+ private:
+  struct Recording {
+    std::filesystem::path path;
+    double frames_per_second = 30.0;
+  };
+  struct Studio;
+  void run(const std::stop_token& stop);
+
+  std::mutex mutex_;
+  std::condition_variable_any changed_;
+  std::optional<OverlayJob> job_;
+  std::optional<Recording> start_;
+  bool stop_recording_ = false;
+  std::jthread thread_;
+};
+
+}  // namespace glisson::ui

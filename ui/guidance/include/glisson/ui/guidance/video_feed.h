@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "glisson/engine/case_state.h"
+#include "glisson/patient/picture.h"
+
+namespace glisson::ui {
+
+/// Plays a stereo video at its own rate on a thread of its own, frame by frame into a sink, as a live
+/// laparoscope would.
+class VideoFeed : public QObject {
+  Q_OBJECT
+ public:
+  using Clock = std::chrono::steady_clock;
+  /// @param sink called on the feed's thread.
+  explicit VideoFeed(std::function<void(StereoFrame)> sink, QObject* parent = nullptr);
+  ~VideoFeed() override;
+
+  /// @param first index of the first frame that goes to the sink.
+  void start(const engine::VideoSource& source, int first);
+  void stop();
+  /// When a frame left for the sink; empty for one long ago or never sent. Any thread.
+  std::optional<Clock::time_point> sent_at(int index) const;
+
+ signals:
+  void ended();
+  void failed(const QString& message);
+
+ private:
+  void play(const std::stop_token& stop, const engine::VideoSource& source, int first);
+
+  std::function<void(StereoFrame)> sink_;
+  mutable std::mutex mutex_;
+  std::condition_variable_any changed_;
+  std::map<int, Clock::time_point> sent_;
+  std::jthread thread_;
+};
+
+}  // namespace glisson::ui

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/ui/guidance/overlay_worker.h"
+
+#include <algorithm>
+
+#include "glisson/core/error.h"
+#include "glisson/stereo/picture_io.h"
+
+namespace glisson::ui {
+
+/// What lives on the worker's thread only: the painter and the recorder.
+struct OverlayWorker::Studio {
+  std::unique_ptr<scene::OverlayPainter> painter;
+  std::shared_ptr<const scene::DrawableModel> model;
+  std::shared_ptr<const Points> margin;
+  std::shared_ptr<const StereoRig> rig;
+  std::optional<Recording> wanted;
+  std::unique_ptr<stereo::VideoWriter> writer;
+  int written = 0, last_index = -1;
+  Picture last;
+
+  Picture paint(const OverlayJob& job, double age) {
+    if (!job.model || !job.rig) return job.frame;
+    if (!painter || model != job.model || rig != job.rig || margin != job.margin) {
+      painter.reset();
+      painter = std::make_unique<scene::OverlayPainter>(job.model, job.margin ? *job.margin : Points(),
+                                                        job.rig->left, job.style);
+      margin = job.margin;
+      model = job.model;
+      rig = job.rig;
+    }
+    painter->set_style(job.style);
+    return painter->paint(job.frame, job.overlay, {age, job.frames_per_second});
+  }
+
+  void record(const Picture& picture, int index) {
+    if (!wanted) return;
+    if (!writer) {
+      writer = std::make_unique<stereo::VideoWriter>(wanted->path, picture.width, picture.height,
+                                                     wanted->frames_per_second);
+      last_index = index - 1;
+    }
+    constexpr int kLongestGap = 60;  // frames; a longer one is a jump in the source
+    if (index > last_index && index - last_index <= kLongestGap)
+      for (int missing = last_index + 1; missing < index; ++missing, ++written) writer->write(last);
+    writer->write(picture);
+    ++written;
+    last = picture;
+    last_index = index;
+  }
+
+  /// @return the error, if any.
+  QString close() {
+    QString error;
+    try {
+      if (writer) writer->close();
+    } catch (const Error& problem) {
+      error = QString::fromStdString(problem.what());
+    }
+    writer.reset();
+    wanted.reset();
+    return error;
+  }
+};
+
+OverlayWorker::OverlayWorker(QObject* parent) : QObject(parent) {
+  thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
+}
+
+OverlayWorker::~OverlayWorker() {
+  thread_.request_stop();
+  thread_.join();
+}
+
+void OverlayWorker::submit(OverlayJob job) {
+  {
+    const std::lock_guard lock(mutex_);
+    job_ = std::move(job);
+  }
+  changed_.notify_one();
+}
+
+void OverlayWorker::start_recording(const std::filesystem::path& path, double frames_per_second) {
+  {
+    const std::lock_guard lock(mutex_);
+    start_ = Recording{path, frames_per_second};
+  }
+  changed_.notify_one();
+}
+
+void OverlayWorker::stop_recording() {
+  {
+    const std::lock_guard lock(mutex_);
+    stop_recording_ = true;
+  }
+  changed_.notify_one();
+}
+
+void OverlayWorker::run(const std::stop_token& stop) {
+  Studio studio;
+  const auto end_recording = [&](const QString& problem) {
+    if (!studio.wanted) return;
+    const QString path = QString::fromStdString(studio.wanted->path.string());
+    const int frames = studio.written;
+    const QString error = studio.close();
+    emit recording_ended(path, frames, problem.isEmpty() ? error : problem);
+  };
+  while (true) {
+    std::optional<OverlayJob> job;
+    bool finish = false;
+    {
+      std::unique_lock lock(mutex_);
+      changed_.wait(lock, stop, [this] { return job_ || start_ || stop_recording_; });
+      if (stop.stop_requested()) break;
+      std::swap(job, job_);
+      if (start_) {
+        studio.wanted = start_;
+        studio.written = 0;
+        start_.reset();
+      }
+      finish = std::exchange(stop_recording_, false);
+    }
+    if (finish) end_recording({});
+    if (!job || job->frame.empty()) continue;
+    const auto begin = std::chrono::steady_clock::now();
+    const auto seconds_since = [](std::chrono::steady_clock::time_point then) {
+      return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
+    };
+    try {
+      const Picture picture = studio.paint(*job, job->taken ? seconds_since(*job->taken) : 0.0);
+      emit painted(picture, job->overlay, job->taken ? seconds_since(*job->taken) : 0.0,
+                   seconds_since(begin));
+      if (job->taken) studio.record(picture, job->overlay.index);
+    } catch (const std::exception& problem) {
+      const QString message = QString::fromUtf8(problem.what());
+      emit failed(message);
+      end_recording(message);
+    }
+  }
+  end_recording({});
+}
+
+}  // namespace glisson::ui

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/ui/guidance/video_feed.h"
+
+#include "glisson/core/error.h"
+#include "glisson/stereo/picture_io.h"
+
+namespace glisson::ui {
+namespace {
+
+constexpr std::size_t kRemembered = 120;  ///< frames
+
+}  // namespace
+
+VideoFeed::VideoFeed(std::function<void(StereoFrame)> sink, QObject* parent)
+    : QObject(parent), sink_(std::move(sink)) {}
+
+VideoFeed::~VideoFeed() { stop(); }
+
+void VideoFeed::start(const engine::VideoSource& source, int first) {
+  stop();
+  thread_ = std::jthread([this, source, first](const std::stop_token& token) { play(token, source, first); });
+}
+
+void VideoFeed::stop() {
+  thread_.request_stop();
+  if (thread_.joinable()) thread_.join();  // at most one frame's decoding
+}
+
+std::optional<VideoFeed::Clock::time_point> VideoFeed::sent_at(int index) const {
+  const std::lock_guard lock(mutex_);
+  const auto found = sent_.find(index);
+  return found == sent_.end() ? std::nullopt : std::optional(found->second);
+}
+
+void VideoFeed::play(const std::stop_token& stop, const engine::VideoSource& source, int first) {
+  try {
+    stereo::StereoVideo video(source.left, source.right);
+    const double rate = video.frames_per_second() > 0.0 ? video.frames_per_second() : 30.0;
+    const auto period =
+        std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1.0 / rate));
+    StereoFrame frame;
+    for (int skipped = 0; skipped < first && !stop.stop_requested(); ++skipped)
+      if (!video.read(frame)) break;
+    Clock::time_point due = Clock::now();
+    while (!stop.stop_requested() && video.read(frame)) {
+      std::unique_lock lock(mutex_);
+      changed_.wait_until(lock, stop, due, [] { return false; });
+      if (stop.stop_requested()) return;
+      sent_[frame.index] = Clock::now();
+      while (sent_.size() > kRemembered) sent_.erase(sent_.begin());
+      lock.unlock();
+      sink_(frame);
+      due = std::max(due + period, Clock::now() - period);  // a slow disk does not cause a burst
+    }
+    if (!stop.stop_requested()) emit ended();
+  } catch (const Error& error) {
+    emit failed(QString::fromStdString(error.what()));
+  }
+}
+
+}  // namespace glisson::ui

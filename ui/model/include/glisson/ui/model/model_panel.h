@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "glisson/ui/common/figures_table.h"
+#include "glisson/ui/common/linked_views.h"
+#include "glisson/ui/common/panel.h"
+#include "glisson/ui/common/task_button.h"
+
+class QCheckBox;
+class QLabel;
+class QSlider;
+class QSpinBox;
+class QVBoxLayout;
+
+namespace glisson::ui {
+
+/// Labels to the biomechanical model; its quality, and what of it is seen.
+class ModelPanel : public Panel {
+  Q_OBJECT
+ public:
+  ModelPanel(EngineBridge& engine, LinkedViews& views, QWidget* parent = nullptr);
+
+ private:
+  void build_look();
+  void show_case();
+  void show_structures();
+  void import_surfaces();
+  engine::BuildModel command() const;
+
+  LinkedViews& views_;
+  QSpinBox* vertices_ = nullptr;
+  QCheckBox* vessels_ = nullptr;
+  TaskButton* run_ = nullptr;
+  FiguresTable* quality_ = nullptr;
+  QLabel* notes_ = nullptr;
+  QWidget* look_ = nullptr;
+  QVBoxLayout* structures_ = nullptr;
+  std::shared_ptr<const model::BuiltModel> shown_;
+};
+
+}  // namespace glisson::ui

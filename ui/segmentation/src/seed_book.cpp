@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/ui/segmentation/seed_book.h"
+
+#include "glisson/core/error.h"
+#include "glisson/patient/label_map.h"
+
+namespace glisson::ui {
+namespace {
+
+constexpr std::array<Label, 6> kOrder = {structure::kParenchyma,   structure::kPortalVein,
+                                         structure::kHepaticVeins, structure::kVenaCava,
+                                         structure::kGallbladder,  structure::kBackground};
+
+Points* points_of(segmentation::Seeds& seeds, Label structure) {
+  switch (structure) {
+    case structure::kParenchyma:
+      return &seeds.liver;
+    case structure::kPortalVein:
+      return &seeds.portal_vein;
+    case structure::kHepaticVeins:
+      return &seeds.hepatic_veins;
+    case structure::kVenaCava:
+      return &seeds.vena_cava;
+    case structure::kGallbladder:
+      return &seeds.gallbladder;
+    case structure::kBackground:
+      return &seeds.background;
+    default:
+      break;
+  }
+  if (!is_lesion(structure)) return nullptr;
+  const auto lesion = static_cast<std::size_t>(structure - structure::kFirstLesion);
+  return lesion < seeds.lesions.size() ? &seeds.lesions[lesion] : nullptr;
+}
+
+void append(std::vector<SeedEntry>& entries, const Points& points, Label structure) {
+  for (Eigen::Index row = 0; row < points.rows(); ++row)
+    entries.push_back({structure, static_cast<int>(row), points.row(row).transpose()});
+}
+
+}  // namespace
+
+std::vector<SeedEntry> list_seeds(const segmentation::Seeds& seeds) {
+  std::vector<SeedEntry> entries;
+  segmentation::Seeds copy = seeds;
+  for (const Label structure : kOrder) {
+    if (structure == structure::kBackground)  // lesions stand before what is not liver
+      for (std::size_t i = 0; i < seeds.lesions.size(); ++i)
+        append(entries, seeds.lesions[i], static_cast<Label>(structure::kFirstLesion + i));
+    append(entries, *points_of(copy, structure), structure);
+  }
+  return entries;
+}
+
+void add_seed(segmentation::Seeds& seeds, Label structure, const Eigen::Vector3d& p_in_ct) {
+  if (is_lesion(structure) &&
+      static_cast<std::size_t>(structure - structure::kFirstLesion) >= seeds.lesions.size()) {
+    seeds.lesions.emplace_back();
+    structure = static_cast<Label>(structure::kFirstLesion + seeds.lesions.size() - 1);
+  }
+  Points* points = points_of(seeds, structure);
+  require(points != nullptr,
+          "seeds are placed for the liver, its vessels, the gallbladder, lesions and background");
+  points->conservativeResize(points->rows() + 1, 3);
+  points->row(points->rows() - 1) = p_in_ct.transpose();
+}
+
+void remove_seed(segmentation::Seeds& seeds, const SeedEntry& entry) {
+  Points* points = points_of(seeds, entry.structure);
+  require(points != nullptr && entry.row >= 0 && entry.row < points->rows(), "a seed that is removed exists");
+  const Eigen::Index after = points->rows() - entry.row - 1;
+  const Points tail = points->bottomRows(after);
+  points->conservativeResize(points->rows() - 1, 3);
+  points->bottomRows(after) = tail;
+  if (is_lesion(entry.structure) && points->rows() == 0)
+    seeds.lesions.erase(seeds.lesions.begin() + (entry.structure - structure::kFirstLesion));
+}
+
+int count_seeds(const segmentation::Seeds& seeds, Label structure) {
+  segmentation::Seeds copy = seeds;
+  const Points* points = points_of(copy, structure);
+  return points == nullptr ? 0 : static_cast<int>(points->rows());
+}
+
+}  // namespace glisson::ui

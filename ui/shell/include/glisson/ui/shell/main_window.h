@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QMainWindow>
+#include <filesystem>
+#include <vector>
+
+#include "glisson/ui/common/engine_bridge.h"
+#include "glisson/ui/common/linked_views.h"
+#include "glisson/ui/common/panel.h"
+#include "glisson/ui/common/view_state.h"
+
+class QScrollArea;
+class QStackedWidget;
+
+namespace glisson::ui {
+
+class StepBar;
+class TaskStatus;
+class WelcomePage;
+
+/// The window: steps on the left, views in the middle, the open step's controls on the right. Hosts panels
+/// and knows no algorithm.
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+ public:
+  enum Step { segmentation = 0, model = 1, atlas = 2, stereo = 3, guidance = 4 };
+
+  explicit MainWindow(engine::Engine::Options options = {}, QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  /// A case, a volume, a DICOM folder, surfaces, a calibration, a video...: whatever is named, as by File >
+  /// Open or by dropping it.
+  void open(const std::filesystem::path& path);
+  void show_step(int step);
+  int step() const { return step_; }
+  EngineBridge& engine() { return engine_; }
+  LinkedViews& views() { return *views_; }
+  Panel& panel(int step) { return *panels_[static_cast<std::size_t>(step)]; }
+  QString status_text() const;
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  void build_menu();
+  void build_panels();
+  void add_panel(Panel* panel, const QString& icon);
+  void open_case();
+  void open_dicom();
+  void open_volume();
+  bool save();
+  bool save_as();
+  void show_case();
+  void show_outcome(const engine::Outcome& outcome);
+  void show_middle();
+
+  EngineBridge engine_;
+  ViewState state_;
+  DrawableSource drawables_;
+  StepBar* steps_ = nullptr;
+  QStackedWidget* middle_ = nullptr;
+  QStackedWidget* controls_ = nullptr;
+  WelcomePage* welcome_ = nullptr;
+  LinkedViews* views_ = nullptr;
+  TaskStatus* status_ = nullptr;
+  std::vector<Panel*> panels_;
+  int step_ = 0;
+  std::uint64_t saved_revision_ = 0;
+  bool close_after_save_ = false;
+};
+
+}  // namespace glisson::ui

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QString>
+
+#include "glisson/ui/shell/main_window.h"
+
+namespace glisson::ui {
+
+/// Walks through the panels of a window that has a case open and saves a picture of each: segmentation.png,
+/// model.png, atlas.png, stereo.png, guidance.png. For the manual: run the program with GLISSON_SCREENSHOTS
+/// set to a folder.
+class ScreenshotTour : public QObject {
+  Q_OBJECT
+ public:
+  ScreenshotTour(MainWindow& window, const QString& folder, QObject* parent = nullptr);
+  /// Waits for whatever the engine is doing, then walks.
+  void start();
+
+ signals:
+  void finished(bool all_saved);
+
+ private:
+  void visit();
+  void shoot();
+
+  MainWindow& window_;
+  QString folder_;
+  int step_ = -1;
+  bool all_saved_ = true;
+  bool started_ = false;
+};
+
+}  // namespace glisson::ui

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/ui/shell/main_window.h"
+
+#include <QCloseEvent>
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QScrollArea>
+#include <QStackedWidget>
+#include <QStatusBar>
+
+#include "glisson/ui/atlas/atlas_panel.h"
+#include "glisson/ui/guidance/guidance_panel.h"
+#include "glisson/ui/model/model_panel.h"
+#include "glisson/ui/segmentation/segmentation_panel.h"
+#include "glisson/ui/shell/case_opening.h"
+#include "glisson/ui/stereo/stereo_panel.h"
+#include "step_bar.h"
+#include "task_status.h"
+#include "welcome_page.h"
+
+namespace glisson::ui {
+namespace {
+
+constexpr int kControlsWidth = 336;
+
+}  // namespace
+
+MainWindow::MainWindow(engine::Engine::Options options, QWidget* parent)
+    : QMainWindow(parent), engine_(std::move(options)), drawables_(engine_) {
+  setAcceptDrops(true);
+  resize(1440, 900);
+  setMinimumSize(1180, 720);
+  auto* body = new QWidget(this);
+  auto* row = new QHBoxLayout(body);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(2);
+  steps_ = new StepBar(body);
+  middle_ = new QStackedWidget(body);
+  controls_ = new QStackedWidget(body);
+  controls_->setFixedWidth(kControlsWidth);
+  row->addWidget(steps_);
+  row->addWidget(middle_, 1);
+  row->addWidget(controls_);
+  setCentralWidget(body);
+  welcome_ = new WelcomePage(middle_);
+  middle_->addWidget(welcome_);
+  views_ = new LinkedViews(engine_, state_, drawables_, middle_);
+  middle_->addWidget(views_);
+  build_panels();
+  status_ = new TaskStatus(engine_, this);
+  statusBar()->addWidget(status_, 1);
+  statusBar()->setSizeGripEnabled(false);
+  build_menu();
+  connect(welcome_, &WelcomePage::open_case, this, &MainWindow::open_case);
+  connect(welcome_, &WelcomePage::open_dicom, this, &MainWindow::open_dicom);
+  connect(welcome_, &WelcomePage::open_volume, this, &MainWindow::open_volume);
+  connect(steps_, &StepBar::chosen, this, &MainWindow::show_step);
+  connect(&engine_, &EngineBridge::case_changed, this, &MainWindow::show_case);
+  connect(&engine_, &EngineBridge::finished, this, &MainWindow::show_outcome);
+  saved_revision_ = engine_.snapshot()->revision;
+  show_step(segmentation);
+  show_case();
+}
+
+MainWindow::~MainWindow() {
+  // Panels use the engine and the views until they are gone: children go before members.
+  delete takeCentralWidget();
+}
+
+void MainWindow::build_panels() {
+  add_panel(new SegmentationPanel(engine_, state_), QStringLiteral(":/glisson/icons/segmentation.svg"));
+  add_panel(new ModelPanel(engine_, *views_), QStringLiteral(":/glisson/icons/model.svg"));
+  add_panel(new AtlasPanel(engine_, *views_), QStringLiteral(":/glisson/icons/atlas.svg"));
+  add_panel(new StereoPanel(engine_), QStringLiteral(":/glisson/icons/stereo.svg"));
+  add_panel(new GuidancePanel(engine_, drawables_), QStringLiteral(":/glisson/icons/guidance.svg"));
+}
+
+void MainWindow::add_panel(Panel* panel, const QString& icon) {
+  const int step = static_cast<int>(panels_.size());
+  panels_.push_back(panel);
+  steps_->add_step(panel->title(), icon);
+  auto* scroll = new QScrollArea(controls_);
+  scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidget(panel);
+  controls_->addWidget(scroll);
+  if (panel->view() != nullptr) middle_->addWidget(panel->view());
+  const auto show_state = [this, step, panel] { steps_->set_state(step, panel->step_state()); };
+  connect(panel, &Panel::step_state_changed, this, show_state);
+  show_state();
+}
+
+void MainWindow::build_menu() {
+  QMenu* file = menuBar()->addMenu(tr("&File"));
+  QMenu* open = file->addMenu(tr("&Open"));
+  open->addAction(tr("&DICOM folder…"), this, &MainWindow::open_dicom);
+  open->addAction(tr("&Volume…"), this, &MainWindow::open_volume);
+  open->addAction(tr("&Case…"), QKeySequence::Open, this, &MainWindow::open_case);
+  file->addSeparator();
+  file->addAction(tr("&Save"), QKeySequence::Save, this, [this] { save(); });
+  file->addAction(tr("Save &as…"), QKeySequence::SaveAs, this, [this] { save_as(); });
+  file->addSeparator();
+  file->addAction(tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
+  QMenu* go = menuBar()->addMenu(tr("&Step"));
+  for (int step = 0; step < static_cast<int>(panels_.size()); ++step)
+    go->addAction(panels_[static_cast<std::size_t>(step)]->title(), this, [this, step] { show_step(step); });
+  QMenu* help = menuBar()->addMenu(tr("&Help"));
+  help->addAction(tr("&About Glisson"), this, [this] {
+    QMessageBox::about(
+        this, tr("About Glisson"),
+        tr("<b>Glisson</b><br>Planning and guidance of minimally invasive liver surgery, after "
+           "Plantefève, Peterlik, Haouchine and Cotin (2015).<br><br>Research software: not for "
+           "clinical use.<br>Licence: GPL-3.0-or-later."));
+  });
+}
+
+void MainWindow::open(const std::filesystem::path& path) {
+  if (const auto command = command_to_open(path)) {
+    engine_.post(*command);
+    if (std::holds_alternative<engine::SetVideo>(*command)) engine_.post(engine::LoadVideoFrame{0});
+    return;
+  }
+  QMessageBox::warning(
+      this, tr("Open"),
+      tr("%1 is nothing that Glisson opens. Give a folder of DICOM slices, a volume (NIfTI, NRRD, "
+         "MetaImage) or a case (NAME.glisson).")
+          .arg(QString::fromStdString(path.string())));
+}
+
+void MainWindow::open_case() {
+  const QString path = QFileDialog::getExistingDirectory(this, tr("Open a case (a folder NAME.glisson)"));
+  if (!path.isEmpty()) engine_.post(engine::OpenCase{path.toStdString()});
+}
+
+void MainWindow::open_dicom() {
+  const QString path = QFileDialog::getExistingDirectory(this, tr("Open a folder of DICOM slices"));
+  if (!path.isEmpty()) engine_.post(engine::ImportImage{path.toStdString()});
+}
+
+void MainWindow::open_volume() {
+  const QString path = QFileDialog::getOpenFileName(
+      this, tr("Open a volume"), {},
+      tr("Volumes (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.tar.gz *.tgz)"));
+  if (!path.isEmpty()) engine_.post(engine::ImportImage{path.toStdString()});
+}
+
+bool MainWindow::save() {
+  if (engine_.state().path.empty()) return save_as();
+  engine_.post(engine::SaveCase{});
+  return true;
+}
+
+bool MainWindow::save_as() {
+  QString path = QFileDialog::getSaveFileName(this, tr("Save the case as a folder"),
+                                              QStringLiteral("patient.glisson"), tr("Cases (*.glisson)"));
+  if (path.isEmpty()) return false;
+  if (!path.endsWith(QStringLiteral(".glisson"))) path += QStringLiteral(".glisson");
+  engine_.post(engine::SaveCase{path.toStdString()});
+  return true;
+}
+
+void MainWindow::show_step(int step) {
+  panels_[static_cast<std::size_t>(step_)]->deactivate();
+  step_ = step;
+  steps_->set_current(step);
+  controls_->setCurrentIndex(step);
+  panels_[static_cast<std::size_t>(step)]->activate();
+  show_middle();
+}
+
+void MainWindow::show_middle() {
+  QWidget* own = panels_[static_cast<std::size_t>(step_)]->view();
+  const engine::CaseState& now = engine_.state();
+  if (own != nullptr)
+    middle_->setCurrentWidget(own);
+  else if (now.image || now.labels || now.model)
+    middle_->setCurrentWidget(views_);
+  else
+    middle_->setCurrentWidget(welcome_);
+}
+
+void MainWindow::show_case() {
+  const engine::CaseState& now = engine_.state();
+  const QString name = now.path.empty() ? (now.image || now.model ? tr("unsaved case") : QString())
+                                        : QString::fromStdString(now.path.filename().string());
+  setWindowTitle(name.isEmpty() ? tr("Glisson") : tr("%1[*] – Glisson").arg(name));
+  setWindowModified(!name.isEmpty() && engine_.snapshot()->revision != saved_revision_);
+  show_middle();
+}
+
+void MainWindow::show_outcome(const engine::Outcome& outcome) {
+  const bool is_save = outcome.command == "save_case";
+  if (outcome.status == engine::Status::done && (is_save || outcome.command == "open_case")) {
+    saved_revision_ = engine_.snapshot()->revision;
+    setWindowModified(false);
+    if (is_save && close_after_save_) close();
+  }
+  if (outcome.status != engine::Status::failed) return;
+  if (is_save) close_after_save_ = false;
+  // A panel's own button shows its own error; what came from the menu or a drop has no other place.
+  const bool from_menu = is_save || outcome.command.starts_with("open_") ||
+                         outcome.command.starts_with("import_") || outcome.command.starts_with("load_") ||
+                         outcome.command == "set_calibration" || outcome.command == "set_video";
+  if (!from_menu) return;
+  auto* box = new QMessageBox(QMessageBox::Warning, tr("Glisson"), QString::fromStdString(outcome.error),
+                              QMessageBox::Ok, this);
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->open();  // does not stop the window
+}
+
+QString MainWindow::status_text() const { return status_->text(); }
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!isWindowModified() || close_after_save_) return event->accept();
+  const auto answer = QMessageBox::question(this, tr("Close"), tr("The case has changes that are not saved."),
+                                            QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
+  if (answer == QMessageBox::Discard) return event->accept();
+  event->ignore();
+  if (answer == QMessageBox::Save) close_after_save_ = save();  // closes when the outcome comes
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  for (const QUrl& url : event->mimeData()->urls())
+    if (url.isLocalFile() && command_to_open(url.toLocalFile().toStdString()))
+      return event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  for (const QUrl& url : event->mimeData()->urls())
+    if (url.isLocalFile()) open(url.toLocalFile().toStdString());
+  event->acceptProposedAction();
+}
+
+}  // namespace glisson::ui

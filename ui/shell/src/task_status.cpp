@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "task_status.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QToolButton>
+
+#include "glisson/ui/common/panel.h"
+#include "glisson/ui/common/texts.h"
+
+namespace glisson::ui {
+namespace {
+
+/// Small edits pass too quickly to be announced.
+bool is_worth_telling(const std::string& command) {
+  return command != "set_seeds" && command != "set_landmarks" && command != "set_regions" &&
+         command != "start_tracking" && command != "stop_tracking";
+}
+
+}  // namespace
+
+TaskStatus::TaskStatus(EngineBridge& engine, QWidget* parent) : QWidget(parent), engine_(engine) {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(8, 2, 8, 2);
+  text_ = new QLabel(this);
+  text_->setTextFormat(Qt::PlainText);
+  text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // long errors do not widen the window
+  bar_ = new QProgressBar(this);
+  bar_->setRange(0, 1000);
+  bar_->setTextVisible(false);
+  bar_->setFixedWidth(180);
+  cancel_ = new QToolButton(this);
+  cancel_->setText(tr("Cancel"));
+  row->addWidget(text_, 1);
+  row->addWidget(bar_);
+  row->addWidget(cancel_);
+  bar_->hide();
+  cancel_->hide();
+  connect(&engine_, &EngineBridge::tasks_changed, this, &TaskStatus::show_tasks);
+  connect(&engine_, &EngineBridge::finished, this, &TaskStatus::show_outcome);
+  connect(cancel_, &QToolButton::clicked, this, [this] { engine_.cancel(shown_); });
+}
+
+QString TaskStatus::text() const { return text_->text(); }
+
+void TaskStatus::show_tasks() {
+  const Task* running = nullptr;
+  for (const Task& task : engine_.tasks())
+    if (is_worth_telling(task.command) && (running == nullptr || running->stage.empty())) running = &task;
+  bar_->setVisible(running != nullptr);
+  cancel_->setVisible(running != nullptr);
+  if (running == nullptr) return;
+  shown_ = running->id;
+  bar_->setValue(static_cast<int>(1000 * running->fraction));
+  set_style_property(text_, "role", "");
+  text_->setText(running->stage.empty()
+                     ? command_text(running->command)
+                     : tr("%1: %2").arg(command_text(running->command), stage_text(running->stage)));
+}
+
+void TaskStatus::show_outcome(const engine::Outcome& outcome) {
+  switch (outcome.status) {
+    case engine::Status::done:
+      if (!is_worth_telling(outcome.command)) return;
+      set_style_property(text_, "role", "");
+      text_->setText(
+          tr("%1: done in %2 s").arg(command_text(outcome.command)).arg(outcome.seconds, 0, 'f', 1));
+      break;
+    case engine::Status::cancelled:
+      set_style_property(text_, "role", "");
+      text_->setText(tr("%1: cancelled").arg(command_text(outcome.command)));
+      break;
+    case engine::Status::failed:
+      set_style_property(text_, "role", "error");
+      text_->setText(QString::fromStdString(outcome.error));
+      text_->setToolTip(text_->text());
+      break;
+  }
+}
+
+}  // namespace glisson::ui
