@@ -62,7 +62,7 @@ class WindowTest : public QObject {
     QTest::mouseClick(&view, Qt::LeftButton, {}, view.widget_point(p).toPoint());
   }
   void open_ct() {
-    window_->open("ct_folder");
+    window_->open("ct.nii");
     QVERIFY(settle());
     QVERIFY(window_->engine().state().image != nullptr);
   }
@@ -81,6 +81,7 @@ class WindowTest : public QObject {
     window_->engine().post(engine::SetCalibration{"scope.yml"});
     window_->engine().post(engine::SetVideo{operation_->video, {}});
     window_->engine().post(engine::LoadVideoFrame{2});
+    window_->engine().post(engine::SetRegions{});
     window_->engine().post(engine::Reconstruct{});
     window_->engine().post(engine::Register{});
     QVERIFY(settle());
@@ -120,6 +121,9 @@ void WindowTest::WelcomesUntilSomethingIsOpen() {
 void WindowTest::OpensWhatIsDropped() {
   QMimeData data;
   data.setUrls({QUrl::fromLocalFile(QStringLiteral("/patient/ct.nii.gz"))});
+  QDragEnterEvent enter(QPoint(300, 300), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(window_.get(), &enter);
+  QVERIFY(enter.isAccepted());
   QDropEvent drop(QPointF(300, 300), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
   QCoreApplication::sendEvent(window_.get(), &drop);
   QVERIFY(settle());
@@ -200,11 +204,12 @@ void WindowTest::SeedsAreClickedListedAndDeleted() {
   auto* list = panel->findChild<QListWidget*>(QStringLiteral("seed_list"));
   QCOMPARE(list->count(), 3);
   list->setCurrentRow(0);
-  QTest::keyClick(list, Qt::Key_Delete);
+  QTest::mouseClick(panel->findChild<QPushButton*>(QStringLiteral("delete_seeds")), Qt::LeftButton);
   QVERIFY(settle());
   QCOMPARE(window_->engine().state().seeds->liver.rows(), 1);
   QVERIFY(std::abs(window_->engine().state().seeds->liver(0, 0) - 0.02) < 1e-3);
-  QTest::keyClick(panel, Qt::Key_Escape);
+  QTest::mouseClick(panel->findChild<QPushButton*>(QStringLiteral("seed_lesion_1")),
+                    Qt::LeftButton);                               // ends placing
   click(slice(scene::Plane::axial), Point<CtFrame>(0.0, 0.0, z));  // only the crosshair now
   QVERIFY(settle());
   QCOMPARE(window_->engine().state().seeds->liver.rows(), 1);

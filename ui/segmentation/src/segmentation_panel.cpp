@@ -135,6 +135,7 @@ void SegmentationPanel::build_seed_list() {
   content()->addWidget(list_);
   auto* row = new QHBoxLayout;
   remove_ = new QPushButton(tr("Delete"), this);
+  remove_->setObjectName(QStringLiteral("delete_seeds"));
   clear_ = new QPushButton(tr("Clear"), this);
   auto* load = new QPushButton(tr("Load…"), this);
   auto* save = new QPushButton(tr("Save…"), this);

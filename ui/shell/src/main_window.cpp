@@ -125,11 +125,15 @@ void MainWindow::open(const std::filesystem::path& path) {
     if (std::holds_alternative<engine::SetVideo>(*command)) engine_.post(engine::LoadVideoFrame{0});
     return;
   }
-  QMessageBox::warning(
-      this, tr("Open"),
-      tr("%1 is nothing that Glisson opens. Give a folder of DICOM slices, a volume (NIfTI, NRRD, "
-         "MetaImage) or a case (NAME.glisson).")
-          .arg(QString::fromStdString(path.string())));
+  show_problem(tr("%1 is nothing that Glisson opens. Give a folder of DICOM slices, a volume (NIfTI, NRRD, "
+                  "MetaImage) or a case (NAME.glisson).")
+                   .arg(QString::fromStdString(path.string())));
+}
+
+void MainWindow::show_problem(const QString& sentence) {
+  auto* box = new QMessageBox(QMessageBox::Warning, tr("Glisson"), sentence, QMessageBox::Ok, this);
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->open();  // does not stop the window
 }
 
 void MainWindow::open_case() {
@@ -207,10 +211,7 @@ void MainWindow::show_outcome(const engine::Outcome& outcome) {
                          outcome.command.starts_with("import_") || outcome.command.starts_with("load_") ||
                          outcome.command == "set_calibration" || outcome.command == "set_video";
   if (!from_menu) return;
-  auto* box = new QMessageBox(QMessageBox::Warning, tr("Glisson"), QString::fromStdString(outcome.error),
-                              QMessageBox::Ok, this);
-  box->setAttribute(Qt::WA_DeleteOnClose);
-  box->open();  // does not stop the window
+  show_problem(QString::fromStdString(outcome.error));
 }
 
 QString MainWindow::status_text() const { return status_->text(); }

@@ -56,6 +56,7 @@ class MainWindow : public QMainWindow {
   void show_case();
   void show_outcome(const engine::Outcome& outcome);
   void show_middle();
+  void show_problem(const QString& sentence);
 
   EngineBridge engine_;
   ViewState state_;
