@@ -23,9 +23,10 @@ bool AnchoredPoints::bind(const FollowedPoint& point, const registration::Moving
                           double radius) {
   const ClosestPoint at = surface.closest(Feature::surface, point.p_in_camera);
   // What faces away from the camera was not seen.
-  if (at.triangle < 0 || at.distance > radius || surface.normal(at).dot(point.p_in_camera) > 0.0)
-    return false;
-  anchors_[point.id] = {at.triangle, at.barycentric};
+  if (at.triangle < 0 || at.distance > radius) return false;
+  const Eigen::Vector3d normal = surface.normal(at);
+  if (normal.dot(point.p_in_camera) > 0.0) return false;
+  anchors_[point.id] = {at.triangle, at.barycentric, normal.dot(point.p_in_camera - at.point)};
   return true;
 }
 
@@ -45,7 +46,10 @@ Eigen::Vector3d AnchoredPoints::place(const FollowedPoint& point,
   Eigen::Vector3d p = Eigen::Vector3d::Zero();
   for (int k = 0; k < 3; ++k)
     p += anchor.barycentric[k] * surface.mesh().vertex(surface.mesh().triangles(anchor.triangle, k));
-  return p;
+  ClosestPoint at;
+  at.triangle = anchor.triangle;
+  at.barycentric = anchor.barycentric;
+  return p + anchor.height * surface.normal(at);
 }
 
 std::vector<Eigen::Vector3d> AnchoredPoints::gaps(const std::vector<FollowedPoint>& points,

@@ -13,7 +13,8 @@ namespace glisson::guidance {
 
 /// Where followed points sit on the model. A point is bound to the material of the surface when it is first
 /// seen, and keeps its place: so it also tells how the tissue moves along the surface, which no closest point
-/// can.
+/// can. How high above the surface it lay then (stereo's depth error, the coarse mesh's chords) stays with
+/// it: what is followed is the motion.
 class AnchoredPoints {
  public:
   /// Binds to the closest place of the surface as it is now. @return false, and nothing bound, farther than
@@ -35,6 +36,7 @@ class AnchoredPoints {
   struct Anchor {
     int triangle = -1;
     Eigen::Vector3d barycentric = Eigen::Vector3d::Zero();
+    double height = 0.0;  ///< along the surface's normal, metres
   };
   Eigen::Vector3d place(const FollowedPoint& point, const registration::MovingSurface& surface) const;
 

@@ -24,18 +24,22 @@ Eigen::Vector3d place(const std::array<int, 4>& nodes, const std::array<double, 
 }  // namespace
 
 BoundarySprings::BoundarySprings(const PatientModel& model, const Points& start, double young_modulus,
-                                 double length) {
+                                 double length, double tether) {
   if (young_modulus <= 0.0) return;
+  const auto in_series = [&](double radius) {
+    const double structure = young_modulus * wall_section(radius) / length;
+    return structure * tether / (structure + tether);
+  };
   const Points& cava = model.landmarks.vena_cava;
   if (cava.rows() > 0) {
     // All its points together are one tube.
-    const double each = young_modulus * wall_section(kCavaRadius) / length / static_cast<double>(cava.rows());
+    const double each = in_series(kCavaRadius) / static_cast<double>(cava.rows());
     attach(model, cava, std::vector<double>(static_cast<std::size_t>(cava.rows()), each), start);
   }
   for (const VesselTree& tree : model.vessels) {
     if (tree.root < 0 || tree.root >= tree.nodes.rows()) continue;
-    const double radius = tree.radii[static_cast<std::size_t>(tree.root)];
-    attach(model, tree.nodes.row(tree.root), {young_modulus * wall_section(radius) / length}, start);
+    attach(model, tree.nodes.row(tree.root), {in_series(tree.radii[static_cast<std::size_t>(tree.root)])},
+           start);
   }
 }
 

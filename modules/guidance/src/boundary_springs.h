@@ -14,7 +14,9 @@ class BoundarySprings {
  public:
   /// @param start nodes where the registration put them, camera frame.
   /// @param young_modulus of the structures, Pa; 0: no springs. @param length of what holds, metres.
-  BoundarySprings(const PatientModel& model, const Points& start, double young_modulus, double length);
+  /// @param tether N/m a structure, of what it hangs on.
+  BoundarySprings(const PatientModel& model, const Points& start, double young_modulus, double length,
+                  double tether);
 
   void add(const Points& nodes, std::vector<fem::AttachedLoad>& loads) const;
   int count() const { return static_cast<int>(springs_.size()); }

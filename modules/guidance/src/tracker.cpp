@@ -52,6 +52,7 @@ void TrackerOptions::validate() const {
   demand(boundary_young_modulus >= 0.0, "boundary_young_modulus", boundary_young_modulus,
          "Give a number from zero");
   demand(boundary_length > 0.0, "boundary_length", boundary_length, "Give a positive length");
+  demand(boundary_tether > 0.0, "boundary_tether", boundary_tether, "Give a positive stiffness");
   materials.validate();
   cloud.validate();
 }
@@ -62,7 +63,8 @@ struct Tracker::Impl {
         composite(std::make_shared<fem::CompositeModel>(model.mesh, model.vessels, options.materials)),
         integrator(composite, integrator_options()),
         surface(model),
-        springs(model, start.nodes_in_camera, options.boundary_young_modulus, options.boundary_length) {
+        springs(model, start.nodes_in_camera, options.boundary_young_modulus, options.boundary_length,
+                options.boundary_tether) {
     integrator.set_state(start.nodes_in_camera);
     surface.move(start.nodes_in_camera);
     if (options.hold_start) hold(start.nodes_in_camera);

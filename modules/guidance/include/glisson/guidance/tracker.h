@@ -33,6 +33,9 @@ struct TrackerOptions {
   fem::CompositeOptions materials;
   double boundary_young_modulus = 20e6;  ///< vena cava, tree entrances, Pa; 0: none
   double boundary_length = 0.05;         ///< of those structures, m: k = E A / L
+  /// N/m a structure, of what they hang on: the cava breathes with the diaphragm. Large: fixed ends, as in
+  /// the paper. Why not: see the README.
+  double boundary_tether = 5.0;
   std::vector<int> fixed_nodes;
   registration::ElasticOptions cloud;  ///< for follow(cloud): form, s, surface stiffness, density
   void validate() const;

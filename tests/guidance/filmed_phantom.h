@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "glisson/geometry/closest_point_tree.h"
+#include "phantom.h"
+
+#include "glisson/geometry/camera.h"
+#include "glisson/patient/picture.h"
+
+/// Pictures of the phantom by a ray caster of the test's own: a texture bound to the tissue, a light at the
+/// camera.
+namespace glisson::phantom {
+
+/// A small stereo laparoscope with distortion, cameras not quite parallel.
+inline StereoRig rig() {
+  StereoRig rig;
+  for (Camera* camera : {&rig.left, &rig.right}) {
+    camera->width = 320;
+    camera->height = 240;
+    camera->matrix << 260.0, 0.0, 158.0, 0.0, 261.0, 121.0, 0.0, 0.0, 1.0;
+    camera->distortion << -0.08, 0.02, 0.0, 0.0, 0.0;
+  }
+  rig.right_from_left.rotation = Eigen::AngleAxisd(0.02, Eigen::Vector3d::UnitY()).toRotationMatrix();
+  rig.right_from_left.translation = {-0.005, 0.0001, 0.0};
+  return rig;
+}
+
+inline double hashed(int x, int y, int z) {
+  auto h = static_cast<std::uint32_t>(x) * 374761393U + static_cast<std::uint32_t>(y) * 668265263U +
+           static_cast<std::uint32_t>(z) * 2147483647U;
+  h = (h ^ (h >> 13U)) * 1274126177U;
+  return static_cast<double>((h ^ (h >> 16U)) & 0xffffU) / 65535.0;
+}
+
+/// Smooth random field of cells of unit size, in [0, 1].
+inline double value_noise(const Eigen::Vector3d& p) {
+  const Eigen::Vector3d low = p.array().floor();
+  const Eigen::Vector3d f = p - low, s = f.array().square() * (3.0 - 2.0 * f.array());
+  double sum = 0.0;
+  for (int k = 0; k < 8; ++k) {
+    const int a = k & 1, b = (k >> 1) & 1, c = k >> 2;
+    const double w = (a ? s.x() : 1.0 - s.x()) * (b ? s.y() : 1.0 - s.y()) * (c ? s.z() : 1.0 - s.z());
+    sum += w * hashed(static_cast<int>(low.x()) + a, static_cast<int>(low.y()) + b,
+                      static_cast<int>(low.z()) + c);
+  }
+  return sum;
+}
+
+inline Picture film(const PatientModel& model, const Points& nodes, const Camera& camera,
+                    const Eigen::Matrix3d& rotation, const Eigen::Vector3d& translation, unsigned seed) {
+  TriangleMesh surface = model.surface.mesh;
+  for (int i = 0; i < surface.vertex_count(); ++i)
+    surface.vertices.row(i) =
+        (rotation * nodes.row(model.surface.node_of_vertex[static_cast<std::size_t>(i)]).transpose() +
+         translation)
+            .transpose();
+  const ClosestPointTree tree(surface);
+  const Points normals = vertex_normals(surface);
+  std::mt19937 random(seed);
+  std::normal_distribution<double> noise(0.0, 1.5);
+  auto bytes =
+      std::make_shared<std::vector<std::uint8_t>>(static_cast<std::size_t>(camera.width * camera.height));
+  for (int y = 0; y < camera.height; ++y)
+    for (int x = 0; x < camera.width; ++x) {
+      const Eigen::Vector3d ray = camera.ray({static_cast<double>(x), static_cast<double>(y)});
+      const ClosestPoint hit = tree.first_hit(Eigen::Vector3d::Zero(), ray);
+      double grey = 20.0;
+      if (hit.triangle >= 0) {
+        Eigen::Vector3d material = Eigen::Vector3d::Zero(), n = material;
+        for (int k = 0; k < 3; ++k) {
+          const int v = model.surface.mesh.triangles(hit.triangle, k);
+          material += hit.barycentric[k] * model.surface.mesh.vertex(v);
+          n += hit.barycentric[k] * normals.row(v).transpose();
+        }
+        const double texture = 0.6 * value_noise(material / 4e-3) + 0.4 * value_noise(material / 1.8e-3);
+        const double light = std::max(0.2, -n.normalized().dot(ray.normalized()));
+        grey = light * (50.0 + 150.0 * texture);
+      }
+      (*bytes)[static_cast<std::size_t>(y * camera.width + x)] =
+          static_cast<std::uint8_t>(std::clamp(grey + noise(random), 0.0, 255.0));
+    }
+  return {camera.width, camera.height, 1, bytes};
+}
+
+/// @param nodes in the left camera's frame.
+inline StereoFrame film(const PatientModel& model, const Points& nodes, const StereoRig& rig, int index) {
+  StereoFrame frame;
+  frame.left = film(model, nodes, rig.left, Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero(),
+                    static_cast<unsigned>(2 * index));
+  frame.right = film(model, nodes, rig.right, rig.right_from_left.rotation, rig.right_from_left.translation,
+                     static_cast<unsigned>(2 * index + 1));
+  frame.index = index;
+  frame.seconds = index / 30.0;
+  return frame;
+}
+
+inline Picture plain(const Camera& camera, std::uint8_t grey) {
+  return {camera.width, camera.height, 1,
+          std::make_shared<std::vector<std::uint8_t>>(static_cast<std::size_t>(camera.width * camera.height),
+                                                      grey)};
+}
+
+}  // namespace glisson::phantom

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QtTest>
+
+#include "anchored_points.h"
+#include "filmed_phantom.h"
+#include "glisson/core/error.h"
+#include "stereo_follower.h"
+#include "triangulate.h"
+
+using namespace glisson;
+using namespace glisson::guidance;
+
+class FollowerTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void initTestCase();
+  void TriangulationInvertsProjection();
+  void InformationIsWeakAlongTheRay();
+  void DivergingRaysAreRefused();
+  void NewPointsLieOnTheTissue();
+  void PointsFollowTheTissue();
+  void ForgottenFrameLeavesThePointsWhereTheyWere();
+  void LonelyGapIsInconsistentAndCommonMotionIsNot();
+  void PicturesOfAnotherSizeAreRefused();
+
+ private:
+  StereoFollower::Expected expected() const {
+    return [this](const Eigen::Vector2d& pixel) -> std::optional<Eigen::Vector3d> {
+      const ClosestPoint hit = tree_.first_hit(Eigen::Vector3d::Zero(), rig_.left.ray(pixel));
+      if (hit.triangle < 0) return std::nullopt;
+      return hit.point;
+    };
+  }
+  FollowerOptions options() const {
+    FollowerOptions options;
+    options.points = 80;
+    return options;
+  }
+  StereoRig rig_ = phantom::rig();
+  PatientModel model_ = phantom::model(8, 6, 3);
+  Points nodes_, moved_;
+  StereoFrame first_, second_;
+  ClosestPointTree tree_;
+  const Eigen::Vector3d way_{1.5e-3, -1.0e-3, 1.0e-3};
+};
+
+void FollowerTest::initTestCase() {
+  nodes_ = phantom::view().apply(model_.mesh.vertices);
+  moved_ = nodes_.rowwise() + way_.transpose();
+  first_ = phantom::film(model_, nodes_, rig_, 0);
+  second_ = phantom::film(model_, moved_, rig_, 1);
+  TriangleMesh surface = model_.surface.mesh;
+  for (int i = 0; i < surface.vertex_count(); ++i)
+    surface.vertices.row(i) = nodes_.row(model_.surface.node_of_vertex[static_cast<std::size_t>(i)]);
+  tree_ = ClosestPointTree(surface);
+}
+
+void FollowerTest::TriangulationInvertsProjection() {
+  for (int i = 0; i < 50; ++i) {
+    const Eigen::Vector3d p(0.03 * std::sin(i), 0.02 * std::cos(2.0 * i), 0.09 + 0.03 * std::sin(0.7 * i));
+    const Eigen::Vector3d in_right = rig_.right_from_left.rotation * p + rig_.right_from_left.translation;
+    const Triangulated found = triangulate(rig_, rig_.left.project(p), rig_.right.project(in_right));
+    QVERIFY(found.good);
+    QVERIFY((found.p - p).norm() < 1e-6);
+    QVERIFY(found.epipolar_px < 1e-3);
+  }
+}
+
+void FollowerTest::InformationIsWeakAlongTheRay() {
+  const Eigen::Vector3d p(0.01, 0.005, 0.1);
+  const Eigen::Vector3d in_right = rig_.right_from_left.rotation * p + rig_.right_from_left.translation;
+  const Triangulated found = triangulate(rig_, rig_.left.project(p), rig_.right.project(in_right));
+  const Eigen::Vector3d along = p.normalized(), across = along.unitOrthogonal();
+  QVERIFY(std::abs(across.dot(found.information * across) - 1.0) < 1e-9);
+  QVERIFY(along.dot(found.information * along) < 0.01);
+  QVERIFY(along.dot(found.information * along) > 0.0);
+}
+
+void FollowerTest::DivergingRaysAreRefused() {
+  // The left ray to the left, the right ray to the right: they meet behind the cameras.
+  QVERIFY(!triangulate(rig_, {20.0, 120.0}, {300.0, 120.0}).good);
+}
+
+void FollowerTest::NewPointsLieOnTheTissue() {
+  StereoFollower follower(rig_, options());
+  follower.begin(first_, {});
+  const int added = follower.replenish(expected());
+  QVERIFY2(added >= 60, qPrintable(QString::number(added)));
+  std::vector<double> off;
+  for (const FollowedPoint& point : follower.points())
+    off.push_back(tree_.closest(point.p_in_camera).distance);
+  std::nth_element(off.begin(), off.begin() + static_cast<std::ptrdiff_t>(off.size() / 2), off.end());
+  QVERIFY2(off[off.size() / 2] < 1.5e-3, qPrintable(QString::number(off[off.size() / 2])));
+}
+
+void FollowerTest::PointsFollowTheTissue() {
+  StereoFollower follower(rig_, options());
+  follower.begin(first_, {});
+  follower.replenish(expected());
+  const std::vector<FollowedPoint> before = follower.points();
+  const auto counts = follower.follow(second_);
+  QVERIFY(counts.left >= 60 && counts.right >= 60);
+  QVERIFY(follower.points().size() >= 55);
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const FollowedPoint& point : follower.points())
+    for (const FollowedPoint& old : before)
+      if (old.id == point.id) mean += point.p_in_camera - old.p_in_camera;
+  mean /= static_cast<double>(follower.points().size());
+  QVERIFY2((mean - way_).norm() < 0.4e-3, qPrintable(QString::number(1e3 * (mean - way_).norm())));
+}
+
+void FollowerTest::ForgottenFrameLeavesThePointsWhereTheyWere() {
+  StereoFollower follower(rig_, options());
+  follower.begin(first_, {});
+  follower.replenish(expected());
+  const std::size_t count = follower.points().size();
+  StereoFrame black = second_;
+  black.left = phantom::plain(rig_.left, 0);
+  black.right = phantom::plain(rig_.right, 0);
+  follower.follow(black);
+  QVERIFY(follower.points().size() < count / 4);
+  follower.forget_last();
+  QCOMPARE(follower.points().size(), count);
+  follower.follow(second_);
+  QVERIFY(follower.points().size() > 0.7 * static_cast<double>(count));
+}
+
+void FollowerTest::LonelyGapIsInconsistentAndCommonMotionIsNot() {
+  std::vector<FollowedPoint> points(100);
+  std::vector<Eigen::Vector3d> gaps(100);
+  for (int i = 0; i < 100; ++i) {
+    points[static_cast<std::size_t>(i)].p_in_camera = {0.005 * (i % 10), 0.005 * (i / 10), 0.1};
+    gaps[static_cast<std::size_t>(i)] = {0.008, 1e-4 * (i % 10), 0.0};
+  }
+  gaps[37] += Eigen::Vector3d(0.0, 0.006, 0.0);
+  const std::vector<char> good = consistent(points, gaps, 4.0, 1.5e-3);
+  for (std::size_t i = 0; i < 100; ++i) QCOMPARE(good[i] != 0, i != 37);
+}
+
+void FollowerTest::PicturesOfAnotherSizeAreRefused() {
+  StereoFollower follower(rig_, options());
+  StereoFrame wrong = first_;
+  wrong.right.width = 160;
+  wrong.right.height = 480;
+  QVERIFY_EXCEPTION_THROWN(follower.begin(wrong, {}), InputError);
+  wrong = first_;
+  wrong.left = {};
+  QVERIFY_EXCEPTION_THROWN(follower.begin(wrong, {}), InputError);
+  Picture mask = phantom::plain(rig_.left, 255);
+  mask.height = 120;
+  QVERIFY_EXCEPTION_THROWN(follower.begin(first_, mask), InputError);
+  follower.begin(first_, {});
+  QVERIFY_EXCEPTION_THROWN(follower.keep({1}), PreconditionError);
+}
+
+QTEST_APPLESS_MAIN(FollowerTest)
+#include "follower_test.moc"

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QtTest>
+#include <limits>
+#include <numbers>
+
+#include "filmed_phantom.h"
+#include "glisson/core/error.h"
+#include "glisson/geometry/distance.h"
+#include "glisson/guidance/tracker.h"
+
+using namespace glisson;
+using namespace glisson::guidance;
+
+class TrackerTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void initTestCase();
+  void ModelFollowsBreathing();
+  void StillTissueKeepsTheRegisteredShape();
+  void StiffBoundaryHoldsItsPlace();
+  void BlackFramesAreNotValidAndTheNextGoodOneIs();
+  void PicturesOfAnotherSizeAreNotValid();
+  void NoisePicturesAreNotValid();
+  void WithoutAFirstFrameItIsNotStarted();
+  void CloudsAreFollowedWithoutCorrespondences();
+  void FewCloudPointsAreNotValid();
+  void UnusableStartsAndOptionsAreRefused();
+
+ private:
+  static constexpr int kFrames = 9;
+  /// Breathing: down and towards the camera, the free side more.
+  Points at(double share) const {
+    Points nodes = nodes_;
+    for (Eigen::Index i = 0; i < nodes.rows(); ++i)
+      nodes.row(i) +=
+          share * (1.0 + 4.0 * model_.mesh.vertices(i, 0)) * Eigen::RowVector3d(1e-3, 5e-3, -2e-3);
+    return nodes;
+  }
+  static double share(int frame) { return 0.5 - 0.5 * std::cos(std::numbers::pi * frame / (kFrames - 1)); }
+  TrackerOptions options() const {
+    TrackerOptions options;
+    options.points = 80;
+    options.boundary_young_modulus = 0.0;  // nothing holds this body
+    return options;
+  }
+  Tracker begun() const {
+    Tracker tracker(model_, start_, options());
+    tracker.begin(rig_, film_[0], {});
+    return tracker;
+  }
+
+  StereoRig rig_ = phantom::rig();
+  PatientModel model_ = phantom::model(8, 6, 3);
+  Points nodes_;
+  Registration start_;
+  std::vector<StereoFrame> film_;
+};
+
+void TrackerTest::initTestCase() {
+  nodes_ = phantom::view().apply(model_.mesh.vertices);
+  start_.nodes_in_camera = nodes_;
+  start_.camera_from_ct = phantom::view();
+  for (int k = 0; k < kFrames; ++k) film_.push_back(phantom::film(model_, at(share(k)), rig_, k));
+}
+
+void TrackerTest::ModelFollowsBreathing() {
+  Tracker tracker = begun();
+  double frozen = 0.0, tracked = 0.0;
+  for (int k = 1; k < kFrames; ++k) {
+    const OverlayFrame overlay = tracker.follow(film_[static_cast<std::size_t>(k)]);
+    QVERIFY2(overlay.validity == Validity::valid,
+             qPrintable(QString("frame %1 %2").arg(k).arg(validity_code(overlay.validity))));
+    QVERIFY(overlay.pairs >= 40 && overlay.tracked_left >= overlay.pairs);
+    QCOMPARE(overlay.index, k);
+    const Points truth = at(share(k));
+    frozen += point_errors(nodes_, truth).mean;
+    tracked += point_errors(overlay.nodes_in_camera, truth).mean;
+  }
+  QVERIFY2(tracked < 0.4 * frozen, qPrintable(QString("tracked %1 mm, frozen %2 mm")
+                                                  .arg(1e3 * tracked / (kFrames - 1))
+                                                  .arg(1e3 * frozen / (kFrames - 1))));
+}
+
+void TrackerTest::StillTissueKeepsTheRegisteredShape() {
+  // What stereo sees of depth at 260 pixels of focal length and a 5 mm baseline is a millimetre uncertain.
+  Tracker tracker = begun();
+  OverlayFrame overlay;
+  for (int k = 0; k < 6; ++k) overlay = tracker.follow(film_[0]);
+  QVERIFY(overlay.validity == Validity::valid);
+  QVERIFY2(point_errors(overlay.nodes_in_camera, nodes_).mean < 1e-3,
+           qPrintable(QString::number(1e3 * point_errors(overlay.nodes_in_camera, nodes_).mean)));
+}
+
+void TrackerTest::StiffBoundaryHoldsItsPlace() {
+  const Binding cava = bind_points(model_.mesh, model_.landmarks.vena_cava);
+  const auto moved = [&](double tether) {
+    TrackerOptions changed = options();
+    changed.boundary_young_modulus = 20e6;
+    changed.boundary_tether = tether;
+    Tracker tracker(model_, start_, changed);
+    tracker.begin(rig_, film_[0], {});
+    OverlayFrame overlay;
+    for (const StereoFrame& frame : film_) overlay = tracker.follow(frame);
+    return point_errors(cava.apply(model_.mesh, overlay.nodes_in_camera), cava.apply(model_.mesh, nodes_))
+        .mean;
+  };
+  const double held = moved(1e6), loose = moved(1.0);
+  QVERIFY2(held < 0.5e-3 && loose > 2e-3,
+           qPrintable(QString("%1 and %2 mm").arg(1e3 * held).arg(1e3 * loose)));
+}
+
+void TrackerTest::BlackFramesAreNotValidAndTheNextGoodOneIs() {
+  Tracker tracker = begun();
+  tracker.follow(film_[1]);
+  StereoFrame black = film_[2];
+  black.left = phantom::plain(rig_.left, 0);
+  black.right = phantom::plain(rig_.right, 0);
+  for (int k = 0; k < 3; ++k) {
+    const OverlayFrame overlay = tracker.follow(black);
+    QVERIFY(overlay.validity == Validity::too_few_points);
+    QVERIFY(overlay.nodes_in_camera.allFinite());
+  }
+  QVERIFY(tracker.follow(film_[2]).validity == Validity::valid);
+}
+
+void TrackerTest::PicturesOfAnotherSizeAreNotValid() {
+  Tracker tracker = begun();
+  StereoFrame wrong = film_[1];
+  wrong.left.width /= 2;
+  wrong.left.height *= 2;
+  QVERIFY(tracker.follow(wrong).validity == Validity::too_few_points);
+  wrong = film_[1];
+  wrong.right = {};
+  QVERIFY(tracker.follow(wrong).validity == Validity::too_few_points);
+  QVERIFY(tracker.follow(film_[1]).validity == Validity::valid);
+}
+
+void TrackerTest::NoisePicturesAreNotValid() {
+  Tracker tracker = begun();
+  StereoFrame noise = film_[1];
+  std::mt19937 random(3);
+  for (Picture* picture : {&noise.left, &noise.right}) {
+    auto bytes = std::make_shared<std::vector<std::uint8_t>>(picture->bytes->size());
+    for (auto& byte : *bytes) byte = static_cast<std::uint8_t>(random() & 0xffU);
+    picture->bytes = bytes;
+  }
+  QVERIFY(tracker.follow(noise).validity != Validity::valid);
+  QVERIFY(tracker.follow(film_[1]).validity == Validity::valid);
+}
+
+void TrackerTest::WithoutAFirstFrameItIsNotStarted() {
+  Tracker tracker(model_, start_, options());
+  const OverlayFrame overlay = tracker.follow(film_[1]);
+  QVERIFY(overlay.validity == Validity::not_started);
+  QVERIFY(overlay.nodes_in_camera == nodes_);
+}
+
+void TrackerTest::CloudsAreFollowedWithoutCorrespondences() {
+  Tracker tracker(model_, start_, options());
+  double frozen = 0.0, tracked = 0.0;
+  for (int k = 1; k < kFrames; ++k) {
+    phantom::PatchOptions patch;
+    patch.seed = static_cast<unsigned>(k);  // other points every time
+    patch.share = 0.4;
+    const Points truth = at(share(k));
+    const OverlayFrame overlay = tracker.follow(phantom::patch(model_, truth, patch), k, k / 30.0, 5);
+    QVERIFY(overlay.validity == Validity::valid);
+    QVERIFY(overlay.residual < 2e-3);
+    frozen += point_errors(nodes_, truth).mean;
+    tracked += point_errors(overlay.nodes_in_camera, truth).mean;
+  }
+  QVERIFY2(tracked < 0.8 * frozen, qPrintable(QString("tracked %1, frozen %2").arg(tracked).arg(frozen)));
+}
+
+void TrackerTest::FewCloudPointsAreNotValid() {
+  Tracker tracker(model_, start_, options());
+  LabelledCloud cloud;
+  cloud.points = Points::Zero(5, 3);
+  QVERIFY(tracker.follow(cloud, 0, 0.0, 1).validity == Validity::too_few_points);
+}
+
+void TrackerTest::UnusableStartsAndOptionsAreRefused() {
+  Registration short_start = start_;
+  short_start.nodes_in_camera.conservativeResize(5, 3);
+  QVERIFY_EXCEPTION_THROWN(Tracker(model_, short_start, options()), InputError);
+  Registration broken = start_;
+  broken.nodes_in_camera(3, 1) = std::numeric_limits<double>::quiet_NaN();
+  QVERIFY_EXCEPTION_THROWN(Tracker(model_, broken, options()), InputError);
+  const auto refused = [&](auto change) {
+    TrackerOptions changed = options();
+    change(changed);
+    QVERIFY_EXCEPTION_THROWN(Tracker(model_, start_, changed), InputError);
+  };
+  refused([](TrackerOptions& o) { o.points = 0; });
+  refused([](TrackerOptions& o) { o.window_px = 16; });
+  refused([](TrackerOptions& o) { o.time_step = 0.0; });
+  refused([](TrackerOptions& o) { o.steps_per_frame = 0; });
+  refused([](TrackerOptions& o) { o.fixed_nodes = {-1}; });
+  refused([](TrackerOptions& o) { o.boundary_length = 0.0; });
+  refused([](TrackerOptions& o) { o.boundary_tether = 0.0; });
+  Tracker tracker(model_, start_, options());
+  StereoFrame wrong = film_[0];
+  wrong.left.width = 100;
+  QVERIFY_EXCEPTION_THROWN(tracker.begin(rig_, wrong, {}), InputError);
+}
+
+QTEST_APPLESS_MAIN(TrackerTest)
+#include "tracker_test.moc"
