@@ -281,12 +281,14 @@ void GuidancePanel::show_freshness() {
                           .arg(engine().state().live->frame.index)
                           .arg(1e3 * age, 0, 'f', 0)
                           .arg(rate, 0, 'f', 1));
-  set_style_property(live_line_, "fresh", age < kFreshSeconds);
+  set_style_property(live_line_, "fresh", age < kFreshSeconds && !drawables_.is_preparing());
   const bool old = age > kFreshSeconds;
+  const bool preparing = drawables_.is_preparing();
   if (old)
     banner_->setText(
         tr("The picture is %1 s old: the overlay does not show where things are now.").arg(age, 0, 'f', 1));
-  banner_->setVisible(old);
+  if (!old && preparing) banner_->setText(tr("The overlay is being prepared: the picture shows none yet."));
+  banner_->setVisible(old || preparing);
 }
 
 void GuidancePanel::show_buttons() {

@@ -22,12 +22,13 @@ ScreenshotTour::ScreenshotTour(MainWindow& window, const QString& folder, QObjec
 
 void ScreenshotTour::start() {
   const auto begin_when_idle = [this] {
-    if (started_ || !window_.engine().tasks().empty()) return;
+    if (started_ || !window_.engine().tasks().empty() || window_.drawables().is_preparing()) return;
     started_ = true;
     step_ = window_.engine().state().image || window_.engine().state().model ? 0 : -1;
     QTimer::singleShot(kSettle, this, &ScreenshotTour::visit);
   };
   connect(&window_.engine(), &EngineBridge::tasks_changed, this, begin_when_idle);
+  connect(&window_.drawables(), &DrawableSource::changed, this, begin_when_idle);
   begin_when_idle();
 }
 

@@ -38,6 +38,7 @@ class MainWindow : public QMainWindow {
   LinkedViews& views() { return *views_; }
   Panel& panel(int step) { return *panels_[static_cast<std::size_t>(step)]; }
   QString status_text() const;
+  const DrawableSource& drawables() const { return drawables_; }
 
  protected:
   void closeEvent(QCloseEvent* event) override;
