@@ -249,6 +249,7 @@ void GuidancePanel::show_painted(const Picture& picture, const OverlayFrame& ove
   picture_->set_picture(picture);
   ++pictures_shown_;
   last_age_ = age;
+  shown_index_ = overlay.index;
   since_painted_.start();
   const engine::Snapshot& now = *engine().snapshot();
   if (!now.tracking || !now.state.live) {
@@ -278,7 +279,7 @@ void GuidancePanel::show_freshness() {
       painted_at_.size() > 1 ? static_cast<double>(painted_at_.back() - painted_at_.front()) : 0.0;
   const double rate = span > 0.0 ? 1e3 * static_cast<double>(painted_at_.size() - 1) / span : 0.0;
   live_line_->setText(tr("LIVE   frame %1   age %2 ms   %3 frames/s")
-                          .arg(engine().state().live->frame.index)
+                          .arg(shown_index_)
                           .arg(1e3 * age, 0, 'f', 0)
                           .arg(rate, 0, 'f', 1));
   set_style_property(live_line_, "fresh", age < kFreshSeconds && !drawables_.is_preparing());

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/scene/overlay_painter.h"
 
+#include <chrono>
+
 #include "glisson/core/error.h"
 #include "glisson/patient/label_map.h"
 #include "glisson/ui/scene/lens_maps.h"
@@ -88,9 +90,13 @@ Picture OverlayPainter::paint(const Picture& frame, const OverlayFrame& overlay,
                          std::to_string(camera.height),
                      "Use the calibration that belongs to this laparoscope.");
   if (overlay.validity != Validity::valid) return annotate(frame, overlay, {}, impl_->style, status);
+  const auto begin = std::chrono::steady_clock::now();
   const LayerRasters layers = impl_->layers.draw(overlay.nodes_in_camera);
   const Picture blended = blend_layers(frame, layers, impl_->lens, impl_->style);
-  return annotate(blended, overlay, impl_->annotations(overlay.nodes_in_camera), impl_->style, status);
+  OverlayStatus now = status;
+  if (status.age_seconds > 0.0)  // a live picture grows older while it is drawn
+    now.age_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return annotate(blended, overlay, impl_->annotations(overlay.nodes_in_camera), impl_->style, now);
 }
 
 }  // namespace glisson::scene

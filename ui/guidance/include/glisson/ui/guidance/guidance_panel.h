@@ -73,6 +73,7 @@ class GuidancePanel : public Panel {
   std::deque<qint64> painted_at_;  ///< milliseconds
   QElapsedTimer clock_;
   double last_age_ = 0.0;
+  int shown_index_ = 0;  ///< of the frame on the screen, which may be older than the engine's
   int pictures_shown_ = 0;
   bool is_recording_ = false;
   bool was_tracking_ = false;
