@@ -36,6 +36,7 @@ void LiverModelsTest::RealPatientBecomesAModel() {
           tree.beams.size(), 1e3 * tree.nodes(0, 0), 1e3 * tree.nodes(0, 1), 1e3 * tree.nodes(0, 2),
           1e3 * tree.radii[0]);
   QVERIFY(std::abs(quality.vertices - 550) <= 55);
+  QVERIFY(quality.min_dihedral_deg >= 10.0);
   QVERIFY(std::abs(quality.volume_error) < 0.06);
   QVERIFY(quality.fine_to_mesh_mean_mm < 2.0);
   std::size_t beams = 0;

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kSpeck = 0.01;           // of the largest piece's voxels
 constexpr double kFineSpacingMm = 1.5;    // of the liver's fine surface
+constexpr double kOtherSpacingMm = 1.0;   // of vessels and lesions
 constexpr double kLeastLesionMm3 = 15.0;  // below, a lesion is a few voxels of noise
 
 double smoothing_of(const VolumeGrid& grid) { return std::clamp(0.8 * grid.spacing_mm.maxCoeff(), 0.6, 2.0); }
@@ -41,8 +42,10 @@ void keep_largest(const VolumeGrid& grid, std::vector<std::uint8_t>& mask, std::
   paste(part, box, grid.size, mask);
 }
 
+/// Not finer than a person can see: a CT's in-plane voxels would give millions of triangles.
 NamedSurface surface_of(Label label, const ScalarField& field) {
-  return {label, structure_name(label), zero_level(field)};
+  return {label, structure_name(label),
+          zero_level(resampled(field, std::max(kOtherSpacingMm, field.grid().spacing_mm.minCoeff())))};
 }
 
 /// Vessel voxels in the liver or at its entrances.

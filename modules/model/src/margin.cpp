@@ -21,7 +21,7 @@ constexpr double kLeastSeed = 0.12;  // spread of two planes that meet at 123 de
 constexpr double kLeastExtension = 0.06;
 constexpr double kLeastLength = 0.05;  // metres; shorter ridges are dropped
 constexpr double kSpacing = 0.003;     // metres, of the polyline
-constexpr double kWrongSide = -0.2;    // cosine: normals farther from the wanted direction are no margin
+constexpr double kWrongSide = 0.15;    // cosine: normals farther from the wanted direction are no margin
 constexpr double kPullToRidge = 8.0;   // how much dearer a path beside the ridge is
 
 /// Every triangle cut into four: the same surface with more vertices.

@@ -2,6 +2,7 @@
 #include "mesh_to_size.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -15,9 +16,12 @@ constexpr double kTolerance = 0.10;  // of the number of nodes
 constexpr double kSearchTolerance = 0.04;
 constexpr int kSearchPasses = 10;
 constexpr double kLeastDihedral = 10.0;  // degrees
-constexpr int kAttempts = 4;
+// Perturbation gives up at the first sliver that it cannot better, at half of all meshes with lesions.
+// Another start is as good as another mesh: each pair of size and smoothing is one.
+constexpr std::array<int, 4> kPasses = {20, 5, 10, 2};
+constexpr std::array<double, 3> kSizes = {1.0, 1.015, 0.985};
+constexpr std::size_t kAttempts = kPasses.size() * kSizes.size();
 constexpr double kEdgesAcrossLesion = 0.7;  // edge length over a lesion's diameter, at most
-constexpr double kNextSize = 0.985;         // edge length of the next attempt over this one's
 
 /// A lesion gets elements that can show it, however small it is against the others.
 MesherSizes sizes_of(double edge, const MesherInput& input, const MeshOptions& options) {
@@ -41,7 +45,7 @@ std::optional<double> find_edge(const MesherInput& input, const MeshOptions& opt
   for (int pass = 0; pass < kSearchPasses; ++pass) {
     const double done = static_cast<double>(pass) / kSearchPasses;
     const auto mesh =
-        fill_with_tetrahedra(input, sizes_of(edge, input, options), false, context.part(done, done));
+        fill_with_tetrahedra(input, sizes_of(edge, input, options), 0, context.part(done, done));
     if (!mesh) return {};
     const double log_edge = std::log(edge), log_count = std::log(std::max(4.0, double(mesh->vertex_count())));
     const double miss = std::abs(log_count - wanted);
@@ -89,14 +93,15 @@ Cancellable<TetMesh> mesh_to_size(const MesherInput& input, const MeshOptions& o
   options.validate();
   const std::optional<double> found = find_edge(input, options, context.part(0.0, 0.3));
   if (!found) return {};
-  double edge = *found;
   TetMesh best;
   Flaws best_flaws;
   double done = 0.3;
-  for (int attempt = 0; attempt < kAttempts; ++attempt, edge *= kNextSize) {
+  for (std::size_t attempt = 0; attempt < kAttempts; ++attempt) {
     const double from = done;
     done = 0.5 * (1.0 + done);  // more attempts may follow: each takes half of what is left
-    auto mesh = fill_with_tetrahedra(input, sizes_of(edge, input, options), true, context.part(from, done));
+    const double edge = *found * kSizes[attempt / kPasses.size()];
+    auto mesh = fill_with_tetrahedra(input, sizes_of(edge, input, options), kPasses[attempt % kPasses.size()],
+                                     context.part(from, done));
     if (!mesh) return {};
     const Flaws flaws = flaws_of(*mesh, options.target_vertices);
     if (attempt == 0 || flaws.better_than(best_flaws)) {

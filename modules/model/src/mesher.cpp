@@ -29,10 +29,9 @@ using LabelledDomain = CGAL::Labeled_mesh_domain_3<Kernel>;
 
 constexpr double kFacetAngle = 25.0;  // degrees; 30 is the limit of the theory
 constexpr double kRadiusEdge = 2.0;
-constexpr double kFacetDistance = 0.15;  // of the edge: chord error on a curved surface
-constexpr double kLeastDihedral = 10.0;  // degrees: no worse cell is put in to mend the boundary
-constexpr double kSliverBound = 12.0;    // degrees: what perturb and exude aim at
-constexpr int kLloydPasses = 20, kOdtPasses = 20;
+constexpr double kFacetDistance = 0.15;     // of the edge: chord error on a curved surface
+constexpr double kLeastDihedral = 10.0;     // degrees: no worse cell is put in to mend the boundary
+constexpr double kSliverBound = 12.0;       // degrees: what perturb and exude aim at
 constexpr long kMostQueries = 300'000'000;  // a liver of 5000 nodes takes some ten million
 constexpr int kPollEvery = 4096;            // label queries between two looks at the cancel flag
 
@@ -189,8 +188,8 @@ TetMesh extract(const Complex& complex, const MesherInput& input, const Placemen
 
 }  // namespace
 
-Cancellable<TetMesh> fill_with_tetrahedra(const MesherInput& input, const MesherSizes& sizes, bool optimise,
-                                          const RunContext& context) {
+Cancellable<TetMesh> fill_with_tetrahedra(const MesherInput& input, const MesherSizes& sizes,
+                                          int smoothing_passes, const RunContext& context) {
   require(sizes.inclusion_edges.size() == input.inclusions.size(), "one edge length an inclusion");
   const Placement place{0.5 * (input.body.low() + input.body.high())};
   const double radius = 0.55 * (input.body.high() - input.body.low()).norm();
@@ -215,12 +214,12 @@ Cancellable<TetMesh> fill_with_tetrahedra(const MesherInput& input, const Mesher
     const auto topology = input.inclusions.empty() ? parameters::manifold() : parameters::non_manifold();
     Complex complex = CGAL::make_mesh_3<Complex>(domain, criteria, parameters::no_perturb(),
                                                  parameters::no_exude(), topology);
-    if (optimise) {
+    if (smoothing_passes > 0) {
       // No time limits: they would make the result depend on the machine's load.
       context.progress(0.2, "model.mesh.lloyd");
-      CGAL::lloyd_optimize_mesh_3(complex, domain, parameters::max_iteration_number = kLloydPasses);
+      CGAL::lloyd_optimize_mesh_3(complex, domain, parameters::max_iteration_number = smoothing_passes);
       context.progress(0.4, "model.mesh.odt");
-      CGAL::odt_optimize_mesh_3(complex, domain, parameters::max_iteration_number = kOdtPasses);
+      CGAL::odt_optimize_mesh_3(complex, domain, parameters::max_iteration_number = smoothing_passes);
       context.progress(0.6, "model.mesh.perturb");
       CGAL::perturb_mesh_3(complex, domain, parameters::sliver_bound = kSliverBound);
       context.progress(0.8, "model.mesh.exude");

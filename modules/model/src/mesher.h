@@ -23,9 +23,10 @@ struct MesherSizes {
   std::vector<double> inclusion_edges;  ///< metres, one a sub-domain
 };
 
-/// CGAL Mesh_3 (Jamin, Alliez, Yvinec, Boissonnat 2015), sequential, then Lloyd, ODT, perturb, exude where
-/// `optimise`. The same input and seed give the same bits. Nodes and tetrahedra in a canonical order.
-Cancellable<TetMesh> fill_with_tetrahedra(const MesherInput& input, const MesherSizes& sizes, bool optimise,
-                                          const RunContext& context);
+/// CGAL Mesh_3 (Jamin, Alliez, Yvinec, Boissonnat 2015), sequential, then Lloyd, ODT, perturb, exude. The
+/// same input and seed give the same bits. Nodes and tetrahedra in a canonical order.
+/// @param smoothing_passes of Lloyd and of ODT; 0: refinement alone, nothing is optimised.
+Cancellable<TetMesh> fill_with_tetrahedra(const MesherInput& input, const MesherSizes& sizes,
+                                          int smoothing_passes, const RunContext& context);
 
 }  // namespace glisson::model

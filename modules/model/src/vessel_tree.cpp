@@ -118,6 +118,13 @@ void FittedTree::measure_radius(const VesselVoxels& vessel, const SkeletonPath& 
     while (out + 1 < count && branch.voxel_stations[out] < 1.2 * raw[0]) ++out;
     std::fill(raw.begin(), raw.begin() + static_cast<std::ptrdiff_t>(out), raw[out]);
   }
+  // At its ends a vessel is closed by a cap, which is nearer than the wall.
+  const double length = branch.voxel_stations.back();
+  std::size_t first = 0, last = count - 1;
+  while (path.parent < 0 && first + 1 < count && branch.voxel_stations[first] < raw[first]) ++first;
+  while (last > first && length - branch.voxel_stations[last] < raw[last]) --last;
+  if (path.parent < 0) std::fill(raw.begin(), raw.begin() + static_cast<std::ptrdiff_t>(first), raw[first]);
+  std::fill(raw.begin() + static_cast<std::ptrdiff_t>(last), raw.end(), raw[last]);
   // The distance to the boundary steps with the voxels: a mean over a stretch about as long as the vessel is
   // thick.
   std::vector<double> smooth(count);

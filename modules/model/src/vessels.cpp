@@ -15,7 +15,7 @@ constexpr double kLeastPieceMm3 = 150.0;   // smaller pieces carry nothing
 constexpr double kLeastPieceShare = 0.02;  // of the largest piece
 constexpr double kFarthestRootMm = 20.0;   // a root point farther from its vessel is a mistake
 constexpr double kNearSurfaceMm = 8.0, kNearCavaMm = 15.0;
-constexpr float kFavour = 2.0F;  // how much thicker an unfavoured end must be
+constexpr float kFavour = 1.4F;  // how much thicker an unfavoured end must be
 constexpr double kShortestSpacingMm = 4.0, kLongestSpacingMm = 20.0;
 constexpr double kMostBeams = 1.15;  // of the target, before branches are pruned
 

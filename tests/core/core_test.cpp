@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <QtTest>
+#include <csignal>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <thread>
+
+#include "glisson/core/error.h"
+#include "glisson/core/files.h"
+#include "glisson/core/json_file.h"
+#include "glisson/core/log.h"
+#include "glisson/core/run_context.h"
+#include "glisson/core/units.h"
+
+using namespace glisson;
+namespace fs = std::filesystem;
+
+namespace {
+
+void put(const fs::path& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
+
+std::size_t entries(const fs::path& folder) {
+  return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+template <class Call>
+std::string message_of(Call call) {
+  try {
+    call();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return {};
+}
+
+}  // namespace
+
+class CoreTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void MillimetresAndMetresConvertBothWays();
+  void UnitsOfFiles();
+  void InputErrorIsOneSentenceInOrder();
+  void RequireThrowsOnlyWhenBroken();
+  void SamePurposeAndSeedGiveTheSameNumbers();
+  void PurposesAndSeedsAreIndependent();
+  void StreamsAreTheSameOnEveryMachine();
+  void PartsOfPartsMapOntoTheWhole();
+  void ProgressIsClamped();
+  void PartsKeepSeedAndCancel();
+  void CancelIsSeenFromAnotherThread();
+  void LogKeepsItsThreshold();
+  void FileIsReadWhole();
+  void MissingFileAndFolderAreRefused();
+  void WriteReplacesAndLeavesNothingBehind();
+  void FailedVerificationLeavesTheOldFile();
+  void WriterThatWritesNothingIsNoticed();
+  void WriteIntoAMissingFolderIsRefused();
+  void FullDiskIsNoticed();
+  void KilledWriterLeavesTheOldOrTheNew();
+  void TemporaryFolderGoesAway();
+  void JsonErrorNamesLineAndColumn();
+  void JsonSurvivesTheFile();
+  void FiguresThatAreNotFiniteAreNull();
+};
+
+void CoreTest::MillimetresAndMetresConvertBothWays() {
+  const Metres length = Millimetres(12.5);
+  QVERIFY(std::abs(length.value() - 0.0125) < 1e-18);
+  const Millimetres back = length;
+  QVERIFY(std::abs(back.value() - 12.5) < 1e-12);
+  static_assert(!std::is_convertible_v<double, Metres> && !std::is_convertible_v<double, Millimetres>);
+}
+
+void CoreTest::UnitsOfFiles() {
+  QCOMPARE(metres_per(LengthUnit::millimetre), 1e-3);
+  QCOMPARE(metres_per(LengthUnit::centimetre), 1e-2);
+  QCOMPARE(metres_per(LengthUnit::metre), 1.0);
+}
+
+void CoreTest::InputErrorIsOneSentenceInOrder() {
+  const InputError error("a.vtk", "vertex 3", "is not finite", "Export it anew");
+  QCOMPARE(std::string(error.what()), std::string("a.vtk: vertex 3: is not finite. Export it anew."));
+  QCOMPARE(std::string(InputError("", "", "is empty", "").what()), std::string("is empty."));
+  QCOMPARE(error.field(), std::string("vertex 3"));
+  QCOMPARE(error.remedy(), std::string("Export it anew"));
+}
+
+void CoreTest::RequireThrowsOnlyWhenBroken() {
+  require(true, "fine");
+  QVERIFY_EXCEPTION_THROWN(require(false, "broken"), PreconditionError);
+}
+
+void CoreTest::SamePurposeAndSeedGiveTheSameNumbers() {
+  const RunContext context(nullptr, nullptr, 42);
+  auto a = context.random("noise"), b = context.random("noise");
+  for (int i = 0; i < 100; ++i) QCOMPARE(a(), b());
+}
+
+void CoreTest::PurposesAndSeedsAreIndependent() {
+  std::set<std::uint64_t> firsts;
+  for (std::uint64_t seed = 0; seed < 50; ++seed)
+    for (const char* purpose : {"noise", "noise2", "esion", ""})
+      firsts.insert(RunContext(nullptr, nullptr, seed).random(purpose)());
+  QCOMPARE(firsts.size(), std::size_t{200});
+}
+
+void CoreTest::StreamsAreTheSameOnEveryMachine() {
+  // Written down once: std::seed_seq and mt19937_64 are specified to the bit, std::hash is not.
+  auto random = RunContext(nullptr, nullptr, 7).random("mesh");
+  const std::uint64_t first = random();
+  auto again = RunContext(nullptr, nullptr, 7).random("mesh");
+  QCOMPARE(again(), first);
+  std::uint64_t hash = 14695981039346656037ULL;
+  for (const char letter : std::string("mesh"))
+    hash = (hash ^ static_cast<unsigned char>(letter)) * 1099511628211ULL;
+  std::seed_seq expected{static_cast<std::uint32_t>(hash), static_cast<std::uint32_t>(hash >> 32), 7U, 0U};
+  QCOMPARE(std::mt19937_64(expected)(), first);
+}
+
+void CoreTest::PartsOfPartsMapOntoTheWhole() {
+  std::vector<double> seen;
+  std::string stage;
+  const RunContext context(
+      [&](double fraction, std::string_view code) {
+        seen.push_back(fraction);
+        stage = code;
+      },
+      nullptr, 1);
+  const RunContext inner = context.part(0.5, 1.0).part(0.0, 0.5);
+  inner.progress(0.0, "a.b");
+  inner.progress(0.5, "a.c");
+  inner.progress(1.0, "a.d");
+  QVERIFY(std::abs(seen[0] - 0.5) < 1e-15 && std::abs(seen[1] - 0.625) < 1e-15 &&
+          std::abs(seen[2] - 0.75) < 1e-15);
+  QCOMPARE(stage, std::string("a.d"));
+}
+
+void CoreTest::ProgressIsClamped() {
+  double seen = -1;
+  const RunContext context([&](double fraction, std::string_view) { seen = fraction; }, nullptr, 1);
+  context.progress(1.7, "x");
+  QCOMPARE(seen, 1.0);
+  context.progress(-3, "x");
+  QCOMPARE(seen, 0.0);
+  RunContext().progress(0.5, "nobody listens");
+}
+
+void CoreTest::PartsKeepSeedAndCancel() {
+  auto flag = std::make_shared<CancelFlag>();
+  const RunContext part = RunContext(nullptr, flag, 9).part(0.2, 0.4);
+  QCOMPARE(part.seed(), std::uint64_t{9});
+  QVERIFY(!part.cancelled());
+  flag->request();
+  QVERIFY(part.cancelled());
+  QVERIFY(!RunContext().cancelled());
+}
+
+void CoreTest::CancelIsSeenFromAnotherThread() {
+  auto flag = std::make_shared<CancelFlag>();
+  const RunContext context(nullptr, flag, 1);
+  std::jthread asker([flag] { flag->request(); });
+  while (!context.cancelled()) std::this_thread::yield();
+  QVERIFY(flag->requested());
+}
+
+void CoreTest::LogKeepsItsThreshold() {
+  std::vector<std::string> lines;
+  const Log log([&](LogLevel, std::string_view line) { lines.emplace_back(line); }, LogLevel::warning);
+  log.write(LogLevel::info, "quiet");
+  log.write(LogLevel::error, "loud");
+  Log().write(LogLevel::error, "nowhere");
+  QVERIFY((lines == std::vector<std::string>{"loud"}));
+}
+
+void CoreTest::FileIsReadWhole() {
+  TemporaryFolder folder;
+  const std::string bytes("a\0b\r\n\xFF", 6);
+  put(folder.path() / "x", bytes);
+  QVERIFY(read_file(folder.path() / "x") == bytes);
+}
+
+void CoreTest::MissingFileAndFolderAreRefused() {
+  TemporaryFolder folder;
+  QVERIFY(message_of([&] { read_file(folder.path() / "absent"); }).find("absent") != std::string::npos);
+  QVERIFY_EXCEPTION_THROWN(read_file(folder.path()), FileError);
+}
+
+void CoreTest::WriteReplacesAndLeavesNothingBehind() {
+  TemporaryFolder folder;
+  write_file_atomically(folder.path() / "x.txt", "one");
+  write_file_atomically(folder.path() / "x.txt", "two");
+  QCOMPARE(read_file(folder.path() / "x.txt"), std::string("two"));
+  QCOMPARE(entries(folder.path()), std::size_t{1});
+}
+
+void CoreTest::FailedVerificationLeavesTheOldFile() {
+  TemporaryFolder folder;
+  const fs::path path = folder.path() / "x.nrrd";
+  put(path, "old");
+  QVERIFY_EXCEPTION_THROWN(write_file_atomically(
+                               path, [](const fs::path& to) { put(to, "half"); },
+                               [&](const fs::path& written) {
+                                 QCOMPARE(written.extension(), fs::path(".nrrd"));  // formats go by it
+                                 throw FileError("does not read back");
+                               }),
+                           FileError);
+  QCOMPARE(read_file(path), std::string("old"));
+  QCOMPARE(entries(folder.path()), std::size_t{1});
+}
+
+void CoreTest::WriterThatWritesNothingIsNoticed() {
+  TemporaryFolder folder;
+  QVERIFY_EXCEPTION_THROWN(write_file_atomically(
+                               folder.path() / "x", [](const fs::path&) {}, [](const fs::path&) {}),
+                           FileError);
+  QCOMPARE(entries(folder.path()), std::size_t{0});
+}
+
+void CoreTest::WriteIntoAMissingFolderIsRefused() {
+  TemporaryFolder folder;
+  QVERIFY(message_of([&] {
+            write_file_atomically(folder.path() / "no" / "x", "text");
+          }).find("folder does not exist") != std::string::npos);
+}
+
+void CoreTest::FullDiskIsNoticed() {
+  // A limit on the size of files stands for the full disk; in a child, for it holds for a whole process.
+  TemporaryFolder folder;
+  const fs::path path = folder.path() / "x";
+  put(path, "old");
+  const pid_t child = ::fork();
+  if (child == 0) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{4096, 4096};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+    try {
+      write_file_atomically(path, std::string(1 << 20, 'x'));
+      ::_exit(1);
+    } catch (const FileError&) {
+      ::_exit(0);
+    }
+  }
+  int status = -1;
+  QCOMPARE(::waitpid(child, &status, 0), child);
+  QVERIFY(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+  QCOMPARE(read_file(path), std::string("old"));
+  QCOMPARE(entries(folder.path()), std::size_t{1});
+}
+
+void CoreTest::KilledWriterLeavesTheOldOrTheNew() {
+  TemporaryFolder folder;
+  const fs::path path = folder.path() / "x";
+  const std::string contents[2] = {std::string(300000, 'a'), std::string(300000, 'b')};
+  write_file_atomically(path, contents[0]);
+  for (int round = 0; round < 15; ++round) {
+    const pid_t child = ::fork();
+    if (child == 0)
+      for (int i = 1;; ++i) write_file_atomically(path, contents[i % 2]);
+    std::this_thread::sleep_for(std::chrono::microseconds(700 * (round + 1)));
+    ::kill(child, SIGKILL);
+    ::waitpid(child, nullptr, 0);
+    const std::string found = read_file(path);
+    QVERIFY(found == contents[0] || found == contents[1]);
+  }
+}
+
+void CoreTest::TemporaryFolderGoesAway() {
+  fs::path path;
+  {
+    TemporaryFolder folder;
+    path = folder.path();
+    put(path / "x", "y");
+    QVERIFY(fs::exists(path));
+  }
+  QVERIFY(!fs::exists(path));
+  QVERIFY_EXCEPTION_THROWN(TemporaryFolder("/no/such/place"), FileError);
+}
+
+void CoreTest::JsonErrorNamesLineAndColumn() {
+  TemporaryFolder folder;
+  put(folder.path() / "x.json", "{\n  \"a\": 1,\n  \"b\" 2\n}\n");
+  const std::string message = message_of([&] { read_json(folder.path() / "x.json"); });
+  QVERIFY(message.find("line 3, column 7") != std::string::npos);
+  QVERIFY_EXCEPTION_THROWN(read_json(folder.path() / "absent.json"), FileError);
+}
+
+void CoreTest::JsonSurvivesTheFile() {
+  TemporaryFolder folder;
+  const nlohmann::json document = {{"name", "liver"}, {"list", {1, 2.5, nullptr}}};
+  write_json(folder.path() / "x.json", document);
+  QVERIFY(read_json(folder.path() / "x.json") == document);
+}
+
+void CoreTest::FiguresThatAreNotFiniteAreNull() {
+  TemporaryFolder folder;
+  write_figures(folder.path() / "x.json",
+                {{"tre_mm", 1.5}, {"bad_mm", std::numeric_limits<double>::quiet_NaN()}},
+                {{"source", "in-silico"}});
+  const nlohmann::json document = read_json(folder.path() / "x.json");
+  QCOMPARE(document.at("tre_mm").get<double>(), 1.5);
+  QVERIFY(document.at("bad_mm").is_null());
+  QCOMPARE(document.at("source").get<std::string>(), std::string("in-silico"));
+}
+
+QTEST_APPLESS_MAIN(CoreTest)
+#include "core_test.moc"

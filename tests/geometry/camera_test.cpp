@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/geometry/camera.h"
+
+#include <Eigen/LU>
+#include <QtTest>
+#include <random>
+
+using namespace glisson;
+
+namespace {
+
+Camera laparoscope(bool distorted) {
+  Camera camera;
+  camera.width = 960;
+  camera.height = 540;
+  camera.matrix << 820, 0.7, 481, 0, 815, 268, 0, 0, 1;
+  if (distorted) camera.distortion << -0.28, 0.11, 1e-3, -7e-4, -0.02;
+  return camera;
+}
+
+struct A {};
+struct B {};
+
+Points cloud(int count) {
+  std::mt19937 random(2);
+  std::normal_distribution<double> normal(0.0, 0.1);
+  Points points(count, 3);
+  for (Eigen::Index i = 0; i < points.size(); ++i) points.data()[i] = normal(random);
+  return points;
+}
+
+Rigid<B, A> known_motion() {
+  Rigid<B, A> motion;
+  motion.rotation = Eigen::AngleAxisd(2.1, Eigen::Vector3d(1, -2, 0.5).normalized()).toRotationMatrix();
+  motion.translation << 0.3, -0.1, 2.0;
+  return motion;
+}
+
+}  // namespace
+
+class CameraTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void UndistortedProjectionIsThePinhole();
+  void DistortionIsOpenCvs();
+  void RayIsTheInverseOfProject();
+  void CentreOfTheFirstPixelIsTheOrigin();
+  void BaselineIsTheTranslation();
+  void InverseUndoes();
+  void CompositionIsOneAfterTheOther();
+  void MatrixHoldsTheSame();
+  void FitFindsTheMotion();
+  void FitNeverReflects();
+  void FitOfAPlaneIsARotation();
+  void WeightsChooseWhatCounts();
+};
+
+void CameraTest::UndistortedProjectionIsThePinhole() {
+  const Eigen::Vector2d pixel = laparoscope(false).project({0.02, -0.01, 0.1});
+  QVERIFY((pixel - Eigen::Vector2d(820 * 0.2 + 0.7 * -0.1 + 481, 815 * -0.1 + 268)).norm() < 1e-9);
+}
+
+void CameraTest::DistortionIsOpenCvs() {
+  // By the formula of OpenCV's calib3d manual, written out.
+  const double x = 0.3, y = -0.2, r2 = x * x + y * y;
+  const double k1 = -0.28, k2 = 0.11, p1 = 1e-3, p2 = -7e-4, k3 = -0.02;
+  const double radial = 1 + k1 * r2 + k2 * r2 * r2 + k3 * r2 * r2 * r2;
+  const double xd = x * radial + 2 * p1 * x * y + p2 * (r2 + 2 * x * x),
+               yd = y * radial + p1 * (r2 + 2 * y * y) + 2 * p2 * x * y;
+  const Eigen::Vector2d pixel = laparoscope(true).project({0.5 * x, 0.5 * y, 0.5});
+  QVERIFY((pixel - Eigen::Vector2d(820 * xd + 0.7 * yd + 481, 815 * yd + 268)).norm() < 1e-9);
+}
+
+void CameraTest::RayIsTheInverseOfProject() {
+  for (const bool distorted : {false, true}) {
+    const Camera camera = laparoscope(distorted);
+    for (double u = 0; u < camera.width; u += 97)
+      for (double v = 0; v < camera.height; v += 89) {
+        const Eigen::Vector3d ray = camera.ray({u, v});
+        QCOMPARE(ray.z(), 1.0);
+        QVERIFY((camera.project(0.137 * ray) - Eigen::Vector2d(u, v)).norm() < 1e-6);
+      }
+  }
+}
+
+void CameraTest::CentreOfTheFirstPixelIsTheOrigin() {
+  const Camera camera = laparoscope(false);
+  QVERIFY(camera.sees({0, 0}) && camera.sees({-0.5, -0.5}) && camera.sees({959.4, 539.4}));
+  QVERIFY(!camera.sees({-0.6, 10}) && !camera.sees({959.5, 10}) && !camera.sees({10, 539.5}));
+}
+
+void CameraTest::BaselineIsTheTranslation() {
+  StereoRig rig;
+  rig.right_from_left.translation << -0.003, 0.004, 0.0;
+  QVERIFY(std::abs(rig.baseline() - 0.005) < 1e-15);
+}
+
+void CameraTest::InverseUndoes() {
+  const Rigid<B, A> motion = known_motion();
+  const Point<A> p(0.1, 0.2, -0.3);
+  QVERIFY(((motion.inverse() * (motion * p)).xyz - p.xyz).norm() < 1e-14);
+}
+
+void CameraTest::CompositionIsOneAfterTheOther() {
+  const Rigid<B, A> first = known_motion();
+  Rigid<A, B> second;
+  second.rotation = Eigen::AngleAxisd(-0.4, Eigen::Vector3d::UnitY()).toRotationMatrix();
+  second.translation << 1, 2, 3;
+  const Point<A> p(0.1, 0.2, -0.3);
+  QVERIFY((((second * first) * p).xyz - (second * (first * p)).xyz).norm() < 1e-14);
+}
+
+void CameraTest::MatrixHoldsTheSame() {
+  const Rigid<B, A> motion = known_motion();
+  const Points points = cloud(5);
+  const Points moved = motion.apply(points);
+  for (Eigen::Index i = 0; i < 5; ++i)
+    QVERIFY(((motion.matrix() * points.row(i).transpose().homogeneous()).head<3>() - moved.row(i).transpose())
+                .norm() < 1e-14);
+  const Rigid<B, A> back = Rigid<B, A>::from_matrix(motion.matrix());
+  QVERIFY(back.rotation == motion.rotation && back.translation == motion.translation);
+}
+
+void CameraTest::FitFindsTheMotion() {
+  const Points source = cloud(30);
+  const Rigid<B, A> truth = known_motion(), found = fit_rigid<B, A>(source, truth.apply(source));
+  QVERIFY((found.rotation - truth.rotation).norm() < 1e-12 &&
+          (found.translation - truth.translation).norm() < 1e-12);
+}
+
+void CameraTest::FitNeverReflects() {
+  const Points source = cloud(30);
+  Points mirrored = source;
+  mirrored.col(0) *= -1.0;
+  const Rigid<B, A> found = fit_rigid<B, A>(source, mirrored);
+  QVERIFY(std::abs(found.rotation.determinant() - 1.0) < 1e-12);
+  // The best rotation by trying many.
+  const auto misfit = [&](const Eigen::Matrix3d& rotation) {
+    const Eigen::RowVector3d centre = source.colwise().mean(), target = mirrored.colwise().mean();
+    return (((source.rowwise() - centre) * rotation.transpose()).rowwise() + target - mirrored).squaredNorm();
+  };
+  std::mt19937 random(9);
+  std::normal_distribution<double> normal;
+  for (int i = 0; i < 2000; ++i) {
+    const Eigen::Quaterniond q(normal(random), normal(random), normal(random), normal(random));
+    QVERIFY(misfit(found.rotation) <= misfit(q.normalized().toRotationMatrix()) + 1e-12);
+  }
+}
+
+void CameraTest::FitOfAPlaneIsARotation() {
+  Points source = cloud(12);
+  source.col(2).setZero();
+  const Rigid<B, A> truth = known_motion(), found = fit_rigid<B, A>(source, truth.apply(source));
+  QVERIFY((found.rotation - truth.rotation).norm() < 1e-9);
+}
+
+void CameraTest::WeightsChooseWhatCounts() {
+  const Points source = cloud(20);
+  Points target = known_motion().apply(source);
+  target.row(7) += Eigen::RowVector3d(5, 5, 5);
+  Eigen::VectorXd weights = Eigen::VectorXd::Ones(20);
+  weights[7] = 0.0;
+  QVERIFY((fit_rigid<B, A>(source, target, weights).rotation - known_motion().rotation).norm() < 1e-12);
+}
+
+QTEST_APPLESS_MAIN(CameraTest)
+#include "camera_test.moc"

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QtTest>
+#include <set>
+
+#include "glisson/core/error.h"
+#include "glisson/core/files.h"
+#include "glisson/geometry/mesh_io.h"
+#include "glisson/model/build.h"
+#include "shapes.h"
+
+using namespace glisson;
+namespace fs = std::filesystem;
+
+namespace {
+
+void save(const fs::path& path, const TriangleMesh& mesh) {
+  write_triangle_mesh(path, mesh, LengthUnit::millimetre);
+}
+
+const TriangleMesh kLiver = test::sphere(0.07, 4);
+
+bool says(const std::vector<std::string>& notes, const std::string& code) {
+  for (const std::string& note : notes)
+    if (note.rfind(code, 0) == 0) return true;
+  return false;
+}
+
+std::string complaint(const fs::path& path, LengthUnit unit) {
+  try {
+    model::read_surfaces(path, unit);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+}  // namespace
+
+class SurfacesTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void FolderIsReadByItsNames();
+  void EachComponentIsALesion();
+  void TumoursComeBeforeCysts();
+  void SecondFormatIsIgnoredAndReported();
+  void OneFileIsTheLiver();
+  void WrongUnitIsRefusedWithTheRightOne();
+  void FolderWithoutLiverIsRefused();
+  void MissingFolderIsAFileError();
+  void SurfacesBecomeAModel();
+  void LesionOutsideTheLiverIsReported();
+  void VesselOutsideTheLiverIsReported();
+};
+
+void SurfacesTest::FolderIsReadByItsNames() {
+  TemporaryFolder folder;
+  save(folder.path() / "liver.stl", kLiver);
+  save(folder.path() / "Portal_Vein.ply", test::torus(0.03, 0.005, 30, 12));
+  save(folder.path() / "hepatic_veins.obj", test::torus(0.02, 0.004, 30, 12));
+  save(folder.path() / "vena_cava.vtp", test::box({0.02, 0.02, 0.2}));
+  save(folder.path() / "spleen.vtk", kLiver);
+  const model::SurfaceSet set = model::read_surfaces(folder.path(), LengthUnit::millimetre);
+  QVERIFY(std::abs(volume(set.liver) / volume(kLiver) - 1.0) < 1e-5);
+  std::set<Label> found;
+  for (const NamedSurface& other : set.others) {
+    QCOMPARE(other.name, structure_name(other.structure));
+    found.insert(other.structure);
+  }
+  QVERIFY((found == std::set<Label>{structure::kPortalVein, structure::kHepaticVeins, structure::kVenaCava}));
+  QVERIFY(says(set.notes, "surfaces.ignored spleen.vtk"));
+}
+
+void SurfacesTest::EachComponentIsALesion() {
+  TemporaryFolder folder;
+  save(folder.path() / "liver.vtk", kLiver);
+  save(folder.path() / "liver_tumours.vtk",
+       test::joined(test::joined(test::sphere(0.01, 2), test::moved(test::sphere(0.02, 2), {0.04, 0, 0})),
+                    test::moved(test::sphere(0.0005, 1), {0, 0.05, 0})));
+  const model::SurfaceSet set = model::read_surfaces(folder.path(), LengthUnit::millimetre);
+  QCOMPARE(set.others.size(), std::size_t{2});
+  QCOMPARE(set.others[0].structure, structure::kFirstLesion);
+  QVERIFY(volume(set.others[0].mesh) > volume(set.others[1].mesh));
+  QCOMPARE(set.others[1].name, std::string("lesion_2"));
+  QVERIFY(says(set.notes, "lesion.crumbs_dropped 1"));
+}
+
+void SurfacesTest::TumoursComeBeforeCysts() {
+  TemporaryFolder folder;
+  save(folder.path() / "liver.vtk", kLiver);
+  save(folder.path() / "liver_cysts.vtk", test::sphere(0.02, 2));
+  save(folder.path() / "liver_tumours.vtk", test::moved(test::sphere(0.01, 2), {0.04, 0, 0}));
+  const model::SurfaceSet set = model::read_surfaces(folder.path(), LengthUnit::millimetre);
+  QVERIFY(centroid(set.others[0].mesh).x() > 0.03);
+}
+
+void SurfacesTest::SecondFormatIsIgnoredAndReported() {
+  TemporaryFolder folder;
+  save(folder.path() / "liver.ply", test::sphere(0.05, 2));
+  save(folder.path() / "liver.vtk", kLiver);
+  const model::SurfaceSet set = model::read_surfaces(folder.path(), LengthUnit::millimetre);
+  QVERIFY(std::abs(volume(set.liver) / volume(kLiver) - 1.0) < 1e-9);
+  QVERIFY(says(set.notes, "surfaces.ignored liver.ply"));
+}
+
+void SurfacesTest::OneFileIsTheLiver() {
+  TemporaryFolder folder;
+  save(folder.path() / "organ.ply", kLiver);
+  const model::SurfaceSet set = model::read_surfaces(folder.path() / "organ.ply", LengthUnit::millimetre);
+  QCOMPARE(set.liver.triangle_count(), kLiver.triangle_count());
+  QVERIFY(set.others.empty());
+}
+
+void SurfacesTest::WrongUnitIsRefusedWithTheRightOne() {
+  TemporaryFolder folder;
+  save(folder.path() / "liver.vtk", kLiver);
+  QVERIFY(complaint(folder.path(), LengthUnit::metre).find("Read it in mm") != std::string::npos);
+  QVERIFY(complaint(folder.path() / "liver.vtk", LengthUnit::centimetre).find("Read it in mm") !=
+          std::string::npos);
+}
+
+void SurfacesTest::FolderWithoutLiverIsRefused() {
+  TemporaryFolder folder;
+  QVERIFY(complaint(folder.path(), LengthUnit::millimetre).find("liver") != std::string::npos);
+  save(folder.path() / "portal_vein.vtk", test::sphere(0.01, 1));
+  QVERIFY(complaint(folder.path(), LengthUnit::millimetre).find("liver") != std::string::npos);
+}
+
+void SurfacesTest::MissingFolderIsAFileError() {
+  QVERIFY_EXCEPTION_THROWN(model::read_surfaces("no/such/folder", LengthUnit::millimetre), FileError);
+}
+
+void SurfacesTest::SurfacesBecomeAModel() {
+  model::SurfaceSet set;
+  set.liver = kLiver;
+  set.others.push_back(
+      {structure::kFirstLesion, "lesion_1", test::moved(test::sphere(0.012, 3), {0.03, 0, 0})});
+  set.others.push_back(
+      {structure::kPortalVein, "portal_vein", test::moved(test::box({0.008, 0.008, 0.09}), {0, 0, -0.03})});
+  model::ModelOptions options;
+  options.mesh.target_vertices = 300;
+  options.target_beams = 10;
+  const auto built = model::build_from_surfaces(set, options, RunContext());
+  QVERIFY(built->report.quality.min_dihedral_deg >= 10.0);
+  QVERIFY(std::abs(built->report.quality.vertices - 300) <= 30);
+  QVERIFY((lesion_centres(built->model).at(0).second - Eigen::Vector3d(0.03, 0, 0)).norm() < 2e-3);
+  QCOMPARE(built->model.vessels.size(), std::size_t{1});
+  const VesselTree& tree = built->model.vessels[0];
+  // From where the vessel comes into the liver (z = -70 mm) up.
+  QVERIFY(tree.nodes(0, 2) < -0.06 && tree.nodes.col(2).maxCoeff() > 0.005);
+  QVERIFY(tree.beams.size() >= 5);
+}
+
+void SurfacesTest::LesionOutsideTheLiverIsReported() {
+  model::SurfaceSet set;
+  set.liver = kLiver;
+  set.others.push_back(
+      {structure::kFirstLesion, "lesion_1", test::moved(test::sphere(0.012, 3), {0.2, 0, 0})});
+  model::ModelOptions options;
+  options.mesh.target_vertices = 100;
+  const auto built = model::build_from_surfaces(set, options, RunContext());
+  QVERIFY(says(built->report.notes, "lesion.outside_liver lesion_1"));
+  QVERIFY(lesion_centres(built->model).empty());
+}
+
+void SurfacesTest::VesselOutsideTheLiverIsReported() {
+  model::SurfaceSet set;
+  set.liver = kLiver;
+  set.others.push_back(
+      {structure::kPortalVein, "portal_vein", test::moved(test::box({0.01, 0.01, 0.05}), {0.2, 0, 0})});
+  model::ModelOptions options;
+  options.mesh.target_vertices = 100;
+  const auto built = model::build_from_surfaces(set, options, RunContext());
+  QVERIFY(says(built->report.notes, "vessels.outside_liver"));
+  QVERIFY(built->model.vessels.empty());
+}
+
+QTEST_APPLESS_MAIN(SurfacesTest)
+#include "surfaces_test.moc"
