@@ -16,7 +16,7 @@ namespace {
 
 Picture draw_model(const engine::CaseState& state) {
   scene::PatientScene patient;
-  patient.set_model(std::make_shared<const PatientModel>(engine::effective_model(state)));
+  patient.set_model(engine::effective_model(state));
   patient.set_landmarks(engine::effective_landmarks(state));
   patient.set_opacity(structure::kParenchyma, 0.35);
   patient.look_from(scene::ViewFrom::anterior);

@@ -3,6 +3,7 @@
 #include <QLocale>
 #include <QTranslator>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <optional>
@@ -60,6 +61,8 @@ int run(int argc, char** argv) {
 }  // namespace glisson::app
 
 int main(int argc, char** argv) {
+  // FFmpeg's own words on a broken video; ours name the file and the remedy.
+  ::setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);
   try {
     return glisson::app::run(argc, argv);
   } catch (const glisson::app::UsageError& failure) {

@@ -88,6 +88,16 @@ fem::CompositeOptions materials(const Arguments& arguments) {
   return options;
 }
 
+registration::ElasticOptions elastic_options(const Arguments& arguments, const Session& session) {
+  PatientModel model = engine::effective_model(session.state());
+  // A mesh without vessels came as a file; the margin that was detected on it says nothing of its material.
+  if (model.vessels.empty() && !session.state().landmarks) model.landmarks = {};
+  registration::ElasticOptions options = registration::options_for(model);
+  for (const char* name : {"materials", "homogeneous", "young", "poisson"})
+    if (arguments.has(name)) options.materials = materials(arguments);
+  return options;
+}
+
 std::vector<int> fixed_nodes(const Arguments& arguments, const Session& session) {
   if (!arguments.has("fixed")) return {};
   return read_node_numbers(arguments.path("fixed"), session.state().model->model.mesh.vertex_count());

@@ -34,6 +34,9 @@ Points read_true_nodes(const std::filesystem::path& path, LengthUnit unit);
 /// Declares what the mechanics is made of: --materials, --homogeneous, --young, --poisson.
 void declare_materials(Arguments& arguments);
 fem::CompositeOptions materials(const Arguments& arguments);
+/// The registration's defaults for what was given (a bare mesh is taken for homogeneous), changed by the
+/// material options that were given.
+registration::ElasticOptions elastic_options(const Arguments& arguments, const Session& session);
 /// Node numbers of --fixed, or none.
 std::vector<int> fixed_nodes(const Arguments& arguments, const Session& session);
 

@@ -237,7 +237,7 @@ int run_register(const QStringList& given) {
   session.post(
       engine::ImportCloud{cloud, arguments.has("cloud-unit") ? arguments.unit("cloud-unit") : argument.unit});
   engine::Register command;
-  command.elastic.materials = materials(arguments);
+  command.elastic = elastic_options(arguments, session);
   command.elastic.fixed_nodes = fixed_nodes(arguments, session);
   if (arguments.value("rigid") == "none") {
     command.start = engine::Register::Start::none;
@@ -289,7 +289,8 @@ int run_track(const QStringList& given) {
   const ModelArgument argument = load_model(arguments, session);
   session.post(engine::ImportRegistration{arguments.required_path("start"), argument.unit});
   engine::StartTracking command;
-  command.options.materials = materials(arguments);
+  command.options.cloud = elastic_options(arguments, session);
+  command.options.materials = command.options.cloud.materials;
   command.options.fixed_nodes = fixed_nodes(arguments, session);
   command.steps_per_cloud = arguments.integer("cloud-steps", 1, 10000);
   if (arguments.has("clouds")) {

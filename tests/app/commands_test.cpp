@@ -13,9 +13,11 @@
 #include "glisson/geometry/distance.h"
 #include "glisson/geometry/mesh_io.h"
 #include "glisson/geometry/topology.h"
+#include "glisson/patient/label_map.h"
 #include "glisson/patient/labelled_cloud.h"
 #include "glisson/stereo/calibration_io.h"
 #include "glisson/stereo/picture_io.h"
+#include "glisson/volume/io.h"
 
 using namespace glisson;
 namespace fs = std::filesystem;
@@ -94,6 +96,7 @@ class CommandsTest : public QObject {
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.remove("DISPLAY");
     environment.remove("WAYLAND_DISPLAY");
+    environment.insert("XDG_RUNTIME_DIR", QString::fromStdString(folder_->path().string()));
     process.setProcessEnvironment(environment);
     process.start(GLISSON_EXECUTABLE, arguments);
     if (!process.waitForFinished(500000)) return {};
@@ -266,7 +269,7 @@ void CommandsTest::SeveralLargeComponentsAreRefused() {
   two.triangles.conservativeResize(2 * one.triangles.rows(), 3);
   two.triangles.bottomRows(one.triangles.rows()) = one.triangles.array() + one.vertex_count();
   write_triangle_mesh(at("two.vtp"), two, LengthUnit::millimetre);
-  refused({"model", "--surfaces", "two.vtp", "--case", "a.glisson"}, "component");
+  refused({"model", "--surfaces", "two.vtp", "--case", "a.glisson"}, "pieces");
 }
 
 void CommandsTest::AVideoThatEndsEarlyIsRecognised() {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "glisson/core/error.h"
+#include "glisson/geometry/rigid.h"
 #include "glisson/patient/label_map.h"
 
 using namespace glisson;

@@ -132,7 +132,8 @@ struct Engine::Impl {
           stamp.revision = ++revision;
           for (int k = 0; k < kPartCount; ++k) {
             const Part input = static_cast<Part>(k);
-            if (input != part && reads(job.command).has(input) && base.has(input))
+            // An input that was not there counts too (revision 0): when it comes, this part is stale.
+            if (input != part && reads(job.command).has(input))
               stamp.made_from[input] = base.stamp(input).revision;
           }
         }
