@@ -87,6 +87,11 @@ class MeshIoTest : public QObject {
   void NodeNumbersBeyondTheMeshAreRefused();
   void LiverOf150MetresIsRefusedWithTheUnit();
   void FailedWriteLeavesTheOldFile();
+  void LegacyVersionsSayTheSame_data();
+  void LegacyVersionsSayTheSame();
+  void LegacyWithWrongCountsIsRefused_data();
+  void LegacyWithWrongCountsIsRefused();
+  void TriangleStripsAreOpened();
   void RealElasticSequenceIsRead();
   void RealLiverSurfacesAreRead();
 };
@@ -378,7 +383,7 @@ void MeshIoTest::PlyWithInflatedCountIsRefused() {
 
 void MeshIoTest::MutatedFilesNeverCrash_data() {
   QTest::addColumn<QString>("extension");
-  for (const char* extension : {".vtu", ".vtp", ".stl", ".ply", ".obj", ".msh"})
+  for (const char* extension : {".vtu", ".vtk", ".vtp", ".stl", ".ply", ".obj", ".msh"})
     QTest::newRow(extension) << extension;
 }
 
@@ -396,7 +401,7 @@ void MeshIoTest::MutatedFilesNeverCrash() {
   const std::string whole = read_file(path);
   std::mt19937 random(7);
   int refused = 0;
-  for (int round = 0; round < 100; ++round) {
+  for (int round = 0; round < 300; ++round) {
     std::string mutant = whole;
     for (int change = 0; change < 1 + round % 4; ++change) {
       const std::size_t at = random() % mutant.size();
@@ -526,6 +531,74 @@ void MeshIoTest::FailedWriteLeavesTheOldFile() {
   TetFile wrong{two_tetrahedra(), {{"short", Eigen::MatrixXd::Zero(2, 1)}}, {}, {}};
   QVERIFY_EXCEPTION_THROWN(write_tet_mesh(path, wrong, LengthUnit::millimetre), PreconditionError);
   QCOMPARE(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 1L);
+}
+
+void MeshIoTest::LegacyVersionsSayTheSame_data() {
+  QTest::addColumn<QString>("text");
+  const QString points = "POINTS 5 float\n0 0 0 100 0 0 0 100 0 0 0 100 100 100 100\n";
+  const QString types = "CELL_TYPES 2\n10\n10\n";
+  const QString data =
+      "CELL_DATA 2\nSCALARS label int 1\nLOOKUP_TABLE default\n1 16\nPOINT_DATA 5\nVECTORS u%20mm float\n0 0 "
+      "0 1 0 "
+      "0 2 0 0 3 0 0 4 0 0\nFIELD FieldData 1\nheat 1 5 double\n1 2 3 4 5\n";
+  QTest::newRow("3.0") << "# vtk DataFile Version 3.0\nby hand\nASCII\nDATASET UNSTRUCTURED_GRID\n" + points +
+                              "CELLS 2 10\n4 0 1 2 3\n4 1 2 3 4\n" + types + data;
+  QTest::newRow("5.1")
+      << "# vtk DataFile Version 5.1\nby hand\nASCII\nDATASET UNSTRUCTURED_GRID\n" + points +
+             "METADATA\nINFORMATION 0\n\nCELLS 3 8\nOFFSETS vtktypeint64\n0 4 8\nCONNECTIVITY "
+             "vtktypeint64\n0 1 2 3 1 2 3 4\n" +
+             types + data;
+}
+
+void MeshIoTest::LegacyVersionsSayTheSame() {
+  QFETCH(QString, text);
+  TemporaryFolder folder;
+  const fs::path path = folder.path() / "mesh.vtk";
+  write_text(path, text.toStdString());
+  const TetFile file = read_tet_file(path, LengthUnit::millimetre);
+  QVERIFY(file.mesh.tetrahedra == two_tetrahedra().tetrahedra);
+  QVERIFY((file.mesh.labels == std::vector<int>{1, 16}));
+  QVERIFY(std::abs(file.mesh.vertices(4, 2) - 0.1) < 1e-15);
+  QCOMPARE(file.point_data.at("u mm")(3, 0), 3.0);
+  QCOMPARE(file.point_data.at("heat")(4, 0), 5.0);
+}
+
+void MeshIoTest::LegacyWithWrongCountsIsRefused_data() {
+  QTest::addColumn<QString>("cells");
+  QTest::newRow("list too long") << "CELLS 1 5\n9 0 1 2 3\nCELL_TYPES 1\n10\n";
+  QTest::newRow("negative list") << "CELLS 1 5\n-4 0 1 2 3\nCELL_TYPES 1\n10\n";
+  QTest::newRow("fewer cells") << "CELLS 2 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n";
+  QTest::newRow("more types") << "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 2\n10\n10\n";
+  QTest::newRow("no types") << "CELLS 1 5\n4 0 1 2 3\n";
+  QTest::newRow("huge count") << "CELLS 1 4000000000000\n4 0 1 2 3\n";
+  QTest::newRow("short tetrahedron") << "CELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n10\n";
+  QTest::newRow("unknown section") << "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\nNONSENSE\n";
+}
+
+void MeshIoTest::LegacyWithWrongCountsIsRefused() {
+  QFETCH(QString, cells);
+  TemporaryFolder folder;
+  const fs::path path = folder.path() / "mesh.vtk";
+  write_text(
+      path,
+      "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 double\n0 0 0 1 0 0 0 "
+      "1 0 0 0 1\n" +
+          cells.toStdString());
+  QVERIFY(!complaint([&] { read_tet_mesh(path, LengthUnit::metre); }).empty());
+}
+
+void MeshIoTest::TriangleStripsAreOpened() {
+  TemporaryFolder folder;
+  const fs::path path = folder.path() / "strip.vtk";
+  write_text(
+      path,
+      "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 5 float\n0 0 0 0 1 0 1 0 0 1 1 0 2 "
+      "0 0\nTRIANGLE_STRIPS 1 6\n5 0 1 2 3 4\n");
+  const TriangleMesh mesh = read_triangle_mesh(path, LengthUnit::metre);
+  QCOMPARE(mesh.triangle_count(), 3);
+  const Points normals = triangle_normals(mesh);
+  for (int t = 1; t < 3; ++t) QVERIFY((normals.row(t) - normals.row(0)).norm() < 1e-12);  // all face one way
+  QVERIFY(std::abs(area(mesh) - 1.5) < 1e-12);
 }
 
 void MeshIoTest::RealElasticSequenceIsRead() {

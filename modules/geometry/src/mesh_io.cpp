@@ -27,6 +27,10 @@ bool is_vtk_format(const std::string& extension) {
   return extension == ".vtk" || extension == ".vtu" || extension == ".vtp";
 }
 
+formats::MixedFile read_vtk(const fs::path& path) {
+  return extension_of(path) == ".vtk" ? formats::read_legacy_vtk(path) : formats::read_xml_vtk(path);
+}
+
 void require_finite(const Points& vertices, const std::string& name) {
   for (Eigen::Index i = 0; i < vertices.rows(); ++i)
     if (!vertices.row(i).allFinite())
@@ -71,7 +75,7 @@ const char* unit_code(LengthUnit unit) {
 bool is_tetrahedral(const fs::path& path) {
   const std::string extension = extension_of(path);
   if (extension == ".msh") return formats::read_msh(path).mesh.tetrahedron_count() > 0;
-  if (is_vtk_format(extension)) return formats::read_vtk(path).tets.mesh.tetrahedron_count() > 0;
+  if (is_vtk_format(extension)) return read_vtk(path).tets.mesh.tetrahedron_count() > 0;
   if (extension == ".stl" || extension == ".obj" || extension == ".ply") {
     if (!fs::exists(path)) throw FileError(path.string() + ": does not exist. Check the path.");
     return false;
@@ -86,7 +90,7 @@ TetFile read_tet_file(const fs::path& path, LengthUnit unit) {
   if (extension == ".msh") {
     file = formats::read_msh(path);
   } else if (extension == ".vtu" || extension == ".vtk") {
-    file = std::move(formats::read_vtk(path).tets);
+    file = std::move(read_vtk(path).tets);
   } else {
     throw InputError(name, "", "is no tetrahedral mesh format (\"" + extension + "\")",
                      "Give .vtu, legacy .vtk or .msh");
@@ -112,7 +116,7 @@ void write_tet_mesh(const fs::path& path, const TetFile& file, LengthUnit unit) 
   write_file_atomically(
       path, [&](const fs::path& to) { formats::write_vtk(to, scaled); },
       [&](const fs::path& written) {
-        const TetFile back = formats::read_vtk(written).tets;
+        const TetFile back = read_vtk(written).tets;
         require_same_positions(scaled.mesh.vertices, back.mesh.vertices, 0.0, path.string());
         if (back.mesh.tetrahedra != scaled.mesh.tetrahedra || back.mesh.labels != scaled.mesh.labels)
           throw FileError(path.string() + ": what was written reads back differently. Check the disk.");
@@ -133,7 +137,7 @@ TriangleFile read_triangle_file(const fs::path& path, LengthUnit unit) {
   } else if (extension == ".ply") {
     file.mesh = formats::read_ply_surface(path);
   } else if (is_vtk_format(extension)) {
-    file = std::move(formats::read_vtk(path).triangles);
+    file = std::move(read_vtk(path).triangles);
   } else {
     throw InputError(name, "", "is no surface format (\"" + extension + "\")",
                      "Give .vtp, legacy .vtk, .stl, .obj or .ply");
@@ -165,7 +169,7 @@ void write_triangle_mesh(const fs::path& path, const TriangleFile& file, LengthU
     write_file_atomically(
         path, [&](const fs::path& to) { formats::write_vtk(to, scaled); },
         [&](const fs::path& written) {
-          const TriangleFile back = formats::read_vtk(written).triangles;
+          const TriangleFile back = read_vtk(written).triangles;
           require_same_positions(scaled.mesh.vertices, back.mesh.vertices, 0.0, path.string());
           if (back.mesh.triangles != scaled.mesh.triangles)
             throw FileError(path.string() + ": what was written reads back differently. Check the disk.");

@@ -19,11 +19,12 @@ struct MixedFile {
 };
 
 // Through VTK.
-MixedFile read_vtk(const std::filesystem::path& path);  ///< .vtu .vtp .vtk
+MixedFile read_xml_vtk(const std::filesystem::path& path);  ///< .vtu .vtp
 void write_vtk(const std::filesystem::path& path, const TetFile& file);
 void write_vtk(const std::filesystem::path& path, const TriangleFile& file);
 
 // By our own parsers.
+MixedFile read_legacy_vtk(const std::filesystem::path& path);
 TetFile read_msh(const std::filesystem::path& path);
 TriangleMesh read_stl(const std::filesystem::path& path);
 TriangleMesh read_obj(const std::filesystem::path& path);

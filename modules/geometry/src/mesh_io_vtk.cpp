@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <vtkCallbackCommand.h>
-#include <vtkCell.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
@@ -12,11 +11,9 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkPolyDataReader.h>
 #include <vtkPolyDataWriter.h>
 #include <vtkSmartPointer.h>
 #include <vtkUnstructuredGrid.h>
-#include <vtkUnstructuredGridReader.h>
 #include <vtkUnstructuredGridWriter.h>
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLPolyDataWriter.h>
@@ -25,7 +22,7 @@
 
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
-#include "mesh_io_formats.h"
+#include "mesh_io_cells.h"
 
 namespace glisson::formats {
 namespace fs = std::filesystem;
@@ -62,25 +59,6 @@ bool is_legacy(const fs::path& path) {
 }
 
 template <class Reader>
-vtkSmartPointer<vtkPointSet> read_legacy(const fs::path& path, const std::string& content) {
-  vtkNew<Reader> reader;
-  Complaints complaints;
-  complaints.listen_to(*reader);
-  complaints.listen_to(*reader->GetExecutive());
-  reader->ReadFromInputStringOn();
-  reader->SetBinaryInputString(content.data(), static_cast<int>(content.size()));
-  reader->ReadAllScalarsOn();
-  reader->ReadAllVectorsOn();
-  reader->ReadAllNormalsOn();
-  reader->ReadAllTensorsOn();
-  reader->ReadAllTCoordsOn();
-  reader->ReadAllFieldsOn();
-  reader->Update();
-  if (complaints.heard() || reader->GetErrorCode() != 0) fail(path, "", "is malformed or ends early");
-  return vtkSmartPointer<vtkPointSet>(reader->GetOutput());
-}
-
-template <class Reader>
 vtkSmartPointer<vtkPointSet> read_xml(const fs::path& path, const std::string& content) {
   vtkNew<Reader> reader;
   Complaints complaints;
@@ -99,14 +77,6 @@ vtkSmartPointer<vtkPointSet> read_points_and_cells(const fs::path& path) {
   const std::string content = read_file(path);
   const std::string head = content.substr(0, 4096);
   const auto says = [&](const char* word) { return head.find(word) != std::string::npos; };
-  if (is_legacy(path)) {
-    if (content.rfind("# vtk DataFile", 0) != 0)
-      fail(path, "line 1", "is not a legacy VTK file (no \"# vtk DataFile\")");
-    if (says("UNSTRUCTURED_GRID") || says("unstructured_grid"))
-      return read_legacy<vtkUnstructuredGridReader>(path, content);
-    if (says("POLYDATA") || says("polydata")) return read_legacy<vtkPolyDataReader>(path, content);
-    fail(path, "DATASET", "is neither POLYDATA nor UNSTRUCTURED_GRID");
-  }
   if (says("type=\"UnstructuredGrid\"")) return read_xml<vtkXMLUnstructuredGridReader>(path, content);
   if (says("type=\"PolyData\"")) return read_xml<vtkXMLPolyDataReader>(path, content);
   fail(path, "VTKFile", "is of type neither UnstructuredGrid nor PolyData");
@@ -125,75 +95,13 @@ Eigen::MatrixXd values_of(vtkDataArray& array) {
   return values;
 }
 
-/// @param rows which tuples to keep; null: all.
-NamedArrays arrays_of(vtkFieldData* data, const std::vector<vtkIdType>* rows) {
+NamedArrays arrays_of(vtkFieldData* data) {
   NamedArrays arrays;
   for (int i = 0; data != nullptr && i < data->GetNumberOfArrays(); ++i) {
     vtkDataArray* array = data->GetArray(i);
-    if (array == nullptr || array->GetName() == nullptr) continue;
-    const Eigen::MatrixXd all = values_of(*array);
-    if (rows == nullptr) {
-      arrays[array->GetName()] = all;
-      continue;
-    }
-    Eigen::MatrixXd kept(static_cast<Eigen::Index>(rows->size()), all.cols());
-    bool whole = true;
-    for (std::size_t r = 0; r < rows->size() && whole; ++r) {
-      whole = (*rows)[r] < all.rows();
-      if (whole) kept.row(static_cast<Eigen::Index>(r)) = all.row((*rows)[r]);
-    }
-    if (whole) arrays[array->GetName()] = kept;
+    if (array != nullptr && array->GetName() != nullptr) arrays[array->GetName()] = values_of(*array);
   }
   return arrays;
-}
-
-/// Labels leave the arrays and become the mesh's own.
-void take_labels(TetFile& file) {
-  for (const char* name : {"label", "labels", "gmsh:physical", "medit:ref"}) {
-    const auto found = file.cell_data.find(name);
-    if (found == file.cell_data.end() || found->second.cols() != 1) continue;
-    file.mesh.labels.resize(static_cast<std::size_t>(found->second.rows()));
-    for (std::size_t t = 0; t < file.mesh.labels.size(); ++t)
-      file.mesh.labels[t] = static_cast<int>(std::lround(found->second(static_cast<Eigen::Index>(t), 0)));
-    file.cell_data.erase(found);
-    return;
-  }
-}
-
-struct Cells {
-  std::vector<int> corners;
-  std::vector<vtkIdType> source;  ///< the file's cell behind each
-};
-
-void read_cells(vtkPointSet& data, const fs::path& path, Cells& tetrahedra, Cells& triangles) {
-  vtkNew<vtkIdList> ids;
-  const vtkIdType points = data.GetNumberOfPoints();
-  for (vtkIdType c = 0; c < data.GetNumberOfCells(); ++c) {
-    const int type = data.GetCellType(c);
-    data.GetCellPoints(c, ids);
-    for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
-      if (ids->GetId(k) < 0 || ids->GetId(k) >= points)
-        fail(path, "cell " + std::to_string(c), "names a point that is not there");
-    const auto id = [&](vtkIdType k) { return static_cast<int>(ids->GetId(k)); };
-    if (type == VTK_TETRA && ids->GetNumberOfIds() == 4) {
-      tetrahedra.corners.insert(tetrahedra.corners.end(), {id(0), id(1), id(2), id(3)});
-      tetrahedra.source.push_back(c);
-    } else if (type == VTK_TRIANGLE || type == VTK_POLYGON || type == VTK_QUAD ||
-               type == VTK_TRIANGLE_STRIP) {
-      for (vtkIdType k = 2; k < ids->GetNumberOfIds(); ++k) {
-        const bool strip = type == VTK_TRIANGLE_STRIP;
-        const vtkIdType first = strip ? k - 2 + k % 2 : 0, second = strip ? k - 1 - k % 2 : k - 1;
-        triangles.corners.insert(triangles.corners.end(), {id(first), id(second), id(k)});
-        triangles.source.push_back(c);
-      }
-    } else if (type != VTK_EMPTY_CELL && type != VTK_VERTEX && type != VTK_POLY_VERTEX && type != VTK_LINE &&
-               type != VTK_POLY_LINE) {
-      throw InputError(
-          path.string(), "cell " + std::to_string(c),
-          "is of VTK type " + std::to_string(type) + ", neither a linear tetrahedron nor a polygon",
-          "Convert the mesh to linear tetrahedra");
-    }
-  }
 }
 
 vtkSmartPointer<vtkDoubleArray> array_of(const std::string& name, const Eigen::MatrixXd& values) {
@@ -255,23 +163,17 @@ void write(const fs::path& path, Data& data) {
 
 }  // namespace
 
-MixedFile read_vtk(const fs::path& path) {
+MixedFile read_xml_vtk(const fs::path& path) {
   const vtkSmartPointer<vtkPointSet> data = read_points_and_cells(path);
   if (data == nullptr || data->GetNumberOfPoints() == 0) fail(path, "points", "there are none");
-  Cells tetrahedra, triangles;
-  read_cells(*data, path, tetrahedra, triangles);
-  MixedFile file;
-  file.tets.mesh.vertices = file.triangles.mesh.vertices = positions(*data);
-  file.tets.mesh.tetrahedra = Eigen::Map<const Tetrahedra>(
-      tetrahedra.corners.data(), static_cast<Eigen::Index>(tetrahedra.source.size()), 4);
-  file.triangles.mesh.triangles = Eigen::Map<const Triangles>(
-      triangles.corners.data(), static_cast<Eigen::Index>(triangles.source.size()), 3);
-  file.tets.point_data = file.triangles.point_data = arrays_of(data->GetPointData(), nullptr);
-  file.tets.cell_data = arrays_of(data->GetCellData(), &tetrahedra.source);
-  file.triangles.cell_data = arrays_of(data->GetCellData(), &triangles.source);
-  file.tets.field_data = file.triangles.field_data = arrays_of(data->GetFieldData(), nullptr);
-  take_labels(file.tets);
-  return file;
+  CellSorter cells(path, data->GetNumberOfPoints());
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType c = 0; c < data->GetNumberOfCells(); ++c) {
+    data->GetCellPoints(c, ids);
+    cells.add(data->GetCellType(c), std::vector<long>(ids->begin(), ids->end()));
+  }
+  return cells.finish(positions(*data), arrays_of(data->GetPointData()), arrays_of(data->GetCellData()),
+                      arrays_of(data->GetFieldData()));
 }
 
 void write_vtk(const fs::path& path, const TetFile& file) {

@@ -38,6 +38,13 @@ class TextScanner {
     return true;
   }
 
+  /// The next bytes as they are.
+  std::string_view raw(std::size_t size) {
+    if (size > remaining()) fail("the file ends inside binary data");
+    position_ += size;
+    return text_.substr(position_ - size, size);
+  }
+
   double number() {
     const std::string_view word = token();
     double value = 0.0;
