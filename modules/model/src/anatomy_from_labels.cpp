@@ -45,7 +45,7 @@ void keep_largest(const VolumeGrid& grid, std::vector<std::uint8_t>& mask, std::
 /// Not finer than a person can see: a CT's in-plane voxels would give millions of triangles.
 NamedSurface surface_of(Label label, const ScalarField& field) {
   return {label, structure_name(label),
-          zero_level(resampled(field, std::max(kOtherSpacingMm, field.grid().spacing_mm.minCoeff())))};
+          zero_level(resampled(field, std::max(kOtherSpacingMm, 0.6 * field.grid().spacing_mm.minCoeff())))};
 }
 
 /// Vessel voxels in the liver or at its entrances.
