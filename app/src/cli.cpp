@@ -4,12 +4,15 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <QDir>
 #include <QLocale>
 #include <chrono>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <system_error>
+
+#include "glisson/ui/common/texts.h"
 
 namespace glisson::app {
 namespace fs = std::filesystem;
@@ -30,9 +33,21 @@ void clear_progress() {
 
 void show_progress(const std::string& command, double fraction, std::string_view stage) {
   if (!on_terminal()) return;
-  std::fprintf(stderr, "\r\033[K%-18s %3.0f %%  %.*s", command.c_str(), 100.0 * fraction,
-               static_cast<int>(stage.size()), stage.data());
+  const QString doing = command.empty() ? QString() : ui::command_text(command) + "  ";
+  std::fprintf(stderr, "\r\033[K%3.0f %%  %s%s", 100.0 * fraction, doing.toUtf8().constData(),
+               ui::stage_text(stage).toUtf8().constData());
   std::fflush(stderr);
+}
+
+/// @throws FileError when no file can be written there.
+void require_place_for(const fs::path& file) {
+  if (fs::is_directory(file))
+    throw FileError(file.string() + ": is a folder, a file is to be written here. Choose another name.");
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  if (!fs::is_directory(folder))
+    throw FileError(file.string() + ": its folder does not exist. Create it or choose another.");
+  if (::access(folder.c_str(), W_OK) != 0)
+    throw FileError(file.string() + ": its folder cannot be written to. Choose another.");
 }
 
 }  // namespace
@@ -51,6 +66,17 @@ void say(const QString& line) {
   std::fflush(stdout);
 }
 
+void provide_runtime_folder() {
+  if (qEnvironmentVariableIsSet("XDG_RUNTIME_DIR")) return;
+  const QString folder = QDir::temp().filePath("runtime-" + qEnvironmentVariable("USER", "glisson") + "-" +
+                                               QString::number(::getuid()));
+  // Qt trusts only a folder of this user that no other may enter.
+  std::error_code failure;
+  fs::create_directory(folder.toStdString(), failure);
+  if (!failure) fs::permissions(folder.toStdString(), fs::perms::owner_all, failure);
+  if (!failure) qputenv("XDG_RUNTIME_DIR", folder.toUtf8());
+}
+
 Arguments::Arguments(const QString& command, const QString& description) : command_(command) {
   parser_.setApplicationDescription(description);
   parser_.addOption({{"h", "help"}, text("Show this help.")});
@@ -63,7 +89,8 @@ void Arguments::positional(const QString& name, const QString& description, cons
 }
 void Arguments::option(const QString& name, const QString& description, const QString& value_name,
                        const QString& fallback) {
-  parser_.addOption({name, description, value_name, fallback});
+  const QString shown = fallback.isEmpty() ? description : description + text(" Default: %1.").arg(fallback);
+  parser_.addOption({name, shown, value_name, fallback});
 }
 void Arguments::flag(const QString& name, const QString& description) {
   parser_.addOption({name, description});
@@ -73,7 +100,14 @@ bool Arguments::parse(const QStringList& arguments) {
   if (!parser_.parse(QStringList("glisson " + command_) + arguments))
     throw UsageError(parser_.errorText().toStdString() + " See 'glisson " + command_.toStdString() +
                      " --help'.");
-  if (!parser_.isSet("help")) return true;
+  if (!parser_.isSet("help")) {
+    // A folder that the command itself will make is a good place too.
+    const fs::path folder = path("json").parent_path();
+    const bool made_here = parser_.optionNames().contains("out") && !folder.empty() &&
+                           fs::weakly_canonical(folder) == fs::weakly_canonical(path("out"));
+    if (has("json") && !made_here) output_file("json");
+    return true;
+  }
   QString help = parser_.helpText();
   help.replace(QCoreApplication::arguments().value(0), "glisson " + command_);
   std::fputs(help.toUtf8().constData(), stdout);
@@ -85,6 +119,17 @@ fs::path Arguments::required_path(const QString& name) const {
     throw UsageError("--" + name.toStdString() + " is needed. See 'glisson " + command_.toStdString() +
                      " --help'.");
   return path(name);
+}
+
+fs::path Arguments::output_file(const QString& name) const {
+  const fs::path file = required_path(name);
+  require_place_for(file);
+  return file;
+}
+
+void Arguments::require_existing(const QString& name) const {
+  if (has(name) && !fs::exists(path(name)))
+    throw FileError(path(name).string() + ": does not exist. Check --" + name.toStdString() + ".");
 }
 
 double Arguments::number(const QString& name, double low, double high) const {
@@ -146,16 +191,16 @@ engine::Outcome Session::post(engine::Command command) {
   return *outcome;
 }
 
-OverlayFrame Session::follow(engine::LiveInput input) {
+OverlayFrame Session::follow(engine::LiveInput input, double fraction) {
   auto overlay = script_.follow(std::move(input));
   if (!overlay) throw Interrupted();
-  show_progress("track", 0.0, "frame " + std::to_string(overlay->index));
+  show_progress({}, fraction, "frame " + std::to_string(overlay->index));
   return *overlay;
 }
 
 void Session::finish() {
   figures["seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-  for (const std::string& note : notes) say(text("note: ") + QString::fromStdString(note));
+  for (const std::string& note : notes) say(text("note: ") + ui::note_text(note));
   for (const auto& [key, value] : texts)
     say(QString("%1 %2").arg(QString::fromStdString(key), -36).arg(QString::fromStdString(value)));
   for (const auto& [key, value] : figures)

@@ -55,6 +55,11 @@ class Arguments {
   std::filesystem::path path(const QString& name) const { return parser_.value(name).toStdString(); }
   /// @throws UsageError when the option is absent.
   std::filesystem::path required_path(const QString& name) const;
+  /// A file that the command will write. Asked for before the work, so that hours of it are not lost to a
+  /// misspelt folder. @throws UsageError when the option is absent, FileError when no file can stand there.
+  std::filesystem::path output_file(const QString& name) const;
+  /// A file that is read at the end, when there is such an option. @throws FileError when it does not exist.
+  void require_existing(const QString& name) const;
   /// @throws UsageError when it is not a number, or outside [low, high].
   double number(const QString& name, double low, double high) const;
   int integer(const QString& name, int low, int high) const;
@@ -77,8 +82,9 @@ class Session {
 
   /// Does a command. @throws Error with the engine's sentence, Interrupted.
   engine::Outcome post(engine::Command command);
-  /// Follows one input, however long it takes. @pre tracking was started. @throws Interrupted.
-  OverlayFrame follow(engine::LiveInput input);
+  /// Follows one input, however long it takes. `fraction` of all inputs is done with it, for the terminal.
+  /// @pre tracking was started. @throws Interrupted.
+  OverlayFrame follow(engine::LiveInput input, double fraction);
   const engine::CaseState& state() const { return script_.state(); }
   /// Progress, cancel and seed, for work outside the engine.
   const RunContext& context() const { return context_; }
@@ -103,6 +109,10 @@ void catch_interrupts();
 
 /// Prints a line and clears what progress left on it.
 void say(const QString& line);
+
+/// What drawing without a display, and the window, need of the environment: Qt keeps its sockets in
+/// XDG_RUNTIME_DIR and complains on the terminal where a login (a container, a cron job) did not set it.
+void provide_runtime_folder();
 
 /// A folder that a command fills: made beside the wanted one and moved there by commit(). Without it nothing
 /// remains.

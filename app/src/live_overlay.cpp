@@ -50,9 +50,10 @@ void follow_video(Session& session, const guidance::TrackerOptions& options, int
   const int first = state.frame->frame.index;
   session.post(start);
   stereo::StereoVideo video(session.state().video->left, session.state().video->right);
+  const int end = last >= 0 ? last + 1 : video.frame_count();
   for (StereoFrame next; video.read(next);) {
     if (next.index < first) continue;
-    frame(next, session.follow(next));
+    frame(next, session.follow(next, static_cast<double>(next.index - first + 1) / (end - first)));
     if (last >= 0 && next.index >= last) break;
   }
 }

@@ -63,6 +63,7 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   // FFmpeg's own words on a broken video; ours name the file and the remedy.
   ::setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);
+  glisson::app::provide_runtime_folder();
   try {
     return glisson::app::run(argc, argv);
   } catch (const glisson::app::UsageError& failure) {

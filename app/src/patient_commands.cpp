@@ -23,14 +23,15 @@ void save_case(const Arguments& arguments, Session& session) {
   session.texts["case"] = arguments.path("case").string();
 }
 
-std::vector<std::uint8_t> truth_mask(const Arguments& arguments, const VolumeGrid& grid) {
-  const fs::path path = arguments.path("truth");
+/// What the option's file says that foreign codes mean; nothing without the option.
+LabelCodes codes_of(const Arguments& arguments, const QString& option) {
+  return arguments.has(option) ? read_label_codes(arguments.path(option)) : LabelCodes{};
+}
+
+std::vector<std::uint8_t> truth_mask(const fs::path& path, const LabelCodes& codes, const VolumeGrid& grid) {
   const LabelFile file = read_labels(path);
   require_same_grid(file.voxels.grid(), grid, path.string());
-  const LabelMap truth = arguments.has("truth-codes")
-                             ? recode(file, read_label_codes(arguments.path("truth-codes")), path.string())
-                             : LabelMap{file.voxels, file.infos};
-  return inside_liver(truth);
+  return inside_liver(codes.empty() ? LabelMap{file.voxels, file.infos} : recode(file, codes, path.string()));
 }
 
 }  // namespace
@@ -63,14 +64,17 @@ int run_segment(const QStringList& given) {
   arguments.option("labels-out", text("Also write the labels here (.seg.nrrd, .nii.gz)."), "FILE");
   if (!arguments.parse(given)) return 0;
   const fs::path seeds = arguments.required_path("seeds");
+  if (arguments.has("labels-out")) arguments.output_file("labels-out");
+  arguments.require_existing("truth");
+  const LabelCodes truth_codes = codes_of(arguments, "truth-codes");
   Session session(arguments);
   open_case(arguments, session);
   session.post(engine::SetSeeds{segmentation::read_seeds(seeds)});
   session.post(engine::Segment{});
   const LabelMap& labels = *session.state().labels;
   if (arguments.has("truth"))
-    session.figures["dice_liver"] =
-        segmentation::dice(inside_liver(labels), truth_mask(arguments, labels.voxels.grid()));
+    session.figures["dice_liver"] = segmentation::dice(
+        inside_liver(labels), truth_mask(arguments.path("truth"), truth_codes, labels.voxels.grid()));
   save_case(arguments, session);
   if (arguments.has("labels-out")) write_labels(arguments.path("labels-out"), labels.voxels, labels.infos);
   session.finish();
@@ -95,16 +99,15 @@ int run_model(const QStringList& given) {
   if (!arguments.parse(given)) return 0;
   model::ModelOptions options;
   options.mesh.target_vertices = arguments.integer("vertices", 50, 200000);
+  if (arguments.has("mesh-out")) arguments.output_file("mesh-out");
+  arguments.require_existing("truth");
+  const LabelCodes codes = codes_of(arguments, "codes");
   Session session(arguments);
   if (fs::exists(arguments.required_path("case"))) open_case(arguments, session);
   if (arguments.has("surfaces")) {
     session.post(engine::ImportSurfaces{arguments.path("surfaces"), arguments.unit("unit"), options});
   } else {
-    if (arguments.has("labels")) {
-      const LabelCodes codes =
-          arguments.has("codes") ? read_label_codes(arguments.path("codes")) : LabelCodes{};
-      session.post(engine::ImportLabels{arguments.path("labels"), codes});
-    }
+    if (arguments.has("labels")) session.post(engine::ImportLabels{arguments.path("labels"), codes});
     session.post(engine::BuildModel{options});
   }
   const PatientModel& model = session.state().model->model;

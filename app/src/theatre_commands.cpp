@@ -3,7 +3,6 @@
 #include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <sstream>
 
 #include "cli.h"
@@ -106,6 +105,11 @@ class TrackRecord {
     write_deformed(folder_ / (is_surface ? fs::path(name.toStdString()).replace_extension(".vtp")
                                          : fs::path(name.toStdString())),
                    argument_, session_, registration);
+    displacement_ +=
+        point_errors(overlay.nodes_in_camera,
+                     registration.camera_from_ct.apply(session_.state().model->model.mesh.vertices))
+            .mean;
+    ++placed_;
     compare(number, overlay.nodes_in_camera);
   }
 
@@ -116,9 +120,12 @@ class TrackRecord {
     figures["frames_valid"] = valid_;
     figures["frame_p50_ms"] = percentile(milliseconds_, 0.5);
     figures["frame_p99_ms"] = percentile(milliseconds_, 0.99);
-    if (compared_ == 0) return;
-    for (const auto& [key, sum] : sums_)
-      figures[key] = key.find("_max_") == std::string::npos ? sum / compared_ : maxima_[key];
+    figures["displacement_mean_mm"] = placed_ > 0 ? 1e3 * displacement_ / placed_ : std::nan("");
+    if (!arguments_.has("truth")) return;
+    for (auto& [key, value] : errors_) {
+      if (key.find("_max_") == std::string::npos) value /= compared_;
+      figures[key] = value;
+    }
     figures["frames_compared"] = compared_;
   }
 
@@ -132,11 +139,12 @@ class TrackRecord {
     Figures errors = experiments::target_errors(model, nodes, truth, path.string());
     errors["tre_frozen_mean_mm"] =
         1e3 * point_errors(session_.state().registration->nodes_in_camera, truth).mean;
-    session_.texts["tre_volume_mean_mm frame " + std::to_string(number)] =
-        std::to_string(errors["tre_volume_mean_mm"]);
+    const QString frame = QString("frame_%1_tre_volume_mean_mm").arg(number, digits_, 10, QChar('0'));
+    session_.figures[frame.toStdString()] = errors["tre_volume_mean_mm"];
     for (const auto& [key, value] : errors) {
-      sums_[key] += value;
-      maxima_[key] = std::max(maxima_[key], value);
+      double& all = errors_.emplace(key, value).first->second;
+      if (compared_ == 0) continue;
+      all = key.find("_max_") == std::string::npos ? all + value : std::max(all, value);
     }
     ++compared_;
   }
@@ -147,8 +155,9 @@ class TrackRecord {
   fs::path folder_;
   int digits_;
   std::vector<double> milliseconds_;
-  int late_ = 0, valid_ = 0, compared_ = 0;
-  std::map<std::string, double> sums_, maxima_;
+  int late_ = 0, valid_ = 0, placed_ = 0, compared_ = 0;
+  double displacement_ = 0.0;  ///< metres, summed over frames
+  Figures errors_;             ///< sums over the frames compared; of maxima, the largest
 };
 
 /// The cloud against a surface in the camera's frame, or a depth map (.pfm, millimetres).
@@ -183,7 +192,8 @@ int run_reconstruct(const QStringList& given) {
                         "distances. Read after everything else."),
                    "FILE");
   if (!arguments.parse(given)) return 0;
-  const fs::path out = arguments.required_path("out");
+  const fs::path out = arguments.output_file("out");
+  arguments.require_existing("truth");
   Session session(arguments);
   session.post(engine::SetCalibration{arguments.required_path("calibration")});
   session.post(engine::LoadStereoPair{arguments.required_path("left"), arguments.required_path("right"),
@@ -230,8 +240,9 @@ int run_register(const QStringList& given) {
   arguments.option("out", text("The registered mesh (.vtu), or surface (.vtp) when a surface was given."),
                    "registered.vtu");
   if (!arguments.parse(given)) return 0;
-  const fs::path out = arguments.required_path("out");
+  const fs::path out = arguments.output_file("out");
   const fs::path cloud = arguments.required_path("cloud");
+  arguments.require_existing("truth");
   Session session(arguments);
   const ModelArgument argument = load_model(arguments, session);
   session.post(
@@ -285,6 +296,8 @@ int run_track(const QStringList& given) {
   OutputFolder out(arguments.required_path("out"));
   if (arguments.has("video") == arguments.has("clouds"))
     throw UsageError("Give either --video with --calibration, or --clouds.");
+  std::vector<std::pair<int, fs::path>> clouds;
+  if (arguments.has("clouds")) clouds = expand(arguments.value("clouds"));
   Session session(arguments);
   const ModelArgument argument = load_model(arguments, session);
   session.post(engine::ImportRegistration{arguments.required_path("start"), argument.unit});
@@ -297,10 +310,11 @@ int run_track(const QStringList& given) {
     command.source = engine::StartTracking::Source::clouds;
     session.post(command);
     TrackRecord record(session, argument, arguments, out.path(), digits_of(arguments.value("clouds")));
-    for (const auto& [number, path] : expand(arguments.value("clouds"))) {
-      const LengthUnit unit = arguments.has("cloud-unit") ? arguments.unit("cloud-unit") : argument.unit;
-      record.add(number, session.follow(engine::IndexedCloud{read_cloud(path, unit), number, number / 30.0}));
-    }
+    const LengthUnit unit = arguments.has("cloud-unit") ? arguments.unit("cloud-unit") : argument.unit;
+    double done = 0.0;
+    for (const auto& [number, path] : clouds)
+      record.add(number, session.follow(engine::IndexedCloud{read_cloud(path, unit), number, number / 30.0},
+                                        ++done / static_cast<double>(clouds.size())));
     record.finish();
   } else {
     session.post(engine::SetCalibration{arguments.required_path("calibration")});
@@ -309,11 +323,12 @@ int run_track(const QStringList& given) {
     session.post(command);
     TrackRecord record(session, argument, arguments, out.path(), 5);
     stereo::StereoVideo video(arguments.path("video"), arguments.path("video-right"));
-    for (StereoFrame frame; video.read(frame);) record.add(frame.index, session.follow(frame));
+    for (StereoFrame frame; video.read(frame);)
+      record.add(frame.index, session.follow(frame, (frame.index + 1.0) / video.frame_count()));
     record.finish();
   }
-  session.finish();
   out.commit();
+  session.finish();
   return 0;
 }
 

@@ -17,7 +17,7 @@ int run_render(const QStringList& given) {
   arguments.option("frame", text("Number of the frame, from 0."), "N", "0");
   arguments.option("out", text("The picture (.png, .jpg)."), "picture.png");
   if (!arguments.parse(given)) return 0;
-  const std::filesystem::path out = arguments.required_path("out");
+  const std::filesystem::path out = arguments.output_file("out");
   const int wanted = arguments.integer("frame", 0, 10000000);
   Session session(arguments);
   session.post(engine::OpenCase{arguments.required_path("case")});
@@ -44,7 +44,7 @@ int run_overlay(const QStringList& given) {
   arguments.option("frames", text("Record only so many frames."), "N");
   arguments.option("out", text("The video (.mkv)."), "overlay.mkv");
   if (!arguments.parse(given)) return 0;
-  const std::filesystem::path out = arguments.required_path("out");
+  const std::filesystem::path out = arguments.output_file("out");
   Session session(arguments);
   session.post(engine::OpenCase{arguments.required_path("case")});
   if (!session.state().video)

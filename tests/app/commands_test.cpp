@@ -96,7 +96,8 @@ class CommandsTest : public QObject {
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.remove("DISPLAY");
     environment.remove("WAYLAND_DISPLAY");
-    environment.insert("XDG_RUNTIME_DIR", QString::fromStdString(folder_->path().string()));
+    // As in a container or a cron job: what Qt then says must not reach the person.
+    environment.remove("XDG_RUNTIME_DIR");
     process.setProcessEnvironment(environment);
     process.start(GLISSON_EXECUTABLE, arguments);
     if (!process.waitForFinished(500000)) return {};
@@ -129,6 +130,7 @@ class CommandsTest : public QObject {
   void EveryCommandHelps();
   void WrongUsageIsRefusedWithCodeTwo();
   void MissingInputIsNamed();
+  void APlaceThatCannotBeWrittenIsRefusedBeforeTheWork();
   void AnEmptyFolderIsRefused();
   void LabelsOfAnotherGridAreRefusedAndTheCaseStands();
   void ACalibrationOfAnotherSizeIsRefused();
@@ -171,6 +173,18 @@ void CommandsTest::MissingInputIsNamed() {
   refused({"register", "--model", "nothing.vtu", "--cloud", "c.ply", "--out", "r.vtu"}, "nothing.vtu");
   refused({"segment", "--case", "nothing.glisson", "--seeds", "nothing.json"}, "nothing");
   refused({"demo", "--patient", "nothing"}, "nothing");
+}
+
+void CommandsTest::APlaceThatCannotBeWrittenIsRefusedBeforeTheWork() {
+  write_tet_mesh(at("m.vtu"), ball(), LengthUnit::millimetre);
+  const QStringList command = {"register", "--model", "m.vtu", "--cloud", "c.ply", "--out"};
+  // The cloud is missing too: that the place is named shows that it is looked at first.
+  refused(command + QStringList{"nowhere/r.vtu"}, "nowhere/r.vtu: its folder does not exist");
+  refused(command + QStringList{"."}, "is a folder");
+  refused(command + QStringList{"r.vtu", "--json", "nowhere/r.json"}, "nowhere/r.json");
+  refused({"segment", "--case", "a.glisson", "--seeds", "s.json", "--labels-out", "nowhere/l.nrrd"},
+          "nowhere");
+  refused(command + QStringList{"r.vtu", "--truth", "no_truth.xyz"}, "no_truth.xyz");
 }
 
 void CommandsTest::AnEmptyFolderIsRefused() {
@@ -359,16 +373,29 @@ void CommandsTest::TrackWritesOneMeshACloud() {
     write_node_list(at(("truth_" + number + ".xyz").c_str()), bent(mesh.vertices, 0.002 * (frame - 2)),
                     LengthUnit::millimetre);
   }
-  const Ran ran = run({"track", "--model", "m.vtu", "--start", "m.vtu", "--clouds", "cloud_%02d.ply",
-                       "--homogeneous", "--truth", "truth_%02d.xyz", "--out", "tracked", "--json", "t.json"});
+  const Ran ran =
+      run({"track", "--model", "m.vtu", "--start", "m.vtu", "--clouds", "cloud_%02d.ply", "--homogeneous",
+           "--truth", "truth_%02d.xyz", "--out", "tracked", "--json", "tracked/t.json"});
   QVERIFY2(ran.code == 0, qPrintable(ran.error));
+  QCOMPARE(ran.error, QString());
   for (const char* name :
        {"tracked/registered_03.vtu", "tracked/registered_04.vtu", "tracked/registered_05.vtu"})
     QVERIFY2(fs::exists(at(name)), name);
-  const QJsonObject json = figures("t.json");
+  const QJsonObject json = figures("tracked/t.json");
   QCOMPARE(json["frames"].toInt(), 3);
   for (const char* key : {"frames_late", "frame_p50_ms", "frame_p99_ms", "tre_volume_mean_mm"})
     QVERIFY2(json.contains(key), key);
+  double sum = 0.0;
+  for (const char* frame : {"frame_03", "frame_04", "frame_05"}) {
+    const QJsonValue error = json[frame + QString("_tre_volume_mean_mm")];
+    QVERIFY2(error.isDouble(), frame);
+    sum += error.toDouble();
+  }
+  QVERIFY(std::abs(sum / 3.0 - json["tre_volume_mean_mm"].toDouble()) < 1e-9);
+  QVERIFY(json["tre_target_max_mm"].isNull());  // no lesions: unknown, not zero
+  const double moved = 1e3 * point_errors(bent(mesh.vertices, 0.004), mesh.vertices).mean;
+  QVERIFY2(std::abs(json["displacement_mean_mm"].toDouble() - moved) < 0.5 * moved,
+           qPrintable(QString::number(json["displacement_mean_mm"].toDouble())));
   QVERIFY(json["tre_volume_mean_mm"].toDouble() < json["tre_frozen_mean_mm"].toDouble());
 }
 

@@ -67,7 +67,7 @@ class CoreTest : public QObject {
   void TemporaryFolderGoesAway();
   void JsonErrorNamesLineAndColumn();
   void JsonSurvivesTheFile();
-  void FiguresThatAreNotFiniteAreNull();
+  void FiguresThatAreNotFiniteAreNullAndCountsAreWhole();
 };
 
 void CoreTest::MillimetresAndMetresConvertBothWays() {
@@ -298,14 +298,15 @@ void CoreTest::JsonSurvivesTheFile() {
   QVERIFY(read_json(folder.path() / "x.json") == document);
 }
 
-void CoreTest::FiguresThatAreNotFiniteAreNull() {
+void CoreTest::FiguresThatAreNotFiniteAreNullAndCountsAreWhole() {
   TemporaryFolder folder;
   write_figures(folder.path() / "x.json",
-                {{"tre_mm", 1.5}, {"bad_mm", std::numeric_limits<double>::quiet_NaN()}},
+                {{"tre_mm", 1.5}, {"frames", 300.0}, {"bad_mm", std::numeric_limits<double>::quiet_NaN()}},
                 {{"source", "in-silico"}});
   const nlohmann::json document = read_json(folder.path() / "x.json");
   QCOMPARE(document.at("tre_mm").get<double>(), 1.5);
   QVERIFY(document.at("bad_mm").is_null());
+  QCOMPARE(document.at("frames").dump(), std::string("300"));  // a count looks like one
   QCOMPARE(document.at("source").get<std::string>(), std::string("in-silico"));
 }
 

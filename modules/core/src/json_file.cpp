@@ -2,6 +2,7 @@
 #include "glisson/core/json_file.h"
 
 #include <cmath>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 
 #include "glisson/core/error.h"
@@ -33,7 +34,10 @@ void write_figures(const std::filesystem::path& path, const Figures& figures,
   nlohmann::json document = nlohmann::json::object();
   for (const auto& [key, text] : texts) document[key] = text;
   for (const auto& [key, value] : figures) {
-    if (std::isfinite(value))
+    // Counts look like counts: 550, not 550.0. Doubles hold whole numbers exactly up to 2^53.
+    if (std::isfinite(value) && value == std::trunc(value) && std::abs(value) < 9007199254740992.0)
+      document[key] = static_cast<std::int64_t>(value);
+    else if (std::isfinite(value))
       document[key] = value;
     else
       document[key] = nullptr;
