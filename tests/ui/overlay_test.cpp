@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <vtkActor.h>
 #include <vtkNew.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkProperty.h>
 #include <vtkRenderer.h>
-#include <vtkSphereSource.h>
 
 #include <QtTest>
 #include <thread>
@@ -12,11 +8,9 @@
 #include "box_patient.h"
 #include "glisson/core/error.h"
 #include "glisson/ui/scene/headless_gui.h"
-#include "glisson/ui/scene/lens_maps.h"
 #include "glisson/ui/scene/offscreen_renderer.h"
 #include "glisson/ui/scene/overlay_painter.h"
 #include "glisson/ui/scene/picture_image.h"
-#include "glisson/ui/scene/pinhole_camera.h"
 
 namespace glisson {
 namespace {
@@ -86,11 +80,9 @@ class OverlayTest : public QObject {
  private slots:
   void RendersWithoutADisplayRepeatedly();
   void RendersOnAnotherThread();
-  void PinholeShowsAPointWhereTheCameraProjectsIt();
-  void DepthReadBackIsMetric();
-  void LensMapsSendEveryPixelToItsRay();
   void DeformedLesionAppearsWhereTheCameraProjectsIt();
   void VesselsFadeWithDepthBelowTheSurface();
+  void StructuresLeftOutHideNothing();
   void NothingIsDrawnUnlessValid();
   void InvalidFramesSayWhyAndCarryABorder();
   void SamePictureFromTheSameInput();
@@ -129,77 +121,6 @@ void OverlayTest::RendersOnAnotherThread() {
   });
   worker.join();
   QCOMPARE(blue, 255);
-}
-
-void OverlayTest::PinholeShowsAPointWhereTheCameraProjectsIt() {
-  Camera camera = laparoscope();
-  camera.distortion.setZero();
-  camera.matrix(0, 1) = 3.0;  // skew
-  scene::OffscreenRenderer offscreen(camera.width, camera.height);
-  for (const Eigen::Vector3d& p : {Eigen::Vector3d(0.02, -0.01, 0.1), Eigen::Vector3d(-0.05, 0.02, 0.12),
-                                   Eigen::Vector3d(0.06, 0.035, 0.15)}) {
-    vtkNew<vtkSphereSource> ball;
-    ball->SetRadius(4e-4);
-    ball->SetThetaResolution(16);
-    ball->SetPhiResolution(16);
-    ball->SetCenter(p.x(), p.y(), p.z());
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputConnection(ball->GetOutputPort());
-    vtkNew<vtkActor> actor;
-    actor->SetMapper(mapper);
-    actor->GetProperty()->LightingOff();
-    vtkNew<vtkRenderer> renderer;
-    renderer->AddActor(actor);
-    scene::set_pinhole_camera(*renderer, camera, 0.01, 1.0);
-    const scene::Raster raster = offscreen.render(*renderer, false);
-    Eigen::Vector2d sum(0, 0);
-    double weight = 0.0;
-    for (int v = 0; v < raster.height; ++v)
-      for (int u = 0; u < raster.width; ++u)
-        if (raster.rgba[static_cast<std::size_t>(4 * (v * raster.width + u))] > 100) {
-          sum += Eigen::Vector2d(u, v);
-          weight += 1.0;
-        }
-    QVERIFY(weight > 3.0);
-    const double miss = (sum / weight - camera.project(p)).norm();
-    QVERIFY2(miss < 0.35, qPrintable(QStringLiteral("missed by %1 px").arg(miss)));
-  }
-}
-
-void OverlayTest::DepthReadBackIsMetric() {
-  Camera camera = laparoscope();
-  camera.distortion.setZero();
-  vtkNew<vtkSphereSource> ball;
-  ball->SetRadius(0.02);
-  ball->SetThetaResolution(60);
-  ball->SetPhiResolution(60);
-  ball->SetCenter(0.0, 0.0, 0.12);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(ball->GetOutputPort());
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  vtkNew<vtkRenderer> renderer;
-  renderer->AddActor(actor);
-  scene::set_pinhole_camera(*renderer, camera, 0.005, 2.0);
-  scene::OffscreenRenderer offscreen(camera.width, camera.height);
-  const scene::Raster raster = offscreen.render(*renderer, true);
-  const Eigen::Vector2d c = camera.project({0, 0, 0.1});
-  const double depth =
-      raster.depth[static_cast<std::size_t>(std::lround(c.y()) * raster.width + std::lround(c.x()))];
-  QVERIFY(std::abs(scene::metric_depth(depth, 0.005, 2.0) - 0.1) < 2e-4);
-}
-
-void OverlayTest::LensMapsSendEveryPixelToItsRay() {
-  const Camera camera = laparoscope();
-  const scene::LensMaps maps = scene::make_lens_maps(camera);
-  QVERIFY(maps.pinhole.width > camera.width);  // barrel: the lens sees farther than the pinhole
-  for (const Eigen::Vector2d& pixel :
-       {Eigen::Vector2d(0, 0), Eigen::Vector2d(639, 359), Eigen::Vector2d(100, 300)}) {
-    const auto i = static_cast<std::size_t>(pixel.y() * camera.width + pixel.x());
-    const Eigen::Vector3d ray = maps.pinhole.ray({maps.x[i], maps.y[i]});
-    QVERIFY((camera.project(ray) - pixel).norm() < 1e-2);  // single precision maps
-    QVERIFY(maps.pinhole.sees({maps.x[i], maps.y[i]}));
-  }
 }
 
 void OverlayTest::DeformedLesionAppearsWhereTheCameraProjectsIt() {
@@ -245,6 +166,25 @@ void OverlayTest::VesselsFadeWithDepthBelowTheSurface() {
   }
   QVERIFY2(change[1] > 8.0, "a deep vessel is still seen");
   QVERIFY2(change[0] > 1.4 * change[1], "a shallow vessel is drawn clearly stronger");
+}
+
+void OverlayTest::StructuresLeftOutHideNothing() {
+  const Camera camera = laparoscope();
+  PatientModel model = box_patient();
+  model.vessels[0].nodes.col(1) = model.vessels[1].nodes.col(1);  // the portal branch in front of the hepatic
+  model.vessels[0].nodes.col(2).array() -= 0.012;
+  PatientModel hepatic_only = model;
+  hepatic_only.vessels.erase(hepatic_only.vessels.begin());
+  scene::OverlayStyle style = only_lesions();
+  style.lesions = false;
+  style.hepatic_veins = true;
+  const Points nodes = model.mesh.vertices.rowwise() + Eigen::RowVector3d(0, 0, 0.13);
+  const Picture frame = grey_frame(camera);
+  scene::OverlayPainter all(model, camera, style), one(hepatic_only, camera, style);
+  QVERIFY(*all.paint(frame, at(nodes)).bytes == *one.paint(frame, at(nodes)).bytes);
+  style.portal_vein = true;
+  all.set_style(style);
+  QVERIFY(*all.paint(frame, at(nodes)).bytes != *one.paint(frame, at(nodes)).bytes);
 }
 
 void OverlayTest::NothingIsDrawnUnlessValid() {
@@ -351,9 +291,6 @@ void OverlayTest::BadStyleIsRefused() {
 
 void OverlayTest::EmptySizeIsRefused() {
   QVERIFY_EXCEPTION_THROWN(scene::OffscreenRenderer(0, 10), PreconditionError);
-  QVERIFY_EXCEPTION_THROWN(scene::make_lens_maps(Camera()), PreconditionError);
-  vtkNew<vtkRenderer> renderer;
-  QVERIFY_EXCEPTION_THROWN(scene::set_pinhole_camera(*renderer, laparoscope(), 1.0, 0.5), PreconditionError);
 }
 
 }  // namespace glisson

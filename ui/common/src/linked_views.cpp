@@ -4,7 +4,9 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QToolButton>
+#include <tuple>
 
+#include "glisson/ui/common/panel.h"
 #include "glisson/ui/common/texts.h"
 
 namespace glisson::ui {
@@ -65,22 +67,26 @@ QWidget* LinkedViews::make_volume_pane() {
   layout->setSpacing(0);
   volume_ = new RenderView(pane);
   volume_->set_title(tr("3D"));
+  volume_->show_orientation();
   layout->addWidget(volume_, 1);
   auto* bar = new QWidget(pane);
   bar->setProperty("role", "viewbar");
   auto* row = new QHBoxLayout(bar);
   row->setContentsMargins(6, 2, 6, 2);
   row->setSpacing(4);
-  const std::array<std::pair<QString, scene::ViewFrom>, 5> sides = {
-      {{tr("Anterior"), scene::ViewFrom::anterior},
-       {tr("Right"), scene::ViewFrom::right},
-       {tr("Left"), scene::ViewFrom::left},
-       {tr("Superior"), scene::ViewFrom::superior},
-       {tr("Inferior"), scene::ViewFrom::inferior}}};
-  for (const auto& [name, from] : sides) {
+  const std::array<std::tuple<QString, QString, scene::ViewFrom>, 6> sides = {
+      {{tr("A"), tr("Look from the front (anterior)"), scene::ViewFrom::anterior},
+       {tr("P"), tr("Look from behind (posterior)"), scene::ViewFrom::posterior},
+       {tr("R"), tr("Look from the patient's right"), scene::ViewFrom::right},
+       {tr("L"), tr("Look from the patient's left"), scene::ViewFrom::left},
+       {tr("S"), tr("Look from above (superior)"), scene::ViewFrom::superior},
+       {tr("I"), tr("Look from below (inferior)"), scene::ViewFrom::inferior}}};
+  row->addWidget(make_explanation(tr("Look from"), bar));
+  for (const auto& [name, explanation, from] : sides) {
     auto* button = new QToolButton(bar);
     button->setText(name);
-    button->setToolTip(tr("Look from this side"));
+    button->setToolTip(explanation);
+    button->setAccessibleName(explanation);
     row->addWidget(button);
     connect(button, &QToolButton::clicked, this, [this, side = from] {
       volume_->patient().look_from(side);

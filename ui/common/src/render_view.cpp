@@ -80,9 +80,43 @@ void RenderView::set_title(const QString& title) {
   title_->adjustSize();
 }
 
+void RenderView::show_orientation() {
+  for (QLabel*& letter : letters_) {
+    letter = new QLabel(this);
+    letter->setProperty("role", "view-letter");
+    letter->setAttribute(Qt::WA_TransparentForMouseEvents);
+    letter->show();
+  }
+  // Not while OpenGL draws: labels are widgets of their own.
+  connect(this, &RenderView::drawn, this, &RenderView::update_letters, Qt::QueuedConnection);
+}
+
+void RenderView::update_letters() {
+  const scene::ViewLetters now = patient_->view_letters();
+  if (now == shown_letters_) return;
+  shown_letters_ = now;
+  const std::array<std::string, 4> texts = {now.left, now.right, now.top, now.bottom};
+  for (std::size_t k = 0; k < letters_.size(); ++k) {
+    letters_[k]->setText(QString::fromStdString(texts[k]));
+    letters_[k]->adjustSize();
+  }
+  place_letters();
+}
+
+void RenderView::place_letters() {
+  if (letters_[0] == nullptr) return;
+  constexpr int kMargin = 8;
+  const auto [left, right, top, bottom] = letters_;
+  left->move(kMargin, (height() - left->height()) / 2);
+  right->move(width() - kMargin - right->width(), (height() - right->height()) / 2);
+  top->move((width() - top->width()) / 2, kMargin);
+  bottom->move((width() - bottom->width()) / 2, height() - kMargin - bottom->height());
+}
+
 void RenderView::resizeEvent(QResizeEvent* event) {
   QOpenGLWidget::resizeEvent(event);
   hint_->setGeometry(rect().adjusted(24, 24, -24, -24));
+  place_letters();
 }
 
 void RenderView::initializeGL() {

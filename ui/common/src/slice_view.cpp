@@ -173,7 +173,8 @@ void SliceView::paint_texts(QPainter& painter) const {
   const QString where =
       tr("%1 mm").arg(QString::fromStdString(scene::anatomical_coordinate(axis, slice_.origin[axis])));
   draw_outlined(painter, area, Qt::AlignRight | Qt::AlignTop, where, white);
-  const QString window = tr("L %1  W %2").arg(qRound(state_.style().level)).arg(qRound(state_.style().width));
+  const QString window =
+      tr("WL %1  WW %2").arg(qRound(state_.style().level)).arg(qRound(state_.style().width));
   draw_outlined(painter, area, Qt::AlignLeft | Qt::AlignBottom, window, QColor(190, 198, 204));
 }
 

@@ -40,14 +40,52 @@ class Texts {
             {"model_fine_to_mesh", tr("Fine surface to mesh")},
             {"model_volume_error", tr("Volume error")},
             {"model_min_dihedral", tr("Smallest dihedral angle")},
-            {"cloud_density", tr("Points per cm²")},
+            {"cloud_density", tr("Density")},
+            {"cloud_points", tr("Points")},
+            {"cloud_matches", tr("Matches")},
+            {"cloud_features_left", tr("Features, left picture")},
+            {"cloud_features_right", tr("Features, right picture")},
             {"registration_residual", tr("Residual (not an accuracy)")},
             {"rigid_residual", tr("Residual of the rigid start")},
             {"registration_converged", tr("Converged")},
             {"displacement_mean", tr("Elastic displacement, mean")},
             {"displacement_max", tr("Elastic displacement, largest")}};
   }
-  static QHash<QString, QString> stages() { return {{"video.seek", tr("Looking for the frame")}}; }
+  static QHash<QString, QString> stages() {
+    return {{"video.seek", tr("looking for the frame")},
+            {"volume.read", tr("reading slices")},
+            {"volume.unpack", tr("unpacking")},
+            {"labels.read", tr("reading labels")},
+            {"mesh.read", tr("reading the mesh")},
+            {"case.read", tr("reading files")},
+            {"case.write", tr("writing files")},
+            {"case.verify", tr("checking what was written")},
+            {"case.saved", tr("saved")},
+            {"segmentation.prepare", tr("preparing")},
+            {"segmentation.start", tr("growing from the seeds")},
+            {"segmentation.contour", tr("fitting the liver's surface")},
+            {"segmentation.trees", tr("growing the vessels")},
+            {"segmentation.finish", tr("cleaning up")},
+            {"model.labels", tr("making surfaces")},
+            {"model.surfaces", tr("reading surfaces")},
+            {"model.mesh.size", tr("choosing the element size")},
+            {"model.mesh.field", tr("preparing the mesh")},
+            {"model.mesh.refine", tr("filling with elements")},
+            {"model.mesh.lloyd", tr("improving the elements")},
+            {"model.mesh.odt", tr("improving the elements")},
+            {"model.mesh.perturb", tr("removing flat elements")},
+            {"model.mesh.exude", tr("removing flat elements")},
+            {"model.skeleton", tr("finding vessel centrelines")},
+            {"model.margin", tr("finding the anterior margin")},
+            {"model.quality", tr("measuring the mesh")},
+            {"stereo.detect", tr("finding points")},
+            {"stereo.match", tr("matching points")},
+            {"stereo.refine", tr("refining matches")},
+            {"stereo.surface", tr("fitting the surface")},
+            {"stereo.done", tr("finishing")},
+            {"registration.rigid", tr("rigid start")},
+            {"registration.elastic", tr("elastic deformation")}};
+  }
   static QHash<QString, QString> structures() {
     return {{"background", tr("Background")},   {"parenchyma", tr("Liver")},
             {"portal_vein", tr("Portal vein")}, {"hepatic_veins", tr("Hepatic veins")},
@@ -72,14 +110,6 @@ class Texts {
 
 QString to_q(std::string_view text) {
   return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
-
-/// "mesh.refine_edges" -> "Mesh: refine edges".
-QString readable(std::string_view code) {
-  QString text = to_q(code);
-  text.replace(QLatin1Char('.'), QStringLiteral(": ")).replace(QLatin1Char('_'), QLatin1Char(' '));
-  if (!text.isEmpty()) text[0] = text[0].toUpper();
-  return text;
 }
 
 struct Unit {
@@ -109,20 +139,32 @@ std::string_view without_unit(std::string_view key) {
 
 }  // namespace
 
-QString command_text(std::string_view code) { return Texts::commands().value(to_q(code), readable(code)); }
-QString stage_text(std::string_view code) { return Texts::stages().value(to_q(code), readable(code)); }
-QString note_text(std::string_view code) { return readable(code); }
+QString readable_code(std::string_view code) {
+  QString text = to_q(code);
+  text.replace(QLatin1Char('.'), QStringLiteral(": ")).replace(QLatin1Char('_'), QLatin1Char(' '));
+  if (!text.isEmpty()) text[0] = text[0].toUpper();
+  return text;
+}
+
+QString command_text(std::string_view code) {
+  return Texts::commands().value(to_q(code), readable_code(code));
+}
+QString stage_text(std::string_view code) { return Texts::stages().value(to_q(code), readable_code(code)); }
 
 QString structure_text(Label label) {
   if (is_lesion(label)) return Texts::lesion(label - structure::kFirstLesion + 1);
   const std::string name = structure_name(label);
-  return Texts::structures().value(to_q(name), readable(name));
+  return Texts::structures().value(to_q(name), readable_code(name));
 }
 
 QString stage_state_text(engine::StageState state) { return Texts::state(state); }
 
 QString figure_name(std::string_view key) {
   const std::string_view bare = without_unit(key);
+  constexpr std::string_view kLabel = "label_";
+  if (bare.starts_with(kLabel))
+    for (Label label = 0; label <= structure::kLastLesion; ++label)
+      if (structure_name(label) == bare.substr(kLabel.size())) return structure_text(label);
   const auto known = Texts::figures();
   if (const auto found = known.find(to_q(bare)); found != known.end()) return *found;
   for (const auto& [ending, word] : {std::pair{"_mean", ", mean"}, {"_max", ", largest"}})
@@ -130,9 +172,9 @@ QString figure_name(std::string_view key) {
       const std::string_view stem = bare.substr(0, bare.size() - std::string_view(ending).size());
       if (const auto found = known.find(to_q(stem)); found != known.end())
         return *found + QString::fromLatin1(word);
-      return readable(stem) + QString::fromLatin1(word);
+      return readable_code(stem) + QString::fromLatin1(word);
     }
-  return readable(bare);
+  return readable_code(bare);
 }
 
 QString figure_value(std::string_view key, double value) {

@@ -15,7 +15,7 @@
 namespace glisson::ui {
 namespace {
 
-constexpr double kFreshSeconds = 0.5;  ///< an older live picture is marked
+constexpr double kFreshSeconds = 0.5;  ///< a live picture that is older is marked
 constexpr qint64 kRateWindow = 2000;   ///< milliseconds over which the frame rate is counted
 
 }  // namespace
@@ -44,8 +44,10 @@ GuidancePanel::GuidancePanel(EngineBridge& engine, DrawableSource& drawables, QW
         set_style_property(recording_, "role", error.isEmpty() ? "good" : "error");
         show_buttons();
       });
-  connect(&feed_, &VideoFeed::ended, this,
-          [this] { stop_tracking(tr("The video has ended. Last picture, not live.")); });
+  connect(&feed_, &VideoFeed::ended, this, [this] {
+    repeat_now_ = repeat_->isChecked();
+    stop_tracking(tr("The video has ended. Last picture, not live."));
+  });
   connect(&feed_, &VideoFeed::failed, this, &GuidancePanel::stop_tracking);
   connect(&this->engine(), &EngineBridge::case_changed, this, &GuidancePanel::show_case);
   connect(&this->engine(), &EngineBridge::live_changed, this, &GuidancePanel::show_live);
@@ -117,6 +119,9 @@ void GuidancePanel::build_tracking() {
   row->addWidget(stop_);
   row->addWidget(record_);
   box->addLayout(row);
+  repeat_ = new QCheckBox(tr("Repeat the video"), this);
+  repeat_->setToolTip(tr("At its end, track again from the registered frame."));
+  box->addWidget(repeat_);
   recording_ = new QLabel(this);
   recording_->setWordWrap(true);
   box->addWidget(recording_);
@@ -125,13 +130,16 @@ void GuidancePanel::build_tracking() {
   connect(track_, &TaskButton::done, this, [this](const engine::Outcome& outcome) {
     const engine::CaseState& now = engine().state();
     if (outcome.status != engine::Status::done || !now.video || !now.frame) return;
-    banner_->hide();
+    unfreeze();
     painted_at_.clear();
+    since_painted_.invalidate();
     feed_.start(*now.video, now.frame->frame.index + 1);
     show_buttons();
   });
-  connect(stop_, &QPushButton::clicked, this,
-          [this] { stop_tracking(tr("Tracking was stopped. Last picture, not live.")); });
+  connect(stop_, &QPushButton::clicked, this, [this] {
+    repeat_now_ = false;
+    stop_tracking(tr("Tracking was stopped. Last picture, not live."));
+  });
   connect(record_, &QPushButton::clicked, this, &GuidancePanel::toggle_recording);
 }
 
@@ -140,7 +148,7 @@ void GuidancePanel::build_look() {
   const std::array<std::pair<QString, bool scene::OverlayStyle::*>, 5> parts = {
       {{tr("Portal vein"), &scene::OverlayStyle::portal_vein},
        {tr("Hepatic veins"), &scene::OverlayStyle::hepatic_veins},
-       {tr("Tumours"), &scene::OverlayStyle::lesions},
+       {tr("Lesions"), &scene::OverlayStyle::lesions},
        {tr("Liver outline"), &scene::OverlayStyle::outline},
        {tr("Anterior margin"), &scene::OverlayStyle::anterior_margin}}};
   auto* grid = new QGridLayout;
@@ -195,10 +203,8 @@ void GuidancePanel::show_case() {
         {{tr("Residual (not an accuracy)"), tr("%1 mm").arg(1e3 * r.residual, 0, 'f', 2)},
          {tr("Converged"), r.termination == Termination::converged ? tr("yes, %1 plateaus").arg(r.plateaus)
                                                                    : tr("no, %1 steps").arg(r.steps)}});
-    QStringList lines;
-    for (const std::string& doubt : r.doubts) lines << QStringLiteral("• ") + note_text(doubt);
-    doubts_->setText(lines.join(QLatin1Char('\n')));
-    doubts_->setVisible(!lines.isEmpty());
+    doubts_->setText(notes_text(r.doubts));
+    doubts_->setVisible(!r.doubts.empty());
   } else {
     registration_figures_->clear();
     doubts_->hide();
@@ -208,8 +214,21 @@ void GuidancePanel::show_case() {
     if (is_recording_) worker_.stop_recording();
   }
   was_tracking_ = tracking;
-  if (!tracking && banner_->isHidden()) show_registered();
+  const bool outdated = now.registration != frozen_registration_ ||
+                        engine().snapshot()->stage(engine::Part::registration) != engine::StageState::current;
+  if (is_frozen_ && outdated) unfreeze();
+  if (!tracking && !is_frozen_) show_registered();
   show_buttons();
+  if (!tracking && repeat_now_) {
+    repeat_now_ = false;
+    track_->trigger();
+  }
+}
+
+void GuidancePanel::unfreeze() {
+  is_frozen_ = false;
+  frozen_registration_.reset();
+  banner_->hide();
 }
 
 void GuidancePanel::show_registered() {
@@ -237,6 +256,7 @@ void GuidancePanel::show_live() {
   if (engine().snapshot()->stage(engine::Part::live) == engine::StageState::stale)
     job.overlay.validity = Validity::stale;
   job.taken = feed_.sent_at(now.live->frame.index);
+  job.source_rate = feed_.frames_per_second();
   if (painted_at_.size() > 1)
     job.frames_per_second =
         1e3 * static_cast<double>(painted_at_.size() - 1) /
@@ -251,9 +271,14 @@ void GuidancePanel::show_painted(const Picture& picture, const OverlayFrame& ove
   last_age_ = age;
   shown_index_ = overlay.index;
   since_painted_.start();
+  shown_validity_ = overlay.validity;
   const engine::Snapshot& now = *engine().snapshot();
+  if (is_frozen_) return;  // the last live pictures may still come in
   if (!now.tracking || !now.state.live) {
-    live_line_->setText(tr("Registered frame %1").arg(overlay.index));
+    live_line_->setText(overlay.validity == Validity::valid
+                            ? tr("Registered frame %1, not live").arg(overlay.index)
+                            : tr("Frame %1, not live").arg(overlay.index));
+    set_style_property(live_line_, "fresh", overlay.validity == Validity::valid);
     live_figures_->clear();
     return;
   }
@@ -273,16 +298,21 @@ void GuidancePanel::show_painted(const Picture& picture, const OverlayFrame& ove
 }
 
 void GuidancePanel::show_freshness() {
-  if (!engine().snapshot()->tracking || !engine().state().live || !since_painted_.isValid()) return;
+  if (is_frozen_ || !engine().snapshot()->tracking || !engine().state().live || !since_painted_.isValid())
+    return;
   const double age = last_age_ + since_painted_.elapsed() / 1e3;
   const double span =
       painted_at_.size() > 1 ? static_cast<double>(painted_at_.back() - painted_at_.front()) : 0.0;
   const double rate = span > 0.0 ? 1e3 * static_cast<double>(painted_at_.size() - 1) / span : 0.0;
-  live_line_->setText(tr("LIVE   frame %1   age %2 ms   %3 frames/s")
-                          .arg(shown_index_)
-                          .arg(1e3 * age, 0, 'f', 0)
-                          .arg(rate, 0, 'f', 1));
-  set_style_property(live_line_, "fresh", age < kFreshSeconds && !drawables_.is_preparing());
+  QString line = tr("LIVE   frame %1   age %2 ms   %3 frames/s")
+                     .arg(shown_index_)
+                     .arg(1e3 * age, 0, 'f', 0)
+                     .arg(rate, 0, 'f', 1);
+  const bool valid = shown_validity_ == Validity::valid;
+  if (!valid)
+    line += tr("   NO OVERLAY: %1").arg(QString::fromStdString(scene::validity_text(shown_validity_)));
+  live_line_->setText(line);
+  set_style_property(live_line_, "fresh", valid && age < kFreshSeconds && !drawables_.is_preparing());
   const bool old = age > kFreshSeconds;
   const bool preparing = drawables_.is_preparing();
   if (old)
@@ -305,6 +335,8 @@ void GuidancePanel::stop_tracking(const QString& why) {
   feed_.stop();
   if (is_recording_) worker_.stop_recording();
   if (engine().snapshot()->tracking) engine().post(engine::StopTracking{});
+  is_frozen_ = true;
+  frozen_registration_ = engine().state().registration;
   banner_->setText(why);
   banner_->show();
   live_line_->setText(tr("Not live"));
@@ -323,8 +355,7 @@ void GuidancePanel::record_to(const QString& path) {
     worker_.stop_recording();
     return;
   }
-  constexpr double kRate = 30.0;
-  worker_.start_recording(path.toStdString(), kRate);
+  worker_.start_recording(path.toStdString());
   is_recording_ = true;
   recording_->setText(tr("Recording to %1").arg(path));
   set_style_property(recording_, "role", "warning");

@@ -2,11 +2,17 @@
 #include "glisson/ui/guidance/overlay_worker.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "glisson/core/error.h"
 #include "glisson/stereo/picture_io.h"
 
 namespace glisson::ui {
+namespace {
+
+constexpr double kLongestGap = 2.0;  ///< seconds without a picture that a recording keeps
+
+}  // namespace
 
 /// What lives on the worker's thread only: the painter and the recorder.
 struct OverlayWorker::Studio {
@@ -14,9 +20,10 @@ struct OverlayWorker::Studio {
   std::shared_ptr<const scene::DrawableModel> model;
   std::shared_ptr<const Points> margin;
   std::shared_ptr<const StereoRig> rig;
-  std::optional<Recording> wanted;
+  std::optional<std::filesystem::path> wanted;
   std::unique_ptr<stereo::VideoWriter> writer;
-  int written = 0, last_index = -1;
+  int written = 0;
+  double rate = 30.0, begun = 0.0;  ///< frames a second; the video's time of the first frame
   Picture last;
 
   Picture paint(const OverlayJob& job, double age) {
@@ -33,20 +40,29 @@ struct OverlayWorker::Studio {
     return painter->paint(job.frame, job.overlay, {age, job.frames_per_second});
   }
 
-  void record(const Picture& picture, int index) {
+  /// A frame of the file stands for its own moment of the video, so that the recording runs as fast as what
+  /// was filmed, however many frames were drawn.
+  void record(const Picture& picture, const OverlayJob& job) {
     if (!wanted) return;
     if (!writer) {
-      writer = std::make_unique<stereo::VideoWriter>(wanted->path, picture.width, picture.height,
-                                                     wanted->frames_per_second);
-      last_index = index - 1;
+      rate = job.source_rate;
+      begun = job.overlay.seconds;
+      writer = std::make_unique<stereo::VideoWriter>(*wanted, picture.width, picture.height, rate);
     }
-    constexpr int kLongestGap = 60;  // frames; a longer one is a jump in the source
-    if (index > last_index && index - last_index <= kLongestGap)
-      for (int missing = last_index + 1; missing < index; ++missing, ++written) writer->write(last);
+    const long place = std::lround((job.overlay.seconds - begun) * rate);
+    if (place < written) return;  // this moment is written already
+    const long longest_gap = std::lround(kLongestGap * rate);
+    if (place - written <= longest_gap)
+      while (written < place) write(last);
+    else
+      begun += static_cast<double>(place - written) / rate;  // a jump in the source is no pause
+    write(picture);
+    last = picture;
+  }
+
+  void write(const Picture& picture) {
     writer->write(picture);
     ++written;
-    last = picture;
-    last_index = index;
   }
 
   /// @return the error, if any.
@@ -80,10 +96,10 @@ void OverlayWorker::submit(OverlayJob job) {
   changed_.notify_one();
 }
 
-void OverlayWorker::start_recording(const std::filesystem::path& path, double frames_per_second) {
+void OverlayWorker::start_recording(const std::filesystem::path& path) {
   {
     const std::lock_guard lock(mutex_);
-    start_ = Recording{path, frames_per_second};
+    start_ = path;
   }
   changed_.notify_one();
 }
@@ -100,7 +116,7 @@ void OverlayWorker::run(const std::stop_token& stop) {
   Studio studio;
   const auto end_recording = [&](const QString& problem) {
     if (!studio.wanted) return;
-    const QString path = QString::fromStdString(studio.wanted->path.string());
+    const QString path = QString::fromStdString(studio.wanted->string());
     const int frames = studio.written;
     const QString error = studio.close();
     emit recording_ended(path, frames, problem.isEmpty() ? error : problem);
@@ -130,7 +146,7 @@ void OverlayWorker::run(const std::stop_token& stop) {
       const Picture picture = studio.paint(*job, job->taken ? seconds_since(*job->taken) : 0.0);
       emit painted(picture, job->overlay, job->taken ? seconds_since(*job->taken) : 0.0,
                    seconds_since(begin));
-      if (job->taken) studio.record(picture, job->overlay.index);
+      if (job->taken) studio.record(picture, *job);
     } catch (const std::exception& problem) {
       const QString message = QString::fromUtf8(problem.what());
       emit failed(message);

@@ -36,6 +36,7 @@ void VideoFeed::play(const std::stop_token& stop, const engine::VideoSource& sou
   try {
     stereo::StereoVideo video(source.left, source.right);
     const double rate = video.frames_per_second() > 0.0 ? video.frames_per_second() : 30.0;
+    rate_ = rate;
     const auto period =
         std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1.0 / rate));
     StereoFrame frame;

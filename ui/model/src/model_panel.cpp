@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QSlider>
 #include <QSpinBox>
+#include <map>
 
 #include "glisson/ui/common/texts.h"
 #include "glisson/ui/scene/model_surfaces.h"
@@ -130,14 +131,13 @@ void ModelPanel::show_case() {
   rows.emplace_back(tr("Mesh to fine surface, mean"), mm(q.mesh_to_fine_mean_mm));
   rows.emplace_back(tr("Fine surface to mesh, mean"), mm(q.fine_to_mesh_mean_mm));
   rows.emplace_back(tr("Fine surface to mesh, largest"), mm(q.fine_to_mesh_max_mm));
-  for (const VesselTree& tree : shown_->model.vessels)
-    rows.emplace_back(tr("%1, beams").arg(structure_text(tree.structure)),
-                      QString::number(tree.beams.size()));
+  std::map<Label, std::size_t> beams;  // of all of a structure's trees together
+  for (const VesselTree& tree : shown_->model.vessels) beams[tree.structure] += tree.beams.size();
+  for (const auto& [structure, count] : beams)
+    rows.emplace_back(tr("%1, beams").arg(structure_text(structure)), QString::number(count));
   quality_->set_rows(rows);
-  QStringList lines;
-  for (const std::string& note : shown_->report.notes) lines << QStringLiteral("• ") + note_text(note);
-  notes_->setText(lines.join(QLatin1Char('\n')));
-  notes_->setVisible(!lines.isEmpty());
+  notes_->setText(notes_text(shown_->report.notes));
+  notes_->setVisible(!shown_->report.notes.empty());
   show_structures();
 }
 

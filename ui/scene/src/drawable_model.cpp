@@ -39,7 +39,9 @@ std::shared_ptr<const DrawableModel> make_drawable(std::shared_ptr<const Patient
   for (const Label label : labels) {
     DrawableSurface surface;
     surface.structure = label;
-    surface.mesh = simplified(structure_surface(*model, label), triangles);
+    // The liver is large and smooth: it needs fewer triangles than branches do.
+    const int most = label == structure::kParenchyma ? std::max(1, triangles * 2 / 5) : triangles;
+    surface.mesh = simplified(structure_surface(*model, label), most);
     if (surface.mesh.triangle_count() == 0) continue;
     if (has_mesh) {
       surface.binding = bind_points(model->mesh, surface.mesh.vertices, false);

@@ -160,7 +160,7 @@ void OffscreenRenderer::resize(int width, int height) {
   impl_->window->SetSize(width, height);
 }
 
-Raster OffscreenRenderer::render(vtkRenderer& renderer, bool with_depth) {
+Picture OffscreenRenderer::render(vtkRenderer& renderer) {
   const CurrentScope current(impl_->context);
   EglRenderWindow& window = *impl_->window;
   if (window.GetRenderers()->GetFirstRenderer() != &renderer) {
@@ -170,33 +170,17 @@ Raster OffscreenRenderer::render(vtkRenderer& renderer, bool with_depth) {
   }
   window.Render();
 
-  Raster raster;
-  raster.width = window.GetSize()[0];
-  raster.height = window.GetSize()[1];
-  const auto width = static_cast<std::size_t>(raster.width), height = static_cast<std::size_t>(raster.height);
-  std::unique_ptr<unsigned char[]> colours(
-      window.GetRGBACharPixelData(0, 0, raster.width - 1, raster.height - 1, 0));
-  if (!colours) throw Error(std::string("The rendered picture could not be read back. ") + kRemedy);
-  raster.rgba.resize(4 * width * height);
-  for (std::size_t row = 0; row < height; ++row)  // OpenGL's rows run from the bottom
-    std::copy_n(&colours[4 * width * (height - 1 - row)], 4 * width, &raster.rgba[4 * width * row]);
-  if (with_depth) {
-    std::unique_ptr<float[]> depth(window.GetZbufferData(0, 0, raster.width - 1, raster.height - 1));
-    if (!depth) throw Error(std::string("The depth buffer could not be read back. ") + kRemedy);
-    raster.depth.resize(width * height);
-    for (std::size_t row = 0; row < height; ++row)
-      std::copy_n(&depth[width * (height - 1 - row)], width, &raster.depth[width * row]);
-  }
-  return raster;
-}
-
-Picture OffscreenRenderer::render(vtkRenderer& renderer) {
-  const Raster raster = render(renderer, false);
-  auto bytes = std::make_shared<std::vector<std::uint8_t>>(raster.rgba.size() / 4 * 3);
-  for (std::size_t i = 0; i < raster.rgba.size() / 4; ++i)
-    for (std::size_t channel = 0; channel < 3; ++channel)
-      (*bytes)[3 * i + channel] = raster.rgba[4 * i + 2 - channel];
-  return {raster.width, raster.height, 3, bytes};
+  const int width = window.GetSize()[0], height = window.GetSize()[1];
+  const std::unique_ptr<unsigned char[]> rgba(window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 0));
+  if (!rgba) throw Error(std::string("The rendered picture could not be read back. ") + kRemedy);
+  const auto columns = static_cast<std::size_t>(width), rows = static_cast<std::size_t>(height);
+  auto bytes = std::make_shared<std::vector<std::uint8_t>>(3 * columns * rows);
+  for (std::size_t row = 0; row < rows; ++row)  // OpenGL's rows run from the bottom
+    for (std::size_t column = 0; column < columns; ++column)
+      for (std::size_t channel = 0; channel < 3; ++channel)
+        (*bytes)[3 * (row * columns + column) + channel] =
+            rgba[4 * ((rows - 1 - row) * columns + column) + 2 - channel];
+  return {width, height, 3, bytes};
 }
 
 }  // namespace glisson::scene

@@ -44,7 +44,7 @@ class Overlay {
     if (label == structure::kPortalVein) return tr("Portal vein");
     if (label == structure::kHepaticVeins) return tr("Hepatic veins");
     if (label == structure::kArtery) return tr("Hepatic artery");
-    return tr("Tumour");
+    return tr("Lesion");
   }
 };
 
@@ -180,7 +180,8 @@ Picture annotate(const Picture& picture, const OverlayFrame& overlay, const Anno
     draw_invalid(painter, layout, overlay.validity);
   }
   if (style.status) {
-    QStringList words{Overlay::frame(overlay.index), Overlay::age(status.age_seconds)};
+    QStringList words{Overlay::frame(overlay.index)};
+    if (status.age_seconds > 0.0) words << Overlay::age(status.age_seconds);
     if (status.frames_per_second > 0.0) words << Overlay::rate(status.frames_per_second);
     if (valid) words << Overlay::residual(overlay.residual);
     draw_text(painter, layout, words.join(QStringLiteral("  ·  ")), layout.font(), QColor(225, 230, 233),

@@ -7,15 +7,13 @@
 #include <opencv2/imgproc.hpp>
 
 #include "glisson/patient/label_map.h"
-#include "glisson/ui/scene/pinhole_camera.h"
 
 namespace glisson::scene {
 namespace {
 
-constexpr float kNothing = 1e9F;                ///< depth where nothing was drawn, metres
-constexpr float kFullCoverage = 96.0F;          ///< the darkest shading of OverlayLayers, a little below
-constexpr float kDepthStep = 3e-3F;             ///< metres; a larger step between neighbours is a silhouette
+constexpr float kDepthStep = 6e-3F;             ///< metres; a larger step between neighbours is a silhouette
 constexpr int kHatchPeriod = 7;                 ///< pixels
+constexpr float kDeepest = 0.35F;               ///< of a vessel's opacity that stays at any depth
 const cv::Vec3f kOutlineColour(235, 235, 235);  // blue, green, red
 
 cv::Vec3f bgr(Label structure) {
@@ -24,29 +22,12 @@ cv::Vec3f bgr(Label structure) {
           static_cast<float>(255 * rgb[0])};
 }
 
-/// One layer as the distorted camera sees it.
-struct BentLayer {
-  cv::Mat3b shade;  ///< red, green, blue channels of the layer
-  cv::Mat1f depth;  ///< metres along z
-};
+/// Colours weighted by their opacity, and the opacity: what is to be laid over the frame at each pixel.
+using Veil = cv::Mat4b;
 
-BentLayer bend(const Raster& raster, const cv::Mat1f& map_x, const cv::Mat1f& map_y) {
-  BentLayer bent;
-  if (raster.rgba.empty()) {
-    bent.shade = cv::Mat3b::zeros(map_x.size());
-    bent.depth = cv::Mat1f(map_x.size(), kNothing);
-    return bent;
-  }
-  const cv::Mat rgba(raster.height, raster.width, CV_8UC4, const_cast<std::uint8_t*>(raster.rgba.data()));
-  cv::Mat rgb;
-  cv::cvtColor(rgba, rgb, cv::COLOR_RGBA2RGB);
-  cv::remap(rgb, bent.shade, map_x, map_y, cv::INTER_LINEAR, cv::BORDER_CONSTANT, cv::Scalar());
-  const cv::Mat1f depth(raster.height, raster.width, const_cast<float*>(raster.depth.data()));
-  cv::remap(depth, bent.depth, map_x, map_y, cv::INTER_NEAREST, cv::BORDER_CONSTANT, cv::Scalar(1.0));
-  bent.depth.forEach([](float& d, const int*) {
-    d = d < 1.0F ? static_cast<float>(metric_depth(d, OverlayLayers::kNear, OverlayLayers::kFar)) : kNothing;
-  });
-  return bent;
+cv::Vec4b veil_of(const cv::Vec3f& colour, float alpha) {
+  const auto byte = [](float value) { return cv::saturate_cast<std::uint8_t>(value); };
+  return {byte(alpha * colour[0]), byte(alpha * colour[1]), byte(alpha * colour[2]), byte(255.0F * alpha)};
 }
 
 void mix(cv::Vec3b& pixel, const cv::Vec3f& colour, float alpha) {
@@ -55,63 +36,71 @@ void mix(cv::Vec3b& pixel, const cv::Vec3f& colour, float alpha) {
         cv::saturate_cast<std::uint8_t>((1.0F - alpha) * static_cast<float>(pixel[c]) + alpha * colour[c]);
 }
 
-/// Which of the three channels a pixel shows, -1: none.
-int channel_at(const cv::Vec3b& shade) {
-  const int sum = shade[0] + shade[1] + shade[2];
-  if (sum < static_cast<int>(kFullCoverage) / 2) return -1;
-  return shade[0] >= shade[1] && shade[0] >= shade[2] ? 0 : shade[1] >= shade[2] ? 1 : 2;
-}
-
-bool on_edge(const BentLayer& layer, int v, int u, int channel) {
-  for (const auto& [dv, du] : {std::pair{0, 1}, {1, 0}, {0, -1}, {-1, 0}}) {
-    const int y = v + dv, x = u + du;
-    if (y < 0 || x < 0 || y >= layer.shade.rows || x >= layer.shade.cols) continue;
-    if (channel_at(layer.shade(y, x)) != channel) return true;
-    if (layer.depth(y, x) - layer.depth(v, u) > kDepthStep) return true;
+/// A silhouette of the structure at this pixel: its neighbour shows another one, none, or one far behind.
+bool on_edge(const SurfaceLayer& layer, int row, int column, std::size_t pixel) {
+  const float here = layer.depth(pixel);
+  for (const auto& [down, right] : {std::pair{0, 1}, {1, 0}, {0, -1}, {-1, 0}}) {
+    const int y = row + down, x = column + right;
+    if (y < 0 || x < 0 || y >= layer.height || x >= layer.width) continue;
+    const std::size_t next = layer.at(y, x);
+    if (layer.kind[next] != layer.kind[pixel] || layer.depth(next) - here > kDepthStep) return true;
   }
   return false;
 }
 
-void lay_vessels(cv::Mat3b& picture, const BentLayer& vessels, const BentLayer& liver,
-                 const OverlayStyle& style) {
-  const std::array<cv::Vec3f, 3> colours = {bgr(structure::kPortalVein), bgr(structure::kHepaticVeins),
-                                            bgr(structure::kArtery)};
-  const std::array<bool, 3> wanted = {style.portal_vein, style.hepatic_veins, style.arteries};
+Veil vessel_veil(const OverlayLayers& layers, const OverlayStyle& style) {
+  const std::array<cv::Vec3f, 4> colours = {cv::Vec3f(), bgr(structure::kPortalVein),
+                                            bgr(structure::kHepaticVeins), bgr(structure::kArtery)};
   const auto fade_depth = static_cast<float>(style.fade_depth), opacity = static_cast<float>(style.opacity);
+  const SurfaceLayer& vessels = layers.vessels;
+  Veil veil = Veil::zeros(vessels.height, vessels.width);
+  cv::parallel_for_(cv::Range(0, vessels.height), [&](const cv::Range& rows) {
+    for (int v = rows.start; v < rows.end; ++v)
+      for (int u = 0; u < vessels.width; ++u) {
+        const std::size_t pixel = vessels.at(v, u);
+        if (vessels.kind[pixel] == kNoVessel || layers.liver.kind[pixel] == 0) continue;
+        const float below = std::max(0.0F, vessels.depth(pixel) - layers.liver.depth(pixel));
+        const float fade = kDeepest + (1.0F - kDeepest) * std::exp(-below / fade_depth);
+        const bool edge = on_edge(vessels, v, u, pixel);
+        // Hepatic veins are hatched: colour must not be the only cue.
+        const bool gap =
+            vessels.kind[pixel] == kHepatic && !edge && (u + v) % kHatchPeriod >= kHatchPeriod / 2;
+        const float alpha = opacity * fade * (edge ? 1.0F : gap ? 0.3F : 0.8F);
+        const float facing = static_cast<float>(vessels.facing[pixel]) / 255.0F;
+        const cv::Vec3f colour =
+            colours[vessels.kind[pixel]] * (edge ? 1.25F : 0.7F + 0.5F * facing * facing);
+        veil(v, u) = veil_of(colour, alpha);
+      }
+  });
+  cv::GaussianBlur(veil, veil, {3, 3}, 0.7, 0.7);  // smooth edges
+  return veil;
+}
+
+void lay(cv::Mat3b& picture, const Veil& veil) {
   cv::parallel_for_(cv::Range(0, picture.rows), [&](const cv::Range& rows) {
     for (int v = rows.start; v < rows.end; ++v)
       for (int u = 0; u < picture.cols; ++u) {
-        const int channel = channel_at(vessels.shade(v, u));
-        if (channel < 0 || !wanted[static_cast<std::size_t>(channel)] || liver.depth(v, u) >= kNothing)
-          continue;
-        const cv::Vec3b& shade = vessels.shade(v, u);
-        const float sum = static_cast<float>(shade[0] + shade[1] + shade[2]);
-        const float below = std::max(0.0F, vessels.depth(v, u) - liver.depth(v, u));
-        const float fade = 0.25F + 0.75F * std::exp(-below / fade_depth);
-        const bool edge = on_edge(vessels, v, u, channel);
-        // Hepatic veins are hatched: colour must not be the only cue.
-        const bool gap = channel == 1 && !edge && (u + v) % kHatchPeriod >= kHatchPeriod / 2;
-        const float alpha = opacity * fade *
-                            (edge  ? 1.0F
-                             : gap ? 0.3F
-                                   : 0.75F) *
-                            std::min(1.0F, sum / kFullCoverage);
-        mix(picture(v, u),
-            colours[static_cast<std::size_t>(channel)] * (edge ? 0.75F : 0.35F + 0.65F * sum / 255.0F),
-            alpha);
+        const cv::Vec4b& over = veil(v, u);
+        if (over[3] == 0) continue;
+        for (int c = 0; c < 3; ++c) {
+          const int below = ((255 - over[3]) * picture(v, u)[c] + 127) / 255;
+          picture(v, u)[c] = static_cast<std::uint8_t>(std::min(255, below + over[c]));
+        }
       }
   });
 }
 
-void lay_lesions(cv::Mat3b& picture, const BentLayer& lesions, const BentLayer& liver) {
+void lay_lesions(cv::Mat3b& picture, const OverlayLayers& layers) {
   const cv::Vec3f colour = bgr(structure::kFirstLesion);
+  const SurfaceLayer& lesions = layers.lesions;
   cv::Mat1b mask = cv::Mat1b::zeros(picture.size());
   for (int v = 0; v < picture.rows; ++v)
     for (int u = 0; u < picture.cols; ++u) {
-      if (channel_at(lesions.shade(v, u)) < 0 || liver.depth(v, u) >= kNothing) continue;
+      const std::size_t pixel = lesions.at(v, u);
+      if (lesions.kind[pixel] == 0 || layers.liver.kind[pixel] == 0) continue;
       mask(v, u) = 255;
-      const float value = static_cast<float>(lesions.shade(v, u)[0]) / 255.0F;
-      mix(picture(v, u), colour * (0.4F + 0.6F * value), (u - v + 4096) % kHatchPeriod < 2 ? 0.45F : 0.22F);
+      const float facing = static_cast<float>(lesions.facing[pixel]) / 255.0F;
+      mix(picture(v, u), colour * (0.6F + 0.4F * facing), (u - v + 4096) % kHatchPeriod < 2 ? 0.45F : 0.22F);
     }
   std::vector<std::vector<cv::Point>> contours;
   cv::findContours(mask, contours, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_SIMPLE);
@@ -119,8 +108,8 @@ void lay_lesions(cv::Mat3b& picture, const BentLayer& lesions, const BentLayer& 
   cv::polylines(picture, contours, true, cv::Scalar(colour), 2, cv::LINE_AA);
 }
 
-void lay_outline(cv::Mat3b& picture, const BentLayer& liver) {
-  const cv::Mat1b mask = liver.depth < kNothing;
+void lay_outline(cv::Mat3b& picture, const SurfaceLayer& liver) {
+  const cv::Mat1b mask(liver.height, liver.width, const_cast<std::uint8_t*>(liver.kind.data()));
   std::vector<std::vector<cv::Point>> contours;
   cv::findContours(mask, contours, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_SIMPLE);
   cv::Mat1b line = cv::Mat1b::zeros(picture.size());
@@ -132,8 +121,7 @@ void lay_outline(cv::Mat3b& picture, const BentLayer& liver) {
 
 }  // namespace
 
-Picture blend_layers(const Picture& frame, const LayerRasters& layers, const LensMaps& lens,
-                     const OverlayStyle& style) {
+Picture blend_layers(const Picture& frame, const OverlayLayers& layers, const OverlayStyle& style) {
   const cv::Mat source(frame.height, frame.width, frame.channels == 1 ? CV_8UC1 : CV_8UC3,
                        const_cast<std::uint8_t*>(frame.bytes->data()));
   auto bytes =
@@ -143,12 +131,9 @@ Picture blend_layers(const Picture& frame, const LayerRasters& layers, const Len
     cv::cvtColor(source, picture, cv::COLOR_GRAY2BGR);
   else
     source.copyTo(picture);
-  const cv::Mat1f map_x(frame.height, frame.width, const_cast<float*>(lens.x.data()));
-  const cv::Mat1f map_y(frame.height, frame.width, const_cast<float*>(lens.y.data()));
-  const BentLayer liver = bend(layers.liver, map_x, map_y);
-  lay_vessels(picture, bend(layers.vessels, map_x, map_y), liver, style);
-  if (style.outline) lay_outline(picture, liver);
-  if (style.lesions) lay_lesions(picture, bend(layers.lesions, map_x, map_y), liver);
+  lay(picture, vessel_veil(layers, style));
+  if (style.outline) lay_outline(picture, layers.liver);
+  if (style.lesions) lay_lesions(picture, layers);
   return {frame.width, frame.height, 3, bytes};
 }
 

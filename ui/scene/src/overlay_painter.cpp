@@ -5,7 +5,6 @@
 
 #include "glisson/core/error.h"
 #include "glisson/patient/label_map.h"
-#include "glisson/ui/scene/lens_maps.h"
 #include "glisson/ui/scene/model_surfaces.h"
 #include "overlay_annotations.h"
 #include "overlay_blend.h"
@@ -23,12 +22,12 @@ void OverlayStyle::validate() const {
 }
 
 struct OverlayPainter::Impl {
-  Impl(const std::shared_ptr<const DrawableModel>& drawable, const Points& anterior_margin,
-       const Camera& view, const OverlayStyle& look)
+  Impl(std::shared_ptr<const DrawableModel> surfaces, const Points& anterior_margin, const Camera& view,
+       const OverlayStyle& look)
       : camera(view),
         style(look),
-        lens(make_lens_maps(view)),
-        layers(drawable, lens.pinhole),
+        raster(view),
+        drawable(std::move(surfaces)),
         model(drawable->model),
         structures(inner_structures(*model)) {
     if (anterior_margin.rows() > 0) margin = bind_points(model->mesh, anterior_margin);
@@ -36,8 +35,8 @@ struct OverlayPainter::Impl {
 
   Camera camera;
   OverlayStyle style;
-  LensMaps lens;
-  OverlayLayers layers;
+  SurfaceRaster raster;
+  std::shared_ptr<const DrawableModel> drawable;
   std::shared_ptr<const PatientModel> model;
   std::vector<Label> structures;
   Binding margin;
@@ -55,7 +54,7 @@ struct OverlayPainter::Impl {
     if (margin.weights.rows() == 0) return result;
     const Points line = margin.apply(model->mesh, nodes);
     for (Eigen::Index i = 0; i < line.rows(); ++i)
-      if (line(i, 2) > OverlayLayers::kNear) result.margin.push_back(camera.project(line.row(i).transpose()));
+      if (line(i, 2) > SurfaceRaster::kNear) result.margin.push_back(camera.project(line.row(i).transpose()));
     return result;
   }
 };
@@ -69,7 +68,8 @@ OverlayPainter::OverlayPainter(const PatientModel& model, const Camera& camera, 
 OverlayPainter::OverlayPainter(std::shared_ptr<const DrawableModel> model, const Points& anterior_margin,
                                const Camera& camera, const OverlayStyle& style) {
   style.validate();
-  require(model != nullptr, "there is a model to draw");
+  require(model != nullptr && model->model->mesh.tetrahedron_count() > 0,
+          "an overlay follows a model that has a mesh");
   impl_ = std::make_unique<Impl>(model, anterior_margin, camera, style);
 }
 OverlayPainter::~OverlayPainter() = default;
@@ -91,8 +91,9 @@ Picture OverlayPainter::paint(const Picture& frame, const OverlayFrame& overlay,
                      "Use the calibration that belongs to this laparoscope.");
   if (overlay.validity != Validity::valid) return annotate(frame, overlay, {}, impl_->style, status);
   const auto begin = std::chrono::steady_clock::now();
-  const LayerRasters layers = impl_->layers.draw(overlay.nodes_in_camera);
-  const Picture blended = blend_layers(frame, layers, impl_->lens, impl_->style);
+  const OverlayLayers layers =
+      draw_layers(*impl_->drawable, overlay.nodes_in_camera, impl_->raster, impl_->style);
+  const Picture blended = blend_layers(frame, layers, impl_->style);
   OverlayStatus now = status;
   if (status.age_seconds > 0.0)  // a live picture grows older while it is drawn
     now.age_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

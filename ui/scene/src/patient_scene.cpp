@@ -88,6 +88,22 @@ std::array<unsigned char, 3> feature_colour(Feature feature) {
   return {255, 255, 255};
 }
 
+constexpr double kFillView = 1.25;  ///< VTK fits the scene's sphere; a patient's liver is flatter than that
+
+/// Towards which side of the patient a direction points: one letter, or two where it lies between sides.
+std::string side_letters(const Eigen::Vector3d& direction) {
+  constexpr double kLeast = 0.38;  // sine of 22.5 degrees
+  constexpr std::array<std::array<char, 2>, 3> kLetters = {{{'R', 'L'}, {'A', 'P'}, {'I', 'S'}}};
+  std::array<int, 3> axes = {0, 1, 2};
+  std::stable_sort(axes.begin(), axes.end(),
+                   [&](int a, int b) { return std::abs(direction[a]) > std::abs(direction[b]); });
+  std::string letters;
+  for (const int axis : axes)
+    if (std::abs(direction[axis]) > kLeast && letters.size() < 2)
+      letters += kLetters[static_cast<std::size_t>(axis)][direction[axis] > 0.0 ? 1 : 0];
+  return letters;
+}
+
 }  // namespace
 
 struct PatientScene::Impl {
@@ -344,6 +360,9 @@ void PatientScene::look_from(ViewFrom from) {
     case ViewFrom::anterior:
       direction = {0, 1, 0}, up = {0, 0, 1};
       break;
+    case ViewFrom::posterior:
+      direction = {0, -1, 0}, up = {0, 0, 1};
+      break;
     case ViewFrom::right:
       direction = {1, 0, 0}, up = {0, 0, 1};
       break;
@@ -366,6 +385,17 @@ void PatientScene::look_from(ViewFrom from) {
   view.SetPosition((-direction).eval().data());
   view.SetViewUp(up.data());
   impl_->renderer->ResetCamera();
+  view.Dolly(kFillView);
+  impl_->renderer->ResetCameraClippingRange();
+}
+
+ViewLetters PatientScene::view_letters() const {
+  vtkCamera& view = *impl_->renderer->GetActiveCamera();
+  const Eigen::Map<const Eigen::Vector3d> direction(view.GetDirectionOfProjection());
+  const Eigen::Vector3d along = direction.normalized();
+  const Eigen::Vector3d up_hint = Eigen::Map<const Eigen::Vector3d>(view.GetViewUp());
+  const Eigen::Vector3d right = along.cross(up_hint).normalized(), up = right.cross(along);
+  return {side_letters(-right), side_letters(right), side_letters(up), side_letters(-up)};
 }
 
 std::optional<Eigen::Vector3d> PatientScene::surface_point(double x, double y, double aspect) const {

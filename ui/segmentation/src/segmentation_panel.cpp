@@ -76,13 +76,13 @@ SegmentationPanel::SegmentationPanel(EngineBridge& engine, ViewState& views, QWi
       this);
   run_->setObjectName(QStringLiteral("segment"));
   grow->addWidget(run_);
-  figures_ = new FiguresTable(this);
-  grow->addWidget(figures_);
   notes_ = make_explanation({}, this);
   notes_->hide();
   grow->addWidget(notes_);
 
   QVBoxLayout* look = add_section(tr("Result"));
+  figures_ = new FiguresTable(this);
+  look->addWidget(figures_);
   auto* opacity = new QSlider(Qt::Horizontal, this);
   opacity->setRange(0, 100);
   opacity->setValue(static_cast<int>(100 * views.style().label_opacity));
@@ -101,11 +101,8 @@ SegmentationPanel::SegmentationPanel(EngineBridge& engine, ViewState& views, QWi
   });
   connect(&this->engine(), &EngineBridge::finished, this, [this](const engine::Outcome& outcome) {
     if (outcome.status != engine::Status::done || outcome.command != "segment") return;
-    figures_->set_figures(outcome.figures);
-    QStringList lines;
-    for (const std::string& note : outcome.notes) lines << QStringLiteral("• ") + note_text(note);
-    notes_->setText(lines.join(QLatin1Char('\n')));
-    notes_->setVisible(!lines.isEmpty());
+    notes_->setText(notes_text(outcome.notes));
+    notes_->setVisible(!outcome.notes.empty());
   });
   connect(&views_, &ViewState::picked, this, &SegmentationPanel::place);
   connect(&this->engine(), &EngineBridge::case_changed, this, &SegmentationPanel::show_case);
@@ -176,7 +173,16 @@ void SegmentationPanel::build_seed_list() {
   });
 }
 
-void SegmentationPanel::deactivate() { choose_structure(std::nullopt); }
+void SegmentationPanel::activate() {
+  active_ = true;
+  show_markers();
+}
+
+void SegmentationPanel::deactivate() {
+  choose_structure(std::nullopt);
+  active_ = false;
+  show_markers();  // they would lie over what the other steps show
+}
 
 void SegmentationPanel::choose_structure(std::optional<Label> structure) {
   structure_ = structure;
@@ -213,6 +219,7 @@ void SegmentationPanel::show_case() {
     taken_ = engine().state().seeds;
     seeds_ = taken_ ? *taken_ : segmentation::Seeds{};
   }
+  show_volumes();
   show_seeds();
 }
 
@@ -255,12 +262,34 @@ void SegmentationPanel::show_seeds() {
   }
   for (const auto& [label, button] : buttons_)
     if (std::find(labels.begin(), labels.end(), label) == labels.end()) button->hide();
-  std::vector<scene::Marker> markers;
-  for (const SeedEntry& entry : entries_) markers.push_back({entry.p_in_ct, entry.structure, 3e-3});
-  views_.set_markers(std::move(markers));
+  show_markers();
   remove_->setEnabled(!list_->selectedItems().isEmpty());
   clear_->setEnabled(!entries_.empty());
   run_->set_obstacle(obstacle());
+}
+
+void SegmentationPanel::show_markers() {
+  std::vector<scene::Marker> markers;
+  if (active_)
+    for (const SeedEntry& entry : entries_) markers.push_back({entry.p_in_ct, entry.structure, 3e-3});
+  views_.set_markers(std::move(markers));
+}
+
+void SegmentationPanel::show_volumes() {
+  const auto& labels = engine().state().labels;
+  if (labels == measured_) return;
+  measured_ = labels;
+  std::vector<std::pair<QString, QString>> rows;
+  if (labels) {
+    const std::vector<long> voxels = labels->voxels.histogram();
+    const double voxel_ml = 1e-3 * labels->voxels.grid().spacing_mm.prod();
+    for (std::size_t label = 1; label < voxels.size(); ++label)
+      if (voxels[label] > 0)
+        rows.emplace_back(structure_text(static_cast<Label>(label)),
+                          tr("%1 ml").arg(voxel_ml * static_cast<double>(voxels[label]), 0, 'f', 1));
+  }
+  figures_->set_rows(rows);
+  if (!labels) notes_->hide();
 }
 
 QString SegmentationPanel::obstacle() const {

@@ -9,6 +9,7 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QScreen>
 #include <QScrollArea>
 #include <QStackedWidget>
 #include <QStatusBar>
@@ -27,14 +28,15 @@ namespace glisson::ui {
 namespace {
 
 constexpr int kControlsWidth = 336;
+constexpr QSize kLargestAtStart(1600, 1000);  ///< smaller screens are filled
 
 }  // namespace
 
 MainWindow::MainWindow(engine::Engine::Options options, QWidget* parent)
     : QMainWindow(parent), engine_(std::move(options)), drawables_(engine_) {
   setAcceptDrops(true);
-  resize(1440, 900);
   setMinimumSize(1180, 720);
+  resize(screen()->availableSize().boundedTo(kLargestAtStart));
   auto* body = new QWidget(this);
   auto* row = new QHBoxLayout(body);
   row->setContentsMargins(0, 0, 0, 0);
@@ -102,8 +104,8 @@ void MainWindow::build_menu() {
   open->addAction(tr("&Volume…"), this, &MainWindow::open_volume);
   open->addAction(tr("&Case…"), QKeySequence::Open, this, &MainWindow::open_case);
   file->addSeparator();
-  file->addAction(tr("&Save"), QKeySequence::Save, this, [this] { save(); });
-  file->addAction(tr("Save &as…"), QKeySequence::SaveAs, this, [this] { save_as(); });
+  save_ = file->addAction(tr("&Save"), QKeySequence::Save, this, [this] { save(); });
+  save_as_ = file->addAction(tr("Save &as…"), QKeySequence::SaveAs, this, [this] { save_as(); });
   file->addSeparator();
   file->addAction(tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
   QMenu* go = menuBar()->addMenu(tr("&Step"));
@@ -193,6 +195,8 @@ void MainWindow::show_case() {
   const QString name = now.path.empty() ? (now.image || now.model ? tr("unsaved case") : QString())
                                         : QString::fromStdString(now.path.filename().string());
   setWindowTitle(name.isEmpty() ? tr("Glisson") : tr("%1[*] – Glisson").arg(name));
+  save_->setEnabled(!name.isEmpty());
+  save_as_->setEnabled(!name.isEmpty());
   setWindowModified(!name.isEmpty() && engine_.snapshot()->revision != saved_revision_);
   show_middle();
 }

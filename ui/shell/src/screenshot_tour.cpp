@@ -6,14 +6,28 @@
 #include <array>
 
 #include "glisson/ui/common/task_button.h"
+#include "glisson/ui/guidance/guidance_panel.h"
 
 namespace glisson::ui {
 namespace {
 
 constexpr std::array<const char*, 6> kNames = {"welcome", "segmentation", "model",
                                                "atlas",   "stereo",       "guidance"};
-constexpr int kSettle = 700;     ///< milliseconds for a panel to draw itself
-constexpr int kLiveView = 2500;  ///< milliseconds of tracking before its picture
+constexpr int kSettle = 700;        ///< milliseconds for a panel to draw itself
+constexpr int kLivePictures = 12;   ///< tracked before the live view is taken
+constexpr int kLongestWait = 8000;  ///< milliseconds for them
+constexpr int kAsk = 20;            ///< milliseconds between questions
+
+/// Bright colours in steps of 8: a camera's noise would make the files of a manual several times as large.
+QImage light(QImage image) {
+  image.convertTo(QImage::Format_RGB32);
+  for (int y = 0; y < image.height(); ++y) {
+    auto* row = reinterpret_cast<QRgb*>(image.scanLine(y));
+    for (int x = 0; x < image.width(); ++x)
+      if ((row[x] & 0x00c0c0c0U) != 0) row[x] = (row[x] & 0xfff8f8f8U) | (row[x] >> 5U & 0x00070707U);
+  }
+  return image;
+}
 
 }  // namespace
 
@@ -39,13 +53,23 @@ void ScreenshotTour::visit() {
   if (live) {
     if (auto* button = window_.findChild<TaskButton*>(QStringLiteral("start_tracking"))) button->trigger();
   }
-  QTimer::singleShot(live ? kLiveView : kSettle, this, &ScreenshotTour::shoot);
+  if (!live) return QTimer::singleShot(kSettle, this, &ScreenshotTour::shoot);
+  const auto* guidance = window_.findChild<GuidancePanel*>();
+  auto* question = new QTimer(this);
+  connect(
+      question, &QTimer::timeout, this,
+      [this, question, guidance, wanted = guidance->pictures_shown() + kLivePictures, asked = 0]() mutable {
+        if (guidance->pictures_shown() < wanted && ++asked * kAsk < kLongestWait) return;
+        question->deleteLater();
+        shoot();
+      });
+  question->start(kAsk);
 }
 
 void ScreenshotTour::shoot() {
   const QString file = QStringLiteral("%1/%2.png")
                            .arg(folder_, QString::fromLatin1(kNames[static_cast<std::size_t>(step_ + 1)]));
-  all_saved_ = window_.grab().save(file) && all_saved_;
+  all_saved_ = light(window_.grab().toImage()).save(file) && all_saved_;
   if (step_ == MainWindow::guidance) {
     emit finished(all_saved_);
     return;

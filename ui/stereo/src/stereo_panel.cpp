@@ -10,6 +10,7 @@
 #include <QPushButton>
 #include <QSpinBox>
 #include <QSplitter>
+#include <map>
 
 namespace glisson::ui {
 namespace {
@@ -24,6 +25,23 @@ QString feature_name(Feature feature) {
       return StereoPanel::tr("Umbilical notch");
   }
   return {};
+}
+
+/// What is known of a cloud, wherever it came from.
+std::vector<std::pair<QString, QString>> rows_of(const LabelledCloud* cloud) {
+  if (cloud == nullptr) return {};
+  std::map<Feature, int> counts;
+  for (int i = 0; i < cloud->size(); ++i) ++counts[cloud->feature(i)];
+  std::vector<std::pair<QString, QString>> rows = {
+      {StereoPanel::tr("Points"), QString::number(cloud->size())}};
+  for (const Feature feature : {Feature::surface, Feature::anterior_margin, Feature::umbilical_notch})
+    rows.emplace_back(feature_name(feature), QString::number(counts[feature]));
+  if (cloud->size() == 0) return rows;
+  const auto z = cloud->points.col(2);
+  rows.emplace_back(
+      StereoPanel::tr("Distance from the camera"),
+      StereoPanel::tr("%1 to %2 mm").arg(1e3 * z.minCoeff(), 0, 'f', 0).arg(1e3 * z.maxCoeff(), 0, 'f', 0));
+  return rows;
 }
 
 QString pictures_filter() { return StereoPanel::tr("Pictures (*.png *.jpg *.jpeg *.bmp)"); }
@@ -52,8 +70,6 @@ StereoPanel::StereoPanel(EngineBridge& engine, QWidget* parent)
   connect(&this->engine(), &EngineBridge::case_changed, this, &StereoPanel::show_case);
   connect(&this->engine(), &EngineBridge::finished, this, [this](const engine::Outcome& outcome) {
     if (storing_.erase(outcome.id) > 0 && storing_.empty()) show_case();
-    if (outcome.command == "reconstruct" && outcome.status == engine::Status::done)
-      figures_->set_figures(outcome.figures);
     if (outcome.command == "set_video" && outcome.status == engine::Status::done)
       if (const auto frames = outcome.figures.find("video_frames"); frames != outcome.figures.end())
         frame_->setMaximum(std::max(0, static_cast<int>(frames->second) - 1));
@@ -218,6 +234,7 @@ void StereoPanel::show_cloud() {
   const engine::CaseState& now = engine().state();
   if (now.cloud == shown_cloud_) return;
   shown_cloud_ = now.cloud;
+  figures_->set_rows(rows_of(now.cloud.get()));
   cloud_->set_hint(now.cloud ? QString() : tr("No points yet"));
   cloud_->patient().set_cloud(now.cloud ? *now.cloud : LabelledCloud());
   if (now.cloud) cloud_->patient().look_from(scene::ViewFrom::camera);

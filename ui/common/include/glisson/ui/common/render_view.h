@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QOpenGLWidget>
+#include <array>
 #include <memory>
 
 #include "glisson/ui/scene/patient_scene.h"
@@ -26,6 +27,8 @@ class RenderView : public QOpenGLWidget {
   /// Shown in the view's middle while there is nothing to see. Empty: nothing.
   void set_hint(const QString& hint);
   void set_title(const QString& title);
+  /// Letters of the patient's sides at the view's edges. For scenes in the CT's frame.
+  void show_orientation();
   QSize sizeHint() const override { return {360, 320}; }
   QSize minimumSizeHint() const override { return {160, 140}; }
 
@@ -46,12 +49,16 @@ class RenderView : public QOpenGLWidget {
 
  private:
   struct Impl;
+  void update_letters();
+  void place_letters();
   void pass_on(QMouseEvent* event, unsigned long vtk_event);
 
   std::unique_ptr<scene::PatientScene> patient_;
   std::unique_ptr<Impl> impl_;
   QLabel* hint_ = nullptr;
   QLabel* title_ = nullptr;
+  std::array<QLabel*, 4> letters_{};  ///< left, right, top, bottom; null: not shown
+  scene::ViewLetters shown_letters_;
 };
 
 }  // namespace glisson::ui

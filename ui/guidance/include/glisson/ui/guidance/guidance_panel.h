@@ -46,6 +46,8 @@ class GuidancePanel : public Panel {
   void show_painted(const Picture& picture, const OverlayFrame& overlay, double age, double draw);
   void show_freshness();
   void show_buttons();
+  /// Lets go of the last live picture.
+  void unfreeze();
   void stop_tracking(const QString& why);
   void toggle_recording();
   OverlayJob make_job();
@@ -66,6 +68,7 @@ class GuidancePanel : public Panel {
   TaskButton* track_ = nullptr;
   QPushButton* stop_ = nullptr;
   QPushButton* record_ = nullptr;
+  QCheckBox* repeat_ = nullptr;
   QLabel* recording_ = nullptr;
   FiguresTable* live_figures_ = nullptr;
   QTimer freshness_;
@@ -77,6 +80,11 @@ class GuidancePanel : public Panel {
   int pictures_shown_ = 0;
   bool is_recording_ = false;
   bool was_tracking_ = false;
+  bool repeat_now_ = false;
+  /// Tracking has ended, and its last picture stays, marked, as long as its registration is the case's.
+  bool is_frozen_ = false;
+  std::shared_ptr<const Registration> frozen_registration_;
+  Validity shown_validity_ = Validity::not_started;
   std::shared_ptr<const Points> margin_;
   std::shared_ptr<const model::BuiltModel> model_source_;
   std::shared_ptr<const Landmarks> landmarks_source_;

@@ -28,7 +28,8 @@ struct OverlayJob {
   /// When the picture was taken; empty: not live, age is not counted.
   std::optional<std::chrono::steady_clock::time_point> taken;
   scene::OverlayStyle style;
-  double frames_per_second = 0.0;
+  double frames_per_second = 0.0;  ///< of the live view, to be shown
+  double source_rate = 30.0;       ///< frames a second of the video, for the recording
 };
 
 /// Draws overlays, and records them, on a thread of its own, so that neither the window nor the engine waits
@@ -40,9 +41,9 @@ class OverlayWorker : public QObject {
   ~OverlayWorker() override;
 
   void submit(OverlayJob job);
-  /// From now on live pictures are written, one a frame of the source: frames that were not drawn repeat the
-  /// one before.
-  void start_recording(const std::filesystem::path& path, double frames_per_second);
+  /// From now on live pictures are written, each at its own time, at the video's rate: where a frame was not
+  /// drawn, the one before stays, as it did on the screen.
+  void start_recording(const std::filesystem::path& path);
   /// Closes the file; recording_ended() tells how it went.
   void stop_recording();
 
@@ -55,17 +56,13 @@ class OverlayWorker : public QObject {
   void recording_ended(const QString& path, int frames, const QString& error);
 
  private:
-  struct Recording {
-    std::filesystem::path path;
-    double frames_per_second = 30.0;
-  };
   struct Studio;
   void run(const std::stop_token& stop);
 
   std::mutex mutex_;
   std::condition_variable_any changed_;
   std::optional<OverlayJob> job_;
-  std::optional<Recording> start_;
+  std::optional<std::filesystem::path> start_;
   bool stop_recording_ = false;
   std::jthread thread_;
 };

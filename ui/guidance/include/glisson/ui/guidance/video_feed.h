@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <functional>
@@ -28,6 +29,8 @@ class VideoFeed : public QObject {
   /// @param first index of the first frame that goes to the sink.
   void start(const engine::VideoSource& source, int first);
   void stop();
+  /// Of the video that plays or played last.
+  double frames_per_second() const { return rate_; }
   /// When a frame left for the sink; empty for one long ago or never sent. Any thread.
   std::optional<Clock::time_point> sent_at(int index) const;
 
@@ -42,6 +45,7 @@ class VideoFeed : public QObject {
   mutable std::mutex mutex_;
   std::condition_variable_any changed_;
   std::map<int, Clock::time_point> sent_;
+  std::atomic<double> rate_{30.0};
   std::jthread thread_;
 };
 

@@ -1,22 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
 #include <memory>
-#include <vector>
 
 #include "glisson/patient/picture.h"
 
 class vtkRenderer;
 
 namespace glisson::scene {
-
-/// What a rendering left behind. Rows from the top.
-struct Raster {
-  int width = 0, height = 0;
-  std::vector<std::uint8_t> rgba;  ///< 4 bytes a pixel
-  std::vector<float> depth;  ///< OpenGL's depth in [0, 1], 1 where nothing was drawn; empty unless asked
-};
 
 /// Draws VTK scenes into memory without any display, through an EGL surfaceless context (a GPU's, or Mesa's
 /// software one). Works in a process that has no DISPLAY and in one that shows windows. The context is
@@ -33,8 +24,6 @@ class OffscreenRenderer {
 
   void resize(int width, int height);
   /// Draws what the renderer holds now. Passing the same renderer again keeps what was uploaded for it.
-  Raster render(vtkRenderer& renderer, bool with_depth);
-  /// The same as a picture (blue, green, red).
   Picture render(vtkRenderer& renderer);
 
  private:

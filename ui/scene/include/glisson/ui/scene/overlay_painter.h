@@ -26,7 +26,7 @@ struct OverlayStyle {
 
 /// What the status line says beside the frame's own figures.
 struct OverlayStatus {
-  double age_seconds = 0.0;        ///< since the picture was taken
+  double age_seconds = 0.0;        ///< since the picture was taken; 0: not live, not shown
   double frames_per_second = 0.0;  ///< of the live view; 0: not shown
 };
 
@@ -34,12 +34,12 @@ struct OverlayStatus {
 /// with depth below the liver's surface (hepatic veins hatched, so that colour is not the only cue), lesions
 /// with a contour, the liver's outline and anterior margin, through the camera's own matrix and lens. Fine
 /// surfaces are bound to the mesh once, here. A frame that is not valid is drawn without any overlay, with
-/// the reason and a coloured border. Not thread-safe; see OffscreenRenderer about threads. Text needs a
-/// QGuiApplication (see HeadlessGui).
+/// the reason and a coloured border. Needs no OpenGL. Not thread-safe. Text needs a QGuiApplication (see
+/// HeadlessGui).
 class OverlayPainter {
  public:
   /// @param model CT frame. @pre it has tetrahedra. @param camera the left one, as calibrated.
-  /// @throws Error no EGL, InputError bad style.
+  /// @throws InputError bad style.
   OverlayPainter(const PatientModel& model, const Camera& camera, const OverlayStyle& style = {});
   /// The same from what was made before, which may be shared. @param anterior_margin CT frame, metres; may be
   /// empty.

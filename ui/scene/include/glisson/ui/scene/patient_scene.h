@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "glisson/patient/labelled_cloud.h"
@@ -23,7 +24,13 @@ struct Marker {
 };
 
 /// From where the patient is looked at.
-enum class ViewFrom { anterior, right, left, superior, inferior, camera };
+enum class ViewFrom { anterior, posterior, right, left, superior, inferior, camera };
+
+/// Which side of the patient lies towards each edge of the view: "R", or "RA" for an oblique view.
+struct ViewLetters {
+  std::string left, right, top, bottom;
+  bool operator==(const ViewLetters&) const = default;
+};
 
 /// The patient in three dimensions: surfaces, mesh, vessels, landmarks, cloud, slices and markers as VTK
 /// actors in one renderer. The scene's frame is the CT's, or the camera's once set_nodes() was given nodes
@@ -58,6 +65,8 @@ class PatientScene {
 
   /// Whole scene in view. `camera` looks along +z with y down (the laparoscope's own view).
   void look_from(ViewFrom from);
+  /// @pre the scene is in the CT's frame.
+  ViewLetters view_letters() const;
   /// The first point of the liver's surface under a place in the view, at the nodes where they are now.
   /// @param x, y in [0, 1] from the view's top left corner. @param aspect width over height.
   std::optional<Eigen::Vector3d> surface_point(double x, double y, double aspect) const;

@@ -26,6 +26,7 @@ class SegmentationPanel : public Panel {
  public:
   SegmentationPanel(EngineBridge& engine, ViewState& views, QWidget* parent = nullptr);
 
+  void activate() override;
   void deactivate() override;
   /// The seeds as they are on the screen.
   const segmentation::Seeds& seeds() const { return seeds_; }
@@ -37,6 +38,8 @@ class SegmentationPanel : public Panel {
   void build_seed_list();
   void show_case();
   void show_seeds();
+  void show_markers();
+  void show_volumes();
   void place(const Point<CtFrame>& p);
   void store();
   void remove_selected();
@@ -45,7 +48,9 @@ class SegmentationPanel : public Panel {
   ViewState& views_;
   segmentation::Seeds seeds_;
   std::shared_ptr<const segmentation::Seeds> taken_;
+  std::shared_ptr<const LabelMap> measured_;  ///< whose volumes are shown
   std::set<engine::CommandId> storing_;
+  bool active_ = false;
   std::optional<Label> structure_;
   std::vector<SeedEntry> entries_;
   std::map<Label, QPushButton*> buttons_;

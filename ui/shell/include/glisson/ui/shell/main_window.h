@@ -68,6 +68,8 @@ class MainWindow : public QMainWindow {
   WelcomePage* welcome_ = nullptr;
   LinkedViews* views_ = nullptr;
   TaskStatus* status_ = nullptr;
+  QAction* save_ = nullptr;
+  QAction* save_as_ = nullptr;
   std::vector<Panel*> panels_;
   int step_ = 0;
   std::uint64_t saved_revision_ = 0;

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The rasteriser against a ray caster: every pixel's own ray (Camera::ray undoes the lens) meets the surface
+// at its first hit.
+#include "glisson/ui/scene/surface_raster.h"
+
+#include <QtTest>
+
+#include "box_patient.h"
+#include "glisson/core/error.h"
+#include "glisson/geometry/closest_point_tree.h"
+
+namespace glisson {
+namespace {
+
+/// Off-centre principal point, two focal lengths, skew, strong barrel distortion.
+Camera laparoscope() {
+  Camera camera;
+  camera.width = 320;
+  camera.height = 180;
+  camera.matrix << 260.0, 1.5, 170.5, 0.0, 252.0, 81.25, 0.0, 0.0, 1.0;
+  camera.distortion << -0.28, 0.09, 1.2e-3, -8e-4, 0.0;
+  return camera;
+}
+
+struct Difference {
+  int pixels = 0;         ///< that the surface covers
+  int wrong = 0;          ///< covered in one and not in the other, away from silhouettes
+  double depth_mm = 0.0;  ///< largest difference
+};
+
+bool is_covered(const ClosestPointTree& tree, const Camera& camera, double u, double v, double* depth) {
+  const Eigen::Vector3d ray = camera.ray({u, v});
+  const ClosestPoint hit = tree.first_hit(Eigen::Vector3d::Zero(), ray, scene::SurfaceRaster::kNear, 10.0);
+  if (hit.triangle < 0) return false;
+  if (depth != nullptr) *depth = hit.point.z();
+  return true;
+}
+
+Difference compare(const TriangleMesh& mesh, const Camera& camera) {
+  const scene::SurfaceRaster raster(camera);
+  scene::SurfaceLayer layer = raster.layer();
+  raster.draw(mesh.vertices, mesh.triangles, 7, layer);
+  const ClosestPointTree tree(mesh);
+  Difference difference;
+  for (int v = 0; v < camera.height; ++v)
+    for (int u = 0; u < camera.width; ++u) {
+      // A silhouette may fall on either side of a pixel's centre.
+      double depth = 0.0;
+      int near = 0;
+      for (const auto& [du, dv] : {std::pair{0.3, 0.0}, {-0.3, 0.0}, {0.0, 0.3}, {0.0, -0.3}})
+        near += is_covered(tree, camera, u + du, v + dv, nullptr) ? 1 : 0;
+      if (near != 0 && near != 4) continue;
+      const bool covered = is_covered(tree, camera, u, v, &depth), drawn = layer.kind[layer.at(v, u)] == 7;
+      difference.pixels += covered ? 1 : 0;
+      difference.wrong += covered != drawn ? 1 : 0;
+      if (covered && drawn)
+        difference.depth_mm =
+            std::max(difference.depth_mm, 1e3 * std::abs(layer.depth(layer.at(v, u)) - depth));
+    }
+  return difference;
+}
+
+}  // namespace
+
+class SurfaceRasterTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void FineSurfaceIsWhereRaysMeetIt();
+  void LongTrianglesFollowTheLens();
+  void SurfaceThroughTheCameraIsCutNotFolded();
+  void NearerOneHidesTheOther();
+  void FacingIsTheCosineToTheLineOfSight();
+  void BadInputIsRefused();
+};
+
+void SurfaceRasterTest::FineSurfaceIsWhereRaysMeetIt() {
+  const Difference found = compare(ball_mesh({0.015, -0.01, 0.12}, 0.03, 40), laparoscope());
+  QVERIFY(found.pixels > 8000);
+  QCOMPARE(found.wrong, 0);
+  QVERIFY2(found.depth_mm < 1.0, qPrintable(QStringLiteral("off by %1 mm").arg(found.depth_mm)));
+}
+
+void SurfaceRasterTest::LongTrianglesFollowTheLens() {
+  TriangleMesh wall;  // fills and leaves the picture; its edges are bent by the lens
+  wall.vertices.resize(4, 3);
+  wall.vertices << -0.055, -0.03, 0.1, 0.06, -0.025, 0.12, 0.05, 0.04, 0.09, -0.05, 0.03, 0.11;
+  wall.triangles.resize(2, 3);
+  wall.triangles << 0, 1, 2, 0, 2, 3;
+  const Difference found = compare(wall, laparoscope());
+  QVERIFY(found.pixels > 20000);
+  QCOMPARE(found.wrong, 0);
+  QVERIFY2(found.depth_mm < 0.1, qPrintable(QStringLiteral("off by %1 mm").arg(found.depth_mm)));
+}
+
+void SurfaceRasterTest::SurfaceThroughTheCameraIsCutNotFolded() {
+  // A liver that surrounds the laparoscope's tip: parts lie behind it, beside it, and in front.
+  const Difference found = compare(ball_mesh({0.0, 0.0, 0.05}, 0.08, 40), laparoscope());
+  QVERIFY(found.pixels > 50000);
+  QCOMPARE(found.wrong, 0);
+}
+
+void SurfaceRasterTest::NearerOneHidesTheOther() {
+  const Camera camera = laparoscope();
+  const scene::SurfaceRaster raster(camera);
+  const TriangleMesh near = ball_mesh({0, 0, 0.1}, 0.01, 20), far = ball_mesh({0, 0, 0.2}, 0.04, 20);
+  const Eigen::Vector2d centre = camera.project({0, 0, 0.1}), side = camera.project({0.03, 0, 0.19});
+  const auto kinds = [&](bool far_first) {
+    scene::SurfaceLayer layer = raster.layer();
+    raster.draw((far_first ? far : near).vertices, near.triangles, far_first ? 2 : 1, layer);
+    raster.draw((far_first ? near : far).vertices, near.triangles, far_first ? 1 : 2, layer);
+    const auto kind_at = [&](const Eigen::Vector2d& p) {
+      return int(
+          layer.kind[layer.at(static_cast<int>(std::lround(p.y())), static_cast<int>(std::lround(p.x())))]);
+    };
+    return std::pair(kind_at(centre), kind_at(side));
+  };
+  QVERIFY(kinds(false) == std::pair(1, 2));
+  QVERIFY(kinds(true) == std::pair(1, 2));
+}
+
+void SurfaceRasterTest::FacingIsTheCosineToTheLineOfSight() {
+  const Camera camera = laparoscope();
+  const scene::SurfaceRaster raster(camera);
+  const Eigen::Vector3d centre(0.0, 0.0, 0.1);
+  constexpr double kRadius = 0.02;
+  const TriangleMesh ball = ball_mesh(centre, kRadius, 60);
+  scene::SurfaceLayer layer = raster.layer();
+  raster.draw(ball.vertices, ball.triangles, 1, layer);
+  for (const double x : {0.0, 0.006, 0.012}) {
+    const Eigen::Vector3d p = centre + Eigen::Vector3d(x, 0.0, -std::sqrt(kRadius * kRadius - x * x));
+    const double expected = -(p - centre).normalized().dot(p.normalized());
+    const Eigen::Vector2d pixel = camera.project(p);
+    const std::size_t at =
+        layer.at(static_cast<int>(std::lround(pixel.y())), static_cast<int>(std::lround(pixel.x())));
+    QVERIFY(std::abs(layer.facing[at] / 255.0 - expected) < 0.03);
+  }
+}
+
+void SurfaceRasterTest::BadInputIsRefused() {
+  QVERIFY_EXCEPTION_THROWN(scene::SurfaceRaster(Camera{}), PreconditionError);
+  const scene::SurfaceRaster raster(laparoscope());
+  const TriangleMesh ball = ball_mesh({0, 0, 0.1}, 0.01, 8);
+  scene::SurfaceLayer layer = raster.layer(), other;
+  QVERIFY_EXCEPTION_THROWN(raster.draw(ball.vertices, ball.triangles, 0, layer), PreconditionError);
+  QVERIFY_EXCEPTION_THROWN(raster.draw(ball.vertices, ball.triangles, 1, other), PreconditionError);
+}
+
+}  // namespace glisson
+
+QTEST_APPLESS_MAIN(glisson::SurfaceRasterTest)
+#include "surface_raster_test.moc"

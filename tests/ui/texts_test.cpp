@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/ui/common/texts.h"
+
+#include <QtTest>
+
+namespace glisson {
+
+class TextsTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void NotesAreSentencesWithTheirValues();
+  void NumbersAreWrittenForPeople();
+  void StructuresInNotesHaveTheirNames();
+  void UnknownNotesStayReadable();
+  void FiguresCarryNamesAndUnits();
+};
+
+void TextsTest::NotesAreSentencesWithTheirValues() {
+  QCOMPARE(
+      ui::note_text("vessels.pieces_dropped hepatic_veins 14 ml 0.423"),
+      QStringLiteral("Hepatic veins: loose specks left out of the vessel model: 14 (0.42 ml). They are still "
+                     "drawn."));
+  QCOMPARE(ui::note_text("liver.pieces_dropped 1 ml 0.0135"),
+           QStringLiteral("Separate specks of liver were left out: 1 (0.01 ml)."));
+  QVERIFY(!ui::note_text("no_notch").contains(QLatin1Char('_')));
+  QCOMPARE(ui::notes_text({"liver.small", "liver.large"}).count(QLatin1Char('\n')), 1);
+}
+
+void TextsTest::NumbersAreWrittenForPeople() {
+  QVERIFY(ui::note_text("vessels.branches_pruned 227 mm 4.15e+03").contains(QStringLiteral("4150 mm")));
+  QVERIFY(ui::note_text("mesh.sliver_deg 8.250000").contains(QStringLiteral("8.25\u00b0")));
+}
+
+void TextsTest::StructuresInNotesHaveTheirNames() {
+  QCOMPARE(ui::note_text("lesion_2.not_found"), QStringLiteral("Lesion 2 was not found at its seeds."));
+  QVERIFY(ui::note_text("lesion.dropped lesion_3 mm3 12.5").startsWith(QStringLiteral("Lesion 3")));
+  QVERIFY(ui::note_text("lesion.dropped lesion_3 mm3 12.5").contains(QStringLiteral("12.5 mm")));
+}
+
+void TextsTest::UnknownNotesStayReadable() {
+  QCOMPARE(ui::note_text("mesh.odd_thing portal_vein 0.5"),
+           QStringLiteral("Mesh: odd thing Portal vein 0.50"));
+}
+
+void TextsTest::FiguresCarryNamesAndUnits() {
+  QCOMPARE(ui::figure_name("label_portal_vein_ml"), QStringLiteral("Portal vein"));
+  QCOMPARE(ui::figure_name("registration_residual_mm"), QStringLiteral("Residual (not an accuracy)"));
+  QCOMPARE(ui::figure_value("registration_residual_mm", 1.7613), QStringLiteral("1.76 mm"));
+  QCOMPARE(ui::figure_value("label_parenchyma_ml", 1474.209), QStringLiteral("1474 ml"));
+}
+
+}  // namespace glisson
+
+QTEST_APPLESS_MAIN(glisson::TextsTest)
+#include "texts_test.moc"

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QCoreApplication>
+#include <QHash>
+#include <cmath>
+
+#include "glisson/ui/common/texts.h"
+
+namespace glisson::ui {
+namespace {
+
+/// Context of these sentences for translators.
+class Notes {
+  Q_DECLARE_TR_FUNCTIONS(Notes)
+ public:
+  /// Sentences by code; %1, %2, ... are the values that follow the code, in their order.
+  static QHash<QString, QString> sentences() {
+    return {
+        {"liver.small", tr("The liver is smaller than 400 ml: check it in the slices.")},
+        {"liver.large", tr("The liver is larger than 4000 ml: check it in the slices.")},
+        {"liver.piece_dropped", tr("A separate piece of the liver's surface was left out (%2 ml).")},
+        {"liver.pieces_dropped", tr("Separate specks of liver were left out: %1 (%3 ml).")},
+        {"portal_vein.not_found", tr("No portal vein was found at its seeds.")},
+        {"hepatic_veins.not_found", tr("No hepatic vein was found at its seeds.")},
+        {"vessels.pieces_dropped",
+         tr("%1: loose specks left out of the vessel model: %2 (%4 ml). They are still drawn.")},
+        {"vessels.pieces", tr("%1: separate trees in the model: %2.")},
+        {"vessels.branches_pruned",
+         tr("Short side branches left out of the vessel model: %1 (%3 mm together).")},
+        {"vessels.beams", tr("Beams that stiffen the model along the vessels: %1.")},
+        {"vessels.nodes_outside_mesh", tr("Vessel nodes just outside the mesh, tied to its surface: %1.")},
+        {"vessels.outside_liver", tr("%1 lies outside the liver and was left out.")},
+        {"lesion.outside_liver", tr("%1 lies outside the liver and was left out.")},
+        {"lesion.dropped", tr("%1 was left out: only %3 mm³.")},
+        {"lesion.crumbs_dropped", tr("Crumbs of lesion surfaces left out: %1.")},
+        {"lesion.too_small_for_the_mesh",
+         tr("%1 (%3 mm across) is too small for elements of its own; it follows the tissue around it.")},
+        {"lesion.without_tetrahedra", tr("%1 got no elements of its own; it follows the tissue around it.")},
+        {"mesh.boundary_not_manifold", tr("The mesh's surface is not a clean closed one.")},
+        {"mesh.sliver_deg", tr("The flattest element has an angle of %1°.")},
+        {"mesh.vertices_off_target", tr("The mesh has %1 vertices, not as many as asked for.")},
+        {"surfaces.ignored", tr("The file %1 was not used: its name tells no structure.")},
+        {"landmarks.no_anterior_margin",
+         tr("No anterior margin was found: the registration has one feature less.")},
+        {"few_margin_points", tr("Few points show the anterior margin: the position along it is uncertain.")},
+        {"no_notch",
+         tr("The umbilical notch is not marked in both model and picture: the position along the margin is "
+            "uncertain.")},
+        {"rigid_residual_large", tr("The rigid start fits the points badly (more than 10 mm).")},
+        {"rigid_ambiguous", tr("Two rigid positions fit almost equally well; the better one was taken.")},
+        {"many_outliers", tr("Many points do not fit the model and were left aside.")},
+        {"residual_large", tr("The model stays more than 5 mm from the points on average.")},
+        {"inverted_elements", tr("Some elements of the mesh turned inside out.")},
+        {"mechanics_failed", tr("The mechanical computation did not come to an end.")},
+        {"simulation_not_converged", tr("The simulation had not come to rest at its last step.")}};
+  }
+  static QString lesion_not_found(const QString& lesion) {
+    return tr("%1 was not found at its seeds.").arg(lesion);
+  }
+};
+
+QString structure_named(const QString& code) {
+  for (const Label label : {structure::kParenchyma, structure::kPortalVein, structure::kHepaticVeins,
+                            structure::kVenaCava, structure::kArtery, structure::kGallbladder})
+    if (code == QString::fromStdString(structure_name(label))) return structure_text(label);
+  const QString prefix = QStringLiteral("lesion_");
+  bool number = false;
+  const int lesion = code.startsWith(prefix) ? code.mid(prefix.size()).toInt(&number) : 0;
+  return number ? structure_text(static_cast<Label>(structure::kFirstLesion + lesion - 1)) : QString();
+}
+
+/// "4.15e+03" -> "4150", "0.0135" -> "0.01", "portal_vein" -> "Portal vein".
+QString value_text(const QString& token) {
+  bool is_number = false;
+  const double value = token.toDouble(&is_number);
+  if (is_number) {
+    const bool whole = value == std::round(value) || std::abs(value) >= 100.0;
+    return QString::number(value, 'f', whole ? 0 : std::abs(value) >= 10.0 ? 1 : 2);
+  }
+  const QString structure = structure_named(token);
+  return structure.isEmpty() ? token : structure;
+}
+
+}  // namespace
+
+QString note_text(std::string_view note) {
+  const QStringList tokens =
+      QString::fromUtf8(note.data(), static_cast<qsizetype>(note.size())).split(QLatin1Char(' '));
+  const QString& code = tokens.front();
+  const QString not_found = QStringLiteral(".not_found");
+  const auto sentences = Notes::sentences();
+  if (const auto known = sentences.find(code); known != sentences.end()) {
+    QString text = *known;
+    for (qsizetype i = 1; i < tokens.size(); ++i)
+      text.replace(QStringLiteral("%%1").arg(i), value_text(tokens[i]));
+    return text;
+  }
+  if (code.endsWith(not_found))
+    if (const QString structure = structure_named(code.chopped(not_found.size())); !structure.isEmpty())
+      return Notes::lesion_not_found(structure);
+  QString text = readable_code(code.toStdString());
+  for (qsizetype i = 1; i < tokens.size(); ++i) text += QLatin1Char(' ') + value_text(tokens[i]);
+  return text;
+}
+
+QString notes_text(const std::vector<std::string>& notes) {
+  QStringList lines;
+  for (const std::string& note : notes) lines << QStringLiteral("• ") + note_text(note);
+  return lines.join(QLatin1Char('\n'));
+}
+
+}  // namespace glisson::ui

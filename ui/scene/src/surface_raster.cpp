@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/ui/scene/surface_raster.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "glisson/core/error.h"
+
+namespace glisson::scene {
+namespace {
+
+constexpr float kLongestEdge = 48.0F;  ///< pixels; the bow of a line so short stays below a fifth of a pixel
+constexpr double kSmallestDivided = 2e-3;  ///< metres; smaller triangles at the border are dropped whole
+constexpr int kDeepest = 7;                ///< divisions of one triangle
+
+/// The largest slope up to which Brown's radial polynomial grows: beyond, the picture would fold back.
+double largest_slope(const Eigen::Matrix<double, 5, 1>& distortion) {
+  constexpr double kStep = 0.01, kWidest = 4.0;
+  const double k1 = distortion[0], k2 = distortion[1], k3 = distortion[4];
+  double slope = 0.0;
+  while (slope < kWidest) {
+    const double s = (slope + kStep) * (slope + kStep);
+    if (1.0 + 3.0 * k1 * s + 5.0 * k2 * s * s + 7.0 * k3 * s * s * s <= 0.0) break;
+    slope += kStep;
+  }
+  return slope;
+}
+
+/// |cosine| between the surface and the line of sight at each vertex, smooth over the surface.
+std::vector<float> facings(const Points& vertices, const Triangles& triangles) {
+  Points normals = Points::Zero(vertices.rows(), 3);
+  for (Eigen::Index t = 0; t < triangles.rows(); ++t) {
+    const Eigen::RowVector3d a = vertices.row(triangles(t, 0));
+    const Eigen::RowVector3d normal =
+        (vertices.row(triangles(t, 1)) - a).cross(vertices.row(triangles(t, 2)) - a);
+    for (int k = 0; k < 3; ++k) normals.row(triangles(t, k)) += normal;
+  }
+  std::vector<float> result(static_cast<std::size_t>(vertices.rows()), 0.0F);
+  for (Eigen::Index i = 0; i < vertices.rows(); ++i) {
+    const double lengths = std::sqrt(normals.row(i).squaredNorm() * vertices.row(i).squaredNorm());
+    if (lengths > 0.0)
+      result[static_cast<std::size_t>(i)] =
+          static_cast<float>(std::abs(normals.row(i).dot(vertices.row(i))) / lengths);
+  }
+  return result;
+}
+
+float longest_edge(const Eigen::Vector2f& a, const Eigen::Vector2f& b, const Eigen::Vector2f& c) {
+  return std::sqrt(std::max({(a - b).squaredNorm(), (b - c).squaredNorm(), (c - a).squaredNorm()}));
+}
+
+struct ScreenCorner {
+  float x, y, inverse_depth, facing;
+};
+
+/// A corner's share in a point of the triangle: 0 on the opposite edge, through (x, y).
+struct Weight {
+  Weight(float right, float down, float zero_x, float zero_y)
+      : step_x(right), step_y(down), x(zero_x), y(zero_y), columns(right != 0.0F ? 1.0F / right : 0.0F) {}
+  float step_x, step_y, x, y;
+  float columns;  ///< to walk until the share has grown by one
+
+  float at(float column, float row) const { return (column - x) * step_x + (row - y) * step_y; }
+  /// Narrows a row to where the share is not negative.
+  void bound(float row, float& from, float& to) const {
+    constexpr float kRim = -1e-4F;  // neighbours share their edges: no gaps
+    const float rest = kRim - (row - y) * step_y;
+    if (step_x > 0.0F)
+      from = std::max(from, x + rest * columns);
+    else if (step_x < 0.0F)
+      to = std::min(to, x + rest * columns);
+    else if (rest > 0.0F)
+      to = from - 1.0F;
+  }
+};
+
+/// Fills one small triangle. Pixel centres are whole numbers.
+void fill(const std::array<ScreenCorner, 3>& corners, std::uint8_t kind, SurfaceLayer& layer) {
+  const auto& [a, b, c] = corners;
+  const float area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
+  if (!(std::abs(area) > 1e-6F)) return;
+  const int left = std::max(0, static_cast<int>(std::ceil(std::min({a.x, b.x, c.x}))));
+  const int right = std::min(layer.width - 1, static_cast<int>(std::floor(std::max({a.x, b.x, c.x}))));
+  const int top = std::max(0, static_cast<int>(std::ceil(std::min({a.y, b.y, c.y}))));
+  const int bottom = std::min(layer.height - 1, static_cast<int>(std::floor(std::max({a.y, b.y, c.y}))));
+  const float scale = 1.0F / area;
+  // The corners' weights are linear over the picture.
+  const Weight weight_a((b.y - c.y) * scale, (c.x - b.x) * scale, b.x, b.y);
+  const Weight weight_b((c.y - a.y) * scale, (a.x - c.x) * scale, a.x, a.y);
+  const Weight weight_c((a.y - b.y) * scale, (b.x - a.x) * scale, a.x, a.y);
+  for (int y = top; y <= bottom; ++y) {
+    const auto row = static_cast<float>(y);
+    float from = static_cast<float>(left), to = static_cast<float>(right);
+    for (const Weight* weight : {&weight_a, &weight_b, &weight_c}) weight->bound(row, from, to);
+    const int first = static_cast<int>(std::ceil(from)), last = static_cast<int>(std::floor(to));
+    if (first > last) continue;
+    const auto start = static_cast<float>(first);
+    const float at_a = weight_a.at(start, row), at_b = weight_b.at(start, row),
+                at_c = weight_c.at(start, row);
+    const auto mix = [&](float of_a, float of_b, float of_c) {
+      return std::pair(at_a * of_a + at_b * of_b + at_c * of_c,
+                       weight_a.step_x * of_a + weight_b.step_x * of_b + weight_c.step_x * of_c);
+    };
+    auto [inverse, inverse_step] = mix(a.inverse_depth, b.inverse_depth, c.inverse_depth);
+    auto [facing, facing_step] = mix(a.facing, b.facing, c.facing);
+    std::size_t pixel = layer.at(y, first);
+    for (int x = first; x <= last; ++x, ++pixel, inverse += inverse_step, facing += facing_step) {
+      if (inverse <= layer.inverse_depth[pixel]) continue;
+      layer.inverse_depth[pixel] = inverse;
+      layer.kind[pixel] = kind;
+      layer.facing[pixel] = static_cast<std::uint8_t>(255.0F * std::clamp(facing, 0.0F, 1.0F));
+    }
+  }
+}
+
+}  // namespace
+
+SurfaceRaster::SurfaceRaster(const Camera& camera) : camera_(camera) {
+  require(camera.width > 0 && camera.height > 0 && camera.matrix(0, 0) > 0.0 && camera.matrix(1, 1) > 0.0,
+          "a camera has a picture size and focal lengths");
+  const double slope = largest_slope(camera.distortion);
+  largest_slope_squared_ = slope * slope;
+}
+
+SurfaceLayer SurfaceRaster::layer() const {
+  SurfaceLayer layer;
+  layer.width = camera_.width;
+  layer.height = camera_.height;
+  const auto pixels = static_cast<std::size_t>(layer.width) * static_cast<std::size_t>(layer.height);
+  layer.kind.assign(pixels, 0);
+  layer.facing.assign(pixels, 0);
+  layer.inverse_depth.assign(pixels, 0.0F);
+  return layer;
+}
+
+void SurfaceRaster::project(Corner& corner) const {
+  const double z = corner.p.z();
+  corner.visible =
+      z > kNear && corner.p.head<2>().squaredNorm() < largest_slope_squared_ * z * z && corner.p.allFinite();
+  if (corner.visible) corner.pixel = camera_.project(corner.p).cast<float>();
+}
+
+void SurfaceRaster::draw(const Points& vertices, const Triangles& triangles, std::uint8_t kind,
+                         SurfaceLayer& layer) const {
+  require(kind != 0, "kind 0 stands for nothing");
+  require(layer.width == camera_.width && layer.height == camera_.height, "a layer has the camera's size");
+  const std::vector<float> facing = facings(vertices, triangles);
+  std::vector<Corner> corners(static_cast<std::size_t>(vertices.rows()));
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    corners[i].p = vertices.row(static_cast<Eigen::Index>(i)).transpose();
+    corners[i].facing = facing[i];
+    project(corners[i]);
+  }
+  for (Eigen::Index t = 0; t < triangles.rows(); ++t)
+    draw_divided(corners[static_cast<std::size_t>(triangles(t, 0))],
+                 corners[static_cast<std::size_t>(triangles(t, 1))],
+                 corners[static_cast<std::size_t>(triangles(t, 2))], 0, kind, layer);
+}
+
+void SurfaceRaster::draw_divided(const Corner& a, const Corner& b, const Corner& c, int depth,
+                                 std::uint8_t kind, SurfaceLayer& layer) const {
+  const bool whole = a.visible && b.visible && c.visible;
+  if (whole && (depth == kDeepest || longest_edge(a.pixel, b.pixel, c.pixel) <= kLongestEdge)) {
+    const auto on_screen = [](const Corner& corner) {
+      return ScreenCorner{corner.pixel.x(), corner.pixel.y(), static_cast<float>(1.0 / corner.p.z()),
+                          corner.facing};
+    };
+    fill({on_screen(a), on_screen(b), on_screen(c)}, kind, layer);
+    return;
+  }
+  if (!whole) {
+    const double size = std::max({(a.p - b.p).norm(), (b.p - c.p).norm(), (c.p - a.p).norm()});
+    if (depth == kDeepest || !(size > kSmallestDivided)) return;
+  }
+  const auto middle = [this](const Corner& one, const Corner& other) {
+    Corner corner;
+    corner.p = 0.5 * (one.p + other.p);
+    corner.facing = 0.5F * (one.facing + other.facing);
+    project(corner);
+    return corner;
+  };
+  const Corner ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+  draw_divided(a, ab, ca, depth + 1, kind, layer);
+  draw_divided(ab, b, bc, depth + 1, kind, layer);
+  draw_divided(ca, bc, c, depth + 1, kind, layer);
+  draw_divided(ab, bc, ca, depth + 1, kind, layer);
+}
+
+}  // namespace glisson::scene
