@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <vtkLogger.h>
+
 #include <QCoreApplication>
 #include <QLocale>
 #include <QTranslator>
@@ -61,8 +63,9 @@ int run(int argc, char** argv) {
 }  // namespace glisson::app
 
 int main(int argc, char** argv) {
-  // FFmpeg's own words on a broken video; ours name the file and the remedy.
+  // FFmpeg's own words on a broken video, and VTK's on a broken mesh; ours name the file and the remedy.
   ::setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   glisson::app::provide_runtime_folder();
   try {
     return glisson::app::run(argc, argv);

@@ -136,6 +136,7 @@ class CommandsTest : public QObject {
   void ACalibrationOfAnotherSizeIsRefused();
   void SwappedCamerasAreRecognised();
   void ACloudWithNanIsRefused();
+  void AMeshDamagedOnItsWayIsRefusedInOneSentence();
   void AMeshWithInvertedTetrahedraIsRefused();
   void ALiverOfAHundredMetresIsRefusedWithTheUnit();
   void SeveralLargeComponentsAreRefused();
@@ -247,6 +248,16 @@ void CommandsTest::ACloudWithNanIsRefused() {
              "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float "
              "z\nend_header\n1 2 3\n1 nan 3\n");
   refused({"register", "--model", "m.vtu", "--cloud", "c.ply", "--out", "r.vtu"}, "c.ply");
+}
+
+void CommandsTest::AMeshDamagedOnItsWayIsRefusedInOneSentence() {
+  write_tet_mesh(at("m.vtu"), ball(), LengthUnit::millimetre);
+  std::string content = read_file(at("m.vtu"));
+  const std::size_t type = content.find("Float64");
+  QVERIFY(type != std::string::npos);
+  content.replace(type, 7, "Flout64");  // VTK has much to say on that
+  write_text(at("m.vtu"), content);
+  refused({"register", "--model", "m.vtu", "--cloud", "c.ply", "--out", "r.vtu"}, "m.vtu");
 }
 
 void CommandsTest::AMeshWithInvertedTetrahedraIsRefused() {

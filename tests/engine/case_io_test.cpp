@@ -9,6 +9,7 @@
 
 #include <fstream>
 
+#include "full_disk.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 
@@ -96,6 +97,7 @@ class CaseIoTest : public QObject {
   void ACaseComesBackAsItWas();
   void SavingAgainReplacesTheCase();
   void ASaveKilledAtAnyMomentLeavesTheOldCaseOrTheNewOne();
+  void ADiskThatFillsUpLeavesTheOldCase();
   void ACancelledSaveLeavesTheOldCase();
   void RefusesWhatIsNotACase();
   void RefusesANewerFormat();
@@ -177,6 +179,31 @@ void CaseIoTest::ASaveKilledAtAnyMomentLeavesTheOldCaseOrTheNewOne() {
   QVERIFY(completed);
   QVERIFY(survivors >= 3);  // it was really killed on the way
   QVERIFY(std::abs(open_case(path, RunContext())->model->model.mesh.vertices(1, 0) - 0.4) < 1e-9);
+}
+
+void CaseIoTest::ADiskThatFillsUpLeavesTheOldCase() {
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / "a.glisson";
+  QVERIFY(save_case(path, small_case(), RunContext()));
+  std::uintmax_t largest = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(path))
+    if (entry.is_regular_file()) largest = std::max(largest, entry.file_size());
+  const std::string before = read_file(path / "case.json");
+  // However far the save gets: each kind of file is, at some size, the first that does not fit.
+  for (std::uintmax_t bytes = 1; bytes < largest; bytes = bytes * 5 / 4 + 1) {
+    bool refused = false;
+    try {
+      const test::FullDisk disk(bytes);
+      save_case(path, small_case(2.0), RunContext());
+    } catch (const FileError&) {
+      refused = true;
+    }
+    QVERIFY2(refused, std::to_string(bytes).c_str());
+    QCOMPARE(read_file(path / "case.json"), before);
+    QCOMPARE(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 1L);
+  }
+  const auto back = open_case(path, RunContext());
+  QVERIFY((back->model->model.mesh.vertices - small_case().model->model.mesh.vertices).norm() < 1e-9);
 }
 
 void CaseIoTest::ACancelledSaveLeavesTheOldCase() {

@@ -219,6 +219,11 @@ void SegmentTest::BadInputIsRefused() {
   Seeds outside = good;
   outside.lesions.push_back(points_at(p.image, {{-50, 0, 0}}));
   QVERIFY_EXCEPTION_THROWN(segment(p.image, outside, {}, RunContext()), InputError);
+  Seeds in_air = good;
+  in_air.liver = points_at(p.image, {{1, 1, 1}});
+  Image air = p.image;
+  air.voxels = std::make_shared<const std::vector<std::int16_t>>(p.image.voxels->size(), std::int16_t{-1000});
+  QVERIFY_EXCEPTION_THROWN(segment(air, in_air, {}, RunContext()), InputError);
   Image mr = p.image;
   mr.modality = Modality::mr;
   QVERIFY_EXCEPTION_THROWN(segment(mr, good, {}, RunContext()), InputError);

@@ -70,18 +70,12 @@ vtkNew<vtkPolyData> vessels_to_vtk(const std::vector<VesselTree>& trees) {
 }  // namespace
 
 void write_vessels(const fs::path& path, const std::vector<VesselTree>& trees) {
-  write_file_atomically(
-      path,
-      [&](const fs::path& to) {
-        vtkNew<vtkXMLPolyDataWriter> writer;
-        writer->SetFileName(to.c_str());
-        writer->SetInputData(vessels_to_vtk(trees));
-        writer->Write();
-      },
-      [&](const fs::path& written) {
-        if (read_vessels(written).size() != trees.size())
-          throw FileError(path.string() + ": the vessels read back incomplete. Check the disk's free space.");
-      });
+  // In memory first: VTK's XML writers crash on a disk that fills up.
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputData(vessels_to_vtk(trees));
+  writer->SetWriteToOutputString(true);
+  writer->Write();
+  write_file_atomically(path, writer->GetOutputString());
 }
 
 std::vector<VesselTree> read_vessels(const fs::path& path) {

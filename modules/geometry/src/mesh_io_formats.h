@@ -20,8 +20,9 @@ struct MixedFile {
 
 // Through VTK.
 MixedFile read_xml_vtk(const std::filesystem::path& path);  ///< .vtu .vtp
-void write_vtk(const std::filesystem::path& path, const TetFile& file);
-void write_vtk(const std::filesystem::path& path, const TriangleFile& file);
+/// What VTK would write, in memory: its XML writers crash on a disk that fills up. `path` names the format.
+std::string vtk_bytes(const std::filesystem::path& path, const TetFile& file);
+std::string vtk_bytes(const std::filesystem::path& path, const TriangleFile& file);
 
 // By our own parsers.
 MixedFile read_legacy_vtk(const std::filesystem::path& path);

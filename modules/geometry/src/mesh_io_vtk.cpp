@@ -138,27 +138,29 @@ vtkSmartPointer<vtkCellArray> cells_of(const Indices& indices) {
 }
 
 template <class Writer, class Data>
-void run(const fs::path& path, Data& data, const std::function<void(Writer&)>& configure) {
-  vtkNew<Writer> writer;
+void run(const fs::path& path, Writer& writer, Data& data) {
   Complaints complaints;
-  complaints.listen_to(*writer);
-  writer->SetFileName(path.c_str());
-  writer->SetInputData(&data);
-  configure(*writer);
-  if (writer->Write() == 0 || complaints.heard())
-    throw FileError(path.string() + ": could not be written. Check permissions and free space.");
+  complaints.listen_to(writer);
+  writer.SetInputData(&data);
+  writer.SetWriteToOutputString(true);
+  if (writer.Write() == 0 || complaints.heard())
+    throw FileError(path.string() + ": could not be put into this format. Choose another one.");
 }
 
 template <class Legacy, class Xml, class Data>
-void write(const fs::path& path, Data& data) {
-  if (is_legacy(path))
+std::string bytes_of(const fs::path& path, Data& data) {
+  if (is_legacy(path)) {
+    vtkNew<Legacy> writer;
     // 4.2: what every reader of legacy files understands.
-    run<Legacy>(path, data, std::function<void(Legacy&)>([](Legacy& writer) {
-                  writer.SetFileVersion(Legacy::VTK_LEGACY_READER_VERSION_4_2);
-                  writer.SetFileTypeToBinary();
-                }));
-  else
-    run<Xml>(path, data, std::function<void(Xml&)>([](Xml& writer) { writer.SetDataModeToBinary(); }));
+    writer->SetFileVersion(Legacy::VTK_LEGACY_READER_VERSION_4_2);
+    writer->SetFileTypeToBinary();
+    run(path, *writer, data);
+    return writer->GetOutputStdString();
+  }
+  vtkNew<Xml> writer;
+  writer->SetDataModeToBinary();
+  run(path, *writer, data);
+  return writer->GetOutputString();
 }
 
 }  // namespace
@@ -176,7 +178,7 @@ MixedFile read_xml_vtk(const fs::path& path) {
                       arrays_of(data->GetFieldData()));
 }
 
-void write_vtk(const fs::path& path, const TetFile& file) {
+std::string vtk_bytes(const fs::path& path, const TetFile& file) {
   vtkNew<vtkUnstructuredGrid> grid;
   grid->SetPoints(points_of(file.mesh.vertices));
   grid->SetCells(VTK_TETRA, cells_of(file.mesh.tetrahedra));
@@ -189,17 +191,17 @@ void write_vtk(const fs::path& path, const TetFile& file) {
     for (const int label : file.mesh.labels) labels->InsertNextValue(label);
     grid->GetCellData()->AddArray(labels);
   }
-  write<vtkUnstructuredGridWriter, vtkXMLUnstructuredGridWriter>(path, *grid);
+  return bytes_of<vtkUnstructuredGridWriter, vtkXMLUnstructuredGridWriter>(path, *grid);
 }
 
-void write_vtk(const fs::path& path, const TriangleFile& file) {
+std::string vtk_bytes(const fs::path& path, const TriangleFile& file) {
   vtkNew<vtkPolyData> surface;
   surface->SetPoints(points_of(file.mesh.vertices));
   surface->SetPolys(cells_of(file.mesh.triangles));
   put(file.point_data, *surface->GetPointData());
   put(file.cell_data, *surface->GetCellData());
   put(file.field_data, *surface->GetFieldData());
-  write<vtkPolyDataWriter, vtkXMLPolyDataWriter>(path, *surface);
+  return bytes_of<vtkPolyDataWriter, vtkXMLPolyDataWriter>(path, *surface);
 }
 
 }  // namespace glisson::formats

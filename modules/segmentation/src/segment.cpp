@@ -17,6 +17,8 @@ namespace {
 constexpr double kVesselSpacing = 1.0;  // mm
 constexpr double kDiffusion = 15.0;     // HU: noise is below, edges are above
 constexpr int kDiffusionSteps = 10;
+/// HU, from a very fatty liver to far above any enhancement: outside it the clicks, or the units, are wrong.
+constexpr double kLeastLiver = -10.0, kMostLiver = 250.0;
 
 void check_points(const Image& image, const Points& points, const char* name) {
   for (Eigen::Index n = 0; n < points.rows(); ++n) {
@@ -117,6 +119,11 @@ Cancellable<Bodies> find_bodies(const Image& image, const Seeds& seeds, const Se
   Bodies bodies;
   const LiverSeeds clicks{voxels_of(image, ct, seeds.liver), voxels_of(image, ct, seeds.background)};
   const Tissue liver = tissue_around(ct, clicks.inside, 6.0, 3.0, 15.0);
+  if (liver.mean < kLeastLiver || liver.mean > kMostLiver)
+    throw InputError("seeds", "liver",
+                     "lies in tissue of " + std::to_string(std::lround(liver.mean)) +
+                         " HU, which no liver has in the portal venous phase",
+                     "Click inside the parenchyma of a CT in Hounsfield units");
   bodies.cava = ct.empty_mask();
   if (seeds.vena_cava.rows() > 0)
     bodies.cava = follow_cava(ct, voxels_of(image, ct, seeds.vena_cava), long_axis(image.grid));

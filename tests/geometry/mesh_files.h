@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "glisson/core/error.h"
+#include "glisson/geometry/topology.h"
+
+namespace glisson::test {
+
+inline TetMesh two_tetrahedra() {
+  TetMesh mesh;
+  mesh.vertices.resize(5, 3);
+  mesh.vertices << 0, 0, 0, 0.1, 0, 0, 0, 0.1, 0, 0, 0, 0.1, 0.1, 0.1, 0.1234567890123;
+  mesh.tetrahedra.resize(2, 4);
+  mesh.tetrahedra << 0, 1, 2, 3, 1, 2, 3, 4;
+  mesh.labels = {1, 16};
+  return mesh;
+}
+
+inline TriangleMesh tetrahedron_surface() {
+  TetMesh mesh = two_tetrahedra();
+  return boundary_surface(mesh).mesh;
+}
+
+inline void write_text(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream(path, std::ios::binary) << text;
+}
+
+/// The message of the InputError that the call throws; empty when it throws none.
+template <class Call>
+std::string complaint(Call call) {
+  try {
+    call();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+}  // namespace glisson::test
