@@ -136,6 +136,7 @@ class LabelledCloudTest : public QObject {
                               "2 5 6 +1.5 -2.25e0 1e2 2\r\n0 2.5 -2.25 100 3.0\n\n", 2)),
                    LengthUnit::metre);
     QCOMPARE(text.points(0, 0), 1.5);
+    QCOMPARE(read_cloud(file(ascii(xyz(), "1e-400 2 3\n", 1))).points(0, 0), 0.0);  // below what doubles hold
     QCOMPARE(text.points(1, 2), 100.0);
     QVERIFY(text.feature(0) == Feature::anterior_margin && text.feature(1) == Feature::umbilical_notch);
   }
@@ -158,7 +159,7 @@ class LabelledCloudTest : public QObject {
       QTest::newRow(name) << QByteArray(content.data(), static_cast<qsizetype>(content.size()))
                           << QByteArray(field);
     };
-    row("empty", "", "header, line 1");
+    row("empty", "", "");
     row("not a PLY", "solid\n", "");
     row("NaN", ascii(xyz(), "1 2 3\n1 nan 3\n", 2), "vertex 1");
     row("infinite", ascii(xyz(), "1 2 1e400\n", 1), "vertex 0");
@@ -174,6 +175,8 @@ class LabelledCloudTest : public QObject {
     row("no z", ascii("property float x\nproperty float y\n", "1 2\n", 1), "vertex");
     row("count beyond the file", ascii(xyz(), "1 2 3\n", 2000000000), "vertex 2");
     row("huge count", "ply\nformat ascii 1.0\nelement vertex 99999999999999999999999\n", "header, line 3");
+    row("property twice", ascii(xyz("property float x\n"), "1 2 3 4\n", 1), "vertex");
+    row("unknown entry", "ply\nformat ascii 1.0\nvertices 3\n", "header, line 3");
     row("no properties", "ply\nformat ascii 1.0\nelement vertex 3\nend_header\n1 2 3\n", "vertex");
     row("no format", "ply\nelement vertex 1\nproperty float x\nend_header\n", "header, line 4");
     row("odd format", "ply\nformat utf8 1.0\nend_header\n", "header, line 2");

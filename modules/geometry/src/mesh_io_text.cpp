@@ -13,16 +13,9 @@
 namespace glisson::formats {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "binary writers copy memory as it is");
+static_assert(std::endian::native == std::endian::little, "binary STL is read as memory is");
 
 constexpr std::size_t kStlHeader = 84, kStlFacet = 50;
-
-template <class T>
-void append(std::string& bytes, const T& value) {
-  char raw[sizeof(T)];
-  std::memcpy(raw, &value, sizeof(T));
-  bytes.append(raw, sizeof(T));
-}
 
 TriangleMesh mesh_of(const std::vector<double>& coordinates, const std::vector<int>& corners) {
   TriangleMesh mesh;
@@ -154,14 +147,14 @@ TriangleMesh read_ply_surface(const std::filesystem::path& path) {
 std::string stl_bytes(const TriangleMesh& mesh) {
   std::string bytes = "binary STL";
   bytes.resize(80, ' ');
-  append(bytes, static_cast<std::uint32_t>(mesh.triangle_count()));
+  append_little_endian(bytes, static_cast<std::uint32_t>(mesh.triangle_count()));
   const Points normals = triangle_normals(mesh);
   for (int t = 0; t < mesh.triangle_count(); ++t) {
-    for (int axis = 0; axis < 3; ++axis) append(bytes, static_cast<float>(normals(t, axis)));
+    for (int axis = 0; axis < 3; ++axis) append_little_endian(bytes, static_cast<float>(normals(t, axis)));
     for (int k = 0; k < 3; ++k)
       for (int axis = 0; axis < 3; ++axis)
-        append(bytes, static_cast<float>(mesh.vertices(mesh.triangles(t, k), axis)));
-    append(bytes, std::uint16_t{0});
+        append_little_endian(bytes, static_cast<float>(mesh.vertices(mesh.triangles(t, k), axis)));
+    append_little_endian(bytes, std::uint16_t{0});
   }
   return bytes;
 }
@@ -188,10 +181,10 @@ std::string ply_bytes(const TriangleMesh& mesh) {
       "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
       std::to_string(mesh.triangle_count()) + "\nproperty list uchar int vertex_indices\nend_header\n";
   for (int i = 0; i < mesh.vertex_count(); ++i)
-    for (int axis = 0; axis < 3; ++axis) append(bytes, mesh.vertices(i, axis));
+    for (int axis = 0; axis < 3; ++axis) append_little_endian(bytes, mesh.vertices(i, axis));
   for (int t = 0; t < mesh.triangle_count(); ++t) {
-    append(bytes, std::uint8_t{3});
-    for (int k = 0; k < 3; ++k) append(bytes, mesh.triangles(t, k));
+    append_little_endian(bytes, std::uint8_t{3});
+    for (int k = 0; k < 3; ++k) append_little_endian(bytes, mesh.triangles(t, k));
   }
   return bytes;
 }

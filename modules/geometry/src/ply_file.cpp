@@ -11,6 +11,8 @@
 namespace glisson {
 namespace {
 
+constexpr const char* kExport = "The file is damaged, or its exporter is: export it anew";
+
 enum class Type { i8, u8, i16, u16, i32, u32, f32, f64 };
 enum class Encoding { ascii, little, big };
 
@@ -46,61 +48,85 @@ bool parse_type(std::string_view word, Type& type) {
   return false;
 }
 
-Property parse_property(TextScanner& words, const TextScanner& at) {
-  Property property;
-  std::string_view word = words.token();
-  if (word == "list") {
-    property.is_list = true;
-    if (!parse_type(words.token(), property.count_type) || property.count_type >= Type::f32)
-      at.fail("a list's count has no integer type");
-    word = words.token();
-  }
-  if (!parse_type(word, property.type)) at.fail("unknown property type \"" + std::string(word) + "\"");
-  property.name = words.token();
-  if (property.name.empty()) at.fail("a property has no name");
-  return property;
-}
+/// The header, line by line; what it does not understand it refuses by the line's number.
+class HeaderParser {
+ public:
+  HeaderParser(std::string_view content, const std::string& name) : lines_(content, name), name_(name) {}
 
-Header parse_header(std::string_view content, const std::string& name) {
-  TextScanner scanner(content, name);
-  std::string_view line;
-  if (!scanner.next_line(line) || line != "ply")
-    throw InputError(name, "", "is not a PLY file (its first line is not \"ply\")", "Choose another file");
-  Header header;
-  bool has_format = false;
-  while (scanner.next_line(line)) {
-    TextScanner words(line, name);
-    const std::string_view key = words.token();
-    if (key == "end_header") {
-      if (!has_format) scanner.fail("the header has no format line");
-      header.size = scanner.position();
-      return header;
+  Header parse() {
+    std::string_view line;
+    if (!lines_.next_line(line) || line != "ply")
+      throw InputError(name_, "", "is not a PLY file (its first line is not \"ply\")", "Choose another file");
+    bool has_format = false;
+    for (number_ = 2; lines_.next_line(line); ++number_) {
+      TextScanner words(line, name_);
+      const std::string_view key = words.token();
+      if (key == "end_header") {
+        if (!has_format) fail("no format was named");
+        header_.size = lines_.position();
+        return std::move(header_);
+      }
+      if (key == "format") {
+        parse_format(words.token());
+        has_format = true;
+      } else if (key == "element") {
+        parse_element(words);
+      } else if (key == "property") {
+        if (header_.elements.empty()) fail("a property stands before any element");
+        header_.properties.back().push_back(parse_property(words));
+      } else if (!key.empty() && key != "comment" && key != "obj_info") {
+        fail("\"" + std::string(key.substr(0, 40)) + "\" is no entry of a PLY header");
+      }
     }
-    if (key == "format") {
-      const std::string_view format = words.token();
-      if (format == "ascii")
-        header.encoding = Encoding::ascii;
-      else if (format == "binary_little_endian")
-        header.encoding = Encoding::little;
-      else if (format == "binary_big_endian")
-        header.encoding = Encoding::big;
-      else
-        scanner.fail("unknown format \"" + std::string(format) + "\"");
-      has_format = true;
-    } else if (key == "element") {
-      PlyElement element;
-      element.name = words.token();
-      element.count = words.integer();
-      if (element.count < 0) scanner.fail("an element's count is negative");
-      header.elements.push_back(std::move(element));
-      header.properties.emplace_back();
-    } else if (key == "property") {
-      if (header.elements.empty()) scanner.fail("a property stands before any element");
-      header.properties.back().push_back(parse_property(words, scanner));
-    }  // comment, obj_info and what we do not know say nothing of the data
+    fail("the file ends before end_header");
   }
-  throw InputError(name, "header", "has no end_header line", "Export the file anew");
-}
+
+ private:
+  [[noreturn]] void fail(const std::string& problem) const {
+    throw InputError(name_, "header, line " + std::to_string(number_), problem, kExport);
+  }
+
+  void parse_format(std::string_view format) {
+    if (format == "ascii")
+      header_.encoding = Encoding::ascii;
+    else if (format == "binary_little_endian")
+      header_.encoding = Encoding::little;
+    else if (format == "binary_big_endian")
+      header_.encoding = Encoding::big;
+    else
+      fail("unknown format \"" + std::string(format.substr(0, 40)) + "\"");
+  }
+
+  void parse_element(TextScanner& words) {
+    PlyElement element;
+    element.name = words.token();
+    if (!TextScanner::parse(words.token(), element.count) || element.count < 0)
+      fail("an element has no valid count");
+    header_.elements.push_back(std::move(element));
+    header_.properties.emplace_back();
+  }
+
+  Property parse_property(TextScanner& words) const {
+    Property property;
+    std::string_view word = words.token();
+    if (word == "list") {
+      property.is_list = true;
+      if (!parse_type(words.token(), property.count_type) || property.count_type >= Type::f32)
+        fail("a list's count has no integer type");
+      word = words.token();
+    }
+    if (!parse_type(word, property.type))
+      fail("unknown property type \"" + std::string(word.substr(0, 40)) + "\"");
+    property.name = words.token();
+    if (property.name.empty()) fail("a property has no name");
+    return property;
+  }
+
+  TextScanner lines_;
+  const std::string& name_;
+  int number_ = 1;
+  Header header_;
+};
 
 /// Reads one number after the other from an ascii or a binary body.
 class Body {
@@ -112,19 +138,27 @@ class Body {
   std::size_t least_size(Type type) const { return encoding_ == Encoding::ascii ? 1 : size_of(type); }
 
   double read(Type type, const std::string& field) {
-    if (encoding_ == Encoding::ascii) {
-      double value = 0.0;
-      const std::string_view word = text_.token();
-      if (!TextScanner::parse(word, value))
-        throw InputError(name_, field,
-                         word.empty()
-                             ? "the file ends here"
-                             : "holds \"" + std::string(word.substr(0, 40)) + "\", which is not a number",
-                         "Export the file anew");
-      return value;
-    }
+    return encoding_ == Encoding::ascii ? read_word(field) : read_binary(type, field);
+  }
+
+ private:
+  double read_word(const std::string& field) {
+    const std::string_view word = text_.token();
+    double value = 0.0;
+    if (TextScanner::parse(word, value)) return value;
+    // A number too small for a double is as good as zero; one too large is none.
+    const bool tiny = word.find("e-") != std::string_view::npos || word.find("E-") != std::string_view::npos;
+    if (tiny && word.find_first_not_of("+-.0123456789eE") == std::string_view::npos) return 0.0;
+    throw InputError(name_, field,
+                     word.empty()
+                         ? "the file ends here"
+                         : "holds \"" + std::string(word.substr(0, 40)) + "\", which is not a number",
+                     kExport);
+  }
+
+  double read_binary(Type type, const std::string& field) {
     const std::size_t size = size_of(type);
-    if (bytes_.size() < size) throw InputError(name_, field, "the file ends here", "Export the file anew");
+    if (bytes_.size() < size) throw InputError(name_, field, "the file ends here", kExport);
     unsigned char raw[8];
     std::memcpy(raw, bytes_.data(), size);
     bytes_.remove_prefix(size);
@@ -134,7 +168,6 @@ class Body {
     return decode(raw, type);
   }
 
- private:
   template <class T>
   static double as(const unsigned char* raw) {
     T value;
@@ -169,35 +202,47 @@ class Body {
   std::string name_;
 };
 
-void read_element(Body& body, PlyElement& element, const std::vector<Property>& properties,
-                  const std::string& name) {
+/// A count that the file cannot hold is refused before anything is allocated for it.
+void check_count(const Body& body, const PlyElement& element, const std::vector<Property>& properties,
+                 const std::string& name) {
   std::size_t least = 0;
   for (const Property& p : properties) least += body.least_size(p.is_list ? p.count_type : p.type);
-  if (static_cast<std::size_t>(element.count) > body.remaining() / std::max<std::size_t>(least, 1))
-    throw InputError(name, "element " + element.name,
-                     "the header announces " + std::to_string(element.count) + ", more than the file holds",
-                     "Export the file anew");
+  if (least == 0 && element.count > 0)
+    throw InputError(name, element.name, "has rows but no properties", kExport);
+  const std::size_t fitting = least == 0 ? 0 : body.remaining() / least;
+  if (static_cast<std::size_t>(element.count) > fitting)
+    throw InputError(name, element.name + " " + std::to_string(fitting),
+                     "the file ends before it, and the header announces " + std::to_string(element.count),
+                     kExport);
+}
+
+std::vector<double> read_list(Body& body, const Property& property, const std::string& field,
+                              const std::string& name) {
+  const double length = body.read(property.count_type, field);
+  if (!(length >= 0.0) || length > static_cast<double>(body.remaining() / body.least_size(property.type) + 1))
+    throw InputError(name, field, "has a list longer than the file", kExport);
+  std::vector<double> list(static_cast<std::size_t>(length));
+  for (double& value : list) value = body.read(property.type, field);
+  return list;
+}
+
+void read_element(Body& body, PlyElement& element, const std::vector<Property>& properties,
+                  const std::string& name) {
+  check_count(body, element, properties, name);
   for (long i = 0; i < element.count; ++i) {
     const std::string field = element.name + " " + std::to_string(i);
-    for (const Property& p : properties) {
-      if (!p.is_list) {
+    for (const Property& p : properties)
+      if (p.is_list)
+        element.lists[p.name].push_back(read_list(body, p, field, name));
+      else
         element.scalars[p.name].push_back(body.read(p.type, field));
-        continue;
-      }
-      const double length = body.read(p.count_type, field);
-      if (!(length >= 0.0) || length > static_cast<double>(body.remaining() / body.least_size(p.type) + 1))
-        throw InputError(name, field, "has a list longer than the file", "Export the file anew");
-      std::vector<double> list(static_cast<std::size_t>(length));
-      for (double& value : list) value = body.read(p.type, field);
-      element.lists[p.name].push_back(std::move(list));
-    }
   }
 }
 
 }  // namespace
 
 std::vector<PlyElement> parse_ply(std::string_view content, const std::string& name) {
-  Header header = parse_header(content, name);
+  Header header = HeaderParser(content, name).parse();
   Body body(content, header, name);
   for (std::size_t e = 0; e < header.elements.size(); ++e)
     read_element(body, header.elements[e], header.properties[e], name);

@@ -28,8 +28,8 @@ struct LabelledCloud {
   }
 };
 
-/// Reads a PLY (ascii or binary, either endianness; x y z, optional nx ny nz, label, sigma). Our own reader:
-/// a malformed file is an InputError, never a crash.
+/// Reads a PLY (ascii or binary, either endianness; x y z, optional nx ny nz, label, sigma), by
+/// geometry's parser: a malformed file is an InputError, never a crash.
 /// @throws FileError; InputError naming the element: NaN, truncated, no vertices, a label that is none.
 LabelledCloud read_cloud(const std::filesystem::path& path, LengthUnit unit = LengthUnit::millimetre);
 /// Binary little-endian PLY, atomic.
