@@ -68,6 +68,7 @@ QPushButton* AtlasPanel::add_tool(const QString& heading, const QString& explana
   place->setProperty("role", "choice");
   auto* undo = new QPushButton(tr("Undo last"), this);
   auto* clear = new QPushButton(tr("Clear"), this);
+  clear->setObjectName(QStringLiteral("clear_landmarks"));
   row->addWidget(place, 1);
   row->addWidget(undo);
   row->addWidget(clear);

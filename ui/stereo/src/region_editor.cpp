@@ -85,14 +85,17 @@ void RegionEditor::remove_region_at(const QPointF& place) {
 }
 
 void RegionEditor::add_corner(const QPointF& place) {
-  if (open_.size() >= 3 && close_to(widget_point(open_.front()), place)) {
-    regions_.push_back({*feature_, open_});
-    open_.clear();
-    emit regions_edited();
-  } else {
-    open_.push_back(pixel_inside(place));
-  }
+  if (open_.size() >= 3 && close_to(widget_point(open_.front()), place)) return close_region();
+  open_.push_back(pixel_inside(place));
   update();
+}
+
+void RegionEditor::close_region() {
+  if (open_.size() < 3) return;
+  regions_.push_back({*feature_, open_});
+  open_.clear();
+  update();
+  emit regions_edited();
 }
 
 void RegionEditor::mousePressEvent(QMouseEvent* event) {
@@ -100,8 +103,11 @@ void RegionEditor::mousePressEvent(QMouseEvent* event) {
   pointer_ = event->position();
   if (event->button() == Qt::RightButton && open_.empty()) return remove_region_at(event->position());
   if (event->button() != Qt::LeftButton) return;
-  if (open_.empty()) dragged_ = corner_at(event->position());
-  if (!dragged_ && feature_) add_corner(event->position());
+  // Regions touch one another: whoever draws one does not want to move its neighbour's corners.
+  if (feature_)
+    add_corner(event->position());
+  else
+    dragged_ = corner_at(event->position());
 }
 
 void RegionEditor::mouseMoveEvent(QMouseEvent* event) {
@@ -120,8 +126,11 @@ void RegionEditor::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Backspace && !open_.empty()) {
     open_.pop_back();
     update();
+  } else if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
+    close_region();
   } else if (event->key() == Qt::Key_Escape) {
     set_feature(std::nullopt);
+    emit drawing_ended();
   } else {
     PictureView::keyPressEvent(event);
   }

@@ -101,6 +101,7 @@ void StereoPanel::build_view() {
   rows->setStretchFactor(0, 3);
   rows->setStretchFactor(1, 2);
   connect(editor_, &RegionEditor::regions_edited, this, &StereoPanel::store);
+  connect(editor_, &RegionEditor::drawing_ended, this, [this] { choose(std::nullopt); });
 }
 
 void StereoPanel::build_input() {
@@ -136,8 +137,9 @@ void StereoPanel::build_input() {
 
 void StereoPanel::build_regions() {
   QVBoxLayout* box =
-      add_section(tr("Regions"), tr("Click around a feature in the left picture; click the first corner "
-                                    "to close. Backspace takes a corner back, right click removes."));
+      add_section(tr("Regions"), tr("Choose a feature and click around it in the left picture; Enter, or a "
+                                    "click on the first corner, closes. Backspace takes a corner back, Esc "
+                                    "ends. Then corners can be dragged; right click removes a region."));
   auto* row = new QHBoxLayout;
   row->setSpacing(4);
   for (const Feature feature : {Feature::surface, Feature::anterior_margin, Feature::umbilical_notch}) {

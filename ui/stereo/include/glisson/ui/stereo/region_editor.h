@@ -29,6 +29,8 @@ class RegionEditor : public PictureView {
  signals:
   /// A polygon was closed, moved or removed.
   void regions_edited();
+  /// By Esc.
+  void drawing_ended();
 
  protected:
   void paint_over(QPainter& painter) override;
@@ -43,6 +45,7 @@ class RegionEditor : public PictureView {
   };
   std::optional<Corner> corner_at(const QPointF& place) const;
   void remove_region_at(const QPointF& place);
+  void close_region();
   void add_corner(const QPointF& place);
   QPolygonF on_screen(const std::vector<Eigen::Vector2d>& polygon) const;
   Eigen::Vector2d pixel_inside(const QPointF& place) const;
