@@ -11,6 +11,7 @@
 #include <set>
 #include <thread>
 
+#include "complaint.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/core/json_file.h"
@@ -28,17 +29,6 @@ void put(const fs::path& path, const std::string& text) { std::ofstream(path, st
 std::size_t entries(const fs::path& folder) {
   return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
 }
-
-template <class Call>
-std::string message_of(Call call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return {};
-}
-
 }  // namespace
 
 class CoreTest : public QObject {
@@ -188,7 +178,8 @@ void CoreTest::FileIsReadWhole() {
 
 void CoreTest::MissingFileAndFolderAreRefused() {
   TemporaryFolder folder;
-  QVERIFY(message_of([&] { read_file(folder.path() / "absent"); }).find("absent") != std::string::npos);
+  QVERIFY(test::complaint<Error>([&] { read_file(folder.path() / "absent"); }).find("absent") !=
+          std::string::npos);
   QVERIFY_EXCEPTION_THROWN(read_file(folder.path()), FileError);
 }
 
@@ -225,7 +216,7 @@ void CoreTest::WriterThatWritesNothingIsNoticed() {
 
 void CoreTest::WriteIntoAMissingFolderIsRefused() {
   TemporaryFolder folder;
-  QVERIFY(message_of([&] {
+  QVERIFY(test::complaint<Error>([&] {
             write_file_atomically(folder.path() / "no" / "x", "text");
           }).find("folder does not exist") != std::string::npos);
 }
@@ -286,7 +277,7 @@ void CoreTest::TemporaryFolderGoesAway() {
 void CoreTest::JsonErrorNamesLineAndColumn() {
   TemporaryFolder folder;
   put(folder.path() / "x.json", "{\n  \"a\": 1,\n  \"b\" 2\n}\n");
-  const std::string message = message_of([&] { read_json(folder.path() / "x.json"); });
+  const std::string message = test::complaint<Error>([&] { read_json(folder.path() / "x.json"); });
   QVERIFY(message.find("line 3, column 7") != std::string::npos);
   QVERIFY_EXCEPTION_THROWN(read_json(folder.path() / "absent.json"), FileError);
 }

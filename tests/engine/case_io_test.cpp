@@ -9,6 +9,7 @@
 
 #include <fstream>
 
+#include "complaint.h"
 #include "full_disk.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
@@ -80,14 +81,7 @@ CaseState small_case(double scale = 1.0) {
   return state;
 }
 
-std::string error_of(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const Error& failure) {
-    return failure.what();
-  }
-  return {};
-}
+std::string error_of(const std::function<void()>& action) { return test::complaint<Error>(action); }
 
 }  // namespace
 

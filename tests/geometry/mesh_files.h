@@ -5,7 +5,6 @@
 #include <fstream>
 #include <string>
 
-#include "glisson/core/error.h"
 #include "glisson/geometry/topology.h"
 
 namespace glisson::test {
@@ -27,17 +26,6 @@ inline TriangleMesh tetrahedron_surface() {
 
 inline void write_text(const std::filesystem::path& path, const std::string& text) {
   std::ofstream(path, std::ios::binary) << text;
-}
-
-/// The message of the InputError that the call throws; empty when it throws none.
-template <class Call>
-std::string complaint(Call call) {
-  try {
-    call();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return {};
 }
 
 }  // namespace glisson::test

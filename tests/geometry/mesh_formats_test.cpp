@@ -3,6 +3,7 @@
 #include <QtTest>
 #include <random>
 
+#include "complaint.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/geometry/mesh_io.h"

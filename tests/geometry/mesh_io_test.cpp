@@ -3,6 +3,8 @@
 
 #include <QtTest>
 
+#include "complaint.h"
+#include "data_folder.h"
 #include "full_disk.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
@@ -11,16 +13,6 @@
 using namespace glisson;
 using namespace glisson::test;
 namespace fs = std::filesystem;
-
-namespace {
-
-fs::path data_folder() {
-  if (const char* folder = std::getenv("GLISSON_DATA")) return folder;
-  const char* source = std::getenv("GLISSON_SOURCE_DIR");
-  return source != nullptr ? fs::path(source) / "../shared/data" : fs::path();
-}
-
-}  // namespace
 
 class MeshIoTest : public QObject {
   Q_OBJECT

@@ -5,6 +5,7 @@
 #include <QtTest>
 #include <numbers>
 
+#include "complaint.h"
 #include "glisson/core/error.h"
 #include "glisson/geometry/distance.h"
 #include "glisson/geometry/topology.h"
@@ -25,12 +26,7 @@ TetMesh cube() {
 }
 
 std::string complaint(const TetMesh& mesh) {
-  try {
-    check_tetrahedra(mesh, "mesh");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return {};
+  return test::complaint([&] { check_tetrahedra(mesh, "mesh"); });
 }
 
 }  // namespace

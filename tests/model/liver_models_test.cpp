@@ -2,6 +2,7 @@
 #include <QElapsedTimer>
 #include <QtTest>
 
+#include "data_folder.h"
 #include "glisson/core/error.h"
 #include "glisson/model/build.h"
 #include "shapes.h"

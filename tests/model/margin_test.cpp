@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "data_folder.h"
 #include "glisson/core/run_context.h"
 #include "glisson/geometry/distance.h"
 #include "glisson/geometry/mesh_io.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QtTest>
 
+#include "data_folder.h"
 #include "glisson/core/error.h"
 #include "glisson/geometry/distance.h"
 #include "glisson/geometry/mesh_io.h"

@@ -2,6 +2,7 @@
 #include <QtTest>
 #include <set>
 
+#include "complaint.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/geometry/mesh_io.h"
@@ -26,12 +27,7 @@ bool says(const std::vector<std::string>& notes, const std::string& code) {
 }
 
 std::string complaint(const fs::path& path, LengthUnit unit) {
-  try {
-    model::read_surfaces(path, unit);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return {};
+  return test::complaint([&] { model::read_surfaces(path, unit); });
 }
 
 }  // namespace

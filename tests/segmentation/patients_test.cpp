@@ -2,6 +2,7 @@
 #include <QElapsedTimer>
 #include <QtTest>
 
+#include "data_folder.h"
 #include "glisson/core/files.h"
 #include "glisson/insilico/patient.h"
 #include "glisson/segmentation/segment.h"
@@ -103,12 +104,6 @@ void report(const char* name, const Figures& figures, const SegmentationReport& 
   qInfo("%s", qPrintable(text));
 }
 
-fs::path data_folder() {
-  if (const char* named = std::getenv("GLISSON_DATA")) return named;
-  const char* source = std::getenv("GLISSON_SOURCE_DIR");
-  return source != nullptr ? fs::path(source) / "../shared/data" : fs::path();
-}
-
 }  // namespace
 
 class PatientsTest : public QObject {
@@ -156,7 +151,7 @@ void PatientsTest::SyntheticPatientIsFoundFromClicks() {
 }
 
 void PatientsTest::RealPatientIsFoundFromClicks() {
-  const fs::path folder = data_folder() / "ct_ircad1";
+  const fs::path folder = test::data_folder() / "ct_ircad1";
   if (!fs::exists(folder / "PATIENT_DICOM.tar.gz")) QSKIP("the real CT is not here (set GLISSON_DATA)");
   const Image image = read_image(folder / "PATIENT_DICOM.tar.gz", RunContext()).value();
   const std::vector<Label> truth = read_labels(folder / "3Dircadb0101Labeled.vti").voxels.dense();

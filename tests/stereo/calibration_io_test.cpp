@@ -5,8 +5,10 @@
 #include <QtTest>
 #include <fstream>
 
+#include "complaint.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
+#include "mutant.h"
 
 using namespace glisson;
 using namespace glisson::stereo;
@@ -61,14 +63,7 @@ class CalibrationIoTest : public QObject {
   }
 
   std::string refusal(const std::string& content) {
-    try {
-      read_calibration(file(content));
-      return "none";
-    } catch (const InputError& error) {
-      return error.remedy().empty() ? "no remedy" : error.field();
-    } catch (const std::exception& error) {
-      return std::string("other: ") + error.what();
-    }
+    return test::refused_field([&] { read_calibration(file(content)); });
   }
 
  private slots:
@@ -156,23 +151,7 @@ class CalibrationIoTest : public QObject {
     std::mt19937 random(11);  // NOLINT: the same mutants on every run
     int refused = 0;
     for (int mutant = 0; mutant < 1500; ++mutant) {
-      std::string text = good;
-      for (int edit = static_cast<int>(random() % 4); edit >= 0 && !text.empty(); --edit) {
-        const std::size_t at = random() % text.size();
-        switch (random() % 4) {
-          case 0:
-            text[at] = static_cast<char>(random());
-            break;
-          case 1:
-            text.erase(at, 1 + random() % 12);
-            break;
-          case 2:
-            text.insert(at, text.substr(random() % text.size(), random() % 24));
-            break;
-          default:
-            text.resize(at + 1);
-        }
-      }
+      const std::string text = test::mutant_of(good, random, 12);
       const std::string result = refusal(text);
       QVERIFY2(!result.starts_with("other") && result != "no remedy", result.c_str());
       refused += result != "none";

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <sstream>
 
+#include "data_folder.h"
 #include "glisson/core/files.h"
 #include "glisson/geometry/camera.h"
 #include "glisson/geometry/mesh.h"
@@ -13,13 +13,6 @@
 
 /// Reads what the public stereo data sets hold: see shared/data/README.md. Tests skip where it is absent.
 namespace real_data {
-
-inline std::filesystem::path folder() {
-  if (const char* named = std::getenv("GLISSON_DATA")) return named;
-  if (const char* source = std::getenv("GLISSON_SOURCE_DIR"))
-    return std::filesystem::path(source) / ".." / "shared" / "data";
-  return {};
-}
 
 inline std::vector<double> numbers(const std::filesystem::path& path) {
   std::istringstream text(glisson::read_file(path));

@@ -77,7 +77,7 @@ class RealPairsTest : public QObject {
     QTest::newRow("dense") << true << 0.62;
   }
   void LiverTissueLiesOnItsCtSurface() {
-    const fs::path folder = real_data::folder() / "stereo_opencas";
+    const fs::path folder = glisson::test::data_folder() / "stereo_opencas";
     if (!fs::exists(folder)) QSKIP(kAbsent);
     QFETCH(bool, dense);
     QFETCH(double, median_mm);
@@ -93,7 +93,7 @@ class RealPairsTest : public QObject {
   }
 
   void CalibrationSurvivesItsFile() {
-    const fs::path folder = real_data::folder() / "stereo_opencas";
+    const fs::path folder = glisson::test::data_folder() / "stereo_opencas";
     if (!fs::exists(folder)) QSKIP(kAbsent);
     const TemporaryFolder work;
     const StereoRig rig = opencas(folder).rig;
@@ -104,7 +104,7 @@ class RealPairsTest : public QObject {
   }
 
   void HeartIsSeenInItsMask() {
-    const fs::path folder = real_data::folder() / "stereo_heart";
+    const fs::path folder = glisson::test::data_folder() / "stereo_heart";
     if (!fs::exists(folder)) QSKIP(kAbsent);
     const Real real = heart(folder);
     const Reconstructed masked = run(real, Method::sparse), whole = run(real, Method::sparse, false);
@@ -121,7 +121,7 @@ class RealPairsTest : public QObject {
   }
 
   void SwappedHeartIsRecognised() {
-    const fs::path folder = real_data::folder() / "stereo_heart";
+    const fs::path folder = glisson::test::data_folder() / "stereo_heart";
     if (!fs::exists(folder)) QSKIP(kAbsent);
     Real real = heart(folder);
     std::swap(real.left, real.right);
@@ -129,7 +129,7 @@ class RealPairsTest : public QObject {
   }
 
   void CalibrationOfAnotherScopeIsRefused() {
-    const fs::path folder = real_data::folder();
+    const fs::path folder = glisson::test::data_folder();
     if (!fs::exists(folder / "stereo_heart") || !fs::exists(folder / "stereo_opencas")) QSKIP(kAbsent);
     Real real = heart(folder / "stereo_heart");
     real.rig = opencas(folder / "stereo_opencas").rig;

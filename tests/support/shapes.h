@@ -3,8 +3,6 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
 #include <map>
 #include <numbers>
 
@@ -97,13 +95,6 @@ inline TriangleMesh joined(const TriangleMesh& a, const TriangleMesh& b) {
 inline TriangleMesh moved(TriangleMesh mesh, const Eigen::Vector3d& by) {
   mesh.vertices.rowwise() += by.transpose();
   return mesh;
-}
-
-/// Where the real data lies; empty when nobody says.
-inline std::filesystem::path data_folder() {
-  if (const char* folder = std::getenv("GLISSON_DATA")) return folder;
-  const char* source = std::getenv("GLISSON_SOURCE_DIR");
-  return source != nullptr ? std::filesystem::path(source) / "../shared/data" : std::filesystem::path();
 }
 
 }  // namespace glisson::test

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/volume/io.h"
+#include "data_folder.h"
 
 #include <QtTest>
 
@@ -27,12 +28,6 @@ fs::path hand_made_nrrd(const fs::path& folder, const std::string& fields) {
   write_file_atomically(path, "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 2 2 2\nencoding: raw\n" + fields +
                                   "\n\n" + std::string("\1\2\3\4\5\6\7\10"));
   return path;
-}
-
-fs::path data_folder() {
-  if (const char* named = std::getenv("GLISSON_DATA")) return named;
-  const char* source = std::getenv("GLISSON_SOURCE_DIR");
-  return source ? fs::path(source) / "../shared/data" : fs::path();
 }
 
 }  // namespace
@@ -178,7 +173,7 @@ void IoTest::GridsThatDifferAreRefused() {
 }
 
 void IoTest::RealSeriesAndItsLabelsLieOnOneGrid() {
-  const fs::path folder = data_folder() / "ct_ircad1";
+  const fs::path folder = test::data_folder() / "ct_ircad1";
   if (!fs::exists(folder / "PATIENT_DICOM.tar.gz")) QSKIP("the real CT is not here (set GLISSON_DATA)");
   const Image image = read(folder / "PATIENT_DICOM.tar.gz");
   QCOMPARE(image.grid.size, Eigen::Vector3i(512, 512, 129));

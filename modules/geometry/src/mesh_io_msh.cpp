@@ -85,18 +85,25 @@ class MshParser {
     for (int k = 0; k < 3; ++k) coordinates_.push_back(scan_.number());
   }
 
-  void read_nodes() {
-    if (version_ < 4.0) {
-      const long count = scan_.count(8);
-      for (long i = 0; i < count; ++i) add_node(scan_.integer());
-      return;
-    }
+  /// What stands before the blocks of nodes or elements: their number, that of all in them, and since 4.1 the
+  /// range of tags.
+  long count_of_blocks() {
     const long blocks = scan_.count(2);
     scan_.count(2);
     if (version_ >= 4.1) {
       scan_.integer();
       scan_.integer();
     }
+    return blocks;
+  }
+
+  void read_nodes() {
+    if (version_ < 4.0) {
+      const long count = scan_.count(8);
+      for (long i = 0; i < count; ++i) add_node(scan_.integer());
+      return;
+    }
+    const long blocks = count_of_blocks();
     for (long b = 0; b < blocks; ++b) {
       const long first = scan_.integer(), second = scan_.integer();
       const long dimension = version_ >= 4.1 ? first : second;
@@ -143,12 +150,7 @@ class MshParser {
       }
       return;
     }
-    const long blocks = scan_.count(2);
-    scan_.count(2);
-    if (version_ >= 4.1) {
-      scan_.integer();
-      scan_.integer();
-    }
+    const long blocks = count_of_blocks();
     for (long b = 0; b < blocks; ++b) {
       const long first = scan_.integer(), second = scan_.integer();
       const long entity = version_ >= 4.1 ? second : first, type = scan_.integer(), count = scan_.count(4);
