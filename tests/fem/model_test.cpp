@@ -523,6 +523,9 @@ class ModelTest : public QObject {
     qInfo("%d iterations, mean %.1f mm, largest %.1f mm", solution->iterations, 1e3 * moved.mean(),
           1e3 * moved.maxCoeff());
     QVERIFY(moved.mean() > 0.02);
+    // Pressure on a part has no potential: with the symmetric part of its tangent alone this took 141
+    // iterations, with all of it Newton converges quadratically at the end.
+    QVERIFY(solution->iterations <= 30);
   }
 };
 

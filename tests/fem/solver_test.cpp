@@ -2,11 +2,16 @@
 #include <Eigen/SparseCholesky>
 #include <QtTest>
 #include <algorithm>
+#include <array>
+#include <memory>
 
 #include "cholmod_factorization.h"
 #include "ellipsoid_mesh.h"
 #include "front_tree.h"
+#include "glisson/core/error.h"
+#include "glisson/fem/integrator.h"
 #include "multifrontal_factorization.h"
+#include "two_level_solver.h"
 
 using namespace glisson;
 using namespace glisson::fem;
@@ -21,9 +26,10 @@ struct Example {
   Points force;
   Eigen::VectorXd right;
 
-  Example(int across, std::vector<int> fixed, const BatchKernels& kernels = batch_kernels())
+  Example(int across, std::vector<int> fixed, const BatchKernels& kernels = batch_kernels(),
+          Ordering ordering = Ordering::fill_reducing)
       : model(ellipsoid_mesh(across), ellipsoid_vessels(60), {}),
-        system(model.impl(), fixed, kernels),
+        system(model.impl(), fixed, kernels, ordering),
         right() {
     const Points x = model.mesh().vertices + noise(model.node_count(), 0.002, 7);
     system.assemble(x, 6.0, Tangent::rotated, force);
@@ -31,6 +37,30 @@ struct Example {
     right = system.gather(force);
   }
 };
+
+/// Iterations of conjugate gradients with the diagonal blocks' inverses alone.
+int plain_iterations(const Example& example, double tolerance) {
+  const BlockPattern& pattern = example.system.pattern();
+  const auto divide = [&](const Eigen::VectorXd& r) {
+    Eigen::VectorXd z(r.size());
+    for (int c = 0; c < pattern.unknowns; ++c) {
+      const Eigen::Map<const Eigen::Matrix3d> block(example.system.values().data() +
+                                                    9L * pattern.column_start[static_cast<std::size_t>(c)]);
+      z.segment<3>(3 * c) = block.llt().solve(r.segment<3>(3 * c));
+    }
+    return z;
+  };
+  Eigen::VectorXd r = example.right, z = divide(r), d = z, q;
+  int iterations = 0;
+  for (; iterations < 5000 && r.norm() > tolerance * example.right.norm(); ++iterations) {
+    example.system.multiply(d, q);
+    const double rz = r.dot(z);
+    r -= rz / d.dot(q) * q;
+    z = divide(r);
+    d = z + r.dot(z) / rz * d;
+  }
+  return iterations;
+}
 
 }  // namespace
 
@@ -132,6 +162,126 @@ class SolverTest : public QObject {
       QVERIFY((x.array() == expected.array()).all());
     }
     if (kernels.size() < 3) QSKIP("this machine has not all vector widths; those it has agree");
+  }
+
+  void TwoLevelCycleInvertsLikeTheFactor() {
+    const Example example(12, {3, 4, 5, 40}, batch_kernels(), Ordering::breadth_first);
+    const auto factor = make_factorization(LinearSolver::reference, example.system.pattern());
+    QVERIFY(factor->factorise(example.system.values()));
+    Eigen::VectorXd expected = example.right;
+    factor->solve(expected);
+    TwoLevelSolver two_level(example.system.pattern(), example.model.mesh().vertices);
+    QVERIFY(two_level.prepare(example.system.values()));
+    double last = 1.0;
+    for (const double tolerance : {1e-3, 1e-6, 1e-10}) {
+      Eigen::VectorXd x = Eigen::VectorXd::Zero(example.right.size()), product;
+      const TwoLevelSolver::Result result = two_level.solve(example.right, x, tolerance, 200);
+      QVERIFY(result.converged);
+      // What it reports is what an independent product finds.
+      example.system.multiply(x, product);
+      const double residual = (product - example.right).norm() / example.right.norm();
+      QVERIFY(std::abs(residual - result.residual) < 1e-3 * result.residual + 1e-14);
+      QVERIFY(residual <= 1.1 * tolerance);
+      const double error = (x - expected).norm() / expected.norm();
+      QVERIFY(error < last);
+      last = error;
+      // From there nothing is left to do.
+      QCOMPARE(two_level.solve(example.right, x, 1.2 * tolerance, 200).iterations, 0);
+    }
+    QVERIFY(last < 1e-8);
+  }
+
+  void TwoLevelIterationsDoNotGrowWithTheMesh() {
+    // Eight times the elements: one-level conjugate gradients need twice the iterations, these about as many.
+    int iterations[2], plain[2];
+    for (int k = 0; k < 2; ++k) {
+      const Example example(k == 0 ? 10 : 20, {}, batch_kernels(), Ordering::breadth_first);
+      TwoLevelSolver two_level(example.system.pattern(), example.model.mesh().vertices);
+      QVERIFY(two_level.prepare(example.system.values()));
+      Eigen::VectorXd x = Eigen::VectorXd::Zero(example.right.size());
+      const TwoLevelSolver::Result result = two_level.solve(example.right, x, 1e-6, 400);
+      QVERIFY(result.converged);
+      iterations[k] = result.iterations;
+      plain[k] = plain_iterations(example, 1e-6);
+    }
+    qInfo("iterations to 1e-6: two-level %d and %d, conjugate gradients %d and %d", iterations[0],
+          iterations[1], plain[0], plain[1]);
+    QVERIFY(iterations[1] <= 1.4 * iterations[0]);
+    QVERIFY(5 * iterations[1] < plain[1]);
+  }
+
+  void TwoLevelRefusesWhatIsNotPositiveDefinite() {
+    Example example(8, {}, batch_kernels(), Ordering::breadth_first);
+    TwoLevelSolver two_level(example.system.pattern(), example.model.mesh().vertices);
+    example.system.add_diagonal(example.model.lumped_mass(), -1e7);
+    QVERIFY(!two_level.prepare(example.system.values()));
+    std::vector<double> values = example.system.values();
+    std::fill(values.begin(), values.end(), std::nan(""));
+    QVERIFY(!two_level.prepare(values));
+    QVERIFY_EXCEPTION_THROWN(make_factorization(LinearSolver::fast, example.system.pattern()),
+                             PreconditionError);
+  }
+
+  void EverySweepWidthGivesTheSameBits() {
+    const auto kernels = available_sweep_kernels();
+    const Example example(10, {0, 1, 2}, batch_kernels(), Ordering::breadth_first);
+    std::vector<Eigen::VectorXd> solutions;
+    for (const SweepKernels* k : kernels) {
+      TwoLevelSolver two_level(example.system.pattern(), example.model.mesh().vertices, *k);
+      QVERIFY(two_level.prepare(example.system.values()));
+      solutions.push_back(Eigen::VectorXd::Zero(example.right.size()));
+      QVERIFY(two_level.solve(example.right, solutions.back(), 1e-8, 200).converged);
+      QVERIFY((solutions.back().array() == solutions.front().array()).all());
+    }
+    if (kernels.size() < 2) QSKIP("this machine has one vector width");
+  }
+
+  void FastStepsFollowTheDirectOnes() {
+    const auto model =
+        std::make_shared<CompositeModel>(ellipsoid_mesh(12), ellipsoid_vessels(60), CompositeOptions{});
+    Loads loads;
+    loads.gravity_change = {3.0, -5.0, 1.0};
+    loads.pressure = 300.0;
+    Points ends[3];
+    const std::array<LinearSolver, 3> solvers{LinearSolver::direct, LinearSolver::fast, LinearSolver::fast};
+    for (std::size_t run = 0; run < 3; ++run) {
+      IntegratorOptions options;
+      options.solver = solvers[run];
+      options.tolerance = 1e-8;
+      options.fixed_nodes = {0, 1, 2, 3};
+      Integrator integrator(model, options);
+      for (int n = 0; n < 40; ++n) {
+        const StepSummary step = integrator.step(loads);
+        QVERIFY(step.ok);
+        QVERIFY(step.residual < 1.1e-8);
+        QCOMPARE(step.iterations > 0, solvers[run] == LinearSolver::fast);
+      }
+      ends[run] = integrator.positions();
+    }
+    const double moved = (ends[0] - model->mesh().vertices).rowwise().norm().maxCoeff();
+    QVERIFY(moved > 0.005);
+    QVERIFY((ends[1] - ends[0]).rowwise().norm().maxCoeff() < 1e-5 * moved);
+    QVERIFY((ends[1].array() == ends[2].array()).all());
+  }
+
+  void FastStepThatDoesNotConvergeLeavesTheState() {
+    const auto model =
+        std::make_shared<CompositeModel>(ellipsoid_mesh(8), ellipsoid_vessels(20), CompositeOptions{});
+    IntegratorOptions options;
+    options.solver = LinearSolver::fast;
+    options.max_iterations = 2;
+    Integrator integrator(model, options);
+    Loads loads;
+    loads.gravity_change = {3.0, -5.0, 1.0};
+    const StepSummary step = integrator.step(loads);
+    QVERIFY(!step.ok);
+    QVERIFY(step.residual > options.tolerance);
+    QVERIFY((integrator.positions().array() == model->mesh().vertices.array()).all());
+    options.max_iterations = 0;
+    QVERIFY_EXCEPTION_THROWN(Integrator(model, options), InputError);
+    options.max_iterations = 100;
+    options.tolerance = 0.0;
+    QVERIFY_EXCEPTION_THROWN(Integrator(model, options), InputError);
   }
 };
 

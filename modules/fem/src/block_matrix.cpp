@@ -40,7 +40,8 @@ std::vector<std::vector<int>> neighbours_of(const CompositeModel::Impl& model,
   return lists;
 }
 
-BlockPattern make_pattern(const CompositeModel::Impl& model, const std::vector<int>& fixed_nodes) {
+BlockPattern make_pattern(const CompositeModel::Impl& model, const std::vector<int>& fixed_nodes,
+                          Ordering ordering) {
   const int n = model.mesh.vertex_count();
   BlockPattern p;
   std::vector<int> free_of_node(static_cast<std::size_t>(n), 0), node_of_free;
@@ -59,7 +60,8 @@ BlockPattern make_pattern(const CompositeModel::Impl& model, const std::vector<i
     throw InputError("fixed_nodes", "", "fix every node of the mesh", "Leave some free to move");
   p.unknowns = static_cast<int>(node_of_free.size());
   const auto neighbours = neighbours_of(model, free_of_node, p.unknowns);
-  const std::vector<int> order = fill_reducing_order(neighbours);
+  const std::vector<int> order =
+      ordering == Ordering::fill_reducing ? fill_reducing_order(neighbours) : breadth_first_order(neighbours);
   std::vector<int> unknown_of_free(order.size());
   p.node_of_unknown.resize(order.size());
   p.unknown_of_node.assign(static_cast<std::size_t>(n), -1);
@@ -91,8 +93,8 @@ int BlockPattern::find(int row, int column) const {
 }
 
 BlockSystem::BlockSystem(const CompositeModel::Impl& model, const std::vector<int>& fixed_nodes,
-                         const BatchKernels& kernels)
-    : model_(model), kernels_(kernels), pattern_(make_pattern(model, fixed_nodes)) {
+                         const BatchKernels& kernels, Ordering ordering)
+    : model_(model), kernels_(kernels), pattern_(make_pattern(model, fixed_nodes, ordering)) {
   values_.assign(static_cast<std::size_t>(pattern_.block_count() + 1) * 9, 0.0);
   build_groups();
   build_couplings();
@@ -142,8 +144,17 @@ void BlockSystem::build_groups() {
       }
     }
   };
+  // Elements in the order of their first unknowns: what they add to lies together.
   const auto fill_all = [&](auto& groups, const auto& elements) {
-    for (std::size_t e = 0; e < elements.size(); ++e) fill(groups, e, elements[e], false);
+    std::vector<std::pair<int, std::size_t>> order;
+    for (std::size_t e = 0; e < elements.size(); ++e) {
+      const auto& nodes = elements[e].nodes;
+      order.emplace_back(pattern_.unknown_of_node[static_cast<std::size_t>(
+                             *std::min_element(nodes.begin(), nodes.end(), by_unknown))],
+                         e);
+    }
+    std::sort(order.begin(), order.end());
+    for (std::size_t e = 0; e < elements.size(); ++e) fill(groups, e, elements[order[e].second], false);
     for (std::size_t e = elements.size(); e % kLanes != 0; ++e) fill(groups, e, elements.back(), true);
   };
   fill_all(tetrahedron_groups_, model_.tetrahedra);
@@ -274,7 +285,8 @@ void BlockSystem::add_beams(const Points& x, double scale, Points& force) {
   }
 }
 
-void BlockSystem::multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const {
+void BlockSystem::multiply(const std::vector<double>& values, const Eigen::VectorXd& x,
+                           Eigen::VectorXd& y) const {
   y.setZero(x.size());
   for (int c = 0; c < pattern_.unknowns; ++c) {
     const Eigen::Vector3d xc = x.segment<3>(3 * c);
@@ -282,7 +294,7 @@ void BlockSystem::multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const {
     const int first = pattern_.column_start[static_cast<std::size_t>(c)];
     const int last = pattern_.column_start[static_cast<std::size_t>(c) + 1];
     for (int k = first; k < last; ++k) {
-      const Eigen::Map<const Eigen::Matrix3d> block(values_.data() + static_cast<std::ptrdiff_t>(k) * 9);
+      const Eigen::Map<const Eigen::Matrix3d> block(values.data() + static_cast<std::ptrdiff_t>(k) * 9);
       const int r = pattern_.rows[static_cast<std::size_t>(k)];
       if (k == first) {
         yc += block * xc;
@@ -301,6 +313,13 @@ Eigen::VectorXd BlockSystem::gather(const Points& per_node) const {
     vector.segment<3>(3 * u) =
         per_node.row(pattern_.node_of_unknown[static_cast<std::size_t>(u)]).transpose();
   return vector;
+}
+
+Points BlockSystem::scatter(const Eigen::VectorXd& x) const {
+  Points per_node = Points::Zero(static_cast<Eigen::Index>(pattern_.unknown_of_node.size()), 3);
+  for (int u = 0; u < pattern_.unknowns; ++u)
+    per_node.row(pattern_.node_of_unknown[static_cast<std::size_t>(u)]) = x.segment<3>(3 * u).transpose();
+  return per_node;
 }
 
 }  // namespace glisson::fem

@@ -24,6 +24,9 @@ struct BlockPattern {
   int find(int row, int column) const;
 };
 
+/// What the unknowns' order is for: little fill in a factor, or neighbours side by side.
+enum class Ordering { fill_reducing, breadth_first };
+
 /// The system matrix of one model with given fixed nodes: its pattern (tetrahedra's edges, couplings by
 /// beams) and the places of every element's blocks in it, found once.
 class BlockSystem {
@@ -32,7 +35,7 @@ class BlockSystem {
 
   /// @throws InputError for fixed nodes out of range or when all are fixed.
   BlockSystem(const CompositeModel::Impl& model, const std::vector<int>& fixed_nodes,
-              const BatchKernels& kernels = batch_kernels());
+              const BatchKernels& kernels = batch_kernels(), Ordering ordering = Ordering::fill_reducing);
 
   const BlockPattern& pattern() const { return pattern_; }
   /// Column-major 3 x 3 blocks in the pattern's order (and a spare one behind them).
@@ -47,9 +50,13 @@ class BlockSystem {
   /// @throws PreconditionError when the pattern does not hold it.
   void add(int node_i, int node_j, const Eigen::Matrix3d& block);
   /// y = A x, over unknowns (3 a node).
-  void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const;
+  void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const { multiply(values_, x, y); }
+  /// The same with values that were kept.
+  void multiply(const std::vector<double>& values, const Eigen::VectorXd& x, Eigen::VectorXd& y) const;
 
   Eigen::VectorXd gather(const Points& per_node) const;
+  /// Back to all nodes; zero on fixed ones.
+  Points scatter(const Eigen::VectorXd& x) const;
 
  private:
   /// The 3 x 3 blocks that a beam couples: those of its two tetrahedra's nodes.

@@ -129,4 +129,19 @@ void add_external_tangent(const CompositeModel::Impl& model, const Loads& loads,
   }
 }
 
+void add_pressure_skew_product(const CompositeModel::Impl& model, const Loads& loads, const Points& x,
+                               const Points& direction, Points& product) {
+  for_each_pressed(model, loads, [&](const std::array<int, 3>& nodes) {
+    const Eigen::Matrix3d c = corners_of(nodes, x), d = corners_of(nodes, direction);
+    // Minus the force's derivative: every node of a triangle sees the same change of the normal.
+    Eigen::Vector3d whole = Eigen::Vector3d::Zero();
+    for (int i = 0; i < 3; ++i)
+      whole += loads.pressure / 6.0 * d.col(i).cross(c.col((i + 1) % 3) - c.col((i + 2) % 3));
+    const Eigen::Map<const Eigen::Matrix<double, 9, 1>> flat(d.data());
+    const Eigen::Matrix<double, 9, 1> symmetric = pressure_tangent(c, loads.pressure, false) * flat;
+    for (int k = 0; k < 3; ++k)
+      product.row(nodes[static_cast<std::size_t>(k)]) += (whole - symmetric.segment<3>(3 * k)).transpose();
+  });
+}
+
 }  // namespace glisson::fem

@@ -18,4 +18,9 @@ void add_external_force(const CompositeModel::Impl& model, const Loads& loads, c
 void add_external_tangent(const CompositeModel::Impl& model, const Loads& loads, const Points& x,
                           Tangent kind, BlockSystem& system);
 
+/// The part of the pressure's tangent that a symmetric matrix cannot hold (it vanishes on a closed surface):
+/// adds its product with `direction` to `product`, both over all nodes.
+void add_pressure_skew_product(const CompositeModel::Impl& model, const Loads& loads, const Points& x,
+                               const Points& direction, Points& product);
+
 }  // namespace glisson::fem

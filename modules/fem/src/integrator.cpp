@@ -7,6 +7,7 @@
 #include "external_loads.h"
 #include "factorization.h"
 #include "glisson/core/error.h"
+#include "two_level_solver.h"
 
 namespace glisson::fem {
 
@@ -14,6 +15,12 @@ void IntegratorOptions::validate() const {
   if (!(time_step >= 1e-6 && time_step <= 10.0))
     throw InputError("integrator options", "time_step", "is " + std::to_string(time_step) + " s",
                      "Give a step between 1e-6 and 10 s");
+  if (!(tolerance >= 1e-12 && tolerance <= 0.1))
+    throw InputError("integrator options", "tolerance", "is " + std::to_string(tolerance),
+                     "Give a relative residual between 1e-12 and 0.1");
+  if (max_iterations < 1)
+    throw InputError("integrator options", "max_iterations", "is " + std::to_string(max_iterations),
+                     "Give 1 or more");
 }
 
 struct Integrator::Impl {
@@ -21,6 +28,7 @@ struct Integrator::Impl {
   IntegratorOptions options;
   BlockSystem system;
   std::unique_ptr<Factorization> factorization;
+  std::unique_ptr<TwoLevelSolver> two_level;  ///< of `fast`, instead
   Points x, v;
   Points force;
   Eigen::VectorXd solution, right, product;
@@ -28,10 +36,37 @@ struct Integrator::Impl {
   Impl(std::shared_ptr<const CompositeModel> m, const IntegratorOptions& o)
       : model(std::move(m)),
         options(o),
-        system(model->impl(), o.fixed_nodes),
-        factorization(make_factorization(o.solver, system.pattern())),
+        system(model->impl(), o.fixed_nodes, batch_kernels(),
+               o.solver == LinearSolver::fast ? Ordering::breadth_first : Ordering::fill_reducing),
         x(model->mesh().vertices),
-        v(Points::Zero(x.rows(), 3)) {}
+        v(Points::Zero(x.rows(), 3)) {
+    if (o.solver == LinearSolver::fast)
+      two_level = std::make_unique<TwoLevelSolver>(system.pattern(), x);
+    else
+      factorization = make_factorization(o.solver, system.pattern());
+  }
+
+  /// dx of the system that is assembled, into `solution`. @return false when it cannot be had.
+  bool solve(StepSummary& summary) {
+    if (!right.allFinite()) return false;
+    if (two_level) {
+      if (!two_level->prepare(system.values())) return false;
+      solution = options.time_step * system.gather(v);  // as before: a good first guess
+      const TwoLevelSolver::Result result =
+          two_level->solve(right, solution, options.tolerance, options.max_iterations);
+      summary.iterations = result.iterations;
+      summary.residual = result.residual;
+      return result.converged && solution.allFinite();
+    }
+    if (!factorization->factorise(system.values())) return false;
+    solution = right;
+    factorization->solve(solution);
+    if (!solution.allFinite()) return false;
+    system.multiply(solution, product);
+    const double size = right.norm();
+    summary.residual = size > 0.0 ? (right - product).norm() / size : 0.0;
+    return true;
+  }
 
   int inverted() const {
     int count = 0;
@@ -86,15 +121,8 @@ StepSummary Integrator::step(const Loads& loads) {
   add_external_force(model, loads, s.x, s.force);
   s.force += model.lumped_mass.asDiagonal() * s.v / dt;
   s.right = s.system.gather(s.force);
-  summary.ok = s.right.allFinite() && s.factorization->factorise(s.system.values());
+  summary.ok = s.solve(summary);
   if (!summary.ok) return summary;
-  s.solution = s.right;
-  s.factorization->solve(s.solution);
-  summary.ok = s.solution.allFinite();
-  if (!summary.ok) return summary;
-  s.system.multiply(s.solution, s.product);
-  const double size = s.right.norm();
-  summary.residual = size > 0.0 ? (s.right - s.product).norm() / size : 0.0;
   const BlockPattern& pattern = s.system.pattern();
   s.v.setZero();
   for (int u = 0; u < pattern.unknowns; ++u) {

@@ -3,11 +3,55 @@
 
 #include <cholmod.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "glisson/core/error.h"
 
 namespace glisson::fem {
+namespace {
+
+/// Appends what can be reached from `start` in breadth-first order. @return the last one reached.
+int visit_from(int start, const std::vector<std::vector<int>>& neighbours, std::vector<char>& seen,
+               std::vector<int>& order) {
+  std::size_t at = order.size();
+  order.push_back(start);
+  seen[static_cast<std::size_t>(start)] = 1;
+  std::vector<int> fresh;
+  for (; at < order.size(); ++at) {
+    fresh.clear();
+    for (const int j : neighbours[static_cast<std::size_t>(order[at])])
+      if (!seen[static_cast<std::size_t>(j)]) {
+        seen[static_cast<std::size_t>(j)] = 1;
+        fresh.push_back(j);
+      }
+    std::stable_sort(fresh.begin(), fresh.end(), [&](int a, int b) {
+      return neighbours[static_cast<std::size_t>(a)].size() < neighbours[static_cast<std::size_t>(b)].size();
+    });
+    order.insert(order.end(), fresh.begin(), fresh.end());
+  }
+  return order.back();
+}
+
+}  // namespace
+
+std::vector<int> breadth_first_order(const std::vector<std::vector<int>>& neighbours) {
+  std::vector<int> order;
+  order.reserve(neighbours.size());
+  std::vector<char> seen(neighbours.size(), 0);
+  for (std::size_t i = 0; i < neighbours.size(); ++i) {
+    if (seen[i]) continue;
+    // Twice to the far end: the rim of this component.
+    int start = static_cast<int>(i);
+    for (int pass = 0; pass < 2; ++pass) {
+      std::vector<char> tried(seen);
+      std::vector<int> reached;
+      start = visit_from(start, neighbours, tried, reached);
+    }
+    visit_from(start, neighbours, seen, order);
+  }
+  return order;
+}
 
 std::vector<int> fill_reducing_order(const std::vector<std::vector<int>>& neighbours) {
   const std::size_t n = neighbours.size();

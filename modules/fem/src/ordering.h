@@ -10,4 +10,8 @@ namespace glisson::fem {
 /// @param neighbours of each vertex, without itself.
 std::vector<int> fill_reducing_order(const std::vector<std::vector<int>>& neighbours);
 
+/// Neighbours close to each other: breadth first from a vertex at the rim, fewer neighbours first (Cuthill
+/// and McKee 1969). What a sweep through the matrix wants.
+std::vector<int> breadth_first_order(const std::vector<std::vector<int>>& neighbours);
+
 }  // namespace glisson::fem

@@ -6,6 +6,7 @@
 #include "factorization.h"
 #include "glisson/core/error.h"
 #include "glisson/fem/integrator.h"
+#include "gmres.h"
 
 namespace glisson::fem {
 namespace {
@@ -16,6 +17,11 @@ bool holds(const Loads& loads, const StaticOptions& options) {
     if (!load.tangent.isZero(0.0)) return true;
   return false;
 }
+
+// Of the unsymmetric system: as exact as Newton's last steps ask for.
+constexpr double kNewtonTolerance = 1e-5;
+constexpr int kNewtonIterations = 60;
+constexpr int kLongestPenalty = 24;
 
 class StaticSolve {
  public:
@@ -65,14 +71,19 @@ class StaticSolve {
     return system_.gather(model_.internal_force(x) + external_);
   }
 
-  /// Whether the last step, if it was an exact one, was worth it: close to the solution it brings much. Where
-  /// it does not (far away, or a load without potential), projected steps for a while, longer each time.
+  /// Whether exact steps are worth it, two at a time: the first may raise the residual (a linear turn swells
+  /// stiff elements) and the second remove nearly all. Where they are not (far away), projected steps for a
+  /// while, longer each time.
   void judge_exact(double residual) {
-    if (last_was_exact_ && !(residual < 0.5 * last_residual_)) {
-      penalty_ = std::min(2 * penalty_, 48);
-      patience_ = penalty_;
+    if (exact_steps_ == 0) before_exact_ = residual;
+    if (exact_steps_ >= 2) {
+      if (!(residual < 0.5 * before_exact_)) {
+        penalty_ = std::min(2 * penalty_, kLongestPenalty);
+        patience_ = penalty_;
+      }
+      exact_steps_ = 0;
+      before_exact_ = residual;
     }
-    last_residual_ = residual;
   }
 
   bool factorise(const Points& x, const Loads& loads, Tangent kind) {
@@ -82,27 +93,64 @@ class StaticSolve {
     return factorization_->factorise(system_.values());
   }
 
-  /// Newton's step with the exact second derivative where that is positive definite (quadratic convergence
-  /// at the end), else with the projected one, which always descends.
+  /// Newton's step with the exact derivative where it can be had (quadratic convergence at the end), else
+  /// with the projected one, which always descends.
   Eigen::VectorXd solve(const Points& x, const Loads& loads, const Eigen::VectorXd& residual) {
-    bool done = false;
-    if (patience_ == 0) {
-      done = factorise(x, loads, Tangent::exact);
-      if (!done) patience_ = penalty_;  // it costs a factorisation to find out: not every time
-    } else {
-      --patience_;
+    const bool try_exact = patience_ == 0;
+    if (!try_exact) --patience_;
+    if (try_exact && factorise(x, loads, Tangent::exact)) {
+      ++exact_steps_;
+      Eigen::VectorXd direction = residual;
+      if (loads.pressure != 0.0)
+        direction = newton_direction(system_.values(), x, loads, residual);
+      else
+        factorization_->solve(direction);
+      return direction;
     }
-    last_was_exact_ = done;
-    // Where even that is singular (too few held nodes), a shift by mass until it factorises.
-    if (!done) done = factorise(x, loads, Tangent::projected);
+    const std::vector<double> exact = try_exact ? system_.values() : std::vector<double>();
+    factorise_projected(x, loads);
+    if (try_exact) {
+      // Not positive definite: still Newton's direction where that descends.
+      Eigen::VectorXd direction = newton_direction(exact, x, loads, residual);
+      if (direction.allFinite() && residual.dot(direction) > 0.0) {
+        ++exact_steps_;
+        return direction;
+      }
+      patience_ = penalty_;  // it costs a factorisation to find out: not every time
+    }
+    exact_steps_ = 0;
+    Eigen::VectorXd direction = residual;
+    factorization_->solve(direction);
+    return direction;
+  }
+
+  /// Where even the projected matrix is singular (too few held nodes), a shift by mass until it factorises.
+  void factorise_projected(const Points& x, const Loads& loads) {
+    bool done = factorise(x, loads, Tangent::projected);
     for (double shift = 1.0; !done; shift *= 10.0) {
       if (shift > 1e12) throw NumericalError("The static solve's matrix is singular; hold more nodes.");
       system_.add_diagonal(model_.lumped_mass(), shift);
       done = factorization_->factorise(system_.values());
     }
-    Eigen::VectorXd direction = residual;
-    factorization_->solve(direction);
-    return direction;
+  }
+
+  /// Solves with the force's whole derivative: `symmetric` (the exact tangents) and the part of the
+  /// pressure's that is not symmetric, since pressure on a part of the surface has no potential. What is
+  /// factorised differs from it by little (that part lives on the rim), so a few iterations do.
+  Eigen::VectorXd newton_direction(const std::vector<double>& symmetric, const Points& x, const Loads& loads,
+                                   const Eigen::VectorXd& residual) {
+    const LinearMap matrix = [&](const Eigen::VectorXd& d, Eigen::VectorXd& product) {
+      system_.multiply(symmetric, d, product);
+      if (loads.pressure == 0.0) return;
+      Points skew = Points::Zero(x.rows(), 3);
+      add_pressure_skew_product(model_.impl(), loads, x, system_.scatter(d), skew);
+      product += system_.gather(skew);
+    };
+    const LinearMap inverse = [&](const Eigen::VectorXd& r, Eigen::VectorXd& d) {
+      d = r;
+      factorization_->solve(d);
+    };
+    return gmres(matrix, inverse, residual, kNewtonTolerance, kNewtonIterations);
   }
 
   /// Armijo's rule on elastic energy less the loads' work along the step (trapezoid: springs and pressure
@@ -116,11 +164,7 @@ class StaticSolve {
     const double before = system_.gather(external_).dot(direction);
     double length = 1.0;
     for (int k = 0; k < 30; ++k, length *= 0.5) {
-      Points trial = x;
-      const BlockPattern& pattern = system_.pattern();
-      for (int u = 0; u < pattern.unknowns; ++u)
-        trial.row(pattern.node_of_unknown[static_cast<std::size_t>(u)]) +=
-            length * direction.segment<3>(3 * u).transpose();
+      const Points trial = x + length * system_.scatter(direction);
       const double trial_energy = model_.energy(trial);
       if (!std::isfinite(trial_energy)) continue;
       Loads trial_loads = loads_(trial);
@@ -132,7 +176,7 @@ class StaticSolve {
       if (!accept && std::abs(change) <= noise * 1e2)
         accept = system_.gather(model_.internal_force(trial) + trial_external).norm() < residual.norm();
       if (!accept) continue;
-      x = std::move(trial);
+      x = trial;
       energy = trial_energy;
       loads = std::move(trial_loads);
       external_ = std::move(trial_external);
@@ -152,8 +196,8 @@ class StaticSolve {
   std::unique_ptr<Factorization> factorization_;
   Points external_;
   int penalty_ = 3, patience_ = 3;  ///< projected steps before the exact derivative is tried
-  bool last_was_exact_ = false;
-  double last_residual_ = 0.0;
+  int exact_steps_ = 0;             ///< in a row, since they were last judged
+  double before_exact_ = 0.0;
 };
 
 }  // namespace

@@ -10,11 +10,16 @@
 
 namespace glisson::fem {
 
-enum class LinearSolver { reference, direct };
+/// How a step's linear system is solved. `reference`: CHOLMOD. `direct`: a factorisation of our own, afresh
+/// every step. `fast`: conjugate gradients with a two-level preconditioner up to a tolerance, afresh every
+/// step too (nothing lags): the choice above some 10,000 tetrahedra.
+enum class LinearSolver { reference, direct, fast };
 
 struct IntegratorOptions {
   double time_step = 0.02;  ///< s
   LinearSolver solver = LinearSolver::direct;
+  double tolerance = 1e-6;   ///< of `fast`: |b - A dx| <= tolerance |b|
+  int max_iterations = 400;  ///< of `fast`; a step that needs more fails
   /// Nodes that do not move (0-based).
   std::vector<int> fixed_nodes;
 
@@ -22,8 +27,11 @@ struct IntegratorOptions {
 };
 
 struct StepSummary {
-  bool ok = true;  ///< false: the matrix was not positive definite or the state not finite; state unchanged
+  /// false: the matrix was not positive definite, the state not finite, or `fast` not converged; the state is
+  /// unchanged.
+  bool ok = true;
   double residual = 0.0;        ///< relative, of the linear solve
+  int iterations = 0;           ///< of `fast`
   double kinetic_energy = 0.0;  ///< J, after the step
   int inverted_tetrahedra = 0;
 };
