@@ -68,6 +68,9 @@ void SimulationOptions::validate() const {
   if (max_iterations < 1)
     throw InputError("simulation options", "max_iterations", "is " + std::to_string(max_iterations),
                      "Give 1 or more");
+  if (!(solver_tolerance >= 1e-12 && solver_tolerance <= 0.1))
+    throw InputError("simulation options", "solver_tolerance", "is " + std::to_string(solver_tolerance),
+                     "Give a relative residual between 1e-12 and 0.1");
   if (!(tolerance > 0.0))
     throw InputError("simulation options", "tolerance", "is not positive", "Give 1e-8 or so");
 }
@@ -83,6 +86,7 @@ Cancellable<SimulationResult> simulate(
   IntegratorOptions integration;
   integration.time_step = options.time_step;
   integration.solver = options.solver;
+  integration.tolerance = options.solver_tolerance;
   integration.fixed_nodes = load.fixed_nodes();
   Integrator integrator(model, integration);
   SimulationResult result;
@@ -97,10 +101,12 @@ Cancellable<SimulationResult> simulate(
     record.milliseconds = milliseconds_since(start);
     if (!step.ok)
       throw NumericalError("Step " + std::to_string(n) +
-                           " of the simulation failed: the system is not positive definite or the state not "
-                           "finite; take a shorter time step or a smaller load.");
+                           " of the simulation failed: the system is not positive definite, the state not "
+                           "finite or the fast solver not converged; take a shorter time step, a smaller "
+                           "load or the direct solver.");
     record.kinetic_energy = step.kinetic_energy;
     record.solver_residual = step.residual;
+    record.solver_iterations = step.iterations;
     record.inverted_tetrahedra = step.inverted_tetrahedra;
     describe(*model, integrator.positions(), record);
     record.force_residual = force_residual(*model, load, integrator.positions(), record.time, false);
@@ -114,13 +120,14 @@ Cancellable<SimulationResult> simulate(
 void write_simulation_csv(const std::filesystem::path& path, const std::vector<SimulationRecord>& records) {
   std::ostringstream text;
   text.precision(9);
-  text << "step,time_s,elastic_energy_j,kinetic_energy_j,solver_residual,force_residual,"
+  text << "step,time_s,elastic_energy_j,kinetic_energy_j,solver_residual,solver_iterations,"
+          "force_residual,"
           "displacement_mean_mm,displacement_max_mm,von_mises_max_pa,inverted_tetrahedra,step_ms\n";
   for (const SimulationRecord& r : records)
     text << r.step << ',' << r.time << ',' << r.elastic_energy << ',' << r.kinetic_energy << ','
-         << r.solver_residual << ',' << r.force_residual << ',' << 1e3 * r.displacement_mean << ','
-         << 1e3 * r.displacement_max << ',' << r.von_mises_max << ',' << r.inverted_tetrahedra << ','
-         << r.milliseconds << '\n';
+         << r.solver_residual << ',' << r.solver_iterations << ',' << r.force_residual << ','
+         << 1e3 * r.displacement_mean << ',' << 1e3 * r.displacement_max << ',' << r.von_mises_max << ','
+         << r.inverted_tetrahedra << ',' << r.milliseconds << '\n';
   write_file_atomically(path, text.str());
 }
 
