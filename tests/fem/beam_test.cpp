@@ -174,6 +174,31 @@ class BeamTest : public QObject {
     }
   }
 
+  void GradientRateIsTheGradientsDerivative() {
+    const BeamSection s = BeamSection::hollow(0.004, 0.0004, kWall);
+    const Eigen::Vector3d p(0.001, 0.002, 0.003), q(0.009, 0.0, 0.006);
+    const BeamElement beam(p, q, s);
+    for (unsigned seed = 0; seed < 60; ++seed) {
+      // From no turn at all over small ones (another branch) to 2 radians and more between the nodes.
+      const double amount = seed == 0 ? 0.0 : seed < 10 ? 1e-5 * seed : 0.02 * seed;
+      const BeamNodeState a = random_node(seed, p, amount), b = random_node(seed + 500, q, amount);
+      const Eigen::Matrix<double, 12, 12> rate = beam.gradient_rate(a, b);
+      for (int c = 0; c < 12; ++c) {
+        const double h = c % 6 < 3 ? 1e-8 : 1e-6;
+        const auto at = [&](double step) {
+          return c < 6 ? beam.gradient(moved(a, c, step), b) : beam.gradient(a, moved(b, c - 6, step));
+        };
+        const Eigen::Matrix<double, 12, 1> numeric = (at(h) - at(-h)) / (2.0 * h);
+        // Forces and moments apart: newtons and newton metres differ by the length.
+        for (int part = 0; part < 4; ++part) {
+          const double scale = numeric.segment<3>(3 * part).norm() + 1e-3 * (part % 2 == 0 ? 1.0 : 0.01);
+          QVERIFY2((rate.block<3, 1>(3 * part, c) - numeric.segment<3>(3 * part)).norm() < 2e-6 * scale,
+                   qPrintable(QString("seed %1 column %2 part %3").arg(seed).arg(c).arg(part)));
+        }
+      }
+    }
+  }
+
   void RigidMotionLeavesNoForce() {
     const Eigen::Vector3d p(0.001, 0.002, 0.003), q(0.009, 0.0, 0.006);
     const BeamElement beam(p, q, BeamSection::hollow(0.004, 0.0004, kWall));

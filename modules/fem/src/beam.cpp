@@ -33,6 +33,19 @@ Eigen::Matrix3d rotation_of(const Eigen::Vector3d& v) {
   return Eigen::AngleAxisd(angle, v / angle).toRotationMatrix();
 }
 
+/// Change of D(psi) u with psi, D the logarithm's derivative in the mean frame (see kinematics()).
+Eigen::Vector3d logarithm_rate(const Eigen::Vector3d& psi, const Eigen::Vector3d& change,
+                               const Eigen::Vector3d& u) {
+  const double angle = psi.norm();
+  if (angle < 1e-3) return (2.0 * psi.dot(change) * u - change * psi.dot(u) - psi * change.dot(u)) / 24.0;
+  const double half = 0.5 * angle, sine = std::sin(half), across = half / sine;
+  const Eigen::Vector3d n = psi / angle;
+  const double along = n.dot(change);
+  const double slope = 0.5 * (sine - half * std::cos(half)) / (sine * sine);
+  const Eigen::Vector3d dn = (change - n * along) / angle;
+  return slope * along * (u - n * n.dot(u)) + (1.0 - across) * (dn * n.dot(u) + n * dn.dot(u));
+}
+
 }  // namespace
 
 BeamSection BeamSection::hollow(double outer_radius, double wall, const Material& material) {
@@ -138,6 +151,42 @@ BeamElement::Rows BeamElement::rows_of(const Kinematics& k) const {
   rows.block<3, 3>(3, 9) = sqrt_kappa_ * k.d_psi * to_mean;
   rows.block<3, 3>(3, 3) = -rows.block<3, 3>(3, 9);
   return rows;
+}
+
+Eigen::Matrix<double, 12, 12> BeamElement::gradient_rate(const BeamNodeState& a,
+                                                         const BeamNodeState& b) const {
+  const Kinematics k = kinematics(a, b);
+  const Eigen::Vector3d n = c_gamma_ * k.gamma, couple = c_kappa_ * k.psi / length_;
+  const Eigen::Vector3d q = n.cross(k.chord);
+  const Eigen::Vector3d difference = k.d_psi * couple - k.d_mean.transpose() * q;
+  const double angle = k.psi.norm();
+  Eigen::Matrix<double, 12, 12> rate;
+  for (int column = 0; column < 12; ++column) {
+    Eigen::Matrix<double, 12, 1> move = Eigen::Matrix<double, 12, 1>::Zero();
+    move[column] = 1.0;
+    // Everything in the mean frame, which itself turns by `spin`.
+    const Eigen::Vector3d apart = k.mean.transpose() * (move.segment<3>(6) - move.segment<3>(0));
+    const Eigen::Vector3d first = k.mean.transpose() * move.segment<3>(3);
+    const Eigen::Vector3d second = k.mean.transpose() * move.segment<3>(9);
+    const Eigen::Vector3d spin = 0.5 * (first + second) - k.d_mean * (second - first);
+    const Eigen::Vector3d psi = k.d_psi * (second - first);
+    const Eigen::Vector3d chord = apart - spin.cross(k.chord);
+    const Eigen::Vector3d dn = c_gamma_ * chord / length_;
+    const Eigen::Vector3d dq = dn.cross(k.chord) + n.cross(chord);
+    const Eigen::Vector3d dm = k.d_psi * (c_kappa_ * psi) / length_ + logarithm_rate(k.psi, psi, couple);
+    // d_mean^T q = -tan(t/4) / (2 t) psi x q
+    const double factor = angle < 1e-4 ? 0.25 : std::tan(0.25 * angle) / angle;
+    const double slope =
+        angle < 1e-3 ? angle / 96.0 : (0.25 / std::pow(std::cos(0.25 * angle), 2) - factor) / angle;
+    const double turn = angle > 1e-150 ? slope * k.psi.dot(psi) / angle : 0.0;
+    const Eigen::Vector3d d_shared =
+        -0.5 * (turn * k.psi + factor * psi).cross(q) + k.d_mean.transpose() * dq;
+    const Eigen::Vector3d d_difference = dm - d_shared;
+    const Eigen::Vector3d force = k.mean * (dn + spin.cross(n));
+    rate.col(column) << -force, k.mean * (0.5 * dq - d_difference + spin.cross(0.5 * q - difference)), force,
+        k.mean * (0.5 * dq + d_difference + spin.cross(0.5 * q + difference));
+  }
+  return rate;
 }
 
 }  // namespace glisson::fem

@@ -216,7 +216,7 @@ void BlockSystem::assemble(const Points& x, double scale, Tangent kind, Points& 
   force.setZero(x.rows(), 3);
   add_tetrahedra(x, scale, kind, force);
   add_membranes(x, scale, kind, force);
-  add_beams(x, scale, force);
+  add_beams(x, scale, kind, force);
 }
 
 void BlockSystem::add_tetrahedra(const Points& x, double scale, Tangent kind, Points& force) {
@@ -252,7 +252,47 @@ void BlockSystem::add_membranes(const Points& x, double scale, Tangent kind, Poi
   }
 }
 
-void BlockSystem::add_beams(const Points& x, double scale, Points& force) {
+void BlockSystem::add_exact_beam(std::size_t number, const std::array<const BoundState*, 2>& ends,
+                                 const Points& x, double scale, Points& force) {
+  const VesselBeams& vessels = model_.vessels;
+  const VesselBeam& beam = vessels.beams[number];
+  const BeamElement::Gradient gradient = beam.element.gradient(ends[0]->state, ends[1]->state);
+  Eigen::Matrix<double, 12, 24> j = Eigen::Matrix<double, 12, 24>::Zero();
+  const std::array<const BoundNode*, 2> nodes{&vessels.nodes[static_cast<std::size_t>(beam.a)],
+                                              &vessels.nodes[static_cast<std::size_t>(beam.b)]};
+  for (int end = 0; end < 2; ++end)
+    for (int i = 0; i < 4; ++i) {
+      const auto e = static_cast<std::size_t>(end);
+      j.block<3, 3>(6 * end, 12 * end + 3 * i) = nodes[e]->weights[i] * Eigen::Matrix3d::Identity();
+      j.block<3, 3>(6 * end + 3, 12 * end + 3 * i) = ends[e]->turn[static_cast<std::size_t>(i)];
+    }
+  Eigen::Matrix<double, 24, 24> k =
+      j.transpose() * beam.element.gradient_rate(ends[0]->state, ends[1]->state) * j;
+  for (int end = 0; end < 2; ++end) {
+    const BoundNode& node = *nodes[static_cast<std::size_t>(end)];
+    add_bound_force(node, model_.tetrahedra, *ends[static_cast<std::size_t>(end)],
+                    gradient.segment<6>(6 * end), force);
+    k.block<12, 12>(12 * end, 12 * end) +=
+        binding_curvature(node, model_.tetrahedra[static_cast<std::size_t>(node.tetrahedron)], x,
+                          gradient.segment<3>(6 * end + 3));
+  }
+  // Sorted into the blocks of the nodes that the two tetrahedra have together.
+  const BeamCoupling& coupling = couplings_[number];
+  Eigen::Matrix<double, 24, 24> together = Eigen::Matrix<double, 24, 24>::Zero();
+  for (int a = 0; a < 8; ++a)
+    for (int b = 0; b < 8; ++b)
+      together.block<3, 3>(3 * coupling.place[static_cast<std::size_t>(a)],
+                           3 * coupling.place[static_cast<std::size_t>(b)]) +=
+          scale * k.block<3, 3>(3 * a, 3 * b);
+  std::size_t slot = 0;
+  for (int a = 0; a < coupling.count; ++a)
+    for (int b = 0; b <= a; ++b)
+      Eigen::Map<Eigen::Matrix3d>(values_.data() +
+                                  9 * static_cast<std::ptrdiff_t>(coupling.blocks[slot++])) +=
+          together.block<3, 3>(3 * a, 3 * b);
+}
+
+void BlockSystem::add_beams(const Points& x, double scale, Tangent kind, Points& force) {
   const VesselBeams& vessels = model_.vessels;
   const std::vector<BoundState> states = bound_states(vessels, model_.tetrahedra, x);
   const double root = std::sqrt(scale);
@@ -261,6 +301,10 @@ void BlockSystem::add_beams(const Points& x, double scale, Points& force) {
     const BeamCoupling& coupling = couplings_[n];
     const BoundState &first = states[static_cast<std::size_t>(beam.a)],
                      &second = states[static_cast<std::size_t>(beam.b)];
+    if (kind == Tangent::exact) {
+      add_exact_beam(n, {&first, &second}, x, scale, force);
+      continue;
+    }
     BeamElement::Gradient gradient;
     BeamElement::Rows rows;
     beam.element.linearise(first.state, second.state, gradient, rows);

@@ -71,7 +71,9 @@ class BlockSystem {
   void build_couplings();
   void add_tetrahedra(const Points& x, double scale, Tangent kind, Points& force);
   void add_membranes(const Points& x, double scale, Tangent kind, Points& force);
-  void add_beams(const Points& x, double scale, Points& force);
+  void add_beams(const Points& x, double scale, Tangent kind, Points& force);
+  void add_exact_beam(std::size_t beam, const std::array<const BoundState*, 2>& ends, const Points& x,
+                      double scale, Points& force);
 
   const CompositeModel::Impl& model_;
   const BatchKernels& kernels_;

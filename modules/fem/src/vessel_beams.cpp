@@ -89,6 +89,36 @@ BoundState bound_state(const BoundNode& node, const Tetrahedron& element, const 
   return bound;
 }
 
+Eigen::Matrix<double, 12, 12> binding_curvature(const BoundNode& node, const Tetrahedron& element,
+                                                const Points& x, const Eigen::Vector3d& moment) {
+  const BoundState bound = bound_state(node, element, x, true);
+  const Eigen::Matrix3d f = element.deformation_gradient(x);
+  const Polar polar = polar_decomposition(f);
+  const Eigen::Matrix3d rate = rotation_rate(polar);
+  const Eigen::Matrix<double, 3, 4> g = polar.rotation * element.gradients;
+  const auto cross = [](const Eigen::Vector3d& v) {
+    Eigen::Matrix3d m;
+    m << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
+    return m;
+  };
+  Eigen::Matrix<double, 12, 12> curvature;
+  for (int i = 0; i < 4; ++i)
+    for (int k = 0; k < 3; ++k) {
+      // Node i moves along axis k: the frame spins, the stretch changes, and with them J's rows.
+      const Eigen::Matrix3d spin = cross(bound.turn[static_cast<std::size_t>(i)].col(k));
+      Eigen::Matrix3d df = -spin * f;
+      df.row(k) += element.gradients.col(i).transpose();
+      const Eigen::Matrix3d stretch = df * polar.rotation.transpose();  // Q dS Q^T
+      const Eigen::Matrix3d sums = stretch.trace() * Eigen::Matrix3d::Identity() - stretch;
+      const Eigen::Matrix3d d_rate = spin * rate - rate * spin - rate * sums * rate;
+      for (int j = 0; j < 4; ++j) {
+        const Eigen::Matrix3d d_turn = d_rate * cross(g.col(j)) + rate * cross(spin * g.col(j));
+        curvature.block<3, 1>(3 * j, 3 * i + k) = d_turn.transpose() * moment;
+      }
+    }
+  return curvature;
+}
+
 std::vector<BoundState> bound_states(const VesselBeams& vessels, const std::vector<Tetrahedron>& tetrahedra,
                                      const Points& x) {
   std::vector<BoundState> states;

@@ -43,6 +43,10 @@ BoundState bound_state(const BoundNode& node, const Tetrahedron& element, const 
 /// Of all nodes, with J's rows.
 std::vector<BoundState> bound_states(const VesselBeams& vessels, const std::vector<Tetrahedron>& tetrahedra,
                                      const Points& x);
+/// What J's change adds to a bound node's stiffness: the derivative of J^T (0, moment) with the moment held,
+/// over the tetrahedron's nodes. @pre the element is neither inverted nor nearly flat.
+Eigen::Matrix<double, 12, 12> binding_curvature(const BoundNode& node, const Tetrahedron& element,
+                                                const Points& x, const Eigen::Vector3d& moment);
 /// Adds minus J^T gradient (force and moment on the bound node) to the nodal forces.
 void add_bound_force(const BoundNode& node, const std::vector<Tetrahedron>& tetrahedra,
                      const BoundState& bound, const Eigen::Matrix<double, 6, 1>& gradient, Points& force);

@@ -46,6 +46,9 @@ class BeamElement {
   Gradient gradient(const BeamNodeState& a, const BeamNodeState& b) const;
   /// Square root of the tangent without the strains' second derivatives (exact at rest): K_v = rows^T rows.
   Rows stiffness_rows(const BeamNodeState& a, const BeamNodeState& b) const;
+  /// The gradient's whole derivative, columns as in Gradient. Not symmetric away from equilibrium (spatial
+  /// rotation vectors do not commute); bound to a body's displacements (vessel_beams.h) it becomes so.
+  Eigen::Matrix<double, 12, 12> gradient_rate(const BeamNodeState& a, const BeamNodeState& b) const;
   /// Both at once.
   void linearise(const BeamNodeState& a, const BeamNodeState& b, Gradient& gradient, Rows& rows) const;
 

@@ -9,7 +9,7 @@
 namespace glisson::fem {
 
 /// The model's tangent stiffness at node positions x: 3N x 3N, N/m, symmetric, both triangles, three rows a
-/// node. `exact` is minus the internal force's derivative but for the beams' geometric part.
+/// node. `exact` is minus the internal force's derivative.
 /// @pre x holds one row a node.
 Eigen::SparseMatrix<double> stiffness_matrix(const CompositeModel& model, const Points& x, Tangent kind);
 

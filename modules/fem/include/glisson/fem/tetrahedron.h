@@ -18,11 +18,11 @@ struct Lame {
 };
 
 /// What stands in the system matrix for an element's second derivative. All are symmetric, the first two also
-/// positive semi-definite.
+/// positive semi-definite (beams: the strains' squares without their second derivatives).
 enum class Tangent {
   rotated,    ///< R^T K0 R: linear elasticity in the current frame (paper, eq. 3). Neo-Hookean: as projected
   projected,  ///< the exact second derivative with its negative eigenvalues set to zero
-  exact       ///< the second derivative itself (beams: without the strains' second derivatives)
+  exact       ///< the second derivative itself
 };
 
 /// One linear tetrahedron with an isotropic law. Co-rotational: psi = mu |S - I|^2 + lambda/2 tr(S - I)^2
