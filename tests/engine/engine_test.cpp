@@ -87,6 +87,17 @@ Engine::Options options(Runner runner) {
   return made;
 }
 
+/// Threaded; a command T waits at the gate before it does anything.
+template <class T>
+Engine::Options gated(const std::shared_ptr<Gate>& gate) {
+  Engine::Options made = options(Runner::threaded);
+  made.apply = [gate](const CaseState& state, const Command& command, const RunContext& context) {
+    if (std::holds_alternative<T>(command)) gate->pass();
+    return write_parts(state, command, context);
+  };
+  return made;
+}
+
 StereoFrame numbered(int index) {
   StereoFrame frame;
   frame.index = index;
@@ -335,12 +346,7 @@ void EngineTest::ACancelBeforeTheStartIsNotLost() {
 
 void EngineTest::ACancelDuringTheWorkIsNotLost() {
   auto gate = std::make_shared<Gate>();
-  Engine::Options made = options(Runner::threaded);
-  made.apply = [&](const CaseState& state, const Command& command, const RunContext& context) {
-    gate->pass();
-    return write_parts(state, command, context);
-  };
-  Engine engine(std::move(made));
+  Engine engine(gated<ImportImage>(gate));
   const CommandId id = engine.post(ImportImage{});
   gate->wait_for_arrival();
   engine.cancel(id);
@@ -369,12 +375,7 @@ void EngineTest::ACancelThatComesBeforeTheCommitWins() {
 
 void EngineTest::EditsOvertakeWorkThatTheyDoNotTouch() {
   auto gate = std::make_shared<Gate>();
-  Engine::Options made = options(Runner::threaded);
-  made.apply = [&](const CaseState& state, const Command& command, const RunContext& context) {
-    if (std::holds_alternative<ImportImage>(command)) gate->pass();
-    return write_parts(state, command, context);
-  };
-  Engine engine(std::move(made));
+  Engine engine(gated<ImportImage>(gate));
   const CommandId work = engine.post(ImportImage{});
   gate->wait_for_arrival();
   QCOMPARE(engine.wait(engine.post(SetSeeds{})).status,
@@ -430,12 +431,7 @@ void EngineTest::NewestFrameWins() {
 
 void EngineTest::LiveFramesGoOnBesideLongWork() {
   auto gate = std::make_shared<Gate>();
-  Engine::Options made = options(Runner::threaded);
-  made.apply = [&](const CaseState& state, const Command& command, const RunContext& context) {
-    if (std::holds_alternative<ImportImage>(command)) gate->pass();
-    return write_parts(state, command, context);
-  };
-  Engine engine(std::move(made));
+  Engine engine(gated<ImportImage>(gate));
   engine.wait(engine.post(StartTracking{}));
   const CommandId work = engine.post(ImportImage{});
   gate->wait_for_arrival();

@@ -151,7 +151,15 @@ class PatientTest : public QObject {
   void PopulationIsValid();
 
  private:
+  /// One member of the population, on a coarse grid; made when it is first asked for.
+  const SyntheticPatient& member(int seed) {
+    auto& made = population_[seed];
+    if (!made) made = make_patient(coarse(static_cast<std::uint64_t>(seed)), RunContext());
+    return *made;
+  }
+
   SyntheticPatient patient_;
+  std::map<int, Cancellable<SyntheticPatient>> population_;
 };
 
 void PatientTest::initTestCase() {
@@ -162,7 +170,7 @@ void PatientTest::initTestCase() {
 }
 
 void PatientTest::SameSeedGivesTheSameBits() {
-  const auto a = make_patient(coarse(3), RunContext());
+  const SyntheticPatient* a = &member(3);
   const auto b = make_patient(coarse(3), RunContext());
   QVERIFY(*a->ct.voxels == *b->ct.voxels);
   QVERIFY(a->truth.voxels == b->truth.voxels);
@@ -172,8 +180,7 @@ void PatientTest::SameSeedGivesTheSameBits() {
 }
 
 void PatientTest::OtherSeedGivesAnotherPatient() {
-  const auto a = make_patient(coarse(3), RunContext());
-  const auto b = make_patient(coarse(6), RunContext());
+  const SyntheticPatient *a = &member(3), *b = &member(6);
   const auto distance = surface_distance(a->surfaces.front().mesh, b->surfaces.front().mesh, 2000);
   QVERIFY2(distance.forward.mean > 1e-3, qPrintable(QString::number(distance.forward.mean)));
   QVERIFY(a->trees[0].nodes.rows() != b->trees[0].nodes.rows() || a->trees[0].nodes != b->trees[0].nodes);
@@ -263,19 +270,22 @@ void PatientTest::LabelsAndSurfacesAgree() {
   // The liver's surface encloses exactly the voxels of its body: checked voxel by voxel away from the
   // surface.
   const TriangleMesh& liver = surface(patient_, structure::kParenchyma);
+  const VolumeGrid& grid = patient_.truth.voxels.grid();
   std::mt19937_64 random(7);
-  int checked = 0;
-  for (int i = 0; i < 400; ++i) {
-    const VolumeGrid& grid = patient_.truth.voxels.grid();
+  Points places(400, 3);
+  std::vector<Label> labels;
+  for (Eigen::Index i = 0; i < places.rows(); ++i) {
     const Eigen::Vector3i v(20 + static_cast<int>(random() % 180), 20 + static_cast<int>(random() % 160),
                             10 + static_cast<int>(random() % 130));
-    const Eigen::Vector3d p = grid.p_in_ct(v.cast<double>()).xyz;
-    const Label label = patient_.truth.voxels.at(v);
-    if (label == structure::kPortalVein || label == structure::kHepaticVeins) continue;
-    Points one(1, 3);
-    one.row(0) = p.transpose();
-    if (distances_to_surface(one, liver).front() < 1e-4) continue;
-    QCOMPARE(inside_mesh(liver, p), of_liver(label));
+    places.row(i) = grid.p_in_ct(v.cast<double>()).xyz.transpose();
+    labels.push_back(patient_.truth.voxels.at(v));
+  }
+  const std::vector<double> distances = distances_to_surface(places, liver);
+  int checked = 0;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (labels[i] == structure::kPortalVein || labels[i] == structure::kHepaticVeins) continue;
+    if (distances[i] < 1e-4) continue;
+    QCOMPARE(inside_mesh(liver, places.row(static_cast<Eigen::Index>(i)).transpose()), of_liver(labels[i]));
     ++checked;
   }
   QVERIFY(checked > 300);
@@ -551,7 +561,7 @@ void PatientTest::PopulationIsValid_data() {
 
 void PatientTest::PopulationIsValid() {
   QFETCH(int, seed);
-  const auto patient = make_patient(coarse(static_cast<std::uint64_t>(seed)), RunContext());
+  const SyntheticPatient* patient = &member(seed);
   const TriangleMesh& liver = surface(*patient, structure::kParenchyma);
   QVERIFY(is_closed(liver));
   const double litres = 1e3 * volume(liver);
