@@ -81,7 +81,9 @@ QWidget* LinkedViews::make_volume_pane() {
        {tr("L"), tr("Look from the patient's left"), scene::ViewFrom::left},
        {tr("S"), tr("Look from above (superior)"), scene::ViewFrom::superior},
        {tr("I"), tr("Look from below (inferior)"), scene::ViewFrom::inferior}}};
-  row->addWidget(make_explanation(tr("Look from"), bar));
+  auto* caption = make_explanation(tr("Look from"), bar);
+  caption->setWordWrap(false);
+  row->addWidget(caption);
   for (const auto& [name, explanation, from] : sides) {
     auto* button = new QToolButton(bar);
     button->setText(name);

@@ -40,7 +40,7 @@ std::shared_ptr<const DrawableModel> make_drawable(std::shared_ptr<const Patient
     DrawableSurface surface;
     surface.structure = label;
     // The liver is large and smooth: it needs fewer triangles than branches do.
-    const int most = label == structure::kParenchyma ? std::max(1, triangles * 2 / 5) : triangles;
+    const int most = label == structure::kParenchyma ? std::max(1, triangles * 2 / 3) : triangles;
     surface.mesh = simplified(structure_surface(*model, label), most);
     if (surface.mesh.triangle_count() == 0) continue;
     if (has_mesh) {

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/shell/screenshot_tour.h"
 
+#include <QBuffer>
 #include <QPixmap>
+#include <QSaveFile>
 #include <QTimer>
 #include <array>
 
 #include "glisson/ui/common/task_button.h"
 #include "glisson/ui/guidance/guidance_panel.h"
+#include "glisson/ui/scene/picture_image.h"
 
 namespace glisson::ui {
 namespace {
@@ -14,19 +17,35 @@ namespace {
 constexpr std::array<const char*, 6> kNames = {"welcome", "segmentation", "model",
                                                "atlas",   "stereo",       "guidance"};
 constexpr int kSettle = 700;        ///< milliseconds for a panel to draw itself
-constexpr int kLivePictures = 12;   ///< tracked before the live view is taken
+constexpr int kLivePictures = 6;   ///< tracked before the live view is taken
 constexpr int kLongestWait = 8000;  ///< milliseconds for them
 constexpr int kAsk = 20;            ///< milliseconds between questions
 
-/// Bright colours in steps of 8: a camera's noise would make the files of a manual several times as large.
-QImage light(QImage image) {
+/// Bright colours rounded to `bits`: a camera's noise makes the files of a manual several times as large.
+QImage rounded(QImage image, unsigned bits) {
   image.convertTo(QImage::Format_RGB32);
+  const QRgb low = 0x00010101U * ((1U << bits) - 1U);
   for (int y = 0; y < image.height(); ++y) {
     auto* row = reinterpret_cast<QRgb*>(image.scanLine(y));
     for (int x = 0; x < image.width(); ++x)
-      if ((row[x] & 0x00c0c0c0U) != 0) row[x] = (row[x] & 0xfff8f8f8U) | (row[x] >> 5U & 0x00070707U);
+      if ((row[x] & 0x00c0c0c0U) != 0) row[x] = (row[x] & ~low) | (low / 2U & low);
   }
   return image;
+}
+
+/// As many of the colours' bits as the file's size allows.
+bool save_light(const QImage& image, const QString& path) {
+  constexpr qsizetype kLargestFile = 380000;  // bytes
+  QByteArray bytes;
+  for (const unsigned bits : {2U, 3U, 4U}) {
+    bytes.clear();
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    if (!rounded(image, bits).save(&buffer, "PNG", 0)) return false;
+    if (bytes.size() <= kLargestFile) break;
+  }
+  QSaveFile file(path);
+  return file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit();
 }
 
 }  // namespace
@@ -69,8 +88,12 @@ void ScreenshotTour::visit() {
 void ScreenshotTour::shoot() {
   const QString file = QStringLiteral("%1/%2.png")
                            .arg(folder_, QString::fromLatin1(kNames[static_cast<std::size_t>(step_ + 1)]));
-  all_saved_ = light(window_.grab().toImage()).save(file) && all_saved_;
+  all_saved_ = save_light(window_.grab().toImage(), file) && all_saved_;
   if (step_ == MainWindow::guidance) {
+    const Picture& augmented = window_.findChild<GuidancePanel*>()->picture().picture();
+    if (!augmented.empty())
+      all_saved_ =
+          save_light(scene::copy_to_image(augmented), folder_ + QStringLiteral("/overlay.png")) && all_saved_;
     emit finished(all_saved_);
     return;
   }

@@ -25,6 +25,6 @@ struct DrawableModel {
 };
 /// @param triangles at most about so many a structure. @pre model is not null.
 std::shared_ptr<const DrawableModel> make_drawable(std::shared_ptr<const PatientModel> model,
-                                                   int triangles = 20000);
+                                                   int triangles = 12000);
 
 }  // namespace glisson::scene

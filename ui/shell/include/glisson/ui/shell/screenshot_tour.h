@@ -9,8 +9,9 @@
 namespace glisson::ui {
 
 /// Walks through the panels of a window that has a case open and saves a picture of each: segmentation.png,
-/// model.png, atlas.png, stereo.png, guidance.png. For the manual: run the program with GLISSON_SCREENSHOTS
-/// set to a folder.
+/// model.png, atlas.png, stereo.png, guidance.png (with the live view running where there is a video), and
+/// its augmented picture alone as overlay.png; of a window without a case welcome.png first. For the manual:
+/// run the program with GLISSON_SCREENSHOTS set to a folder.
 class ScreenshotTour : public QObject {
   Q_OBJECT
  public:
