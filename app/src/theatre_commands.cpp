@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From the pictures to the registered, tracked model: reconstruct, register, track.
+#include <Eigen/LU>
 #include <QRegularExpression>
 #include <algorithm>
 #include <cmath>

@@ -134,6 +134,8 @@ class CalibrationIoTest : public QObject {
     row("M not a camera", replaced(good, "[ 900., 0., 470.", "[ -900., 0., 470."), "M1");
     row("M of text", replaced(good, "M1: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n", "M1:\n"),
         "M1");
+    row("a matrix of terabytes", replaced(good, "rows: 4\n   cols: 1", "rows: 400000000\n   cols: 1000"),
+        "D1");
     row("NaN", replaced(good, "[ -4.5,", "[ .Nan,"), "T");
   }
   void BadInputIsRefusedAndNamed() {

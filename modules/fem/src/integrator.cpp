@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/fem/integrator.h"
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 #include "block_matrix.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/stereo/calibration_io.h"
 
+#include <Eigen/LU>
 #include <cmath>
 #include <cstdio>
 #include <opencv2/core.hpp>
@@ -55,8 +56,16 @@ class Reader {
 
   cv::Mat matrix(const char* name) const {
     cv::Mat read, values;
+    const cv::FileNode found = node(name);
     try {
-      node(name) >> read;
+      // OpenCV would reserve whatever size the file claims.
+      const auto side = [&](const char* key) {
+        return found[key].isInt() ? static_cast<int>(found[key]) : 0;
+      };
+      const int rows = side("rows"), columns = side("cols");
+      if (rows < 1 || rows > 16 || columns < 1 || columns > 16)
+        throw InputError(file_, name, "is not a matrix of a calibration's size", kCalibrateAgain);
+      found >> read;
       read.convertTo(values, CV_64F);
     } catch (const cv::Exception&) {
       throw InputError(file_, name, "is not a matrix", kCalibrateAgain);
