@@ -8,6 +8,8 @@
 #include "glisson/fem/loads_io.h"
 #include "glisson/fem/materials.h"
 #include "glisson/fem/simulate.h"
+#include "glisson/fem/stiffness.h"
+#include "glisson/geometry/mesh_io.h"
 
 using namespace glisson;
 using namespace glisson::fem;
@@ -100,6 +102,10 @@ class LoadsTest : public QObject {
     QTest::newRow("box inside out")
         << R"({"pressure": {"pascal": 1, "region": {"low_mm": [1, 0, 0], "high_mm": [0, 1, 1]}}})"
         << "pressure.region.low_mm";
+    QTest::newRow("nothing moved") << R"({"moved": [{"by_mm": [1, 0, 0]}]})"
+                                   << "moved[0]";
+    QTest::newRow("moved nowhere") << R"({"moved": [{"nodes": [1]}]})"
+                                   << "moved[0].by_mm";
     QTest::newRow("negative ramp") << R"({"gravity": {"to": "prone"}, "ramp_s": -1})"
                                    << "ramp_s";
   }
@@ -121,6 +127,8 @@ class LoadsTest : public QObject {
     for (const char* text : {R"({"forces": [{"node": 100000, "newton": [0, 0, 1]}]})",
                              R"({"pressure": {"pascal": 1, "triangles": [100000]}})",
                              R"({"gravity": {"to": "prone"}, "fixed": {"nodes": [100000]}})",
+                             R"({"moved": [{"nodes": [100000], "by_mm": [1, 0, 0]}]})",
+                             R"({"fixed": {"nodes": [5]}, "moved": [{"nodes": [5], "by_mm": [1, 0, 0]}]})",
                              R"({"gravity": {"to": "prone"},
                                  "fixed": {"region": {"centre_mm": [900, 0, 0], "radius_mm": 1}}})"})
       QVERIFY_EXCEPTION_THROWN(AppliedLoad(parsed(text), *model), InputError);
@@ -146,6 +154,75 @@ class LoadsTest : public QObject {
     for (const int node : end) moved += (result->positions(node, 0) - 0.05) / static_cast<double>(end.size());
     QVERIFY2(moved > 0.85 * expected && moved < 1.02 * expected,
              qPrintable(QString::number(moved / expected)));
+  }
+
+  void MovedNodesStretchTheBar() {
+    // Led 1 mm apart and back in line with the bar's stiffness: statically at once, dynamically by a ramp.
+    const auto model = bar();
+    const LoadCase load = parsed(R"({
+      "moved": [{"region": {"low_mm": [49.9, -1, -1], "high_mm": [51, 21, 21]}, "by_mm": [1, 0, 0]}],
+      "fixed": {"region": {"low_mm": [-1, -1, -1], "high_mm": [0.1, 21, 21]}}, "ramp_s": 0.2})");
+    const std::vector<int> end = nodes_at(model->mesh(), 0, 0.05);
+    SimulationOptions options;
+    options.static_solve = true;
+    const auto at_once = simulate(model, load, options, RunContext());
+    QVERIFY(at_once && at_once->converged);
+    double pull = 0.0;
+    const Points force = model->internal_force(at_once->positions);
+    for (const int node : end) {
+      QVERIFY(std::abs(at_once->positions(node, 0) - 0.051) < 1e-15);
+      pull -= force(node, 0);
+    }
+    // Its ends cannot narrow, and ten cells are few: stiffer than E A / L by a quarter.
+    const double expected = 3500.0 * 0.02 * 0.02 * 0.001 / 0.05;
+    QVERIFY2(pull > expected && pull < 1.3 * expected, qPrintable(QString::number(pull / expected)));
+    options.static_solve = false;
+    options.steps = 200;
+    const auto ramped = simulate(model, load, options, RunContext());
+    QVERIFY(ramped);
+    QVERIFY(std::abs(ramped->records[4].displacement_max - 0.0005) < 1e-12);
+    QVERIFY((ramped->positions - at_once->positions).rowwise().norm().maxCoeff() < 1e-6);
+  }
+
+  void SpringsTangentIsTheForcesDerivative() {
+    const auto model = bar();
+    const LoadCase load = parsed(R"({"springs": [
+      {"point_mm": [21, 7, 9], "newton_per_metre": 40, "target_mm": [25, 3, 12]},
+      {"region": {"centre_mm": [50, 10, 10], "radius_mm": 12}, "newton_per_metre": 70}]})");
+    const AppliedLoad applied(load, *model);
+    const Points x = bent(model->mesh().vertices), direction = noise(x.rows(), 1.0, 4);
+    const auto force = [&](const Points& y) { return external_force(*model, applied.at(y), y); };
+    const double h = 1e-4;  // linear in x: only round-off
+    const Points numeric = (force(x - h * direction) - force(x + h * direction)) / (2.0 * h);
+    const Eigen::VectorXd product = load_stiffness_matrix(*model, applied.at(x), x, Tangent::rotated) *
+                                    Eigen::Map<const Eigen::VectorXd>(direction.data(), direction.size());
+    const Eigen::Map<const Eigen::VectorXd> expected(numeric.data(), numeric.size());
+    QVERIFY((product - expected).norm() < 1e-10 * expected.norm());
+  }
+
+  void MeshesInMillimetresAndMetresGiveTheSameAnswer() {
+    // One organ in two files; the load file is in millimetres whatever the mesh's unit.
+    TemporaryFolder folder;
+    TetMesh mesh = block_mesh({5, 2, 2}, {0.05, 0.02, 0.02});
+    shake(mesh, 0.001, 2);
+    const LoadCase load = parsed(R"({"gravity": {"to": "left_flank"}, "pressure": {"pascal": 200},
+      "springs": [{"point_mm": [40, 10, 10], "newton_per_metre": 20, "target_mm": [42, 8, 10]}],
+      "fixed": {"region": {"low_mm": [-1, -1, -1], "high_mm": [0.1, 21, 21]}}})");
+    SimulationOptions options;
+    options.steps = 10;
+    Points results[2];
+    for (int k = 0; k < 2; ++k) {
+      const LengthUnit unit = k == 0 ? LengthUnit::millimetre : LengthUnit::metre;
+      const auto path = folder.path() / (k == 0 ? "mm.vtu" : "m.vtu");
+      write_tet_mesh(path, mesh, unit);
+      const auto model = std::make_shared<const CompositeModel>(
+          read_tet_mesh(path, unit), std::vector<VesselTree>{}, composite_preset("healthy"));
+      const auto result = simulate(model, load, options, RunContext());
+      QVERIFY(result);
+      results[k] = result->positions;
+    }
+    QVERIFY((results[0] - mesh.vertices).norm() > 1e-3);
+    QVERIFY((results[0] - results[1]).cwiseAbs().maxCoeff() < 1e-12);
   }
 
   void DynamicSimulationWritesOneLineAStep() {

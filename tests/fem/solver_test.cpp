@@ -7,9 +7,12 @@
 
 #include "cholmod_factorization.h"
 #include "ellipsoid_mesh.h"
+#include "external_loads.h"
 #include "front_tree.h"
 #include "glisson/core/error.h"
 #include "glisson/fem/integrator.h"
+#include "glisson/fem/stiffness.h"
+#include "gmres.h"
 #include "multifrontal_factorization.h"
 #include "two_level_solver.h"
 
@@ -131,6 +134,52 @@ class SolverTest : public QObject {
       solver->solve(x);
       QVERIFY((x - expected).norm() < 1e-10 * expected.norm());
     }
+  }
+
+  void PartialPressuresTangentIsASymmetricPartAndTheRest() {
+    const CompositeModel model(ellipsoid_mesh(6), {}, {});
+    Loads loads;
+    loads.pressure = 1000.0;
+    const Points normals = triangle_normals(model.surface().mesh);
+    for (int t = 0; t < normals.rows(); ++t)
+      if (normals(t, 2) > 0.5) loads.pressure_triangles.push_back(t);
+    const Points x = bent(model.mesh().vertices), direction = noise(x.rows(), 1.0, 3);
+    const double h = 1e-6;
+    const Points numeric =
+        (external_force(model, loads, x - h * direction) - external_force(model, loads, x + h * direction)) /
+        (2.0 * h);
+    const Eigen::Map<const Eigen::VectorXd> flat(direction.data(), direction.size());
+    const Eigen::VectorXd symmetric = load_stiffness_matrix(model, loads, x, Tangent::exact) * flat;
+    Points product = Eigen::Map<const Points>(symmetric.data(), x.rows(), 3);
+    const double without = (product - numeric).norm();
+    add_pressure_skew_product(model.impl(), loads, x, direction, product);
+    QVERIFY((product - numeric).norm() < 1e-7 * numeric.norm());
+    QVERIFY(without > 0.01 * numeric.norm());
+    // The rest is skew: it gives no work along a direction.
+    Points skew = Points::Zero(x.rows(), 3);
+    add_pressure_skew_product(model.impl(), loads, x, direction, skew);
+    QVERIFY(std::abs(skew.cwiseProduct(direction).sum()) < 1e-12 * skew.norm() * direction.norm());
+  }
+
+  void GmresSolvesWhatIsNotSymmetric() {
+    // A symmetric matrix and a skew one; the first is inverted, the second is what iterations are for.
+    constexpr int kSize = 40;
+    const Eigen::MatrixXd r = Eigen::MatrixXd(noise(kSize * kSize / 3 + 1, 1.0, 5))
+                                  .reshaped()
+                                  .head(kSize * kSize)
+                                  .reshaped(kSize, kSize);
+    const Eigen::MatrixXd symmetric = r * r.transpose() + Eigen::MatrixXd::Identity(kSize, kSize);
+    const Eigen::MatrixXd skew = 0.5 * (r - r.transpose());
+    const Eigen::MatrixXd whole = symmetric + skew;
+    const Eigen::LLT<Eigen::MatrixXd> factor(symmetric);
+    const Eigen::VectorXd b = r.col(3);
+    const LinearMap matrix = [&](const Eigen::VectorXd& x, Eigen::VectorXd& y) { y = whole * x; };
+    const LinearMap inverse = [&](const Eigen::VectorXd& x, Eigen::VectorXd& y) { y = factor.solve(x); };
+    const Eigen::VectorXd x = gmres(matrix, inverse, b, 1e-10, kSize);
+    QVERIFY((whole * x - b).norm() < 1e-9 * b.norm());
+    const Eigen::VectorXd expected = whole.partialPivLu().solve(b);
+    QVERIFY((x - expected).norm() < 1e-7 * expected.norm());
+    QVERIFY(gmres(matrix, inverse, 0.0 * b, 1e-10, kSize).isZero(0.0));
   }
 
   void IndefiniteMatricesAreRefused() {

@@ -124,16 +124,43 @@ AppliedLoad::AppliedLoad(const LoadCase& load, const CompositeModel& model) : ra
       anchor.force = share * load.forces[i].force;
       anchors_.push_back(anchor);
     }
-  for (const int node : load.fixed_nodes) check_node(node, model, "fixed.nodes");
-  fixed_nodes_ = load.fixed_nodes;
-  if (load.fixed_region) {
-    const std::size_t before = fixed_nodes_.size();
-    for (int node = 0; node < model.node_count(); ++node)
-      if (contains(*load.fixed_region, rest.row(node).transpose())) fixed_nodes_.push_back(node);
-    if (fixed_nodes_.size() == before) fail_empty("fixed.region");
+  hold(load, model);
+}
+
+void AppliedLoad::hold(const LoadCase& load, const CompositeModel& model) {
+  const Points& rest = model.mesh().vertices;
+  const auto nodes_in = [&](const std::vector<int>& named, const std::optional<LoadRegion>& region,
+                            const std::string& field) {
+    for (const int node : named) check_node(node, model, field + ".nodes");
+    std::vector<int> nodes = named;
+    if (region) {
+      for (int node = 0; node < model.node_count(); ++node)
+        if (contains(*region, rest.row(node).transpose())) nodes.push_back(node);
+      if (nodes.size() == named.size()) fail_empty(field + ".region");
+    }
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    return nodes;
+  };
+  fixed_nodes_ = nodes_in(load.fixed_nodes, load.fixed_region, "fixed");
+  for (std::size_t k = 0; k < load.moved.size(); ++k) {
+    const LoadMove& move = load.moved[k];
+    const std::string field = "moved[" + std::to_string(k) + "]";
+    for (const int node : nodes_in(move.nodes, move.region, field)) {
+      const auto at = std::lower_bound(fixed_nodes_.begin(), fixed_nodes_.end(), node);
+      if (at != fixed_nodes_.end() && *at == node)
+        throw InputError("load", field, "holds node " + std::to_string(node) + ", which is held already",
+                         "Keep fixed and moved nodes apart");
+      fixed_nodes_.insert(at, node);
+      moved_.push_back({node, rest.row(node).transpose(), move.by});
+    }
   }
-  std::sort(fixed_nodes_.begin(), fixed_nodes_.end());
-  fixed_nodes_.erase(std::unique(fixed_nodes_.begin(), fixed_nodes_.end()), fixed_nodes_.end());
+}
+
+Points AppliedLoad::start(const CompositeModel& model) const {
+  Points x = model.mesh().vertices;
+  for (const Moved& moved : moved_) x.row(moved.node) += moved.by.transpose();
+  return x;
 }
 
 bool AppliedLoad::holds() const {
@@ -167,6 +194,8 @@ Loads AppliedLoad::scaled(const Points& x, double fraction) const {
     }
     loads.attached.push_back(load);
   }
+  for (const Moved& moved : moved_)
+    loads.prescribed.push_back({moved.node, moved.rest + fraction * moved.by});
   return loads;
 }
 

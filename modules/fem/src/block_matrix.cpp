@@ -98,6 +98,7 @@ BlockSystem::BlockSystem(const CompositeModel::Impl& model, const std::vector<in
   values_.assign(static_cast<std::size_t>(pattern_.block_count() + 1) * 9, 0.0);
   build_groups();
   build_couplings();
+  if (model.options.mass == MassMatrix::consistent) build_mass();
 }
 
 int BlockSystem::block_of(int node_i, int node_j) const {
@@ -198,6 +199,24 @@ void BlockSystem::add(int node_i, int node_j, const Eigen::Matrix3d& block) {
     target += block.transpose();
   else
     target += block;
+}
+
+void BlockSystem::build_mass() {
+  block_mass_.assign(static_cast<std::size_t>(pattern_.block_count()) + 1, 0.0);
+  for (const Tetrahedron& e : model_.tetrahedra)
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = 0; j <= i; ++j)
+        block_mass_[static_cast<std::size_t>(block_of(e.nodes[i], e.nodes[j]))] +=
+            model_.options.density * e.volume / (i == j ? 10.0 : 20.0);
+}
+
+void BlockSystem::add_mass(double scale) {
+  if (block_mass_.empty()) {
+    add_diagonal(model_.lumped_mass, scale);
+    return;
+  }
+  for (std::size_t b = 0; b + 1 < block_mass_.size(); ++b)
+    for (std::size_t k = 0; k < 9; k += 4) values_[9 * b + k] += scale * block_mass_[b];
 }
 
 void BlockSystem::add_diagonal(const Eigen::VectorXd& per_node, double scale) {

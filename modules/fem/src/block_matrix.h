@@ -44,7 +44,9 @@ class BlockSystem {
   /// Sets the matrix to `scale` times the model's tangent at x, and `force` (all nodes) to the internal
   /// force.
   void assemble(const Points& x, double scale, Tangent kind, Points& force);
-  /// Adds to the diagonal blocks: `scale` times one value a node (mass).
+  /// Adds `scale` times the model's mass matrix.
+  void add_mass(double scale);
+  /// Adds to the diagonal blocks: `scale` times one value a node.
   void add_diagonal(const Eigen::VectorXd& per_node, double scale);
   /// Adds a block that couples two nodes (node indices), and its mirror image. Blocks of fixed nodes vanish.
   /// @throws PreconditionError when the pattern does not hold it.
@@ -69,6 +71,7 @@ class BlockSystem {
   int block_of(int node_i, int node_j) const;
   void build_groups();
   void build_couplings();
+  void build_mass();
   void add_tetrahedra(const Points& x, double scale, Tangent kind, Points& force);
   void add_membranes(const Points& x, double scale, Tangent kind, Points& force);
   void add_beams(const Points& x, double scale, Tangent kind, Points& force);
@@ -82,6 +85,7 @@ class BlockSystem {
   std::vector<TetrahedronGroup> tetrahedron_groups_;
   std::vector<MembraneGroup> membrane_groups_;
   std::vector<BeamCoupling> couplings_;
+  std::vector<double> block_mass_;  ///< kg, one a block, where the mass is consistent
 };
 
 }  // namespace glisson::fem

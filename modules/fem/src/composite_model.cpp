@@ -129,6 +129,19 @@ const Eigen::VectorXd& CompositeModel::lumped_mass() const { return impl_->lumpe
 int CompositeModel::vessel_nodes_outside() const { return impl_->vessels.nodes_outside; }
 int CompositeModel::vessel_beams_dropped() const { return impl_->vessels.beams_dropped; }
 
+Points CompositeModel::mass_times(const Points& per_node) const {
+  require(per_node.rows() == node_count(), "a product with the mass takes one row a node of the model");
+  if (impl_->options.mass == MassMatrix::lumped) return impl_->lumped_mass.asDiagonal() * per_node;
+  Points product = Points::Zero(per_node.rows(), 3);
+  for (const Tetrahedron& e : impl_->tetrahedra) {
+    Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+    for (const int node : e.nodes) sum += per_node.row(node);
+    const double share = impl_->options.density * e.volume / 20.0;
+    for (const int node : e.nodes) product.row(node) += share * (sum + per_node.row(node));
+  }
+  return product;
+}
+
 double CompositeModel::energy(const Points& x) const {
   require(x.rows() == node_count(), "positions hold one row a node of the model");
   const Impl& m = *impl_;

@@ -92,6 +92,10 @@ void check_loads(const CompositeModel::Impl& model, const Loads& loads) {
     if (!load.force.allFinite() || !load.tangent.allFinite())
       throw InputError("loads", "attached load " + std::to_string(k), "is not finite", remedy);
   }
+  for (const PrescribedNode& moved : loads.prescribed)
+    if (moved.node < 0 || moved.node >= model.mesh.vertex_count() || !moved.position.allFinite())
+      throw InputError("loads", "prescribed node " + std::to_string(moved.node),
+                       "is not a node of the mesh or its position not finite", remedy);
 }
 
 void add_external_force(const CompositeModel::Impl& model, const Loads& loads, const Points& x,

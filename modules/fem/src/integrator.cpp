@@ -32,6 +32,9 @@ struct Integrator::Impl {
   std::unique_ptr<TwoLevelSolver> two_level;  ///< of `fast`, instead
   Points x, v;
   Points force;
+  Points held_move;                    ///< of prescribed nodes in this step
+  Points drag;                         ///< what that asks of the others; empty when none moves
+  std::unique_ptr<BlockSystem> whole;  ///< of all nodes, made when held ones move first
   Eigen::VectorXd solution, right, product;
 
   Impl(std::shared_ptr<const CompositeModel> m, const IntegratorOptions& o)
@@ -68,6 +71,9 @@ struct Integrator::Impl {
     summary.residual = size > 0.0 ? (right - product).norm() / size : 0.0;
     return true;
   }
+
+  void assemble(BlockSystem& target, const Loads& loads);
+  void prescribe(const Loads& loads);
 
   int inverted() const {
     int count = 0;
@@ -108,30 +114,57 @@ void Integrator::set_state(const Points& positions, const Points& velocities) {
 
 void Integrator::stop() { impl_->v.setZero(); }
 
+/// The system's matrix at x, and the forces on all nodes but what the velocities add.
+void Integrator::Impl::assemble(BlockSystem& target, const Loads& loads) {
+  const CompositeModel::Impl& m = model->impl();
+  const CompositeOptions& o = m.options;
+  const double dt = options.time_step;
+  target.assemble(x, 1.0 + o.rayleigh_stiffness / dt, Tangent::rotated, force);
+  target.add_mass(1.0 / (dt * dt) + o.rayleigh_mass / dt);
+  add_external_tangent(m, loads, x, Tangent::rotated, target);
+}
+
+/// Where held nodes go in this step, and what that asks of the others: -A dx, which takes the couplings that
+/// the system of the free nodes leaves out.
+void Integrator::Impl::prescribe(const Loads& loads) {
+  held_move.setZero(x.rows(), 3);
+  for (const PrescribedNode& moved : loads.prescribed) {
+    if (system.pattern().unknown_of_node[static_cast<std::size_t>(moved.node)] >= 0)
+      throw InputError("loads", "prescribed node " + std::to_string(moved.node), "is free to move",
+                       "Name it among the fixed nodes of the integrator");
+    held_move.row(moved.node) = moved.position.transpose() - x.row(moved.node);
+  }
+  drag.resize(0, 3);
+  if (held_move.isZero(0.0)) return;
+  if (!whole)
+    whole = std::make_unique<BlockSystem>(model->impl(), std::vector<int>(), batch_kernels(),
+                                          Ordering::breadth_first);
+  assemble(*whole, loads);
+  whole->multiply(whole->gather(held_move), product);
+  drag = whole->scatter(product);
+}
+
 StepSummary Integrator::step(const Loads& loads) {
   Impl& s = *impl_;
   const CompositeModel::Impl& model = s.model->impl();
   check_loads(model, loads);
   const double dt = s.options.time_step;
-  const CompositeOptions& o = model.options;
   StepSummary summary;
+  s.prescribe(loads);
   // (M (1/dt2 + r_M/dt) + (1 + r_K/dt) K + K_ext) dx = M v / dt + f
-  s.system.assemble(s.x, 1.0 + o.rayleigh_stiffness / dt, Tangent::rotated, s.force);
-  s.system.add_diagonal(model.lumped_mass, 1.0 / (dt * dt) + o.rayleigh_mass / dt);
-  add_external_tangent(model, loads, s.x, Tangent::rotated, s.system);
+  s.assemble(s.system, loads);
   add_external_force(model, loads, s.x, s.force);
-  s.force += model.lumped_mass.asDiagonal() * s.v / dt;
+  s.force += s.model->mass_times(s.v) / dt;
+  if (s.drag.rows() > 0) s.force -= s.drag;
   s.right = s.system.gather(s.force);
   summary.ok = s.solve(summary);
   if (!summary.ok) return summary;
-  const BlockPattern& pattern = s.system.pattern();
-  s.v.setZero();
-  for (int u = 0; u < pattern.unknowns; ++u) {
-    const int node = pattern.node_of_unknown[static_cast<std::size_t>(u)];
-    s.x.row(node) += s.solution.segment<3>(3 * u).transpose();
-    s.v.row(node) = s.solution.segment<3>(3 * u).transpose() / dt;
-  }
-  summary.kinetic_energy = 0.5 * model.lumped_mass.dot(s.v.rowwise().squaredNorm());
+  const Points move = s.system.scatter(s.solution) + s.held_move;
+  s.x += move;
+  s.v = move / dt;
+  // To the bit where they were sent.
+  for (const PrescribedNode& moved : loads.prescribed) s.x.row(moved.node) = moved.position.transpose();
+  summary.kinetic_energy = 0.5 * s.model->mass_times(s.v).cwiseProduct(s.v).sum();
   summary.inverted_tetrahedra = s.inverted();
   return summary;
 }

@@ -173,7 +173,7 @@ const json& list_of(const Reader& root, const std::string& key) {
 
 LoadCase parse(const json& document, const std::string& name) {
   const Reader root(document, name, "",
-                    {"gravity", "pressure", "forces", "springs", "fixed", "ramp_s", "comment"});
+                    {"gravity", "pressure", "forces", "springs", "fixed", "moved", "ramp_s", "comment"});
   LoadCase load;
   if (root.has("gravity")) read_gravity(root, load);
   if (root.has("pressure")) read_pressure(root, load);
@@ -201,12 +201,24 @@ LoadCase parse(const json& document, const std::string& name) {
     if (r.has("nodes")) load.fixed_nodes = r.indices("nodes");
     if (r.has("region")) load.fixed_region = read_region(r, false);
   }
+  if (root.has("moved"))
+    for (const json& item : list_of(root, "moved")) {
+      const Reader r(item, name, "moved[" + std::to_string(load.moved.size()) + "]",
+                     {"nodes", "region", "by_mm"});
+      LoadMove move;
+      if (r.has("nodes")) move.nodes = r.indices("nodes");
+      if (r.has("region")) move.region = read_region(r, false);
+      if (move.nodes.empty() && !move.region) r.fail("", "names no nodes", "Give nodes or a region");
+      move.by = r.point("by_mm");
+      load.moved.push_back(std::move(move));
+    }
   if (root.has("ramp_s")) {
     load.ramp = root.number("ramp_s");
     if (load.ramp < 0.0) root.fail("ramp_s", "is negative", "Give seconds, 0 or more");
   }
-  if (!root.has("gravity") && !root.has("pressure") && load.forces.empty() && load.springs.empty())
-    root.fail("", "holds no load", "Give gravity, pressure, forces or springs");
+  if (!root.has("gravity") && !root.has("pressure") && load.forces.empty() && load.springs.empty() &&
+      load.moved.empty())
+    root.fail("", "holds no load", "Give gravity, pressure, forces, springs or moved");
   return load;
 }
 

@@ -21,11 +21,14 @@ double force_residual(const CompositeModel& model, const AppliedLoad& load, cons
   Points external = Points::Zero(x.rows(), 3);
   add_external_force(model.impl(), whole ? load.at(x) : load.at(x, time), x, external);
   Points sum = model.internal_force(x) + external;
+  Points held = Points::Zero(x.rows(), 3);
   for (const int node : load.fixed_nodes()) {
+    held.row(node) = sum.row(node);
     sum.row(node).setZero();
     external.row(node).setZero();
   }
-  const double reference = external.norm();
+  // Where nothing but moved nodes loads the organ: what holds them.
+  const double reference = external.norm() > 0.0 ? external.norm() : held.norm();
   return reference > 0.0 ? sum.norm() / reference : sum.norm();
 }
 
@@ -49,7 +52,7 @@ Cancellable<SimulationResult> simulate_static(
   held.fixed_nodes = load.fixed_nodes();
   const auto start = std::chrono::steady_clock::now();
   auto solution = solve_static(
-      model, model.mesh().vertices, [&](const Points& x) { return load.at(x); }, held, context);
+      model, load.start(model), [&](const Points& x) { return load.at(x); }, held, context);
   if (!solution) return std::nullopt;
   SimulationRecord record;
   record.milliseconds = milliseconds_since(start);

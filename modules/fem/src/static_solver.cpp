@@ -46,8 +46,7 @@ class StaticSolve {
       if (context.cancelled()) return std::nullopt;
       const Eigen::VectorXd residual = left_over(summary.positions);
       judge_exact(residual.norm());
-      const double reference = std::max(system_.gather(external_).norm(), 1e-12);
-      summary.residual = residual.norm() / reference;
+      summary.residual = residual.norm() / reference(summary.positions);
       context.progress(progress(summary.residual), "fem.static");
       if (!std::isfinite(summary.residual)) return summary;
       if (summary.residual <= options_.tolerance) {
@@ -183,6 +182,13 @@ class StaticSolve {
       return true;
     }
     return false;
+  }
+
+  /// The external force; where there is none (nodes were put elsewhere), what holds them.
+  double reference(const Points& x) const {
+    double size = system_.gather(external_).norm();
+    if (size == 0.0) size = model_.internal_force(x).norm();
+    return std::max(size, 1e-12);
   }
 
   double progress(double residual) const {

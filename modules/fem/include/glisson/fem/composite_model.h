@@ -18,6 +18,10 @@ struct Material {
 
 enum class TetrahedronLaw { corotational, neo_hookean };
 
+/// How the parenchyma's mass stands in the dynamics: a quarter of an element's at each of its nodes, or
+/// rho V / 20 (1 + delta_ij), the integral of the shape functions' products.
+enum class MassMatrix { lumped, consistent };
+
 /// The constituents of the composite (paper, 2.1.2 and 3.2). validate() throws InputError.
 struct CompositeOptions {
   Material parenchyma{3500.0, 0.45};
@@ -27,8 +31,9 @@ struct CompositeOptions {
   double capsule_thickness = 20e-6;  ///< m
   double wall_fraction = 0.1;        ///< wall thickness over the outer radius
   double density = 1060.0;           ///< kg/m3
-  double rayleigh_mass = 0.1;        ///< 1/s
-  double rayleigh_stiffness = 0.1;   ///< s
+  MassMatrix mass = MassMatrix::lumped;
+  double rayleigh_mass = 0.1;       ///< 1/s
+  double rayleigh_stiffness = 0.1;  ///< s
   bool with_vessels = true, with_capsule = true;
   TetrahedronLaw law = TetrahedronLaw::corotational;
 
@@ -45,6 +50,12 @@ struct AttachedLoad {
   Eigen::Matrix3d tangent = Eigen::Matrix3d::Zero();  ///< N/m
 };
 
+/// A node that is put somewhere, among those that are fixed for the solver.
+struct PrescribedNode {
+  int node = -1;
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< m
+};
+
 /// External loads of one step. All in the frame in which the node positions are.
 struct Loads {
   Eigen::Vector3d gravity_change =
@@ -52,6 +63,7 @@ struct Loads {
   double pressure = 0.0;                ///< Pa on the surface, along the inward normal, following it
   std::vector<int> pressure_triangles;  ///< of the boundary surface; empty: all
   std::vector<AttachedLoad> attached;
+  std::vector<PrescribedNode> prescribed;  ///< where fixed nodes go in this step; the others stay
 };
 
 /// The composite liver: co-rotational P1 tetrahedra, CST membranes on the surface, hollow Timoshenko beams
@@ -71,7 +83,9 @@ class CompositeModel {
   const TetMesh& mesh() const;  ///< rest shape
   const BoundarySurface& surface() const;
   const CompositeOptions& options() const;
-  const Eigen::VectorXd& lumped_mass() const;  ///< kg, one a node
+  const Eigen::VectorXd& lumped_mass() const;  ///< kg, one a node (the row sums of the consistent mass, too)
+  /// The mass matrix times one vector a node (velocities give momenta).
+  Points mass_times(const Points& per_node) const;
   /// Vessel nodes that lay outside the mesh and were bound to the closest tetrahedron.
   int vessel_nodes_outside() const;
   /// Beams left out: both ends further outside than their radius, or without length once bound.

@@ -20,7 +20,7 @@ struct IntegratorOptions {
   LinearSolver solver = LinearSolver::direct;
   double tolerance = 1e-6;   ///< of `fast`: |b - A dx| <= tolerance |b|
   int max_iterations = 400;  ///< of `fast`; a step that needs more fails
-  /// Nodes that do not move (0-based).
+  /// Nodes that do not move (0-based) unless a step's loads prescribe where they go.
   std::vector<int> fixed_nodes;
 
   void validate() const;
@@ -52,6 +52,7 @@ class Integrator {
   void set_state(const Points& positions, const Points& velocities);
   void stop();  ///< velocities to zero
 
+  /// @throws InputError for loads that do not fit, and prescribed nodes that are not fixed ones.
   StepSummary step(const Loads& loads);
 
  private:
@@ -61,8 +62,9 @@ class Integrator {
 
 struct StaticOptions {
   int max_iterations = 200;
-  double tolerance = 1e-8;  ///< of the residual force, relative to the external one
-  std::vector<int> fixed_nodes;
+  /// Of the residual force, relative to the external one (to what holds the fixed nodes, where that is none).
+  double tolerance = 1e-8;
+  std::vector<int> fixed_nodes;  ///< stay where the start has them
 };
 struct StaticSummary {
   Points positions;

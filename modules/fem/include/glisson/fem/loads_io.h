@@ -12,8 +12,8 @@
 
 /// @file
 /// Load files: what `glisson simulate --load` reads. One JSON object; every key is optional, but one of
-/// gravity, pressure, forces and springs must be there. Lengths in files are millimetres, in the mesh's frame
-/// (LPS); everything here is metres.
+/// gravity, pressure, forces, springs and moved must be there. Lengths in files are millimetres, in the
+/// mesh's frame (LPS); everything here is metres.
 ///
 ///     {
 ///       "gravity":  {"from": "supine", "to": "left_flank"},
@@ -23,6 +23,7 @@
 ///                    {"region": {"centre_mm": [0, 30, 90], "radius_mm": 20},
 ///                     "structure": {"pascal": 20e6, "area_mm2": 0.2, "length_mm": 30}}],
 ///       "fixed":    {"nodes": [0, 5], "region": {"centre_mm": [0, 30, 90], "radius_mm": 15}},
+///       "moved":    [{"region": {"centre_mm": [80, 0, 60], "radius_mm": 10}, "by_mm": [0, -10, 0]}],
 ///       "ramp_s":   0.5
 ///     }
 ///
@@ -38,10 +39,12 @@
 ///   towards "target_mm" (a node or point) or where they are at rest. Stiffness "newton_per_metre" or a
 ///   "structure" that pulls along its length, k = E A / L.
 /// - fixed: "nodes" and all nodes of a "region".
+/// - moved: "nodes" and all nodes of a "region" that are held like fixed ones, but displaced "by_mm".
 /// - region: a ball ("centre_mm", "radius_mm"), a box ("low_mm", "high_mm"), for pressure also a direction
 ///   ("normal", "angle_deg": triangles whose outward normal is within the angle). Given together, all hold.
-/// - ramp_s: the load grows linearly over this time (0: at once; springs' targets move from the rest position
-///   to their place). Static solves ignore it.
+/// - ramp_s: the load grows linearly over this time (0: at once; springs' targets and moved nodes move from
+/// the
+///   rest position to their place). Static solves ignore it.
 /// - comment: anything, for people.
 
 namespace glisson::fem {
@@ -72,6 +75,12 @@ struct LoadForce {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< N, in all
 };
 
+struct LoadMove {
+  std::vector<int> nodes;
+  std::optional<LoadRegion> region;
+  Eigen::Vector3d by = Eigen::Vector3d::Zero();  ///< m
+};
+
 /// A load file's content, not yet tied to a mesh.
 struct LoadCase {
   Eigen::Vector3d gravity_change = Eigen::Vector3d::Zero();  ///< m/s2
@@ -82,6 +91,7 @@ struct LoadCase {
   std::vector<LoadSpring> springs;
   std::vector<int> fixed_nodes;
   std::optional<LoadRegion> fixed_region;
+  std::vector<LoadMove> moved;
   double ramp = 0.0;  ///< s
 };
 
@@ -99,7 +109,10 @@ class AppliedLoad {
   /// @throws InputError for nodes or triangles that the mesh does not have, and regions that are empty.
   AppliedLoad(const LoadCase& load, const CompositeModel& model);
 
+  /// Fixed and moved ones.
   const std::vector<int>& fixed_nodes() const { return fixed_nodes_; }
+  /// Where a static solve starts: at rest, but for the moved nodes.
+  Points start(const CompositeModel& model) const;
   /// The loads at node positions x and a time; springs pull from where x has their points.
   Loads at(const Points& x, double time) const;
   /// The whole load, as a static solve wants it.
@@ -118,10 +131,16 @@ class AppliedLoad {
   Loads scaled(const Points& x, double fraction) const;
   std::vector<std::pair<Anchor, double>> places(const LoadPlace& place, const CompositeModel& model,
                                                 const std::string& field) const;
+  void hold(const LoadCase& load, const CompositeModel& model);
 
   Loads base_;
   std::vector<Anchor> anchors_;
   std::vector<int> fixed_nodes_;
+  struct Moved {
+    int node;
+    Eigen::Vector3d rest, by;
+  };
+  std::vector<Moved> moved_;
   double ramp_ = 0.0;
 };
 
