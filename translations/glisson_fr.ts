@@ -1,3 +1,1443 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
-<TS version="2.1" language="fr" sourcelanguage="en"></TS>
+<TS version="2.1" language="fr" sourcelanguage="en">
+<context>
+    <name>Notes</name>
+    <message>
+        <source>The liver is smaller than 400 ml: check it in the slices.</source>
+        <translation>Le foie fait moins de 400 ml : vérifiez-le dans les coupes.</translation>
+    </message>
+    <message>
+        <source>The liver is larger than 4000 ml: check it in the slices.</source>
+        <translation>Le foie fait plus de 4000 ml : vérifiez-le dans les coupes.</translation>
+    </message>
+    <message>
+        <source>A separate piece of the liver&apos;s surface was left out (%2 ml).</source>
+        <translation>Un morceau séparé de la surface du foie a été écarté (%2 ml).</translation>
+    </message>
+    <message>
+        <source>Separate specks of liver were left out: %1 (%3 ml).</source>
+        <translation>Îlots de foie séparés écartés : %1 (%3 ml).</translation>
+    </message>
+    <message>
+        <source>No portal vein was found at its seeds.</source>
+        <translation>Aucune veine porte n&apos;a été trouvée à ses germes.</translation>
+    </message>
+    <message>
+        <source>No hepatic vein was found at its seeds.</source>
+        <translation>Aucune veine hépatique n&apos;a été trouvée à ses germes.</translation>
+    </message>
+    <message>
+        <source>%1: loose specks left out of the vessel model: %2 (%4 ml). They are still drawn.</source>
+        <translation>%1 : îlots écartés du modèle des vaisseaux : %2 (%4 ml). Ils restent dessinés.</translation>
+    </message>
+    <message>
+        <source>%1: separate trees in the model: %2.</source>
+        <translation>%1 : arbres séparés dans le modèle : %2.</translation>
+    </message>
+    <message>
+        <source>Short side branches left out of the vessel model: %1 (%3 mm together).</source>
+        <translation>Courtes branches écartées du modèle des vaisseaux : %1 (%3 mm en tout).</translation>
+    </message>
+    <message>
+        <source>Beams that stiffen the model along the vessels: %1.</source>
+        <translation>Poutres qui raidissent le modèle le long des vaisseaux : %1.</translation>
+    </message>
+    <message>
+        <source>Vessel nodes just outside the mesh, tied to its surface: %1.</source>
+        <translation>Nœuds de vaisseaux juste hors du maillage, liés à sa surface : %1.</translation>
+    </message>
+    <message>
+        <source>%1 lies outside the liver and was left out.</source>
+        <translation>%1 se trouve hors du foie et a été écarté.</translation>
+    </message>
+    <message>
+        <source>%1 was left out: only %3 mm³.</source>
+        <translation>%1 a été écarté : seulement %3 mm³.</translation>
+    </message>
+    <message>
+        <source>Crumbs of lesion surfaces left out: %1.</source>
+        <translation>Miettes de surfaces de lésions écartées : %1.</translation>
+    </message>
+    <message>
+        <source>%1 (%3 mm across) is too small for elements of its own; it follows the tissue around it.</source>
+        <translation>%1 (%3 mm) est trop petite pour avoir ses propres éléments ; elle suit le tissu autour d&apos;elle.</translation>
+    </message>
+    <message>
+        <source>%1 got no elements of its own; it follows the tissue around it.</source>
+        <translation>%1 n&apos;a pas d&apos;éléments propres ; elle suit le tissu autour d&apos;elle.</translation>
+    </message>
+    <message>
+        <source>The mesh&apos;s surface is not a clean closed one.</source>
+        <translation>La surface du maillage n&apos;est pas proprement fermée.</translation>
+    </message>
+    <message>
+        <source>The flattest element has an angle of %1°.</source>
+        <translation>L&apos;élément le plus plat a un angle de %1°.</translation>
+    </message>
+    <message>
+        <source>The mesh has %1 vertices, not as many as asked for.</source>
+        <translation>Le maillage a %1 sommets, pas le nombre demandé.</translation>
+    </message>
+    <message>
+        <source>The file %1 was not used: its name tells no structure.</source>
+        <translation>Le fichier %1 n&apos;a pas été utilisé : son nom ne désigne aucune structure.</translation>
+    </message>
+    <message>
+        <source>No anterior margin was found: the registration has one feature less.</source>
+        <translation>Aucun bord antérieur n&apos;a été trouvé : il manque un repère au recalage.</translation>
+    </message>
+    <message>
+        <source>Few points show the anterior margin: the position along it is uncertain.</source>
+        <translation>Peu de points montrent le bord antérieur : la position le long du bord est incertaine.</translation>
+    </message>
+    <message>
+        <source>The umbilical notch is not marked in both model and picture: the position along the margin is uncertain.</source>
+        <translation>L&apos;échancrure ombilicale n&apos;est pas marquée dans le modèle et l&apos;image : la position le long du bord est incertaine.</translation>
+    </message>
+    <message>
+        <source>The rigid start fits the points badly (more than 10 mm).</source>
+        <translation>Le départ rigide s&apos;ajuste mal aux points (plus de 10 mm).</translation>
+    </message>
+    <message>
+        <source>Two rigid positions fit almost equally well; the better one was taken.</source>
+        <translation>Deux positions rigides conviennent presque aussi bien ; la meilleure a été prise.</translation>
+    </message>
+    <message>
+        <source>Many points do not fit the model and were left aside.</source>
+        <translation>Beaucoup de points ne correspondent pas au modèle et ont été laissés de côté.</translation>
+    </message>
+    <message>
+        <source>The model stays more than 5 mm from the points on average.</source>
+        <translation>Le modèle reste à plus de 5 mm des points en moyenne.</translation>
+    </message>
+    <message>
+        <source>Some elements of the mesh turned inside out.</source>
+        <translation>Des éléments du maillage se sont retournés.</translation>
+    </message>
+    <message>
+        <source>The mechanical computation did not come to an end.</source>
+        <translation>Le calcul mécanique n&apos;a pas abouti.</translation>
+    </message>
+    <message>
+        <source>The simulation had not come to rest at its last step.</source>
+        <translation>La simulation n&apos;était pas au repos à son dernier pas.</translation>
+    </message>
+    <message>
+        <source>%1 was not found at its seeds.</source>
+        <translation>%1 n&apos;a pas été trouvée à ses germes.</translation>
+    </message>
+</context>
+<context>
+    <name>Overlay</name>
+    <message>
+        <source>registered</source>
+        <translation>recalé</translation>
+    </message>
+    <message>
+        <source>not registered yet</source>
+        <translation>pas encore recalé</translation>
+    </message>
+    <message>
+        <source>too few points are tracked</source>
+        <translation>trop peu de points sont suivis</translation>
+    </message>
+    <message>
+        <source>the tracked points contradict one another</source>
+        <translation>les points suivis se contredisent</translation>
+    </message>
+    <message>
+        <source>the model does not fit what the camera sees</source>
+        <translation>le modèle ne correspond pas à ce que voit la caméra</translation>
+    </message>
+    <message>
+        <source>the mechanical computation failed</source>
+        <translation>le calcul mécanique a échoué</translation>
+    </message>
+    <message>
+        <source>an earlier step has changed since the registration</source>
+        <translation>une étape antérieure a changé depuis le recalage</translation>
+    </message>
+    <message>
+        <source>No overlay: %1</source>
+        <translation>Pas de superposition : %1</translation>
+    </message>
+    <message>
+        <source>frame %1</source>
+        <translation>image %1</translation>
+    </message>
+    <message>
+        <source>age %1 ms</source>
+        <translation>âge %1 ms</translation>
+    </message>
+    <message>
+        <source>%1 fps</source>
+        <translation>%1 images/s</translation>
+    </message>
+    <message>
+        <source>residual %1 mm</source>
+        <translation>résidu %1 mm</translation>
+    </message>
+    <message>
+        <source>Research software: not for clinical use</source>
+        <translation>Logiciel de recherche : pas d&apos;usage clinique</translation>
+    </message>
+    <message>
+        <source>Portal vein</source>
+        <translation>Veine porte</translation>
+    </message>
+    <message>
+        <source>Hepatic veins</source>
+        <translation>Veines hépatiques</translation>
+    </message>
+    <message>
+        <source>Hepatic artery</source>
+        <translation>Artère hépatique</translation>
+    </message>
+    <message>
+        <source>Lesion</source>
+        <translation>Lésion</translation>
+    </message>
+</context>
+<context>
+    <name>Texts</name>
+    <message>
+        <source>Reading the volume</source>
+        <translation>Lecture du volume</translation>
+    </message>
+    <message>
+        <source>Reading the labels</source>
+        <translation>Lecture des étiquettes</translation>
+    </message>
+    <message>
+        <source>Storing the seeds</source>
+        <translation>Enregistrement des germes</translation>
+    </message>
+    <message>
+        <source>Segmenting</source>
+        <translation>Segmentation</translation>
+    </message>
+    <message>
+        <source>Building the model</source>
+        <translation>Construction du modèle</translation>
+    </message>
+    <message>
+        <source>Building the model from surfaces</source>
+        <translation>Construction du modèle à partir de surfaces</translation>
+    </message>
+    <message>
+        <source>Reading the mesh</source>
+        <translation>Lecture du maillage</translation>
+    </message>
+    <message>
+        <source>Storing the landmarks</source>
+        <translation>Enregistrement des repères</translation>
+    </message>
+    <message>
+        <source>Reading the calibration</source>
+        <translation>Lecture de l&apos;étalonnage</translation>
+    </message>
+    <message>
+        <source>Reading the stereo pair</source>
+        <translation>Lecture de la paire stéréo</translation>
+    </message>
+    <message>
+        <source>Opening the video</source>
+        <translation>Ouverture de la vidéo</translation>
+    </message>
+    <message>
+        <source>Reading the video&apos;s frame</source>
+        <translation>Lecture de l&apos;image de la vidéo</translation>
+    </message>
+    <message>
+        <source>Storing the regions</source>
+        <translation>Enregistrement des régions</translation>
+    </message>
+    <message>
+        <source>Reconstructing the surface</source>
+        <translation>Reconstruction de la surface</translation>
+    </message>
+    <message>
+        <source>Reading the cloud</source>
+        <translation>Lecture du nuage</translation>
+    </message>
+    <message>
+        <source>Registering</source>
+        <translation>Recalage</translation>
+    </message>
+    <message>
+        <source>Reading the registration</source>
+        <translation>Lecture du recalage</translation>
+    </message>
+    <message>
+        <source>Starting the tracking</source>
+        <translation>Démarrage du suivi</translation>
+    </message>
+    <message>
+        <source>Stopping the tracking</source>
+        <translation>Arrêt du suivi</translation>
+    </message>
+    <message>
+        <source>Opening the case</source>
+        <translation>Ouverture du cas</translation>
+    </message>
+    <message>
+        <source>Saving the case</source>
+        <translation>Enregistrement du cas</translation>
+    </message>
+    <message>
+        <source>looking for the frame</source>
+        <translation>recherche de l&apos;image</translation>
+    </message>
+    <message>
+        <source>reading slices</source>
+        <translation>lecture des coupes</translation>
+    </message>
+    <message>
+        <source>unpacking</source>
+        <translation>décompression</translation>
+    </message>
+    <message>
+        <source>reading labels</source>
+        <translation>lecture des étiquettes</translation>
+    </message>
+    <message>
+        <source>reading the mesh</source>
+        <translation>lecture du maillage</translation>
+    </message>
+    <message>
+        <source>reading files</source>
+        <translation>lecture des fichiers</translation>
+    </message>
+    <message>
+        <source>writing files</source>
+        <translation>écriture des fichiers</translation>
+    </message>
+    <message>
+        <source>checking what was written</source>
+        <translation>vérification de l&apos;écriture</translation>
+    </message>
+    <message>
+        <source>saved</source>
+        <translation>enregistré</translation>
+    </message>
+    <message>
+        <source>preparing</source>
+        <translation>préparation</translation>
+    </message>
+    <message>
+        <source>growing from the seeds</source>
+        <translation>croissance depuis les germes</translation>
+    </message>
+    <message>
+        <source>fitting the liver&apos;s surface</source>
+        <translation>ajustement de la surface du foie</translation>
+    </message>
+    <message>
+        <source>growing the vessels</source>
+        <translation>croissance des vaisseaux</translation>
+    </message>
+    <message>
+        <source>cleaning up</source>
+        <translation>nettoyage</translation>
+    </message>
+    <message>
+        <source>making surfaces</source>
+        <translation>création des surfaces</translation>
+    </message>
+    <message>
+        <source>reading surfaces</source>
+        <translation>lecture des surfaces</translation>
+    </message>
+    <message>
+        <source>choosing the element size</source>
+        <translation>choix de la taille des éléments</translation>
+    </message>
+    <message>
+        <source>preparing the mesh</source>
+        <translation>préparation du maillage</translation>
+    </message>
+    <message>
+        <source>filling with elements</source>
+        <translation>remplissage d&apos;éléments</translation>
+    </message>
+    <message>
+        <source>improving the elements</source>
+        <translation>amélioration des éléments</translation>
+    </message>
+    <message>
+        <source>removing flat elements</source>
+        <translation>élimination des éléments plats</translation>
+    </message>
+    <message>
+        <source>finding vessel centrelines</source>
+        <translation>recherche des lignes centrales</translation>
+    </message>
+    <message>
+        <source>finding the anterior margin</source>
+        <translation>recherche du bord antérieur</translation>
+    </message>
+    <message>
+        <source>measuring the mesh</source>
+        <translation>mesure du maillage</translation>
+    </message>
+    <message>
+        <source>finding points</source>
+        <translation>recherche de points</translation>
+    </message>
+    <message>
+        <source>matching points</source>
+        <translation>appariement des points</translation>
+    </message>
+    <message>
+        <source>refining matches</source>
+        <translation>affinage des appariements</translation>
+    </message>
+    <message>
+        <source>fitting the surface</source>
+        <translation>ajustement de la surface</translation>
+    </message>
+    <message>
+        <source>finishing</source>
+        <translation>finition</translation>
+    </message>
+    <message>
+        <source>rigid start</source>
+        <translation>départ rigide</translation>
+    </message>
+    <message>
+        <source>elastic deformation</source>
+        <translation>déformation élastique</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Fond</translation>
+    </message>
+    <message>
+        <source>Liver</source>
+        <translation>Foie</translation>
+    </message>
+    <message>
+        <source>Portal vein</source>
+        <translation>Veine porte</translation>
+    </message>
+    <message>
+        <source>Hepatic veins</source>
+        <translation>Veines hépatiques</translation>
+    </message>
+    <message>
+        <source>Vena cava</source>
+        <translation>Veine cave</translation>
+    </message>
+    <message>
+        <source>Hepatic artery</source>
+        <translation>Artère hépatique</translation>
+    </message>
+    <message>
+        <source>Gallbladder</source>
+        <translation>Vésicule biliaire</translation>
+    </message>
+    <message>
+        <source>Lesion %1</source>
+        <translation>Lésion %1</translation>
+    </message>
+    <message>
+        <source>Not done</source>
+        <translation>À faire</translation>
+    </message>
+    <message>
+        <source>Up to date</source>
+        <translation>À jour</translation>
+    </message>
+    <message>
+        <source>Out of date</source>
+        <translation>Périmé</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::AtlasPanel</name>
+    <message>
+        <source>Landmarks</source>
+        <translation>Repères</translation>
+    </message>
+    <message>
+        <source>Features that are found again in the laparoscope&apos;s pictures. Check them on the 3D surface and place what is missing.</source>
+        <translation>Des traits que l&apos;on retrouve dans les images du laparoscope. Vérifiez-les sur la surface 3D et placez ce qui manque.</translation>
+    </message>
+    <message>
+        <source>Build a model first.</source>
+        <translation>Construisez d&apos;abord un modèle.</translation>
+    </message>
+    <message>
+        <source>Anterior margin</source>
+        <translation>Bord antérieur</translation>
+    </message>
+    <message>
+        <source>The sharp lower edge, found on the model (white line).</source>
+        <translation>Le bord inférieur tranchant, trouvé sur le modèle (ligne blanche).</translation>
+    </message>
+    <message>
+        <source>Umbilical notch</source>
+        <translation>Échancrure</translation>
+    </message>
+    <message>
+        <source>Where the round ligament enters (orange).</source>
+        <translation>Là où entre le ligament rond (orange).</translation>
+    </message>
+    <message>
+        <source>Vena cava</source>
+        <translation>Veine cave</translation>
+    </message>
+    <message>
+        <source>Where the liver is attached to it, seen from behind (green).</source>
+        <translation>Là où le foie y est attaché, vu de derrière (vert).</translation>
+    </message>
+    <message>
+        <source>Acceptance</source>
+        <translation>Validation</translation>
+    </message>
+    <message>
+        <source>What you see in the 3D view is what the registration will use.</source>
+        <translation>Le recalage utilisera ce que montre la vue 3D.</translation>
+    </message>
+    <message>
+        <source>Accept landmarks</source>
+        <translation>Valider les repères</translation>
+    </message>
+    <message>
+        <source>Place by clicking</source>
+        <translation>Placer au clic</translation>
+    </message>
+    <message>
+        <source>Undo last</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Vider</translation>
+    </message>
+    <message>
+        <source>%1 mm long</source>
+        <translation>%1 mm de long</translation>
+    </message>
+    <message>
+        <source>not found</source>
+        <translation>non trouvé</translation>
+    </message>
+    <message>
+        <source>not placed</source>
+        <translation>non placé</translation>
+    </message>
+    <message>
+        <source>points: %1</source>
+        <translation>points : %1</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::GuidancePanel</name>
+    <message>
+        <source>Guidance</source>
+        <translation>Guidage</translation>
+    </message>
+    <message>
+        <source>The model brought to what the laparoscope sees, and kept there.</source>
+        <translation>Le modèle amené à ce que voit le laparoscope, et maintenu là.</translation>
+    </message>
+    <message>
+        <source>Frames recorded: %1, in %2</source>
+        <translation>Images enregistrées : %1, dans %2</translation>
+    </message>
+    <message>
+        <source>The video has ended. Last picture, not live.</source>
+        <translation>La vidéo est finie. Dernière image, pas en direct.</translation>
+    </message>
+    <message>
+        <source>Register the model to a frame of the laparoscope; the augmented picture appears here.</source>
+        <translation>Recalez le modèle sur une image du laparoscope ; l&apos;image augmentée apparaît ici.</translation>
+    </message>
+    <message>
+        <source>1. Initial registration</source>
+        <translation>1. Recalage initial</translation>
+    </message>
+    <message>
+        <source>Rigid start from the labelled features, then the elastic model is drawn to the points.</source>
+        <translation>Départ rigide à partir des traits marqués, puis le modèle élastique est tiré vers les points.</translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation>Recaler</translation>
+    </message>
+    <message>
+        <source>2. Live tracking</source>
+        <translation>2. Suivi en direct</translation>
+    </message>
+    <message>
+        <source>Plays the case&apos;s stereo video as a live laparoscope.</source>
+        <translation>Joue la vidéo stéréo du cas comme un laparoscope.</translation>
+    </message>
+    <message>
+        <source>Start tracking</source>
+        <translation>Démarrer le suivi</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêter</translation>
+    </message>
+    <message>
+        <source>Record…</source>
+        <translation>Enregistrer…</translation>
+    </message>
+    <message>
+        <source>Repeat the video</source>
+        <translation>Répéter la vidéo</translation>
+    </message>
+    <message>
+        <source>At its end, track again from the registered frame.</source>
+        <translation>À la fin, suivre de nouveau depuis l&apos;image recalée.</translation>
+    </message>
+    <message>
+        <source>Tracking was stopped. Last picture, not live.</source>
+        <translation>Le suivi a été arrêté. Dernière image, pas en direct.</translation>
+    </message>
+    <message>
+        <source>Overlay</source>
+        <translation>Superposition</translation>
+    </message>
+    <message>
+        <source>Portal vein</source>
+        <translation>Veine porte</translation>
+    </message>
+    <message>
+        <source>Hepatic veins</source>
+        <translation>Veines hépatiques</translation>
+    </message>
+    <message>
+        <source>Lesions</source>
+        <translation>Lésions</translation>
+    </message>
+    <message>
+        <source>Liver outline</source>
+        <translation>Contour du foie</translation>
+    </message>
+    <message>
+        <source>Anterior margin</source>
+        <translation>Bord antérieur</translation>
+    </message>
+    <message>
+        <source>Vessel opacity</source>
+        <translation>Opacité des vaisseaux</translation>
+    </message>
+    <message>
+        <source>Residual (not an accuracy)</source>
+        <translation>Résidu (pas une précision)</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Converged</source>
+        <translation>Convergé</translation>
+    </message>
+    <message>
+        <source>yes, %1 plateaus</source>
+        <translation>oui, %1 paliers</translation>
+    </message>
+    <message>
+        <source>no, %1 steps</source>
+        <translation>non, %1 pas</translation>
+    </message>
+    <message>
+        <source>Registered frame %1, not live</source>
+        <translation>Image recalée %1, pas en direct</translation>
+    </message>
+    <message>
+        <source>Frame %1, not live</source>
+        <translation>Image %1, pas en direct</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Tracked points, left / right</source>
+        <translation>Points suivis, gauche / droite</translation>
+    </message>
+    <message>
+        <source>%1 / %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation>Paires</translation>
+    </message>
+    <message>
+        <source>Tracking and mechanics</source>
+        <translation>Suivi et mécanique</translation>
+    </message>
+    <message>
+        <source>Drawing</source>
+        <translation>Dessin</translation>
+    </message>
+    <message>
+        <source>Frames late / dropped</source>
+        <translation>Images en retard / perdues</translation>
+    </message>
+    <message>
+        <source>LIVE   frame %1   age %2 ms   %3 frames/s</source>
+        <translation>DIRECT   image %1   âge %2 ms   %3 images/s</translation>
+    </message>
+    <message>
+        <source>   NO OVERLAY: %1</source>
+        <translation>   PAS DE SUPERPOSITION : %1</translation>
+    </message>
+    <message>
+        <source>The picture is %1 s old: the overlay does not show where things are now.</source>
+        <translation>L&apos;image a %1 s : la superposition ne montre pas où sont les choses maintenant.</translation>
+    </message>
+    <message>
+        <source>The overlay is being prepared: the picture shows none yet.</source>
+        <translation>La superposition est en préparation : l&apos;image n&apos;en montre pas encore.</translation>
+    </message>
+    <message>
+        <source>Tracking is running.</source>
+        <translation>Le suivi est en cours.</translation>
+    </message>
+    <message>
+        <source>Stop recording</source>
+        <translation>Arrêter l&apos;enregistrement</translation>
+    </message>
+    <message>
+        <source>Not live</source>
+        <translation>Pas en direct</translation>
+    </message>
+    <message>
+        <source>Record the live view</source>
+        <translation>Enregistrer la vue en direct</translation>
+    </message>
+    <message>
+        <source>Video (*.mkv)</source>
+        <translation>Vidéo (*.mkv)</translation>
+    </message>
+    <message>
+        <source>Recording to %1</source>
+        <translation>Enregistrement dans %1</translation>
+    </message>
+    <message>
+        <source>Build a model first.</source>
+        <translation>Construisez d&apos;abord un modèle.</translation>
+    </message>
+    <message>
+        <source>Reconstruct the surface first (Stereo).</source>
+        <translation>Reconstruisez d&apos;abord la surface (Stéréo).</translation>
+    </message>
+    <message>
+        <source>Register first.</source>
+        <translation>Recalez d&apos;abord.</translation>
+    </message>
+    <message>
+        <source>The registration is out of date: register again.</source>
+        <translation>Le recalage est périmé : recalez de nouveau.</translation>
+    </message>
+    <message>
+        <source>The case has no stereo video (Stereo, Video…).</source>
+        <translation>Le cas n&apos;a pas de vidéo stéréo (Stéréo, Vidéo…).</translation>
+    </message>
+    <message>
+        <source>The registered frame or the calibration is missing.</source>
+        <translation>Il manque l&apos;image recalée ou l&apos;étalonnage.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::LinkedViews</name>
+    <message>
+        <source>3D</source>
+        <translation>3D</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>Look from the front (anterior)</source>
+        <translation>Vue de face (antérieure)</translation>
+    </message>
+    <message>
+        <source>P</source>
+        <translation>P</translation>
+    </message>
+    <message>
+        <source>Look from behind (posterior)</source>
+        <translation>Vue de dos (postérieure)</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <translation>R</translation>
+    </message>
+    <message>
+        <source>Look from the patient&apos;s right</source>
+        <translation>Vue de la droite du patient</translation>
+    </message>
+    <message>
+        <source>L</source>
+        <translation>L</translation>
+    </message>
+    <message>
+        <source>Look from the patient&apos;s left</source>
+        <translation>Vue de la gauche du patient</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>S</translation>
+    </message>
+    <message>
+        <source>Look from above (superior)</source>
+        <translation>Vue de dessus (supérieure)</translation>
+    </message>
+    <message>
+        <source>I</source>
+        <translation>I</translation>
+    </message>
+    <message>
+        <source>Look from below (inferior)</source>
+        <translation>Vue de dessous (inférieure)</translation>
+    </message>
+    <message>
+        <source>Look from</source>
+        <translation>Vue de</translation>
+    </message>
+    <message>
+        <source>Slices</source>
+        <translation>Coupes</translation>
+    </message>
+    <message>
+        <source>Show the three slices in the 3D view</source>
+        <translation>Montrer les trois coupes dans la vue 3D</translation>
+    </message>
+    <message>
+        <source>No volume</source>
+        <translation>Pas de volume</translation>
+    </message>
+    <message>
+        <source>Preparing the model for drawing…</source>
+        <translation>Préparation du modèle pour le dessin…</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>dehors</translation>
+    </message>
+    <message>
+        <source>%1 HU</source>
+        <translation>%1 UH</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::MainWindow</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Fichier</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>&amp;Ouvrir</translation>
+    </message>
+    <message>
+        <source>&amp;DICOM folder…</source>
+        <translation>Dossier &amp;DICOM…</translation>
+    </message>
+    <message>
+        <source>&amp;Volume…</source>
+        <translation>&amp;Volume…</translation>
+    </message>
+    <message>
+        <source>&amp;Case…</source>
+        <translation>&amp;Cas…</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Enregistrer</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Enregistrer &amp;sous…</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Quitter</translation>
+    </message>
+    <message>
+        <source>&amp;Step</source>
+        <translation>É&amp;tape</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Aide</translation>
+    </message>
+    <message>
+        <source>&amp;About Glisson</source>
+        <translation>À &amp;propos de Glisson</translation>
+    </message>
+    <message>
+        <source>About Glisson</source>
+        <translation>À propos de Glisson</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Glisson&lt;/b&gt;&lt;br&gt;Planning and guidance of minimally invasive liver surgery, after Plantefève, Peterlik, Haouchine and Cotin (2015).&lt;br&gt;&lt;br&gt;Research software: not for clinical use.&lt;br&gt;Licence: GPL-3.0-or-later.</source>
+        <translation>&lt;b&gt;Glisson&lt;/b&gt;&lt;br&gt;Planification et guidage de la chirurgie hépatique mini-invasive, d&apos;après Plantefève, Peterlik, Haouchine et Cotin (2015).&lt;br&gt;&lt;br&gt;Logiciel de recherche : pas d&apos;usage clinique.&lt;br&gt;Licence : GPL-3.0-or-later.</translation>
+    </message>
+    <message>
+        <source>%1 is nothing that Glisson opens. Give a folder of DICOM slices, a volume (NIfTI, NRRD, MetaImage) or a case (NAME.glisson).</source>
+        <translation>Glisson n&apos;ouvre pas %1. Donnez un dossier de coupes DICOM, un volume (NIfTI, NRRD, MetaImage) ou un cas (NOM.glisson).</translation>
+    </message>
+    <message>
+        <source>Glisson</source>
+        <translation>Glisson</translation>
+    </message>
+    <message>
+        <source>Open a case (a folder NAME.glisson)</source>
+        <translation>Ouvrir un cas (un dossier NOM.glisson)</translation>
+    </message>
+    <message>
+        <source>Open a folder of DICOM slices</source>
+        <translation>Ouvrir un dossier de coupes DICOM</translation>
+    </message>
+    <message>
+        <source>Open a volume</source>
+        <translation>Ouvrir un volume</translation>
+    </message>
+    <message>
+        <source>Volumes (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.tar.gz *.tgz)</source>
+        <translation>Volumes (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.tar.gz *.tgz)</translation>
+    </message>
+    <message>
+        <source>Save the case as a folder</source>
+        <translation>Enregistrer le cas dans un dossier</translation>
+    </message>
+    <message>
+        <source>Cases (*.glisson)</source>
+        <translation>Cas (*.glisson)</translation>
+    </message>
+    <message>
+        <source>unsaved case</source>
+        <translation>cas non enregistré</translation>
+    </message>
+    <message>
+        <source>%1[*] – Glisson</source>
+        <translation>%1[*] – Glisson</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>The case has changes that are not saved.</source>
+        <translation>Le cas a des modifications non enregistrées.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::ModelPanel</name>
+    <message>
+        <source>Model</source>
+        <translation>Modèle</translation>
+    </message>
+    <message>
+        <source>A mesh of the liver with its vessels, ready for mechanics.</source>
+        <translation>Un maillage du foie avec ses vaisseaux, prêt pour la mécanique.</translation>
+    </message>
+    <message>
+        <source>Build from the labels</source>
+        <translation>Construire à partir des étiquettes</translation>
+    </message>
+    <message>
+        <source>More vertices follow the organ more closely and compute more slowly.</source>
+        <translation>Plus de sommets suivent mieux l&apos;organe et calculent plus lentement.</translation>
+    </message>
+    <message>
+        <source>Mesh vertices</source>
+        <translation>Sommets du maillage</translation>
+    </message>
+    <message>
+        <source>Portal and hepatic vessels stiffen the model</source>
+        <translation>Les vaisseaux raidissent le modèle</translation>
+    </message>
+    <message>
+        <source>Build model</source>
+        <translation>Construire le modèle</translation>
+    </message>
+    <message>
+        <source>From a folder of surfaces…</source>
+        <translation>Depuis un dossier de surfaces…</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Qualité</translation>
+    </message>
+    <message>
+        <source>3D view</source>
+        <translation>Vue 3D</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Maillage</translation>
+    </message>
+    <message>
+        <source>Liver opacity</source>
+        <translation>Opacité du foie</translation>
+    </message>
+    <message>
+        <source>Folder of surfaces, named by structure</source>
+        <translation>Dossier de surfaces, nommées par structure</translation>
+    </message>
+    <message>
+        <source>Segment the CT or import labels first.</source>
+        <translation>Segmentez d&apos;abord le scanner ou importez des étiquettes.</translation>
+    </message>
+    <message>
+        <source>No model yet.</source>
+        <translation>Pas encore de modèle.</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Vertices</source>
+        <translation>Sommets</translation>
+    </message>
+    <message>
+        <source>Tetrahedra</source>
+        <translation>Tétraèdres</translation>
+    </message>
+    <message>
+        <source>Dihedral angles</source>
+        <translation>Angles dièdres</translation>
+    </message>
+    <message>
+        <source>%1° to %2°</source>
+        <translation>%1° à %2°</translation>
+    </message>
+    <message>
+        <source>Volume error</source>
+        <translation>Erreur de volume</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Vertices to fine surface, mean</source>
+        <translation>Sommets à la surface fine, moyenne</translation>
+    </message>
+    <message>
+        <source>Mesh to fine surface, mean</source>
+        <translation>Maillage à la surface fine, moyenne</translation>
+    </message>
+    <message>
+        <source>Fine surface to mesh, mean</source>
+        <translation>Surface fine au maillage, moyenne</translation>
+    </message>
+    <message>
+        <source>Fine surface to mesh, largest</source>
+        <translation>Surface fine au maillage, maximum</translation>
+    </message>
+    <message>
+        <source>%1, beams</source>
+        <translation>%1, poutres</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::Panel</name>
+    <message>
+        <source>Running</source>
+        <translation>En cours</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::RegionEditor</name>
+    <message>
+        <source>Left</source>
+        <translation>Gauche</translation>
+    </message>
+    <message>
+        <source>Load a stereo pair or a video, and the laparoscope&apos;s calibration.</source>
+        <translation>Chargez une paire stéréo ou une vidéo, et l&apos;étalonnage du laparoscope.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::SegmentationPanel</name>
+    <message>
+        <source>Not liver</source>
+        <translation>Pas le foie</translation>
+    </message>
+    <message>
+        <source>Segmentation</source>
+        <translation>Segmentation</translation>
+    </message>
+    <message>
+        <source>Mark each structure with a few clicks in the slices, then grow them.</source>
+        <translation>Marquez chaque structure de quelques clics dans les coupes, puis faites-les croître.</translation>
+    </message>
+    <message>
+        <source>Grow</source>
+        <translation>Croissance</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Resolution at which the liver&apos;s surface evolves. Finer is slower.</source>
+        <translation>Résolution à laquelle évolue la surface du foie. Plus fine, plus lente.</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Résolution</translation>
+    </message>
+    <message>
+        <source>Segment</source>
+        <translation>Segmenter</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Résultat</translation>
+    </message>
+    <message>
+        <source>Label opacity</source>
+        <translation>Opacité des étiquettes</translation>
+    </message>
+    <message>
+        <source>Import labels…</source>
+        <translation>Importer des étiquettes…</translation>
+    </message>
+    <message>
+        <source>Import labels</source>
+        <translation>Importer des étiquettes</translation>
+    </message>
+    <message>
+        <source>Labels (*.nrrd *.nii *.nii.gz *.mha *.mhd *.vti)</source>
+        <translation>Étiquettes (*.nrrd *.nii *.nii.gz *.mha *.mhd *.vti)</translation>
+    </message>
+    <message>
+        <source>Seeds</source>
+        <translation>Germes</translation>
+    </message>
+    <message>
+        <source>Choose a structure, then click it in a slice. Esc ends placing.</source>
+        <translation>Choisissez une structure, puis cliquez-la dans une coupe. Échap termine.</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Effacer</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Vider</translation>
+    </message>
+    <message>
+        <source>Load…</source>
+        <translation>Charger…</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Garder…</translation>
+    </message>
+    <message>
+        <source>Load seeds</source>
+        <translation>Charger des germes</translation>
+    </message>
+    <message>
+        <source>Seeds (*.json)</source>
+        <translation>Germes (*.json)</translation>
+    </message>
+    <message>
+        <source>Save seeds</source>
+        <translation>Enregistrer les germes</translation>
+    </message>
+    <message>
+        <source>%1 ml</source>
+        <translation>%1 ml</translation>
+    </message>
+    <message>
+        <source>Open a CT first.</source>
+        <translation>Ouvrez d&apos;abord un scanner.</translation>
+    </message>
+    <message>
+        <source>Place at least one seed in the liver.</source>
+        <translation>Placez au moins un germe dans le foie.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::SliceView</name>
+    <message>
+        <source>Click: crosshair. Wheel: next slice. Right drag: contrast. Middle drag: move. Ctrl + wheel: zoom. Double click: whole picture.</source>
+        <translation>Clic : réticule. Molette : coupe suivante. Glisser à droite : contraste. Glisser au milieu : déplacer. Ctrl + molette : zoom. Double clic : image entière.</translation>
+    </message>
+    <message>
+        <source>No volume</source>
+        <translation>Pas de volume</translation>
+    </message>
+    <message>
+        <source>Axial</source>
+        <translation>Axiale</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>Coronale</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>Sagittale</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>WL %1  WW %2</source>
+        <translation>WL %1  WW %2</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::StepBar</name>
+    <message>
+        <source>Research software: not for clinical use</source>
+        <translation>Logiciel de recherche : pas d&apos;usage clinique</translation>
+    </message>
+    <message>
+        <source>Ctrl+%1</source>
+        <translation>Ctrl+%1</translation>
+    </message>
+    <message>
+        <source>not done</source>
+        <translation>à faire</translation>
+    </message>
+    <message>
+        <source>✓ up to date</source>
+        <translation>✓ à jour</translation>
+    </message>
+    <message>
+        <source>! out of date</source>
+        <translation>! périmé</translation>
+    </message>
+    <message>
+        <source>running…</source>
+        <translation>en cours…</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::StereoPanel</name>
+    <message>
+        <source>Surface</source>
+        <translation>Surface</translation>
+    </message>
+    <message>
+        <source>Anterior margin</source>
+        <translation>Bord antérieur</translation>
+    </message>
+    <message>
+        <source>Umbilical notch</source>
+        <translation>Échancrure</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Points</translation>
+    </message>
+    <message>
+        <source>Distance from the camera</source>
+        <translation>Distance à la caméra</translation>
+    </message>
+    <message>
+        <source>%1 to %2 mm</source>
+        <translation>%1 à %2 mm</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.bmp)</source>
+        <translation>Images (*.png *.jpg *.jpeg *.bmp)</translation>
+    </message>
+    <message>
+        <source>Stereo</source>
+        <translation>Stéréo</translation>
+    </message>
+    <message>
+        <source>What the stereo laparoscope sees of the liver, as points in space.</source>
+        <translation>Ce que le laparoscope stéréo voit du foie, en points dans l&apos;espace.</translation>
+    </message>
+    <message>
+        <source>Reconstruct</source>
+        <translation>Reconstruire</translation>
+    </message>
+    <message>
+        <source>Reconstruct surface</source>
+        <translation>Reconstruire la surface</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Droite</translation>
+    </message>
+    <message>
+        <source>Reconstructed points</source>
+        <translation>Points reconstruits</translation>
+    </message>
+    <message>
+        <source>No points yet</source>
+        <translation>Pas encore de points</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Images</translation>
+    </message>
+    <message>
+        <source>Calibration…</source>
+        <translation>Étalonnage…</translation>
+    </message>
+    <message>
+        <source>Stereo pair…</source>
+        <translation>Paire stéréo…</translation>
+    </message>
+    <message>
+        <source>Video…</source>
+        <translation>Vidéo…</translation>
+    </message>
+    <message>
+        <source>Frame </source>
+        <translation>Image </translation>
+    </message>
+    <message>
+        <source>Take this frame</source>
+        <translation>Prendre</translation>
+    </message>
+    <message>
+        <source>Regions</source>
+        <translation>Régions</translation>
+    </message>
+    <message>
+        <source>Choose a feature and click around it in the left picture; Enter, or a click on the first corner, closes. Backspace takes a corner back, Esc ends. Then corners can be dragged; right click removes a region.</source>
+        <translation>Choisissez un trait et cliquez autour dans l&apos;image gauche ; Entrée, ou un clic sur le premier coin, ferme. Retour arrière reprend un coin, Échap termine. Ensuite les coins se déplacent ; un clic droit supprime une région.</translation>
+    </message>
+    <message>
+        <source>Clear regions</source>
+        <translation>Vider les régions</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Étalonnage</translation>
+    </message>
+    <message>
+        <source>OpenCV YAML (*.yml *.yaml)</source>
+        <translation>OpenCV YAML (*.yml *.yaml)</translation>
+    </message>
+    <message>
+        <source>Left picture</source>
+        <translation>Image gauche</translation>
+    </message>
+    <message>
+        <source>Right picture</source>
+        <translation>Image droite</translation>
+    </message>
+    <message>
+        <source>Stereo video, both views side by side</source>
+        <translation>Vidéo stéréo, les deux vues côte à côte</translation>
+    </message>
+    <message>
+        <source>Videos (*.mkv *.mp4 *.avi *.mov)</source>
+        <translation>Vidéos (*.mkv *.mp4 *.avi *.mov)</translation>
+    </message>
+    <message>
+        <source>%1 × %2, baseline %3 mm</source>
+        <translation>%1 × %2, base %3 mm</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <source>Video: %1</source>
+        <translation>Vidéo : %1</translation>
+    </message>
+    <message>
+        <source>Stereo pair, %1 × %2</source>
+        <translation>Paire stéréo, %1 × %2</translation>
+    </message>
+    <message>
+        <source>%1, corners: %2</source>
+        <translation>%1, coins : %2</translation>
+    </message>
+    <message>
+        <source>Load the laparoscope&apos;s calibration first.</source>
+        <translation>Chargez d&apos;abord l&apos;étalonnage du laparoscope.</translation>
+    </message>
+    <message>
+        <source>Load a stereo pair or a video frame first.</source>
+        <translation>Chargez d&apos;abord une paire stéréo ou une image de vidéo.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::TaskButton</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Cancelling…</source>
+        <translation>Annulation…</translation>
+    </message>
+    <message>
+        <source>Waiting…</source>
+        <translation>En attente…</translation>
+    </message>
+    <message>
+        <source>Done in %1 s</source>
+        <translation>Fait en %1 s</translation>
+    </message>
+    <message>
+        <source>Cancelled; nothing was changed</source>
+        <translation>Annulé ; rien n&apos;a changé</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::TaskStatus</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>%1: done in %2 s</source>
+        <translation>%1 : fait en %2 s</translation>
+    </message>
+    <message>
+        <source>%1: cancelled</source>
+        <translation>%1 : annulé</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::WelcomePage</name>
+    <message>
+        <source>Glisson</source>
+        <translation>Glisson</translation>
+    </message>
+    <message>
+        <source>Open a patient&apos;s CT or a case, or drop it here.</source>
+        <translation>Ouvrez le scanner d&apos;un patient ou un cas, ou déposez-le ici.</translation>
+    </message>
+    <message>
+        <source>DICOM folder…</source>
+        <translation>Dossier DICOM…</translation>
+    </message>
+    <message>
+        <source>Volume file…</source>
+        <translation>Fichier de volume…</translation>
+    </message>
+    <message>
+        <source>Case…</source>
+        <translation>Cas…</translation>
+    </message>
+</context>
+</TS>

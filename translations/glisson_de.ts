@@ -1,0 +1,1443 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>Notes</name>
+    <message>
+        <source>The liver is smaller than 400 ml: check it in the slices.</source>
+        <translation>Die Leber ist kleiner als 400 ml: in den Schichten prüfen.</translation>
+    </message>
+    <message>
+        <source>The liver is larger than 4000 ml: check it in the slices.</source>
+        <translation>Die Leber ist größer als 4000 ml: in den Schichten prüfen.</translation>
+    </message>
+    <message>
+        <source>A separate piece of the liver&apos;s surface was left out (%2 ml).</source>
+        <translation>Ein abgetrenntes Stück der Leberoberfläche wurde weggelassen (%2 ml).</translation>
+    </message>
+    <message>
+        <source>Separate specks of liver were left out: %1 (%3 ml).</source>
+        <translation>Abgetrennte Leberreste wurden weggelassen: %1 (%3 ml).</translation>
+    </message>
+    <message>
+        <source>No portal vein was found at its seeds.</source>
+        <translation>An den Saatpunkten wurde keine Pfortader gefunden.</translation>
+    </message>
+    <message>
+        <source>No hepatic vein was found at its seeds.</source>
+        <translation>An den Saatpunkten wurde keine Lebervene gefunden.</translation>
+    </message>
+    <message>
+        <source>%1: loose specks left out of the vessel model: %2 (%4 ml). They are still drawn.</source>
+        <translation>%1: lose Stücke, die im Gefäßmodell fehlen: %2 (%4 ml). Gezeichnet werden sie trotzdem.</translation>
+    </message>
+    <message>
+        <source>%1: separate trees in the model: %2.</source>
+        <translation>%1: getrennte Bäume im Modell: %2.</translation>
+    </message>
+    <message>
+        <source>Short side branches left out of the vessel model: %1 (%3 mm together).</source>
+        <translation>Kurze Seitenäste, die im Gefäßmodell fehlen: %1 (zusammen %3 mm).</translation>
+    </message>
+    <message>
+        <source>Beams that stiffen the model along the vessels: %1.</source>
+        <translation>Balken, die das Modell entlang der Gefäße versteifen: %1.</translation>
+    </message>
+    <message>
+        <source>Vessel nodes just outside the mesh, tied to its surface: %1.</source>
+        <translation>Gefäßknoten knapp außerhalb des Netzes, an seine Oberfläche gebunden: %1.</translation>
+    </message>
+    <message>
+        <source>%1 lies outside the liver and was left out.</source>
+        <translation>%1 liegt außerhalb der Leber und wurde weggelassen.</translation>
+    </message>
+    <message>
+        <source>%1 was left out: only %3 mm³.</source>
+        <translation>%1 wurde weggelassen: nur %3 mm³.</translation>
+    </message>
+    <message>
+        <source>Crumbs of lesion surfaces left out: %1.</source>
+        <translation>Weggelassene Krümel von Läsionsoberflächen: %1.</translation>
+    </message>
+    <message>
+        <source>%1 (%3 mm across) is too small for elements of its own; it follows the tissue around it.</source>
+        <translation>%1 (%3 mm groß) ist zu klein für eigene Elemente und folgt dem umgebenden Gewebe.</translation>
+    </message>
+    <message>
+        <source>%1 got no elements of its own; it follows the tissue around it.</source>
+        <translation>%1 hat keine eigenen Elemente und folgt dem umgebenden Gewebe.</translation>
+    </message>
+    <message>
+        <source>The mesh&apos;s surface is not a clean closed one.</source>
+        <translation>Die Oberfläche des Netzes ist nicht sauber geschlossen.</translation>
+    </message>
+    <message>
+        <source>The flattest element has an angle of %1°.</source>
+        <translation>Das flachste Element hat einen Winkel von %1°.</translation>
+    </message>
+    <message>
+        <source>The mesh has %1 vertices, not as many as asked for.</source>
+        <translation>Das Netz hat %1 Knoten, nicht so viele wie gewünscht.</translation>
+    </message>
+    <message>
+        <source>The file %1 was not used: its name tells no structure.</source>
+        <translation>Die Datei %1 wurde nicht verwendet: Ihr Name nennt keine Struktur.</translation>
+    </message>
+    <message>
+        <source>No anterior margin was found: the registration has one feature less.</source>
+        <translation>Es wurde kein Vorderrand gefunden: Der Registrierung fehlt ein Merkmal.</translation>
+    </message>
+    <message>
+        <source>Few points show the anterior margin: the position along it is uncertain.</source>
+        <translation>Nur wenige Punkte zeigen den Vorderrand: Die Lage entlang des Randes ist unsicher.</translation>
+    </message>
+    <message>
+        <source>The umbilical notch is not marked in both model and picture: the position along the margin is uncertain.</source>
+        <translation>Die Nabelkerbe ist nicht in Modell und Bild markiert: Die Lage entlang des Randes ist unsicher.</translation>
+    </message>
+    <message>
+        <source>The rigid start fits the points badly (more than 10 mm).</source>
+        <translation>Der starre Start passt schlecht zu den Punkten (mehr als 10 mm).</translation>
+    </message>
+    <message>
+        <source>Two rigid positions fit almost equally well; the better one was taken.</source>
+        <translation>Zwei starre Lagen passen fast gleich gut; die bessere wurde genommen.</translation>
+    </message>
+    <message>
+        <source>Many points do not fit the model and were left aside.</source>
+        <translation>Viele Punkte passen nicht zum Modell und blieben außer Betracht.</translation>
+    </message>
+    <message>
+        <source>The model stays more than 5 mm from the points on average.</source>
+        <translation>Das Modell bleibt im Mittel mehr als 5 mm von den Punkten entfernt.</translation>
+    </message>
+    <message>
+        <source>Some elements of the mesh turned inside out.</source>
+        <translation>Einige Elemente des Netzes haben sich umgestülpt.</translation>
+    </message>
+    <message>
+        <source>The mechanical computation did not come to an end.</source>
+        <translation>Die mechanische Rechnung kam zu keinem Ende.</translation>
+    </message>
+    <message>
+        <source>The simulation had not come to rest at its last step.</source>
+        <translation>Die Simulation war beim letzten Schritt noch nicht in Ruhe.</translation>
+    </message>
+    <message>
+        <source>%1 was not found at its seeds.</source>
+        <translation>%1 wurde an den Saatpunkten nicht gefunden.</translation>
+    </message>
+</context>
+<context>
+    <name>Overlay</name>
+    <message>
+        <source>registered</source>
+        <translation>registriert</translation>
+    </message>
+    <message>
+        <source>not registered yet</source>
+        <translation>noch nicht registriert</translation>
+    </message>
+    <message>
+        <source>too few points are tracked</source>
+        <translation>zu wenige Punkte werden verfolgt</translation>
+    </message>
+    <message>
+        <source>the tracked points contradict one another</source>
+        <translation>die verfolgten Punkte widersprechen einander</translation>
+    </message>
+    <message>
+        <source>the model does not fit what the camera sees</source>
+        <translation>das Modell passt nicht zu dem, was die Kamera sieht</translation>
+    </message>
+    <message>
+        <source>the mechanical computation failed</source>
+        <translation>die mechanische Rechnung ist gescheitert</translation>
+    </message>
+    <message>
+        <source>an earlier step has changed since the registration</source>
+        <translation>ein früherer Schritt hat sich seit der Registrierung geändert</translation>
+    </message>
+    <message>
+        <source>No overlay: %1</source>
+        <translation>Keine Einblendung: %1</translation>
+    </message>
+    <message>
+        <source>frame %1</source>
+        <translation>Bild %1</translation>
+    </message>
+    <message>
+        <source>age %1 ms</source>
+        <translation>Alter %1 ms</translation>
+    </message>
+    <message>
+        <source>%1 fps</source>
+        <translation>%1 Bilder/s</translation>
+    </message>
+    <message>
+        <source>residual %1 mm</source>
+        <translation>Restabstand %1 mm</translation>
+    </message>
+    <message>
+        <source>Research software: not for clinical use</source>
+        <translation>Forschungssoftware: nicht für den klinischen Gebrauch</translation>
+    </message>
+    <message>
+        <source>Portal vein</source>
+        <translation>Pfortader</translation>
+    </message>
+    <message>
+        <source>Hepatic veins</source>
+        <translation>Lebervenen</translation>
+    </message>
+    <message>
+        <source>Hepatic artery</source>
+        <translation>Leberarterie</translation>
+    </message>
+    <message>
+        <source>Lesion</source>
+        <translation>Läsion</translation>
+    </message>
+</context>
+<context>
+    <name>Texts</name>
+    <message>
+        <source>Reading the volume</source>
+        <translation>Volumen lesen</translation>
+    </message>
+    <message>
+        <source>Reading the labels</source>
+        <translation>Labels lesen</translation>
+    </message>
+    <message>
+        <source>Storing the seeds</source>
+        <translation>Saatpunkte übernehmen</translation>
+    </message>
+    <message>
+        <source>Segmenting</source>
+        <translation>Segmentieren</translation>
+    </message>
+    <message>
+        <source>Building the model</source>
+        <translation>Modell bauen</translation>
+    </message>
+    <message>
+        <source>Building the model from surfaces</source>
+        <translation>Modell aus Oberflächen bauen</translation>
+    </message>
+    <message>
+        <source>Reading the mesh</source>
+        <translation>Netz lesen</translation>
+    </message>
+    <message>
+        <source>Storing the landmarks</source>
+        <translation>Landmarken übernehmen</translation>
+    </message>
+    <message>
+        <source>Reading the calibration</source>
+        <translation>Kalibrierung lesen</translation>
+    </message>
+    <message>
+        <source>Reading the stereo pair</source>
+        <translation>Stereobildpaar lesen</translation>
+    </message>
+    <message>
+        <source>Opening the video</source>
+        <translation>Video öffnen</translation>
+    </message>
+    <message>
+        <source>Reading the video&apos;s frame</source>
+        <translation>Videobild lesen</translation>
+    </message>
+    <message>
+        <source>Storing the regions</source>
+        <translation>Bereiche übernehmen</translation>
+    </message>
+    <message>
+        <source>Reconstructing the surface</source>
+        <translation>Oberfläche rekonstruieren</translation>
+    </message>
+    <message>
+        <source>Reading the cloud</source>
+        <translation>Punktwolke lesen</translation>
+    </message>
+    <message>
+        <source>Registering</source>
+        <translation>Registrieren</translation>
+    </message>
+    <message>
+        <source>Reading the registration</source>
+        <translation>Registrierung lesen</translation>
+    </message>
+    <message>
+        <source>Starting the tracking</source>
+        <translation>Verfolgung starten</translation>
+    </message>
+    <message>
+        <source>Stopping the tracking</source>
+        <translation>Verfolgung beenden</translation>
+    </message>
+    <message>
+        <source>Opening the case</source>
+        <translation>Fall öffnen</translation>
+    </message>
+    <message>
+        <source>Saving the case</source>
+        <translation>Fall speichern</translation>
+    </message>
+    <message>
+        <source>looking for the frame</source>
+        <translation>Bild suchen</translation>
+    </message>
+    <message>
+        <source>reading slices</source>
+        <translation>Schichten lesen</translation>
+    </message>
+    <message>
+        <source>unpacking</source>
+        <translation>entpacken</translation>
+    </message>
+    <message>
+        <source>reading labels</source>
+        <translation>Labels lesen</translation>
+    </message>
+    <message>
+        <source>reading the mesh</source>
+        <translation>Netz lesen</translation>
+    </message>
+    <message>
+        <source>reading files</source>
+        <translation>Dateien lesen</translation>
+    </message>
+    <message>
+        <source>writing files</source>
+        <translation>Dateien schreiben</translation>
+    </message>
+    <message>
+        <source>checking what was written</source>
+        <translation>Geschriebenes prüfen</translation>
+    </message>
+    <message>
+        <source>saved</source>
+        <translation>gespeichert</translation>
+    </message>
+    <message>
+        <source>preparing</source>
+        <translation>vorbereiten</translation>
+    </message>
+    <message>
+        <source>growing from the seeds</source>
+        <translation>von den Saatpunkten wachsen</translation>
+    </message>
+    <message>
+        <source>fitting the liver&apos;s surface</source>
+        <translation>Leberoberfläche anpassen</translation>
+    </message>
+    <message>
+        <source>growing the vessels</source>
+        <translation>Gefäße wachsen</translation>
+    </message>
+    <message>
+        <source>cleaning up</source>
+        <translation>aufräumen</translation>
+    </message>
+    <message>
+        <source>making surfaces</source>
+        <translation>Oberflächen bilden</translation>
+    </message>
+    <message>
+        <source>reading surfaces</source>
+        <translation>Oberflächen lesen</translation>
+    </message>
+    <message>
+        <source>choosing the element size</source>
+        <translation>Elementgröße wählen</translation>
+    </message>
+    <message>
+        <source>preparing the mesh</source>
+        <translation>Netz vorbereiten</translation>
+    </message>
+    <message>
+        <source>filling with elements</source>
+        <translation>mit Elementen füllen</translation>
+    </message>
+    <message>
+        <source>improving the elements</source>
+        <translation>Elemente verbessern</translation>
+    </message>
+    <message>
+        <source>removing flat elements</source>
+        <translation>flache Elemente entfernen</translation>
+    </message>
+    <message>
+        <source>finding vessel centrelines</source>
+        <translation>Mittellinien der Gefäße suchen</translation>
+    </message>
+    <message>
+        <source>finding the anterior margin</source>
+        <translation>Vorderrand suchen</translation>
+    </message>
+    <message>
+        <source>measuring the mesh</source>
+        <translation>Netz vermessen</translation>
+    </message>
+    <message>
+        <source>finding points</source>
+        <translation>Punkte suchen</translation>
+    </message>
+    <message>
+        <source>matching points</source>
+        <translation>Punkte zuordnen</translation>
+    </message>
+    <message>
+        <source>refining matches</source>
+        <translation>Zuordnungen verfeinern</translation>
+    </message>
+    <message>
+        <source>fitting the surface</source>
+        <translation>Oberfläche anpassen</translation>
+    </message>
+    <message>
+        <source>finishing</source>
+        <translation>abschließen</translation>
+    </message>
+    <message>
+        <source>rigid start</source>
+        <translation>starrer Start</translation>
+    </message>
+    <message>
+        <source>elastic deformation</source>
+        <translation>elastische Verformung</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Hintergrund</translation>
+    </message>
+    <message>
+        <source>Liver</source>
+        <translation>Leber</translation>
+    </message>
+    <message>
+        <source>Portal vein</source>
+        <translation>Pfortader</translation>
+    </message>
+    <message>
+        <source>Hepatic veins</source>
+        <translation>Lebervenen</translation>
+    </message>
+    <message>
+        <source>Vena cava</source>
+        <translation>Vena cava</translation>
+    </message>
+    <message>
+        <source>Hepatic artery</source>
+        <translation>Leberarterie</translation>
+    </message>
+    <message>
+        <source>Gallbladder</source>
+        <translation>Gallenblase</translation>
+    </message>
+    <message>
+        <source>Lesion %1</source>
+        <translation>Läsion %1</translation>
+    </message>
+    <message>
+        <source>Not done</source>
+        <translation>Offen</translation>
+    </message>
+    <message>
+        <source>Up to date</source>
+        <translation>Aktuell</translation>
+    </message>
+    <message>
+        <source>Out of date</source>
+        <translation>Veraltet</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::AtlasPanel</name>
+    <message>
+        <source>Landmarks</source>
+        <translation>Landmarken</translation>
+    </message>
+    <message>
+        <source>Features that are found again in the laparoscope&apos;s pictures. Check them on the 3D surface and place what is missing.</source>
+        <translation>Merkmale, die sich in den Bildern des Laparoskops wiederfinden. Auf der 3D-Oberfläche prüfen und Fehlendes setzen.</translation>
+    </message>
+    <message>
+        <source>Build a model first.</source>
+        <translation>Zuerst ein Modell bauen.</translation>
+    </message>
+    <message>
+        <source>Anterior margin</source>
+        <translation>Vorderrand</translation>
+    </message>
+    <message>
+        <source>The sharp lower edge, found on the model (white line).</source>
+        <translation>Die scharfe Unterkante, am Modell gefunden (weiße Linie).</translation>
+    </message>
+    <message>
+        <source>Umbilical notch</source>
+        <translation>Nabelkerbe</translation>
+    </message>
+    <message>
+        <source>Where the round ligament enters (orange).</source>
+        <translation>Wo das runde Leberband eintritt (orange).</translation>
+    </message>
+    <message>
+        <source>Vena cava</source>
+        <translation>Vena cava</translation>
+    </message>
+    <message>
+        <source>Where the liver is attached to it, seen from behind (green).</source>
+        <translation>Wo die Leber an ihr hängt, von hinten gesehen (grün).</translation>
+    </message>
+    <message>
+        <source>Acceptance</source>
+        <translation>Übernahme</translation>
+    </message>
+    <message>
+        <source>What you see in the 3D view is what the registration will use.</source>
+        <translation>Was die 3D-Ansicht zeigt, verwendet die Registrierung.</translation>
+    </message>
+    <message>
+        <source>Accept landmarks</source>
+        <translation>Landmarken übernehmen</translation>
+    </message>
+    <message>
+        <source>Place by clicking</source>
+        <translation>Klickend setzen</translation>
+    </message>
+    <message>
+        <source>Undo last</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Leeren</translation>
+    </message>
+    <message>
+        <source>%1 mm long</source>
+        <translation>%1 mm lang</translation>
+    </message>
+    <message>
+        <source>not found</source>
+        <translation>nicht gefunden</translation>
+    </message>
+    <message>
+        <source>not placed</source>
+        <translation>nicht gesetzt</translation>
+    </message>
+    <message>
+        <source>points: %1</source>
+        <translation>Punkte: %1</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::GuidancePanel</name>
+    <message>
+        <source>Guidance</source>
+        <translation>Navigation</translation>
+    </message>
+    <message>
+        <source>The model brought to what the laparoscope sees, and kept there.</source>
+        <translation>Das Modell, zu dem gebracht, was das Laparoskop sieht, und dort gehalten.</translation>
+    </message>
+    <message>
+        <source>Frames recorded: %1, in %2</source>
+        <translation>Aufgenommene Bilder: %1, in %2</translation>
+    </message>
+    <message>
+        <source>The video has ended. Last picture, not live.</source>
+        <translation>Das Video ist zu Ende. Letztes Bild, nicht live.</translation>
+    </message>
+    <message>
+        <source>Register the model to a frame of the laparoscope; the augmented picture appears here.</source>
+        <translation>Das Modell zu einem Bild des Laparoskops registrieren; hier erscheint dann das Bild mit der Einblendung.</translation>
+    </message>
+    <message>
+        <source>1. Initial registration</source>
+        <translation>1. Erste Registrierung</translation>
+    </message>
+    <message>
+        <source>Rigid start from the labelled features, then the elastic model is drawn to the points.</source>
+        <translation>Starrer Start aus den markierten Merkmalen, dann wird das elastische Modell zu den Punkten gezogen.</translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation>Registrieren</translation>
+    </message>
+    <message>
+        <source>2. Live tracking</source>
+        <translation>2. Live-Verfolgung</translation>
+    </message>
+    <message>
+        <source>Plays the case&apos;s stereo video as a live laparoscope.</source>
+        <translation>Spielt das Stereovideo des Falls wie ein Laparoskop ab.</translation>
+    </message>
+    <message>
+        <source>Start tracking</source>
+        <translation>Verfolgung starten</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>Record…</source>
+        <translation>Aufnehmen…</translation>
+    </message>
+    <message>
+        <source>Repeat the video</source>
+        <translation>Video wiederholen</translation>
+    </message>
+    <message>
+        <source>At its end, track again from the registered frame.</source>
+        <translation>Am Ende wieder ab dem registrierten Bild verfolgen.</translation>
+    </message>
+    <message>
+        <source>Tracking was stopped. Last picture, not live.</source>
+        <translation>Die Verfolgung wurde beendet. Letztes Bild, nicht live.</translation>
+    </message>
+    <message>
+        <source>Overlay</source>
+        <translation>Einblendung</translation>
+    </message>
+    <message>
+        <source>Portal vein</source>
+        <translation>Pfortader</translation>
+    </message>
+    <message>
+        <source>Hepatic veins</source>
+        <translation>Lebervenen</translation>
+    </message>
+    <message>
+        <source>Lesions</source>
+        <translation>Läsionen</translation>
+    </message>
+    <message>
+        <source>Liver outline</source>
+        <translation>Leberumriss</translation>
+    </message>
+    <message>
+        <source>Anterior margin</source>
+        <translation>Vorderrand</translation>
+    </message>
+    <message>
+        <source>Vessel opacity</source>
+        <translation>Deckkraft der Gefäße</translation>
+    </message>
+    <message>
+        <source>Residual (not an accuracy)</source>
+        <translation>Restabstand (keine Genauigkeit)</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Converged</source>
+        <translation>Konvergiert</translation>
+    </message>
+    <message>
+        <source>yes, %1 plateaus</source>
+        <translation>ja, %1 Stufen</translation>
+    </message>
+    <message>
+        <source>no, %1 steps</source>
+        <translation>nein, %1 Schritte</translation>
+    </message>
+    <message>
+        <source>Registered frame %1, not live</source>
+        <translation>Registriertes Bild %1, nicht live</translation>
+    </message>
+    <message>
+        <source>Frame %1, not live</source>
+        <translation>Bild %1, nicht live</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Tracked points, left / right</source>
+        <translation>Verfolgte Punkte, links / rechts</translation>
+    </message>
+    <message>
+        <source>%1 / %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation>Paare</translation>
+    </message>
+    <message>
+        <source>Tracking and mechanics</source>
+        <translation>Verfolgung und Mechanik</translation>
+    </message>
+    <message>
+        <source>Drawing</source>
+        <translation>Zeichnen</translation>
+    </message>
+    <message>
+        <source>Frames late / dropped</source>
+        <translation>Bilder zu spät / ausgelassen</translation>
+    </message>
+    <message>
+        <source>LIVE   frame %1   age %2 ms   %3 frames/s</source>
+        <translation>LIVE   Bild %1   Alter %2 ms   %3 Bilder/s</translation>
+    </message>
+    <message>
+        <source>   NO OVERLAY: %1</source>
+        <translation>   KEINE EINBLENDUNG: %1</translation>
+    </message>
+    <message>
+        <source>The picture is %1 s old: the overlay does not show where things are now.</source>
+        <translation>Das Bild ist %1 s alt: Die Einblendung zeigt nicht, wo die Dinge jetzt sind.</translation>
+    </message>
+    <message>
+        <source>The overlay is being prepared: the picture shows none yet.</source>
+        <translation>Die Einblendung wird vorbereitet: Das Bild zeigt noch keine.</translation>
+    </message>
+    <message>
+        <source>Tracking is running.</source>
+        <translation>Die Verfolgung läuft.</translation>
+    </message>
+    <message>
+        <source>Stop recording</source>
+        <translation>Aufnahme beenden</translation>
+    </message>
+    <message>
+        <source>Not live</source>
+        <translation>Nicht live</translation>
+    </message>
+    <message>
+        <source>Record the live view</source>
+        <translation>Live-Ansicht aufnehmen</translation>
+    </message>
+    <message>
+        <source>Video (*.mkv)</source>
+        <translation>Video (*.mkv)</translation>
+    </message>
+    <message>
+        <source>Recording to %1</source>
+        <translation>Aufnahme in %1</translation>
+    </message>
+    <message>
+        <source>Build a model first.</source>
+        <translation>Zuerst ein Modell bauen.</translation>
+    </message>
+    <message>
+        <source>Reconstruct the surface first (Stereo).</source>
+        <translation>Zuerst die Oberfläche rekonstruieren (Stereo).</translation>
+    </message>
+    <message>
+        <source>Register first.</source>
+        <translation>Zuerst registrieren.</translation>
+    </message>
+    <message>
+        <source>The registration is out of date: register again.</source>
+        <translation>Die Registrierung ist veraltet: neu registrieren.</translation>
+    </message>
+    <message>
+        <source>The case has no stereo video (Stereo, Video…).</source>
+        <translation>Der Fall hat kein Stereovideo (Stereo, Video…).</translation>
+    </message>
+    <message>
+        <source>The registered frame or the calibration is missing.</source>
+        <translation>Das registrierte Bild oder die Kalibrierung fehlt.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::LinkedViews</name>
+    <message>
+        <source>3D</source>
+        <translation>3D</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>Look from the front (anterior)</source>
+        <translation>Von vorn (anterior)</translation>
+    </message>
+    <message>
+        <source>P</source>
+        <translation>P</translation>
+    </message>
+    <message>
+        <source>Look from behind (posterior)</source>
+        <translation>Von hinten (posterior)</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <translation>R</translation>
+    </message>
+    <message>
+        <source>Look from the patient&apos;s right</source>
+        <translation>Von der rechten Seite des Patienten</translation>
+    </message>
+    <message>
+        <source>L</source>
+        <translation>L</translation>
+    </message>
+    <message>
+        <source>Look from the patient&apos;s left</source>
+        <translation>Von der linken Seite des Patienten</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>S</translation>
+    </message>
+    <message>
+        <source>Look from above (superior)</source>
+        <translation>Von oben (superior)</translation>
+    </message>
+    <message>
+        <source>I</source>
+        <translation>I</translation>
+    </message>
+    <message>
+        <source>Look from below (inferior)</source>
+        <translation>Von unten (inferior)</translation>
+    </message>
+    <message>
+        <source>Look from</source>
+        <translation>Blick von</translation>
+    </message>
+    <message>
+        <source>Slices</source>
+        <translation>Schichten</translation>
+    </message>
+    <message>
+        <source>Show the three slices in the 3D view</source>
+        <translation>Die drei Schichten in der 3D-Ansicht zeigen</translation>
+    </message>
+    <message>
+        <source>No volume</source>
+        <translation>Kein Volumen</translation>
+    </message>
+    <message>
+        <source>Preparing the model for drawing…</source>
+        <translation>Das Modell wird zum Zeichnen vorbereitet…</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>außerhalb</translation>
+    </message>
+    <message>
+        <source>%1 HU</source>
+        <translation>%1 HE</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::MainWindow</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>Ö&amp;ffnen</translation>
+    </message>
+    <message>
+        <source>&amp;DICOM folder…</source>
+        <translation>&amp;DICOM-Ordner…</translation>
+    </message>
+    <message>
+        <source>&amp;Volume…</source>
+        <translation>&amp;Volumen…</translation>
+    </message>
+    <message>
+        <source>&amp;Case…</source>
+        <translation>&amp;Fall…</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Speichern &amp;unter…</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>&amp;Step</source>
+        <translation>S&amp;chritt</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>&amp;About Glisson</source>
+        <translation>&amp;Über Glisson</translation>
+    </message>
+    <message>
+        <source>About Glisson</source>
+        <translation>Über Glisson</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Glisson&lt;/b&gt;&lt;br&gt;Planning and guidance of minimally invasive liver surgery, after Plantefève, Peterlik, Haouchine and Cotin (2015).&lt;br&gt;&lt;br&gt;Research software: not for clinical use.&lt;br&gt;Licence: GPL-3.0-or-later.</source>
+        <translation>&lt;b&gt;Glisson&lt;/b&gt;&lt;br&gt;Planung und Navigation minimalinvasiver Leberchirurgie nach Plantefève, Peterlik, Haouchine und Cotin (2015).&lt;br&gt;&lt;br&gt;Forschungssoftware: nicht für den klinischen Gebrauch.&lt;br&gt;Lizenz: GPL-3.0-or-later.</translation>
+    </message>
+    <message>
+        <source>%1 is nothing that Glisson opens. Give a folder of DICOM slices, a volume (NIfTI, NRRD, MetaImage) or a case (NAME.glisson).</source>
+        <translation>%1 kann Glisson nicht öffnen. Möglich sind ein Ordner mit DICOM-Schichten, ein Volumen (NIfTI, NRRD, MetaImage) oder ein Fall (NAME.glisson).</translation>
+    </message>
+    <message>
+        <source>Glisson</source>
+        <translation>Glisson</translation>
+    </message>
+    <message>
+        <source>Open a case (a folder NAME.glisson)</source>
+        <translation>Fall öffnen (ein Ordner NAME.glisson)</translation>
+    </message>
+    <message>
+        <source>Open a folder of DICOM slices</source>
+        <translation>Ordner mit DICOM-Schichten öffnen</translation>
+    </message>
+    <message>
+        <source>Open a volume</source>
+        <translation>Volumen öffnen</translation>
+    </message>
+    <message>
+        <source>Volumes (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.tar.gz *.tgz)</source>
+        <translation>Volumen (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.tar.gz *.tgz)</translation>
+    </message>
+    <message>
+        <source>Save the case as a folder</source>
+        <translation>Fall als Ordner speichern</translation>
+    </message>
+    <message>
+        <source>Cases (*.glisson)</source>
+        <translation>Fälle (*.glisson)</translation>
+    </message>
+    <message>
+        <source>unsaved case</source>
+        <translation>ungespeicherter Fall</translation>
+    </message>
+    <message>
+        <source>%1[*] – Glisson</source>
+        <translation>%1[*] – Glisson</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>The case has changes that are not saved.</source>
+        <translation>Der Fall hat Änderungen, die nicht gespeichert sind.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::ModelPanel</name>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>A mesh of the liver with its vessels, ready for mechanics.</source>
+        <translation>Ein Netz der Leber mit ihren Gefäßen, bereit für die Mechanik.</translation>
+    </message>
+    <message>
+        <source>Build from the labels</source>
+        <translation>Aus den Labels bauen</translation>
+    </message>
+    <message>
+        <source>More vertices follow the organ more closely and compute more slowly.</source>
+        <translation>Mehr Knoten folgen dem Organ genauer und rechnen länger.</translation>
+    </message>
+    <message>
+        <source>Mesh vertices</source>
+        <translation>Netzknoten</translation>
+    </message>
+    <message>
+        <source>Portal and hepatic vessels stiffen the model</source>
+        <translation>Gefäße versteifen das Modell</translation>
+    </message>
+    <message>
+        <source>Build model</source>
+        <translation>Modell bauen</translation>
+    </message>
+    <message>
+        <source>From a folder of surfaces…</source>
+        <translation>Aus einem Ordner mit Oberflächen…</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Güte</translation>
+    </message>
+    <message>
+        <source>3D view</source>
+        <translation>3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <source>Liver opacity</source>
+        <translation>Deckkraft der Leber</translation>
+    </message>
+    <message>
+        <source>Folder of surfaces, named by structure</source>
+        <translation>Ordner mit Oberflächen, nach Struktur benannt</translation>
+    </message>
+    <message>
+        <source>Segment the CT or import labels first.</source>
+        <translation>Zuerst das CT segmentieren oder Labels importieren.</translation>
+    </message>
+    <message>
+        <source>No model yet.</source>
+        <translation>Noch kein Modell.</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Vertices</source>
+        <translation>Knoten</translation>
+    </message>
+    <message>
+        <source>Tetrahedra</source>
+        <translation>Tetraeder</translation>
+    </message>
+    <message>
+        <source>Dihedral angles</source>
+        <translation>Flächenwinkel</translation>
+    </message>
+    <message>
+        <source>%1° to %2°</source>
+        <translation>%1° bis %2°</translation>
+    </message>
+    <message>
+        <source>Volume error</source>
+        <translation>Volumenfehler</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Vertices to fine surface, mean</source>
+        <translation>Knoten zur feinen Oberfläche, Mittel</translation>
+    </message>
+    <message>
+        <source>Mesh to fine surface, mean</source>
+        <translation>Netz zur feinen Oberfläche, Mittel</translation>
+    </message>
+    <message>
+        <source>Fine surface to mesh, mean</source>
+        <translation>Feine Oberfläche zum Netz, Mittel</translation>
+    </message>
+    <message>
+        <source>Fine surface to mesh, largest</source>
+        <translation>Feine Oberfläche zum Netz, größter</translation>
+    </message>
+    <message>
+        <source>%1, beams</source>
+        <translation>%1, Balken</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::Panel</name>
+    <message>
+        <source>Running</source>
+        <translation>Läuft</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::RegionEditor</name>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Load a stereo pair or a video, and the laparoscope&apos;s calibration.</source>
+        <translation>Stereobildpaar oder Video und die Kalibrierung des Laparoskops laden.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::SegmentationPanel</name>
+    <message>
+        <source>Not liver</source>
+        <translation>Nicht Leber</translation>
+    </message>
+    <message>
+        <source>Segmentation</source>
+        <translation>Segmentierung</translation>
+    </message>
+    <message>
+        <source>Mark each structure with a few clicks in the slices, then grow them.</source>
+        <translation>Jede Struktur mit ein paar Klicks in den Schichten markieren, dann wachsen lassen.</translation>
+    </message>
+    <message>
+        <source>Grow</source>
+        <translation>Wachsen</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Resolution at which the liver&apos;s surface evolves. Finer is slower.</source>
+        <translation>Auflösung, in der die Leberoberfläche wächst. Feiner ist langsamer.</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Auflösung</translation>
+    </message>
+    <message>
+        <source>Segment</source>
+        <translation>Segmentieren</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Label opacity</source>
+        <translation>Deckkraft der Labels</translation>
+    </message>
+    <message>
+        <source>Import labels…</source>
+        <translation>Labels importieren…</translation>
+    </message>
+    <message>
+        <source>Import labels</source>
+        <translation>Labels importieren</translation>
+    </message>
+    <message>
+        <source>Labels (*.nrrd *.nii *.nii.gz *.mha *.mhd *.vti)</source>
+        <translation>Labels (*.nrrd *.nii *.nii.gz *.mha *.mhd *.vti)</translation>
+    </message>
+    <message>
+        <source>Seeds</source>
+        <translation>Saatpunkte</translation>
+    </message>
+    <message>
+        <source>Choose a structure, then click it in a slice. Esc ends placing.</source>
+        <translation>Struktur wählen, dann in einer Schicht anklicken. Esc beendet das Setzen.</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Leeren</translation>
+    </message>
+    <message>
+        <source>Load…</source>
+        <translation>Laden…</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Sichern…</translation>
+    </message>
+    <message>
+        <source>Load seeds</source>
+        <translation>Saatpunkte laden</translation>
+    </message>
+    <message>
+        <source>Seeds (*.json)</source>
+        <translation>Saatpunkte (*.json)</translation>
+    </message>
+    <message>
+        <source>Save seeds</source>
+        <translation>Saatpunkte sichern</translation>
+    </message>
+    <message>
+        <source>%1 ml</source>
+        <translation>%1 ml</translation>
+    </message>
+    <message>
+        <source>Open a CT first.</source>
+        <translation>Zuerst ein CT öffnen.</translation>
+    </message>
+    <message>
+        <source>Place at least one seed in the liver.</source>
+        <translation>Mindestens einen Saatpunkt in die Leber setzen.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::SliceView</name>
+    <message>
+        <source>Click: crosshair. Wheel: next slice. Right drag: contrast. Middle drag: move. Ctrl + wheel: zoom. Double click: whole picture.</source>
+        <translation>Klick: Fadenkreuz. Rad: nächste Schicht. Rechts ziehen: Kontrast. Mitte ziehen: verschieben. Strg + Rad: Zoom. Doppelklick: ganzes Bild.</translation>
+    </message>
+    <message>
+        <source>No volume</source>
+        <translation>Kein Volumen</translation>
+    </message>
+    <message>
+        <source>Axial</source>
+        <translation>Axial</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>Koronar</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>Sagittal</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>WL %1  WW %2</source>
+        <translation>WL %1  WW %2</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::StepBar</name>
+    <message>
+        <source>Research software: not for clinical use</source>
+        <translation>Forschungssoftware: nicht für den klinischen Gebrauch</translation>
+    </message>
+    <message>
+        <source>Ctrl+%1</source>
+        <translation>Strg+%1</translation>
+    </message>
+    <message>
+        <source>not done</source>
+        <translation>offen</translation>
+    </message>
+    <message>
+        <source>✓ up to date</source>
+        <translation>✓ aktuell</translation>
+    </message>
+    <message>
+        <source>! out of date</source>
+        <translation>! veraltet</translation>
+    </message>
+    <message>
+        <source>running…</source>
+        <translation>läuft…</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::StereoPanel</name>
+    <message>
+        <source>Surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>Anterior margin</source>
+        <translation>Vorderrand</translation>
+    </message>
+    <message>
+        <source>Umbilical notch</source>
+        <translation>Nabelkerbe</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Distance from the camera</source>
+        <translation>Abstand von der Kamera</translation>
+    </message>
+    <message>
+        <source>%1 to %2 mm</source>
+        <translation>%1 bis %2 mm</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.bmp)</source>
+        <translation>Bilder (*.png *.jpg *.jpeg *.bmp)</translation>
+    </message>
+    <message>
+        <source>Stereo</source>
+        <translation>Stereo</translation>
+    </message>
+    <message>
+        <source>What the stereo laparoscope sees of the liver, as points in space.</source>
+        <translation>Was das Stereolaparoskop von der Leber sieht, als Punkte im Raum.</translation>
+    </message>
+    <message>
+        <source>Reconstruct</source>
+        <translation>Rekonstruieren</translation>
+    </message>
+    <message>
+        <source>Reconstruct surface</source>
+        <translation>Oberfläche rekonstruieren</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Reconstructed points</source>
+        <translation>Rekonstruierte Punkte</translation>
+    </message>
+    <message>
+        <source>No points yet</source>
+        <translation>Noch keine Punkte</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Calibration…</source>
+        <translation>Kalibrierung…</translation>
+    </message>
+    <message>
+        <source>Stereo pair…</source>
+        <translation>Stereopaar…</translation>
+    </message>
+    <message>
+        <source>Video…</source>
+        <translation>Video…</translation>
+    </message>
+    <message>
+        <source>Frame </source>
+        <translation>Bild </translation>
+    </message>
+    <message>
+        <source>Take this frame</source>
+        <translation>Bild nehmen</translation>
+    </message>
+    <message>
+        <source>Regions</source>
+        <translation>Bereiche</translation>
+    </message>
+    <message>
+        <source>Choose a feature and click around it in the left picture; Enter, or a click on the first corner, closes. Backspace takes a corner back, Esc ends. Then corners can be dragged; right click removes a region.</source>
+        <translation>Merkmal wählen und im linken Bild umklicken; Eingabe oder ein Klick auf die erste Ecke schließt. Die Rücktaste nimmt eine Ecke zurück, Esc beendet. Danach lassen sich Ecken ziehen; ein Rechtsklick entfernt einen Bereich.</translation>
+    </message>
+    <message>
+        <source>Clear regions</source>
+        <translation>Bereiche leeren</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>OpenCV YAML (*.yml *.yaml)</source>
+        <translation>OpenCV YAML (*.yml *.yaml)</translation>
+    </message>
+    <message>
+        <source>Left picture</source>
+        <translation>Linkes Bild</translation>
+    </message>
+    <message>
+        <source>Right picture</source>
+        <translation>Rechtes Bild</translation>
+    </message>
+    <message>
+        <source>Stereo video, both views side by side</source>
+        <translation>Stereovideo, beide Ansichten nebeneinander</translation>
+    </message>
+    <message>
+        <source>Videos (*.mkv *.mp4 *.avi *.mov)</source>
+        <translation>Videos (*.mkv *.mp4 *.avi *.mov)</translation>
+    </message>
+    <message>
+        <source>%1 × %2, baseline %3 mm</source>
+        <translation>%1 × %2, Basis %3 mm</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Video: %1</source>
+        <translation>Video: %1</translation>
+    </message>
+    <message>
+        <source>Stereo pair, %1 × %2</source>
+        <translation>Stereobildpaar, %1 × %2</translation>
+    </message>
+    <message>
+        <source>%1, corners: %2</source>
+        <translation>%1, Ecken: %2</translation>
+    </message>
+    <message>
+        <source>Load the laparoscope&apos;s calibration first.</source>
+        <translation>Zuerst die Kalibrierung des Laparoskops laden.</translation>
+    </message>
+    <message>
+        <source>Load a stereo pair or a video frame first.</source>
+        <translation>Zuerst ein Stereobildpaar oder ein Videobild laden.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::TaskButton</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Cancelling…</source>
+        <translation>Wird abgebrochen…</translation>
+    </message>
+    <message>
+        <source>Waiting…</source>
+        <translation>Wartet…</translation>
+    </message>
+    <message>
+        <source>Done in %1 s</source>
+        <translation>Fertig in %1 s</translation>
+    </message>
+    <message>
+        <source>Cancelled; nothing was changed</source>
+        <translation>Abgebrochen; nichts wurde geändert</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::TaskStatus</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: done in %2 s</source>
+        <translation>%1: fertig in %2 s</translation>
+    </message>
+    <message>
+        <source>%1: cancelled</source>
+        <translation>%1: abgebrochen</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::WelcomePage</name>
+    <message>
+        <source>Glisson</source>
+        <translation>Glisson</translation>
+    </message>
+    <message>
+        <source>Open a patient&apos;s CT or a case, or drop it here.</source>
+        <translation>Das CT eines Patienten oder einen Fall öffnen oder hierher ziehen.</translation>
+    </message>
+    <message>
+        <source>DICOM folder…</source>
+        <translation>DICOM-Ordner…</translation>
+    </message>
+    <message>
+        <source>Volume file…</source>
+        <translation>Volumendatei…</translation>
+    </message>
+    <message>
+        <source>Case…</source>
+        <translation>Fall…</translation>
+    </message>
+</context>
+</TS>
