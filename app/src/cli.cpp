@@ -210,7 +210,7 @@ void Session::finish() {
   if (arguments_.has("json")) write_figures(arguments_.path("json"), figures, texts);
 }
 
-OutputFolder::OutputFolder(fs::path wanted) : wanted_(fs::absolute(std::move(wanted)).lexically_normal()) {
+OutputFolder::OutputFolder(const fs::path& wanted) : wanted_(fs::absolute(wanted).lexically_normal()) {
   if (!wanted_.has_filename()) wanted_ = wanted_.parent_path();
   if (fs::exists(wanted_) && !fs::is_directory(wanted_))
     throw FileError(wanted_.string() + ": is a file, a folder is needed here. Choose another name.");

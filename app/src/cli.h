@@ -118,7 +118,7 @@ void provide_runtime_folder();
 /// remains.
 class OutputFolder {
  public:
-  explicit OutputFolder(std::filesystem::path wanted);
+  explicit OutputFolder(const std::filesystem::path& wanted);
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
