@@ -2,119 +2,21 @@
 #include "glisson/insilico/patient.h"
 
 #include <QtTest>
+#include <map>
 #include <numeric>
+#include <random>
 
 #include "glisson/core/error.h"
 #include "glisson/geometry/distance.h"
 #include "glisson/geometry/topology.h"
+#include "patient_checks.h"
 
 using namespace glisson;
+using namespace glisson::test;
 using insilico::make_patient;
 using insilico::PatientOptions;
-using insilico::SyntheticPatient;
 
 namespace {
-
-PatientOptions coarse(std::uint64_t seed) {
-  PatientOptions options;
-  options.shape_seed = seed;
-  options.spacing_mm = {5.0, 5.0, 5.0};
-  options.surface_spacing_mm = 3.0;
-  return options;
-}
-
-const TriangleMesh& surface(const SyntheticPatient& patient, Label structure) {
-  for (const NamedSurface& named : patient.surfaces)
-    if (named.structure == structure) return named.mesh;
-  throw std::runtime_error("no such surface");
-}
-
-const VesselTree& tree(const SyntheticPatient& patient, Label structure) {
-  for (const VesselTree& candidate : patient.trees)
-    if (candidate.structure == structure) return candidate;
-  throw std::runtime_error("no such tree");
-}
-
-bool of_liver(Label label) {
-  return label == structure::kParenchyma || label == structure::kPortalVein ||
-         label == structure::kHepaticVeins || is_lesion(label);
-}
-
-/// Whether a point lies inside a closed mesh: rays along x cross it an odd number of times.
-bool inside_mesh(const TriangleMesh& mesh, const Eigen::Vector3d& point) {
-  // Off the lattice that the vertices lie on, so that no ray meets an edge.
-  const Eigen::Vector3d p = point + Eigen::Vector3d(0.0, 3.1e-6, 4.7e-6);
-  int crossings = 0;
-  for (int t = 0; t < mesh.triangle_count(); ++t) {
-    const Eigen::Vector3d a = mesh.vertex(mesh.triangles(t, 0)) - p,
-                          b = mesh.vertex(mesh.triangles(t, 1)) - p,
-                          c = mesh.vertex(mesh.triangles(t, 2)) - p;
-    const double ab = a.y() * b.z() - a.z() * b.y(), bc = b.y() * c.z() - b.z() * c.y(),
-                 ca = c.y() * a.z() - c.z() * a.y();
-    if (!((ab > 0 && bc > 0 && ca > 0) || (ab < 0 && bc < 0 && ca < 0))) continue;
-    if ((a.x() * bc + b.x() * ca + c.x() * ab) / (ab + bc + ca) > 0.0) ++crossings;
-  }
-  return crossings % 2 == 1;
-}
-
-/// Sizes of the 6-connected components of a dense mask, and the component of each voxel (-1: none).
-std::vector<long> components(const VolumeGrid& grid, const std::vector<std::uint8_t>& mask,
-                             std::vector<int>& of) {
-  of.assign(mask.size(), -1);
-  const long sx = 1, sy = grid.size.x(), sz = sy * grid.size.y();
-  std::vector<long> sizes, stack;
-  for (std::size_t start = 0; start < mask.size(); ++start) {
-    if (!mask[start] || of[start] >= 0) continue;
-    const int id = static_cast<int>(sizes.size());
-    sizes.push_back(0);
-    stack.assign(1, static_cast<long>(start));
-    of[start] = id;
-    while (!stack.empty()) {
-      const long at = stack.back();
-      stack.pop_back();
-      ++sizes.back();
-      const long x = at % sy, y = (at / sy) % grid.size.y(), z = at / sz;
-      const auto push = [&](bool allowed, long next) {
-        if (!allowed || !mask[static_cast<std::size_t>(next)] || of[static_cast<std::size_t>(next)] >= 0)
-          return;
-        of[static_cast<std::size_t>(next)] = id;
-        stack.push_back(next);
-      };
-      push(x > 0, at - sx), push(x + 1 < grid.size.x(), at + sx);
-      push(y > 0, at - sy), push(y + 1 < grid.size.y(), at + sy);
-      push(z > 0, at - sz), push(z + 1 < grid.size.z(), at + sz);
-    }
-  }
-  return sizes;
-}
-
-/// Points along the tubes with their radii, every 0.5 mm.
-std::vector<std::pair<Eigen::Vector3d, double>> along(const VesselTree& vessels) {
-  std::vector<std::pair<Eigen::Vector3d, double>> points;
-  for (const auto& [a, b] : vessels.beams) {
-    const Eigen::Vector3d pa = vessels.nodes.row(a).transpose(), pb = vessels.nodes.row(b).transpose();
-    const int steps = static_cast<int>(std::ceil((pb - pa).norm() / 5e-4));
-    for (int i = 0; i <= steps; ++i) {
-      const double t = static_cast<double>(i) / steps;
-      points.emplace_back(pa + t * (pb - pa), (1 - t) * vessels.radii[static_cast<std::size_t>(a)] +
-                                                  t * vessels.radii[static_cast<std::size_t>(b)]);
-    }
-  }
-  return points;
-}
-
-/// Least distance between the walls of two trees, metres, by sampling.
-double wall_distance(const VesselTree& first, const VesselTree& second) {
-  const auto a = along(first), b = along(second);
-  double least = 1.0;
-  for (const auto& [p, rp] : a)
-    for (const auto& [q, rq] : b) {
-      const double limit = least + rp + rq;
-      const double square = (p - q).squaredNorm();
-      if (square < limit * limit) least = std::sqrt(square) - rp - rq;
-    }
-  return least;
-}
 
 double angle_degrees(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return std::acos(std::clamp(a.normalized().dot(b.normalized()), -1.0, 1.0)) * 180.0 / M_PI;
@@ -126,10 +28,6 @@ class PatientTest : public QObject {
   Q_OBJECT
  private slots:
   void initTestCase();
-  void SameSeedGivesTheSameBits();
-  void OtherSeedGivesAnotherPatient();
-  void CancelAtAnyMomentReturnsNothing();
-  void ProgressRisesToOne();
   void RefusesOptionsOutOfRange();
   void DefaultGridIsAnisotropicAndCoversTheLiver();
   void SurfacesAreClosedWithOutwardNormals();
@@ -147,19 +45,9 @@ class PatientTest : public QObject {
   void CavaPointsLieOnLiverAndCava();
   void NeighboursTouchTheLiverWithinFifteenHounsfield();
   void ThresholdWithLargestComponentFails();
-  void PopulationIsValid_data();
-  void PopulationIsValid();
 
  private:
-  /// One member of the population, on a coarse grid; made when it is first asked for.
-  const SyntheticPatient& member(int seed) {
-    auto& made = population_[seed];
-    if (!made) made = make_patient(coarse(static_cast<std::uint64_t>(seed)), RunContext());
-    return *made;
-  }
-
   SyntheticPatient patient_;
-  std::map<int, Cancellable<SyntheticPatient>> population_;
 };
 
 void PatientTest::initTestCase() {
@@ -167,49 +55,6 @@ void PatientTest::initTestCase() {
   timer.start();
   patient_ = *make_patient(PatientOptions(), RunContext());
   qInfo("default patient made in %.1f s", 1e-3 * static_cast<double>(timer.elapsed()));
-}
-
-void PatientTest::SameSeedGivesTheSameBits() {
-  const SyntheticPatient* a = &member(3);
-  const auto b = make_patient(coarse(3), RunContext());
-  QVERIFY(*a->ct.voxels == *b->ct.voxels);
-  QVERIFY(a->truth.voxels == b->truth.voxels);
-  QVERIFY(a->surfaces.front().mesh.vertices == b->surfaces.front().mesh.vertices);
-  QVERIFY(a->trees[0].nodes == b->trees[0].nodes && a->trees[1].radii == b->trees[1].radii);
-  QVERIFY(a->landmarks.anterior_margin == b->landmarks.anterior_margin);
-}
-
-void PatientTest::OtherSeedGivesAnotherPatient() {
-  const SyntheticPatient *a = &member(3), *b = &member(6);
-  const auto distance = surface_distance(a->surfaces.front().mesh, b->surfaces.front().mesh, 2000);
-  QVERIFY2(distance.forward.mean > 1e-3, qPrintable(QString::number(distance.forward.mean)));
-  QVERIFY(a->trees[0].nodes.rows() != b->trees[0].nodes.rows() || a->trees[0].nodes != b->trees[0].nodes);
-}
-
-void PatientTest::CancelAtAnyMomentReturnsNothing() {
-  for (const double when : {0.0, 0.1, 0.4, 0.7, 0.8}) {
-    const auto flag = std::make_shared<CancelFlag>();
-    const RunContext context(
-        [&](double fraction, std::string_view) {
-          if (fraction >= when) flag->request();
-        },
-        flag, 1);
-    QVERIFY(!make_patient(coarse(1), context).has_value());
-  }
-}
-
-void PatientTest::ProgressRisesToOne() {
-  double last = 0.0;
-  bool rising = true;
-  const RunContext context(
-      [&](double fraction, std::string_view stage) {
-        rising = rising && fraction >= last && stage.starts_with("patient.");
-        last = fraction;
-      },
-      nullptr, 1);
-  QVERIFY(make_patient(coarse(1), context).has_value());
-  QVERIFY(rising);
-  QCOMPARE(last, 1.0);
 }
 
 void PatientTest::RefusesOptionsOutOfRange() {
@@ -552,45 +397,6 @@ void PatientTest::ThresholdWithLargestComponentFails() {
   qInfo("best threshold band [%d, %d] HU: Dice %.3f", best_low, best_high, best);
   QVERIFY(best > 0.3);  // the liver is in it
   QVERIFY(best < 0.8);
-}
-
-void PatientTest::PopulationIsValid_data() {
-  QTest::addColumn<int>("seed");
-  for (int seed = 1; seed <= 20; ++seed) QTest::addRow("seed %d", seed) << seed;
-}
-
-void PatientTest::PopulationIsValid() {
-  QFETCH(int, seed);
-  const SyntheticPatient* patient = &member(seed);
-  const TriangleMesh& liver = surface(*patient, structure::kParenchyma);
-  QVERIFY(is_closed(liver));
-  const double litres = 1e3 * volume(liver);
-  const double clearance_mm =
-      1e3 * wall_distance(tree(*patient, structure::kPortalVein), tree(*patient, structure::kHepaticVeins));
-  qInfo("%.2f l, clearance %.2f mm, %d and %d vessel nodes", litres, clearance_mm,
-        static_cast<int>(patient->trees[0].nodes.rows()), static_cast<int>(patient->trees[1].nodes.rows()));
-  QVERIFY(litres > 1.38 && litres < 1.82);
-  QVERIFY(clearance_mm > 2.0);
-  std::vector<int> of;
-  const std::vector<long> sizes = components(patient->ct.grid, patient->truth.voxels.mask(of_liver), of);
-  const long all = std::accumulate(sizes.begin(), sizes.end(), 0L);
-  QVERIFY(static_cast<double>(*std::max_element(sizes.begin(), sizes.end())) >
-          0.995 * static_cast<double>(all));
-
-  for (const Label label : {structure::kFirstLesion, static_cast<Label>(structure::kFirstLesion + 1)}) {
-    const TriangleMesh& lesion = surface(*patient, label);
-    QVERIFY(inside_mesh(liver, centroid(lesion)));
-    for (const double d : distances_to_surface(lesion.vertices, liver)) QVERIFY(d > 3e-3);
-    for (const VesselTree& vessels : patient->trees) {
-      const std::vector<double> distances = distances_to_surface(vessels.nodes, lesion);
-      for (std::size_t i = 0; i < distances.size(); ++i) QVERIFY(distances[i] > vessels.radii[i]);
-    }
-  }
-  for (const VesselTree& vessels : patient->trees) QVERIFY(vessels.nodes.rows() > 500);
-  const Points& margin = patient->landmarks.anterior_margin;
-  for (const double d : distances_to_surface(margin, liver)) QVERIFY(d < 1.5e-3);
-  for (Eigen::Index i = 1; i < margin.rows(); ++i) QVERIFY((margin.row(i) - margin.row(i - 1)).norm() < 8e-3);
-  QVERIFY(patient->landmarks.vena_cava.rows() >= 8);
 }
 
 QTEST_APPLESS_MAIN(PatientTest)
