@@ -134,6 +134,21 @@ class LoadsTest : public QObject {
       QVERIFY_EXCEPTION_THROWN(AppliedLoad(parsed(text), *model), InputError);
   }
 
+  void ExamplesAreWhatTheReadmeSays() {
+    const QString folder = QFINDTESTDATA("../../resources/loads");
+    QVERIFY(!folder.isEmpty());
+    const std::filesystem::path path = folder.toStdString();
+    const LoadCase flank = read_load_case(path / "supine_to_left_flank.json");
+    QVERIFY((flank.gravity_change - Eigen::Vector3d(9.81, -9.81, 0.0)).norm() < 1e-12);
+    QCOMPARE(flank.springs.size(), std::size_t{4});
+    const LoadCase gas = read_load_case(path / "pneumoperitoneum.json");
+    QVERIFY(gas.pressure > 0.0 && gas.pressure <= 1600.0);
+    QVERIFY(gas.pressure_region->normal->y() < -0.99);  // forward
+    const LoadCase pull = read_load_case(path / "ligament_pull.json");
+    QVERIFY(std::abs(pull.forces.at(0).force.norm() - 5.0) < 1e-12);
+    QVERIFY(pull.springs.size() == 2 && pull.ramp == 1.0);
+  }
+
   void MissingFileIsNamed() { QVERIFY_EXCEPTION_THROWN(read_load_case("/nowhere/load.json"), FileError); }
 
   void StaticSimulationBalancesAForceByTheBarsStiffness() {

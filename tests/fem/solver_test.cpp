@@ -3,7 +3,9 @@
 #include <QtTest>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
+#include <thread>
 
 #include "cholmod_factorization.h"
 #include "ellipsoid_mesh.h"
@@ -311,6 +313,35 @@ class SolverTest : public QObject {
     QVERIFY(moved > 0.005);
     QVERIFY((ends[1] - ends[0]).rowwise().norm().maxCoeff() < 1e-5 * moved);
     QVERIFY((ends[1].array() == ends[2].array()).all());
+  }
+
+  void StepsOnTwoThreadsAtOnceGiveTheSameBits() {
+    const auto model =
+        std::make_shared<CompositeModel>(ellipsoid_mesh(10), ellipsoid_vessels(40), CompositeOptions{});
+    for (const LinearSolver solver : {LinearSolver::direct, LinearSolver::fast, LinearSolver::reference}) {
+      const auto run = [&] {
+        IntegratorOptions options;
+        options.solver = solver;
+        Integrator integrator(model, options);
+        for (int n = 0; n < 30; ++n) {
+          Loads loads;
+          loads.gravity_change = {std::sin(0.1 * n), std::cos(0.07 * n), 0.5};
+          if (!integrator.step(loads).ok) return Points(Points::Zero(1, 3));
+        }
+        return integrator.positions();
+      };
+      const Points alone = run();
+      QCOMPARE(alone.rows(), static_cast<Eigen::Index>(model->node_count()));
+      std::array<Points, 2> beside;
+      std::thread first([&] { beside[0] = run(); });
+      std::thread second([&] { beside[1] = run(); });
+      first.join();
+      second.join();
+      for (const Points& end : beside) {
+        QCOMPARE(end.rows(), alone.rows());
+        QVERIFY((end.array() == alone.array()).all());
+      }
+    }
   }
 
   void FastStepThatDoesNotConvergeLeavesTheState() {

@@ -33,6 +33,22 @@ void check_tree(const VesselTree& tree, std::size_t number) {
                          "Build the vessel tree anew");
 }
 
+/// Every node's frame is computed in every step: those that carry no beam are left out.
+void drop_unused_nodes(VesselBeams& vessels) {
+  std::vector<int> place(vessels.nodes.size(), -1);
+  std::vector<BoundNode> used;
+  for (VesselBeam& beam : vessels.beams)
+    for (int* end : {&beam.a, &beam.b}) {
+      int& at = place[static_cast<std::size_t>(*end)];
+      if (at < 0) {
+        at = static_cast<int>(used.size());
+        used.push_back(vessels.nodes[static_cast<std::size_t>(*end)]);
+      }
+      *end = at;
+    }
+  vessels.nodes = std::move(used);
+}
+
 }  // namespace
 
 VesselBeams bind_vessels(const TetMesh& mesh, const std::vector<VesselTree>& vessels,
@@ -69,6 +85,7 @@ VesselBeams bind_vessels(const TetMesh& mesh, const std::vector<VesselTree>& ves
           {first + a, first + b, BeamElement(bound.row(a).transpose(), bound.row(b).transpose(), section)});
     }
   }
+  drop_unused_nodes(result);
   return result;
 }
 
