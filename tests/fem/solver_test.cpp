@@ -339,7 +339,9 @@ class SolverTest : public QObject {
       second.join();
       for (const Points& end : beside) {
         QCOMPARE(end.rows(), alone.rows());
-        QVERIFY((end.array() == alone.array()).all());
+        QVERIFY2((end.array() == alone.array()).all(), solver == LinearSolver::direct      ? "direct"
+                                                       : solver == LinearSolver::reference ? "reference"
+                                                                                           : "fast");
       }
     }
   }

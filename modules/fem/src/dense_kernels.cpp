@@ -16,7 +16,8 @@ struct Vector {
   typedef double type __attribute__((vector_size(Bytes), aligned(8), may_alias));
 };
 
-constexpr int kPanel = 12;  ///< columns factorised at once
+constexpr int kPanel = 12;               ///< columns factorised at once
+constexpr int kDeep = 192, kTall = 768;  ///< of a piece of a product: about a megabyte
 
 /// c (MV vectors x NR columns) -= sum over k of a(:, k) b(:, k)^T.
 template <int Bytes, int MV, int NR>
@@ -144,11 +145,21 @@ template <int Bytes>
 GLISSON_INLINE void subtract_product(double* schur, int stride_schur, int size, const double* panel,
                                      int stride, int columns) {
   const double* b = panel + columns;
-  // Bands of columns, so that a tile's rows start at or above the diagonal.
-  for (int j = 0; j < size; j += 6) {
-    const int top = j & ~7;
-    update_columns<Bytes>(schur + static_cast<long>(j) * stride_schur + top, stride_schur, b + top, b + j,
-                          stride, columns, stride_schur - top, std::min(6, size - j));
+  // Pieces of B that stay in the cache while all bands of columns pass over them. The depth comes in the same
+  // order as in one go: the same bits.
+  for (int deep = 0; deep < columns; deep += kDeep) {
+    const int depth = std::min(kDeep, columns - deep);
+    const double* here = b + static_cast<long>(deep) * stride;
+    for (int first = 0; first < stride_schur; first += kTall) {
+      const int last = std::min(stride_schur, first + kTall);
+      // Bands of columns, so that a tile's rows start at or above the diagonal.
+      for (int j = 0; j < size && j < last; j += 6) {
+        const int top = std::max(first, j & ~7);
+        if (top >= last) continue;
+        update_columns<Bytes>(schur + static_cast<long>(j) * stride_schur + top, stride_schur, here + top,
+                              here + j, stride, depth, last - top, std::min(6, size - j));
+      }
+    }
   }
 }
 

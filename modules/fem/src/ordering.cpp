@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <mutex>
 
 #include "glisson/core/error.h"
 
@@ -72,6 +73,10 @@ std::vector<int> fill_reducing_order(const std::vector<std::vector<int>>& neighb
   }
   start[n] = at;
   graph->sorted = false;
+  // METIS seeds and draws from the C library's one generator: two analyses at once would stir each other's
+  // order, and with it the last bits of every result.
+  static std::mutex one_at_a_time;
+  const std::lock_guard<std::mutex> lock(one_at_a_time);
   std::vector<int> best;
   double best_operations = std::numeric_limits<double>::infinity();
   for (const int ordering : {CHOLMOD_AMD, CHOLMOD_METIS}) {
