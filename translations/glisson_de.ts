@@ -937,6 +937,14 @@
         <source>The case has changes that are not saved.</source>
         <translation>Der Fall hat Änderungen, die nicht gespeichert sind.</translation>
     </message>
+    <message>
+        <source>Open a case</source>
+        <translation>Fall öffnen</translation>
+    </message>
+    <message>
+        <source>The case has changes that are not saved. Opening another loses them.</source>
+        <translation>Der Fall hat Änderungen, die nicht gespeichert sind. Beim Öffnen eines anderen gehen sie verloren.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::ModelPanel</name>

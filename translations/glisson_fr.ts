@@ -937,6 +937,14 @@
         <source>The case has changes that are not saved.</source>
         <translation>Le cas a des modifications non enregistrées.</translation>
     </message>
+    <message>
+        <source>Open a case</source>
+        <translation>Ouvrir un cas</translation>
+    </message>
+    <message>
+        <source>The case has changes that are not saved. Opening another loses them.</source>
+        <translation>Le cas a des modifications non enregistrées. En ouvrir un autre les perd.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::ModelPanel</name>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/common/texts.h"
 
+#include <QRegularExpression>
+#include <QXmlStreamReader>
 #include <QtTest>
 
 namespace glisson {
@@ -12,7 +14,8 @@ class TextsTest : public QObject {
   void NumbersAreWrittenForPeople();
   void StructuresInNotesHaveTheirNames();
   void UnknownNotesStayReadable();
-  void FiguresCarryNamesAndUnits();
+  void TranslationsKeepThePlaceholders_data();
+  void TranslationsKeepThePlaceholders();
 };
 
 void TextsTest::NotesAreSentencesWithTheirValues() {
@@ -42,11 +45,42 @@ void TextsTest::UnknownNotesStayReadable() {
            QStringLiteral("Mesh: odd thing Portal vein 0.50"));
 }
 
-void TextsTest::FiguresCarryNamesAndUnits() {
-  QCOMPARE(ui::figure_name("label_portal_vein_ml"), QStringLiteral("Portal vein"));
-  QCOMPARE(ui::figure_name("registration_residual_mm"), QStringLiteral("Residual (not an accuracy)"));
-  QCOMPARE(ui::figure_value("registration_residual_mm", 1.7613), QStringLiteral("1.76 mm"));
-  QCOMPARE(ui::figure_value("label_parenchyma_ml", 1474.209), QStringLiteral("1474 ml"));
+void TextsTest::TranslationsKeepThePlaceholders_data() {
+  QTest::addColumn<QString>("file");
+  const QString folder = qEnvironmentVariable("GLISSON_SOURCE_DIR") + QStringLiteral("/translations/");
+  for (const char* language : {"de", "fr"})
+    QTest::newRow(language) << folder + QStringLiteral("glisson_%1.ts").arg(QLatin1String(language));
+}
+
+void TextsTest::TranslationsKeepThePlaceholders() {
+  QFETCH(QString, file);
+  QFile input(file);
+  QVERIFY(input.open(QIODevice::ReadOnly));
+  QXmlStreamReader reader(&input);
+  const auto placeholders = [](const QString& text) {
+    static const QRegularExpression kPlaceholder(QStringLiteral("%[0-9]|\\[\\*\\]|^ | $"));
+    QStringList found;
+    for (auto matches = kPlaceholder.globalMatch(text); matches.hasNext();)
+      found << matches.next().captured();
+    found.sort();
+    return found;
+  };
+  QString source;
+  int compared = 0;
+  while (!reader.atEnd()) {
+    if (reader.readNext() != QXmlStreamReader::StartElement) continue;
+    if (reader.name() == QLatin1String("source")) {
+      source = reader.readElementText();
+    } else if (reader.name() == QLatin1String("translation")) {
+      const bool unfinished = reader.attributes().value(QLatin1String("type")) == QLatin1String("unfinished");
+      const QString translation = reader.readElementText();
+      if (unfinished) continue;
+      QVERIFY2(placeholders(source) == placeholders(translation), qPrintable(source));
+      ++compared;
+    }
+  }
+  QVERIFY2(!reader.hasError(), qPrintable(reader.errorString()));
+  QVERIFY(compared > 300);
 }
 
 }  // namespace glisson

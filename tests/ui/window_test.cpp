@@ -5,6 +5,7 @@
 #include <QDropEvent>
 #include <QLabel>
 #include <QListWidget>
+#include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -35,6 +36,7 @@ class WindowTest : public QObject {
   void WelcomesUntilSomethingIsOpen();
   void OpensWhatIsDropped();
   void ErrorsAreShownAndLeaveTheCase();
+  void UnsavedChangesAreNotLostUnasked();
   void ClickMovesTheCrosshairInAllSlices();
   void ProbeLineSaysWhatIsUnderThePointer();
   void WheelStepsBySlices();
@@ -138,6 +140,24 @@ void WindowTest::ErrorsAreShownAndLeaveTheCase() {
   QVERIFY(window_->engine().state().image == before);
   QVERIFY(window_->status_text().contains(QStringLiteral("cut off after 12 bytes")));
   QVERIFY(window_->status_text().contains(QStringLiteral("Copy the file again")));
+}
+
+void WindowTest::UnsavedChangesAreNotLostUnasked() {
+  open_ct();
+  QVERIFY(window_->isWindowModified());
+  const auto before = window_->engine().state().image;
+  for (const auto answer : {QMessageBox::Cancel, QMessageBox::Discard}) {
+    window_->open(folder_->path() / "other.glisson" / "case.json");
+    const QPointer<QMessageBox> question = window_->findChild<QMessageBox*>();
+    QVERIFY(question != nullptr && question->isVisible());
+    QVERIFY(window_->engine().tasks().empty());  // nothing is opened unasked
+    QSignalSpy ended(&window_->engine(), &ui::EngineBridge::finished);
+    QTest::mouseClick(question->button(answer), Qt::LeftButton);
+    QTRY_VERIFY(question.isNull());
+    QVERIFY(settle());
+    if (answer == QMessageBox::Cancel) QVERIFY(ended.isEmpty() && window_->engine().state().image == before);
+    if (answer == QMessageBox::Discard) QTRY_COMPARE(ended.count(), 1);
+  }
 }
 
 void WindowTest::ClickMovesTheCrosshairInAllSlices() {

@@ -4,8 +4,6 @@
 #include <QGridLayout>
 #include <QLabel>
 
-#include "glisson/ui/common/texts.h"
-
 namespace glisson::ui {
 
 FiguresTable::FiguresTable(QWidget* parent) : QWidget(parent), grid_(new QGridLayout(this)) {
@@ -17,29 +15,29 @@ FiguresTable::FiguresTable(QWidget* parent) : QWidget(parent), grid_(new QGridLa
 }
 
 void FiguresTable::set_rows(const std::vector<std::pair<QString, QString>>& rows) {
-  while (QLayoutItem* item = grid_->takeAt(0)) {
-    delete item->widget();
-    delete item;
+  // Labels stay: live figures change many times a second and must not flicker.
+  while (rows_.size() > rows.size()) {
+    delete rows_.back().first;
+    delete rows_.back().second;
+    rows_.pop_back();
   }
-  int line = 0;
-  for (const auto& [name, value] : rows) {
-    auto* left = new QLabel(name, this);
+  while (rows_.size() < rows.size()) {
+    auto* left = new QLabel(this);
     left->setProperty("role", "figure-name");
     left->setWordWrap(true);
-    auto* right = new QLabel(value, this);
+    auto* right = new QLabel(this);
     right->setProperty("role", "figure-value");
     right->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    const int line = static_cast<int>(rows_.size());
     grid_->addWidget(left, line, 0);
     grid_->addWidget(right, line, 1, Qt::AlignRight | Qt::AlignTop);
-    ++line;
+    rows_.emplace_back(left, right);
+  }
+  for (std::size_t line = 0; line < rows.size(); ++line) {
+    rows_[line].first->setText(rows[line].first);
+    rows_[line].second->setText(rows[line].second);
   }
   setVisible(!rows.empty());
-}
-
-void FiguresTable::set_figures(const Figures& figures) {
-  std::vector<std::pair<QString, QString>> rows;
-  for (const auto& [key, value] : figures) rows.emplace_back(figure_name(key), figure_value(key, value));
-  set_rows(rows);
 }
 
 }  // namespace glisson::ui

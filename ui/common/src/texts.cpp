@@ -3,7 +3,6 @@
 
 #include <QCoreApplication>
 #include <QHash>
-#include <array>
 
 namespace glisson::ui {
 namespace {
@@ -34,22 +33,6 @@ class Texts {
             {"stop_tracking", tr("Stopping the tracking")},
             {"open_case", tr("Opening the case")},
             {"save_case", tr("Saving the case")}};
-  }
-  static QHash<QString, QString> figures() {
-    return {{"model_vertices_to_fine", tr("Mesh vertices to fine surface, mean")},
-            {"model_fine_to_mesh", tr("Fine surface to mesh")},
-            {"model_volume_error", tr("Volume error")},
-            {"model_min_dihedral", tr("Smallest dihedral angle")},
-            {"cloud_density", tr("Density")},
-            {"cloud_points", tr("Points")},
-            {"cloud_matches", tr("Matches")},
-            {"cloud_features_left", tr("Features, left picture")},
-            {"cloud_features_right", tr("Features, right picture")},
-            {"registration_residual", tr("Residual (not an accuracy)")},
-            {"rigid_residual", tr("Residual of the rigid start")},
-            {"registration_converged", tr("Converged")},
-            {"displacement_mean", tr("Elastic displacement, mean")},
-            {"displacement_max", tr("Elastic displacement, largest")}};
   }
   static QHash<QString, QString> stages() {
     return {{"video.seek", tr("looking for the frame")},
@@ -93,8 +76,6 @@ class Texts {
             {"gallbladder", tr("Gallbladder")}};
   }
   static QString lesion(int number) { return tr("Lesion %1").arg(number); }
-  static QString yes() { return tr("yes"); }
-  static QString no() { return tr("no"); }
   static QString state(engine::StageState state) {
     switch (state) {
       case engine::StageState::absent:
@@ -110,31 +91,6 @@ class Texts {
 
 QString to_q(std::string_view text) {
   return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
-
-struct Unit {
-  const char* suffix;
-  const char* shown;
-};
-constexpr std::array<Unit, 9> kUnits = {{{"_per_cm2", "/cm²"},
-                                         {"_seconds", "s"},
-                                         {"_per_second", "/s"},
-                                         {"_mm", "mm"},
-                                         {"_ml", "ml"},
-                                         {"_deg", "°"},
-                                         {"_ms", "ms"},
-                                         {"_px", "px"},
-                                         {"_kpa", "kPa"}}};
-
-const Unit* unit_of(std::string_view key) {
-  for (const Unit& unit : kUnits)
-    if (key.ends_with(unit.suffix)) return &unit;
-  return nullptr;
-}
-
-std::string_view without_unit(std::string_view key) {
-  const Unit* unit = unit_of(key);
-  return unit == nullptr ? key : key.substr(0, key.size() - std::string_view(unit->suffix).size());
 }
 
 }  // namespace
@@ -158,35 +114,5 @@ QString structure_text(Label label) {
 }
 
 QString stage_state_text(engine::StageState state) { return Texts::state(state); }
-
-QString figure_name(std::string_view key) {
-  const std::string_view bare = without_unit(key);
-  constexpr std::string_view kLabel = "label_";
-  if (bare.starts_with(kLabel))
-    for (Label label = 0; label <= structure::kLastLesion; ++label)
-      if (structure_name(label) == bare.substr(kLabel.size())) return structure_text(label);
-  const auto known = Texts::figures();
-  if (const auto found = known.find(to_q(bare)); found != known.end()) return *found;
-  for (const auto& [ending, word] : {std::pair{"_mean", ", mean"}, {"_max", ", largest"}})
-    if (bare.ends_with(ending)) {
-      const std::string_view stem = bare.substr(0, bare.size() - std::string_view(ending).size());
-      if (const auto found = known.find(to_q(stem)); found != known.end())
-        return *found + QString::fromLatin1(word);
-      return readable_code(stem) + QString::fromLatin1(word);
-    }
-  return readable_code(bare);
-}
-
-QString figure_value(std::string_view key, double value) {
-  if (key.ends_with("_converged")) return value != 0.0 ? Texts::yes() : Texts::no();
-  if (key.ends_with("_error") && std::abs(value) < 10.0)
-    return QStringLiteral("%1 %").arg(100.0 * value, 0, 'f', 1);
-  const Unit* unit = unit_of(key);
-  const bool whole =
-      std::abs(value - std::round(value)) < 1e-9 && (unit == nullptr || std::abs(value) >= 1000.0);
-  const int decimals = whole ? 0 : std::abs(value) >= 100.0 ? 0 : std::abs(value) >= 10.0 ? 1 : 2;
-  const QString number = QString::number(value, 'f', decimals);
-  return unit == nullptr ? number : number + QLatin1Char(' ') + QString::fromUtf8(unit->shown);
-}
 
 }  // namespace glisson::ui

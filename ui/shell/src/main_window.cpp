@@ -123,6 +123,7 @@ void MainWindow::build_menu() {
 
 void MainWindow::open(const std::filesystem::path& path) {
   if (const auto command = command_to_open(path)) {
+    if (std::holds_alternative<engine::OpenCase>(*command)) return replace_case(path);
     engine_.post(*command);
     if (std::holds_alternative<engine::SetVideo>(*command)) engine_.post(engine::LoadVideoFrame{0});
     return;
@@ -130,6 +131,23 @@ void MainWindow::open(const std::filesystem::path& path) {
   show_problem(tr("%1 is nothing that Glisson opens. Give a folder of DICOM slices, a volume (NIfTI, NRRD, "
                   "MetaImage) or a case (NAME.glisson).")
                    .arg(QString::fromStdString(path.string())));
+}
+
+void MainWindow::replace_case(const std::filesystem::path& path) {
+  const engine::OpenCase command{path.filename() == "case.json" ? path.parent_path() : path};
+  if (!isWindowModified()) {
+    engine_.post(command);
+    return;
+  }
+  auto* box = new QMessageBox(QMessageBox::Question, tr("Open a case"),
+                              tr("The case has changes that are not saved. Opening another loses them."),
+                              QMessageBox::Discard | QMessageBox::Cancel, this);
+  box->setDefaultButton(QMessageBox::Cancel);
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  connect(box, &QMessageBox::finished, this, [this, command](int answer) {
+    if (answer == QMessageBox::Discard) engine_.post(command);
+  });
+  box->open();  // does not stop the window
 }
 
 void MainWindow::show_problem(const QString& sentence) {
@@ -140,7 +158,7 @@ void MainWindow::show_problem(const QString& sentence) {
 
 void MainWindow::open_case() {
   const QString path = QFileDialog::getExistingDirectory(this, tr("Open a case (a folder NAME.glisson)"));
-  if (!path.isEmpty()) engine_.post(engine::OpenCase{path.toStdString()});
+  if (!path.isEmpty()) replace_case(path.toStdString());
 }
 
 void MainWindow::open_dicom() {

@@ -17,7 +17,7 @@ namespace {
 constexpr std::array<const char*, 6> kNames = {"welcome", "segmentation", "model",
                                                "atlas",   "stereo",       "guidance"};
 constexpr int kSettle = 700;        ///< milliseconds for a panel to draw itself
-constexpr int kLivePictures = 6;   ///< tracked before the live view is taken
+constexpr int kLivePictures = 6;    ///< tracked before the live view is taken
 constexpr int kLongestWait = 8000;  ///< milliseconds for them
 constexpr int kAsk = 20;            ///< milliseconds between questions
 

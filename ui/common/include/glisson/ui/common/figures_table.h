@@ -5,9 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "glisson/core/json_file.h"
-
 class QGridLayout;
+class QLabel;
 
 namespace glisson::ui {
 
@@ -17,12 +16,11 @@ class FiguresTable : public QWidget {
  public:
   explicit FiguresTable(QWidget* parent = nullptr);
   void set_rows(const std::vector<std::pair<QString, QString>>& rows);
-  /// In the order of the keys, with words and units.
-  void set_figures(const Figures& figures);
   void clear() { set_rows({}); }
 
  private:
   QGridLayout* grid_;
+  std::vector<std::pair<QLabel*, QLabel*>> rows_;
 };
 
 }  // namespace glisson::ui

@@ -22,8 +22,4 @@ QString readable_code(std::string_view code);
 QString structure_text(Label label);
 QString stage_state_text(engine::StageState state);
 
-/// A figure whose unit is at the end of its key: "model_volume_ml" -> "Model volume", "812 ml".
-QString figure_name(std::string_view key);
-QString figure_value(std::string_view key, double value);
-
 }  // namespace glisson::ui

@@ -50,6 +50,8 @@ class MainWindow : public QMainWindow {
   void build_panels();
   void add_panel(Panel* panel, const QString& icon);
   void open_case();
+  /// Asks first when the present one has changes.
+  void replace_case(const std::filesystem::path& path);
   void open_dicom();
   void open_volume();
   bool save();
