@@ -235,6 +235,11 @@ int run_register(const QStringList& given) {
                    "auto|none|FILE", "auto");
   arguments.option("fixed", text("Nodes that stay where the rigid start puts them (0-based numbers)."),
                    "FILE");
+  arguments.option(
+      "prior",
+      text("What is known of the deformation before the cloud is seen: operations (simulated on this "
+           "model; needs the vena cava's landmark) or none (elasticity alone, the paper's method)."),
+      "operations|none", "operations");
   arguments.option("truth",
                    text("True node positions (.xyz or a mesh): adds the errors. Read after everything else."),
                    "FILE");
@@ -251,6 +256,10 @@ int run_register(const QStringList& given) {
   engine::Register command;
   command.elastic = elastic_options(arguments, session);
   command.elastic.fixed_nodes = fixed_nodes(arguments, session);
+  const QString prior = arguments.value("prior");
+  if (prior != "operations" && prior != "none")
+    throw UsageError("--prior " + prior.toStdString() + ": must be operations or none.");
+  command.operations = prior == "operations";
   if (arguments.value("rigid") == "none") {
     command.start = engine::Register::Start::none;
   } else if (arguments.value("rigid") != "auto") {

@@ -139,14 +139,23 @@ Cancellable<Applied> apply_one(const CaseState& state, const Register& command, 
   CameraFromCt start = command.start == Register::Start::given ? command.given : CameraFromCt{};
   std::vector<std::string> doubts;
   if (command.start == Register::Start::automatic) {
-    auto rigid = registration::align_rigid(model, *state.cloud, command.rigid, context.part(0.0, 0.3));
+    auto rigid = registration::align_rigid(model, *state.cloud, command.rigid, context.part(0.0, 0.2));
     if (!rigid) return {};
     start = rigid->camera_from_ct;
     doubts = rigid->doubts;
     applied.figures["rigid_residual_mm"] = 1e3 * rigid->residual;
   }
+  registration::ElasticOptions elastic = command.elastic;
+  if (command.operations && !elastic.prior && elastic.fixed_nodes.empty() &&
+      registration::can_simulate_operations(model)) {
+    auto prior = registration::simulate_operations(model, command.operation, context.part(0.2, 0.7));
+    if (!prior) return {};
+    applied.figures["operations_simulated"] = prior->operations;
+    applied.figures["operations_motion_mean_mm"] = 1e3 * prior->mean_motion;
+    elastic.prior = std::make_shared<const registration::OperationPrior>(std::move(*prior));
+  }
   auto registered =
-      registration::register_elastic(model, *state.cloud, start, command.elastic, context.part(0.3, 1.0));
+      registration::register_elastic(model, *state.cloud, start, elastic, context.part(0.7, 1.0));
   if (!registered) return {};
   registered->doubts.insert(registered->doubts.begin(), doubts.begin(), doubts.end());
   const Points rigid_nodes = registered->camera_from_ct.apply(model.mesh.vertices);

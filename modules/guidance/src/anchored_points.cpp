@@ -64,12 +64,13 @@ void AnchoredPoints::add(const std::vector<FollowedPoint>& points, const registr
                          double stiffness, std::vector<fem::AttachedLoad>& loads) const {
   for (const FollowedPoint& point : points) {
     const Anchor& anchor = anchors_.at(point.id);
-    const std::array<int, 3> nodes = surface.nodes(anchor.triangle);
+    ClosestPoint at;
+    at.triangle = anchor.triangle;
+    at.barycentric = anchor.barycentric;
+    const registration::Carrier carrier = surface.carrier(at);
     fem::AttachedLoad load;
-    for (std::size_t k = 0; k < 3; ++k) {
-      load.nodes[k] = nodes[k];
-      load.weights[k] = anchor.barycentric[static_cast<Eigen::Index>(k)];
-    }
+    load.nodes = carrier.nodes;
+    load.weights = carrier.weights;
     load.tangent = stiffness * point.information;
     load.force = load.tangent * (point.p_in_camera - place(point, surface));
     loads.push_back(load);

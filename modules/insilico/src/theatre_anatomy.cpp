@@ -83,6 +83,17 @@ Points notch_by_rule(const Points& margin) {
   return margin.row(best);
 }
 
+/// Without a landmark: posterior, superior and a little to the left of the middle, where the groove lies.
+Points cava_by_rule(const TriangleMesh& surface) {
+  const Eigen::Vector3d low = surface.vertices.colwise().minCoeff().transpose();
+  const Eigen::Vector3d high = surface.vertices.colwise().maxCoeff().transpose();
+  const Eigen::Vector3d extent = high - low;
+  const Eigen::Vector3d wanted = centroid(surface) + Eigen::Vector3d(0.08, 0.5, 0.2).cwiseProduct(extent);
+  Eigen::Index nearest = 0;
+  (surface.vertices.rowwise() - wanted.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
+  return surface.vertices.row(nearest);
+}
+
 /// Crossings of a ray with a closed surface tell inside from outside.
 bool inside(const ClosestPointTree& tree, const Eigen::Vector3d& p) {
   const Eigen::Vector3d direction(0.5377, 0.6139, 0.5779);  // no mesh is aligned with it
@@ -141,6 +152,7 @@ Landmarks complete_landmarks(const Landmarks& known, const TriangleMesh& liver) 
     landmarks.anterior_margin = model::detect_anterior_margin(liver, Eigen::Vector3d(0.0, -0.7, -0.7));
   if (landmarks.umbilical_notch.rows() == 0)
     landmarks.umbilical_notch = notch_by_rule(landmarks.anterior_margin);
+  if (landmarks.vena_cava.rows() == 0) landmarks.vena_cava = cava_by_rule(liver);
   return landmarks;
 }
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "glisson/core/error.h"
+
 namespace glisson::insilico {
 namespace {
 
@@ -32,27 +34,18 @@ Eigen::Vector3d tilted_gravity(double tilt) {
   return kGravity * (now + kAnterior);
 }
 
-/// Without a landmark: posterior, superior and a little to the left of the middle, where the groove lies.
-Points cava_by_rule(const TriangleMesh& surface) {
-  const Eigen::Vector3d low = surface.vertices.colwise().minCoeff().transpose();
-  const Eigen::Vector3d high = surface.vertices.colwise().maxCoeff().transpose();
-  const Eigen::Vector3d extent = high - low;
-  const Eigen::Vector3d wanted = centroid(surface) + Eigen::Vector3d(0.08, 0.5, 0.2).cwiseProduct(extent);
-  Eigen::Index nearest = 0;
-  (surface.vertices.rowwise() - wanted.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
-  return surface.vertices.row(nearest);
-}
-
 double bell(double r) { return std::exp(-0.5 * r * r); }
 
 /// Stiffness of the bed beside the spine, N/m3.
 double bed(double sideways) { return kBed + (kSpine - kBed) * bell(sideways / kSpineHalfWidth); }
 
 /// Where the bed goes, per metre of its sinking: backwards and towards the feet beside the spine, more on the
-/// right, where kidney and colon make room. Both lobes bend around the spine.
+/// right, where kidney and colon make room. Both lobes bend around the spine, without a kink: far out the bed
+/// sinks no further.
 Eigen::Vector3d bed_gives_way(double sideways) {
+  constexpr double kMost = 2.0;
   const double r = sideways / 0.09;
-  const double share = std::min(r * r, 1.6) * (sideways < 0.0 ? 1.0 : 0.8);
+  const double share = kMost * (1.0 - std::exp(-r * r / kMost)) * (sideways < 0.0 ? 1.0 : 0.8);
   return share * (Eigen::Vector3d(0.0, 1.0, -0.35));
 }
 
@@ -81,7 +74,8 @@ void TheatreLoads::hold(const BoundarySurface& surface, const Landmarks& landmar
   for (int t = 0; t < surface.mesh.triangle_count(); ++t)
     for (int k = 0; k < 3; ++k) node_area[surface.mesh.triangles(t, k)] += triangle_area[t] / 3.0;
 
-  const Points cava = landmarks.vena_cava.rows() > 0 ? landmarks.vena_cava : cava_by_rule(surface.mesh);
+  const Points& cava = landmarks.vena_cava;
+  require(cava.rows() > 0, "the theatre's landmarks are complete");
   cava_ = cava.colwise().mean().transpose();
   const bool ligament = landmarks.umbilical_notch.rows() > 0;
   const double ligament_x = ligament ? landmarks.umbilical_notch.col(0).mean() : 0.0;

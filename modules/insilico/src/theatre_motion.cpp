@@ -89,7 +89,7 @@ LoadLevels deflated(double pressure) {
   levels.pressure_pa = pressure;
   const double share = pressure / 600.0;
   levels.tilt = std::min(1.0, share);
-  levels.bed_sinks = 0.03 * share;
+  levels.bed_sinks = 0.045 * share;
   levels.ligament_lift = std::min(0.01, 0.005 * share);
   return levels;
 }

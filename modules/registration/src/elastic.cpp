@@ -43,15 +43,17 @@ class Plateau {
 /// One registration while it runs.
 class ElasticRun {
  public:
-  ElasticRun(const PatientModel& model, const LabelledCloud& cloud, const CameraFromCt& start,
-             const ElasticOptions& options)
+  /// @param rest the model in the shape in which it is free of stress, CT frame; `start` puts that shape
+  /// before the camera. The surface and its landmarks are bound to the model as it is in the CT.
+  ElasticRun(const PatientModel& model, const PatientModel& rest, const LabelledCloud& cloud,
+             const CameraFromCt& start, const ElasticOptions& options)
       : options_(options),
         cloud_(prepare_cloud(cloud, {options.reference_density_per_cm2})),
-        surface_(model),
-        composite_(std::make_shared<fem::CompositeModel>(model.mesh, model.vessels, options.materials)),
+        surface_(model, SurfaceDetail::fine),
+        composite_(std::make_shared<fem::CompositeModel>(rest.mesh, rest.vessels, options.materials)),
         integrator_(composite_, integrator_options()),
         plateau_(options, composite_->lumped_mass().sum()) {
-    integrator_.set_state(start.apply(model.mesh.vertices));
+    integrator_.set_state(start.apply(rest.mesh.vertices));
     registration_.camera_from_ct = start;
     pair();
   }
@@ -162,6 +164,17 @@ class ElasticRun {
   int inverted_ = 0;
 };
 
+/// The tetrahedra and the vessels bound to them where the nodes are.
+PatientModel moved_to(const PatientModel& model, const Points& nodes) {
+  PatientModel moved;
+  moved.mesh = model.mesh;
+  moved.mesh.vertices = nodes;
+  moved.vessels = model.vessels;
+  for (VesselTree& tree : moved.vessels)
+    tree.nodes = bind_points(model.mesh, tree.nodes, false).apply(model.mesh, nodes);
+  return moved;
+}
+
 void demand(bool good, const char* field, double value, const char* remedy) {
   if (!good) throw InputError("elastic options", field, "is " + std::to_string(value), remedy);
 }
@@ -187,6 +200,7 @@ void ElasticOptions::validate() const {
   demand(plateau_motion > 0.0, "plateau_motion", plateau_motion, "Give a positive length");
   demand(plateau_window > 0, "plateau_window", plateau_window, "Give one at least");
   materials.validate();
+  shape.validate();
 }
 
 ElasticOptions options_for(const PatientModel& model) {
@@ -208,8 +222,11 @@ Cancellable<Registration> register_elastic(const PatientModel& model, const Labe
       throw InputError("fixed nodes", "node " + std::to_string(node),
                        "the mesh has nodes 0 to " + std::to_string(model.mesh.vertex_count() - 1),
                        "Give 0-based node numbers of this mesh");
-  ElasticRun run(model, cloud, start, options);
-  return run.run(context);
+  if (!options.prior) return ElasticRun(model, model, cloud, start, options).run(context);
+  const auto fit = fit_shape(model, *options.prior, cloud, start, options.shape, context.part(0.0, 0.3));
+  if (!fit) return std::nullopt;
+  const PatientModel rest = moved_to(model, options.prior->shape(model.mesh.vertices, fit->amplitudes));
+  return ElasticRun(model, rest, cloud, fit->camera_from_ct, options).run(context.part(0.3, 1.0));
 }
 
 }  // namespace glisson::registration

@@ -6,6 +6,8 @@
 #include <numeric>
 
 #include "glisson/core/error.h"
+#include "glisson/geometry/topology.h"
+#include "glisson/patient/label_map.h"
 
 namespace glisson::registration {
 namespace {
@@ -55,13 +57,32 @@ std::vector<int> triangles_near(const TriangleMesh& mesh, const ClosestPointTree
   return triangles;
 }
 
+/// The segmented outline of the liver; null when there is none that encloses about what the mesh does.
+const TriangleMesh* fine_outline(const PatientModel& model) {
+  constexpr double kVolumeShare = 0.15;
+  for (const NamedSurface& surface : model.surfaces) {
+    if (surface.structure != structure::kParenchyma || surface.mesh.triangle_count() == 0) continue;
+    const double own = std::abs(volume(surface.mesh)), meshed = std::abs(volume(model.surface.mesh));
+    if (std::abs(own - meshed) < kVolumeShare * meshed) return &surface.mesh;
+  }
+  return nullptr;
+}
+
 }  // namespace
 
-MovingSurface::MovingSurface(const PatientModel& model, double margin_radius, double notch_radius)
+MovingSurface::MovingSurface(const PatientModel& model, SurfaceDetail detail, double margin_radius,
+                             double notch_radius)
     : node_of_vertex_(model.surface.node_of_vertex),
-      mesh_(model.surface.mesh),
-      normals_(vertex_normals(mesh_)),
-      whole_(mesh_) {
+      node_count_(model.mesh.vertex_count()),
+      mesh_(model.surface.mesh) {
+  if (detail == SurfaceDetail::fine)
+    if (const TriangleMesh* fine = fine_outline(model)) {
+      mesh_ = *fine;
+      node_of_vertex_.clear();
+      carry_finely(model.mesh);
+    }
+  normals_ = vertex_normals(mesh_);
+  whole_ = ClosestPointTree(mesh_);
   require(mesh_.triangle_count() > 0, "a model needs a surface to be registered");
   part_[0].resize(static_cast<std::size_t>(mesh_.triangle_count()));
   std::iota(part_[0].begin(), part_[0].end(), 0);
@@ -76,6 +97,22 @@ MovingSurface::MovingSurface(const PatientModel& model, double margin_radius, do
   }
 }
 
+void MovingSurface::carry_finely(const TetMesh& tetrahedra) {
+  const Binding binding = bind_points(tetrahedra, mesh_.vertices, false);
+  rest_ = mesh_.vertices;
+  for (std::size_t i = 0; i < binding.tetrahedron.size(); ++i) {
+    std::array<int, 4> nodes{};
+    Eigen::Matrix4d corners;
+    for (int k = 0; k < 4; ++k) {
+      nodes[static_cast<std::size_t>(k)] = tetrahedra.tetrahedra(binding.tetrahedron[i], k);
+      corners.col(k) << tetrahedra.vertices.row(nodes[static_cast<std::size_t>(k)]).transpose(), 1.0;
+    }
+    corners_.push_back(nodes);
+    weights_.emplace_back(binding.weights.row(static_cast<Eigen::Index>(i)).transpose());
+    weights_of_point_.emplace_back(corners.inverse());
+  }
+}
+
 ClosestPoint MovingSurface::notch() const {
   ClosestPoint at = notch_point_;
   if (at.triangle < 0) return at;
@@ -86,10 +123,15 @@ ClosestPoint MovingSurface::notch() const {
 }
 
 void MovingSurface::move(const Points& nodes) {
-  require(nodes.rows() > *std::max_element(node_of_vertex_.begin(), node_of_vertex_.end()),
-          "a moving surface is given all nodes of its mesh");
+  require(nodes.rows() == node_count_, "a moving surface is given all nodes of its mesh");
   for (std::size_t i = 0; i < node_of_vertex_.size(); ++i)
     mesh_.vertices.row(static_cast<Eigen::Index>(i)) = nodes.row(node_of_vertex_[i]);
+  for (std::size_t i = 0; i < corners_.size(); ++i) {
+    Eigen::RowVector3d p = Eigen::RowVector3d::Zero();
+    for (std::size_t k = 0; k < 4; ++k)
+      p += weights_[i][static_cast<Eigen::Index>(k)] * nodes.row(corners_[i][k]);
+    mesh_.vertices.row(static_cast<Eigen::Index>(i)) = p;
+  }
   normals_ = vertex_normals(mesh_);
   whole_.refit(mesh_.vertices);
   if (!margin_.empty()) margin_.refit(mesh_.vertices);
@@ -115,12 +157,26 @@ Eigen::Vector3d MovingSurface::normal(const ClosestPoint& at) const {
   return length > 0.0 ? Eigen::Vector3d(n / length) : n;
 }
 
-std::array<int, 3> MovingSurface::nodes(int triangle) const {
-  std::array<int, 3> nodes{};
+Carrier MovingSurface::carrier(const ClosestPoint& at) const {
+  Carrier carrier;
+  const auto corner = [&](int k) { return static_cast<std::size_t>(mesh_.triangles(at.triangle, k)); };
+  if (corners_.empty()) {
+    for (int k = 0; k < 3; ++k) {
+      carrier.nodes[static_cast<std::size_t>(k)] = node_of_vertex_[corner(k)];
+      carrier.weights[static_cast<std::size_t>(k)] = at.barycentric[k];
+    }
+    return carrier;
+  }
+  // The corners may belong to three tetrahedra; the one of the nearest corner stands for all.
+  int nearest = 0;
+  at.barycentric.maxCoeff(&nearest);
+  Eigen::Vector4d p = Eigen::Vector4d::UnitW();
   for (int k = 0; k < 3; ++k)
-    nodes[static_cast<std::size_t>(k)] =
-        node_of_vertex_[static_cast<std::size_t>(mesh_.triangles(triangle, k))];
-  return nodes;
+    p.head<3>() += at.barycentric[k] * rest_.row(static_cast<Eigen::Index>(corner(k))).transpose();
+  const Eigen::Vector4d weights = weights_of_point_[corner(nearest)] * p;
+  carrier.nodes = corners_[corner(nearest)];
+  for (std::size_t k = 0; k < 4; ++k) carrier.weights[k] = weights[static_cast<Eigen::Index>(k)];
+  return carrier;
 }
 
 }  // namespace glisson::registration

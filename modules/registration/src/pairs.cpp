@@ -227,11 +227,9 @@ fem::AttachedLoad pair_load(const Pair& pair, const MovingSurface& surface, Pena
   // Where the force does not vanish at contact its direction flips there: a tenth of a millimetre softens it.
   constexpr double kSoftening = 1e-4;
   fem::AttachedLoad load;
-  const std::array<int, 3> nodes = surface.nodes(pair.on_model.triangle);
-  for (std::size_t k = 0; k < 3; ++k) {
-    load.nodes[k] = nodes[k];
-    load.weights[k] = pair.on_model.barycentric[static_cast<Eigen::Index>(k)];
-  }
+  const Carrier carrier = surface.carrier(pair.on_model);
+  load.nodes = carrier.nodes;
+  load.weights = carrier.weights;
   const double d = pair.gap.norm();
   const double secant = form == PenaltyForm::corrected ? 1.0 - 2.0 / std::numbers::pi * std::atan(s * d)
                                                        : penalty_force(form, s, d) / std::max(d, kSoftening);

@@ -26,7 +26,7 @@ struct Pose {
 class Aligner {
  public:
   Aligner(const PatientModel& model, const PreparedCloud& cloud, const RigidOptions& options)
-      : surface_(model), cloud_(cloud), options_(options) {
+      : surface_(model, SurfaceDetail::fine), cloud_(cloud), options_(options) {
     normals_ = cloud.cloud.normals.rows() > 0 ? cloud.cloud.normals : estimate_normals(cloud);
     weigh();
   }

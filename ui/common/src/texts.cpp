@@ -67,6 +67,8 @@ class Texts {
             {"stereo.surface", tr("fitting the surface")},
             {"stereo.done", tr("finishing")},
             {"registration.rigid", tr("rigid start")},
+            {"registration.operations", tr("simulated operations")},
+            {"registration.shape", tr("most probable shape")},
             {"registration.elastic", tr("elastic deformation")}};
   }
   static QHash<QString, QString> structures() {

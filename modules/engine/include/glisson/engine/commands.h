@@ -84,6 +84,10 @@ struct Register {
   CameraFromCt given;  ///< for Start::given
   registration::RigidOptions rigid;
   registration::ElasticOptions elastic;
+  /// Operations are simulated first, where the vena cava is known and no node is fixed, and tell which shapes are
+  /// probable (registration::simulate_operations); false: the paper's method.
+  bool operations = true;
+  registration::OperationOptions operation;
 };
 /// A registration that was made before (registered.vtu), as the start of tracking.
 struct ImportRegistration {

@@ -24,7 +24,7 @@ struct TheatreOptions {
   double baseline_mm = 5.0;
   double pneumoperitoneum_pa = 0.0;    ///< on the anterior face; 0: chosen so that elastic_motion_mm remains
   double mean_displacement_mm = 22.0;  ///< of the first frame from the CT, 20 to 60
-  double elastic_motion_mm = 8.6;      ///< of it, after the best rigid alignment: 8 and more prove something
+  double elastic_motion_mm = 8.4;      ///< of it, after the best rigid alignment: 8 and more prove something
   double breathing_mm = 6.0, breathing_period_s = 4.0;  ///< mean motion from expiration to inspiration
   double heartbeat_mm = 1.0, heartbeat_period_s = 0.9;  ///< largest motion, next to the heart
   double noise = 2.0;                                   ///< grey levels, standard deviation

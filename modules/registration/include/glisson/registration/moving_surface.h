@@ -11,13 +11,27 @@
 
 namespace glisson::registration {
 
+/// Which surface stands for the organ. `mesh`: the boundary of the tetrahedra, nothing but their nodes.
+/// `fine`: the patient's segmented surface, carried by the tetrahedra next to it: a mesh of some 550 vertices
+/// cuts the sharp margin off by up to a centimetre, and a cloud cannot be matched to what is not there. Where
+/// the model has no such surface, or one that is no outline of its mesh, it is the mesh's.
+enum class SurfaceDetail { mesh, fine };
+
+/// What moves a point of the surface: nodes of the tetrahedral mesh (-1: unused) and their weights, whose sum
+/// is 1. Outside the mesh weights may be negative: the point moves with the extended tetrahedron.
+struct Carrier {
+  std::array<int, 4> nodes{-1, -1, -1, -1};
+  std::array<double, 4> weights{};
+};
+
 /// A model's surface while it moves, with the parts of it that points of each feature may be paired with.
 /// The trees are built once and refitted. Queries are const and thread-safe; move() is not.
 class MovingSurface {
  public:
   /// The anterior margin's part: triangles within `margin_radius` (metres) of the landmark polyline, at least
   /// those that carry it; the notch's likewise. A landmark that the model lacks has no part.
-  explicit MovingSurface(const PatientModel& model, double margin_radius = 4e-3, double notch_radius = 6e-3);
+  explicit MovingSurface(const PatientModel& model, SurfaceDetail detail = SurfaceDetail::mesh,
+                         double margin_radius = 4e-3, double notch_radius = 6e-3);
 
   /// @param nodes of the model's tetrahedral mesh, N x 3, metres, any frame: queries are in that frame
   /// from now on. @pre as many rows as the mesh has nodes.
@@ -37,8 +51,8 @@ class MovingSurface {
 
   /// Outward unit normal at a closest point, interpolated from the vertices'.
   Eigen::Vector3d normal(const ClosestPoint& at) const;
-  /// Nodes of the tetrahedral mesh behind a triangle's corners.
-  std::array<int, 3> nodes(int triangle) const;
+  /// What moves the point of a closest-point query.
+  Carrier carrier(const ClosestPoint& at) const;
   /// The surface as it is now.
   const TriangleMesh& mesh() const { return mesh_; }
   /// Triangles of a feature's part (all for the surface), ascending.
@@ -49,7 +63,15 @@ class MovingSurface {
  private:
   const ClosestPointTree& tree(Feature feature) const;
 
-  std::vector<int> node_of_vertex_;
+  void carry_finely(const TetMesh& tetrahedra);
+
+  std::vector<int> node_of_vertex_;  ///< of the mesh's own surface; empty for a fine one
+  // Of a fine surface: the tetrahedron of each vertex (node numbers), its weights there, all at rest.
+  std::vector<std::array<int, 4>> corners_;
+  std::vector<Eigen::Vector4d> weights_;
+  std::vector<Eigen::Matrix4d> weights_of_point_;  ///< maps (p, 1) at rest to the weights in that tetrahedron
+  Points rest_;
+  int node_count_ = 0;
   TriangleMesh mesh_;
   Points normals_;
   std::array<std::vector<int>, 3> part_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "glisson/patient/labelled_cloud.h"
 #include "glisson/patient/patient_model.h"
 #include "glisson/patient/registration.h"
+#include "glisson/registration/shape_fit.h"
 
 namespace glisson::registration {
 
@@ -57,6 +59,11 @@ struct ElasticOptions {
   int plateau_window = 4;
   std::vector<int> fixed_nodes;  ///< stay where the rigid start puts them
   fem::CompositeOptions materials;
+  /// What operations do to this patient's liver; null: the paper's method, elasticity alone. With it the pose
+  /// and the shape are fitted first (fit_shape), and the elastic stages start in that shape, in which the
+  /// loads that brought the organ there hold it.
+  std::shared_ptr<const OperationPrior> prior;
+  ShapeFitOptions shape;
   void validate() const;
 };
 

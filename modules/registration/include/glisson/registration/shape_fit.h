@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "glisson/patient/labelled_cloud.h"
+#include "glisson/patient/registration.h"
+#include "glisson/registration/operation_prior.h"
+
+namespace glisson::registration {
+
+struct ShapeFitOptions {
+  /// Standard deviations, metres: of a surface point across the surface (the reconstruction's noise and the
+  /// segmentation's), of a margin point, of the notch as a whole.
+  double sigma_surface = 3e-3, sigma_margin = 6e-3, sigma_notch = 3e-3;
+  /// Independent information in what the reference density's one point stands for: neighbouring points share
+  /// the error of the model's surface, they do not average it away. In (0, 1].
+  double information = 0.2;
+  int max_iterations = 80;
+  void validate() const;
+};
+
+/// Where the organ most probably is, given the cloud and what operations do.
+struct ShapeFit {
+  CameraFromCt camera_from_ct;
+  Eigen::VectorXd amplitudes;  ///< of the prior's modes, standard deviations
+  Points nodes_in_camera;
+  double residual = 0.0;  ///< mean distance over the pairs kept, metres
+  int iterations = 0;
+};
+
+/// Maximum a posteriori of pose and amplitudes together: closest points (label-restricted, on the fine
+/// surface, which may slide along it freely), Gauss and Newton, Cauchy's robust weight, the prior's
+/// amplitudes standard normal.
+/// @throws InputError the cloud's as in prepare_cloud; options.
+Cancellable<ShapeFit> fit_shape(const PatientModel& model, const OperationPrior& prior,
+                                const LabelledCloud& cloud, const CameraFromCt& start,
+                                const ShapeFitOptions& options, const RunContext& context);
+
+}  // namespace glisson::registration

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/registration/operation_prior.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "glisson/core/error.h"
+#include "glisson/fem/integrator.h"
+#include "glisson/geometry/rigid.h"
+#include "glisson/geometry/topology.h"
+
+namespace glisson::registration {
+namespace {
+
+constexpr int kFewest = 30;  // operations that say anything of a distribution (twice the loads)
+// Stiffness of what holds the liver, N/m per m2 of its face, before contact_spread.
+constexpr double kCava = 5e5, kBed = 1e5, kDiaphragm = 1e4, kLigament = 5e4;
+constexpr double kCavaRadius = 0.02, kLigamentHalfWidth = 0.01;
+constexpr double kReach =
+    0.09;  // m from the vena cava to about the middle of a lobe: the unit of the bed's polynomial
+
+/// One operation's loads, each in standard deviations.
+struct Draw {
+  static constexpr int kBedTerms = 9, kLoads = 6 + kBedTerms;  // those to which the answer is about linear
+  Eigen::Vector3d gravity = Eigen::Vector3d::Zero();
+  double gas = 0.0, gas_slope = 0.0, lift = 0.0, contact = 0.0, tie = 0.0;
+  std::array<double, kBedTerms> bed{};
+
+  Eigen::VectorXd loads() const {
+    Eigen::VectorXd values(kLoads);
+    values << gravity, gas, gas_slope, lift, Eigen::Map<const Eigen::VectorXd>(bed.data(), kBedTerms);
+    return values;
+  }
+
+  explicit Draw(std::mt19937_64 random) {
+    // Box and Muller by hand: the standard library's distribution is not the same everywhere.
+    const auto uniform = [&] { return (static_cast<double>(random() >> 11) + 0.5) * 0x1.0p-53; };
+    const auto normal = [&] {
+      const double r = std::sqrt(-2.0 * std::log(uniform()));
+      return r * std::cos(2.0 * std::numbers::pi * uniform());
+    };
+    for (int k = 0; k < 3; ++k) gravity[k] = normal();
+    for (double* value : {&gas, &gas_slope, &lift, &contact, &tie}) *value = normal();
+    for (double& value : bed) value = normal();
+  }
+};
+
+/// The organs behind give way backwards and along the body, as polynomials of the place sideways (x) and
+/// along the body (z) in units of kReach; x |x| and x^2 together let each lobe bend by itself.
+Eigen::Vector3d bed_way(const Draw& draw, double x, double z) {
+  const auto& b = draw.bed;
+  const double back =
+      b[0] * x * std::abs(x) + b[1] * x * x + b[2] * x * z + b[3] * z * z + b[4] * x + b[5] * z;
+  return {b[6] * z, back, b[7] * x * x + b[8] * x};
+}
+
+/// The organ in its bed.
+class Operations {
+ public:
+  Operations(const PatientModel& model, const OperationOptions& options)
+      : options_(options), composite_(model.mesh, {}, homogeneous()), rest_(model.mesh.vertices) {
+    const TriangleMesh& surface = model.surface.mesh;
+    const Points normals = vertex_normals(surface);
+    Eigen::VectorXd areas = Eigen::VectorXd::Zero(surface.vertex_count());
+    const Eigen::VectorXd of_triangles = triangle_areas(surface);
+    for (int t = 0; t < surface.triangle_count(); ++t)
+      for (int k = 0; k < 3; ++k) areas[surface.triangles(t, k)] += of_triangles[t] / 3.0;
+    const Points& cava = model.landmarks.vena_cava;
+    const Eigen::Vector3d middle = cava.colwise().mean().transpose();
+    const bool tied = model.landmarks.umbilical_notch.rows() > 0;
+    const double notch_x = tied ? model.landmarks.umbilical_notch.col(0).mean() : 0.0;
+    for (int v = 0; v < surface.vertex_count(); ++v) {
+      Place place;
+      const Eigen::Vector3d p = surface.vertex(v);
+      place.node = model.surface.node_of_vertex[static_cast<std::size_t>(v)];
+      place.area = areas[v];
+      place.normal = normals.row(v).transpose();
+      place.from_cava = (p - middle) / kReach;
+      const double d2 = (cava.rowwise() - p.transpose()).rowwise().squaredNorm().minCoeff();
+      place.cava = std::exp(-0.5 * d2 / (kCavaRadius * kCavaRadius));
+      // LPS: anterior is -y, superior +z.
+      const double front = -place.normal.y(), up = place.normal.z();
+      if (up > 0.5)
+        place.contact = kDiaphragm;
+      else if (front < -0.2)
+        place.contact = kBed;
+      place.under_gas = front > 0.3 || up > 0.5;
+      const double aside = (p.x() - notch_x) / kLigamentHalfWidth;
+      if (tied && front > 0.3) place.tie = std::exp(-0.5 * aside * aside);
+      places_.push_back(place);
+    }
+  }
+
+  /// The organ in one operation, laid back on its rest shape. No value: no equilibrium, or cancelled.
+  std::optional<Points> run(const Draw& draw, const RunContext& context) const {
+    fem::StaticOptions newton;
+    newton.max_iterations = 40;
+    newton.tolerance = 1e-3;  // 20 um on the springs that hold the organ
+    const auto solved = fem::solve_static(
+        composite_, rest_, [&](const Points& x) { return loads(draw, x); }, newton, context);
+    if (!solved || solved->residual > 10.0 * newton.tolerance) return std::nullopt;
+    return fit_rigid<CtFrame, CtFrame>(solved->positions, rest_).apply(solved->positions);
+  }
+
+ private:
+  struct Place {
+    int node = 0;
+    double area = 0.0, cava = 0.0, contact = 0.0, tie = 0.0;
+    bool under_gas = false;
+    Eigen::Vector3d normal, from_cava;
+  };
+
+  static fem::CompositeOptions homogeneous() {
+    fem::CompositeOptions materials;
+    materials.with_vessels = materials.with_capsule = false;
+    return materials;
+  }
+
+  fem::Loads loads(const Draw& draw, const Points& x) const {
+    fem::Loads loads;
+    loads.gravity_change = options_.gravity * draw.gravity;
+    const double contact = std::exp(options_.contact_spread * draw.contact),
+                 tie = std::exp(options_.contact_spread * draw.tie);
+    for (const Place& place : places_) {
+      const double held = kCava * place.cava * place.area, rests = contact * place.contact * place.area,
+                   tied = tie * kLigament * place.tie * place.area;
+      const double k = held + rests + tied;
+      const Eigen::Vector3d from_rest = (x.row(place.node) - rest_.row(place.node)).transpose();
+      fem::AttachedLoad load;
+      load.nodes[0] = place.node;
+      load.weights[0] = 1.0;
+      load.force = -k * from_rest +
+                   rests * options_.bed_m * bed_way(draw, place.from_cava.x(), place.from_cava.z()) -
+                   tied * options_.ligament_m * draw.lift * Eigen::Vector3d::UnitY();
+      if (place.under_gas)
+        load.force -=
+            options_.gas_pa * (draw.gas + draw.gas_slope * place.from_cava.x()) * place.area * place.normal;
+      load.tangent = k * Eigen::Matrix3d::Identity();
+      if (k > 0.0 || place.under_gas) loads.attached.push_back(load);
+    }
+    return loads;
+  }
+
+  const OperationOptions& options_;
+  fem::CompositeModel composite_;
+  Points rest_;
+  std::vector<Place> places_;
+};
+
+/// Principal components about the rest shape. How the organ answers to each load on average is known better
+/// than the operations' own scatter tells: the loads were drawn, so their covariance is known, not estimated.
+/// The motion is u = L a + r, a the loads, L by regression; its covariance is L L^T + cov r.
+/// @param motions 3 N x n. @param loads Draw::kLoads x n.
+Eigen::MatrixXd components(const Eigen::MatrixXd& motions, const Eigen::MatrixXd& loads, int most) {
+  const Eigen::Index n = motions.cols(), k = loads.rows();
+  Eigen::MatrixXd factors(motions.rows(), k + n);  // the covariance is factors factors^T
+  factors.leftCols(k) = (loads * loads.transpose()).ldlt().solve(loads * motions.transpose()).transpose();
+  factors.rightCols(n) = (motions - factors.leftCols(k) * loads) / std::sqrt(static_cast<double>(n - k));
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(factors.transpose() * factors);
+  const Eigen::Index kept = std::min<Eigen::Index>(most, n);
+  return factors * eigen.eigenvectors().rightCols(kept).rowwise().reverse();
+}
+
+}  // namespace
+
+void OperationOptions::validate() const {
+  const auto demand = [](bool good, const char* field, double value, const char* remedy) {
+    if (!good) throw InputError("operation options", field, "is " + std::to_string(value), remedy);
+  };
+  demand(operations >= kFewest + 10, "operations", operations, "Give 40 at least");
+  demand(modes >= 1, "modes", modes, "Give one at least");
+  demand(gravity >= 0.0 && gravity <= 20.0, "gravity", gravity, "Give 0 to 20 m/s2");
+  demand(gas_pa >= 0.0 && gas_pa <= 4000.0, "gas_pa", gas_pa, "Give 0 to 4000 Pa");
+  demand(bed_m >= 0.0 && bed_m <= 0.1, "bed_m", bed_m, "Give 0 to 0.1 m");
+  demand(ligament_m >= 0.0 && ligament_m <= 0.1, "ligament_m", ligament_m, "Give 0 to 0.1 m");
+  demand(contact_spread >= 0.0 && contact_spread <= 2.0, "contact_spread", contact_spread, "Give 0 to 2");
+}
+
+Points OperationPrior::shape(const Points& rest, const Eigen::VectorXd& amplitudes) const {
+  require(amplitudes.size() == modes.cols() && 3 * rest.rows() == modes.rows(),
+          "a prior moves the model that it was made from");
+  const Eigen::VectorXd moved = modes * amplitudes;
+  return rest + Eigen::Map<const Points>(moved.data(), rest.rows(), 3);
+}
+
+bool can_simulate_operations(const PatientModel& model) {
+  return model.landmarks.vena_cava.rows() > 0 && model.surface.mesh.triangle_count() > 0;
+}
+
+Cancellable<OperationPrior> simulate_operations(const PatientModel& model, const OperationOptions& options,
+                                                const RunContext& context) {
+  options.validate();
+  if (!can_simulate_operations(model))
+    throw InputError("model", "vena cava", "its place is not known", "Place it among the landmarks");
+  const Operations organ(model, options);
+  const auto count = static_cast<std::size_t>(options.operations);
+  // Each operation has a generator of its own, so that the two threads may take them in any order.
+  std::vector<Draw> draws;
+  for (std::size_t i = 0; i < count; ++i)
+    draws.emplace_back(context.random("registration.operation." + std::to_string(i)));
+  std::vector<std::optional<Points>> outcomes(count);
+  std::atomic<std::size_t> next{0};
+  const auto work = [&](bool reports) {
+    for (std::size_t i = next++; i < count; i = next++) {
+      if (context.cancelled()) return;
+      outcomes[i] = organ.run(draws[i], context);
+      if (reports)
+        context.progress(static_cast<double>(i) / static_cast<double>(count), "registration.operations");
+    }
+  };
+  std::thread other([&] { work(false); });
+  work(true);
+  other.join();
+  if (context.cancelled()) return std::nullopt;
+
+  const auto found = static_cast<Eigen::Index>(std::count_if(
+      outcomes.begin(), outcomes.end(), [](const auto& outcome) { return outcome.has_value(); }));
+  if (found < kFewest)
+    throw NumericalError("only " + std::to_string(found) + " of " + std::to_string(count) +
+                         " simulated operations have an equilibrium: check the mesh and the vena cava");
+  Eigen::MatrixXd motions(model.mesh.vertices.size(), found), loads(Draw::kLoads, found);
+  OperationPrior prior;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!outcomes[i]) continue;
+    const Points motion = *outcomes[i] - model.mesh.vertices;
+    prior.mean_motion += motion.rowwise().norm().mean() / static_cast<double>(found);
+    motions.col(prior.operations) = Eigen::Map<const Eigen::VectorXd>(motion.data(), motion.size());
+    loads.col(prior.operations++) = draws[i].loads();
+  }
+  prior.modes = components(motions, loads, options.modes);
+  return prior;
+}
+
+}  // namespace glisson::registration

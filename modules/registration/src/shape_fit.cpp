@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/registration/shape_fit.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "glisson/core/error.h"
+#include "glisson/registration/pairs.h"
+
+namespace glisson::registration {
+namespace {
+
+/// Squared standardised distance at which Cauchy's weight is a half: five standard deviations.
+constexpr double kTolerance = 25.0;
+constexpr double kLargestTurn = 0.3;  // rad an iteration
+// Rests: amplitudes in standard deviations, the pose in metres and radians times 0.1 m.
+constexpr double kRestAmplitude = 2e-3, kRestPose = 2e-5;
+constexpr int kFewestIterations = 10;
+
+class ShapeFitter {
+ public:
+  ShapeFitter(const PatientModel& model, const OperationPrior& prior, const LabelledCloud& cloud,
+              const CameraFromCt& start, const ShapeFitOptions& options)
+      : options_(options),
+        prior_(prior),
+        rest_(model.mesh.vertices),
+        cloud_(prepare_cloud(cloud, {})),
+        surface_(model, SurfaceDetail::fine) {
+    fit_.camera_from_ct = start;
+    fit_.amplitudes = Eigen::VectorXd::Zero(prior.modes.cols());
+    for (int i = 0; i < cloud_.cloud.size(); ++i)
+      notch_points_ += cloud_.cloud.feature(i) == Feature::umbilical_notch;
+  }
+
+  Cancellable<ShapeFit> run(const RunContext& context) {
+    for (fit_.iterations = 0; fit_.iterations < options_.max_iterations;) {
+      if (context.cancelled()) return std::nullopt;
+      context.progress(static_cast<double>(fit_.iterations) / options_.max_iterations, "registration.shape");
+      pair();
+      const bool rest = step();
+      if (++fit_.iterations >= kFewestIterations && rest) break;
+    }
+    pair();
+    fit_.residual = mean_distance(pairs_);
+    return fit_;
+  }
+
+ private:
+  void pair() {
+    fit_.nodes_in_camera = fit_.camera_from_ct.apply(prior_.shape(rest_, fit_.amplitudes));
+    surface_.move(fit_.nodes_in_camera);
+    pairs_ = find_pairs(cloud_, surface_, {});
+  }
+
+  /// Inverse covariance of a pair's gap.
+  Eigen::Matrix3d information(const Pair& pair) const {
+    const auto inverse_square = [](double sigma) { return 1.0 / (sigma * sigma); };
+    const double weight = cloud_.weight[static_cast<std::size_t>(pair.point)] * options_.information;
+    switch (pair.feature) {
+      case Feature::umbilical_notch:  // its points share one gap
+        return inverse_square(options_.sigma_notch) / notch_points_ * Eigen::Matrix3d::Identity();
+      case Feature::anterior_margin:
+        return weight * inverse_square(options_.sigma_margin) * Eigen::Matrix3d::Identity();
+      case Feature::surface:
+        break;
+    }
+    return weight * inverse_square(options_.sigma_surface) * pair.normal * pair.normal.transpose();
+  }
+
+  /// How the paired point of the model moves with the amplitudes and a twist of the pose about the camera.
+  void jacobian(const Pair& pair, Eigen::Matrix<double, 3, Eigen::Dynamic>& j) const {
+    const Eigen::Index modes = prior_.modes.cols();
+    const Carrier carrier = surface_.carrier(pair.on_model);
+    j.leftCols(modes).setZero();
+    for (std::size_t k = 0; k < 4; ++k)
+      if (carrier.nodes[k] >= 0)
+        j.leftCols(modes) += carrier.weights[k] * prior_.modes.middleRows<3>(3L * carrier.nodes[k]);
+    j.leftCols(modes) = (fit_.camera_from_ct.rotation * j.leftCols(modes)).eval();
+    const Eigen::Vector3d p = pair.on_model.point;
+    j.block<3, 3>(0, modes) << 0, p.z(), -p.y(), -p.z(), 0, p.x(), p.y(), -p.x(), 0;
+    j.rightCols<3>().setIdentity();
+  }
+
+  /// One step of Gauss and Newton; true when hardly anything moved.
+  bool step() {
+    const Eigen::Index modes = prior_.modes.cols();
+    Eigen::MatrixXd h = Eigen::MatrixXd::Zero(modes + 6, modes + 6);
+    Eigen::VectorXd g = Eigen::VectorXd::Zero(modes + 6);
+    Eigen::Matrix<double, 3, Eigen::Dynamic> j(3, modes + 6);
+    for (const Pair& pair : pairs_) {
+      if (!pair.kept) continue;
+      Eigen::Matrix3d weight = information(pair);
+      // The notch is clicked on purpose and has no other like it: it is never taken for an outlier.
+      if (pair.feature != Feature::umbilical_notch) {
+        const double share = cloud_.weight[static_cast<std::size_t>(pair.point)] * options_.information;
+        weight /= 1.0 + pair.gap.dot(weight * pair.gap) / (share * kTolerance);
+      }
+      jacobian(pair, j);
+      h.noalias() += j.transpose() * (weight * j);
+      g.noalias() += j.transpose() * (weight * pair.gap);
+    }
+    h.topLeftCorner(modes, modes).diagonal().array() += 1.0;
+    g.head(modes) -= fit_.amplitudes;
+    h.bottomRightCorner<6, 6>().diagonal().array() += 1e-3;
+    Eigen::VectorXd change = h.ldlt().solve(g);
+    const double turn = change.segment<3>(modes).norm();
+    if (turn > kLargestTurn) change *= kLargestTurn / turn;
+    fit_.amplitudes += change.head(modes);
+    const Eigen::Vector3d twist = change.segment<3>(modes);
+    CameraFromCt& pose = fit_.camera_from_ct;
+    const Eigen::Matrix3d rotation =
+        twist.norm() > 0.0 ? Eigen::AngleAxisd(twist.norm(), twist.normalized()).toRotationMatrix()
+                           : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+    pose.rotation = Eigen::Quaterniond(rotation * pose.rotation).normalized().toRotationMatrix();
+    pose.translation = rotation * pose.translation + change.tail<3>();
+    return change.head(modes).norm() < kRestAmplitude && change.tail<3>().norm() + 0.1 * turn < kRestPose;
+  }
+
+  const ShapeFitOptions& options_;
+  const OperationPrior& prior_;
+  Points rest_;
+  PreparedCloud cloud_;
+  MovingSurface surface_;
+  std::vector<Pair> pairs_;
+  ShapeFit fit_;
+  int notch_points_ = 0;
+};
+
+}  // namespace
+
+void ShapeFitOptions::validate() const {
+  const auto demand = [](bool good, const char* field, double value, const char* remedy) {
+    if (!good) throw InputError("shape options", field, "is " + std::to_string(value), remedy);
+  };
+  demand(sigma_surface > 0.0, "sigma_surface", sigma_surface, "Give a positive length in metres");
+  demand(sigma_margin > 0.0, "sigma_margin", sigma_margin, "Give a positive length in metres");
+  demand(sigma_notch > 0.0, "sigma_notch", sigma_notch, "Give a positive length in metres");
+  demand(information > 0.0 && information <= 1.0, "information", information, "Give a share in (0, 1]");
+  demand(max_iterations > 0, "max_iterations", max_iterations, "Give one at least");
+}
+
+Cancellable<ShapeFit> fit_shape(const PatientModel& model, const OperationPrior& prior,
+                                const LabelledCloud& cloud, const CameraFromCt& start,
+                                const ShapeFitOptions& options, const RunContext& context) {
+  options.validate();
+  require(prior.modes.rows() == model.mesh.vertices.size(),
+          "a prior is used with the model that it was made from");
+  ShapeFitter fitter(model, prior, cloud, start, options);
+  return fitter.run(context);
+}
+
+}  // namespace glisson::registration
