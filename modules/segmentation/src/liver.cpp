@@ -18,8 +18,16 @@ constexpr double kWidth = 2.2;        // standard deviations that count as liver
 constexpr double kLeastSigma = 3.0, kMostSigma = 15.0;  // HU, after denoising
 constexpr double kReach = 8.0;                          // mm that the contour may go beyond its start
 constexpr double kCurvature = 3.0;                      // mm
-constexpr double kAttraction = 1.5;                     // mm
-constexpr double kEdgeScale = 6.0;                      // HU/mm at which an edge halves the edge map
+constexpr double kLastCurvature = 0.5;                  // mm: more of it eats sharp edges
+/// New samples of both sides each round: the contour comes from 3 mm inside.
+constexpr int kLastRounds = 4, kLastSteps = 20;
+constexpr double kWedge = 6.0;             // mm, half the width of what may be a margin of the liver
+constexpr double kWedgeLength = 20.0;      // mm that the last contours may follow it
+constexpr double kHalfWayToMuscle = 25.0;  // HU below the liver
+constexpr double kBorder = 5.0;            // mm that they may go elsewhere
+constexpr double kPartialVolume = 3.0;     // mm beyond liver-like tissue
+constexpr double kAttraction = 1.5;        // mm
+constexpr double kEdgeScale = 6.0;         // HU/mm at which an edge halves the edge map
 
 float median_of(std::vector<float>& values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -223,12 +231,17 @@ Tissue tissue_within(const Field& ct, const Mask& region, double depth_mm) {
 void local_region(const Field& ct, const Field& phi, Field& region) {
   constexpr float kNear = 1.5F, kFar = 6.0F;  // mm from the contour, where the two sides are sampled
   constexpr double kWindow = 4.0;             // mm
-  constexpr float kContrast = 15.0F;          // HU below which the sides are alike
+  // What is emptier than fat is lung or gas, and a diaphragm or a wall lies before it.
+  constexpr float kEmpty = -150.0F, kWall = 50.0F;  // HU
+  constexpr float kContrast = 15.0F;                // HU below which the sides are alike
   Field in = ct.filled(0.0F), in_weight = in, out = in, out_weight = in;
   for (std::size_t i = 0; i < ct.values.size(); ++i) {
     const float d = phi.values[i];
     if (d < -kNear && d > -kFar) in.values[i] = ct.values[i], in_weight.values[i] = 1.0F;
-    if (d > kNear && d < kFar) out.values[i] = std::max(ct.values[i], -150.0F), out_weight.values[i] = 1.0F;
+    if (d > kNear && d < kFar) {
+      out.values[i] = ct.values[i] > kEmpty ? ct.values[i] : kWall;
+      out_weight.values[i] = 1.0F;
+    }
   }
   for (Field* field : {&in, &in_weight, &out, &out_weight}) smooth(*field, kWindow);
   for (std::size_t i = 0; i < ct.values.size(); ++i) {
@@ -264,7 +277,33 @@ Tissue tissue_around(const Field& ct, const std::vector<Eigen::Vector3i>& points
 
 namespace {
 
-/// The three contours, from the start to the boundary. Empty when cancelled.
+/// Where the last contours must not go. They may leave liver-like tissue only by its partial volume, and from
+/// where the second one came to rest (some 3 mm inside the boundary) go farther than a thick border needs
+/// only into a wedge: tissue too thin to be anything but a margin of the liver with fat or gas on both sides.
+/// A stomach or a muscle against the liver is thick together with it, and stays barred.
+Mask out_of_bounds(const Scene& scene, const Tissue& tissue, const Field& phi) {
+  Mask found = scene.ct.empty_mask();
+  for (std::size_t i = 0; i < found.voxels.size(); ++i) found.voxels[i] = phi.values[i] < 0.0F ? 1 : 0;
+  // Half way to muscle and as far above: wider than the start's window, which cuts the border's own tail.
+  // Brighter is kidney, cava, portal trunk: the liver's own vessels are within the contour or what it
+  // encloses.
+  const auto width = static_cast<float>(std::max(kHalfWayToMuscle, kWidth * tissue.sigma));
+  const auto mean = static_cast<float>(tissue.mean);
+  Mask like = found;
+  for (std::size_t i = 0; i < like.voxels.size(); ++i)
+    if (scene.open.voxels[i] != 0 || std::abs(scene.ct.values[i] - mean) < width) like.voxels[i] = 1;
+  const Mask thick = opened(like, kWedge), near = dilated(like, kPartialVolume);
+  const std::vector<float> distance2 = squared_distance_mm2(found);
+  const auto border2 = static_cast<float>(kBorder * kBorder),
+             length2 = static_cast<float>(kWedgeLength * kWedgeLength);
+  Mask barred = scene.ct.empty_mask();
+  for (std::size_t i = 0; i < barred.voxels.size(); ++i)
+    barred.voxels[i] =
+        near.voxels[i] == 0 || distance2[i] > length2 || (distance2[i] > border2 && thick.voxels[i] != 0);
+  return barred;
+}
+
+/// The contours, from the start to the boundary. Empty when cancelled.
 Cancellable<Field> run_contours(const Scene& scene, const Tissue& tissue, const RunContext& context) {
   const Field& ct = scene.ct;
   Field phi = signed_distance(scene.start, ct);
@@ -293,13 +332,21 @@ Cancellable<Field> run_contours(const Scene& scene, const Tissue& tissue, const 
   for (std::size_t i = 0; i < ct.values.size(); ++i)
     forces.region.values[i] = std::clamp(0.5F * ratio(ct.values[i]), -1.0F, 1.0F);
   bound();
-  if (!evolve(phi, forces, 80, context.part(0.4, 0.8))) return std::nullopt;
+  if (!evolve(phi, forces, 80, context.part(0.4, 0.7))) return std::nullopt;
 
-  local_region(ct, phi, forces.region);
-  impose(forces.region, scene);
-  forces.curvature_mm = 0.5 * kCurvature;
   forces.attraction_mm = 0.0;
-  if (!evolve(phi, forces, 24, context.part(0.8, 1.0))) return std::nullopt;
+  forces.curvature_mm = kLastCurvature;
+  const Mask closed_ground = out_of_bounds(scene, tissue, phi);
+  for (int round = 0; round < kLastRounds; ++round) {
+    local_region(ct, phi, forces.region);
+    for (std::size_t i = 0; i < ct.values.size(); ++i)
+      if (closed_ground.voxels[i] != 0) forces.region.values[i] = -1.0F;
+    impose(forces.region, scene);
+    const double done = static_cast<double>(round) / kLastRounds;
+    if (!evolve(phi, forces, kLastSteps,
+                context.part(0.7 + 0.3 * done, 0.7 + 0.3 * (done + 1.0 / kLastRounds))))
+      return std::nullopt;
+  }
   return phi;
 }
 

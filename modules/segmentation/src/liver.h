@@ -26,8 +26,8 @@ struct LiverContour {
 
 /// Steps: robust statistics at the seeds; a start by competition between seeds inside and outside over what
 /// looks like liver, in which narrow necks are long ways; a contour driven by that; new statistics inside and
-/// in a rim outside; a second contour driven by their ratio; a last one that settles half way between the
-/// liver and what lies beside it.
+/// in a rim outside; a second contour driven by their ratio; last rounds that settle half way between the
+/// liver and what lies beside it, and follow the liver's thin margins.
 /// @param ct denoised. @param barred structures that are known not to be liver (vena cava, gallbladder).
 /// @param included structures that are known to be (lesions).
 Cancellable<LiverContour> find_liver(const Field& ct, const LiverSeeds& seeds, const Mask& barred,
