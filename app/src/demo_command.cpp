@@ -67,7 +67,7 @@ int run_demo(const QStringList& given) {
   arguments.option("unit", text("Unit of surfaces: mm, cm or m."), "UNIT", "mm");
   arguments.option("vertices", text("Vertices of the model."), "N", "550");
   arguments.option("frames", text("Length of the film, at 30 frames a second."), "N", "300");
-  arguments.option("distance", text("Distance of the laparoscope, mm (80 to 160)."), "MM", "110");
+  arguments.option("distance", text("Distance of the laparoscope, mm (80 to 160)."), "MM", "120");
   arguments.option("share", text("Share of the surface in the patch of the paper's protocol."), "SHARE",
                    "0.3");
   arguments.option("shape", text("Which member of the synthetic population."), "SEED", "1");

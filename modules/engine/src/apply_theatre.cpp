@@ -138,11 +138,13 @@ Cancellable<Applied> apply_one(const CaseState& state, const Register& command, 
   applied.state = state;
   CameraFromCt start = command.start == Register::Start::given ? command.given : CameraFromCt{};
   std::vector<std::string> doubts;
+  std::vector<CameraFromCt> other_starts;
   if (command.start == Register::Start::automatic) {
     auto rigid = registration::align_rigid(model, *state.cloud, command.rigid, context.part(0.0, 0.2));
     if (!rigid) return {};
     start = rigid->camera_from_ct;
     doubts = rigid->doubts;
+    other_starts = rigid->alternatives;
     applied.figures["rigid_residual_mm"] = 1e3 * rigid->residual;
   }
   registration::ElasticOptions elastic = command.elastic;
@@ -153,6 +155,7 @@ Cancellable<Applied> apply_one(const CaseState& state, const Register& command, 
     applied.figures["operations_simulated"] = prior->operations;
     applied.figures["operations_motion_mean_mm"] = 1e3 * prior->mean_motion;
     elastic.prior = std::make_shared<const registration::OperationPrior>(std::move(*prior));
+    elastic.other_starts = other_starts;
   }
   auto registered =
       registration::register_elastic(model, *state.cloud, start, elastic, context.part(0.7, 1.0));

@@ -175,6 +175,34 @@ PatientModel moved_to(const PatientModel& model, const Points& nodes) {
   return moved;
 }
 
+/// The best of the fits from all starts, and what makes it doubtful.
+Cancellable<ShapeFit> most_probable_shape(const PatientModel& model, const LabelledCloud& cloud,
+                                          const CameraFromCt& start, const ElasticOptions& options,
+                                          std::vector<std::string>& doubts, const RunContext& context) {
+  // A posterior e^4 times smaller is no rival; nor is a shape that is nearly the same.
+  constexpr double kRivalCost = 8.0, kRivalDistance = 10e-3, kUnusual = 4.0;
+  std::vector<CameraFromCt> starts = options.other_starts;
+  starts.insert(starts.begin(), start);
+  std::vector<ShapeFit> fits;
+  for (std::size_t k = 0; k < starts.size(); ++k) {
+    const double share = 1.0 / static_cast<double>(starts.size());
+    auto fit = fit_shape(model, *options.prior, cloud, starts[k], options.shape,
+                         context.part(share * static_cast<double>(k), share * static_cast<double>(k + 1)));
+    if (!fit) return std::nullopt;
+    fits.push_back(std::move(*fit));
+  }
+  const auto best = std::min_element(fits.begin(), fits.end(),
+                                     [](const ShapeFit& a, const ShapeFit& b) { return a.cost < b.cost; });
+  for (const ShapeFit& fit : fits)
+    if (fit.cost < best->cost + kRivalCost &&
+        (fit.nodes_in_camera - best->nodes_in_camera).rowwise().norm().mean() > kRivalDistance) {
+      doubts.emplace_back("shape_ambiguous");
+      break;
+    }
+  if (best->amplitudes.cwiseAbs().maxCoeff() > kUnusual) doubts.emplace_back("shape_unusual");
+  return *best;
+}
+
 void demand(bool good, const char* field, double value, const char* remedy) {
   if (!good) throw InputError("elastic options", field, "is " + std::to_string(value), remedy);
 }
@@ -223,10 +251,14 @@ Cancellable<Registration> register_elastic(const PatientModel& model, const Labe
                        "the mesh has nodes 0 to " + std::to_string(model.mesh.vertex_count() - 1),
                        "Give 0-based node numbers of this mesh");
   if (!options.prior) return ElasticRun(model, model, cloud, start, options).run(context);
-  const auto fit = fit_shape(model, *options.prior, cloud, start, options.shape, context.part(0.0, 0.3));
+  std::vector<std::string> doubts;
+  const auto fit = most_probable_shape(model, cloud, start, options, doubts, context.part(0.0, 0.4));
   if (!fit) return std::nullopt;
   const PatientModel rest = moved_to(model, options.prior->shape(model.mesh.vertices, fit->amplitudes));
-  return ElasticRun(model, rest, cloud, fit->camera_from_ct, options).run(context.part(0.3, 1.0));
+  auto registration =
+      ElasticRun(model, rest, cloud, fit->camera_from_ct, options).run(context.part(0.4, 1.0));
+  if (registration) registration->doubts.insert(registration->doubts.end(), doubts.begin(), doubts.end());
+  return registration;
 }
 
 }  // namespace glisson::registration

@@ -331,8 +331,11 @@ Cancellable<RigidStart> align_rigid(const PatientModel& model, const LabelledClo
     poses[k].camera_from_ct = aligner.refine(poses[k].camera_from_ct, many, 30, 0.2);
     poses[k].cost = aligner.cost(poses[k].camera_from_ct, many, true);
   }
-  poses = best_distinct(std::move(poses), vertices, 20e-3, 2);
   RigidStart start;
+  const std::vector<Pose> apart_by_10 = best_distinct(poses, vertices, 10e-3, 5);
+  for (std::size_t k = 1; k < apart_by_10.size(); ++k)
+    start.alternatives.push_back(apart_by_10[k].camera_from_ct);
+  poses = best_distinct(std::move(poses), vertices, 20e-3, 2);
   start.camera_from_ct = aligner.refine(poses[0].camera_from_ct, all, 20, 0.2);
   start.residual = aligner.cost(start.camera_from_ct, all, false);
   start.doubts = doubts_about(model, prepared.cloud, poses);

@@ -43,6 +43,7 @@ class ShapeFitter {
     }
     pair();
     fit_.residual = mean_distance(pairs_);
+    fit_.cost = cost();
     return fit_;
   }
 
@@ -66,6 +67,20 @@ class ShapeFitter {
         break;
     }
     return weight * inverse_square(options_.sigma_surface) * pair.normal * pair.normal.transpose();
+  }
+
+  double cost() const {
+    double sum = fit_.amplitudes.squaredNorm();
+    for (const Pair& pair : pairs_) {
+      const double square = pair.gap.dot(information(pair) * pair.gap);
+      if (pair.feature == Feature::umbilical_notch) {
+        sum += square;
+        continue;
+      }
+      const double share = cloud_.weight[static_cast<std::size_t>(pair.point)] * options_.information;
+      sum += share * kTolerance * (std::log1p(square / (share * kTolerance)) + (pair.kept ? 0.0 : 1.0));
+    }
+    return sum;
   }
 
   /// How the paired point of the model moves with the amplitudes and a twist of the pose about the camera.

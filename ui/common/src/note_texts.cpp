@@ -46,6 +46,9 @@ class Notes {
          tr("The umbilical notch is not marked in both model and picture: the position along the margin is "
             "uncertain.")},
         {"rigid_residual_large", tr("The rigid start fits the points badly (more than 10 mm).")},
+        {"shape_ambiguous", tr("Two different shapes of the organ explain the points almost equally well; "
+                               "the better one was taken.")},
+        {"shape_unusual", tr("The organ would be bent as in hardly any simulated operation.")},
         {"rigid_ambiguous", tr("Two rigid positions fit almost equally well; the better one was taken.")},
         {"many_outliers", tr("Many points do not fit the model and were left aside.")},
         {"residual_large", tr("The model stays more than 5 mm from the points on average.")},

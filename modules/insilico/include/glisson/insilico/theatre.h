@@ -19,7 +19,7 @@ struct TheatreOptions {
   int width = 960, height = 540;
   double frames_per_second = 30.0;
   int frames = 300;
-  double camera_distance_mm = 110.0;  ///< to the middle of what is seen, 80 to 160
+  double camera_distance_mm = 120.0;  ///< to the middle of what is seen, 80 to 160
   double horizontal_view_deg = 70.0;  ///< field of view
   double baseline_mm = 5.0;
   double pneumoperitoneum_pa = 0.0;    ///< on the anterior face; 0: chosen so that elastic_motion_mm remains

@@ -23,6 +23,9 @@ struct RigidOptions {
 struct RigidStart {
   CameraFromCt camera_from_ct;
   double residual = 0.0;  ///< metres, trimmed mean
+  /// Other poses that fit well, 10 mm and more from the start and from each other, the better first, four at
+  /// most.
+  std::vector<CameraFromCt> alternatives;
   std::vector<std::string> doubts;
 };
 /// Rigid alignment from the labelled features, robust to a partial view and a wrong start: seeded starts,
@@ -64,6 +67,9 @@ struct ElasticOptions {
   /// loads that brought the organ there hold it.
   std::shared_ptr<const OperationPrior> prior;
   ShapeFitOptions shape;
+  /// With a prior: poses from which the shape is fitted too; the most probable shape of all is taken. A rigid
+  /// fit of a bent organ may well rank the wrong pose first.
+  std::vector<CameraFromCt> other_starts;
   void validate() const;
 };
 
@@ -74,7 +80,9 @@ ElasticOptions options_for(const PatientModel& model);
 /// Initial elastic registration (paper 2.2.3; eq. 14 and 15 as METHOD corrects them): label-restricted
 /// closest points, implicit Euler steps, plateaus of kinetic energy and mean residual, stop at max(r) + 1.
 /// Registration::residual is the mean over the pairs kept (outliers excluded).
-/// Doubts: few_margin_points, no_notch, many_outliers, residual_large, inverted_elements, mechanics_failed.
+/// Doubts: few_margin_points, no_notch, many_outliers, residual_large, inverted_elements, mechanics_failed;
+/// with a prior shape_ambiguous (another shape, 10 mm away on average and more, is nearly as probable) and
+/// shape_unusual (an amplitude beyond four standard deviations).
 /// @throws InputError fewer than 10 points, not finite, unusable options or mesh; fixed nodes out of range.
 Cancellable<Registration> register_elastic(const PatientModel& model, const LabelledCloud& cloud,
                                            const CameraFromCt& start, const ElasticOptions& options,

@@ -27,6 +27,10 @@ struct ShapeFit {
   Eigen::VectorXd amplitudes;  ///< of the prior's modes, standard deviations
   Points nodes_in_camera;
   double residual = 0.0;  ///< mean distance over the pairs kept, metres
+  /// Twice the negative logarithm of the posterior, but for a constant: robust squared distances in standard
+  /// deviations (a point without a pair counts as a far one) and squared amplitudes. Compares fits of one
+  /// cloud.
+  double cost = 0.0;
   int iterations = 0;
 };
 
