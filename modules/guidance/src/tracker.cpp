@@ -67,7 +67,8 @@ struct Tracker::Impl {
                 options.boundary_tether) {
     integrator.set_state(start.nodes_in_camera);
     surface.move(start.nodes_in_camera);
-    if (options.hold_start) hold(start.nodes_in_camera);
+    mechanics.mesh = model.mesh;
+    mechanics.vessels = model.vessels;
   }
 
   static TrackerOptions checked(const PatientModel& model, const Registration& start,
@@ -95,16 +96,17 @@ struct Tracker::Impl {
     return result;
   }
 
-  /// Constant nodal forces under which the registered shape is at rest.
-  void hold(const Points& start) {
-    const Points internal = composite->internal_force(start);
-    for (Eigen::Index i = 0; i < internal.rows(); ++i) {
-      fem::AttachedLoad load;
-      load.nodes[0] = static_cast<int>(i);
-      load.weights[0] = 1.0;
-      load.force = -internal.row(i).transpose();
-      held.push_back(load);
+  /// From now on the registered shape is the one at rest.
+  void rest_here() {
+    const Points here = integrator.positions();
+    try {
+      const PatientModel rest = registration::moved_to(mechanics, here);
+      composite = std::make_shared<fem::CompositeModel>(rest.mesh, rest.vessels, options.materials);
+    } catch (const InputError&) {
+      return;  // the registration turned elements inside out: the model's own shape stays the one at rest
     }
+    integrator = fem::Integrator(composite, integrator_options());
+    integrator.set_state(here);
   }
 
   void begin(const StereoRig& rig, const StereoFrame& first, const Picture& mask) {
@@ -114,6 +116,7 @@ struct Tracker::Impl {
     follow.epipolar_px = options.epipolar_px;
     follow.window_px = options.window_px;
     follow.levels = options.levels;
+    if (options.hold_start) rest_here();
     follower.emplace(rig, follow);
     follower->begin(first, mask);
     anchors.clear();
@@ -153,9 +156,8 @@ struct Tracker::Impl {
 
   /// One implicit step under loads that `pull` adds. @return false: the mechanics failed, nothing has moved.
   template <class Pull>
-  bool step(const Pull& pull, bool with_held) {
+  bool step(const Pull& pull) {
     fem::Loads loads;
-    if (with_held) loads.attached = held;
     springs.add(integrator.positions(), loads.attached);
     pull(loads.attached);
     if (!integrator.step(loads).ok) {
@@ -180,8 +182,7 @@ struct Tracker::Impl {
     const double stiffness = options.point_stiffness * options.materials.parenchyma.young_modulus * seen /
                              (reference_area * static_cast<double>(agreeing));
     for (int k = 0; k < options.steps_per_frame; ++k)
-      if (!step([&](auto& loads) { anchors.add(follower->points(), surface, stiffness, loads); },
-                options.hold_start))
+      if (!step([&](auto& loads) { anchors.add(follower->points(), surface, stiffness, loads); }))
         return Validity::mechanics_failed;
     overlay.residual = mean_norm(anchors.gaps(follower->points(), surface));
     if (overlay.residual > options.maximum_residual) return Validity::residual_too_large;
@@ -240,7 +241,7 @@ struct Tracker::Impl {
                                                     k * prepared.weight[static_cast<std::size_t>(pair.point)],
                                                     options.cloud.tangential));
       };
-      if (!step(pull, false)) return Validity::mechanics_failed;
+      if (!step(pull)) return Validity::mechanics_failed;
     }
     pairs = registration::find_pairs(prepared, surface, {});
     overlay.pairs = static_cast<int>(
@@ -255,7 +256,7 @@ struct Tracker::Impl {
   fem::Integrator integrator;
   registration::MovingSurface surface;
   BoundarySprings springs;
-  std::vector<fem::AttachedLoad> held;
+  PatientModel mechanics;  ///< mesh and vessels as they are in the CT
   std::optional<StereoFollower> follower;
   AnchoredPoints anchors;
   Camera camera;

@@ -164,17 +164,6 @@ class ElasticRun {
   int inverted_ = 0;
 };
 
-/// The tetrahedra and the vessels bound to them where the nodes are.
-PatientModel moved_to(const PatientModel& model, const Points& nodes) {
-  PatientModel moved;
-  moved.mesh = model.mesh;
-  moved.mesh.vertices = nodes;
-  moved.vessels = model.vessels;
-  for (VesselTree& tree : moved.vessels)
-    tree.nodes = bind_points(model.mesh, tree.nodes, false).apply(model.mesh, nodes);
-  return moved;
-}
-
 /// The best of the fits from all starts, and what makes it doubtful.
 Cancellable<ShapeFit> most_probable_shape(const PatientModel& model, const LabelledCloud& cloud,
                                           const CameraFromCt& start, const ElasticOptions& options,
@@ -239,6 +228,16 @@ ElasticOptions options_for(const PatientModel& model) {
     options.tangential = 1.0;
   }
   return options;
+}
+
+PatientModel moved_to(const PatientModel& model, const Points& nodes) {
+  PatientModel moved;
+  moved.mesh = model.mesh;
+  moved.mesh.vertices = nodes;
+  moved.vessels = model.vessels;
+  for (VesselTree& tree : moved.vessels)
+    tree.nodes = bind_points(model.mesh, tree.nodes, false).apply(model.mesh, nodes);
+  return moved;
 }
 
 Cancellable<Registration> register_elastic(const PatientModel& model, const LabelledCloud& cloud,

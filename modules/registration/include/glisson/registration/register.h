@@ -88,6 +88,11 @@ Cancellable<Registration> register_elastic(const PatientModel& model, const Labe
                                            const CameraFromCt& start, const ElasticOptions& options,
                                            const RunContext& context);
 
+/// The tetrahedra of a model, and the vessels bound to them, where the nodes are (any one frame): an organ
+/// that is free of stress in that shape, because the loads that brought it there go on holding it. Nodal
+/// forces that held it would not turn with it, and tip it over.
+PatientModel moved_to(const PatientModel& model, const Points& nodes);
+
 /// Eq. 15. @param n plateau index. @pre r > 0, n >= 0.
 double stiffness_at_plateau(double k_min, double k_max, int r, int n);
 /// Eq. 14's force over k at distance d, metres, positive towards the cloud. @pre s > 0, d >= 0.
