@@ -26,6 +26,10 @@ InputError::InputError(std::string file, std::string field, std::string problem,
       problem_(std::move(problem)),
       remedy_(std::move(remedy)) {}
 
+void OptionCheck::operator()(bool good, const char* field, double value, const char* remedy) const {
+  if (!good) throw InputError(options_, field, "is " + std::to_string(value), remedy);
+}
+
 void require(bool condition, const char* message) {
   if (!condition) throw PreconditionError(message);
 }

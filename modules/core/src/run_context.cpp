@@ -34,4 +34,6 @@ RunContext RunContext::part(double from, double to) const {
   return inner;
 }
 
+RunContext RunContext::quiet() const { return RunContext({}, cancel_, seed_); }
+
 }  // namespace glisson

@@ -29,15 +29,6 @@ std::vector<int> triangles_of(const LoadRegion& region, const TriangleMesh& surf
   return result;
 }
 
-/// A third of the area of the triangles around each surface vertex.
-Eigen::VectorXd vertex_areas(const TriangleMesh& surface) {
-  const Eigen::VectorXd areas = triangle_areas(surface);
-  Eigen::VectorXd result = Eigen::VectorXd::Zero(surface.vertex_count());
-  for (int t = 0; t < surface.triangle_count(); ++t)
-    for (int k = 0; k < 3; ++k) result[surface.triangles(t, k)] += areas[t] / 3.0;
-  return result;
-}
-
 void check_node(int node, const CompositeModel& model, const std::string& field) {
   if (node < 0 || node >= model.node_count())
     throw InputError("load", field, "names node " + std::to_string(node),

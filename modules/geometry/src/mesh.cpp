@@ -58,6 +58,14 @@ Eigen::VectorXd triangle_areas(const TriangleMesh& mesh) {
   return areas;
 }
 
+Eigen::VectorXd vertex_areas(const TriangleMesh& mesh) {
+  const Eigen::VectorXd areas = triangle_areas(mesh);
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(mesh.vertex_count());
+  for (int t = 0; t < mesh.triangle_count(); ++t)
+    for (int k = 0; k < 3; ++k) result[mesh.triangles(t, k)] += areas[t] / 3.0;
+  return result;
+}
+
 double area(const TriangleMesh& mesh) { return triangle_areas(mesh).sum(); }
 
 double volume(const TriangleMesh& mesh) {

@@ -9,6 +9,8 @@
 #include <random>
 #include <utility>
 
+#include "glisson/core/random.h"
+
 /// @file
 /// Implicit shapes: a field is negative inside, about the distance in millimetres near its surface, and never
 /// steeper than kSteepest. This private corner of the module counts in LPS millimetres like the CT that it
@@ -67,9 +69,7 @@ struct RoundCone {
 class Dice {
  public:
   explicit Dice(std::mt19937_64 source) : source_(std::move(source)) {}
-  double between(double low, double high) {
-    return low + (high - low) * (static_cast<double>(source_() >> 11) * 0x1.0p-53);
-  }
+  double between(double low, double high) { return low + (high - low) * uniform01(source_); }
   Vec inside(const Vec& low, const Vec& high) {
     const double x = between(low.x(), high.x());
     const double y = between(low.y(), high.y());

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <random>
+
+#include "glisson/core/random.h"
 
 namespace glisson::insilico {
 
@@ -14,13 +14,9 @@ class Hand {
  public:
   explicit Hand(std::uint64_t seed) : random_(seed * 6364136223846793005ULL + 1442695040888963407ULL) {}
 
-  double uniform() { return static_cast<double>(random_() >> 11) * 0x1.0p-53; }
+  double uniform() { return uniform01(random_); }
   std::size_t draw(std::size_t count) { return static_cast<std::size_t>(random_() % count); }
-  /// Standard normal (Box and Muller).
-  double tremor() {
-    const double u = uniform() + 0x1.0p-54;
-    return std::sqrt(-2.0 * std::log(u)) * std::cos(2.0 * std::numbers::pi * uniform());
-  }
+  double tremor() { return standard_normal(random_); }
   Eigen::Vector3d tremor3() {
     const double x = tremor(), y = tremor(), z = tremor();
     return {x, y, z};

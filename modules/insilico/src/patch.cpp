@@ -4,33 +4,14 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <queue>
-#include <random>
 
 #include "glisson/core/error.h"
 #include "glisson/geometry/topology.h"
+#include "operator_hand.h"
 
 namespace glisson::insilico {
 namespace {
-
-/// Numbers that do not depend on the standard library's distributions.
-class Dice {
- public:
-  explicit Dice(std::uint64_t seed) : random_(seed) {}
-  double uniform() { return static_cast<double>(random_() >> 11) * 0x1.0p-53; }
-  double normal() {
-    const double u = uniform() + 0x1.0p-54;
-    return std::sqrt(-2.0 * std::log(u)) * std::cos(2.0 * std::numbers::pi * uniform());
-  }
-  Eigen::Vector3d normal_vector() {
-    const double x = normal(), y = normal(), z = normal();
-    return {x, y, z};
-  }
-
- private:
-  std::mt19937_64 random_;
-};
 
 struct Face {
   Eigen::Vector3d centre, normal;
@@ -120,9 +101,7 @@ Feature feature_of(const Eigen::Vector3d& p, const Points& margin, const Points&
 }  // namespace
 
 void PatchOptions::validate() const {
-  const auto check = [](bool good, const char* field, double value, const char* remedy) {
-    if (!good) throw InputError("patch", field, std::to_string(value) + " is out of range", remedy);
-  };
+  const OptionCheck check("patch");
   check(share > 0.0 && share <= 1.0, "share", share, "give a share of the surface in (0, 1]");
   check(density_per_cm2 > 0.0 && density_per_cm2 <= 1000.0, "density_per_cm2", density_per_cm2,
         "give more than 0, up to 1000 points per cm2");
@@ -136,7 +115,7 @@ void PatchOptions::validate() const {
 Patch sample_patch(const TriangleMesh& surface, const RayCaster& caster, const Eigen::Vector3d& start,
                    const Points& margin, const Points& notch, const PatchOptions& options) {
   options.validate();
-  Dice dice(options.seed * 6364136223846793005ULL + 1442695040888963407ULL);
+  Hand hand(options.seed);
   const std::vector<Face> faces = faces_of(surface, caster);
   double area = 0.0, total = 0.0;
   for (const Face& face : faces) total += face.area;
@@ -146,7 +125,7 @@ Patch sample_patch(const TriangleMesh& surface, const RayCaster& caster, const E
   up_to.reserve(patch.size());
   for (double sum = 0.0; const int t : patch) up_to.push_back(sum += faces[static_cast<std::size_t>(t)].area);
   const auto draw_face = [&] {
-    const auto hit = std::lower_bound(up_to.begin(), up_to.end(), dice.uniform() * up_to.back());
+    const auto hit = std::lower_bound(up_to.begin(), up_to.end(), hand.uniform() * up_to.back());
     return patch[static_cast<std::size_t>(std::min(hit - up_to.begin(), std::ssize(up_to) - 1))];
   };
   std::vector<Eigen::Vector3d> holes;
@@ -165,16 +144,16 @@ Patch sample_patch(const TriangleMesh& surface, const RayCaster& caster, const E
   Eigen::Index kept = 0;
   for (Eigen::Index i = 0; i < count; ++i) {
     const int t = draw_face();
-    const double root = std::sqrt(dice.uniform()), v = dice.uniform();
+    const double root = std::sqrt(hand.uniform()), v = hand.uniform();
     const Eigen::Vector3d p = (1.0 - root) * surface.vertex(surface.triangles(t, 0)) +
                               root * (1.0 - v) * surface.vertex(surface.triangles(t, 1)) +
                               root * v * surface.vertex(surface.triangles(t, 2));
     const bool hole = std::any_of(holes.begin(), holes.end(), [&](const Eigen::Vector3d& h) {
       return (p - h).norm() < 0.5e-3 * options.hole_mm;
     });
-    const Eigen::Vector3d noise = 1e-3 * options.noise_mm * dice.normal_vector();
-    const bool outlier = dice.uniform() < options.outlier_share;
-    const Eigen::Vector3d astray = dice.normal_vector().normalized() * (0.005 + 0.010 * dice.uniform());
+    const Eigen::Vector3d noise = 1e-3 * options.noise_mm * hand.tremor3();
+    const bool outlier = hand.uniform() < options.outlier_share;
+    const Eigen::Vector3d astray = hand.tremor3().normalized() * (0.005 + 0.010 * hand.uniform());
     if (hole) continue;
     cloud.points.row(kept) = (p + (outlier ? astray : noise)).transpose();
     cloud.normals.row(kept++) = faces[static_cast<std::size_t>(t)].normal.transpose();

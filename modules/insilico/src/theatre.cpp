@@ -36,9 +36,7 @@ PaintedSurface painted_wall(const TriangleMesh& wall) {
 }  // namespace
 
 void TheatreOptions::validate() const {
-  const auto check = [](bool good, const char* field, double value, const char* remedy) {
-    if (!good) throw InputError("theatre", field, std::to_string(value) + " is out of range", remedy);
-  };
+  const OptionCheck check("theatre");
   check(width >= 64 && width <= 4096, "width", width, "give 64 to 4096 pixels");
   check(height >= 48 && height <= 4096, "height", height, "give 48 to 4096 pixels");
   check(frames_per_second > 0.0 && frames_per_second <= 240.0, "frames_per_second", frames_per_second,

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "glisson/core/error.h"
+#include "glisson/core/random.h"
 #include "glisson/insilico/ray_caster.h"
 #include "tissue_noise.h"
 
@@ -138,7 +139,7 @@ StereoRig make_rig(const TheatreOptions& options) {
 CameraFromCt place_camera(const TriangleMesh& liver, const Points& margin, const Points& notch,
                           const StereoRig& rig, const TheatreOptions& options) {
   std::mt19937_64 random(options.seed * 104729 + 5);
-  const auto uniform = [&] { return 2.0 * static_cast<double>(random() >> 11) * 0x1.0p-53 - 1.0; };
+  const auto uniform = [&] { return 2.0 * uniform01(random) - 1.0; };
   const double roll = 25.0 * kDegree * uniform();
   const Scout scout(liver, margin, notch, rig);
   const Eigen::Vector3d middle = centroid(liver);

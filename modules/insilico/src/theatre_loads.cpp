@@ -69,10 +69,7 @@ TheatreLoads::TheatreLoads(const BoundarySurface& surface, const Landmarks& land
 
 void TheatreLoads::hold(const BoundarySurface& surface, const Landmarks& landmarks) {
   const Points normals = vertex_normals(surface.mesh);
-  const Eigen::VectorXd triangle_area = triangle_areas(surface.mesh);
-  Eigen::VectorXd node_area = Eigen::VectorXd::Zero(surface.mesh.vertex_count());
-  for (int t = 0; t < surface.mesh.triangle_count(); ++t)
-    for (int k = 0; k < 3; ++k) node_area[surface.mesh.triangles(t, k)] += triangle_area[t] / 3.0;
+  const Eigen::VectorXd node_area = vertex_areas(surface.mesh);
 
   const Points& cava = landmarks.vena_cava;
   require(cava.rows() > 0, "the theatre's landmarks are complete");

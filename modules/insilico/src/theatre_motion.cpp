@@ -10,6 +10,7 @@
 #include <string>
 
 #include "glisson/core/error.h"
+#include "glisson/core/random.h"
 #include "glisson/fem/composite_model.h"
 #include "glisson/fem/integrator.h"
 #include "theatre_loads.h"
@@ -142,7 +143,7 @@ Cancellable<Base> find_base(Solver& solver, const TheatreOptions& options, const
 /// A rigid change of posture about the vena cava, as large as it must be for the wanted mean displacement.
 Rigid<CtFrame, CtFrame> find_posture(const Points& rest, const Points& moved, const Eigen::Vector3d& cava,
                                      double wanted, std::mt19937_64& random) {
-  const auto uniform = [&] { return 2.0 * static_cast<double>(random() >> 11) * 0x1.0p-53 - 1.0; };
+  const auto uniform = [&] { return 2.0 * uniform01(random) - 1.0; };
   const Eigen::Vector3d axis =
       Eigen::Vector3d(0.4 * uniform() + 0.5, 0.4 * uniform(), 0.4 * uniform() - 0.5).normalized();
   const Eigen::Vector3d way = Eigen::Vector3d(0.4 * uniform(), 0.3 * uniform() - 0.4, -1.0).normalized();
@@ -189,7 +190,7 @@ Cancellable<TheatreMotion> TheatreMotion::solve(const TetMesh& mesh, const std::
   if (!base) return std::nullopt;
 
   const auto equilibrium = [&](const Points& start, const LoadLevels& levels) -> Cancellable<Points> {
-    auto outcome = solver.solve(start, base->positions, levels, context.part(1.0, 1.0));
+    auto outcome = solver.solve(start, base->positions, levels, context.quiet());
     if (!outcome) return std::nullopt;
     if (!outcome->usable)
       throw NumericalError("the theatre's breathing or heartbeat has no equilibrium; make it smaller");

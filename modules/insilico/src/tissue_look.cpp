@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "glisson/core/random.h"
 #include "tissue_noise.h"
 
 namespace glisson::insilico {
@@ -27,7 +28,7 @@ float line(float noise, float width) {
 Tissue::Tissue(std::uint64_t seed) {
   std::mt19937_64 random(seed);
   // Not std's distributions: their results may differ between standard libraries.
-  const auto uniform = [&] { return static_cast<float>(static_cast<double>(random() >> 11) * 0x1.0p-53); };
+  const auto uniform = [&] { return static_cast<float>(uniform01(random)); };
   for (std::size_t i = 0; i < kOctaves; ++i) {
     const float a = uniform() - 0.5F, b = uniform() - 0.5F, c = uniform() - 0.5F, d = uniform() + 0.1F;
     const Eigen::Matrix<float, 3, 3, Eigen::RowMajor> turn =

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <numbers>
+#include <future>
 #include <optional>
-#include <thread>
 #include <vector>
 
 #include "glisson/core/error.h"
+#include "glisson/core/random.h"
 #include "glisson/fem/integrator.h"
 #include "glisson/geometry/rigid.h"
 #include "glisson/geometry/topology.h"
@@ -22,8 +22,8 @@ constexpr int kFewest = 30;  // operations that say anything of a distribution (
 // Stiffness of what holds the liver, N/m per m2 of its face, before contact_spread.
 constexpr double kCava = 5e5, kBed = 1e5, kDiaphragm = 1e4, kLigament = 5e4;
 constexpr double kCavaRadius = 0.02, kLigamentHalfWidth = 0.01;
-constexpr double kReach =
-    0.09;  // m from the vena cava to about the middle of a lobe: the unit of the bed's polynomial
+/// m from the vena cava to about the middle of a lobe: the unit of the bed's polynomial.
+constexpr double kReach = 0.09;
 
 /// One operation's loads, each in standard deviations.
 struct Draw {
@@ -39,15 +39,9 @@ struct Draw {
   }
 
   explicit Draw(std::mt19937_64 random) {
-    // Box and Muller by hand: the standard library's distribution is not the same everywhere.
-    const auto uniform = [&] { return (static_cast<double>(random() >> 11) + 0.5) * 0x1.0p-53; };
-    const auto normal = [&] {
-      const double r = std::sqrt(-2.0 * std::log(uniform()));
-      return r * std::cos(2.0 * std::numbers::pi * uniform());
-    };
-    for (int k = 0; k < 3; ++k) gravity[k] = normal();
-    for (double* value : {&gas, &gas_slope, &lift, &contact, &tie}) *value = normal();
-    for (double& value : bed) value = normal();
+    for (int k = 0; k < 3; ++k) gravity[k] = standard_normal(random);
+    for (double* value : {&gas, &gas_slope, &lift, &contact, &tie}) *value = standard_normal(random);
+    for (double& value : bed) value = standard_normal(random);
   }
 };
 
@@ -67,10 +61,7 @@ class Operations {
       : options_(options), composite_(model.mesh, {}, homogeneous()), rest_(model.mesh.vertices) {
     const TriangleMesh& surface = model.surface.mesh;
     const Points normals = vertex_normals(surface);
-    Eigen::VectorXd areas = Eigen::VectorXd::Zero(surface.vertex_count());
-    const Eigen::VectorXd of_triangles = triangle_areas(surface);
-    for (int t = 0; t < surface.triangle_count(); ++t)
-      for (int k = 0; k < 3; ++k) areas[surface.triangles(t, k)] += of_triangles[t] / 3.0;
+    const Eigen::VectorXd areas = vertex_areas(surface);
     const Points& cava = model.landmarks.vena_cava;
     const Eigen::Vector3d middle = cava.colwise().mean().transpose();
     const bool tied = model.landmarks.umbilical_notch.rows() > 0;
@@ -170,9 +161,7 @@ Eigen::MatrixXd components(const Eigen::MatrixXd& motions, const Eigen::MatrixXd
 }  // namespace
 
 void OperationOptions::validate() const {
-  const auto demand = [](bool good, const char* field, double value, const char* remedy) {
-    if (!good) throw InputError("operation options", field, "is " + std::to_string(value), remedy);
-  };
+  const OptionCheck demand("operation options");
   demand(operations >= kFewest + 10, "operations", operations, "Give 40 at least");
   demand(modes >= 1, "modes", modes, "Give one at least");
   demand(gravity >= 0.0 && gravity <= 20.0, "gravity", gravity, "Give 0 to 20 m/s2");
@@ -209,14 +198,14 @@ Cancellable<OperationPrior> simulate_operations(const PatientModel& model, const
   const auto work = [&](bool reports) {
     for (std::size_t i = next++; i < count; i = next++) {
       if (context.cancelled()) return;
-      outcomes[i] = organ.run(draws[i], context);
+      outcomes[i] = organ.run(draws[i], context.quiet());
       if (reports)
         context.progress(static_cast<double>(i) / static_cast<double>(count), "registration.operations");
     }
   };
-  std::thread other([&] { work(false); });
+  auto other = std::async(std::launch::async, work, false);  // a future joins, and hands on what is thrown
   work(true);
-  other.join();
+  other.get();
   if (context.cancelled()) return std::nullopt;
 
   const auto found = static_cast<Eigen::Index>(std::count_if(

@@ -293,11 +293,10 @@ std::vector<std::string> doubts_about(const PatientModel& model, const LabelledC
 }  // namespace
 
 void RigidOptions::validate() const {
-  if (starts < 1)
-    throw InputError("rigid options", "starts", "is " + std::to_string(starts), "Give one at least");
-  if (!(outlier_share >= 0.0 && outlier_share < 0.9))
-    throw InputError("rigid options", "outlier_share", "is " + std::to_string(outlier_share),
-                     "Give a share from 0 to 0.9");
+  const OptionCheck demand("rigid options");
+  demand(starts >= 1, "starts", starts, "Give one at least");
+  demand(outlier_share >= 0.0 && outlier_share < 0.9, "outlier_share", outlier_share,
+         "Give a share from 0 to 0.9");
 }
 
 Cancellable<RigidStart> align_rigid(const PatientModel& model, const LabelledCloud& cloud,

@@ -145,9 +145,7 @@ class ShapeFitter {
 }  // namespace
 
 void ShapeFitOptions::validate() const {
-  const auto demand = [](bool good, const char* field, double value, const char* remedy) {
-    if (!good) throw InputError("shape options", field, "is " + std::to_string(value), remedy);
-  };
+  const OptionCheck demand("shape options");
   demand(sigma_surface > 0.0, "sigma_surface", sigma_surface, "Give a positive length in metres");
   demand(sigma_margin > 0.0, "sigma_margin", sigma_margin, "Give a positive length in metres");
   demand(sigma_notch > 0.0, "sigma_notch", sigma_notch, "Give a positive length in metres");

@@ -48,6 +48,18 @@ class PreconditionError : public Error {
   using Error::Error;
 };
 
+/// Refuses numbers among a set of options.
+class OptionCheck {
+ public:
+  /// @param options what they are called in the sentence ("tracker options").
+  explicit OptionCheck(const char* options) : options_(options) {}
+  /// @throws InputError "OPTIONS: FIELD: is VALUE. REMEDY." unless good.
+  void operator()(bool good, const char* field, double value, const char* remedy) const;
+
+ private:
+  const char* options_;
+};
+
 /// Throws PreconditionError with `message` unless `condition` holds.
 void require(bool condition, const char* message);
 

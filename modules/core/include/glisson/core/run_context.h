@@ -50,6 +50,9 @@ class RunContext {
 
   /// A context whose progress [0, 1] is mapped onto [from, to] of this one's.
   RunContext part(double from, double to) const;
+  /// The same cancel and seed, and nobody listens: for a piece of work whose progress its caller counts, and
+  /// for threads beside the one that reports.
+  RunContext quiet() const;
 
  private:
   ProgressSink sink_;

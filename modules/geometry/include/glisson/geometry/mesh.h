@@ -43,6 +43,8 @@ Points triangle_normals(const TriangleMesh& mesh);
 Points vertex_normals(const TriangleMesh& mesh);
 /// Square metres, one a triangle.
 Eigen::VectorXd triangle_areas(const TriangleMesh& mesh);
+/// A third of the area of the triangles around each vertex, square metres.
+Eigen::VectorXd vertex_areas(const TriangleMesh& mesh);
 /// Square metres.
 double area(const TriangleMesh& mesh);
 /// Signed, cubic metres: positive for a closed mesh whose normals point outwards.
