@@ -198,6 +198,11 @@ void TrackerTest::UnusableStartsAndOptionsAreRefused() {
   refused([](TrackerOptions& o) { o.fixed_nodes = {-1}; });
   refused([](TrackerOptions& o) { o.boundary_length = 0.0; });
   refused([](TrackerOptions& o) { o.boundary_tether = 0.0; });
+  Registration inside_out = start_;
+  inside_out.nodes_in_camera.col(2) =
+      2.0 * start_.nodes_in_camera.col(2).mean() - start_.nodes_in_camera.col(2).array();
+  Tracker mirrored(model_, inside_out, options());
+  QVERIFY_EXCEPTION_THROWN(mirrored.begin(rig_, film_[0], {}), InputError);
   Tracker tracker(model_, start_, options());
   StereoFrame wrong = film_[0];
   wrong.left.width = 100;

@@ -24,10 +24,6 @@ constexpr double kMissing = 0.1;
 /// A gap may differ from its neighbours' by so much, metres across the line of sight, and so many MADs.
 constexpr double kConsistentFloor = 1.5e-3, kConsistentDeviations = 4.0;
 
-void demand(bool good, const char* field, double value, const char* remedy) {
-  if (!good) throw InputError("tracker options", field, "is " + std::to_string(value), remedy);
-}
-
 double mean_norm(const std::vector<Eigen::Vector3d>& vectors) {
   double sum = 0.0;
   for (const Eigen::Vector3d& v : vectors) sum += v.norm();
@@ -37,6 +33,7 @@ double mean_norm(const std::vector<Eigen::Vector3d>& vectors) {
 }  // namespace
 
 void TrackerOptions::validate() const {
+  const OptionCheck demand("tracker options");
   demand(points >= 10, "points", points, "Give ten at least");
   demand(forward_backward_px > 0.0, "forward_backward_px", forward_backward_px, "Give a positive number");
   demand(epipolar_px > 0.0, "epipolar_px", epipolar_px, "Give a positive number");
@@ -102,8 +99,9 @@ struct Tracker::Impl {
     try {
       const PatientModel rest = registration::moved_to(mechanics, here);
       composite = std::make_shared<fem::CompositeModel>(rest.mesh, rest.vessels, options.materials);
-    } catch (const InputError&) {
-      return;  // the registration turned elements inside out: the model's own shape stays the one at rest
+    } catch (const InputError& failure) {
+      throw InputError("start", "mesh", std::string("cannot be followed: ") + failure.what(),
+                       "Register again, from more of the surface");
     }
     integrator = fem::Integrator(composite, integrator_options());
     integrator.set_state(here);

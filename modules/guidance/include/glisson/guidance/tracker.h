@@ -28,7 +28,9 @@ struct TrackerOptions {
   /// All points together pull like the patch that they show at eq. 14's k = point_stiffness * E per reference
   /// area, metres.
   double point_stiffness = 1e-2;
-  /// The registered shape is in balance with forces that no picture shows (gas, neighbours): they stay on.
+  /// Frames are followed by an organ that is free of stress in its registered shape: the forces that brought
+  /// it there (gas, neighbours), which no picture shows, stay on. Clouds are followed by the model's own rest
+  /// shape.
   bool hold_start = true;
   fem::CompositeOptions materials;
   double boundary_young_modulus = 20e6;  ///< vena cava, tree entrances, Pa; 0: none
@@ -53,7 +55,8 @@ class Tracker {
 
   /// Gives the video its camera and its first frame: the one that `start` was registered to.
   /// @param mask optional, non-zero where tissue may be followed.
-  /// @throws InputError pictures or mask of another size than the calibration's, or empty.
+  /// @throws InputError pictures or mask of another size than the calibration's, or empty; a start that turns
+  ///   elements inside out.
   void begin(const StereoRig& rig, const StereoFrame& first, const Picture& mask);
   /// The next frame. Always returns; validity says whether it may be shown. Without begin(): not_started. A
   /// frame without a usable picture is too_few_points; the next good one is followed from the last good one.
