@@ -166,6 +166,7 @@ Cancellable<Applied> apply_one(const CaseState& state, const Register& command, 
   applied.figures["displacement_mean_mm"] = 1e3 * moved.mean;
   applied.figures["displacement_max_mm"] = 1e3 * moved.maximum;
   applied.figures["registration_residual_mm"] = 1e3 * registered->residual;
+  applied.figures["registration_seen_share"] = registered->seen_share;
   applied.figures["registration_steps"] = registered->steps;
   applied.figures["registration_plateaus"] = registered->plateaus;
   applied.figures["registration_converged"] = registered->termination == Termination::converged ? 1.0 : 0.0;

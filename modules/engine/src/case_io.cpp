@@ -110,6 +110,7 @@ json registration_entry(const Registration& registration) {
           {"plateaus", registration.plateaus},
           {"steps", registration.steps},
           {"residual_mm", 1e3 * registration.residual},
+          {"seen_share", registration.seen_share},
           {"doubts", registration.doubts}};
 }
 
@@ -237,6 +238,7 @@ void read_part(CaseState& state, Part part, const json& entry, const fs::path& f
       registration.plateaus = entry.at("plateaus");
       registration.steps = entry.at("steps");
       registration.residual = 1e-3 * entry.at("residual_mm").get<double>();
+      registration.seen_share = entry.value("seen_share", 0.0);  // cases of before have none
       registration.doubts = entry.at("doubts").get<std::vector<std::string>>();
       state.registration = std::make_shared<const Registration>(std::move(registration));
       break;

@@ -46,6 +46,8 @@ class Notes {
          tr("The umbilical notch is not marked in both model and picture: the position along the margin is "
             "uncertain.")},
         {"rigid_residual_large", tr("The rigid start fits the points badly (more than 10 mm).")},
+        {"little_surface_seen", tr("Less than a fifth of the organ's surface was seen: far from it vessels "
+                                   "and tumours may be centimetres off.")},
         {"shape_ambiguous", tr("Two different shapes of the organ explain the points almost equally well; "
                                "the better one was taken.")},
         {"shape_unusual", tr("The organ would be bent as in hardly any simulated operation.")},

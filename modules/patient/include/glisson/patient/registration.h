@@ -21,6 +21,8 @@ struct Registration {
   int plateaus = 0, steps = 0;
   /// Mean distance of the cloud's points to the registered surface, metres. A residual, not an accuracy.
   double residual = 0.0;
+  /// Share of the model's surface that the cloud shows.
+  double seen_share = 0.0;
   /// What the method cannot vouch for; codes, not prose ("few_margin_points", "inverted_elements"). Empty:
   /// none.
   std::vector<std::string> doubts;
