@@ -109,7 +109,9 @@ bool Arguments::parse(const QStringList& arguments) {
     return true;
   }
   QString help = parser_.helpText();
-  help.replace(QCoreApplication::arguments().value(0), "glisson " + command_);
+  // Only where Qt names the program, in the first line: "NAME.glisson" holds the same word.
+  const QString program = QCoreApplication::arguments().value(0);
+  help.replace(help.indexOf(program), program.size(), "glisson " + command_);
   std::fputs(help.toUtf8().constData(), stdout);
   return false;
 }
