@@ -3,11 +3,13 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPainter>
 #include <QStyle>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "glisson/ui/common/texts.h"
+#include "glisson/ui/scene/colours.h"
 
 namespace glisson::ui {
 
@@ -16,6 +18,18 @@ void set_style_property(QWidget* widget, const char* name, const QVariant& value
   widget->setProperty(name, value);
   widget->style()->unpolish(widget);
   widget->style()->polish(widget);
+}
+
+QIcon structure_icon(Label structure) {
+  QPixmap pixmap(14, 14);
+  pixmap.fill(Qt::transparent);
+  QPainter painter(&pixmap);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(QColor(230, 230, 230), 1));
+  painter.setBrush(scene::colour_of(structure));
+  painter.drawEllipse(QRectF(1.5, 1.5, 11, 11));
+  painter.end();
+  return pixmap;
 }
 
 QLabel* make_explanation(const QString& text, QWidget* parent) {

@@ -5,7 +5,6 @@
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QLabel>
-#include <QPainter>
 #include <QPushButton>
 #include <QSlider>
 #include <QSpinBox>
@@ -15,17 +14,6 @@
 #include "glisson/ui/scene/model_surfaces.h"
 
 namespace glisson::ui {
-namespace {
-
-QIcon swatch(Label label) {
-  const auto rgb = structure_colour(label);
-  QPixmap pixmap(14, 14);
-  pixmap.fill(
-      QColor::fromRgbF(static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2])));
-  return pixmap;
-}
-
-}  // namespace
 
 ModelPanel::ModelPanel(EngineBridge& engine, LinkedViews& views, QWidget* parent)
     : Panel(engine, tr("Model"), tr("A mesh of the liver with its vessels, ready for mechanics."), parent),
@@ -152,7 +140,7 @@ void ModelPanel::show_structures() {
     if (scene::structure_surface(shown_->model, label).triangle_count() > 0) labels.push_back(label);
   for (const Label label : labels) {
     auto* box = new QCheckBox(structure_text(label), look_);
-    box->setIcon(swatch(label));
+    box->setIcon(structure_icon(label));
     box->setChecked(true);
     structures_->addWidget(box);
     views_.volume().patient().set_visible(label, true);

@@ -6,6 +6,7 @@
 #include <QPainterPath>
 
 #include "glisson/patient/label_map.h"
+#include "glisson/ui/scene/colours.h"
 #include "glisson/ui/scene/picture_image.h"
 
 namespace glisson::scene {
@@ -47,11 +48,6 @@ class Overlay {
     return tr("Lesion");
   }
 };
-
-QColor colour_of(Label label) {
-  const auto rgb = structure_colour(label);
-  return QColor::fromRgbF(static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2]));
-}
 
 /// Red where the method has lost the organ, amber where it waits or must be run again.
 QColor border_colour(Validity validity) {

@@ -26,6 +26,7 @@
 #include "glisson/core/error.h"
 #include "glisson/geometry/closest_point_tree.h"
 #include "glisson/patient/label_map.h"
+#include "glisson/ui/scene/colours.h"
 #include "glisson/ui/scene/surface_shapes.h"
 
 namespace glisson::scene {
@@ -76,16 +77,9 @@ TriangleMesh polyline_tube(const Points& line, double radius) {
   return tube_mesh(tree, 8);
 }
 
-std::array<unsigned char, 3> feature_colour(Feature feature) {
-  switch (feature) {
-    case Feature::surface:
-      return {120, 200, 255};
-    case Feature::anterior_margin:
-      return {255, 255, 255};
-    case Feature::umbilical_notch:
-      return {255, 140, 0};
-  }
-  return {255, 255, 255};
+void give_colour(vtkActor& actor, Feature feature) {
+  const QColor colour = colour_of(feature);
+  actor.GetProperty()->SetColor(colour.redF(), colour.greenF(), colour.blueF());
 }
 
 constexpr double kFillView = 1.25;  ///< VTK fits the scene's sphere; a patient's liver is flatter than that
@@ -163,12 +157,12 @@ struct PatientScene::Impl {
     if (landmarks.anterior_margin.rows() > 1) {
       margin =
           make_shape(make_poly_data(polyline_tube(place(landmarks.anterior_margin, margin_binding), 1.2e-3)));
-      margin->actor->GetProperty()->SetColor(0.96, 0.96, 0.96);
+      give_colour(*margin->actor, Feature::anterior_margin);
       add(*margin);
     }
     if (landmarks.umbilical_notch.rows() > 0) {
       notch = make_shape(balls(place(landmarks.umbilical_notch, notch_binding), 4e-3));
-      notch->actor->GetProperty()->SetColor(1.0, 0.55, 0.0);
+      give_colour(*notch->actor, Feature::umbilical_notch);
       add(*notch);
     }
     if (landmarks.vena_cava.rows() > 0) {
@@ -267,7 +261,9 @@ void PatientScene::set_cloud(const LabelledCloud& cloud) {
   for (int i = 0; i < cloud.size(); ++i) {
     const vtkIdType id = i;
     vertices->InsertNextCell(1, &id);
-    colours->InsertNextTypedTuple(feature_colour(cloud.feature(i)).data());
+    const QColor colour = colour_of(cloud.feature(i));
+    for (const int part : {colour.red(), colour.green(), colour.blue()})
+      colours->InsertNextValue(static_cast<unsigned char>(part));
   }
   impl_->cloud->data->SetVerts(vertices);
   impl_->cloud->data->GetPointData()->SetScalars(colours);

@@ -8,7 +8,6 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QMessageBox>
-#include <QPainter>
 #include <QPushButton>
 #include <QShortcut>
 #include <QSlider>
@@ -18,19 +17,6 @@
 
 namespace glisson::ui {
 namespace {
-
-QIcon swatch(Label label) {
-  const auto rgb = structure_colour(label);
-  QPixmap pixmap(14, 14);
-  pixmap.fill(Qt::transparent);
-  QPainter painter(&pixmap);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(QPen(QColor(230, 230, 230), 1));
-  painter.setBrush(
-      QColor::fromRgbF(static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2])));
-  painter.drawEllipse(QRectF(1.5, 1.5, 11, 11));
-  return pixmap;
-}
 
 QString seed_name(Label label) {
   return label == structure::kBackground ? SegmentationPanel::tr("Not liver") : structure_text(label);
@@ -234,7 +220,7 @@ void SegmentationPanel::show_seeds() {
       for (int axis = 0; axis < 3; ++axis)
         place << QString::fromStdString(scene::anatomical_coordinate(axis, entry.p_in_ct[axis]));
       list_->addItem(new QListWidgetItem(
-          swatch(entry.structure),
+          structure_icon(entry.structure),
           QStringLiteral("%1   %2").arg(seed_name(entry.structure), place.join(QStringLiteral("  ")))));
     }
     list_->setCurrentRow(std::min(chosen, list_->count() - 1));
@@ -247,7 +233,7 @@ void SegmentationPanel::show_seeds() {
       button = new QPushButton(this);
       button->setCheckable(true);
       button->setProperty("role", "choice");
-      button->setIcon(swatch(label));
+      button->setIcon(structure_icon(label));
       button->setObjectName(QStringLiteral("seed_%1").arg(QString::fromStdString(structure_name(label))));
       connect(button, &QPushButton::clicked, this,
               [this, label](bool on) { choose_structure(on ? std::optional(label) : std::nullopt); });

@@ -6,22 +6,14 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "glisson/ui/scene/colours.h"
+
 namespace glisson::ui {
 namespace {
 
-constexpr double kReach = 9.0;  ///< pixels on the screen within which a corner is taken
+using scene::colour_of;
 
-QColor colour_of(Feature feature) {
-  switch (feature) {
-    case Feature::surface:
-      return {86, 180, 233};
-    case Feature::anterior_margin:
-      return {245, 245, 245};
-    case Feature::umbilical_notch:
-      return {255, 145, 20};
-  }
-  return {};
-}
+constexpr double kReach = 9.0;  ///< pixels on the screen within which a corner is taken
 
 bool close_to(const QPointF& a, const QPointF& b) {
   const QPointF d = a - b;

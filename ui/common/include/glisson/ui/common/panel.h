@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QIcon>
 #include <QWidget>
 #include <optional>
 
@@ -55,6 +56,8 @@ class Panel : public QWidget {
 
 /// Sets a property that the style sheet reads, and lets it be read again.
 void set_style_property(QWidget* widget, const char* name, const QVariant& value);
+/// A disc of the structure's colour, for lists.
+QIcon structure_icon(Label structure);
 /// A label for explanations: small, grey, wrapped.
 QLabel* make_explanation(const QString& text, QWidget* parent = nullptr);
 
