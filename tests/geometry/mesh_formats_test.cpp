@@ -305,6 +305,10 @@ void MeshFormatsTest::LegacyWithWrongCountsIsRefused_data() {
   QTest::newRow("no types") << "CELLS 1 5\n4 0 1 2 3\n";
   QTest::newRow("huge count") << "CELLS 1 4000000000000\n4 0 1 2 3\n";
   QTest::newRow("short tetrahedron") << "CELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n10\n";
+  QTest::newRow("half a point") << "CELLS 1 5\n4 0 1 2 2.7\nCELL_TYPES 1\n10\n";
+  QTest::newRow("half a length") << "CELLS 1 5\n4.5 0 1 2 3\nCELL_TYPES 1\n10\n";
+  QTest::newRow("no number") << "CELLS 1 5\n4 0 1 2 nan\nCELL_TYPES 1\n10\n";
+  QTest::newRow("type beyond int") << "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n4294967306\n";
   QTest::newRow("unknown section") << "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\nNONSENSE\n";
 }
 

@@ -48,7 +48,7 @@ void take_labels(TetFile& file) {
 
 }  // namespace
 
-void CellSorter::add(int type, const std::vector<long>& points) {
+void CellSorter::add(long type, const std::vector<long>& points) {
   const std::string field = "cell " + std::to_string(count_);
   for (const long point : points)
     if (point < 0 || point >= point_count_)

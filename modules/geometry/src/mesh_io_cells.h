@@ -16,7 +16,7 @@ class CellSorter {
 
   /// @param type VTK's number of the cell type. @throws InputError a point that is not there, a cell that is
   /// neither a linear tetrahedron nor flat.
-  void add(int type, const std::vector<long>& points);
+  void add(long type, const std::vector<long>& points);
 
   /// Arrays come with a row a cell of the file; each mesh receives the rows of its own cells. Arrays of
   /// another length are left out.

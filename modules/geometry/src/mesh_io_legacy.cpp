@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <bit>
 #include <cctype>
+#include <cmath>
 #include <cstring>
 
 #include "glisson/core/error.h"
@@ -96,8 +97,7 @@ class LegacyParser {
     } else if (key == "TRIANGLE_STRIPS") {
       read_cells(6);
     } else if (key == "CELL_TYPES") {
-      for (const double type : numbers(checked(scan_.integer(), 1), "int"))
-        types_.push_back(static_cast<int>(type));
+      types_ = whole_numbers(checked(scan_.integer(), 1), "int");
     } else if (key == "POINT_DATA") {
       attributes_ = &point_data_;
       attribute_rows_ = checked(scan_.integer(), 1);
@@ -196,38 +196,33 @@ class LegacyParser {
   /// @param type 0: by CELL_TYPES.
   void read_cells(int type) {
     const long first = scan_.integer(), second = scan_.integer();
-    std::vector<double> offsets, connectivity;
+    std::vector<long> offsets, connectivity;
     if (version_ >= 5.0) {  // OFFSETS and CONNECTIVITY
       if (first == 0) return;
       if (upper(scan_.token()) != "OFFSETS") scan_.fail("cells have no OFFSETS");
-      offsets = numbers(checked(first, 1), scan_.token());
+      offsets = whole_numbers(checked(first, 1), scan_.token());
       if (upper(scan_.token()) != "CONNECTIVITY") scan_.fail("cells have no CONNECTIVITY");
-      connectivity = numbers(checked(second, 1), scan_.token());
+      connectivity = whole_numbers(checked(second, 1), scan_.token());
     } else {  // a count before each list
-      const std::vector<double> values = numbers(checked(second, 1), "int");
-      offsets.push_back(0.0);
-      for (std::size_t at = 0; at < values.size();) {
-        const double length = values[at];
-        if (!(length >= 0.0) || length > static_cast<double>(values.size() - at - 1))
+      const std::vector<long> values = whole_numbers(checked(second, 1), "int");
+      offsets.push_back(0);
+      for (auto at = values.begin(); at != values.end();) {
+        const long length = *at++;
+        if (length < 0 || length > values.end() - at)
           scan_.fail("cell " + std::to_string(offsets.size() - 1) + " has a list longer than the section");
-        const auto end = at + 1 + static_cast<std::size_t>(length);
-        connectivity.insert(connectivity.end(), values.begin() + static_cast<std::ptrdiff_t>(at + 1),
-                            values.begin() + static_cast<std::ptrdiff_t>(end));
-        offsets.push_back(static_cast<double>(connectivity.size()));
-        at = end;
+        connectivity.insert(connectivity.end(), at, at + length);
+        offsets.push_back(static_cast<long>(connectivity.size()));
+        at += length;
       }
       if (static_cast<long>(offsets.size()) - 1 != first)
         scan_.fail("announces " + std::to_string(first) + " cells and holds " +
                    std::to_string(offsets.size() - 1));
     }
     for (std::size_t c = 1; c < offsets.size(); ++c) {
-      if (!(offsets[c - 1] >= 0.0 && offsets[c - 1] <= offsets[c] &&
-            offsets[c] <= static_cast<double>(connectivity.size())))
+      const long begin = offsets[c - 1], end = offsets[c];
+      if (begin < 0 || begin > end || end > static_cast<long>(connectivity.size()))
         scan_.fail("cell " + std::to_string(c - 1) + " has offsets out of range");
-      std::vector<long> list;
-      for (auto k = static_cast<std::size_t>(offsets[c - 1]); k < static_cast<std::size_t>(offsets[c]); ++k)
-        list.push_back(static_cast<long>(connectivity[k]));
-      lists_.push_back(std::move(list));
+      lists_.emplace_back(connectivity.begin() + begin, connectivity.begin() + end);
       list_types_.push_back(type);
     }
   }
@@ -297,13 +292,24 @@ class LegacyParser {
     return values;
   }
 
+  /// Where a point, a type or a length of a list is meant.
+  std::vector<long> whole_numbers(long count, std::string_view type_name) {
+    std::vector<long> whole;
+    for (const double value : numbers(count, type_name)) {
+      if (!(std::abs(value) < 1e15) || value != std::trunc(value))
+        scan_.fail("the cells hold a number that is not whole or far too large");
+      whole.push_back(static_cast<long>(value));
+    }
+    return whole;
+  }
+
   TextScanner scan_;
   std::filesystem::path path_;
   double version_ = 3.0;
   bool binary_ = false, grid_ = false;
   Points points_;
   std::vector<std::vector<long>> lists_;
-  std::vector<int> list_types_, types_;
+  std::vector<long> list_types_, types_;
   NamedArrays point_data_, cell_data_, field_data_;
   NamedArrays* attributes_ = nullptr;
   long attribute_rows_ = 0;
