@@ -5,6 +5,7 @@
 #include <fstream>
 #include <string>
 
+#include "glisson/core/files.h"
 #include "glisson/geometry/topology.h"
 
 namespace glisson::test {
@@ -27,5 +28,19 @@ inline TriangleMesh tetrahedron_surface() {
 inline void write_text(const std::filesystem::path& path, const std::string& text) {
   std::ofstream(path, std::ios::binary) << text;
 }
+
+/// A file of that name and content in a folder of its own; both go with this.
+class WrittenFile {
+ public:
+  WrittenFile(const std::string& name, const std::string& text) : path(folder_.path() / name) {
+    write_text(path, text);
+  }
+
+ private:
+  TemporaryFolder folder_;
+
+ public:
+  const std::filesystem::path path;
+};
 
 }  // namespace glisson::test

@@ -59,6 +59,13 @@ const char* const kMsh41 =
     "0 100\n3 2 0 1\n9\n100 100 100\n$EndNodes\n$Elements\n3 3 1 3\n2 1 2 1\n1 1 2 5\n3 1 4 1\n2 1 2 5 7\n3 "
     "2 4 "
     "1\n3 2 5 7 9\n$EndElements\n";
+
+bool is_those_two_tetrahedra(const TetMesh& mesh) {
+  Points vertices(5, 3);
+  vertices << 0, 0, 0, 0.1, 0, 0, 0, 0.1, 0, 0, 0, 0.1, 0.1, 0.1, 0.1;
+  return mesh.vertices.rows() == 5 && mesh.vertices.isApprox(vertices, 1e-15) &&
+         mesh.tetrahedra == two_tetrahedra().tetrahedra && mesh.labels == std::vector<int>{1, 16};
+}
 }  // namespace
 
 void MeshFormatsTest::GmshVersionsSayTheSame_data() {
@@ -70,15 +77,8 @@ void MeshFormatsTest::GmshVersionsSayTheSame_data() {
 
 void MeshFormatsTest::GmshVersionsSayTheSame() {
   QFETCH(QString, text);
-  TemporaryFolder folder;
-  const fs::path path = folder.path() / "mesh.msh";
-  write_text(path, text.toStdString());
-  const TetMesh mesh = read_tet_mesh(path, LengthUnit::millimetre);
-  Points vertices(5, 3);
-  vertices << 0, 0, 0, 0.1, 0, 0, 0, 0.1, 0, 0, 0, 0.1, 0.1, 0.1, 0.1;
-  QVERIFY(mesh.vertices.isApprox(vertices, 1e-15));
-  QVERIFY(mesh.tetrahedra == two_tetrahedra().tetrahedra);
-  QVERIFY((mesh.labels == std::vector<int>{1, 16}));
+  const WrittenFile file("mesh.msh", text.toStdString());
+  QVERIFY(is_those_two_tetrahedra(read_tet_mesh(file.path, LengthUnit::millimetre)));
 }
 
 void MeshFormatsTest::GmshFileIsReadAsWritten() {
@@ -122,13 +122,12 @@ void MeshFormatsTest::TruncatedFilesAreRefused() {
 }
 
 void MeshFormatsTest::HexahedraAreRefused() {
-  TemporaryFolder folder;
-  const fs::path path = folder.path() / "hexahedron.vtk";
-  write_text(
-      path,
+  const WrittenFile file(
+      "hexahedron.vtk",
       "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 8 double\n0 0 0 1 0 0 1 1 "
       "0 0 1 0 0 0 1 1 0 1 1 1 1 0 1 1\nCELLS 1 9\n8 0 1 2 3 4 5 6 7\nCELL_TYPES 1\n12\n");
-  QVERIFY(complaint([&] { read_tet_mesh(path, LengthUnit::metre); }).find("tetrahedr") != std::string::npos);
+  QVERIFY(complaint([&] { read_tet_mesh(file.path, LengthUnit::metre); }).find("tetrahedr") !=
+          std::string::npos);
 }
 
 void MeshFormatsTest::IndexOutOfRangeIsRefused_data() {
@@ -152,10 +151,8 @@ void MeshFormatsTest::IndexOutOfRangeIsRefused_data() {
 void MeshFormatsTest::IndexOutOfRangeIsRefused() {
   QFETCH(QString, file);
   QFETCH(QString, text);
-  TemporaryFolder folder;
-  const fs::path path = folder.path() / file.toStdString();
-  write_text(path, text.toStdString());
-  QVERIFY(complaint([&] { read_triangle_mesh(path, LengthUnit::metre); }).find("not there") !=
+  const WrittenFile written(file.toStdString(), text.toStdString());
+  QVERIFY(complaint([&] { read_triangle_mesh(written.path, LengthUnit::metre); }).find("not there") !=
           std::string::npos);
 }
 
@@ -233,10 +230,9 @@ void MeshFormatsTest::MutatedFilesNeverCrash() {
 }
 
 void MeshFormatsTest::ObjPolygonsAndNegativeIndices() {
-  TemporaryFolder folder;
-  const fs::path path = folder.path() / "square.obj";
-  write_text(path, "# a square\nv 0 0 0\nv 1 0 0\nvn 0 0 1\nv 1 1 0\nv 0 1 0\nf 1/1/1 -3//1 3/2 4\n");
-  const TriangleMesh mesh = read_triangle_mesh(path, LengthUnit::metre);
+  const WrittenFile file("square.obj",
+                         "# a square\nv 0 0 0\nv 1 0 0\nvn 0 0 1\nv 1 1 0\nv 0 1 0\nf 1/1/1 -3//1 3/2 4\n");
+  const TriangleMesh mesh = read_triangle_mesh(file.path, LengthUnit::metre);
   QCOMPARE(mesh.triangle_count(), 2);
   QVERIFY(std::abs(area(mesh) - 1.0) < 1e-15);
 }
@@ -285,13 +281,9 @@ void MeshFormatsTest::LegacyVersionsSayTheSame_data() {
 
 void MeshFormatsTest::LegacyVersionsSayTheSame() {
   QFETCH(QString, text);
-  TemporaryFolder folder;
-  const fs::path path = folder.path() / "mesh.vtk";
-  write_text(path, text.toStdString());
-  const TetFile file = read_tet_file(path, LengthUnit::millimetre);
-  QVERIFY(file.mesh.tetrahedra == two_tetrahedra().tetrahedra);
-  QVERIFY((file.mesh.labels == std::vector<int>{1, 16}));
-  QVERIFY(std::abs(file.mesh.vertices(4, 2) - 0.1) < 1e-15);
+  const WrittenFile written("mesh.vtk", text.toStdString());
+  const TetFile file = read_tet_file(written.path, LengthUnit::millimetre);
+  QVERIFY(is_those_two_tetrahedra(file.mesh));
   QCOMPARE(file.point_data.at("u mm")(3, 0), 3.0);
   QCOMPARE(file.point_data.at("heat")(4, 0), 5.0);
 }
@@ -314,24 +306,20 @@ void MeshFormatsTest::LegacyWithWrongCountsIsRefused_data() {
 
 void MeshFormatsTest::LegacyWithWrongCountsIsRefused() {
   QFETCH(QString, cells);
-  TemporaryFolder folder;
-  const fs::path path = folder.path() / "mesh.vtk";
-  write_text(
-      path,
+  const WrittenFile file(
+      "mesh.vtk",
       "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 double\n0 0 0 1 0 0 0 "
       "1 0 0 0 1\n" +
           cells.toStdString());
-  QVERIFY(!complaint([&] { read_tet_mesh(path, LengthUnit::metre); }).empty());
+  QVERIFY(!complaint([&] { read_tet_mesh(file.path, LengthUnit::metre); }).empty());
 }
 
 void MeshFormatsTest::TriangleStripsAreOpened() {
-  TemporaryFolder folder;
-  const fs::path path = folder.path() / "strip.vtk";
-  write_text(
-      path,
+  const WrittenFile file(
+      "strip.vtk",
       "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 5 float\n0 0 0 0 1 0 1 0 0 1 1 0 2 "
       "0 0\nTRIANGLE_STRIPS 1 6\n5 0 1 2 3 4\n");
-  const TriangleMesh mesh = read_triangle_mesh(path, LengthUnit::metre);
+  const TriangleMesh mesh = read_triangle_mesh(file.path, LengthUnit::metre);
   QCOMPARE(mesh.triangle_count(), 3);
   const Points normals = triangle_normals(mesh);
   for (int t = 1; t < 3; ++t) QVERIFY((normals.row(t) - normals.row(0)).norm() < 1e-12);  // all face one way
