@@ -33,8 +33,25 @@ experiments::DemoOptions small_options() {
 
 void DemoTest::FromCtToTrackedVideo() {
   const TemporaryFolder folder;
-  const auto result = experiments::run_demo(small_options(), folder.path(), {}, RunContext());
+  std::vector<std::pair<double, std::string>> reported;
+  const RunContext context(
+      [&](double fraction, std::string_view stage) { reported.emplace_back(fraction, stage); }, nullptr, 1);
+  const auto result = experiments::run_demo(small_options(), folder.path(), {}, context);
   QVERIFY(result.has_value());
+  // One progress over all stages, that never goes back, and moves with each of them.
+  for (std::size_t i = 1; i < reported.size(); ++i)
+    QVERIFY2(reported[i].first > reported[i - 1].first - 1e-12,  // rounding
+             (reported[i - 1].second + " " + std::to_string(reported[i - 1].first) + ", then " +
+              reported[i].second + " " + std::to_string(reported[i].first))
+                 .c_str());
+  QCOMPARE(reported.back().first, 1.0);
+  for (const char* stage :
+       {"patient.ct", "segmentation.contour", "theatre.film", "registration.operations"}) {
+    const auto of_stage = [&](const auto& report) { return report.second == stage; };
+    const auto first = std::find_if(reported.begin(), reported.end(), of_stage);
+    const auto last = std::find_if(reported.rbegin(), reported.rend(), of_stage);
+    QVERIFY2(first != reported.end() && first->first > 0.0 && last->first > first->first + 0.005, stage);
+  }
   for (const auto& [key, value] : result->figures) qInfo("%s %g", key.c_str(), value);
   for (const char* file :
        {"report.html", "figures.json", "patient.glisson/case.json", "operator/seeds.json",

@@ -5,6 +5,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "demo_input.h"
+#include "demo_progress.h"
 #include "demo_report.h"
 #include "glisson/core/error.h"
 #include "glisson/engine/case_io.h"
@@ -24,6 +26,13 @@ double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
+bool is_volume(const fs::path& path) {
+  const std::string name = path.filename().string();
+  for (const char* ending : {".nii", ".nii.gz", ".nrrd", ".mha", ".mhd", ".vti"})
+    if (name.ends_with(ending)) return true;
+  return false;
+}
+
 /// Thrown inside a run when it was cancelled, so that every stage need not hand it on; never leaves run_demo.
 struct Cancelled {};
 
@@ -35,7 +44,8 @@ class DemoRun {
         folder_(folder),
         pictures_(pictures),
         context_(context),
-        script_(context.part(0.0, 1.0)) {}
+        progress_(options, context),
+        script_(context) {}
 
   DemoResult run() {
     fs::create_directory(folder_ / "operator");
@@ -51,6 +61,7 @@ class DemoRun {
 
  private:
   void post(engine::Command command) {
+    script_.report_to(progress_.begin(std::string(engine::command_code(command))));
     const auto outcome = script_.run(std::move(command));
     if (!outcome) throw Cancelled();
     for (const auto& [key, value] : outcome->figures) result_.figures[key] = value;
@@ -70,32 +81,28 @@ class DemoRun {
   void make_patient() {
     model::ModelOptions model_options;
     model_options.mesh.target_vertices = options_.vertices;
-    if (options_.patient.empty()) {
-      make_synthetic_patient(model_options);
-    } else if (fs::is_directory(options_.patient) && fs::exists(options_.patient / "case.json")) {
-      post(engine::OpenCase{options_.patient});
-      if (!state().model) post(engine::BuildModel{model_options});
-      theatre_patient_ = model();
-    } else if (is_volume(options_.patient)) {
-      post(engine::ImportLabels{options_.patient, options_.codes});
-      post(engine::BuildModel{model_options});
-      theatre_patient_ = model();
-    } else {
-      post(engine::ImportSurfaces{options_.patient, options_.unit, model_options});
-      theatre_patient_ = model();
+    switch (input_of(options_)) {
+      case DemoInput::synthetic:
+        return make_synthetic_patient(model_options);
+      case DemoInput::open_case:
+        post(engine::OpenCase{options_.patient});
+        if (!state().model) post(engine::BuildModel{model_options});
+        break;
+      case DemoInput::labels:
+        post(engine::ImportLabels{options_.patient, options_.codes});
+        post(engine::BuildModel{model_options});
+        break;
+      case DemoInput::surfaces:
+        post(engine::ImportSurfaces{options_.patient, options_.unit, model_options});
+        break;
     }
-  }
-
-  static bool is_volume(const fs::path& path) {
-    const std::string name = path.filename().string();
-    for (const char* ending : {".nii", ".nii.gz", ".nrrd", ".mha", ".mhd", ".vti"})
-      if (name.ends_with(ending)) return true;
-    return false;
+    theatre_patient_ = model();
   }
 
   void make_synthetic_patient(const model::ModelOptions& model_options) {
     const auto begin = Clock::now();
-    insilico::SyntheticPatient patient = take(insilico::make_patient(options_.synthetic, context_));
+    insilico::SyntheticPatient patient =
+        take(insilico::make_patient(options_.synthetic, progress_.begin("synthetic_patient")));
     write_image(folder_ / "ct.nrrd", patient.ct);
     segmentation::write_seeds(folder_ / "operator/seeds.json",
                               insilico::click_seeds(patient.truth, options_.clicks));
@@ -116,8 +123,9 @@ class DemoRun {
 
   void open_theatre() {
     const auto begin = Clock::now();
-    theatre_ = take(insilico::Theatre::build(theatre_patient_, options_.theatre, context_));
-    const insilico::Film film = take(insilico::film(*theatre_, folder_ / "theatre", {}, context_));
+    theatre_ = take(insilico::Theatre::build(theatre_patient_, options_.theatre, progress_.begin("theatre")));
+    const insilico::Film film =
+        take(insilico::film(*theatre_, folder_ / "theatre", {}, progress_.begin("film")));
     result_.figures["seconds_theatre"] = seconds_since(begin);
     film_ = film;
     const insilico::TheatreFigures& figures = theatre_->figures();
@@ -191,6 +199,7 @@ class DemoRun {
     double errors = 0.0, target_errors_sum = 0.0, frozen_errors = 0.0, drawing = 0.0;
     int valid = 0, late = 0, compared = 0;
     const int frames = theatre_->frame_count();
+    const RunContext progress = progress_.begin("track");
     for (StereoFrame frame; video.read(frame);) {
       const OverlayFrame overlay = take(script_.follow(frame));
       milliseconds.push_back(overlay.milliseconds);
@@ -212,7 +221,7 @@ class DemoRun {
         if (frame.index == 0 || frame.index == frames / 3 || frame.index == 2 * frames / 3)
           keep_picture("overlay_" + std::to_string(frame.index), drawn);
       }
-      context_.progress(static_cast<double>(frame.index + 1) / frames, "track");
+      progress.progress(static_cast<double>(frame.index + 1) / frames, "demo.track");
     }
     if (overlay_video) {
       overlay_video->close();
@@ -265,6 +274,7 @@ class DemoRun {
   fs::path folder_;
   const DemoPictures& pictures_;
   RunContext context_;
+  DemoProgress progress_;
   engine::Script script_;
   PatientModel theatre_patient_;
   std::unique_ptr<insilico::Theatre> theatre_;
@@ -275,6 +285,13 @@ class DemoRun {
 };
 
 }  // namespace
+
+DemoInput input_of(const DemoOptions& options) {
+  if (options.patient.empty()) return DemoInput::synthetic;
+  if (fs::is_directory(options.patient) && fs::exists(options.patient / "case.json"))
+    return DemoInput::open_case;
+  return is_volume(options.patient) ? DemoInput::labels : DemoInput::surfaces;
+}
 
 Cancellable<DemoResult> run_demo(const DemoOptions& options, const fs::path& folder,
                                  const DemoPictures& pictures, const RunContext& context) {

@@ -105,17 +105,18 @@ Cancellable<Base> find_base(Solver& solver, const TheatreOptions& options, const
   const bool given = options.pneumoperitoneum_pa > 0.0;
   const double wanted = 1e-3 * options.elastic_motion_mm;
   Base best{solver.rest(), deflated(0.0)};
-  double reached = 0.0, pressure = 0.0;
+  double reached = 0.0, pressure = 0.0, done = 0.0;
   double step = given ? std::min(options.pneumoperitoneum_pa, 800.0) : kFirstPressure;
   for (int tries = 0; tries < 40; ++tries) {
     double next = pressure + step;
     if (given) next = std::min(next, options.pneumoperitoneum_pa);
-    context.progress(std::min(0.95, given ? pressure / options.pneumoperitoneum_pa : reached / wanted),
-                     "theatre.gas");
-    auto outcome = solver.solve(best.positions, best.positions, deflated(next), context);
+    // The search may come back down; its progress does not, and is not that of the solves inside.
+    done = std::max(done, std::min(0.95, given ? pressure / options.pneumoperitoneum_pa : reached / wanted));
+    context.progress(done, "theatre.gas");
+    auto outcome = solver.solve(best.positions, best.positions, deflated(next), context.quiet());
     // Once more with the gas along the normals of what came out.
     if (outcome && outcome->usable)
-      outcome = solver.solve(outcome->positions, outcome->positions, deflated(next), context);
+      outcome = solver.solve(outcome->positions, outcome->positions, deflated(next), context.quiet());
     if (!outcome) return std::nullopt;
     if (!outcome->usable) {  // too much at once, or too much at all
       step *= 0.5;

@@ -12,6 +12,8 @@ namespace glisson::engine {
 class Script {
  public:
   explicit Script(const RunContext& context);
+  /// Progress goes there from now on, and cancel comes from there: for a script that is a part of something.
+  void report_to(const RunContext& context) { context_ = context; }
 
   /// Does a command. Empty when cancelled. @throws Error with the engine's sentence.
   Cancellable<Outcome> run(Command command);
