@@ -127,6 +127,18 @@
         <source>%1 was not found at its seeds.</source>
         <translation>%1 wurde an den Saatpunkten nicht gefunden.</translation>
     </message>
+    <message>
+        <source>Less than a fifth of the organ&apos;s surface was seen: far from it vessels and tumours may be centimetres off.</source>
+        <translation>Weniger als ein Fünftel der Organoberfläche wurde gesehen: Weit davon entfernt können Gefäße und Tumoren um Zentimeter falsch liegen.</translation>
+    </message>
+    <message>
+        <source>Two different shapes of the organ explain the points almost equally well; the better one was taken.</source>
+        <translation>Zwei verschiedene Formen des Organs erklären die Punkte fast gleich gut; die bessere wurde genommen.</translation>
+    </message>
+    <message>
+        <source>The organ would be bent as in hardly any simulated operation.</source>
+        <translation>Das Organ wäre so verformt wie in kaum einer simulierten Operation.</translation>
+    </message>
 </context>
 <context>
     <name>Overlay</name>
@@ -452,6 +464,473 @@
     <message>
         <source>Out of date</source>
         <translation>Veraltet</translation>
+    </message>
+    <message>
+        <source>simulated operations</source>
+        <translation>simulierte Operationen</translation>
+    </message>
+    <message>
+        <source>most probable shape</source>
+        <translation>wahrscheinlichste Form</translation>
+    </message>
+    <message>
+        <source>Simulating</source>
+        <translation>Simulieren</translation>
+    </message>
+    <message>
+        <source>looking for tubes</source>
+        <translation>röhrenförmige Strukturen suchen</translation>
+    </message>
+    <message>
+        <source>steps in time</source>
+        <translation>Zeitschritte</translation>
+    </message>
+    <message>
+        <source>looking for the equilibrium</source>
+        <translation>Gleichgewicht suchen</translation>
+    </message>
+    <message>
+        <source>shaping a synthetic liver</source>
+        <translation>synthetische Leber formen</translation>
+    </message>
+    <message>
+        <source>growing its vessels</source>
+        <translation>ihre Gefäße wachsen</translation>
+    </message>
+    <message>
+        <source>making its CT</source>
+        <translation>ihr CT erzeugen</translation>
+    </message>
+    <message>
+        <source>measuring the true surfaces</source>
+        <translation>wahre Oberflächen vermessen</translation>
+    </message>
+    <message>
+        <source>inflating the abdomen</source>
+        <translation>Bauchraum aufblasen</translation>
+    </message>
+    <message>
+        <source>letting the patient breathe</source>
+        <translation>Patienten atmen lassen</translation>
+    </message>
+    <message>
+        <source>letting the heart beat</source>
+        <translation>Herz schlagen lassen</translation>
+    </message>
+    <message>
+        <source>placing the laparoscope</source>
+        <translation>Laparoskop einführen</translation>
+    </message>
+    <message>
+        <source>filming the liver</source>
+        <translation>Leber filmen</translation>
+    </message>
+    <message>
+        <source>following the film</source>
+        <translation>dem Film folgen</translation>
+    </message>
+</context>
+<context>
+    <name>cli</name>
+    <message>
+        <source>Show this help.</source>
+        <translation>Zeigt diese Hilfe.</translation>
+    </message>
+    <message>
+        <source>Seed of everything random.</source>
+        <translation>Startwert für alles Zufällige.</translation>
+    </message>
+    <message>
+        <source>Write the figures to this file, as one flat JSON object.</source>
+        <translation>Schreibt die Kennzahlen als ein flaches JSON-Objekt in diese Datei.</translation>
+    </message>
+    <message>
+        <source> Default: %1.</source>
+        <translation> Vorgabe: %1.</translation>
+    </message>
+    <message>
+        <source>note: </source>
+        <translation>Hinweis: </translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>The main job from end to end: a patient becomes a model, an in-silico theatre deforms and films the liver, the model is registered to the pictures and follows the video; ends with an overlay video and a report with the true errors.</source>
+        <translation>Der ganze Weg: Aus einem Patienten wird ein Modell, ein virtueller Operationssaal verformt und filmt die Leber, das Modell wird auf die Bilder registriert und folgt dem Video. Am Ende stehen ein Video mit Einblendung und ein Bericht mit den wahren Fehlern.</translation>
+    </message>
+    <message>
+        <source>The folder for the results.</source>
+        <translation>Ordner für die Ergebnisse.</translation>
+    </message>
+    <message>
+        <source>Another patient than the synthetic one: a case, a label map, or surfaces (a folder by structure, or one file).</source>
+        <translation>Ein anderer Patient als der synthetische: ein Fall, eine Labelkarte oder Oberflächen (ein Ordner nach Strukturen oder eine Datei).</translation>
+    </message>
+    <message>
+        <source>What a label map&apos;s codes mean (JSON).</source>
+        <translation>Was die Codes einer Labelkarte bedeuten (JSON).</translation>
+    </message>
+    <message>
+        <source>Unit of surfaces: mm, cm or m.</source>
+        <translation>Einheit von Oberflächen: mm, cm oder m.</translation>
+    </message>
+    <message>
+        <source>Vertices of the model.</source>
+        <translation>Knoten des Modells.</translation>
+    </message>
+    <message>
+        <source>Length of the film, at 30 frames a second.</source>
+        <translation>Länge des Films in Bildern, 30 je Sekunde.</translation>
+    </message>
+    <message>
+        <source>Distance of the laparoscope, mm (80 to 160).</source>
+        <translation>Abstand des Laparoskops, mm (80 bis 160).</translation>
+    </message>
+    <message>
+        <source>Share of the surface in the patch of the paper&apos;s protocol.</source>
+        <translation>Anteil der Oberfläche im Ausschnitt nach dem Protokoll der Veröffentlichung.</translation>
+    </message>
+    <message>
+        <source>Which member of the synthetic population.</source>
+        <translation>Welches Mitglied der synthetischen Population.</translation>
+    </message>
+    <message>
+        <source>Do not open the window at the end.</source>
+        <translation>Am Ende das Fenster nicht öffnen.</translation>
+    </message>
+    <message>
+        <source>Glisson: planning and guidance of minimally invasive liver surgery. Research software: not for clinical use.</source>
+        <translation>Glisson: Planung und Führung minimalinvasiver Leberchirurgie. Forschungssoftware: nicht für den klinischen Gebrauch.</translation>
+    </message>
+    <message>
+        <source>Usage: glisson [CASE]              open the window</source>
+        <translation>Aufruf: glisson [CASE]             öffnet das Fenster</translation>
+    </message>
+    <message>
+        <source>       glisson COMMAND [OPTIONS]   work without a display; &apos;glisson COMMAND --help&apos; tells more</source>
+        <translation>        glisson COMMAND [OPTIONS]  arbeitet ohne Bildschirm; &apos;glisson COMMAND --help&apos; sagt mehr</translation>
+    </message>
+    <message>
+        <source>The model: a case (NAME.glisson), a tetrahedral mesh (.vtu, legacy .vtk, .msh), a closed surface (.vtk .vtp .stl .obj .ply) or a folder of surfaces.</source>
+        <translation>Das Modell: ein Fall (NAME.glisson), ein Tetraedernetz (.vtu, altes .vtk, .msh), eine geschlossene Oberfläche (.vtk .vtp .stl .obj .ply) oder ein Ordner mit Oberflächen.</translation>
+    </message>
+    <message>
+        <source>Unit of the model&apos;s files and of what is written: mm, cm or m.</source>
+        <translation>Einheit der Modelldateien und der Ergebnisse: mm, cm oder m.</translation>
+    </message>
+    <message>
+        <source>Vertices wanted when a surface is meshed.</source>
+        <translation>Gewünschte Knoten, wenn eine Oberfläche vernetzt wird.</translation>
+    </message>
+    <message>
+        <source>Landmarks of the model (JSON, LPS mm).</source>
+        <translation>Landmarken des Modells (JSON, LPS mm).</translation>
+    </message>
+    <message>
+        <source>What the liver is made of: %1.</source>
+        <translation>Woraus die Leber besteht: %1.</translation>
+    </message>
+    <message>
+        <source>Parenchyma only: no vessels, no capsule.</source>
+        <translation>Nur Parenchym: keine Gefäße, keine Kapsel.</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus of the parenchyma, Pa.</source>
+        <translation>Elastizitätsmodul des Parenchyms, Pa.</translation>
+    </message>
+    <message>
+        <source>Poisson&apos;s ratio of the parenchyma.</source>
+        <translation>Querdehnzahl des Parenchyms.</translation>
+    </message>
+    <message>
+        <source>The case&apos;s folder, NAME.glisson.</source>
+        <translation>Ordner des Falls, NAME.glisson.</translation>
+    </message>
+    <message>
+        <source>Reads a CT (a folder of DICOM slices, a .tar.gz of one, NIfTI, NRRD, MetaImage) into a case, which is made if there is none.</source>
+        <translation>Liest ein CT (Ordner mit DICOM-Schichten, .tar.gz davon, NIfTI, NRRD, MetaImage) in einen Fall ein; gibt es ihn noch nicht, wird er angelegt.</translation>
+    </message>
+    <message>
+        <source>The volume.</source>
+        <translation>Das Volumen.</translation>
+    </message>
+    <message>
+        <source>Segments the liver, its vessels and lesions from seeds.</source>
+        <translation>Segmentiert Leber, Gefäße und Läsionen aus Saatpunkten.</translation>
+    </message>
+    <message>
+        <source>What was clicked (JSON, LPS mm).</source>
+        <translation>Was angeklickt wurde (JSON, LPS mm).</translation>
+    </message>
+    <message>
+        <source>Labels of an expert: adds the Dice coefficient. Read after everything else.</source>
+        <translation>Labels eines Experten: fügt den Dice-Koeffizienten hinzu. Wird erst nach allem anderen gelesen.</translation>
+    </message>
+    <message>
+        <source>What the expert&apos;s codes mean (JSON).</source>
+        <translation>Was die Codes des Experten bedeuten (JSON).</translation>
+    </message>
+    <message>
+        <source>Also write the labels here (.seg.nrrd, .nii.gz).</source>
+        <translation>Labels auch hierhin schreiben (.seg.nrrd, .nii.gz).</translation>
+    </message>
+    <message>
+        <source>Builds the biomechanical model: tetrahedra, vessels, anterior margin.</source>
+        <translation>Baut das biomechanische Modell: Tetraeder, Gefäße, Vorderrand.</translation>
+    </message>
+    <message>
+        <source>Labels to take instead of the case&apos;s.</source>
+        <translation>Labels statt derer des Falls.</translation>
+    </message>
+    <message>
+        <source>What their codes mean: JSON, {&quot;6&quot;: &quot;parenchyma&quot;, &quot;10&quot;: &quot;portal_vein&quot;, ...}.</source>
+        <translation>Was ihre Codes bedeuten: JSON, {&quot;6&quot;: &quot;parenchyma&quot;, &quot;10&quot;: &quot;portal_vein&quot;, ...}.</translation>
+    </message>
+    <message>
+        <source>Closed surfaces to take instead of labels: a folder by structure, or one file.</source>
+        <translation>Geschlossene Oberflächen statt Labels: ein Ordner nach Strukturen oder eine Datei.</translation>
+    </message>
+    <message>
+        <source>Unit of the surfaces: mm, cm or m.</source>
+        <translation>Einheit der Oberflächen: mm, cm oder m.</translation>
+    </message>
+    <message>
+        <source>Vertices wanted.</source>
+        <translation>Gewünschte Knoten.</translation>
+    </message>
+    <message>
+        <source>A fine surface of the liver: adds the distances. Read after everything else.</source>
+        <translation>Eine feine Oberfläche der Leber: fügt die Abstände hinzu. Wird erst nach allem anderen gelesen.</translation>
+    </message>
+    <message>
+        <source>Also write the mesh here (.vtu, .vtk).</source>
+        <translation>Netz auch hierhin schreiben (.vtu, .vtk).</translation>
+    </message>
+    <message>
+        <source>Plain mechanics: a load on the model. Writes deformed meshes with displacement and von Mises stress, and steps.csv with energies, residuals and time per step.</source>
+        <translation>Reine Mechanik: eine Last auf dem Modell. Schreibt verformte Netze mit Verschiebung und Von-Mises-Spannung und steps.csv mit Energien, Restfehlern und Zeit je Schritt.</translation>
+    </message>
+    <message>
+        <source>Steps of the dynamics.</source>
+        <translation>Schritte der Dynamik.</translation>
+    </message>
+    <message>
+        <source>Time step, s.</source>
+        <translation>Zeitschritt, s.</translation>
+    </message>
+    <message>
+        <source>The equilibrium instead of the dynamics.</source>
+        <translation>Das Gleichgewicht statt der Dynamik.</translation>
+    </message>
+    <message>
+        <source>Linear solver: direct (a fresh factor every step), fast (two-level conjugate gradients, for 10,000 tetrahedra and more) or reference (CHOLMOD).</source>
+        <translation>Linearer Löser: direct (in jedem Schritt neu zerlegt), fast (zweistufige konjugierte Gradienten, ab 10 000 Tetraedern) oder reference (CHOLMOD).</translation>
+    </message>
+    <message>
+        <source>Relative residual of the fast solver.</source>
+        <translation>Relativer Restfehler des Lösers fast.</translation>
+    </message>
+    <message>
+        <source>Write a mesh every so many steps (the last is always written).</source>
+        <translation>Nach je so vielen Schritten ein Netz schreiben (das letzte immer).</translation>
+    </message>
+    <message>
+        <source>The non-linear law instead of the co-rotational one.</source>
+        <translation>Das nichtlineare Stoffgesetz statt des korotierten.</translation>
+    </message>
+    <message>
+        <source>From CT to overlay video on the built-in synthetic patient, or another</source>
+        <translation>Vom CT zum Video mit Einblendung, am eingebauten synthetischen Patienten oder einem anderen</translation>
+    </message>
+    <message>
+        <source>Read a CT into a case</source>
+        <translation>Ein CT in einen Fall einlesen</translation>
+    </message>
+    <message>
+        <source>Segment liver, vessels and lesions from seeds</source>
+        <translation>Leber, Gefäße und Läsionen aus Saatpunkten segmentieren</translation>
+    </message>
+    <message>
+        <source>Build the biomechanical model</source>
+        <translation>Das biomechanische Modell bauen</translation>
+    </message>
+    <message>
+        <source>Stereo pair to labelled cloud</source>
+        <translation>Vom Stereobildpaar zur beschrifteten Punktwolke</translation>
+    </message>
+    <message>
+        <source>Register the model to a cloud</source>
+        <translation>Das Modell auf eine Punktwolke registrieren</translation>
+    </message>
+    <message>
+        <source>Follow a stereo video or a series of clouds</source>
+        <translation>Einem Stereovideo oder einer Reihe von Punktwolken folgen</translation>
+    </message>
+    <message>
+        <source>Draw one frame with its overlay</source>
+        <translation>Ein Bild mit seiner Einblendung zeichnen</translation>
+    </message>
+    <message>
+        <source>Record the overlay video</source>
+        <translation>Das Video mit Einblendung aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Plain mechanics: gravity, pressure, springs, fixed nodes</source>
+        <translation>Reine Mechanik: Schwerkraft, Druck, Federn, feste Knoten</translation>
+    </message>
+    <message>
+        <source>Turns a stereo pair into a labelled cloud in the left camera&apos;s frame.</source>
+        <translation>Macht aus einem Stereobildpaar eine beschriftete Punktwolke im Bezugssystem der linken Kamera.</translation>
+    </message>
+    <message>
+        <source>The left picture.</source>
+        <translation>Das linke Bild.</translation>
+    </message>
+    <message>
+        <source>The right picture.</source>
+        <translation>Das rechte Bild.</translation>
+    </message>
+    <message>
+        <source>OpenCV YAML: M1 D1 M2 D2 R T image_width image_height unit.</source>
+        <translation>OpenCV-YAML: M1 D1 M2 D2 R T image_width image_height unit.</translation>
+    </message>
+    <message>
+        <source>What of the left picture is tissue (non-zero).</source>
+        <translation>Was im linken Bild Gewebe ist (nicht null).</translation>
+    </message>
+    <message>
+        <source>Clicked regions (JSON): only what lies in one is kept, with its label.</source>
+        <translation>Angeklickte Bereiche (JSON): Nur was darin liegt, bleibt, mit dessen Beschriftung.</translation>
+    </message>
+    <message>
+        <source>Semi-global matching instead of features.</source>
+        <translation>Semi-globales Matching statt Merkmalspunkten.</translation>
+    </message>
+    <message>
+        <source>The cloud (PLY).</source>
+        <translation>Die Punktwolke (PLY).</translation>
+    </message>
+    <message>
+        <source>Unit of the cloud and of --truth: mm, cm or m.</source>
+        <translation>Einheit der Punktwolke und von --truth: mm, cm oder m.</translation>
+    </message>
+    <message>
+        <source>A surface in the left camera&apos;s frame, or its depth map (.pfm, mm): adds the distances. Read after everything else.</source>
+        <translation>Eine Oberfläche im Bezugssystem der linken Kamera oder deren Tiefenkarte (.pfm, mm): fügt die Abstände hinzu. Wird erst nach allem anderen gelesen.</translation>
+    </message>
+    <message>
+        <source>Registers a model to a cloud: rigid start, then elastically. What is written keeps the model&apos;s node order and unit and is in the cloud&apos;s frame; its field data cloud_from_model is the rigid part.</source>
+        <translation>Registriert ein Modell auf eine Punktwolke: erst starr, dann elastisch. Das Ergebnis behält Knotenreihenfolge und Einheit des Modells und liegt im Bezugssystem der Punktwolke; das Datenfeld cloud_from_model ist der starre Anteil.</translation>
+    </message>
+    <message>
+        <source>The cloud (PLY); an integer property label is optional: 1 surface, 2 anterior margin, 3 umbilical notch.</source>
+        <translation>Die Punktwolke (PLY); die ganzzahlige Eigenschaft label kann fehlen: 1 Oberfläche, 2 Vorderrand, 3 Nabelkerbe.</translation>
+    </message>
+    <message>
+        <source>Unit of the cloud: mm, cm or m. Without it, the model&apos;s.</source>
+        <translation>Einheit der Punktwolke: mm, cm oder m. Ohne sie die des Modells.</translation>
+    </message>
+    <message>
+        <source>Rigid start: auto, none, or a file with a 4 x 4 matrix cloud_from_model.</source>
+        <translation>Starrer Start: auto, none oder eine Datei mit einer 4 x 4-Matrix cloud_from_model.</translation>
+    </message>
+    <message>
+        <source>Nodes that stay where the rigid start puts them (0-based numbers).</source>
+        <translation>Knoten, die bleiben, wo der starre Start sie hinlegt (Nummern ab 0).</translation>
+    </message>
+    <message>
+        <source>What is known of the deformation before the cloud is seen: operations (simulated on this model; needs the vena cava&apos;s landmark) or none (elasticity alone, the paper&apos;s method).</source>
+        <translation>Was vor dem Blick auf die Punktwolke über die Verformung bekannt ist: operations (an diesem Modell simuliert; braucht die Landmarke der Vena cava) oder none (nur Elastizität, das Verfahren der Veröffentlichung).</translation>
+    </message>
+    <message>
+        <source>True node positions (.xyz or a mesh): adds the errors. Read after everything else.</source>
+        <translation>Wahre Knotenpositionen (.xyz oder ein Netz): fügt die Fehler hinzu. Wird erst nach allem anderen gelesen.</translation>
+    </message>
+    <message>
+        <source>The registered mesh (.vtu), or surface (.vtp) when a surface was given.</source>
+        <translation>Das registrierte Netz (.vtu), oder die Oberfläche (.vtp), wenn eine gegeben war.</translation>
+    </message>
+    <message>
+        <source>Follows a stereo video, or a series of clouds, from a registered start. Every frame is processed; one mesh a frame is written, numbered like its input.</source>
+        <translation>Folgt einem Stereovideo oder einer Reihe von Punktwolken von einem registrierten Start aus. Jedes Bild wird verarbeitet; je Bild wird ein Netz geschrieben, nummeriert wie die Eingabe.</translation>
+    </message>
+    <message>
+        <source>What &apos;glisson register&apos; wrote for this model and the first frame.</source>
+        <translation>Was &apos;glisson register&apos; für dieses Modell und das erste Bild geschrieben hat.</translation>
+    </message>
+    <message>
+        <source>Stereo video, views side by side.</source>
+        <translation>Stereovideo, beide Ansichten nebeneinander.</translation>
+    </message>
+    <message>
+        <source>The right view, when it is a file of its own.</source>
+        <translation>Die rechte Ansicht, wenn sie eine eigene Datei ist.</translation>
+    </message>
+    <message>
+        <source>OpenCV YAML of the laparoscope.</source>
+        <translation>OpenCV-YAML des Laparoskops.</translation>
+    </message>
+    <message>
+        <source>Series of clouds instead of a video, e.g. &apos;cloud_%02d.ply&apos;.</source>
+        <translation>Reihe von Punktwolken statt eines Videos, z. B. &apos;cloud_%02d.ply&apos;.</translation>
+    </message>
+    <message>
+        <source>Unit of the clouds: mm, cm or m. Without it, the model&apos;s.</source>
+        <translation>Einheit der Punktwolken: mm, cm oder m. Ohne sie die des Modells.</translation>
+    </message>
+    <message>
+        <source>Steps towards each cloud.</source>
+        <translation>Schritte auf jede Punktwolke zu.</translation>
+    </message>
+    <message>
+        <source>Nodes that do not move (0-based numbers).</source>
+        <translation>Knoten, die sich nicht bewegen (Nummern ab 0).</translation>
+    </message>
+    <message>
+        <source>Series of true node positions, e.g. &apos;truth_%02d.xyz&apos;; may lack frames. Read after everything else.</source>
+        <translation>Reihe wahrer Knotenpositionen, z. B. &apos;truth_%02d.xyz&apos;; Bilder dürfen fehlen. Wird erst nach allem anderen gelesen.</translation>
+    </message>
+    <message>
+        <source>The folder for the meshes.</source>
+        <translation>Ordner für die Netze.</translation>
+    </message>
+    <message>
+        <source>Draws one frame of the case&apos;s video with vessels and tumours, followed from the registered frame. Where the position is not known, the picture says so and shows no overlay.</source>
+        <translation>Zeichnet ein Bild aus dem Video des Falls mit Gefäßen und Tumoren, verfolgt vom registrierten Bild aus. Ist die Lage nicht bekannt, sagt das Bild es und zeigt keine Einblendung.</translation>
+    </message>
+    <message>
+        <source>The case&apos;s folder, NAME.glisson, with a registration and a video.</source>
+        <translation>Ordner des Falls, NAME.glisson, mit Registrierung und Video.</translation>
+    </message>
+    <message>
+        <source>Number of the frame, from 0.</source>
+        <translation>Nummer des Bildes, ab 0.</translation>
+    </message>
+    <message>
+        <source>The picture (.png, .jpg).</source>
+        <translation>Das Bild (.png, .jpg).</translation>
+    </message>
+    <message>
+        <source>Follows the case&apos;s video and records it with vessels and tumours drawn in.</source>
+        <translation>Folgt dem Video des Falls und zeichnet es mit Gefäßen und Tumoren auf.</translation>
+    </message>
+    <message>
+        <source>Record only so many frames.</source>
+        <translation>Nur so viele Bilder aufzeichnen.</translation>
+    </message>
+    <message>
+        <source>The video (.mkv).</source>
+        <translation>Das Video (.mkv).</translation>
+    </message>
+    <message>
+        <source>frame %1</source>
+        <translation>Bild %1</translation>
+    </message>
+    <message>
+        <source>The load (JSON): gravity, pressure, forces, springs, fixed; see the manual.</source>
+        <translation>Die Last (JSON): Schwerkraft, Druck, Kräfte, Federn, feste Knoten; siehe Handbuch.</translation>
     </message>
 </context>
 <context>

@@ -127,6 +127,18 @@
         <source>%1 was not found at its seeds.</source>
         <translation>%1 n&apos;a pas été trouvée à ses germes.</translation>
     </message>
+    <message>
+        <source>Less than a fifth of the organ&apos;s surface was seen: far from it vessels and tumours may be centimetres off.</source>
+        <translation>Moins d&apos;un cinquième de la surface de l&apos;organe a été vu : loin de là, vaisseaux et tumeurs peuvent être décalés de plusieurs centimètres.</translation>
+    </message>
+    <message>
+        <source>Two different shapes of the organ explain the points almost equally well; the better one was taken.</source>
+        <translation>Deux formes différentes de l&apos;organe expliquent presque aussi bien les points ; la meilleure a été prise.</translation>
+    </message>
+    <message>
+        <source>The organ would be bent as in hardly any simulated operation.</source>
+        <translation>L&apos;organe serait déformé comme dans presque aucune opération simulée.</translation>
+    </message>
 </context>
 <context>
     <name>Overlay</name>
@@ -452,6 +464,473 @@
     <message>
         <source>Out of date</source>
         <translation>Périmé</translation>
+    </message>
+    <message>
+        <source>simulated operations</source>
+        <translation>opérations simulées</translation>
+    </message>
+    <message>
+        <source>most probable shape</source>
+        <translation>forme la plus probable</translation>
+    </message>
+    <message>
+        <source>Simulating</source>
+        <translation>Simulation</translation>
+    </message>
+    <message>
+        <source>looking for tubes</source>
+        <translation>recherche de structures tubulaires</translation>
+    </message>
+    <message>
+        <source>steps in time</source>
+        <translation>pas de temps</translation>
+    </message>
+    <message>
+        <source>looking for the equilibrium</source>
+        <translation>recherche de l&apos;équilibre</translation>
+    </message>
+    <message>
+        <source>shaping a synthetic liver</source>
+        <translation>création d&apos;un foie synthétique</translation>
+    </message>
+    <message>
+        <source>growing its vessels</source>
+        <translation>croissance de ses vaisseaux</translation>
+    </message>
+    <message>
+        <source>making its CT</source>
+        <translation>création de son scanner</translation>
+    </message>
+    <message>
+        <source>measuring the true surfaces</source>
+        <translation>mesure des surfaces vraies</translation>
+    </message>
+    <message>
+        <source>inflating the abdomen</source>
+        <translation>insufflation de l&apos;abdomen</translation>
+    </message>
+    <message>
+        <source>letting the patient breathe</source>
+        <translation>respiration du patient</translation>
+    </message>
+    <message>
+        <source>letting the heart beat</source>
+        <translation>battements du cœur</translation>
+    </message>
+    <message>
+        <source>placing the laparoscope</source>
+        <translation>mise en place du laparoscope</translation>
+    </message>
+    <message>
+        <source>filming the liver</source>
+        <translation>film du foie</translation>
+    </message>
+    <message>
+        <source>following the film</source>
+        <translation>suivi du film</translation>
+    </message>
+</context>
+<context>
+    <name>cli</name>
+    <message>
+        <source>Show this help.</source>
+        <translation>Affiche cette aide.</translation>
+    </message>
+    <message>
+        <source>Seed of everything random.</source>
+        <translation>Graine de tout ce qui est aléatoire.</translation>
+    </message>
+    <message>
+        <source>Write the figures to this file, as one flat JSON object.</source>
+        <translation>Écrit les chiffres dans ce fichier, en un seul objet JSON plat.</translation>
+    </message>
+    <message>
+        <source> Default: %1.</source>
+        <translation> Par défaut : %1.</translation>
+    </message>
+    <message>
+        <source>note: </source>
+        <translation>remarque : </translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>inconnu</translation>
+    </message>
+    <message>
+        <source>The main job from end to end: a patient becomes a model, an in-silico theatre deforms and films the liver, the model is registered to the pictures and follows the video; ends with an overlay video and a report with the true errors.</source>
+        <translation>Tout le parcours : un patient devient un modèle, un bloc opératoire virtuel déforme et filme le foie, le modèle est recalé sur les images et suit la vidéo ; à la fin, une vidéo avec superposition et un rapport avec les erreurs vraies.</translation>
+    </message>
+    <message>
+        <source>The folder for the results.</source>
+        <translation>Dossier des résultats.</translation>
+    </message>
+    <message>
+        <source>Another patient than the synthetic one: a case, a label map, or surfaces (a folder by structure, or one file).</source>
+        <translation>Un autre patient que le synthétique : un cas, une carte d&apos;étiquettes ou des surfaces (un dossier par structure, ou un fichier).</translation>
+    </message>
+    <message>
+        <source>What a label map&apos;s codes mean (JSON).</source>
+        <translation>Ce que signifient les codes d&apos;une carte d&apos;étiquettes (JSON).</translation>
+    </message>
+    <message>
+        <source>Unit of surfaces: mm, cm or m.</source>
+        <translation>Unité des surfaces : mm, cm ou m.</translation>
+    </message>
+    <message>
+        <source>Vertices of the model.</source>
+        <translation>Sommets du modèle.</translation>
+    </message>
+    <message>
+        <source>Length of the film, at 30 frames a second.</source>
+        <translation>Longueur du film en images, 30 par seconde.</translation>
+    </message>
+    <message>
+        <source>Distance of the laparoscope, mm (80 to 160).</source>
+        <translation>Distance du laparoscope, mm (80 à 160).</translation>
+    </message>
+    <message>
+        <source>Share of the surface in the patch of the paper&apos;s protocol.</source>
+        <translation>Part de la surface dans la zone du protocole de l&apos;article.</translation>
+    </message>
+    <message>
+        <source>Which member of the synthetic population.</source>
+        <translation>Quel membre de la population synthétique.</translation>
+    </message>
+    <message>
+        <source>Do not open the window at the end.</source>
+        <translation>Ne pas ouvrir la fenêtre à la fin.</translation>
+    </message>
+    <message>
+        <source>Glisson: planning and guidance of minimally invasive liver surgery. Research software: not for clinical use.</source>
+        <translation>Glisson : planification et guidage de la chirurgie hépatique mini-invasive. Logiciel de recherche : pas d&apos;usage clinique.</translation>
+    </message>
+    <message>
+        <source>Usage: glisson [CASE]              open the window</source>
+        <translation>Usage : glisson [CASE]             ouvre la fenêtre</translation>
+    </message>
+    <message>
+        <source>       glisson COMMAND [OPTIONS]   work without a display; &apos;glisson COMMAND --help&apos; tells more</source>
+        <translation>        glisson COMMAND [OPTIONS]  travaille sans écran ; &apos;glisson COMMAND --help&apos; en dit plus</translation>
+    </message>
+    <message>
+        <source>The model: a case (NAME.glisson), a tetrahedral mesh (.vtu, legacy .vtk, .msh), a closed surface (.vtk .vtp .stl .obj .ply) or a folder of surfaces.</source>
+        <translation>Le modèle : un cas (NAME.glisson), un maillage de tétraèdres (.vtu, ancien .vtk, .msh), une surface fermée (.vtk .vtp .stl .obj .ply) ou un dossier de surfaces.</translation>
+    </message>
+    <message>
+        <source>Unit of the model&apos;s files and of what is written: mm, cm or m.</source>
+        <translation>Unité des fichiers du modèle et des résultats : mm, cm ou m.</translation>
+    </message>
+    <message>
+        <source>Vertices wanted when a surface is meshed.</source>
+        <translation>Sommets voulus quand une surface est maillée.</translation>
+    </message>
+    <message>
+        <source>Landmarks of the model (JSON, LPS mm).</source>
+        <translation>Repères du modèle (JSON, LPS mm).</translation>
+    </message>
+    <message>
+        <source>What the liver is made of: %1.</source>
+        <translation>De quoi le foie est fait : %1.</translation>
+    </message>
+    <message>
+        <source>Parenchyma only: no vessels, no capsule.</source>
+        <translation>Parenchyme seul : ni vaisseaux ni capsule.</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus of the parenchyma, Pa.</source>
+        <translation>Module de Young du parenchyme, Pa.</translation>
+    </message>
+    <message>
+        <source>Poisson&apos;s ratio of the parenchyma.</source>
+        <translation>Coefficient de Poisson du parenchyme.</translation>
+    </message>
+    <message>
+        <source>The case&apos;s folder, NAME.glisson.</source>
+        <translation>Dossier du cas, NAME.glisson.</translation>
+    </message>
+    <message>
+        <source>Reads a CT (a folder of DICOM slices, a .tar.gz of one, NIfTI, NRRD, MetaImage) into a case, which is made if there is none.</source>
+        <translation>Lit un scanner (dossier de coupes DICOM, .tar.gz d&apos;un tel dossier, NIfTI, NRRD, MetaImage) dans un cas, créé s&apos;il n&apos;existe pas.</translation>
+    </message>
+    <message>
+        <source>The volume.</source>
+        <translation>Le volume.</translation>
+    </message>
+    <message>
+        <source>Segments the liver, its vessels and lesions from seeds.</source>
+        <translation>Segmente le foie, ses vaisseaux et ses lésions à partir de germes.</translation>
+    </message>
+    <message>
+        <source>What was clicked (JSON, LPS mm).</source>
+        <translation>Ce qui a été cliqué (JSON, LPS mm).</translation>
+    </message>
+    <message>
+        <source>Labels of an expert: adds the Dice coefficient. Read after everything else.</source>
+        <translation>Étiquettes d&apos;un expert : ajoute le coefficient de Dice. Lues après tout le reste.</translation>
+    </message>
+    <message>
+        <source>What the expert&apos;s codes mean (JSON).</source>
+        <translation>Ce que signifient les codes de l&apos;expert (JSON).</translation>
+    </message>
+    <message>
+        <source>Also write the labels here (.seg.nrrd, .nii.gz).</source>
+        <translation>Écrire aussi les étiquettes ici (.seg.nrrd, .nii.gz).</translation>
+    </message>
+    <message>
+        <source>Builds the biomechanical model: tetrahedra, vessels, anterior margin.</source>
+        <translation>Construit le modèle biomécanique : tétraèdres, vaisseaux, bord antérieur.</translation>
+    </message>
+    <message>
+        <source>Labels to take instead of the case&apos;s.</source>
+        <translation>Étiquettes à prendre au lieu de celles du cas.</translation>
+    </message>
+    <message>
+        <source>What their codes mean: JSON, {&quot;6&quot;: &quot;parenchyma&quot;, &quot;10&quot;: &quot;portal_vein&quot;, ...}.</source>
+        <translation>Ce que signifient leurs codes : JSON, {&quot;6&quot;: &quot;parenchyma&quot;, &quot;10&quot;: &quot;portal_vein&quot;, ...}.</translation>
+    </message>
+    <message>
+        <source>Closed surfaces to take instead of labels: a folder by structure, or one file.</source>
+        <translation>Surfaces fermées à prendre au lieu d&apos;étiquettes : un dossier par structure, ou un fichier.</translation>
+    </message>
+    <message>
+        <source>Unit of the surfaces: mm, cm or m.</source>
+        <translation>Unité des surfaces : mm, cm ou m.</translation>
+    </message>
+    <message>
+        <source>Vertices wanted.</source>
+        <translation>Sommets voulus.</translation>
+    </message>
+    <message>
+        <source>A fine surface of the liver: adds the distances. Read after everything else.</source>
+        <translation>Une surface fine du foie : ajoute les distances. Lue après tout le reste.</translation>
+    </message>
+    <message>
+        <source>Also write the mesh here (.vtu, .vtk).</source>
+        <translation>Écrire aussi le maillage ici (.vtu, .vtk).</translation>
+    </message>
+    <message>
+        <source>Plain mechanics: a load on the model. Writes deformed meshes with displacement and von Mises stress, and steps.csv with energies, residuals and time per step.</source>
+        <translation>Mécanique seule : une charge sur le modèle. Écrit des maillages déformés avec déplacement et contrainte de von Mises, et steps.csv avec énergies, résidus et temps par pas.</translation>
+    </message>
+    <message>
+        <source>Steps of the dynamics.</source>
+        <translation>Pas de la dynamique.</translation>
+    </message>
+    <message>
+        <source>Time step, s.</source>
+        <translation>Pas de temps, s.</translation>
+    </message>
+    <message>
+        <source>The equilibrium instead of the dynamics.</source>
+        <translation>L&apos;équilibre au lieu de la dynamique.</translation>
+    </message>
+    <message>
+        <source>Linear solver: direct (a fresh factor every step), fast (two-level conjugate gradients, for 10,000 tetrahedra and more) or reference (CHOLMOD).</source>
+        <translation>Solveur linéaire : direct (factorisé à chaque pas), fast (gradient conjugué à deux niveaux, à partir de 10 000 tétraèdres) ou reference (CHOLMOD).</translation>
+    </message>
+    <message>
+        <source>Relative residual of the fast solver.</source>
+        <translation>Résidu relatif du solveur fast.</translation>
+    </message>
+    <message>
+        <source>Write a mesh every so many steps (the last is always written).</source>
+        <translation>Écrire un maillage tous les N pas (le dernier toujours).</translation>
+    </message>
+    <message>
+        <source>The non-linear law instead of the co-rotational one.</source>
+        <translation>La loi non linéaire au lieu de la corotationnelle.</translation>
+    </message>
+    <message>
+        <source>From CT to overlay video on the built-in synthetic patient, or another</source>
+        <translation>Du scanner à la vidéo avec superposition, sur le patient synthétique intégré ou un autre</translation>
+    </message>
+    <message>
+        <source>Read a CT into a case</source>
+        <translation>Lire un scanner dans un cas</translation>
+    </message>
+    <message>
+        <source>Segment liver, vessels and lesions from seeds</source>
+        <translation>Segmenter foie, vaisseaux et lésions à partir de germes</translation>
+    </message>
+    <message>
+        <source>Build the biomechanical model</source>
+        <translation>Construire le modèle biomécanique</translation>
+    </message>
+    <message>
+        <source>Stereo pair to labelled cloud</source>
+        <translation>De la paire stéréo au nuage étiqueté</translation>
+    </message>
+    <message>
+        <source>Register the model to a cloud</source>
+        <translation>Recaler le modèle sur un nuage</translation>
+    </message>
+    <message>
+        <source>Follow a stereo video or a series of clouds</source>
+        <translation>Suivre une vidéo stéréo ou une série de nuages</translation>
+    </message>
+    <message>
+        <source>Draw one frame with its overlay</source>
+        <translation>Dessiner une image avec sa superposition</translation>
+    </message>
+    <message>
+        <source>Record the overlay video</source>
+        <translation>Enregistrer la vidéo avec superposition</translation>
+    </message>
+    <message>
+        <source>Plain mechanics: gravity, pressure, springs, fixed nodes</source>
+        <translation>Mécanique seule : pesanteur, pression, ressorts, nœuds fixes</translation>
+    </message>
+    <message>
+        <source>Turns a stereo pair into a labelled cloud in the left camera&apos;s frame.</source>
+        <translation>Transforme une paire stéréo en nuage étiqueté dans le repère de la caméra gauche.</translation>
+    </message>
+    <message>
+        <source>The left picture.</source>
+        <translation>L&apos;image gauche.</translation>
+    </message>
+    <message>
+        <source>The right picture.</source>
+        <translation>L&apos;image droite.</translation>
+    </message>
+    <message>
+        <source>OpenCV YAML: M1 D1 M2 D2 R T image_width image_height unit.</source>
+        <translation>YAML OpenCV : M1 D1 M2 D2 R T image_width image_height unit.</translation>
+    </message>
+    <message>
+        <source>What of the left picture is tissue (non-zero).</source>
+        <translation>Ce qui est du tissu dans l&apos;image gauche (non nul).</translation>
+    </message>
+    <message>
+        <source>Clicked regions (JSON): only what lies in one is kept, with its label.</source>
+        <translation>Zones cliquées (JSON) : seul ce qui s&apos;y trouve est gardé, avec son étiquette.</translation>
+    </message>
+    <message>
+        <source>Semi-global matching instead of features.</source>
+        <translation>Appariement semi-global au lieu de points caractéristiques.</translation>
+    </message>
+    <message>
+        <source>The cloud (PLY).</source>
+        <translation>Le nuage (PLY).</translation>
+    </message>
+    <message>
+        <source>Unit of the cloud and of --truth: mm, cm or m.</source>
+        <translation>Unité du nuage et de --truth : mm, cm ou m.</translation>
+    </message>
+    <message>
+        <source>A surface in the left camera&apos;s frame, or its depth map (.pfm, mm): adds the distances. Read after everything else.</source>
+        <translation>Une surface dans le repère de la caméra gauche, ou sa carte de profondeur (.pfm, mm) : ajoute les distances. Lue après tout le reste.</translation>
+    </message>
+    <message>
+        <source>Registers a model to a cloud: rigid start, then elastically. What is written keeps the model&apos;s node order and unit and is in the cloud&apos;s frame; its field data cloud_from_model is the rigid part.</source>
+        <translation>Recale un modèle sur un nuage : départ rigide, puis élastique. Le résultat garde l&apos;ordre des nœuds et l&apos;unité du modèle, dans le repère du nuage ; son champ cloud_from_model est la partie rigide.</translation>
+    </message>
+    <message>
+        <source>The cloud (PLY); an integer property label is optional: 1 surface, 2 anterior margin, 3 umbilical notch.</source>
+        <translation>Le nuage (PLY) ; la propriété entière label est facultative : 1 surface, 2 bord antérieur, 3 échancrure ombilicale.</translation>
+    </message>
+    <message>
+        <source>Unit of the cloud: mm, cm or m. Without it, the model&apos;s.</source>
+        <translation>Unité du nuage : mm, cm ou m. Sinon, celle du modèle.</translation>
+    </message>
+    <message>
+        <source>Rigid start: auto, none, or a file with a 4 x 4 matrix cloud_from_model.</source>
+        <translation>Départ rigide : auto, none, ou un fichier avec une matrice 4 x 4 cloud_from_model.</translation>
+    </message>
+    <message>
+        <source>Nodes that stay where the rigid start puts them (0-based numbers).</source>
+        <translation>Nœuds qui restent où le départ rigide les met (numéros à partir de 0).</translation>
+    </message>
+    <message>
+        <source>What is known of the deformation before the cloud is seen: operations (simulated on this model; needs the vena cava&apos;s landmark) or none (elasticity alone, the paper&apos;s method).</source>
+        <translation>Ce que l&apos;on sait de la déformation avant de voir le nuage : operations (simulées sur ce modèle ; il faut le repère de la veine cave) ou none (l&apos;élasticité seule, la méthode de l&apos;article).</translation>
+    </message>
+    <message>
+        <source>True node positions (.xyz or a mesh): adds the errors. Read after everything else.</source>
+        <translation>Positions vraies des nœuds (.xyz ou un maillage) : ajoute les erreurs. Lues après tout le reste.</translation>
+    </message>
+    <message>
+        <source>The registered mesh (.vtu), or surface (.vtp) when a surface was given.</source>
+        <translation>Le maillage recalé (.vtu), ou la surface (.vtp) si une surface a été donnée.</translation>
+    </message>
+    <message>
+        <source>Follows a stereo video, or a series of clouds, from a registered start. Every frame is processed; one mesh a frame is written, numbered like its input.</source>
+        <translation>Suit une vidéo stéréo, ou une série de nuages, depuis un départ recalé. Chaque image est traitée ; un maillage par image est écrit, numéroté comme son entrée.</translation>
+    </message>
+    <message>
+        <source>What &apos;glisson register&apos; wrote for this model and the first frame.</source>
+        <translation>Ce que &apos;glisson register&apos; a écrit pour ce modèle et la première image.</translation>
+    </message>
+    <message>
+        <source>Stereo video, views side by side.</source>
+        <translation>Vidéo stéréo, vues côte à côte.</translation>
+    </message>
+    <message>
+        <source>The right view, when it is a file of its own.</source>
+        <translation>La vue droite, si elle est un fichier à part.</translation>
+    </message>
+    <message>
+        <source>OpenCV YAML of the laparoscope.</source>
+        <translation>YAML OpenCV du laparoscope.</translation>
+    </message>
+    <message>
+        <source>Series of clouds instead of a video, e.g. &apos;cloud_%02d.ply&apos;.</source>
+        <translation>Série de nuages au lieu d&apos;une vidéo, p. ex. &apos;cloud_%02d.ply&apos;.</translation>
+    </message>
+    <message>
+        <source>Unit of the clouds: mm, cm or m. Without it, the model&apos;s.</source>
+        <translation>Unité des nuages : mm, cm ou m. Sinon, celle du modèle.</translation>
+    </message>
+    <message>
+        <source>Steps towards each cloud.</source>
+        <translation>Pas vers chaque nuage.</translation>
+    </message>
+    <message>
+        <source>Nodes that do not move (0-based numbers).</source>
+        <translation>Nœuds qui ne bougent pas (numéros à partir de 0).</translation>
+    </message>
+    <message>
+        <source>Series of true node positions, e.g. &apos;truth_%02d.xyz&apos;; may lack frames. Read after everything else.</source>
+        <translation>Série de positions vraies des nœuds, p. ex. &apos;truth_%02d.xyz&apos; ; des images peuvent manquer. Lue après tout le reste.</translation>
+    </message>
+    <message>
+        <source>The folder for the meshes.</source>
+        <translation>Dossier des maillages.</translation>
+    </message>
+    <message>
+        <source>Draws one frame of the case&apos;s video with vessels and tumours, followed from the registered frame. Where the position is not known, the picture says so and shows no overlay.</source>
+        <translation>Dessine une image de la vidéo du cas avec vaisseaux et tumeurs, suivis depuis l&apos;image recalée. Si la position n&apos;est pas connue, l&apos;image le dit et ne montre pas de superposition.</translation>
+    </message>
+    <message>
+        <source>The case&apos;s folder, NAME.glisson, with a registration and a video.</source>
+        <translation>Dossier du cas, NAME.glisson, avec un recalage et une vidéo.</translation>
+    </message>
+    <message>
+        <source>Number of the frame, from 0.</source>
+        <translation>Numéro de l&apos;image, à partir de 0.</translation>
+    </message>
+    <message>
+        <source>The picture (.png, .jpg).</source>
+        <translation>L&apos;image (.png, .jpg).</translation>
+    </message>
+    <message>
+        <source>Follows the case&apos;s video and records it with vessels and tumours drawn in.</source>
+        <translation>Suit la vidéo du cas et l&apos;enregistre avec vaisseaux et tumeurs dessinés.</translation>
+    </message>
+    <message>
+        <source>Record only so many frames.</source>
+        <translation>N&apos;enregistrer que ce nombre d&apos;images.</translation>
+    </message>
+    <message>
+        <source>The video (.mkv).</source>
+        <translation>La vidéo (.mkv).</translation>
+    </message>
+    <message>
+        <source>frame %1</source>
+        <translation>image %1</translation>
+    </message>
+    <message>
+        <source>The load (JSON): gravity, pressure, forces, springs, fixed; see the manual.</source>
+        <translation>La charge (JSON) : pesanteur, pression, forces, ressorts, nœuds fixes ; voir le manuel.</translation>
     </message>
 </context>
 <context>

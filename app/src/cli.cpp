@@ -31,11 +31,9 @@ void clear_progress() {
   if (on_terminal()) std::fputs("\r\033[K", stderr);
 }
 
-void show_progress(const std::string& command, double fraction, std::string_view stage) {
+void show_progress(double fraction, const QString& doing) {
   if (!on_terminal()) return;
-  const QString doing = command.empty() ? QString() : ui::command_text(command) + "  ";
-  std::fprintf(stderr, "\r\033[K%3.0f %%  %s%s", 100.0 * fraction, doing.toUtf8().constData(),
-               ui::stage_text(stage).toUtf8().constData());
+  std::fprintf(stderr, "\r\033[K%3.0f %%  %s", 100.0 * fraction, doing.toUtf8().constData());
   std::fflush(stderr);
 }
 
@@ -79,9 +77,9 @@ void provide_runtime_folder() {
 
 Arguments::Arguments(const QString& command, const QString& description) : command_(command) {
   parser_.setApplicationDescription(description);
-  parser_.addOption({{"h", "help"}, text("Show this help.")});
-  option("seed", text("Seed of everything random."), "N", "1");
-  option("json", text("Write the figures to this file, as one flat JSON object."), "FILE");
+  parser_.addOption({{"h", "help"}, Cli::tr("Show this help.")});
+  option("seed", Cli::tr("Seed of everything random."), "N", "1");
+  option("json", Cli::tr("Write the figures to this file, as one flat JSON object."), "FILE");
 }
 
 void Arguments::positional(const QString& name, const QString& description, const QString& syntax) {
@@ -89,7 +87,8 @@ void Arguments::positional(const QString& name, const QString& description, cons
 }
 void Arguments::option(const QString& name, const QString& description, const QString& value_name,
                        const QString& fallback) {
-  const QString shown = fallback.isEmpty() ? description : description + text(" Default: %1.").arg(fallback);
+  const QString shown =
+      fallback.isEmpty() ? description : description + Cli::tr(" Default: %1.").arg(fallback);
   parser_.addOption({name, shown, value_name, fallback});
 }
 void Arguments::flag(const QString& name, const QString& description) {
@@ -177,8 +176,12 @@ std::uint64_t Arguments::seed() const {
 
 Session::Session(const Arguments& arguments)
     : arguments_(arguments),
-      context_([this](double fraction, std::string_view stage) { show_progress(command_, fraction, stage); },
-               interrupt_flag(), arguments.seed()),
+      context_(
+          [this](double fraction, std::string_view stage) {
+            const QString doing = command_.empty() ? QString() : ui::command_text(command_) + ": ";
+            show_progress(fraction, doing + ui::stage_text(stage));
+          },
+          interrupt_flag(), arguments.seed()),
       script_(context_),
       begin_(std::chrono::steady_clock::now()) {}
 
@@ -196,19 +199,20 @@ engine::Outcome Session::post(engine::Command command) {
 OverlayFrame Session::follow(engine::LiveInput input, double fraction) {
   auto overlay = script_.follow(std::move(input));
   if (!overlay) throw Interrupted();
-  show_progress({}, fraction, "frame " + std::to_string(overlay->index));
+  show_progress(fraction, Cli::tr("frame %1").arg(overlay->index));
   return *overlay;
 }
 
 void Session::finish() {
   figures["seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-  for (const std::string& note : notes) say(text("note: ") + ui::note_text(note));
-  for (const auto& [key, value] : texts)
-    say(QString("%1 %2").arg(QString::fromStdString(key), -36).arg(QString::fromStdString(value)));
+  for (const std::string& note : notes) say(Cli::tr("note: ") + ui::note_text(note));
   for (const auto& [key, value] : figures)
     say(QString("%1 %2")
             .arg(QString::fromStdString(key), -36)
-            .arg(std::isfinite(value) ? QString::number(value, 'g', 6) : text("unknown")));
+            .arg(std::isfinite(value) ? QString::number(value, 'g', 6) : Cli::tr("unknown")));
+  // Last, where the person looks: what was written where.
+  for (const auto& [key, value] : texts)
+    say(QString("%1 %2").arg(QString::fromStdString(key), -36).arg(QString::fromStdString(value)));
   if (arguments_.has("json")) write_figures(arguments_.path("json"), figures, texts);
 }
 

@@ -23,8 +23,10 @@
 
 namespace glisson::app {
 
-/// Strings for people on the command line.
-inline QString text(const char* source) { return QCoreApplication::translate("cli", source); }
+/// Strings for people on the command line: Cli::tr("...").
+struct Cli {
+  Q_DECLARE_TR_FUNCTIONS(cli)
+};
 
 /// Something is wrong with the command line itself; exit code 2.
 class UsageError : public Error {
@@ -45,6 +47,9 @@ class Arguments {
   void positional(const QString& name, const QString& description, const QString& syntax = {});
   void option(const QString& name, const QString& description, const QString& value_name,
               const QString& fallback = {});
+  void option(const QString& name, const QString& description, const QString& value_name, double fallback) {
+    option(name, description, value_name, QString::number(fallback));
+  }
   void flag(const QString& name, const QString& description);
 
   /// @return false when help was asked for and printed. @throws UsageError.

@@ -54,26 +54,30 @@ bool has_display() {
 }  // namespace
 
 int run_demo(const QStringList& given) {
-  Arguments arguments("demo", text("The main job from end to end: a patient becomes a model, an in-silico "
-                                   "theatre deforms and films the liver, the model "
-                                   "is registered to the pictures and follows the video; ends with an "
-                                   "overlay video and a report with the true errors."));
-  arguments.option("out", text("The folder for the results."), "DIR", "glisson-demo");
-  arguments.option("patient",
-                   text("Another patient than the synthetic one: a case, a label map, or surfaces (a folder "
-                        "by structure, or one file)."),
-                   "CASE|LABELMAP|SURFACES");
-  arguments.option("codes", text("What a label map's codes mean (JSON)."), "FILE");
-  arguments.option("unit", text("Unit of surfaces: mm, cm or m."), "UNIT", "mm");
-  arguments.option("vertices", text("Vertices of the model."), "N", "550");
-  arguments.option("frames", text("Length of the film, at 30 frames a second."), "N", "300");
-  arguments.option("distance", text("Distance of the laparoscope, mm (80 to 160)."), "MM", "120");
-  arguments.option("share", text("Share of the surface in the patch of the paper's protocol."), "SHARE",
-                   "0.3");
-  arguments.option("shape", text("Which member of the synthetic population."), "SEED", "1");
-  arguments.flag("headless", text("Do not open the window at the end."));
-  if (!arguments.parse(given)) return 0;
   experiments::DemoOptions options;
+  Arguments arguments("demo", Cli::tr("The main job from end to end: a patient becomes a model, an in-silico "
+                                      "theatre deforms and films the liver, the model "
+                                      "is registered to the pictures and follows the video; ends with an "
+                                      "overlay video and a report with the true errors."));
+  arguments.option("out", Cli::tr("The folder for the results."), "DIR", "glisson-demo");
+  arguments.option(
+      "patient",
+      Cli::tr("Another patient than the synthetic one: a case, a label map, or surfaces (a folder "
+              "by structure, or one file)."),
+      "CASE|LABELMAP|SURFACES");
+  arguments.option("codes", Cli::tr("What a label map's codes mean (JSON)."), "FILE");
+  arguments.option("unit", Cli::tr("Unit of surfaces: mm, cm or m."), "UNIT", "mm");
+  arguments.option("vertices", Cli::tr("Vertices of the model."), "N", options.vertices);
+  arguments.option("frames", Cli::tr("Length of the film, at 30 frames a second."), "N",
+                   options.theatre.frames);
+  arguments.option("distance", Cli::tr("Distance of the laparoscope, mm (80 to 160)."), "MM",
+                   options.theatre.camera_distance_mm);
+  arguments.option("share", Cli::tr("Share of the surface in the patch of the paper's protocol."), "SHARE",
+                   options.patch_share);
+  arguments.option("shape", Cli::tr("Which member of the synthetic population."), "SEED",
+                   static_cast<double>(options.synthetic.shape_seed));
+  arguments.flag("headless", Cli::tr("Do not open the window at the end."));
+  if (!arguments.parse(given)) return 0;
   options.patient = arguments.path("patient");
   if (!options.patient.empty() && !fs::exists(options.patient))
     throw FileError(options.patient.string() + ": does not exist. Check --patient.");

@@ -2,8 +2,6 @@
 #include <vtkLogger.h>
 
 #include <QCoreApplication>
-#include <QLocale>
-#include <QTranslator>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -13,21 +11,23 @@
 #include "cli.h"
 #include "commands.h"
 #include "glisson/ui/scene/headless_gui.h"
+#include "glisson/ui/shell/language.h"
 
 namespace glisson::app {
 
 namespace {
 
 void print_usage() {
-  say(
-      text("Glisson: planning and guidance of minimally invasive liver surgery. Research software: not for "
-           "clinical use."));
+  say(Cli::tr(
+      "Glisson: planning and guidance of minimally invasive liver surgery. Research software: not for "
+      "clinical use."));
   say(QString());
-  say(text("Usage: glisson [CASE]              open the window"));
-  say(text("       glisson COMMAND [OPTIONS]   work without a display; 'glisson COMMAND --help' tells more"));
+  say(Cli::tr("Usage: glisson [CASE]              open the window"));
+  say(Cli::tr(
+      "       glisson COMMAND [OPTIONS]   work without a display; 'glisson COMMAND --help' tells more"));
   say(QString());
   for (const SubCommand& command : sub_commands())
-    say(QString("  %1 %2").arg(command.name, -12).arg(text(command.description)));
+    say(QString("  %1 %2").arg(command.name, -12).arg(Cli::tr(command.description)));
 }
 
 int run(int argc, char** argv) {
@@ -41,13 +41,15 @@ int run(int argc, char** argv) {
       gui.emplace();
     else
       application.emplace(argc, argv);
+    ui::set_up_language(*QCoreApplication::instance());
     catch_interrupts();
     QStringList arguments;
     for (int i = 2; i < argc; ++i) arguments << QString::fromLocal8Bit(argv[i]);
     return command.run(arguments);
   }
   if (std::strcmp(first, "--help") == 0 || std::strcmp(first, "-h") == 0 || std::strcmp(first, "help") == 0) {
-    const QCoreApplication application(argc, argv);
+    QCoreApplication application(argc, argv);
+    ui::set_up_language(application);
     print_usage();
     return 0;
   }

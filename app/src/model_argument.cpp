@@ -11,13 +11,15 @@ namespace fs = std::filesystem;
 void declare_model(Arguments& arguments) {
   arguments.option(
       "model",
-      text("The model: a case (NAME.glisson), a tetrahedral mesh (.vtu, legacy .vtk, .msh), a closed surface "
-           "(.vtk .vtp .stl .obj .ply) or a folder of surfaces."),
+      Cli::tr(
+          "The model: a case (NAME.glisson), a tetrahedral mesh (.vtu, legacy .vtk, .msh), a closed surface "
+          "(.vtk .vtp .stl .obj .ply) or a folder of surfaces."),
       "M");
-  arguments.option("unit", text("Unit of the model's files and of what is written: mm, cm or m."), "UNIT",
+  arguments.option("unit", Cli::tr("Unit of the model's files and of what is written: mm, cm or m."), "UNIT",
                    "mm");
-  arguments.option("vertices", text("Vertices wanted when a surface is meshed."), "N", "550");
-  arguments.option("landmarks", text("Landmarks of the model (JSON, LPS mm)."), "FILE");
+  arguments.option("vertices", Cli::tr("Vertices wanted when a surface is meshed."), "N",
+                   model::ModelOptions().mesh.target_vertices);
+  arguments.option("landmarks", Cli::tr("Landmarks of the model (JSON, LPS mm)."), "FILE");
 }
 
 ModelArgument load_model(const Arguments& arguments, Session& session) {
@@ -73,11 +75,11 @@ Points read_true_nodes(const fs::path& path, LengthUnit unit) {
 void declare_materials(Arguments& arguments) {
   QStringList names;
   for (const std::string& name : fem::composite_preset_names()) names << QString::fromStdString(name);
-  arguments.option("materials", text("What the liver is made of: %1.").arg(names.join(", ")), "NAME",
+  arguments.option("materials", Cli::tr("What the liver is made of: %1.").arg(names.join(", ")), "NAME",
                    "healthy");
-  arguments.flag("homogeneous", text("Parenchyma only: no vessels, no capsule."));
-  arguments.option("young", text("Young's modulus of the parenchyma, Pa."), "E");
-  arguments.option("poisson", text("Poisson's ratio of the parenchyma."), "NU");
+  arguments.flag("homogeneous", Cli::tr("Parenchyma only: no vessels, no capsule."));
+  arguments.option("young", Cli::tr("Young's modulus of the parenchyma, Pa."), "E");
+  arguments.option("poisson", Cli::tr("Poisson's ratio of the parenchyma."), "NU");
 }
 
 fem::CompositeOptions materials(const Arguments& arguments) {

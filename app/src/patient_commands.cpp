@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 namespace {
 
 void declare_case(Arguments& arguments) {
-  arguments.option("case", text("The case's folder, NAME.glisson."), "CASE");
+  arguments.option("case", Cli::tr("The case's folder, NAME.glisson."), "CASE");
 }
 
 void open_case(const Arguments& arguments, Session& session) {
@@ -39,9 +39,9 @@ std::vector<std::uint8_t> truth_mask(const fs::path& path, const LabelCodes& cod
 int run_import(const QStringList& given) {
   Arguments arguments(
       "import",
-      text("Reads a CT (a folder of DICOM slices, a .tar.gz of one, NIfTI, NRRD, MetaImage) into a case, "
-           "which is made if there is none."));
-  arguments.positional("INPUT", text("The volume."));
+      Cli::tr("Reads a CT (a folder of DICOM slices, a .tar.gz of one, NIfTI, NRRD, MetaImage) into a case, "
+              "which is made if there is none."));
+  arguments.positional("INPUT", Cli::tr("The volume."));
   declare_case(arguments);
   if (!arguments.parse(given)) return 0;
   const QString input = arguments.positionals(1, 1).front();
@@ -55,13 +55,14 @@ int run_import(const QStringList& given) {
 }
 
 int run_segment(const QStringList& given) {
-  Arguments arguments("segment", text("Segments the liver, its vessels and lesions from seeds."));
+  Arguments arguments("segment", Cli::tr("Segments the liver, its vessels and lesions from seeds."));
   declare_case(arguments);
-  arguments.option("seeds", text("What was clicked (JSON, LPS mm)."), "FILE");
-  arguments.option(
-      "truth", text("Labels of an expert: adds the Dice coefficient. Read after everything else."), "FILE");
-  arguments.option("truth-codes", text("What the expert's codes mean (JSON)."), "FILE");
-  arguments.option("labels-out", text("Also write the labels here (.seg.nrrd, .nii.gz)."), "FILE");
+  arguments.option("seeds", Cli::tr("What was clicked (JSON, LPS mm)."), "FILE");
+  arguments.option("truth",
+                   Cli::tr("Labels of an expert: adds the Dice coefficient. Read after everything else."),
+                   "FILE");
+  arguments.option("truth-codes", Cli::tr("What the expert's codes mean (JSON)."), "FILE");
+  arguments.option("labels-out", Cli::tr("Also write the labels here (.seg.nrrd, .nii.gz)."), "FILE");
   if (!arguments.parse(given)) return 0;
   const fs::path seeds = arguments.required_path("seeds");
   if (arguments.has("labels-out")) arguments.output_file("labels-out");
@@ -82,22 +83,24 @@ int run_segment(const QStringList& given) {
 }
 
 int run_model(const QStringList& given) {
-  Arguments arguments("model", text("Builds the biomechanical model: tetrahedra, vessels, anterior margin."));
+  model::ModelOptions options;
+  Arguments arguments("model",
+                      Cli::tr("Builds the biomechanical model: tetrahedra, vessels, anterior margin."));
   declare_case(arguments);
-  arguments.option("labels", text("Labels to take instead of the case's."), "FILE");
+  arguments.option("labels", Cli::tr("Labels to take instead of the case's."), "FILE");
   arguments.option(
-      "codes", text("What their codes mean: JSON, {\"6\": \"parenchyma\", \"10\": \"portal_vein\", ...}."),
+      "codes", Cli::tr("What their codes mean: JSON, {\"6\": \"parenchyma\", \"10\": \"portal_vein\", ...}."),
       "FILE");
   arguments.option("surfaces",
-                   text("Closed surfaces to take instead of labels: a folder by structure, or one file."),
+                   Cli::tr("Closed surfaces to take instead of labels: a folder by structure, or one file."),
                    "PATH");
-  arguments.option("unit", text("Unit of the surfaces: mm, cm or m."), "UNIT", "mm");
-  arguments.option("vertices", text("Vertices wanted."), "N", "550");
-  arguments.option(
-      "truth", text("A fine surface of the liver: adds the distances. Read after everything else."), "FILE");
-  arguments.option("mesh-out", text("Also write the mesh here (.vtu, .vtk)."), "FILE");
+  arguments.option("unit", Cli::tr("Unit of the surfaces: mm, cm or m."), "UNIT", "mm");
+  arguments.option("vertices", Cli::tr("Vertices wanted."), "N", options.mesh.target_vertices);
+  arguments.option("truth",
+                   Cli::tr("A fine surface of the liver: adds the distances. Read after everything else."),
+                   "FILE");
+  arguments.option("mesh-out", Cli::tr("Also write the mesh here (.vtu, .vtk)."), "FILE");
   if (!arguments.parse(given)) return 0;
-  model::ModelOptions options;
   options.mesh.target_vertices = arguments.integer("vertices", 50, 200000);
   if (arguments.has("mesh-out")) arguments.output_file("mesh-out");
   arguments.require_existing("truth");

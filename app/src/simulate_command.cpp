@@ -16,30 +16,30 @@ fem::LinearSolver linear_solver(const QString& name) {
 }  // namespace
 
 int run_simulate(const QStringList& given) {
-  Arguments arguments("simulate", text("Plain mechanics: a load on the model. Writes deformed meshes with "
-                                       "displacement and von Mises stress, and steps.csv "
-                                       "with energies, residuals and time per step."));
+  engine::Simulate command;
+  Arguments arguments("simulate", Cli::tr("Plain mechanics: a load on the model. Writes deformed meshes with "
+                                          "displacement and von Mises stress, and steps.csv "
+                                          "with energies, residuals and time per step."));
   declare_model(arguments);
   declare_materials(arguments);
   arguments.option(
-      "load",
-      text("The load (JSON): gravity, pressure, forces, springs, fixed; see the fem module's README."),
-      "FILE");
-  arguments.option("steps", text("Steps of the dynamics."), "N", "100");
-  arguments.option("dt", text("Time step, s."), "S", "0.02");
-  arguments.flag("static", text("The equilibrium instead of the dynamics."));
+      "load", Cli::tr("The load (JSON): gravity, pressure, forces, springs, fixed; see the manual."), "FILE");
+  arguments.option("steps", Cli::tr("Steps of the dynamics."), "N", command.options.steps);
+  arguments.option("dt", Cli::tr("Time step, s."), "S", command.options.time_step);
+  arguments.flag("static", Cli::tr("The equilibrium instead of the dynamics."));
   arguments.option("solver",
-                   text("Linear solver: direct (a fresh factor every step), fast (two-level "
-                        "conjugate gradients, for 10,000 tetrahedra and more) or reference "
-                        "(CHOLMOD)."),
+                   Cli::tr("Linear solver: direct (a fresh factor every step), fast (two-level "
+                           "conjugate gradients, for 10,000 tetrahedra and more) or reference "
+                           "(CHOLMOD)."),
                    "NAME", "direct");
-  arguments.option("tolerance", text("Relative residual of the fast solver."), "R", "1e-6");
-  arguments.option("every", text("Write a mesh every so many steps (the last is always written)."), "N", "1");
-  arguments.flag("neo-hookean", text("The non-linear law instead of the co-rotational one."));
-  arguments.option("out", text("The folder for the results."), "DIR");
+  arguments.option("tolerance", Cli::tr("Relative residual of the fast solver."), "R",
+                   command.options.solver_tolerance);
+  arguments.option("every", Cli::tr("Write a mesh every so many steps (the last is always written)."), "N",
+                   command.every);
+  arguments.flag("neo-hookean", Cli::tr("The non-linear law instead of the co-rotational one."));
+  arguments.option("out", Cli::tr("The folder for the results."), "DIR");
   if (!arguments.parse(given)) return 0;
   OutputFolder out(arguments.required_path("out"));
-  engine::Simulate command;
   command.load = fem::read_load_case(arguments.required_path("load"));
   command.options.steps = arguments.integer("steps", 1, 10000000);
   command.options.time_step = arguments.number("dt", 1e-6, 10.0);

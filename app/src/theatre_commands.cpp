@@ -178,19 +178,20 @@ stereo::CloudErrors cloud_truth(const Arguments& arguments, const engine::CaseSt
 
 int run_reconstruct(const QStringList& given) {
   Arguments arguments("reconstruct",
-                      text("Turns a stereo pair into a labelled cloud in the left camera's frame."));
-  arguments.option("left", text("The left picture."), "L");
-  arguments.option("right", text("The right picture."), "R");
-  arguments.option("calibration", text("OpenCV YAML: M1 D1 M2 D2 R T image_width image_height unit."), "C");
-  arguments.option("mask", text("What of the left picture is tissue (non-zero)."), "M");
-  arguments.option("regions", text("Clicked regions (JSON): only what lies in one is kept, with its label."),
-                   "R.json");
-  arguments.flag("dense", text("Semi-global matching instead of features."));
-  arguments.option("out", text("The cloud (PLY)."), "cloud.ply");
-  arguments.option("unit", text("Unit of the cloud and of --truth: mm, cm or m."), "UNIT", "mm");
+                      Cli::tr("Turns a stereo pair into a labelled cloud in the left camera's frame."));
+  arguments.option("left", Cli::tr("The left picture."), "L");
+  arguments.option("right", Cli::tr("The right picture."), "R");
+  arguments.option("calibration", Cli::tr("OpenCV YAML: M1 D1 M2 D2 R T image_width image_height unit."),
+                   "C");
+  arguments.option("mask", Cli::tr("What of the left picture is tissue (non-zero)."), "M");
+  arguments.option(
+      "regions", Cli::tr("Clicked regions (JSON): only what lies in one is kept, with its label."), "R.json");
+  arguments.flag("dense", Cli::tr("Semi-global matching instead of features."));
+  arguments.option("out", Cli::tr("The cloud (PLY)."), "cloud.ply");
+  arguments.option("unit", Cli::tr("Unit of the cloud and of --truth: mm, cm or m."), "UNIT", "mm");
   arguments.option("truth",
-                   text("A surface in the left camera's frame, or its depth map (.pfm, mm): adds the "
-                        "distances. Read after everything else."),
+                   Cli::tr("A surface in the left camera's frame, or its depth map (.pfm, mm): adds the "
+                           "distances. Read after everything else."),
                    "FILE");
   if (!arguments.parse(given)) return 0;
   const fs::path out = arguments.output_file("out");
@@ -221,29 +222,31 @@ int run_reconstruct(const QStringList& given) {
 int run_register(const QStringList& given) {
   Arguments arguments(
       "register",
-      text("Registers a model to a cloud: rigid start, then elastically. What is written keeps the model's "
-           "node "
-           "order and unit and is in the cloud's frame; its field data cloud_from_model is the rigid part."));
+      Cli::tr(
+          "Registers a model to a cloud: rigid start, then elastically. What is written keeps the model's "
+          "node "
+          "order and unit and is in the cloud's frame; its field data cloud_from_model is the rigid part."));
   declare_model(arguments);
   declare_materials(arguments);
   arguments.option("cloud",
-                   text("The cloud (PLY); an integer property label is optional: 1 surface, 2 anterior "
-                        "margin, 3 umbilical notch."),
+                   Cli::tr("The cloud (PLY); an integer property label is optional: 1 surface, 2 anterior "
+                           "margin, 3 umbilical notch."),
                    "cloud.ply");
-  arguments.option("cloud-unit", text("Unit of the cloud: mm, cm or m. Without it, the model's."), "UNIT");
-  arguments.option("rigid", text("Rigid start: auto, none, or a file with a 4 x 4 matrix cloud_from_model."),
+  arguments.option("cloud-unit", Cli::tr("Unit of the cloud: mm, cm or m. Without it, the model's."), "UNIT");
+  arguments.option("rigid",
+                   Cli::tr("Rigid start: auto, none, or a file with a 4 x 4 matrix cloud_from_model."),
                    "auto|none|FILE", "auto");
-  arguments.option("fixed", text("Nodes that stay where the rigid start puts them (0-based numbers)."),
+  arguments.option("fixed", Cli::tr("Nodes that stay where the rigid start puts them (0-based numbers)."),
                    "FILE");
   arguments.option(
       "prior",
-      text("What is known of the deformation before the cloud is seen: operations (simulated on this "
-           "model; needs the vena cava's landmark) or none (elasticity alone, the paper's method)."),
+      Cli::tr("What is known of the deformation before the cloud is seen: operations (simulated on this "
+              "model; needs the vena cava's landmark) or none (elasticity alone, the paper's method)."),
       "operations|none", "operations");
-  arguments.option("truth",
-                   text("True node positions (.xyz or a mesh): adds the errors. Read after everything else."),
-                   "FILE");
-  arguments.option("out", text("The registered mesh (.vtu), or surface (.vtp) when a surface was given."),
+  arguments.option(
+      "truth", Cli::tr("True node positions (.xyz or a mesh): adds the errors. Read after everything else."),
+      "FILE");
+  arguments.option("out", Cli::tr("The registered mesh (.vtu), or surface (.vtp) when a surface was given."),
                    "registered.vtu");
   if (!arguments.parse(given)) return 0;
   const fs::path out = arguments.output_file("out");
@@ -282,26 +285,31 @@ int run_register(const QStringList& given) {
 }
 
 int run_track(const QStringList& given) {
-  Arguments arguments("track", text("Follows a stereo video, or a series of clouds, from a registered start. "
-                                    "Every frame is processed; one mesh a "
-                                    "frame is written, numbered like its input."));
+  Arguments arguments("track",
+                      Cli::tr("Follows a stereo video, or a series of clouds, from a registered start. "
+                              "Every frame is processed; one mesh a "
+                              "frame is written, numbered like its input."));
   declare_model(arguments);
   declare_materials(arguments);
-  arguments.option("start", text("What 'glisson register' wrote for this model and the first frame."),
+  arguments.option("start", Cli::tr("What 'glisson register' wrote for this model and the first frame."),
                    "registered.vtu");
-  arguments.option("video", text("Stereo video, views side by side."), "V");
-  arguments.option("video-right", text("The right view, when it is a file of its own."), "V");
-  arguments.option("calibration", text("OpenCV YAML of the laparoscope."), "C");
-  arguments.option("mask", text("What of the left picture is tissue (non-zero)."), "M");
-  arguments.option("clouds", text("Series of clouds instead of a video, e.g. 'cloud_%02d.ply'."), "PATTERN");
-  arguments.option("cloud-unit", text("Unit of the clouds: mm, cm or m. Without it, the model's."), "UNIT");
-  arguments.option("cloud-steps", text("Steps towards each cloud."), "N", "50");
-  arguments.option("fixed", text("Nodes that do not move (0-based numbers)."), "FILE");
-  arguments.option("truth",
-                   text("Series of true node positions, e.g. 'truth_%02d.xyz'; may lack frames. Read after "
-                        "everything else."),
+  arguments.option("video", Cli::tr("Stereo video, views side by side."), "V");
+  arguments.option("video-right", Cli::tr("The right view, when it is a file of its own."), "V");
+  arguments.option("calibration", Cli::tr("OpenCV YAML of the laparoscope."), "C");
+  arguments.option("mask", Cli::tr("What of the left picture is tissue (non-zero)."), "M");
+  arguments.option("clouds", Cli::tr("Series of clouds instead of a video, e.g. 'cloud_%02d.ply'."),
                    "PATTERN");
-  arguments.option("out", text("The folder for the meshes."), "DIR");
+  arguments.option("cloud-unit", Cli::tr("Unit of the clouds: mm, cm or m. Without it, the model's."),
+                   "UNIT");
+  arguments.option("cloud-steps", Cli::tr("Steps towards each cloud."), "N",
+                   engine::StartTracking().steps_per_cloud);
+  arguments.option("fixed", Cli::tr("Nodes that do not move (0-based numbers)."), "FILE");
+  arguments.option(
+      "truth",
+      Cli::tr("Series of true node positions, e.g. 'truth_%02d.xyz'; may lack frames. Read after "
+              "everything else."),
+      "PATTERN");
+  arguments.option("out", Cli::tr("The folder for the meshes."), "DIR");
   if (!arguments.parse(given)) return 0;
   OutputFolder out(arguments.required_path("out"));
   if (arguments.has("video") == arguments.has("clouds"))

@@ -10,12 +10,13 @@ namespace glisson::app {
 int run_render(const QStringList& given) {
   Arguments arguments(
       "render",
-      text(
+      Cli::tr(
           "Draws one frame of the case's video with vessels and tumours, followed from the registered frame. "
           "Where the position is not known, the picture says so and shows no overlay."));
-  arguments.option("case", text("The case's folder, NAME.glisson, with a registration and a video."), "CASE");
-  arguments.option("frame", text("Number of the frame, from 0."), "N", "0");
-  arguments.option("out", text("The picture (.png, .jpg)."), "picture.png");
+  arguments.option("case", Cli::tr("The case's folder, NAME.glisson, with a registration and a video."),
+                   "CASE");
+  arguments.option("frame", Cli::tr("Number of the frame, from 0."), "N", "0");
+  arguments.option("out", Cli::tr("The picture (.png, .jpg)."), "picture.png");
   if (!arguments.parse(given)) return 0;
   const std::filesystem::path out = arguments.output_file("out");
   const int wanted = arguments.integer("frame", 0, 10000000);
@@ -39,10 +40,11 @@ int run_render(const QStringList& given) {
 
 int run_overlay(const QStringList& given) {
   Arguments arguments("overlay",
-                      text("Follows the case's video and records it with vessels and tumours drawn in."));
-  arguments.option("case", text("The case's folder, NAME.glisson, with a registration and a video."), "CASE");
-  arguments.option("frames", text("Record only so many frames."), "N");
-  arguments.option("out", text("The video (.mkv)."), "overlay.mkv");
+                      Cli::tr("Follows the case's video and records it with vessels and tumours drawn in."));
+  arguments.option("case", Cli::tr("The case's folder, NAME.glisson, with a registration and a video."),
+                   "CASE");
+  arguments.option("frames", Cli::tr("Record only so many frames."), "N");
+  arguments.option("out", Cli::tr("The video (.mkv)."), "overlay.mkv");
   if (!arguments.parse(given)) return 0;
   const std::filesystem::path out = arguments.output_file("out");
   Session session(arguments);

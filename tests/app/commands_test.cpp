@@ -90,7 +90,8 @@ class CommandsTest : public QObject {
 
   fs::path at(const char* name) const { return folder_->path() / name; }
   QString text_of(const char* name) const { return QString::fromStdString(at(name).string()); }
-  Ran run(const QStringList& arguments) const {
+  /// @param locale of the system; its files are in the folder "locales" where they have been made.
+  Ran run(const QStringList& arguments, const QString& locale = QStringLiteral("C.UTF-8")) const {
     QProcess process;
     process.setWorkingDirectory(QString::fromStdString(folder_->path().string()));
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
@@ -98,6 +99,9 @@ class CommandsTest : public QObject {
     environment.remove("WAYLAND_DISPLAY");
     // As in a container or a cron job: what Qt then says must not reach the person.
     environment.remove("XDG_RUNTIME_DIR");
+    environment.remove("LANGUAGE");
+    environment.insert("LC_ALL", locale);
+    if (fs::exists(at("locales"))) environment.insert("LOCPATH", text_of("locales"));
     process.setProcessEnvironment(environment);
     process.start(GLISSON_EXECUTABLE, arguments);
     if (!process.waitForFinished(500000)) return {};
@@ -128,6 +132,8 @@ class CommandsTest : public QObject {
   void cleanup() { folder_.reset(); }
 
   void EveryCommandHelps();
+  void HelpIsInThePersonsLanguage();
+  void NumbersInFilesAreTheSameInEveryLanguage();
   void WrongUsageIsRefusedWithCodeTwo();
   void MissingInputIsNamed();
   void APlaceThatCannotBeWrittenIsRefusedBeforeTheWork();
@@ -159,6 +165,35 @@ void CommandsTest::EveryCommandHelps() {
   const Ran ran = run({"--help"});
   QCOMPARE(ran.code, 0);
   QVERIFY(ran.out.contains("reconstruct"));
+}
+
+void CommandsTest::HelpIsInThePersonsLanguage() {
+  QVERIFY(run({"simulate", "--help"}).out.contains("Time step, s."));
+  QVERIFY(run({"simulate", "--help"}, "de_DE.UTF-8").out.contains("Zeitschritt, s."));
+  QVERIFY(run({"simulate", "--help"}, "fr_FR.UTF-8").out.contains("Pas de temps, s."));
+  QVERIFY(run({"--help"}, "de_DE.UTF-8").out.contains("nicht für den klinischen Gebrauch"));
+}
+
+void CommandsTest::NumbersInFilesAreTheSameInEveryLanguage() {
+  // Germany writes 0,5. The system may lack that locale: it is made here.
+  fs::create_directory(at("locales"));
+  if (QProcess::execute("localedef", {"-i", "de_DE", "-f", "UTF-8", text_of("locales/de_DE.UTF-8")}) != 0)
+    QSKIP("localedef or its sources are not installed");
+  TriangleMesh mesh = boundary_surface(ball()).mesh;
+  const Eigen::Index liver = mesh.vertices.rows(), triangles = mesh.triangles.rows();
+  mesh.vertices.conservativeResize(2 * liver, 3);
+  mesh.vertices.bottomRows(liver) =
+      (0.1 * mesh.vertices.topRows(liver)).rowwise() + Eigen::RowVector3d(0.2, 0, 0);
+  mesh.triangles.conservativeResize(2 * triangles, 3);
+  mesh.triangles.bottomRows(triangles) = mesh.triangles.topRows(triangles).array() + static_cast<int>(liver);
+  write_triangle_mesh(at("liver.vtp"), mesh, LengthUnit::millimetre);
+  const auto case_file = [&](const char* name, const QString& locale) {
+    const Ran ran = run({"model", "--surfaces", "liver.vtp", "--case", name}, locale);
+    return ran.code == 0 ? QString::fromStdString(read_file(at(name) / "case.json")) : ran.error;
+  };
+  const QString here = case_file("a.glisson", "C.UTF-8");
+  QVERIFY2(here.contains("liver.piece_dropped"), qPrintable(here));
+  QCOMPARE(case_file("b.glisson", "de_DE.UTF-8"), here);
 }
 
 void CommandsTest::WrongUsageIsRefusedWithCodeTwo() {

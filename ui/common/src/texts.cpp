@@ -29,6 +29,7 @@ class Texts {
             {"import_cloud", tr("Reading the cloud")},
             {"register", tr("Registering")},
             {"import_registration", tr("Reading the registration")},
+            {"simulate", tr("Simulating")},
             {"start_tracking", tr("Starting the tracking")},
             {"stop_tracking", tr("Stopping the tracking")},
             {"open_case", tr("Opening the case")},
@@ -46,6 +47,7 @@ class Texts {
             {"case.saved", tr("saved")},
             {"segmentation.prepare", tr("preparing")},
             {"segmentation.start", tr("growing from the seeds")},
+            {"segmentation.vesselness", tr("looking for tubes")},
             {"segmentation.contour", tr("fitting the liver's surface")},
             {"segmentation.trees", tr("growing the vessels")},
             {"segmentation.finish", tr("cleaning up")},
@@ -69,7 +71,21 @@ class Texts {
             {"registration.rigid", tr("rigid start")},
             {"registration.operations", tr("simulated operations")},
             {"registration.shape", tr("most probable shape")},
-            {"registration.elastic", tr("elastic deformation")}};
+            {"registration.elastic", tr("elastic deformation")},
+            {"fem.step", tr("steps in time")},
+            {"fem.static", tr("looking for the equilibrium")},
+            {"patient.shape", tr("shaping a synthetic liver")},
+            {"patient.vessels", tr("growing its vessels")},
+            {"patient.ct", tr("making its CT")},
+            {"patient.scan", tr("making its CT")},
+            {"patient.surfaces", tr("measuring the true surfaces")},
+            {"theatre.gas", tr("inflating the abdomen")},
+            {"theatre.breathing", tr("letting the patient breathe")},
+            {"theatre.heartbeat", tr("letting the heart beat")},
+            {"theatre.camera", tr("placing the laparoscope")},
+            {"theatre.ready", tr("placing the laparoscope")},
+            {"theatre.film", tr("filming the liver")},
+            {"demo.track", tr("following the film")}};
   }
   static QHash<QString, QString> structures() {
     return {{"background", tr("Background")},   {"parenchyma", tr("Liver")},

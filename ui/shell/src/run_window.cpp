@@ -4,19 +4,15 @@
 #include <QApplication>
 #include <QFile>
 #include <QIcon>
-#include <QLocale>
 #include <QStyleFactory>
-#include <QTranslator>
 
 #include "glisson/ui/common/render_view.h"
+#include "glisson/ui/shell/language.h"
 #include "glisson/ui/shell/main_window.h"
 #include "glisson/ui/shell/screenshot_tour.h"
 
 // The resources are in a static library: without a mention the linker leaves them out.
-static void load_resources() {
-  Q_INIT_RESOURCE(resources);
-  Q_INIT_RESOURCE(glisson_translations);
-}
+static void load_resources() { Q_INIT_RESOURCE(resources); }
 
 namespace glisson::ui {
 
@@ -28,10 +24,7 @@ void dress_application(QApplication& application) {
   QApplication::setApplicationDisplayName(QStringLiteral("Glisson"));
   QApplication::setWindowIcon(QIcon(QStringLiteral(":/glisson/icons/glisson.svg")));
   QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
-  auto* translator = new QTranslator(&application);
-  if (translator->load(QLocale(), QStringLiteral("glisson"), QStringLiteral("_"),
-                       QStringLiteral(":/glisson/translations")))
-    QApplication::installTranslator(translator);
+  set_up_language(application);
   QFile style(QStringLiteral(":/glisson/styles/dark.qss"));
   if (style.open(QIODevice::ReadOnly)) application.setStyleSheet(QString::fromUtf8(style.readAll()));
 }
