@@ -960,8 +960,8 @@
         <translation>Nabelkerbe</translation>
     </message>
     <message>
-        <source>Where the round ligament enters (orange).</source>
-        <translation>Wo das runde Leberband eintritt (orange).</translation>
+        <source>Where the round ligament enters (magenta).</source>
+        <translation>Wo das runde Leberband eintritt (magenta).</translation>
     </message>
     <message>
         <source>Vena cava</source>
@@ -1037,10 +1037,6 @@
     <message>
         <source>1. Initial registration</source>
         <translation>1. Erste Registrierung</translation>
-    </message>
-    <message>
-        <source>Rigid start from the labelled features, then the elastic model is drawn to the points.</source>
-        <translation>Starrer Start aus den markierten Merkmalen, dann wird das elastische Modell zu den Punkten gezogen.</translation>
     </message>
     <message>
         <source>Register</source>
@@ -1225,6 +1221,10 @@
     <message>
         <source>The registered frame or the calibration is missing.</source>
         <translation>Das registrierte Bild oder die Kalibrierung fehlt.</translation>
+    </message>
+    <message>
+        <source>Rigid start from the labelled features; then the shape that simulated operations on this liver make most probable, drawn to the points.</source>
+        <translation>Starrer Start aus den markierten Merkmalen; dann die Form, die simulierte Operationen an dieser Leber am wahrscheinlichsten machen, zu den Punkten gezogen.</translation>
     </message>
 </context>
 <context>

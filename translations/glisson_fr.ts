@@ -129,11 +129,11 @@
     </message>
     <message>
         <source>Less than a fifth of the organ&apos;s surface was seen: far from it vessels and tumours may be centimetres off.</source>
-        <translation>Moins d&apos;un cinquième de la surface de l&apos;organe a été vu : loin de là, vaisseaux et tumeurs peuvent être décalés de plusieurs centimètres.</translation>
+        <translation>Moins d&apos;un cinquième de la surface de l&apos;organe a été vu&#xa0;: loin de là, vaisseaux et tumeurs peuvent être décalés de plusieurs centimètres.</translation>
     </message>
     <message>
         <source>Two different shapes of the organ explain the points almost equally well; the better one was taken.</source>
-        <translation>Deux formes différentes de l&apos;organe expliquent presque aussi bien les points ; la meilleure a été prise.</translation>
+        <translation>Deux formes différentes de l&apos;organe expliquent presque aussi bien les points&#xa0;; la meilleure a été prise.</translation>
     </message>
     <message>
         <source>The organ would be bent as in hardly any simulated operation.</source>
@@ -546,11 +546,11 @@
     </message>
     <message>
         <source> Default: %1.</source>
-        <translation> Par défaut : %1.</translation>
+        <translation> Par défaut&#xa0;: %1.</translation>
     </message>
     <message>
         <source>note: </source>
-        <translation>remarque : </translation>
+        <translation>remarque&#xa0;: </translation>
     </message>
     <message>
         <source>unknown</source>
@@ -558,7 +558,7 @@
     </message>
     <message>
         <source>The main job from end to end: a patient becomes a model, an in-silico theatre deforms and films the liver, the model is registered to the pictures and follows the video; ends with an overlay video and a report with the true errors.</source>
-        <translation>Tout le parcours : un patient devient un modèle, un bloc opératoire virtuel déforme et filme le foie, le modèle est recalé sur les images et suit la vidéo ; à la fin, une vidéo avec superposition et un rapport avec les erreurs vraies.</translation>
+        <translation>Tout le parcours&#xa0;: un patient devient un modèle, un bloc opératoire virtuel déforme et filme le foie, le modèle est recalé sur les images et suit la vidéo&#xa0;; à la fin, une vidéo avec superposition et un rapport avec les erreurs vraies.</translation>
     </message>
     <message>
         <source>The folder for the results.</source>
@@ -566,7 +566,7 @@
     </message>
     <message>
         <source>Another patient than the synthetic one: a case, a label map, or surfaces (a folder by structure, or one file).</source>
-        <translation>Un autre patient que le synthétique : un cas, une carte d&apos;étiquettes ou des surfaces (un dossier par structure, ou un fichier).</translation>
+        <translation>Un autre patient que le synthétique&#xa0;: un cas, une carte d&apos;étiquettes ou des surfaces (un dossier par structure, ou un fichier).</translation>
     </message>
     <message>
         <source>What a label map&apos;s codes mean (JSON).</source>
@@ -574,7 +574,7 @@
     </message>
     <message>
         <source>Unit of surfaces: mm, cm or m.</source>
-        <translation>Unité des surfaces : mm, cm ou m.</translation>
+        <translation>Unité des surfaces&#xa0;: mm, cm ou m.</translation>
     </message>
     <message>
         <source>Vertices of the model.</source>
@@ -602,23 +602,23 @@
     </message>
     <message>
         <source>Glisson: planning and guidance of minimally invasive liver surgery. Research software: not for clinical use.</source>
-        <translation>Glisson : planification et guidage de la chirurgie hépatique mini-invasive. Logiciel de recherche : pas d&apos;usage clinique.</translation>
+        <translation>Glisson&#xa0;: planification et guidage de la chirurgie hépatique mini-invasive. Logiciel de recherche&#xa0;: pas d&apos;usage clinique.</translation>
     </message>
     <message>
         <source>Usage: glisson [CASE]              open the window</source>
-        <translation>Usage : glisson [CASE]             ouvre la fenêtre</translation>
+        <translation>Usage&#xa0;: glisson [CASE]             ouvre la fenêtre</translation>
     </message>
     <message>
         <source>       glisson COMMAND [OPTIONS]   work without a display; &apos;glisson COMMAND --help&apos; tells more</source>
-        <translation>        glisson COMMAND [OPTIONS]  travaille sans écran ; &apos;glisson COMMAND --help&apos; en dit plus</translation>
+        <translation>        glisson COMMAND [OPTIONS]  travaille sans écran&#xa0;; &apos;glisson COMMAND --help&apos; en dit plus</translation>
     </message>
     <message>
         <source>The model: a case (NAME.glisson), a tetrahedral mesh (.vtu, legacy .vtk, .msh), a closed surface (.vtk .vtp .stl .obj .ply) or a folder of surfaces.</source>
-        <translation>Le modèle : un cas (NAME.glisson), un maillage de tétraèdres (.vtu, ancien .vtk, .msh), une surface fermée (.vtk .vtp .stl .obj .ply) ou un dossier de surfaces.</translation>
+        <translation>Le modèle&#xa0;: un cas (NAME.glisson), un maillage de tétraèdres (.vtu, ancien .vtk, .msh), une surface fermée (.vtk .vtp .stl .obj .ply) ou un dossier de surfaces.</translation>
     </message>
     <message>
         <source>Unit of the model&apos;s files and of what is written: mm, cm or m.</source>
-        <translation>Unité des fichiers du modèle et des résultats : mm, cm ou m.</translation>
+        <translation>Unité des fichiers du modèle et des résultats&#xa0;: mm, cm ou m.</translation>
     </message>
     <message>
         <source>Vertices wanted when a surface is meshed.</source>
@@ -630,11 +630,11 @@
     </message>
     <message>
         <source>What the liver is made of: %1.</source>
-        <translation>De quoi le foie est fait : %1.</translation>
+        <translation>De quoi le foie est fait&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Parenchyma only: no vessels, no capsule.</source>
-        <translation>Parenchyme seul : ni vaisseaux ni capsule.</translation>
+        <translation>Parenchyme seul&#xa0;: ni vaisseaux ni capsule.</translation>
     </message>
     <message>
         <source>Young&apos;s modulus of the parenchyma, Pa.</source>
@@ -666,7 +666,7 @@
     </message>
     <message>
         <source>Labels of an expert: adds the Dice coefficient. Read after everything else.</source>
-        <translation>Étiquettes d&apos;un expert : ajoute le coefficient de Dice. Lues après tout le reste.</translation>
+        <translation>Étiquettes d&apos;un expert&#xa0;: ajoute le coefficient de Dice. Lues après tout le reste.</translation>
     </message>
     <message>
         <source>What the expert&apos;s codes mean (JSON).</source>
@@ -678,7 +678,7 @@
     </message>
     <message>
         <source>Builds the biomechanical model: tetrahedra, vessels, anterior margin.</source>
-        <translation>Construit le modèle biomécanique : tétraèdres, vaisseaux, bord antérieur.</translation>
+        <translation>Construit le modèle biomécanique&#xa0;: tétraèdres, vaisseaux, bord antérieur.</translation>
     </message>
     <message>
         <source>Labels to take instead of the case&apos;s.</source>
@@ -686,15 +686,15 @@
     </message>
     <message>
         <source>What their codes mean: JSON, {&quot;6&quot;: &quot;parenchyma&quot;, &quot;10&quot;: &quot;portal_vein&quot;, ...}.</source>
-        <translation>Ce que signifient leurs codes : JSON, {&quot;6&quot;: &quot;parenchyma&quot;, &quot;10&quot;: &quot;portal_vein&quot;, ...}.</translation>
+        <translation>Ce que signifient leurs codes&#xa0;: JSON, {&quot;6&quot;: &quot;parenchyma&quot;, &quot;10&quot;: &quot;portal_vein&quot;, ...}.</translation>
     </message>
     <message>
         <source>Closed surfaces to take instead of labels: a folder by structure, or one file.</source>
-        <translation>Surfaces fermées à prendre au lieu d&apos;étiquettes : un dossier par structure, ou un fichier.</translation>
+        <translation>Surfaces fermées à prendre au lieu d&apos;étiquettes&#xa0;: un dossier par structure, ou un fichier.</translation>
     </message>
     <message>
         <source>Unit of the surfaces: mm, cm or m.</source>
-        <translation>Unité des surfaces : mm, cm ou m.</translation>
+        <translation>Unité des surfaces&#xa0;: mm, cm ou m.</translation>
     </message>
     <message>
         <source>Vertices wanted.</source>
@@ -702,7 +702,7 @@
     </message>
     <message>
         <source>A fine surface of the liver: adds the distances. Read after everything else.</source>
-        <translation>Une surface fine du foie : ajoute les distances. Lue après tout le reste.</translation>
+        <translation>Une surface fine du foie&#xa0;: ajoute les distances. Lue après tout le reste.</translation>
     </message>
     <message>
         <source>Also write the mesh here (.vtu, .vtk).</source>
@@ -710,7 +710,7 @@
     </message>
     <message>
         <source>Plain mechanics: a load on the model. Writes deformed meshes with displacement and von Mises stress, and steps.csv with energies, residuals and time per step.</source>
-        <translation>Mécanique seule : une charge sur le modèle. Écrit des maillages déformés avec déplacement et contrainte de von Mises, et steps.csv avec énergies, résidus et temps par pas.</translation>
+        <translation>Mécanique seule&#xa0;: une charge sur le modèle. Écrit des maillages déformés avec déplacement et contrainte de von Mises, et steps.csv avec énergies, résidus et temps par pas.</translation>
     </message>
     <message>
         <source>Steps of the dynamics.</source>
@@ -726,7 +726,7 @@
     </message>
     <message>
         <source>Linear solver: direct (a fresh factor every step), fast (two-level conjugate gradients, for 10,000 tetrahedra and more) or reference (CHOLMOD).</source>
-        <translation>Solveur linéaire : direct (factorisé à chaque pas), fast (gradient conjugué à deux niveaux, à partir de 10 000 tétraèdres) ou reference (CHOLMOD).</translation>
+        <translation>Solveur linéaire&#xa0;: direct (factorisé à chaque pas), fast (gradient conjugué à deux niveaux, à partir de 10 000 tétraèdres) ou reference (CHOLMOD).</translation>
     </message>
     <message>
         <source>Relative residual of the fast solver.</source>
@@ -778,7 +778,7 @@
     </message>
     <message>
         <source>Plain mechanics: gravity, pressure, springs, fixed nodes</source>
-        <translation>Mécanique seule : pesanteur, pression, ressorts, nœuds fixes</translation>
+        <translation>Mécanique seule&#xa0;: pesanteur, pression, ressorts, nœuds fixes</translation>
     </message>
     <message>
         <source>Turns a stereo pair into a labelled cloud in the left camera&apos;s frame.</source>
@@ -794,7 +794,7 @@
     </message>
     <message>
         <source>OpenCV YAML: M1 D1 M2 D2 R T image_width image_height unit.</source>
-        <translation>YAML OpenCV : M1 D1 M2 D2 R T image_width image_height unit.</translation>
+        <translation>YAML OpenCV&#xa0;: M1 D1 M2 D2 R T image_width image_height unit.</translation>
     </message>
     <message>
         <source>What of the left picture is tissue (non-zero).</source>
@@ -802,7 +802,7 @@
     </message>
     <message>
         <source>Clicked regions (JSON): only what lies in one is kept, with its label.</source>
-        <translation>Zones cliquées (JSON) : seul ce qui s&apos;y trouve est gardé, avec son étiquette.</translation>
+        <translation>Zones cliquées (JSON)&#xa0;: seul ce qui s&apos;y trouve est gardé, avec son étiquette.</translation>
     </message>
     <message>
         <source>Semi-global matching instead of features.</source>
@@ -814,27 +814,27 @@
     </message>
     <message>
         <source>Unit of the cloud and of --truth: mm, cm or m.</source>
-        <translation>Unité du nuage et de --truth : mm, cm ou m.</translation>
+        <translation>Unité du nuage et de --truth&#xa0;: mm, cm ou m.</translation>
     </message>
     <message>
         <source>A surface in the left camera&apos;s frame, or its depth map (.pfm, mm): adds the distances. Read after everything else.</source>
-        <translation>Une surface dans le repère de la caméra gauche, ou sa carte de profondeur (.pfm, mm) : ajoute les distances. Lue après tout le reste.</translation>
+        <translation>Une surface dans le repère de la caméra gauche, ou sa carte de profondeur (.pfm, mm)&#xa0;: ajoute les distances. Lue après tout le reste.</translation>
     </message>
     <message>
         <source>Registers a model to a cloud: rigid start, then elastically. What is written keeps the model&apos;s node order and unit and is in the cloud&apos;s frame; its field data cloud_from_model is the rigid part.</source>
-        <translation>Recale un modèle sur un nuage : départ rigide, puis élastique. Le résultat garde l&apos;ordre des nœuds et l&apos;unité du modèle, dans le repère du nuage ; son champ cloud_from_model est la partie rigide.</translation>
+        <translation>Recale un modèle sur un nuage&#xa0;: départ rigide, puis élastique. Le résultat garde l&apos;ordre des nœuds et l&apos;unité du modèle, dans le repère du nuage&#xa0;; son champ cloud_from_model est la partie rigide.</translation>
     </message>
     <message>
         <source>The cloud (PLY); an integer property label is optional: 1 surface, 2 anterior margin, 3 umbilical notch.</source>
-        <translation>Le nuage (PLY) ; la propriété entière label est facultative : 1 surface, 2 bord antérieur, 3 échancrure ombilicale.</translation>
+        <translation>Le nuage (PLY)&#xa0;; la propriété entière label est facultative&#xa0;: 1 surface, 2 bord antérieur, 3 échancrure ombilicale.</translation>
     </message>
     <message>
         <source>Unit of the cloud: mm, cm or m. Without it, the model&apos;s.</source>
-        <translation>Unité du nuage : mm, cm ou m. Sinon, celle du modèle.</translation>
+        <translation>Unité du nuage&#xa0;: mm, cm ou m. Sinon, celle du modèle.</translation>
     </message>
     <message>
         <source>Rigid start: auto, none, or a file with a 4 x 4 matrix cloud_from_model.</source>
-        <translation>Départ rigide : auto, none, ou un fichier avec une matrice 4 x 4 cloud_from_model.</translation>
+        <translation>Départ rigide&#xa0;: auto, none, ou un fichier avec une matrice 4 x 4 cloud_from_model.</translation>
     </message>
     <message>
         <source>Nodes that stay where the rigid start puts them (0-based numbers).</source>
@@ -842,11 +842,11 @@
     </message>
     <message>
         <source>What is known of the deformation before the cloud is seen: operations (simulated on this model; needs the vena cava&apos;s landmark) or none (elasticity alone, the paper&apos;s method).</source>
-        <translation>Ce que l&apos;on sait de la déformation avant de voir le nuage : operations (simulées sur ce modèle ; il faut le repère de la veine cave) ou none (l&apos;élasticité seule, la méthode de l&apos;article).</translation>
+        <translation>Ce que l&apos;on sait de la déformation avant de voir le nuage&#xa0;: operations (simulées sur ce modèle&#xa0;; il faut le repère de la veine cave) ou none (l&apos;élasticité seule, la méthode de l&apos;article).</translation>
     </message>
     <message>
         <source>True node positions (.xyz or a mesh): adds the errors. Read after everything else.</source>
-        <translation>Positions vraies des nœuds (.xyz ou un maillage) : ajoute les erreurs. Lues après tout le reste.</translation>
+        <translation>Positions vraies des nœuds (.xyz ou un maillage)&#xa0;: ajoute les erreurs. Lues après tout le reste.</translation>
     </message>
     <message>
         <source>The registered mesh (.vtu), or surface (.vtp) when a surface was given.</source>
@@ -854,7 +854,7 @@
     </message>
     <message>
         <source>Follows a stereo video, or a series of clouds, from a registered start. Every frame is processed; one mesh a frame is written, numbered like its input.</source>
-        <translation>Suit une vidéo stéréo, ou une série de nuages, depuis un départ recalé. Chaque image est traitée ; un maillage par image est écrit, numéroté comme son entrée.</translation>
+        <translation>Suit une vidéo stéréo, ou une série de nuages, depuis un départ recalé. Chaque image est traitée&#xa0;; un maillage par image est écrit, numéroté comme son entrée.</translation>
     </message>
     <message>
         <source>What &apos;glisson register&apos; wrote for this model and the first frame.</source>
@@ -878,7 +878,7 @@
     </message>
     <message>
         <source>Unit of the clouds: mm, cm or m. Without it, the model&apos;s.</source>
-        <translation>Unité des nuages : mm, cm ou m. Sinon, celle du modèle.</translation>
+        <translation>Unité des nuages&#xa0;: mm, cm ou m. Sinon, celle du modèle.</translation>
     </message>
     <message>
         <source>Steps towards each cloud.</source>
@@ -890,7 +890,7 @@
     </message>
     <message>
         <source>Series of true node positions, e.g. &apos;truth_%02d.xyz&apos;; may lack frames. Read after everything else.</source>
-        <translation>Série de positions vraies des nœuds, p. ex. &apos;truth_%02d.xyz&apos; ; des images peuvent manquer. Lue après tout le reste.</translation>
+        <translation>Série de positions vraies des nœuds, p. ex. &apos;truth_%02d.xyz&apos;&#xa0;; des images peuvent manquer. Lue après tout le reste.</translation>
     </message>
     <message>
         <source>The folder for the meshes.</source>
@@ -930,7 +930,7 @@
     </message>
     <message>
         <source>The load (JSON): gravity, pressure, forces, springs, fixed; see the manual.</source>
-        <translation>La charge (JSON) : pesanteur, pression, forces, ressorts, nœuds fixes ; voir le manuel.</translation>
+        <translation>La charge (JSON)&#xa0;: pesanteur, pression, forces, ressorts, nœuds fixes&#xa0;; voir le manuel.</translation>
     </message>
 </context>
 <context>
@@ -960,8 +960,8 @@
         <translation>Échancrure</translation>
     </message>
     <message>
-        <source>Where the round ligament enters (orange).</source>
-        <translation>Là où entre le ligament rond (orange).</translation>
+        <source>Where the round ligament enters (magenta).</source>
+        <translation>Là où entre le ligament rond (magenta).</translation>
     </message>
     <message>
         <source>Vena cava</source>
@@ -1037,10 +1037,6 @@
     <message>
         <source>1. Initial registration</source>
         <translation>1. Recalage initial</translation>
-    </message>
-    <message>
-        <source>Rigid start from the labelled features, then the elastic model is drawn to the points.</source>
-        <translation>Départ rigide à partir des traits marqués, puis le modèle élastique est tiré vers les points.</translation>
     </message>
     <message>
         <source>Register</source>
@@ -1225,6 +1221,10 @@
     <message>
         <source>The registered frame or the calibration is missing.</source>
         <translation>Il manque l&apos;image recalée ou l&apos;étalonnage.</translation>
+    </message>
+    <message>
+        <source>Rigid start from the labelled features; then the shape that simulated operations on this liver make most probable, drawn to the points.</source>
+        <translation>Départ rigide à partir des traits marqués ; puis la forme que des opérations simulées sur ce foie rendent la plus probable, tirée vers les points.</translation>
     </message>
 </context>
 <context>

@@ -307,6 +307,8 @@ void OperationTest::WindowNeverFroze() {
 }  // namespace glisson
 
 int main(int argc, char** argv) {
+  qputenv("LC_ALL", "C.UTF-8");  // the tests read what the window says
+  qunsetenv("LANGUAGE");
   glisson::ui::prepare_application();
   QApplication application(argc, argv);
   glisson::ui::dress_application(application);

@@ -8,8 +8,11 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QToolButton>
+#include <QTranslator>
 #include <QtTest>
 
 #include "fake_operation.h"
@@ -34,6 +37,8 @@ class WindowTest : public QObject {
   void init();
   void cleanup();
   void WelcomesUntilSomethingIsOpen();
+  void EveryPanelFitsItsColumnInEveryLanguage_data();
+  void EveryPanelFitsItsColumnInEveryLanguage();
   void OpensWhatIsDropped();
   void ErrorsAreShownAndLeaveTheCase();
   void UnsavedChangesAreNotLostUnasked();
@@ -118,6 +123,44 @@ void WindowTest::WelcomesUntilSomethingIsOpen() {
   open_ct();
   QVERIFY(window_->views().isVisible());
   QCOMPARE(window_->size(), QSize(1280, 800));  // nothing forces the window beyond a small screen
+}
+
+void WindowTest::EveryPanelFitsItsColumnInEveryLanguage_data() {
+  QTest::addColumn<QString>("language");
+  for (const char* language : {"en", "de", "fr"}) QTest::newRow(language) << QString::fromLatin1(language);
+}
+
+void WindowTest::EveryPanelFitsItsColumnInEveryLanguage() {
+  QFETCH(QString, language);
+  QTranslator translator;
+  if (language != QStringLiteral("en")) {
+    QVERIFY(translator.load(QStringLiteral(":/glisson/translations/glisson_") + language));
+    QCoreApplication::installTranslator(&translator);
+  }
+  window_ = std::make_unique<MainWindow>(operation_->options());
+  window_->resize(1280, 800);
+  window_->show();
+  reach_registration();
+  segmentation::Seeds seeds;  // every structure, twice: the widest texts
+  for (const int label : {+structure::kBackground, +structure::kParenchyma, +structure::kPortalVein,
+                          +structure::kHepaticVeins, +structure::kVenaCava, +structure::kGallbladder,
+                          +structure::kFirstLesion, structure::kFirstLesion + 1})
+    for (int i = 0; i < 2; ++i) ui::add_seed(seeds, static_cast<Label>(label), {0, 0, 0});
+  window_->engine().post(engine::SetSeeds{seeds});
+  QVERIFY(settle());
+  for (int step = 0; step < 5; ++step) {
+    window_->show_step(step);
+    ui::Panel& panel = window_->panel(step);
+    auto* column = qobject_cast<QScrollArea*>(panel.parentWidget()->parentWidget());
+    QVERIFY(column != nullptr);
+    const int room = column->width() - column->verticalScrollBar()->sizeHint().width();
+    QVERIFY2(panel.minimumSizeHint().width() <= room, qPrintable(QStringLiteral("%1 needs %2 of %3 pixels")
+                                                                     .arg(panel.title())
+                                                                     .arg(panel.minimumSizeHint().width())
+                                                                     .arg(room)));
+  }
+  QCOMPARE(window_->size(), QSize(1280, 800));
+  QCoreApplication::removeTranslator(&translator);
 }
 
 void WindowTest::OpensWhatIsDropped() {
@@ -414,6 +457,8 @@ void WindowTest::PathsAreTakenForWhatTheyAre() {
 }  // namespace glisson
 
 int main(int argc, char** argv) {
+  qputenv("LC_ALL", "C.UTF-8");  // the tests read what the window says
+  qunsetenv("LANGUAGE");
   glisson::ui::prepare_application();
   QApplication application(argc, argv);
   glisson::ui::dress_application(application);

@@ -32,7 +32,7 @@ AtlasPanel::AtlasPanel(EngineBridge& engine, LinkedViews& views, QWidget* parent
       add_section(tr("Anterior margin"), tr("The sharp lower edge, found on the model (white line)."));
   margin_ = new QLabel(this);
   margin->addWidget(margin_);
-  place_notch_ = add_tool(tr("Umbilical notch"), tr("Where the round ligament enters (orange)."), notch_,
+  place_notch_ = add_tool(tr("Umbilical notch"), tr("Where the round ligament enters (magenta)."), notch_,
                           &Landmarks::umbilical_notch, Tool::notch);
   place_notch_->setObjectName(QStringLiteral("place_notch"));
   place_cava_ = add_tool(tr("Vena cava"), tr("Where the liver is attached to it, seen from behind (green)."),
@@ -73,6 +73,10 @@ QPushButton* AtlasPanel::add_tool(const QString& heading, const QString& explana
   row->addWidget(undo);
   row->addWidget(clear);
   box->addLayout(row);
+  const auto has_points = [this, points] { return (landmarks_.*points).rows() > 0; };
+  connect(this, &AtlasPanel::landmarks_shown, this, [undo, clear, has_points] {
+    for (QPushButton* button : {undo, clear}) button->setEnabled(has_points());
+  });
   connect(place, &QPushButton::clicked, this, [this, tool](bool on) { choose(on ? tool : Tool::none); });
   connect(undo, &QPushButton::clicked, this, [this, points] {
     Points& list = landmarks_.*points;
@@ -139,6 +143,7 @@ void AtlasPanel::show_landmarks() {
   };
   notch_->setText(placed(landmarks_.umbilical_notch));
   cava_->setText(placed(landmarks_.vena_cava));
+  emit landmarks_shown();
   if (!ready) return;
   views_.volume().patient().set_landmarks(landmarks_);
   views_.volume().update();

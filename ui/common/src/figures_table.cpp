@@ -28,9 +28,12 @@ void FiguresTable::set_rows(const std::vector<std::pair<QString, QString>>& rows
     auto* right = new QLabel(this);
     right->setProperty("role", "figure-value");
     right->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    right->setAlignment(Qt::AlignRight | Qt::AlignTop);
+    // Live figures grow and shrink: the column does not follow each of them.
+    right->setMinimumWidth(right->fontMetrics().horizontalAdvance(QStringLiteral("0000.0 ms")));
     const int line = static_cast<int>(rows_.size());
     grid_->addWidget(left, line, 0);
-    grid_->addWidget(right, line, 1, Qt::AlignRight | Qt::AlignTop);
+    grid_->addWidget(right, line, 1);
     rows_.emplace_back(left, right);
   }
   for (std::size_t line = 0; line < rows.size(); ++line) {

@@ -89,8 +89,8 @@ void GuidancePanel::build_view() {
 void GuidancePanel::build_registration() {
   QVBoxLayout* box =
       add_section(tr("1. Initial registration"),
-                  tr("Rigid start from the labelled features, then the elastic model is drawn to the "
-                     "points."));
+                  tr("Rigid start from the labelled features; then the shape that simulated operations on "
+                     "this liver make most probable, drawn to the points."));
   register_ = new TaskButton(
       engine(), tr("Register"), [] { return engine::Command(engine::Register{}); }, this);
   register_->setObjectName(QStringLiteral("register"));

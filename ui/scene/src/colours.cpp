@@ -15,7 +15,7 @@ QColor colour_of(Feature feature) {
     case Feature::anterior_margin:
       return {245, 245, 245};
     case Feature::umbilical_notch:
-      return {255, 140, 0};
+      return {255, 64, 208};  // no structure is near it: lesions may be orange
   }
   return {};
 }

@@ -116,14 +116,19 @@ void SegmentationPanel::build_seed_list() {
   list_->setFixedHeight(110);
   list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
   content()->addWidget(list_);
-  auto* row = new QHBoxLayout;
+  auto* buttons = new QGridLayout;
+  buttons->setSpacing(4);
   remove_ = new QPushButton(tr("Delete"), this);
   remove_->setObjectName(QStringLiteral("delete_seeds"));
   clear_ = new QPushButton(tr("Clear"), this);
   auto* load = new QPushButton(tr("Load…"), this);
-  auto* save = new QPushButton(tr("Save…"), this);
-  for (QPushButton* button : {remove_, clear_, load, save}) row->addWidget(button);
-  content()->addLayout(row);
+  save_ = new QPushButton(tr("Save…"), this);
+  int cell = 0;
+  for (QPushButton* button : {remove_, clear_, load, save_}) {
+    buttons->addWidget(button, cell / 2, cell % 2);
+    ++cell;
+  }
+  content()->addLayout(buttons);
   auto* key = new QShortcut(Qt::Key_Delete, list_);
   key->setContext(Qt::WidgetShortcut);
   connect(key, &QShortcut::activated, this, &SegmentationPanel::remove_selected);
@@ -148,7 +153,7 @@ void SegmentationPanel::build_seed_list() {
       QMessageBox::warning(this, tr("Load seeds"), QString::fromStdString(error.what()));
     }
   });
-  connect(save, &QPushButton::clicked, this, [this] {
+  connect(save_, &QPushButton::clicked, this, [this] {
     const QString path = QFileDialog::getSaveFileName(this, tr("Save seeds"), {}, tr("Seeds (*.json)"));
     if (path.isEmpty()) return;
     try {
@@ -250,7 +255,7 @@ void SegmentationPanel::show_seeds() {
     if (std::find(labels.begin(), labels.end(), label) == labels.end()) button->hide();
   show_markers();
   remove_->setEnabled(!list_->selectedItems().isEmpty());
-  clear_->setEnabled(!entries_.empty());
+  for (QPushButton* button : {clear_, save_}) button->setEnabled(!entries_.empty());
   run_->set_obstacle(obstacle());
 }
 

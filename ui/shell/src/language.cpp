@@ -25,6 +25,8 @@ void set_up_language(QCoreApplication& application) {
     else
       delete translator;
   }
+  // From here on numbers look the same everywhere, in spin boxes as in the figures beside them.
+  QLocale::setDefault(QLocale::c());
 }
 
 }  // namespace glisson::ui

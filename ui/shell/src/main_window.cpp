@@ -27,7 +27,7 @@
 namespace glisson::ui {
 namespace {
 
-constexpr int kControlsWidth = 336;
+constexpr int kControlsWidth = 360;
 constexpr QSize kLargestAtStart(1600, 1000);  ///< smaller screens are filled
 
 }  // namespace

@@ -157,9 +157,9 @@ void StereoPanel::build_regions() {
   list_->setFixedHeight(72);
   list_->setObjectName(QStringLiteral("region_list"));
   box->addWidget(list_);
-  auto* clear = new QPushButton(tr("Clear regions"), this);
-  box->addWidget(clear);
-  connect(clear, &QPushButton::clicked, this, [this] {
+  clear_ = new QPushButton(tr("Clear regions"), this);
+  box->addWidget(clear_);
+  connect(clear_, &QPushButton::clicked, this, [this] {
     editor_->set_regions({});
     store();
   });
@@ -259,6 +259,7 @@ void StereoPanel::show_region_list() {
   list_->clear();
   for (const stereo::Region& region : editor_->regions())
     list_->addItem(tr("%1, corners: %2").arg(feature_name(region.feature)).arg(region.polygon.size()));
+  clear_->setEnabled(!editor_->regions().empty());
 }
 
 QString StereoPanel::obstacle() const {

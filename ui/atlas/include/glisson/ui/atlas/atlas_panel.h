@@ -25,6 +25,9 @@ class AtlasPanel : public Panel {
   void choose(Tool tool);
   const Landmarks& landmarks() const { return landmarks_; }
 
+ signals:
+  void landmarks_shown();
+
  private:
   QPushButton* add_tool(const QString& heading, const QString& explanation, QLabel*& state,
                         Points Landmarks::*points, Tool tool);

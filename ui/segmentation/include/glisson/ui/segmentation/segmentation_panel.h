@@ -58,6 +58,7 @@ class SegmentationPanel : public Panel {
   QListWidget* list_ = nullptr;
   QPushButton* remove_ = nullptr;
   QPushButton* clear_ = nullptr;
+  QPushButton* save_ = nullptr;
   QDoubleSpinBox* spacing_ = nullptr;
   TaskButton* run_ = nullptr;
   FiguresTable* figures_ = nullptr;

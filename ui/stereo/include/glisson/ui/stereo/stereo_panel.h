@@ -51,6 +51,7 @@ class StereoPanel : public Panel {
   QLabel* source_ = nullptr;
   QSpinBox* frame_ = nullptr;
   QPushButton* load_frame_ = nullptr;
+  QPushButton* clear_ = nullptr;
   std::map<Feature, QPushButton*> features_;
   QListWidget* list_ = nullptr;
   TaskButton* run_ = nullptr;
