@@ -52,6 +52,21 @@ Cancellable<Applied> with_frame(const CaseState& state, StereoInput input) {
   return applied;
 }
 
+/// Simulated now, or for an earlier registration of the same model.
+Cancellable<std::shared_ptr<const SimulatedOperations>> operations_of(
+    const CaseState& state, const PatientModel& model, const registration::OperationOptions& options,
+    const RunContext& context) {
+  const auto& known = state.operations;
+  if (known && known->model == state.model && known->landmarks == state.landmarks &&
+      known->options == options)
+    return known;
+  auto prior = registration::simulate_operations(model, options, context);
+  if (!prior) return {};
+  return std::make_shared<const SimulatedOperations>(
+      SimulatedOperations{state.model, state.landmarks, options,
+                          std::make_shared<const registration::OperationPrior>(std::move(*prior))});
+}
+
 }  // namespace
 
 Cancellable<Applied> apply_one(const CaseState& state, const SetCalibration& command, const RunContext&) {
@@ -139,26 +154,30 @@ Cancellable<Applied> apply_one(const CaseState& state, const Register& command, 
   CameraFromCt start = command.start == Register::Start::given ? command.given : CameraFromCt{};
   std::vector<std::string> doubts;
   std::vector<CameraFromCt> other_starts;
+  double begun = 0.0;  ///< share of the work that is done
   if (command.start == Register::Start::automatic) {
     auto rigid = registration::align_rigid(model, *state.cloud, command.rigid, context.part(0.0, 0.2));
     if (!rigid) return {};
     start = rigid->camera_from_ct;
     doubts = rigid->doubts;
     other_starts = rigid->alternatives;
+    begun = 0.2;
     applied.figures["rigid_residual_mm"] = 1e3 * rigid->residual;
   }
   registration::ElasticOptions elastic = command.elastic;
   if (command.operations && !elastic.prior && elastic.fixed_nodes.empty() &&
       registration::can_simulate_operations(model)) {
-    auto prior = registration::simulate_operations(model, command.operation, context.part(0.2, 0.7));
-    if (!prior) return {};
-    applied.figures["operations_simulated"] = prior->operations;
-    applied.figures["operations_motion_mean_mm"] = 1e3 * prior->mean_motion;
-    elastic.prior = std::make_shared<const registration::OperationPrior>(std::move(*prior));
+    auto operations = operations_of(state, model, command.operation, context.part(begun, 0.7));
+    if (!operations) return {};
+    begun = 0.7;
+    applied.state.operations = *operations;
+    elastic.prior = (*operations)->prior;
+    applied.figures["operations_simulated"] = elastic.prior->operations;
+    applied.figures["operations_motion_mean_mm"] = 1e3 * elastic.prior->mean_motion;
     elastic.other_starts = other_starts;
   }
   auto registered =
-      registration::register_elastic(model, *state.cloud, start, elastic, context.part(0.7, 1.0));
+      registration::register_elastic(model, *state.cloud, start, elastic, context.part(begun, 1.0));
   if (!registered) return {};
   registered->doubts.insert(registered->doubts.begin(), doubts.begin(), doubts.end());
   const Points rigid_nodes = registered->camera_from_ct.apply(model.mesh.vertices);

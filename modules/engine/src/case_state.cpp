@@ -57,6 +57,7 @@ bool CaseState::has(Part part) const {
 void CaseState::take(Part part, const CaseState& from) {
   visit_part(
       part, [](auto& mine, const auto& theirs) { mine = theirs; }, *this, from);
+  if (part == Part::registration) operations = from.operations;
 }
 
 bool CaseState::shares(Part part, const CaseState& with) const {

@@ -17,6 +17,7 @@
 #include "glisson/patient/patient_model.h"
 #include "glisson/patient/picture.h"
 #include "glisson/patient/registration.h"
+#include "glisson/registration/operation_prior.h"
 #include "glisson/segmentation/segment.h"
 #include "glisson/stereo/reconstruct.h"
 #include "glisson/volume/image.h"
@@ -93,6 +94,15 @@ struct LiveState {
   int frames_dropped = 0;  ///< never followed because a newer one had come
 };
 
+/// Operations simulated for a registration, and what they were simulated on: the next registration of the same
+/// patient needs no others.
+struct SimulatedOperations {
+  std::shared_ptr<const model::BuiltModel> model;
+  std::shared_ptr<const Landmarks> landmarks;
+  registration::OperationOptions options;
+  std::shared_ptr<const registration::OperationPrior> prior;
+};
+
 /// Everything that is known of one patient. Each part is immutable and shared, so that a copy is cheap;
 /// absent parts are null.
 struct CaseState {
@@ -109,12 +119,13 @@ struct CaseState {
   std::shared_ptr<const LabelledCloud> cloud;
   std::shared_ptr<const Registration> registration;
   std::shared_ptr<const LiveState> live;
+  std::shared_ptr<const SimulatedOperations> operations;  ///< comes with a registration; not in the files
   std::array<Stamp, kPartCount> stamps;
 
   bool has(Part part) const;
   const Stamp& stamp(Part part) const { return stamps[static_cast<std::size_t>(part)]; }
   Stamp& stamp(Part part) { return stamps[static_cast<std::size_t>(part)]; }
-  /// Copies one part (not its stamp) from another state.
+  /// Copies one part (not its stamp) from another state; with the registration its simulated operations.
   void take(Part part, const CaseState& from);
   /// Whether this part is the very same object in both.
   bool shares(Part part, const CaseState& with) const;

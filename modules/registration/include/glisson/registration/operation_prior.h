@@ -27,6 +27,7 @@ struct OperationOptions {
   double contact_spread = 0.5;  ///< of the logarithm of the stiffness of bed, diaphragm and ligament
   /// @throws InputError naming the option.
   void validate() const;
+  bool operator==(const OperationOptions&) const = default;
 };
 
 /// The deformations of one patient's liver over simulated operations, as principal components.

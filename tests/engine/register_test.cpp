@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QtTest>
+
+#include "../registration/phantom.h"
+#include "glisson/engine/engine.h"
+
+using namespace glisson;
+using namespace glisson::engine;
+
+namespace {
+
+/// The phantom and the part of it that a camera sees.
+CaseState before_registration() {
+  CaseState state;
+  auto built = std::make_shared<model::BuiltModel>();
+  built->model = phantom::model(6, 5, 3);
+  state.model = built;
+  state.landmarks = std::make_shared<const Landmarks>(phantom::landmarks());
+  state.cloud = std::make_shared<const LabelledCloud>(
+      phantom::patch(built->model, phantom::view().apply(built->model.mesh.vertices), {}));
+  return state;
+}
+
+Register few_operations() {
+  Register command;
+  command.start = Register::Start::given;
+  command.given = phantom::view();
+  command.operation.operations = 40;
+  command.operation.gravity = 1.0;
+  command.operation.gas_pa = 80.0;
+  command.operation.bed_m = 0.005;
+  return command;
+}
+
+CaseState registered(const CaseState& state, const Register& command) {
+  return apply(state, command, RunContext()).value().state;
+}
+
+}  // namespace
+
+class RegisterTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void OperationsAreSimulatedOnceForAModel();
+  void OperationsGoWithTheRegistration();
+  void ProgressNeverGoesBack();
+};
+
+void RegisterTest::OperationsAreSimulatedOnceForAModel() {
+  const CaseState first = registered(before_registration(), few_operations());
+  QVERIFY(first.operations != nullptr);
+  const CaseState again = registered(first, few_operations());
+  QVERIFY(again.operations == first.operations);
+  QVERIFY(again.registration->nodes_in_camera == first.registration->nodes_in_camera);
+
+  CaseState marked = first;
+  marked.landmarks = std::make_shared<const Landmarks>(*first.landmarks);
+  QVERIFY(registered(marked, few_operations()).operations != first.operations);
+  CaseState rebuilt = first;
+  rebuilt.model = std::make_shared<const model::BuiltModel>(*first.model);
+  QVERIFY(registered(rebuilt, few_operations()).operations != first.operations);
+  Register harder = few_operations();
+  harder.operation.gas_pa *= 1.5;
+  QVERIFY(registered(first, harder).operations != first.operations);
+}
+
+void RegisterTest::OperationsGoWithTheRegistration() {
+  const CaseState done = registered(before_registration(), few_operations());
+  CaseState state = before_registration();
+  state.take(Part::registration, done);
+  QVERIFY(state.operations == done.operations);
+}
+
+void RegisterTest::ProgressNeverGoesBack() {
+  for (const bool operations : {true, false}) {
+    Register command = few_operations();
+    command.start = Register::Start::automatic;
+    command.operations = operations;
+    double last = 0.0;
+    bool forward = true;
+    const RunContext context(
+        [&](double fraction, std::string_view) {
+          forward = forward && fraction >= last;
+          last = fraction;
+        },
+        {}, 1);
+    QVERIFY(apply(before_registration(), command, context).has_value());
+    QVERIFY(forward);
+    QVERIFY(last > 0.7);
+  }
+}
+
+QTEST_APPLESS_MAIN(RegisterTest)
+#include "register_test.moc"
