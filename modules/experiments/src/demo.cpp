@@ -190,6 +190,7 @@ class DemoRun {
   void track() {
     post(engine::StartTracking{});
     const Points frozen = state().registration->nodes_in_camera;
+    const Points truly_there = theatre_->carry(model().mesh.vertices, 0);
     stereo::StereoVideo video(state().video->left, state().video->right);
     std::unique_ptr<stereo::VideoWriter> overlay_video;
     if (pictures_.overlay)
@@ -197,6 +198,7 @@ class DemoRun {
                                                             video.height(), video.frames_per_second());
     std::vector<double> milliseconds;
     double errors = 0.0, target_errors_sum = 0.0, frozen_errors = 0.0, drawing = 0.0;
+    double motion = 0.0, motion_errors = 0.0;
     int valid = 0, late = 0, compared = 0;
     const int frames = theatre_->frame_count();
     const RunContext progress = progress_.begin("track");
@@ -211,6 +213,8 @@ class DemoRun {
         errors += now.at("tre_volume_mean_mm");
         target_errors_sum += now.at("tre_target_mean_mm");
         frozen_errors += 1e3 * point_errors(frozen, truth).mean;
+        motion += 1e3 * point_errors(truly_there, truth).mean;
+        motion_errors += 1e3 * point_errors(overlay.nodes_in_camera - frozen, truth - truly_there).mean;
         ++compared;
       }
       if (overlay_video) {
@@ -246,6 +250,8 @@ class DemoRun {
       figures["track_tre_volume_mean_mm"] = errors / compared;
       figures["track_tre_target_mean_mm"] = target_errors_sum / compared;
       figures["track_tre_frozen_mean_mm"] = frozen_errors / compared;
+      figures["track_motion_mean_mm"] = motion / compared;
+      figures["track_motion_error_mean_mm"] = motion_errors / compared;
     }
   }
 
