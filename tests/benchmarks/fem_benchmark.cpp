@@ -174,11 +174,12 @@ void describe(benchmark::State& state, const Case& c) {
   state.counters["beams"] = c.model->beam_count();
 }
 
-void step(benchmark::State& state, const Size& size, LinearSolver solver, double tolerance) {
+void step(benchmark::State& state, const Size& size, LinearSolver solver, double tolerance, int threads = 1) {
   Case& c = example(size);
   IntegratorOptions options;
   options.solver = solver;
   options.tolerance = tolerance;
+  options.threads = threads;
   Integrator integrator(c.model, options);
   Motion motion(*c.model);
   double residual = 0.0, iterations = 0.0;
@@ -256,6 +257,22 @@ void solve(benchmark::State& state, const Size& size) {
   describe(state, c);
 }
 
+/// 1000 steps of `direct` by one thread and by two: 1 when every bit of both ends is the same.
+void determinism_of_threads(benchmark::State& state, const Size& size) {
+  Case& c = example(size);
+  const auto run = [&](int threads) {
+    IntegratorOptions options;
+    options.threads = threads;
+    Integrator integrator(c.model, options);
+    Motion motion(*c.model);
+    for (int n = 0; n < 1000; ++n) integrator.step(motion.at(n, integrator.positions()));
+    return integrator.positions();
+  };
+  bool same = true;
+  for (auto _ : state) same = same && (run(1).array() == run(2).array()).all();
+  state.counters["same_bits"] = same ? 1.0 : 0.0;
+}
+
 /// 1000 steps twice from the same start, the second time beside another thread that does the same: 1 when
 /// every bit of all three ends is the same.
 void determinism(benchmark::State& state, const Size& size, LinearSolver solver) {
@@ -287,7 +304,10 @@ class RatioReporter : public benchmark::ConsoleReporter {
   void ReportRuns(const std::vector<Run>& runs) override {
     ConsoleReporter::ReportRuns(runs);
     for (const Run& run : runs)
-      if (run.iterations > 0 && !run.error_occurred) times_[run.benchmark_name()] = run.GetAdjustedCPUTime();
+      if (run.iterations > 0 && !run.error_occurred) {
+        times_[run.benchmark_name()] = run.GetAdjustedCPUTime();
+        wall_[run.benchmark_name()] = run.GetAdjustedRealTime();
+      }
   }
   /// The rows of the table: milliseconds of one thread, and how much faster ours are than the peers.
   void print_table() const {
@@ -295,23 +315,30 @@ class RatioReporter : public benchmark::ConsoleReporter {
                 "fast 1e-3", "assemble", "Eigen LDLT", "CHOLMOD", "x Eigen", "x CHOLMOD");
     for (const Size& size : kSizes) {
       const std::string base = std::string("step/composite_") + size.name;
-      const double ours = time(base + "/direct"), eigen = time(base + "/eigen_ldlt"),
-                   cholmod = time(base + "/cholmod_supernodal");
+      const double ours = time(times_, base + "/direct"), eigen = time(times_, base + "/eigen_ldlt"),
+                   cholmod = time(times_, base + "/cholmod_supernodal");
       std::printf("composite_%-6s %10.2f %10.2f %10.2f %10.2f %12.2f %12.2f %12.1f %12.1f\n", size.name, ours,
-                  time(base + "/fast_1e-6"), time(base + "/fast_1e-3"),
-                  time(std::string("assemble/composite_") + size.name), eigen, cholmod, eigen / ours,
+                  time(times_, base + "/fast_1e-6"), time(times_, base + "/fast_1e-3"),
+                  time(times_, std::string("assemble/composite_") + size.name), eigen, cholmod, eigen / ours,
                   cholmod / ours);
     }
     std::printf("milliseconds of processor time, one thread; nan: not run\n");
+    std::printf("\n%-16s %14s %14s %10s\n", "direct, wall", "one thread", "two threads", "x");
+    for (const Size& size : kSizes) {
+      const std::string base = std::string("step/composite_") + size.name;
+      const double one = time(wall_, base + "/direct"), two = time(wall_, base + "/direct_2_threads");
+      std::printf("composite_%-6s %14.2f %14.2f %10.2f\n", size.name, one, two, one / two);
+    }
   }
 
  private:
-  double time(const std::string& name) const {
-    for (const auto& [key, value] : times_)
+  using Times = std::map<std::string, double>;
+  static double time(const Times& times, const std::string& name) {
+    for (const auto& [key, value] : times)
       if (key == name || key.starts_with(name + "/")) return value;
     return std::numeric_limits<double>::quiet_NaN();
   }
-  std::map<std::string, double> times_;
+  Times times_, wall_;
 };
 
 template <class Function>
@@ -327,6 +354,9 @@ void register_all(bool quick) {
       return [&size, solver, tolerance](benchmark::State& state) { step(state, size, solver, tolerance); };
     };
     add("step/" + name + "/direct", by(LinearSolver::direct, 1e-6));
+    add("step/" + name + "/direct_2_threads", [&size](benchmark::State& state) {
+      step(state, size, LinearSolver::direct, 1e-6, 2);
+    })->UseRealTime();
     add("step/" + name + "/fast_1e-6", by(LinearSolver::fast, 1e-6));
     add("step/" + name + "/fast_1e-3", by(LinearSolver::fast, 1e-3));
     add("step/" + name + "/cholmod_supernodal", by(LinearSolver::reference, 1e-6));
@@ -345,6 +375,9 @@ void register_all(bool quick) {
                                                                          solver](benchmark::State& state) {
       determinism(state, kSizes[0], solver);
     })->Iterations(1);
+  add("determinism/composite_10k_1000_steps/direct_1_and_2_threads", [](benchmark::State& state) {
+    determinism_of_threads(state, kSizes[1]);
+  })->Iterations(1);
 }
 
 }  // namespace

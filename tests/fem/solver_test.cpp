@@ -98,17 +98,75 @@ class SolverTest : public QObject {
     const std::vector<Front> fronts = build_fronts(example.system.pattern());
     std::vector<std::size_t> sizes;
     for (const Front& front : fronts) sizes.push_back(front.rows.size());
-    std::size_t total = 0, sum = 0;
-    const std::vector<std::size_t> offsets = plan_memory(fronts, sizes, &total);
-    for (std::size_t f = 0; f < fronts.size(); ++f) {
-      sum += sizes[f];
-      for (std::size_t g = 0; g < f; ++g) {
-        const bool alive = fronts[g].parent >= static_cast<int>(f);
-        if (!alive || sizes[f] == 0 || sizes[g] == 0) continue;
-        QVERIFY(offsets[f] + sizes[f] <= offsets[g] || offsets[g] + sizes[g] <= offsets[f]);
+    for (const FrontGroups& groups : {in_one_go(fronts), share_out(fronts)}) {
+      std::size_t total = 0, sum = 0;
+      const std::vector<std::size_t> offsets = plan_memory(fronts, groups, sizes, &total);
+      std::vector<std::size_t> group_of(fronts.size(), groups.size());
+      for (std::size_t k = 0; k < groups.size(); ++k)
+        for (const int f : groups[k]) group_of[static_cast<std::size_t>(f)] = k;
+      for (std::size_t f = 0; f < fronts.size(); ++f) {
+        sum += sizes[f];
+        QVERIFY(offsets[f] + sizes[f] <= total);
+        for (std::size_t g = 0; g < f; ++g) {
+          // Until the parent has taken it in; in groups that are worked on at once, from the start.
+          const bool alive = fronts[g].parent >= static_cast<int>(f) || group_of[f] != group_of[g];
+          if (!alive || sizes[f] == 0 || sizes[g] == 0) continue;
+          QVERIFY(offsets[f] + sizes[f] <= offsets[g] || offsets[g] + sizes[g] <= offsets[f]);
+        }
+      }
+      QVERIFY(total < sum);
+    }
+  }
+
+  void SharedSubtreesNeedNothingOfEachOther() {
+    const Example example(10, {});
+    const std::vector<Front> fronts = build_fronts(example.system.pattern());
+    const FrontGroups groups = share_out(fronts);
+    QCOMPARE(groups.size(), std::size_t{3});
+    std::vector<int> group_of(fronts.size(), -1);
+    double work[3] = {0.0, 0.0, 0.0};
+    for (std::size_t k = 0; k < 3; ++k) {
+      QVERIFY(std::is_sorted(groups[k].begin(), groups[k].end()));
+      for (const int f : groups[k]) {
+        QCOMPARE(group_of[static_cast<std::size_t>(f)], -1);  // each front once
+        group_of[static_cast<std::size_t>(f)] = static_cast<int>(k);
+        work[k] += front_work(fronts[static_cast<std::size_t>(f)]);
       }
     }
-    QVERIFY(total < sum);
+    for (std::size_t f = 0; f < fronts.size(); ++f) {
+      QVERIFY(group_of[f] >= 0);
+      for (const int child : fronts[f].children) {
+        const int theirs = group_of[static_cast<std::size_t>(child)];
+        QVERIFY(theirs == group_of[f] || group_of[f] == 2);
+      }
+    }
+    QVERIFY(std::max(work[0], work[1]) < 1.3 * std::min(work[0], work[1]));
+  }
+
+  void TwoThreadsGiveTheSameBits() {
+    Example example(16, {0, 1, 2});
+    MultifrontalFactorization one(example.system.pattern(), 1), two(example.system.pattern(), 2);
+    QCOMPARE(one.threads(), 1);
+    QCOMPARE(two.threads(), 2);
+    for (int round = 0; round < 5; ++round) {
+      QVERIFY(one.factorise(example.system.values()));
+      QVERIFY(two.factorise(example.system.values()));
+      Eigen::VectorXd x = example.right, y = example.right;
+      one.solve(x);
+      two.solve(y);
+      QVERIFY((x.array() == y.array()).all());
+      Eigen::VectorXd product;
+      example.system.multiply(x, product);
+      QVERIFY((product - example.right).norm() < 1e-9 * example.right.norm());
+      example.system.add_diagonal(example.model.lumped_mass(), 1e3);
+    }
+    example.system.add_diagonal(example.model.lumped_mass(), -1e9);
+    QVERIFY(!two.factorise(example.system.values()));
+  }
+
+  void SmallMatricesAreLeftToOneThread() {
+    const Example example(6, {});
+    QCOMPARE(MultifrontalFactorization(example.system.pattern(), 2).threads(), 1);
   }
 
   void SolversAgreeWithEigen() {
@@ -198,7 +256,7 @@ class SolverTest : public QObject {
     const auto kernels = available_dense_kernels();
     const auto batches = available_batch_kernels();
     const Example first(10, {0, 1, 2}, *batches.front());
-    MultifrontalFactorization widest(first.system.pattern(), *kernels.front());
+    MultifrontalFactorization widest(first.system.pattern(), 1, *kernels.front());
     QVERIFY(widest.factorise(first.system.values()));
     Eigen::VectorXd expected = first.right;
     widest.solve(expected);
@@ -206,7 +264,7 @@ class SolverTest : public QObject {
       const Example other(10, {0, 1, 2}, *batches[k]);
       QVERIFY(other.system.values() == first.system.values());
       QVERIFY((other.force.array() == first.force.array()).all());
-      MultifrontalFactorization narrower(other.system.pattern(), *kernels[k]);
+      MultifrontalFactorization narrower(other.system.pattern(), 1, *kernels[k]);
       QVERIFY(narrower.factorise(other.system.values()));
       Eigen::VectorXd x = other.right;
       narrower.solve(x);

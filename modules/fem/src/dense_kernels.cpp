@@ -16,7 +16,7 @@ struct Vector {
   typedef double type __attribute__((vector_size(Bytes), aligned(8), may_alias));
 };
 
-constexpr int kPanel = 12;               ///< columns factorised at once
+constexpr int kPanel = 12;               ///< columns whose rows stay in registers
 constexpr int kDeep = 192, kTall = 768;  ///< of a piece of a product: about a megabyte
 
 /// c (MV vectors x NR columns) -= sum over k of a(:, k) b(:, k)^T.
@@ -115,52 +115,87 @@ GLISSON_INLINE bool small_cholesky(const double* panel, int stride, int n, doubl
 }
 
 template <int Bytes>
-GLISSON_INLINE bool factor_panel(double* panel, int stride, int columns) {
-  double l[kPanel][kPanel], inverse[kPanel];
-  for (int p = 0; p < columns; p += kPanel) {
-    const int n = std::min(kPanel, columns - p);
+GLISSON_INLINE void solve_columns(double* here, int stride, int rows, int n, const double (*l)[kPanel],
+                                  const double* inverse) {
+  switch (n) {
+    case 3:
+      solve_rows<Bytes, 3>(here, stride, rows, l, inverse);
+      break;
+    case 6:
+      solve_rows<Bytes, 6>(here, stride, rows, l, inverse);
+      break;
+    case 9:
+      solve_rows<Bytes, 9>(here, stride, rows, l, inverse);
+      break;
+    default:
+      solve_rows<Bytes, 12>(here, stride, rows, l, inverse);
+  }
+}
+
+/// Columns [first, last) of c, rows [from, to) -= A B^T: row r of A is a + r, row j of B is b + j, `columns`
+/// long. In pieces of A that stay in the cache while all bands of columns pass over them. The depth comes in
+/// the same order as in one go: the same bits.
+template <int Bytes>
+GLISSON_INLINE void subtract_lower(double* c, int stride_c, int first, int last, int from, int to,
+                                   const double* a, int stride, int columns) {
+  for (int deep = 0; deep < columns; deep += kDeep) {
+    const int depth = std::min(kDeep, columns - deep);
+    const double* here = a + static_cast<long>(deep) * stride;
+    for (int r = from; r < to; r += kTall) {
+      const int end = std::min(to, r + kTall);
+      // Bands of columns, so that a tile's rows start at or above the diagonal.
+      for (int j = first; j < last; j += 6) {
+        const int top = std::max(r, j & ~7);
+        if (top >= end) break;
+        update_columns<Bytes>(c + static_cast<long>(j) * stride_c + top, stride_c, here + top, here + j,
+                              stride, depth, end - top, std::min(6, last - j));
+      }
+    }
+  }
+}
+
+template <int Bytes>
+GLISSON_INLINE void update_block(double* panel, int stride, int first, int width, int from, int to) {
+  subtract_lower<Bytes>(panel, stride, first, first + width, from, to, panel, stride, first);
+}
+
+template <int Bytes>
+GLISSON_INLINE bool factor_block(double* panel, int stride, int first, int width, int to, double* inverse) {
+  double l[kPanel][kPanel];
+  const double* block = panel + static_cast<long>(first) * stride;
+  for (int p = first; p < first + width; p += kPanel, inverse += kPanel) {
+    const int n = std::min(kPanel, first + width - p);
     const int top = p & ~7;  // tiles start at multiples of 8: rows above the diagonal are scratch
     double* here = panel + static_cast<long>(p) * stride;
-    if (p > 0) update_columns<Bytes>(here + top, stride, panel + top, panel + p, stride, p, stride - top, n);
+    if (p > first)
+      update_columns<Bytes>(here + top, stride, block + top, block + p, stride, p - first, to - top, n);
     if (!small_cholesky(here + p, stride, n, l, inverse)) return false;
     // The triangle's own rows go through the same solve: what comes out is the triangle.
-    switch (n) {
-      case 3:
-        solve_rows<Bytes, 3>(here + top, stride, stride - top, l, inverse);
-        break;
-      case 6:
-        solve_rows<Bytes, 6>(here + top, stride, stride - top, l, inverse);
-        break;
-      case 9:
-        solve_rows<Bytes, 9>(here + top, stride, stride - top, l, inverse);
-        break;
-      default:
-        solve_rows<Bytes, 12>(here + top, stride, stride - top, l, inverse);
-    }
+    solve_columns<Bytes>(here + top, stride, to - top, n, l, inverse);
   }
   return true;
 }
 
 template <int Bytes>
-GLISSON_INLINE void subtract_product(double* schur, int stride_schur, int size, const double* panel,
-                                     int stride, int columns) {
-  const double* b = panel + columns;
-  // Pieces of B that stay in the cache while all bands of columns pass over them. The depth comes in the same
-  // order as in one go: the same bits.
-  for (int deep = 0; deep < columns; deep += kDeep) {
-    const int depth = std::min(kDeep, columns - deep);
-    const double* here = b + static_cast<long>(deep) * stride;
-    for (int first = 0; first < stride_schur; first += kTall) {
-      const int last = std::min(stride_schur, first + kTall);
-      // Bands of columns, so that a tile's rows start at or above the diagonal.
-      for (int j = 0; j < size && j < last; j += 6) {
-        const int top = std::max(first, j & ~7);
-        if (top >= last) continue;
-        update_columns<Bytes>(schur + static_cast<long>(j) * stride_schur + top, stride_schur, here + top,
-                              here + j, stride, depth, last - top, std::min(6, size - j));
-      }
-    }
+GLISSON_INLINE void solve_block(double* panel, int stride, int first, int width, int from, int to,
+                                const double* inverse) {
+  double l[kPanel][kPanel];
+  const double* block = panel + static_cast<long>(first) * stride;
+  for (int p = first; p < first + width; p += kPanel, inverse += kPanel) {
+    const int n = std::min(kPanel, first + width - p);
+    double* here = panel + static_cast<long>(p) * stride;
+    if (p > first)
+      update_columns<Bytes>(here + from, stride, block + from, block + p, stride, p - first, to - from, n);
+    for (int j = 0; j < n; ++j)
+      for (int i = j; i < n; ++i) l[i][j] = here[static_cast<long>(j) * stride + p + i];
+    solve_columns<Bytes>(here + from, stride, to - from, n, l, inverse);
   }
+}
+
+template <int Bytes>
+GLISSON_INLINE void subtract_product(double* schur, int stride_schur, int from, int to, const double* panel,
+                                     int stride, int columns) {
+  subtract_lower<Bytes>(schur, stride_schur, from, to, 0, stride_schur, panel + columns, stride, columns);
 }
 
 template <int Bytes>
@@ -199,24 +234,38 @@ GLISSON_INLINE void backward(const double* panel, int stride, int columns, int r
   }
 }
 
-#define GLISSON_KERNELS(suffix, bytes, ...)                                                                  \
-  __VA_ARGS__ bool factor_panel_##suffix(double* panel, int stride, int columns) {                           \
-    return factor_panel<bytes>(panel, stride, columns);                                                      \
-  }                                                                                                          \
-  __VA_ARGS__ void subtract_product_##suffix(double* schur, int stride_schur, int size, const double* panel, \
-                                             int stride, int columns) {                                      \
-    subtract_product<bytes>(schur, stride_schur, size, panel, stride, columns);                              \
-  }                                                                                                          \
-  __VA_ARGS__ void forward_##suffix(const double* panel, int stride, int columns, int rows, double* x1,      \
-                                    double* x2) {                                                            \
-    forward<bytes>(panel, stride, columns, rows, x1, x2);                                                    \
-  }                                                                                                          \
-  __VA_ARGS__ void backward_##suffix(const double* panel, int stride, int columns, int rows, double* x1,     \
-                                     const double* x2) {                                                     \
-    backward<bytes>(panel, stride, columns, rows, x1, x2);                                                   \
-  }                                                                                                          \
-  constexpr DenseKernels kKernels_##suffix{factor_panel_##suffix, subtract_product_##suffix,                 \
-                                           forward_##suffix, backward_##suffix, #suffix};
+#define GLISSON_KERNELS(suffix, bytes, ...)                                                                \
+  __VA_ARGS__ void update_block_##suffix(double* panel, int stride, int first, int width, int from,        \
+                                         int to) {                                                         \
+    update_block<bytes>(panel, stride, first, width, from, to);                                            \
+  }                                                                                                        \
+  __VA_ARGS__ bool factor_block_##suffix(double* panel, int stride, int first, int width, int to,          \
+                                         double* inverse) {                                                \
+    return factor_block<bytes>(panel, stride, first, width, to, inverse);                                  \
+  }                                                                                                        \
+  __VA_ARGS__ void solve_block_##suffix(double* panel, int stride, int first, int width, int from, int to, \
+                                        const double* inverse) {                                           \
+    solve_block<bytes>(panel, stride, first, width, from, to, inverse);                                    \
+  }                                                                                                        \
+  __VA_ARGS__ void subtract_product_##suffix(double* schur, int stride_schur, int from, int to,            \
+                                             const double* panel, int stride, int columns) {               \
+    subtract_product<bytes>(schur, stride_schur, from, to, panel, stride, columns);                        \
+  }                                                                                                        \
+  __VA_ARGS__ void forward_##suffix(const double* panel, int stride, int columns, int rows, double* x1,    \
+                                    double* x2) {                                                          \
+    forward<bytes>(panel, stride, columns, rows, x1, x2);                                                  \
+  }                                                                                                        \
+  __VA_ARGS__ void backward_##suffix(const double* panel, int stride, int columns, int rows, double* x1,   \
+                                     const double* x2) {                                                   \
+    backward<bytes>(panel, stride, columns, rows, x1, x2);                                                 \
+  }                                                                                                        \
+  constexpr DenseKernels kKernels_##suffix{update_block_##suffix,                                          \
+                                           factor_block_##suffix,                                          \
+                                           solve_block_##suffix,                                           \
+                                           subtract_product_##suffix,                                      \
+                                           forward_##suffix,                                               \
+                                           backward_##suffix,                                              \
+                                           #suffix};
 
 GLISSON_KERNELS(avx512, 64, __attribute__((target("avx512f"))))
 GLISSON_KERNELS(avx2, 32, __attribute__((target("avx2"))))

@@ -7,10 +7,11 @@
 
 namespace glisson::fem {
 
-std::unique_ptr<Factorization> make_factorization(LinearSolver solver, const BlockPattern& pattern) {
+std::unique_ptr<Factorization> make_factorization(LinearSolver solver, const BlockPattern& pattern,
+                                                  int threads) {
   if (solver == LinearSolver::reference) return std::make_unique<CholmodFactorization>(pattern);
   require(solver == LinearSolver::direct, "the fast solver has no factor of the whole matrix");
-  return std::make_unique<MultifrontalFactorization>(pattern);
+  return std::make_unique<MultifrontalFactorization>(pattern, threads);
 }
 
 }  // namespace glisson::fem

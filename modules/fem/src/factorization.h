@@ -19,6 +19,8 @@ class Factorization {
   virtual void solve(Eigen::VectorXd& b) = 0;
 };
 
-std::unique_ptr<Factorization> make_factorization(LinearSolver solver, const BlockPattern& pattern);
+/// @param threads of `direct`, 1 or 2: the same bits.
+std::unique_ptr<Factorization> make_factorization(LinearSolver solver, const BlockPattern& pattern,
+                                                  int threads = 1);
 
 }  // namespace glisson::fem

@@ -2,7 +2,9 @@
 #include "front_tree.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
+#include <numeric>
 
 namespace glisson::fem {
 namespace {
@@ -84,24 +86,90 @@ std::vector<Front> build_fronts(const BlockPattern& pattern) {
   return fronts;
 }
 
-std::vector<std::size_t> plan_memory(const std::vector<Front>& fronts, const std::vector<std::size_t>& sizes,
-                                     std::size_t* total) {
-  std::vector<std::size_t> offsets(fronts.size(), 0);
-  std::map<std::size_t, std::size_t> taken;  // offset to end
-  *total = 0;
+double front_work(const Front& front) {
+  const double k = 3.0 * front.columns, m = 3.0 * static_cast<double>(front.rows.size());
+  return k * k * k / 6.0 + 0.5 * k * k * m + 0.5 * k * m * m;
+}
+
+FrontGroups in_one_go(const std::vector<Front>& fronts) {
+  FrontGroups groups(1, std::vector<int>(fronts.size()));
+  std::iota(groups[0].begin(), groups[0].end(), 0);
+  return groups;
+}
+
+FrontGroups share_out(const std::vector<Front>& fronts) {
+  // Above the subtrees the threads share a front's rows, which goes less well.
+  constexpr double kAbove = 0.65;
+  constexpr int kMostAbove = 100;
+  std::vector<double> below;  // work of a front's whole subtree
+  std::vector<int> subtrees;
   for (std::size_t f = 0; f < fronts.size(); ++f) {
-    if (sizes[f] > 0) {
-      std::size_t at = 0;
-      for (const auto& [first, last] : taken) {
-        if (first >= at + sizes[f]) break;
-        at = last;
-      }
-      taken[at] = at + sizes[f];
-      offsets[f] = at;
-      *total = std::max(*total, at + sizes[f]);
+    below.push_back(front_work(fronts[f]));
+    for (const int child : fronts[f].children) below[f] += below[static_cast<std::size_t>(child)];
+    if (fronts[f].parent < 0) subtrees.push_back(static_cast<int>(f));
+  }
+  const auto larger = [&](int a, int b) {
+    const double one = below[static_cast<std::size_t>(a)], other = below[static_cast<std::size_t>(b)];
+    return one > other || (one == other && a < b);
+  };
+  std::vector<int> side(fronts.size(), 2), best;  // of the subtrees' roots; 2: above
+  double above = 0.0, least = std::numeric_limits<double>::infinity();
+  for (int split = 0; split < kMostAbove && !subtrees.empty(); ++split) {
+    std::sort(subtrees.begin(), subtrees.end(), larger);
+    double load[2] = {0.0, 0.0};
+    for (const int root : subtrees) {
+      const int to = load[1] < load[0] ? 1 : 0;
+      load[to] += below[static_cast<std::size_t>(root)];
+      side[static_cast<std::size_t>(root)] = to;
     }
-    for (const int child : fronts[f].children)
-      if (sizes[static_cast<std::size_t>(child)] > 0) taken.erase(offsets[static_cast<std::size_t>(child)]);
+    const double takes = std::max(load[0], load[1]) + kAbove * above;
+    if (takes < least) {
+      least = takes;
+      best = side;
+      for (std::size_t f = fronts.size(); f-- > 0;) {  // what hangs on a root goes with it
+        const int parent = fronts[f].parent;
+        if (parent >= 0 && best[static_cast<std::size_t>(parent)] < 2)
+          best[f] = best[static_cast<std::size_t>(parent)];
+      }
+    }
+    const int largest = subtrees.front();
+    side[static_cast<std::size_t>(largest)] = 2;
+    above += front_work(fronts[static_cast<std::size_t>(largest)]);
+    subtrees.erase(subtrees.begin());
+    const auto& children = fronts[static_cast<std::size_t>(largest)].children;
+    subtrees.insert(subtrees.end(), children.begin(), children.end());
+  }
+  FrontGroups groups(3);
+  for (std::size_t f = 0; f < fronts.size(); ++f)
+    groups[static_cast<std::size_t>(best[f])].push_back(static_cast<int>(f));
+  return groups;
+}
+
+std::vector<std::size_t> plan_memory(const std::vector<Front>& fronts, const FrontGroups& groups,
+                                     const std::vector<std::size_t>& sizes, std::size_t* total) {
+  std::vector<std::size_t> offsets(fronts.size(), 0);
+  *total = 0;
+  for (const std::vector<int>& group : groups) {
+    const std::size_t begin = *total;
+    std::map<std::size_t, std::size_t> taken;  // offset to end
+    for (const int front : group) {
+      const auto f = static_cast<std::size_t>(front);
+      if (sizes[f] > 0) {
+        std::size_t at = begin;
+        for (const auto& [first, last] : taken) {
+          if (first >= at + sizes[f]) break;
+          at = last;
+        }
+        taken[at] = at + sizes[f];
+        offsets[f] = at;
+        *total = std::max(*total, at + sizes[f]);
+      }
+      for (const int child : fronts[f].children) {
+        const auto c = static_cast<std::size_t>(child);
+        const auto at = taken.find(offsets[c]);
+        if (sizes[c] > 0 && at != taken.end()) taken.erase(at);
+      }
+    }
   }
   return offsets;
 }

@@ -21,9 +21,21 @@ struct Front {
 /// parent where the zeros that this stores cost less time than the front's own overhead.
 std::vector<Front> build_fronts(const BlockPattern& pattern);
 
-/// Offsets for buffers of given sizes that live from their own turn to their parent's (inclusive), packed.
+/// About how many multiplications a front takes.
+double front_work(const Front& front);
+
+/// Fronts in groups, each ascending. All but the last may be worked on at once: whole subtrees, none of which
+/// needs another; the last holds what is above them, and comes after.
+using FrontGroups = std::vector<std::vector<int>>;
+/// Three groups, for two threads, as equal as whole subtrees allow. The tree alone decides.
+FrontGroups share_out(const std::vector<Front>& fronts);
+/// One group.
+FrontGroups in_one_go(const std::vector<Front>& fronts);
+
+/// Offsets for buffers of given sizes that live from their own turn to their parent's (inclusive), packed;
+/// each group has a space of its own.
 /// @param total receives the space needed.
-std::vector<std::size_t> plan_memory(const std::vector<Front>& fronts, const std::vector<std::size_t>& sizes,
-                                     std::size_t* total);
+std::vector<std::size_t> plan_memory(const std::vector<Front>& fronts, const FrontGroups& groups,
+                                     const std::vector<std::size_t>& sizes, std::size_t* total);
 
 }  // namespace glisson::fem

@@ -22,6 +22,8 @@ void IntegratorOptions::validate() const {
   if (max_iterations < 1)
     throw InputError("integrator options", "max_iterations", "is " + std::to_string(max_iterations),
                      "Give 1 or more");
+  if (threads < 1 || threads > 2)
+    throw InputError("integrator options", "threads", "is " + std::to_string(threads), "Give 1 or 2");
 }
 
 struct Integrator::Impl {
@@ -47,7 +49,7 @@ struct Integrator::Impl {
     if (o.solver == LinearSolver::fast)
       two_level = std::make_unique<TwoLevelSolver>(system.pattern(), x);
     else
-      factorization = make_factorization(o.solver, system.pattern());
+      factorization = make_factorization(o.solver, system.pattern(), o.threads);
   }
 
   /// dx of the system that is assembled, into `solution`. @return false when it cannot be had.

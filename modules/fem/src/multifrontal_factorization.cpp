@@ -6,12 +6,20 @@
 namespace glisson::fem {
 namespace {
 
+constexpr double kWorthACompanion = 25e6;  ///< multiplications of a whole factor: about 4 ms
+constexpr double kWorthAHalf = 0.5e6;      ///< of a piece: some 80 us
+
 int round_up_8(int n) { return (n + 7) & ~7; }
 
 }  // namespace
 
-MultifrontalFactorization::MultifrontalFactorization(const BlockPattern& pattern, const DenseKernels& kernels)
+MultifrontalFactorization::MultifrontalFactorization(const BlockPattern& pattern, int threads,
+                                                     const DenseKernels& kernels)
     : kernels_(kernels), fronts_(build_fronts(pattern)) {
+  double work = 0.0;
+  for (const Front& front : fronts_) work += front_work(front);
+  if (threads > 1 && work > kWorthACompanion) companion_ = std::make_unique<Companion>();
+  groups_ = companion_ ? share_out(fronts_) : in_one_go(fronts_);
   std::size_t panel_space = 0, most_rows = 0;
   std::vector<std::size_t> schur_sizes;
   for (const Front& front : fronts_) {
@@ -42,10 +50,11 @@ MultifrontalFactorization::MultifrontalFactorization(const BlockPattern& pattern
     layouts_.push_back(layout);
   }
   std::size_t schur_space = 0;
-  const std::vector<std::size_t> offsets = plan_memory(fronts_, schur_sizes, &schur_space);
+  const std::vector<std::size_t> offsets = plan_memory(fronts_, groups_, schur_sizes, &schur_space);
   panels_.assign(panel_space + 64, 0.0);
   schur_.assign(schur_space + 64, 0.0);
   below_.assign(most_rows, 0.0);
+  below_theirs_.assign(companion_ ? most_rows : 0, 0.0);
   for (std::size_t f = 0; f < fronts_.size(); ++f) {
     const Front& front = fronts_[f];
     layouts_[f].schur = offsets[f];
@@ -106,24 +115,90 @@ void MultifrontalFactorization::add_child(std::size_t child, std::size_t parent)
     }
 }
 
-bool MultifrontalFactorization::factorise(const std::vector<double>& values) {
-  for (std::size_t f = 0; f < fronts_.size(); ++f) {
-    const Layout& layout = layouts_[f];
-    load_panel(f, values);
-    double* schur = schur_.data() + layout.schur;
-    std::fill_n(schur, static_cast<std::size_t>(layout.stride_schur) * static_cast<std::size_t>(layout.rows),
-                0.0);
-    for (const int child : fronts_[f].children) add_child(static_cast<std::size_t>(child), f);
-    double* panel = panels_.data() + layout.panel;
-    if (!kernels_.factor_panel(panel, layout.stride, layout.columns)) return false;
-    if (layout.rows > 0)
-      kernels_.subtract_product(schur, layout.stride_schur, layout.rows, panel, layout.stride,
-                                layout.columns);
+template <class Work>
+void MultifrontalFactorization::by_rows(bool shared, int from, int to, double worth, const Work& work) {
+  const int middle = from + round_up_8((to - from) / 2);
+  if (!shared || worth < kWorthAHalf || middle >= to)
+    work(from, to);
+  else
+    companion_->together([&] { work(from, middle); }, [&] { work(middle, to); });
+}
+
+bool MultifrontalFactorization::factor_panel(const Layout& layout, bool shared) {
+  double* panel = panels_.data() + layout.panel;
+  const int stride = layout.stride;
+  double inverse[kPanelBlock];
+  for (int first = 0; first < layout.columns; first += kPanelBlock) {
+    const int width = std::min(kPanelBlock, layout.columns - first);
+    const int own = std::min(stride, round_up_8(first + width));
+    const double below = stride - own;
+    if (first > 0)
+      by_rows(shared, first & ~7, stride, below * width * first,
+              [&](int from, int to) { kernels_.update_block(panel, stride, first, width, from, to); });
+    const bool halves = shared && 0.5 * below * width * width > kWorthAHalf;
+    if (!kernels_.factor_block(panel, stride, first, width, halves ? own : stride, inverse)) return false;
+    if (halves)
+      by_rows(shared, own, stride, 0.5 * below * width * width, [&](int from, int to) {
+        kernels_.solve_block(panel, stride, first, width, from, to, inverse);
+      });
   }
   return true;
 }
 
+void MultifrontalFactorization::subtract_product(const Layout& layout, bool shared) {
+  const double* panel = panels_.data() + layout.panel;
+  double* schur = schur_.data() + layout.schur;
+  const auto work = [&](int from, int to) {
+    kernels_.subtract_product(schur, layout.stride_schur, from, to, panel, layout.stride, layout.columns);
+  };
+  const double size = layout.rows;
+  // The first columns of a triangle are the longest: half the work is in 1 - 1/sqrt(2) of them.
+  const int half = 6 * static_cast<int>(0.293 * size / 6.0);
+  if (!shared || 0.5 * size * size * layout.columns < kWorthAHalf)
+    work(0, layout.rows);
+  else
+    companion_->together([&] { work(0, half); }, [&] { work(half, layout.rows); });
+}
+
+bool MultifrontalFactorization::factorise_front(int front, const std::vector<double>& values, bool shared) {
+  const auto f = static_cast<std::size_t>(front);
+  const Layout& layout = layouts_[f];
+  load_panel(f, values);
+  std::fill_n(schur_.data() + layout.schur,
+              static_cast<std::size_t>(layout.stride_schur) * static_cast<std::size_t>(layout.rows), 0.0);
+  for (const int child : fronts_[f].children) add_child(static_cast<std::size_t>(child), f);
+  if (!factor_panel(layout, shared)) return false;
+  if (layout.rows > 0) subtract_product(layout, shared);
+  return true;
+}
+
+bool MultifrontalFactorization::factorise(const std::vector<double>& values) {
+  const auto in_order = [&](const std::vector<int>& group, bool shared) {
+    return std::all_of(group.begin(), group.end(),
+                       [&](int front) { return factorise_front(front, values, shared); });
+  };
+  if (!companion_) return in_order(groups_.front(), false);
+  bool mine = false, theirs = false;
+  companion_->together([&] { mine = in_order(groups_[0], false); },
+                       [&] { theirs = in_order(groups_[1], false); });
+  return mine && theirs && in_order(groups_[2], true);
+}
+
+void MultifrontalFactorization::backward(const std::vector<int>& group, Eigen::VectorXd& x,
+                                         std::vector<double>& below) {
+  for (auto front = group.rbegin(); front != group.rend(); ++front) {
+    const auto f = static_cast<std::size_t>(*front);
+    const Layout& layout = layouts_[f];
+    const std::vector<int>& rows = fronts_[f].rows;
+    for (std::size_t r = 0; r < rows.size(); ++r)
+      for (std::size_t k = 0; k < 3; ++k) below[3 * r + k] = x[3 * rows[r] + static_cast<Eigen::Index>(k)];
+    kernels_.backward(panels_.data() + layout.panel, layout.stride, layout.columns, layout.rows,
+                      x.data() + 3 * fronts_[f].first, below.data());
+  }
+}
+
 void MultifrontalFactorization::solve(Eigen::VectorXd& x) {
+  // Forward by one thread: what two subtrees add to a row above them is added in one order.
   for (std::size_t f = 0; f < fronts_.size(); ++f) {
     const Layout& layout = layouts_[f];
     const std::vector<int>& rows = fronts_[f].rows;
@@ -133,14 +208,10 @@ void MultifrontalFactorization::solve(Eigen::VectorXd& x) {
     for (std::size_t r = 0; r < rows.size(); ++r)
       for (std::size_t k = 0; k < 3; ++k) x[3 * rows[r] + static_cast<Eigen::Index>(k)] += below_[3 * r + k];
   }
-  for (std::size_t f = fronts_.size(); f-- > 0;) {
-    const Layout& layout = layouts_[f];
-    const std::vector<int>& rows = fronts_[f].rows;
-    for (std::size_t r = 0; r < rows.size(); ++r)
-      for (std::size_t k = 0; k < 3; ++k) below_[3 * r + k] = x[3 * rows[r] + static_cast<Eigen::Index>(k)];
-    kernels_.backward(panels_.data() + layout.panel, layout.stride, layout.columns, layout.rows,
-                      x.data() + 3 * fronts_[f].first, below_.data());
-  }
+  backward(groups_.back(), x, below_);
+  if (companion_)
+    companion_->together([&] { backward(groups_[0], x, below_); },
+                         [&] { backward(groups_[1], x, below_theirs_); });
 }
 
 }  // namespace glisson::fem

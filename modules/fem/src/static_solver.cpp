@@ -31,7 +31,7 @@ class StaticSolve {
         loads_(loads),
         options_(options),
         system_(model.impl(), options.fixed_nodes),
-        factorization_(make_factorization(LinearSolver::direct, system_.pattern())) {}
+        factorization_(make_factorization(LinearSolver::direct, system_.pattern(), options.threads)) {}
 
   Cancellable<StaticSummary> run(const Points& start, const RunContext& context) {
     StaticSummary summary;

@@ -92,6 +92,7 @@ class Operations {
   std::optional<Points> run(const Draw& draw, const RunContext& context) const {
     fem::StaticOptions newton;
     newton.max_iterations = 40;
+    newton.threads = 1;  // two operations are simulated at a time
     newton.tolerance = 1e-3;  // 20 um on the springs that hold the organ
     const auto solved = fem::solve_static(
         composite_, rest_, [&](const Points& x) { return loads(draw, x); }, newton, context);

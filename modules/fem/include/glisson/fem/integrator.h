@@ -20,6 +20,7 @@ struct IntegratorOptions {
   LinearSolver solver = LinearSolver::direct;
   double tolerance = 1e-6;   ///< of `fast`: |b - A dx| <= tolerance |b|
   int max_iterations = 400;  ///< of `fast`; a step that needs more fails
+  int threads = 2;           ///< of `direct`, 1 or 2: the same bits. A small matrix is left to one
   /// Nodes that do not move (0-based) unless a step's loads prescribe where they go.
   std::vector<int> fixed_nodes;
 
@@ -65,6 +66,7 @@ struct StaticOptions {
   /// Of the residual force, relative to the external one (to what holds the fixed nodes, where that is none).
   double tolerance = 1e-8;
   std::vector<int> fixed_nodes;  ///< stay where the start has them
+  int threads = 2;               ///< 1 or 2: the same bits
 };
 struct StaticSummary {
   Points positions;
