@@ -99,6 +99,7 @@ std::string caption(const std::string& name) {
 void write_demo_report(const std::filesystem::path& path, const std::string& patient,
                        const std::vector<std::string>& pictures, const DemoResult& result) {
   std::vector<ReportPicture> shown;
+  shown.reserve(pictures.size());
   for (const std::string& name : pictures) shown.push_back({"pictures/" + name + ".png", caption(name)});
   const std::string introduction =
       "From CT to overlay: " + patient +

@@ -17,7 +17,7 @@ Eigen::Matrix2d plane_stress(const Membrane& e, const Eigen::Matrix2d& stretch) 
 /// of it; only where it is positive when projecting.
 void add_geometric(const Membrane& e, const PlanePolar& polar, bool project, Eigen::Matrix<double, 9, 9>& k) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(polar.stretch);
-  const Eigen::Vector2d s = eigen.eigenvalues();
+  const Eigen::Vector2d& s = eigen.eigenvalues();
   const Eigen::Matrix<double, 3, 2> u = polar.rotation * eigen.eigenvectors();
   const Eigen::Matrix<double, 2, 3> g = eigen.eigenvectors().transpose() * e.gradients;
   const double trace = s.sum() - 2.0;

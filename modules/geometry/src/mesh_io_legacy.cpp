@@ -266,7 +266,7 @@ class LegacyParser {
       return type.size == 4 ? static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(raw)))
                             : std::bit_cast<double>(raw);
     if (type.kind == Kind::unsigned_integer) return static_cast<double>(raw);
-    const auto unused = static_cast<int>(64 - 8 * type.size);
+    const auto unused = 64 - 8 * std::clamp(static_cast<int>(type.size), 1, 8);
     return static_cast<double>(static_cast<std::int64_t>(raw << unused) >> unused);
   }
 

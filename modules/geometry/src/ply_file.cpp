@@ -219,7 +219,8 @@ void check_count(const Body& body, const PlyElement& element, const std::vector<
 std::vector<double> read_list(Body& body, const Property& property, const std::string& field,
                               const std::string& name) {
   const double length = body.read(property.count_type, field);
-  if (!(length >= 0.0) || length > static_cast<double>(body.remaining() / body.least_size(property.type) + 1))
+  const auto fit = body.remaining() / body.least_size(property.type) + 1;
+  if (!(length >= 0.0) || length > static_cast<double>(fit))
     throw InputError(name, field, "has a list longer than the file", kExport);
   std::vector<double> list(static_cast<std::size_t>(length));
   for (double& value : list) value = body.read(property.type, field);

@@ -68,7 +68,7 @@ struct RoundCone {
 /// Uniform numbers that are the same with every standard library.
 class Dice {
  public:
-  explicit Dice(std::mt19937_64 source) : source_(std::move(source)) {}
+  explicit Dice(const std::mt19937_64& source) : source_(source) {}
   double between(double low, double high) { return low + (high - low) * uniform01(source_); }
   Vec inside(const Vec& low, const Vec& high) {
     const double x = between(low.x(), high.x());

@@ -63,8 +63,8 @@ TriangleMesh flying_edges(const VolumeGrid& grid, std::vector<float>& field) {
 
 /// The largest piece: where two round shapes nearly miss each other a contour may leave a crumb.
 TriangleMesh largest(const TriangleMesh& mesh) {
-  std::vector<TriangleMesh> pieces = split_components(mesh);
-  return pieces.empty() ? mesh : std::move(pieces.front());
+  const std::vector<TriangleMesh> pieces = split_components(mesh);
+  return pieces.empty() ? mesh : pieces.front();
 }
 
 }  // namespace

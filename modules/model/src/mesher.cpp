@@ -73,7 +73,7 @@ class Domain : public LabelledDomain {
                        parameters::relative_error_bound = 1e-6, parameters::p_rng = random),
         first_(std::move(first)) {}
 
-  struct Construct_initial_points {
+  struct Construct_initial_points {  // NOLINT: CGAL asks for this name
     const std::vector<std::pair<Point3, Index>>& first;
     template <class Output>
     Output operator()(Output output, int = 0) const {
@@ -153,6 +153,7 @@ TetMesh extract(const Complex& complex, const MesherInput& input, const Placemen
   std::map<Triangulation::Vertex_handle, int> number;
   for (auto cell = complex.cells_in_complex_begin(); cell != complex.cells_in_complex_end(); ++cell)
     for (int k = 0; k < 4; ++k) number.emplace(cell->vertex(k), -1);
+  order.reserve(number.size());
   for (const auto& [vertex, unused] : number)
     order.push_back({{vertex->point().x(), vertex->point().y(), vertex->point().z()}, vertex});
   std::sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });

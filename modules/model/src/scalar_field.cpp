@@ -114,10 +114,8 @@ double ScalarField::volume() const {
 Eigen::Vector3d ScalarField::deepest() const {
   const auto best = std::max_element(values_.begin(), values_.end()) - values_.begin();
   const long row = grid_.size.x(), slice = row * grid_.size.y();
-  return grid_
-      .p_in_ct({static_cast<double>(best % row), static_cast<double>(best % slice / row),
-                static_cast<double>(best / slice)})
-      .xyz;
+  const long i = best % row, j = best % slice / row, k = best / slice;
+  return grid_.p_in_ct({static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)}).xyz;
 }
 
 ScalarField resampled(const ScalarField& field, double spacing_mm) {

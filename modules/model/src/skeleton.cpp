@@ -14,7 +14,8 @@ namespace glisson::model {
 
 Eigen::Vector3d VesselVoxels::position_mm(int voxel) const {
   const int row = mask.size.x(), slice = row * mask.size.y();
-  return Eigen::Vector3d(voxel % row, voxel % slice / row, voxel / slice).cwiseProduct(mask.spacing_mm);
+  const Eigen::Vector3i at(voxel % row, voxel % slice / row, voxel / slice);
+  return at.cast<double>().cwiseProduct(mask.spacing_mm);
 }
 
 std::vector<VesselVoxels::Step> VesselVoxels::steps() const {
@@ -349,6 +350,7 @@ std::vector<std::vector<SkeletonPath>> skeleton(const VesselVoxels& vessel, cons
                                                 const SkeletonOptions& options) {
   const SpanningTree tree = span(vessel, roots, options);
   std::vector<std::vector<SkeletonPath>> all;
+  all.reserve(roots.size());
   for (const int root : roots) all.push_back(Extraction(vessel, tree, options).paths_from(root));
   return all;
 }
