@@ -94,6 +94,7 @@ std::vector<std::pair<Label, Eigen::Vector3d>> lesion_centres(const PatientModel
     total += v;
   }
   std::vector<std::pair<Label, Eigen::Vector3d>> centres;
+  centres.reserve(sums.size());
   for (const auto& [label, sum] : sums) centres.emplace_back(label, sum.first / sum.second);
   for (const NamedSurface& surface : model.surfaces)
     if (is_lesion(surface.structure) && !sums.contains(surface.structure))
