@@ -38,9 +38,9 @@ struct Shape {
   vtkNew<vtkActor> actor;
 };
 
-std::unique_ptr<Shape> make_shape(vtkSmartPointer<vtkPolyData> data) {
+std::unique_ptr<Shape> make_shape(const vtkSmartPointer<vtkPolyData>& data) {
   auto shape = std::make_unique<Shape>();
-  shape->data = std::move(data);
+  shape->data = data;
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(shape->data);
   shape->actor->SetMapper(mapper);
@@ -369,8 +369,6 @@ void PatientScene::look_from(ViewFrom from) {
       direction = {0, 0, -1}, up = {0, -1, 0};
       break;
     case ViewFrom::inferior:
-      direction = {0, 0, 1}, up = {0, -1, 0};
-      break;
     case ViewFrom::camera:
       direction = {0, 0, 1}, up = {0, -1, 0};
       break;
