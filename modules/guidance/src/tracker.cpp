@@ -2,7 +2,6 @@
 #include "glisson/guidance/tracker.h"
 
 #include <Eigen/Geometry>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
