@@ -6,6 +6,7 @@
 
 #include <QDir>
 #include <QLocale>
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <csignal>
@@ -84,6 +85,7 @@ Arguments::Arguments(const QString& command, const QString& description) : comma
 
 void Arguments::positional(const QString& name, const QString& description, const QString& syntax) {
   parser_.addPositionalArgument(name, description, syntax);
+  takes_positionals_ = true;
 }
 void Arguments::option(const QString& name, const QString& description, const QString& value_name,
                        const QString& fallback) {
@@ -100,6 +102,9 @@ bool Arguments::parse(const QStringList& arguments) {
     throw UsageError(parser_.errorText().toStdString() + " See 'glisson " + command_.toStdString() +
                      " --help'.");
   if (!parser_.isSet("help")) {
+    if (!takes_positionals_ && !positionals().isEmpty())
+      throw UsageError(positionals().front().toStdString() + ": is no option of 'glisson " +
+                       command_.toStdString() + "'. See 'glisson " + command_.toStdString() + " --help'.");
     // A folder that the command itself will make is a good place too.
     const fs::path folder = path("json").parent_path();
     const bool made_here = parser_.optionNames().contains("out") && !folder.empty() &&
@@ -122,9 +127,13 @@ fs::path Arguments::required_path(const QString& name) const {
   return path(name);
 }
 
-fs::path Arguments::output_file(const QString& name) const {
+fs::path Arguments::output_file(const QString& name, const QStringList& endings) const {
   const fs::path file = required_path(name);
   require_place_for(file);
+  const auto fits = [&](const QString& ending) { return value(name).endsWith(ending, Qt::CaseInsensitive); };
+  if (!endings.isEmpty() && std::none_of(endings.begin(), endings.end(), fits))
+    throw UsageError("--" + name.toStdString() + " " + file.string() + ": must end in " +
+                     endings.join(", ").toStdString() + ".");
   return file;
 }
 
@@ -163,7 +172,9 @@ QStringList Arguments::positionals(int low, int high) const {
   const QStringList given = parser_.positionalArguments();
   if (given.size() < low || given.size() > high)
     throw UsageError("glisson " + command_.toStdString() + ": " + std::to_string(given.size()) +
-                     " arguments were given. See 'glisson " + command_.toStdString() + " --help'.");
+                     " arguments were given besides the options, " + std::to_string(low) +
+                     (high > low ? " to " + std::to_string(high) : "") + " is needed. See 'glisson " +
+                     command_.toStdString() + " --help'.");
   return given;
 }
 

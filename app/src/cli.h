@@ -61,8 +61,10 @@ class Arguments {
   /// @throws UsageError when the option is absent.
   std::filesystem::path required_path(const QString& name) const;
   /// A file that the command will write. Asked for before the work, so that hours of it are not lost to a
-  /// misspelt folder. @throws UsageError when the option is absent, FileError when no file can stand there.
-  std::filesystem::path output_file(const QString& name) const;
+  /// misspelt folder. @throws UsageError when the option is absent or of no such format, FileError when no
+  /// file can stand there.
+  /// @param endings of the formats that can be written; empty: any.
+  std::filesystem::path output_file(const QString& name, const QStringList& endings = {}) const;
   /// A file that is read at the end, when there is such an option. @throws FileError when it does not exist.
   void require_existing(const QString& name) const;
   /// @throws UsageError when it is not a number, or outside [low, high].
@@ -78,6 +80,7 @@ class Arguments {
  private:
   QString command_;
   QCommandLineParser parser_;
+  bool takes_positionals_ = false;
 };
 
 /// A script of engine commands with its progress on the terminal, and the figures of everything that it did.

@@ -65,7 +65,7 @@ int run_segment(const QStringList& given) {
   arguments.option("labels-out", Cli::tr("Also write the labels here (.seg.nrrd, .nii.gz)."), "FILE");
   if (!arguments.parse(given)) return 0;
   const fs::path seeds = arguments.required_path("seeds");
-  if (arguments.has("labels-out")) arguments.output_file("labels-out");
+  if (arguments.has("labels-out")) arguments.output_file("labels-out", {".nrrd", ".nii.gz", ".nii", ".mha"});
   arguments.require_existing("truth");
   const LabelCodes truth_codes = codes_of(arguments, "truth-codes");
   Session session(arguments);
@@ -102,7 +102,7 @@ int run_model(const QStringList& given) {
   arguments.option("mesh-out", Cli::tr("Also write the mesh here (.vtu, .vtk)."), "FILE");
   if (!arguments.parse(given)) return 0;
   options.mesh.target_vertices = arguments.integer("vertices", 50, 200000);
-  if (arguments.has("mesh-out")) arguments.output_file("mesh-out");
+  if (arguments.has("mesh-out")) arguments.output_file("mesh-out", {".vtu", ".vtk"});
   arguments.require_existing("truth");
   const LabelCodes codes = codes_of(arguments, "codes");
   Session session(arguments);

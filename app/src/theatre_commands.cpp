@@ -194,7 +194,7 @@ int run_reconstruct(const QStringList& given) {
                            "distances. Read after everything else."),
                    "FILE");
   if (!arguments.parse(given)) return 0;
-  const fs::path out = arguments.output_file("out");
+  const fs::path out = arguments.output_file("out", {".ply"});
   arguments.require_existing("truth");
   Session session(arguments);
   session.post(engine::SetCalibration{arguments.required_path("calibration")});
@@ -249,7 +249,7 @@ int run_register(const QStringList& given) {
   arguments.option("out", Cli::tr("The registered mesh (.vtu), or surface (.vtp) when a surface was given."),
                    "registered.vtu");
   if (!arguments.parse(given)) return 0;
-  const fs::path out = arguments.output_file("out");
+  const fs::path out = arguments.output_file("out", {".vtu", ".vtk", ".vtp", ".stl", ".obj", ".ply"});
   const fs::path cloud = arguments.required_path("cloud");
   arguments.require_existing("truth");
   Session session(arguments);

@@ -18,7 +18,7 @@ int run_render(const QStringList& given) {
   arguments.option("frame", Cli::tr("Number of the frame, from 0."), "N", "0");
   arguments.option("out", Cli::tr("The picture (.png, .jpg)."), "picture.png");
   if (!arguments.parse(given)) return 0;
-  const std::filesystem::path out = arguments.output_file("out");
+  const std::filesystem::path out = arguments.output_file("out", {".png", ".jpg", ".jpeg"});
   const int wanted = arguments.integer("frame", 0, 10000000);
   Session session(arguments);
   session.post(engine::OpenCase{arguments.required_path("case")});
@@ -46,7 +46,7 @@ int run_overlay(const QStringList& given) {
   arguments.option("frames", Cli::tr("Record only so many frames."), "N");
   arguments.option("out", Cli::tr("The video (.mkv)."), "overlay.mkv");
   if (!arguments.parse(given)) return 0;
-  const std::filesystem::path out = arguments.output_file("out");
+  const std::filesystem::path out = arguments.output_file("out", {".mkv"});
   Session session(arguments);
   session.post(engine::OpenCase{arguments.required_path("case")});
   if (!session.state().video)

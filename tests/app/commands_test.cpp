@@ -127,6 +127,9 @@ class CommandsTest : public QObject {
     QCOMPARE(files(), before);
   }
 
+  /// Two plain pictures of that size with the calibration c.yaml.
+  void refuse_reconstruction(const QSize& size, const QString& mentions) const;
+
  private slots:
   void init() { folder_ = std::make_unique<TemporaryFolder>(); }
   void cleanup() { folder_.reset(); }
@@ -145,6 +148,8 @@ class CommandsTest : public QObject {
   void AMeshDamagedOnItsWayIsRefusedInOneSentence();
   void AMeshWithInvertedTetrahedraIsRefused();
   void ALiverOfAHundredMetresIsRefusedWithTheUnit();
+  void ACloudInAnotherUnitIsRefusedWithTheUnit();
+  void ACaseOfAnotherVersionIsRefused();
   void SeveralLargeComponentsAreRefused();
   void AVideoThatEndsEarlyIsRecognised();
   void RegisterFindsAKnownDeformationAndKeepsTheNodeOrder();
@@ -202,6 +207,11 @@ void CommandsTest::WrongUsageIsRefusedWithCodeTwo() {
   refused({"import", "--case", "a.glisson"}, "arguments", 2);
   refused({"--no-such-option"}, "unknown option", 2);
   refused({"demo", "--distance", "12"}, "from 80 to 160", 2);
+  refused({"demo", "--headless", "headles"}, "headles: is no option", 2);
+  refused({"segment", "--case", "a.glisson", "--seeds", "s.json", "--labels-out", "l.txt"}, ".nrrd", 2);
+  refused({"model", "--case", "a.glisson", "--mesh-out", "m.stl"}, "must end in .vtu", 2);
+  refused({"render", "--case", "a.glisson", "--out", "p.txt"}, ".png", 2);
+  refused({"reconstruct", "--out", "c.xyz"}, ".ply", 2);
 }
 
 void CommandsTest::MissingInputIsNamed() {
@@ -249,19 +259,21 @@ void CommandsTest::LabelsOfAnotherGridAreRefusedAndTheCaseStands() {
   QCOMPARE(read_file(at("a.glisson/case.json")), before);
 }
 
-void CommandsTest::ACalibrationOfAnotherSizeIsRefused() {
-  stereo::write_calibration(at("c.yaml"), rig());
-  QImage picture(640, 480, QImage::Format_RGB888);
+void CommandsTest::refuse_reconstruction(const QSize& size, const QString& mentions) const {
+  QImage picture(size, QImage::Format_RGB888);
   picture.fill(Qt::darkRed);
   QVERIFY(picture.save(text_of("l.png")) && picture.save(text_of("r.png")));
   refused(
       {"reconstruct", "--left", "l.png", "--right", "r.png", "--calibration", "c.yaml", "--out", "cloud.ply"},
-      "320x240");
+      mentions);
+}
+
+void CommandsTest::ACalibrationOfAnotherSizeIsRefused() {
+  stereo::write_calibration(at("c.yaml"), rig());
+  refuse_reconstruction({640, 480}, "320x240");
 }
 
 void CommandsTest::SwappedCamerasAreRecognised() {
-  StereoRig swapped = rig();
-  swapped.right_from_left.translation *= -1.0;
   // Written by hand: the writer of a calibration would not write one that its reader refuses.
   stereo::write_calibration(at("good.yaml"), rig());
   std::string yaml = read_file(at("good.yaml"));
@@ -269,12 +281,7 @@ void CommandsTest::SwappedCamerasAreRecognised() {
   QVERIFY2(place != std::string::npos, yaml.c_str());
   yaml.erase(place, 1);
   write_text(at("c.yaml"), yaml);
-  QImage picture(320, 240, QImage::Format_RGB888);
-  picture.fill(Qt::darkRed);
-  QVERIFY(picture.save(text_of("l.png")) && picture.save(text_of("r.png")));
-  refused(
-      {"reconstruct", "--left", "l.png", "--right", "r.png", "--calibration", "c.yaml", "--out", "cloud.ply"},
-      "swap");
+  refuse_reconstruction({320, 240}, "swap");
 }
 
 void CommandsTest::ACloudWithNanIsRefused() {
@@ -319,6 +326,30 @@ void CommandsTest::AMeshWithInvertedTetrahedraIsRefused() {
 void CommandsTest::ALiverOfAHundredMetresIsRefusedWithTheUnit() {
   write_tet_mesh(at("m.vtu"), ball(), LengthUnit::millimetre);
   refused({"register", "--model", "m.vtu", "--unit", "m", "--cloud", "c.ply", "--out", "r.vtu"}, "mm");
+}
+
+void CommandsTest::ACloudInAnotherUnitIsRefusedWithTheUnit() {
+  write_tet_mesh(at("m.vtu"), ball(), LengthUnit::millimetre);
+  LabelledCloud cloud;
+  cloud.points = sample_surface(boundary_surface(ball()).mesh, 100, 4);
+  write_cloud(at("c.ply"), cloud);
+  refused({"register", "--model", "m.vtu", "--cloud", "c.ply", "--cloud-unit", "m", "--out", "r.vtu"},
+          "Read it in mm");
+  write_cloud(at("c.ply"), cloud, LengthUnit::metre);
+  refused({"register", "--model", "m.vtu", "--cloud", "c.ply", "--out", "r.vtu"}, "Read it in m.");
+}
+
+void CommandsTest::ACaseOfAnotherVersionIsRefused() {
+  write_tet_mesh(at("m.vtu"), ball(), LengthUnit::millimetre);
+  write_triangle_mesh(at("liver.vtp"), boundary_surface(ball()).mesh, LengthUnit::millimetre);
+  QCOMPARE(run({"model", "--surfaces", "liver.vtp", "--case", "a.glisson"}).code, 0);
+  QJsonObject json = figures("a.glisson/case.json");
+  json["version"] = 99;
+  const QByteArray later = QJsonDocument(json).toJson();
+  write_text(at("a.glisson/case.json"), later.toStdString());
+  refused({"register", "--model", "a.glisson", "--cloud", "c.ply", "--out", "r.vtu"}, "newer Glisson");
+  refused({"model", "--surfaces", "liver.vtp", "--case", "a.glisson"}, "newer Glisson");
+  QCOMPARE(read_file(at("a.glisson/case.json")), later.toStdString());
 }
 
 void CommandsTest::SeveralLargeComponentsAreRefused() {

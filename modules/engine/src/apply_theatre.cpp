@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From the pictures to the registration: calibration, frames, cloud, initial registration, and the follower.
+#include <algorithm>
+#include <cstdio>
+
 #include "apply_parts.h"
 #include "glisson/core/error.h"
 #include "glisson/engine/case_io.h"
 #include "glisson/geometry/distance.h"
+#include "glisson/geometry/mesh_io.h"
 #include "glisson/stereo/calibration_io.h"
 #include "glisson/stereo/picture_io.h"
 
@@ -137,10 +141,50 @@ Cancellable<Applied> apply_one(const CaseState& state, const Reconstruct& comman
   return applied;
 }
 
+namespace {
+
+/// Half of a cloud's points lie within this of its middle, metres. Outliers do not count.
+double spread(const Points& points) {
+  const auto median = [](std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+  };
+  Eigen::RowVector3d centre;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Eigen::VectorXd column = points.col(axis);
+    centre[axis] = median({column.begin(), column.end()});
+  }
+  const Eigen::VectorXd distances = (points.rowwise() - centre).rowwise().norm();
+  return median({distances.begin(), distances.end()});
+}
+
+/// A cloud shows some of a liver: from a few millimetres of it to all.
+void require_cloud_of_a_liver(const LabelledCloud& cloud, LengthUnit unit, const std::string& name) {
+  constexpr double kSmallest = 1e-3, kLargest = 0.3;
+  if (cloud.size() == 0) return;
+  const double found = spread(cloud.points);
+  if (found <= kLargest && (found >= kSmallest || cloud.size() < 10)) return;
+  std::string remedy = "Check what the file holds";
+  for (const LengthUnit other : {LengthUnit::metre, LengthUnit::centimetre, LengthUnit::millimetre}) {
+    const double read_so = found / metres_per(unit) * metres_per(other);
+    if (read_so <= kLargest && read_so >= kSmallest) remedy = std::string("Read it in ") + unit_code(other);
+  }
+  char problem[160];
+  std::snprintf(problem, sizeof problem,
+                "half of its points lie within %.3g m of its middle when read in %s, which is no liver",
+                found, unit_code(unit));
+  throw InputError(name, "size", problem, remedy);
+}
+
+}  // namespace
+
 Cancellable<Applied> apply_one(const CaseState& state, const ImportCloud& command, const RunContext&) {
   Applied applied;
   applied.state = state;
-  applied.state.cloud = std::make_shared<const LabelledCloud>(read_cloud(command.path, command.unit));
+  auto cloud = std::make_shared<const LabelledCloud>(read_cloud(command.path, command.unit));
+  require_cloud_of_a_liver(*cloud, command.unit, command.path.string());
+  applied.state.cloud = std::move(cloud);
   applied.figures["cloud_points"] = applied.state.cloud->size();
   return applied;
 }
