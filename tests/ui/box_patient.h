@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "glisson/geometry/camera.h"
 #include "glisson/patient/label_map.h"
 #include "glisson/patient/patient_model.h"
 
@@ -97,6 +98,18 @@ inline PatientModel box_patient() {
   model.landmarks.umbilical_notch.resize(1, 3);
   model.landmarks.umbilical_notch << 0.0, 0.04, -0.025;
   return model;
+}
+
+/// Off-centre principal point, two focal lengths, skew, strong barrel distortion.
+/// @param scale of the picture's 640 x 360 pixels.
+inline Camera laparoscope(double scale = 1.0) {
+  Camera camera;
+  camera.width = static_cast<int>(640 * scale);
+  camera.height = static_cast<int>(360 * scale);
+  camera.matrix << 520.0 * scale, 3.0 * scale, 341.0 * scale, 0.0, 505.0 * scale, 162.5 * scale, 0.0, 0.0,
+      1.0;
+  camera.distortion << -0.28, 0.09, 1.2e-3, -8e-4, 0.0;
+  return camera;
 }
 
 }  // namespace glisson

@@ -22,8 +22,8 @@
 #include "glisson/ui/segmentation/seed_book.h"
 #include "glisson/ui/segmentation/segmentation_panel.h"
 #include "glisson/ui/shell/main_window.h"
-#include "glisson/ui/shell/run_window.h"
 #include "glisson/ui/stereo/stereo_panel.h"
+#include "run_in_window.h"
 
 namespace glisson {
 
@@ -306,13 +306,5 @@ void OperationTest::WindowNeverFroze() {
 
 }  // namespace glisson
 
-int main(int argc, char** argv) {
-  qputenv("LC_ALL", "C.UTF-8");  // the tests read what the window says
-  qunsetenv("LANGUAGE");
-  glisson::ui::prepare_application();
-  QApplication application(argc, argv);
-  glisson::ui::dress_application(application);
-  glisson::OperationTest test;
-  return QTest::qExec(&test, argc, argv);
-}
+int main(int argc, char** argv) { return glisson::run_in_window<glisson::OperationTest>(argc, argv); }
 #include "operation_test.moc"

@@ -15,16 +15,6 @@
 namespace glisson {
 namespace {
 
-/// Off-centre principal point, two focal lengths, strong barrel distortion.
-Camera laparoscope() {
-  Camera camera;
-  camera.width = 640;
-  camera.height = 360;
-  camera.matrix << 520.0, 0.0, 341.5, 0.0, 505.0, 162.25, 0.0, 0.0, 1.0;
-  camera.distortion << -0.28, 0.09, 1.2e-3, -8e-4, 0.0;
-  return camera;
-}
-
 Picture grey_frame(const Camera& camera) {
   return {camera.width, camera.height, 3,
           std::make_shared<std::vector<std::uint8_t>>(

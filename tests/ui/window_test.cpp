@@ -22,8 +22,8 @@
 #include "glisson/ui/segmentation/segmentation_panel.h"
 #include "glisson/ui/shell/case_opening.h"
 #include "glisson/ui/shell/main_window.h"
-#include "glisson/ui/shell/run_window.h"
 #include "glisson/ui/stereo/stereo_panel.h"
+#include "run_in_window.h"
 
 namespace glisson {
 
@@ -456,13 +456,5 @@ void WindowTest::PathsAreTakenForWhatTheyAre() {
 
 }  // namespace glisson
 
-int main(int argc, char** argv) {
-  qputenv("LC_ALL", "C.UTF-8");  // the tests read what the window says
-  qunsetenv("LANGUAGE");
-  glisson::ui::prepare_application();
-  QApplication application(argc, argv);
-  glisson::ui::dress_application(application);
-  glisson::WindowTest test;
-  return QTest::qExec(&test, argc, argv);
-}
+int main(int argc, char** argv) { return glisson::run_in_window<glisson::WindowTest>(argc, argv); }
 #include "window_test.moc"

@@ -15,6 +15,17 @@ namespace {
 constexpr std::array<scene::Plane, 3> kPlanes = {scene::Plane::axial, scene::Plane::coronal,
                                                  scene::Plane::sagittal};
 
+/// A strip below a view, and the row of what it holds.
+std::pair<QWidget*, QHBoxLayout*> make_strip(const char* role, const QMargins& margins, int spacing,
+                                             QWidget* parent) {
+  auto* strip = new QWidget(parent);
+  strip->setProperty("role", role);
+  auto* row = new QHBoxLayout(strip);
+  row->setContentsMargins(margins);
+  row->setSpacing(spacing);
+  return {strip, row};
+}
+
 }  // namespace
 
 LinkedViews::LinkedViews(EngineBridge& engine, ViewState& state, DrawableSource& drawables, QWidget* parent)
@@ -37,11 +48,7 @@ LinkedViews::LinkedViews(EngineBridge& engine, ViewState& state, DrawableSource&
     layout->setRowStretch(k, 1);
     layout->setColumnStretch(k, 1);
   }
-  auto* line = new QWidget(this);
-  line->setProperty("role", "probe");
-  auto* row = new QHBoxLayout(line);
-  row->setContentsMargins(10, 4, 10, 4);
-  row->setSpacing(24);
+  const auto [line, row] = make_strip("probe", {10, 4, 10, 4}, 24, this);
   position_ = new QLabel(line);
   value_ = new QLabel(line);
   label_ = new QLabel(line);
@@ -69,11 +76,7 @@ QWidget* LinkedViews::make_volume_pane() {
   volume_->set_title(tr("3D"));
   volume_->show_orientation();
   layout->addWidget(volume_, 1);
-  auto* bar = new QWidget(pane);
-  bar->setProperty("role", "viewbar");
-  auto* row = new QHBoxLayout(bar);
-  row->setContentsMargins(6, 2, 6, 2);
-  row->setSpacing(4);
+  const auto [bar, row] = make_strip("viewbar", {6, 2, 6, 2}, 4, pane);
   const std::array<std::tuple<QString, QString, scene::ViewFrom>, 6> sides = {
       {{tr("A"), tr("Look from the front (anterior)"), scene::ViewFrom::anterior},
        {tr("P"), tr("Look from behind (posterior)"), scene::ViewFrom::posterior},
