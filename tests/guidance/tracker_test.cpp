@@ -21,6 +21,7 @@ class TrackerTest : public QObject {
   void BlackFramesAreNotValidAndTheNextGoodOneIs();
   void PicturesOfAnotherSizeAreNotValid();
   void NoisePicturesAreNotValid();
+  void ADoubtOfTheStartStaysWithEveryFrame();
   void WithoutAFirstFrameItIsNotStarted();
   void CloudsAreFollowedWithoutCorrespondences();
   void FewCloudPointsAreNotValid();
@@ -146,6 +147,17 @@ void TrackerTest::NoisePicturesAreNotValid() {
   }
   QVERIFY(tracker.follow(noise).validity != Validity::valid);
   QVERIFY(tracker.follow(film_[1]).validity == Validity::valid);
+}
+
+void TrackerTest::ADoubtOfTheStartStaysWithEveryFrame() {
+  Registration doubted = start_;
+  doubted.doubts = {"little_surface_seen"};
+  for (const bool doubtful : {false, true}) {
+    Tracker tracker(model_, doubtful ? doubted : start_, options());
+    tracker.begin(rig_, film_[0], {});
+    for (int k = 1; k < 3; ++k)
+      QCOMPARE(tracker.follow(film_[static_cast<std::size_t>(k)]).doubtful, doubtful);
+  }
 }
 
 void TrackerTest::WithoutAFirstFrameItIsNotStarted() {

@@ -74,6 +74,7 @@ class OverlayTest : public QObject {
   void VesselsFadeWithDepthBelowTheSurface();
   void StructuresLeftOutHideNothing();
   void NothingIsDrawnUnlessValid();
+  void ADoubtfulRegistrationIsSaidInThePicture();
   void InvalidFramesSayWhyAndCarryABorder();
   void SamePictureFromTheSameInput();
   void VesselsThatLeaveTheLiverAreNotDrawnOutsideIt();
@@ -196,6 +197,27 @@ void OverlayTest::NothingIsDrawnUnlessValid() {
       for (int u = 20; u < camera.width - 20; ++u)
         QCOMPARE((*picture.bytes)[static_cast<std::size_t>(3 * (v * camera.width + u))], std::uint8_t{90});
   }
+}
+
+void OverlayTest::ADoubtfulRegistrationIsSaidInThePicture() {
+  const Camera camera = laparoscope();
+  scene::OverlayPainter painter(box_patient(), camera);
+  OverlayFrame overlay = at(bent(box_patient().mesh.vertices, {0.0, 0.0, 0.13}));
+  const Picture certain = painter.paint(grey_frame(camera), overlay);
+  overlay.doubtful = true;
+  const Picture doubtful = painter.paint(grey_frame(camera), overlay);
+  int changed = 0, amber = 0;
+  for (int v = 0; v < camera.height; ++v)
+    for (int u = 0; u < camera.width; ++u) {
+      const auto place = static_cast<std::size_t>(3 * (v * camera.width + u));
+      const std::uint8_t* now = doubtful.bytes->data() + place;
+      if (std::equal(now, now + 3, certain.bytes->data() + place)) continue;
+      ++changed;
+      amber += now[2] > 200 && now[1] > 130 && now[0] < 80;
+      QVERIFY(u > camera.width / 3 && v < camera.height / 4);  // the corner, not the organ
+    }
+  QVERIFY(amber > 50);
+  QVERIFY(changed > amber);
 }
 
 void OverlayTest::InvalidFramesSayWhyAndCarryABorder() {

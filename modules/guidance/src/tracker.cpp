@@ -63,6 +63,7 @@ struct Tracker::Impl {
         surface(model),
         springs(model, start.nodes_in_camera, options.boundary_young_modulus, options.boundary_length,
                 options.boundary_tether) {
+    doubtful = !start.doubts.empty();
     integrator.set_state(start.nodes_in_camera);
     surface.move(start.nodes_in_camera);
     mechanics.mesh = model.mesh;
@@ -259,6 +260,7 @@ struct Tracker::Impl {
   std::optional<StereoFollower> follower;
   AnchoredPoints anchors;
   Camera camera;
+  bool doubtful = false;
   double seen = 0.0;  ///< area of the model in the picture, square metres
 };
 
@@ -266,9 +268,10 @@ namespace {
 
 /// Runs and times one frame.
 template <class Follow>
-OverlayFrame timed(const Follow& follow) {
+OverlayFrame timed(bool doubtful, const Follow& follow) {
   const auto start = std::chrono::steady_clock::now();
   OverlayFrame overlay = follow();
+  overlay.doubtful = doubtful;
   overlay.milliseconds =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   return overlay;
@@ -287,11 +290,11 @@ void Tracker::begin(const StereoRig& rig, const StereoFrame& first, const Pictur
 }
 
 OverlayFrame Tracker::follow(const StereoFrame& frame) {
-  return timed([&] { return impl_->follow(frame); });
+  return timed(impl_->doubtful, [&] { return impl_->follow(frame); });
 }
 
 OverlayFrame Tracker::follow(const LabelledCloud& cloud, int index, double seconds, int steps) {
-  return timed([&] { return impl_->follow(cloud, index, seconds, steps); });
+  return timed(impl_->doubtful, [&] { return impl_->follow(cloud, index, seconds, steps); });
 }
 
 }  // namespace glisson::guidance

@@ -40,6 +40,7 @@ class Overlay {
   static QString age(double seconds) { return tr("age %1 ms").arg(qRound(1e3 * seconds)); }
   static QString rate(double per_second) { return tr("%1 fps").arg(per_second, 0, 'f', 1); }
   static QString residual(double metres) { return tr("residual %1 mm").arg(1e3 * metres, 0, 'f', 1); }
+  static QString doubtful() { return tr("Registration in doubt"); }
   static QString research() { return tr("Research software: not for clinical use"); }
   static QString structure(Label label) {
     if (label == structure::kPortalVein) return tr("Portal vein");
@@ -49,11 +50,13 @@ class Overlay {
   }
 };
 
+const QColor kAmber(255, 176, 0);
+
 /// Red where the method has lost the organ, amber where it waits or must be run again.
 QColor border_colour(Validity validity) {
   const bool waits = validity == Validity::not_started || validity == Validity::stale ||
                      validity == Validity::too_few_points;
-  return waits ? QColor(255, 176, 0) : QColor(229, 57, 53);
+  return waits ? kAmber : QColor(229, 57, 53);
 }
 
 /// Sizes that follow the picture's.
@@ -172,6 +175,9 @@ Picture annotate(const Picture& picture, const OverlayFrame& overlay, const Anno
   if (valid) {
     if (style.anterior_margin) draw_margin(painter, layout, annotations.margin);
     if (style.legend) draw_legend(painter, layout, annotations.structures);
+    if (overlay.doubtful)
+      draw_text(painter, layout, Overlay::doubtful(), layout.font(true), kAmber,
+                Qt::AlignRight | Qt::AlignTop);
   } else {
     draw_invalid(painter, layout, overlay.validity);
   }
