@@ -191,6 +191,10 @@
         <translation>Restabstand %1 mm</translation>
     </message>
     <message>
+        <source>Registration in doubt</source>
+        <translation>Registrierung zweifelhaft</translation>
+    </message>
+    <message>
         <source>Research software: not for clinical use</source>
         <translation>Forschungssoftware: nicht für den klinischen Gebrauch</translation>
     </message>

@@ -191,6 +191,10 @@
         <translation>résidu %1 mm</translation>
     </message>
     <message>
+        <source>Registration in doubt</source>
+        <translation>Recalage douteux</translation>
+    </message>
+    <message>
         <source>Research software: not for clinical use</source>
         <translation>Logiciel de recherche : pas d&apos;usage clinique</translation>
     </message>
