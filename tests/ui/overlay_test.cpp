@@ -76,6 +76,7 @@ class OverlayTest : public QObject {
   void NothingIsDrawnUnlessValid();
   void ADoubtfulRegistrationIsSaidInThePicture();
   void InvalidFramesSayWhyAndCarryABorder();
+  void TheReasonFitsIntoASmallPicture();
   void SamePictureFromTheSameInput();
   void VesselsThatLeaveTheLiverAreNotDrawnOutsideIt();
   void FrameOfAnotherSizeIsRefused();
@@ -239,6 +240,22 @@ void OverlayTest::InvalidFramesSayWhyAndCarryABorder() {
     for (int u = 100; u < camera.width - 100; ++u)
       words += (*few.bytes)[static_cast<std::size_t>(3 * (v * camera.width + u) + 2)] > 200 ? 1 : 0;
   QVERIFY2(words > 200, "the reason is written");
+}
+
+void OverlayTest::TheReasonFitsIntoASmallPicture() {
+  const Camera camera = laparoscope(0.5);
+  scene::OverlayPainter painter(box_patient(), camera, {});
+  OverlayFrame overlay;
+  for (const Validity validity :
+       {Validity::not_started, Validity::too_few_points, Validity::inconsistent_motion,
+        Validity::residual_too_large, Validity::mechanics_failed, Validity::stale}) {
+    overlay.validity = validity;
+    const Picture picture = painter.paint(grey_frame(camera), overlay);
+    // Between the border and the words, left and right, the frame is what it was.
+    for (int v = camera.height / 8; v < camera.height * 3 / 4; ++v)
+      for (const int u : {6, camera.width - 7})
+        QCOMPARE((*picture.bytes)[static_cast<std::size_t>(3 * (v * camera.width + u))], std::uint8_t{90});
+  }
 }
 
 void OverlayTest::SamePictureFromTheSameInput() {

@@ -154,13 +154,17 @@ void draw_invalid(QPainter& painter, const Layout& layout, Validity validity) {
                           layout.size.height() - thickness));
   const QFont font = layout.font(true, 1.25);
   const QString text = Overlay::no_overlay(validity);
-  const QFontMetrics metrics(font);
-  QRect box(0, 0, metrics.horizontalAdvance(text) + 4 * layout.margin, metrics.height() + 2 * layout.margin);
-  box.moveCenter(QPoint(layout.size.width() / 2, layout.size.height() / 6));
+  // Why there is no overlay must be read whole: in a narrow picture it takes several lines.
+  const QRect room(0, 0, layout.size.width() - 8 * layout.margin, layout.size.height());
+  const QRect words = QFontMetrics(font).boundingRect(room, Qt::AlignCenter | Qt::TextWordWrap, text);
+  QRect box(0, 0, words.width() + 4 * layout.margin, words.height() + 2 * layout.margin);
+  box.moveCenter(QPoint(layout.size.width() / 2, 0));
+  box.moveTop(std::max(layout.size.height() / 6 - box.height() / 2, 4 * layout.margin));
   draw_plate(painter, box);
   painter.setFont(font);
   painter.setPen(colour);
-  painter.drawText(box, Qt::AlignCenter, text);
+  painter.drawText(box.adjusted(layout.margin, 0, -layout.margin, 0), Qt::AlignCenter | Qt::TextWordWrap,
+                   text);
 }
 
 }  // namespace
