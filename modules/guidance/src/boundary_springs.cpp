@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "boundary_springs.h"
+#include "glisson/guidance/boundary_springs.h"
 
 #include <numbers>
 

@@ -8,9 +8,9 @@
 #include <optional>
 
 #include "anchored_points.h"
-#include "boundary_springs.h"
 #include "glisson/core/error.h"
 #include "glisson/fem/integrator.h"
+#include "glisson/guidance/boundary_springs.h"
 #include "glisson/registration/moving_surface.h"
 #include "glisson/registration/pairs.h"
 #include "stereo_follower.h"
