@@ -27,12 +27,19 @@ Cancellable<Applied> apply_one(const CaseState& state, const SaveCase& command, 
   return applied;
 }
 
-/// Tracking is the engine's own (see Engine::Impl::perform); it has no place in a pure function.
+/// Tracking and trials are the engine's own (see Engine::Impl::perform); they have no place in a pure
+/// function.
 Cancellable<Applied> apply_one(const CaseState&, const StartTracking&, const RunContext&) {
   throw PreconditionError("tracking is started by the engine");
 }
 Cancellable<Applied> apply_one(const CaseState&, const StopTracking&, const RunContext&) {
   throw PreconditionError("tracking is stopped by the engine");
+}
+Cancellable<Applied> apply_one(const CaseState&, const StartTrial&, const RunContext&) {
+  throw PreconditionError("a trial is started by the engine");
+}
+Cancellable<Applied> apply_one(const CaseState&, const StopTrial&, const RunContext&) {
+  throw PreconditionError("a trial is stopped by the engine");
 }
 
 }  // namespace

@@ -43,6 +43,8 @@ Traits traits(const StartTracking&) {
           true};
 }
 Traits traits(const StopTracking&) { return {"stop_tracking", {}, {Part::live}, true}; }
+Traits traits(const StartTrial&) { return {"start_trial", {Part::model, Part::landmarks}, {}, true}; }
+Traits traits(const StopTrial&) { return {"stop_trial", {}, {}, true}; }
 Traits traits(const Simulate&) { return {"simulate", {Part::model}, {}}; }
 Traits traits(const OpenCase&) { return {"open_case", {}, Parts::all()}; }
 // A save reads the whole case; the live view goes on beside it and is not saved.

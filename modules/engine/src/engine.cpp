@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "glisson/core/error.h"
+#include "trial_lane.h"
 
 namespace glisson::engine {
 namespace {
@@ -25,8 +26,13 @@ struct Job {
   std::shared_ptr<CancelFlag> cancel;
 
   Lane lane() const { return is_edit(command) ? Lane::edits : Lane::work; }
+  /// Starts and stops of a trial touch no part, but keep their order.
+  bool is_about_trial() const {
+    return std::holds_alternative<StartTrial>(command) || std::holds_alternative<StopTrial>(command);
+  }
   bool conflicts_with(const Job& other) const {
-    return writes(command).meets(reads(other.command) | writes(other.command)) ||
+    return (is_about_trial() && other.is_about_trial()) ||
+           writes(command).meets(reads(other.command) | writes(other.command)) ||
            writes(other.command).meets(reads(command));
   }
 };
@@ -37,11 +43,12 @@ constexpr std::size_t kOutcomesKept = 1024;
 }  // namespace
 
 struct Engine::Impl {
-  explicit Impl(Options given) : options(std::move(given)), current(std::make_shared<Snapshot>()) {}
+  explicit Impl(Options given)
+      : options(std::move(given)), current(std::make_shared<Snapshot>()), trial(options.trial_seconds) {}
 
   Options options;
 
-  mutable std::mutex mutex;          // guards everything below but the follower
+  mutable std::mutex mutex;          // guards everything below but follower and mechanics
   std::condition_variable changed;   // for the lanes: a job or a frame came, a job ended, or stop
   std::condition_variable finished;  // for waiters
   bool stopping = false;
@@ -56,6 +63,7 @@ struct Engine::Impl {
   std::optional<LiveInput> frame;  // newest wins
   bool following = false;          // a frame is being followed just now
   LiveState live;                  // counters since tracking began
+  TrialLane trial;                 // its mechanics are touched by the edits lane only
 
   std::unique_ptr<Follower> follower;  // touched by the edits lane only
   std::jthread edits_thread, work_thread;
@@ -77,6 +85,10 @@ struct Engine::Impl {
     for (int i = 0; i < kPartCount; ++i)
       snapshot->stages[static_cast<std::size_t>(i)] = stage_state(snapshot->state, static_cast<Part>(i));
     snapshot->tracking = current->tracking;
+    if (trial.fits(snapshot->state))
+      snapshot->trial = current->trial;
+    else
+      trial.end();
     current = std::move(snapshot);
   }
 
@@ -114,6 +126,7 @@ struct Engine::Impl {
 
   /// Takes over what a command made. Only the parts that it writes; the rest may have moved on meanwhile.
   void commit(const Job& job, const CaseState& base, Applied&& applied) {
+    if (writes(job.command) == Parts{} && applied.state.path == base.path) return;  // nothing has changed
     CaseState state = current->state;
     state.path = applied.state.path != base.path ? applied.state.path : state.path;
     if (applied.keeps_stamps) {
@@ -175,9 +188,12 @@ struct Engine::Impl {
       outcome.figures = std::move(applied->figures);
       outcome.notes = std::move(applied->notes);
       settle_tracking(job->command);
+      settle_trial(job->command, base);
       commit(*job, base, std::move(*applied));
     } else if (std::holds_alternative<StartTracking>(job->command)) {
       stop_following();
+    } else if (std::holds_alternative<StartTrial>(job->command)) {
+      stop_trial();
     }
     outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     std::erase(running, job);
@@ -199,6 +215,16 @@ struct Engine::Impl {
       applied.state.live = nullptr;
       return applied;
     }
+    if (const auto* start = std::get_if<StartTrial>(&command)) {
+      auto mechanics = options.make_trial(base, start->options, context);
+      if (!mechanics) return {};
+      trial.set_mechanics(std::move(*mechanics));
+      return Applied{base, {}, {}};
+    }
+    if (std::holds_alternative<StopTrial>(command)) {
+      trial.set_mechanics(nullptr);
+      return Applied{base, {}, {}};
+    }
     return options.apply(base, command, context);
   }
 
@@ -208,6 +234,29 @@ struct Engine::Impl {
     } else if (std::holds_alternative<StopTracking>(command) || std::holds_alternative<OpenCase>(command)) {
       stop_following();
     }
+  }
+  void settle_trial(const Command& command, const CaseState& base) {
+    if (std::holds_alternative<StartTrial>(command)) {
+      trial.begin(base);
+      show_trial(std::make_shared<TrialState>());
+    } else if (std::holds_alternative<StopTrial>(command)) {
+      stop_trial();
+    }
+  }
+  void stop_trial() {
+    trial.end();
+    show_trial(nullptr);
+  }
+  void show_trial(std::shared_ptr<const TrialState> state) {
+    auto changed_snapshot = std::make_shared<Snapshot>(*current);
+    changed_snapshot->trial = std::move(state);
+    current = std::move(changed_snapshot);
+  }
+  /// A step of the trial. Called with the lock held; lets go of it meanwhile.
+  void step_trial(std::unique_lock<std::mutex>& lock) {
+    if (auto state = trial.step(lock)) show_trial(std::move(state));
+    finished.notify_all();
+    wake(lock);
   }
   void stop_following() {
     set_tracking(false);
@@ -277,12 +326,21 @@ struct Engine::Impl {
         lock.unlock();
         run(job);
         lock.lock();
-      } else if (frame_ready()) {
-        follow(lock);
       } else {
-        changed.wait(lock);
+        // Both live things have their turn.
+        const bool followed = frame_ready(), stepped = trial.is_due();
+        if (followed) follow(lock);
+        if (stepped && trial.is_due()) step_trial(lock);
+        if (!followed && !stepped) wait_for_change(lock);
       }
     }
+  }
+
+  void wait_for_change(std::unique_lock<std::mutex>& lock) {
+    if (const auto next = trial.next())
+      changed.wait_until(lock, *next);
+    else
+      changed.wait(lock);
   }
 
   void serve_work() {
@@ -385,6 +443,16 @@ void Engine::submit_frame(LiveInput frame) {
     impl_->changed.notify_all();
 }
 
+void Engine::submit_pull(std::optional<TrialPull> pull) {
+  std::unique_lock lock(impl_->mutex);
+  impl_->trial.submit(std::move(pull));
+  if (!impl_->trial.is_on()) return;
+  if (impl_->options.runner == Runner::inline_)
+    impl_->step_trial(lock);
+  else
+    impl_->changed.notify_all();
+}
+
 std::shared_ptr<const Snapshot> Engine::snapshot() const {
   const std::scoped_lock lock(impl_->mutex);
   return impl_->current;
@@ -409,6 +477,11 @@ Outcome Engine::wait(CommandId id) {
 void Engine::wait_for_frames() {
   std::unique_lock lock(impl_->mutex);
   impl_->finished.wait(lock, [&] { return !impl_->frame_ready() && !impl_->following; });
+}
+
+void Engine::wait_for_trial() {
+  std::unique_lock lock(impl_->mutex);
+  impl_->finished.wait(lock, [&] { return !impl_->trial.is_behind(); });
 }
 
 }  // namespace glisson::engine

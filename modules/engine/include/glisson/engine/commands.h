@@ -9,6 +9,7 @@
 
 #include "glisson/core/units.h"
 #include "glisson/engine/case_state.h"
+#include "glisson/engine/load_trial.h"
 #include "glisson/fem/loads_io.h"
 #include "glisson/fem/simulate.h"
 #include "glisson/guidance/tracker.h"
@@ -84,8 +85,8 @@ struct Register {
   CameraFromCt given;  ///< for Start::given
   registration::RigidOptions rigid;
   registration::ElasticOptions elastic;
-  /// Operations are simulated first, where the vena cava is known and no node is fixed, and tell which shapes are
-  /// probable (registration::simulate_operations); false: the paper's method.
+  /// Operations are simulated first, where the vena cava is known and no node is fixed, and tell which shapes
+  /// are probable (registration::simulate_operations); false: the paper's method.
   bool operations = true;
   registration::OperationOptions operation;
 };
@@ -103,6 +104,12 @@ struct StartTracking {
   int steps_per_cloud = 50;  ///< implicit Euler steps towards each cloud
 };
 struct StopTracking {};
+/// From now on a load can be tried on the model (see Engine::submit_pull). Changes no part; another model or
+/// other landmarks end it.
+struct StartTrial {
+  TrialOptions options;
+};
+struct StopTrial {};
 /// Plain mechanics on the model, from its rest shape. Changes no part: writes step_00001.vtu ...
 /// (displacement_mm, von_mises_pa) and steps.csv into `folder`, which exists.
 struct Simulate {
@@ -121,10 +128,11 @@ struct SaveCase {
   std::filesystem::path path;
 };
 
-using Command = std::variant<ImportImage, ImportLabels, SetSeeds, Segment, BuildModel, ImportSurfaces,
-                             ImportMesh, SetLandmarks, SetCalibration, LoadStereoPair, SetVideo,
-                             LoadVideoFrame, SetRegions, Reconstruct, ImportCloud, Register,
-                             ImportRegistration, StartTracking, StopTracking, Simulate, OpenCase, SaveCase>;
+using Command =
+    std::variant<ImportImage, ImportLabels, SetSeeds, Segment, BuildModel, ImportSurfaces, ImportMesh,
+                 SetLandmarks, SetCalibration, LoadStereoPair, SetVideo, LoadVideoFrame, SetRegions,
+                 Reconstruct, ImportCloud, Register, ImportRegistration, StartTracking, StopTracking,
+                 StartTrial, StopTrial, Simulate, OpenCase, SaveCase>;
 
 /// Code of a command for progress, figures and logs: "segment", "build_model", ...
 std::string_view command_code(const Command& command);

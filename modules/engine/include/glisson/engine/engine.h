@@ -13,6 +13,7 @@
 #include "glisson/core/run_context.h"
 #include "glisson/engine/case_state.h"
 #include "glisson/engine/commands.h"
+#include "glisson/engine/load_trial.h"
 
 namespace glisson::engine {
 
@@ -51,6 +52,10 @@ class Follower {
 using MakeFollower = std::function<std::unique_ptr<Follower>(const CaseState&, const StartTracking&)>;
 std::unique_ptr<Follower> make_follower(const CaseState& state, const StartTracking& command);
 
+/// Makes the mechanics of a load trial. @throws Error when a part is missing. Empty: cancelled.
+using MakeTrial = std::function<Cancellable<std::unique_ptr<LoadTrial>>(const CaseState&, const TrialOptions&,
+                                                                        const RunContext&)>;
+
 enum class Status { done, cancelled, failed };
 
 /// How a command ended. Every posted command has exactly one outcome.
@@ -79,6 +84,9 @@ struct Snapshot {
   std::array<StageState, kPartCount> stages{};
   StageState stage(Part part) const { return stages[static_cast<std::size_t>(part)]; }
   bool tracking = false;
+  /// Of the load trial that is on, or that has ended by itself; null: none. Not a part of the case, and no
+  /// reason for another revision.
+  std::shared_ptr<const TrialState> trial;
 };
 
 enum class Runner { inline_, threaded };
@@ -93,12 +101,14 @@ class Engine {
     std::uint64_t seed = 1;
     Apply apply = engine::apply;
     MakeFollower make_follower = engine::make_follower;
+    MakeTrial make_trial = engine::make_load_trial;
     /// Called from the engine's threads when a snapshot or an event is new; must return at once and not call
     /// back.
     std::function<void()> wake;
     /// Inline runner: progress as it happens (events come only after the command).
     std::function<void(const Progress&)> progress;
     double frame_seconds = 1.0 / 30.0;  ///< a frame that takes longer counts as late
+    double trial_seconds = 1.0 / 60.0;  ///< from one step of a load trial to the next, at least
   };
   explicit Engine(Options options);
   /// Cancels what is running, drops what waits, joins its threads.
@@ -115,6 +125,12 @@ class Engine {
   /// Newest wins: an unfollowed older frame is dropped and counted. Ignored unless tracking.
   void submit_frame(LiveInput frame);
 
+  /// Pulls at the model of the load trial that is on, from now until the next one (empty: lets go). Newest
+  /// wins, there is no queue. Ignored unless a trial is on. With the threaded runner steps go on by
+  /// themselves at the trial's pace until the organ rests; with the inline runner each call is one step.
+  /// @throws PreconditionError for a pull that is not at the model's surface or not finite; the former stays.
+  void submit_pull(std::optional<TrialPull> pull);
+
   /// Never null.
   std::shared_ptr<const Snapshot> snapshot() const;
   /// Everything since the last call, in order. Outcomes are never dropped; of a command's progress only the
@@ -125,6 +141,8 @@ class Engine {
   Outcome wait(CommandId id);
   /// Waits until the submitted frame, if any, has been followed.
   void wait_for_frames();
+  /// Waits until the submitted pull, if any, is in a published step.
+  void wait_for_trial();
 
  private:
   struct Impl;

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/engine/load_trial.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "apply_parts.h"
+#include "glisson/core/error.h"
+#include "glisson/fem/integrator.h"
+#include "glisson/guidance/boundary_springs.h"
+
+namespace glisson::engine {
+namespace {
+
+constexpr double kFixedEnds = 1e9;  ///< N/m of what the vessels hang on: none of it gives way
+/// Nearer than this to its rest shape, metres, an organ that nobody pulls is put there and needs no steps.
+constexpr double kAtRest = 1e-5;
+/// No liver goes further, metres: the step has diverged.
+constexpr double kFurthest = 0.5;
+
+double milliseconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+fem::IntegratorOptions integration(const TrialOptions& options, int tetrahedra) {
+  fem::IntegratorOptions made;
+  made.time_step = options.time_step;
+  made.solver = tetrahedra < options.fast_from ? fem::LinearSolver::direct : fem::LinearSolver::fast;
+  return made;
+}
+
+class ElasticTrial : public LoadTrial {
+ public:
+  ElasticTrial(const std::shared_ptr<const fem::CompositeModel>& composite, guidance::BoundarySprings springs,
+               const TrialOptions& options)
+      : composite_(composite),
+        springs_(std::move(springs)),
+        options_(options),
+        integrator_(composite, integration(options, composite->mesh().tetrahedron_count())) {}
+
+  TrialState step(const std::optional<TrialPull>& pull) override {
+    const auto start = std::chrono::steady_clock::now();
+    lead_target(pull);
+    fem::Loads loads;
+    hold(loads);
+    if (pull) loads.attached.push_back(pulled(*pull));
+    const fem::StepSummary summary = integrator_.step(loads);
+    TrialState state;
+    state.tetrahedra = composite_->mesh().tetrahedron_count();
+    state.pull = pull;
+    state.residual = summary.residual;
+    describe(summary, pull, state);
+    state.milliseconds = milliseconds_since(start);
+    return state;
+  }
+
+ private:
+  /// The springs' ends are damped like the tissue (Rayleigh, r_K k): -r_K k v of the step's own velocity is a
+  /// tangent r_K k / dt without a force.
+  void hold(fem::Loads& loads) const {
+    springs_.add(integrator_.positions(), loads.attached);
+    const double damped = 1.0 + composite_->options().rayleigh_stiffness / options_.time_step;
+    for (fem::AttachedLoad& spring : loads.attached) spring.tangent *= damped;
+  }
+
+  /// What pulls starts at the point that is grabbed and follows the pull's target no faster than allowed.
+  void lead_target(const std::optional<TrialPull>& pull) {
+    const bool same = pull && led_ && pull->triangle == led_->triangle && pull->weights == led_->weights;
+    if (pull && !same) lead_ = grabbed(*pull);
+    led_ = pull;
+    if (!pull) return;
+    const Eigen::Vector3d way = pull->target - lead_;
+    const double reach = options_.target_speed * options_.time_step, length = way.norm();
+    lead_ = length <= reach ? pull->target : Eigen::Vector3d(lead_ + way * (reach / length));
+  }
+
+  std::array<int, 3> corners(const TrialPull& pull) const {
+    const BoundarySurface& skin = composite_->surface();
+    std::array<int, 3> nodes{};
+    for (int k = 0; k < 3; ++k)
+      nodes[static_cast<std::size_t>(k)] =
+          skin.node_of_vertex[static_cast<std::size_t>(skin.mesh.triangles(pull.triangle, k))];
+    return nodes;
+  }
+
+  Eigen::Vector3d grabbed(const TrialPull& pull) const {
+    Eigen::Vector3d p = Eigen::Vector3d::Zero();
+    const std::array<int, 3> nodes = corners(pull);
+    for (std::size_t k = 0; k < 3; ++k)
+      p += pull.weights[static_cast<Eigen::Index>(k)] * integrator_.positions().row(nodes[k]).transpose();
+    return p;
+  }
+
+  Eigen::Vector3d pull_force(const TrialPull& pull) const {
+    const Eigen::Vector3d way = lead_ - grabbed(pull);
+    const double newton = options_.pull_stiffness * way.norm();
+    return newton <= options_.pull_limit ? Eigen::Vector3d(options_.pull_stiffness * way)
+                                         : Eigen::Vector3d(options_.pull_limit * way.normalized());
+  }
+
+  /// A spring up to the limit; beyond it a force of that size whose direction alone changes.
+  fem::AttachedLoad pulled(const TrialPull& pull) const {
+    fem::AttachedLoad load;
+    const std::array<int, 3> nodes = corners(pull);
+    for (std::size_t k = 0; k < 3; ++k) {
+      load.nodes[k] = nodes[k];
+      load.weights[k] = pull.weights[static_cast<Eigen::Index>(k)];
+    }
+    load.force = pull_force(pull);
+    const Eigen::Vector3d way = lead_ - grabbed(pull);
+    const Eigen::Matrix3d identity = Eigen::Matrix3d::Identity();
+    if (options_.pull_stiffness * way.norm() <= options_.pull_limit) {
+      load.tangent = options_.pull_stiffness * identity;
+    } else {
+      const Eigen::Vector3d along = way.normalized();
+      load.tangent = options_.pull_limit / way.norm() * (identity - along * along.transpose());
+    }
+    return load;
+  }
+
+  void describe(const fem::StepSummary& summary, const std::optional<TrialPull>& pull, TrialState& state) {
+    const Points& rest = composite_->mesh().vertices;
+    const double moved = (integrator_.positions() - rest).rowwise().norm().maxCoeff();
+    if (!summary.ok || !(moved < kFurthest)) {
+      state.end = TrialEnd::diverged;
+    } else if (summary.inverted_tetrahedra > 0) {
+      state.end = TrialEnd::inverted;
+    } else if (!pull && moved < kAtRest &&
+               integrator_.velocities().rowwise().norm().maxCoeff() * options_.time_step < kAtRest) {
+      integrator_.set_state(rest);
+    } else {
+      state.nodes = integrator_.positions();
+      state.displacement_max = moved;
+    }
+    if (!pull || state.end != TrialEnd::none) return;
+    state.grabbed = grabbed(*pull);
+    state.force = pull_force(*pull);
+  }
+
+  std::shared_ptr<const fem::CompositeModel> composite_;
+  guidance::BoundarySprings springs_;
+  TrialOptions options_;
+  fem::Integrator integrator_;
+  Eigen::Vector3d lead_ = Eigen::Vector3d::Zero();  ///< what pulls, on its way to the target
+  std::optional<TrialPull> led_;                    ///< that it belongs to
+};
+
+}  // namespace
+
+void TrialOptions::validate() const {
+  materials.validate();
+  const OptionCheck demand("trial options");
+  demand(time_step >= 1e-3 && time_step <= 0.1, "time_step", time_step, "Give 0.001 to 0.1 s");
+  demand(pull_stiffness > 0.0 && pull_stiffness <= 1e5, "pull_stiffness", pull_stiffness,
+         "Give a positive stiffness up to 1e5 N/m");
+  demand(pull_limit > 0.0 && pull_limit <= 100.0, "pull_limit", pull_limit,
+         "Give a positive force up to 100 N");
+  demand(target_speed > 0.0 && target_speed <= 10.0, "target_speed", target_speed,
+         "Give a positive speed up to 10 m/s");
+  demand(boundary_young_modulus > 0.0, "boundary_young_modulus", boundary_young_modulus,
+         "Give a positive modulus");
+  demand(boundary_length > 0.0, "boundary_length", boundary_length, "Give a positive length");
+  demand(fast_from >= 0, "fast_from", fast_from, "Give 0 or more tetrahedra");
+}
+
+Cancellable<std::unique_ptr<LoadTrial>> make_load_trial(const CaseState& state, const TrialOptions& options,
+                                                        const RunContext& context) {
+  require_part(state, Part::model, "Build or import a model first");
+  options.validate();
+  const PatientModel model = effective_model(state);
+  if (model.mesh.tetrahedron_count() == 0)
+    throw InputError("model", "mesh", "has no tetrahedra", "Build the model again");
+  guidance::BoundarySprings springs(model, model.mesh.vertices, options.boundary_young_modulus,
+                                    options.boundary_length, kFixedEnds);
+  if (springs.count() == 0)
+    throw InputError("model", "vena cava", "is not known, nor where a vessel enters: nothing holds the organ",
+                     "Place the vena cava among the landmarks");
+  context.progress(0.1, "trial.model");
+  auto composite = std::make_shared<const fem::CompositeModel>(model.mesh, model.vessels, options.materials);
+  if (context.cancelled()) return {};
+  context.progress(0.5, "trial.solver");
+  auto trial = std::make_unique<ElasticTrial>(composite, std::move(springs), options);
+  if (context.cancelled()) return {};
+  return trial;
+}
+
+}  // namespace glisson::engine

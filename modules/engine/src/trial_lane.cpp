@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "trial_lane.h"
+
+#include <cmath>
+#include <utility>
+
+#include "glisson/core/error.h"
+
+namespace glisson::engine {
+
+TrialLane::TrialLane(double pace_seconds)
+    : pace_(std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(pace_seconds))) {}
+
+void TrialLane::begin(const CaseState& made_from) {
+  on_ = true;
+  awake_ = false;
+  shown_ = submitted_;
+  pull_.reset();
+  recent_.clear();
+  steps_ = 0;
+  model_ = made_from.model;
+  landmarks_ = made_from.landmarks;
+}
+
+void TrialLane::end() {
+  on_ = awake_ = false;
+  pull_.reset();
+  model_.reset();
+  landmarks_.reset();
+}
+
+bool TrialLane::fits(const CaseState& state) const {
+  return !on_ || (state.model == model_ && state.landmarks == landmarks_);
+}
+
+void TrialLane::submit(std::optional<TrialPull> pull) {
+  if (!on_) return;
+  if (pull) {
+    const bool on_surface =
+        pull->triangle >= 0 && model_ && pull->triangle < model_->model.surface.mesh.triangle_count();
+    require(on_surface, "a pull takes hold of a triangle of the model's surface");
+    require(pull->weights.allFinite() && pull->weights.minCoeff() >= -1e-9 &&
+                std::abs(pull->weights.sum() - 1.0) < 1e-6,
+            "a pull's weights are not negative and their sum is 1");
+    require(pull->target.allFinite(), "a pull's target is finite");
+  }
+  if (!awake_) recent_.clear();  // the rate is not that of a rest
+  pull_ = std::move(pull);
+  awake_ = true;
+  ++submitted_;
+}
+
+std::optional<TrialLane::Clock::time_point> TrialLane::next() const {
+  if (!on_ || !awake_) return {};
+  return next_;
+}
+
+std::shared_ptr<const TrialState> TrialLane::step(std::unique_lock<std::mutex>& lock) {
+  const std::optional<TrialPull> pull = pull_;
+  const std::uint64_t taken = submitted_;
+  const Clock::time_point started = Clock::now();
+  lock.unlock();
+  auto state = std::make_shared<TrialState>();
+  try {
+    *state = mechanics_->step(pull);
+  } catch (const std::exception&) {
+    state->end = TrialEnd::diverged;  // whatever went wrong, there is no shape to be shown
+  }
+  lock.lock();
+  if (!on_) return nullptr;
+  shown_ = taken;
+  count(*state, started);
+  if (state->end != TrialEnd::none)
+    end();
+  else if (!is_behind() && !pull_ && state->nodes.rows() == 0)
+    awake_ = false;
+  return state;
+}
+
+void TrialLane::count(TrialState& state, Clock::time_point started) {
+  next_ = started + pace_;
+  const Clock::time_point now = Clock::now();
+  recent_.push_back(now);
+  while (now - recent_.front() > std::chrono::seconds(1)) recent_.pop_front();
+  const double seconds = std::chrono::duration<double>(now - recent_.front()).count();
+  if (recent_.size() > 1 && seconds > 0.0) state.hertz = static_cast<double>(recent_.size() - 1) / seconds;
+  state.steps = ++steps_;
+}
+
+}  // namespace glisson::engine
