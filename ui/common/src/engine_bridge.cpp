@@ -47,6 +47,8 @@ void EngineBridge::cancel(engine::CommandId id) { engine_->cancel(id); }
 
 void EngineBridge::submit_frame(StereoFrame frame) { engine_->submit_frame(std::move(frame)); }
 
+void EngineBridge::submit_pull(const std::optional<engine::TrialPull>& pull) { engine_->submit_pull(pull); }
+
 bool EngineBridge::is_busy(engine::CommandId id) const {
   return std::any_of(tasks_.begin(), tasks_.end(), [&](const Task& task) { return task.id == id; });
 }
@@ -59,6 +61,7 @@ void EngineBridge::deliver() {
   snapshot_ = engine_->snapshot();
   if (case_differs(*previous, *snapshot_)) emit case_changed();
   if (previous->state.live != snapshot_->state.live) emit live_changed();
+  if (previous->trial != snapshot_->trial) emit trial_changed();
   for (const engine::Event& event : events) take(event);
   if (!events.empty()) emit tasks_changed();
 }

@@ -32,6 +32,8 @@ class Texts {
             {"simulate", tr("Simulating")},
             {"start_tracking", tr("Starting the tracking")},
             {"stop_tracking", tr("Stopping the tracking")},
+            {"start_trial", tr("Preparing the trial of a load")},
+            {"stop_trial", tr("Ending the trial of a load")},
             {"open_case", tr("Opening the case")},
             {"save_case", tr("Saving the case")}};
   }
@@ -63,6 +65,8 @@ class Texts {
             {"model.skeleton", tr("finding vessel centrelines")},
             {"model.margin", tr("finding the anterior margin")},
             {"model.quality", tr("measuring the mesh")},
+            {"trial.model", tr("preparing the elements")},
+            {"trial.solver", tr("preparing the solver")},
             {"stereo.detect", tr("finding points")},
             {"stereo.match", tr("matching points")},
             {"stereo.refine", tr("refining matches")},

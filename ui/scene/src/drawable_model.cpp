@@ -3,6 +3,7 @@
 
 #include "glisson/core/error.h"
 #include "glisson/geometry/closest_point_tree.h"
+#include "glisson/geometry/rigid.h"
 #include "glisson/patient/label_map.h"
 #include "glisson/ui/scene/model_surfaces.h"
 
@@ -12,10 +13,24 @@ namespace {
 /// Vessels run on outside the liver, where the model says nothing of how they move.
 constexpr double kOutsideTolerance = 3e-3;
 
-Triangles triangles_inside(const DrawableSurface& surface, const ClosestPointTree& skin) {
+/// Beyond that, what is attached to the liver goes along with it over about this length, metres.
+constexpr double kFade = 15e-3;
+
+std::vector<OutsideVertex> outside_vertices(const DrawableSurface& surface, const ClosestPointTree& skin) {
+  std::vector<OutsideVertex> outside;
+  for (const int i : surface.binding.outside) {
+    const ClosestPoint closest = skin.closest(surface.mesh.vertex(i));
+    if (closest.triangle < 0) continue;
+    const double beyond = std::max(0.0, closest.distance - kOutsideTolerance) / kFade;
+    outside.push_back({i, closest.triangle, closest.barycentric, std::exp(-beyond * beyond)});
+  }
+  return outside;
+}
+
+Triangles triangles_inside(const DrawableSurface& surface) {
   std::vector<bool> far(static_cast<std::size_t>(surface.mesh.vertex_count()), false);
-  for (const int i : surface.binding.outside)
-    far[static_cast<std::size_t>(i)] = skin.closest(surface.mesh.vertex(i), kOutsideTolerance).triangle < 0;
+  for (const OutsideVertex& vertex : surface.outside)
+    far[static_cast<std::size_t>(vertex.vertex)] = vertex.follows < 1.0;
   Triangles kept(surface.mesh.triangles.rows(), 3);
   Eigen::Index count = 0;
   for (Eigen::Index t = 0; t < surface.mesh.triangles.rows(); ++t) {
@@ -26,7 +41,39 @@ Triangles triangles_inside(const DrawableSurface& surface, const ClosestPointTre
   return kept.topRows(count);
 }
 
+/// As a body with those of its vertices that are attached.
+Points with_its_bed(const DrawableSurface& surface, const Points& moved) {
+  constexpr Eigen::Index kFewest = 10;  // that tell how a body turns
+  std::vector<bool> attached(static_cast<std::size_t>(surface.mesh.vertex_count()), true);
+  for (const OutsideVertex& outside : surface.outside)
+    attached[static_cast<std::size_t>(outside.vertex)] = outside.follows == 1.0;
+  Points from(surface.mesh.vertex_count(), 3), to(surface.mesh.vertex_count(), 3);
+  Eigen::Index count = 0;
+  for (int i = 0; i < surface.mesh.vertex_count(); ++i) {
+    if (!attached[static_cast<std::size_t>(i)]) continue;
+    from.row(count) = surface.mesh.vertices.row(i);
+    to.row(count++) = moved.row(i);
+  }
+  if (count < kFewest) return moved;
+  return fit_rigid<CtFrame, CtFrame>(from.topRows(count), to.topRows(count)).apply(surface.mesh.vertices);
+}
+
 }  // namespace
+
+Points loaded_vertices(const PatientModel& model, const DrawableSurface& surface, const Points& at) {
+  require(at.rows() == model.mesh.vertex_count(), "a load moves the nodes of its model");
+  Points vertices = surface.binding.apply(model.mesh, at);
+  for (const OutsideVertex& outside : surface.outside) {
+    Eigen::RowVector3d displacement = Eigen::RowVector3d::Zero();
+    for (int k = 0; k < 3; ++k) {
+      const int vertex = model.surface.mesh.triangles(outside.triangle, k);
+      const int node = model.surface.node_of_vertex[static_cast<std::size_t>(vertex)];
+      displacement += outside.weights[k] * (at.row(node) - model.mesh.vertices.row(node));
+    }
+    vertices.row(outside.vertex) = surface.mesh.vertices.row(outside.vertex) + outside.follows * displacement;
+  }
+  return surface.structure == structure::kGallbladder ? with_its_bed(surface, vertices) : vertices;
+}
 
 std::shared_ptr<const DrawableModel> make_drawable(std::shared_ptr<const PatientModel> model, int triangles) {
   require(model != nullptr, "there is a model to draw");
@@ -46,8 +93,8 @@ std::shared_ptr<const DrawableModel> make_drawable(std::shared_ptr<const Patient
     if (has_mesh) {
       surface.binding = bind_points(model->mesh, surface.mesh.vertices, false);
       // The liver itself is drawn whole: its fine surface is what the mesh was made from.
-      surface.inside =
-          label == structure::kParenchyma ? surface.mesh.triangles : triangles_inside(surface, skin);
+      if (label != structure::kParenchyma) surface.outside = outside_vertices(surface, skin);
+      surface.inside = label == structure::kParenchyma ? surface.mesh.triangles : triangles_inside(surface);
     }
     drawable->surfaces.push_back(std::move(surface));
   }

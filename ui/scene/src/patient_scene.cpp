@@ -35,7 +35,7 @@ namespace glisson::scene {
 namespace {
 
 struct Shape {
-  const Binding* binding = nullptr;  ///< the drawable model's
+  const DrawableSurface* surface = nullptr;  ///< the drawable model's; null: no structure of it
   vtkSmartPointer<vtkPolyData> data;
   vtkNew<vtkActor> actor;
 };
@@ -108,7 +108,7 @@ struct PatientScene::Impl {
   std::shared_ptr<const PatientModel> model;  ///< drawable's
   Points nodes;
   std::map<Label, std::unique_ptr<Shape>> structures;
-  std::unique_ptr<Shape> mesh, margin, notch, cava, cloud;
+  std::unique_ptr<Shape> mesh, margin, notch, cava, cloud, pull;
   Landmarks landmarks;
   Binding margin_binding, notch_binding, cava_binding;
   std::vector<std::unique_ptr<Shape>> markers;
@@ -144,7 +144,7 @@ struct PatientScene::Impl {
   void add_surface(const DrawableSurface& surface) {
     auto shape = make_shape(make_poly_data(surface.mesh));
     add_normals(*shape->data);
-    shape->binding = &surface.binding;
+    shape->surface = &surface;
     give_colour(*shape->actor, surface.structure);
     add(*shape);
     structures[surface.structure] = std::move(shape);
@@ -174,10 +174,23 @@ struct PatientScene::Impl {
     }
   }
 
+  /// @param loaded what lies outside follows as set_loaded_nodes() says.
+  void put(const Points& moved, bool loaded);
+
   vtkSmartPointer<vtkMatrix4x4> clip_from_world(double aspect) const {
     auto matrix = vtkSmartPointer<vtkMatrix4x4>::New();
     matrix->DeepCopy(renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0));
     return matrix;
+  }
+
+  /// @param depth of normalised device coordinates, [-1, 1].
+  Eigen::Vector3d unproject(double x, double y, double depth, double aspect) const {
+    const auto inverse = clip_from_world(aspect);
+    inverse->Invert();
+    const double clip[4] = {2.0 * x - 1.0, 1.0 - 2.0 * y, depth, 1.0};
+    double world[4];
+    inverse->MultiplyPoint(clip, world);
+    return Eigen::Vector3d(world[0], world[1], world[2]) / world[3];
   }
 };
 
@@ -219,24 +232,44 @@ void PatientScene::set_model(std::shared_ptr<const DrawableModel> drawable) {
   set_landmarks(impl_->model->landmarks);
 }
 
-void PatientScene::set_nodes(const Points& nodes) {
-  if (!impl_->model) return;
-  const PatientModel& model = *impl_->model;
-  require(nodes.rows() == 0 || nodes.rows() == model.mesh.vertex_count(),
+void PatientScene::set_nodes(const Points& nodes) { impl_->put(nodes, false); }
+void PatientScene::set_loaded_nodes(const Points& nodes) { impl_->put(nodes, true); }
+
+int PatientScene::node_count() const { return impl_->model ? impl_->model->mesh.vertex_count() : 0; }
+
+void PatientScene::set_pull(const std::optional<Pull>& pull) {
+  impl_->remove(impl_->pull);
+  if (!pull) return;
+  Points ends(2, 3);
+  ends << pull->from.transpose(), pull->to.transpose();
+  vtkNew<vtkAppendPolyData> all;
+  all->AddInputData(balls(ends, 2.5e-3));
+  if ((pull->to - pull->from).norm() > 1e-4) all->AddInputData(make_poly_data(polyline_tube(ends, 0.8e-3)));
+  all->Update();
+  impl_->pull = make_shape(all->GetOutput());
+  impl_->pull->actor->GetProperty()->SetColor(1.0, 0.85, 0.2);
+  impl_->pull->actor->GetProperty()->LightingOff();
+  impl_->add(*impl_->pull);
+}
+
+void PatientScene::Impl::put(const Points& moved, bool loaded) {
+  if (!model) return;
+  require(moved.rows() == 0 || moved.rows() == model->mesh.vertex_count(),
           "a scene's nodes are those of its model");
-  impl_->nodes = nodes;
-  const Points& at = nodes.rows() > 0 ? nodes : model.mesh.vertices;
-  for (auto& [label, shape] : impl_->structures)
-    if (shape->binding->weights.rows() > 0)
-      move_vertices(*shape->data, shape->binding->apply(model.mesh, at));
-  if (impl_->mesh) {
-    Points skin(model.surface.mesh.vertices.rows(), 3);
-    for (std::size_t i = 0; i < model.surface.node_of_vertex.size(); ++i)
-      skin.row(static_cast<Eigen::Index>(i)) = at.row(model.surface.node_of_vertex[i]);
-    move_vertices(*impl_->mesh->data, skin);
-    impl_->skin.refit(skin);
+  nodes = moved;
+  const Points& at = nodes.rows() > 0 ? nodes : model->mesh.vertices;
+  for (auto& [label, shape] : structures)
+    if (shape->surface->binding.weights.rows() > 0)
+      move_vertices(*shape->data, loaded ? loaded_vertices(*model, *shape->surface, at)
+                                         : shape->surface->binding.apply(model->mesh, at));
+  if (mesh) {
+    Points surface(model->surface.mesh.vertices.rows(), 3);
+    for (std::size_t i = 0; i < model->surface.node_of_vertex.size(); ++i)
+      surface.row(static_cast<Eigen::Index>(i)) = at.row(model->surface.node_of_vertex[i]);
+    move_vertices(*mesh->data, surface);
+    skin.refit(surface);
   }
-  impl_->draw_landmarks();
+  draw_landmarks();
 }
 
 void PatientScene::set_landmarks(const Landmarks& landmarks) {
@@ -395,19 +428,26 @@ ViewLetters PatientScene::view_letters() const {
 }
 
 std::optional<Eigen::Vector3d> PatientScene::surface_point(double x, double y, double aspect) const {
+  const auto hit = surface_hit(x, y, aspect);
+  if (!hit) return std::nullopt;
+  return hit->point;
+}
+
+std::optional<ClosestPoint> PatientScene::surface_hit(double x, double y, double aspect) const {
   if (impl_->skin.empty()) return std::nullopt;
-  const auto inverse = impl_->clip_from_world(aspect);
-  inverse->Invert();
-  const auto unproject = [&](double depth) {
-    const double clip[4] = {2.0 * x - 1.0, 1.0 - 2.0 * y, depth, 1.0};
-    double world[4];
-    inverse->MultiplyPoint(clip, world);
-    return Eigen::Vector3d(world[0] / world[3], world[1] / world[3], world[2] / world[3]);
-  };
-  const Eigen::Vector3d near = unproject(-1.0), far = unproject(1.0);
+  const Eigen::Vector3d near = impl_->unproject(x, y, -1.0, aspect),
+                        far = impl_->unproject(x, y, 1.0, aspect);
   const ClosestPoint hit = impl_->skin.first_hit(near, far - near, 0.0, 1.0);
   if (hit.triangle < 0) return std::nullopt;
-  return hit.point;
+  return hit;
+}
+
+Eigen::Vector3d PatientScene::point_beside(const Eigen::Vector3d& p, double x, double y,
+                                           double aspect) const {
+  const double world[4] = {p.x(), p.y(), p.z(), 1.0};
+  double clip[4];
+  impl_->clip_from_world(aspect)->MultiplyPoint(world, clip);
+  return impl_->unproject(x, y, clip[2] / clip[3], aspect);
 }
 
 std::optional<Eigen::Vector2d> PatientScene::view_point(const Eigen::Vector3d& p, double aspect) const {

@@ -31,6 +31,8 @@ class EngineBridge : public QObject {
   void cancel(engine::CommandId id);
   /// Newest wins. May be called from any thread.
   void submit_frame(StereoFrame frame);
+  /// See engine::Engine::submit_pull.
+  void submit_pull(const std::optional<engine::TrialPull>& pull);
 
   /// The one last announced; never null.
   const std::shared_ptr<const engine::Snapshot>& snapshot() const { return snapshot_; }
@@ -42,6 +44,8 @@ class EngineBridge : public QObject {
   /// A part of the case, its staleness or tracking changed (not: a live frame).
   void case_changed();
   void live_changed();
+  /// A step of the load trial, its start or its end.
+  void trial_changed();
   void tasks_changed();
   void finished(const glisson::engine::Outcome& outcome);
 

@@ -8,6 +8,15 @@
 
 namespace glisson::scene {
 
+/// A vertex outside the model's mesh, where it is not known how things move: it is drawn as if the mesh's
+/// closest surface took it along, less and less with distance.
+struct OutsideVertex {
+  int vertex = -1;
+  int triangle = -1;  ///< of PatientModel::surface
+  Eigen::Vector3d weights = Eigen::Vector3d::Zero();
+  double follows = 0.0;  ///< share of the surface's displacement: 1 within 3 mm, 0 far away
+};
+
 /// A structure's surface, light enough to be drawn live, bound to the model's mesh.
 struct DrawableSurface {
   Label structure = 0;
@@ -15,6 +24,7 @@ struct DrawableSurface {
   Binding binding;    ///< empty when the model has no tetrahedra
   /// Triangles within 3 mm of the model's mesh: only there it is known how they move.
   Triangles inside;
+  std::vector<OutsideVertex> outside;  ///< of neighbours and of vessels that run on; not of the liver
 };
 
 /// Everything of a model that is drawn. Takes seconds to make for fine surfaces: make it beside the window's
@@ -26,5 +36,10 @@ struct DrawableModel {
 /// @param triangles at most about so many a structure. @pre model is not null.
 std::shared_ptr<const DrawableModel> make_drawable(std::shared_ptr<const PatientModel> model,
                                                    int triangles = 12000);
+
+/// Where a surface's vertices are when a load has moved the model's nodes to `at` (CT frame): what lies
+/// outside the mesh as OutsideVertex says, but the gallbladder goes along with its bed as a body.
+/// @pre the surface is bound, `at` has one row a node.
+Points loaded_vertices(const PatientModel& model, const DrawableSurface& surface, const Points& at);
 
 }  // namespace glisson::scene

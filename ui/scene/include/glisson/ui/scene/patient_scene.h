@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "glisson/geometry/closest_point_tree.h"
 #include "glisson/patient/labelled_cloud.h"
 #include "glisson/patient/patient_model.h"
 #include "glisson/patient/picture.h"
@@ -50,11 +51,20 @@ class PatientScene {
   void set_model(const PatientModel& model);
   /// Puts the model's nodes somewhere (empty: at rest). @pre one row a node.
   void set_nodes(const Points& nodes);
+  /// The same for a load on the organ where it lies: neighbours, and vessels that run on outside the mesh, go
+  /// along where they are attached and stay where they are further away. CT frame.
+  void set_loaded_nodes(const Points& nodes);
+  int node_count() const;  ///< of the model; 0: there is none
   /// Replaces the model's own landmarks; CT frame, follow the nodes.
   void set_landmarks(const Landmarks& landmarks);
   /// In the scene's frame as it is. An empty cloud removes it.
   void set_cloud(const LabelledCloud& cloud);
   void set_markers(const std::vector<Marker>& markers);
+  /// A line with a ball at either end: what pulls at the organ. Empty: none.
+  struct Pull {
+    Eigen::Vector3d from = Eigen::Vector3d::Zero(), to = Eigen::Vector3d::Zero();
+  };
+  void set_pull(const std::optional<Pull>& pull);
   /// A slice as a textured plane; one a plane. An empty picture removes it.
   void set_slice(const SliceGeometry& geometry, const Picture& picture);
 
@@ -70,6 +80,11 @@ class PatientScene {
   /// The first point of the liver's surface under a place in the view, at the nodes where they are now.
   /// @param x, y in [0, 1] from the view's top left corner. @param aspect width over height.
   std::optional<Eigen::Vector3d> surface_point(double x, double y, double aspect) const;
+  /// The same with the triangle of PatientModel::surface that was hit.
+  std::optional<ClosestPoint> surface_hit(double x, double y, double aspect) const;
+  /// The point under a place in the view that lies as deep in it as p does: on the plane through p that faces
+  /// the viewer.
+  Eigen::Vector3d point_beside(const Eigen::Vector3d& p, double x, double y, double aspect) const;
   /// Where a point appears, in the same coordinates. Empty behind the viewer.
   std::optional<Eigen::Vector2d> view_point(const Eigen::Vector3d& p, double aspect) const;
 
