@@ -39,6 +39,8 @@ ModelPanel::ModelPanel(EngineBridge& engine, LinkedViews& views, QWidget* parent
   connect(import, &QPushButton::clicked, this, &ModelPanel::import_surfaces);
   build->addWidget(import);
 
+  build_trial();
+
   QVBoxLayout* result = add_section(tr("Quality"));
   quality_ = new FiguresTable(this);
   result->addWidget(quality_);
@@ -49,6 +51,26 @@ ModelPanel::ModelPanel(EngineBridge& engine, LinkedViews& views, QWidget* parent
   watch(engine::Part::model, {"build_model", "import_surfaces", "import_mesh"});
   show_case();
 }
+
+void ModelPanel::build_trial() {
+  trial_section_ = new QWidget(this);
+  auto* layout = new QVBoxLayout(trial_section_);
+  layout->setContentsMargins(0, 6, 0, 0);
+  layout->setSpacing(5);
+  auto* heading = new QLabel(tr("Mechanics"), trial_section_);
+  heading->setProperty("role", "heading");
+  layout->addWidget(heading);
+  layout->addWidget(make_explanation(tr("Drag a point of the liver and see it follow with its vessels and "
+                                        "lesions. It is held at the vena cava and "
+                                        "where vessels enter; its neighbours are not modelled. A trial: the "
+                                        "case stays as it is. Esc ends it."),
+                                     trial_section_));
+  trial_ = new LoadTrialBox(engine(), views_, trial_section_);
+  layout->addWidget(trial_);
+  content()->addWidget(trial_section_);
+}
+
+void ModelPanel::deactivate() { trial_->end(); }
 
 void ModelPanel::build_look() {
   look_ = new QWidget(this);
@@ -102,6 +124,8 @@ void ModelPanel::show_case() {
   if (now.model == shown_ && shown_) return;
   shown_ = now.model;
   look_->setVisible(shown_ != nullptr);
+  trial_section_->setVisible(shown_ != nullptr);
+  if (!shown_) trial_->end();
   if (!shown_) {
     quality_->clear();
     notes_->setText(tr("No model yet."));

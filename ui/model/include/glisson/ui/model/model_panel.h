@@ -5,6 +5,7 @@
 #include "glisson/ui/common/linked_views.h"
 #include "glisson/ui/common/panel.h"
 #include "glisson/ui/common/task_button.h"
+#include "glisson/ui/model/load_trial_box.h"
 
 class QCheckBox;
 class QLabel;
@@ -19,8 +20,10 @@ class ModelPanel : public Panel {
   Q_OBJECT
  public:
   ModelPanel(EngineBridge& engine, LinkedViews& views, QWidget* parent = nullptr);
+  void deactivate() override;
 
  private:
+  void build_trial();
   void build_look();
   void show_case();
   void show_structures();
@@ -33,6 +36,8 @@ class ModelPanel : public Panel {
   TaskButton* run_ = nullptr;
   FiguresTable* quality_ = nullptr;
   QLabel* notes_ = nullptr;
+  QWidget* trial_section_ = nullptr;
+  LoadTrialBox* trial_ = nullptr;
   QWidget* look_ = nullptr;
   QVBoxLayout* structures_ = nullptr;
   std::shared_ptr<const model::BuiltModel> shown_;
