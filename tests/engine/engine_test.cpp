@@ -6,43 +6,18 @@
 #include <QtTest>
 
 #include <atomic>
-#include <condition_variable>
 #include <mutex>
 #include <set>
 #include <thread>
 
+#include "gate.h"
 #include "glisson/core/error.h"
 
 using namespace glisson;
 using namespace glisson::engine;
+using test::Gate;
 
 namespace {
-
-/// Lets a command wait inside apply until the test lets it go.
-class Gate {
- public:
-  void open() {
-    const std::scoped_lock lock(mutex_);
-    open_ = true;
-    changed_.notify_all();
-  }
-  void pass() {
-    std::unique_lock lock(mutex_);
-    ++arrived_;
-    changed_.notify_all();
-    changed_.wait(lock, [&] { return open_; });
-  }
-  void wait_for_arrival() {
-    std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] { return arrived_ > 0; });
-  }
-
- private:
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  bool open_ = false;
-  int arrived_ = 0;
-};
 
 /// A stand-in for the modules: every command writes fresh values into the parts that it says it writes.
 Cancellable<Applied> write_parts(const CaseState& state, const Command& command, const RunContext& context) {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/engine/load_trial.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <chrono>
+#include <vector>
 
 #include "apply_parts.h"
 #include "glisson/core/error.h"
@@ -27,6 +29,24 @@ fem::IntegratorOptions integration(const TrialOptions& options, int tetrahedra) 
   made.time_step = options.time_step;
   made.solver = tetrahedra < options.fast_from ? fem::LinearSolver::direct : fem::LinearSolver::fast;
   return made;
+}
+
+/// Whether the organ cannot turn freely about a line through the places that hold it.
+bool is_held(const PatientModel& model) {
+  constexpr double kOffTheLine = 3e-3;  // m, root mean square
+  std::vector<Eigen::RowVector3d> places;
+  for (Eigen::Index i = 0; i < model.landmarks.vena_cava.rows(); ++i)
+    places.emplace_back(model.landmarks.vena_cava.row(i));
+  for (const VesselTree& tree : model.vessels)
+    if (tree.root >= 0 && tree.root < tree.nodes.rows()) places.emplace_back(tree.nodes.row(tree.root));
+  if (places.size() < 3) return false;
+  Points points(static_cast<Eigen::Index>(places.size()), 3);
+  for (std::size_t i = 0; i < places.size(); ++i) points.row(static_cast<Eigen::Index>(i)) = places[i];
+  const Points about = points.rowwise() - points.colwise().mean();
+  const Eigen::Matrix3d spread = about.transpose() * about / static_cast<double>(points.rows());
+  const Eigen::Vector3d variances =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread, Eigen::EigenvaluesOnly).eigenvalues();
+  return variances[0] + variances[1] > kOffTheLine * kOffTheLine;
 }
 
 class ElasticTrial : public LoadTrial {
@@ -175,6 +195,11 @@ Cancellable<std::unique_ptr<LoadTrial>> make_load_trial(const CaseState& state, 
   if (springs.count() == 0)
     throw InputError("model", "vena cava", "is not known, nor where a vessel enters: nothing holds the organ",
                      "Place the vena cava among the landmarks");
+  if (!is_held(model))
+    throw InputError(
+        "model", "vena cava",
+        "and the places where vessels enter lie on one line, about which the organ would turn freely",
+        "Place three points or more of the vena cava among the landmarks, where it touches the liver");
   context.progress(0.1, "trial.model");
   auto composite = std::make_shared<const fem::CompositeModel>(model.mesh, model.vessels, options.materials);
   if (context.cancelled()) return {};

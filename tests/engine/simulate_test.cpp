@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a simulation leaves behind: meshes with displacement and stress, a table, and the case as it was.
+#include <QtTest>
+
+#include <fstream>
+#include <set>
+#include <string>
+
+#include "glisson/core/files.h"
+#include "glisson/geometry/mesh_io.h"
+#include "trial_patient.h"
+
+using namespace glisson;
+using namespace glisson::engine;
+
+class SimulateTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void WrittenStepsHoldDisplacementAndVonMisesStress();
+};
+
+void SimulateTest::WrittenStepsHoldDisplacementAndVonMisesStress() {
+  const TemporaryFolder folder;
+  Engine::Options made = options(Runner::inline_);
+  made.apply = [](const CaseState& state, const Command& command, const RunContext& context) {
+    return std::holds_alternative<Simulate>(command) ? engine::apply(state, command, context)
+                                                     : give_patient(state, command, context);
+  };
+  Engine engine(std::move(made));
+  engine.wait(engine.post(ImportMesh{}));
+  const auto before = engine.snapshot();
+  Simulate command;
+  command.load.gravity_change = {0.0, 9.81, 0.0};
+  command.load.fixed_nodes = fem_test::nodes_at(before->state.model->model.mesh, 0, 0.0);
+  command.options.steps = 5;
+  command.every = 2;
+  command.folder = folder.path();
+  const Outcome outcome = engine.wait(engine.post(command));
+  QVERIFY2(outcome.status == Status::done, outcome.error.c_str());
+  std::set<std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+    files.insert(entry.path().filename().string());
+  // Every second step, and the last.
+  QVERIFY(
+      (files == std::set<std::string>{"step_00002.vtu", "step_00004.vtu", "step_00005.vtu", "steps.csv"}));
+
+  const PatientModel& model = before->state.model->model;
+  const fem::CompositeModel composite(model.mesh, model.vessels, {});
+  double peak = 0.0;
+  for (const char* name : {"step_00002.vtu", "step_00004.vtu", "step_00005.vtu"}) {
+    const TetFile file = read_tet_file(folder.path() / name, LengthUnit::millimetre);
+    QVERIFY(file.mesh.tetrahedra == model.mesh.tetrahedra);
+    const Points moved = file.mesh.vertices - model.mesh.vertices;
+    QVERIFY((file.point_data.at("displacement_mm") - 1e3 * moved).cwiseAbs().maxCoeff() < 1e-9);
+    const Eigen::VectorXd stress = composite.von_mises(file.mesh.vertices);
+    QVERIFY(stress.maxCoeff() > 1.0);
+    QVERIFY((file.cell_data.at("von_mises_pa") - stress).cwiseAbs().maxCoeff() < 1e-6 * stress.maxCoeff());
+    peak = 1e3 * moved.rowwise().norm().maxCoeff();
+    QCOMPARE(name == std::string("step_00005.vtu"),
+             std::abs(outcome.figures.at("displacement_max_mm") - peak) < 1e-9);
+  }
+  std::ifstream table(folder.path() / "steps.csv");
+  std::string line;
+  int lines = 0;
+  while (std::getline(table, line)) ++lines;
+  QCOMPARE(lines, 6);  // a header and a line a step
+  QCOMPARE(engine.snapshot()->revision, before->revision);
+}
+
+QTEST_APPLESS_MAIN(SimulateTest)
+#include "simulate_test.moc"
