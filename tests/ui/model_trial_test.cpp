@@ -106,6 +106,10 @@ class ModelTrialTest : public QObject {
 void ModelTrialTest::init() {
   operation_ = std::make_unique<FakeOperation>();
   make_box_operation(*operation_);
+  // The vena cava behind, so that the organ is held off the line through its vessels' entrances.
+  Points& cava = operation_->model.landmarks.vena_cava;
+  cava.resize(3, 3);
+  cava << 0.0, 0.04, -0.02, 0.012, 0.04, 0.0, 0.0, 0.04, 0.02;
   open_window(operation_->options());
 }
 
@@ -234,6 +238,7 @@ void ModelTrialTest::AnImpossiblePullIsStoppedAndSaysSo() {
 }
 
 void ModelTrialTest::WhatNothingHoldsIsRefusedWithTheRemedy() {
+  operation_->model.landmarks.vena_cava.resize(0, 3);
   for (VesselTree& tree : operation_->model.vessels) tree.root = -1;
   window_->engine().post(engine::BuildModel{});
   QVERIFY(settle());
