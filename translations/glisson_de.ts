@@ -533,6 +533,22 @@
         <source>following the film</source>
         <translation>dem Film folgen</translation>
     </message>
+    <message>
+        <source>Preparing the trial of a load</source>
+        <translation>Belastungsversuch wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>Ending the trial of a load</source>
+        <translation>Belastungsversuch wird beendet</translation>
+    </message>
+    <message>
+        <source>preparing the elements</source>
+        <translation>Elemente werden vorbereitet</translation>
+    </message>
+    <message>
+        <source>preparing the solver</source>
+        <translation>Löser wird vorbereitet</translation>
+    </message>
 </context>
 <context>
     <name>cli</name>
@@ -1319,6 +1335,49 @@
     </message>
 </context>
 <context>
+    <name>glisson::ui::LoadTrialBox</name>
+    <message>
+        <source>Try a load</source>
+        <translation>Belastung ausprobieren</translation>
+    </message>
+    <message>
+        <source>Preparing…</source>
+        <translation>Wird vorbereitet …</translation>
+    </message>
+    <message>
+        <source>Press on the liver in the 3D view and drag.</source>
+        <translation>Auf die Leber in der 3D-Ansicht drücken und ziehen.</translation>
+    </message>
+    <message>
+        <source>The model has changed: the trial has ended.</source>
+        <translation>Das Modell hat sich geändert: Der Versuch ist beendet.</translation>
+    </message>
+    <message>
+        <source>Stopped: the computation did not converge under this pull. The rest shape is drawn.</source>
+        <translation>Angehalten: Die Rechnung konvergierte bei diesem Zug nicht. Gezeigt wird die Ruheform.</translation>
+    </message>
+    <message>
+        <source>Stopped: this pull turns elements of the mesh inside out. The rest shape is drawn. Pull less, or elsewhere.</source>
+        <translation>Angehalten: Dieser Zug stülpt Elemente des Netzes um. Gezeigt wird die Ruheform. Weniger oder an anderer Stelle ziehen.</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>%1 Hz   %2 ms a step   %3 elements</source>
+        <translation>%1 Hz   %2 ms je Schritt   %3 Elemente</translation>
+    </message>
+    <message>
+        <source>%1 ms a step   %2 elements</source>
+        <translation>%1 ms je Schritt   %2 Elemente</translation>
+    </message>
+    <message>
+        <source>Pull %1 N, organ moved by up to %2 mm</source>
+        <translation>Zug %1 N, Organ bis zu %2 mm bewegt</translation>
+    </message>
+</context>
+<context>
     <name>glisson::ui::MainWindow</name>
     <message>
         <source>&amp;File</source>
@@ -1538,6 +1597,14 @@
     <message>
         <source>%1, beams</source>
         <translation>%1, Balken</translation>
+    </message>
+    <message>
+        <source>Mechanics</source>
+        <translation>Mechanik</translation>
+    </message>
+    <message>
+        <source>Drag a point of the liver and see it follow with its vessels and lesions. It is held at the vena cava and where vessels enter; its neighbours are not modelled. A trial: the case stays as it is. Esc ends it.</source>
+        <translation>Einen Punkt der Leber ziehen: Gefäße und Läsionen folgen. Gehalten wird sie an der Vena cava und an den Gefäßeintritten; ihre Nachbarn sind nicht modelliert. Ein Versuch: Der Fall bleibt, wie er ist. Esc beendet ihn.</translation>
     </message>
 </context>
 <context>

@@ -533,6 +533,22 @@
         <source>following the film</source>
         <translation>suivi du film</translation>
     </message>
+    <message>
+        <source>Preparing the trial of a load</source>
+        <translation>Préparation de l’essai de charge</translation>
+    </message>
+    <message>
+        <source>Ending the trial of a load</source>
+        <translation>Fin de l’essai de charge</translation>
+    </message>
+    <message>
+        <source>preparing the elements</source>
+        <translation>préparation des éléments</translation>
+    </message>
+    <message>
+        <source>preparing the solver</source>
+        <translation>préparation du solveur</translation>
+    </message>
 </context>
 <context>
     <name>cli</name>
@@ -1319,6 +1335,49 @@
     </message>
 </context>
 <context>
+    <name>glisson::ui::LoadTrialBox</name>
+    <message>
+        <source>Try a load</source>
+        <translation>Essayer une charge</translation>
+    </message>
+    <message>
+        <source>Preparing…</source>
+        <translation>Préparation…</translation>
+    </message>
+    <message>
+        <source>Press on the liver in the 3D view and drag.</source>
+        <translation>Appuyez sur le foie dans la vue 3D et tirez.</translation>
+    </message>
+    <message>
+        <source>The model has changed: the trial has ended.</source>
+        <translation>Le modèle a changé : l’essai est terminé.</translation>
+    </message>
+    <message>
+        <source>Stopped: the computation did not converge under this pull. The rest shape is drawn.</source>
+        <translation>Arrêté : le calcul n’a pas convergé sous cette traction. La forme au repos est affichée.</translation>
+    </message>
+    <message>
+        <source>Stopped: this pull turns elements of the mesh inside out. The rest shape is drawn. Pull less, or elsewhere.</source>
+        <translation>Arrêté : cette traction retourne des éléments du maillage. La forme au repos est affichée. Tirez moins, ou ailleurs.</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>%1 Hz   %2 ms a step   %3 elements</source>
+        <translation>%1 Hz   %2 ms par pas   %3 éléments</translation>
+    </message>
+    <message>
+        <source>%1 ms a step   %2 elements</source>
+        <translation>%1 ms par pas   %2 éléments</translation>
+    </message>
+    <message>
+        <source>Pull %1 N, organ moved by up to %2 mm</source>
+        <translation>Traction %1 N, organe déplacé de %2 mm au plus</translation>
+    </message>
+</context>
+<context>
     <name>glisson::ui::MainWindow</name>
     <message>
         <source>&amp;File</source>
@@ -1538,6 +1597,14 @@
     <message>
         <source>%1, beams</source>
         <translation>%1, poutres</translation>
+    </message>
+    <message>
+        <source>Mechanics</source>
+        <translation>Mécanique</translation>
+    </message>
+    <message>
+        <source>Drag a point of the liver and see it follow with its vessels and lesions. It is held at the vena cava and where vessels enter; its neighbours are not modelled. A trial: the case stays as it is. Esc ends it.</source>
+        <translation>Tirez un point du foie : vaisseaux et lésions suivent. Il est tenu à la veine cave et là où entrent les vaisseaux ; ses voisins ne sont pas modélisés. Un essai : le cas reste tel quel. Échap y met fin.</translation>
     </message>
 </context>
 <context>

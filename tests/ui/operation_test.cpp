@@ -31,6 +31,12 @@ using engine::Part;
 using engine::StageState;
 using ui::MainWindow;
 
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr int kPatience = 900000;  // ms; instrumented code is ten times slower
+#else
+constexpr int kPatience = 120000;
+#endif
+
 class OperationTest : public QObject {
   Q_OBJECT
  private slots:
@@ -55,7 +61,7 @@ class OperationTest : public QObject {
 
  private:
   void drop(const std::filesystem::path& path);
-  bool settle(int milliseconds = 120000) {
+  bool settle(int milliseconds = kPatience) {
     return QTest::qWaitFor([this] { return window_->engine().tasks().empty(); }, milliseconds);
   }
   void press(const char* name) {
