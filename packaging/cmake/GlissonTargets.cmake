@@ -53,7 +53,7 @@ function(glisson_test)
   if(GLISSON_SANITIZER)
     # Instrumented code is 3 to 30 times slower.
     math(EXPR ARG_TIMEOUT "10 * ${ARG_TIMEOUT}")
-    list(APPEND environment "UBSAN_OPTIONS=print_stacktrace=1"
+    list(APPEND environment "UBSAN_OPTIONS=print_stacktrace=1" "QTEST_FUNCTION_TIMEOUT=3000000"
       "LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/packaging/sanitizers/lsan.supp:print_suppressions=0"
       "TSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/packaging/sanitizers/tsan.supp")
     # Mesa's software driver leaves two small objects and is unloaded before leaks are counted, so that no suppression
