@@ -257,34 +257,32 @@ void solve(benchmark::State& state, const Size& size) {
   describe(state, c);
 }
 
-/// 1000 steps of `direct` by one thread and by two: 1 when every bit of both ends is the same.
+Points after_1000_steps(const Case& c, LinearSolver solver, int threads) {
+  IntegratorOptions options;
+  options.solver = solver;
+  options.threads = threads;
+  Integrator integrator(c.model, options);
+  Motion motion(*c.model);
+  for (int n = 0; n < 1000; ++n) integrator.step(motion.at(n, integrator.positions()));
+  return integrator.positions();
+}
+
+/// By one thread and by two: 1 when every bit of both ends is the same.
 void determinism_of_threads(benchmark::State& state, const Size& size) {
-  Case& c = example(size);
-  const auto run = [&](int threads) {
-    IntegratorOptions options;
-    options.threads = threads;
-    Integrator integrator(c.model, options);
-    Motion motion(*c.model);
-    for (int n = 0; n < 1000; ++n) integrator.step(motion.at(n, integrator.positions()));
-    return integrator.positions();
-  };
+  const Case& c = example(size);
   bool same = true;
-  for (auto _ : state) same = same && (run(1).array() == run(2).array()).all();
+  for (auto _ : state)
+    same = same && (after_1000_steps(c, LinearSolver::direct, 1).array() ==
+                    after_1000_steps(c, LinearSolver::direct, 2).array())
+                       .all();
   state.counters["same_bits"] = same ? 1.0 : 0.0;
 }
 
-/// 1000 steps twice from the same start, the second time beside another thread that does the same: 1 when
+/// Twice from the same start, the second time beside another thread that does the same: 1 when
 /// every bit of all three ends is the same.
 void determinism(benchmark::State& state, const Size& size, LinearSolver solver) {
   Case& c = example(size);
-  const auto run = [&] {
-    IntegratorOptions options;
-    options.solver = solver;
-    Integrator integrator(c.model, options);
-    Motion motion(*c.model);
-    for (int n = 0; n < 1000; ++n) integrator.step(motion.at(n, integrator.positions()));
-    return integrator.positions();
-  };
+  const auto run = [&] { return after_1000_steps(c, solver, 1); };
   bool same = true;
   for (auto _ : state) {
     const Points alone = run();

@@ -12,9 +12,11 @@
 
 #include "gate.h"
 #include "glisson/core/error.h"
+#include "runners.h"
 
 using namespace glisson;
 using namespace glisson::engine;
+using test::both_runners;
 using test::Gate;
 
 namespace {
@@ -81,16 +83,8 @@ StereoFrame numbered(int index) {
 
 }  // namespace
 
-Q_DECLARE_METATYPE(glisson::engine::Runner)
-
 class EngineTest : public QObject {
   Q_OBJECT
-  static void both_runners() {
-    QTest::addColumn<Runner>("runner");
-    QTest::newRow("inline") << Runner::inline_;
-    QTest::newRow("threaded") << Runner::threaded;
-  }
-
  private slots:
   void ADoneCommandIsInTheSnapshot_data() { both_runners(); }
   void ADoneCommandIsInTheSnapshot();

@@ -11,10 +11,12 @@
 #include "glisson/core/error.h"
 #include "glisson/fem/integrator.h"
 #include "glisson/guidance/boundary_springs.h"
+#include "runners.h"
 #include "trial_patient.h"
 
 using namespace glisson;
 using namespace glisson::engine;
+using test::both_runners;
 
 namespace {
 
@@ -68,12 +70,6 @@ std::shared_ptr<const TrialState> settle(Engine& engine, const std::optional<Tri
 
 class LoadTrialTest : public QObject {
   Q_OBJECT
-  static void both_runners() {
-    QTest::addColumn<Runner>("runner");
-    QTest::newRow("inline") << Runner::inline_;
-    QTest::newRow("threaded") << Runner::threaded;
-  }
-
  private slots:
   void AHeldPullEndsInTheStaticSolution_data();
   void AHeldPullEndsInTheStaticSolution();

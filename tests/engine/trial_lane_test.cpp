@@ -9,10 +9,12 @@
 
 #include "gate.h"
 #include "glisson/core/error.h"
+#include "runners.h"
 #include "trial_patient.h"
 
 using namespace glisson;
 using namespace glisson::engine;
+using test::both_runners;
 using test::Gate;
 
 namespace {
@@ -46,12 +48,6 @@ Engine::Options puppet(Runner runner, const Puppet::Do& act = {}) {
 
 class TrialLaneTest : public QObject {
   Q_OBJECT
-  static void both_runners() {
-    QTest::addColumn<Runner>("runner");
-    QTest::newRow("inline") << Runner::inline_;
-    QTest::newRow("threaded") << Runner::threaded;
-  }
-
  private slots:
   void PullsThatAreNoneAreRefused_data();
   void PullsThatAreNoneAreRefused();

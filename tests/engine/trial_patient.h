@@ -11,8 +11,6 @@
 /// @file
 /// A patient on whom loads are tried, and an engine that gives it.
 
-Q_DECLARE_METATYPE(glisson::engine::Runner)
-
 namespace glisson::engine {
 
 /// A block of 120 x 80 x 50 mm with a portal vein through it that enters on the left, tied to a vena cava

@@ -31,6 +31,7 @@ class ElasticTest : public QObject {
   Q_OBJECT
  private slots:
   void WhatIsSeenIsReached();
+  void LittleSeenRaisesADoubt();
   void MovingTheCloudMovesTheResult();
   void SameInputGivesSameBits();
   void FixedNodesStay();
@@ -66,6 +67,18 @@ class ElasticTest : public QObject {
 
   PatientModel model_ = phantom::model(10, 8, 4), truth_ = phantom::model(17, 13, 6);
 };
+
+void ElasticTest::LittleSeenRaisesADoubt() {
+  for (const double share : {0.08, 0.12, 0.3, 0.4}) {
+    const auto registered =
+        register_elastic(model_, seen(0.0, share), phantom::view(), brief(), RunContext());
+    QVERIFY(registered);
+    // The phantom says how much of the surface it sampled; points stand for what is 8 mm around them, too.
+    QVERIFY(registered->seen_share > 0.8 * share && registered->seen_share < share + 0.1);
+    const auto& doubts = registered->doubts;
+    QCOMPARE(std::count(doubts.begin(), doubts.end(), "little_surface_seen"), share < 0.2 ? 1 : 0);
+  }
+}
 
 void ElasticTest::WhatIsSeenIsReached() {
   const double most = 0.035;

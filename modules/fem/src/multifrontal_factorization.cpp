@@ -135,10 +135,11 @@ bool MultifrontalFactorization::factor_panel(const Layout& layout, bool shared) 
     if (first > 0)
       by_rows(shared, first & ~7, stride, below * width * first,
               [&](int from, int to) { kernels_.update_block(panel, stride, first, width, from, to); });
-    const bool halves = shared && 0.5 * below * width * width > kWorthAHalf;
+    const double worth = 0.5 * below * width * width;
+    const bool halves = shared && worth >= kWorthAHalf;
     if (!kernels_.factor_block(panel, stride, first, width, halves ? own : stride, inverse)) return false;
     if (halves)
-      by_rows(shared, own, stride, 0.5 * below * width * width, [&](int from, int to) {
+      by_rows(shared, own, stride, worth, [&](int from, int to) {
         kernels_.solve_block(panel, stride, first, width, from, to, inverse);
       });
   }

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QtTest>
+
+#include "glisson/engine/engine.h"
+
+Q_DECLARE_METATYPE(glisson::engine::Runner)
+
+namespace glisson::test {
+
+/// Rows for what both runners promise.
+inline void both_runners() {
+  using engine::Runner;
+  QTest::addColumn<Runner>("runner");
+  QTest::newRow("inline") << Runner::inline_;
+  QTest::newRow("threaded") << Runner::threaded;
+}
+
+}  // namespace glisson::test
