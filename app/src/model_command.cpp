@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From labels or surfaces to the model.
+#include "case_argument.h"
+#include "cli.h"
+#include "commands.h"
+#include "glisson/engine/case_io.h"
+#include "glisson/geometry/distance.h"
+#include "glisson/geometry/mesh_io.h"
+
+namespace glisson::app {
+
+int run_model(const QStringList& given) {
+  model::ModelOptions options;
+  Arguments arguments("model",
+                      Cli::tr("Builds the biomechanical model: tetrahedra, vessels, anterior margin."));
+  declare_case(arguments);
+  arguments.option("labels", Cli::tr("Labels to take instead of the case's."), "FILE");
+  arguments.option(
+      "codes", Cli::tr("What their codes mean: JSON, {\"6\": \"parenchyma\", \"10\": \"portal_vein\", ...}."),
+      "FILE");
+  arguments.option("surfaces",
+                   Cli::tr("Closed surfaces to take instead of labels: a folder by structure, or one file."),
+                   "PATH");
+  arguments.option("unit", Cli::tr("Unit of the surfaces: mm, cm or m."), "UNIT", "mm");
+  arguments.option("vertices", Cli::tr("Vertices wanted."), "N", options.mesh.target_vertices);
+  arguments.option("truth",
+                   Cli::tr("A fine surface of the liver: adds the distances. Read after everything else."),
+                   "FILE");
+  arguments.option("mesh-out", Cli::tr("Also write the mesh here (.vtu, .vtk)."), "FILE");
+  if (!arguments.parse(given)) return 0;
+  options.mesh.target_vertices = arguments.integer("vertices", 50, 200000);
+  if (arguments.has("mesh-out")) arguments.output_file("mesh-out", {".vtu", ".vtk"});
+  arguments.require_existing("truth");
+  const LabelCodes codes = codes_of(arguments, "codes");
+  Session session(arguments);
+  if (std::filesystem::exists(arguments.required_path("case"))) open_case(arguments, session);
+  if (arguments.has("surfaces")) {
+    session.post(engine::ImportSurfaces{arguments.path("surfaces"), arguments.unit("unit"), options});
+  } else {
+    if (arguments.has("labels")) session.post(engine::ImportLabels{arguments.path("labels"), codes});
+    session.post(engine::BuildModel{options});
+  }
+  const PatientModel& model = session.state().model->model;
+  if (arguments.has("truth")) {
+    const SurfaceDistance distance = surface_distance(
+        model.surface.mesh, read_triangle_mesh(arguments.path("truth"), arguments.unit("unit")));
+    session.figures["surface_to_truth_mean_mm"] = 1e3 * distance.forward.mean;
+    session.figures["truth_to_surface_mean_mm"] = 1e3 * distance.backward.mean;
+    session.figures["truth_to_surface_max_mm"] = 1e3 * distance.backward.maximum;
+  }
+  save_case(arguments, session);
+  if (arguments.has("mesh-out"))
+    write_tet_mesh(arguments.path("mesh-out"), model.mesh, LengthUnit::millimetre);
+  session.finish();
+  return 0;
+}
+
+}  // namespace glisson::app
