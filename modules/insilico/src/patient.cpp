@@ -119,7 +119,7 @@ std::vector<LabelInfo> label_infos(std::size_t lesions) {
   std::vector<LabelInfo> infos;
   infos.reserve(labels.size());
   for (const Label label : labels)
-    infos.push_back({label, structure_name(label), "", structure_colour(label)});
+    infos.push_back(structure_info(label));
   return infos;
 }
 

@@ -17,14 +17,6 @@ bool is_liver_vessel(Label label) {
   return label == structure::kPortalVein || label == structure::kHepaticVeins || label == structure::kArtery;
 }
 
-/// The label whose structure_name() is `name`, or none.
-std::optional<Label> structure_named(const std::string& name) {
-  for (int label = structure::kBackground; label <= structure::kLastLesion; ++label)
-    if (structure_name(static_cast<Label>(label)) == name && name.rfind("label_", 0) != 0)
-      return static_cast<Label>(label);
-  return std::nullopt;
-}
-
 std::optional<Label> code_from(const std::string& text) {
   unsigned value = 0;
   const char* end = text.data() + text.size();
@@ -75,7 +67,7 @@ LabelCodes read_label_codes(const std::filesystem::path& path) {
       throw InputError(
           path.string(), "\"" + key + "\"", "stands for " + value.dump() + ", which is no structure",
           "Use background, parenchyma, portal_vein, hepatic_veins, vena_cava, artery, gallbladder or "
-          "lesion_1 to lesion_240");
+          "lesion_1 to lesion_240 (or other_1 to other_9)");
     codes[*code] = *label;
   }
   return codes;
@@ -121,7 +113,7 @@ LabelMap recode(const LabelFile& file, const LabelCodes& codes, const std::strin
     if (counts[i] == 0) continue;
     const auto label = static_cast<Label>(i);
     any = any || is_liver_tissue(label);
-    map.infos.push_back({label, structure_name(label), "", structure_colour(label)});
+    map.infos.push_back(structure_info(label));
     for (const LabelInfo& info : file.infos)
       if (!info.terminology.empty() && codes.contains(info.code) && codes.at(info.code) == label)
         map.infos.back().terminology = info.terminology;

@@ -5,6 +5,34 @@ namespace glisson {
 
 bool is_lesion(Label label) { return label >= structure::kFirstLesion && label <= structure::kLastLesion; }
 
+bool is_other(Label label) { return label >= structure::kFirstOther && label <= structure::kLastOther; }
+
+std::optional<Label> structure_named(const std::string& name) {
+  for (int label = structure::kBackground; label <= structure::kLastLesion; ++label)
+    if (structure_name(static_cast<Label>(label)) == name) return static_cast<Label>(label);
+  return std::nullopt;
+}
+
+std::string slicer_status(ReviewState state) {
+  switch (state) {
+    case ReviewState::not_started:
+      return "notstarted";
+    case ReviewState::in_progress:
+      return "inprogress";
+    case ReviewState::to_review:
+      return "flagged";
+    case ReviewState::approved:
+      return "completed";
+  }
+  return "notstarted";
+}
+
+ReviewState review_state(const std::string& status) {
+  for (const ReviewState state : {ReviewState::in_progress, ReviewState::to_review, ReviewState::approved})
+    if (slicer_status(state) == status) return state;
+  return ReviewState::not_started;
+}
+
 std::string structure_name(Label label) {
   switch (label) {
     case structure::kBackground:
@@ -25,6 +53,7 @@ std::string structure_name(Label label) {
       break;
   }
   if (is_lesion(label)) return "lesion_" + std::to_string(label - structure::kFirstLesion + 1);
+  if (is_other(label)) return "other_" + std::to_string(label - structure::kFirstOther + 1);
   return "label_" + std::to_string(label);
 }
 
@@ -51,7 +80,11 @@ std::array<double, 3> structure_colour(Label label) {
       {{0.94, 0.89, 0.26}, {0.90, 0.62, 0.00}, {0.95, 0.75, 0.45}}};
   if (is_lesion(label))
     return kLesions[static_cast<std::size_t>(label - structure::kFirstLesion) % kLesions.size()];
+  // Greys, light and dark in turns: what is no part of the liver does not shine.
+  if (is_other(label)) return label % 2 == 0 ? std::array{0.62, 0.62, 0.66} : std::array{0.42, 0.42, 0.46};
   return {0.5, 0.5, 0.5};
 }
+
+LabelInfo structure_info(Label label) { return {label, structure_name(label), "", structure_colour(label)}; }
 
 }  // namespace glisson

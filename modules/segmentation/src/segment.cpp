@@ -209,7 +209,7 @@ Segmented finish(const Image& image, const Painting& painting, const Seeds& seed
   for (std::size_t label = 1; label < counts.size(); ++label)
     if (counts[label] > 0) {
       const auto code = static_cast<Label>(label);
-      result.labels.infos.push_back({code, structure_name(code), "", structure_colour(code)});
+      result.labels.infos.push_back(structure_info(code));
     }
   const std::vector<std::uint8_t> liver = inside_liver(result.labels);
   result.report.liver_ml =

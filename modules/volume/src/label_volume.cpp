@@ -151,6 +151,29 @@ int LabelVolume::bricks_differing_from(const LabelVolume& other) const {
   return count;
 }
 
+Eigen::Vector3i LabelVolume::brick_place(std::size_t number) const {
+  require(number < brick_.size(), "a brick that is asked for is one of the volume");
+  const int n = static_cast<int>(number);
+  return {n % bricks_.x(), (n / bricks_.x()) % bricks_.y(), n / (bricks_.x() * bricks_.y())};
+}
+
+void LabelVolume::set_brick(std::size_t number, std::shared_ptr<const Brick> brick) {
+  require(number < brick_.size(), "a brick that is replaced is one of the volume");
+  brick_[number] = std::move(brick);
+}
+
+LabelChanges LabelVolume::changes_since(const LabelVolume& before) const {
+  require(bricks_ == before.bricks_, "volumes whose bricks are compared have one size");
+  LabelChanges changes;
+  for (std::size_t i = 0; i < brick_.size(); ++i)
+    if (!same_content(before.brick_[i], brick_[i])) changes.push_back({i, before.brick_[i], brick_[i]});
+  return changes;
+}
+
+void LabelVolume::apply(const LabelChanges& changes, bool back) {
+  for (const LabelChange& change : changes) set_brick(change.number, back ? change.before : change.after);
+}
+
 bool LabelVolume::operator==(const LabelVolume& other) const {
   if (!grid_.same_as(other.grid_)) return false;
   for (std::size_t i = 0; i < brick_.size(); ++i)

@@ -180,7 +180,7 @@ LabelFile read_labels(const fs::path& path) {
   LabelFile file;
   file.voxels = LabelVolume(delivered->grid, values);
   for (const SlicerSegment& segment : segments)
-    file.infos.push_back({segment.value, segment.name, segment.terminology, segment.colour});
+    file.infos.push_back({segment.value, segment.name, segment.terminology, segment.colour, segment.status});
   if (segments.empty()) file.infos = infos_of(file.voxels);
   return file;
 }

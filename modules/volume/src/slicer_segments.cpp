@@ -70,6 +70,7 @@ std::vector<SlicerSegment> slicer_segments(const std::string& name, const Texts&
     SlicerSegment segment;
     segment.name = value_of(texts, prefix + "Name");
     segment.terminology = tag_of(value_of(texts, prefix + "Tags"), "TerminologyEntry");
+    segment.status = tag_of(value_of(texts, prefix + "Tags"), "Status");
     segment.value = static_cast<Label>(whole_number(name, texts, prefix + "LabelValue", 1, 65535, n + 1));
     segment.layer = static_cast<int>(whole_number(name, texts, prefix + "Layer", 0, layers - 1, 0));
     const std::vector<double> colour = numbers_of(value_of(texts, prefix + "Color"));
@@ -124,7 +125,8 @@ LabelFile flattened(const VolumeGrid& grid, int layers, const std::vector<Label>
   LabelFile file;
   file.voxels = LabelVolume(grid, dense);
   for (std::size_t s = 0; s < segments.size(); ++s)
-    file.infos.push_back({code[s], segments[s].name, segments[s].terminology, segments[s].colour});
+    file.infos.push_back(
+        {code[s], segments[s].name, segments[s].terminology, segments[s].colour, segments[s].status});
   return file;
 }
 
@@ -137,7 +139,7 @@ std::vector<std::pair<std::string, std::string>> slicer_keys(const VolumeGrid& g
     const LabelInfo& info = infos[n];
     const std::string prefix = "Segment" + std::to_string(n) + "_";
     const std::string name = info.name.empty() ? "label_" + std::to_string(info.code) : info.name;
-    std::string tags = "Segmentation.Status:inprogress|";
+    std::string tags = "Segmentation.Status:" + (info.status.empty() ? "inprogress" : info.status) + "|";
     if (!info.terminology.empty()) tags += "TerminologyEntry:" + info.terminology + "|";
     keys.emplace_back(prefix + "Color", number_text(info.colour[0]) + " " + number_text(info.colour[1]) +
                                             " " + number_text(info.colour[2]));

@@ -13,7 +13,7 @@ using Texts = std::map<std::string, std::string>;
 
 /// One segment of a Slicer segmentation (.seg.nrrd keys Segment<N>_...).
 struct SlicerSegment {
-  std::string name, terminology;
+  std::string name, terminology, status;
   std::array<double, 3> colour = {0.5, 0.5, 0.5};
   Label value = 0;
   int layer = 0;

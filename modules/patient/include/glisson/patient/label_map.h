@@ -3,6 +3,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,10 @@ inline constexpr Label kHepaticVeins = 3;
 inline constexpr Label kVenaCava = 4;
 inline constexpr Label kArtery = 5;
 inline constexpr Label kGallbladder = 6;
+/// Whatever else is marked on the way: rivals of the liver while it grows, parts that were split off. Models
+/// do not contain it.
+inline constexpr Label kFirstOther = 7;
+inline constexpr Label kLastOther = 15;
 /// Lesions are 16, 17, ...: each its own label.
 inline constexpr Label kFirstLesion = 16;
 inline constexpr Label kLastLesion = 255;
@@ -29,10 +34,16 @@ inline constexpr Label kLastLesion = 255;
 /// Whether the label is part of the liver's body: parenchyma, vessels in it and lesions. The vena cava,
 /// artery outside and gallbladder are not.
 bool is_lesion(Label label);
+bool is_other(Label label);
 /// Code for people and files: "parenchyma", "portal_vein", ..., "lesion_1". Not translated.
 std::string structure_name(Label label);
+/// The label whose structure_name() is `name`; "label_12345" has none.
+std::optional<Label> structure_named(const std::string& name);
 /// Colour-blind-safe (Okabe and Ito 2008), sRGB in [0, 1].
 std::array<double, 3> structure_colour(Label label);
+
+/// Code, name and colour of a label as Glisson has them.
+LabelInfo structure_info(Label label);
 
 /// Which structure each code of a foreign label file means.
 using LabelCodes = std::map<Label, Label>;
@@ -46,6 +57,15 @@ struct LabelMap {
   /// Voxels of the portal tree outside the liver are portal vein all the same; whether a vessel voxel lies
   /// inside the liver is decided by the filled liver: see inside_liver().
 };
+/// How far a person has come with a label.
+enum class ReviewState { not_started, in_progress, to_review, approved };
+/// Labels that are not in it are not_started.
+using Review = std::map<Label, ReviewState>;
+/// As Slicer's tag Segmentation.Status: "notstarted", "inprogress", "flagged", "completed".
+std::string slicer_status(ReviewState state);
+/// Unknown texts: not_started.
+ReviewState review_state(const std::string& slicer_status);
+
 /// Dense 0/1 mask of the liver with everything in it: parenchyma, lesions, and the vessel voxels enclosed by
 /// them (in the closing by `closing_mm`, or a hole of it in one slice of the three axes), then hole filling.
 /// @pre closing_mm >= 0

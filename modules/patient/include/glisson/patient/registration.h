@@ -45,7 +45,7 @@ struct OverlayFrame {
   int index = 0;
   double seconds = 0.0;
   Validity validity = Validity::not_started;
-  bool doubtful = false;  ///< the registration that this began with carries doubts: drawn, and said so
+  bool doubtful = false;   ///< the registration that this began with carries doubts: drawn, and said so
   Points nodes_in_camera;  ///< as Registration::nodes_in_camera
   int tracked_left = 0, tracked_right = 0, pairs = 0;
   double residual = 0.0;      ///< metres, mean over the pairs

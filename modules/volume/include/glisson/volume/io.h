@@ -24,6 +24,9 @@ struct LabelInfo {
   std::string name;         ///< may be empty
   std::string terminology;  ///< Slicer's Segmentation_TerminologyEntry, kept as it is; may be empty
   std::array<double, 3> colour = {0.5, 0.5, 0.5};
+  /// How far the work on it has come, as Slicer's tag says it: "notstarted", "inprogress", "completed",
+  /// "flagged"; may be empty.
+  std::string status = {};
 };
 struct LabelFile {
   LabelVolume voxels;

@@ -13,6 +13,10 @@ namespace glisson {
 
 using Label = std::uint16_t;
 
+struct LabelChange;
+/// What an edit did, brick by brick.
+using LabelChanges = std::vector<LabelChange>;
+
 /// Labels as persistent bricks of 32 voxels a side, shared until written: copying a volume copies pointers,
 /// an edit copies only the bricks that it touches. That is what makes snapshots and undo cheap. Not
 /// thread-safe to write; copies may be read from anywhere.
@@ -44,12 +48,29 @@ class LabelVolume {
   int bricks_differing_from(const LabelVolume& other) const;
   bool operator==(const LabelVolume& other) const;
 
+  /// Bricks along each axis, i fastest in their numbering. A brick's first voxel is kSide times its place.
+  const Eigen::Vector3i& brick_counts() const { return bricks_; }
+  std::size_t brick_count() const { return brick_.size(); }
+  Eigen::Vector3i brick_place(std::size_t number) const;
+  /// Null: all zero. What lies beyond the volume in the last bricks of an axis is zero.
+  const std::shared_ptr<const Brick>& brick(std::size_t number) const { return brick_[number]; }
+  void set_brick(std::size_t number, std::shared_ptr<const Brick> brick);
+  /// The bricks that are not shared with `before` and differ. @pre one grid.
+  LabelChanges changes_since(const LabelVolume& before) const;
+  /// Puts the changes' bricks in place: `after`, or `before` where `back`.
+  void apply(const LabelChanges& changes, bool back);
+
  private:
   std::size_t brick_of(const Eigen::Vector3i& v) const;
 
   VolumeGrid grid_;
   Eigen::Vector3i bricks_ = Eigen::Vector3i::Zero();
   std::vector<std::shared_ptr<const Brick>> brick_;  ///< null: all zero
+};
+
+struct LabelChange {
+  std::size_t number = 0;  ///< of the brick
+  std::shared_ptr<const LabelVolume::Brick> before, after;
 };
 
 }  // namespace glisson
