@@ -141,6 +141,32 @@ class ReconstructTest : public QObject {
     QVERIFY(result.cloud.size() < run(plane_pair()).cloud.size());
   }
 
+  void RegionsOnTheRightPictureLabelTheSamePoints() {
+    // What a region of the left picture shows, clicked on the right one: each vertex where the plane puts it.
+    Regions on_left, on_right;
+    on_left.regions = {rectangle(Feature::surface, 200, 150, 450, 350)};
+    on_right = on_left;
+    on_right.regions[0].side = Side::right;
+    const StereoRig& rig = plane_pair().rig;
+    for (Eigen::Vector2d& vertex : on_right.regions[0].polygon) {
+      const Eigen::Vector3d ray = rig.left.ray(vertex);
+      const Eigen::Vector3d p = ray * (Eigen::Vector3d(0.0, 0.0, 0.1).dot(kTilted) / ray.dot(kTilted));
+      vertex = rig.right.project((rig.right_from_left * Point<CameraFrame>(p)).xyz);
+    }
+    const Reconstructed left = run(plane_pair(), {}, on_left), right = run(plane_pair(), {}, on_right);
+    QVERIFY(left.cloud.size() > 100);
+    QVERIFY(std::abs(left.cloud.size() - right.cloud.size()) <= left.cloud.size() / 25);
+    QVERIFY(std::abs(left.report.area_cm2 - right.report.area_cm2) < 0.06 * left.report.area_cm2);
+  }
+
+  void RegionsOfAnotherFrameAreRefused() {
+    Regions regions;
+    regions.regions = {rectangle(Feature::surface, 150, 100, 500, 400)};
+    regions.identity = frame_identity(plane_pair().left, plane_pair().right);
+    QVERIFY(run(plane_pair(), {}, regions).cloud.size() > 0);
+    QVERIFY_THROWS_EXCEPTION(InputError, run(sphere_pair(), {}, regions));
+  }
+
   void MaskKeepsPointsOut() {
     Picture mask = uniform(640, 480, 1, 0);
     auto bytes = std::make_shared<std::vector<std::uint8_t>>(*mask.bytes);

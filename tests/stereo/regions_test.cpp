@@ -39,6 +39,89 @@ class RegionsTest : public QObject {
     }
   }
 
+  void CurvesSidesAndIdentityAreKept() {
+    Regions regions;
+    regions.identity = "0123456789abcdef";
+    regions.regions = {
+        square(Feature::surface, 0, 100),
+        {Feature::anterior_margin, {{0, 90}, {50.25, 95}, {100, 90}}, false, 7.5, Side::right}};
+    write_regions(folder_.path() / "curve.json", regions);
+    const Regions back = read_regions(folder_.path() / "curve.json");
+    QCOMPARE(back.identity, regions.identity);
+    QVERIFY(back.regions[0].closed && back.regions[0].side == Side::left);
+    QVERIFY(!back.regions[1].closed && back.regions[1].side == Side::right);
+    QCOMPARE(back.regions[1].half_width_px, 7.5);
+    QVERIFY(back.regions[1].polygon == regions.regions[1].polygon);
+  }
+
+  void FilesOfEarlierVersionsAreRead() {
+    write_file_atomically(
+        folder_.path() / "old.json",
+        R"({"image": "left", "frame": 3, "regions": [{"label": "surface", "polygon": [[0,0],[9,0],[9,9]]}]})");
+    const Regions old = read_regions(folder_.path() / "old.json");
+    QCOMPARE(old.frame, 3);
+    QVERIFY(old.identity.empty() && old.regions[0].closed && old.regions[0].side == Side::left);
+    const Picture some{1, 1, 1, std::make_shared<std::vector<std::uint8_t>>(1)};
+    require_regions_of(old, some, some);  // nothing is known: nothing is refused
+  }
+
+  void CurveReachesItsHalfWidthAndIsOpen() {
+    Regions regions;
+    regions.regions = {{Feature::anterior_margin, {{10, 10}, {90, 10}, {90, 90}}, false, 5.0}};
+    QVERIFY(feature_at(regions, {50, 14.9}).has_value());
+    QVERIFY(!feature_at(regions, {50, 15.1}).has_value());
+    QVERIFY(!feature_at(regions, {50, 50}).has_value());  // the way back from the last vertex to the first
+    QVERIFY(!feature_at(regions, {4, 10}).has_value());   // beyond its end
+  }
+
+  void RegionsCountOnTheirOwnPicture() {
+    Regions regions;
+    regions.regions = {square(Feature::surface, 0, 10)};
+    regions.regions[0].side = Side::right;
+    QVERIFY(!feature_at(regions, {5, 5}));
+    QVERIFY(feature_at(regions, Side::right, {5, 5}) == Feature::surface);
+  }
+
+  void RegionsOfAnotherFrameAreRefused() {
+    const auto picture = [](int width, int height, std::uint8_t first) {
+      auto bytes = std::make_shared<std::vector<std::uint8_t>>(static_cast<std::size_t>(width * height), 7);
+      bytes->front() = first;
+      return Picture{width, height, 1, std::move(bytes)};
+    };
+    const Picture a = picture(5, 3, 1), b = picture(5, 3, 2), c = picture(3, 5, 1);
+    Regions regions;
+    regions.identity = frame_identity(a, b);
+    regions.regions = {square(Feature::surface, 0, 10)};
+    require_regions_of(regions, a, b);
+    QVERIFY_THROWS_EXCEPTION(InputError, require_regions_of(regions, b, a));
+    QVERIFY_THROWS_EXCEPTION(InputError, require_regions_of(regions, a, a));
+    QVERIFY(frame_identity(a, b) != frame_identity(c, b));
+  }
+
+  void OutlineIsMetWhereItIsClosest() {
+    const Region region = square(Feature::surface, 0, 10);
+    const OutlinePlace on_last = closest_on_outline(region, {-2, 5});
+    QCOMPARE(on_last.edge, std::size_t{3});
+    QCOMPARE(on_last.distance_px, 2.0);
+    QVERIFY(on_last.pixel == Eigen::Vector2d(0, 5));
+    Region curve = region;
+    curve.closed = false;
+    QCOMPARE(closest_on_outline(curve, {-2, 5}).edge, std::size_t{0});
+    QVERIFY_THROWS_EXCEPTION(PreconditionError, closest_on_outline(Region{}, {0, 0}));
+  }
+
+  void CrossingEdgesAreFound() {
+    QVERIFY(!crosses_itself(square(Feature::surface, 0, 10)));
+    QVERIFY(crosses_itself({Feature::surface, {{0, 0}, {10, 10}, {10, 0}, {0, 10}}}));
+    QVERIFY(crosses_itself({Feature::anterior_margin, {{0, 0}, {10, 10}, {10, 0}, {0, 10}}, false}));
+    // Only the way back crosses: a curve has none.
+    const std::vector<Eigen::Vector2d> hook = {{0, 0}, {10, 0}, {10, 10}, {5, 10}, {5, -5}, {6, -5}};
+    QVERIFY(crosses_itself({Feature::surface, hook}));
+    const std::vector<Eigen::Vector2d> bowl = {{0, 0}, {10, 10}, {20, 0}, {20, 5}};
+    QVERIFY(crosses_itself({Feature::surface, bowl}));
+    QVERIFY(!crosses_itself({Feature::anterior_margin, bowl, false}));
+  }
+
   void NotchGoesBeforeMarginBeforeSurface() {
     Regions regions;
     regions.regions = {square(Feature::umbilical_notch, 40, 60), square(Feature::surface, 0, 100),
@@ -80,6 +163,18 @@ class RegionsTest : public QObject {
         << QByteArray(
                R"({"regions": [{"label": "surface", "polygon": [[0,0],[1,0],[1,1]]}, {"label": "surface", "polygon": [[0,0,0]]}]})")
         << QByteArray("region 1");
+    QTest::newRow("curve of one vertex")
+        << QByteArray(R"({"regions": [{"label": "anterior_margin", "curve": [[0,0]]}]})")
+        << QByteArray("region 0");
+    QTest::newRow("curve without width")
+        << QByteArray(R"({"regions": [{"label": "surface", "curve": [[0,0],[1,0]], "half_width_px": 0}]})")
+        << QByteArray("region 0");
+    QTest::newRow("region of no picture")
+        << QByteArray(
+               R"({"regions": [{"label": "surface", "image": "top", "polygon": [[0,0],[1,0],[1,1]]}]})")
+        << QByteArray("region 0");
+    QTest::newRow("odd identity") << QByteArray(R"({"identity": "xyz", "regions": []})")
+                                  << QByteArray("identity");
     QTest::newRow("vertex of text")
         << QByteArray(R"({"regions": [{"label": "surface", "polygon": [["a",0],[1,0],[1,1]]}]})")
         << QByteArray("region 0");
@@ -105,6 +200,10 @@ class RegionsTest : public QObject {
   void DegenerateRegionIsNotWritten() {
     Regions regions;
     regions.regions = {{Feature::surface, {{0, 0}, {1, 0}}}};
+    QVERIFY_THROWS_EXCEPTION(PreconditionError, write_regions(folder_.path() / "never.json", regions));
+    regions.regions = {{Feature::surface, {{0, 0}}, false}};
+    QVERIFY_THROWS_EXCEPTION(PreconditionError, write_regions(folder_.path() / "never.json", regions));
+    regions.regions = {{Feature::surface, {{0, 0}, {1, 0}}, false, 0.0}};
     QVERIFY_THROWS_EXCEPTION(PreconditionError, write_regions(folder_.path() / "never.json", regions));
     regions.regions = {{Feature::surface, {{0, 0}, {1, 0}, {std::nan(""), 1}}}};
     QVERIFY_THROWS_EXCEPTION(PreconditionError, write_regions(folder_.path() / "never.json", regions));

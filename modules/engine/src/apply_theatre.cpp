@@ -117,7 +117,11 @@ Cancellable<Applied> apply_one(const CaseState& state, const SetRegions& command
   require_part(state, Part::frame, "Load a stereo pair first: regions are clicked on it");
   Applied applied;
   applied.state = state;
-  applied.state.regions = std::make_shared<const stereo::Regions>(command.regions);
+  const StereoFrame& frame = state.frame->frame;
+  stereo::require_regions_of(command.regions, frame.left, frame.right);
+  stereo::Regions regions = command.regions;
+  if (regions.identity.empty()) regions.identity = stereo::frame_identity(frame.left, frame.right);
+  applied.state.regions = std::make_shared<const stereo::Regions>(std::move(regions));
   return applied;
 }
 

@@ -210,6 +210,14 @@ struct Candidate {
   Feature feature = Feature::surface;
 };
 
+/// What a point shows whose pixels are given, by regions on either picture.
+std::optional<Feature> shown_by(const Regions& regions, const Eigen::Vector2d& left,
+                                const Eigen::Vector2d& right) {
+  const auto by_left = feature_at(regions, Side::left, left);
+  const auto by_right = feature_at(regions, Side::right, right);
+  return by_left && by_right ? std::max(by_left, by_right) : by_left ? by_left : by_right;
+}
+
 std::vector<Candidate> triangulated(const Pair& pair, const std::vector<Match>& matches,
                                     const Regions& regions, const ReconstructOptions& options) {
   const Rectification& rectification = pair.rectification;
@@ -231,13 +239,22 @@ std::vector<Candidate> triangulated(const Pair& pair, const std::vector<Match>& 
       continue;
     c.sigma = c.match.sigma * rectification.depth_per_pixel(c.match.left, d);
     if (!regions.regions.empty()) {
-      const auto feature = feature_at(regions, c.pixel);
+      const auto feature = shown_by(regions, c.pixel, *right);
       if (!feature) continue;
       c.feature = *feature;
     }
     candidates.push_back(c);
   }
   return candidates;
+}
+
+/// Whether a pixel of the left picture lies in a region of either, at the depth of a point next to it.
+bool in_regions(const Pair& pair, const Regions& regions, const Eigen::Vector2d& pixel, const Candidate& at) {
+  if (feature_at(regions, Side::left, pixel)) return true;
+  const auto moved = pair.rectification.rectify(Side::left, pixel);
+  if (!moved) return false;
+  const auto right = pair.rectification.unrectify(Side::right, *moved + at.match.right - at.match.left);
+  return right && feature_at(regions, Side::right, *right);
 }
 
 /// The area that the points stand for: cells of the left picture that may show points (mask, regions; without
@@ -261,7 +278,6 @@ double area_cm2(const Pair& pair, const LabelledCloud& cloud, const std::vector<
   for (int y = kCell / 2; y < pair.left.rows; y += kCell)
     for (int x = kCell / 2; x < pair.left.cols; x += kCell) {
       if (!allowed.empty() && allowed.at<std::uint8_t>(y, x) == 0) continue;
-      if (!regions.regions.empty() && !feature_at(regions, {x, y})) continue;
       std::size_t best = 0;
       double distance = HUGE_VAL;
       for (std::size_t i = 0; i < pixels.size(); ++i) {
@@ -269,6 +285,7 @@ double area_cm2(const Pair& pair, const LabelledCloud& cloud, const std::vector<
         if (d < distance) distance = d, best = i;
       }
       if (!bounded && distance > near * near) continue;
+      if (!regions.regions.empty() && !in_regions(pair, regions, {x, y}, candidates[best])) continue;
       const Eigen::Vector3d p = cloud.points.row(static_cast<Eigen::Index>(best)).transpose();
       const Eigen::Vector3d n = cloud.normals.row(static_cast<Eigen::Index>(best)).transpose();
       const double side = kCell * p.z() / pair.rectification.focal();
@@ -329,6 +346,7 @@ Cancellable<Reconstructed> reconstruct(const Picture& left, const Picture& right
                                        const ReconstructOptions& options, const RunContext& context) {
   options.validate();
   check_inputs(left, right, rig, mask);
+  require_regions_of(regions, left, right);
   if (context.cancelled()) return std::nullopt;
   context.progress(0.0, "stereo.detect");
   const Pair pair = prepare(left, right, rig, mask, options);

@@ -5,10 +5,9 @@
 #include <optional>
 
 #include "glisson/geometry/camera.h"
+#include "glisson/stereo/side.h"
 
 namespace glisson::stereo {
-
-enum class Side { left, right };
 
 /// Two virtual cameras without distortion, side by side (Fusiello 2000): the same point has the same row in
 /// both, and columns that differ by the disparity d = f B / Z.

@@ -50,8 +50,8 @@ struct Reconstructed {
 /// pixel, epipolar gate, triangulation, reprojection gate, rejection of outliers, moving least squares with
 /// normals. With regions only what lies in one is kept. Deterministic.
 /// @param mask empty, or one byte a pixel of the left image: non-zero is to be used.
-/// @throws InputError images of another size than the calibration's, mask of another size, left and right
-///   swapped or one picture twice, fewer than ten points.
+/// @throws InputError images of another size than the calibration's, mask of another size, regions of another
+///   frame, left and right swapped or one picture twice, fewer than ten points.
 /// @throws PreconditionError options out of range.
 Cancellable<Reconstructed> reconstruct(const Picture& left, const Picture& right, const StereoRig& rig,
                                        const Picture& mask, const Regions& regions,
