@@ -23,8 +23,9 @@ struct LabelFigures {
 class LabelStatistics {
  public:
   LabelStatistics() = default;
-  /// @pre one grid. @param former statistics of an earlier state of the same labels on the same image.
-  LabelStatistics(const LabelMap& labels, const Image& image, const LabelStatistics* former = nullptr);
+  /// @param image null: intensities count as 0. @pre one grid.
+  /// @param former statistics of an earlier state of the labels; used where bricks and image are the same.
+  LabelStatistics(const LabelMap& labels, const Image* image, const LabelStatistics* former = nullptr);
 
   const std::map<Label, LabelFigures>& figures() const { return figures_; }
   /// How many bricks were counted anew (for tests).
@@ -33,6 +34,7 @@ class LabelStatistics {
  private:
   struct BrickSums;
   LabelVolume counted_;
+  std::shared_ptr<const std::vector<std::int16_t>> voxels_;  ///< that were measured
   std::vector<std::shared_ptr<const BrickSums>> sums_;
   std::map<Label, LabelFigures> figures_;
   int bricks_counted_ = 0;
