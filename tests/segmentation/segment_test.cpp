@@ -74,22 +74,37 @@ std::vector<std::uint8_t> mask_of(const Segmented& result, Label label) {
 class SegmentTest : public QObject {
   Q_OBJECT
  private slots:
+  void initTestCase();
   void LiverLesionAndVesselAreFound();
   void ABridgeToANeighbourIsNotCrossed();
   void ResultDoesNotDependOnTheStorageOrder();
   void TheSameInputGivesTheSameLabels();
   void CancelledWorkGivesNothing();
   void ProgressRunsFromStartToEnd();
+  void TheContourIsShownWhileItMoves();
+  void WhatIsKeptStaysVoxelByVoxel();
+  void ARegionLeavesTheRestAlone();
+  void FinerVoxelsDoNotLoseTheBoundary();
   void SeedsComeBackFromTheirFile();
   void BadSeedFilesAreRefused_data();
   void BadSeedFilesAreRefused();
   void BadInputIsRefused();
   void DiceOfKnownMasks();
+
+ private:
+  /// The phantom, found from its clicks: what most tests look at.
+  Phantom phantom_;
+  Segmented found_;
 };
 
+void SegmentTest::initTestCase() {
+  phantom_ = phantom();
+  found_ = segment(phantom_.image, clicks_in(phantom_.image), {}, RunContext()).value();
+}
+
 void SegmentTest::LiverLesionAndVesselAreFound() {
-  const Phantom p = phantom();
-  const Segmented result = segment(p.image, clicks_in(p.image), {}, RunContext()).value();
+  const Phantom& p = phantom_;
+  const Segmented& result = found_;
   const double liver = dice(inside_liver(result.labels), p.liver);
   QVERIFY2(liver > 0.95, qPrintable(QString::number(liver)));
   const double lesion = dice(mask_of(result, structure::kFirstLesion), p.lesion);
@@ -100,15 +115,14 @@ void SegmentTest::LiverLesionAndVesselAreFound() {
 }
 
 void SegmentTest::ABridgeToANeighbourIsNotCrossed() {
-  const Phantom p = phantom();
-  const Segmented result = segment(p.image, clicks_in(p.image), {}, RunContext()).value();
+  const Segmented& result = found_;
   const Eigen::Vector3i in_neighbour(67, 31, 27);
   QCOMPARE(result.labels.voxels.at(in_neighbour), structure::kBackground);
 }
 
 void SegmentTest::ResultDoesNotDependOnTheStorageOrder() {
-  const Phantom p = phantom();
-  const Segmented straight = segment(p.image, clicks_in(p.image), {}, RunContext()).value();
+  const Phantom& p = phantom_;
+  const Segmented& straight = found_;
   // The same patient, stored with i and j exchanged and k running backwards.
   Image turned = p.image;
   const VolumeGrid& g = p.image.grid;
@@ -134,14 +148,13 @@ void SegmentTest::ResultDoesNotDependOnTheStorageOrder() {
 }
 
 void SegmentTest::TheSameInputGivesTheSameLabels() {
-  const Phantom p = phantom();
-  const Segmented a = segment(p.image, clicks_in(p.image), {}, RunContext()).value();
-  const Segmented b = segment(p.image, clicks_in(p.image), {}, RunContext()).value();
-  QVERIFY(a.labels.voxels == b.labels.voxels);
+  const Phantom& p = phantom_;
+  const Segmented again = segment(p.image, clicks_in(p.image), {}, RunContext()).value();
+  QVERIFY(again.labels.voxels == found_.labels.voxels);
 }
 
 void SegmentTest::CancelledWorkGivesNothing() {
-  const Phantom p = phantom();
+  const Phantom& p = phantom_;
   const auto flag = std::make_shared<CancelFlag>();
   // Cancelled from within, in the middle of the contour.
   const RunContext context(
@@ -160,7 +173,7 @@ void SegmentTest::CancelledWorkGivesNothing() {
 }
 
 void SegmentTest::ProgressRunsFromStartToEnd() {
-  const Phantom p = phantom();
+  const Phantom& p = phantom_;
   double last = 0.0;
   bool rising = true;
   const RunContext context(
@@ -174,9 +187,98 @@ void SegmentTest::ProgressRunsFromStartToEnd() {
   QCOMPARE(last, 1.0);
 }
 
+void SegmentTest::TheContourIsShownWhileItMoves() {
+  const Phantom& p = phantom_;
+  std::vector<LabelVolume> seen;
+  const Segmented result =
+      segment(p.image, clicks_in(p.image), {}, RunContext(), nullptr, [&](const LabelVolume& liver) {
+        seen.push_back(liver);
+      }).value();
+  QVERIFY(seen.size() >= 2);
+  QVERIFY(seen.back().grid().same_as(p.image.grid));
+  const auto is_set = [](Label label) { return label == 1; };
+  for (const LabelVolume& liver : seen)
+    QCOMPARE(liver.histogram().size() <= 2 || liver.histogram()[1] > 0, true);
+  const double last = dice(seen.back().mask(is_set), inside_liver(result.labels));
+  QVERIFY2(last > 0.99, qPrintable(QString::number(last)));
+  // It moved, and what did not move is shared.
+  const int moved = seen.back().bricks_differing_from(seen.front());
+  QVERIFY(moved > 0);
+  QVERIFY(seen.front().mask(is_set) != seen.back().mask(is_set));
+}
+
+void SegmentTest::WhatIsKeptStaysVoxelByVoxel() {
+  const Phantom& p = phantom_;
+  Seeds seeds = clicks_in(p.image);
+  LabelMap edited = found_.labels;
+  // A person's edits: an artery across the vessel, and a corner of the liver taken away.
+  for (int i = 20; i < 40; ++i) edited.voxels.set({i, 25, 27}, structure::kArtery);
+  for (int k = 0; k < 20; ++k)
+    for (int j = 0; j < 64; ++j)
+      for (int i = 0; i < 20; ++i) edited.voxels.set({i, j, k}, structure::kBackground);
+  edited.infos.front().terminology = "kept";
+  SegmentationOptions options;
+  options.structures = {false, true, false, false, false, false};
+  seeds.liver.resize(0, 3);  // not needed: the liver is kept
+  const Segmented again = segment(p.image, seeds, options, RunContext(), &edited).value();
+  const std::vector<Label> before = edited.voxels.dense(), after = again.labels.voxels.dense();
+  const auto may_change = [](Label l) { return l == structure::kParenchyma || l == structure::kPortalVein; };
+  long vessel = 0;
+  for (std::size_t n = 0; n < before.size(); ++n) {
+    if (before[n] != after[n]) QVERIFY(may_change(before[n]) && may_change(after[n]));
+    vessel += after[n] == structure::kPortalVein;
+  }
+  QVERIFY(vessel > 100);
+  QCOMPARE(again.labels.infos.front().terminology, std::string("kept"));
+  // Without seeds nothing is found anew, and nothing is lost.
+  seeds.portal_vein.resize(0, 3);
+  QVERIFY(segment(p.image, seeds, options, RunContext(), &edited).value().labels.voxels == edited.voxels);
+}
+
+void SegmentTest::ARegionLeavesTheRestAlone() {
+  const Phantom& p = phantom_;
+  const VolumeGrid& grid = p.image.grid;
+  LabelMap kept{LabelVolume(grid), {}};
+  for (int k = 0; k < grid.size.z(); ++k) kept.voxels.set({70, 60, k}, structure::kArtery);
+  SegmentationOptions options;
+  // The left half of the ellipsoid, not cut along a brick.
+  options.region =
+      Eigen::AlignedBox3d(grid.p_in_ct({2.0, 4.0, 3.0}).xyz, grid.p_in_ct({37.0, 60.0, 52.0}).xyz);
+  const Segmented half = segment(p.image, clicks_in(p.image), options, RunContext(), &kept).value();
+  std::vector<std::uint8_t> truth, found;
+  for (int k = 0; k < grid.size.z(); ++k)
+    for (int j = 0; j < grid.size.y(); ++j)
+      for (int i = 0; i < grid.size.x(); ++i) {
+        const Label label = half.labels.voxels.at({i, j, k});
+        if (i < 2 || i > 37 || j < 4 || j > 60 || k < 3 || k > 52) {
+          QCOMPARE(label, kept.voxels.at({i, j, k}));
+          continue;
+        }
+        truth.push_back(p.liver[static_cast<std::size_t>(grid.offset({i, j, k}))]);
+        found.push_back(label != 0 ? 1 : 0);
+      }
+  const double overlap = dice(truth, found);
+  QVERIFY2(overlap > 0.95, qPrintable(QString::number(overlap)));
+  // The other half of the image was not written: its bricks are the kept ones.
+  for (const LabelChange& change : half.labels.voxels.changes_since(kept.voxels))
+    QVERIFY(kept.voxels.brick_place(change.number).x() < 2);
+}
+
+void SegmentTest::FinerVoxelsDoNotLoseTheBoundary() {
+  const Phantom& p = phantom_;
+  SegmentationOptions options;
+  options.working_spacing_mm = 1.2;
+  const Segmented& coarse = found_;
+  const Segmented fine = segment(p.image, clicks_in(p.image), options, RunContext()).value();
+  const double at_2 = dice(inside_liver(coarse.labels), p.liver),
+               at_1 = dice(inside_liver(fine.labels), p.liver);
+  QVERIFY2(at_1 > at_2 - 0.002, qPrintable(QString("%1 %2").arg(at_1).arg(at_2)));
+  QVERIFY(!(fine.labels.voxels == coarse.labels.voxels));
+}
+
 void SegmentTest::SeedsComeBackFromTheirFile() {
   const TemporaryFolder folder;
-  const Phantom p = phantom();
+  const Phantom& p = phantom_;
   Seeds seeds = clicks_in(p.image);
   seeds.background = points_at(p.image, {{134, 62, 60}});
   seeds.lesions.push_back(points_at(p.image, {{1, 2, 3}, {4, 5, 6}}));
@@ -211,7 +313,7 @@ void SegmentTest::BadSeedFilesAreRefused() {
 }
 
 void SegmentTest::BadInputIsRefused() {
-  const Phantom p = phantom();
+  const Phantom& p = phantom_;
   const Seeds good = clicks_in(p.image);
   Seeds none = good;
   none.liver.resize(0, 3);
@@ -231,6 +333,21 @@ void SegmentTest::BadInputIsRefused() {
   SegmentationOptions options;
   options.working_spacing_mm = 0.0;
   QVERIFY_EXCEPTION_THROWN(segment(p.image, good, options, RunContext()), InputError);
+  options = {};
+  options.region = Eigen::AlignedBox3d(Eigen::Vector3d(5, 5, 5), Eigen::Vector3d(6, 6, 6));
+  QVERIFY_EXCEPTION_THROWN(segment(p.image, good, options, RunContext()), InputError);  // beside the image
+  const auto corner = [&](double n) { return p.image.grid.p_in_ct({n, n, n}).xyz; };
+  options.region = Eigen::AlignedBox3d(corner(0.0), corner(12.0));
+  QVERIFY_EXCEPTION_THROWN(segment(p.image, good, options, RunContext()), InputError);  // no seed in it
+  options = {};
+  options.structures.liver = false;
+  QVERIFY_EXCEPTION_THROWN(segment(p.image, good, options, RunContext()), InputError);  // nothing kept
+  const LabelMap empty{LabelVolume(p.image.grid), {}};
+  QVERIFY_EXCEPTION_THROWN(segment(p.image, good, options, RunContext(), &empty), InputError);
+  VolumeGrid shifted = p.image.grid;
+  shifted.origin_mm.x() += 10.0;
+  const LabelMap elsewhere{LabelVolume(shifted), {}};
+  QVERIFY_EXCEPTION_THROWN(segment(p.image, good, {}, RunContext(), &elsewhere), InputError);
   QVERIFY_EXCEPTION_THROWN(dice({1, 0}, {1}), PreconditionError);
 }
 

@@ -200,7 +200,7 @@ Field signed_distance(const Mask& mask, const Field& grid) {
 }
 
 Cancellable<ContourSummary> evolve(Field& phi, const ContourForces& forces, int iterations,
-                                   const RunContext& context) {
+                                   const RunContext& context, const ShowContour& show) {
   const Neighbours step(phi);
   const auto h = static_cast<float>(phi.spacing_mm.minCoeff());
   Rebuilder rebuilder(phi);
@@ -212,6 +212,7 @@ Cancellable<ContourSummary> evolve(Field& phi, const ContourForces& forces, int 
     if (context.cancelled()) return std::nullopt;
     context.progress(static_cast<double>(n) / iterations, "segmentation.contour");
     rebuilder.rebuild(phi, band);
+    if (show) show(phi);
     for (int inner = 0; inner < kStepsPerRebuild; ++inner) {
       change.resize(band.size());
       float fastest = 1e-6F;

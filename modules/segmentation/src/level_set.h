@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
+
 #include "field.h"
 #include "glisson/core/run_context.h"
 
@@ -15,6 +17,9 @@ struct ContourForces {
   double expansion = 1.0, curvature_mm = 0.4, attraction_mm = 0.5;  ///< alpha, beta, gamma
 };
 
+/// Sees the contour every few steps.
+using ShowContour = std::function<void(const Field& phi)>;
+
 struct ContourSummary {
   int iterations = 0;
   bool converged = false;  ///< the enclosed volume settled
@@ -26,6 +31,6 @@ Field signed_distance(const Mask& mask, const Field& grid);
 /// Moves the contour until its volume settles or `iterations` are done. Narrow band, upwind differences,
 /// the distance rebuilt every few steps by fast marching from the sub-voxel interface.
 Cancellable<ContourSummary> evolve(Field& phi, const ContourForces& forces, int iterations,
-                                   const RunContext& context);
+                                   const RunContext& context, const ShowContour& show = {});
 
 }  // namespace glisson::segmentation

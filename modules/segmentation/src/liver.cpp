@@ -7,6 +7,7 @@
 
 #include "glisson/core/error.h"
 #include "level_set.h"
+#include "painting.h"
 
 namespace glisson::segmentation {
 namespace {
@@ -21,6 +22,8 @@ constexpr double kCurvature = 3.0;                      // mm
 constexpr double kLastCurvature = 0.5;                  // mm: more of it eats sharp edges
 /// New samples of both sides each round: the contour comes from 3 mm inside.
 constexpr int kLastRounds = 4, kLastSteps = 20;
+constexpr int kFineRounds = 3, kFineSteps = 24;
+constexpr float kFineReach = 3.0F;         // mm that a finer contour may leave a coarser one
 constexpr double kWedge = 6.0;             // mm, half the width of what may be a margin of the liver
 constexpr double kWedgeLength = 20.0;      // mm that the last contours may follow it
 constexpr double kHalfWayToMuscle = 25.0;  // HU below the liver
@@ -275,6 +278,14 @@ Tissue tissue_around(const Field& ct, const std::vector<Eigen::Vector3i>& points
   return robust_tissue(values, low_sigma, high_sigma);
 }
 
+Tissue tissue_in(const Field& ct, const Mask& mask) {
+  std::vector<float> values;
+  for (std::size_t i = 0; i < mask.voxels.size(); ++i)
+    if (mask.voxels[i] != 0) values.push_back(ct.values[i]);
+  require(!values.empty(), "a tissue is estimated in a mask that holds something");
+  return robust_tissue(values, kLeastSigma, kMostSigma);
+}
+
 namespace {
 
 /// Where the last contours must not go. They may leave liver-like tissue only by its partial volume, and from
@@ -304,7 +315,8 @@ Mask out_of_bounds(const Scene& scene, const Tissue& tissue, const Field& phi) {
 }
 
 /// The contours, from the start to the boundary. Empty when cancelled.
-Cancellable<Field> run_contours(const Scene& scene, const Tissue& tissue, const RunContext& context) {
+Cancellable<Field> run_contours(const Scene& scene, const Tissue& tissue, const RunContext& context,
+                                const ShowContour& show) {
   const Field& ct = scene.ct;
   Field phi = signed_distance(scene.start, ct);
   ContourForces forces;
@@ -326,13 +338,13 @@ Cancellable<Field> run_contours(const Scene& scene, const Tissue& tissue, const 
         scene.open.voxels[i] != 0 ? 1.0F : static_cast<float>(std::clamp(1.0 - z * z, -1.0, 1.0));
   }
   bound();
-  if (!evolve(phi, forces, 48, context.part(0.0, 0.4))) return std::nullopt;
+  if (!evolve(phi, forces, 48, context.part(0.0, 0.4), show)) return std::nullopt;
 
   const Ratio ratio(ct, phi, 12.0);
   for (std::size_t i = 0; i < ct.values.size(); ++i)
     forces.region.values[i] = std::clamp(0.5F * ratio(ct.values[i]), -1.0F, 1.0F);
   bound();
-  if (!evolve(phi, forces, 80, context.part(0.4, 0.7))) return std::nullopt;
+  if (!evolve(phi, forces, 80, context.part(0.4, 0.7), show)) return std::nullopt;
 
   forces.attraction_mm = 0.0;
   forces.curvature_mm = kLastCurvature;
@@ -344,7 +356,7 @@ Cancellable<Field> run_contours(const Scene& scene, const Tissue& tissue, const 
     impose(forces.region, scene);
     const double done = static_cast<double>(round) / kLastRounds;
     if (!evolve(phi, forces, kLastSteps,
-                context.part(0.7 + 0.3 * done, 0.7 + 0.3 * (done + 1.0 / kLastRounds))))
+                context.part(0.7 + 0.3 * done, 0.7 + 0.3 * (done + 1.0 / kLastRounds)), show))
       return std::nullopt;
   }
   return phi;
@@ -353,7 +365,8 @@ Cancellable<Field> run_contours(const Scene& scene, const Tissue& tissue, const 
 }  // namespace
 
 Cancellable<LiverContour> find_liver(const Field& ct, const LiverSeeds& seeds, const Mask& barred,
-                                     const Mask& included, const RunContext& context) {
+                                     const Mask& included, const RunContext& context,
+                                     const ShowContour& show) {
   require(!seeds.inside.empty(), "the liver has at least one seed");
   LiverContour result;
   Tissue& tissue = result.parenchyma;
@@ -374,7 +387,7 @@ Cancellable<LiverContour> find_liver(const Field& ct, const LiverSeeds& seeds, c
   Scene scene{ct.cropped(box), cut(open), cut(start), cut(barred), cut(included), {}};
   for (const Eigen::Vector3i& p : seeds.outside)
     if (scene.ct.contains(p - box.low)) scene.outside.push_back(p - box.low);
-  const auto phi = run_contours(scene, tissue, context.part(0.3, 1.0));
+  const auto phi = run_contours(scene, tissue, context.part(0.3, 1.0), show);
   if (!phi) return std::nullopt;
   result.phi = ct.filled(static_cast<float>(kReach));
   for (int k = 0; k < phi->size.z(); ++k)
@@ -383,6 +396,30 @@ Cancellable<LiverContour> find_liver(const Field& ct, const LiverSeeds& seeds, c
                   result.phi.values.begin() +
                       static_cast<std::ptrdiff_t>(ct.offset(box.low + Eigen::Vector3i(0, j, k))));
   return result;
+}
+
+Cancellable<Field> refine_liver(const Field& ct, const Field& from, const LiverSeeds& seeds,
+                                const Mask& barred, const Mask& included, const RunContext& context,
+                                const ShowContour& show) {
+  const Field start = interpolated(from, ct);
+  Field phi = start;
+  ContourForces forces;
+  forces.attraction_mm = 0.0;
+  forces.curvature_mm = kLastCurvature;
+  forces.edge = ct.filled(1.0F);
+  forces.region = ct;
+  const Scene scene{ct, {}, {}, barred, included, seeds.outside};
+  for (int round = 0; round < kFineRounds; ++round) {
+    local_region(ct, phi, forces.region);
+    for (std::size_t i = 0; i < ct.values.size(); ++i)
+      if (std::abs(start.values[i]) > kFineReach)
+        forces.region.values[i] = start.values[i] < 0.0F ? 1.0F : -1.0F;
+    impose(forces.region, scene);
+    const double from_part = static_cast<double>(round) / kFineRounds;
+    if (!evolve(phi, forces, kFineSteps, context.part(from_part, from_part + 1.0 / kFineRounds), show))
+      return std::nullopt;
+  }
+  return phi;
 }
 
 }  // namespace glisson::segmentation

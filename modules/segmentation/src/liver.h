@@ -3,6 +3,7 @@
 
 #include "field.h"
 #include "glisson/core/run_context.h"
+#include "level_set.h"
 
 namespace glisson::segmentation {
 
@@ -14,6 +15,9 @@ struct Tissue {
 /// [low_sigma, high_sigma].
 Tissue tissue_around(const Field& ct, const std::vector<Eigen::Vector3i>& points, double radius_mm,
                      double low_sigma, double high_sigma);
+
+/// The same over a mask's voxels. @pre any is set.
+Tissue tissue_in(const Field& ct, const Mask& mask);
 
 struct LiverSeeds {
   std::vector<Eigen::Vector3i> inside, outside;  ///< voxels of the field
@@ -31,6 +35,14 @@ struct LiverContour {
 /// @param ct denoised. @param barred structures that are known not to be liver (vena cava, gallbladder).
 /// @param included structures that are known to be (lesions).
 Cancellable<LiverContour> find_liver(const Field& ct, const LiverSeeds& seeds, const Mask& barred,
-                                     const Mask& included, const RunContext& context);
+                                     const Mask& included, const RunContext& context,
+                                     const ShowContour& show = {});
+
+/// The last rounds again, on finer voxels, from a contour that came to rest on coarser ones of the same
+/// image; never farther than 3 mm from it.
+/// @param ct denoised, finer. @param from on its own grid. @return on the grid of `ct`.
+Cancellable<Field> refine_liver(const Field& ct, const Field& from, const LiverSeeds& seeds,
+                                const Mask& barred, const Mask& included, const RunContext& context,
+                                const ShowContour& show = {});
 
 }  // namespace glisson::segmentation

@@ -4,21 +4,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include "field.h"
+#include "bodies.h"
 #include "glisson/core/error.h"
-#include "level_set.h"
-#include "liver.h"
-#include "organs.h"
+#include "glisson/volume/io.h"
+#include "live_view.h"
+#include "painting.h"
 #include "vessels.h"
 
 namespace glisson::segmentation {
 namespace {
 
 constexpr double kVesselSpacing = 1.0;  // mm
-constexpr double kDiffusion = 15.0;     // HU: noise is below, edges are above
-constexpr int kDiffusionSteps = 10;
-/// HU, from a very fatty liver to far above any enhancement: outside it the clicks, or the units, are wrong.
-constexpr double kLeastLiver = -10.0, kMostLiver = 250.0;
+constexpr int kLeastRegion = 8;         // voxels a side
 
 void check_points(const Image& image, const Points& points, const char* name) {
   for (Eigen::Index n = 0; n < points.rows(); ++n) {
@@ -36,8 +33,6 @@ void check_input(const Image& image, const Seeds& seeds) {
   if (image.modality != Modality::ct)
     throw InputError("image", "modality", "is not CT, and the statistics are those of Hounsfield units",
                      "Import a portal venous CT, or import labels instead");
-  if (seeds.liver.rows() == 0)
-    throw InputError("seeds", "liver", "has no point", "Click at least one point inside the liver");
   check_points(image, seeds.liver, "liver");
   check_points(image, seeds.portal_vein, "portal_vein");
   check_points(image, seeds.hepatic_veins, "hepatic_veins");
@@ -49,145 +44,176 @@ void check_input(const Image& image, const Seeds& seeds) {
     throw InputError("seeds", "lesions", "are more than there are labels for", "Click the largest ones");
 }
 
-std::vector<Eigen::Vector3i> voxels_of(const Image& image, const Field& field, const Points& points) {
-  std::vector<Eigen::Vector3i> voxels;
-  for (Eigen::Index n = 0; n < points.rows(); ++n) {
-    const Eigen::Vector3d index =
-        image.grid.index_of(Point<CtFrame>(Eigen::Vector3d(points.row(n).transpose())));
-    voxels.push_back(field.voxel_of(index).cwiseMax(0).cwiseMin(field.size - Eigen::Vector3i::Ones()));
-  }
-  return voxels;
-}
-
-/// The image's axis that runs most nearly from foot to head.
-int long_axis(const VolumeGrid& grid) {
-  int axis = 0;
-  grid.direction.row(2).cwiseAbs().maxCoeff(&axis);
-  return axis;
-}
-
-void unite(Mask& mask, const Mask& more) {
-  for (std::size_t i = 0; i < mask.voxels.size(); ++i)
-    mask.voxels[i] = mask.voxels[i] != 0 || more.voxels[i] != 0;
-}
-
-Mask negative_of(const Field& phi) {
-  Mask mask = phi.empty_mask();
-  for (std::size_t i = 0; i < mask.voxels.size(); ++i) mask.voxels[i] = phi.values[i] < 0.0F ? 1 : 0;
-  return mask;
-}
-
-/// Everything found at the working resolution.
-struct Bodies {
-  Field liver_phi;  ///< lesions united, holes filled, one piece
-  Tissue parenchyma;
-  Mask liver, cava, gallbladder;
-  std::vector<Mask> lesions;
-};
-
-/// One piece without holes, tumours included; thin wedges between them and the contour closed.
-void clean_up(Bodies& bodies) {
-  Mask liver = negative_of(bodies.liver_phi);
-  for (const Mask& lesion : bodies.lesions) unite(liver, lesion);
-  liver = holes_filled(largest_component(opened(liver, 2.0)));
-  Mask tumours = bodies.liver_phi.empty_mask();
-  for (const Mask& lesion : bodies.lesions) unite(tumours, lesion);
-  if (tumours.count() > 0) {
-    const Mask near = dilated(tumours, 8.0), bridged = closed(liver, 6.0);
-    for (std::size_t i = 0; i < liver.voxels.size(); ++i)
-      if (near.voxels[i] != 0 && bridged.voxels[i] != 0) liver.voxels[i] = 1;
-  }
-  for (std::size_t i = 0; i < liver.voxels.size(); ++i)
-    if (bodies.cava.voxels[i] != 0 || bodies.gallbladder.voxels[i] != 0) liver.voxels[i] = 0;
-  liver = holes_filled(largest_component(liver));
-  // The contour's own sub-voxel boundary where nothing was changed, the mask's elsewhere.
-  const Field distance = signed_distance(liver, bodies.liver_phi);
-  for (std::size_t i = 0; i < liver.voxels.size(); ++i) {
-    float& phi = bodies.liver_phi.values[i];
-    if ((phi < 0.0F) != (liver.voxels[i] != 0)) phi = distance.values[i];
-  }
-  bodies.liver = liver;
-}
-
-Cancellable<Bodies> find_bodies(const Image& image, const Seeds& seeds, const SegmentationOptions& options,
-                                const RunContext& context) {
-  context.progress(0.0, "segmentation.prepare");
-  Field ct = resampled(image, {Eigen::Vector3i::Zero(), image.grid.size}, options.working_spacing_mm);
-  diffuse(ct, kDiffusion, kDiffusionSteps);
-  if (context.cancelled()) return std::nullopt;
-
-  Bodies bodies;
-  const LiverSeeds clicks{voxels_of(image, ct, seeds.liver), voxels_of(image, ct, seeds.background)};
-  const Tissue liver = tissue_around(ct, clicks.inside, 6.0, 3.0, 15.0);
-  if (liver.mean < kLeastLiver || liver.mean > kMostLiver)
-    throw InputError("seeds", "liver",
-                     "lies in tissue of " + std::to_string(std::lround(liver.mean)) +
-                         " HU, which no liver has in the portal venous phase",
-                     "Click inside the parenchyma of a CT in Hounsfield units");
-  bodies.cava = ct.empty_mask();
-  if (seeds.vena_cava.rows() > 0)
-    bodies.cava = follow_cava(ct, voxels_of(image, ct, seeds.vena_cava), long_axis(image.grid));
-  bodies.gallbladder = grow_body(ct, voxels_of(image, ct, seeds.gallbladder), liver);
-  Mask included = ct.empty_mask();
-  for (const Points& lesion : seeds.lesions) {
-    bodies.lesions.push_back(grow_body(ct, voxels_of(image, ct, lesion), liver));
-    unite(included, bodies.lesions.back());
-  }
-  Mask barred = bodies.cava;
-  unite(barred, bodies.gallbladder);
-  auto contour = find_liver(ct, clicks, barred, included, context.part(0.1, 1.0));
-  if (!contour) return std::nullopt;
-  bodies.liver_phi = std::move(contour->phi);
-  bodies.parenchyma = contour->parenchyma;
-  clean_up(bodies);
-  return bodies;
-}
-
-/// A mask of the working grid as a smooth function, negative inside, at about half a voxel.
-Field smooth_boundary(const Mask& mask, const Field& grid) {
-  Field phi = signed_distance(mask, grid);
-  smooth(phi, 0.5 * grid.spacing_mm.minCoeff());
-  return phi;
-}
-
-/// Labels being painted on the image's grid, within a box.
-struct Painting {
-  VoxelBox box;
-  std::vector<Label> labels;
-  void paint(const Field& phi, Label label) {
-    const std::vector<float> values = on_image(phi, box);
-    for (std::size_t i = 0; i < values.size(); ++i)
-      if (values[i] < 0.0F) labels[i] = label;
-  }
-};
-
-/// The image's voxels that the set voxels of `mask` cover, and a margin.
-VoxelBox image_box(const Image& image, const Field& grid, const Mask& mask, double margin_mm) {
-  const VoxelBox inner = bounding_box(mask.size, mask.spacing_mm, mask.voxels, margin_mm);
-  VoxelBox box;
+/// The voxels of a box in the patient.
+VoxelBox box_of(const VolumeGrid& grid, const std::optional<Eigen::AlignedBox3d>& region) {
+  VoxelBox box{Eigen::Vector3i::Zero(), grid.size};
+  if (!region) return box;
+  Eigen::AlignedBox3d indices;
+  for (int corner = 0; corner < 8; ++corner)
+    indices.extend(
+        grid.index_of(Point<CtFrame>(region->corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)))));
   for (int axis = 0; axis < 3; ++axis) {
-    const double low = grid.first_index[axis] + grid.step[axis] * (inner.low[axis] - 1);
-    const double high = grid.first_index[axis] + grid.step[axis] * inner.high[axis];
-    box.low[axis] = std::clamp(static_cast<int>(std::floor(low)), 0, image.grid.size[axis] - 1);
-    box.high[axis] =
-        std::clamp(static_cast<int>(std::ceil(high)) + 1, box.low[axis] + 1, image.grid.size[axis]);
+    const double last = grid.size[axis];
+    box.low[axis] = static_cast<int>(std::clamp(std::ceil(indices.min()[axis]), 0.0, last));
+    box.high[axis] = static_cast<int>(std::clamp(std::floor(indices.max()[axis]) + 1.0, 0.0, last));
   }
+  if ((box.size().array() < kLeastRegion).any())
+    throw InputError("options", "region", "holds too little of the image",
+                     "Draw the region around the liver");
   return box;
 }
 
-/// A mask of one field on the grid of another, both along the image's axes.
-Mask transferred(const Field& phi, const Field& to) {
-  Mask mask = to.empty_mask();
-  std::size_t at = 0;
-  for (int k = 0; k < to.size.z(); ++k)
-    for (int j = 0; j < to.size.y(); ++j)
-      for (int i = 0; i < to.size.x(); ++i, ++at) {
-        const Eigen::Vector3d index = to.first_index + Eigen::Vector3d(i, j, k).cwiseProduct(to.step);
-        const Eigen::Vector3i v =
-            phi.voxel_of(index).cwiseMax(0).cwiseMin(phi.size - Eigen::Vector3i::Ones());
-        mask.voxels[at] = phi.values[phi.offset(v)] < 0.0F ? 1 : 0;
-      }
-  return mask;
+VolumeGrid part_of(const VolumeGrid& grid, const VoxelBox& box) {
+  VolumeGrid part = grid;
+  part.size = box.size();
+  part.origin_mm = 1e3 * grid.p_in_ct(box.low.cast<double>()).xyz;
+  return part;
+}
+
+Image part_of(const Image& image, const VoxelBox& box) {
+  if (box.size() == image.grid.size) return image;
+  Image part = image;
+  part.grid = part_of(image.grid, box);
+  std::vector<std::int16_t> voxels;
+  voxels.reserve(static_cast<std::size_t>(part.grid.voxel_count()));
+  for (int k = box.low.z(); k < box.high.z(); ++k)
+    for (int j = box.low.y(); j < box.high.y(); ++j) {
+      const auto row = image.voxels->begin() + image.grid.offset({box.low.x(), j, k});
+      voxels.insert(voxels.end(), row, row + box.size().x());
+    }
+  part.voxels = std::make_shared<const std::vector<std::int16_t>>(std::move(voxels));
+  return part;
+}
+
+LabelMap part_of(const LabelMap& labels, const VoxelBox& box) {
+  if (box.size() == labels.voxels.grid().size) return labels;
+  std::vector<Label> dense;
+  for (int k = box.low.z(); k < box.high.z(); ++k)
+    for (int j = box.low.y(); j < box.high.y(); ++j)
+      for (int i = box.low.x(); i < box.high.x(); ++i) dense.push_back(labels.voxels.at({i, j, k}));
+  return {LabelVolume(part_of(labels.voxels.grid(), box), dense), labels.infos};
+}
+
+Seeds part_of(const Seeds& seeds, const VolumeGrid& part) {
+  const auto inside = [&](const Points& points) {
+    std::vector<Eigen::Index> rows;
+    for (Eigen::Index n = 0; n < points.rows(); ++n) {
+      const Eigen::Vector3d index = part.index_of(Point<CtFrame>(Eigen::Vector3d(points.row(n).transpose())));
+      if (part.contains(index.array().round().matrix().cast<int>())) rows.push_back(n);
+    }
+    return Points(points(rows, Eigen::all));
+  };
+  Seeds result{inside(seeds.liver),     inside(seeds.portal_vein), inside(seeds.hepatic_veins),
+               inside(seeds.vena_cava), inside(seeds.gallbladder), {},
+               inside(seeds.background)};
+  for (const Points& lesion : seeds.lesions) result.lesions.push_back(inside(lesion));
+  return result;
+}
+
+/// What has seeds, and was asked for.
+Structures found_anew(const Structures& asked, const Seeds& seeds) {
+  Structures anew = asked;
+  anew.portal_vein = asked.portal_vein && seeds.portal_vein.rows() > 0;
+  anew.hepatic_veins = asked.hepatic_veins && seeds.hepatic_veins.rows() > 0;
+  anew.vena_cava = asked.vena_cava && seeds.vena_cava.rows() > 0;
+  anew.gallbladder = asked.gallbladder && seeds.gallbladder.rows() > 0;
+  anew.lesions = asked.lesions && std::any_of(seeds.lesions.begin(), seeds.lesions.end(),
+                                              [](const Points& lesion) { return lesion.rows() > 0; });
+  return anew;
+}
+
+bool is_anew(const Structures& anew, Label label) {
+  switch (label) {
+    case structure::kParenchyma:
+      return anew.liver;
+    case structure::kPortalVein:
+      return anew.portal_vein;
+    case structure::kHepaticVeins:
+      return anew.hepatic_veins;
+    case structure::kVenaCava:
+      return anew.vena_cava;
+    case structure::kGallbladder:
+      return anew.gallbladder;
+    default:
+      return is_lesion(label) && anew.lesions;
+  }
+}
+
+/// The kept labels, without what is found anew. A kept liver is whole again where vessels or lesions were.
+Painting prepared(const Image& image, const Structures& anew, const LabelMap* kept) {
+  const auto count = static_cast<std::size_t>(image.grid.voxel_count());
+  Painting painting{image.grid, std::vector<Label>(count, 0), std::vector<std::uint8_t>(count, 0)};
+  if (kept == nullptr) return painting;
+  painting.labels = kept->voxels.dense();
+  const std::vector<std::uint8_t> liver =
+      anew.liver ? std::vector<std::uint8_t>(count, 0) : inside_liver(*kept);
+  for (std::size_t i = 0; i < count; ++i) {
+    Label& label = painting.labels[i];
+    if (label != 0 && is_anew(anew, label)) label = liver[i] != 0 ? structure::kParenchyma : Label{0};
+    painting.held[i] = label != 0 && label != structure::kParenchyma;
+  }
+  return painting;
+}
+
+/// Both trees, on voxels of 1 mm around the liver.
+struct FoundVessels {
+  VoxelBox box;
+  Field grid;
+  Vessels trees;
+};
+
+Cancellable<FoundVessels> find_trees(const Image& image, const Seeds& seeds, const Bodies& bodies,
+                                     const Structures& anew, const LabelMap* kept,
+                                     const RunContext& context) {
+  FoundVessels found;
+  if (!anew.portal_vein && !anew.hepatic_veins) return found;
+  Mask everything = bodies.liver;
+  unite(everything, bodies.cava);
+  unite(everything, bodies.gallbladder);
+  found.box = image_box(image.grid, bodies.grid, everything, 15.0);
+  found.grid = resampled(image, found.box, kVesselSpacing);
+  smooth(found.grid, 0.7);
+  if (context.cancelled()) return std::nullopt;
+  const Field& fine = found.grid;
+  VesselSeeds roots;
+  if (anew.portal_vein) roots.portal = voxels_of(image.grid, fine, seeds.portal_vein);
+  if (anew.hepatic_veins) roots.hepatic = voxels_of(image.grid, fine, seeds.hepatic_veins);
+  Mask barred = fine.empty_mask();
+  if (kept != nullptr)
+    barred = sampled(image.grid, kept->voxels.mask([&](Label label) {
+      return label != 0 && label != structure::kParenchyma && label != structure::kVenaCava &&
+             !is_anew(anew, label);
+    }),
+                     fine);
+  auto trees = find_vessels(fine, transferred(bodies.liver_phi, fine),
+                            transferred(smooth_boundary(bodies.cava, bodies.grid), fine), barred,
+                            bodies.parenchyma, roots, context);
+  if (!trees) return std::nullopt;
+  found.trees = std::move(*trees);
+  return found;
+}
+
+/// What is painted later covers what was painted before.
+void paint_all(const Bodies& bodies, const FoundVessels& vessels, const Structures& anew,
+               Painting& painting) {
+  const auto body = [&](const Mask& mask, Label label) {
+    if (mask.count() > 0)
+      painting.paint(smooth_boundary(mask, bodies.grid), image_box(painting.grid, bodies.grid, mask, 4.0),
+                     label);
+  };
+  if (anew.liver)
+    painting.paint(bodies.liver_phi, image_box(painting.grid, bodies.grid, bodies.liver, 8.0),
+                   structure::kParenchyma);
+  // Not smoothed: a branch of one voxel would vanish.
+  if (anew.hepatic_veins)
+    painting.paint(signed_distance(vessels.trees.hepatic, vessels.grid), vessels.box,
+                   structure::kHepaticVeins);
+  if (anew.portal_vein)
+    painting.paint(signed_distance(vessels.trees.portal, vessels.grid), vessels.box, structure::kPortalVein);
+  if (anew.vena_cava) body(bodies.cava, structure::kVenaCava);
+  if (anew.gallbladder) body(bodies.gallbladder, structure::kGallbladder);
+  for (std::size_t n = 0; n < bodies.lesions.size(); ++n)
+    body(bodies.lesions[n], static_cast<Label>(structure::kFirstLesion + n));
 }
 
 double ml_of(const LabelVolume& labels, Label label) {
@@ -196,30 +222,42 @@ double ml_of(const LabelVolume& labels, Label label) {
                                : 0.0;
 }
 
-Segmented finish(const Image& image, const Painting& painting, const Seeds& seeds) {
-  std::vector<Label> dense(static_cast<std::size_t>(image.grid.voxel_count()), 0);
-  std::size_t at = 0;
-  for (int k = painting.box.low.z(); k < painting.box.high.z(); ++k)
-    for (int j = painting.box.low.y(); j < painting.box.high.y(); ++j)
-      for (int i = painting.box.low.x(); i < painting.box.high.x(); ++i)
-        dense[static_cast<std::size_t>(image.grid.offset({i, j, k}))] = painting.labels[at++];
-  Segmented result;
-  result.labels.voxels = LabelVolume(image.grid, dense);
-  const std::vector<long> counts = result.labels.voxels.histogram();
-  for (std::size_t label = 1; label < counts.size(); ++label)
-    if (counts[label] > 0) {
-      const auto code = static_cast<Label>(label);
-      result.labels.infos.push_back(structure_info(code));
-    }
-  const std::vector<std::uint8_t> liver = inside_liver(result.labels);
-  result.report.liver_ml =
-      1e-3 * static_cast<double>(std::count(liver.begin(), liver.end(), 1)) * image.grid.voxel_volume_mm3();
-  result.report.portal_ml = ml_of(result.labels.voxels, structure::kPortalVein);
-  result.report.hepatic_ml = ml_of(result.labels.voxels, structure::kHepaticVeins);
-  for (std::size_t n = 0; n < seeds.lesions.size(); ++n)
-    result.report.lesion_ml.push_back(
-        ml_of(result.labels.voxels, static_cast<Label>(structure::kFirstLesion + n)));
+/// The painting put in its place in the whole image; bricks in which nothing changed are shared with `kept`.
+LabelMap placed(const Painting& painting, const VoxelBox& box, const VolumeGrid& grid, const LabelMap* kept) {
+  LabelMap result;
+  if (kept != nullptr) result = *kept;
+  if (box.size() == grid.size && kept == nullptr) {
+    result.voxels = LabelVolume(grid, painting.labels);
+  } else {
+    if (kept == nullptr) result.voxels = LabelVolume(grid);
+    std::size_t at = 0;
+    for (int k = box.low.z(); k < box.high.z(); ++k)
+      for (int j = box.low.y(); j < box.high.y(); ++j)
+        for (int i = box.low.x(); i < box.high.x(); ++i) result.voxels.set({i, j, k}, painting.labels[at++]);
+  }
+  const std::vector<LabelInfo> known = std::move(result.infos);
+  result.infos.clear();
+  const std::vector<long> counts = result.voxels.histogram();
+  for (std::size_t label = 1; label < counts.size(); ++label) {
+    if (counts[label] == 0) continue;
+    const auto code = static_cast<Label>(label);
+    const auto info =
+        std::find_if(known.begin(), known.end(), [&](const LabelInfo& i) { return i.code == code; });
+    result.infos.push_back(info != known.end() ? *info : structure_info(code));
+  }
   return result;
+}
+
+SegmentationReport report_of(const LabelMap& labels, const Seeds& seeds) {
+  SegmentationReport report;
+  const std::vector<std::uint8_t> liver = inside_liver(labels);
+  report.liver_ml = 1e-3 * static_cast<double>(std::count(liver.begin(), liver.end(), 1)) *
+                    labels.voxels.grid().voxel_volume_mm3();
+  report.portal_ml = ml_of(labels.voxels, structure::kPortalVein);
+  report.hepatic_ml = ml_of(labels.voxels, structure::kHepaticVeins);
+  for (std::size_t n = 0; n < seeds.lesions.size(); ++n)
+    report.lesion_ml.push_back(ml_of(labels.voxels, static_cast<Label>(structure::kFirstLesion + n)));
+  return report;
 }
 
 /// Codes, not sentences: what a person should look at.
@@ -237,52 +275,49 @@ void note_doubts(const Seeds& seeds, SegmentationReport& report) {
 }  // namespace
 
 void SegmentationOptions::validate() const {
-  if (!(working_spacing_mm >= 0.5 && working_spacing_mm <= 5.0))
+  if (!(working_spacing_mm >= 0.3 && working_spacing_mm <= 5.0))
     throw InputError("options", "working_spacing_mm", "is " + std::to_string(working_spacing_mm),
-                     "Choose 0.5 to 5 mm");
+                     "Choose 0.3 to 5 mm");
 }
 
-Cancellable<Segmented> segment(const Image& image, const Seeds& seeds, const SegmentationOptions& options,
-                               const RunContext& context) {
+Cancellable<Segmented> segment(const Image& whole, const Seeds& all_seeds, const SegmentationOptions& options,
+                               const RunContext& context, const LabelMap* all_kept, const ShowLiver& show) {
   options.validate();
-  check_input(image, seeds);
-  const auto bodies = find_bodies(image, seeds, options, context.part(0.0, 0.6));
+  check_input(whole, all_seeds);
+  if (all_kept != nullptr) require_same_grid(all_kept->voxels.grid(), whole.grid, "labels that are kept");
+  const VoxelBox box = box_of(whole.grid, options.region);
+  const Image image = part_of(whole, box);
+  const Seeds seeds = part_of(all_seeds, image.grid);
+  const std::optional<LabelMap> kept_part =
+      all_kept != nullptr ? std::optional(part_of(*all_kept, box)) : std::nullopt;
+  const LabelMap* kept = kept_part ? &*kept_part : nullptr;
+  const Structures anew = found_anew(options.structures, seeds);
+  if (anew.liver && seeds.liver.rows() == 0)
+    throw InputError("seeds", "liver", options.region ? "has no point in the region" : "has no point",
+                     "Click at least one point inside the liver");
+  if (!anew.liver && kept == nullptr)
+    throw InputError("labels", "liver", "is not there, and was not to be segmented",
+                     "Segment the liver too, or paint it first");
+
+  LiveView view(whole.grid, box, show);
+  ShowContour show_contour;
+  if (show) show_contour = [&](const Field& phi) { view.update(phi); };
+  const auto bodies =
+      find_bodies(image, seeds, options.working_spacing_mm, anew, kept, context.part(0.0, 0.6), show_contour);
   if (!bodies) return std::nullopt;
   if (bodies->liver.count() == 0)
     throw InputError("seeds", "liver", "grow to nothing: the clicks do not lie in liver tissue",
                      "Click inside the parenchyma, away from vessels and lesions");
-
-  Mask everything = bodies->liver;
-  unite(everything, bodies->cava);
-  unite(everything, bodies->gallbladder);
-  const VoxelBox box = image_box(image, bodies->liver_phi, everything, 15.0);
-  const Field fine = [&] {
-    Field field = resampled(image, box, kVesselSpacing);
-    smooth(field, 0.7);
-    return field;
-  }();
-  if (context.cancelled()) return std::nullopt;
-  const Field cava_phi = smooth_boundary(bodies->cava, bodies->liver_phi);
-  const auto vessels = find_vessels(
-      fine, transferred(bodies->liver_phi, fine), transferred(cava_phi, fine), bodies->parenchyma,
-      {voxels_of(image, fine, seeds.portal_vein), voxels_of(image, fine, seeds.hepatic_veins)},
-      context.part(0.6, 0.95));
+  if (anew.liver) view.finish(bodies->liver_phi);
+  const auto vessels = find_trees(image, seeds, *bodies, anew, kept, context.part(0.6, 0.95));
   if (!vessels) return std::nullopt;
   context.progress(0.95, "segmentation.finish");
 
-  // What is painted later covers what was painted before.
-  Painting painting{box, std::vector<Label>(static_cast<std::size_t>(box.size().prod()), 0)};
-  painting.paint(bodies->liver_phi, structure::kParenchyma);
-  // Not smoothed: a branch of one voxel would vanish.
-  painting.paint(signed_distance(vessels->hepatic, fine), structure::kHepaticVeins);
-  painting.paint(signed_distance(vessels->portal, fine), structure::kPortalVein);
-  if (bodies->cava.count() > 0) painting.paint(cava_phi, structure::kVenaCava);
-  if (bodies->gallbladder.count() > 0)
-    painting.paint(smooth_boundary(bodies->gallbladder, bodies->liver_phi), structure::kGallbladder);
-  for (std::size_t n = 0; n < bodies->lesions.size(); ++n)
-    painting.paint(smooth_boundary(bodies->lesions[n], bodies->liver_phi),
-                   static_cast<Label>(structure::kFirstLesion + n));
-  Segmented result = finish(image, painting, seeds);
+  Painting painting = prepared(image, anew, kept);
+  paint_all(*bodies, *vessels, anew, painting);
+  Segmented result;
+  result.labels = placed(painting, box, whole.grid, all_kept);
+  result.report = report_of(result.labels, seeds);
   note_doubts(seeds, result.report);
   context.progress(1.0, "segmentation.finish");
   return result;

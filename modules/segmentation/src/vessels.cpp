@@ -63,10 +63,10 @@ void each_of_26(const Field& f, std::size_t at, Visit&& visit) {
 }
 
 /// Where vessels are looked for: in the liver with its bays and a little around, not in the cava.
-Mask search_region(const Mask& liver, const Mask& cava) {
+Mask search_region(const Mask& liver, const Mask& cava, const Mask& barred) {
   Mask region = dilated(closed(liver, 8.0), kOutside);
   for (std::size_t i = 0; i < region.voxels.size(); ++i)
-    if (cava.voxels[i] != 0) region.voxels[i] = 0;
+    if (cava.voxels[i] != 0 || barred.voxels[i] != 0) region.voxels[i] = 0;
   return region;
 }
 
@@ -176,12 +176,12 @@ Cancellable<std::vector<float>> tubeness(const Field& ct, const Mask& where,
   return best;
 }
 
-Cancellable<Vessels> find_vessels(const Field& ct, const Mask& liver, const Mask& cava,
+Cancellable<Vessels> find_vessels(const Field& ct, const Mask& liver, const Mask& cava, const Mask& barred,
                                   const Tissue& parenchyma, const VesselSeeds& seeds,
                                   const RunContext& context) {
   Vessels vessels{ct.empty_mask(), ct.empty_mask()};
   if (seeds.portal.empty() && seeds.hepatic.empty()) return vessels;
-  const Mask region = search_region(liver, cava);
+  const Mask region = search_region(liver, cava, barred);
   const auto tubes =
       tubeness(ct, region, std::vector<double>(kScales.begin(), kScales.end()), context.part(0.0, 0.6));
   if (!tubes) return std::nullopt;

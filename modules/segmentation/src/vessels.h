@@ -24,8 +24,8 @@ Cancellable<std::vector<float>> tubeness(const Field& ct, const Mask& where,
 /// Both venous trees. Candidates are bright or tubular; each tree is what its seeds reach through candidates
 /// first, where a step through bright, tubular tissue is short (competition of fronts).
 /// @param ct lightly smoothed, about 1 mm. @param liver filled. @param cava a source of the hepatic veins;
-/// they end there.
-Cancellable<Vessels> find_vessels(const Field& ct, const Mask& liver, const Mask& cava,
+/// they end there. @param barred structures that no vessel runs through.
+Cancellable<Vessels> find_vessels(const Field& ct, const Mask& liver, const Mask& cava, const Mask& barred,
                                   const Tissue& parenchyma, const VesselSeeds& seeds,
                                   const RunContext& context);
 

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bodies.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "glisson/core/error.h"
+#include "level_set.h"
+#include "organs.h"
+#include "painting.h"
+
+namespace glisson::segmentation {
+namespace {
+
+constexpr double kCoarse = 2.0;      // mm: where the contour finds its way; finer is for its last moves
+constexpr double kDiffusion = 15.0;  // HU: noise is below, edges are above
+constexpr int kDiffusionSteps = 10;
+constexpr double kFineBlur = 0.8;     // mm: fine voxels carry more noise than the diffusion tells from edges
+constexpr double kMostVoxels = 50e6;  // of the fine contour: about 3 GB
+/// HU, from a very fatty liver to far above any enhancement: outside it the clicks, or the units, are wrong.
+constexpr double kLeastLiver = -10.0, kMostLiver = 250.0;
+
+Mask negative_of(const Field& phi) {
+  Mask mask = phi.empty_mask();
+  for (std::size_t i = 0; i < mask.voxels.size(); ++i) mask.voxels[i] = phi.values[i] < 0.0F ? 1 : 0;
+  return mask;
+}
+
+/// The mask's boundary where the contour's sign differs from it; elsewhere the contour's own.
+void correct(Field& phi, const Mask& mask) {
+  const Field distance = signed_distance(mask, phi);
+  for (std::size_t i = 0; i < mask.voxels.size(); ++i)
+    if ((phi.values[i] < 0.0F) != (mask.voxels[i] != 0)) phi.values[i] = distance.values[i];
+}
+
+/// One piece without holes, tumours included; thin wedges between them and the contour closed.
+void clean_up(Bodies& bodies, const Mask& tumours) {
+  Mask liver = negative_of(bodies.liver_phi);
+  unite(liver, tumours);
+  liver = holes_filled(largest_component(opened(liver, 2.0)));
+  if (tumours.count() > 0) {
+    const Mask near = dilated(tumours, 8.0), bridged = closed(liver, 6.0);
+    for (std::size_t i = 0; i < liver.voxels.size(); ++i)
+      if (near.voxels[i] != 0 && bridged.voxels[i] != 0) liver.voxels[i] = 1;
+  }
+  for (std::size_t i = 0; i < liver.voxels.size(); ++i)
+    if (bodies.cava.voxels[i] != 0 || bodies.gallbladder.voxels[i] != 0) liver.voxels[i] = 0;
+  bodies.liver = holes_filled(largest_component(liver));
+  correct(bodies.liver_phi, bodies.liver);
+}
+
+Tissue tissue_at_clicks(const Field& ct, const std::vector<Eigen::Vector3i>& clicks) {
+  const Tissue liver = tissue_around(ct, clicks, 6.0, 3.0, 15.0);
+  if (liver.mean < kLeastLiver || liver.mean > kMostLiver)
+    throw InputError("seeds", "liver",
+                     "lies in tissue of " + std::to_string(std::lround(liver.mean)) +
+                         " HU, which no liver has in the portal venous phase",
+                     "Click inside the parenchyma of a CT in Hounsfield units");
+  return liver;
+}
+
+Mask kept_mask(const LabelMap& kept, const Field& grid, const std::function<bool(Label)>& wanted) {
+  return sampled(kept.voxels.grid(), kept.voxels.mask(wanted), grid);
+}
+
+/// The liver of the kept labels.
+void take_liver(const LabelMap& kept, const Field& ct, Bodies& bodies) {
+  bodies.liver = sampled(kept.voxels.grid(), inside_liver(kept), ct);
+  const Mask parenchyma = kept_mask(kept, ct, [](Label label) { return label == structure::kParenchyma; });
+  if (parenchyma.count() == 0)
+    throw InputError("labels", "liver", "is not there, and was not to be segmented",
+                     "Segment the liver too, or paint it first");
+  bodies.liver_phi = signed_distance(bodies.liver, ct);
+  bodies.parenchyma = tissue_in(ct, parenchyma);
+}
+
+/// The last moves of the contour once more, on voxels of `spacing_mm`.
+Cancellable<bool> refine(const Image& image, const LiverSeeds& clicks, double spacing_mm, const Mask& tumours,
+                         Bodies& bodies, const RunContext& context, const ShowContour& show) {
+  const VoxelBox box = image_box(image.grid, bodies.grid, bodies.liver, 12.0);
+  const double voxels = box.size().cast<double>().cwiseProduct(image.grid.spacing_mm).prod() /
+                        (spacing_mm * spacing_mm * spacing_mm);
+  if (voxels > kMostVoxels)
+    throw InputError("options", "working_spacing_mm",
+                     "would need " + std::to_string(std::lround(1e-6 * voxels)) + " million voxels",
+                     "Choose a smaller region or a coarser spacing");
+  Field ct = resampled(image, box, spacing_mm);
+  smooth(ct, kFineBlur);
+  if (context.cancelled()) return std::nullopt;
+  diffuse(ct, kDiffusion, kDiffusionSteps);
+  Mask barred = bodies.cava;
+  unite(barred, bodies.gallbladder);
+  const Mask never = transferred(smooth_boundary(barred, bodies.grid), ct);
+  const Mask always = transferred(smooth_boundary(tumours, bodies.grid), ct);
+  LiverSeeds fine_clicks;
+  for (const Eigen::Vector3i& p : clicks.outside) {
+    const Eigen::Vector3i v =
+        ct.voxel_of(bodies.grid.first_index + p.cast<double>().cwiseProduct(bodies.grid.step));
+    if (ct.contains(v)) fine_clicks.outside.push_back(v);
+  }
+  auto phi = refine_liver(ct, bodies.liver_phi, fine_clicks, never, always, context, show);
+  if (!phi) return std::nullopt;
+  bodies.liver_phi = std::move(*phi);
+  correct(bodies.liver_phi, holes_filled(largest_component(negative_of(bodies.liver_phi))));
+  return true;
+}
+
+}  // namespace
+
+std::vector<Eigen::Vector3i> voxels_of(const VolumeGrid& image, const Field& field, const Points& points) {
+  std::vector<Eigen::Vector3i> voxels;
+  for (Eigen::Index n = 0; n < points.rows(); ++n) {
+    const Eigen::Vector3d index = image.index_of(Point<CtFrame>(Eigen::Vector3d(points.row(n).transpose())));
+    voxels.push_back(field.voxel_of(index).cwiseMax(0).cwiseMin(field.size - Eigen::Vector3i::Ones()));
+  }
+  return voxels;
+}
+
+void unite(Mask& mask, const Mask& more) {
+  for (std::size_t i = 0; i < mask.voxels.size(); ++i)
+    mask.voxels[i] = mask.voxels[i] != 0 || more.voxels[i] != 0;
+}
+
+Cancellable<Bodies> find_bodies(const Image& image, const Seeds& seeds, double spacing_mm,
+                                const Structures& anew, const LabelMap* kept, const RunContext& context,
+                                const ShowContour& show) {
+  context.progress(0.0, "segmentation.prepare");
+  Field ct = resampled(image, {Eigen::Vector3i::Zero(), image.grid.size}, std::max(kCoarse, spacing_mm));
+  diffuse(ct, kDiffusion, kDiffusionSteps);
+  if (context.cancelled()) return std::nullopt;
+
+  Bodies bodies;
+  bodies.grid = ct;
+  bodies.grid.values.clear();
+  const auto places = [&](const Points& points) { return voxels_of(image.grid, ct, points); };
+  const auto known = [&](const std::function<bool(Label)>& wanted) {
+    return kept != nullptr ? kept_mask(*kept, ct, wanted) : ct.empty_mask();
+  };
+  const LiverSeeds clicks{places(seeds.liver), places(seeds.background)};
+  if (anew.liver)
+    bodies.parenchyma = tissue_at_clicks(ct, clicks.inside);
+  else
+    take_liver(*kept, ct, bodies);
+  if (anew.vena_cava) {
+    int axis = 0;  // the image's axis that runs most nearly from foot to head
+    image.grid.direction.row(2).cwiseAbs().maxCoeff(&axis);
+    bodies.cava = follow_cava(ct, places(seeds.vena_cava), axis);
+  } else {
+    bodies.cava = known([](Label label) { return label == structure::kVenaCava; });
+  }
+  bodies.gallbladder = anew.gallbladder ? grow_body(ct, places(seeds.gallbladder), bodies.parenchyma)
+                                        : known([](Label label) { return label == structure::kGallbladder; });
+  Mask tumours = anew.lesions ? ct.empty_mask() : known(is_lesion);
+  if (anew.lesions)
+    for (const Points& lesion : seeds.lesions) {
+      bodies.lesions.push_back(grow_body(ct, places(lesion), bodies.parenchyma));
+      unite(tumours, bodies.lesions.back());
+    }
+  if (!anew.liver) return bodies;
+
+  const bool fine = spacing_mm < kCoarse;
+  Mask barred = bodies.cava;
+  unite(barred, bodies.gallbladder);
+  auto contour = find_liver(ct, clicks, barred, tumours, context.part(0.1, fine ? 0.5 : 1.0), show);
+  if (!contour) return std::nullopt;
+  bodies.liver_phi = std::move(contour->phi);
+  bodies.parenchyma = contour->parenchyma;
+  clean_up(bodies, tumours);
+  if (fine && bodies.liver.count() > 0 &&
+      !refine(image, clicks, spacing_mm, tumours, bodies, context.part(0.5, 1.0), show))
+    return std::nullopt;
+  return bodies;
+}
+
+}  // namespace glisson::segmentation

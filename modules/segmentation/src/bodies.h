@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "glisson/segmentation/segment.h"
+#include "liver.h"
+
+namespace glisson::segmentation {
+
+/// The nearest voxel of the field to each point; kept inside.
+std::vector<Eigen::Vector3i> voxels_of(const VolumeGrid& image, const Field& field, const Points& points);
+
+/// Adds the voxels of `more`. @pre one grid.
+void unite(Mask& mask, const Mask& more);
+
+/// Liver and compact bodies, found or kept.
+struct Bodies {
+  Field liver_phi;  ///< mm, negative inside; lesions united, holes filled, one piece
+  Tissue parenchyma;
+  Field grid;  ///< of the masks, without values
+  Mask liver, cava, gallbladder;
+  std::vector<Mask> lesions;  ///< found anew, one for each group of seeds
+};
+
+/// @param anew what is found; the rest is taken from `kept`, which may be null when all is found.
+/// @throws InputError clicks that lie in no liver tissue; a kept liver that is not there; a contour too fine
+///   for its size.
+Cancellable<Bodies> find_bodies(const Image& image, const Seeds& seeds, double spacing_mm,
+                                const Structures& anew, const LabelMap* kept, const RunContext& context,
+                                const ShowContour& show);
+
+}  // namespace glisson::segmentation
