@@ -97,11 +97,24 @@ class Fitter {
   double worst(const CubicBezier& curve, int first, int last, const std::vector<double>& u, int& at) const {
     double worst = 0.0;
     at = (first + last) / 2;
+    if (last - first < 2) return 0.0;  // nothing to part
     for (int i = first + 1; i < last; ++i) {
       const double miss = (curve.at(u[static_cast<std::size_t>(i - first)]) - point(i)).norm();
       if (miss > worst) {
         worst = miss;
         at = i;
+      }
+    }
+    // Nor may a curve swing out between two points.
+    for (int i = first; i < last; ++i) {
+      const auto k = static_cast<std::size_t>(i - first);
+      const Eigen::Vector3d along = point(i + 1) - point(i), p = curve.at(0.5 * (u[k] + u[k + 1])) - point(i);
+      const double squared = along.squaredNorm();
+      const double t = squared > 0.0 ? std::clamp(p.dot(along) / squared, 0.0, 1.0) : 0.0;
+      const double miss = (p - t * along).norm();
+      if (miss > worst) {
+        worst = miss;
+        at = std::clamp(i + 1, first + 1, last - 1);
       }
     }
     return worst;
@@ -124,7 +137,7 @@ class Fitter {
       curve = solve(first, last, u, start, end);
       miss = worst(curve, first, last, u, split);
     }
-    if (miss <= tolerance_ || last - first < 3) {
+    if (miss <= tolerance_ || last - first < 2) {
       keep(curve, first, u);
       return;
     }

@@ -111,6 +111,35 @@ SpanningTree span(const VesselVoxels& vessel, const std::vector<int>& roots, con
 
 namespace {
 
+/// A path's farthest voxel lies somewhere on the rim of the vessel's end, where the last steps hook off the
+/// middle. From where the end is as near as the wall, the path goes straight on instead.
+std::vector<int> with_straight_tip(const VesselVoxels& vessel, std::vector<int> path) {
+  const auto p = [&](std::size_t i) { return vessel.position_mm(path[i]); };
+  double to_tip = 0.0;
+  std::size_t turn = path.size() - 1;
+  while (turn > 0 && to_tip < vessel.radius_mm[path[turn]]) {
+    to_tip += (p(turn) - p(turn - 1)).norm();
+    --turn;
+  }
+  std::size_t back = turn;
+  double stretch = 0.0;
+  const double radius = vessel.radius_mm[path[turn]];
+  for (; back > 0 && stretch < 2.0 * radius; --back) stretch += (p(back) - p(back - 1)).norm();
+  if (stretch < radius) return path;  // too short to have a direction
+  const Eigen::Vector3d from = p(turn), along = (from - p(back)).normalized();
+  path.resize(turn + 1);
+  const double step = 0.5 * vessel.mask.spacing_mm.minCoeff();
+  for (double far = step; far <= to_tip; far += step) {
+    const Eigen::Vector3i at =
+        (from + far * along).cwiseQuotient(vessel.mask.spacing_mm).array().round().cast<int>();
+    if ((at.array() < 0).any() || (at.array() >= vessel.mask.size.array()).any()) break;
+    const auto voxel = static_cast<int>(vessel.mask.offset(at.x(), at.y(), at.z()));
+    if (vessel.mask.voxels[voxel] == 0) break;
+    if (voxel != path.back()) path.push_back(voxel);
+  }
+  return path;
+}
+
 /// Extracts the paths of all roots from a spanning tree.
 class Extraction {
  public:
@@ -138,13 +167,27 @@ class Extraction {
   std::vector<SkeletonPath> paths_from(int root) {
     paths_.clear();
     accept({tree_path(root, farthest_[root]), -1, -1, 0});
-    for (std::size_t p = 0; p < paths_.size(); ++p)
-      if (paths_[p].order < options_.most_orders) expand(static_cast<int>(p));
+    while (!candidates_.empty()) {
+      const Candidate longest = candidates_.top();
+      candidates_.pop();
+      if (!taken_[longest.child]) try_branch(longest);
+    }
     return std::move(paths_);
   }
 
  private:
   static constexpr double kMiddle = 0.5;  // of the radius
+
+  /// A subtree that may hold a branch. The longest is looked at first: what creeps along a tube's wall is
+  /// then met when the tube has its path, and is known for what it is.
+  struct Candidate {
+    float length_mm;   ///< from the fork to the subtree's farthest tip
+    int child;         ///< the subtree's first voxel
+    int fork, parent;  ///< voxel of a path, and the path
+    bool operator<(const Candidate& other) const {
+      return std::tie(length_mm, other.child) < std::tie(other.length_mm, child);
+    }
+  };
 
   /// Voxels from `from` (an ancestor) to `to`.
   std::vector<int> tree_path(int from, int to) const {
@@ -159,6 +202,7 @@ class Extraction {
   /// The middle of a tube belongs to the path that runs there; the whole of the tube is covered by it.
   void accept(SkeletonPath path) {
     const int number = static_cast<int>(paths_.size());
+    path.voxels = with_straight_tip(vessel_, std::move(path.voxels));
     const double voxel = vessel_.mask.spacing_mm.maxCoeff();
     for (std::size_t i = path.parent < 0 ? 0 : 1; i < path.voxels.size(); ++i) {
       taken_[path.voxels[i]] = 1;
@@ -175,6 +219,10 @@ class Extraction {
       });
     }
     paths_.push_back(std::move(path));
+    const SkeletonPath& kept = paths_.back();
+    if (kept.order >= options_.most_orders) return;
+    for (std::size_t i = kept.parent < 0 ? 0 : 1; i < kept.voxels.size(); ++i)
+      look_beside(kept.voxels[i], kept.voxels[i], number);
   }
 
   template <class Visit>
@@ -194,40 +242,32 @@ class Extraction {
         }
   }
 
-  /// All branches of one path. What a rejected branch passes through may still lead to a true one: its voxels
-  /// become hosts, from which the search goes on.
-  void expand(int parent) {
-    const std::size_t length = paths_[parent].voxels.size();
-    for (std::size_t i = paths_[parent].parent < 0 ? 0 : 1; i < length; ++i) {
-      const int fork = paths_[parent].voxels[i];
-      std::vector<int> hosts{fork};
-      for (std::size_t h = 0; h < hosts.size(); ++h) {
-        for (int child = first_child_[hosts[h]]; child >= 0; child = next_sibling_[child]) {
-          if (taken_[child]) continue;
-          const int tip = farthest_[child];
-          // Nothing in this subtree can stand out of the tube: leave it.
-          if (tree_.from_root_mm[tip] - tree_.from_root_mm[fork] < options_.least_protrusion_mm) continue;
-          try_branch(parent, fork, child, tip, hosts);
-        }
-      }
+  /// The subtrees beside `voxel`, seen from a fork of a path.
+  void look_beside(int voxel, int fork, int parent) {
+    for (int child = first_child_[voxel]; child >= 0; child = next_sibling_[child]) {
+      const float length = tree_.from_root_mm[farthest_[child]] - tree_.from_root_mm[fork];
+      // Nothing in a short subtree can stand out of the tube.
+      if (!taken_[child] && length >= static_cast<float>(options_.least_protrusion_mm))
+        candidates_.push({length, child, fork, parent});
     }
   }
 
-  void try_branch(int parent, int fork, int child, int tip, std::vector<int>& hosts) {
-    const std::vector<int> whole = tree_path(child, tip), path = tree_path(fork, tip);
+  void try_branch(const Candidate& candidate) {
+    const int tip = farthest_[candidate.child];
+    const std::vector<int> whole = tree_path(candidate.child, tip), path = tree_path(candidate.fork, tip);
     for (const int voxel : whole) taken_[voxel] = 1;
-    SkeletonPath branch = shortened(parent, path, path.size());
+    SkeletonPath branch = shortened(candidate.parent, path, path.size());
     if (!stands_out(branch) || is_false(branch)) {
       // Its tip lies in a tube that has a path. What comes before may be the other way around a loop.
-      branch = shortened(parent, path, first_uncovered_stretch(path));
-      if (branch.voxels.size() < 2 || !stands_out(branch)) {
-        hosts.insert(hosts.end(), whole.begin(), whole.end());
-        return;
-      }
+      branch = shortened(candidate.parent, path, first_uncovered_stretch(path));
+      if (branch.voxels.size() < 2 || !stands_out(branch)) branch.voxels.clear();
     }
-    // What the shortening left behind belongs to nobody: it stays a host.
-    const std::size_t kept = std::min(whole.size(), branch.voxels.size() - 1);
-    hosts.insert(hosts.end(), whole.begin(), whole.end() - static_cast<std::ptrdiff_t>(kept));
+    // What a rejected branch passes through, and what the shortening left behind, may still lead to a true
+    // one.
+    const std::size_t kept = branch.voxels.empty() ? 0 : std::min(whole.size(), branch.voxels.size() - 1);
+    for (std::size_t i = 0; i + kept < whole.size(); ++i)
+      look_beside(whole[i], candidate.fork, candidate.parent);
+    if (branch.voxels.empty()) return;
     branch.order = paths_[branch.parent].order + 1;
     accept(std::move(branch));
   }
@@ -342,6 +382,7 @@ class Extraction {
   std::vector<int> owner_, position_;  ///< path in the middle of whose tube a voxel lies, and the place in it
   std::vector<char> taken_, covered_;
   std::vector<SkeletonPath> paths_;
+  std::priority_queue<Candidate> candidates_;
 };
 
 }  // namespace
@@ -378,7 +419,8 @@ int thickest_end(const VesselVoxels& vessel, const std::vector<int>& piece, cons
     return sum / count * (favoured != nullptr ? (*favoured)[tip] : 1.0F);
   };
   const std::vector<SkeletonPath> paths = skeleton(vessel, {start}, options).front();
-  int best = start;
+  std::vector<int> from_start(paths.front().voxels.rbegin(), paths.front().voxels.rend());
+  int best = with_straight_tip(vessel, std::move(from_start)).back();
   double best_thickness = thickness_at(paths.front().voxels.begin(), paths.front().voxels.end());
   for (const SkeletonPath& path : paths) {
     const double thickness = thickness_at(path.voxels.rbegin(), path.voxels.rend());

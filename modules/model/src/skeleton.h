@@ -13,8 +13,9 @@ struct SkeletonOptions {
   /// The weight of a voxel is 1 / r^exponent, r its distance from the boundary (paper: 4).
   double exponent = 4.0;
   /// The heap is keyed by the sum of weights from the root (Dijkstra) instead of the voxel's own weight (as
-  /// the paper prints it).
-  bool accumulated_cost = true;
+  /// the paper prints it). With the sum every stretch of a vessel that touches another is reached from there
+  /// by a crossing of its own; with the own weight all of it follows from the first crossing.
+  bool accumulated_cost = false;
   /// Of the second heuristic: a new path this near to perpendicular (radians) is never a false one.
   double right_angle_tolerance = 0.05;
   /// How far a branch must stand out of its parent's tube: millimetres, and over its own radius.

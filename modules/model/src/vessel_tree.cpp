@@ -13,9 +13,9 @@
 namespace glisson::model {
 namespace {
 
-constexpr int kSamplesPerCurve = 24;
-constexpr double kToleranceInVoxels = 0.5;  // how far a curve may pass from the smoothed path
-constexpr double kMostSmoothing = 3.0;      // millimetres to either side
+constexpr double kLeastSamples = 12, kSampleMm = 0.5;  // a curve, and their spacing
+constexpr double kToleranceInVoxels = 0.5;             // how far a curve may pass from the smoothed path
+constexpr double kMostSmoothing = 3.0;                 // millimetres to either side
 
 /// Linear interpolation in a table over ascending stations.
 template <class T>
@@ -49,11 +49,33 @@ std::vector<Eigen::Vector3d> without_stairs(const std::vector<Eigen::Vector3d>& 
   return smooth;
 }
 
+/// Distance of a point from a chain of segments.
+double off_polyline(const std::vector<Eigen::Vector3d>& line, const Eigen::Vector3d& p) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const Eigen::Vector3d along = line[i] - line[i - 1];
+    const double squared = along.squaredNorm();
+    const double t = squared > 0.0 ? std::clamp((p - line[i - 1]).dot(along) / squared, 0.0, 1.0) : 0.0;
+    least = std::min(least, (p - line[i - 1] - t * along).norm());
+  }
+  return least;
+}
+
+/// Largest distance between two lines, either way.
+double apart(const std::vector<Eigen::Vector3d>& a, const std::vector<Eigen::Vector3d>& b) {
+  double most = 0.0;
+  for (const Eigen::Vector3d& p : a) most = std::max(most, off_polyline(b, p));
+  for (const Eigen::Vector3d& p : b) most = std::max(most, off_polyline(a, p));
+  return most;
+}
+
 }  // namespace
 
 FittedTree::FittedTree(const VesselVoxels& vessel, const VolumeGrid& grid,
                        const std::vector<SkeletonPath>& paths, Label structure)
-    : grid_(grid), structure_(structure) {
+    : grid_(grid),
+      structure_(structure),
+      tolerance_mm_(kToleranceInVoxels * std::cbrt(vessel.mask.spacing_mm.prod())) {
   for (const SkeletonPath& path : paths) {
     require(path.parent < static_cast<int>(branches_.size()), "paths must come parents first");
     branches_.push_back(fit(vessel, path));
@@ -79,11 +101,17 @@ FittedTree::Branch FittedTree::fit(const VesselVoxels& vessel, const SkeletonPat
     smoothing.push_back(std::clamp(static_cast<double>(vessel.radius_mm[at]), 2.5 * voxel,
                                    std::max(kMostSmoothing, 2.5 * voxel)));
   if (points.size() == smoothing.size()) points = without_stairs(points, smoothing);
-  const CurveChain chain = fit_curves(points, kToleranceInVoxels * voxel, reach);
+  const CurveChain chain = fit_curves(points, tolerance_mm_, reach);
 
+  std::vector<std::size_t> first_sample, samples;  // of each curve
   for (const CubicBezier& curve : chain.curves) {
-    for (int k = branch.points.empty() ? 0 : 1; k <= kSamplesPerCurve; ++k) {
-      const double t = static_cast<double>(k) / kSamplesPerCurve;
+    double polygon = 0.0;
+    for (std::size_t k = 1; k < 4; ++k) polygon += (curve.control[k] - curve.control[k - 1]).norm();
+    samples.push_back(
+        static_cast<std::size_t>(std::max<double>(kLeastSamples, std::ceil(polygon / kSampleMm))));
+    first_sample.push_back(branch.points.empty() ? 0 : branch.points.size() - 1);
+    for (std::size_t k = branch.points.empty() ? 0 : 1; k <= samples.back(); ++k) {
+      const double t = static_cast<double>(k) / static_cast<double>(samples.back());
       const Eigen::Vector3d p = curve.at(t);
       branch.stations.push_back(
           branch.points.empty() ? 0.0 : branch.stations.back() + (p - branch.points.back()).norm());
@@ -91,11 +119,14 @@ FittedTree::Branch FittedTree::fit(const VesselVoxels& vessel, const SkeletonPat
       branch.curvature.push_back(curve.curvature(t));
     }
   }
+  branch.curve_error = apart(branch.points, points);
   for (const CurveParameter& parameter : chain.parameters) {
-    const double at = (parameter.curve + parameter.t) * kSamplesPerCurve;
-    const auto below = std::min(static_cast<std::size_t>(at), branch.stations.size() - 2);
+    const auto curve = static_cast<std::size_t>(parameter.curve);
+    const double at = parameter.t * static_cast<double>(samples[curve]);
+    const auto step = std::min(static_cast<std::size_t>(at), samples[curve] - 1);
+    const std::size_t below = first_sample[curve] + step;
     branch.voxel_stations.push_back(branch.stations[below] +
-                                    (at - static_cast<double>(below)) *
+                                    (at - static_cast<double>(step)) *
                                         (branch.stations[below + 1] - branch.stations[below]));
   }
   measure_radius(vessel, path, branch);
@@ -175,6 +206,12 @@ double FittedTree::length_mm() const {
   double sum = 0.0;
   for (const Branch& branch : branches_) sum += branch.length();
   return sum;
+}
+
+double FittedTree::curve_error_mm() const {
+  double most = 0.0;
+  for (const Branch& branch : branches_) most = std::max(most, branch.curve_error);
+  return most;
 }
 
 std::vector<double> FittedTree::fixed_stations(std::size_t branch, double shortest_mm) const {

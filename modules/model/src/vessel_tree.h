@@ -31,6 +31,10 @@ class FittedTree {
   /// Mean radius (mm) of the branch that prune_thinnest would take; infinite when there is none.
   double thinnest_mm() const;
   double length_mm() const;
+  /// Largest distance between the curves and the smoothed paths that they were fitted to, either way; at most
+  /// tolerance_mm().
+  double curve_error_mm() const;
+  double tolerance_mm() const { return tolerance_mm_; }
 
  private:
   struct Branch {
@@ -42,6 +46,7 @@ class FittedTree {
     std::vector<double> curvature;        ///< 1/mm
     std::vector<double> radius;           ///< mm
     double mean_radius = 0.0;
+    double curve_error = 0.0;  ///< mm
     double length() const { return stations.back(); }
   };
   Branch fit(const VesselVoxels& vessel, const SkeletonPath& path) const;
@@ -52,6 +57,7 @@ class FittedTree {
 
   VolumeGrid grid_;
   Label structure_;
+  double tolerance_mm_ = 0.0;
   std::vector<Branch> branches_;
 };
 
