@@ -3,6 +3,7 @@
 
 #include <QGridLayout>
 #include <QLabel>
+#include <QTimer>
 #include <QToolButton>
 #include <tuple>
 
@@ -12,6 +13,7 @@
 namespace glisson::ui {
 namespace {
 
+constexpr int kLate = 150;  ///< milliseconds
 constexpr std::array<scene::Plane, 3> kPlanes = {scene::Plane::axial, scene::Plane::coronal,
                                                  scene::Plane::sagittal};
 
@@ -36,6 +38,9 @@ LinkedViews::LinkedViews(EngineBridge& engine, ViewState& state, DrawableSource&
     connect(view, &SliceView::hovered, this, &LinkedViews::probe);
     connect(view, &SliceView::left_view, this, [this] { probe(state_.crosshair()); });
     connect(view, &SliceView::slice_changed, this, [this, plane] { show_slice(plane); });
+    connect(view, &SliceView::labels_redrawn, this, [this] {
+      if (!late_->isActive()) late_->start();
+    });
   }
   auto* layout = new QGridLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -59,12 +64,69 @@ LinkedViews::LinkedViews(EngineBridge& engine, ViewState& state, DrawableSource&
   row->addWidget(label_, 1);
   layout->addWidget(line, 2, 0, 1, 2);
 
+  connect_labels();
   connect(&engine_, &EngineBridge::case_changed, this, &LinkedViews::show_case);
   connect(&drawables_, &DrawableSource::changed, this, &LinkedViews::show_model);
   connect(&state_, &ViewState::markers_changed, this, &LinkedViews::show_markers);
   connect(&state_, &ViewState::crosshair_changed, this, [this] { probe(state_.crosshair()); });
   connect(&state_, &ViewState::volume_changed, this, [this] { probe(state_.crosshair()); });
   show_case();
+}
+
+LinkedViews::~LinkedViews() = default;
+
+void LinkedViews::connect_labels() {
+  late_ = new QTimer(this);
+  late_->setSingleShot(true);
+  late_->setInterval(kLate);
+  connect(late_, &QTimer::timeout, this, [this] {
+    for (const scene::Plane plane : kPlanes) show_slice(plane);
+  });
+  label_surfaces_ = new LabelSurfaceSource(this);
+  label_actors_ = std::make_unique<scene::LabelActors>(volume_->patient().renderer());
+  connect(label_surfaces_, &LabelSurfaceSource::changed, this, &LinkedViews::show_label_surfaces);
+  for (const auto signal : {&ViewState::volume_changed, &ViewState::labels_changed,
+                            &ViewState::overlays_changed, &ViewState::shows_labels_changed})
+    connect(&state_, signal, this, &LinkedViews::show_labels);
+  connect(&state_, &ViewState::style_changed, this, [this] {
+    label_actors_->set_hidden(state_.style().hidden);
+    volume_->update();
+  });
+  connect(&state_, &ViewState::hand_changed, this,
+          [this] { volume_->set_lasso(state_.hand() == Hand::lasso); });
+  connect(&state_, &ViewState::gesture_dropped, volume_, &RenderView::drop_lasso);
+  connect(volume_, &RenderView::lassoed, this, &LinkedViews::lasso);
+}
+
+std::shared_ptr<const LabelVolume> LinkedViews::labels_in_3d() const {
+  if (!state_.shows_labels()) return nullptr;
+  if (state_.evolving()) return state_.evolving();
+  if (!state_.labels()) return nullptr;
+  return {state_.labels(), &state_.labels()->voxels};
+}
+
+void LinkedViews::show_labels() {
+  label_surfaces_->set_labels(labels_in_3d());
+  show_model();
+}
+
+void LinkedViews::show_label_surfaces() {
+  const bool first = label_actors_->actor_count() == 0;
+  label_actors_->show(*label_surfaces_->surfaces());
+  if (first && label_actors_->actor_count() > 0) {
+    slices_toggle_->setChecked(false);
+    volume_->patient().look_from(scene::ViewFrom::anterior);
+  }
+  show_model();
+}
+
+void LinkedViews::lasso(const QPolygonF& outline, Qt::KeyboardModifiers keys) {
+  VolumeLasso lasso;
+  lasso.view_from_ct = volume_->view_from_scene();
+  lasso.keys = keys;
+  lasso.outline.resize(outline.size(), 2);
+  for (qsizetype i = 0; i < outline.size(); ++i) lasso.outline.row(i) << outline[i].x(), outline[i].y();
+  state_.lasso_volume(lasso);
 }
 
 QWidget* LinkedViews::make_volume_pane() {
@@ -107,6 +169,7 @@ QWidget* LinkedViews::make_volume_pane() {
   row->addWidget(slices_toggle_);
   connect(slices_toggle_, &QToolButton::toggled, this, [this](bool on) {
     volume_->patient().set_slices_visible(on);
+    for (const scene::Plane plane : kPlanes) show_slice(plane);
     volume_->update();
   });
   layout->addWidget(bar);
@@ -128,24 +191,31 @@ void LinkedViews::show_case() {
 
 void LinkedViews::show_model() {
   const engine::CaseState& now = engine_.state();
-  if (drawables_.drawable() != shown_model_) {
-    shown_model_ = drawables_.drawable();
+  const bool labels_instead = labels_in_3d() != nullptr;
+  const auto wanted = labels_instead ? nullptr : drawables_.drawable();
+  if (wanted != shown_model_) {
+    shown_model_ = wanted;
     scene::PatientScene& patient = volume_->patient();
     patient.set_model(shown_model_);
     shown_landmarks_ = now.landmarks;
-    if (shown_model_) {
-      patient.set_landmarks(engine::effective_landmarks(now));
+    if (shown_model_) patient.set_landmarks(engine::effective_landmarks(now));
+    if (shown_model_ && shown_model_ != faced_model_) {
+      faced_model_ = shown_model_;
       slices_toggle_->setChecked(false);  // the liver would hide in them
       patient.look_from(scene::ViewFrom::anterior);
     }
   }
-  volume_->set_hint(scene_is_empty_             ? tr("No volume")
-                    : drawables_.is_preparing() ? tr("Preparing the model for drawing…")
-                                                : QString());
+  const bool making_labels =
+      labels_instead && label_surfaces_->is_making() && label_actors_->actor_count() == 0;
+  volume_->set_hint(scene_is_empty_                                ? tr("No volume")
+                    : making_labels                                ? tr("Preparing the surfaces…")
+                    : !labels_instead && drawables_.is_preparing() ? tr("Preparing the model for drawing…")
+                                                                   : QString());
   volume_->update();
 }
 
 void LinkedViews::show_slice(scene::Plane plane) {
+  if (!slices_toggle_->isChecked()) return;  // all are brought up to date when they are shown
   const SliceView& view = slice(plane);
   volume_->patient().set_slice(view.geometry_in_ct(), view.slice());
   volume_->update();

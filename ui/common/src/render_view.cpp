@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/common/render_view.h"
 
+#include <vtkCamera.h>
 #include <vtkCommand.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkGenericRenderWindowInteractor.h>
 #include <vtkInteractorStyleTrackballCamera.h>
+#include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkOpenGLFramebufferObject.h>
 #include <vtkRenderer.h>
@@ -15,6 +17,8 @@
 #include <QOpenGLExtraFunctions>
 #include <QSurfaceFormat>
 #include <QWheelEvent>
+
+#include "glisson/ui/common/lasso_line.h"
 
 namespace glisson::ui {
 
@@ -49,6 +53,7 @@ RenderView::RenderView(QWidget* parent)
   hint_->setAlignment(Qt::AlignCenter);
   hint_->setWordWrap(true);
   for (QLabel* label : {title_, hint_}) label->setAttribute(Qt::WA_TransparentForMouseEvents);
+  lasso_ = new LassoLine(this);
 }
 
 RenderView::~RenderView() {
@@ -166,7 +171,29 @@ void RenderView::pass_on(QMouseEvent* event, unsigned long vtk_event) {
   update();
 }
 
+void RenderView::set_lasso(bool on) {
+  lassoing_ = on;
+  lasso_->clear();
+  setCursor(on ? Qt::CrossCursor : Qt::ArrowCursor);
+}
+
+void RenderView::drop_lasso() { lasso_->clear(); }
+
+Eigen::Matrix<double, 3, 4> RenderView::view_from_scene() const {
+  vtkNew<vtkMatrix4x4> clip;
+  clip->DeepCopy(
+      patient_->renderer().GetActiveCamera()->GetCompositeProjectionTransformMatrix(aspect(), -1.0, 1.0));
+  const auto row = [&](int r) {
+    return Eigen::RowVector4d(clip->GetElement(r, 0), clip->GetElement(r, 1), clip->GetElement(r, 2),
+                              clip->GetElement(r, 3));
+  };
+  Eigen::Matrix<double, 3, 4> view;
+  view << 0.5 * (row(3) + row(0)), 0.5 * (row(3) - row(1)), row(3);
+  return view;
+}
+
 void RenderView::mousePressEvent(QMouseEvent* event) {
+  if (lassoing_ && event->button() == Qt::LeftButton) return lasso_->start(event->position());
   impl_->pressed = event->position();
   impl_->dragged = false;
   if (event->button() == Qt::LeftButton) pass_on(event, vtkCommand::LeftButtonPressEvent);
@@ -175,12 +202,19 @@ void RenderView::mousePressEvent(QMouseEvent* event) {
 }
 
 void RenderView::mouseMoveEvent(QMouseEvent* event) {
+  if (!lasso_->line().isEmpty()) return lasso_->extend(event->position());
   constexpr double kClickReach = 4.0;  // pixels
   if ((event->position() - impl_->pressed).manhattanLength() > kClickReach) impl_->dragged = true;
   if (impl_->dragged) pass_on(event, vtkCommand::MouseMoveEvent);
 }
 
 void RenderView::mouseReleaseEvent(QMouseEvent* event) {
+  if (lassoing_ && event->button() == Qt::LeftButton) {
+    const QPolygonF outline = QTransform::fromScale(1.0 / width(), 1.0 / height()).map(lasso_->line());
+    lasso_->clear();
+    if (outline.size() > 2) emit lassoed(outline, event->modifiers());
+    return;
+  }
   if (event->button() == Qt::LeftButton) pass_on(event, vtkCommand::LeftButtonReleaseEvent);
   if (event->button() == Qt::MiddleButton) pass_on(event, vtkCommand::MiddleButtonReleaseEvent);
   if (event->button() == Qt::RightButton) pass_on(event, vtkCommand::RightButtonReleaseEvent);

@@ -4,15 +4,18 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QTimer>
 #include <QWheelEvent>
 #include <cmath>
 
+#include "glisson/ui/common/lasso_line.h"
 #include "glisson/ui/scene/picture_image.h"
 
 namespace glisson::ui {
 namespace {
 
 constexpr double kMarkerReach = 4e-3;  ///< metres from the slice within which a marker is drawn
+constexpr int kFlash = 500;            ///< milliseconds that a preview is bright, and then dim
 
 QColor plane_colour(scene::Plane plane) {
   switch (plane) {
@@ -51,39 +54,91 @@ SliceView::SliceView(ViewState& state, scene::Plane plane, QWidget* parent)
       tr("Click: crosshair. Wheel: next slice. Right drag: contrast. Middle drag: move. Ctrl + wheel: zoom. "
          "Double click: whole picture."));
   setToolTipDuration(4000);
+  flash_ = new QTimer(this);
+  flash_->setInterval(kFlash);
+  connect(flash_, &QTimer::timeout, this, [this] {
+    bright_ = !bright_;
+    update();
+  });
   connect(&state_, &ViewState::volume_changed, this, [this] {
-    picture_ = {};
+    drawing_.clear();
     refresh_slice();
+    refresh_overlays();
   });
-  connect(&state_, &ViewState::crosshair_changed, this, [this] { refresh_slice(); });
-  connect(&state_, &ViewState::style_changed, this, [this] {
-    picture_ = {};
-    refresh_slice();
-  });
+  connect(&state_, &ViewState::labels_changed, this, &SliceView::refresh_slice);
+  connect(&state_, &ViewState::crosshair_changed, this, &SliceView::refresh_slice);
+  connect(&state_, &ViewState::style_changed, this, &SliceView::refresh_slice);
+  connect(&state_, &ViewState::overlays_changed, this, &SliceView::refresh_overlays);
   connect(&state_, &ViewState::markers_changed, this, qOverload<>(&QWidget::update));
-  connect(&state_, &ViewState::picking_changed, this,
-          [this] { setCursor(state_.picking() ? Qt::CrossCursor : Qt::ArrowCursor); });
+  connect(&state_, &ViewState::hand_changed, this, &SliceView::show_hand);
+  connect(&state_, &ViewState::brush_changed, this, qOverload<>(&QWidget::update));
+  connect(&state_, &ViewState::pointer_changed, this, [this] {
+    if (state_.hand() == Hand::brush) update();
+  });
+  connect(&state_, &ViewState::gesture_dropped, this, [this] {
+    dragging_ = false;
+    lasso_.clear();
+    update();
+  });
   refresh_slice();
+}
+
+void SliceView::show_hand() {
+  dragging_ = false;
+  lasso_.clear();
+  setCursor(state_.hand() == Hand::crosshair ? Qt::ArrowCursor : Qt::CrossCursor);
+  update();
 }
 
 void SliceView::refresh_slice() {
   if (!state_.image() || state_.image()->empty()) {
     slice_ = {};
-    picture_ = {};
-    image_ = {};
-  } else {
-    const scene::SliceGeometry wanted =
-        scene::slice_geometry(state_.image()->grid, plane_, state_.crosshair());
-    const int axis = scene::normal_axis(plane_);
-    if (picture_.empty() || wanted.origin[axis] != slice_.origin[axis]) {
-      slice_ = wanted;
-      const LabelVolume* labels = state_.labels() ? &state_.labels()->voxels : nullptr;
-      picture_ = scene::slice_picture(*state_.image(), labels, slice_, state_.style());
-      image_ = scene::view_as_image(picture_);
+    drawing_.clear();
+    image_ = shown_ = {};
+    update();
+    return;
+  }
+  const scene::SliceGeometry wanted = scene::slice_geometry(state_.image()->grid, plane_, state_.crosshair());
+  const QRect drawn = drawing_.draw(state_.image(), state_.labels(), wanted, state_.style());
+  const bool whole = drawn.size() == QSize(wanted.width, wanted.height);
+  const bool moved = slice_.width == 0 || wanted.origin != slice_.origin;
+  slice_ = wanted;
+  overlay_is_stale_ = true;
+  if (!drawn.isEmpty()) {
+    image_ = scene::view_as_image(drawing_.picture());
+    if (whole)
+      shown_ = {};
+    else
+      redraw(drawn);
+    if (whole || moved)
       emit slice_changed();
-    }
+    else
+      emit labels_redrawn();
   }
   update();
+}
+
+void SliceView::refresh_overlays() {
+  overlay_is_stale_ = true;
+  if (state_.preview() && !flash_->isActive()) flash_->start();
+  if (!state_.preview()) {
+    flash_->stop();
+    bright_ = true;
+  }
+  update();
+}
+
+void SliceView::redraw(const QRect& pixels) {
+  if (shown_.isNull()) return;  // is made when it is painted
+  const QTransform transform = widget_from_pixel();
+  QPainter painter(&shown_);
+  // Interpolation reaches a pixel beyond those that changed.
+  const QRectF area =
+      transform.mapRect(QRectF(pixels).translated(-0.5, -0.5)).adjusted(-2, -2, 2, 2) & QRectF(rect());
+  painter.setClipRect(area);
+  painter.setRenderHint(QPainter::SmoothPixmapTransform);
+  painter.setTransform(transform);
+  painter.drawImage(QPointF(-0.5, -0.5), image_);
 }
 
 QTransform SliceView::widget_from_pixel() const {
@@ -116,12 +171,67 @@ void SliceView::paintEvent(QPaintEvent*) {
     painter.drawText(rect(), Qt::AlignCenter, tr("No volume"));
     return;
   }
+  const double ratio = devicePixelRatioF();
+  if (shown_.isNull()) {
+    shown_ = QImage(size() * ratio, QImage::Format_RGB32);
+    shown_.setDevicePixelRatio(ratio);
+    shown_.fill(Qt::black);
+    redraw(QRect(0, 0, slice_.width, slice_.height));
+  }
+  painter.drawImage(QPointF(0, 0), shown_);
   painter.setRenderHints(QPainter::SmoothPixmapTransform | QPainter::Antialiasing);
-  painter.setTransform(widget_from_pixel());
-  painter.drawImage(QPointF(-0.5, -0.5), image_);
-  painter.resetTransform();
+  paint_overlay(painter);
   paint_marks(painter);
+  paint_lasso(painter, widget_from_pixel().map(lasso_));
+  if (state_.hand() == Hand::brush && state_.pointer()) paint_brush(painter);
   paint_texts(painter);
+}
+
+void SliceView::resizeEvent(QResizeEvent*) { shown_ = {}; }
+
+void SliceView::paint_overlay(QPainter& painter) {
+  if (overlay_is_stale_) {
+    overlay_is_stale_ = false;
+    overlay_ = {};
+    const LabelVolume* labels = state_.labels() ? &state_.labels()->voxels : nullptr;
+    if (state_.evolving())
+      overlay_ = scene::outline_overlay(*state_.evolving(), slice_);
+    else if (state_.preview() && labels != nullptr &&
+             labels->brick_count() == state_.preview()->voxels.brick_count())
+      overlay_ = scene::change_overlay(*labels, state_.preview()->voxels, slice_);
+  }
+  if (overlay_.isNull()) return;
+  painter.setTransform(widget_from_pixel());
+  painter.setOpacity(bright_ ? 1.0 : 0.3);
+  painter.drawImage(QPointF(-0.5, -0.5), overlay_);
+  painter.setOpacity(1.0);
+  painter.resetTransform();
+}
+
+void SliceView::paint_brush(QPainter& painter) const {
+  const PointerPlace& pointer = *state_.pointer();
+  const BrushTip& brush = state_.brush();
+  const double off = std::abs(slice_.distance_of(pointer.p));
+  if (off > brush.radius) return;
+  const double radius = std::sqrt(brush.radius * brush.radius - off * off);  // metres, in this slice
+  const auto draw = [&] {
+    if (brush.ball || pointer.plane == plane_) {
+      const double pixels = radius / slice_.right.norm() * widget_from_pixel().m11();
+      painter.drawEllipse(widget_point(pointer.p), pixels, pixels);
+      return;
+    }
+    // A disc is seen from its edge.
+    const Eigen::Vector3d along =
+        radius * Eigen::Vector3d::Unit(3 - scene::normal_axis(plane_) - scene::normal_axis(pointer.plane));
+    painter.drawLine(widget_point(Point<CtFrame>(pointer.p.xyz - along)),
+                     widget_point(Point<CtFrame>(pointer.p.xyz + along)));
+  };
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(QColor(0, 0, 0, 200), 3.0));
+  draw();
+  painter.setPen(
+      QPen(brush.label == structure::kBackground ? QColor(Qt::white) : colour_of(brush.label), 1.5));
+  draw();
 }
 
 void SliceView::paint_marks(QPainter& painter) const {
@@ -178,45 +288,93 @@ void SliceView::paint_texts(QPainter& painter) const {
   draw_outlined(painter, area, Qt::AlignLeft | Qt::AlignBottom, window, QColor(190, 198, 204));
 }
 
+void SliceView::tell(SliceGesture::Phase phase, const QMouseEvent& event) {
+  state_.gesture({phase, slice_, p_in_ct(event.position()), event.modifiers()});
+}
+
+void SliceView::begin_gesture(const QMouseEvent& event) {
+  const Point<CtFrame> p = p_in_ct(event.position());
+  switch (state_.hand()) {
+    case Hand::crosshair:
+      state_.set_crosshair(p);
+      return;
+    case Hand::point:
+      state_.pick(p);
+      break;
+    case Hand::brush:
+    case Hand::lasso:
+      dragging_ = true;
+      lasso_.clear();
+      if (state_.hand() == Hand::lasso) lasso_ << widget_from_pixel().inverted().map(event.position());
+      break;
+  }
+  tell(SliceGesture::Phase::begin, event);
+}
+
 void SliceView::mousePressEvent(QMouseEvent* event) {
   last_ = event->position();
-  if (slice_.width == 0 || event->button() != Qt::LeftButton) return;
-  const Point<CtFrame> p = p_in_ct(event->position());
-  if (state_.picking())
-    state_.pick(p);
-  else
-    state_.set_crosshair(p);
+  if (slice_.width > 0 && event->button() == Qt::LeftButton) begin_gesture(*event);
 }
 
 void SliceView::mouseMoveEvent(QMouseEvent* event) {
   if (slice_.width == 0) return;
   const QPointF moved = event->position() - last_;
   last_ = event->position();
+  const Point<CtFrame> p = p_in_ct(event->position());
   if (event->buttons() & Qt::RightButton) {
     const double speed = state_.style().width / 300.0;
     state_.set_window(state_.style().level - speed * moved.y(), state_.style().width + speed * moved.x());
   } else if (event->buttons() & Qt::MiddleButton) {
     pan_ += moved;
+    shown_ = {};
     update();
-  } else if ((event->buttons() & Qt::LeftButton) && !state_.picking()) {
-    state_.set_crosshair(p_in_ct(event->position()));
+  } else if (dragging_) {
+    if (state_.hand() == Hand::lasso) lasso_ << widget_from_pixel().inverted().map(event->position());
+    tell(SliceGesture::Phase::move, *event);
+    update();
+  } else if ((event->buttons() & Qt::LeftButton) && state_.hand() == Hand::crosshair) {
+    state_.set_crosshair(p);
   }
-  emit hovered(p_in_ct(event->position()));
+  state_.set_pointer(PointerPlace{plane_, p});
+  emit hovered(p);
 }
 
-void SliceView::mouseDoubleClickEvent(QMouseEvent*) {
+void SliceView::mouseReleaseEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton || !dragging_) return;
+  dragging_ = false;
+  lasso_.clear();
+  tell(SliceGesture::Phase::end, *event);
+  update();
+}
+
+void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (state_.hand() != Hand::crosshair) {  // two quick dabs are two dabs
+    mousePressEvent(event);
+    return;
+  }
   zoom_ = 1.0;
   pan_ = {};
+  shown_ = {};
   update();
+}
+
+bool SliceView::event(QEvent* event) {
+  // Nobody wants an explanation to pop up under the brush.
+  if (event->type() == QEvent::ToolTip && state_.hand() != Hand::crosshair) return true;
+  return QWidget::event(event);
 }
 
 void SliceView::wheelEvent(QWheelEvent* event) {
   if (slice_.width == 0) return;
-  const double notches = event->angleDelta().y() / 120.0;
-  if (event->modifiers() & Qt::ControlModifier) {
+  // With Shift some systems turn the wheel sideways.
+  const double notches = (event->angleDelta().y() + event->angleDelta().x()) / 120.0;
+  if ((event->modifiers() & Qt::ShiftModifier) && state_.hand() == Hand::brush) {
+    state_.turn_brush(notches);
+  } else if (event->modifiers() & Qt::ControlModifier) {
     const QPointF pixel = widget_from_pixel().inverted().map(event->position());
     zoom_ = std::clamp(zoom_ * std::pow(1.2, notches), 0.5, 20.0);
     pan_ += event->position() - widget_from_pixel().map(pixel);  // what is under the pointer stays there
+    shown_ = {};
     update();
   } else {
     wheel_rest_ += notches;
@@ -254,6 +412,9 @@ void SliceView::step(int slices) {
   state_.set_crosshair(p);
 }
 
-void SliceView::leaveEvent(QEvent*) { emit left_view(); }
+void SliceView::leaveEvent(QEvent*) {
+  state_.set_pointer(std::nullopt);
+  emit left_view();
+}
 
 }  // namespace glisson::ui

@@ -16,8 +16,15 @@ void ViewState::set_volume(std::shared_ptr<const Image> image, std::shared_ptr<c
     style_.level = image_->modality == Modality::ct ? 80.0 : 300.0;
     style_.width = image_->modality == Modality::ct ? 400.0 : 600.0;
   }
+  if (!other_image) {
+    emit labels_changed();
+    return;
+  }
+  preview_ = nullptr;
+  evolving_ = nullptr;
+  pointer_.reset();
   emit volume_changed();
-  if (other_image) emit crosshair_changed();
+  emit crosshair_changed();
 }
 
 void ViewState::set_crosshair(const Point<CtFrame>& p) {
@@ -45,10 +52,46 @@ void ViewState::set_markers(std::vector<scene::Marker> markers) {
   emit markers_changed();
 }
 
-void ViewState::set_picking(bool on) {
-  if (on == picking_) return;
-  picking_ = on;
-  emit picking_changed();
+void ViewState::set_hidden(std::vector<Label> labels) {
+  if (labels == style_.hidden) return;
+  style_.hidden = std::move(labels);
+  emit style_changed();
+}
+
+void ViewState::set_preview(std::shared_ptr<const LabelMap> labels) {
+  if (labels == preview_) return;
+  preview_ = std::move(labels);
+  emit overlays_changed();
+}
+
+void ViewState::set_evolving(std::shared_ptr<const LabelVolume> labels) {
+  if (labels == evolving_) return;
+  evolving_ = std::move(labels);
+  emit overlays_changed();
+}
+
+void ViewState::set_shows_labels(bool on) {
+  if (on == shows_labels_) return;
+  shows_labels_ = on;
+  emit shows_labels_changed();
+}
+
+void ViewState::set_hand(Hand hand) {
+  if (hand == hand_) return;
+  hand_ = hand;
+  emit hand_changed();
+}
+
+void ViewState::set_brush(const BrushTip& brush) {
+  if (brush == brush_) return;
+  brush_ = brush;
+  emit brush_changed();
+}
+
+void ViewState::set_pointer(const std::optional<PointerPlace>& pointer) {
+  if (!pointer && !pointer_) return;
+  pointer_ = pointer;
+  emit pointer_changed();
 }
 
 void ViewState::pick(const Point<CtFrame>& p) {

@@ -178,7 +178,7 @@ void SegmentationPanel::deactivate() {
 void SegmentationPanel::choose_structure(std::optional<Label> structure) {
   structure_ = structure;
   for (const auto& [label, button] : buttons_) button->setChecked(structure == label);
-  views_.set_picking(structure.has_value());
+  views_.set_hand(structure ? Hand::point : Hand::crosshair);
 }
 
 void SegmentationPanel::place(const Point<CtFrame>& p) {

@@ -7,11 +7,14 @@
 
 #include "glisson/ui/common/drawable_source.h"
 #include "glisson/ui/common/engine_bridge.h"
+#include "glisson/ui/common/label_surface_source.h"
 #include "glisson/ui/common/render_view.h"
 #include "glisson/ui/common/slice_view.h"
 #include "glisson/ui/common/view_state.h"
+#include "glisson/ui/scene/label_actors.h"
 
 class QLabel;
+class QTimer;
 class QToolButton;
 
 namespace glisson::ui {
@@ -22,6 +25,7 @@ class LinkedViews : public QWidget {
   Q_OBJECT
  public:
   LinkedViews(EngineBridge& engine, ViewState& state, DrawableSource& drawables, QWidget* parent = nullptr);
+  ~LinkedViews() override;
 
   SliceView& slice(scene::Plane plane) { return *slices_[static_cast<std::size_t>(plane)]; }
   RenderView& volume() { return *volume_; }
@@ -29,8 +33,16 @@ class LinkedViews : public QWidget {
   QString probe_line() const;
   /// The model's liver surface under a place in the 3D view, in the CT's frame.
   std::optional<Eigen::Vector3d> surface_point(double x, double y) const;
+  /// Of the labels, in three dimensions.
+  const LabelSurfaceSource& label_surfaces() const { return *label_surfaces_; }
 
  private:
+  void connect_labels();
+  /// The labels whose surfaces stand in for the model; null: the model is shown.
+  std::shared_ptr<const LabelVolume> labels_in_3d() const;
+  void show_labels();
+  void show_label_surfaces();
+  void lasso(const QPolygonF& outline, Qt::KeyboardModifiers keys);
   QWidget* make_volume_pane();
   void show_case();
   void show_model();
@@ -47,7 +59,11 @@ class LinkedViews : public QWidget {
   QLabel* position_ = nullptr;
   QLabel* value_ = nullptr;
   QLabel* label_ = nullptr;
+  LabelSurfaceSource* label_surfaces_ = nullptr;
+  std::unique_ptr<scene::LabelActors> label_actors_;
+  QTimer* late_ = nullptr;  ///< the slices in three dimensions follow a stroke at leisure
   std::shared_ptr<const scene::DrawableModel> shown_model_;
+  std::shared_ptr<const scene::DrawableModel> faced_model_;  ///< that the camera was last turned to
   std::shared_ptr<const Landmarks> shown_landmarks_;
   bool scene_is_empty_ = true;
 };

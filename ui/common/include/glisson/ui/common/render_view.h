@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QOpenGLWidget>
+#include <QPolygonF>
 #include <array>
 #include <memory>
 
@@ -11,8 +12,11 @@ class QLabel;
 
 namespace glisson::ui {
 
+class LassoLine;
+
 /// A patient in three dimensions: VTK inside a Qt 6 widget. Left drag turns, middle drag moves, wheel and
-/// right drag zoom, a click that does not drag picks. Call update() after the scene has changed.
+/// right drag zoom, a click that does not drag picks; with the lasso, left drag
+/// draws. Call update() after the scene has changed.
 class RenderView : public QOpenGLWidget {
   Q_OBJECT
  public:
@@ -29,12 +33,21 @@ class RenderView : public QOpenGLWidget {
   void set_title(const QString& title);
   /// Letters of the patient's sides at the view's edges. For scenes in the CT's frame.
   void show_orientation();
+  /// From now on a left drag draws a closed line instead of turning.
+  void set_lasso(bool on);
+  /// Drops the line that is being drawn.
+  void drop_lasso();
+  /// Homogeneous scene point (metres) to homogeneous place in the view ([0, 1] from the top left corner); the
+  /// third component is positive before the viewer.
+  Eigen::Matrix<double, 3, 4> view_from_scene() const;
   QSize sizeHint() const override { return {360, 320}; }
   QSize minimumSizeHint() const override { return {160, 140}; }
 
  signals:
   /// A place in the view, [0, 1] from the top left corner.
   void clicked(double x, double y);
+  /// A closed line was drawn, in the same coordinates.
+  void lassoed(const QPolygonF& outline, Qt::KeyboardModifiers keys);
   void drawn();
 
  protected:
@@ -57,6 +70,8 @@ class RenderView : public QOpenGLWidget {
   std::unique_ptr<Impl> impl_;
   QLabel* hint_ = nullptr;
   QLabel* title_ = nullptr;
+  LassoLine* lasso_ = nullptr;
+  bool lassoing_ = false;
   std::array<QLabel*, 4> letters_{};  ///< left, right, top, bottom; null: not shown
   scene::ViewLetters shown_letters_;
 };

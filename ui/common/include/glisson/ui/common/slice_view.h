@@ -2,15 +2,19 @@
 #pragma once
 
 #include <QImage>
+#include <QPolygonF>
 #include <QWidget>
 
 #include "glisson/ui/common/view_state.h"
+#include "glisson/ui/scene/slice_drawing.h"
+
+class QTimer;
 
 namespace glisson::ui {
 
-/// One anatomical slice with labels, crosshair, markers and orientation letters. Left click or drag:
-/// crosshair (or place a point while picking); right drag: grey window; middle drag: move; wheel: next slice;
-/// Ctrl + wheel: zoom; double click: whole picture.
+/// One anatomical slice with labels, previews, crosshair, markers, brush and orientation letters. Left click
+/// or drag: what ViewState::hand() says; right drag: grey window; middle drag: move; wheel: next slice;
+/// Ctrl + wheel: zoom; Shift + wheel: size of the brush; double click: whole picture.
 class SliceView : public QWidget {
   Q_OBJECT
  public:
@@ -19,7 +23,7 @@ class SliceView : public QWidget {
   scene::Plane plane() const { return plane_; }
   /// The slice that is shown. Zero-sized while there is no volume.
   const scene::SliceGeometry& geometry_in_ct() const { return slice_; }
-  const Picture& slice() const { return picture_; }
+  const Picture& slice() const { return drawing_.picture(); }
   /// Where a point of the patient appears.
   QPointF widget_point(const Point<CtFrame>& p) const;
   QSize sizeHint() const override { return {360, 320}; }
@@ -29,30 +33,51 @@ class SliceView : public QWidget {
   /// The pointer is over this place of the patient.
   void hovered(const glisson::Point<glisson::CtFrame>& p);
   void left_view();
+  /// Another slice, or how it is drawn.
   void slice_changed();
+  /// The same slice with other labels.
+  void labels_redrawn();
 
  protected:
   void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
+  bool event(QEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void leaveEvent(QEvent* event) override;
 
  private:
   void refresh_slice();
+  void refresh_overlays();
+  void show_hand();
   void step(int slices);
   QTransform widget_from_pixel() const;
   Point<CtFrame> p_in_ct(const QPointF& widget) const;
+  void begin_gesture(const QMouseEvent& event);
+  void tell(SliceGesture::Phase phase, const QMouseEvent& event);
+  /// Brings what is shown up to date with the slice's picture, in these pixels of it.
+  void redraw(const QRect& pixels);
+  void paint_overlay(QPainter& painter);
   void paint_marks(QPainter& painter) const;
+  void paint_brush(QPainter& painter) const;
   void paint_texts(QPainter& painter) const;
 
   ViewState& state_;
   scene::Plane plane_;
   scene::SliceGeometry slice_;
-  Picture picture_;
-  QImage image_;
+  scene::SliceDrawing drawing_;
+  QImage image_;    ///< the slice, a view of the drawing's picture
+  QImage shown_;    ///< the same as large as the widget; null: to be made again
+  QImage overlay_;  ///< preview or evolving outline
+  bool overlay_is_stale_ = true;
+  QTimer* flash_ = nullptr;
+  bool bright_ = true;
+  bool dragging_ = false;
+  QPolygonF lasso_;  ///< pixels of the slice
   double zoom_ = 1.0;
   QPointF pan_;
   QPointF last_;

@@ -3,17 +3,19 @@
 
 #include <QObject>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "glisson/patient/label_map.h"
+#include "glisson/ui/common/hand.h"
 #include "glisson/ui/scene/patient_scene.h"
 #include "glisson/ui/scene/slice_picture.h"
 #include "glisson/volume/image.h"
 
 namespace glisson::ui {
 
-/// What the linked views share: the volume, the crosshair, the grey window, the markers and what a click
-/// means.
+/// What the linked views share: the volume, the crosshair, the grey window, the markers, what lies over the
+/// slices, and what the mouse means.
 class ViewState : public QObject {
   Q_OBJECT
  public:
@@ -31,31 +33,68 @@ class ViewState : public QObject {
   const scene::SliceStyle& style() const { return style_; }
   void set_window(double level, double width);
   void set_label_opacity(double opacity);
+  /// Labels that are not drawn, in the slices or in three dimensions.
+  void set_hidden(std::vector<Label> labels);
 
   const std::vector<scene::Marker>& markers() const { return markers_; }
   void set_markers(std::vector<scene::Marker> markers);
 
-  /// While picking, a click in a slice places a point instead of moving the crosshair only.
-  bool picking() const { return picking_; }
-  void set_picking(bool on);
+  /// Labels as they would become, hatched over the slices where they differ; null: none. Of the labels' grid.
+  const std::shared_ptr<const LabelMap>& preview() const { return preview_; }
+  void set_preview(std::shared_ptr<const LabelMap> labels);
+  /// A segmentation that is still growing, outlined over the slices; null: none.
+  const std::shared_ptr<const LabelVolume>& evolving() const { return evolving_; }
+  void set_evolving(std::shared_ptr<const LabelVolume> labels);
+  /// Whether the 3D view shows the labels' surfaces instead of the model.
+  bool shows_labels() const { return shows_labels_; }
+  void set_shows_labels(bool on);
+
+  Hand hand() const { return hand_; }
+  void set_hand(Hand hand);
+  const BrushTip& brush() const { return brush_; }
+  void set_brush(const BrushTip& brush);
+  /// The pointer over a slice; none: it is elsewhere.
+  const std::optional<PointerPlace>& pointer() const { return pointer_; }
+  void set_pointer(const std::optional<PointerPlace>& pointer);
+
   /// Called by the views.
   void pick(const Point<CtFrame>& p);
+  void gesture(const SliceGesture& gesture) { emit gestured(gesture); }
+  void lasso_volume(const VolumeLasso& lasso) { emit volume_lassoed(lasso); }
+  void turn_brush(double notches) { emit brush_turned(notches); }
+  /// Lines that are being drawn are dropped by the views.
+  void drop_gesture() { emit gesture_dropped(); }
 
  signals:
   void volume_changed();
+  void labels_changed();  ///< and nothing else of the volume
   void crosshair_changed();
   void style_changed();
   void markers_changed();
-  void picking_changed();
+  void overlays_changed();
+  void shows_labels_changed();
+  void hand_changed();
+  void brush_changed();
+  void pointer_changed();
   void picked(const glisson::Point<glisson::CtFrame>& p);
+  /// With Hand::point, brush and lasso.
+  void gestured(const glisson::ui::SliceGesture& gesture);
+  void volume_lassoed(const glisson::ui::VolumeLasso& lasso);
+  void brush_turned(double notches);
+  void gesture_dropped();
 
  private:
   std::shared_ptr<const Image> image_;
   std::shared_ptr<const LabelMap> labels_;
+  std::shared_ptr<const LabelMap> preview_;
+  std::shared_ptr<const LabelVolume> evolving_;
   Point<CtFrame> crosshair_;
   scene::SliceStyle style_;
   std::vector<scene::Marker> markers_;
-  bool picking_ = false;
+  Hand hand_ = Hand::crosshair;
+  BrushTip brush_;
+  std::optional<PointerPlace> pointer_;
+  bool shows_labels_ = false;
 };
 
 }  // namespace glisson::ui

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
+#include <vector>
 
 #include "glisson/core/frames.h"
 #include "glisson/patient/picture.h"
@@ -55,6 +57,8 @@ int normal_axis(Plane plane);
 struct SliceStyle {
   double level = 80.0, width = 400.0;  ///< grey window, in the image's units (HU)
   double label_opacity = 0.35;         ///< inside; a label's edge is always drawn
+  std::vector<Label> hidden{};         ///< labels that are not drawn
+  bool hides(Label label) const { return std::find(hidden.begin(), hidden.end(), label) != hidden.end(); }
 };
 /// The volume on a slice (trilinear) with labels over it (nearest voxel, structure colours). Outside the
 /// volume it is black. @param labels may be null or empty; of any grid. @throws InputError window width not

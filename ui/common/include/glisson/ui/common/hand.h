@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <Qt>
+#include <optional>
+
+#include "glisson/core/frames.h"
+#include "glisson/ui/scene/slice_picture.h"
+#include "glisson/volume/label_volume.h"
+
+namespace glisson::ui {
+
+/// What the left mouse button does in the views.
+enum class Hand {
+  crosshair,  ///< moves the crosshair
+  point,      ///< says where: a seed, a place to work at
+  brush,      ///< is dragged with a brush at its tip
+  lasso       ///< draws a closed line; in three dimensions, too
+};
+
+/// The brush as it is drawn at the pointer.
+struct BrushTip {
+  double radius = 5e-3;  ///< metres
+  bool ball = false;     ///< or a disc in the slice
+  Label label = 0;       ///< gives the colour
+  bool operator==(const BrushTip&) const = default;
+};
+
+/// One moment of a drag, or of a click, in a slice.
+struct SliceGesture {
+  enum class Phase { begin, move, end };
+  Phase phase = Phase::begin;
+  scene::SliceGeometry slice;
+  Point<CtFrame> p;
+  Qt::KeyboardModifiers keys;
+};
+
+/// A closed line that was drawn over the 3D view.
+struct VolumeLasso {
+  /// Homogeneous CT point (metres) to homogeneous view place; third component <= 0 behind the viewer.
+  Eigen::Matrix<double, 3, 4> view_from_ct = Eigen::Matrix<double, 3, 4>::Zero();
+  Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor> outline;  ///< [0, 1] from the top left corner
+  Qt::KeyboardModifiers keys;
+};
+
+/// Where the pointer is.
+struct PointerPlace {
+  scene::Plane plane = scene::Plane::axial;
+  Point<CtFrame> p;
+};
+
+}  // namespace glisson::ui

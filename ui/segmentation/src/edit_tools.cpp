@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/ui/segmentation/edit_tools.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "glisson/core/error.h"
+
+namespace glisson::ui {
+namespace {
+
+using segmentation::Edit;
+using segmentation::Islands;
+using segmentation::Logical;
+using segmentation::Paint;
+using segmentation::Scissors;
+
+struct ToolName {
+  const char* code;
+  char key;
+};
+
+ToolName name_of(EditTool tool) {
+  switch (tool) {
+    case EditTool::none:
+      break;
+    case EditTool::paint:
+      return {"paint", 'P'};
+    case EditTool::erase:
+      return {"erase", 'E'};
+    case EditTool::scissors:
+      return {"scissors", 'X'};
+    case EditTool::threshold:
+      return {"threshold", 'T'};
+    case EditTool::grow:
+      return {"grow", 'G'};
+    case EditTool::level_tracing:
+      return {"level_tracing", 'L'};
+    case EditTool::islands:
+      return {"islands", 'I'};
+    case EditTool::fill_holes:
+      return {"fill_holes", 'F'};
+    case EditTool::smooth:
+      return {"smooth", 'S'};
+    case EditTool::margin:
+      return {"margin", 'M'};
+    case EditTool::interpolate:
+      return {"interpolate", 'N'};
+    case EditTool::logical:
+      return {"logical", 'O'};
+    case EditTool::move_branch:
+      return {"move_branch", 'B'};
+  }
+  return {"none", '\0'};
+}
+
+bool has(const std::vector<Label>& labels, Label label) {
+  return std::find(labels.begin(), labels.end(), label) != labels.end();
+}
+
+Scissors cut_of(const EditSettings& settings, bool invert) {
+  Scissors cut;
+  cut.operation = settings.cut;
+  if (invert)
+    cut.operation = settings.cut == Scissors::Operation::erase_inside ? Scissors::Operation::fill_inside
+                                                                      : Scissors::Operation::erase_inside;
+  const bool erases = cut.operation != Scissors::Operation::fill_inside;
+  cut.label = erases && settings.cut_any ? structure::kBackground : settings.label;
+  return cut;
+}
+
+/// Pixels of the slice from points of the CT.
+Eigen::Matrix<double, 3, 4> view_of(const scene::SliceGeometry& slice) {
+  Eigen::Matrix<double, 3, 4> view = Eigen::Matrix<double, 3, 4>::Zero();
+  int row = 0;
+  for (const Eigen::Vector3d& axis : {slice.right, slice.down}) {
+    const Eigen::Vector3d per_pixel = axis / axis.squaredNorm();
+    view.row(row++) << per_pixel.transpose(), -per_pixel.dot(slice.origin);
+  }
+  view(2, 3) = 1.0;
+  return view;
+}
+
+std::vector<Label> growing(const EditSettings& settings, const std::vector<Label>& present) {
+  std::vector<Label> labels;
+  for (const Label label : present)
+    if (!is_other(label) && !has(settings.not_growing, label) && !has(settings.region.locked, label))
+      labels.push_back(label);
+  return labels;
+}
+
+}  // namespace
+
+std::string tool_code(EditTool tool) { return name_of(tool).code; }
+char tool_key(EditTool tool) { return name_of(tool).key; }
+
+bool islands_by_click(const EditSettings& settings) {
+  return settings.islands == Islands::Operation::keep_clicked ||
+         settings.islands == Islands::Operation::remove_clicked;
+}
+
+Hand hand_of(EditTool tool, const EditSettings& settings) {
+  switch (tool) {
+    case EditTool::paint:
+    case EditTool::erase:
+      return Hand::brush;
+    case EditTool::scissors:
+      return Hand::lasso;
+    case EditTool::level_tracing:
+    case EditTool::move_branch:
+      return Hand::point;
+    case EditTool::islands:
+      return islands_by_click(settings) ? Hand::point : Hand::crosshair;
+    default:
+      return Hand::crosshair;
+  }
+}
+
+bool is_previewed(EditTool tool, const EditSettings& settings) {
+  return tool != EditTool::none && hand_of(tool, settings) == Hand::crosshair;
+}
+
+double brush_after(double radius, double notches) {
+  // A tenth a notch, but a tenth of a millimetre at least, on round tenths.
+  const double tenths = 1e4 * radius;
+  const double next = tenths * std::pow(1.15, notches);
+  const double moved = std::abs(next - tenths) < std::abs(notches) ? tenths + notches : next;
+  return std::clamp(1e-4 * std::round(moved), kSmallestBrush, kLargestBrush);
+}
+
+int voxel_axis_across(const VolumeGrid& grid, scene::Plane plane) {
+  Eigen::Index axis = 0;
+  grid.direction.row(scene::normal_axis(plane)).cwiseAbs().maxCoeff(&axis);
+  return static_cast<int>(axis);
+}
+
+Edit brush_edit(EditTool tool, const EditSettings& settings, const VolumeGrid& grid, scene::Plane plane,
+                const Points& path, bool invert) {
+  require(tool == EditTool::paint || tool == EditTool::erase, "a brush paints or erases");
+  Paint paint;
+  paint.erase = (tool == EditTool::erase) != invert;
+  paint.label = paint.erase && settings.erase_any ? structure::kBackground : settings.label;
+  paint.brush = settings.ball ? Paint::Brush::ball : Paint::Brush::disc;
+  paint.radius = settings.brush_radius;
+  paint.normal_axis = voxel_axis_across(grid, plane);
+  paint.path = path;
+  return {paint, settings.region};
+}
+
+Edit slice_cut(const EditSettings& settings, const VolumeGrid& grid, const scene::SliceGeometry& slice,
+               const Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>& outline, bool invert) {
+  Scissors cut = cut_of(settings, invert);
+  cut.view_from_ct = view_of(slice);
+  cut.outline = outline;
+  if (settings.depth != CutDepth::through) {
+    // The layer of voxels that the slice shows.
+    const int axis = voxel_axis_across(grid, slice.plane);
+    Eigen::Vector3d index = grid.index_of(slice.p_in_ct({0.5 * slice.width, 0.5 * slice.height}));
+    index[axis] = std::round(index[axis]);
+    Scissors::Slab slab;
+    slab.normal = slice.right.cross(slice.down).normalized();
+    slab.offset = slab.normal.dot(grid.p_in_ct(index).xyz);
+    const double layer = 0.5e-3 * grid.spacing_mm[axis];
+    slab.half_thickness = settings.depth == CutDepth::slice ? layer : std::max(layer, 0.5 * settings.slab);
+    cut.slab = slab;
+  }
+  return {cut, settings.region};
+}
+
+Edit volume_cut(const EditSettings& settings, const VolumeLasso& lasso, bool invert) {
+  Scissors cut = cut_of(settings, invert);
+  cut.view_from_ct = lasso.view_from_ct;
+  cut.outline = lasso.outline;
+  return {cut, settings.region};
+}
+
+std::optional<Edit> click_edit(EditTool tool, const EditSettings& settings, const VolumeGrid& grid,
+                               scene::Plane plane, const Point<CtFrame>& p, Label clicked, bool invert) {
+  switch (tool) {
+    case EditTool::level_tracing:
+      return Edit{segmentation::LevelTracing{settings.label, invert, voxel_axis_across(grid, plane), p.xyz},
+                  settings.region};
+    case EditTool::islands: {
+      Islands islands{settings.label, settings.islands, settings.smallest_ml, p.xyz};
+      if (invert)
+        islands.operation = settings.islands == Islands::Operation::keep_clicked
+                                ? Islands::Operation::remove_clicked
+                                : Islands::Operation::keep_clicked;
+      return Edit{islands, settings.region};
+    }
+    case EditTool::move_branch: {
+      const bool portal = clicked == structure::kPortalVein;
+      if (!portal && clicked != structure::kHepaticVeins) return std::nullopt;
+      const Label other = portal ? structure::kHepaticVeins : structure::kPortalVein;
+      return Edit{segmentation::ReassignBranch{
+                      clicked, settings.cut_branch_off != invert ? structure::kBackground : other, p.xyz},
+                  settings.region};
+    }
+    default:
+      throw PreconditionError("this tool does not work where it is clicked");
+  }
+}
+
+Edit whole_edit(EditTool tool, const EditSettings& settings, const VolumeGrid& grid,
+                const std::vector<Label>& present) {
+  const auto with = [&](segmentation::Tool made) { return Edit{std::move(made), settings.region}; };
+  switch (tool) {
+    case EditTool::threshold:
+      return with(segmentation::Threshold{settings.label, settings.low, settings.high, settings.replace});
+    case EditTool::grow: {
+      segmentation::GrowFromSeeds grow{growing(settings, present), settings.reach, {}};
+      for (const Label label : present)
+        if (is_other(label)) grow.rivals.push_back(label);
+      return with(grow);
+    }
+    case EditTool::islands:
+      return with(Islands{settings.label, settings.islands, settings.smallest_ml, {}});
+    case EditTool::fill_holes:
+      return with(segmentation::FillHoles{settings.label, settings.holes_in_slices});
+    case EditTool::smooth:
+      return with(segmentation::Smooth{settings.label, settings.smooth, settings.smooth_radius});
+    case EditTool::margin:
+      return with(segmentation::Margin{settings.label, settings.shrink ? -settings.margin : settings.margin});
+    case EditTool::interpolate:
+      return with(segmentation::InterpolateSlices{settings.label, voxel_axis_across(grid, settings.between)});
+    case EditTool::logical: {
+      const bool alone = settings.logical == Logical::Operation::invert ||
+                         settings.logical == Logical::Operation::clear ||
+                         settings.logical == Logical::Operation::fill;
+      return with(Logical{settings.label, settings.logical, alone ? structure::kBackground : settings.other});
+    }
+    default:
+      throw PreconditionError("this tool works where the mouse is");
+  }
+}
+
+EditObstacle obstacle_of(EditTool tool, const EditSettings& settings, const std::vector<Label>& present) {
+  const bool joint = tool == EditTool::smooth && settings.smooth == segmentation::Smooth::Method::joint;
+  const bool own = !joint && tool != EditTool::grow && tool != EditTool::move_branch;
+  if (own && has(settings.region.locked, settings.label)) return EditObstacle::label_locked;
+  const bool empty = !has(present, settings.label);
+  switch (tool) {
+    case EditTool::islands:
+    case EditTool::fill_holes:
+    case EditTool::margin:
+    case EditTool::interpolate:
+      return empty ? EditObstacle::label_empty : EditObstacle::none;
+    case EditTool::smooth:
+      return empty && !joint ? EditObstacle::label_empty : EditObstacle::none;
+    case EditTool::grow:
+      return growing(settings, present).size() < 2 ? EditObstacle::one_label : EditObstacle::none;
+    case EditTool::logical: {
+      using Operation = Logical::Operation;
+      const Operation what = settings.logical;
+      if (what == Operation::invert || what == Operation::fill) return EditObstacle::none;
+      if (what == Operation::clear) return empty ? EditObstacle::label_empty : EditObstacle::none;
+      if (settings.other == settings.label) return EditObstacle::same_label;
+      if (!has(present, settings.other)) return EditObstacle::other_empty;
+      return empty && what != Operation::copy && what != Operation::add ? EditObstacle::label_empty
+                                                                        : EditObstacle::none;
+    }
+    default:
+      return EditObstacle::none;
+  }
+}
+
+}  // namespace glisson::ui
