@@ -18,6 +18,13 @@
 /// @file
 /// What a hand does to labels, as values: each tool is a struct with its settings, and one pure function
 /// applies it. The window, scripts and tests use the same. Points are in the CT's frame; lengths are metres.
+///
+/// A voxel has one label, so what a tool gives to one label it takes from another. Paint, Threshold,
+/// Scissors, LevelTracing and Logical overwrite whatever the region lets them. The tools that reshape a label
+/// (FillHoles, Smooth but joint, Margin, InterpolateSlices) know the anatomy: the label gains background and,
+/// unless it is the parenchyma itself, parenchyma, and never another structure; what it loses becomes
+/// parenchyma where that is no farther (through faces of lost voxels) than background is. For the shape of
+/// the parenchyma, lesions and vessels count as part of it: they lie in it and are no holes.
 
 namespace glisson::segmentation {
 
@@ -38,10 +45,14 @@ struct EditableRegion {
   /// Labels that neither lose nor gain voxels.
   std::vector<Label> locked;
 
+  /// The region is judged on the labels before the edit. For inside_liver the surroundings of the edit (20
+  /// mm) are looked at and not the whole volume.
   bool operator==(const EditableRegion&) const = default;
 };
 
-/// A brush drawn along a path: a ball, or a disc in the slice of the path.
+/// A brush drawn along a path: a ball, or a disc in the slice of the path. All voxels whose centres lie
+/// within the radius of the path, and those that the path runs through, however small the brush. The path may
+/// leave the volume.
 struct Paint {
   enum class Brush { disc, ball };
   Label label = structure::kParenchyma;
@@ -64,6 +75,8 @@ struct Threshold {
 };
 
 /// A closed line drawn over a view, in a slice or in three dimensions: what lies behind it, or beside it.
+/// Inside is what the line winds about, so that overlapping ends cut no hole; what is behind the viewer is
+/// outside.
 struct Scissors {
   enum class Operation { fill_inside, erase_inside, erase_outside };
   Label label = structure::kParenchyma;  ///< erasing with kBackground takes any label
@@ -85,17 +98,21 @@ struct Scissors {
 };
 
 /// Labels compete from the voxels that they have for the unlabelled voxels about them: along paths of little
-/// difference in intensity (a shortest-path form of GrowCut; Zhu 2014).
+/// difference in intensity (a shortest-path form of GrowCut; Zhu 2014). A step costs the square of the
+/// difference of two neighbours in the image smoothed by a binomial of three, and 25 HU^2 for each mm.
 struct GrowFromSeeds {
-  std::vector<Label> labels;  ///< two or more; kBackground cannot be one
-  double reach = 20e-3;       ///< no farther from a seed than this
+  /// One or more that may grow, and with the rivals two or more; kBackground cannot be one.
+  std::vector<Label> labels;
+  double reach = 20e-3;  ///< no farther from a seed than this
   /// Labels that only compete: what they win is given back ("not this").
   std::vector<Label> rivals;
 
   bool operator==(const GrowFromSeeds&) const = default;
 };
 
-/// The region of like intensity around a click in one slice, bounded by the iso-line through it.
+/// The region of like intensity around a click in one slice, without holes, bounded by the iso-line through
+/// the click in the slice smoothed by a binomial of five. Of the two sides of the line the one that does not
+/// reach the slice's edge, else the smaller one (note "level_tracing.open").
 struct LevelTracing {
   Label label = structure::kParenchyma;
   bool erase = false;
@@ -105,13 +122,16 @@ struct LevelTracing {
   bool operator==(const LevelTracing&) const = default;
 };
 
+/// Parts of a label that do not share a face.
 struct Islands {
   enum class Operation {
     keep_largest,
     remove_small,  ///< below `smallest_ml`
     keep_clicked,
     remove_clicked,
-    split  ///< each but the largest becomes a label of its own: the next free lesion or "other" label
+    /// Each but the largest becomes a label of its own, by falling size: the next free lesion for a lesion,
+    /// else the next free "other" label. When none is free the rest stay (note "islands_left:3").
+    split
   };
   Label label = structure::kParenchyma;
   Operation operation = Operation::keep_largest;
@@ -121,6 +141,7 @@ struct Islands {
   bool operator==(const Islands&) const = default;
 };
 
+/// Background (see above) that the label encloses.
 struct FillHoles {
   Label label = structure::kParenchyma;
   bool in_slices = false;  ///< holes of one slice count, too (in any of the three axes)
@@ -130,10 +151,10 @@ struct FillHoles {
 
 struct Smooth {
   enum class Method {
-    median,   ///< majority in a ball
+    median,   ///< majority in a ball (of its voxels inside the volume)
     closing,  ///< fills what a ball of the radius cannot enter
     opening,  ///< takes what a ball cannot fill
-    joint     ///< all labels at once, without gaps between them
+    joint     ///< all labels at once, without gaps between them: each voxel to the commonest in a ball
   };
   Label label = structure::kParenchyma;  ///< not for joint
   Method method = Method::median;
@@ -142,7 +163,7 @@ struct Smooth {
   bool operator==(const Smooth&) const = default;
 };
 
-/// Grows (positive) or shrinks (negative) by a distance.
+/// Grows (positive) or shrinks (negative) by a distance between voxel centres.
 struct Margin {
   Label label = structure::kParenchyma;
   double distance = 3e-3;
@@ -158,6 +179,9 @@ struct InterpolateSlices {
   bool operator==(const InterpolateSlices&) const = default;
 };
 
+/// Set algebra on labels. As no voxel has two, add and copy take the voxels from the other label, subtracting
+/// another label changes nothing and intersecting with another leaves nothing; inverting and filling
+/// overwrite whatever the region lets them.
 struct Logical {
   enum class Operation { copy, add, subtract, intersect, invert, clear, fill };
   Label label = structure::kParenchyma;
@@ -189,7 +213,12 @@ struct Edit {
 
 /// What a step is called in lists and on the undo button; texts are made of it in the window.
 struct StepName {
-  std::string code;   ///< of the tool: "paint", "erase", "threshold", "islands.keep_largest", ..., "segment"
+  /// "paint", "erase", "threshold", "scissors.fill_inside" (erase_inside, erase_outside), "grow_from_seeds",
+  /// "level_tracing", "level_tracing.erase", "islands.keep_largest" (remove_small, keep_clicked,
+  /// remove_clicked, split), "fill_holes", "smooth.median" (closing, opening, joint), "margin.grow",
+  /// "margin.shrink", "interpolate_slices", "logical.copy" (add, subtract, intersect, invert, clear, fill),
+  /// "reassign_branch", "reassign_branch.cut"; "segment" is no edit.
+  std::string code;
   Label label = 0;    ///< that it was done to; kBackground: several
   double size = 0.0;  ///< radius, distance; metres; 0: has none
   bool operator==(const StepName&) const = default;
@@ -203,21 +232,24 @@ bool is_local(const Tool& tool);
 struct Edited {
   LabelMap labels;
   long voxels_changed = 0;
-  std::vector<std::string> notes;  ///< codes with values: "nothing_changed", "no_slices_between", ...
+  /// "nothing_changed", "no_slices_between", "islands_left:N", "level_tracing.open".
+  std::vector<std::string> notes;
 };
 /// The labels with one edit done. The bricks that it does not change are shared with `labels`; information of
-/// labels that come into being is added. Single-threaded, deterministic; empty: cancelled.
+/// labels that come into being is added, that of labels that vanish is kept. Single-threaded, deterministic;
+/// empty: cancelled. Reports progress as "segmentation.edit".
 /// @pre the labels and the image have one grid.
 /// @throws InputError settings out of range, a label that is locked, a click outside the volume; names the
 ///   tool as file and its setting as field.
 Cancellable<Edited> apply_edit(const LabelMap& labels, const Image& image, const Edit& edit,
                                const RunContext& context);
 
-/// Scripts of edits: JSON {"edits": [{"tool": "paint", "label": "portal_vein", "radius_mm": 3, "path_mm":
-/// [[x, y, z], ...], "region": {...}}, ...]}; LPS millimetres. @throws InputError naming the entry and its
-/// field.
+/// Scripts of edits: JSON {"edits": [{"tool": "paint", "label": "portal_vein", "brush": "ball", "radius_mm":
+/// 3, "path_mm": [[x, y, z], ...], "region": {"area": "inside_liver", "intensity_hu": [100, 250], "locked":
+/// ["lesion_1"]}}, ...]}; LPS millimetres. The README lists the fields of each tool. @throws InputError
+/// naming the entry ("edit 3, radius_mm"), also for settings that apply_edit() would refuse.
 std::vector<Edit> read_edits(const std::filesystem::path& path);
-/// Atomic; reads back as written.
+/// Atomic; reads back as written (lengths to the last bit but one).
 void write_edits(const std::filesystem::path& path, const std::vector<Edit>& edits);
 
 }  // namespace glisson::segmentation
