@@ -27,6 +27,8 @@ void CaseStateTest::EveryPartCanBeTakenAndTold() {
   full.image = std::make_shared<Image>();
   full.seeds = std::make_shared<segmentation::Seeds>();
   full.labels = std::make_shared<LabelMap>();
+  full.review = std::make_shared<Review>();
+  full.preview = std::make_shared<EditPreview>();
   full.model = std::make_shared<model::BuiltModel>();
   full.landmarks = std::make_shared<Landmarks>();
   full.rig = std::make_shared<StereoRig>();

@@ -12,6 +12,11 @@ namespace glisson::engine {
 Cancellable<Applied> apply_one(const CaseState& state, const ImportImage& command, const RunContext& context);
 Cancellable<Applied> apply_one(const CaseState& state, const ImportLabels& command,
                                const RunContext& context);
+Cancellable<Applied> apply_one(const CaseState& state, const EditLabels& command, const RunContext& context);
+Cancellable<Applied> apply_one(const CaseState& state, const PreviewEdit& command, const RunContext& context);
+Cancellable<Applied> apply_one(const CaseState& state, const UndoLabels& command, const RunContext& context);
+Cancellable<Applied> apply_one(const CaseState& state, const RedoLabels& command, const RunContext& context);
+Cancellable<Applied> apply_one(const CaseState& state, const SetReview& command, const RunContext& context);
 Cancellable<Applied> apply_one(const CaseState& state, const SetSeeds& command, const RunContext& context);
 Cancellable<Applied> apply_one(const CaseState& state, const Segment& command, const RunContext& context);
 Cancellable<Applied> apply_one(const CaseState& state, const BuildModel& command, const RunContext& context);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From the CT to the model: import, segmentation, mesh, landmarks.
+// From the labels to the model, and what a person marks: import of images and models, seeds, landmarks.
 #include <Eigen/Dense>
 #include <cmath>
 
@@ -33,15 +33,6 @@ Applied with_model(const CaseState& state, model::BuiltModel built) {
   return applied;
 }
 
-void report_labels(const LabelMap& labels, Figures& figures) {
-  const double voxel_ml = 1e-3 * labels.voxels.grid().voxel_volume_mm3();
-  const std::vector<long> histogram = labels.voxels.histogram();
-  for (std::size_t label = 1; label < histogram.size(); ++label)
-    if (histogram[label] > 0)
-      figures["label_" + structure_name(static_cast<Label>(label)) + "_ml"] =
-          static_cast<double>(histogram[label]) * voxel_ml;
-}
-
 }  // namespace
 
 Cancellable<Applied> apply_one(const CaseState& state, const ImportImage& command,
@@ -59,41 +50,10 @@ Cancellable<Applied> apply_one(const CaseState& state, const ImportImage& comman
   return applied;
 }
 
-Cancellable<Applied> apply_one(const CaseState& state, const ImportLabels& command,
-                               const RunContext& context) {
-  context.progress(0.0, "labels.read");
-  const LabelFile file = read_labels(command.path);
-  if (state.image) require_same_grid(file.voxels.grid(), state.image->grid, command.path.string());
-  if (context.cancelled()) return {};
-  Applied applied;
-  applied.state = state;
-  LabelMap labels = command.codes.empty() ? LabelMap{file.voxels, file.infos}
-                                          : recode(file, command.codes, command.path.string());
-  report_labels(labels, applied.figures);
-  if (!applied.figures.contains("label_parenchyma_ml"))
-    throw InputError(command.path.string(), "labels", "none of them is the liver's parenchyma",
-                     "Say which code means what with --codes FILE (see 'glisson model --help')");
-  applied.state.labels = std::make_shared<const LabelMap>(std::move(labels));
-  return applied;
-}
-
 Cancellable<Applied> apply_one(const CaseState& state, const SetSeeds& command, const RunContext&) {
   Applied applied;
   applied.state = state;
   applied.state.seeds = std::make_shared<const segmentation::Seeds>(command.seeds);
-  return applied;
-}
-
-Cancellable<Applied> apply_one(const CaseState& state, const Segment& command, const RunContext& context) {
-  require_part(state, Part::image, "Import a CT first");
-  require_part(state, Part::seeds, "Click seeds in the liver first, or give --seeds FILE");
-  auto segmented = segmentation::segment(*state.image, *state.seeds, command.options, context);
-  if (!segmented) return {};
-  Applied applied;
-  applied.state = state;
-  report_labels(segmented->labels, applied.figures);
-  applied.notes = segmented->report.notes;
-  applied.state.labels = std::make_shared<const LabelMap>(std::move(segmented->labels));
   return applied;
 }
 

@@ -145,10 +145,23 @@ std::optional<json> write_parts(const fs::path& folder, const fs::path& path, co
   });
   const auto seeds = [&] { segmentation::write_seeds(folder / "seeds.json", *state.seeds); };
   write(Part::seeds, file(seeds));
-  const auto labels = [&] {
-    write_labels(folder / "labels.seg.nrrd", state.labels->voxels, state.labels->infos);
-  };
-  write(Part::labels, file(labels));
+  write(Part::labels, [&] {
+    std::vector<LabelInfo> infos = state.labels->infos;
+    if (state.review)
+      for (LabelInfo& info : infos)
+        if (state.review->contains(info.code)) info.status = slicer_status(state.review->at(info.code));
+    write_labels(folder / "labels.seg.nrrd", state.labels->voxels, infos);
+    if (state.history && !state.history->steps().empty()) {
+      fs::create_directory(folder / "history");
+      segmentation::write_history(folder / "history", *state.history);
+    }
+    return json::object();
+  });
+  write(Part::review, [&] {
+    json states = json::array();
+    for (const auto& [label, review] : *state.review) states.push_back({label, slicer_status(review)});
+    return json{{"states", states}};
+  });
   write(Part::model, [&] { return write_model(folder, *state.model); });
   const auto landmarks = [&] { write_landmarks(folder / "landmarks.json", *state.landmarks); };
   write(Part::landmarks, file(landmarks));
@@ -201,6 +214,19 @@ void read_part(CaseState& state, Part part, const json& entry, const fs::path& f
       LabelFile file = read_labels(folder / "labels.seg.nrrd");
       state.labels =
           std::make_shared<const LabelMap>(LabelMap{std::move(file.voxels), std::move(file.infos)});
+      if (fs::exists(folder / "history"))
+        state.history = std::make_shared<const segmentation::History>(
+            segmentation::read_history(folder / "history", state.labels->voxels));
+      const bool measurable = state.image && state.image->grid.same_as(state.labels->voxels.grid());
+      state.statistics = std::make_shared<const segmentation::LabelStatistics>(
+          *state.labels, measurable ? state.image.get() : nullptr);
+      break;
+    }
+    case Part::review: {
+      Review review;
+      for (const json& state_of_one : entry.at("states"))
+        review[state_of_one.at(0).get<Label>()] = review_state(state_of_one.at(1).get<std::string>());
+      state.review = std::make_shared<const Review>(std::move(review));
       break;
     }
     case Part::model:
@@ -243,6 +269,7 @@ void read_part(CaseState& state, Part part, const json& entry, const fs::path& f
       state.registration = std::make_shared<const Registration>(std::move(registration));
       break;
     }
+    case Part::preview:
     case Part::live:
       break;
   }
@@ -269,12 +296,16 @@ void verify(const fs::path& folder, const CaseState& state) {
   bool same = read.has_value();
   for (int i = 0; same && i < kPartCount; ++i) {
     const Part part = static_cast<Part>(i);
-    if (part != Part::live)
+    if (part != Part::live && part != Part::preview)
       same = read->has(part) == state.has(part) || (part == Part::registration && !state.model);
   }
   if (same && state.image)
     same = *read->image->voxels == *state.image->voxels && read->image->grid.same_as(state.image->grid);
-  if (same && state.labels) same = read->labels->voxels == state.labels->voxels;
+  if (same && state.labels)
+    same = read->labels->voxels == state.labels->voxels &&
+           (!state.history || state.history->steps().empty() ||
+            (read->history && read->history->steps().size() == state.history->steps().size()));
+  if (same && state.review) same = *read->review == *state.review;
   if (same && state.model)
     same = close(read->model->model.mesh.vertices, state.model->model.mesh.vertices) &&
            read->model->model.mesh.tetrahedra == state.model->model.mesh.tetrahedra &&

@@ -18,6 +18,10 @@ auto visit_part(Part part, Visitor&& visitor, State&&... states) {
       return visitor(states.seeds...);
     case Part::labels:
       return visitor(states.labels...);
+    case Part::review:
+      return visitor(states.review...);
+    case Part::preview:
+      return visitor(states.preview...);
     case Part::model:
       return visitor(states.model...);
     case Part::landmarks:
@@ -44,8 +48,8 @@ auto visit_part(Part part, Visitor&& visitor, State&&... states) {
 
 std::string_view part_code(Part part) {
   static constexpr std::array<std::string_view, kPartCount> kCodes = {
-      "image", "seeds", "labels",  "model", "landmarks",    "rig",
-      "video", "frame", "regions", "cloud", "registration", "live"};
+      "image", "seeds", "labels", "review",  "preview", "model",        "landmarks",
+      "rig",   "video", "frame",  "regions", "cloud",   "registration", "live"};
   return kCodes[static_cast<std::size_t>(part)];
 }
 
@@ -57,6 +61,10 @@ bool CaseState::has(Part part) const {
 void CaseState::take(Part part, const CaseState& from) {
   visit_part(
       part, [](auto& mine, const auto& theirs) { mine = theirs; }, *this, from);
+  if (part == Part::labels) {
+    history = from.history;
+    statistics = from.statistics;
+  }
   if (part == Part::registration) operations = from.operations;
 }
 

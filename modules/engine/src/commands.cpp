@@ -14,9 +14,20 @@ struct Traits {
 
 // One overload a command: a new command does not compile until it says what it touches.
 Traits traits(const ImportImage&) { return {"import_image", {}, {Part::image}}; }
-Traits traits(const ImportLabels&) { return {"import_labels", {Part::image}, {Part::labels}}; }
+constexpr Parts kEdited = {Part::labels, Part::review, Part::preview};
+constexpr Parts kEditReads = {Part::image, Part::labels, Part::review, Part::preview};
+Traits traits(const ImportLabels&) { return {"import_labels", {Part::image}, kEdited}; }
+Traits traits(const EditLabels& command) {
+  return {"edit_labels", kEditReads, kEdited, segmentation::is_local(command.edit.tool)};
+}
+Traits traits(const PreviewEdit& command) {
+  return {"preview_edit", {Part::image, Part::labels}, {Part::preview}, !command.edit};
+}
+Traits traits(const UndoLabels&) { return {"undo_labels", kEditReads, kEdited, true}; }
+Traits traits(const RedoLabels&) { return {"redo_labels", kEditReads, kEdited, true}; }
+Traits traits(const SetReview&) { return {"set_review", {}, {Part::review}, true}; }
 Traits traits(const SetSeeds&) { return {"set_seeds", {}, {Part::seeds}, true}; }
-Traits traits(const Segment&) { return {"segment", {Part::image, Part::seeds}, {Part::labels}}; }
+Traits traits(const Segment&) { return {"segment", {Part::image, Part::seeds}, kEdited}; }
 Traits traits(const BuildModel&) { return {"build_model", {Part::labels}, {Part::model}}; }
 Traits traits(const ImportSurfaces&) { return {"import_surfaces", {}, {Part::model}}; }
 Traits traits(const ImportMesh&) { return {"import_mesh", {}, {Part::model}}; }
@@ -50,8 +61,8 @@ Traits traits(const OpenCase&) { return {"open_case", {}, Parts::all()}; }
 // A save reads the whole case; the live view goes on beside it and is not saved.
 Traits traits(const SaveCase&) {
   return {"save_case",
-          {Part::image, Part::seeds, Part::labels, Part::model, Part::landmarks, Part::rig, Part::video,
-           Part::frame, Part::regions, Part::cloud, Part::registration},
+          {Part::image, Part::seeds, Part::labels, Part::review, Part::model, Part::landmarks, Part::rig,
+           Part::video, Part::frame, Part::regions, Part::cloud, Part::registration},
           {}};
 }
 

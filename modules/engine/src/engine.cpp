@@ -31,9 +31,14 @@ struct Job {
     return std::holds_alternative<StartTrial>(command) || std::holds_alternative<StopTrial>(command);
   }
   bool conflicts_with(const Job& other) const {
-    return (is_about_trial() && other.is_about_trial()) ||
-           writes(command).meets(reads(other.command) | writes(other.command)) ||
-           writes(other.command).meets(reads(command));
+    return must_wait_for(other) || writes(command).meets(reads(other.command));
+  }
+  /// Whether this cannot start while `other`, which was posted before, is running: what that reads it has
+  /// taken when it began, so only what it writes matters. An edit of the labels need not wait until a model
+  /// is built of them.
+  bool must_wait_for(const Job& running) const {
+    return (is_about_trial() && running.is_about_trial()) ||
+           writes(running.command).meets(reads(command) | writes(command));
   }
 };
 
@@ -85,6 +90,7 @@ struct Engine::Impl {
     for (int i = 0; i < kPartCount; ++i)
       snapshot->stages[static_cast<std::size_t>(i)] = stage_state(snapshot->state, static_cast<Part>(i));
     snapshot->tracking = current->tracking;
+    snapshot->evolving = current->evolving;
     if (trial.fits(snapshot->state))
       snapshot->trial = current->trial;
     else
@@ -92,15 +98,16 @@ struct Engine::Impl {
     current = std::move(snapshot);
   }
 
-  /// The first waiting job of the lane that may start: nothing before it, waiting or running, touches what it
-  /// writes or writes what it touches.
+  /// The first waiting job of the lane that may start: nothing that waits before it touches what it writes or
+  /// writes what it touches, and nothing that runs writes what it touches.
   std::shared_ptr<Job> take_ready(Lane lane) {
     for (std::size_t i = 0; i < waiting.size(); ++i) {
       const std::shared_ptr<Job> job = waiting[i];
       if (job->lane() != lane) continue;
       const auto blocks = [&](const std::shared_ptr<Job>& other) { return job->conflicts_with(*other); };
+      const auto delays = [&](const std::shared_ptr<Job>& other) { return job->must_wait_for(*other); };
       const auto before = waiting.begin() + static_cast<std::ptrdiff_t>(i);
-      if (std::any_of(running.begin(), running.end(), blocks) || std::any_of(waiting.begin(), before, blocks))
+      if (std::any_of(running.begin(), running.end(), delays) || std::any_of(waiting.begin(), before, blocks))
         continue;
       waiting.erase(before);
       running.push_back(job);
@@ -124,6 +131,23 @@ struct Engine::Impl {
     wake(lock);
   }
 
+  /// Of which editions of other parts a part was made that a command wrote.
+  static std::map<Part, std::uint64_t> made_from(Part part, const Command& command, const CaseState& base) {
+    std::map<Part, std::uint64_t> inputs;
+    if (part == Part::review) return inputs;  // a person's word, made from nothing
+    const Stamp& former = base.stamp(part);
+    for (int k = 0; k < kPartCount; ++k) {
+      const Part input = static_cast<Part>(k);
+      if (input == part || input == Part::review || input == Part::preview || !reads(command).has(input))
+        continue;
+      // What is only changed stays as old as it was: an edit does not make labels of a former CT current.
+      const bool is_edited = reads(command).has(part) && former.made_from.contains(input);
+      // An input that was not there counts too (revision 0): when it comes, this part is stale.
+      inputs[input] = is_edited ? former.made_from.at(input) : base.stamp(input).revision;
+    }
+    return inputs;
+  }
+
   /// Takes over what a command made. Only the parts that it writes; the rest may have moved on meanwhile.
   void commit(const Job& job, const CaseState& base, Applied&& applied) {
     if (writes(job.command) == Parts{} && applied.state.path == base.path) return;  // nothing has changed
@@ -141,15 +165,7 @@ struct Engine::Impl {
         if (!writes(job.command).has(part) || applied.state.shares(part, base)) continue;
         state.take(part, applied.state);
         Stamp stamp;
-        if (state.has(part)) {
-          stamp.revision = ++revision;
-          for (int k = 0; k < kPartCount; ++k) {
-            const Part input = static_cast<Part>(k);
-            // An input that was not there counts too (revision 0): when it comes, this part is stale.
-            if (input != part && reads(job.command).has(input))
-              stamp.made_from[input] = base.stamp(input).revision;
-          }
-        }
+        if (state.has(part)) stamp = {++revision, made_from(part, job.command, base)};
         state.stamp(part) = stamp;
       }
     }
@@ -183,6 +199,7 @@ struct Engine::Impl {
           outcome.command + ": stopped unexpectedly (" + failure.what() + "). The case is as it was.";
     }
     std::unique_lock lock(mutex);
+    if (std::holds_alternative<Segment>(job->command)) put_evolving(nullptr);
     if (outcome.status == Status::done && job->cancel->requested()) outcome.status = Status::cancelled;
     if (outcome.status == Status::done) {
       outcome.figures = std::move(applied->figures);
@@ -225,7 +242,24 @@ struct Engine::Impl {
       trial.set_mechanics(nullptr);
       return Applied{base, {}, {}};
     }
+    if (const auto* segment = std::get_if<Segment>(&command)) {
+      Segment seen = *segment;
+      seen.show = [this](const LabelVolume& liver) { show_evolving(std::make_shared<LabelVolume>(liver)); };
+      return options.apply(base, seen, context);
+    }
     return options.apply(base, command, context);
+  }
+
+  /// Called without the lock, on the work's thread.
+  void show_evolving(std::shared_ptr<const LabelVolume> liver) {
+    std::unique_lock lock(mutex);
+    put_evolving(std::move(liver));
+    wake(lock);
+  }
+  void put_evolving(std::shared_ptr<const LabelVolume> liver) {
+    auto changed_snapshot = std::make_shared<Snapshot>(*current);
+    changed_snapshot->evolving = std::move(liver);
+    current = std::move(changed_snapshot);
   }
 
   void settle_tracking(const Command& command) {

@@ -62,6 +62,7 @@ void EngineBridge::deliver() {
   if (case_differs(*previous, *snapshot_)) emit case_changed();
   if (previous->state.live != snapshot_->state.live) emit live_changed();
   if (previous->trial != snapshot_->trial) emit trial_changed();
+  if (previous->evolving != snapshot_->evolving) emit evolving_changed();
   for (const engine::Event& event : events) take(event);
   if (!events.empty()) emit tasks_changed();
 }

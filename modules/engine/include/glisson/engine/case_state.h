@@ -18,7 +18,10 @@
 #include "glisson/patient/picture.h"
 #include "glisson/patient/registration.h"
 #include "glisson/registration/operation_prior.h"
+#include "glisson/segmentation/edit.h"
+#include "glisson/segmentation/history.h"
 #include "glisson/segmentation/segment.h"
+#include "glisson/segmentation/statistics.h"
 #include "glisson/stereo/reconstruct.h"
 #include "glisson/volume/image.h"
 
@@ -29,6 +32,8 @@ enum class Part {
   image,
   seeds,
   labels,
+  review,   ///< how far a person has come with each label
+  preview,  ///< of an edit that nobody has confirmed; not in the files
   model,
   landmarks,
   rig,
@@ -39,7 +44,7 @@ enum class Part {
   registration,
   live
 };
-inline constexpr int kPartCount = 12;
+inline constexpr int kPartCount = 14;
 /// Code for files and figures: "image", "labels", ...
 std::string_view part_code(Part part);
 
@@ -94,8 +99,15 @@ struct LiveState {
   int frames_dropped = 0;  ///< never followed because a newer one had come
 };
 
-/// Operations simulated for a registration, and what they were simulated on: the next registration of the same
-/// patient needs no others.
+/// What an edit would make of the labels.
+struct EditPreview {
+  segmentation::Edit edit;
+  std::shared_ptr<const LabelMap> base;  ///< the labels that it was made of; null: there were none
+  segmentation::Edited result;
+};
+
+/// Operations simulated for a registration, and what they were simulated on: the next registration of the
+/// same patient needs no others.
 struct SimulatedOperations {
   std::shared_ptr<const model::BuiltModel> model;
   std::shared_ptr<const Landmarks> landmarks;
@@ -110,6 +122,8 @@ struct CaseState {
   std::shared_ptr<const Image> image;
   std::shared_ptr<const segmentation::Seeds> seeds;
   std::shared_ptr<const LabelMap> labels;
+  std::shared_ptr<const Review> review;
+  std::shared_ptr<const EditPreview> preview;
   std::shared_ptr<const model::BuiltModel> model;
   std::shared_ptr<const Landmarks> landmarks;  ///< what a person placed or accepted
   std::shared_ptr<const StereoRig> rig;
@@ -119,13 +133,17 @@ struct CaseState {
   std::shared_ptr<const LabelledCloud> cloud;
   std::shared_ptr<const Registration> registration;
   std::shared_ptr<const LiveState> live;
+  /// Come with the labels: their steps, and their figures on the image.
+  std::shared_ptr<const segmentation::History> history;
+  std::shared_ptr<const segmentation::LabelStatistics> statistics;
   std::shared_ptr<const SimulatedOperations> operations;  ///< comes with a registration; not in the files
   std::array<Stamp, kPartCount> stamps;
 
   bool has(Part part) const;
   const Stamp& stamp(Part part) const { return stamps[static_cast<std::size_t>(part)]; }
   Stamp& stamp(Part part) { return stamps[static_cast<std::size_t>(part)]; }
-  /// Copies one part (not its stamp) from another state; with the registration its simulated operations.
+  /// Copies one part (not its stamp) from another state; with the labels their history
+  /// and figures, with the registration its simulated operations.
   void take(Part part, const CaseState& from);
   /// Whether this part is the very same object in both.
   bool shares(Part part, const CaseState& with) const;

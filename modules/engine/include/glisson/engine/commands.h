@@ -30,11 +30,32 @@ struct ImportLabels {
   std::filesystem::path path;
   LabelCodes codes;
 };
+/// One edit of the labels. Done at once where its tool is local (see segmentation::is_local); with the result
+/// of the preview where that is of the same edit.
+struct EditLabels {
+  segmentation::Edit edit;
+  /// Edits of one gesture (not 0), as the pieces of a stroke, are one step of the history.
+  std::uint64_t gesture = 0;
+};
+/// What an edit would do, as the part `preview`; empty: it goes.
+struct PreviewEdit {
+  std::optional<segmentation::Edit> edit;
+};
+/// One step back or forth. @throws InputError when there is none.
+struct UndoLabels {};
+struct RedoLabels {};
+struct SetReview {
+  Label label = 0;
+  ReviewState state = ReviewState::not_started;
+};
 struct SetSeeds {
   segmentation::Seeds seeds;
 };
+/// Where only some structures or a region are found anew, the rest of the case's labels is kept.
 struct Segment {
   segmentation::SegmentationOptions options;
+  /// Sees the liver's contour on its way; the engine puts its own in place (see Snapshot::evolving).
+  segmentation::ShowLiver show = {};
 };
 struct BuildModel {
   model::ModelOptions options;
@@ -129,10 +150,11 @@ struct SaveCase {
 };
 
 using Command =
-    std::variant<ImportImage, ImportLabels, SetSeeds, Segment, BuildModel, ImportSurfaces, ImportMesh,
-                 SetLandmarks, SetCalibration, LoadStereoPair, SetVideo, LoadVideoFrame, SetRegions,
-                 Reconstruct, ImportCloud, Register, ImportRegistration, StartTracking, StopTracking,
-                 StartTrial, StopTrial, Simulate, OpenCase, SaveCase>;
+    std::variant<ImportImage, ImportLabels, EditLabels, PreviewEdit, UndoLabels, RedoLabels, SetReview,
+                 SetSeeds, Segment, BuildModel, ImportSurfaces, ImportMesh, SetLandmarks, SetCalibration,
+                 LoadStereoPair, SetVideo, LoadVideoFrame, SetRegions, Reconstruct, ImportCloud, Register,
+                 ImportRegistration, StartTracking, StopTracking, StartTrial, StopTrial, Simulate, OpenCase,
+                 SaveCase>;
 
 /// Code of a command for progress, figures and logs: "segment", "build_model", ...
 std::string_view command_code(const Command& command);

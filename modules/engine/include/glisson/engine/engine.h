@@ -87,6 +87,8 @@ struct Snapshot {
   /// Of the load trial that is on, or that has ended by itself; null: none. Not a part of the case, and no
   /// reason for another revision.
   std::shared_ptr<const TrialState> trial;
+  /// The liver as its contour stands while `segment` runs, 0 or 1 on the image's grid; null otherwise.
+  std::shared_ptr<const LabelVolume> evolving;
 };
 
 enum class Runner { inline_, threaded };

@@ -46,6 +46,8 @@ class EngineBridge : public QObject {
   void live_changed();
   /// A step of the load trial, its start or its end.
   void trial_changed();
+  /// The liver's contour while it is segmented.
+  void evolving_changed();
   void tasks_changed();
   void finished(const glisson::engine::Outcome& outcome);
 

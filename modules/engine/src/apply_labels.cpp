@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The labels: import, segmentation, edits by hand, undo and redo, review.
+#include <set>
+
+#include "apply_parts.h"
+#include "glisson/core/error.h"
+
+namespace glisson::engine {
+namespace {
+
+/// Labels of which a voxel came or went.
+std::set<Label> labels_touched(const LabelVolume& before, const LabelVolume& after) {
+  std::set<Label> touched;
+  std::pair<Label, Label> last{0, 0};
+  for (const LabelChange& change : after.changes_since(before))
+    for (std::size_t i = 0; i < LabelVolume::Brick().size(); ++i) {
+      const std::pair<Label, Label> now{change.before ? (*change.before)[i] : Label{0},
+                                        change.after ? (*change.after)[i] : Label{0}};
+      if (now.first == now.second || now == last) continue;
+      touched.insert({now.first, now.second});
+      last = now;
+    }
+  touched.erase(structure::kBackground);
+  return touched;
+}
+
+/// Whoever touches a label has begun with it; what was approved must be looked at again.
+Review review_after(const Review& review, const std::set<Label>& touched) {
+  Review next = review;
+  for (const Label label : touched) {
+    ReviewState& state = next[label];
+    if (state == ReviewState::not_started) state = ReviewState::in_progress;
+    if (state == ReviewState::approved) state = ReviewState::to_review;
+  }
+  return next;
+}
+
+Review review_of(const CaseState& state) { return state.review ? *state.review : Review{}; }
+
+LabelMap labels_of(const CaseState& state) {
+  if (state.labels) return *state.labels;
+  LabelMap none;
+  none.voxels = LabelVolume(state.image->grid);
+  return none;
+}
+
+segmentation::History history_of(const CaseState& state) {
+  return state.history ? *state.history : segmentation::History();
+}
+
+void put_review(CaseState& state, const Review& review) {
+  if (review != review_of(state)) state.review = std::make_shared<const Review>(review);
+}
+
+/// Puts labels in place, with their figures; the preview was of others.
+void put_labels(CaseState& state, LabelMap labels, segmentation::History history) {
+  const bool measurable = state.image && state.image->grid.same_as(labels.voxels.grid());
+  state.statistics = std::make_shared<const segmentation::LabelStatistics>(
+      labels, measurable ? state.image.get() : nullptr, state.statistics.get());
+  state.labels = std::make_shared<const LabelMap>(std::move(labels));
+  state.history = std::make_shared<const segmentation::History>(std::move(history));
+  state.preview = nullptr;
+}
+
+/// Labels that a whole step made anew.
+void replace_labels(CaseState& state, LabelMap labels, const segmentation::StepName& name) {
+  segmentation::History history;
+  // Steps on another grid lead nowhere.
+  if (state.labels && state.labels->voxels.grid().same_as(labels.voxels.grid()))
+    history = history_of(state).with(name, *state.labels, labels);
+  put_labels(state, std::move(labels), std::move(history));
+}
+
+void report_labels(const CaseState& state, Figures& figures) {
+  for (const auto& [label, of] : state.statistics->figures())
+    figures["label_" + structure_name(label) + "_ml"] = of.ml;
+}
+
+void require_editable(const CaseState& state) {
+  require_part(state, Part::image, "Import a CT first: labels are drawn on it");
+  if (state.labels)
+    require_same_grid(state.labels->voxels.grid(), state.image->grid, "the case's labels and its image");
+}
+
+Applied stepped(const CaseState& state, bool back) {
+  const segmentation::History history = history_of(state);
+  if (!state.labels || !(back ? history.can_undo() : history.can_redo()))
+    throw InputError("labels", "history", back ? "there is no step to undo" : "there is no step to redo",
+                     back ? "Edit the labels first" : "Only what was undone last can be redone");
+  Applied applied;
+  applied.state = state;
+  auto [labels, then] = back ? history.undo(*state.labels) : history.redo(*state.labels);
+  put_review(applied.state,
+             review_after(review_of(state), labels_touched(state.labels->voxels, labels.voxels)));
+  put_labels(applied.state, std::move(labels), std::move(then));
+  return applied;
+}
+
+}  // namespace
+
+Cancellable<Applied> apply_one(const CaseState& state, const ImportLabels& command,
+                               const RunContext& context) {
+  context.progress(0.0, "labels.read");
+  const LabelFile file = read_labels(command.path);
+  if (state.image) require_same_grid(file.voxels.grid(), state.image->grid, command.path.string());
+  if (context.cancelled()) return {};
+  Applied applied;
+  applied.state = state;
+  LabelMap labels = command.codes.empty() ? LabelMap{file.voxels, file.infos}
+                                          : recode(file, command.codes, command.path.string());
+  Review review;
+  for (const LabelInfo& info : file.infos)
+    if (const ReviewState known = review_state(info.status); known != ReviewState::not_started)
+      review[command.codes.contains(info.code) ? command.codes.at(info.code) : info.code] = known;
+  replace_labels(applied.state, std::move(labels), {"import_labels", 0, 0.0});
+  put_review(applied.state, review);
+  report_labels(applied.state, applied.figures);
+  if (!applied.figures.contains("label_parenchyma_ml"))
+    throw InputError(command.path.string(), "labels", "none of them is the liver's parenchyma",
+                     "Say which code means what with --codes FILE (see 'glisson model --help')");
+  return applied;
+}
+
+Cancellable<Applied> apply_one(const CaseState& state, const Segment& command, const RunContext& context) {
+  require_part(state, Part::image, "Import a CT first");
+  require_part(state, Part::seeds, "Click seeds in the liver first, or give --seeds FILE");
+  const segmentation::SegmentationOptions& options = command.options;
+  const bool keeps = options.region || !(options.structures == segmentation::Structures{});
+  auto segmented = segmentation::segment(*state.image, *state.seeds, options, context,
+                                         keeps ? state.labels.get() : nullptr, command.show);
+  if (!segmented) return {};
+  Applied applied;
+  applied.state = state;
+  applied.notes = segmented->report.notes;
+  const LabelVolume before = labels_of(state).voxels;
+  replace_labels(applied.state, std::move(segmented->labels), {"segment", 0, 0.0});
+  // What a machine made is there to be looked at.
+  Review review = review_of(state);
+  if (before.grid().same_as(applied.state.labels->voxels.grid()))
+    for (const Label label : labels_touched(before, applied.state.labels->voxels))
+      review[label] = ReviewState::to_review;
+  put_review(applied.state, review);
+  report_labels(applied.state, applied.figures);
+  return applied;
+}
+
+Cancellable<Applied> apply_one(const CaseState& state, const EditLabels& command, const RunContext& context) {
+  require_editable(state);
+  const LabelMap before = labels_of(state);
+  std::optional<segmentation::Edited> edited;
+  if (state.preview && state.preview->base == state.labels && state.preview->edit == command.edit)
+    edited = state.preview->result;
+  else
+    edited = segmentation::apply_edit(before, *state.image, command.edit, context);
+  if (!edited) return {};
+  Applied applied;
+  applied.state = state;
+  applied.figures["voxels_changed"] = static_cast<double>(edited->voxels_changed);
+  applied.notes = edited->notes;
+  put_review(applied.state,
+             review_after(review_of(state), labels_touched(before.voxels, edited->labels.voxels)));
+  segmentation::History history =
+      history_of(state).with(segmentation::step_name(command.edit), before, edited->labels, command.gesture);
+  put_labels(applied.state, std::move(edited->labels), std::move(history));
+  return applied;
+}
+
+Cancellable<Applied> apply_one(const CaseState& state, const PreviewEdit& command,
+                               const RunContext& context) {
+  Applied applied;
+  applied.state = state;
+  applied.state.preview = nullptr;
+  if (!command.edit) return applied;
+  require_editable(state);
+  auto edited = segmentation::apply_edit(labels_of(state), *state.image, *command.edit, context);
+  if (!edited) return {};
+  applied.figures["voxels_changed"] = static_cast<double>(edited->voxels_changed);
+  applied.notes = edited->notes;
+  applied.state.preview =
+      std::make_shared<const EditPreview>(EditPreview{*command.edit, state.labels, std::move(*edited)});
+  return applied;
+}
+
+Cancellable<Applied> apply_one(const CaseState& state, const UndoLabels&, const RunContext&) {
+  return stepped(state, true);
+}
+
+Cancellable<Applied> apply_one(const CaseState& state, const RedoLabels&, const RunContext&) {
+  return stepped(state, false);
+}
+
+Cancellable<Applied> apply_one(const CaseState& state, const SetReview& command, const RunContext&) {
+  Applied applied;
+  applied.state = state;
+  Review review = review_of(state);
+  review[command.label] = command.state;
+  put_review(applied.state, review);
+  return applied;
+}
+
+}  // namespace glisson::engine

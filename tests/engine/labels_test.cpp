@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Labels edited by hand through the engine: steps, previews, review, and edits beside long work.
+#include <QtTest>
+
+#include "gate.h"
+#include "glisson/core/error.h"
+#include "glisson/core/files.h"
+#include "glisson/engine/engine.h"
+#include "runners.h"
+
+using namespace glisson;
+using namespace glisson::engine;
+using segmentation::Edit;
+using test::both_runners;
+using test::Gate;
+
+namespace {
+
+VolumeGrid small_grid() {
+  VolumeGrid grid;
+  grid.size = {40, 36, 34};
+  grid.spacing_mm = {2.0, 2.0, 2.5};
+  return grid;
+}
+
+/// A case with an image, written as files: engines read it as a person's would be.
+class CaseFolder {
+ public:
+  CaseFolder() {
+    Image image;
+    image.grid = small_grid();
+    std::vector<std::int16_t> voxels(static_cast<std::size_t>(image.grid.voxel_count()), 60);
+    image.voxels = std::make_shared<const std::vector<std::int16_t>>(std::move(voxels));
+    write_image(path() / "ct.nrrd", image);
+  }
+  std::filesystem::path path() const { return folder_.path(); }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+std::unique_ptr<Engine> engine_of(Runner runner, const CaseFolder& files, Apply apply = engine::apply) {
+  Engine::Options options;
+  options.runner = runner;
+  options.apply = std::move(apply);
+  auto made = std::make_unique<Engine>(std::move(options));
+  if (made->wait(made->post(ImportImage{files.path() / "ct.nrrd"})).status != Status::done) return nullptr;
+  return made;
+}
+
+Edit ball(const Eigen::Vector3d& centre_mm, double radius_mm, Label label = structure::kParenchyma) {
+  segmentation::Paint paint;
+  paint.label = label;
+  paint.brush = segmentation::Paint::Brush::ball;
+  paint.radius = 1e-3 * radius_mm;
+  paint.path = 1e-3 * centre_mm.transpose();
+  return {paint, {}};
+}
+
+Edit grown(double by_mm, Label label = structure::kParenchyma) {
+  return {segmentation::Margin{label, 1e-3 * by_mm}, {}};
+}
+
+long voxels(const Engine& engine, Label label) {
+  const auto& figures = engine.snapshot()->state.statistics->figures();
+  return figures.contains(label) ? figures.at(label).voxels : 0;
+}
+
+Outcome done(Engine& engine, Command command) { return engine.wait(engine.post(std::move(command))); }
+
+}  // namespace
+
+class LabelsTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void AnEditIsAStepThatCanBeUndoneAndRedone_data() { both_runners(); }
+  void AnEditIsAStepThatCanBeUndoneAndRedone();
+  void ThePiecesOfAStrokeAreOneStep_data() { both_runners(); }
+  void ThePiecesOfAStrokeAreOneStep();
+  void APreviewChangesNothingAndConfirmingItGivesThatResult_data() { both_runners(); }
+  void APreviewChangesNothingAndConfirmingItGivesThatResult();
+  void AnEditMakesThePreviewGo_data() { both_runners(); }
+  void AnEditMakesThePreviewGo();
+  void WhatWasApprovedAndIsTouchedMustBeLookedAtAgain_data() { both_runners(); }
+  void WhatWasApprovedAndIsTouchedMustBeLookedAtAgain();
+  void AFailedEditLeavesEverythingAsItWas_data() { both_runners(); }
+  void AFailedEditLeavesEverythingAsItWas();
+  void ReviewMakesNothingStaleAndEditsDo();
+  void StepsReviewAndFiguresComeBackWithTheCase();
+  void SlicersStatusIsKnownAndKept();
+  void EditsGoOnWhileAModelIsBuiltWhichIsStaleThen();
+  void NothingToUndoOrToDrawOnIsSaid();
+  void TheContourIsSeenWhileItEvolvesAndIsGoneThen_data() { both_runners(); }
+  void TheContourIsSeenWhileItEvolvesAndIsGoneThen();
+};
+
+void LabelsTest::AnEditIsAStepThatCanBeUndoneAndRedone() {
+  QFETCH(Runner, runner);
+  const CaseFolder files;
+  const auto engine = engine_of(runner, files);
+  QCOMPARE(done(*engine, EditLabels{ball({40, 36, 42}, 10)}).status, Status::done);
+  const long painted = voxels(*engine, structure::kParenchyma);
+  QVERIFY(painted > 200);
+  QCOMPARE(done(*engine, EditLabels{ball({40, 36, 42}, 5, structure::kPortalVein)}).status, Status::done);
+  QVERIFY(voxels(*engine, structure::kParenchyma) < painted);
+  QCOMPARE(engine->snapshot()->state.history->undo_name().label, structure::kPortalVein);
+  QCOMPARE(done(*engine, UndoLabels{}).status, Status::done);
+  QCOMPARE(voxels(*engine, structure::kParenchyma), painted);
+  QCOMPARE(voxels(*engine, structure::kPortalVein), 0L);
+  QCOMPARE(done(*engine, UndoLabels{}).status, Status::done);
+  QCOMPARE(voxels(*engine, structure::kParenchyma), 0L);
+  QVERIFY(engine->snapshot()->state.labels->infos.empty());
+  QCOMPARE(done(*engine, RedoLabels{}).status, Status::done);
+  QCOMPARE(voxels(*engine, structure::kParenchyma), painted);
+}
+
+void LabelsTest::ThePiecesOfAStrokeAreOneStep() {
+  QFETCH(Runner, runner);
+  const CaseFolder files;
+  const auto engine = engine_of(runner, files);
+  for (int n = 0; n < 10; ++n) done(*engine, EditLabels{ball({20.0 + 4.0 * n, 36, 42}, 6), 3});
+  QCOMPARE(engine->snapshot()->state.history->steps().size(), std::size_t{1});
+  done(*engine, UndoLabels{});
+  QCOMPARE(voxels(*engine, structure::kParenchyma), 0L);
+}
+
+void LabelsTest::APreviewChangesNothingAndConfirmingItGivesThatResult() {
+  QFETCH(Runner, runner);
+  const CaseFolder files;
+  const auto engine = engine_of(runner, files);
+  done(*engine, EditLabels{ball({40, 36, 42}, 10)});
+  const auto before = engine->snapshot()->state.labels;
+  QCOMPARE(done(*engine, PreviewEdit{grown(4.0)}).status, Status::done);
+  auto snapshot = engine->snapshot();
+  QCOMPARE(snapshot->state.labels, before);
+  QVERIFY(snapshot->state.preview->result.voxels_changed > 100);
+  QCOMPARE(snapshot->stage(Part::preview), StageState::current);
+  const LabelVolume promised = snapshot->state.preview->result.labels.voxels;
+  done(*engine, EditLabels{grown(4.0)});
+  snapshot = engine->snapshot();
+  QVERIFY(snapshot->state.labels->voxels == promised);
+  // It is that very result, not another computation of it.
+  QCOMPARE(snapshot->state.labels->voxels.bricks_differing_from(promised), 0);
+  QVERIFY(!snapshot->state.preview);
+  // A preview that nobody wants goes and leaves nothing.
+  done(*engine, PreviewEdit{grown(4.0)});
+  done(*engine, PreviewEdit{});
+  QVERIFY(!engine->snapshot()->state.preview);
+  QCOMPARE(engine->snapshot()->state.labels, snapshot->state.labels);
+}
+
+void LabelsTest::AnEditMakesThePreviewGo() {
+  QFETCH(Runner, runner);
+  const CaseFolder files;
+  const auto engine = engine_of(runner, files);
+  done(*engine, EditLabels{ball({40, 36, 42}, 10)});
+  done(*engine, PreviewEdit{grown(4.0)});
+  done(*engine, EditLabels{ball({20, 20, 42}, 4)});
+  QVERIFY(!engine->snapshot()->state.preview);
+}
+
+void LabelsTest::WhatWasApprovedAndIsTouchedMustBeLookedAtAgain() {
+  QFETCH(Runner, runner);
+  const CaseFolder files;
+  const auto engine = engine_of(runner, files);
+  const auto review = [&](Label label) { return engine->snapshot()->state.review->at(label); };
+  done(*engine, EditLabels{ball({40, 36, 42}, 10)});
+  QCOMPARE(review(structure::kParenchyma), ReviewState::in_progress);
+  done(*engine, SetReview{structure::kParenchyma, ReviewState::approved});
+  QCOMPARE(review(structure::kParenchyma), ReviewState::approved);
+  done(*engine, EditLabels{ball({10, 10, 10}, 3, structure::kArtery)});  // touches background only
+  QCOMPARE(review(structure::kParenchyma), ReviewState::approved);
+  done(*engine, EditLabels{ball({40, 36, 42}, 3, structure::kPortalVein)});
+  QCOMPARE(review(structure::kParenchyma), ReviewState::to_review);
+  QCOMPARE(review(structure::kPortalVein), ReviewState::in_progress);
+}
+
+void LabelsTest::AFailedEditLeavesEverythingAsItWas() {
+  QFETCH(Runner, runner);
+  const CaseFolder files;
+  const auto engine = engine_of(runner, files);
+  done(*engine, EditLabels{ball({40, 36, 42}, 10)});
+  const auto before = engine->snapshot();
+  const Outcome outcome = done(*engine, EditLabels{ball({40, 36, 42}, -1)});
+  QCOMPARE(outcome.status, Status::failed);
+  QVERIFY(outcome.error.find("radius") != std::string::npos);
+  QCOMPARE(engine->snapshot()->revision, before->revision);
+}
+
+void LabelsTest::ReviewMakesNothingStaleAndEditsDo() {
+  const CaseFolder files;
+  const auto engine = engine_of(
+      Runner::inline_, files, [](const CaseState& state, const Command& command, const RunContext& context) {
+        if (!std::holds_alternative<BuildModel>(command)) return engine::apply(state, command, context);
+        Applied applied{state, {}, {}};
+        applied.state.model = std::make_shared<model::BuiltModel>();
+        return Cancellable<Applied>(std::move(applied));
+      });
+  done(*engine, EditLabels{ball({40, 36, 42}, 10)});
+  done(*engine, BuildModel{});
+  done(*engine, SetReview{structure::kParenchyma, ReviewState::approved});
+  done(*engine, PreviewEdit{grown(2.0)});
+  QCOMPARE(engine->snapshot()->stage(Part::model), StageState::current);
+  QCOMPARE(engine->snapshot()->stage(Part::labels), StageState::current);
+  done(*engine, EditLabels{ball({20, 20, 42}, 4)});
+  QCOMPARE(engine->snapshot()->stage(Part::model), StageState::stale);
+  QCOMPARE(engine->snapshot()->stage(Part::review), StageState::current);
+  // Labels that were drawn on a CT which is no longer there are old, however much one draws on them.
+  done(*engine, ImportImage{files.path() / "ct.nrrd"});
+  QCOMPARE(engine->snapshot()->stage(Part::labels), StageState::stale);
+  done(*engine, EditLabels{ball({20, 20, 42}, 5)});
+  QCOMPARE(engine->snapshot()->stage(Part::labels), StageState::stale);
+}
+
+void LabelsTest::StepsReviewAndFiguresComeBackWithTheCase() {
+  const CaseFolder files;
+  const auto engine = engine_of(Runner::inline_, files);
+  done(*engine, EditLabels{ball({40, 36, 42}, 10)});
+  done(*engine, EditLabels{ball({40, 36, 42}, 5, structure::kPortalVein)});
+  done(*engine, UndoLabels{});
+  done(*engine, SetReview{structure::kParenchyma, ReviewState::approved});
+  const Outcome saved = done(*engine, SaveCase{files.path() / "a.glisson"});
+  QVERIFY2(saved.status == Status::done, saved.error.c_str());
+  const long painted = voxels(*engine, structure::kParenchyma);
+
+  const auto other = engine_of(Runner::inline_, files);
+  const Outcome opened = done(*other, OpenCase{files.path() / "a.glisson"});
+  QVERIFY2(opened.status == Status::done, opened.error.c_str());
+  const auto snapshot = other->snapshot();
+  QVERIFY(snapshot->state.labels->voxels == engine->snapshot()->state.labels->voxels);
+  QCOMPARE(snapshot->state.review->at(structure::kParenchyma), ReviewState::approved);
+  QCOMPARE(voxels(*other, structure::kParenchyma), painted);
+  QVERIFY(snapshot->state.history->can_undo() && snapshot->state.history->can_redo());
+  done(*other, RedoLabels{});
+  QVERIFY(voxels(*other, structure::kPortalVein) > 0);
+  done(*other, UndoLabels{});
+  done(*other, UndoLabels{});
+  QCOMPARE(voxels(*other, structure::kParenchyma), 0L);
+}
+
+void LabelsTest::SlicersStatusIsKnownAndKept() {
+  const CaseFolder files;
+  LabelMap labels;
+  labels.voxels = LabelVolume(small_grid());
+  labels.voxels.set({10, 10, 10}, structure::kParenchyma);
+  labels.voxels.set({12, 10, 10}, structure::kFirstLesion);
+  LabelInfo liver = structure_info(structure::kParenchyma), lesion = structure_info(structure::kFirstLesion);
+  liver.status = "completed";
+  lesion.status = "flagged";
+  write_labels(files.path() / "labels.seg.nrrd", labels.voxels, {liver, lesion});
+  const auto engine = engine_of(Runner::inline_, files);
+  done(*engine, ImportLabels{files.path() / "labels.seg.nrrd", {}});
+  QCOMPARE(engine->snapshot()->state.review->at(structure::kParenchyma), ReviewState::approved);
+  QCOMPARE(engine->snapshot()->state.review->at(structure::kFirstLesion), ReviewState::to_review);
+  done(*engine, SaveCase{files.path() / "a.glisson"});
+  const LabelFile written = read_labels(files.path() / "a.glisson" / "labels.seg.nrrd");
+  QCOMPARE(written.infos.size(), std::size_t{2});
+  QCOMPARE(written.infos[0].status, std::string("completed"));
+  QCOMPARE(written.infos[1].status, std::string("flagged"));
+}
+
+void LabelsTest::EditsGoOnWhileAModelIsBuiltWhichIsStaleThen() {
+  const CaseFolder files;
+  auto gate = std::make_shared<Gate>();
+  const auto engine =
+      engine_of(Runner::threaded, files,
+                [gate](const CaseState& state, const Command& command, const RunContext& context) {
+                  if (!std::holds_alternative<BuildModel>(command))
+                    return engine::apply(state, command, context);
+                  gate->pass();
+                  Applied applied{state, {}, {}};
+                  applied.state.model = std::make_shared<model::BuiltModel>();
+                  return Cancellable<Applied>(std::move(applied));
+                });
+  done(*engine, EditLabels{ball({40, 36, 42}, 10)});
+  const CommandId build = engine->post(BuildModel{});
+  gate->wait_for_arrival();
+  const long before = voxels(*engine, structure::kParenchyma);
+  QCOMPARE(done(*engine, EditLabels{ball({20, 20, 42}, 6)}).status, Status::done);  // would hang if it waited
+  QVERIFY(voxels(*engine, structure::kParenchyma) > before);
+  const long after = voxels(*engine, structure::kParenchyma);
+  gate->open();
+  QCOMPARE(engine->wait(build).status, Status::done);
+  QCOMPARE(engine->snapshot()->stage(Part::model), StageState::stale);
+  QCOMPARE(voxels(*engine, structure::kParenchyma), after);  // the model's commit did not undo the edit
+}
+
+void LabelsTest::NothingToUndoOrToDrawOnIsSaid() {
+  Engine::Options options;
+  options.runner = Runner::inline_;
+  Engine engine(std::move(options));
+  QVERIFY(done(engine, EditLabels{ball({0, 0, 0}, 5)}).error.find("Import a CT first") != std::string::npos);
+  QVERIFY(done(engine, UndoLabels{}).error.find("no step to undo") != std::string::npos);
+  QVERIFY(done(engine, RedoLabels{}).error.find("no step to redo") != std::string::npos);
+}
+
+void LabelsTest::TheContourIsSeenWhileItEvolvesAndIsGoneThen() {
+  QFETCH(Runner, runner);
+  const CaseFolder files;
+  Engine* running = nullptr;
+  std::vector<long> seen;
+  const auto engine = engine_of(
+      runner, files, [&](const CaseState& state, const Command& command, const RunContext& context) {
+        const auto* segment = std::get_if<Segment>(&command);
+        if (segment == nullptr) return engine::apply(state, command, context);
+        LabelVolume liver(state.image->grid);
+        for (int n = 0; n < 3; ++n) {
+          liver.set({n, 0, 0}, 1);
+          segment->show(liver);
+          seen.push_back(running->snapshot()->evolving->histogram()[1]);
+        }
+        return Cancellable<Applied>();  // cancelled
+      });
+  running = engine.get();
+  QCOMPARE(done(*engine, Segment{}).status, Status::cancelled);
+  QCOMPARE(seen, (std::vector<long>{1, 2, 3}));
+  QVERIFY(!engine->snapshot()->evolving);
+}
+
+QTEST_APPLESS_MAIN(LabelsTest)
+#include "labels_test.moc"
