@@ -13,6 +13,7 @@ namespace glisson::app {
 int run_demo(const QStringList& arguments);
 int run_import(const QStringList& arguments);
 int run_segment(const QStringList& arguments);
+int run_edit(const QStringList& arguments);
 int run_model(const QStringList& arguments);
 int run_reconstruct(const QStringList& arguments);
 int run_register(const QStringList& arguments);

@@ -3,16 +3,51 @@
 #include "case_argument.h"
 #include "cli.h"
 #include "commands.h"
-#include "glisson/engine/case_io.h"
+#include "label_output.h"
 
 namespace glisson::app {
 namespace fs = std::filesystem;
 namespace {
 
-std::vector<std::uint8_t> truth_mask(const fs::path& path, const LabelCodes& codes, const VolumeGrid& grid) {
-  const LabelFile file = read_labels(path);
-  require_same_grid(file.voxels.grid(), grid, path.string());
-  return inside_liver(codes.empty() ? LabelMap{file.voxels, file.infos} : recode(file, codes, path.string()));
+/// "portal_vein,hepatic_veins": what is found anew. Everything where nothing is said.
+segmentation::Structures structures_from(const QString& list) {
+  segmentation::Structures structures;
+  if (list.isEmpty()) return structures;
+  const std::array<std::pair<const char*, bool*>, 6> known = {{{"liver", &structures.liver},
+                                                               {"portal_vein", &structures.portal_vein},
+                                                               {"hepatic_veins", &structures.hepatic_veins},
+                                                               {"vena_cava", &structures.vena_cava},
+                                                               {"gallbladder", &structures.gallbladder},
+                                                               {"lesions", &structures.lesions}}};
+  for (const auto& [name, wanted] : known) *wanted = false;
+  for (const QString& part : list.split(',')) {
+    const auto found = std::find_if(known.begin(), known.end(),
+                                    [&](const auto& entry) { return part == QLatin1String(entry.first); });
+    if (found == known.end())
+      throw UsageError(Cli::tr("--only %1: is no structure that is found. Use liver, portal_vein, "
+                               "hepatic_veins, vena_cava, gallbladder or lesions, with commas.")
+                           .arg(part)
+                           .toStdString());
+    *found->second = true;
+  }
+  return structures;
+}
+
+/// "x0,y0,z0,x1,y1,z1" in LPS mm.
+std::optional<Eigen::AlignedBox3d> region_from(const QString& text) {
+  if (text.isEmpty()) return {};
+  std::array<double, 6> mm{};
+  const QStringList parts = text.split(',');
+  bool good = parts.size() == 6;
+  for (int n = 0; good && n < 6; ++n) mm[static_cast<std::size_t>(n)] = parts[n].toDouble(&good);
+  if (!good)
+    throw UsageError(Cli::tr("--region %1: write two opposite corners, X0,Y0,Z0,X1,Y1,Z1 in LPS millimetres.")
+                         .arg(text)
+                         .toStdString());
+  Eigen::AlignedBox3d box;
+  box.extend(1e-3 * Eigen::Vector3d(mm[0], mm[1], mm[2]));
+  box.extend(1e-3 * Eigen::Vector3d(mm[3], mm[4], mm[5]));
+  return box;
 }
 
 }  // namespace
@@ -39,27 +74,28 @@ int run_segment(const QStringList& given) {
   Arguments arguments("segment", Cli::tr("Segments the liver, its vessels and lesions from seeds."));
   declare_case(arguments);
   arguments.option("seeds", Cli::tr("What was clicked (JSON, LPS mm)."), "FILE");
-  arguments.option("truth",
-                   Cli::tr("Labels of an expert: adds the Dice coefficient. Read after everything else."),
-                   "FILE");
-  arguments.option("truth-codes", Cli::tr("What the expert's codes mean (JSON)."), "FILE");
-  arguments.option("labels-out", Cli::tr("Also write the labels here (.seg.nrrd, .nii.gz)."), "FILE");
+  engine::Segment command;
+  arguments.option("resolution", Cli::tr("Of the liver's contour, mm."), "MM",
+                   command.options.working_spacing_mm);
+  arguments.option("only",
+                   Cli::tr("Find these anew and keep the other labels: liver, portal_vein, hepatic_veins, "
+                           "vena_cava, gallbladder, lesions, with commas."),
+                   "LIST");
+  arguments.option("region",
+                   Cli::tr("Only inside this box, and keep the labels outside: X0,Y0,Z0,X1,Y1,Z1, LPS mm."),
+                   "BOX");
+  declare_label_output(arguments);
   if (!arguments.parse(given)) return 0;
   const fs::path seeds = arguments.required_path("seeds");
-  if (arguments.has("labels-out")) arguments.output_file("labels-out", {".nrrd", ".nii.gz", ".nii", ".mha"});
-  arguments.require_existing("truth");
-  const LabelCodes truth_codes = codes_of(arguments, "truth-codes");
+  command.options.working_spacing_mm = arguments.number("resolution", 0.3, 5.0);
+  command.options.structures = structures_from(arguments.value("only"));
+  command.options.region = region_from(arguments.value("region"));
+  const LabelOutput output(arguments);
   Session session(arguments);
   open_case(arguments, session);
   session.post(engine::SetSeeds{segmentation::read_seeds(seeds)});
-  session.post(engine::Segment{});
-  const LabelMap& labels = *session.state().labels;
-  if (arguments.has("truth"))
-    session.figures["dice_liver"] = segmentation::dice(
-        inside_liver(labels), truth_mask(arguments.path("truth"), truth_codes, labels.voxels.grid()));
-  save_case(arguments, session);
-  if (arguments.has("labels-out")) write_labels(arguments.path("labels-out"), labels.voxels, labels.infos);
-  session.finish();
+  session.post(command);
+  output.finish(session);
   return 0;
 }
 

@@ -11,6 +11,8 @@ const std::vector<SubCommand>& sub_commands() {
       {"import", run_import, false, QT_TRANSLATE_NOOP("cli", "Read a CT into a case")},
       {"segment", run_segment, false,
        QT_TRANSLATE_NOOP("cli", "Segment liver, vessels and lesions from seeds")},
+      {"edit", run_edit, false,
+       QT_TRANSLATE_NOOP("cli", "Edit the labels by a script of the window's tools")},
       {"model", run_model, false, QT_TRANSLATE_NOOP("cli", "Build the biomechanical model")},
       {"reconstruct", run_reconstruct, false, QT_TRANSLATE_NOOP("cli", "Stereo pair to labelled cloud")},
       {"register", run_register, false, QT_TRANSLATE_NOOP("cli", "Register the model to a cloud")},

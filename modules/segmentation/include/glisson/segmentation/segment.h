@@ -30,6 +30,7 @@ void write_seeds(const std::filesystem::path& path, const Seeds& seeds);
 struct Structures {
   bool liver = true, portal_vein = true, hepatic_veins = true, vena_cava = true, gallbladder = true,
        lesions = true;  ///< liver: its parenchyma
+  bool operator==(const Structures&) const = default;
 };
 
 struct SegmentationOptions {

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "label_output.h"
+
+#include "case_argument.h"
+#include "glisson/segmentation/evaluate.h"
+
+namespace glisson::app {
+
+void declare_label_output(Arguments& arguments) {
+  arguments.option(
+      "truth", Cli::tr("Labels of an expert: adds Dice coefficients. Read after everything else."), "FILE");
+  arguments.option("truth-codes", Cli::tr("What the expert's codes mean (JSON)."), "FILE");
+  arguments.option("labels-out", Cli::tr("Also write the labels here (.seg.nrrd, .nii.gz)."), "FILE");
+}
+
+LabelOutput::LabelOutput(const Arguments& arguments) : arguments_(arguments) {
+  if (arguments.has("labels-out")) arguments.output_file("labels-out", {".nrrd", ".nii.gz", ".nii", ".mha"});
+  arguments.require_existing("truth");
+  truth_codes_ = codes_of(arguments, "truth-codes");
+}
+
+void LabelOutput::finish(Session& session) const {
+  const LabelMap& labels = *session.state().labels;
+  if (arguments_.has("truth")) {
+    const std::filesystem::path path = arguments_.path("truth");
+    const LabelFile file = read_labels(path);
+    require_same_grid(file.voxels.grid(), labels.voxels.grid(), path.string());
+    session.figures.merge(segmentation::compare_labels(
+        labels, truth_codes_.empty() ? LabelMap{file.voxels, file.infos}
+                                     : recode(file, truth_codes_, path.string())));
+  }
+  save_case(arguments_, session);
+  if (arguments_.has("labels-out")) write_labels(arguments_.path("labels-out"), labels.voxels, labels.infos);
+  session.finish();
+}
+
+}  // namespace glisson::app
