@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "glisson/core/json_file.h"
+#include "glisson/core/run_context.h"
+
+/// @file
+/// From the CT to the model, measured: on a real CT against an expert's labels, and on the synthetic patient
+/// against its truth.
+
+namespace glisson::experiments {
+
+struct PatientProofOptions {
+  /// The folder with ct_ircad1 (PATIENT_DICOM.tar.gz, 3Dircadb0101Labeled.vti); empty: the synthetic patient
+  /// only.
+  std::filesystem::path real;
+  /// Clicks and label codes of the real patient: 3dircadb1_seeds.json, 3dircadb1_codes.json.
+  std::filesystem::path clicks;
+  int strokes = 20;  ///< of the scripted edit of the vessels
+  std::uint64_t seed = 1;
+};
+
+struct PatientProof {
+  /// Keys begin with "real_" or "synthetic_": Dice coefficients, seconds of each stage, figures of the model.
+  Figures figures;
+  std::vector<std::string> notes;
+};
+
+/// Runs import, segmentation, the scripted edit and two models (the paper's size, and 10,000 tetrahedra) by
+/// engine commands that read files only; the expert's labels are read by the simulated hand that draws the
+/// strokes, and by the comparisons. Cases and scripts are left in `folder`, which exists.
+/// Empty: cancelled. @throws Error.
+Cancellable<PatientProof> prove_patient(const PatientProofOptions& options,
+                                        const std::filesystem::path& folder, const RunContext& context);
+
+}  // namespace glisson::experiments

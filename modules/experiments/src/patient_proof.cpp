@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/experiments/patient_proof.h"
+
+#include <array>
+
+#include "glisson/core/error.h"
+#include "glisson/engine/script.h"
+#include "glisson/insilico/operator.h"
+#include "glisson/insilico/patient.h"
+#include "glisson/segmentation/evaluate.h"
+
+namespace glisson::experiments {
+namespace fs = std::filesystem;
+namespace {
+
+/// Nodes that give a liver about ten thousand tetrahedra.
+constexpr int kFineVertices = 2300;
+
+/// Thrown inside a run when it was cancelled; never leaves prove_patient.
+struct Cancelled {};
+
+/// The way of one patient, with the figures of each stage under its name.
+class PatientWay {
+ public:
+  PatientWay(std::string name, const fs::path& folder, PatientProof& proof, const RunContext& context)
+      : name_(std::move(name)), folder_(folder / name_), proof_(proof), script_(context) {
+    fs::create_directory(folder_);
+  }
+
+  void post(engine::Command command, const std::string& stage = {}) {
+    const auto outcome = script_.run(std::move(command));
+    if (!outcome) throw Cancelled();
+    const std::string of = stage.empty() ? "" : stage + "_";
+    for (const auto& [key, value] : outcome->figures) set(of + key, value);
+    set("seconds_" + (stage.empty() ? outcome->command : stage), outcome->seconds);
+    for (const std::string& note : outcome->notes) proof_.notes.push_back(name_ + ": " + note);
+  }
+  void set(const std::string& key, double value) { proof_.figures[name_ + "_" + key] = value; }
+  void compare(const LabelMap& truth, const std::string& stage = {}) {
+    for (const auto& [key, value] : segmentation::compare_labels(*state().labels, truth))
+      if (stage.empty() || key.starts_with("dice_")) set((stage.empty() ? "" : stage + "_") + key, value);
+  }
+  const engine::CaseState& state() const { return script_.state(); }
+  const fs::path& folder() const { return folder_; }
+
+  /// Twenty strokes over the vessels, from a file, as one script; the labels are the edited ones then.
+  void edit_vessels(const LabelMap& truth, int strokes, std::uint64_t seed) {
+    insilico::OperatorOptions hand;
+    hand.seed = seed;
+    segmentation::write_edits(folder_ / "strokes.json",
+                              insilico::draw_vessel_strokes(*state().labels, truth, strokes, hand));
+    const auto edits = segmentation::read_edits(folder_ / "strokes.json");
+    double seconds = 0.0;
+    for (const segmentation::Edit& edit : edits) {
+      post(engine::EditLabels{edit}, "stroke");
+      seconds += proof_.figures[name_ + "_seconds_stroke"];
+    }
+    set("strokes", static_cast<double>(edits.size()));
+    set("seconds_strokes", seconds);
+    proof_.figures.erase(name_ + "_seconds_stroke");
+    proof_.figures.erase(name_ + "_stroke_voxels_changed");
+  }
+
+  void build_models() {
+    engine::BuildModel coarse, fine;
+    fine.options.mesh.target_vertices = kFineVertices;
+    post(fine, "fine_model");
+    post(coarse, "model");
+    post(engine::SaveCase{folder_ / "patient.glisson"});
+  }
+
+ private:
+  std::string name_;
+  fs::path folder_;
+  PatientProof& proof_;
+  engine::Script script_;
+};
+
+void require_files(const PatientProofOptions& options) {
+  for (const fs::path& file :
+       {options.real / "PATIENT_DICOM.tar.gz", options.real / "3Dircadb0101Labeled.vti",
+        options.clicks / "3dircadb1_seeds.json", options.clicks / "3dircadb1_codes.json"})
+    if (!fs::exists(file))
+      throw FileError(file.string() +
+                      ": does not exist. Name the folders of the real patient and its clicks.");
+}
+
+void real_way(const PatientProofOptions& options, const fs::path& folder, PatientProof& proof,
+              const RunContext& context) {
+  PatientWay way("real", folder, proof, context);
+  way.post(engine::ImportImage{options.real / "PATIENT_DICOM.tar.gz"});
+  way.post(engine::SetSeeds{segmentation::read_seeds(options.clicks / "3dircadb1_seeds.json")});
+  way.post(engine::Segment{});
+  const fs::path file = options.real / "3Dircadb0101Labeled.vti";
+  const LabelMap truth =
+      recode(read_labels(file), read_label_codes(options.clicks / "3dircadb1_codes.json"), file.string());
+  way.compare(truth);
+  way.edit_vessels(truth, options.strokes, options.seed);
+  way.compare(truth, "edited");
+  way.build_models();
+}
+
+void synthetic_way(const PatientProofOptions& options, const fs::path& folder, PatientProof& proof,
+                   const RunContext& context) {
+  insilico::PatientOptions shape;
+  shape.shape_seed = options.seed;
+  auto patient = insilico::make_patient(shape, context.part(0.0, 0.1));
+  if (!patient) throw Cancelled();
+  PatientWay way("synthetic", folder, proof, context.part(0.1, 1.0));
+  insilico::OperatorOptions hand;
+  hand.seed = options.seed;
+  write_image(way.folder() / "ct.nrrd", patient->ct);
+  segmentation::write_seeds(way.folder() / "seeds.json", insilico::click_seeds(patient->truth, hand));
+  way.post(engine::ImportImage{way.folder() / "ct.nrrd"});
+  way.post(engine::SetSeeds{segmentation::read_seeds(way.folder() / "seeds.json")});
+  way.post(engine::Segment{});
+  way.compare(patient->truth);
+  way.edit_vessels(patient->truth, options.strokes, options.seed);
+  way.compare(patient->truth, "edited");
+  way.build_models();
+}
+
+}  // namespace
+
+Cancellable<PatientProof> prove_patient(const PatientProofOptions& options, const fs::path& folder,
+                                        const RunContext& context) {
+  PatientProof proof;
+  try {
+    if (!options.real.empty()) {
+      require_files(options);
+      real_way(options, folder, proof, context.part(0.0, 0.6));
+    }
+    synthetic_way(options, folder, proof, context.part(options.real.empty() ? 0.0 : 0.6, 1.0));
+  } catch (const Cancelled&) {
+    return {};
+  }
+  return proof;
+}
+
+}  // namespace glisson::experiments
