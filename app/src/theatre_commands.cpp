@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From the pictures to the registered, tracked model: reconstruct, register, track.
+// From the cloud to the registered, tracked model: register, track.
 #include <Eigen/LU>
 #include <QRegularExpression>
 #include <algorithm>
@@ -12,9 +12,6 @@
 #include "glisson/engine/case_io.h"
 #include "glisson/experiments/evaluate.h"
 #include "glisson/geometry/distance.h"
-#include "glisson/geometry/mesh_io.h"
-#include "glisson/insilico/film.h"
-#include "glisson/stereo/evaluate.h"
 #include "glisson/stereo/picture_io.h"
 #include "model_argument.h"
 
@@ -161,63 +158,7 @@ class TrackRecord {
   Figures errors_;             ///< sums over the frames compared; of maxima, the largest
 };
 
-/// The cloud against a surface in the camera's frame, or a depth map (.pfm, millimetres).
-stereo::CloudErrors cloud_truth(const Arguments& arguments, const engine::CaseState& state) {
-  const fs::path path = arguments.path("truth");
-  if (path.extension() != ".pfm")
-    return stereo::cloud_errors(*state.cloud, read_triangle_mesh(path, arguments.unit("unit")));
-  int width = 0, height = 0;
-  const std::vector<float> depth = insilico::read_depth(path, width, height);
-  if (width != state.rig->left.width || height != state.rig->left.height)
-    throw InputError(path.string(), "size", "is not that of the pictures",
-                     "Give the depth map of the left picture");
-  return stereo::cloud_errors(*state.cloud, state.rig->left, depth);
-}
-
 }  // namespace
-
-int run_reconstruct(const QStringList& given) {
-  Arguments arguments("reconstruct",
-                      Cli::tr("Turns a stereo pair into a labelled cloud in the left camera's frame."));
-  arguments.option("left", Cli::tr("The left picture."), "L");
-  arguments.option("right", Cli::tr("The right picture."), "R");
-  arguments.option("calibration", Cli::tr("OpenCV YAML: M1 D1 M2 D2 R T image_width image_height unit."),
-                   "C");
-  arguments.option("mask", Cli::tr("What of the left picture is tissue (non-zero)."), "M");
-  arguments.option(
-      "regions", Cli::tr("Clicked regions (JSON): only what lies in one is kept, with its label."), "R.json");
-  arguments.flag("dense", Cli::tr("Semi-global matching instead of features."));
-  arguments.option("out", Cli::tr("The cloud (PLY)."), "cloud.ply");
-  arguments.option("unit", Cli::tr("Unit of the cloud and of --truth: mm, cm or m."), "UNIT", "mm");
-  arguments.option("truth",
-                   Cli::tr("A surface in the left camera's frame, or its depth map (.pfm, mm): adds the "
-                           "distances. Read after everything else."),
-                   "FILE");
-  if (!arguments.parse(given)) return 0;
-  const fs::path out = arguments.output_file("out", {".ply"});
-  arguments.require_existing("truth");
-  Session session(arguments);
-  session.post(engine::SetCalibration{arguments.required_path("calibration")});
-  session.post(engine::LoadStereoPair{arguments.required_path("left"), arguments.required_path("right"),
-                                      arguments.path("mask")});
-  if (arguments.has("regions"))
-    session.post(engine::SetRegions{stereo::read_regions(arguments.path("regions"))});
-  engine::Reconstruct command;
-  if (arguments.has("dense")) command.options.method = stereo::Method::dense;
-  session.post(command);
-  const LabelledCloud& cloud = *session.state().cloud;
-  if (arguments.has("truth")) {
-    const stereo::CloudErrors errors = cloud_truth(arguments, session.state());
-    session.figures["cloud_error_median_mm"] = 1e3 * errors.distance.median;
-    session.figures["cloud_error_mean_mm"] = 1e3 * errors.distance.mean;
-    session.figures["cloud_error_p95_mm"] = 1e3 * errors.distance.percentile_95;
-    session.figures["cloud_bias_mm"] = 1e3 * errors.bias;
-    session.figures["cloud_points_without_truth"] = errors.without_truth;
-  }
-  write_cloud(out, cloud, arguments.unit("unit"));
-  session.finish();
-  return 0;
-}
 
 int run_register(const QStringList& given) {
   Arguments arguments(

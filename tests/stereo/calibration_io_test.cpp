@@ -161,6 +161,77 @@ class CalibrationIoTest : public QObject {
     QVERIFY(refused > 500);
   }
 
+  void PlainTextIsReadAsItIsWritten() {
+    const StereoRig rig = example();
+    const TemporaryFolder folder;
+    write_text_calibration(folder.path(), rig);
+    const StereoRig back = read_text_calibration(folder.path(), 960, 540);
+    QVERIFY((back.left.matrix - rig.left.matrix).cwiseAbs().maxCoeff() < 1e-12);
+    QVERIFY((back.right.distortion - rig.right.distortion).cwiseAbs().maxCoeff() < 1e-15);
+    QVERIFY((back.right_from_left.rotation - rig.right_from_left.rotation).cwiseAbs().maxCoeff() < 1e-12);
+    QVERIFY((back.right_from_left.translation - rig.right_from_left.translation).norm() < 1e-15);
+  }
+
+  void PlainTextMapsTheWayThatItsNameSays() {
+    const StereoRig rig = example();
+    const auto with = [&](const char* name, const Eigen::Matrix4d& transform) {
+      const TemporaryFolder folder;
+      write_text_calibration(folder.path(), rig);
+      std::filesystem::remove(folder.path() / "calib.l2r.txt");
+      std::ofstream file(folder.path() / name);
+      file.precision(17);
+      file << transform << "\n";
+      file.close();
+      return read_text_calibration(folder.path(), 960, 540);
+    };
+    Eigen::Matrix4d right_from_left = Eigen::Matrix4d::Identity();
+    right_from_left.topLeftCorner<3, 3>() = rig.right_from_left.rotation;
+    right_from_left.topRightCorner<3, 1>() = 1e3 * rig.right_from_left.translation;
+    const Eigen::Matrix4d left_from_right = right_from_left.inverse();
+    for (const StereoRig& back :
+         {with("l2r.txt", right_from_left), with("calib.R2L.txt", left_from_right),
+          with("extrinsics.4x4", right_from_left), with("extrinsics.4x4", left_from_right)})
+      QVERIFY((back.right_from_left.translation - rig.right_from_left.translation).norm() < 1e-12);
+    QVERIFY_THROWS_EXCEPTION(InputError, with("l2r.txt", left_from_right));  // swapped
+    QVERIFY_THROWS_EXCEPTION(InputError, with("r2l.txt", right_from_left));
+  }
+
+  void BadPlainTextIsRefused_data() {
+    QTest::addColumn<QByteArray>("name");
+    QTest::addColumn<QByteArray>("content");
+    QTest::newRow("words") << QByteArray("calib.left.intrinsics.txt")
+                           << QByteArray("900 0 a 0 900 200 0 0 1");
+    QTest::newRow("too few") << QByteArray("calib.left.intrinsics.txt") << QByteArray("900 0 400 0 900 200");
+    QTest::newRow("NaN") << QByteArray("calib.right.distortion.txt") << QByteArray("0 0 nan 0");
+    QTest::newRow("three terms") << QByteArray("calib.right.distortion.txt") << QByteArray("0 0 0");
+    QTest::newRow("of a larger picture")
+        << QByteArray("calib.right.intrinsics.txt") << QByteArray("2000 0 1900 0 2000 1000 0 0 1");
+    QTest::newRow("not a rotation") << QByteArray("calib.l2r.txt")
+                                    << QByteArray("2 0 0 -5 0 1 0 0 0 0 1 0 0 0 0 1");
+    QTest::newRow("metres") << QByteArray("calib.l2r.txt")
+                            << QByteArray("1 0 0 -.005 0 1 0 0 0 0 1 0 0 0 0 1");
+    QTest::newRow("odd last row") << QByteArray("calib.l2r.txt")
+                                  << QByteArray("1 0 0 -5 0 1 0 0 0 0 1 0 0 0 1 1");
+    QTest::newRow("two of a kind") << QByteArray("old.left.intrinsic.txt") << QByteArray("1");
+  }
+  void BadPlainTextIsRefused() {
+    QFETCH(QByteArray, name);
+    QFETCH(QByteArray, content);
+    const TemporaryFolder folder;
+    write_text_calibration(folder.path(), example());
+    std::ofstream(folder.path() / name.toStdString()) << content.constData();
+    QVERIFY_THROWS_EXCEPTION(InputError, read_text_calibration(folder.path(), 960, 540));
+  }
+
+  void IncompletePlainTextIsRefused() {
+    const TemporaryFolder folder;
+    write_text_calibration(folder.path(), example());
+    std::filesystem::remove(folder.path() / "calib.right.distortion.txt");
+    QVERIFY_THROWS_EXCEPTION(InputError, read_text_calibration(folder.path(), 960, 540));
+    QVERIFY_THROWS_EXCEPTION(FileError, read_text_calibration(folder.path() / "absent", 960, 540));
+    QVERIFY_THROWS_EXCEPTION(PreconditionError, read_text_calibration(folder.path(), 0, 540));
+  }
+
   void TwoImageSizesAreNotWritten() {
     StereoRig rig = example();
     rig.right.width = 640;

@@ -74,9 +74,15 @@ Cancellable<std::shared_ptr<const SimulatedOperations>> operations_of(
 }  // namespace
 
 Cancellable<Applied> apply_one(const CaseState& state, const SetCalibration& command, const RunContext&) {
+  const bool plain_text = std::filesystem::is_directory(command.path);
+  // Plain text files do not tell the pictures' size.
+  if (plain_text) require_part(state, Part::frame, "Load a stereo pair first: its size is needed");
   Applied applied;
   applied.state = state;
-  applied.state.rig = std::make_shared<const StereoRig>(stereo::read_calibration(command.path));
+  applied.state.rig = std::make_shared<const StereoRig>(
+      plain_text ? stereo::read_text_calibration(command.path, state.frame->frame.left.width,
+                                                 state.frame->frame.left.height)
+                 : stereo::read_calibration(command.path));
   return applied;
 }
 

@@ -1,31 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/stereo/calibration_io.h"
 
-#include <Eigen/LU>
 #include <cmath>
-#include <cstdio>
 #include <opencv2/core.hpp>
 #include <opencv2/core/persistence.hpp>
 #include <stdexcept>
 #include <string>
 
+#include "camera_cv.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/core/units.h"
+#include "rig_check.h"
 
 namespace glisson::stereo {
 namespace {
 
 constexpr const char* kCalibrateAgain = "Write the calibration anew or calibrate again";
-// The lenses of a laparoscope lie in a tube of 10 to 12 mm; robots and heads for open surgery reach further.
-constexpr double kSmallestBaseline = 1e-3, kLargestBaseline = 30e-3;
-
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
-}
-
 class Reader {
  public:
   Reader(std::string file, const std::string& content) : file_(std::move(file)) {
@@ -130,16 +121,7 @@ class Reader {
     result.width = width;
     result.height = height;
     result.matrix = square(matrix_name);
-    const Eigen::Matrix3d& m = result.matrix;
-    if (m(0, 0) <= 0.0 || m(1, 1) <= 0.0 || m(1, 0) != 0.0 || m(2, 0) != 0.0 || m(2, 1) != 0.0 ||
-        std::abs(m(2, 2) - 1.0) > 1e-9)
-      throw InputError(file_, matrix_name, "is not a camera matrix (fx 0 cx; 0 fy cy; 0 0 1)",
-                       kCalibrateAgain);
-    if (m(0, 2) < 0.0 || m(0, 2) > width || m(1, 2) < 0.0 || m(1, 2) > height)
-      throw InputError(file_, matrix_name,
-                       "has its principal point (" + number(m(0, 2)) + ", " + number(m(1, 2)) +
-                           ") outside the image of " + std::to_string(width) + "x" + std::to_string(height),
-                       "Check image_width and image_height: the calibration is of another image size");
+    check_camera(file_, matrix_name, result);
     const std::vector<double> d = vector(distortion_name, 4, 14);
     for (std::size_t i = 0; i < d.size(); ++i) {
       if (i < 5)
@@ -162,30 +144,6 @@ class Reader {
   cv::FileStorage storage_;
 };
 
-void check_geometry(const std::string& file, const StereoRig& rig) {
-  const Eigen::Matrix3d& r = rig.right_from_left.rotation;
-  const double baseline = rig.baseline();
-  if (baseline == 0.0) throw InputError(file, "T", "is zero: the cameras have no baseline", kCalibrateAgain);
-  if (baseline < kSmallestBaseline || baseline > kLargestBaseline)
-    throw InputError(
-        file, "T",
-        "gives a baseline of " + number(1e3 * baseline) + " mm, where a stereo laparoscope has 1 to 30 mm",
-        "Check the unit");
-  const Eigen::Vector3d right_in_left = -(r.transpose() * rig.right_from_left.translation);
-  if (right_in_left.x() <= 0.0)
-    throw InputError(
-        file, "T",
-        "puts the right camera " + number(-1e3 * right_in_left.x()) + " mm to the left of the left one",
-        "Left and right are swapped, or R and T map right to left: x_right = R x_left + T");
-}
-
-cv::Mat to_cv(const Eigen::MatrixXd& m) {
-  cv::Mat result(static_cast<int>(m.rows()), static_cast<int>(m.cols()), CV_64F);
-  for (int r = 0; r < result.rows; ++r)
-    for (int c = 0; c < result.cols; ++c) result.at<double>(r, c) = m(r, c);
-  return result;
-}
-
 }  // namespace
 
 StereoRig read_calibration(const std::filesystem::path& path) {
@@ -195,17 +153,10 @@ StereoRig read_calibration(const std::filesystem::path& path) {
   StereoRig rig;
   rig.left = reader.camera("M1", "D1", width, height);
   rig.right = reader.camera("M2", "D2", width, height);
-  const Eigen::Matrix3d r = reader.square("R");
-  if ((r * r.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() > 1e-3 ||
-      r.determinant() <= 0.0)
-    throw InputError(reader.file(), "R", "is not a rotation (determinant " + number(r.determinant()) + ")",
-                     kCalibrateAgain);
-  // Rounded to a few digits in the file; exact from here on.
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(r, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  rig.right_from_left.rotation = svd.matrixU() * svd.matrixV().transpose();
+  rig.right_from_left.rotation = checked_rotation(reader.file(), "R", reader.square("R"));
   const std::vector<double> t = reader.vector("T", 3, 3);
   rig.right_from_left.translation = metres * Eigen::Vector3d(t[0], t[1], t[2]);
-  check_geometry(reader.file(), rig);
+  check_rig(reader.file(), rig);
   return rig;
 }
 

@@ -74,6 +74,8 @@ struct ImportMesh {
 struct SetLandmarks {
   Landmarks landmarks;
 };
+/// OpenCV YAML; or a folder of plain text (stereo::read_text_calibration, mm), for pictures of the size of
+/// the case's frame.
 struct SetCalibration {
   std::filesystem::path path;
 };

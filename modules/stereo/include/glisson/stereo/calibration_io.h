@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "glisson/core/units.h"
 #include "glisson/geometry/camera.h"
 
 namespace glisson::stereo {
@@ -15,5 +16,19 @@ namespace glisson::stereo {
 StereoRig read_calibration(const std::filesystem::path& path);
 /// Writes the same in millimetres. Atomic.
 void write_calibration(const std::filesystem::path& path, const StereoRig& rig);
+
+/// Reads a folder of plain text, as others write it: for each side a file named like
+/// "calib.left.intrinsic.txt" (3x3) and "calib.left.distortion.txt" (4 or 5 terms k1 k2 p1 p2 k3), and one
+/// 3x4 or 4x4 transform named like "calib.l2r.txt" (x_right = R x_left + T) or "calib.r2l.txt" (the inverse).
+/// Where the name does not say which way it maps, the right camera is taken to be right of the left one.
+/// @param width, height of the pictures, which these files do not tell, pixels.
+/// @param unit of the transform's translation.
+/// @throws FileError; InputError naming the file: missing, two of one kind, wrong shape or what
+///   read_calibration() refuses.
+StereoRig read_text_calibration(const std::filesystem::path& folder, int width, int height,
+                                LengthUnit unit = LengthUnit::millimetre);
+/// Writes calib.{left,right}.{intrinsics,distortion}.txt and calib.l2r.txt, millimetres, into an existing
+/// folder.
+void write_text_calibration(const std::filesystem::path& folder, const StereoRig& rig);
 
 }  // namespace glisson::stereo

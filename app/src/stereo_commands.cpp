@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From the laparoscope's pictures to its calibration and to labelled clouds: calibrate, reconstruct.
+#include <QRegularExpression>
+#include <algorithm>
+#include <cmath>
+
+#include "cli.h"
+#include "commands.h"
+#include "glisson/geometry/mesh_io.h"
+#include "glisson/insilico/film.h"
+#include "glisson/stereo/calibrate.h"
+#include "glisson/stereo/calibration_io.h"
+#include "glisson/stereo/evaluate.h"
+#include "glisson/stereo/picture_io.h"
+#include "glisson/stereo/picture_pairs.h"
+
+namespace glisson::app {
+namespace fs = std::filesystem;
+namespace {
+
+/// The cloud against a surface in the camera's frame, or a depth map (.pfm, millimetres).
+stereo::CloudErrors cloud_truth(const Arguments& arguments, const engine::CaseState& state) {
+  const fs::path path = arguments.path("truth");
+  if (path.extension() != ".pfm")
+    return stereo::cloud_errors(*state.cloud, read_triangle_mesh(path, arguments.unit("unit")));
+  int width = 0, height = 0;
+  const std::vector<float> depth = insilico::read_depth(path, width, height);
+  if (width != state.rig->left.width || height != state.rig->left.height)
+    throw InputError(path.string(), "size", "is not that of the pictures",
+                     "Give the depth map of the left picture");
+  return stereo::cloud_errors(*state.cloud, state.rig->left, depth);
+}
+
+/// Two whole numbers with an x between, as 14x10.
+std::pair<int, int> two_numbers(const Arguments& arguments, const QString& name) {
+  static const QRegularExpression kSize("^(\\d{1,5})x(\\d{1,5})$");
+  const QRegularExpressionMatch match = kSize.match(arguments.value(name));
+  if (!match.hasMatch())
+    throw UsageError("--" + name.toStdString() + " " + arguments.value(name).toStdString() +
+                     ": must be two whole numbers, as in 14x10.");
+  return {match.captured(1).toInt(), match.captured(2).toInt()};
+}
+
+stereo::Board board_of(const Arguments& arguments) {
+  stereo::Board board;
+  std::tie(board.columns, board.rows) = two_numbers(arguments, "board");
+  board.square = 1e-3 * arguments.number("square-mm", 0.1, 200.0);
+  if (arguments.has("charuco")) {
+    board.dictionary = arguments.value("charuco").toStdString();
+    board.marker = 1e-3 * arguments.number("marker-mm", 0.0, 200.0);
+  }
+  board.validate();
+  return board;
+}
+
+/// The views of the board, wherever the pictures come from.
+class ViewSource {
+ public:
+  ViewSource(const Arguments& arguments, Session& session)
+      : arguments_(arguments), session_(session), views_(board_of(arguments)) {}
+
+  stereo::BoardViews find() {
+    const bool sides = arguments_.has("left") || arguments_.has("right");
+    if (arguments_.has("pairs") + arguments_.has("video") + sides != 1)
+      throw UsageError(
+          "glisson calibrate: one of --pairs, --left with --right, and --video is needed. See 'glisson "
+          "calibrate "
+          "--help'.");
+    if (arguments_.has("video"))
+      from_video();
+    else
+      from(sides ? stereo::picture_pairs(arguments_.required_path("left"), arguments_.required_path("right"))
+                 : stereo::picture_pairs(arguments_.path("pairs")));
+    views_.keep_most_different(arguments_.integer("most-views", 3, 200));
+    return std::move(views_);
+  }
+
+ private:
+  void add(const std::string& name, const Picture& left, const Picture& right, double fraction) {
+    if (session_.context().cancelled()) throw Interrupted();
+    session_.context().progress(fraction, "calibrate.find_board");
+    using Found = stereo::BoardViews::Found;
+    const QString pair = QString::fromStdString(name);
+    switch (views_.add(name, left, right)) {
+      case Found::both:
+        return;
+      case Found::left_only:
+        return say(Cli::tr("%1: the board is found in the left picture only").arg(pair));
+      case Found::right_only:
+        return say(Cli::tr("%1: the board is found in the right picture only").arg(pair));
+      case Found::neither:
+        if (!arguments_.has("video")) say(Cli::tr("%1: no board is found").arg(pair));
+    }
+  }
+
+  void from(const stereo::PicturePairs& files) {
+    for (const fs::path& file : files.alone)
+      say(Cli::tr("%1: has no partner").arg(QString::fromStdString(file.string())));
+    double done = 0.0;
+    for (const stereo::PicturePair& pair : files.pairs)
+      add(pair.name, stereo::read_picture(pair.left), stereo::read_picture(pair.right),
+          done++ / static_cast<double>(files.pairs.size()));
+  }
+
+  void from_video() {
+    constexpr int kLooks = 60;  // a second each
+    stereo::StereoVideo video(arguments_.path("video"), arguments_.path("video-right"));
+    const int step = std::max(1, video.frame_count() / kLooks);
+    for (StereoFrame frame; video.read(frame);)
+      if (frame.index % step == 0)
+        add("frame " + std::to_string(frame.index), frame.left, frame.right,
+            std::min(1.0, frame.index / std::max(1.0, 1.0 * video.frame_count())));
+  }
+
+  const Arguments& arguments_;
+  Session& session_;
+  stereo::BoardViews views_;
+};
+
+/// YAML, or a folder of plain text for pictures of this size.
+StereoRig rig_from(const fs::path& path, int width, int height) {
+  return fs::is_directory(path) ? stereo::read_text_calibration(path, width, height)
+                                : stereo::read_calibration(path);
+}
+
+void tell_views(const stereo::Calibration& calibration) {
+  say(Cli::tr(
+      "view, left px, right px, distance mm, tilt degrees, rows px by a calibration without it, rows px "
+      "by the reference"));
+  for (const stereo::ViewReport& view : calibration.views) {
+    const auto number = [](double value) {
+      return std::isfinite(value) ? QString::number(value, 'f', 2) : QStringLiteral("-");
+    };
+    say(QString("%1 %2 %3 %4 %5 %6 %7%8")
+            .arg(QString::fromStdString(view.name), -16)
+            .arg(number(view.left_rms), 6)
+            .arg(number(view.right_rms), 6)
+            .arg(number(1e3 * view.distance), 8)
+            .arg(number(view.tilt * 180.0 / M_PI), 6)
+            .arg(number(view.epipolar_left_out), 6)
+            .arg(number(view.epipolar_reference), 6)
+            .arg(!view.used     ? Cli::tr("  left out")
+                 : view.outlier ? Cli::tr("  fits far worse than the others: leave it out (--drop-outliers)")
+                                : QString()));
+  }
+}
+
+void add_figures(Figures& figures, const stereo::Calibration& calibration) {
+  figures["calibration_views"] = static_cast<double>(calibration.views.size());
+  figures["calibration_outliers"] = static_cast<double>(std::count_if(
+      calibration.views.begin(), calibration.views.end(), [](const auto& view) { return view.outlier; }));
+  figures["calibration_rms_px"] = calibration.rms;
+  figures["calibration_rms_left_px"] = calibration.left_rms;
+  figures["calibration_rms_right_px"] = calibration.right_rms;
+  figures["calibration_focal_sigma_px"] = calibration.focal_sigma;
+  figures["calibration_baseline_mm"] = 1e3 * calibration.rig.baseline();
+  figures["calibration_coverage_left"] = calibration.left_coverage;
+  figures["calibration_coverage_right"] = calibration.right_coverage;
+  figures["calibration_epipolar_px"] = calibration.epipolar_rms;
+  figures["calibration_epipolar_left_out_px"] = calibration.epipolar_left_out;
+  figures["calibration_epipolar_reference_px"] = calibration.epipolar_reference;
+}
+
+/// A calibration of plain text is written as YAML.
+int convert(const Arguments& arguments, const fs::path& out) {
+  Session session(arguments);
+  const auto [width, height] = two_numbers(arguments, "size");
+  const StereoRig rig =
+      stereo::read_text_calibration(arguments.path("text"), width, height, arguments.unit("unit"));
+  session.figures["calibration_baseline_mm"] = 1e3 * rig.baseline();
+  stereo::write_calibration(out, rig);
+  session.finish();
+  return 0;
+}
+
+void declare_calibrate(Arguments& arguments) {
+  arguments.option(
+      "pairs",
+      Cli::tr("A folder of picture pairs whose names differ in left and right only, or with folders "
+              "left and right in it."),
+      "FOLDER");
+  arguments.option("left", Cli::tr("The left pictures: a folder, or a pattern such as 'shots/left-*.png'."),
+                   "P");
+  arguments.option("right", Cli::tr("The right pictures, likewise."), "P");
+  arguments.option("video", Cli::tr("Stereo video of the board, views side by side."), "V");
+  arguments.option("video-right", Cli::tr("The right view, when it is a file of its own."), "V");
+  arguments.option("board", Cli::tr("Inner corners of the board, columns and rows."), "NxM", "14x10");
+  arguments.option("square-mm", Cli::tr("Side of a square, millimetres."), "MM", 3.0);
+  arguments.option("charuco", Cli::tr("A ChArUco board: the dictionary of its markers, as DICT_4X4_50."),
+                   "DICT");
+  arguments.option("marker-mm", Cli::tr("Side of a ChArUco marker, millimetres."), "MM", 0.0);
+  arguments.option("most-views", Cli::tr("Views to use at most; those that differ most are kept."), "N",
+                   40.0);
+  arguments.option("reference",
+                   Cli::tr("Another calibration to compare with: YAML, or a folder of plain text."), "C");
+  arguments.flag("drop-outliers", Cli::tr("Leave out the views that fit far worse than the others."));
+  arguments.flag("k3", Cli::tr("Estimate the third radial distortion term too."));
+  arguments.option("coverage", Cli::tr("Picture of where the boards were, both cameras."), "C.png");
+  arguments.option(
+      "text",
+      Cli::tr("Instead of pictures: a calibration in plain text files (3x3, 4x4), to be written as "
+              "YAML; needs --size."),
+      "FOLDER");
+  arguments.option("size", Cli::tr("Width and height of the pictures, for --text."), "WxH");
+  arguments.option("unit", Cli::tr("Unit of the translation in --text: mm, cm or m."), "UNIT", "mm");
+  arguments.option("out", Cli::tr("The calibration (OpenCV YAML, mm)."), "C.yaml");
+}
+
+}  // namespace
+
+int run_calibrate(const QStringList& given) {
+  Arguments arguments("calibrate",
+                      Cli::tr("Calibrates a stereo laparoscope from pictures of a chessboard or ChArUco "
+                              "board, and tells how far to trust it."));
+  declare_calibrate(arguments);
+  if (!arguments.parse(given)) return 0;
+  const fs::path out = arguments.output_file("out", {".yaml", ".yml"});
+  if (arguments.has("coverage")) arguments.output_file("coverage", {".png", ".jpg", ".bmp"});
+  arguments.require_existing("reference");
+  if (arguments.has("text")) return convert(arguments, out);
+  Session session(arguments);
+  const stereo::BoardViews views = ViewSource(arguments, session).find();
+  views.require(3);
+  stereo::CalibrateOptions options;
+  options.third_radial = arguments.has("k3");
+  options.drop_outliers = arguments.has("drop-outliers");
+  if (arguments.has("reference"))
+    options.reference = rig_from(arguments.path("reference"), views.width(), views.height());
+  const auto calibration = stereo::calibrate(views, options, session.context());
+  if (!calibration) throw Interrupted();
+  tell_views(*calibration);
+  add_figures(session.figures, *calibration);
+  stereo::write_calibration(out, calibration->rig);
+  if (arguments.has("coverage"))
+    stereo::write_picture(arguments.path("coverage"), stereo::coverage_picture(views, *calibration));
+  session.finish();
+  return 0;
+}
+
+int run_reconstruct(const QStringList& given) {
+  Arguments arguments("reconstruct",
+                      Cli::tr("Turns a stereo pair into a labelled cloud in the left camera's frame."));
+  arguments.option("left", Cli::tr("The left picture."), "L");
+  arguments.option("right", Cli::tr("The right picture."), "R");
+  arguments.option("calibration",
+                   Cli::tr("OpenCV YAML: M1 D1 M2 D2 R T image_width image_height unit; or a folder of plain "
+                           "text files (3x3, 4x4)."),
+                   "C");
+  arguments.option("mask", Cli::tr("What of the left picture is tissue (non-zero)."), "M");
+  arguments.option(
+      "regions", Cli::tr("Clicked regions (JSON): only what lies in one is kept, with its label."), "R.json");
+  arguments.flag("dense", Cli::tr("Semi-global matching instead of features."));
+  arguments.option("out", Cli::tr("The cloud (PLY)."), "cloud.ply");
+  arguments.option("unit", Cli::tr("Unit of the cloud and of --truth: mm, cm or m."), "UNIT", "mm");
+  arguments.option("truth",
+                   Cli::tr("A surface in the left camera's frame, or its depth map (.pfm, mm): adds the "
+                           "distances. Read after everything else."),
+                   "FILE");
+  if (!arguments.parse(given)) return 0;
+  const fs::path out = arguments.output_file("out", {".ply"});
+  arguments.require_existing("truth");
+  Session session(arguments);
+  const engine::SetCalibration calibration{arguments.required_path("calibration")};
+  const engine::LoadStereoPair pair{arguments.required_path("left"), arguments.required_path("right"),
+                                    arguments.path("mask")};
+  // Plain text does not tell the pictures' size: they come first then.
+  const bool plain_text = fs::is_directory(calibration.path);
+  if (!plain_text) session.post(calibration);
+  session.post(pair);
+  if (plain_text) session.post(calibration);
+  if (arguments.has("regions"))
+    session.post(engine::SetRegions{stereo::read_regions(arguments.path("regions"))});
+  engine::Reconstruct command;
+  if (arguments.has("dense")) command.options.method = stereo::Method::dense;
+  session.post(command);
+  const LabelledCloud& cloud = *session.state().cloud;
+  if (arguments.has("truth")) {
+    const stereo::CloudErrors errors = cloud_truth(arguments, session.state());
+    session.figures["cloud_error_median_mm"] = 1e3 * errors.distance.median;
+    session.figures["cloud_error_mean_mm"] = 1e3 * errors.distance.mean;
+    session.figures["cloud_error_p95_mm"] = 1e3 * errors.distance.percentile_95;
+    session.figures["cloud_bias_mm"] = 1e3 * errors.bias;
+    session.figures["cloud_points_without_truth"] = errors.without_truth;
+  }
+  write_cloud(out, cloud, arguments.unit("unit"));
+  session.finish();
+  return 0;
+}
+
+}  // namespace glisson::app
