@@ -21,6 +21,7 @@ int run_register(const QStringList& arguments);
 int run_track(const QStringList& arguments);
 int run_render(const QStringList& arguments);
 int run_overlay(const QStringList& arguments);
+int run_prove(const QStringList& arguments);
 int run_simulate(const QStringList& arguments);
 /// Opens the window, with what the program's own first argument names, if anything. @throws UsageError no
 /// display.

@@ -156,11 +156,17 @@ class CommandsTest : public QObject {
   void ASurfaceComesBackAsThatSurface();
   void TrackWritesOneMeshACloud();
   void SimulateWritesItsSteps();
+  void EditsAreStepsOfTheCaseAndCanBeUndone();
+  void ABadScriptOfEditsLeavesTheCase();
+
+ private:
+  /// A case a.glisson with an empty CT of 40 x 40 x 30 voxels of 2 mm.
+  void import_small_ct() const;
 };
 
 void CommandsTest::EveryCommandHelps() {
-  for (const char* command : {"demo", "import", "segment", "model", "reconstruct", "register", "track",
-                              "render", "overlay", "simulate"}) {
+  for (const char* command : {"demo", "import", "segment", "edit", "model", "prove", "reconstruct",
+                              "register", "track", "render", "overlay", "simulate"}) {
     const Ran ran = run({command, "--help"});
     QCOMPARE(ran.code, 0);
     QVERIFY2(ran.out.contains("--seed") && ran.out.contains("--json") &&
@@ -488,6 +494,56 @@ void CommandsTest::SimulateWritesItsSteps() {
   QVERIFY(figures("s.json").contains("displacement_max_mm"));
   refused({"simulate", "--model", "m.vtu", "--load", "nothing.json", "--steps", "5", "--out", "other"},
           "nothing.json");
+}
+
+void CommandsTest::import_small_ct() const {
+  Image image;
+  image.grid.size = {40, 40, 30};
+  image.grid.spacing_mm = {2.0, 2.0, 2.0};
+  image.voxels = std::make_shared<const std::vector<std::int16_t>>(
+      std::vector<std::int16_t>(static_cast<std::size_t>(image.grid.voxel_count()), 70));
+  write_image(at("ct.nrrd"), image);
+  QCOMPARE(run({"import", "ct.nrrd", "--case", "a.glisson"}).code, 0);
+}
+
+void CommandsTest::EditsAreStepsOfTheCaseAndCanBeUndone() {
+  import_small_ct();
+  write_text(at("edits.json"), R"({"edits": [
+    {"tool": "paint", "label": "parenchyma", "brush": "ball", "radius_mm": 20, "path_mm": [[40, 40, 30]]},
+    {"tool": "paint", "label": "lesion_1", "brush": "ball", "radius_mm": 8, "path_mm": [[40, 40, 30]]}]})");
+  Ran ran = run({"edit", "--case", "a.glisson", "--script", "edits.json", "--labels-out", "labels.nii.gz",
+                 "--review", "lesion_1=approved"});
+  QVERIFY2(ran.code == 0, qPrintable(ran.error));
+  const double voxel = 8.0, ball = 4.0 / 3.0 * 3.14159265;
+  std::vector<long> counts = read_labels(at("labels.nii.gz")).voxels.histogram();
+  QVERIFY(std::abs(voxel * static_cast<double>(counts[structure::kFirstLesion]) - ball * 512) <
+          0.1 * ball * 512);
+  QVERIFY(std::abs(voxel * static_cast<double>(counts[structure::kParenchyma]) - ball * (8000 - 512)) <
+          0.05 * ball * 8000);
+  QCOMPARE(read_labels(at("a.glisson/labels.seg.nrrd")).infos.back().status, std::string("completed"));
+  ran = run({"edit", "--case", "a.glisson", "--undo", "1", "--labels-out", "labels.nii.gz"});
+  QVERIFY2(ran.code == 0, qPrintable(ran.error));
+  counts = read_labels(at("labels.nii.gz")).voxels.histogram();
+  QCOMPARE(counts.size(), std::size_t{structure::kParenchyma + 1});
+  // With the labels against themselves the figures are those of an expert who agrees.
+  ran = run({"edit", "--case", "a.glisson", "--redo", "1", "--truth", "labels.nii.gz", "--json", "f.json"});
+  QVERIFY2(ran.code == 0, qPrintable(ran.error));
+  QCOMPARE(figures("f.json")["dice_liver"].toDouble(), 1.0);
+  QVERIFY(run({"edit", "--case", "a.glisson", "--undo", "9"}).error.contains("no step to undo"));
+}
+
+void CommandsTest::ABadScriptOfEditsLeavesTheCase() {
+  import_small_ct();
+  write_text(at("edits.json"), R"({"edits": [
+    {"tool": "paint", "label": "parenchyma", "brush": "ball", "radius_mm": 9, "path_mm": [[40, 40, 30]]},
+    {"tool": "paint", "label": "parenchyma", "brush": "ball", "radius_mm": -8, "path_mm": [[40, 40, 30]]}]})");
+  const std::string before = read_file(at("a.glisson/case.json"));
+  const Ran ran = run({"edit", "--case", "a.glisson", "--script", "edits.json"});
+  QCOMPARE(ran.code, 1);
+  QVERIFY2(ran.error.contains("edit 2") && ran.error.contains("radius"), qPrintable(ran.error));
+  QCOMPARE(read_file(at("a.glisson/case.json")), before);
+  QCOMPARE(run({"edit", "--case", "a.glisson"}).code, 2);
+  QCOMPARE(run({"edit", "--case", "a.glisson", "--review", "spleen=approved"}).code, 2);
 }
 
 QTEST_GUILESS_MAIN(CommandsTest)

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/experiments/patient_proof.h"
 
-#include <array>
+#include <cmath>
 
 #include "glisson/core/error.h"
 #include "glisson/engine/script.h"
+#include "glisson/experiments/evaluate_trees.h"
 #include "glisson/insilico/operator.h"
 #include "glisson/insilico/patient.h"
 #include "glisson/segmentation/evaluate.h"
@@ -15,6 +16,9 @@ namespace {
 
 /// Nodes that give a liver about ten thousand tetrahedra.
 constexpr int kFineVertices = 2300;
+
+/// Beams enough for every branch: nothing is pruned.
+constexpr int kAllBeams = 4000;
 
 /// Thrown inside a run when it was cancelled; never leaves prove_patient.
 struct Cancelled {};
@@ -61,11 +65,34 @@ class PatientWay {
     proof_.figures.erase(name_ + "_stroke_voxels_changed");
   }
 
+  /// Of the trees of the model against the true ones, under `stage`.
+  void compare_trees(const insilico::SyntheticPatient& patient, const std::string& stage) {
+    const VolumeGrid& grid = patient.ct.grid;
+    const std::vector<std::uint8_t> liver = inside_liver(patient.truth);
+    const auto in_liver = [&](const Eigen::Vector3d& p) {
+      const Eigen::Vector3i at = grid.index_of(Point<CtFrame>(p)).array().round().cast<int>();
+      return grid.contains(at) && liver[static_cast<std::size_t>(grid.offset(at))] != 0;
+    };
+    const double voxel = 1e-3 * std::cbrt(grid.voxel_volume_mm3());
+    double mean = 0.0;
+    int thick = 0, found = 0, loops = 0;
+    for (const VesselTree& tree : patient.trees) {
+      const TreeScore score = score_tree(tree, state().model->model.vessels, voxel, in_liver);
+      mean += score.mean / static_cast<double>(patient.trees.size());
+      thick += score.thick;
+      found += score.thick_found;
+      loops += score.bridges + score.doubled;
+    }
+    set(stage + "_centreline_mean_voxels", mean / voxel);
+    set(stage + "_branches_found_share", thick > 0 ? static_cast<double>(found) / thick : 0.0);
+    set(stage + "_false_loops", loops);
+  }
+
   void build_models() {
     engine::BuildModel coarse, fine;
     fine.options.mesh.target_vertices = kFineVertices;
-    post(fine, "fine_model");
-    post(coarse, "model");
+    post(fine, "fine");
+    post(coarse);
     post(engine::SaveCase{folder_ / "patient.glisson"});
   }
 
@@ -115,9 +142,18 @@ void synthetic_way(const PatientProofOptions& options, const fs::path& folder, P
   way.post(engine::SetSeeds{segmentation::read_seeds(way.folder() / "seeds.json")});
   way.post(engine::Segment{});
   way.compare(patient->truth);
+  engine::BuildModel all_branches;
+  all_branches.options.target_beams = kAllBeams;
+  way.post(all_branches, "segmented");
+  way.compare_trees(*patient, "segmented");
   way.edit_vessels(patient->truth, options.strokes, options.seed);
   way.compare(patient->truth, "edited");
   way.build_models();
+  // The skeleton by itself: from the true labels.
+  write_labels(way.folder() / "truth.seg.nrrd", patient->truth.voxels, patient->truth.infos);
+  way.post(engine::ImportLabels{way.folder() / "truth.seg.nrrd", {}}, "truth");
+  way.post(all_branches, "true_labels");
+  way.compare_trees(*patient, "true_labels");
 }
 
 }  // namespace

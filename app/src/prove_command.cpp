@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The figures of the READMEs, measured again: one proof for each part of the way.
+#include "cli.h"
+#include "commands.h"
+#include "glisson/core/files.h"
+#include "glisson/experiments/patient_proof.h"
+
+namespace glisson::app {
+namespace fs = std::filesystem;
+namespace {
+
+enum class Sense { at_least, at_most };
+
+/// A figure of a proof, what it is for people, and what it should be.
+struct Aim {
+  const char* key;
+  const char* what;  ///< to be translated
+  Sense sense;
+  double bound;
+  int decimals;
+};
+
+constexpr Aim kPatientAims[] = {
+    {"real_dice_liver", QT_TRANSLATE_NOOP("cli", "real CT: Dice of the liver"), Sense::at_least, 0.93, 3},
+    {"real_dice_portal_vein_inside",
+     QT_TRANSLATE_NOOP("cli", "real CT: Dice of the portal vein in the liver"), Sense::at_least, 0.5, 3},
+    {"real_dice_hepatic_veins_inside",
+     QT_TRANSLATE_NOOP("cli", "real CT: Dice of the hepatic veins in the liver"), Sense::at_least, 0.5, 3},
+    {"real_edited_dice_portal_vein_inside",
+     QT_TRANSLATE_NOOP("cli", "real CT: portal vein after the strokes"), Sense::at_least, 0.5, 3},
+    {"real_edited_dice_hepatic_veins_inside",
+     QT_TRANSLATE_NOOP("cli", "real CT: hepatic veins after the strokes"), Sense::at_least, 0.5, 3},
+    {"real_model_vertices_to_fine_mean_mm",
+     QT_TRANSLATE_NOOP("cli", "real CT: vertices to the fine surface, mean, mm"), Sense::at_most, 0.25, 2},
+    {"real_model_min_dihedral_deg", QT_TRANSLATE_NOOP("cli", "real CT: least dihedral angle, degrees"),
+     Sense::at_least, 10.0, 1},
+    {"real_fine_model_tetrahedra", QT_TRANSLATE_NOOP("cli", "real CT: tetrahedra of the fine model"),
+     Sense::at_least, 9000.0, 0},
+    {"real_fine_model_volume_error_size",
+     QT_TRANSLATE_NOOP("cli", "real CT: volume error of the fine model"), Sense::at_most, 0.01, 4},
+    {"synthetic_dice_liver", QT_TRANSLATE_NOOP("cli", "in silico: Dice of the liver"), Sense::at_least, 0.96,
+     3},
+    {"synthetic_true_labels_centreline_mean_voxels",
+     QT_TRANSLATE_NOOP("cli", "in silico: centrelines to the true trees, mean, voxels"), Sense::at_most, 1.0,
+     2},
+    {"synthetic_true_labels_branches_found_share",
+     QT_TRANSLATE_NOOP("cli", "in silico: branches above 2 mm radius found"), Sense::at_least, 0.95, 3},
+    {"synthetic_true_labels_false_loops", QT_TRANSLATE_NOOP("cli", "in silico: false loops"), Sense::at_most,
+     0.0, 0},
+    {"synthetic_segmented_centreline_mean_voxels",
+     QT_TRANSLATE_NOOP("cli", "in silico, segmented by clicks: centrelines to the true trees, mean, voxels"),
+     Sense::at_most, 1.0, 2},
+    {"synthetic_model_vertices_to_fine_mean_mm",
+     QT_TRANSLATE_NOOP("cli", "in silico: vertices to the fine surface, mean, mm"), Sense::at_most, 0.25, 2},
+    {"synthetic_model_min_dihedral_deg",
+     QT_TRANSLATE_NOOP("cli", "in silico: least dihedral angle, degrees"), Sense::at_least, 10.0, 1},
+    {"synthetic_fine_model_volume_error_size",
+     QT_TRANSLATE_NOOP("cli", "in silico: volume error of the fine model"), Sense::at_most, 0.01, 4},
+};
+
+/// One line for each aim whose figure there is: what, measured, aim, whether it is met.
+void say_aims(const std::vector<Aim>& aims, const Figures& figures) {
+  for (const Aim& aim : aims) {
+    const auto figure = figures.find(aim.key);
+    if (figure == figures.end()) continue;
+    const bool met = aim.sense == Sense::at_least ? figure->second >= aim.bound : figure->second <= aim.bound;
+    say(QStringLiteral("%1  %2  (%3 %4)  %5")
+            .arg(Cli::tr(aim.what), -72)
+            .arg(figure->second, 9, 'f', aim.decimals)
+            .arg(aim.sense == Sense::at_least ? QStringLiteral("≥") : QStringLiteral("≤"))
+            .arg(aim.bound, 0, 'f', aim.decimals)
+            .arg(met ? Cli::tr("met") : Cli::tr("NOT MET")));
+  }
+}
+
+/// A volume's error counts in both directions.
+void add_sizes(Figures& figures) {
+  Figures sizes;
+  for (const auto& [key, value] : figures)
+    if (key.ends_with("_volume_error")) sizes[key + "_size"] = std::abs(value);
+  figures.merge(sizes);
+}
+
+void prove_patient(const Arguments& arguments, Session& session, const fs::path& folder) {
+  experiments::PatientProofOptions options;
+  options.seed = arguments.seed();
+  const fs::path real = arguments.path("data") / "ct_ircad1";
+  if (fs::exists(real)) {
+    options.real = real;
+    options.clicks = arguments.path("clicks");
+  } else {
+    say(Cli::tr("%1 is not there: the real CT is left out.").arg(QString::fromStdString(real.string())));
+  }
+  auto proof = experiments::prove_patient(options, folder, session.context());
+  if (!proof) throw Interrupted();
+  add_sizes(proof->figures);
+  session.figures.merge(proof->figures);
+  session.notes = proof->notes;
+}
+
+struct Proof {
+  const char* name;
+  void (*run)(const Arguments&, Session&, const fs::path& folder);
+  std::vector<Aim> aims;
+};
+
+const std::vector<Proof>& proofs() {
+  static const std::vector<Proof> kProofs = {
+      {"patient", prove_patient, {std::begin(kPatientAims), std::end(kPatientAims)}},
+  };
+  return kProofs;
+}
+
+}  // namespace
+
+int run_prove(const QStringList& given) {
+  Arguments arguments("prove",
+                      Cli::tr("Measures the figures of the READMEs again, against experts' labels and "
+                              "known truths: patient (from the CT to the model)."));
+  arguments.positional("PROOF", Cli::tr("Which: patient."));
+  arguments.option("data", Cli::tr("Folder of the real data; what is not there is left out."), "DIR",
+                   "../shared/data");
+  arguments.option("clicks", Cli::tr("Folder of the clicks on it."), "DIR", "tests/data");
+  arguments.option("out", Cli::tr("Folder for cases, scripts and pictures."), "DIR");
+  if (!arguments.parse(given)) return 0;
+  const QString name = arguments.positionals(1, 1).front();
+  const auto proof = std::find_if(proofs().begin(), proofs().end(),
+                                  [&](const Proof& one) { return name == QLatin1String(one.name); });
+  if (proof == proofs().end())
+    throw UsageError(Cli::tr("%1: is no proof. See 'glisson prove --help'.").arg(name).toStdString());
+  OutputFolder folder(arguments.required_path("out"));
+  Session session(arguments);
+  proof->run(arguments, session, folder.path());
+  folder.commit();
+  session.finish();
+  say_aims(proof->aims, session.figures);
+  return 0;
+}
+
+}  // namespace glisson::app
