@@ -23,12 +23,21 @@ int run_model(const QStringList& given) {
                    "PATH");
   arguments.option("unit", Cli::tr("Unit of the surfaces: mm, cm or m."), "UNIT", "mm");
   arguments.option("vertices", Cli::tr("Vertices wanted."), "N", options.mesh.target_vertices);
+  arguments.option("edge", Cli::tr("Mean edge length wanted, mm, instead of a number of vertices."), "MM");
+  arguments.option("lesion-refinement", Cli::tr("Edge length in lesions over that elsewhere, 0.1 to 1."),
+                   "RATIO", options.mesh.lesion_refinement);
+  arguments.option("vessel-refinement",
+                   Cli::tr("Edge length in and next to vessels over that elsewhere, 0.2 to 1."), "RATIO",
+                   options.mesh.vessel_refinement);
   arguments.option("truth",
                    Cli::tr("A fine surface of the liver: adds the distances. Read after everything else."),
                    "FILE");
   arguments.option("mesh-out", Cli::tr("Also write the mesh here (.vtu, .vtk)."), "FILE");
   if (!arguments.parse(given)) return 0;
   options.mesh.target_vertices = arguments.integer("vertices", 50, 200000);
+  if (arguments.has("edge")) options.mesh.edge_mm = arguments.number("edge", 1.0, 100.0);
+  options.mesh.lesion_refinement = arguments.number("lesion-refinement", 0.1, 1.0);
+  options.mesh.vessel_refinement = arguments.number("vessel-refinement", 0.2, 1.0);
   if (arguments.has("mesh-out")) arguments.output_file("mesh-out", {".vtu", ".vtk"});
   arguments.require_existing("truth");
   const LabelCodes codes = codes_of(arguments, "codes");

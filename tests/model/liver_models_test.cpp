@@ -5,6 +5,7 @@
 #include "data_folder.h"
 #include "glisson/core/error.h"
 #include "glisson/model/build.h"
+#include "glisson/model/quality.h"
 #include "shapes.h"
 
 using namespace glisson;
@@ -13,6 +14,7 @@ class LiverModelsTest : public QObject {
   Q_OBJECT
  private slots:
   void RealPatientBecomesAModel();
+  void FineMeshKeepsTheVolume();
 };
 
 void LiverModelsTest::RealPatientBecomesAModel() {
@@ -38,13 +40,32 @@ void LiverModelsTest::RealPatientBecomesAModel() {
           1e3 * tree.radii[0]);
   QVERIFY(std::abs(quality.vertices - 550) <= 55);
   QVERIFY(quality.min_dihedral_deg >= 10.0);
-  QVERIFY(std::abs(quality.volume_error) < 0.06);
+  QVERIFY(std::abs(quality.volume_error) < 0.04);
+  QVERIFY(quality.vertices_to_fine_mean_mm <= 0.25);
   QVERIFY(quality.fine_to_mesh_mean_mm < 2.0);
+  for (const model::LesionVolume& lesion : model::lesion_volumes(built->model))
+    if (lesion.volume > 1e-6) QVERIFY(std::abs(lesion.mesh_volume / lesion.volume - 1.0) < 0.05);
   std::size_t beams = 0;
   for (const VesselTree& tree : built->model.vessels) beams += tree.beams.size();
   QVERIFY(beams >= 100 && beams <= 160);
   QVERIFY(built->model.landmarks.anterior_margin.rows() > 50);
   QVERIFY(lesion_centres(built->model).size() >= 20);
+}
+
+void LiverModelsTest::FineMeshKeepsTheVolume() {
+  const std::filesystem::path folder = test::data_folder() / "liver_models";
+  if (!std::filesystem::exists(folder)) QSKIP("liver_models is not here (set GLISSON_DATA)");
+  model::ModelOptions options;
+  options.mesh.target_vertices = 2300;
+  options.vessels = false;
+  const auto built =
+      model::build_from_surfaces(model::read_surfaces(folder, LengthUnit::millimetre), options, RunContext());
+  const model::MeshQuality& quality = built->report.quality;
+  qInfo("%d tetrahedra, volume %.2f %%, dihedral %.1f deg", quality.tetrahedra, 100.0 * quality.volume_error,
+        quality.min_dihedral_deg);
+  QVERIFY(quality.tetrahedra > 9000 && quality.tetrahedra < 11500);
+  QVERIFY(std::abs(quality.volume_error) < 0.01);
+  QVERIFY(quality.min_dihedral_deg >= 10.0);
 }
 
 QTEST_APPLESS_MAIN(LiverModelsTest)

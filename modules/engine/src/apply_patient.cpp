@@ -6,9 +6,12 @@
 #include "apply_parts.h"
 #include "glisson/core/error.h"
 #include "glisson/geometry/mesh_io.h"
+#include "glisson/model/quality.h"
 
 namespace glisson::engine {
 namespace {
+
+constexpr double kLesionToCount = 1e-6;  // m3: an error of a smaller lesion's volume says little
 
 /// Landmarks and a mesh that came from elsewhere leave nothing of the former patient behind.
 Applied with_model(const CaseState& state, model::BuiltModel built) {
@@ -28,6 +31,12 @@ Applied with_model(const CaseState& state, model::BuiltModel built) {
   for (const VesselTree& tree : model.vessels) beams += static_cast<double>(tree.beams.size());
   applied.figures["model_beams"] = beams;
   applied.figures["model_lesions"] = static_cast<double>(lesion_centres(model).size());
+  applied.figures["model_edge_mean_mm"] = 1e3 * model::mean_edge_length(model.mesh);
+  double worst = 0.0;
+  for (const model::LesionVolume& lesion : model::lesion_volumes(model))
+    if (lesion.volume > kLesionToCount && lesion.mesh_volume > 0.0)
+      worst = std::max(worst, std::abs(lesion.mesh_volume / lesion.volume - 1.0));
+  applied.figures["model_lesion_volume_error_max"] = worst;
   applied.notes = built.report.notes;
   applied.state.model = std::make_shared<const model::BuiltModel>(std::move(built));
   return applied;

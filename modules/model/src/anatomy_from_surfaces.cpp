@@ -54,8 +54,7 @@ Cancellable<Anatomy> anatomy_of(const SurfaceSet& surfaces, const ModelOptions& 
   anatomy.fine_liver = largest_closed_piece(surfaces.liver, "liver", &dropped);
   for (const double ml : dropped) anatomy.notes.push_back("liver.piece_dropped ml " + shown(ml));
   anatomy.liver_volume = volume(anatomy.fine_liver);
-  anatomy.liver =
-      field_of_surface(anatomy.fine_liver, body_spacing_mm(anatomy.fine_liver, options.mesh.target_vertices));
+  anatomy.liver = field_of_surface(anatomy.fine_liver, body_spacing_mm(anatomy.fine_liver, options.mesh));
   anatomy.surfaces.push_back({structure::kParenchyma, "liver", anatomy.fine_liver});
   for (const NamedSurface& other : surfaces.others) {
     if (context.cancelled()) return {};

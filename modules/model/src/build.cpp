@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "anatomy.h"
+#include "fit_to_surface.h"
 #include "glisson/core/error.h"
 #include "glisson/geometry/closest_point_tree.h"
 #include "glisson/geometry/distance.h"
@@ -16,8 +17,9 @@ namespace glisson::model {
 namespace {
 
 constexpr double kLeastLesionInEdges = 0.6;  // diameter over the mesh's edge length
-constexpr double kCavaContact = 0.005;       // metres between liver and vena cava
-constexpr double kLandmarkSpacing = 0.004;   // metres, of the cava's points
+constexpr double kNearVesselMm = 4.0;
+constexpr double kCavaContact = 0.005;      // metres between liver and vena cava
+constexpr double kLandmarkSpacing = 0.004;  // metres, of the cava's points
 /// The margin faces the feet and the belly: LPS axes.
 const Eigen::Vector3d kInferiorAnterior(0.0, -1.0, -1.0);
 
@@ -71,7 +73,7 @@ void count_vessel_nodes_outside(const PatientModel& model, std::vector<std::stri
 /// nodes to themselves; they stay as surfaces, carried by the tetrahedra around them.
 std::vector<std::pair<Label, ScalarField>> lesions_to_mesh(const Anatomy& anatomy, const MeshOptions& options,
                                                            std::vector<std::string>& notes) {
-  const double edge = std::cbrt(anatomy.liver_volume / options.target_vertices);
+  const double edge = typical_edge(anatomy.liver_volume, options);
   std::vector<std::pair<Label, ScalarField>> large;
   for (const auto& lesion : anatomy.lesions) {
     const double diameter = std::cbrt(6.0 / std::numbers::pi * lesion.second.volume());
@@ -84,6 +86,20 @@ std::vector<std::pair<Label, ScalarField>> lesions_to_mesh(const Anatomy& anatom
   return large;
 }
 
+/// Positive in a vessel and within kNearVesselMm of it, on samples that need not show more than that.
+ScalarField around_vessel(const VesselMask& vessel) {
+  const VolumeGrid& grid = vessel.grid;
+  const VoxelBox box =
+      bounding_box(grid.size, grid.spacing_mm, vessel.voxels, kNearVesselMm + grid.spacing_mm.maxCoeff());
+  const Mask part = crop(grid.size, grid.spacing_mm, vessel.voxels, box);
+  std::vector<float> values = squared_distance_mm2(part);
+  for (float& value : values) value = static_cast<float>(kNearVesselMm) - std::sqrt(value);
+  VolumeGrid around = grid;
+  around.size = part.size;
+  around.origin_mm = 1e3 * grid.p_in_ct(box.low.cast<double>()).xyz;
+  return ScalarField(around, std::move(values));
+}
+
 Cancellable<BuiltModel> assemble(Anatomy anatomy, const ModelOptions& options, const RunContext& context) {
   BuiltModel built;
   PatientModel& model = built.model;
@@ -93,9 +109,14 @@ Cancellable<BuiltModel> assemble(Anatomy anatomy, const ModelOptions& options, c
   input.body = anatomy.liver;
   input.body_label = structure::kParenchyma;
   input.inclusions = lesions_to_mesh(anatomy, options.mesh, notes);
+  if (options.mesh.vessel_refinement < 1.0)
+    for (const VesselMask& vessel : anatomy.vessels) input.refined.push_back(around_vessel(vessel));
   auto mesh = mesh_to_size(input, options.mesh, notes, context.part(0.0, 0.6));
   if (!mesh) return {};
   model.mesh = std::move(*mesh);
+  FitTargets targets{&anatomy.fine_liver, anatomy.liver_volume, {}};
+  for (const auto& [label, field] : input.inclusions) targets.inclusions.push_back({label, field.volume()});
+  fit_to_surface(model.mesh, targets, kLeastDihedral);
   model.surface = boundary_surface(model.mesh);
   for (const auto& [label, field] : input.inclusions)
     if (std::find(model.mesh.labels.begin(), model.mesh.labels.end(), static_cast<int>(label)) ==

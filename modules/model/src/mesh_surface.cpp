@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 
+#include "fit_to_surface.h"
 #include "glisson/core/error.h"
 #include "glisson/geometry/topology.h"
 #include "glisson/model/build.h"
@@ -13,6 +14,12 @@ void MeshOptions::validate() const {
   if (target_vertices < 20 || target_vertices > 200000)
     throw InputError("mesh options", "target_vertices", std::to_string(target_vertices) + " is out of range",
                      "Ask for 20 to 200000 vertices");
+  if (edge_mm != 0.0 && !(edge_mm >= 1.0 && edge_mm <= 100.0))
+    throw InputError("mesh options", "edge_mm", std::to_string(edge_mm) + " is out of range",
+                     "Give an edge length of 1 to 100 mm");
+  if (!(vessel_refinement >= 0.2 && vessel_refinement <= 1.0))
+    throw InputError("mesh options", "vessel_refinement",
+                     std::to_string(vessel_refinement) + " is out of range", "Give a ratio of 0.2 to 1");
   if (!(lesion_refinement >= 0.1 && lesion_refinement <= 10.0))
     throw InputError("mesh options", "lesion_refinement",
                      std::to_string(lesion_refinement) + " is out of range", "Give a ratio of 0.1 to 10");
@@ -24,9 +31,11 @@ Cancellable<TetMesh> mesh_surface(const TriangleMesh& surface, const MeshOptions
   const TriangleMesh closed = largest_closed_piece(surface, "surface");
   context.progress(0.0, "model.mesh.field");
   MesherInput input;
-  input.body = field_of_surface(closed, body_spacing_mm(closed, options.target_vertices));
+  input.body = field_of_surface(closed, body_spacing_mm(closed, options));
   std::vector<std::string> notes;
-  return mesh_to_size(input, options, notes, context.part(0.1, 1.0));
+  auto mesh = mesh_to_size(input, options, notes, context.part(0.1, 1.0));
+  if (mesh) fit_to_surface(*mesh, {&closed, volume(closed), {}}, kLeastDihedral);
+  return mesh;
 }
 
 }  // namespace glisson::model

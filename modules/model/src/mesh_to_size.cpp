@@ -8,6 +8,7 @@
 
 #include "glisson/core/error.h"
 #include "glisson/geometry/topology.h"
+#include "glisson/model/quality.h"
 
 namespace glisson::model {
 namespace {
@@ -15,17 +16,19 @@ namespace {
 constexpr double kTolerance = 0.10;  // of the number of nodes
 constexpr double kSearchTolerance = 0.04;
 constexpr int kSearchPasses = 10;
-constexpr double kLeastDihedral = 10.0;  // degrees
 // Perturbation gives up at the first sliver that it cannot better, at half of all meshes with lesions.
 // Another start is as good as another mesh: each pair of size and smoothing is one.
 constexpr std::array<int, 4> kPasses = {20, 5, 10, 2};
 constexpr std::array<double, 3> kSizes = {1.0, 1.015, 0.985};
+constexpr double kMostVertices = 200000;
 constexpr std::size_t kAttempts = kPasses.size() * kSizes.size();
+constexpr double kMeanEdgeOverSize = 1.0;   // measured: see README
+constexpr double kMeanEdgeOverRoot = 1.32;  // of the volume a node
 constexpr double kEdgesAcrossLesion = 0.7;  // edge length over a lesion's diameter, at most
 
 /// A lesion gets elements that can show it, however small it is against the others.
 MesherSizes sizes_of(double edge, const MesherInput& input, const MeshOptions& options) {
-  MesherSizes sizes{edge, {}};
+  MesherSizes sizes{edge, {}, edge * options.vessel_refinement};
   for (const auto& [label, field] : input.inclusions) {
     const double diameter = std::cbrt(6.0 / std::numbers::pi * field.volume());
     sizes.inclusion_edges.push_back(
@@ -34,33 +37,42 @@ MesherSizes sizes_of(double edge, const MesherInput& input, const MeshOptions& o
   return sizes;
 }
 
-/// The edge length at which bare refinement gives the wanted number of nodes. Nodes go with a power of the
-/// edge between -2 (a thin body, all surface) and -3: a secant on logarithms.
+/// The mesher's edge length at which bare refinement gives the wanted number of nodes, or mean edge. Nodes go
+/// with a power of the edge between -2 (a thin body, all surface) and -3: a secant on logarithms.
 std::optional<double> find_edge(const MesherInput& input, const MeshOptions& options,
                                 const RunContext& context) {
-  const double wanted = std::log(static_cast<double>(options.target_vertices));
-  double edge = 1.25 * std::cbrt(input.body.volume() / options.target_vertices);
+  const bool by_edge = options.edge_mm > 0.0;
+  const double wanted = std::log(by_edge ? 1e-3 * options.edge_mm : options.target_vertices);
+  double edge = 1.25 * typical_edge(input.body.volume(), options);
   double best_edge = edge, best_miss = std::numeric_limits<double>::infinity();
-  double last_log_edge = 0.0, last_log_count = 0.0, slope = -2.6;
+  double last_log_edge = 0.0, last_log_met = 0.0, slope = by_edge ? 1.0 : -2.6;
   for (int pass = 0; pass < kSearchPasses; ++pass) {
     const double done = static_cast<double>(pass) / kSearchPasses;
     const auto mesh =
         fill_with_tetrahedra(input, sizes_of(edge, input, options), 0, context.part(done, done));
     if (!mesh) return {};
-    const double log_edge = std::log(edge), log_count = std::log(std::max(4.0, double(mesh->vertex_count())));
-    const double miss = std::abs(log_count - wanted);
+    const double log_edge = std::log(edge);
+    const double log_met = std::log(by_edge ? std::max(1e-3, mean_edge_length(*mesh))
+                                            : std::max(4.0, double(mesh->vertex_count())));
+    const double miss = std::abs(log_met - wanted);
     if (miss < best_miss) {
       best_miss = miss;
       best_edge = edge;
     }
     if (miss < std::log1p(kSearchTolerance)) break;
     if (pass > 0 && std::abs(log_edge - last_log_edge) > 1e-3)
-      slope = std::clamp((log_count - last_log_count) / (log_edge - last_log_edge), -3.2, -1.4);
+      slope = std::clamp((log_met - last_log_met) / (log_edge - last_log_edge), by_edge ? 0.5 : -3.2,
+                         by_edge ? 1.5 : -1.4);
     last_log_edge = log_edge;
-    last_log_count = log_count;
-    edge = std::exp(log_edge + std::clamp((wanted - log_count) / slope, -0.7, 0.7));
+    last_log_met = log_met;
+    edge = std::exp(log_edge + std::clamp((wanted - log_met) / slope, -0.7, 0.7));
   }
   return best_edge;
+}
+
+double vertices_expected(double volume, const MeshOptions& options) {
+  const double edge = typical_edge(volume, options);
+  return volume / (edge * edge * edge);
 }
 
 struct Flaws {
@@ -75,22 +87,32 @@ struct Flaws {
   }
 };
 
-Flaws flaws_of(const TetMesh& mesh, int wanted) {
+Flaws flaws_of(const TetMesh& mesh, const MeshOptions& options) {
   Flaws flaws;
   flaws.dihedral = mesh.tetrahedron_count() > 0 ? dihedral_angles(mesh).col(0).minCoeff() : 0.0;
   const BoundarySurface surface = boundary_surface(mesh);
   int pieces = 0;
   connected_components(surface.mesh, &pieces);
   flaws.whole = is_closed(surface.mesh) && pieces == 1;
-  flaws.off_target = std::abs(mesh.vertex_count() - wanted) / static_cast<double>(wanted);
+  if (options.edge_mm == 0.0)
+    flaws.off_target = std::abs(static_cast<double>(mesh.vertex_count()) / options.target_vertices - 1.0);
   return flaws;
 }
 
 }  // namespace
 
+double typical_edge(double volume, const MeshOptions& options) {
+  return options.edge_mm > 0.0 ? 1e-3 * options.edge_mm / kMeanEdgeOverRoot
+                               : std::cbrt(volume / options.target_vertices);
+}
+
 Cancellable<TetMesh> mesh_to_size(const MesherInput& input, const MeshOptions& options,
                                   std::vector<std::string>& notes, const RunContext& context) {
   options.validate();
+  if (options.edge_mm > 0.0 && vertices_expected(input.body.volume(), options) > kMostVertices)
+    throw InputError("mesh options", "edge_mm",
+                     std::to_string(options.edge_mm) + " would give more than 200000 vertices",
+                     "Ask for longer edges");
   const std::optional<double> found = find_edge(input, options, context.part(0.0, 0.3));
   if (!found) return {};
   TetMesh best;
@@ -103,7 +125,7 @@ Cancellable<TetMesh> mesh_to_size(const MesherInput& input, const MeshOptions& o
     auto mesh = fill_with_tetrahedra(input, sizes_of(edge, input, options), kPasses[attempt % kPasses.size()],
                                      context.part(from, done));
     if (!mesh) return {};
-    const Flaws flaws = flaws_of(*mesh, options.target_vertices);
+    const Flaws flaws = flaws_of(*mesh, options);
     if (attempt == 0 || flaws.better_than(best_flaws)) {
       best = std::move(*mesh);
       best_flaws = flaws;

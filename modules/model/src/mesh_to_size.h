@@ -9,6 +9,12 @@
 
 namespace glisson::model {
 
+/// No cell of a mesh is to have a smaller dihedral angle, degrees.
+inline constexpr double kLeastDihedral = 10.0;
+
+/// Third root of the volume that one node stands for, metres; `volume` of the body, m3.
+double typical_edge(double volume, const MeshOptions& options);
+
 /// Meshes so that the number of nodes comes within 10 % of what is wanted: the edge length is searched on
 /// bare refinements, then one mesh is optimised. A mesh with slivers (below 10 degrees) or a boundary that is
 /// no closed manifold is made anew at a slightly other size.

@@ -130,20 +130,28 @@ std::vector<std::pair<Point3, Domain::Index>> first_points(const MesherInput& in
   return points;
 }
 
-/// Edge length by sub-domain: inclusions may be finer, and their boundary goes with them.
+/// Edge length by sub-domain and place: inclusions may be finer, their boundary goes with them, and so may be
+/// what lies near a vessel.
 struct Sizing {
+  const MesherInput* input;
   const MesherSizes* sizes;
+  Placement place;
   double factor;
   using FT = double;
   template <class Point>
-  double operator()(const Point&, int, const Domain::Index& index) const {
+  double operator()(const Point& point, int, const Domain::Index& index) const {
     int domain = 1;
     if (const auto* patch = boost::get<Domain::Surface_patch_index>(&index))
       domain = std::max(patch->first, patch->second);
     else if (const auto* subdomain = boost::get<Domain::Subdomain_index>(&index))
       domain = *subdomain;
-    return factor * 1e3 *
-           (domain >= 2 ? sizes->inclusion_edges[static_cast<std::size_t>(domain - 2)] : sizes->edge);
+    double edge = domain >= 2 ? sizes->inclusion_edges[static_cast<std::size_t>(domain - 2)] : sizes->edge;
+    if (sizes->refined_edge < edge && !input->refined.empty()) {
+      const Eigen::Vector3d p = place.in_ct(Point3(point.x(), point.y(), point.z()));
+      for (const ScalarField& field : input->refined)
+        if (field.at(p) > 0.0) edge = sizes->refined_edge;
+    }
+    return factor * 1e3 * edge;
   }
 };
 
@@ -206,10 +214,11 @@ Cancellable<TetMesh> fill_with_tetrahedra(const MesherInput& input, const Mesher
   };
   try {
     const Domain domain(label, 1e3 * radius, &random, first_points(input, place, radius));
-    const Criteria criteria(
-        parameters::facet_angle = kFacetAngle, parameters::facet_size = Sizing{&sizes, 1.0},
-        parameters::facet_distance = Sizing{&sizes, kFacetDistance},
-        parameters::cell_radius_edge_ratio = kRadiusEdge, parameters::cell_size = Sizing{&sizes, 1.0});
+    const Criteria criteria(parameters::facet_angle = kFacetAngle,
+                            parameters::facet_size = Sizing{&input, &sizes, place, 1.0},
+                            parameters::facet_distance = Sizing{&input, &sizes, place, kFacetDistance},
+                            parameters::cell_radius_edge_ratio = kRadiusEdge,
+                            parameters::cell_size = Sizing{&input, &sizes, place, 1.0});
     context.progress(0.0, "model.mesh.refine");
     // Where three sub-domains meet no surface is a manifold, and refinement that asks for one does not end.
     const auto topology = input.inclusions.empty() ? parameters::manifold() : parameters::non_manifold();

@@ -16,11 +16,13 @@ struct MesherInput {
   ScalarField body;
   Label body_label = 1;
   std::vector<std::pair<Label, ScalarField>> inclusions;
+  std::vector<ScalarField> refined;  ///< elements are finer where one of these is positive
 };
 
 struct MesherSizes {
   double edge = 0.02;                   ///< metres
   std::vector<double> inclusion_edges;  ///< metres, one a sub-domain
+  double refined_edge = 0.02;           ///< metres, where MesherInput::refined is positive
 };
 
 /// CGAL Mesh_3 (Jamin, Alliez, Yvinec, Boissonnat 2015), sequential, then Lloyd, ODT, perturb, exude. The

@@ -7,6 +7,7 @@
 
 #include "glisson/core/error.h"
 #include "glisson/geometry/topology.h"
+#include "mesh_to_size.h"
 
 namespace glisson::model {
 namespace {
@@ -53,10 +54,10 @@ TriangleMesh largest_closed_piece(const TriangleMesh& surface, const std::string
   return largest;
 }
 
-double body_spacing_mm(const TriangleMesh& surface, int target_vertices) {
+double body_spacing_mm(const TriangleMesh& surface, const MeshOptions& options) {
   const Eigen::Vector3d box =
       1e3 * (surface.vertices.colwise().maxCoeff() - surface.vertices.colwise().minCoeff()).transpose();
-  const double edge = 1e3 * std::cbrt(std::abs(volume(surface)) / target_vertices);
+  const double edge = 1e3 * typical_edge(std::abs(volume(surface)), options);
   return std::max(edge / kEdgeOverSpacing, std::cbrt(box.prod() / kMostSamples));
 }
 

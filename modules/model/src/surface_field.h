@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "glisson/geometry/mesh.h"
+#include "glisson/model/build.h"
 
 namespace glisson::model {
 
@@ -17,6 +18,6 @@ TriangleMesh largest_closed_piece(const TriangleMesh& surface, const std::string
 
 /// Sample spacing (mm) of a body's field: fine against the elements to come, and no more than some two
 /// million samples.
-double body_spacing_mm(const TriangleMesh& surface, int target_vertices);
+double body_spacing_mm(const TriangleMesh& surface, const MeshOptions& options);
 
 }  // namespace glisson::model

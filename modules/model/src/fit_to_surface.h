@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "glisson/geometry/closest_point_tree.h"
+#include "glisson/geometry/mesh.h"
+#include "glisson/volume/label_volume.h"
+
+namespace glisson::model {
+
+/// What a finished mesh is brought nearer to.
+struct FitTargets {
+  const TriangleMesh* surface = nullptr;  ///< fine, closed, normals outwards
+  double volume = 0.0;                    ///< m3, within the surface
+  struct Inclusion {
+    Label label = 0;
+    double volume = 0.0;  ///< m3
+  };
+  std::vector<Inclusion> inclusions;  ///< sub-domains of the mesh
+};
+
+/// Moves nodes of a finished mesh, never its topology, and no node so far that a cell gets a dihedral angle
+/// below `least_dihedral_deg` (or a worse one than it had):
+/// - boundary nodes go onto the surface: the repair of the boundary leaves some of the former inner nodes
+///   there, and smoothing others beside it;
+/// - and out of it by at most 0.15 mm, as far as the volume asks for: flat triangles cut a round body short;
+/// - the nodes around a sub-domain go out (or in) until it has its volume.
+/// @pre positively oriented tetrahedra.
+void fit_to_surface(TetMesh& mesh, const FitTargets& targets, double least_dihedral_deg);
+
+}  // namespace glisson::model
