@@ -46,12 +46,14 @@ std::string name_of(const Names<E>& names, E value) {
   return "";
 }
 
+/// Dividing is rounded rightly, so that 789 mm are the metres that a program calls 0.789.
+double in_metres(double mm) { return mm / 1e3; }
 /// A number of millimetres that reads back as the same number of metres where there is one.
 double in_mm(double metres) {
   const double mm = 1e3 * metres;
   for (const double candidate :
        {std::round(mm * 1e6) / 1e6, mm, std::nextafter(mm, 1e300), std::nextafter(mm, -1e300)})
-    if (1e-3 * candidate == metres) return candidate;
+    if (in_metres(candidate) == metres) return candidate;
   return mm;
 }
 json in_mm(const Eigen::Vector3d& p) { return {in_mm(p.x()), in_mm(p.y()), in_mm(p.z())}; }
@@ -80,7 +82,7 @@ class Entry {
   Entry object(const char* key) { return {at(key), file_, where_ + ", " + key}; }
 
   double number(const char* key) { return number_in(at(key), key); }
-  double metres(const char* key) { return 1e-3 * number(key); }
+  double metres(const char* key) { return in_metres(number(key)); }
   int integer(const char* key) {
     const json& value = at(key);
     if (!value.is_number_integer() || value < -1000 || value > 1000)
@@ -115,7 +117,7 @@ class Entry {
     for (const json& value : list(key)) all.push_back(label_in(value, key));
     return all;
   }
-  Eigen::Vector3d point(const char* key) { return 1e-3 * Eigen::Vector3d(row(at(key), key, 3).data()); }
+  Eigen::Vector3d point(const char* key) { return Eigen::Vector3d(row(at(key), key, 3).data()) / 1e3; }
   /// A list of lists of `columns` numbers, row by row.
   std::vector<double> rows(const char* key, std::size_t columns) {
     std::vector<double> all;
@@ -190,7 +192,7 @@ void read(Entry& e, Paint& t) {
   t.radius = e.metres("radius_mm");
   if (t.brush == Paint::Brush::disc || e.has("normal_axis")) t.normal_axis = e.integer("normal_axis");
   const std::vector<double> path = e.rows("path_mm", 3);
-  t.path = 1e-3 * Eigen::Map<const Points>(path.data(), static_cast<Eigen::Index>(path.size() / 3), 3);
+  t.path = Eigen::Map<const Points>(path.data(), static_cast<Eigen::Index>(path.size() / 3), 3) / 1e3;
 }
 json written(const Paint& t) {
   json path = json::array();

@@ -99,7 +99,7 @@ struct Scissors {
 
 /// Labels compete from the voxels that they have for the unlabelled voxels about them: along paths of little
 /// difference in intensity (a shortest-path form of GrowCut; Zhu 2014). A step costs the square of the
-/// difference of two neighbours in the image smoothed by a binomial of three, and 25 HU^2 for each mm.
+/// difference of two neighbours in the image after a median of three along each axis, and 5 HU^2 for each mm.
 struct GrowFromSeeds {
   /// One or more that may grow, and with the rivals two or more; kBackground cannot be one.
   std::vector<Label> labels;
