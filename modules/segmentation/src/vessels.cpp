@@ -4,7 +4,8 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <queue>
+
+#include "tree_split.h"
 
 namespace glisson::segmentation {
 namespace {
@@ -12,6 +13,9 @@ namespace {
 constexpr double kOutside = 10.0;      // mm that a vessel is followed outside the liver
 constexpr double kThickest = 9.0;      // mm: the radius from which on something bright is no liver vessel
 constexpr double kSmallestTree = 0.2;  // ml below which a piece is noise
+/// Brightness of candidates in the liver, of tubular ones, and outside; 0 parenchyma, 1 the clicked vessels.
+constexpr double kBright = 0.35, kDim = 0.2, kBrightOutside = 0.6, kTooBright = 1.6;
+constexpr double kTubular = 0.08;                           // of the same contrast
 constexpr std::array<double, 3> kScales = {1.2, 2.0, 3.2};  // mm
 
 /// Second derivatives by central differences at an inner voxel.
@@ -40,28 +44,6 @@ float tube_response(const Eigen::Matrix3f& h) {
   return lambda[1] < 0.0F ? -lambda[1] : 0.0F;
 }
 
-struct Entry {
-  float cost;
-  std::size_t at;
-  bool operator>(const Entry& other) const { return cost != other.cost ? cost > other.cost : at > other.at; }
-};
-using Queue = std::priority_queue<Entry, std::vector<Entry>, std::greater<>>;
-
-/// Visits the 26 neighbours with the length of the step.
-template <class Visit>
-void each_of_26(const Field& f, std::size_t at, Visit&& visit) {
-  const auto nx = static_cast<std::size_t>(f.size.x()), slice = nx * static_cast<std::size_t>(f.size.y());
-  const int i = static_cast<int>(at % nx), j = static_cast<int>((at % slice) / nx),
-            k = static_cast<int>(at / slice);
-  for (int dk = -1; dk <= 1; ++dk)
-    for (int dj = -1; dj <= 1; ++dj)
-      for (int di = -1; di <= 1; ++di) {
-        const Eigen::Vector3i v(i + di, j + dj, k + dk);
-        if ((di == 0 && dj == 0 && dk == 0) || !f.contains(v)) continue;
-        visit(f.offset(v), static_cast<float>(Eigen::Vector3d(di, dj, dk).cwiseProduct(f.spacing_mm).norm()));
-      }
-}
-
 /// Where vessels are looked for: in the liver with its bays and a little around, not in the cava.
 Mask search_region(const Mask& liver, const Mask& cava, const Mask& barred) {
   Mask region = dilated(closed(liver, 8.0), kOutside);
@@ -70,9 +52,10 @@ Mask search_region(const Mask& liver, const Mask& cava, const Mask& barred) {
   return region;
 }
 
-/// Removes what is too thick to be a liver vessel (kidney, aorta, bowel beside the liver).
-void remove_thick(Mask& candidates) {
-  const Mask thick = dilated(eroded(candidates, kThickest), kThickest + 2.0);
+/// Removes what is too thick to be a liver vessel (kidney, aorta, heart, bowel). `bright` goes beyond where
+/// vessels are looked for: of a heart only a slice may lie there.
+void remove_thick(const Mask& bright, Mask& candidates) {
+  const Mask thick = dilated(eroded(bright, kThickest), kThickest + 2.0);
   for (std::size_t i = 0; i < candidates.voxels.size(); ++i)
     if (thick.voxels[i] != 0) candidates.voxels[i] = 0;
 }
@@ -100,39 +83,7 @@ std::vector<std::size_t> snapped(const Field& ct, const Mask& candidates,
   return places;
 }
 
-/// 1: portal, 2: hepatic, for each candidate that either reaches.
-std::vector<std::uint8_t> compete(const Field& ct, const Mask& candidates, const std::vector<float>& ease,
-                                  const std::vector<std::size_t>& portal,
-                                  const std::vector<std::size_t>& hepatic) {
-  std::vector<std::uint8_t> owner(candidates.voxels.size(), 0);
-  std::vector<float> cost(candidates.voxels.size(), 1e30F);
-  Queue queue;
-  const auto place = [&](const std::vector<std::size_t>& starts, std::uint8_t who) {
-    for (const std::size_t at : starts) {
-      cost[at] = 0.0F;
-      owner[at] = who;
-      queue.push({0.0F, at});
-    }
-  };
-  place(hepatic, 2);
-  place(portal, 1);
-  while (!queue.empty()) {
-    const Entry entry = queue.top();
-    queue.pop();
-    if (entry.cost > cost[entry.at]) continue;
-    each_of_26(ct, entry.at, [&](std::size_t other, float length) {
-      if (candidates.voxels[other] == 0) return;
-      const float next = entry.cost + length / ease[other];
-      if (next >= cost[other]) return;
-      cost[other] = next;
-      owner[other] = owner[entry.at];
-      queue.push({next, other});
-    });
-  }
-  return owner;
-}
-
-Mask pieces_of(const Field& ct, const std::vector<std::uint8_t>& owner, std::uint8_t who) {
+Mask pieces_of(const Field& ct, const std::vector<Owner>& owner, Owner who) {
   Mask mask = ct.empty_mask();
   for (std::size_t i = 0; i < owner.size(); ++i) mask.voxels[i] = owner[i] == who ? 1 : 0;
   std::vector<long> sizes;
@@ -187,21 +138,21 @@ Cancellable<Vessels> find_vessels(const Field& ct, const Mask& liver, const Mask
   if (!tubes) return std::nullopt;
 
   const double contrast = vessel_contrast(ct, seeds, parenchyma);
-  Mask candidates = ct.empty_mask();
-  std::vector<float> ease(ct.values.size(), 0.0F);
+  Mask candidates = ct.empty_mask(), everything_bright = candidates;
+  std::vector<float> brightness(ct.values.size(), 0.0F);
   for (std::size_t i = 0; i < candidates.voxels.size(); ++i) {
-    if (region.voxels[i] == 0) continue;
     const double bright = (ct.values[i] - parenchyma.mean) / contrast;
+    everything_bright.voxels[i] = bright > kBrightOutside;
+    if (region.voxels[i] == 0) continue;
     const double tube = (*tubes)[i] / contrast;
     // Thick vessels are bright without looking like tubes; thin ones look like tubes but are dimmed by blur.
     // Outside the liver, where other bright things lie, only what is as bright as the clicks counts.
     const bool in = liver.voxels[i] != 0;
-    candidates.voxels[i] =
-        in ? (bright > 0.35 || (bright > 0.2 && tube > 0.08)) : (bright > 0.6 && bright < 1.6);
-    ease[i] = static_cast<float>(0.02 + std::clamp(bright, 0.0, 1.0) * std::clamp(bright, 0.0, 1.0) +
-                                 std::clamp(tube, 0.0, 1.0));
+    candidates.voxels[i] = in ? (bright > kBright || (bright > kDim && tube > kTubular))
+                              : (bright > kBrightOutside && bright < kTooBright);
+    brightness[i] = static_cast<float>(bright);
   }
-  remove_thick(candidates);
+  remove_thick(everything_bright, candidates);
   if (context.cancelled()) return std::nullopt;
   context.progress(0.7, "segmentation.trees");
 
@@ -212,9 +163,10 @@ Cancellable<Vessels> find_vessels(const Field& ct, const Mask& liver, const Mask
   for (std::size_t i = 0; i < wall.voxels.size(); ++i)
     if (!seeds.hepatic.empty() && wall.voxels[i] != 0 && candidates.voxels[i] != 0 && liver.voxels[i] != 0)
       hepatic.push_back(i);
-  const std::vector<std::uint8_t> owner = compete(ct, candidates, ease, portal, hepatic);
-  vessels.portal = pieces_of(ct, owner, 1);
-  vessels.hepatic = pieces_of(ct, owner, 2);
+  const auto owner = split_trees(ct, candidates, brightness, portal, hepatic, context);
+  if (!owner) return std::nullopt;
+  vessels.portal = pieces_of(ct, *owner, Owner::portal);
+  vessels.hepatic = pieces_of(ct, *owner, Owner::hepatic);
   return vessels;
 }
 

@@ -21,8 +21,8 @@ struct Vessels {
 Cancellable<std::vector<float>> tubeness(const Field& ct, const Mask& where,
                                          const std::vector<double>& sigmas_mm, const RunContext& context);
 
-/// Both venous trees. Candidates are bright or tubular; each tree is what its seeds reach through candidates
-/// first, where a step through bright, tubular tissue is short (competition of fronts).
+/// Both venous trees. Candidates are bright or tubular; what the seeds reach through them is parted between
+/// the trees by split_trees().
 /// @param ct lightly smoothed, about 1 mm. @param liver filled. @param cava a source of the hepatic veins;
 /// they end there. @param barred structures that no vessel runs through.
 Cancellable<Vessels> find_vessels(const Field& ct, const Mask& liver, const Mask& cava, const Mask& barred,

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QtTest>
+#include <random>
+
+#include "glisson/core/error.h"
+#include "glisson/segmentation/segment.h"
+#include "min_cut.h"
+
+using namespace glisson;
+using namespace glisson::segmentation;
+
+namespace {
+
+struct Tube {
+  Eigen::Vector3d from, to;  // mm
+  double radius;
+};
+
+double depth_in(const std::vector<Tube>& tubes, const Eigen::Vector3d& p) {
+  double deepest = -1e9;
+  for (const Tube& tube : tubes) {
+    const Eigen::Vector3d axis = tube.to - tube.from;
+    const double t = std::clamp((p - tube.from).dot(axis) / axis.squaredNorm(), 0.0, 1.0);
+    deepest = std::max(deepest, tube.radius - (p - tube.from - t * axis).norm());
+  }
+  return deepest;
+}
+
+/// Two Y-trees in a block of liver. The portal one comes from below, the hepatic one from above; their left
+/// branches cross, and touch each other's walls over several voxels there.
+struct Phantom {
+  Image image;
+  LabelMap liver;  // of parenchyma alone
+  std::vector<Tube> portal, hepatic;
+
+  explicit Phantom(unsigned seed) {
+    portal = {{{54, 48, 2}, {54, 48, 40}, 5.0},
+              {{54, 48, 40}, {25, 48, 62}, 4.0},
+              {{54, 48, 40}, {85, 48, 60}, 3.0}};
+    hepatic = {{{54, 30, 94}, {54, 30, 70}, 5.0},
+               {{54, 30, 70}, {30, 48.7, 30}, 4.0},
+               {{54, 30, 70}, {88, 30, 40}, 3.0}};
+    VolumeGrid& grid = image.grid;
+    grid.size = {76, 66, 81};
+    grid.spacing_mm = {1.4, 1.4, 1.2};
+    grid.origin_mm = {-40, 10, 5};
+    std::mt19937 random(seed);
+    std::normal_distribution<double> noise(0.0, 10.0);
+    std::vector<std::int16_t> voxels;
+    std::vector<Label> labels;
+    for (int k = 0; k < grid.size.z(); ++k)
+      for (int j = 0; j < grid.size.y(); ++j)
+        for (int i = 0; i < grid.size.x(); ++i) {
+          const Eigen::Vector3d p = Eigen::Vector3d(i, j, k).cwiseProduct(grid.spacing_mm);
+          const bool in = (p.array() > 8.0).all() && p.x() < 98 && p.y() < 84 && p.z() < 88;
+          const double depth = std::max(depth_in(portal, p), depth_in(hepatic, p));
+          const double vessel = 1.0 / (1.0 + std::exp(-depth / 0.4));
+          const double hu = (in ? 110.0 : -90.0) * (1.0 - vessel) + 190.0 * vessel + noise(random);
+          voxels.push_back(static_cast<std::int16_t>(std::lround(hu)));
+          labels.push_back(in ? structure::kParenchyma : structure::kBackground);
+        }
+    image.voxels = std::make_shared<const std::vector<std::int16_t>>(std::move(voxels));
+    liver = {LabelVolume(grid, labels), {structure_info(structure::kParenchyma)}};
+  }
+
+  Points at(std::initializer_list<Eigen::Vector3d> places_mm) const {
+    Points points(static_cast<Eigen::Index>(places_mm.size()), 3);
+    Eigen::Index n = 0;
+    for (const Eigen::Vector3d& place : places_mm)
+      points.row(n++) = (1e-3 * (image.grid.origin_mm + place)).transpose();
+    return points;
+  }
+  Segmented found(const Seeds& seeds, const LabelMap& kept, bool with_hepatic = true) const {
+    SegmentationOptions options;
+    options.structures = {false, true, with_hepatic, false, false, false};
+    return segment(image, seeds, options, RunContext(), &kept).value();
+  }
+};
+
+struct Counts {
+  long right = 0, wrong = 0, missed = 0, extra = 0;
+  double dice() const {
+    return 2.0 * static_cast<double>(right) / static_cast<double>(2 * right + wrong + missed + extra);
+  }
+};
+
+/// Of the truth's voxels in the liver of one tree, how many carry its label, the other's, or none.
+Counts compare(const Phantom& p, const LabelMap& found, const std::vector<Tube>& own,
+               const std::vector<Tube>& other, Label label, Label wrong) {
+  Counts counts;
+  const VolumeGrid& grid = p.image.grid;
+  for (int k = 0; k < grid.size.z(); ++k)
+    for (int j = 0; j < grid.size.y(); ++j)
+      for (int i = 0; i < grid.size.x(); ++i) {
+        if (p.liver.voxels.at({i, j, k}) == 0) continue;
+        const Eigen::Vector3d x = Eigen::Vector3d(i, j, k).cwiseProduct(grid.spacing_mm);
+        const double depth = depth_in(own, x), elsewhere = depth_in(other, x);
+        const Label l = found.voxels.at({i, j, k});
+        if (depth > 0.0 && depth > elsewhere) {
+          if (l == label)
+            ++counts.right;
+          else if (l == wrong)
+            ++counts.wrong;
+          else
+            ++counts.missed;
+        } else if (elsewhere <= 0.0 && l == label) {
+          ++counts.extra;
+        }
+      }
+  return counts;
+}
+
+/// Cost of a parting of a small graph in two.
+struct SmallGraph {
+  struct Edge {
+    std::size_t a, b;
+    int direction;
+    float capacity;
+  };
+  std::vector<float> leaning;
+  std::vector<Edge> edges;
+
+  double cost(unsigned first) const {
+    double sum = 0.0;
+    for (std::size_t n = 0; n < leaning.size(); ++n) {
+      const bool in = (first >> n & 1U) != 0;
+      if (leaning[n] > 0.0F && !in) sum += leaning[n];
+      if (leaning[n] < 0.0F && in) sum -= leaning[n];
+    }
+    for (const Edge& e : edges)
+      if ((first >> e.a & 1U) != (first >> e.b & 1U)) sum += e.capacity;
+    return sum;
+  }
+};
+
+}  // namespace
+
+class VesselsTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void CutIsAsCheapAsTheCheapestOfAll();
+  void CutRunsThroughTheNarrowPlace();
+  void CancelledCutGivesNothing();
+  void TreesThatTouchAreKeptApart();
+  void AKeptTreeIsNotEntered();
+};
+
+void VesselsTest::CutIsAsCheapAsTheCheapestOfAll() {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> unit(0.0F, 1.0F);
+  for (int trial = 0; trial < 200; ++trial) {
+    const std::size_t count = 4 + random() % 8;
+    SmallGraph graph;
+    MinCut cut(count);
+    for (std::size_t n = 0; n < count; ++n) {
+      graph.leaning.push_back(random() % 3 == 0 ? 0.0F : 4.0F * unit(random) - 2.0F);
+      cut.lean(n, graph.leaning.back());
+    }
+    // Every node has 26 places for neighbours, an edge takes opposite ones.
+    std::vector<unsigned> taken(count, 0);
+    for (int n = 0; n < 30; ++n) {
+      const std::size_t a = random() % count, b = random() % count;
+      const int d = static_cast<int>(random() % 26);
+      bool joined = a == b || (taken[a] >> d & 1U) != 0 || (taken[b] >> (25 - d) & 1U) != 0;
+      for (const auto& e : graph.edges) joined = joined || (e.a == a && e.b == b) || (e.a == b && e.b == a);
+      if (joined) continue;
+      taken[a] |= 1U << d;
+      taken[b] |= 1U << (25 - d);
+      graph.edges.push_back({a, b, d, unit(random)});
+      cut.join(a, b, d, graph.edges.back().capacity);
+    }
+    const std::vector<std::uint8_t> side = cut.first_side(RunContext()).value();
+    unsigned found = 0;
+    for (std::size_t n = 0; n < count; ++n) found |= static_cast<unsigned>(side[n]) << n;
+    double least = 1e30;
+    for (unsigned first = 0; first < 1U << count; ++first) least = std::min(least, graph.cost(first));
+    QVERIFY2(std::abs(graph.cost(found) - least) < 1e-4, qPrintable(QString::number(trial)));
+  }
+}
+
+void VesselsTest::CutRunsThroughTheNarrowPlace() {
+  // A chain whose fourth link is the weakest.
+  MinCut cut(8);
+  const std::array<float, 7> links = {3.0F, 2.0F, 5.0F, 0.5F, 1.0F, 4.0F, 2.0F};
+  for (std::size_t n = 0; n < links.size(); ++n) cut.join(n, n + 1, 13, links[n]);
+  cut.lean(0, MinCut::kBound);
+  cut.lean(7, -MinCut::kBound);
+  const std::vector<std::uint8_t> wanted = {1, 1, 1, 1, 0, 0, 0, 0};
+  QCOMPARE(cut.first_side(RunContext()).value(), wanted);
+  MinCut bad(2);
+  QVERIFY_EXCEPTION_THROWN(bad.join(0, 1, 26, 1.0F), PreconditionError);
+  QVERIFY_EXCEPTION_THROWN(bad.join(0, 1, 3, -1.0F), PreconditionError);
+}
+
+void VesselsTest::CancelledCutGivesNothing() {
+  MinCut cut(2);
+  cut.join(0, 1, 13, 1.0F);
+  cut.lean(0, 1.0F);
+  cut.lean(1, -1.0F);
+  const auto flag = std::make_shared<CancelFlag>();
+  flag->request();
+  QVERIFY(!cut.first_side(RunContext({}, flag, 1)).has_value());
+}
+
+void VesselsTest::TreesThatTouchAreKeptApart() {
+  for (const unsigned seed : {1U, 2U}) {
+    const Phantom p(seed);
+    Seeds seeds;
+    seeds.portal_vein = p.at({{54, 49, 14}});
+    seeds.hepatic_veins = p.at({{55, 30, 84}});
+    const LabelMap labels = p.found(seeds, p.liver).labels;
+    const Counts portal =
+        compare(p, labels, p.portal, p.hepatic, structure::kPortalVein, structure::kHepaticVeins);
+    const Counts hepatic =
+        compare(p, labels, p.hepatic, p.portal, structure::kHepaticVeins, structure::kPortalVein);
+    // A hundredth of each tree: the few voxels of the contact itself.
+    qInfo("portal %ld wrong, %ld right; hepatic %ld wrong, %ld right", portal.wrong, portal.right,
+          hepatic.wrong, hepatic.right);
+    QVERIFY2(100 * portal.wrong <= portal.right, qPrintable(QString::number(portal.wrong)));
+    QVERIFY2(100 * hepatic.wrong <= hepatic.right, qPrintable(QString::number(hepatic.wrong)));
+    QVERIFY2(portal.dice() > 0.85, qPrintable(QString::number(portal.dice())));
+    QVERIFY2(hepatic.dice() > 0.85, qPrintable(QString::number(hepatic.dice())));
+  }
+}
+
+void VesselsTest::AKeptTreeIsNotEntered() {
+  const Phantom p(1);
+  // The hepatic veins by hand; the portal vein is grown beside them.
+  LabelMap edited = p.liver;
+  const VolumeGrid& grid = p.image.grid;
+  for (int k = 0; k < grid.size.z(); ++k)
+    for (int j = 0; j < grid.size.y(); ++j)
+      for (int i = 0; i < grid.size.x(); ++i) {
+        const Eigen::Vector3d x = Eigen::Vector3d(i, j, k).cwiseProduct(grid.spacing_mm);
+        if (depth_in(p.hepatic, x) > std::max(0.0, depth_in(p.portal, x)))
+          edited.voxels.set({i, j, k}, structure::kHepaticVeins);
+      }
+  Seeds seeds;
+  seeds.portal_vein = p.at({{54, 48, 14}});
+  seeds.hepatic_veins = p.at({{55, 30, 84}});  // not asked for: without effect
+  const LabelMap labels = p.found(seeds, edited, false).labels;
+  const auto hepatic = [](Label label) { return label == structure::kHepaticVeins; };
+  QVERIFY(labels.voxels.mask(hepatic) == edited.voxels.mask(hepatic));
+  const Counts portal =
+      compare(p, labels, p.portal, p.hepatic, structure::kPortalVein, structure::kHepaticVeins);
+  QVERIFY2(portal.dice() > 0.8, qPrintable(QString::number(portal.dice())));
+}
+
+QTEST_APPLESS_MAIN(VesselsTest)
+#include "vessels_test.moc"
