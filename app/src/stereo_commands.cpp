@@ -31,6 +31,22 @@ stereo::CloudErrors cloud_truth(const Arguments& arguments, const engine::CaseSt
   return stereo::cloud_errors(*state.cloud, state.rig->left, depth);
 }
 
+stereo::Method method_of(const Arguments& arguments) {
+  const QString code = arguments.value("method");
+  if (code == "sparse") return stereo::Method::sparse;
+  if (code == "dense") return stereo::Method::dense;
+  if (code == "auto") return stereo::Method::automatic;
+  throw UsageError("--method " + code.toStdString() + ": must be sparse, dense or auto.");
+}
+
+stereo::Features features_of(const Arguments& arguments) {
+  const QString code = arguments.value("features");
+  if (code == "surf") return stereo::Features::surf;
+  if (code == "sift") return stereo::Features::sift;
+  if (code == "akaze") return stereo::Features::akaze;
+  throw UsageError("--features " + code.toStdString() + ": must be surf, sift or akaze.");
+}
+
 /// Two whole numbers with an x between, as 14x10.
 std::pair<int, int> two_numbers(const Arguments& arguments, const QString& name) {
   static const QRegularExpression kSize("^(\\d{1,5})x(\\d{1,5})$");
@@ -249,7 +265,13 @@ int run_reconstruct(const QStringList& given) {
   arguments.option("mask", Cli::tr("What of the left picture is tissue (non-zero)."), "M");
   arguments.option(
       "regions", Cli::tr("Clicked regions (JSON): only what lies in one is kept, with its label."), "R.json");
-  arguments.flag("dense", Cli::tr("Semi-global matching instead of features."));
+  arguments.option(
+      "method",
+      Cli::tr("Features (sparse, the paper's), semi-global matching (dense), or auto: dense where "
+              "features leave fewer than 0.7 points per cm2."),
+      "sparse|dense|auto", "sparse");
+  arguments.flag("dense", Cli::tr("The same as --method dense."));
+  arguments.option("features", Cli::tr("Kind of features."), "surf|sift|akaze", "surf");
   arguments.option("out", Cli::tr("The cloud (PLY)."), "cloud.ply");
   arguments.option("unit", Cli::tr("Unit of the cloud and of --truth: mm, cm or m."), "UNIT", "mm");
   arguments.option("truth",
@@ -271,7 +293,8 @@ int run_reconstruct(const QStringList& given) {
   if (arguments.has("regions"))
     session.post(engine::SetRegions{stereo::read_regions(arguments.path("regions"))});
   engine::Reconstruct command;
-  if (arguments.has("dense")) command.options.method = stereo::Method::dense;
+  command.options.method = arguments.has("dense") ? stereo::Method::dense : method_of(arguments);
+  command.options.kind = features_of(arguments);
   session.post(command);
   const LabelledCloud& cloud = *session.state().cloud;
   if (arguments.has("truth")) {

@@ -167,7 +167,8 @@ class PictureIoTest : public QObject {
     write_file_atomically(folder_.path() / "text.mkv", std::string("no video at all"));
     QVERIFY_THROWS_EXCEPTION(InputError, StereoVideo(folder_.path() / "text.mkv"));
     QVERIFY_THROWS_EXCEPTION(FileError, StereoVideo(folder_.path() / "absent.mkv"));
-    QVERIFY_THROWS_EXCEPTION(FileError, StereoVideo(folder_.path()));
+    const TemporaryFolder empty;
+    QVERIFY_THROWS_EXCEPTION(InputError, StereoVideo(empty.path()));
   }
 
   void RecordingThatIsNotClosedLeavesNothing() {

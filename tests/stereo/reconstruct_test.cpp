@@ -5,6 +5,7 @@
 
 #include "glisson/core/error.h"
 #include "glisson/stereo/evaluate.h"
+#include "rectification.h"
 #include "rendered_pair.h"
 
 using namespace glisson;
@@ -98,6 +99,93 @@ class ReconstructTest : public QObject {
       QVERIFY2(errors.normalised > 0.5 && errors.normalised < 2.0,
                QByteArray::number(errors.normalised).constData());
     }
+  }
+
+  void EveryKindOfFeatureFindsTheTrueDepth_data() {
+    QTest::addColumn<int>("kind");
+    QTest::newRow("sift") << static_cast<int>(Features::sift);
+    QTest::newRow("akaze") << static_cast<int>(Features::akaze);
+  }
+  void EveryKindOfFeatureFindsTheTrueDepth() {
+    QFETCH(int, kind);
+    ReconstructOptions options;
+    options.kind = static_cast<Features>(kind);
+    const Reconstructed result = run(plane_pair(), options);
+    const CloudErrors errors = cloud_errors(result.cloud, plane_pair().rig.left, plane_pair().depth);
+    qInfo("%d features, %d points, median %.3f mm, p95 %.3f mm", result.report.features_left,
+          result.cloud.size(), 1e3 * errors.distance.median, 1e3 * errors.distance.percentile_95);
+    QVERIFY(result.cloud.size() > 300);
+    QVERIFY(errors.distance.median < 0.15e-3);
+    QVERIFY(errors.distance.percentile_95 < 0.6e-3);
+    QVERIFY(std::abs(errors.bias) < 0.05e-3);
+  }
+
+  void DenserMethodIsChosenWhereFeaturesAreFew() {
+    ReconstructOptions options;
+    options.method = Method::automatic;
+    QVERIFY(run(plane_pair(), options).report.method == Method::sparse);
+    options.features = 60;  // too few for the density that is wanted
+    options.least_density_per_cm2 = 2.0;
+    const Reconstructed result = run(plane_pair(), options);
+    QVERIFY(result.report.method == Method::dense);
+    QVERIFY(result.report.density_per_cm2 > 2.0);
+  }
+
+  void CovarianceOfTriangulationIsThatOfItsSamples() {
+    const StereoRig rig = rendered::rig();
+    const Rectification rectification(rig);
+    const Eigen::Vector2d left(420.0, 180.0);
+    const double disparity = rectification.disparity_at(0.11), column = 0.2, row = 0.3, sigma = 0.25;
+    std::mt19937 random(2);  // NOLINT: the same samples on every run
+    std::normal_distribution<double> normal;
+    const Eigen::Vector3d middle = rectification.triangulate(left, left.y(), disparity);
+    Eigen::Matrix3d sampled = Eigen::Matrix3d::Zero();
+    constexpr int kSamples = 40000;
+    for (int i = 0; i < kSamples; ++i) {
+      const Eigen::Vector2d moved = left + Eigen::Vector2d(column * normal(random), row * normal(random));
+      const Eigen::Vector3d p =
+          rectification.triangulate(moved, moved.y(), disparity + sigma * normal(random)) - middle;
+      sampled += p * p.transpose() / kSamples;
+    }
+    const Eigen::Matrix3d expected = rectification.covariance(left, disparity, column, row, sigma);
+    QVERIFY((sampled - expected).norm() < 0.05 * expected.norm());
+  }
+
+  void CovarianceIsLargestAlongTheRay() {
+    ReconstructOptions options;
+    options.smooth = false;
+    const Reconstructed result = run(plane_pair(), options);
+    QCOMPARE(static_cast<int>(result.covariance.size()), result.cloud.size());
+    for (int i = 0; i < result.cloud.size(); ++i) {
+      const Eigen::Matrix3d& c = result.covariance[static_cast<std::size_t>(i)];
+      const Eigen::Vector3d ray = result.cloud.points.row(i).transpose().normalized();
+      QVERIFY(std::abs(std::sqrt(ray.dot(c * ray)) / result.cloud.sigma[static_cast<std::size_t>(i)] - 1.0) <
+              0.1);
+      QVERIFY(ray.dot(c * ray) > 0.8 * c.trace());
+    }
+  }
+
+  void OutsideOfTheCircleIsLeftOut() {
+    rendered::Pair pair = plane_pair();
+    const auto with_circle = [](const Picture& picture) {
+      auto bytes = std::make_shared<std::vector<std::uint8_t>>(*picture.bytes);
+      for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x)
+          if (std::hypot(x - 320.0, y - 240.0) > 200.0)
+            for (int c = 0; c < 3; ++c)
+              (*bytes)[static_cast<std::size_t>((y * picture.width + x) * 3 + c)] = 2;
+      return Picture{picture.width, picture.height, 3, std::move(bytes)};
+    };
+    pair.left = with_circle(pair.left);
+    pair.right = with_circle(pair.right);
+    const Reconstructed result = run(pair);
+    QVERIFY(result.cloud.size() > 200);
+    for (int i = 0; i < result.cloud.size(); ++i) {
+      const Eigen::Vector2d pixel = pair.rig.left.project(result.cloud.points.row(i).transpose());
+      QVERIFY((pixel - Eigen::Vector2d(320, 240)).norm() < 199.0);
+    }
+    const CloudErrors errors = cloud_errors(result.cloud, pair.rig.left, pair.depth);
+    QVERIFY(errors.distance.percentile_95 < 0.6e-3);
   }
 
   void NormalsFaceTheCameraAndFollowTheSurface() {

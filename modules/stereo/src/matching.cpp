@@ -8,9 +8,9 @@
 namespace glisson::stereo {
 namespace {
 
-float squared_distance(const Keypoint& a, const Keypoint& b) {
+float squared_distance(const Keypoint& a, const Keypoint& b, std::size_t length) {
   float sum = 0.0F;
-  for (std::size_t k = 0; k < 64; ++k) {
+  for (std::size_t k = 0; k < length; ++k) {
     const float difference = a.descriptor[k] - b.descriptor[k];
     sum += difference * difference;
   }
@@ -31,6 +31,7 @@ std::vector<Best> best_in_band(const Rectified& from, const Rectified& to, doubl
             [&](int a, int b) { return row(a) != row(b) ? row(a) < row(b) : a < b; });
   // A blob is found at several scales in nearly one place: the second best must be another place.
   constexpr double kSamePlace = 4.0, kScaleStep = 1.6;
+  const auto length = static_cast<std::size_t>(from.length);
   std::vector<Best> bests(from.positions.size());
   for (std::size_t i = 0; i < from.positions.size(); ++i) {
     const Eigen::Vector2d& p = from.positions[i];
@@ -44,7 +45,7 @@ std::vector<Best> best_in_band(const Rectified& from, const Rectified& to, doubl
       if (to.keypoints[j].bright != from.keypoints[i].bright || scales > kScaleStep ||
           scales < 1.0 / kScaleStep)
         continue;
-      const float distance = squared_distance(from.keypoints[i], to.keypoints[j]);
+      const float distance = squared_distance(from.keypoints[i], to.keypoints[j], length);
       const bool same_place = (to.positions[j] - place).squaredNorm() < kSamePlace * kSamePlace;
       if (distance < best.first) {
         if (!same_place) best.second = best.first;
@@ -61,8 +62,10 @@ std::vector<Best> best_in_band(const Rectified& from, const Rectified& to, doubl
 
 }  // namespace
 
-Rectified rectify(const Rectification& rectification, Side side, std::vector<Keypoint> keypoints) {
+Rectified rectify(const Rectification& rectification, Side side, std::vector<Keypoint> keypoints,
+                  int length) {
   Rectified result;
+  result.length = length;
   for (Keypoint& keypoint : keypoints)
     if (const auto position = rectification.rectify(side, keypoint.pixel)) {
       result.positions.push_back(*position);

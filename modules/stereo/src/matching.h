@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "features.h"
 #include "rectification.h"
-#include "surf.h"
 
 namespace glisson::stereo {
 
@@ -23,8 +23,9 @@ struct MatchLimits {
 struct Rectified {
   std::vector<Keypoint> keypoints;
   std::vector<Eigen::Vector2d> positions;
+  int length = 64;  ///< of the descriptors
 };
-Rectified rectify(const Rectification& rectification, Side side, std::vector<Keypoint> keypoints);
+Rectified rectify(const Rectification& rectification, Side side, std::vector<Keypoint> keypoints, int length);
 
 /// Descriptors compared only along the epipolar band; best of both directions (cross check) and clearly
 /// better than the second in the band (ratio). Disparities of any sign: who asks judges them.

@@ -8,13 +8,14 @@
 #include <string>
 
 #include "dense.h"
+#include "features.h"
 #include "glisson/core/error.h"
+#include "glisson/stereo/source.h"
 #include "highlights.h"
 #include "matching.h"
 #include "picture_cv.h"
 #include "rectification.h"
 #include "refine.h"
-#include "surf.h"
 #include "surface_fit.h"
 
 namespace glisson::stereo {
@@ -85,12 +86,22 @@ cv::Mat band_in_right(const Pair& pair, const ReconstructOptions& options) {
   return band;
 }
 
+/// Takes out what lies outside the laparoscope's circle: its rim is sharp, and stays where the camera is.
+void keep_circle(const Picture& picture, cv::Mat& usable) {
+  if (const auto circle = find_scope_circle(picture))
+    usable.setTo(0, view(circle_mask(*circle, picture.width, picture.height)) == 0);
+}
+
 Pair prepare(const Picture& left, const Picture& right, const StereoRig& rig, const Picture& mask,
              const ReconstructOptions& options) {
   Pair pair{rig, Rectification(rig), grey(left), grey(right), highlights(left), {}, {}, {}};
   pair.usable_left = pair.left_highlights == 0;
   if (!mask.empty()) pair.usable_left.setTo(0, grey(mask) == 0);
   pair.usable_right = highlights(right) == 0;
+  if (options.find_circle && mask.empty()) {
+    keep_circle(left, pair.usable_left);
+    keep_circle(right, pair.usable_right);
+  }
   if (!mask.empty()) pair.usable_right &= band_in_right(pair, options);
   pair.limits.ratio = options.ratio;
   pair.limits.rows = kBandRows * options.epipolar_px;
@@ -104,19 +115,22 @@ std::vector<Match> match_features(const Pair& pair, const ReconstructOptions& op
                                   ReconstructReport& report) {
   const Eigen::Matrix3d& r = pair.rig.right_from_left.rotation;
   const double roll = std::atan2(r(1, 0) - r(0, 1), r(0, 0) + r(1, 1));
-  auto in_left = detect_surf(pair.left, pair.usable_left, options.features, 0.0);
-  auto in_right = detect_surf(pair.right, pair.usable_right, options.features, roll);
+  const auto detector = feature_detector(options.kind);
+  auto in_left = detector->detect(pair.left, pair.usable_left, options.features, 0.0);
+  auto in_right = detector->detect(pair.right, pair.usable_right, options.features, roll);
   report.features_left = static_cast<int>(in_left.size());
   report.features_right = static_cast<int>(in_right.size());
   const Rectification& rectification = pair.rectification;
-  const Rectified left = rectify(rectification, Side::left, in_left);
-  const Rectified right = rectify(rectification, Side::right, in_right);
+  const int length = detector->descriptor_length();
+  const Rectified left = rectify(rectification, Side::left, in_left, length);
+  const Rectified right = rectify(rectification, Side::right, in_right, length);
   std::vector<Match> matches = match(left, right, pair.limits);
   const Fit fit = fit_of(rectification, matches, pair.limits);
-  const Fit swapped = fit_of(rectification,
-                             match(rectify(rectification, Side::left, std::move(in_right)),
-                                   rectify(rectification, Side::right, std::move(in_left)), pair.limits),
-                             pair.limits);
+  const Fit swapped =
+      fit_of(rectification,
+             match(rectify(rectification, Side::left, std::move(in_right), length),
+                   rectify(rectification, Side::right, std::move(in_left), length), pair.limits),
+             pair.limits);
   // By the sign of the depths; where the cameras look across each other and both signs are possible, by rows
   // that agree far better.
   const bool by_sign = swapped.plausible > fit.plausible + fit.plausible / 2;
@@ -299,13 +313,15 @@ Reconstructed assemble(const Pair& pair, const std::vector<Candidate>& candidate
   std::vector<Eigen::Vector2d> places;
   std::vector<Eigen::Vector3d> points;
   std::vector<double> sigma;
-  double rows = 0.0;
+  double rows = 0.0, row_spread = 0.0;
   for (const Candidate& c : candidates) {
     places.push_back(c.match.left);
     points.push_back(c.point);
     sigma.push_back(c.sigma);
     rows += std::pow(c.match.left.y() - c.match.right.y(), 2);
+    row_spread += std::pow(c.match.right.y() - c.match.left.y() - report.row_offset_px, 2);
   }
+  const double row_sigma = std::sqrt(row_spread / static_cast<double>(candidates.size()));
   const auto surface = fit_surface(points, sigma, nearest_in_picture(places, kNeighbours), options.smooth);
   Reconstructed result;
   LabelledCloud& cloud = result.cloud;
@@ -317,7 +333,12 @@ Reconstructed assemble(const Pair& pair, const std::vector<Candidate>& candidate
     cloud.points.row(i) = p.point.transpose();
     cloud.normals.row(i) = p.normal.transpose();
     cloud.sigma.push_back(p.sigma);
-    cloud.features.push_back(candidates[static_cast<std::size_t>(i)].feature);
+    const Candidate& c = candidates[static_cast<std::size_t>(i)];
+    cloud.features.push_back(c.feature);
+    // The left end is where the match was asked for; what the rows disagree by, halved, is all it may be off.
+    result.covariance.push_back(
+        pair.rectification.covariance(c.match.left, pair.rectification.disparity(c.match.left, c.match.right),
+                                      0.0, 0.5 * row_sigma, c.match.sigma));
   }
   report.points = cloud.size();
   report.epipolar_rms_px = std::sqrt(rows / static_cast<double>(n));
@@ -338,6 +359,7 @@ void ReconstructOptions::validate() const {
   require(epipolar_px > 0.0 && reprojection_px > 0.0, "gates are positive");
   require(near > 0.0 && far > near && std::isfinite(far), "depths are positive, far beyond near");
   require(points_per_cm2 > 0.0 && std::isfinite(points_per_cm2), "points_per_cm2 is positive");
+  require(least_density_per_cm2 >= 0.0, "least_density_per_cm2 is not negative");
   require(patch >= 3 && patch <= 50, "patch is from 3 to 50 pixels");
 }
 
@@ -351,37 +373,44 @@ Cancellable<Reconstructed> reconstruct(const Picture& left, const Picture& right
   context.progress(0.0, "stereo.detect");
   const Pair pair = prepare(left, right, rig, mask, options);
   ReconstructReport report;
-  std::vector<Match> matches = match_features(pair, options, report);
+  const std::vector<Match> features = match_features(pair, options, report);
   if (context.cancelled()) return std::nullopt;
   context.progress(0.2, "stereo.match");
   const cv::Mat rectified_left = pair.rectification.warp(Side::left, pair.left);
   const cv::Mat rectified_right = pair.rectification.warp(Side::right, pair.right);
   const cv::Mat excluded = pair.rectification.warp(Side::left, pair.left_highlights) > 127;
   const Refiner refiner(pair.rectification, rectified_left, rectified_right, excluded, options.patch);
-  report.row_offset_px = row_offset(refiner, matches);
-  if (options.method == Method::dense) {
+  report.row_offset_px = row_offset(refiner, features);
+  std::optional<Reconstructed> result;
+  const auto finish = [&](const std::vector<Match>& matches, Method method) {
+    report.method = method;
+    report.matches = static_cast<int>(matches.size());
+    const std::vector<Match> precise =
+        refined(pair, refiner, matches, report.row_offset_px, options, context);
+    if (context.cancelled()) return;
+    context.progress(0.8, "stereo.surface");
+    const std::vector<Candidate> candidates = triangulated(pair, precise, regions, options);
+    report.points = static_cast<int>(candidates.size());
+    if (report.points >= kFewestPoints) result = assemble(pair, candidates, mask, regions, options, report);
+  };
+  if (options.method != Method::dense) finish(features, Method::sparse);
+  if (context.cancelled()) return std::nullopt;
+  const bool thin = !result || result->report.density_per_cm2 < options.least_density_per_cm2;
+  if (options.method == Method::dense || (options.method == Method::automatic && thin)) {
     const cv::Mat usable = pair.rectification.warp(Side::left, pair.usable_left) > 127;
-    matches =
-        dense_matches(pair.rectification, rectified_left, shifted(rectified_right, report.row_offset_px),
-                      usable, narrowed(pair, matches), options.points_per_cm2);
+    finish(dense_matches(pair.rectification, rectified_left, shifted(rectified_right, report.row_offset_px),
+                         usable, narrowed(pair, features), options.points_per_cm2),
+           Method::dense);
   }
-  report.matches = static_cast<int>(matches.size());
   if (context.cancelled()) return std::nullopt;
-  context.progress(0.4, "stereo.refine");
-  const std::vector<Match> precise = refined(pair, refiner, matches, report.row_offset_px, options, context);
-  if (context.cancelled()) return std::nullopt;
-  context.progress(0.8, "stereo.surface");
-  const std::vector<Candidate> candidates = triangulated(pair, precise, regions, options);
-  if (candidates.size() < kFewestPoints)
+  if (!result)
     throw InputError("stereo pair", "",
-                     "gives " + std::to_string(candidates.size()) + " points (" +
+                     "gives " + std::to_string(report.points) + " points (" +
                          std::to_string(report.features_left) + " and " +
                          std::to_string(report.features_right) + " features, " +
                          std::to_string(report.matches) + " matches), too few for a surface",
                      "Check that both images show the same tissue sharply and lit, that mask and regions lie "
                      "on it, and that the calibration is of this laparoscope");
-  Reconstructed result = assemble(pair, candidates, mask, regions, options, report);
-  if (context.cancelled()) return std::nullopt;
   context.progress(1.0, "stereo.done");
   return result;
 }

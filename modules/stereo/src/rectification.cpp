@@ -82,6 +82,19 @@ Eigen::Vector3d Rectification::triangulate(const Eigen::Vector2d& left, double r
   return rectified_from_[0].transpose() * (ray * (focal_ * baseline_ / disparity));
 }
 
+Eigen::Matrix3d Rectification::covariance(const Eigen::Vector2d& left, double disparity, double column,
+                                          double row, double sigma) const {
+  const double depth = depth_at(disparity);
+  const Eigen::Vector3d ray = ((left - centre_[0]) / focal_).homogeneous();
+  Eigen::Matrix3d jacobian;  // by column, row, disparity
+  jacobian.col(0) = Eigen::Vector3d::UnitX() * (depth / focal_);
+  jacobian.col(1) = Eigen::Vector3d::UnitY() * (depth / focal_);
+  jacobian.col(2) = ray * (-depth / disparity);
+  jacobian = rectified_from_[0].transpose() * jacobian;
+  return jacobian * Eigen::Vector3d(column * column, row * row, sigma * sigma).asDiagonal() *
+         jacobian.transpose();
+}
+
 double Rectification::depth_per_pixel(const Eigen::Vector2d& left, double disparity) const {
   const Eigen::Vector2d slope = (left - centre_[0]) / focal_;
   return focal_ * baseline_ / (disparity * disparity) * slope.homogeneous().norm();

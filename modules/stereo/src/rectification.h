@@ -38,6 +38,11 @@ class Rectification {
   /// Metres along the ray for a pixel of disparity.
   double depth_per_pixel(const Eigen::Vector2d& left, double disparity) const;
 
+  /// Of triangulate(), metres^2, in first order. @param column, row standard deviations of where the point is
+  /// in the left picture; @param sigma of the disparity; pixels.
+  Eigen::Matrix3d covariance(const Eigen::Vector2d& left, double disparity, double column, double row,
+                             double sigma) const;
+
   double focal() const { return focal_; }
   double depth_at(double disparity) const { return focal_ * baseline_ / disparity; }
   int width() const { return rig_.left.width; }

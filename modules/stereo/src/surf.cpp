@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "surf.h"
-
 #include <dlib/image_keypoint/surf.h>
 #include <dlib/opencv/cv_image.h>
 
-#include <algorithm>
-#include <cmath>
-#include <tuple>
+#include "features.h"
 
 namespace glisson::stereo {
 namespace {
@@ -15,57 +11,41 @@ namespace {
 constexpr double kReach = 18.0;
 // Below this the response is the sensor's noise.
 constexpr double kLeastResponse = 0.1;
-constexpr int kCell = 24;  // pixels
+constexpr int kLength = 64;
 
-std::vector<dlib::interest_point> spread(std::vector<dlib::interest_point> points, const cv::Mat& usable,
-                                         int wanted) {
-  std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) {
-    return std::make_tuple(-a.score, a.center.y(), a.center.x(), a.scale) <
-           std::make_tuple(-b.score, b.center.y(), b.center.x(), b.scale);
-  });
-  const int columns = usable.cols / kCell + 1;
-  std::vector<int> taken(
-      static_cast<std::size_t>(columns) * static_cast<std::size_t>(usable.rows / kCell + 1), 0);
-  std::vector<std::pair<int, std::size_t>> order;  // rank within its cell, then strength
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const int x = static_cast<int>(std::lround(points[i].center.x()));
-    const int y = static_cast<int>(std::lround(points[i].center.y()));
-    const int reach = static_cast<int>(kReach * points[i].scale) + 2;
-    if (x < reach || y < reach || x >= usable.cols - reach || y >= usable.rows - reach) continue;
-    if (usable.at<std::uint8_t>(y, x) == 0) continue;
-    order.emplace_back(taken[static_cast<std::size_t>(y / kCell * columns + x / kCell)]++, i);
+class SurfDetector : public FeatureDetector {
+ public:
+  std::vector<Keypoint> detect(const cv::Mat& grey, const cv::Mat& usable, int wanted,
+                               double angle) const override {
+    dlib::integral_image_generic<long> integral;
+    integral.load(dlib::cv_image<unsigned char>(grey));
+    dlib::hessian_pyramid pyramid;
+    // Steps of one pixel: laparoscopes show soft, small texture that steps of two miss.
+    pyramid.build_pyramid(integral, 4, 6, 1);
+    std::vector<dlib::interest_point> points;
+    dlib::get_interest_points(pyramid, kLeastResponse, points);
+    std::vector<Keypoint> found(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      found[i].pixel = {points[i].center.x(), points[i].center.y()};
+      found[i].scale = points[i].scale;
+      found[i].score = points[i].score;
+      found[i].bright = points[i].laplacian < 0.0;
+    }
+    std::vector<Keypoint> keypoints;
+    for (const std::size_t i : spread(found, usable, wanted, kReach)) {
+      keypoints.push_back(found[i]);
+      dlib::matrix<double, kLength, 1> descriptor;
+      dlib::compute_surf_descriptor(integral, points[i].center, points[i].scale, angle, descriptor);
+      for (int k = 0; k < kLength; ++k)
+        keypoints.back().descriptor[static_cast<std::size_t>(k)] = static_cast<float>(descriptor(k));
+    }
+    return keypoints;
   }
-  std::sort(order.begin(), order.end());
-  std::vector<dlib::interest_point> kept;
-  for (std::size_t k = 0; k < order.size() && static_cast<int>(k) < wanted; ++k)
-    kept.push_back(points[order[k].second]);
-  return kept;
-}
+  int descriptor_length() const override { return kLength; }
+};
 
 }  // namespace
 
-std::vector<Keypoint> detect_surf(const cv::Mat& grey, const cv::Mat& usable, int wanted, double angle) {
-  dlib::integral_image_generic<long> integral;
-  integral.load(dlib::cv_image<unsigned char>(grey));
-  dlib::hessian_pyramid pyramid;
-  // Steps of one pixel: laparoscopes show soft, small texture that steps of two miss.
-  pyramid.build_pyramid(integral, 4, 6, 1);
-  std::vector<dlib::interest_point> points;
-  dlib::get_interest_points(pyramid, kLeastResponse, points);
-  std::vector<Keypoint> keypoints;
-  for (const dlib::interest_point& point : spread(std::move(points), usable, wanted)) {
-    Keypoint keypoint;
-    keypoint.pixel = {point.center.x(), point.center.y()};
-    keypoint.scale = point.scale;
-    keypoint.score = point.score;
-    keypoint.bright = point.laplacian < 0.0;
-    dlib::matrix<double, 64, 1> descriptor;
-    dlib::compute_surf_descriptor(integral, point.center, point.scale, angle, descriptor);
-    for (int k = 0; k < 64; ++k)
-      keypoint.descriptor[static_cast<std::size_t>(k)] = static_cast<float>(descriptor(k));
-    keypoints.push_back(keypoint);
-  }
-  return keypoints;
-}
+std::unique_ptr<FeatureDetector> surf_detector() { return std::make_unique<SurfDetector>(); }
 
 }  // namespace glisson::stereo

@@ -1,208 +1,285 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <unistd.h>
-
 #include <cmath>
-#include <opencv2/videoio.hpp>
+#include <opencv2/imgproc.hpp>
 #include <system_error>
 
 #include "glisson/core/error.h"
-#include "glisson/core/files.h"
 #include "glisson/stereo/picture_io.h"
+#include "glisson/stereo/picture_pairs.h"
 #include "picture_cv.h"
+#include "streams.h"
 
 namespace glisson::stereo {
 namespace fs = std::filesystem;
 namespace {
 
-/// One video file with what its container says of it.
-struct Source {
-  fs::path path;
-  cv::VideoCapture capture;
-  int width = 0, height = 0, frames = 0;
-  double rate = 0.0;
-
-  explicit Source(const fs::path& file) : path(file) { open(); }
-
-  void open() {
-    std::error_code failure;
-    if (!fs::is_regular_file(path, failure))
-      throw FileError(path.string() + ": cannot be opened (no such file). Check the path.");
-    bool opened = false;
-    try {
-      opened = capture.open(path.string(), cv::CAP_FFMPEG);
-    } catch (const cv::Exception&) {
-      opened = false;
-    }
-    if (!opened)
-      throw InputError(path.string(), "", "is not a video that can be read",
-                       "Use a video in .mkv, .mp4 or .avi, and copy it again if it was cut off");
-    width = static_cast<int>(capture.get(cv::CAP_PROP_FRAME_WIDTH));
-    height = static_cast<int>(capture.get(cv::CAP_PROP_FRAME_HEIGHT));
-    rate = capture.get(cv::CAP_PROP_FPS);
-    const double count = capture.get(cv::CAP_PROP_FRAME_COUNT);
-    // Containers that were never closed do not know their length; it comes as nonsense then.
-    frames = count > 0.0 && count < 1e8 ? static_cast<int>(std::lround(count)) : 0;
-    if (width <= 0 || height <= 0 || !(rate > 0.0) || rate > 1000.0)
-      throw InputError(path.string(), "", "does not say its size or frame rate", "Convert it to .mkv");
-  }
-
-  bool read(cv::Mat& image) {
-    try {
-      return capture.read(image) && !image.empty();
-    } catch (const cv::Exception&) {
-      return false;
-    }
-  }
-};
-
 /// One frame less than a length that was computed from a rounded duration is still a whole video.
 constexpr int kRoundedFrames = 1;
+/// Without a pair for so long, two sources are not of one operation, or not of one moment.
+constexpr double kLongestSearch = 2.0;
 
-}  // namespace
+std::string size_text(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
 
-struct StereoVideo::Impl {
-  Source left;
-  std::unique_ptr<Source> right;  ///< none: side by side
-  int next = 0;
+std::unique_ptr<Stream> open_stream(const std::string& source) {
+  constexpr std::string_view kDevice = "device:";
+  if (!source.starts_with(kDevice)) return std::make_unique<FileStream>(source);
+  const std::string number = source.substr(kDevice.size());
+  if (number.empty() || number.size() > 3 || number.find_first_not_of("0123456789") != std::string::npos)
+    throw InputError(source, "", "is no device", "Write device: and its number, as device:0");
+  return std::make_unique<DeviceStream>(std::stoi(number));
+}
 
-  Impl(const fs::path& l, const fs::path& r) : left(l) {
-    if (!r.empty()) right = std::make_unique<Source>(r);
-    check();
-  }
+bool holds_pictures(const std::string& source) {
+  std::error_code failure;
+  return fs::is_directory(source, failure) || source.find('*') != std::string::npos ||
+         source.find('?') != std::string::npos;
+}
 
-  void check() const {
-    if (!right) {
-      if (left.width % 2 != 0)
-        throw InputError(left.path.string(), "",
-                         "is " + std::to_string(left.width) + " pixels wide, so it has no two halves",
-                         "A side-by-side video has an even width; give two files otherwise");
-      return;
-    }
-    if (left.width != right->width || left.height != right->height)
-      throw InputError(right->path.string(), "",
-                       "is " + std::to_string(right->width) + "x" + std::to_string(right->height) +
-                           ", the left video " + std::to_string(left.width) + "x" +
-                           std::to_string(left.height),
-                       "Both views of a stereo video have one size");
-    if (std::abs(left.rate - right->rate) > 1e-3 * left.rate)
-      throw InputError(right->path.string(), "", "has another frame rate than the left video",
-                       "Record both views at one rate");
-  }
+/// What gives both views of a moment.
+class Views {
+ public:
+  virtual ~Views() = default;
+  /// @return false at the end.
+  virtual bool read(cv::Mat& left, cv::Mat& right) = 0;
+  virtual void rewind() = 0;
 
-  [[noreturn]] void broken_off(const Source& source) const {
-    throw InputError(source.path.string(), "",
-                     "breaks off after " + std::to_string(next) + " frames of " +
-                         std::to_string(std::max(left.frames, right ? right->frames : 0)),
+  int width = 0, height = 0, frames = 0, skipped = 0;  ///< of one view
+  double rate = 0.0;
+
+ protected:
+  [[noreturn]] static void broken_off(const std::string& name, int read, int of) {
+    throw InputError(name, "",
+                     "breaks off after " + std::to_string(read) + " frames of " + std::to_string(of),
                      "Copy the video again, or record it anew");
   }
 };
 
+/// Both views in each picture.
+class OneStream : public Views {
+ public:
+  OneStream(std::unique_ptr<Stream> stream, Layout layout) : stream_(std::move(stream)), layout_(layout) {
+    width = stream_->width;
+    height = stream_->height;
+    frames = stream_->frames;
+    rate = stream_->rate;
+    const bool across = layout == Layout::side_by_side;
+    if ((across ? width : height) % 2 != 0)
+      throw InputError(stream_->name, "",
+                       "is " + std::to_string(across ? width : height) +
+                           (across ? " pixels wide" : " pixels high") + ", so it has no two halves",
+                       "Both views are of one size; give two files otherwise");
+    if (across) width /= 2;
+    if (layout == Layout::top_bottom) height /= 2;
+  }
+
+  bool read(cv::Mat& left, cv::Mat& right) override {
+    cv::Mat whole;
+    if (!stream_->grab() || !stream_->retrieve(whole)) {
+      if (read_ + kRoundedFrames < frames) broken_off(stream_->name, read_, frames);
+      return false;
+    }
+    ++read_;
+    if (layout_ == Layout::side_by_side) {
+      left = whole.colRange(0, width);
+      right = whole.colRange(width, 2 * width);
+    } else if (layout_ == Layout::top_bottom) {
+      left = whole.rowRange(0, height);
+      right = whole.rowRange(height, 2 * height);
+    } else {
+      left = one_field(whole, 0);
+      right = one_field(whole, 1);
+    }
+    return true;
+  }
+  void rewind() override {
+    stream_->rewind();
+    read_ = 0;
+  }
+
+ private:
+  std::unique_ptr<Stream> stream_;
+  Layout layout_;
+  int read_ = 0;
+};
+
+/// A view each, matched by their times.
+class TwoStreams : public Views {
+ public:
+  TwoStreams(std::unique_ptr<Stream> left, std::unique_ptr<Stream> right, double largest_skew)
+      : left_(std::move(left)), right_(std::move(right)), largest_skew_(largest_skew) {
+    if (left_->width != right_->width || left_->height != right_->height)
+      throw InputError(right_->name, "",
+                       "is " + size_text(right_->width, right_->height) + ", the left video " +
+                           size_text(left_->width, left_->height),
+                       "Both views of a stereo video have one size");
+    if (std::abs(left_->rate - right_->rate) > 1e-3 * left_->rate)
+      throw InputError(right_->name, "", "has another frame rate than the left video",
+                       "Record both views at one rate");
+    width = left_->width;
+    height = left_->height;
+    frames = left_->frames;
+    rate = left_->rate;
+    if (largest_skew_ <= 0.0) largest_skew_ = 0.5 / rate;
+  }
+
+  bool read(cv::Mat& left, cv::Mat& right) override {
+    bool has_left = take(*left_, taken_left_), has_right = take(*right_, taken_right_);
+    const double begin = std::min(left_->seconds, right_->seconds);
+    while (has_left && has_right) {
+      const Meeting met = meeting(left_->seconds, right_->seconds, largest_skew_);
+      if (met == Meeting::pair) return retrieve(left, right);
+      ++skipped;
+      if (met == Meeting::pass_left)
+        has_left = take(*left_, taken_left_);
+      else
+        has_right = take(*right_, taken_right_);
+      if (std::max(left_->seconds, right_->seconds) - begin > kLongestSearch) refuse_skew();
+    }
+    if (has_left != has_right && skipped == 0) {
+      const Stream& broken = has_left ? *right_ : *left_;
+      broken_off(broken.name, has_left ? taken_right_ : taken_left_, std::max(left_->frames, right_->frames));
+    }
+    for (const auto& [stream, taken] : {std::pair(left_.get(), taken_left_), {right_.get(), taken_right_}})
+      if (!has_left && !has_right && taken + kRoundedFrames < stream->frames)
+        broken_off(stream->name, taken, stream->frames);
+    return false;
+  }
+  void rewind() override {
+    left_->rewind();
+    right_->rewind();
+    taken_left_ = taken_right_ = 0;
+  }
+
+ private:
+  static bool take(Stream& stream, int& taken) {
+    if (!stream.grab()) return false;
+    ++taken;
+    return true;
+  }
+  bool retrieve(cv::Mat& left, cv::Mat& right) {
+    const bool has_left = left_->retrieve(left), has_right = right_->retrieve(right);
+    if (!has_left) broken_off(left_->name, taken_left_ - 1, left_->frames);
+    if (!has_right) broken_off(right_->name, taken_right_ - 1, right_->frames);
+    return true;
+  }
+  [[noreturn]] void refuse_skew() const {
+    throw InputError(left_->name + " and " + right_->name, "time",
+                     "have no frames within " + std::to_string(std::lround(1e3 * largest_skew_)) +
+                         " ms of each other (" + std::to_string(left_->seconds) + " s and " +
+                         std::to_string(right_->seconds) + " s)",
+                     "Record both views at once, from one trigger");
+  }
+
+  std::unique_ptr<Stream> left_, right_;
+  double largest_skew_;
+  int taken_left_ = 0, taken_right_ = 0;
+};
+
+/// Pairs of picture files.
+class PictureFolder : public Views {
+ public:
+  PictureFolder(const PicturePairs& files, double per_second) : pairs_(files.pairs) {
+    skipped = static_cast<int>(files.alone.size());
+    frames = static_cast<int>(pairs_.size());
+    rate = per_second;
+    const Picture first = read_picture(pairs_[0].left);
+    width = first.width;
+    height = first.height;
+  }
+  bool read(cv::Mat& left, cv::Mat& right) override {
+    if (next_ == pairs_.size()) return false;
+    const PicturePair& pair = pairs_[next_++];
+    for (const auto& [path, image] : {std::pair(&pair.left, &left), {&pair.right, &right}}) {
+      const Picture picture = read_picture(*path);
+      if (picture.width != width || picture.height != height)
+        throw InputError(path->string(), "",
+                         "is " + size_text(picture.width, picture.height) + ", the pictures before " +
+                             size_text(width, height),
+                         "Give pictures of one size");
+      *image = view(picture).clone();
+    }
+    return true;
+  }
+  void rewind() override { next_ = 0; }
+
+ private:
+  std::vector<PicturePair> pairs_;
+  std::size_t next_ = 0;
+};
+
+std::unique_ptr<Views> open_views(const SourceOptions& options) {
+  options.validate();
+  const bool separate = !options.right.empty();
+  if (holds_pictures(options.left))
+    return std::make_unique<PictureFolder>(
+        separate ? picture_pairs(options.left, options.right) : picture_pairs(options.left),
+        options.pictures_per_second);
+  if (separate)
+    return std::make_unique<TwoStreams>(open_stream(options.left), open_stream(options.right),
+                                        options.largest_skew);
+  return std::make_unique<OneStream>(open_stream(options.left), options.layout);
+}
+
+SourceOptions options_of(const fs::path& left, const fs::path& right) {
+  if (right.empty() && left.extension() == ".json") return read_source(left);
+  SourceOptions options;
+  options.left = left.string();
+  options.right = right.string();
+  if (!right.empty()) options.layout = Layout::separate;
+  return options;
+}
+
+}  // namespace
+
+struct StereoVideo::Impl {
+  SourceOptions options;
+  std::unique_ptr<Views> views;
+  cv::Rect part;  ///< of each view that is given out
+  int next = 0;
+
+  explicit Impl(const SourceOptions& given) : options(given), views(open_views(given)) {
+    const Crop& crop = options.crop;
+    part = {crop.x, crop.y, crop.width > 0 ? crop.width : views->width - crop.x,
+            crop.height > 0 ? crop.height : views->height - crop.y};
+    if (part.width < 16 || part.height < 16 || part.x + part.width > views->width ||
+        part.y + part.height > views->height)
+      throw InputError(options.left, "crop",
+                       "leaves " + size_text(part.width, part.height) + " from (" + std::to_string(part.x) +
+                           ", " + std::to_string(part.y) + ") of views of " +
+                           size_text(views->width, views->height),
+                       "Crop within the picture");
+  }
+
+  Picture finished(const cv::Mat& image) const {
+    return to_picture((options.deinterlace ? one_field(image, 0) : image)(part));
+  }
+};
+
+StereoVideo::StereoVideo(const SourceOptions& options) : impl_(std::make_unique<Impl>(options)) {}
 StereoVideo::StereoVideo(const fs::path& left, const fs::path& right)
-    : impl_(std::make_unique<Impl>(left, right)) {}
+    : StereoVideo(options_of(left, right)) {}
 StereoVideo::~StereoVideo() = default;
 
-int StereoVideo::width() const { return impl_->right ? impl_->left.width : impl_->left.width / 2; }
-int StereoVideo::height() const { return impl_->left.height; }
-double StereoVideo::frames_per_second() const { return impl_->left.rate; }
-int StereoVideo::frame_count() const { return impl_->left.frames; }
+int StereoVideo::width() const { return impl_->part.width; }
+int StereoVideo::height() const { return impl_->part.height; }
+double StereoVideo::frames_per_second() const { return impl_->views->rate; }
+int StereoVideo::frame_count() const { return impl_->views->frames; }
+int StereoVideo::skipped() const { return impl_->views->skipped; }
 
 bool StereoVideo::read(StereoFrame& frame) {
   cv::Mat left, right;
-  const bool has_left = impl_->left.read(left);
-  const bool has_right = impl_->right ? impl_->right->read(right) : has_left;
-  if (!has_left || !has_right) {
-    if (has_left != has_right) impl_->broken_off(has_left ? *impl_->right : impl_->left);
-    if (impl_->next + kRoundedFrames < impl_->left.frames) impl_->broken_off(impl_->left);
-    if (impl_->right && impl_->next + kRoundedFrames < impl_->right->frames) impl_->broken_off(*impl_->right);
-    return false;
-  }
-  if (!impl_->right) {
-    right = left.colRange(left.cols / 2, left.cols);
-    left = left.colRange(0, left.cols / 2);
-  }
-  frame.left = to_picture(left);
-  frame.right = to_picture(right);
+  if (!impl_->views->read(left, right)) return false;
+  if (impl_->options.right_first) std::swap(left, right);
+  frame.left = impl_->finished(left);
+  frame.right = impl_->finished(right);
   frame.index = impl_->next++;
-  frame.seconds = frame.index / impl_->left.rate;
+  frame.seconds = frame.index / impl_->views->rate;
   return true;
 }
 
 void StereoVideo::rewind() {
-  impl_->left.open();
-  if (impl_->right) impl_->right->open();
+  impl_->views->rewind();
   impl_->next = 0;
-}
-
-struct VideoWriter::Impl {
-  fs::path path, temporary;
-  int width = 0, height = 0, written = 0;
-  cv::VideoWriter writer;
-  bool open = false;
-
-  ~Impl() {
-    if (!open) return;
-    writer.release();
-    std::error_code ignored;
-    fs::remove(temporary, ignored);
-  }
-
-  void verify() const {
-    Source source(temporary);
-    int frames = 0;
-    while (source.capture.grab()) ++frames;
-    if (frames != written || source.width != width || source.height != height)
-      throw FileError(path.string() + ": " + std::to_string(frames) + " of " + std::to_string(written) +
-                      " frames can be read back. Free some space on the disk and record again.");
-  }
-};
-
-VideoWriter::VideoWriter(const fs::path& path, int width, int height, double frames_per_second)
-    : impl_(std::make_unique<Impl>()) {
-  require(width > 0 && height > 0 && width % 2 == 0 && height % 2 == 0,
-          "the width and height of a video are even");
-  require(std::isfinite(frames_per_second) && frames_per_second > 0.0, "a video has a frame rate");
-  if (path.extension() != ".mkv")
-    throw InputError(path.string(), "", "is not a name for a recording",
-                     "Use .mkv: a recording that is cut off can still be read there");
-  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-  std::error_code failure;
-  if (!fs::is_directory(folder, failure))
-    throw FileError(path.string() + ": its folder does not exist. Create it or choose another.");
-  impl_->path = path;
-  impl_->temporary = folder / ("." + path.stem().string() + ".writing" + std::to_string(::getpid()) + ".mkv");
-  impl_->width = width;
-  impl_->height = height;
-  try {
-    impl_->open = impl_->writer.open(impl_->temporary.string(), cv::CAP_FFMPEG,
-                                     cv::VideoWriter::fourcc('m', 'p', '4', 'v'), frames_per_second,
-                                     cv::Size(width, height), true);
-  } catch (const cv::Exception&) {
-    impl_->open = false;
-  }
-  if (!impl_->open)
-    throw FileError(path.string() + ": cannot be opened for recording. Check permissions and space.");
-}
-
-VideoWriter::~VideoWriter() = default;
-
-void VideoWriter::write(const Picture& picture) {
-  require(impl_->open, "a video that was closed takes no more pictures");
-  require(picture.width == impl_->width && picture.height == impl_->height && picture.channels == 3,
-          "a picture has the size of its video and three channels");
-  impl_->writer.write(view(picture));
-  ++impl_->written;
-}
-
-void VideoWriter::close() {
-  require(impl_->open, "a video is closed once");
-  impl_->writer.release();
-  flush_to_disk(impl_->temporary);
-  impl_->verify();
-  std::error_code failure;
-  fs::rename(impl_->temporary, impl_->path, failure);
-  if (failure) throw FileError(impl_->path.string() + ": could not be replaced (" + failure.message() + ").");
-  impl_->open = false;
-  flush_to_disk(impl_->path.has_parent_path() ? impl_->path.parent_path() : fs::path("."));
 }
 
 }  // namespace glisson::stereo

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "glisson/patient/picture.h"
+#include "glisson/stereo/source.h"
 
 namespace glisson::stereo {
 
@@ -13,21 +14,28 @@ Picture read_picture(const std::filesystem::path& path);
 /// PNG, JPEG or BMP by extension; atomic.
 void write_picture(const std::filesystem::path& path, const Picture& picture);
 
-/// A stereo video: one file with the views side by side (left half, right half), or two files.
+/// The reader of every source of stereo frames: videos (side by side, top and bottom, interleaved rows, two
+/// files), folders of picture pairs, live devices. The views of separate sources are matched by time: what
+/// has no partner within the largest skew is passed over (skipped()).
 class StereoVideo {
  public:
-  /// @param right empty: `left` is side by side.
+  /// @throws FileError; InputError what cannot be read, sources that do not belong together (size, rate).
+  explicit StereoVideo(const SourceOptions& options);
+  /// @param left a video, a folder of picture pairs, "device:0", or a description of a source (.json, see
+  ///   read_source).
+  /// @param right empty: `left` holds both views (a video: side by side).
   explicit StereoVideo(const std::filesystem::path& left, const std::filesystem::path& right = {});
   ~StereoVideo();
-  int width() const;  ///< of one view
+  int width() const;  ///< of one view, as it is given out
   int height() const;
   double frames_per_second() const;
   /// As the container says; may be more than can be read; 0: it does not say.
   int frame_count() const;
   /// The next frame. @return false at the end. @throws InputError when the video breaks off before
-  /// frame_count().
+  /// frame_count(); when the views' times never meet.
   bool read(StereoFrame& frame);
   void rewind();
+  int skipped() const;  ///< frames of either view that had no partner, so far
 
  private:
   struct Impl;

@@ -10,26 +10,33 @@
 namespace glisson::stereo {
 
 enum class Method {
-  sparse,  ///< the paper's: SURF features, matched
-  dense    ///< semi-global matching, sampled: covers what lies between features
+  sparse,    ///< the paper's: features, matched
+  dense,     ///< semi-global matching, sampled: covers what lies between features
+  automatic  ///< sparse; dense where that leaves the surface thinner than `least_density_per_cm2`
 };
+/// SURF is the paper's. All go the same way afterwards.
+enum class Features { surf, sift, akaze };
 
 struct ReconstructOptions {
   Method method = Method::sparse;
-  int features = 3000;           ///< sparse: wanted per image, spread over it
-  double ratio = 0.8;            ///< Lowe's, in (0, 1]
-  double epipolar_px = 1.5;      ///< after refinement, rectified rows less their common offset
-  double reprojection_px = 1.0;  ///< in both images as they were taken
-  double near = 0.03;            ///< metres along z, what lies closer is no match
-  double far = 0.30;             ///< metres along z
-  double points_per_cm2 = 8.0;   ///< dense: wanted density
-  int patch = 10;                ///< half width of the patches that refine a match, pixels
-  bool smooth = true;            ///< moving least squares
+  Features kind = Features::surf;
+  int features = 3000;                 ///< sparse: wanted per image, spread over it
+  double ratio = 0.8;                  ///< Lowe's, in (0, 1]
+  double epipolar_px = 1.5;            ///< after refinement, rectified rows less their common offset
+  double reprojection_px = 1.0;        ///< in both images as they were taken
+  double near = 0.03;                  ///< metres along z, what lies closer is no match
+  double far = 0.30;                   ///< metres along z
+  double points_per_cm2 = 8.0;         ///< dense: wanted density
+  int patch = 10;                      ///< half width of the patches that refine a match, pixels
+  bool smooth = true;                  ///< moving least squares
+  double least_density_per_cm2 = 0.7;  ///< automatic: the paper's need
+  bool find_circle = true;  ///< without a mask: leave out what lies outside the laparoscope's circle
   /// @throws PreconditionError naming what is out of range.
   void validate() const;
 };
 
 struct ReconstructReport {
+  Method method = Method::sparse;  ///< that made the points
   int features_left = 0, features_right = 0;
   int matches = 0;  ///< before refinement and gates
   int points = 0;
@@ -43,11 +50,14 @@ struct ReconstructReport {
 
 struct Reconstructed {
   LabelledCloud cloud;
+  /// Of each point as triangulated (before moving least squares, which lowers the part along the ray to
+  /// cloud.sigma), metres^2, left camera: from what the refinement and the rows leave, in first order.
+  std::vector<Eigen::Matrix3d> covariance;
   ReconstructReport report;
 };
 
-/// Stereo pair to labelled cloud: SURF, ratio and cross check, refinement of each match to a fraction of a
-/// pixel, epipolar gate, triangulation, reprojection gate, rejection of outliers, moving least squares with
+/// Stereo pair to labelled cloud: features, ratio and cross check, refinement of each match to a fraction of
+/// a pixel, epipolar gate, triangulation, reprojection gate, rejection of outliers, moving least squares with
 /// normals. With regions only what lies in one is kept. Deterministic.
 /// @param mask empty, or one byte a pixel of the left image: non-zero is to be used.
 /// @throws InputError images of another size than the calibration's, mask of another size, regions of another

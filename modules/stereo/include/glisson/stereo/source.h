@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "glisson/geometry/camera.h"
+#include "glisson/patient/picture.h"
+
+namespace glisson::stereo {
+
+/// How the two views come.
+enum class Layout {
+  side_by_side,     ///< left half, right half
+  top_bottom,       ///< upper half, lower half
+  row_interleaved,  ///< even rows, odd rows
+  separate          ///< two files, patterns or devices
+};
+
+/// What of each view is kept, pixels. A width or height of 0: everything right of x, below y.
+struct Crop {
+  int x = 0, y = 0, width = 0, height = 0;
+  bool any() const { return x != 0 || y != 0 || width != 0 || height != 0; }
+};
+
+/// Where stereo frames come from: see StereoVideo in picture_io.h, the reader of them all.
+struct SourceOptions {
+  /// A video file; a folder of picture pairs, or one side's pictures (see picture_pairs.h); a live device
+  /// ("device:0").
+  std::string left;
+  std::string right;  ///< the other side's; empty unless the layout is separate
+  Layout layout = Layout::side_by_side;
+  bool right_first = false;  ///< the right view is the left (upper, even) one
+  bool deinterlace = false;  ///< each view's first field only, the rows between from their neighbours
+  Crop crop;                 ///< of each view, after it was taken apart
+  double pictures_per_second = 30.0;  ///< of folders, which have no times
+  double largest_skew = 0.0;          ///< seconds between the views of a pair; 0: half a frame's time
+
+  /// @throws InputError naming the field.
+  void validate() const;
+};
+
+/// JSON {"left": "scope.mkv", "layout": "top_bottom", "deinterlace": true, "crop": [0, 4, 0, 532], ...};
+/// paths in it are relative to its folder. Wherever a stereo video can be named, such a file can.
+/// @throws FileError; InputError naming the field.
+SourceOptions read_source(const std::filesystem::path& path);
+/// Atomic. Paths are written as they are.
+void write_source(const std::filesystem::path& path, const SourceOptions& options);
+
+/// The calibration of the cropped pictures. @throws InputError a crop that leaves nothing, or no principal
+/// point.
+StereoRig cropped(const StereoRig& rig, const Crop& crop);
+
+/// The first field (even rows), with the odd rows interpolated (cubic) from it: where something moves, the
+/// two fields show it in two places.
+Picture deinterlaced(const Picture& picture);
+
+/// What the laparoscope shows: a disk before black.
+struct ScopeCircle {
+  Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< pixels
+  double radius = 0.0;
+};
+/// Finds the edge of the laparoscope's picture, by a robust circle through where rays from the middle leave
+/// the light. @return empty: the picture is filled, or what is dark is no disk's outside.
+std::optional<ScopeCircle> find_scope_circle(const Picture& picture);
+/// One channel: 255 inside the circle less `margin_px` (its edge is blurred), 0 outside.
+Picture circle_mask(const ScopeCircle& circle, int width, int height, double margin_px = 4.0);
+
+}  // namespace glisson::stereo

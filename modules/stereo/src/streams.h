@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <opencv2/core.hpp>
+#include <opencv2/videoio.hpp>
+#include <string>
+
+namespace glisson::stereo {
+
+/// Pictures one after another, with their times.
+class Stream {
+ public:
+  virtual ~Stream() = default;
+  /// Takes the next picture. @return false at the end. Times ascend.
+  virtual bool grab() = 0;
+  /// The picture that was taken. @return false: it is damaged.
+  virtual bool retrieve(cv::Mat& image) = 0;
+  virtual void rewind() = 0;
+
+  std::string name;
+  int width = 0, height = 0;
+  int frames = 0;        ///< as the container says; 0: it does not
+  double rate = 0.0;     ///< per second
+  double seconds = 0.0;  ///< of what was grabbed last
+};
+
+/// A video file.
+class FileStream : public Stream {
+ public:
+  /// @throws FileError, InputError.
+  explicit FileStream(const std::filesystem::path& path);
+  bool grab() override;
+  bool retrieve(cv::Mat& image) override;
+  void rewind() override;
+  int count_frames();  ///< by reading them
+
+ private:
+  void open();
+
+  std::filesystem::path path_;
+  cv::VideoCapture capture_;
+  int taken_ = 0;
+};
+
+/// A camera, through whatever OpenCV has for it.
+class DeviceStream : public Stream {
+ public:
+  /// @throws InputError it cannot be opened.
+  explicit DeviceStream(int number);
+  bool grab() override;
+  bool retrieve(cv::Mat& image) override;
+  void rewind() override {}  // what is live has no beginning
+
+ private:
+  cv::VideoCapture capture_;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+/// Whether two times belong to one pair, and if not, which of them is to be passed over.
+enum class Meeting { pair, pass_left, pass_right };
+inline Meeting meeting(double left, double right, double largest_skew) {
+  if (left - right > largest_skew) return Meeting::pass_right;
+  if (right - left > largest_skew) return Meeting::pass_left;
+  return Meeting::pair;
+}
+
+}  // namespace glisson::stereo

@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/stereo/source.h"
+
+#include <QtTest>
+#include <cmath>
+#include <random>
+
+#include "glisson/core/error.h"
+#include "glisson/core/files.h"
+#include "glisson/stereo/picture_io.h"
+#include "glisson/stereo/reconstruct.h"
+#include "rendered_pair.h"
+#include "streams.h"
+
+using namespace glisson;
+using namespace glisson::stereo;
+namespace fs = std::filesystem;
+
+namespace {
+
+using Brightness = std::function<double(int x, int y)>;
+
+Picture drawn(int width, int height, int channels, const Brightness& brightness) {
+  auto bytes = std::make_shared<std::vector<std::uint8_t>>();
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      for (int c = 0; c < channels; ++c)
+        bytes->push_back(static_cast<std::uint8_t>(std::clamp(brightness(x, y), 0.0, 255.0)));
+  return {width, height, channels, std::move(bytes)};
+}
+
+/// Smooth, and other for each view and frame.
+double shade(int view, int frame, double x, double y) {
+  return 128.0 + 80.0 * std::sin(0.09 * x + 0.05 * y + 2.0 * view + 0.4 * frame);
+}
+Picture view_of(int view, int frame, int width = 64, int height = 48) {
+  return drawn(width, height, 3, [&](int x, int y) { return shade(view, frame, x, y); });
+}
+
+double difference(const Picture& a, const Picture& b) {
+  if (a.width != b.width || a.height != b.height || a.channels != b.channels) return HUGE_VAL;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.bytes->size(); ++i)
+    sum += std::abs(static_cast<int>((*a.bytes)[i]) - static_cast<int>((*b.bytes)[i]));
+  return sum / static_cast<double>(a.bytes->size());
+}
+
+}  // namespace
+
+class SourceTest : public QObject {
+  Q_OBJECT
+
+  TemporaryFolder folder_;
+
+  std::string at(const std::string& name) const { return (folder_.path() / name).string(); }
+
+  /// Frames of a video, each drawn by its number.
+  void film(const std::string& name, int width, int height, int frames,
+            const std::function<double(int frame, int x, int y)>& brightness, double rate = 25.0) const {
+    VideoWriter writer(at(name), width, height, rate);
+    for (int i = 0; i < frames; ++i)
+      writer.write(drawn(width, height, 3, [&](int x, int y) { return brightness(i, x, y); }));
+    writer.close();
+  }
+
+ private slots:
+  void EveryLayoutGivesBothViews_data() {
+    QTest::addColumn<int>("layout");
+    QTest::newRow("side by side") << static_cast<int>(Layout::side_by_side);
+    QTest::newRow("top and bottom") << static_cast<int>(Layout::top_bottom);
+    QTest::newRow("separate") << static_cast<int>(Layout::separate);
+  }
+  void EveryLayoutGivesBothViews() {
+    QFETCH(int, layout);
+    SourceOptions options;
+    options.layout = static_cast<Layout>(layout);
+    options.left = at("layout.mkv");
+    if (options.layout == Layout::side_by_side)
+      film("layout.mkv", 128, 48, 4, [](int i, int x, int y) { return shade(x / 64, i, x % 64, y); });
+    else if (options.layout == Layout::top_bottom)
+      film("layout.mkv", 64, 96, 4, [](int i, int x, int y) { return shade(y / 48, i, x, y % 48); });
+    else
+      for (int view = 0; view < 2; ++view)
+        film(view == 0 ? "layout.mkv" : "other.mkv", 64, 48, 4,
+             [=](int i, int x, int y) { return shade(view, i, x, y); });
+    if (options.layout == Layout::separate) options.right = at("other.mkv");
+    for (const bool right_first : {false, true}) {
+      options.right_first = right_first;
+      StereoVideo video(options);
+      QCOMPARE(video.width(), 64);
+      QCOMPARE(video.height(), 48);
+      StereoFrame frame;
+      int count = 0;
+      for (; video.read(frame); ++count) {
+        QVERIFY(difference(frame.left, view_of(right_first ? 1 : 0, count)) < 6.0);
+        QVERIFY(difference(frame.right, view_of(right_first ? 0 : 1, count)) < 6.0);
+      }
+      QCOMPARE(count, 4);
+      QCOMPARE(video.skipped(), 0);
+    }
+  }
+
+  void InterleavedRowsAreTakenApart() {
+    fs::create_directories(folder_.path() / "rows");
+    film("rows.mkv", 64, 48, 3, [](int i, int x, int y) { return shade(y % 2, i, x, y); });
+    SourceOptions options;
+    options.left = at("rows.mkv");
+    options.layout = Layout::row_interleaved;
+    StereoVideo video(options);
+    StereoFrame frame;
+    QVERIFY(video.read(frame));
+    QCOMPARE(frame.left.height, 48);
+    QVERIFY(difference(frame.left, view_of(0, 0)) < 12.0);  // the coder blurs rows that differ so
+    QVERIFY(difference(frame.right, view_of(1, 0)) < 12.0);
+  }
+
+  void DeinterlacingShowsOneMoment() {
+    // Two fields of something that has moved between them.
+    const Picture first = view_of(0, 0), second = view_of(0, 3);
+    auto bytes = std::make_shared<std::vector<std::uint8_t>>(*first.bytes);
+    for (int y = 1; y < 48; y += 2)
+      std::copy_n(second.bytes->begin() + y * 64 * 3, 64 * 3, bytes->begin() + y * 64 * 3);
+    const Picture combed{64, 48, 3, bytes};
+    QVERIFY(difference(combed, first) > 20.0);
+    QVERIFY(difference(deinterlaced(combed), first) < 0.6);
+  }
+
+  void CropIsOfEachViewAndMovesTheCalibration() {
+    film("crop.mkv", 128, 48, 2, [](int i, int x, int y) { return shade(x / 64, i, x % 64, y); });
+    SourceOptions options;
+    options.left = at("crop.mkv");
+    options.crop = {10, 4, 40, 0};
+    StereoVideo video(options);
+    QCOMPARE(video.width(), 40);
+    QCOMPARE(video.height(), 44);
+    StereoFrame frame;
+    QVERIFY(video.read(frame));
+    QVERIFY(difference(frame.right,
+                       drawn(40, 44, 3, [](int x, int y) { return shade(1, 0, x + 10, y + 4); })) < 6.0);
+    const StereoRig whole = rendered::rig(), part = cropped(whole, {100, 50, 400, 300});
+    const Eigen::Vector3d p(0.01, -0.005, 0.1);
+    QVERIFY((whole.left.project(p) - part.left.project(p) - Eigen::Vector2d(100, 50)).norm() < 1e-9);
+    QCOMPARE(part.right.width, 400);
+    QVERIFY_THROWS_EXCEPTION(InputError, cropped(whole, {635, 0, 0, 0}));
+    QVERIFY_THROWS_EXCEPTION(InputError, cropped(whole, {400, 0, 0, 0}));  // its principal point is cut off
+    options.crop = {60, 0, 10, 0};
+    QVERIFY_THROWS_EXCEPTION(InputError, StereoVideo{options});
+  }
+
+  void FoldersOfPicturesAreVideos() {
+    fs::create_directories(folder_.path() / "pairs");
+    for (const int i : {2, 10, 1})
+      for (int view = 0; view < 2; ++view)
+        write_picture(
+            folder_.path() / "pairs" / ((view == 0 ? "left" : "right") + std::to_string(i) + ".png"),
+            view_of(view, i));
+    StereoVideo video(folder_.path() / "pairs");
+    QCOMPARE(video.frame_count(), 3);
+    StereoFrame frame;
+    for (int pass = 0; pass < 2; ++pass) {
+      for (const int i : {1, 2, 10}) {
+        QVERIFY(video.read(frame));
+        QCOMPARE(difference(frame.left, view_of(0, i)), 0.0);
+        QCOMPARE(difference(frame.right, view_of(1, i)), 0.0);
+      }
+      QVERIFY(!video.read(frame));
+      video.rewind();
+    }
+    write_picture(folder_.path() / "pairs/left11.png", view_of(0, 1, 32, 48));
+    write_picture(folder_.path() / "pairs/right11.png", view_of(1, 1, 32, 48));
+    StereoVideo odd(folder_.path() / "pairs");
+    for (int i = 0; i < 3; ++i) QVERIFY(odd.read(frame));
+    QVERIFY_THROWS_EXCEPTION(InputError, odd.read(frame));
+  }
+
+  void DescriptionIsReadAsItIsWritten() {
+    SourceOptions options;
+    options.left = "/somewhere/left.mkv";
+    options.right = "/somewhere/right.mkv";
+    options.layout = Layout::separate;
+    options.right_first = options.deinterlace = true;
+    options.crop = {1, 2, 300, 200};
+    options.pictures_per_second = 12.5;
+    options.largest_skew = 0.004;
+    write_source(folder_.path() / "source.json", options);
+    const SourceOptions back = read_source(folder_.path() / "source.json");
+    QCOMPARE(back.left, options.left);
+    QCOMPARE(back.right, options.right);
+    QVERIFY(back.layout == options.layout && back.right_first && back.deinterlace);
+    QVERIFY(back.crop.x == 1 && back.crop.y == 2 && back.crop.width == 300 && back.crop.height == 200);
+    QCOMPARE(back.pictures_per_second, 12.5);
+    QCOMPARE(back.largest_skew, 0.004);
+  }
+
+  void DescriptionStandsForItsVideoAnywhere() {
+    film("stack.mkv", 64, 96, 2, [](int i, int x, int y) { return shade(y / 48, i, x, y % 48); });
+    write_file_atomically(folder_.path() / "stack.json", R"({"left": "stack.mkv", "layout": "top_bottom"})");
+    StereoVideo video(folder_.path() / "stack.json");
+    StereoFrame frame;
+    QVERIFY(video.read(frame));
+    QVERIFY(difference(frame.right, view_of(1, 0)) < 6.0);
+  }
+
+  void BadDescriptionsAreRefused_data() {
+    QTest::addColumn<QByteArray>("content");
+    QTest::newRow("a list") << QByteArray("[]");
+    QTest::newRow("nothing") << QByteArray("{}");
+    QTest::newRow("unknown field") << QByteArray(R"({"left": "a.mkv", "colour": 1})");
+    QTest::newRow("unknown layout") << QByteArray(R"({"left": "a.mkv", "layout": "diagonal"})");
+    QTest::newRow("no right") << QByteArray(R"({"left": "a.mkv", "layout": "separate"})");
+    QTest::newRow("a right too many")
+        << QByteArray(R"({"left": "a.mkv", "right": "b.mkv", "layout": "top_bottom"})");
+    QTest::newRow("crop of three") << QByteArray(R"({"left": "a.mkv", "crop": [1, 2, 3]})");
+    QTest::newRow("negative crop") << QByteArray(R"({"left": "a.mkv", "crop": [-1, 2, 3, 4]})");
+    QTest::newRow("no rate") << QByteArray(R"({"left": "a", "pictures_per_second": 0})");
+    QTest::newRow("skew of a minute") << QByteArray(R"({"left": "a.mkv", "largest_skew_ms": 60000})");
+    QTest::newRow("deinterlace in words") << QByteArray(R"({"left": "a.mkv", "deinterlace": "yes"})");
+  }
+  void BadDescriptionsAreRefused() {
+    QFETCH(QByteArray, content);
+    write_file_atomically(folder_.path() / "bad.json", content.toStdString());
+    QVERIFY_THROWS_EXCEPTION(InputError, read_source(folder_.path() / "bad.json"));
+  }
+
+  void AbsentDevicesAndOddSizesAreRefused() {
+    QVERIFY_THROWS_EXCEPTION(InputError, StereoVideo("device:97"));
+    QVERIFY_THROWS_EXCEPTION(InputError, StereoVideo("device:front"));
+    film("odd.mkv", 66, 50, 1, [](int i, int x, int y) { return shade(0, i, x, y); });
+    SourceOptions options;
+    options.left = at("odd.mkv");
+    QCOMPARE(StereoVideo(options).width(), 33);
+    options.layout = Layout::top_bottom;
+    QCOMPARE(StereoVideo(options).height(), 25);
+  }
+
+  void TimesDecideWhatIsAPair() {
+    QVERIFY(meeting(1.000, 1.010, 0.016) == Meeting::pair);
+    QVERIFY(meeting(1.010, 1.000, 0.016) == Meeting::pair);
+    QVERIFY(meeting(1.000, 1.020, 0.016) == Meeting::pass_left);
+    QVERIFY(meeting(1.020, 1.000, 0.016) == Meeting::pass_right);
+  }
+
+  void ViewsThatDriftApartAreRefusedBeyondTheirSkew() {
+    const auto frames = [](int i, int x, int y) { return shade(0, i, x, y); };
+    film("steady.mkv", 64, 48, 80, frames, 25.0);
+    film("faster.mkv", 64, 48, 80, frames, 25.02);  // 32 microseconds later each frame
+    SourceOptions options;
+    options.left = at("steady.mkv");
+    options.right = at("faster.mkv");
+    options.layout = Layout::separate;
+    StereoFrame frame;
+    StereoVideo loose(options);
+    int count = 0;
+    while (loose.read(frame)) ++count;
+    QCOMPARE(count, 80);
+    options.largest_skew = 0.0004;
+    StereoVideo strict(options);
+    bool refused = false;
+    for (count = 0; !refused && count < 80; ++count) {
+      try {
+        if (!strict.read(frame)) break;
+      } catch (const InputError& error) {
+        refused = error.field() == "time";
+      }
+    }
+    QVERIFY(refused);
+    QVERIFY(count < 40);
+  }
+
+  void CircleIsFoundWhereItIsCutOff_data() {
+    QTest::addColumn<double>("x");
+    QTest::addColumn<double>("y");
+    QTest::addColumn<double>("radius");
+    QTest::newRow("whole") << 322.0 << 236.0 << 215.0;
+    QTest::newRow("cut above and below") << 310.0 << 250.0 << 290.0;
+  }
+  void CircleIsFoundWhereItIsCutOff() {
+    QFETCH(double, x);
+    QFETCH(double, y);
+    QFETCH(double, radius);
+    std::mt19937 random(3);  // NOLINT: the same noise on every run
+    std::normal_distribution<double> noise(0.0, 3.0);
+    const Picture picture = drawn(640, 480, 3, [&](int px, int py) {
+      const double r = std::hypot(px - x, py - y);
+      const double light = 90.0 + 60.0 * std::sin(0.03 * px) * std::cos(0.04 * py);
+      // A blurred rim, a dark vessel across, sensor noise outside.
+      const bool vessel = std::abs(px - 0.6 * py - 150.0) < 12.0;
+      return (vessel ? 8.0 : light) / (1.0 + std::exp((r - radius) / 1.5)) + 4.0 + noise(random);
+    });
+    const auto circle = find_scope_circle(picture);
+    QVERIFY(circle.has_value());
+    QVERIFY((circle->centre - Eigen::Vector2d(x, y)).norm() < 4.0);
+    QVERIFY(std::abs(circle->radius - radius) < 5.0);
+    const Picture mask = circle_mask(*circle, 640, 480);
+    for (int py = 0; py < 480; py += 7)
+      for (int px = 0; px < 640; px += 7) {
+        const double r = std::hypot(px - x, py - y);
+        const bool inside = (*mask.bytes)[static_cast<std::size_t>(py * 640 + px)] != 0;
+        if (r < radius - 12.0) QVERIFY(inside);
+        if (r > radius + 2.0) QVERIFY(!inside);
+      }
+  }
+
+  void FilledPicturesHaveNoCircle() {
+    QVERIFY(!find_scope_circle(view_of(0, 0, 640, 480)));
+    QVERIFY(!find_scope_circle(drawn(640, 480, 1, [](int, int) { return 3.0; })));
+    // Dark to the left of a straight edge.
+    QVERIFY(!find_scope_circle(drawn(640, 480, 1, [](int x, int) { return x < 200 ? 3.0 : 120.0; })));
+    QVERIFY_THROWS_EXCEPTION(PreconditionError, circle_mask({{5, 5}, 0.0}, 10, 10));
+  }
+};
+
+QTEST_APPLESS_MAIN(SourceTest)
+#include "source_test.moc"
