@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <gdcmByteValue.h>
+#include <gdcmImageReader.h>
 #include <gdcmMediaStorage.h>
 #include <gdcmReader.h>
 #include <itkGDCMImageIO.h>
@@ -7,12 +9,14 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <fstream>
-#include <set>
+#include <map>
+#include <optional>
 #include <sstream>
 
 #include "glisson/core/error.h"
-#include "itk_buffer.h"
+#include "glisson/core/files.h"
 #include "raw_volume.h"
 
 namespace glisson::reader {
@@ -22,7 +26,7 @@ namespace fs = std::filesystem;
 
 struct Slice {
   fs::path path;
-  std::string series, modality, description;
+  std::string modality, description;
   Eigen::Vector2i size;
   Eigen::Vector2d spacing_mm;
   Eigen::Vector3d origin_mm, row, column;
@@ -49,19 +53,40 @@ bool has_dicom_mark(const fs::path& path) {
   return stream.gcount() == 4 && std::string(mark, 4) == "DICM";
 }
 
-/// Whether the file is a DICOM image; other DICOM objects (directories, reports) and foreign files are not.
-bool is_dicom_image(const Request& request, const fs::path& path) {
+/// A DICOM image file and the series that it says it belongs to.
+struct Found {
+  fs::path path;
+  DicomSeries series;
+};
+
+std::string text_of(const gdcm::DataSet& data, const gdcm::Tag& tag) {
+  if (!data.FindDataElement(tag)) return "";
+  const gdcm::ByteValue* bytes = data.GetDataElement(tag).GetByteValue();
+  if (bytes == nullptr || bytes->GetPointer() == nullptr) return "";
+  std::string text(bytes->GetPointer(), bytes->GetLength());
+  const auto blank = [](char letter) { return letter == ' ' || letter == '\0'; };
+  while (!text.empty() && blank(text.back())) text.pop_back();
+  while (!text.empty() && blank(text.front())) text.erase(text.begin());
+  return text;
+}
+
+/// Empty: the file is no DICOM image; other DICOM objects (directories, reports) and foreign files are not.
+std::optional<Found> find_image(const Request& request, const fs::path& path) {
   gdcm::Reader reader;
   reader.SetFileName(path.c_str());
   if (!reader.CanRead() || !reader.ReadUpToTag(gdcm::Tag(0x0020, 0x0037))) {
     if (has_dicom_mark(path))
       refuse(request, path.filename().string(), "is a DICOM file that cannot be read",
              "Export the series again");
-    return false;
+    return std::nullopt;
   }
   gdcm::MediaStorage storage;
   storage.SetFromFile(reader.GetFile());
-  return gdcm::MediaStorage::IsImage(storage);
+  if (!gdcm::MediaStorage::IsImage(storage)) return std::nullopt;
+  const gdcm::DataSet& data = reader.GetFile().GetDataSet();
+  return Found{path,
+               {text_of(data, {0x0020, 0x000e}), text_of(data, {0x0020, 0x0011}),
+                text_of(data, {0x0008, 0x103e}), text_of(data, {0x0008, 0x0060}), 1}};
 }
 
 Slice slice_of(const Request& request, const fs::path& path) {
@@ -85,7 +110,6 @@ Slice slice_of(const Request& request, const fs::path& path) {
              "Export the series from the scanner again, not from a viewer");
   Slice slice;
   slice.path = path;
-  slice.series = text_of(tags, "0020|000e");
   slice.modality = text_of(tags, "0008|0060");
   slice.description = text_of(tags, "0008|103e");
   slice.size = {static_cast<int>(io->GetDimensions(0)), static_cast<int>(io->GetDimensions(1))};
@@ -100,32 +124,73 @@ Slice slice_of(const Request& request, const fs::path& path) {
 
 std::vector<fs::path> files_below(const Request& request) {
   std::vector<fs::path> files;
-  for (const auto& entry : fs::recursive_directory_iterator(request.path))
+  for (const auto& entry :
+       fs::recursive_directory_iterator(request.path, fs::directory_options::skip_permission_denied))
     if (entry.is_regular_file()) files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   if (files.empty()) refuse(request, "", "is an empty folder", "Name the folder that holds the DICOM slices");
   return files;
 }
 
-void check_one_series(const Request& request, const std::vector<Slice>& slices) {
-  std::map<std::string, int> count;
-  std::map<std::string, std::string> description;
-  for (const Slice& slice : slices) {
-    ++count[slice.series];
-    description[slice.series] = slice.description;
+std::vector<Found> images_below(const Request& request) {
+  std::vector<Found> images;
+  const std::vector<fs::path> files = files_below(request);
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (auto image = find_image(request, files[i])) images.push_back(std::move(*image));
+    request.progress(0.2 * static_cast<double>(i + 1) / static_cast<double>(files.size()));
   }
-  if (count.size() < 2) return;
+  if (images.empty())
+    refuse(request, "", "holds no DICOM image", "Name the folder that holds the DICOM slices");
+  return images;
+}
+
+/// By UID, each once.
+std::vector<DicomSeries> series_of(const std::vector<Found>& images) {
+  std::map<std::string, DicomSeries> all;
+  for (const Found& image : images) {
+    const auto [place, fresh] = all.try_emplace(image.series.uid, image.series);
+    if (!fresh) ++place->second.slices;
+  }
+  std::vector<DicomSeries> list;
+  for (const auto& [uid, series] : all) list.push_back(series);
+  return list;
+}
+
+std::string list_of(const std::vector<DicomSeries>& all) {
   std::ostringstream list;
-  int shown = 0;
-  for (const auto& [series, n] : count) {
-    if (shown == 3) {
-      list << ", ...";
-      break;
-    }
-    list << (shown++ > 0 ? ", " : "") << '"' << description[series] << "\" with " << n << " slices";
+  for (std::size_t n = 0; n < all.size(); ++n) {
+    if (n == 4) return list.str() + ", ...";
+    list << (n > 0 ? ", " : "") << '"' << all[n].description << "\" with " << all[n].slices
+         << " slices (number " << (all[n].number.empty() ? "unknown" : all[n].number) << ", UID "
+         << all[n].uid << ')';
   }
-  refuse(request, "", "holds " + std::to_string(count.size()) + " series: " + list.str(),
-         "Put each series into a folder of its own");
+  return list.str();
+}
+
+/// The slices of the series that is wanted, or of the only one.
+std::vector<Found> chosen_series(const Request& request, const std::vector<Found>& images) {
+  const std::vector<DicomSeries> all = series_of(images);
+  if (request.series.empty()) {
+    if (all.size() > 1)
+      refuse(request, "", "holds " + std::to_string(all.size()) + " series: " + list_of(all),
+             "Choose one by its number or UID, or put each into a folder of its own");
+    return images;
+  }
+  std::vector<std::string> matching;
+  for (const DicomSeries& series : all) {
+    if (series.uid == request.series) matching.assign(1, series.uid);
+    if (series.uid == request.series) break;
+    if (series.number == request.series) matching.push_back(series.uid);
+  }
+  if (matching.size() != 1)
+    refuse(request, "series",
+           (matching.empty() ? "holds no series " : "holds several series ") + request.series + ", but " +
+               list_of(all),
+           "Choose one of these by its UID");
+  std::vector<Found> chosen;
+  for (const Found& image : images)
+    if (image.series.uid == matching.front()) chosen.push_back(image);
+  return chosen;
 }
 
 /// Sorts along the normal; refuses slices that do not form one regular stack.
@@ -177,31 +242,78 @@ void order_and_check(const Request& request, std::vector<Slice>& slices, double&
   gap_mm = run.dot(normal) / static_cast<double>(gaps.size());
 }
 
+template <class T>
+void append_rescaled(const std::vector<char>& bytes, const gdcm::Image& image, std::vector<float>& voxels) {
+  for (std::size_t at = 0; at < bytes.size(); at += sizeof(T)) {
+    T stored{};
+    std::memcpy(&stored, bytes.data() + at, sizeof(T));
+    voxels.push_back(
+        static_cast<float>(image.GetSlope() * static_cast<double>(stored) + image.GetIntercept()));
+  }
+}
+
+/// Whether a file with compressed pixels ends as it should: GDCM takes what there is of one that was cut.
+/// Such pixels are a list of fragments in explicit little endian, closed by a mark of its own.
+bool fragments_are_closed(const fs::path& path) {
+  static const std::string kStart("\xE0\x7F\x10\x00OB\x00\x00\xFF\xFF\xFF\xFF", 12);
+  static const std::string kEnd("\xFE\xFF\xDD\xE0\x00\x00\x00\x00", 8);
+  const std::string bytes = read_file(path);
+  const std::size_t start = bytes.rfind(kStart);
+  return start != std::string::npos && bytes.find(kEnd, start) != std::string::npos;
+}
+
+/// By GDCM and not by ITK, which turns the numbers of MONOCHROME1 round: that says how to draw them only.
 void append_slice(const Request& request, const Slice& slice, std::vector<float>& voxels) {
-  const auto io = itk::GDCMImageIO::New();
-  io->SetFileName(slice.path.string());
-  try {
-    io->ReadImageInformation();
-    const std::vector<float> values = read_buffer(request, *io);
-    voxels.insert(voxels.end(), values.begin(), values.end());
-  } catch (const itk::ExceptionObject&) {
+  const auto refuse_pixels = [&] {
     refuse(request, slice.path.filename().string(), "has pixels that cannot be decoded",
            "Export the series again, uncompressed");
+  };
+  gdcm::ImageReader reader;
+  reader.SetFileName(slice.path.c_str());
+  if (!reader.Read()) refuse_pixels();
+  const gdcm::Image& image = reader.GetImage();
+  const gdcm::PixelFormat& format = image.GetPixelFormat();
+  const auto pixels = static_cast<std::size_t>(slice.size.x()) * static_cast<std::size_t>(slice.size.y());
+  std::vector<char> bytes(image.GetBufferLength());
+  // GDCM fills up what an uncompressed slice lacks.
+  const gdcm::ByteValue* plain = image.GetDataElement().GetByteValue();
+  if (plain != nullptr ? plain->GetLength() < bytes.size() : !fragments_are_closed(slice.path))
+    refuse_pixels();
+  if (format.GetSamplesPerPixel() != 1 || bytes.size() != pixels * format.GetPixelSize() ||
+      !image.GetBuffer(bytes.data()))
+    refuse_pixels();
+  switch (format.GetScalarType()) {
+    case gdcm::PixelFormat::UINT8:
+      return append_rescaled<std::uint8_t>(bytes, image, voxels);
+    case gdcm::PixelFormat::INT8:
+      return append_rescaled<std::int8_t>(bytes, image, voxels);
+    case gdcm::PixelFormat::UINT16:
+      return append_rescaled<std::uint16_t>(bytes, image, voxels);
+    case gdcm::PixelFormat::INT16:
+      return append_rescaled<std::int16_t>(bytes, image, voxels);
+    case gdcm::PixelFormat::UINT32:
+      return append_rescaled<std::uint32_t>(bytes, image, voxels);
+    case gdcm::PixelFormat::INT32:
+      return append_rescaled<std::int32_t>(bytes, image, voxels);
+    default:
+      refuse(request, slice.path.filename().string(), "has pixels in a number format that is not known",
+             "Export the series again as 16-bit integers");
   }
 }
 
 }  // namespace
 
+std::vector<DicomSeries> list_dicom_folder(const Request& request) {
+  return series_of(images_below(request));
+}
+
 RawVolume read_dicom_folder(const Request& request) {
+  const std::vector<Found> images = chosen_series(request, images_below(request));
   std::vector<Slice> slices;
-  const std::vector<fs::path> files = files_below(request);
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    if (is_dicom_image(request, files[i])) slices.push_back(slice_of(request, files[i]));
-    request.progress(0.4 * static_cast<double>(i + 1) / static_cast<double>(files.size()));
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    slices.push_back(slice_of(request, images[i].path));
+    request.progress(0.2 + 0.2 * static_cast<double>(i + 1) / static_cast<double>(images.size()));
   }
-  if (slices.empty())
-    refuse(request, "", "holds no DICOM image", "Name the folder that holds the DICOM slices");
-  check_one_series(request, slices);
   if (slices.size() < 2)
     refuse(request, "", "holds a single slice, not a volume", "Name a folder with the whole series");
   double gap_mm = 0.0;

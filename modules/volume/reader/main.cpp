@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// glisson-read-volume MODE INPUT FOLDER NAME
+// glisson-read-volume MODE INPUT FOLDER NAME [SERIES]
 //
-// Reads INPUT (MODE: image or labels) and leaves FOLDER/header.json and FOLDER/voxels.raw, or, with exit code
-// 3, FOLDER/refusal.json. NAME is what messages call the input. Progress goes to standard output, one
-// fraction a line. A program of its own because the parsers abort on some malformed files.
+// Reads INPUT (MODE: image or labels) and leaves FOLDER/header.json and FOLDER/voxels.raw, or only lists the
+// series of a DICOM folder (MODE: series) in FOLDER/series.json; with exit code 3 it leaves
+// FOLDER/refusal.json. NAME is what messages call the input, SERIES chooses one of several. Progress goes to
+// standard output, one fraction a line. A program of its own because the parsers abort on some malformed
+// files.
 
 #include <sys/resource.h>
 #include <unistd.h>
@@ -43,6 +45,9 @@ void limit_resources() {
 
 RawVolume read_any(const Request& request) {
   if (std::filesystem::is_directory(request.path)) return reader::read_dicom_folder(request);
+  if (!request.series.empty())
+    throw InputError(request.name, "series", "cannot be chosen in a file that holds one volume",
+                     "Leave the series out, or name the folder that holds the DICOM slices");
   std::string extension = request.path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
@@ -138,6 +143,20 @@ void deliver(const Request& request, bool labels, const std::filesystem::path& f
                    {"texts", raw.texts}});
 }
 
+void list_series(const Request& request, const std::filesystem::path& folder) {
+  if (!std::filesystem::is_directory(request.path))
+    throw InputError(request.name, "", "is no folder of DICOM slices",
+                     "Name the folder that holds the series");
+  nlohmann::json list = nlohmann::json::array();
+  for (const DicomSeries& series : reader::list_dicom_folder(request))
+    list.push_back({{"uid", series.uid},
+                    {"number", series.number},
+                    {"description", series.description},
+                    {"modality", series.modality},
+                    {"slices", series.slices}});
+  write_json_file(folder / "series.json", list);
+}
+
 int refuse(const std::filesystem::path& folder, const InputError& error) {
   write_json_file(folder / "refusal.json", {{"file", error.file()},
                                             {"field", error.field()},
@@ -149,20 +168,25 @@ int refuse(const std::filesystem::path& folder, const InputError& error) {
 }  // namespace
 
 int main(int count, char** words) {
-  if (count != 5) {
-    std::fprintf(stderr,
-                 "glisson-read-volume MODE INPUT FOLDER NAME: a helper of Glisson, not run by hand\n");
+  if (count != 5 && count != 6) {
+    std::fprintf(
+        stderr,
+        "glisson-read-volume MODE INPUT FOLDER NAME [SERIES]: a helper of Glisson, not run by hand\n");
     return 2;
   }
   limit_resources();
-  const bool labels = std::string(words[1]) == "labels";
+  const std::string mode = words[1];
   const std::filesystem::path folder = words[3];
-  Request request{words[2], words[4], folder, [](double fraction) {
-                    std::printf("%.3f\n", fraction);
-                    std::fflush(stdout);
-                  }};
+  const auto tell = [](double fraction) {
+    std::printf("%.3f\n", fraction);
+    std::fflush(stdout);
+  };
+  const Request request{words[2], words[4], folder, tell, count == 6 ? words[5] : ""};
   try {
-    deliver(request, labels, folder, read_any(request));
+    if (mode == "series")
+      list_series(request, folder);
+    else
+      deliver(request, mode == "labels", folder, read_any(request));
     return 0;
   } catch (const InputError& error) {
     return refuse(folder, error);

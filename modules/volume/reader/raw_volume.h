@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "glisson/volume/grid.h"
+#include "glisson/volume/io.h"
 
 namespace glisson::reader {
 
@@ -28,10 +28,13 @@ struct Request {
   std::string name;
   std::filesystem::path scratch;  ///< a folder of our own
   std::function<void(double)> progress;
+  std::string series;  ///< of a DICOM folder: UID or number; empty: the only one
 };
 
 /// @throws InputError, FileError, or whatever the libraries throw (they may also abort).
 RawVolume read_dicom_folder(const Request& request);
+/// The series below the folder, by UID.
+std::vector<DicomSeries> list_dicom_folder(const Request& request);
 RawVolume read_itk_file(const Request& request);
 RawVolume read_vti_file(const Request& request);
 

@@ -79,18 +79,20 @@ Delivered delivered_in(const fs::path& folder) {
   throw InputError(refusal.at("file"), refusal.at("field"), refusal.at("problem"), refusal.at("remedy"));
 }
 
-/// Runs the reading program on `input`. Empty when cancelled.
-std::optional<Delivered> deliver(const char* mode, const fs::path& input, const std::string& name,
-                                 const fs::path& folder, const RunContext& context) {
-  const auto end = run_child(
-      reader_program().string(), {mode, input.string(), folder.string(), name}, context,
-      [&](const std::string& line) { context.progress(std::strtod(line.c_str(), nullptr), "volume.read"); });
-  if (!end) return std::nullopt;
+/// Runs the reading program on `input`. False when cancelled.
+bool run_reader(const char* mode, const fs::path& input, const std::string& name, const fs::path& folder,
+                const std::string& series, const RunContext& context) {
+  std::vector<std::string> words = {mode, input.string(), folder.string(), name};
+  if (!series.empty()) words.push_back(series);
+  const auto end = run_child(reader_program().string(), words, context, [&](const std::string& line) {
+    context.progress(std::strtod(line.c_str(), nullptr), "volume.read");
+  });
+  if (!end) return false;
   if (end->code == kRefused) throw_refusal(folder);
   if (end->code == 127) throw FileError(reader_program().string() + ": cannot run. Install Glisson again.");
   if (end->code != 0)
     throw InputError(name, "", "is damaged: the program that reads it broke down", "Export it again");
-  return delivered_in(folder);
+  return true;
 }
 
 template <class T>
@@ -131,6 +133,19 @@ bool unpack(const fs::path& archive, const fs::path& folder, const RunContext& c
   return true;
 }
 
+/// The folder of an archive's content below `work`, else the path itself. `reading` becomes what is left of
+/// the progress. Empty when cancelled.
+std::optional<fs::path> unpacked(const fs::path& path, const fs::path& work, const RunContext& context,
+                                 RunContext& reading) {
+  if (!is_archive(path)) return path;
+  context.progress(0.0, "volume.unpack");
+  const fs::path input = work / "archive";
+  fs::create_directory(input);
+  if (!unpack(path, input, context)) return std::nullopt;
+  reading = context.part(0.2, 0.95);
+  return input;
+}
+
 std::vector<LabelInfo> infos_of(const LabelVolume& voxels) {
   std::vector<LabelInfo> infos;
   const std::vector<long> counts = voxels.histogram();
@@ -141,28 +156,35 @@ std::vector<LabelInfo> infos_of(const LabelVolume& voxels) {
 
 }  // namespace
 
-Cancellable<Image> read_image(const fs::path& path, const RunContext& context) {
+Cancellable<std::vector<DicomSeries>> list_series(const fs::path& path, const RunContext& context) {
   require_exists(path);
   const TemporaryFolder work;
-  fs::path input = path;
+  RunContext reading = context;
+  const auto input = unpacked(path, work.path(), context, reading);
+  if (!input || !run_reader("series", *input, path.string(), work.path(), "", reading)) return std::nullopt;
+  std::vector<DicomSeries> all;
+  for (const nlohmann::json& series : read_json(work.path() / "series.json"))
+    all.push_back({series.at("uid"), series.at("number"), series.at("description"), series.at("modality"),
+                   series.at("slices")});
+  return all;
+}
+
+Cancellable<Image> read_image(const fs::path& path, const RunContext& context, const std::string& series) {
+  require_exists(path);
+  const TemporaryFolder work;
   RunContext reading = context.part(0.0, 0.95);
-  if (is_archive(path)) {
-    context.progress(0.0, "volume.unpack");
-    input = work.path() / "archive";
-    fs::create_directory(input);
-    if (!unpack(path, input, context)) return std::nullopt;
-    reading = context.part(0.2, 0.95);
-  }
-  const auto delivered = deliver("image", input, path.string(), work.path(), reading);
-  if (!delivered) return std::nullopt;
+  const auto input = unpacked(path, work.path(), context, reading);
+  if (!input || !run_reader("image", *input, path.string(), work.path(), series, reading))
+    return std::nullopt;
+  const Delivered delivered = delivered_in(work.path());
   Image image;
-  image.grid = delivered->grid;
-  image.modality = delivered->modality == "ct"   ? Modality::ct
-                   : delivered->modality == "mr" ? Modality::mr
-                                                 : Modality::other;
-  image.description = delivered->description;
+  image.grid = delivered.grid;
+  image.modality = delivered.modality == "ct"   ? Modality::ct
+                   : delivered.modality == "mr" ? Modality::mr
+                                                : Modality::other;
+  image.description = delivered.description;
   image.voxels = std::make_shared<const std::vector<std::int16_t>>(
-      read_raw<std::int16_t>(delivered->voxels, static_cast<std::size_t>(image.grid.voxel_count())));
+      read_raw<std::int16_t>(delivered.voxels, static_cast<std::size_t>(image.grid.voxel_count())));
   context.progress(1.0, "volume.read");
   return image;
 }
@@ -170,15 +192,16 @@ Cancellable<Image> read_image(const fs::path& path, const RunContext& context) {
 LabelFile read_labels(const fs::path& path) {
   require_exists(path);
   const TemporaryFolder work;
-  const auto delivered = deliver("labels", path, path.string(), work.path(), RunContext());
+  run_reader("labels", path, path.string(), work.path(), "", RunContext());
+  const Delivered delivered = delivered_in(work.path());
   const auto values =
-      read_raw<Label>(delivered->voxels, static_cast<std::size_t>(delivered->grid.voxel_count()) *
-                                             static_cast<std::size_t>(delivered->components));
+      read_raw<Label>(delivered.voxels, static_cast<std::size_t>(delivered.grid.voxel_count()) *
+                                            static_cast<std::size_t>(delivered.components));
   const std::vector<SlicerSegment> segments =
-      slicer_segments(path.string(), delivered->texts, delivered->components);
-  if (delivered->components > 1) return flattened(delivered->grid, delivered->components, values, segments);
+      slicer_segments(path.string(), delivered.texts, delivered.components);
+  if (delivered.components > 1) return flattened(delivered.grid, delivered.components, values, segments);
   LabelFile file;
-  file.voxels = LabelVolume(delivered->grid, values);
+  file.voxels = LabelVolume(delivered.grid, values);
   for (const SlicerSegment& segment : segments)
     file.infos.push_back({segment.value, segment.name, segment.terminology, segment.colour, segment.status});
   if (segments.empty()) file.infos = infos_of(file.voxels);

@@ -13,10 +13,25 @@ namespace glisson {
 
 /// Reads a volume: a folder of DICOM slices, a .tar.gz of one (unpacked here), NIfTI, NRRD, MetaImage, VTI.
 /// The result is right for every axis flip and permutation: grid.direction carries it.
-/// @throws FileError missing or unreadable; InputError empty folder, two series mixed, missing slice, gantry
-/// tilt,
-///   mirrored or unit-less geometry, not a scalar volume. Parsers that can abort run in a child process.
-Cancellable<Image> read_image(const std::filesystem::path& path, const RunContext& context);
+/// @param series which of several series below a DICOM folder (or in an archive): its UID, or its number.
+///   Empty: the only one.
+/// @throws FileError missing or unreadable; InputError empty folder, several series and none chosen (the
+///   sentence lists them), missing slice, gantry tilt, unit-less geometry, not a scalar volume. Parsers that
+///   can abort run in a child process.
+Cancellable<Image> read_image(const std::filesystem::path& path, const RunContext& context,
+                              const std::string& series = {});
+
+/// A series of DICOM images, as its files say it.
+struct DicomSeries {
+  std::string uid;     ///< SeriesInstanceUID; may be empty in broken files
+  std::string number;  ///< SeriesNumber; may be empty, and need not be unique
+  std::string description, modality;
+  int slices = 0;  ///< files
+};
+/// The series below a folder, or in an archive of one, by UID: to let a person choose. @throws as read_image,
+/// also when there is no DICOM image.
+Cancellable<std::vector<DicomSeries>> list_series(const std::filesystem::path& path,
+                                                  const RunContext& context);
 
 /// What a label file says of one of its labels (from .seg.nrrd; elsewhere only the code is known).
 struct LabelInfo {
