@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The way from a CT to a model, stage by stage as engine commands, on the real CT (folder GLISSON_DATA, else
+// ../shared/data, with the clicks of tests/data) and on the synthetic patient. One run of each stage: it
+// takes seconds. What holds on another machine is each stage's share of the whole, printed at the end.
+#include <benchmark/benchmark.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <memory>
+
+#include "data_folder.h"
+#include "glisson/core/files.h"
+#include "glisson/engine/script.h"
+#include "glisson/insilico/operator.h"
+#include "glisson/insilico/patient.h"
+
+namespace {
+
+using namespace glisson;
+namespace fs = std::filesystem;
+
+/// What a patient's way begins with.
+struct Input {
+  fs::path image, seeds;
+};
+
+fs::path clicks_folder() {
+  const char* source = std::getenv("GLISSON_SOURCE_DIR");
+  return fs::path(source != nullptr ? source : ".") / "tests/data";
+}
+
+/// One patient on its way; the stages are measured one after another.
+class Way {
+ public:
+  explicit Way(Input input) : input_(std::move(input)), script_(RunContext()) {}
+
+  void import(benchmark::State& state) { run(state, engine::ImportImage{input_.image}); }
+  void segment(benchmark::State& state) {
+    script_.run(engine::SetSeeds{segmentation::read_seeds(input_.seeds)});
+    run(state, engine::Segment{});
+  }
+  void vessels_again(benchmark::State& state) {
+    engine::Segment command;
+    command.options.structures = {false, true, true, false, false, false};
+    run(state, command);
+  }
+  /// A stroke of 10 mm radius over 30 mm in the middle of the liver.
+  void stroke(benchmark::State& state) {
+    segmentation::Paint paint;
+    paint.label = structure::kFirstOther;
+    paint.brush = segmentation::Paint::Brush::ball;
+    paint.radius = 10e-3;
+    paint.path.resize(2, 3);
+    paint.path.row(0) = script_.state().seeds->liver.row(0);
+    paint.path.row(1) = paint.path.row(0) + Eigen::RowVector3d(30e-3, 0, 0);
+    run(state, engine::EditLabels{{paint, {}}});
+  }
+  void undo(benchmark::State& state) { run(state, engine::UndoLabels{}); }
+  void smooth(benchmark::State& state) {
+    run(state, engine::EditLabels{{segmentation::Smooth{structure::kParenchyma}, {}}});
+    script_.run(engine::UndoLabels{});
+  }
+  void model(benchmark::State& state) { run(state, engine::BuildModel{}); }
+  void save(benchmark::State& state) { run(state, engine::SaveCase{folder_.path() / "patient.glisson"}); }
+  void open(benchmark::State& state) { run(state, engine::OpenCase{folder_.path() / "patient.glisson"}); }
+
+ private:
+  void run(benchmark::State& state, const engine::Command& command) {
+    for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(script_.run(command));
+  }
+
+  Input input_;
+  TemporaryFolder folder_;
+  engine::Script script_;
+};
+
+void add_stages(const std::string& patient, const std::shared_ptr<Way>& way) {
+  using Stage = void (Way::*)(benchmark::State&);
+  const std::pair<const char*, Stage> stages[] = {
+      {"import", &Way::import},      {"segment", &Way::segment}, {"vessels_again", &Way::vessels_again},
+      {"stroke_10mm", &Way::stroke}, {"undo", &Way::undo},       {"smooth_liver", &Way::smooth},
+      {"model", &Way::model},        {"save", &Way::save},       {"open", &Way::open}};
+  for (const auto& [name, stage] : stages)
+    benchmark::RegisterBenchmark((patient + "/" + name).c_str(),
+                                 [way, stage = stage](benchmark::State& state) { ((*way).*stage)(state); })
+        ->Iterations(1)
+        ->Unit(benchmark::kMillisecond)
+        ->UseRealTime();
+}
+
+Input synthetic(const fs::path& folder) {
+  const auto patient = insilico::make_patient({}, RunContext());
+  write_image(folder / "ct.nrrd", patient->ct);
+  segmentation::write_seeds(folder / "seeds.json", insilico::click_seeds(patient->truth, {}));
+  return {folder / "ct.nrrd", folder / "seeds.json"};
+}
+
+/// The table, with each stage as a part of its patient's whole way.
+class ShareReporter : public benchmark::ConsoleReporter {
+ public:
+  void ReportRuns(const std::vector<Run>& runs) override {
+    for (const Run& run : runs) seconds_.emplace_back(run.benchmark_name(), run.real_accumulated_time);
+    ConsoleReporter::ReportRuns(runs);
+  }
+  void print_shares() const {
+    std::map<std::string, double> whole;
+    for (const auto& [name, seconds] : seconds_) whole[name.substr(0, name.find('/'))] += seconds;
+    for (const auto& [name, seconds] : seconds_)
+      std::printf("%-48s %6.2f %%\n", name.c_str(), 100.0 * seconds / whole[name.substr(0, name.find('/'))]);
+  }
+
+ private:
+  std::vector<std::pair<std::string, double>> seconds_;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  const TemporaryFolder folder;
+  const fs::path data = test::data_folder().empty() ? fs::path("../shared/data") : test::data_folder();
+  const fs::path dicom = data / "ct_ircad1/PATIENT_DICOM.tar.gz";
+  if (fs::exists(dicom))
+    add_stages("ct_ircad1", std::make_shared<Way>(Input{dicom, clicks_folder() / "3dircadb1_seeds.json"}));
+  else
+    std::fprintf(stderr, "%s is not there: the real CT is left out.\n", dicom.c_str());
+  add_stages("synthetic", std::make_shared<Way>(synthetic(folder.path())));
+  ShareReporter reporter;
+  benchmark::RunSpecifiedBenchmarks(&reporter);
+  reporter.print_shares();
+  return 0;
+}
