@@ -146,8 +146,25 @@ class Naive {
         nearest = std::min(nearest, (p - a - s * (b - a)).norm());
       }
       if (nearest > t.radius) return old;
-      return t.erase ? erased(t.label, old) : t.label;
+      if (!t.erase) return t.label;
+      const bool in_liver = t.label == 2 || t.label == 3 || t.label == 5 || is_lesion(t.label);
+      return in_liver && old == t.label ? nearer(v) : erased(t.label, old);
     });
+  }
+  /// The nearer one of parenchyma and background, looking at every voxel.
+  Label nearer(const Voxel& v) const {
+    double tissue = 1e30, background = 1e30;
+    std::size_t n = 0;
+    for (int k = 0; k < grid_.size.z(); ++k)
+      for (int j = 0; j < grid_.size.y(); ++j)
+        for (int i = 0; i < grid_.size.x(); ++i, ++n) {
+          const double far2 =
+              (Voxel(i, j, k) - v).cast<double>().cwiseProduct(grid_.spacing_mm).squaredNorm();
+          if (before_[n] == structure::kParenchyma) tissue = std::min(tissue, far2);
+          if (before_[n] == 0) background = std::min(background, far2);
+        }
+    // Single precision on the other side: what is equal to a millionth is equally near.
+    return tissue <= background * (1.0 + 1e-6) ? structure::kParenchyma : structure::kBackground;
   }
 
   std::vector<Label> wanted(const Threshold& t) const {

@@ -186,6 +186,7 @@ class EditTest : public QObject {
   void ADiscLiesInItsSliceOnly();
   void ABrushFinerThanAVoxelLeavesNoGap();
   void EraseUndoesPaintOnBackground();
+  void ABranchThatIsRubbedOutLeavesNoHoleInTheLiver();
   void ScissorsOfACircleCutACylinder();
   void ScissorsInPerspectiveCutACone();
   void WhatIsBehindTheViewerIsOutside();
@@ -305,8 +306,8 @@ void EditTest::EraseUndoesPaintOnBackground() {
   const VolumeGrid grid = awkward_grids()[2];
   const Image image = noisy(grid, 4);
   const LabelMap labels = small_anatomy(grid, 4);
-  Paint paint{structure::kFirstLesion + 4,           false, Paint::Brush::ball, 7e-3, 2,
-              one_point(p_at(grid, {4.0, 4.0, 4.0}))};
+  Paint paint{
+      structure::kGallbladder, false, Paint::Brush::ball, 7e-3, 2, one_point(p_at(grid, {4.0, 4.0, 4.0}))};
   EditableRegion background;
   background.area = EditableRegion::Area::unlabelled;
   const Edited painted = applied(labels, image, paint, background);
@@ -315,6 +316,30 @@ void EditTest::EraseUndoesPaintOnBackground() {
   const Edited erased = applied(painted.labels, image, paint);
   QVERIFY(erased.labels.voxels == labels.voxels);
   QCOMPARE(erased.voxels_changed, painted.voxels_changed);
+}
+
+void EditTest::ABranchThatIsRubbedOutLeavesNoHoleInTheLiver() {
+  VolumeGrid grid;
+  grid.size = {50, 40, 30};
+  LabelMap labels;
+  labels.voxels = LabelVolume(grid);
+  // A vessel of 9 mm that comes into a liver from the left.
+  for (int k = 0; k < 30; ++k)
+    for (int j = 0; j < 40; ++j)
+      for (int i = 0; i < 50; ++i) {
+        const bool vessel = std::hypot(j - 20, k - 15) < 4.6;
+        if (vessel)
+          labels.voxels.set({i, j, k}, structure::kPortalVein);
+        else if (i >= 25)
+          labels.voxels.set({i, j, k}, structure::kParenchyma);
+      }
+  Paint rub{structure::kPortalVein, true, Paint::Brush::ball, 3e-3, 2, Points(2, 3)};
+  rub.path.row(0) = p_at(grid, {10.0, 20.0, 15.0}).transpose();
+  rub.path.row(1) = p_at(grid, {40.0, 20.0, 15.0}).transpose();
+  const Edited rubbed = applied(labels, noisy(grid, 4), rub);
+  QCOMPARE(rubbed.labels.voxels.at({38, 20, 15}), structure::kParenchyma);  // deep in the vessel
+  QCOMPARE(rubbed.labels.voxels.at({12, 20, 15}), structure::kBackground);
+  QCOMPARE(rubbed.labels.voxels.at({38, 24, 15}), structure::kPortalVein);
 }
 
 void EditTest::ScissorsOfACircleCutACylinder() {

@@ -56,7 +56,10 @@ struct EditableRegion {
 struct Paint {
   enum class Brush { disc, ball };
   Label label = structure::kParenchyma;
-  bool erase = false;  ///< takes voxels of `label` away; with kBackground of any label
+  /// Takes voxels of `label` away; with kBackground of any label. What a vessel or a lesion loses becomes
+  /// what is nearer of parenchyma and background (within 12 mm of the stroke; parenchyma where they are
+  /// equally near), so that a branch that is rubbed out leaves no hole in the liver. Otherwise background.
+  bool erase = false;
   Brush brush = Brush::disc;
   double radius = 5e-3;
   int normal_axis = 2;  ///< disc: the voxel axis across the slice, 0, 1 or 2
