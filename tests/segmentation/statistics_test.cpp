@@ -6,6 +6,7 @@
 #include <random>
 
 #include "glisson/core/error.h"
+#include "glisson/segmentation/lesion_size.h"
 
 using namespace glisson;
 using namespace glisson::segmentation;
@@ -50,6 +51,7 @@ class StatisticsTest : public QObject {
   void OnlyBricksThatChangedAreCountedAgain();
   void AnotherImageIsMeasuredAnew();
   void WithoutAnImageVolumesAreKnown();
+  void LesionDiametersFollowEveryEdit();
 };
 
 void StatisticsTest::AgreesWithCountingVoxelByVoxelAfterEveryEdit() {
@@ -115,6 +117,30 @@ void StatisticsTest::WithoutAnImageVolumesAreKnown() {
   labels.voxels.set({3, 3, 3}, 1);
   const LabelStatistics statistics(labels, nullptr);
   QCOMPARE(statistics.figures().at(1).ml, 1e-3);
+}
+
+void StatisticsTest::LesionDiametersFollowEveryEdit() {
+  std::mt19937_64 random(5);
+  VolumeGrid grid;
+  grid.size = {70, 45, 40};
+  grid.spacing_mm = {0.5, 0.6, 2.0};
+  LabelMap labels;
+  labels.voxels = LabelVolume(grid);
+  LabelStatistics statistics(labels, nullptr);
+  const std::array<Label, 4> codes = {0, structure::kFirstLesion, structure::kFirstLesion + 1,
+                                      structure::kParenchyma};
+  for (int edit = 0; edit < 40; ++edit) {
+    const Label label = codes[random() % 4];
+    const Eigen::Vector3i low(static_cast<int>(random() % 66), static_cast<int>(random() % 41),
+                              static_cast<int>(random() % 36));
+    for (int n = 0; n < 64; ++n) labels.voxels.set(low + Eigen::Vector3i(n % 4, n / 4 % 4, n / 16), label);
+    statistics = LabelStatistics(labels, nullptr, &statistics);
+    for (const auto& [code, figures] : statistics.figures()) {
+      const double wanted = is_lesion(code) ? longest_diameter(labels.voxels, code).mm : 0.0;
+      QCOMPARE(figures.longest_diameter_mm, wanted);
+    }
+  }
+  QVERIFY(statistics.figures().at(structure::kFirstLesion).longest_diameter_mm > 10.0);
 }
 
 QTEST_APPLESS_MAIN(StatisticsTest)

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <set>
 
 #include "glisson/core/error.h"
+#include "glisson/segmentation/lesion_size.h"
 
 namespace glisson::segmentation {
 
@@ -47,6 +49,7 @@ LabelStatistics::LabelStatistics(const LabelMap& labels, const Image* image, con
       former != nullptr && former->voxels_ == voxels_ && former->counted_.grid().same_as(grid);
   sums_.resize(counted_.brick_count());
   std::map<Label, BrickSums::Sum> totals;
+  std::set<Label> touched;  // in a brick that was counted anew
   for (std::size_t n = 0; n < sums_.size(); ++n) {
     const auto& brick = counted_.brick(n);
     if (!brick) continue;
@@ -70,7 +73,10 @@ LabelStatistics::LabelStatistics(const LabelMap& labels, const Image* image, con
         sum->squares += value * value;
       });
       auto sums = std::make_shared<BrickSums>();
-      for (const auto& [label, one] : here) sums->sums.push_back(one);
+      for (const auto& [label, one] : here) {
+        sums->sums.push_back(one);
+        touched.insert(label);
+      }
       sums_[n] = std::move(sums);
     }
     for (const BrickSums::Sum& one : sums_[n]->sums) {
@@ -88,6 +94,12 @@ LabelStatistics::LabelStatistics(const LabelMap& labels, const Image* image, con
     figures.mean_hu = static_cast<double>(total.intensity) / count;
     figures.sd_hu = std::sqrt(
         std::max(0.0, static_cast<double>(total.squares) / count - figures.mean_hu * figures.mean_hu));
+    if (!is_lesion(label)) continue;
+    const auto before = usable ? former->figures_.find(label) : figures_.end();
+    const bool known = usable && before != former->figures_.end() &&
+                       before->second.voxels == figures.voxels && !touched.contains(label);
+    figures.longest_diameter_mm =
+        known ? before->second.longest_diameter_mm : longest_diameter(counted_, label).mm;
   }
 }
 
