@@ -58,13 +58,15 @@ int run_import(const QStringList& given) {
       Cli::tr("Reads a CT (a folder of DICOM slices, a .tar.gz of one, NIfTI, NRRD, MetaImage) into a case, "
               "which is made if there is none."));
   arguments.positional("INPUT", Cli::tr("The volume."));
+  arguments.option("series", Cli::tr("Which DICOM series, where there are several: its UID or number."),
+                   "SERIES");
   declare_case(arguments);
   if (!arguments.parse(given)) return 0;
   const QString input = arguments.positionals(1, 1).front();
   const fs::path folder = arguments.required_path("case");
   Session session(arguments);
   if (fs::exists(folder)) open_case(arguments, session);
-  session.post(engine::ImportImage{input.toStdString()});
+  session.post(engine::ImportImage{input.toStdString(), arguments.value("series").toStdString()});
   save_case(arguments, session);
   session.finish();
   return 0;

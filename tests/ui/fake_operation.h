@@ -114,7 +114,15 @@ class FakeOperation {
   bool change(engine::Applied& applied, const engine::ImportImage& command, const RunContext&) const {
     if (command.path.filename() == "broken.nii")
       throw InputError(command.path.string(), "header", "is cut off after 12 bytes", "Copy the file again");
-    applied.state.image = std::make_shared<const Image>(ct);
+    Image image = ct;
+    image.description = command.series;
+    applied.state.image = std::make_shared<const Image>(std::move(image));
+    return true;
+  }
+  bool change(engine::Applied& applied, const engine::ListSeries& command, const RunContext&) const {
+    applied.series = {{"1.2.3", "2", "portal venous", "CT", 129}};
+    if (command.path.filename() == "two_series")
+      applied.series.push_back({"1.2.4", "3", "arterial", "CT", 90});
     return true;
   }
   bool change(engine::Applied& applied, const engine::SetSeeds& command, const RunContext&) const {

@@ -2,6 +2,7 @@
 // Drives the window by mouse and keyboard, from opening a CT to the recorded live view. The engine's
 // scheduling is the real one; what its commands compute is made by FakeOperation.
 #include <QApplication>
+#include <QDialog>
 #include <QDropEvent>
 #include <QLabel>
 #include <QListWidget>
@@ -16,6 +17,7 @@
 #include <QtTest>
 
 #include "fake_operation.h"
+#include "glisson/core/files.h"
 #include "glisson/ui/atlas/atlas_panel.h"
 #include "glisson/ui/common/task_button.h"
 #include "glisson/ui/guidance/guidance_panel.h"
@@ -40,6 +42,7 @@ class WindowTest : public QObject {
   void EveryPanelFitsItsColumnInEveryLanguage_data();
   void EveryPanelFitsItsColumnInEveryLanguage();
   void OpensWhatIsDropped();
+  void OneOfSeveralSeriesIsAskedFor();
   void ErrorsAreShownAndLeaveTheCase();
   void UnsavedChangesAreNotLostUnasked();
   void ClickMovesTheCrosshairInAllSlices();
@@ -173,6 +176,27 @@ void WindowTest::OpensWhatIsDropped() {
   QCoreApplication::sendEvent(window_.get(), &drop);
   QVERIFY(settle());
   QVERIFY(window_->engine().state().image != nullptr);
+}
+
+void WindowTest::OneOfSeveralSeriesIsAskedFor() {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path() / "one_series");
+  std::filesystem::create_directories(folder.path() / "two_series");
+  window_->open(folder.path() / "one_series");
+  QTRY_VERIFY(window_->engine().state().image != nullptr);
+  QVERIFY(window_->engine().state().image->description.empty());
+  QVERIFY(window_->findChild<QDialog*>(QStringLiteral("choose_series")) == nullptr);
+
+  window_->open(folder.path() / "two_series");
+  QTRY_VERIFY(window_->findChild<QDialog*>(QStringLiteral("choose_series")) != nullptr);
+  auto* dialog = window_->findChild<QDialog*>(QStringLiteral("choose_series"));
+  auto* list = dialog->findChild<QListWidget*>();
+  QCOMPARE(list->count(), 2);
+  QCOMPARE(list->currentRow(), 0);  // the one with the most slices
+  QVERIFY(list->item(1)->text().contains(QStringLiteral("arterial")));
+  list->setCurrentRow(1);
+  QTest::keyClick(dialog, Qt::Key_Return);
+  QTRY_COMPARE(window_->engine().state().image->description, std::string("1.2.4"));
 }
 
 void WindowTest::ErrorsAreShownAndLeaveTheCase() {

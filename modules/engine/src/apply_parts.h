@@ -10,6 +10,7 @@
 namespace glisson::engine {
 
 Cancellable<Applied> apply_one(const CaseState& state, const ImportImage& command, const RunContext& context);
+Cancellable<Applied> apply_one(const CaseState& state, const ListSeries& command, const RunContext& context);
 Cancellable<Applied> apply_one(const CaseState& state, const ImportLabels& command,
                                const RunContext& context);
 Cancellable<Applied> apply_one(const CaseState& state, const EditLabels& command, const RunContext& context);

@@ -46,7 +46,7 @@ Applied with_model(const CaseState& state, model::BuiltModel built) {
 
 Cancellable<Applied> apply_one(const CaseState& state, const ImportImage& command,
                                const RunContext& context) {
-  auto image = read_image(command.path, context);
+  auto image = read_image(command.path, context, command.series);
   if (!image) return {};
   Applied applied;
   applied.state = state;
@@ -56,6 +56,15 @@ Cancellable<Applied> apply_one(const CaseState& state, const ImportImage& comman
     applied.figures["image_spacing_" + axis + "_mm"] = image->grid.spacing_mm[k];
   }
   applied.state.image = std::make_shared<const Image>(std::move(*image));
+  return applied;
+}
+
+Cancellable<Applied> apply_one(const CaseState& state, const ListSeries& command, const RunContext& context) {
+  auto series = list_series(command.path, context);
+  if (!series) return {};
+  Applied applied;
+  applied.state = state;
+  applied.series = std::move(*series);
   return applied;
 }
 

@@ -14,6 +14,7 @@ struct Traits {
 
 // One overload a command: a new command does not compile until it says what it touches.
 Traits traits(const ImportImage&) { return {"import_image", {}, {Part::image}}; }
+Traits traits(const ListSeries&) { return {"list_series", {}, {}}; }
 constexpr Parts kEdited = {Part::labels, Part::review, Part::preview};
 constexpr Parts kEditReads = {Part::image, Part::labels, Part::review, Part::preview};
 Traits traits(const ImportLabels&) { return {"import_labels", {Part::image}, kEdited}; }

@@ -204,6 +204,7 @@ struct Engine::Impl {
     if (outcome.status == Status::done) {
       outcome.figures = std::move(applied->figures);
       outcome.notes = std::move(applied->notes);
+      outcome.series = std::move(applied->series);
       settle_tracking(job->command);
       settle_trial(job->command, base);
       commit(*job, base, std::move(*applied));

@@ -19,6 +19,7 @@
 #include "glisson/ui/model/model_panel.h"
 #include "glisson/ui/segmentation/segmentation_panel.h"
 #include "glisson/ui/shell/case_opening.h"
+#include "glisson/ui/shell/image_import.h"
 #include "glisson/ui/stereo/stereo_panel.h"
 #include "step_bar.h"
 #include "task_status.h"
@@ -57,6 +58,7 @@ MainWindow::MainWindow(engine::Engine::Options options, QWidget* parent)
   status_ = new TaskStatus(engine_, this);
   statusBar()->addWidget(status_, 1);
   statusBar()->setSizeGripEnabled(false);
+  import_ = new ImageImport(engine_, this);
   build_menu();
   connect(welcome_, &WelcomePage::open_case, this, &MainWindow::open_case);
   connect(welcome_, &WelcomePage::open_dicom, this, &MainWindow::open_dicom);
@@ -124,6 +126,7 @@ void MainWindow::build_menu() {
 void MainWindow::open(const std::filesystem::path& path) {
   if (const auto command = command_to_open(path)) {
     if (std::holds_alternative<engine::OpenCase>(*command)) return replace_case(path);
+    if (std::holds_alternative<engine::ImportImage>(*command)) return import_->start(path);
     engine_.post(*command);
     if (std::holds_alternative<engine::SetVideo>(*command)) engine_.post(engine::LoadVideoFrame{0});
     return;
@@ -163,14 +166,14 @@ void MainWindow::open_case() {
 
 void MainWindow::open_dicom() {
   const QString path = QFileDialog::getExistingDirectory(this, tr("Open a folder of DICOM slices"));
-  if (!path.isEmpty()) engine_.post(engine::ImportImage{path.toStdString()});
+  if (!path.isEmpty()) import_->start(path.toStdString());
 }
 
 void MainWindow::open_volume() {
   const QString path = QFileDialog::getOpenFileName(
       this, tr("Open a volume"), {},
       tr("Volumes (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.tar.gz *.tgz)"));
-  if (!path.isEmpty()) engine_.post(engine::ImportImage{path.toStdString()});
+  if (!path.isEmpty()) import_->start(path.toStdString());
 }
 
 bool MainWindow::save() {
@@ -230,8 +233,9 @@ void MainWindow::show_outcome(const engine::Outcome& outcome) {
   if (is_save) close_after_save_ = false;
   // A panel's own button shows its own error; what came from the menu or a drop has no other place.
   const bool from_menu = is_save || outcome.command.starts_with("open_") ||
-                         outcome.command.starts_with("import_") || outcome.command.starts_with("load_") ||
-                         outcome.command == "set_calibration" || outcome.command == "set_video";
+                         outcome.command.starts_with("import_") || outcome.command == "list_series" ||
+                         outcome.command.starts_with("load_") || outcome.command == "set_calibration" ||
+                         outcome.command == "set_video";
   if (!from_menu) return;
   show_problem(QString::fromStdString(outcome.error));
 }

@@ -24,6 +24,11 @@ namespace glisson::engine {
 /// Reads a CT or MR (see read_image).
 struct ImportImage {
   std::filesystem::path path;
+  std::string series = {};  ///< UID or number, where there are several
+};
+/// Says in its outcome which DICOM series a folder or an archive holds. Changes no part.
+struct ListSeries {
+  std::filesystem::path path;
 };
 /// Reads labels, recoded by `codes` (empty: Glisson's own codes).
 struct ImportLabels {
@@ -152,11 +157,11 @@ struct SaveCase {
 };
 
 using Command =
-    std::variant<ImportImage, ImportLabels, EditLabels, PreviewEdit, UndoLabels, RedoLabels, SetReview,
-                 SetSeeds, Segment, BuildModel, ImportSurfaces, ImportMesh, SetLandmarks, SetCalibration,
-                 LoadStereoPair, SetVideo, LoadVideoFrame, SetRegions, Reconstruct, ImportCloud, Register,
-                 ImportRegistration, StartTracking, StopTracking, StartTrial, StopTrial, Simulate, OpenCase,
-                 SaveCase>;
+    std::variant<ImportImage, ListSeries, ImportLabels, EditLabels, PreviewEdit, UndoLabels, RedoLabels,
+                 SetReview, SetSeeds, Segment, BuildModel, ImportSurfaces, ImportMesh, SetLandmarks,
+                 SetCalibration, LoadStereoPair, SetVideo, LoadVideoFrame, SetRegions, Reconstruct,
+                 ImportCloud, Register, ImportRegistration, StartTracking, StopTracking, StartTrial,
+                 StopTrial, Simulate, OpenCase, SaveCase>;
 
 /// Code of a command for progress, figures and logs: "segment", "build_model", ...
 std::string_view command_code(const Command& command);

@@ -14,6 +14,7 @@
 #include "glisson/engine/case_state.h"
 #include "glisson/engine/commands.h"
 #include "glisson/engine/load_trial.h"
+#include "glisson/volume/io.h"
 
 namespace glisson::engine {
 
@@ -22,8 +23,9 @@ using CommandId = std::uint64_t;
 /// What a command made of a state.
 struct Applied {
   CaseState state;
-  Figures figures;                 ///< flat, units in the names
-  std::vector<std::string> notes;  ///< codes with values, for people to be told
+  Figures figures;                  ///< flat, units in the names
+  std::vector<std::string> notes;   ///< codes with values, for people to be told
+  std::vector<DicomSeries> series;  ///< of ListSeries
   /// The state brings its own stamps (a case that was opened).
   bool keeps_stamps = false;
 };
@@ -66,6 +68,7 @@ struct Outcome {
   std::string error;  ///< one sentence with the remedy, when failed
   Figures figures;
   std::vector<std::string> notes;
+  std::vector<DicomSeries> series;  ///< of ListSeries
   double seconds = 0.0;
 };
 struct Progress {

@@ -15,6 +15,7 @@ class QStackedWidget;
 
 namespace glisson::ui {
 
+class ImageImport;
 class StepBar;
 class TaskStatus;
 class WelcomePage;
@@ -64,6 +65,7 @@ class MainWindow : public QMainWindow {
   EngineBridge engine_;
   ViewState state_;
   DrawableSource drawables_;
+  ImageImport* import_ = nullptr;
   StepBar* steps_ = nullptr;
   QStackedWidget* middle_ = nullptr;
   QStackedWidget* controls_ = nullptr;
