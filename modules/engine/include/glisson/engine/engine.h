@@ -25,7 +25,7 @@ struct Applied {
   CaseState state;
   Figures figures;                  ///< flat, units in the names
   std::vector<std::string> notes;   ///< codes with values, for people to be told
-  std::vector<DicomSeries> series;  ///< of ListSeries
+  std::vector<DicomSeries> series = {};  ///< of ListSeries
   /// The state brings its own stamps (a case that was opened).
   bool keeps_stamps = false;
 };
@@ -68,7 +68,7 @@ struct Outcome {
   std::string error;  ///< one sentence with the remedy, when failed
   Figures figures;
   std::vector<std::string> notes;
-  std::vector<DicomSeries> series;  ///< of ListSeries
+  std::vector<DicomSeries> series = {};  ///< of ListSeries
   double seconds = 0.0;
 };
 struct Progress {
