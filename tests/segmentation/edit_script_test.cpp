@@ -273,6 +273,7 @@ void EditScriptTest::SettingsOutOfRangeAreRefused_data() {
   row(refused_setting(Logical{1, Logical::Operation::subtract, 300}), "logical, other");
   row(refused_setting(ReassignBranch{2, 2, p}), "reassign_branch, to");
   row(refused_setting(ReassignBranch{2, 3, away}), "reassign_branch, p_in_ct");
+  row(refused_setting(ReassignBranch{9, 3, p}), "reassign_branch, p_in_ct");
 }
 
 void EditScriptTest::SettingsOutOfRangeAreRefused() {

@@ -196,6 +196,7 @@ class EditTest : public QObject {
   void IslandsByClickAndSplit();
   void SplittingManyIslandsSaysWhatWasLeft();
   void AFilledVolumeIsOneBrick();
+  void ABranchBeyondItsNeckChangesHands();
   void InformationOfLabelsIsKeptAndAdded();
   void CancelLeavesNothing_data();
   void CancelLeavesNothing();
@@ -527,6 +528,34 @@ void EditTest::AFilledVolumeIsOneBrick() {
   const Edited clear =
       applied(full.labels, image, Logical{structure::kParenchyma, Logical::Operation::clear, 0});
   for (std::size_t n = 0; n < clear.labels.voxels.brick_count(); ++n) QVERIFY(!clear.labels.voxels.brick(n));
+}
+
+void EditTest::ABranchBeyondItsNeckChangesHands() {
+  const VolumeGrid grid = fine_grid();
+  const Image image = noisy(grid, 6);
+  // A trunk along x, thickest at its root, a neck of 1.2 mm upwards at its middle, a branch beyond it.
+  const LabelMap labels = labels_of(grid, [&](const Eigen::Vector3i& v) -> Label {
+    const Eigen::Vector3d p = 0.5 * v.cast<double>();
+    if (std::hypot(p.y() - 10.0, p.z() - 20.0) < (p.x() < 8.0 ? 6.0 : 4.0)) return structure::kPortalVein;
+    const double across = std::hypot(p.x() - 20.0, p.z() - 20.0);
+    const bool branch = p.y() > 10.0 && across < (p.y() < 18.0 ? 1.2 : 3.0);
+    return branch ? structure::kPortalVein : structure::kBackground;
+  });
+  const ReassignBranch tool{structure::kPortalVein, structure::kHepaticVeins, {0.020, 0.017, 0.020}};
+  const Edited edited = applied(labels, image, tool);
+  for (const int y : {40, 60, 79}) QCOMPARE(edited.labels.voxels.at({40, y, 40}), structure::kHepaticVeins);
+  for (const int x : {0, 40, 79}) QCOMPARE(edited.labels.voxels.at({x, 20, 40}), structure::kPortalVein);
+  const long branch = std::lround(M_PI * 9.0 * 22.0 / 0.125);
+  QVERIFY2(std::abs(edited.voxels_changed - branch) < branch / 10,
+           qPrintable(QString::number(edited.voxels_changed)));
+  // The region holds for it as for every tool, and a cut leaves background.
+  EditableRegion dark;
+  dark.intensity = std::array<double, 2>{-1000.0, 0.0};
+  const Edited half =
+      applied(labels, image, ReassignBranch{tool.label, structure::kBackground, tool.p_in_ct}, dark);
+  QVERIFY(half.voxels_changed > branch / 3 && half.voxels_changed < 2 * branch / 3);
+  for (int y = 40; y < 80; ++y)
+    QCOMPARE(half.labels.voxels.at({40, y, 40}) == structure::kBackground, image.at({40, y, 40}) <= 0);
 }
 
 void EditTest::InformationOfLabelsIsKeptAndAdded() {

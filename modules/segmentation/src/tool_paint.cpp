@@ -185,11 +185,13 @@ Cancellable<Canvas> apply_tool(const Paint& tool, Task& task) {
   }
   Canvas canvas = task.canvas(work.empty() ? VoxelBox{} : work);
   std::optional<Surroundings> beside;
-  if (tool.erase && lies_in_liver(tool.label) && !work.empty()) beside.emplace(task.labels.voxels, work);
   const auto propose = [&](int i, int j, int k, Label old) -> Label {
     if (!tool.erase) return tool.label;
     if (tool.label != structure::kBackground && old != tool.label) return old;
-    return beside ? beside->at(i, j, k) : structure::kBackground;
+    if (!lies_in_liver(tool.label)) return structure::kBackground;
+    // Looked for when the first voxel is erased: a stroke beside the label costs nothing.
+    if (!beside) beside.emplace(task.labels.voxels, work);
+    return beside->at(i, j, k);
   };
   // The voxel under the pointer changes however small the brush is.
   const bool fine = radius_mm < 0.5 * grid.spacing_mm.norm();

@@ -5,6 +5,7 @@
 #include <gdcmReader.h>
 #include <itkGDCMImageIO.h>
 #include <itkMetaDataObject.h>
+#include <sys/resource.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -24,6 +25,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Bytes of memory for each byte of the files while their headers are read, and for each voxel after that.
+constexpr double kMemoryPerByte = 16.0, kMemoryPerVoxel = 16.0;
+
 struct Slice {
   fs::path path;
   std::string modality, description;
@@ -32,6 +36,20 @@ struct Slice {
   Eigen::Vector3d origin_mm, row, column;
   double along_mm = 0.0;  ///< position on the slices' normal
 };
+
+/// A malformed length makes the parser ask for gigabytes, which a small computer pays for with its other
+/// programs: no more than `bytes` (beyond what the program itself takes) may be had from here on.
+void limit_memory(double bytes) {
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+  constexpr double kProgram = 1e9;
+  rlimit limit{};
+  if (getrlimit(RLIMIT_AS, &limit) != 0) return;
+  limit.rlim_cur = static_cast<rlim_t>(std::min(kProgram + bytes, static_cast<double>(limit.rlim_max)));
+  setrlimit(RLIMIT_AS, &limit);
+#else
+  (void)bytes;
+#endif
+}
 
 [[noreturn]] void refuse(const Request& request, const std::string& field, const std::string& problem,
                          const std::string& remedy) {
@@ -122,6 +140,16 @@ Slice slice_of(const Request& request, const fs::path& path) {
   return slice;
 }
 
+double total_bytes(const std::vector<fs::path>& files) {
+  double bytes = 0.0;
+  std::error_code failure;
+  for (const fs::path& file : files) {
+    const std::uintmax_t size = fs::file_size(file, failure);
+    if (!failure) bytes += static_cast<double>(size);
+  }
+  return bytes;
+}
+
 std::vector<fs::path> files_below(const Request& request) {
   std::vector<fs::path> files;
   for (const auto& entry :
@@ -129,6 +157,7 @@ std::vector<fs::path> files_below(const Request& request) {
     if (entry.is_regular_file()) files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   if (files.empty()) refuse(request, "", "is an empty folder", "Name the folder that holds the DICOM slices");
+  limit_memory(kMemoryPerByte * total_bytes(files));
   return files;
 }
 
@@ -328,6 +357,10 @@ RawVolume read_dicom_folder(const Request& request) {
                           first.origin_mm, direction);
   raw.modality = first.modality == "CT" ? "ct" : first.modality == "MR" ? "mr" : "other";
   raw.description = first.description;
+  std::vector<fs::path> paths;
+  for (const Slice& slice : slices) paths.push_back(slice.path);
+  limit_memory(kMemoryPerByte * total_bytes(paths) +
+               kMemoryPerVoxel * static_cast<double>(raw.grid.voxel_count()));
   raw.voxels.reserve(static_cast<std::size_t>(raw.grid.voxel_count()));
   for (std::size_t i = 0; i < slices.size(); ++i) {
     append_slice(request, slices[i], raw.voxels);

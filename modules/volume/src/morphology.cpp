@@ -57,32 +57,61 @@ void transform_line(Line& line, int length, double h) {
   }
 }
 
-/// One pass along an axis: `length` values `stride` apart, for every line that starts at one of `starts`.
+/// The first pass, along i, from a mask: to the nearest voxel that is `wanted` in each row, there and back.
+std::vector<float> squared_distance_in_rows(const Mask& mask, std::uint8_t wanted) {
+  const int length = mask.size.x();
+  const double h2 = mask.spacing_mm.x() * mask.spacing_mm.x();
+  std::vector<float> field(mask.voxels.size());
+  for (std::size_t start = 0; start < field.size(); start += static_cast<std::size_t>(length)) {
+    const std::uint8_t* in = mask.voxels.data() + start;
+    float* out = field.data() + start;
+    int nearest = -1;
+    for (int p = 0; p < length; ++p) {
+      if ((in[p] != 0) == (wanted != 0)) nearest = p;
+      out[p] = nearest < 0 ? kFar : static_cast<float>(h2 * (p - nearest) * (p - nearest));
+    }
+    nearest = -1;
+    for (int p = length - 1; p >= 0; --p) {
+      if (out[p] == 0.0F) nearest = p;
+      if (nearest >= 0) out[p] = std::min(out[p], static_cast<float>(h2 * (nearest - p) * (nearest - p)));
+    }
+  }
+  return field;
+}
+
+/// One pass along j or k. Sixteen neighbouring lines are taken at a time, so that memory is read in runs.
 void transform_axis(std::vector<float>& field, const Eigen::Vector3i& size, int axis, double h) {
-  const std::array<std::size_t, 3> strides = {
-      1, static_cast<std::size_t>(size.x()),
-      static_cast<std::size_t>(size.x()) * static_cast<std::size_t>(size.y())};
-  const std::size_t stride = strides[static_cast<std::size_t>(axis)];
-  const int length = size[axis];
-  const int a = (axis + 1) % 3, b = (axis + 2) % 3;
-  Line line(length);
-  for (int ib = 0; ib < size[b]; ++ib)
-    for (int ia = 0; ia < size[a]; ++ia) {
-      const std::size_t start = static_cast<std::size_t>(ia) * strides[static_cast<std::size_t>(a)] +
-                                static_cast<std::size_t>(ib) * strides[static_cast<std::size_t>(b)];
+  constexpr int kLines = 16;
+  const std::size_t row = static_cast<std::size_t>(size.x());
+  const std::size_t slice = row * static_cast<std::size_t>(size.y());
+  const std::size_t stride = axis == 1 ? row : slice, apart = axis == 1 ? slice : row;
+  const int length = size[axis], others = size[3 - axis];
+  std::vector<Line> lines(kLines, Line(length));
+  for (int other = 0; other < others; ++other)
+    for (int first = 0; first < size.x(); first += kLines) {
+      const int count = std::min(kLines, size.x() - first);
+      float* const start =
+          field.data() + static_cast<std::size_t>(first) + static_cast<std::size_t>(other) * apart;
+      bool all_zero = true, all_far = true;
       for (int p = 0; p < length; ++p)
-        line.in[static_cast<std::size_t>(p)] = field[start + static_cast<std::size_t>(p) * stride];
-      transform_line(line, length, h);
+        for (int n = 0; n < count; ++n) {
+          const float value = start[static_cast<std::size_t>(p) * stride + static_cast<std::size_t>(n)];
+          lines[static_cast<std::size_t>(n)].in[static_cast<std::size_t>(p)] = value;
+          all_zero = all_zero && value == 0.0F;
+          all_far = all_far && value == kFar;
+        }
+      if (all_zero || all_far) continue;
+      for (int n = 0; n < count; ++n) transform_line(lines[static_cast<std::size_t>(n)], length, h);
       for (int p = 0; p < length; ++p)
-        field[start + static_cast<std::size_t>(p) * stride] = line.out[static_cast<std::size_t>(p)];
+        for (int n = 0; n < count; ++n)
+          start[static_cast<std::size_t>(p) * stride + static_cast<std::size_t>(n)] =
+              lines[static_cast<std::size_t>(n)].out[static_cast<std::size_t>(p)];
     }
 }
 
 std::vector<float> squared_distance_to(const Mask& mask, std::uint8_t wanted) {
-  std::vector<float> field(mask.voxels.size());
-  std::transform(mask.voxels.begin(), mask.voxels.end(), field.begin(),
-                 [&](std::uint8_t v) { return (v != 0) == (wanted != 0) ? 0.0F : kFar; });
-  for (int axis = 0; axis < 3; ++axis) transform_axis(field, mask.size, axis, mask.spacing_mm[axis]);
+  std::vector<float> field = squared_distance_in_rows(mask, wanted);
+  for (const int axis : {1, 2}) transform_axis(field, mask.size, axis, mask.spacing_mm[axis]);
   return field;
 }
 

@@ -198,7 +198,8 @@ struct Logical {
 /// label.
 struct ReassignBranch {
   Label label = structure::kPortalVein;  ///< that loses it
-  Label to = structure::kHepaticVeins;   ///< kBackground: is cut off
+  /// kBackground: is cut off, and becomes parenchyma or background as what a reshaped label loses.
+  Label to = structure::kHepaticVeins;
   Eigen::Vector3d p_in_ct = Eigen::Vector3d::Zero();
 
   bool operator==(const ReassignBranch&) const = default;
