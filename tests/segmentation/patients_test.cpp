@@ -8,7 +8,6 @@
 #include "glisson/insilico/patient.h"
 #include "glisson/segmentation/segment.h"
 #include "glisson/volume/morphology.h"
-#include "operator.h"
 
 using namespace glisson;
 using namespace glisson::segmentation;
@@ -27,30 +26,6 @@ Bytes where(const std::vector<Label>& labels, const std::function<bool(Label)>& 
 Bytes is(const std::vector<Label>& labels, std::initializer_list<int> codes) {
   return where(labels,
                [&](Label label) { return std::find(codes.begin(), codes.end(), label) != codes.end(); });
-}
-
-/// Liver-like tissue beside the liver, where a person who sees it run together clicks "not liver".
-Bytes look_alikes(const Image& image, const Bytes& liver, const Bytes& vessels) {
-  double sum = 0.0, count = 0.0;
-  for (std::size_t i = 0; i < liver.size(); ++i)
-    if (liver[i] != 0) sum += (*image.voxels)[i], count += 1.0;
-  const VoxelBox box = bounding_box(image.grid.size, image.grid.spacing_mm, liver, 40.0);
-  const Mask near = crop(image.grid.size, image.grid.spacing_mm, liver, box);
-  const std::vector<float> distance2 = squared_distance_mm2(near);
-  Bytes mask(liver.size(), 0);
-  for (int k = 0; k < near.size.z(); ++k)
-    for (int j = 0; j < near.size.y(); ++j)
-      for (int i = 0; i < near.size.x(); ++i) {
-        const auto at = static_cast<std::size_t>(image.grid.offset(box.low + Eigen::Vector3i(i, j, k)));
-        const float d2 = distance2[near.offset(i, j, k)];
-        mask[at] = d2 > 16.0F && d2 < 1600.0F && vessels[at] == 0 &&
-                   std::abs((*image.voxels)[at] - sum / count) < 35.0;
-      }
-  // Smoothed: single noisy voxels are not what a person sees.
-  const Mask seen = opened(crop(image.grid.size, image.grid.spacing_mm, mask, box), 2.0);
-  std::fill(mask.begin(), mask.end(), 0);
-  paste(seen, box, image.grid.size, mask);
-  return mask;
 }
 
 /// One mask for each component of at least `least_ml`, the largest first.
@@ -140,52 +115,58 @@ void report(const char* name, const Figures& figures, const SegmentationReport& 
 class PatientsTest : public QObject {
   Q_OBJECT
  private slots:
+  void initTestCase();
   void SyntheticPatientIsFoundFromClicks();
   void AnteriorMarginIsKept();
   void RealPatientIsFoundFromClicks();
+
+ private:
+  insilico::SyntheticPatient patient_;
+  Seeds clicks_;
+  Segmented found_;
+  double seconds_ = 0.0;
 };
 
+void PatientsTest::initTestCase() {
+  patient_ = insilico::make_patient({}, RunContext()).value();
+  clicks_ = insilico::click_seeds(patient_.truth, {});
+  found_ = segment_from_file(patient_.ct, clicks_, seconds_);
+}
+
 void PatientsTest::SyntheticPatientIsFoundFromClicks() {
-  const auto patient = insilico::make_patient({}, RunContext()).value();
-  const std::vector<Label> truth = patient.truth.voxels.dense();
-  const Bytes liver = inside_liver(patient.truth);
-  test::Operator person(patient.ct.grid, 1, 1.5);
-  Seeds seeds;
-  seeds.liver = person.click(is(truth, {structure::kParenchyma}), 6, 8.0);
-  seeds.background = person.click(
-      look_alikes(patient.ct, liver,
-                  is(truth, {structure::kPortalVein, structure::kHepaticVeins, structure::kVenaCava})),
-      3, 7.0);
-  seeds.portal_vein = person.click(is(truth, {structure::kPortalVein}), 2, 4.0);
-  seeds.hepatic_veins = person.click(is(truth, {structure::kHepaticVeins}), 3, 3.0);
-  seeds.vena_cava = person.click(is(truth, {structure::kVenaCava}), 2, 8.0);
-  seeds.gallbladder = person.click(is(truth, {structure::kGallbladder}), 1, 8.0);
-  const std::vector<Bytes> tumours = bodies_of(patient.ct.grid, where(truth, is_lesion), 0.3);
-  for (const Bytes& tumour : tumours) seeds.lesions.push_back(person.click(tumour, 1, 4.0));
+  const std::vector<Label> truth = patient_.truth.voxels.dense();
+  const Bytes liver = inside_liver(patient_.truth);
+  const std::vector<Bytes> tumours = bodies_of(patient_.ct.grid, where(truth, is_lesion), 0.3);
+  QCOMPARE(tumours.size(), clicks_.lesions.size());
 
   Figures figures;
-  const Segmented result = segment_from_file(patient.ct, seeds, figures.seconds);
+  figures.seconds = seconds_;
+  const Segmented& result = found_;
   const std::vector<Label> found = result.labels.voxels.dense();
   figures.liver = dice(inside_liver(result.labels), liver);
   figures.portal = dice(is(found, {structure::kPortalVein}), is(truth, {structure::kPortalVein}));
   figures.hepatic = dice(is(found, {structure::kHepaticVeins}), is(truth, {structure::kHepaticVeins}));
-  for (std::size_t n = 0; n < tumours.size(); ++n)
-    figures.lesions.push_back(dice(is(found, {static_cast<int>(structure::kFirstLesion + n)}), tumours[n]));
+  // Whichever order the clicks have: each tumour's best label.
+  for (const Bytes& tumour : tumours) {
+    double best = 0.0;
+    for (std::size_t n = 0; n < tumours.size(); ++n)
+      best = std::max(best, dice(is(found, {static_cast<int>(structure::kFirstLesion + n)}), tumour));
+    figures.lesions.push_back(best);
+  }
   report("synthetic patient 1", figures, result.report);
   qInfo("cava %.3f, gallbladder %.3f",
         dice(is(found, {structure::kVenaCava}), is(truth, {structure::kVenaCava})),
         dice(is(found, {structure::kGallbladder}), is(truth, {structure::kGallbladder})));
   QVERIFY(figures.liver > 0.95);
-  QVERIFY(figures.portal > 0.45 && figures.hepatic > 0.45);
+  QVERIFY(figures.portal > 0.55 && figures.hepatic > 0.6);
   for (const double lesion : figures.lesions) QVERIFY(lesion > 0.6);
   QVERIFY(dice(is(found, {structure::kVenaCava}), is(truth, {structure::kVenaCava})) > 0.6);
   QVERIFY(dice(is(found, {structure::kGallbladder}), is(truth, {structure::kGallbladder})) > 0.6);
 }
 
 void PatientsTest::AnteriorMarginIsKept() {
-  const auto patient = insilico::make_patient({}, RunContext()).value();
-  const Segmented result =
-      segment(patient.ct, insilico::click_seeds(patient.truth, {}), {}, RunContext()).value();
+  const insilico::SyntheticPatient& patient = patient_;
+  const Segmented& result = found_;
   const auto liver = std::find_if(patient.surfaces.begin(), patient.surfaces.end(),
                                   [](const NamedSurface& s) { return s.name == "liver"; });
   QVERIFY(liver != patient.surfaces.end());
@@ -244,7 +225,7 @@ void PatientsTest::RealPatientIsFoundFromClicks() {
   qInfo("vessels together %.3f, lesions together %.3f",
         dice(within(is(found, {structure::kPortalVein, structure::kHepaticVeins})), is(truth, {465, 481})),
         dice(where(found, is_lesion), is(truth, {451})));
-  QVERIFY(figures.liver > 0.93);
+  QVERIFY(figures.liver > 0.95);
   QVERIFY(figures.portal > 0.55 && figures.hepatic > 0.5);
 }
 

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kSeedRadius = 6.0;   // mm, where a click's statistics are taken
 constexpr double kNeck = 6.0;         // mm, half the width of the passages that the start closes
+constexpr double kRivalRim = 2.0;     // mm
 constexpr double kVesselWidth = 5.0;  // mm, closed over in the liver-like tissue
 constexpr double kWidth = 2.2;        // standard deviations that count as liver at first
 constexpr double kLeastSigma = 3.0, kMostSigma = 15.0;  // HU, after denoising
@@ -114,12 +115,15 @@ std::vector<std::uint8_t> compete(const Field& ct, const Mask& open, const std::
 }
 
 /// Where the contour starts: what the seeds inside own of the tissue that is wider than a neck.
-Mask start_of(const Field& ct, const Mask& open, const LiverSeeds& seeds) {
+/// @param rival receives what the seeds outside own.
+Mask start_of(const Field& ct, const Mask& open, const LiverSeeds& seeds, Mask& rival) {
   Mask closed_off = open;
   for (auto& v : closed_off.voxels) v = v == 0 ? 1 : 0;
   const std::vector<float> depth2 = squared_distance_mm2(closed_off);
   std::vector<float> cost;
   const std::vector<std::uint8_t> owner = compete(ct, open, depth2, seeds, cost);
+  rival = ct.empty_mask();
+  for (std::size_t i = 0; i < owner.size(); ++i) rival.voxels[i] = owner[i] == 2;
   Mask core = ct.empty_mask();
   for (std::size_t i = 0; i < core.voxels.size(); ++i)
     core.voxels[i] = owner[i] == 1 && depth2[i] > static_cast<float>(kNeck * kNeck);
@@ -371,20 +375,26 @@ Cancellable<LiverContour> find_liver(const Field& ct, const LiverSeeds& seeds, c
   LiverContour result;
   Tissue& tissue = result.parenchyma;
   tissue = tissue_around(ct, seeds.inside, kSeedRadius, kLeastSigma, kMostSigma);
-  Mask open, start;
+  Mask open, start, rival;
   for (int round = 0; round < 3; ++round) {
     if (context.cancelled()) return std::nullopt;
     context.progress(0.1 * round, "segmentation.start");
     open = liver_like(ct, tissue, kWidth, barred, included);
-    start = start_of(ct, open, seeds);
+    start = start_of(ct, open, seeds, rival);
     if (round == 2) break;
     const Tissue next = tissue_within(ct, start, 4.0);
     if (next.sigma > 0.0) tissue = next;
   }
+  // What the clicks outside own is closed to the contour, a rim of it aside: where the fronts met was a
+  // guess.
+  Mask never = barred;
+  const Mask deep = eroded(rival, kRivalRim);
+  for (std::size_t i = 0; i < never.voxels.size(); ++i)
+    if (deep.voxels[i] != 0) never.voxels[i] = 1;
   // From here on only the surroundings of the start matter.
   const VoxelBox box = bounding_box(ct.size, ct.spacing_mm, start.voxels, kReach + 16.0);
   const auto cut = [&](const Mask& mask) { return crop(ct.size, ct.spacing_mm, mask.voxels, box); };
-  Scene scene{ct.cropped(box), cut(open), cut(start), cut(barred), cut(included), {}};
+  Scene scene{ct.cropped(box), cut(open), cut(start), cut(never), cut(included), {}};
   for (const Eigen::Vector3i& p : seeds.outside)
     if (scene.ct.contains(p - box.low)) scene.outside.push_back(p - box.low);
   const auto phi = run_contours(scene, tissue, context.part(0.3, 1.0), show);
