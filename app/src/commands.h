@@ -16,6 +16,7 @@ int run_segment(const QStringList& arguments);
 int run_edit(const QStringList& arguments);
 int run_model(const QStringList& arguments);
 int run_calibrate(const QStringList& arguments);
+int run_check(const QStringList& arguments);
 int run_reconstruct(const QStringList& arguments);
 int run_register(const QStringList& arguments);
 int run_track(const QStringList& arguments);

@@ -4,6 +4,7 @@
 #include "commands.h"
 #include "glisson/core/files.h"
 #include "glisson/experiments/patient_proof.h"
+#include "glisson/experiments/stereo_proof.h"
 
 namespace glisson::app {
 namespace fs = std::filesystem;
@@ -36,8 +37,8 @@ constexpr Aim kPatientAims[] = {
      Sense::at_least, 10.0, 1},
     {"real_fine_model_tetrahedra", QT_TRANSLATE_NOOP("cli", "real CT: tetrahedra of the fine model"),
      Sense::at_least, 9000.0, 0},
-    {"real_fine_model_volume_error_size",
-     QT_TRANSLATE_NOOP("cli", "real CT: volume error of the fine model"), Sense::at_most, 0.01, 4},
+    {"real_fine_model_volume_error_size", QT_TRANSLATE_NOOP("cli", "real CT: volume error of the fine model"),
+     Sense::at_most, 0.01, 4},
     {"synthetic_dice_liver", QT_TRANSLATE_NOOP("cli", "in silico: Dice of the liver"), Sense::at_least, 0.96,
      3},
     {"synthetic_true_labels_centreline_mean_voxels",
@@ -52,10 +53,44 @@ constexpr Aim kPatientAims[] = {
      Sense::at_most, 1.0, 2},
     {"synthetic_model_vertices_to_fine_mean_mm",
      QT_TRANSLATE_NOOP("cli", "in silico: vertices to the fine surface, mean, mm"), Sense::at_most, 0.25, 2},
-    {"synthetic_model_min_dihedral_deg",
-     QT_TRANSLATE_NOOP("cli", "in silico: least dihedral angle, degrees"), Sense::at_least, 10.0, 1},
+    {"synthetic_model_min_dihedral_deg", QT_TRANSLATE_NOOP("cli", "in silico: least dihedral angle, degrees"),
+     Sense::at_least, 10.0, 1},
     {"synthetic_fine_model_volume_error_size",
      QT_TRANSLATE_NOOP("cli", "in silico: volume error of the fine model"), Sense::at_most, 0.01, 4},
+};
+
+constexpr Aim kStereoAims[] = {
+    {"opencas_sparse_points", QT_TRANSLATE_NOOP("cli", "real liver, features: points"), Sense::at_least,
+     100.0, 0},
+    {"opencas_sparse_median_mm",
+     QT_TRANSLATE_NOOP("cli", "real liver, features: median to the CT surface, mm"), Sense::at_most, 0.65, 2},
+    {"opencas_sparse_within_3mm_share", QT_TRANSLATE_NOOP("cli", "real liver, features: share within 3 mm"),
+     Sense::at_least, 0.95, 3},
+    {"opencas_sparse_without_offset_median_mm",
+     QT_TRANSLATE_NOOP("cli", "real liver, features: median without the common offset, mm"), Sense::at_most,
+     0.5, 2},
+    {"opencas_dense_median_mm", QT_TRANSLATE_NOOP("cli", "real liver, dense: median to the CT surface, mm"),
+     Sense::at_most, 0.62, 2},
+    {"opencas_dense_covered_share",
+     QT_TRANSLATE_NOOP("cli", "real liver, dense: share of the region covered"), Sense::at_least, 0.95, 3},
+    {"opencas_dense_without_offset_median_mm",
+     QT_TRANSLATE_NOOP("cli", "real liver, dense: median without the common offset, mm"), Sense::at_most, 0.5,
+     2},
+    {"chessboard_rms_px", QT_TRANSLATE_NOOP("cli", "real chessboards: joint stereo rms, pixels"),
+     Sense::at_most, 0.65, 3},
+    {"chessboard_views_better_share",
+     QT_TRANSLATE_NOOP("cli", "real chessboards: views that fit better left out than by the reference"),
+     Sense::at_least, 1.0, 2},
+    {"heart_sparse_epipolar_rms_px", QT_TRANSLATE_NOOP("cli", "real heart: rows, rms, pixels"),
+     Sense::at_most, 0.8, 2},
+    {"theatre_largest_bias_mm", QT_TRANSLATE_NOOP("cli", "in silico: largest bias of any trial, mm"),
+     Sense::at_most, 0.1, 3},
+    {"theatre_normalised_median",
+     QT_TRANSLATE_NOOP("cli", "in silico: normalised error, median of the trials (1: sigma is right)"),
+     Sense::at_most, 1.5, 2},
+    {"theatre_normalised_median",
+     QT_TRANSLATE_NOOP("cli", "in silico: normalised error, median of the trials (1: sigma is right)"),
+     Sense::at_least, 0.5, 2},
 };
 
 /// One line for each aim whose figure there is: what, measured, aim, whether it is met.
@@ -98,6 +133,18 @@ void prove_patient(const Arguments& arguments, Session& session, const fs::path&
   session.notes = proof->notes;
 }
 
+void prove_stereo(const Arguments& arguments, Session& session, const fs::path& folder) {
+  experiments::StereoProofOptions options;
+  options.seed = arguments.seed();
+  options.data = arguments.path("data");
+  auto proof = experiments::prove_stereo(options, folder, session.context());
+  if (!proof) throw Interrupted();
+  for (const std::string& path : proof->absent)
+    say(Cli::tr("%1 is not there and is left out.").arg(QString::fromStdString(path)));
+  for (const std::string& line : proof->table) say(QString::fromStdString(line));
+  session.figures.merge(proof->figures);
+}
+
 struct Proof {
   const char* name;
   void (*run)(const Arguments&, Session&, const fs::path& folder);
@@ -107,6 +154,7 @@ struct Proof {
 const std::vector<Proof>& proofs() {
   static const std::vector<Proof> kProofs = {
       {"patient", prove_patient, {std::begin(kPatientAims), std::end(kPatientAims)}},
+      {"stereo", prove_stereo, {std::begin(kStereoAims), std::end(kStereoAims)}},
   };
   return kProofs;
 }
@@ -114,10 +162,11 @@ const std::vector<Proof>& proofs() {
 }  // namespace
 
 int run_prove(const QStringList& given) {
-  Arguments arguments("prove",
-                      Cli::tr("Measures the figures of the READMEs again, against experts' labels and "
-                              "known truths: patient (from the CT to the model)."));
-  arguments.positional("PROOF", Cli::tr("Which: patient."));
+  Arguments arguments(
+      "prove",
+      Cli::tr("Measures the figures of the READMEs again, against experts' labels and "
+              "known truths: patient (from the CT to the model), stereo (from pictures to clouds)."));
+  arguments.positional("PROOF", Cli::tr("Which: patient or stereo."));
   arguments.option("data", Cli::tr("Folder of the real data; what is not there is left out."), "DIR",
                    "../shared/data");
   arguments.option("clicks", Cli::tr("Folder of the clicks on it."), "DIR", "tests/data");

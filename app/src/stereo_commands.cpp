@@ -10,7 +10,9 @@
 #include "glisson/insilico/film.h"
 #include "glisson/stereo/calibrate.h"
 #include "glisson/stereo/calibration_io.h"
+#include "glisson/stereo/density.h"
 #include "glisson/stereo/evaluate.h"
+#include "glisson/stereo/faults.h"
 #include "glisson/stereo/picture_io.h"
 #include "glisson/stereo/picture_pairs.h"
 
@@ -273,6 +275,8 @@ int run_reconstruct(const QStringList& given) {
   arguments.flag("dense", Cli::tr("The same as --method dense."));
   arguments.option("features", Cli::tr("Kind of features."), "surf|sift|akaze", "surf");
   arguments.option("out", Cli::tr("The cloud (PLY)."), "cloud.ply");
+  arguments.option("density",
+                   Cli::tr("Picture of where there are enough points, and where they are missing."), "D.png");
   arguments.option("unit", Cli::tr("Unit of the cloud and of --truth: mm, cm or m."), "UNIT", "mm");
   arguments.option("truth",
                    Cli::tr("A surface in the left camera's frame, or its depth map (.pfm, mm): adds the "
@@ -280,6 +284,7 @@ int run_reconstruct(const QStringList& given) {
                    "FILE");
   if (!arguments.parse(given)) return 0;
   const fs::path out = arguments.output_file("out", {".ply"});
+  if (arguments.has("density")) arguments.output_file("density", {".png", ".jpg", ".bmp"});
   arguments.require_existing("truth");
   Session session(arguments);
   const engine::SetCalibration calibration{arguments.required_path("calibration")};
@@ -290,6 +295,12 @@ int run_reconstruct(const QStringList& given) {
   if (!plain_text) session.post(calibration);
   session.post(pair);
   if (plain_text) session.post(calibration);
+  const engine::StereoInput& input = *session.state().frame;
+  const stereo::PairCheck check =
+      stereo::check_pair(input.frame.left, input.frame.right, *session.state().rig);
+  stereo::require_sound(check);
+  session.figures["pair_matches"] = check.matches;
+  session.figures["pair_rows_px"] = check.rows_px;
   if (arguments.has("regions"))
     session.post(engine::SetRegions{stereo::read_regions(arguments.path("regions"))});
   engine::Reconstruct command;
@@ -305,9 +316,92 @@ int run_reconstruct(const QStringList& given) {
     session.figures["cloud_bias_mm"] = 1e3 * errors.bias;
     session.figures["cloud_points_without_truth"] = errors.without_truth;
   }
+  const stereo::Regions none;
+  const auto& regions = session.state().regions;
+  const stereo::DensityMap density =
+      stereo::density_map(cloud, session.state().rig->left, input.mask, regions ? *regions : none);
+  session.figures["cloud_area_cm2"] = density.area_cm2;
+  session.figures["cloud_covered_share"] = density.covered;
+  if (arguments.has("density"))
+    stereo::write_picture(arguments.path("density"), stereo::density_picture(density, input.frame.left));
   write_cloud(out, cloud, arguments.unit("unit"));
   session.finish();
   return 0;
+}
+
+namespace {
+
+QString fault_text(stereo::Fault fault) {
+  using stereo::Fault;
+  switch (fault) {
+    case Fault::black:
+      return Cli::tr("both views are black");
+    case Fault::left_lost:
+      return Cli::tr("the left view shows nothing");
+    case Fault::right_lost:
+      return Cli::tr("the right view shows nothing");
+    case Fault::one_view:
+      return Cli::tr("both views are the same picture");
+    case Fault::swapped:
+      return Cli::tr("left and right are swapped");
+    case Fault::unrelated:
+      return Cli::tr("the views show nothing in common");
+    case Fault::other_scope:
+      return Cli::tr("the calibration is not of this laparoscope");
+    case Fault::duplicated:
+      return Cli::tr("the frame before comes once more");
+    case Fault::frozen:
+      return Cli::tr("the picture is frozen");
+    case Fault::left_frozen:
+      return Cli::tr("the left view is frozen");
+    case Fault::right_frozen:
+      return Cli::tr("the right view is frozen");
+    case Fault::out_of_order:
+      return Cli::tr("two frames have changed places");
+  }
+  return QString();
+}
+
+}  // namespace
+
+int run_check(const QStringList& given) {
+  Arguments arguments("check",
+                      Cli::tr("Looks through a stereo video for faults: black, frozen, duplicated, swapped "
+                              "or exchanged frames, a lost camera, a calibration of another scope."));
+  arguments.option(
+      "video", Cli::tr("Stereo video, folder of picture pairs, or description of a source (.json)."), "V");
+  arguments.option("video-right", Cli::tr("The right view, when it is a file of its own."), "V");
+  arguments.option("calibration", Cli::tr("OpenCV YAML of the laparoscope, or a folder of plain text."), "C");
+  arguments.option("every", Cli::tr("Hold each N-th frame against the calibration."), "N", 30.0);
+  if (!arguments.parse(given)) return 0;
+  Session session(arguments);
+  stereo::StereoVideo video(arguments.required_path("video"), arguments.path("video-right"));
+  std::optional<StereoRig> rig;
+  if (arguments.has("calibration"))
+    rig = rig_from(arguments.path("calibration"), video.width(), video.height());
+  const int every = arguments.integer("every", 1, 100000);
+  stereo::SequenceCheck sequence;
+  int frames = 0, faults = 0;
+  const auto tell = [&](int frame, stereo::Fault fault) {
+    say(Cli::tr("frame %1: %2").arg(frame).arg(fault_text(fault)));
+    session.figures["fault_" + std::string(stereo::fault_code(fault))] += 1.0;
+    ++faults;
+  };
+  for (StereoFrame frame; video.read(frame); ++frames) {
+    if (session.context().cancelled()) throw Interrupted();
+    session.context().progress(std::min(1.0, frames / std::max(1.0, 1.0 * video.frame_count())),
+                               "check.frame");
+    const auto found = sequence.push(frame);
+    for (const stereo::FrameFault& fault : found) tell(fault.frame, fault.fault);
+    if (!rig || frames % every != 0 || !found.empty()) continue;
+    for (const stereo::Fault fault : stereo::check_pair(frame.left, frame.right, *rig).faults)
+      tell(frame.index, fault);
+  }
+  session.figures["frames"] = frames;
+  session.figures["frames_skipped"] = video.skipped();
+  session.figures["faults"] = faults;
+  session.finish();
+  return faults == 0 ? 0 : 1;
 }
 
 }  // namespace glisson::app

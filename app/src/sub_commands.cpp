@@ -16,6 +16,7 @@ const std::vector<SubCommand>& sub_commands() {
       {"model", run_model, false, QT_TRANSLATE_NOOP("cli", "Build the biomechanical model")},
       {"calibrate", run_calibrate, false,
        QT_TRANSLATE_NOOP("cli", "Calibrate a stereo laparoscope from pictures of a board")},
+      {"check", run_check, false, QT_TRANSLATE_NOOP("cli", "Look through a stereo video for faults")},
       {"reconstruct", run_reconstruct, false, QT_TRANSLATE_NOOP("cli", "Stereo pair to labelled cloud")},
       {"register", run_register, false, QT_TRANSLATE_NOOP("cli", "Register the model to a cloud")},
       {"track", run_track, false, QT_TRANSLATE_NOOP("cli", "Follow a stereo video or a series of clouds")},

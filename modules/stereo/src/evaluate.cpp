@@ -35,6 +35,9 @@ CloudErrors summary(const LabelledCloud& cloud, const std::vector<double>& signe
   }
   errors.distance = summarise(unsigned_errors);
   errors.bias = median(known);
+  for (double& error : known) error = std::abs(error - errors.bias);
+  errors.unbiased = summarise(known);
+  errors.errors = signed_errors;
   errors.normalised = median(ratios) / kMedianOfChiSquare;
   return errors;
 }

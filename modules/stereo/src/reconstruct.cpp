@@ -303,7 +303,7 @@ double area_cm2(const Pair& pair, const LabelledCloud& cloud, const std::vector<
       const Eigen::Vector3d p = cloud.points.row(static_cast<Eigen::Index>(best)).transpose();
       const Eigen::Vector3d n = cloud.normals.row(static_cast<Eigen::Index>(best)).transpose();
       const double side = kCell * p.z() / pair.rectification.focal();
-      area += side * side / std::max(0.2, std::abs(n.dot(p.normalized())));
+      area += side * side / std::max(0.2, std::abs(n.dot(p)) / p.z());
     }
   return 1e4 * area;
 }

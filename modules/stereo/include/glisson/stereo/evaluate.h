@@ -15,7 +15,9 @@ struct CloudErrors {
   double bias = 0.0;         ///< signed median, metres; positive: the cloud lies too far from the camera
   /// Median of (error / sigma)^2 over 0.455, the value of a calibrated sigma; 0 when the cloud has no sigma.
   double normalised = 0.0;
-  int without_truth = 0;  ///< points that the truth says nothing about
+  int without_truth = 0;       ///< points that the truth says nothing about
+  DistanceSummary unbiased;    ///< of |error - bias|: what is left without an offset common to all points
+  std::vector<double> errors;  ///< signed, of each point, metres; NaN: the truth says nothing about it
 };
 
 /// To the closest point of a surface in the camera's frame. The sign follows the ray.

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <random>
+
+#include "stereo_theatre.h"
+
+namespace glisson::experiments {
+namespace {
+
+cv::Mat copy_of(const Picture& picture) {
+  return cv::Mat(picture.height, picture.width, CV_8UC(picture.channels),
+                 const_cast<std::uint8_t*>(picture.bytes->data()))
+      .clone();
+}
+
+Picture picture_of(const cv::Mat& image) {
+  auto bytes = std::make_shared<std::vector<std::uint8_t>>(image.datastart, image.dataend);
+  return {image.cols, image.rows, image.channels(), std::move(bytes)};
+}
+
+}  // namespace
+
+Picture hardened(const Picture& picture, const Hardship& hardship, std::uint64_t seed) {
+  constexpr double kFine = 8.0;
+  cv::Mat image = copy_of(picture);
+  std::mt19937_64 random(seed);
+  if (hardship.texture != 1.0) {
+    cv::Mat coarse;
+    cv::GaussianBlur(image, coarse, cv::Size(), kFine);
+    cv::addWeighted(image, hardship.texture, coarse, 1.0 - hardship.texture, 0.0, image);
+  }
+  std::uniform_real_distribution<double> place(0.0, 1.0);
+  for (int i = 0; i < hardship.highlights; ++i)
+    cv::circle(
+        image,
+        cv::Point(static_cast<int>(place(random) * image.cols), static_cast<int>(place(random) * image.rows)),
+        3 + static_cast<int>(9.0 * place(random)), cv::Scalar::all(252), cv::FILLED, cv::LINE_AA);
+  if (hardship.noise > 0.0) {
+    std::normal_distribution<double> noise(0.0, hardship.noise);
+    for (std::uint8_t* p = image.data; p != image.dataend; ++p)
+      *p = static_cast<std::uint8_t>(std::clamp(std::lround(*p + noise(random)), 0L, 255L));
+  }
+  return picture_of(image);
+}
+
+Picture with_dots(const Picture& picture, const std::vector<Dot>& dots) {
+  cv::Mat grey, image = copy_of(picture);
+  if (image.channels() == 3)
+    cv::cvtColor(image, grey, cv::COLOR_BGR2GRAY);
+  else
+    grey = image;
+  cv::cvtColor(grey, image, cv::COLOR_GRAY2BGR);
+  const int radius = std::max(2, picture.width / 240);
+  for (const Dot& dot : dots)
+    cv::circle(image, cv::Point(cvRound(dot.x), cvRound(dot.y)), radius,
+               cv::Scalar(dot.blue, dot.green, dot.red), cv::FILLED, cv::LINE_AA);
+  return picture_of(image);
+}
+
+}  // namespace glisson::experiments

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "glisson/geometry/camera.h"
+#include "glisson/geometry/mesh.h"
+#include "glisson/patient/labelled_cloud.h"
+#include "glisson/patient/picture.h"
+#include "glisson/stereo/regions.h"
+
+namespace glisson::stereo {
+
+struct DensityOptions {
+  int cell = 8;                ///< side of a cell, pixels
+  double least_per_cm2 = 0.7;  ///< the paper's need
+};
+
+/// How densely a cloud covers what the left picture shows. Cells row by row.
+struct DensityMap {
+  int columns = 0, rows = 0, cell = 8;
+  /// Points per cm2 of surface within the square centimetre around a cell; 0: none near; negative: nothing is
+  /// wanted there (outside mask and regions).
+  std::vector<float> per_cm2;
+  double least_per_cm2 = 0.7;
+  double area_cm2 = 0.0;  ///< of the surface that is wanted, at the depth and slant of the closest points
+  double covered = 0.0;   ///< share of that area with `least_per_cm2` and more
+
+  float at(int column, int row) const {
+    return per_cm2[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+                   static_cast<std::size_t>(column)];
+  }
+};
+
+/// @param mask empty, or one byte a pixel of the left picture (non-zero is wanted). @param regions those on
+///   the left picture bound what is wanted; without mask and regions it is the whole picture.
+/// @pre points with normals; cell from 2 to 200; a mask of the camera's size.
+DensityMap density_map(const LabelledCloud& cloud, const Camera& left, const Picture& mask,
+                       const Regions& regions, const DensityOptions& options = {});
+
+/// The left picture with its cells: blue where there are enough points, orange where they are missing
+/// (darker: none at all). Three channels.
+Picture density_picture(const DensityMap& map, const Picture& left);
+
+/// Share of the organ's surface (by area) that the cloud shows: triangles that face the camera with a point
+/// within `reach` of their middle. @param reach metres; the default is the radius of the disk that holds one
+/// point at the paper's density. @pre triangles no larger than `reach`, for a share that is exact.
+double surface_share_seen(const TriangleMesh& organ_in_camera, const LabelledCloud& cloud,
+                          double reach = 6.7e-3);
+
+}  // namespace glisson::stereo

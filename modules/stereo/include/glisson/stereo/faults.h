@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "glisson/geometry/camera.h"
+#include "glisson/patient/picture.h"
+
+namespace glisson::stereo {
+
+/// What can be wrong with what comes from the laparoscope.
+enum class Fault {
+  black,         ///< both views are dark
+  left_lost,     ///< the left view is dark or without content, the right one is not
+  right_lost,    ///< the reverse
+  one_view,      ///< both views are the same picture
+  swapped,       ///< left is right
+  unrelated,     ///< the views show nothing in common
+  other_scope,   ///< the views match each other, but not the calibration
+  duplicated,    ///< the frame before, once more
+  frozen,        ///< for a fifth of a second nothing has changed, not even noise
+  left_frozen,   ///< the left view stands while the right one moves: they show two moments
+  right_frozen,  ///< the reverse
+  out_of_order   ///< two frames have changed places
+};
+/// "black", "left_lost", ...
+std::string_view fault_code(Fault fault);
+
+struct PairCheck {
+  std::vector<Fault> faults;
+  int matches = 0;  ///< that one epipolar geometry explains, whichever; below 20 nothing is said of geometry
+  double rows_px = 0.0;    ///< median distance of the matches from the calibration's epipolar lines
+  double plausible = 0.0;  ///< share of the matches that lies 2 to 50 cm before the cameras
+
+  bool has(Fault fault) const;
+};
+
+/// Looks at one pair. Matches are found without the calibration (mutual best SURF over the whole picture, one
+/// fundamental matrix by RANSAC) and then held against it: a calibration of another scope whose epipolar
+/// lines happen to agree to 0.6 % of the picture's width is not recognised.
+/// @throws InputError pictures of another size than the calibration's.
+PairCheck check_pair(const Picture& left, const Picture& right, const StereoRig& rig);
+
+/// @throws InputError with a sentence on the first fault of a pair that makes reconstruction pointless.
+void require_sound(const PairCheck& check);
+
+/// A fault at a frame.
+struct FrameFault {
+  int frame = 0;
+  Fault fault = Fault::black;
+  bool operator==(const FrameFault&) const = default;
+};
+
+/// Looks at frames one after another, at their thumbnails (under 3 ms a frame at 1920x1080): black, lost and
+/// same views, duplicates, freezes, changes of order. Swapping is recognised where it begins and ends, from
+/// the frame before; whether the first frame is swapped only check_pair() can tell.
+class SequenceCheck {
+ public:
+  SequenceCheck();
+  ~SequenceCheck();
+  /// @return the faults found with this frame; an exchange of two frames is known one frame late.
+  std::vector<FrameFault> push(const StereoFrame& frame);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace glisson::stereo
