@@ -175,7 +175,7 @@ class Naive {
   }
 
   std::vector<Label> wanted(const Scissors& t) const {
-    return each([&](const Voxel& v, Label old) -> Label {
+    const auto cut = [&](const Voxel& v, Label old) -> Label {
       const Eigen::Vector3d p = grid_.p_in_ct(v.cast<double>()).xyz;
       if (t.slab && std::abs(t.slab->normal.dot(p) - t.slab->offset) > t.slab->half_thickness) return old;
       const Eigen::Vector3d seen = t.view_from_ct * p.homogeneous();
@@ -189,7 +189,8 @@ class Naive {
       const bool inside = std::abs(turned) > M_PI;
       if (t.operation == Scissors::Operation::fill_inside) return inside ? t.label : old;
       return inside == (t.operation == Scissors::Operation::erase_inside) ? erased(t.label, old) : old;
-    });
+    };
+    return leaving_no_hole(each(cut), t.label);
   }
 
   std::vector<Label> wanted(const Islands& t) const {
@@ -202,7 +203,7 @@ class Naive {
     std::vector<Label> free;
     for (Label label = is_lesion(t.label) ? 16 : 7; label <= (is_lesion(t.label) ? 255 : 15); ++label)
       if (std::find(before_.begin(), before_.end(), label) == before_.end()) free.push_back(label);
-    return each([&](const Voxel& v, Label old) -> Label {
+    const auto fate = [&](const Voxel& v, Label old) -> Label {
       const int n = number[at(v)];
       if (n == 0) return old;
       const double ml =
@@ -220,6 +221,14 @@ class Naive {
           return n == 1 || n - 2 >= static_cast<int>(free.size()) ? old
                                                                   : free[static_cast<std::size_t>(n - 2)];
       }
+    };
+    return leaving_no_hole(each(fate), t.label);
+  }
+  /// What a vessel or a lesion has lost becomes the nearer one of parenchyma and background.
+  std::vector<Label> leaving_no_hole(const std::vector<Label>& after, Label label) const {
+    if (label != 2 && label != 3 && label != 5 && !is_lesion(label)) return after;
+    return each([&](const Voxel& v, Label old) {
+      return old == label && after[at(v)] == 0 ? nearer(v) : after[at(v)];
     });
   }
 

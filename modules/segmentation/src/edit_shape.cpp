@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edit_shape.h"
 
+#include <cmath>
+
 namespace glisson::segmentation {
 namespace {
+
+constexpr double kBesideMm = 12.0;  ///< how far what is erased looks for what it becomes
 
 /// Calls visit(offset) for the neighbours through faces inside the volume.
 template <class Visit>
@@ -63,6 +67,45 @@ std::vector<Label> given_away(const Mask& lost, const std::vector<Label>& before
       front[side].swap(next);
     }
   return after;
+}
+
+bool lies_in_liver(Label label) {
+  return is_lesion(label) || label == structure::kPortalVein || label == structure::kHepaticVeins ||
+         label == structure::kArtery;
+}
+
+Surroundings::Surroundings(const LabelVolume& labels, const VoxelBox& work)
+    : box_(grown(work, labels.grid(), kBesideMm)) {
+  to_tissue_ = squared_distance_mm2(mask_in(labels, box_, {structure::kParenchyma}));
+  to_background_ = squared_distance_mm2(mask_in(labels, box_, {structure::kBackground}));
+}
+
+Label Surroundings::at(int i, int j, int k) const {
+  const Eigen::Vector3i size = box_.size();
+  const auto n = static_cast<std::size_t>(
+      i - box_.low.x() +
+      static_cast<long>(size.x()) * (j - box_.low.y() + static_cast<long>(size.y()) * (k - box_.low.z())));
+  return std::isfinite(to_tissue_[n]) && to_tissue_[n] <= to_background_[n] ? structure::kParenchyma
+                                                                            : structure::kBackground;
+}
+
+bool take_away(Canvas& canvas, const std::vector<Eigen::Vector3i>& lost, Label label,
+               const RunContext& context) {
+  if (lost.empty()) return true;
+  VoxelBox box{lost.front(), lost.front() + Eigen::Vector3i::Ones()};
+  for (const Eigen::Vector3i& v : lost) {
+    box.low = box.low.cwiseMin(v);
+    box.high = box.high.cwiseMax(v + Eigen::Vector3i::Ones());
+  }
+  std::optional<Surroundings> beside;
+  if (lies_in_liver(label)) beside.emplace(canvas.before().voxels, box);
+  if (context.cancelled()) return false;
+  for (const Eigen::Vector3i& v : lost)
+    canvas.rewrite_row(v.y(), v.z(), v.x(), v.x() + 1, [&](int i, int j, int k, Label) {
+      return beside ? beside->at(i, j, k) : structure::kBackground;
+    });
+  context.progress(1.0, "segmentation.edit");
+  return true;
 }
 
 bool reshape(Canvas& canvas, const VoxelBox& box, const Mask& after, Label label, const RunContext& context) {

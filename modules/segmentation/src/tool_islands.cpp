@@ -98,14 +98,21 @@ Cancellable<Canvas> apply_tool(const Islands& tool, Task& task) {
   if (task.context.cancelled()) return std::nullopt;
   const std::vector<Label> fate = fates(tool, task, islands, box);
   const auto ny = static_cast<std::size_t>(box.size().y());
+  std::vector<Eigen::Vector3i> lost;
   std::size_t n = 0;
   for (const Runs::Run& run : islands.runs()) {
     if (++n % 4096 == 0 && task.context.cancelled()) return std::nullopt;
-    if (fate[run.component] == tool.label) continue;
-    canvas.rewrite_row(box.low.y() + static_cast<int>(run.row % ny),
-                       box.low.z() + static_cast<int>(run.row / ny), box.low.x() + run.first,
-                       box.low.x() + run.end, [&](int, int, int, Label) { return fate[run.component]; });
+    const Label becomes = fate[run.component];
+    if (becomes == tool.label) continue;
+    const int j = box.low.y() + static_cast<int>(run.row % ny),
+              k = box.low.z() + static_cast<int>(run.row / ny);
+    for (int i = run.first; becomes == structure::kBackground && i < run.end; ++i)
+      lost.emplace_back(box.low.x() + i, j, k);
+    if (becomes != structure::kBackground)
+      canvas.rewrite_row(j, k, box.low.x() + run.first, box.low.x() + run.end,
+                         [&](int, int, int, Label) { return becomes; });
   }
+  if (!take_away(canvas, lost, tool.label, task.context.part(0.6, 1.0))) return std::nullopt;
   return canvas;
 }
 

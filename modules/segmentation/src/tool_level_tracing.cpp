@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "edit_runs.h"
+#include "edit_shape.h"
 #include "edit_tools.h"
 
 namespace glisson::segmentation {
@@ -128,15 +129,20 @@ Cancellable<Canvas> apply_tool(const LevelTracing& tool, Task& task) {
   const Region region = traced(slice_of(task.image, axis, number), {index[u], index[v]});
   if (region.open) task.notes.emplace_back("level_tracing.open");
   Canvas canvas = task.canvas(box);
-  const bool done = canvas.rewrite(box, task.context, [&](int i, int j, int k, Label old) -> Label {
-    const std::array<int, 3> place = {i, j, k};
-    if (region.mask.voxels[region.mask.offset(place[static_cast<std::size_t>(u)],
-                                              place[static_cast<std::size_t>(v)], 0)] == 0)
-      return old;
-    if (!tool.erase) return tool.label;
-    return tool.label == structure::kBackground || old == tool.label ? structure::kBackground : old;
-  });
-  if (!done) return std::nullopt;
+  const bool gathers = tool.erase && lies_in_liver(tool.label);
+  std::vector<Eigen::Vector3i> lost;
+  const bool done =
+      canvas.rewrite(box, task.context.part(0.0, 0.8), [&](int i, int j, int k, Label old) -> Label {
+        const std::array<int, 3> place = {i, j, k};
+        if (region.mask.voxels[region.mask.offset(place[static_cast<std::size_t>(u)],
+                                                  place[static_cast<std::size_t>(v)], 0)] == 0)
+          return old;
+        if (!tool.erase) return tool.label;
+        if (tool.label != structure::kBackground && old != tool.label) return old;
+        if (gathers) lost.emplace_back(i, j, k);
+        return gathers ? old : structure::kBackground;
+      });
+  if (!done || !take_away(canvas, lost, tool.label, task.context.part(0.8, 1.0))) return std::nullopt;
   return canvas;
 }
 

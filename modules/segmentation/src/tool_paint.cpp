@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 
+#include "edit_shape.h"
 #include "edit_tools.h"
 #include "glisson/core/error.h"
 
@@ -123,36 +124,6 @@ void for_each_voxel_on(const Eigen::Vector3d& from, const Eigen::Vector3d& to, V
   for (int n = 0; n <= steps; ++n)
     visit((from + (to - from) * (static_cast<double>(n) / steps)).array().round().matrix().cast<int>());
 }
-
-constexpr double kBesideMm = 12.0;  ///< how far what is erased looks for what it becomes
-
-/// What lies in the liver is rubbed out of it; what lies elsewhere leaves nothing.
-bool lies_in_liver(Label label) {
-  return is_lesion(label) || label == structure::kPortalVein || label == structure::kHepaticVeins ||
-         label == structure::kArtery;
-}
-
-/// Says what an erased voxel becomes: the nearer one of parenchyma and background.
-class Surroundings {
- public:
-  Surroundings(const LabelVolume& labels, const VoxelBox& work)
-      : box_(grown(work, labels.grid(), kBesideMm)) {
-    to_tissue_ = squared_distance_mm2(mask_in(labels, box_, {structure::kParenchyma}));
-    to_background_ = squared_distance_mm2(mask_in(labels, box_, {structure::kBackground}));
-  }
-  Label at(int i, int j, int k) const {
-    const Eigen::Vector3i size = box_.size();
-    const auto n = static_cast<std::size_t>(
-        i - box_.low.x() +
-        static_cast<long>(size.x()) * (j - box_.low.y() + static_cast<long>(size.y()) * (k - box_.low.z())));
-    return std::isfinite(to_tissue_[n]) && to_tissue_[n] <= to_background_[n] ? structure::kParenchyma
-                                                                              : structure::kBackground;
-  }
-
- private:
-  VoxelBox box_;
-  std::vector<float> to_tissue_, to_background_;
-};
 
 }  // namespace
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <Eigen/Geometry>
 #include <cmath>
+#include <limits>
 
+#include "edit_shape.h"
 #include "edit_tools.h"
 
 namespace glisson::segmentation {
@@ -112,6 +115,9 @@ Cancellable<Canvas> apply_tool(const Scissors& tool, Task& task) {
   const Outline outline(tool.outline);
   const bool fill = tool.operation == Operation::fill_inside;
   const bool outside = tool.operation == Operation::erase_outside;
+  // What a vessel or a lesion loses is known when all of it is.
+  const bool gathers = !fill && lies_in_liver(tool.label);
+  std::vector<Eigen::Vector3i> lost;
   const auto propose = [&](int i, int j, int k, Label old) -> Label {
     if (fill ? old == tool.label
              : old == structure::kBackground || (tool.label != structure::kBackground && old != tool.label))
@@ -120,18 +126,20 @@ Cancellable<Canvas> apply_tool(const Scissors& tool, Task& task) {
     if (std::abs(cut.slab.dot(index)) > cut.half_thickness) return old;
     const Eigen::Vector3d seen = cut.view_from_index * index;
     const bool inside = seen.z() > 0.0 && outline.contains(seen.hnormalized());
-    return inside == outside ? old : fill ? tool.label : structure::kBackground;
+    if (inside == outside) return old;
+    if (gathers) lost.emplace_back(i, j, k);
+    return fill ? tool.label : gathers ? old : structure::kBackground;
   };
   const double slices = std::max(1, box.high.z());
   const bool done = for_each_brick_in(task.labels.voxels, box, [&](std::size_t number, const VoxelBox& part) {
     if (task.context.cancelled()) return false;
-    if (part.low.x() == 0) task.context.progress(part.low.z() / slices, "segmentation.edit");
+    if (part.low.x() == 0) task.context.progress(0.8 * part.low.z() / slices, "segmentation.edit");
     if (!fill && !task.labels.voxels.brick(number)) return true;
     if (beside_slab(cut, part) || (!outside && beside_outline(cut, outline, part))) return true;
     canvas.rewrite_part(number, part, propose);
     return true;
   });
-  if (!done) return std::nullopt;
+  if (!done || !take_away(canvas, lost, tool.label, task.context.part(0.8, 1.0))) return std::nullopt;
   return canvas;
 }
 

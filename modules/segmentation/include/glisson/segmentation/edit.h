@@ -25,6 +25,8 @@
 /// unless it is the parenchyma itself, parenchyma, and never another structure; what it loses becomes
 /// parenchyma where that is no farther (through faces of lost voxels) than background is. For the shape of
 /// the parenchyma, lesions and vessels count as part of it: they lie in it and are no holes.
+/// What Paint, Scissors, LevelTracing and Islands take from a vessel or a lesion that is named becomes the
+/// nearer one of parenchyma and background; erasing "any label" leaves background.
 
 namespace glisson::segmentation {
 
