@@ -6,6 +6,7 @@
 #include "glisson/engine/case_io.h"
 #include "glisson/geometry/distance.h"
 #include "glisson/geometry/mesh_io.h"
+#include "glisson/model/tree_edits.h"
 
 namespace glisson::app {
 
@@ -29,6 +30,7 @@ int run_model(const QStringList& given) {
   arguments.option("vessel-refinement",
                    Cli::tr("Edge length in and next to vessels over that elsewhere, 0.2 to 1."), "RATIO",
                    options.mesh.vessel_refinement);
+  arguments.option("tree-edits", Cli::tr("What is changed in the vessel trees (JSON, LPS mm)."), "FILE");
   arguments.option("truth",
                    Cli::tr("A fine surface of the liver: adds the distances. Read after everything else."),
                    "FILE");
@@ -40,6 +42,9 @@ int run_model(const QStringList& given) {
   options.mesh.vessel_refinement = arguments.number("vessel-refinement", 0.2, 1.0);
   if (arguments.has("mesh-out")) arguments.output_file("mesh-out", {".vtu", ".vtk"});
   arguments.require_existing("truth");
+  const std::vector<model::TreeEdit> edits = arguments.has("tree-edits")
+                                                 ? model::read_tree_edits(arguments.path("tree-edits"))
+                                                 : std::vector<model::TreeEdit>();
   const LabelCodes codes = codes_of(arguments, "codes");
   Session session(arguments);
   if (std::filesystem::exists(arguments.required_path("case"))) open_case(arguments, session);
@@ -49,6 +54,7 @@ int run_model(const QStringList& given) {
     if (arguments.has("labels")) session.post(engine::ImportLabels{arguments.path("labels"), codes});
     session.post(engine::BuildModel{options});
   }
+  if (!edits.empty()) session.post(engine::EditTrees{edits});
   const PatientModel& model = session.state().model->model;
   if (arguments.has("truth")) {
     const SurfaceDistance distance = surface_distance(

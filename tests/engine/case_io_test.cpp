@@ -58,7 +58,11 @@ CaseState small_case(double scale = 1.0) {
   built->model.vessels.push_back(tree);
   built->model.landmarks.anterior_margin = built->model.mesh.vertices.topRows(3);
   built->report.notes = {"a note"};
+  // As a person left the trees: what was built had a longer one.
+  built->trees_as_built = built->model.vessels;
+  built->tree_edits = {{model::TreeEdit::Kind::prune, {0.02, 0.02, 0.02}}};
   state.model = built;
+  state.check = std::make_shared<const ModelCheck>(ModelCheck{true});
   auto landmarks = std::make_shared<Landmarks>();
   landmarks->umbilical_notch = built->model.mesh.vertices.topRows(1);
   state.landmarks = landmarks;
@@ -78,6 +82,7 @@ CaseState small_case(double scale = 1.0) {
   for (int i = 0; i < kPartCount; ++i)
     if (state.has(static_cast<Part>(i))) state.stamp(static_cast<Part>(i)).revision = ++revision;
   state.stamp(Part::model).made_from[Part::labels] = state.stamp(Part::labels).revision;
+  state.stamp(Part::check).made_from[Part::model] = state.stamp(Part::model).revision;
   return state;
 }
 
@@ -120,6 +125,10 @@ void CaseIoTest::ACaseComesBackAsItWas() {
   QVERIFY((read->registration->camera_from_ct.translation - Eigen::Vector3d(0, 0, 0.1)).norm() < 1e-9);
   QCOMPARE(stage_state(*read, Part::model), StageState::current);
   QCOMPARE(read->stamp(Part::model).made_from, state.stamp(Part::model).made_from);
+  QVERIFY(is_model_checked(*read));
+  const auto& [kind, at, to] = read->model->tree_edits.at(0);
+  QVERIFY(kind == model::TreeEdit::Kind::prune && (at - Eigen::Vector3d(0.02, 0.02, 0.02)).norm() < 1e-9);
+  QCOMPARE(read->model->trees_as_built.at(0).beams, state.model->trees_as_built.at(0).beams);
 }
 
 void CaseIoTest::SavingAgainReplacesTheCase() {

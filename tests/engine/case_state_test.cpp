@@ -30,6 +30,7 @@ void CaseStateTest::EveryPartCanBeTakenAndTold() {
   full.review = std::make_shared<Review>();
   full.preview = std::make_shared<EditPreview>();
   full.model = std::make_shared<model::BuiltModel>();
+  full.check = std::make_shared<ModelCheck>();
   full.landmarks = std::make_shared<Landmarks>();
   full.rig = std::make_shared<StereoRig>();
   full.video = std::make_shared<VideoSource>();

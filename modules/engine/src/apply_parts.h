@@ -24,6 +24,8 @@ Cancellable<Applied> apply_one(const CaseState& state, const BuildModel& command
 Cancellable<Applied> apply_one(const CaseState& state, const ImportSurfaces& command,
                                const RunContext& context);
 Cancellable<Applied> apply_one(const CaseState& state, const ImportMesh& command, const RunContext& context);
+Cancellable<Applied> apply_one(const CaseState& state, const EditTrees& command, const RunContext& context);
+Cancellable<Applied> apply_one(const CaseState& state, const CheckModel& command, const RunContext& context);
 Cancellable<Applied> apply_one(const CaseState& state, const SetLandmarks& command,
                                const RunContext& context);
 

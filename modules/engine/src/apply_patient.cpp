@@ -7,6 +7,7 @@
 #include "glisson/core/error.h"
 #include "glisson/geometry/mesh_io.h"
 #include "glisson/model/quality.h"
+#include "glisson/model/tree_edits.h"
 
 namespace glisson::engine {
 namespace {
@@ -106,6 +107,19 @@ Cancellable<Applied> apply_one(const CaseState& state, const ImportMesh& command
   built.report.quality.min_dihedral_deg = angles.col(0).minCoeff();
   built.report.quality.max_dihedral_deg = angles.col(1).maxCoeff();
   return with_model(state, std::move(built));
+}
+
+Cancellable<Applied> apply_one(const CaseState& state, const EditTrees& command, const RunContext&) {
+  require_part(state, Part::model, "Build or import a model first: its vessel trees are edited");
+  return with_model(state, model::with_tree_edits(*state.model, command.edits));
+}
+
+Cancellable<Applied> apply_one(const CaseState& state, const CheckModel& command, const RunContext&) {
+  require_part(state, Part::model, "Build or import a model first");
+  Applied applied;
+  applied.state = state;
+  applied.state.check = std::make_shared<const ModelCheck>(command.check);
+  return applied;
 }
 
 Cancellable<Applied> apply_one(const CaseState& state, const SetLandmarks& command, const RunContext&) {

@@ -16,6 +16,7 @@
 #include "glisson/core/files.h"
 #include "glisson/core/json_file.h"
 #include "glisson/geometry/mesh_io.h"
+#include "glisson/model/tree_edits.h"
 #include "glisson/stereo/calibration_io.h"
 #include "glisson/stereo/picture_io.h"
 
@@ -35,6 +36,10 @@ json write_model(const fs::path& folder, const model::BuiltModel& built) {
   fs::create_directory(folder / "model");
   write_tet_mesh(folder / "model/mesh.vtu", built.model.mesh, kUnit);
   write_vessels(folder / "model/vessels.vtp", built.model.vessels);
+  if (!built.tree_edits.empty()) {
+    write_vessels(folder / "model/vessels_as_built.vtp", built.trees_as_built);
+    model::write_tree_edits(folder / "model/tree_edits.json", built.tree_edits);
+  }
   if (!built.model.landmarks.empty() || built.model.landmarks.vena_cava.rows() > 0)
     write_landmarks(folder / "model/landmarks.json", built.model.landmarks);
   json surfaces = json::array();
@@ -64,6 +69,10 @@ model::BuiltModel read_model(const fs::path& folder, const json& entry) {
   built.model.mesh = read_tet_mesh(folder / "model/mesh.vtu", kUnit);
   built.model.surface = boundary_surface(built.model.mesh);
   built.model.vessels = read_vessels(folder / "model/vessels.vtp");
+  if (fs::exists(folder / "model/tree_edits.json")) {
+    built.tree_edits = model::read_tree_edits(folder / "model/tree_edits.json");
+    built.trees_as_built = read_vessels(folder / "model/vessels_as_built.vtp");
+  }
   if (fs::exists(folder / "model/landmarks.json"))
     built.model.landmarks = read_landmarks(folder / "model/landmarks.json");
   for (const json& surface : entry.at("surfaces"))
@@ -163,6 +172,7 @@ std::optional<json> write_parts(const fs::path& folder, const fs::path& path, co
     return json{{"states", states}};
   });
   write(Part::model, [&] { return write_model(folder, *state.model); });
+  write(Part::check, [&] { return json{{"is_right", state.check->is_right}}; });
   const auto landmarks = [&] { write_landmarks(folder / "landmarks.json", *state.landmarks); };
   write(Part::landmarks, file(landmarks));
   const auto rig = [&] { stereo::write_calibration(folder / "calibration.yaml", *state.rig); };
@@ -231,6 +241,9 @@ void read_part(CaseState& state, Part part, const json& entry, const fs::path& f
     }
     case Part::model:
       state.model = std::make_shared<const model::BuiltModel>(read_model(folder, entry));
+      break;
+    case Part::check:
+      state.check = std::make_shared<const ModelCheck>(ModelCheck{entry.at("is_right").get<bool>()});
       break;
     case Part::landmarks:
       state.landmarks = std::make_shared<const Landmarks>(read_landmarks(folder / "landmarks.json"));

@@ -24,6 +24,8 @@ auto visit_part(Part part, Visitor&& visitor, State&&... states) {
       return visitor(states.preview...);
     case Part::model:
       return visitor(states.model...);
+    case Part::check:
+      return visitor(states.check...);
     case Part::landmarks:
       return visitor(states.landmarks...);
     case Part::rig:
@@ -48,7 +50,7 @@ auto visit_part(Part part, Visitor&& visitor, State&&... states) {
 
 std::string_view part_code(Part part) {
   static constexpr std::array<std::string_view, kPartCount> kCodes = {
-      "image", "seeds", "labels", "review",  "preview", "model",        "landmarks",
+      "image", "seeds", "labels", "review",  "preview", "model",        "check", "landmarks",
       "rig",   "video", "frame",  "regions", "cloud",   "registration", "live"};
   return kCodes[static_cast<std::size_t>(part)];
 }
@@ -79,6 +81,13 @@ StageState stage_state(const CaseState& state, Part part) {
     if (state.stamp(input).revision != revision || stage_state(state, input) == StageState::stale)
       return StageState::stale;
   return StageState::current;
+}
+
+bool is_model_checked(const CaseState& state) {
+  // Not stage_state(): what the model was made from may have gone on, the model is still the one looked at.
+  if (!state.check || !state.check->is_right || !state.model) return false;
+  const auto of = state.stamp(Part::check).made_from.find(Part::model);
+  return of != state.stamp(Part::check).made_from.end() && of->second == state.stamp(Part::model).revision;
 }
 
 Landmarks effective_landmarks(const CaseState& state) {

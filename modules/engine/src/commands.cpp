@@ -32,6 +32,8 @@ Traits traits(const Segment&) { return {"segment", {Part::image, Part::seeds}, k
 Traits traits(const BuildModel&) { return {"build_model", {Part::labels}, {Part::model}}; }
 Traits traits(const ImportSurfaces&) { return {"import_surfaces", {}, {Part::model}}; }
 Traits traits(const ImportMesh&) { return {"import_mesh", {}, {Part::model}}; }
+Traits traits(const EditTrees&) { return {"edit_trees", {Part::model}, {Part::model}, true}; }
+Traits traits(const CheckModel&) { return {"check_model", {Part::model}, {Part::check}, true}; }
 Traits traits(const SetLandmarks&) { return {"set_landmarks", {Part::model}, {Part::landmarks}, true}; }
 Traits traits(const SetCalibration&) { return {"set_calibration", {}, {Part::rig}, true}; }
 Traits traits(const LoadStereoPair&) { return {"load_stereo_pair", {}, {Part::frame}}; }
@@ -62,8 +64,8 @@ Traits traits(const OpenCase&) { return {"open_case", {}, Parts::all()}; }
 // A save reads the whole case; the live view goes on beside it and is not saved.
 Traits traits(const SaveCase&) {
   return {"save_case",
-          {Part::image, Part::seeds, Part::labels, Part::review, Part::model, Part::landmarks, Part::rig,
-           Part::video, Part::frame, Part::regions, Part::cloud, Part::registration},
+          {Part::image, Part::seeds, Part::labels, Part::review, Part::model, Part::check, Part::landmarks,
+           Part::rig, Part::video, Part::frame, Part::regions, Part::cloud, Part::registration},
           {}};
 }
 

@@ -42,6 +42,9 @@ inline constexpr double kEntranceMm = 3.0;
 /// Whether trees are wanted of a structure.
 bool is_wanted_vessel(Label structure, const ModelOptions& options);
 
+/// Adds how many beams the trees have, and how many of their nodes lie outside the mesh.
+void count_vessel_nodes(const PatientModel& model, std::vector<std::string>& notes);
+
 /// A number for a note: three significant digits.
 std::string shown(double value);
 

@@ -59,16 +59,6 @@ Points cava_contact(const TriangleMesh& liver, const TriangleMesh* cava) {
   return result;
 }
 
-void count_vessel_nodes_outside(const PatientModel& model, std::vector<std::string>& notes) {
-  std::size_t outside = 0, beams = 0;
-  for (const VesselTree& tree : model.vessels) {
-    outside += bind_points(model.mesh, tree.nodes).outside.size();
-    beams += tree.beams.size();
-  }
-  notes.push_back("vessels.beams " + std::to_string(beams));
-  if (outside > 0) notes.push_back("vessels.nodes_outside_mesh " + std::to_string(outside));
-}
-
 /// Lesions that elements of the wanted size can show become sub-domains. Smaller ones would draw most of the
 /// nodes to themselves; they stay as surfaces, carried by the tetrahedra around them.
 std::vector<std::pair<Label, ScalarField>> lesions_to_mesh(const Anatomy& anatomy, const MeshOptions& options,
@@ -126,7 +116,7 @@ Cancellable<BuiltModel> assemble(Anatomy anatomy, const ModelOptions& options, c
   auto trees = vessel_trees(anatomy, options, notes, context.part(0.6, 0.85));
   if (!trees) return {};
   model.vessels = std::move(*trees);
-  if (options.vessels) count_vessel_nodes_outside(model, notes);
+  if (options.vessels) count_vessel_nodes(model, notes);
 
   context.progress(0.85, "model.margin");
   model.landmarks.anterior_margin = detect_anterior_margin(anatomy.fine_liver, kInferiorAnterior);
@@ -149,6 +139,16 @@ Cancellable<BuiltModel> build(const Source& source, const ModelOptions& options,
 }
 
 }  // namespace
+
+void count_vessel_nodes(const PatientModel& model, std::vector<std::string>& notes) {
+  std::size_t outside = 0, beams = 0;
+  for (const VesselTree& tree : model.vessels) {
+    outside += bind_points(model.mesh, tree.nodes).outside.size();
+    beams += tree.beams.size();
+  }
+  notes.push_back("vessels.beams " + std::to_string(beams));
+  if (outside > 0) notes.push_back("vessels.nodes_outside_mesh " + std::to_string(outside));
+}
 
 void ModelOptions::validate() const {
   mesh.validate();

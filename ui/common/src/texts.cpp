@@ -19,6 +19,8 @@ class Texts {
             {"build_model", tr("Building the model")},
             {"import_surfaces", tr("Building the model from surfaces")},
             {"import_mesh", tr("Reading the mesh")},
+            {"edit_trees", tr("Editing the vessel trees")},
+            {"check_model", tr("Noting the check of the model")},
             {"set_landmarks", tr("Storing the landmarks")},
             {"set_calibration", tr("Reading the calibration")},
             {"load_stereo_pair", tr("Reading the stereo pair")},

@@ -35,6 +35,7 @@ enum class Part {
   review,   ///< how far a person has come with each label
   preview,  ///< of an edit that nobody has confirmed; not in the files
   model,
+  check,  ///< a person's word that the model is right; another model makes it stale
   landmarks,
   rig,
   video,
@@ -44,7 +45,7 @@ enum class Part {
   registration,
   live
 };
-inline constexpr int kPartCount = 14;
+inline constexpr int kPartCount = 15;
 /// Code for files and figures: "image", "labels", ...
 std::string_view part_code(Part part);
 
@@ -106,6 +107,11 @@ struct EditPreview {
   segmentation::Edited result;
 };
 
+/// What a person said of the model after looking at it.
+struct ModelCheck {
+  bool is_right = false;
+};
+
 /// Operations simulated for a registration, and what they were simulated on: the next registration of the
 /// same patient needs no others.
 struct SimulatedOperations {
@@ -125,6 +131,7 @@ struct CaseState {
   std::shared_ptr<const Review> review;
   std::shared_ptr<const EditPreview> preview;
   std::shared_ptr<const model::BuiltModel> model;
+  std::shared_ptr<const ModelCheck> check;
   std::shared_ptr<const Landmarks> landmarks;  ///< what a person placed or accepted
   std::shared_ptr<const StereoRig> rig;
   std::shared_ptr<const VideoSource> video;
@@ -152,6 +159,9 @@ struct CaseState {
 enum class StageState { absent, current, stale };
 /// A part is stale when anything that it was made from has changed since, or is itself stale.
 StageState stage_state(const CaseState& state, Part part);
+
+/// Whether a person has looked at this very model and found it right.
+bool is_model_checked(const CaseState& state);
 
 /// The model's own landmarks, with what a person placed instead of them.
 /// @pre state.model

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "glisson/core/units.h"
 #include "glisson/engine/case_state.h"
@@ -75,6 +76,14 @@ struct ImportSurfaces {
 struct ImportMesh {
   std::filesystem::path path;
   LengthUnit unit = LengthUnit::millimetre;
+};
+/// Replays edits on the trees as they were built; undo is the list without its last.
+struct EditTrees {
+  std::vector<model::TreeEdit> edits;
+};
+/// A person has looked at the model.
+struct CheckModel {
+  ModelCheck check;
 };
 struct SetLandmarks {
   Landmarks landmarks;
@@ -158,10 +167,10 @@ struct SaveCase {
 
 using Command =
     std::variant<ImportImage, ListSeries, ImportLabels, EditLabels, PreviewEdit, UndoLabels, RedoLabels,
-                 SetReview, SetSeeds, Segment, BuildModel, ImportSurfaces, ImportMesh, SetLandmarks,
-                 SetCalibration, LoadStereoPair, SetVideo, LoadVideoFrame, SetRegions, Reconstruct,
-                 ImportCloud, Register, ImportRegistration, StartTracking, StopTracking, StartTrial,
-                 StopTrial, Simulate, OpenCase, SaveCase>;
+                 SetReview, SetSeeds, Segment, BuildModel, ImportSurfaces, ImportMesh, EditTrees, CheckModel,
+                 SetLandmarks, SetCalibration, LoadStereoPair, SetVideo, LoadVideoFrame, SetRegions,
+                 Reconstruct, ImportCloud, Register, ImportRegistration, StartTracking, StopTracking,
+                 StartTrial, StopTrial, Simulate, OpenCase, SaveCase>;
 
 /// Code of a command for progress, figures and logs: "segment", "build_model", ...
 std::string_view command_code(const Command& command);

@@ -36,9 +36,24 @@ struct ModelReport {
   MeshQuality quality;
   std::vector<std::string> notes;  ///< components dropped, vessel nodes outside, ...: codes with values
 };
+/// What a person changes in the vessel trees (see tree_edits.h).
+struct TreeEdit {
+  enum class Kind {
+    set_root,  ///< the tree enters at the node nearest to `at`; its beams lead away from there
+    prune,     ///< the branch on which that node lies goes, from its fork on, with all that hangs on it
+    join       ///< the node nearest to `to`, of another tree, hangs on the node nearest to `at` by new beams
+  };
+  Kind kind = Kind::prune;
+  Eigen::Vector3d at = Eigen::Vector3d::Zero(), to = Eigen::Vector3d::Zero();  ///< CT frame, metres
+  bool operator==(const TreeEdit&) const = default;
+};
+
 struct BuiltModel {
   PatientModel model;
   ModelReport report;
+  /// What was changed in the trees since, and the trees before that; both empty when nothing was.
+  std::vector<TreeEdit> tree_edits;
+  std::vector<VesselTree> trees_as_built;
 };
 
 struct ModelOptions {

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a person does to a model: edits its trees, and says that it is right.
+#include "runners.h"
+#include "trial_patient.h"
+
+using namespace glisson;
+using namespace glisson::engine;
+
+namespace {
+
+/// The real commands, on a patient that the import gives.
+Engine::Options real_options(Runner runner) {
+  Engine::Options options;
+  options.runner = runner;
+  options.apply = [](const CaseState& state, const Command& command, const RunContext& context) {
+    return std::holds_alternative<ImportMesh>(command) ? give_patient(state, command, context)
+                                                       : apply(state, command, context);
+  };
+  return options;
+}
+
+model::TreeEdit root_at(const Eigen::Vector3d& p) { return {model::TreeEdit::Kind::set_root, p}; }
+
+}  // namespace
+
+class ModelEditsTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void EntrancesFollowTheEditsAndComeBack_data() { test::both_runners(); }
+  void EntrancesFollowTheEditsAndComeBack();
+  void AnImpossibleEditLeavesTheModel_data() { test::both_runners(); }
+  void AnImpossibleEditLeavesTheModel();
+  void AnotherModelIsNotChecked_data() { test::both_runners(); }
+  void AnotherModelIsNotChecked();
+  void WithoutAModelThereIsNothingToEditOrCheck();
+};
+
+void ModelEditsTest::EntrancesFollowTheEditsAndComeBack() {
+  QFETCH(Runner, runner);
+  Engine engine(real_options(runner));
+  engine.wait(engine.post(ImportMesh{}));
+  const VesselTree built = engine.snapshot()->state.model->model.vessels.at(0);
+  const auto entrance = [&] {
+    const VesselTree& tree = engine.snapshot()->state.model->model.vessels.at(0);
+    return Eigen::Vector3d(tree.nodes.row(tree.root).transpose());
+  };
+  const Eigen::Vector3d far_end = built.nodes.bottomRows(1).transpose();
+  QVERIFY((entrance() - far_end).norm() > 0.05);
+  const Outcome outcome = engine.wait(engine.post(EditTrees{{root_at(far_end)}}));
+  QCOMPARE(outcome.status, Status::done);
+  QCOMPARE(outcome.figures.at("model_beams"), static_cast<double>(built.beams.size()));
+  QVERIFY((entrance() - far_end).norm() < 1e-12);
+  QCOMPARE(engine.snapshot()->state.model->tree_edits.size(), std::size_t{1});
+  QCOMPARE(engine.snapshot()->stage(Part::model), StageState::current);
+  engine.wait(engine.post(EditTrees{}));
+  QVERIFY(engine.snapshot()->state.model->model.vessels.at(0).nodes == built.nodes);
+  QVERIFY(engine.snapshot()->state.model->tree_edits.empty());
+}
+
+void ModelEditsTest::AnImpossibleEditLeavesTheModel() {
+  QFETCH(Runner, runner);
+  Engine engine(real_options(runner));
+  engine.wait(engine.post(ImportMesh{}));
+  const auto before = engine.snapshot()->state.model;
+  const Outcome outcome = engine.wait(engine.post(EditTrees{{root_at({1.0, 1.0, 1.0})}}));
+  QCOMPARE(outcome.status, Status::failed);
+  QVERIFY(outcome.error.find("edit 1 (set_root)") != std::string::npos);
+  QVERIFY(engine.snapshot()->state.model == before);
+}
+
+void ModelEditsTest::AnotherModelIsNotChecked() {
+  QFETCH(Runner, runner);
+  Engine engine(real_options(runner));
+  engine.wait(engine.post(ImportMesh{}));
+  QVERIFY(!is_model_checked(engine.snapshot()->state));
+  engine.wait(engine.post(CheckModel{{true}}));
+  QVERIFY(is_model_checked(engine.snapshot()->state));
+  engine.wait(engine.post(CheckModel{{false}}));
+  QVERIFY(!is_model_checked(engine.snapshot()->state));
+  engine.wait(engine.post(CheckModel{{true}}));
+  const Points& nodes = engine.snapshot()->state.model->model.vessels.at(0).nodes;
+  engine.wait(engine.post(EditTrees{{root_at(nodes.bottomRows(1).transpose())}}));
+  QVERIFY(!is_model_checked(engine.snapshot()->state));
+  engine.wait(engine.post(CheckModel{{true}}));
+  engine.wait(engine.post(ImportMesh{}));
+  QVERIFY(!is_model_checked(engine.snapshot()->state));
+}
+
+void ModelEditsTest::WithoutAModelThereIsNothingToEditOrCheck() {
+  Engine engine(real_options(Runner::inline_));
+  QCOMPARE(engine.wait(engine.post(EditTrees{})).status, Status::failed);
+  QCOMPARE(engine.wait(engine.post(CheckModel{{true}})).status, Status::failed);
+}
+
+QTEST_APPLESS_MAIN(ModelEditsTest)
+#include "model_edits_test.moc"
