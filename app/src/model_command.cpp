@@ -20,7 +20,8 @@ int run_model(const QStringList& given) {
       "codes", Cli::tr("What their codes mean: JSON, {\"6\": \"parenchyma\", \"10\": \"portal_vein\", ...}."),
       "FILE");
   arguments.option("surfaces",
-                   Cli::tr("Closed surfaces to take instead of labels: a folder by structure, or one file."),
+                   Cli::tr("Closed surfaces to take instead of labels: a folder by structure, a list "
+                           "(JSON) of structures and files, or one file."),
                    "PATH");
   arguments.option("unit", Cli::tr("Unit of the surfaces: mm, cm or m."), "UNIT", "mm");
   arguments.option("vertices", Cli::tr("Vertices wanted."), "N", options.mesh.target_vertices);

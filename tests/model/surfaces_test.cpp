@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QtTest>
+#include <fstream>
 #include <set>
 
 #include "complaint.h"
@@ -43,6 +44,14 @@ class SurfacesTest : public QObject {
   void WrongUnitIsRefusedWithTheRightOne();
   void FolderWithoutLiverIsRefused();
   void MissingFolderIsAFileError();
+  void ListNamesFilesAndUnits();
+  void BadListsAreRefused_data();
+  void BadListsAreRefused();
+  void OpenLiverIsRefusedByFile();
+  void OpenLesionsAreRefusedByFile();
+  void SwappedStructuresAreRefused();
+  void OtherUnitOfAVesselIsRefused();
+  void OtherFrameOfAVesselIsRefused();
   void SurfacesBecomeAModel();
   void LesionOutsideTheLiverIsReported();
   void VesselOutsideTheLiverIsReported();
@@ -123,6 +132,97 @@ void SurfacesTest::FolderWithoutLiverIsRefused() {
 
 void SurfacesTest::MissingFolderIsAFileError() {
   QVERIFY_EXCEPTION_THROWN(model::read_surfaces("no/such/folder", LengthUnit::millimetre), FileError);
+}
+
+void SurfacesTest::ListNamesFilesAndUnits() {
+  TemporaryFolder folder;
+  save(folder.path() / "a.stl", kLiver);
+  write_triangle_mesh(folder.path() / "b.ply", test::torus(0.03, 0.005, 30, 12), LengthUnit::metre);
+  save(folder.path() / "c.vtp", test::sphere(0.01, 2));
+  save(folder.path() / "d.obj", test::moved(test::sphere(0.012, 2), {0.03, 0, 0}));
+  std::ofstream(folder.path() / "patient.json") << R"({"unit": "mm", "structures": {"liver": "a.stl",
+    "portal_vein": {"file": "b.ply", "unit": "m"}, "lesions": ["c.vtp", "d.obj"]}})";
+  const model::SurfaceSet set = model::read_surfaces(folder.path() / "patient.json", LengthUnit::metre);
+  QVERIFY(std::abs(volume(set.liver) / volume(kLiver) - 1.0) < 1e-5);
+  QCOMPARE(set.others.size(), std::size_t{3});
+  int lesions = 0;
+  for (const NamedSurface& other : set.others) {
+    if (is_lesion(other.structure)) ++lesions;
+    if (other.structure == structure::kPortalVein)
+      QVERIFY(std::abs(volume(other.mesh) / volume(test::torus(0.03, 0.005, 30, 12)) - 1.0) < 1e-4);
+  }
+  QCOMPARE(lesions, 2);
+}
+
+void SurfacesTest::BadListsAreRefused_data() {
+  QTest::addColumn<QByteArray>("text");
+  QTest::addColumn<QByteArray>("says");
+  QTest::newRow("no structures") << QByteArray("{}") << QByteArray("structures");
+  QTest::newRow("unknown structure") << QByteArray(R"({"structures": {"spleen": "a.stl"}})")
+                                     << QByteArray("spleen");
+  QTest::newRow("unknown unit") << QByteArray(R"({"unit": "inch", "structures": {"liver": "a.stl"}})")
+                                << QByteArray("unit");
+  QTest::newRow("no file") << QByteArray(R"({"structures": {"liver": 3}})") << QByteArray("names no file");
+  QTest::newRow("no liver") << QByteArray(R"({"structures": {"portal_vein": "a.stl"}})")
+                            << QByteArray("liver");
+  QTest::newRow("two livers") << QByteArray(R"({"structures": {"liver": ["a.stl", "a.stl"]}})")
+                              << QByteArray("named twice");
+  QTest::newRow("absent file") << QByteArray(R"({"structures": {"liver": "b.stl"}})") << QByteArray("b.stl");
+}
+
+void SurfacesTest::BadListsAreRefused() {
+  QFETCH(QByteArray, text);
+  QFETCH(QByteArray, says);
+  TemporaryFolder folder;
+  save(folder.path() / "a.stl", kLiver);
+  std::ofstream(folder.path() / "list.json") << text.toStdString();
+  const std::string said = test::complaint<Error>(
+      [&] { model::read_surfaces(folder.path() / "list.json", LengthUnit::millimetre); });
+  QVERIFY2(said.find(says.toStdString()) != std::string::npos, said.c_str());
+}
+
+void SurfacesTest::OpenLiverIsRefusedByFile() {
+  TemporaryFolder folder;
+  TriangleMesh open = kLiver;
+  open.triangles.conservativeResize(open.triangle_count() - 3, 3);
+  save(folder.path() / "liver.stl", open);
+  const std::string said = complaint(folder.path(), LengthUnit::millimetre);
+  QVERIFY(said.find("liver.stl") != std::string::npos && said.find("open") != std::string::npos &&
+          said.find("Close it") != std::string::npos);
+}
+
+void SurfacesTest::OpenLesionsAreRefusedByFile() {
+  TemporaryFolder folder;
+  TriangleMesh open = test::sphere(0.01, 2);
+  open.triangles.conservativeResize(open.triangle_count() - 3, 3);
+  save(folder.path() / "liver.stl", kLiver);
+  save(folder.path() / "tumours.stl", open);
+  const std::string said = complaint(folder.path(), LengthUnit::millimetre);
+  QVERIFY(said.find("tumours.stl") != std::string::npos && said.find("closed") != std::string::npos);
+}
+
+void SurfacesTest::SwappedStructuresAreRefused() {
+  TemporaryFolder folder;
+  save(folder.path() / "liver.stl", test::sphere(0.05, 3));
+  save(folder.path() / "vena_cava.stl", kLiver);
+  const std::string said = complaint(folder.path(), LengthUnit::millimetre);
+  QVERIFY(said.find("vena_cava.stl") != std::string::npos && said.find("swapped") != std::string::npos);
+}
+
+void SurfacesTest::OtherUnitOfAVesselIsRefused() {
+  TemporaryFolder folder;
+  save(folder.path() / "liver.stl", kLiver);
+  write_triangle_mesh(folder.path() / "portal_vein.stl", test::torus(0.03, 0.005, 30, 12), LengthUnit::metre);
+  const std::string said = complaint(folder.path(), LengthUnit::millimetre);
+  QVERIFY(said.find("portal_vein.stl") != std::string::npos && said.find("unit") != std::string::npos);
+}
+
+void SurfacesTest::OtherFrameOfAVesselIsRefused() {
+  TemporaryFolder folder;
+  save(folder.path() / "liver.stl", kLiver);
+  save(folder.path() / "portal_vein.stl", test::moved(test::torus(0.03, 0.005, 30, 12), {0.4, 0, 0}));
+  const std::string said = complaint(folder.path(), LengthUnit::millimetre);
+  QVERIFY(said.find("portal_vein.stl") != std::string::npos && said.find("one frame") != std::string::npos);
 }
 
 void SurfacesTest::SurfacesBecomeAModel() {

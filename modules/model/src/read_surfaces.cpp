@@ -3,10 +3,12 @@
 #include <array>
 #include <cctype>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "anatomy.h"
 #include "glisson/core/error.h"
+#include "glisson/core/json_file.h"
 #include "glisson/geometry/mesh_io.h"
 #include "glisson/geometry/topology.h"
 #include "glisson/model/build.h"
@@ -16,6 +18,9 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double kLeastLesion = 15e-9;  // m3: below, a piece of a tumour file is a crumb
+// Of a structure's size over the liver's: beyond, it is in another unit.
+constexpr double kMostOverLiver = 4.0, kLeastOverLiver = 0.005;
+constexpr double kBesideLiver = 0.05;  // metres: farther from the liver's box it is in another frame
 constexpr std::array<const char*, 5> kExtensions = {".vtk", ".vtp", ".stl", ".obj", ".ply"};  // by preference
 
 enum class Role { liver, vessel, lesions, other };
@@ -96,42 +101,155 @@ void add_lesions(const TriangleMesh& file, SurfaceSet& set) {
   if (crumbs > 0) set.notes.push_back("lesion.crumbs_dropped " + std::to_string(crumbs));
 }
 
+/// One file and what it holds.
+struct Source {
+  fs::path file;
+  Meaning meaning;
+  LengthUnit unit;
+};
+
+[[noreturn]] void refuse(const fs::path& file, const std::string& field, const std::string& problem,
+                         const std::string& remedy) {
+  throw InputError(file.string(), field, problem, remedy);
+}
+
+/// The sum of all pieces, whichever way each is turned.
+double enclosed(const TriangleMesh& mesh) {
+  double sum = 0.0;
+  for (const TriangleMesh& piece : split_components(mesh)) sum += std::abs(volume(piece));
+  return sum;
+}
+
+double diagonal(const TriangleMesh& mesh) {
+  return (mesh.vertices.colwise().maxCoeff() - mesh.vertices.colwise().minCoeff()).norm();
+}
+
+TriangleMesh read_structure(const Source& source) {
+  TriangleMesh mesh = merge_vertices(read_triangle_mesh(source.file, source.unit), 0.0);
+  if (mesh.triangle_count() == 0)
+    refuse(source.file, "triangles", "there are none", "Export the surface anew");
+  return mesh;
+}
+
+void require_closed(const fs::path& file, const TriangleMesh& liver) {
+  const std::vector<TriangleMesh> pieces = split_components(liver);
+  if (pieces.empty() || !is_closed(pieces.front()))
+    refuse(file, "liver", "the surface is open: it has holes, or edges with more than two triangles",
+           "Close it (fill its holes) in the program that made it");
+}
+
+/// A structure in a unit of its own, or one that was taken for the liver, shows in its size.
+void require_plausible(const Source& source, const TriangleMesh& mesh, const TriangleMesh& liver,
+                       const fs::path& liver_file) {
+  const std::string what = source.meaning.role == Role::lesions ? std::string("lesions")
+                                                                : structure_name(source.meaning.structure);
+  const double ratio = diagonal(mesh) / diagonal(liver);
+  if (ratio > kMostOverLiver || ratio < kLeastOverLiver)
+    refuse(
+        source.file, what,
+        "is " + shown(1e3 * diagonal(mesh)) + " mm large, the liver " + shown(1e3 * diagonal(liver)) + " mm",
+        "Give this file's own unit in the list of surfaces, or export it in the liver's");
+  if (enclosed(mesh) > enclosed(liver))
+    refuse(source.file, what,
+           "holds more volume (" + shown(1e6 * enclosed(mesh)) + " ml) than the liver in " +
+               liver_file.filename().string() + " (" + shown(1e6 * enclosed(liver)) + " ml)",
+           "The two are probably swapped: name each file by what it shows");
+  const auto low = [](const TriangleMesh& m) { return m.vertices.colwise().minCoeff().array().eval(); };
+  const auto high = [](const TriangleMesh& m) { return m.vertices.colwise().maxCoeff().array().eval(); };
+  if ((low(mesh) > high(liver) + kBesideLiver).any() || (high(mesh) < low(liver) - kBesideLiver).any())
+    refuse(source.file, what, "lies elsewhere than the liver in " + liver_file.filename().string(),
+           "Export all surfaces of one patient in one frame (LPS)");
+}
+
+/// @throws InputError no liver, two livers, and what is wrong with a file.
+SurfaceSet read_sources(std::vector<Source> sources, const fs::path& origin, std::vector<std::string> notes) {
+  SurfaceSet set;
+  set.notes = std::move(notes);
+  fs::path liver_file;
+  for (const Source& source : sources) {
+    if (source.meaning.role != Role::liver) continue;
+    if (!liver_file.empty())
+      refuse(origin, "liver",
+             "is named twice: " + liver_file.filename().string() + " and " + source.file.filename().string(),
+             "Keep one of them");
+    liver_file = source.file;
+    set.liver = read_structure(source);
+    check_liver_size(set.liver.vertices, source.unit, source.file.string());
+    require_closed(source.file, set.liver);
+  }
+  if (liver_file.empty())
+    refuse(origin, "liver", "there is no surface of that name",
+           "Name the liver's surface liver.vtk, .vtp, .stl, .obj or .ply");
+  // Tumours before cysts: their numbers do not change when cysts are added.
+  std::stable_sort(sources.begin(), sources.end(), [](const Source& a, const Source& b) {
+    const auto cyst = [](const Source& s) {
+      return s.meaning.role == Role::lesions && s.file.stem().string().find("cyst") != std::string::npos;
+    };
+    return cyst(a) < cyst(b);
+  });
+  for (const Source& source : sources) {
+    if (source.meaning.role == Role::liver) continue;
+    TriangleMesh mesh = read_structure(source);
+    require_plausible(source, mesh, set.liver, liver_file);
+    if (source.meaning.role == Role::lesions) {
+      const std::size_t before = set.others.size();
+      add_lesions(mesh, set);
+      if (set.others.size() == before)
+        refuse(source.file, "lesions", "holds no closed surface of 15 mm3 or more",
+               "Close the surfaces (fill their holes) in the program that made them");
+    } else {
+      set.others.push_back(
+          {source.meaning.structure, structure_name(source.meaning.structure), std::move(mesh)});
+    }
+  }
+  return set;
+}
+
+std::vector<Source> sources_in_list(const fs::path& path, LengthUnit unit) {
+  const nlohmann::json document = read_json(path);
+  const char* remedy =
+      R"(Write {"unit": "mm", "structures": {"liver": "liver.stl", "portal_vein": {"file": "pv.ply", "unit": "m"}}})";
+  const auto unit_of = [&](const nlohmann::json& entry, LengthUnit otherwise, const std::string& field) {
+    if (!entry.contains("unit")) return otherwise;
+    for (const LengthUnit known : {LengthUnit::millimetre, LengthUnit::centimetre, LengthUnit::metre})
+      if (entry["unit"] == unit_code(known)) return known;
+    refuse(path, field, "is none of mm, cm, m", remedy);
+  };
+  if (!document.is_object() || !document.contains("structures") || !document["structures"].is_object())
+    refuse(path, "structures", "there are none", remedy);
+  const LengthUnit all = unit_of(document, unit, "unit");
+  std::vector<Source> sources;
+  for (const auto& [name, entry] : document["structures"].items()) {
+    const std::optional<Meaning> meaning = meaning_of(name);
+    if (!meaning) refuse(path, name, "is no structure that is known", remedy);
+    const auto add = [&](const nlohmann::json& one) {
+      const bool has_file =
+          one.is_string() || (one.is_object() && one.contains("file") && one["file"].is_string());
+      if (!has_file) refuse(path, name, "names no file", remedy);
+      const fs::path file = (one.is_string() ? one : one["file"]).get<std::string>();
+      sources.push_back(
+          {path.parent_path() / file, *meaning, one.is_object() ? unit_of(one, all, name + ".unit") : all});
+    };
+    if (entry.is_array())
+      for (const nlohmann::json& one : entry) add(one);
+    else
+      add(entry);
+  }
+  return sources;
+}
+
 }  // namespace
 
 SurfaceSet read_surfaces(const fs::path& path, LengthUnit unit) {
   if (!fs::exists(path)) throw FileError(path.string() + ": does not exist. Check the path.");
-  SurfaceSet set;
-  if (!fs::is_directory(path)) {
-    set.liver = merge_vertices(read_triangle_mesh(path, unit), 0.0);
-    check_liver_size(set.liver.vertices, unit, path.string());
-    return set;
+  if (fs::is_directory(path)) {
+    std::vector<std::string> notes;
+    std::vector<Source> sources;
+    for (const auto& [stem, file] : files_in(path, notes)) sources.push_back({file, *meaning_of(stem), unit});
+    return read_sources(std::move(sources), path, std::move(notes));
   }
-  const std::map<std::string, fs::path> files = files_in(path, set.notes);
-  std::vector<fs::path> lesion_files;
-  for (const auto& [stem, file] : files) {
-    const Meaning meaning = *meaning_of(stem);
-    if (meaning.role == Role::lesions) {
-      lesion_files.push_back(file);
-      continue;
-    }
-    TriangleMesh mesh = merge_vertices(read_triangle_mesh(file, unit), 0.0);
-    if (meaning.role == Role::liver) {
-      check_liver_size(mesh.vertices, unit, file.string());
-      set.liver = std::move(mesh);
-    } else {
-      set.others.push_back({meaning.structure, structure_name(meaning.structure), std::move(mesh)});
-    }
-  }
-  if (set.liver.triangle_count() == 0)
-    throw InputError(path.string(), "liver", "there is no surface of that name",
-                     "Name the liver's surface liver.vtk, .vtp, .stl, .obj or .ply");
-  // Tumours before cysts: their numbers do not change when cysts are added.
-  std::stable_sort(lesion_files.begin(), lesion_files.end(), [](const fs::path& a, const fs::path& b) {
-    const auto cyst = [](const fs::path& p) { return p.stem().string().find("cyst") != std::string::npos; };
-    return cyst(a) < cyst(b);
-  });
-  for (const fs::path& file : lesion_files) add_lesions(read_triangle_mesh(file, unit), set);
-  return set;
+  if (extension_of(path) == ".json") return read_sources(sources_in_list(path, unit), path, {});
+  return read_sources({{path, {Role::liver, structure::kParenchyma}, unit}}, path, {});
 }
 
 }  // namespace glisson::model

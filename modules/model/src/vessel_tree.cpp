@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kLeastSamples = 12, kSampleMm = 0.5;  // a curve, and their spacing
 constexpr double kToleranceInVoxels = 0.5;             // how far a curve may pass from the smoothed path
+constexpr double kLeastBendMm = 5.0;                   // over which a bend is measured, to either side
 constexpr double kMostSmoothing = 3.0;                 // millimetres to either side
 
 /// Linear interpolation in a table over ascending stations.
@@ -116,7 +117,6 @@ FittedTree::Branch FittedTree::fit(const VesselVoxels& vessel, const SkeletonPat
       branch.stations.push_back(
           branch.points.empty() ? 0.0 : branch.stations.back() + (p - branch.points.back()).norm());
       branch.points.push_back(p);
-      branch.curvature.push_back(curve.curvature(t));
     }
   }
   branch.curve_error = apart(branch.points, points);
@@ -130,7 +130,35 @@ FittedTree::Branch FittedTree::fit(const VesselVoxels& vessel, const SkeletonPat
                                         (branch.stations[below + 1] - branch.stations[below]));
   }
   measure_radius(vessel, path, branch);
+  measure_curvature(branch);
   return branch;
+}
+
+void FittedTree::measure_curvature(Branch& branch) {
+  // The curves follow the voxels' noise within their tolerance, and its curvature is larger than the
+  // vessel's. What bends a beam is the turn over about a vessel's thickness: that between the chords to
+  // either side.
+  for (std::size_t i = 0; i < branch.points.size(); ++i) {
+    const double at = branch.stations[i];
+    const double reach = std::min({std::max(2.0 * branch.radius[i], kLeastBendMm), at, branch.length() - at});
+    if (reach < 0.5 * kLeastBendMm) {
+      branch.curvature.push_back(-1.0);
+      continue;
+    }
+    const Eigen::Vector3d back = branch.points[i] - looked_up(branch.stations, branch.points, at - reach),
+                          forth = looked_up(branch.stations, branch.points, at + reach) - branch.points[i];
+    branch.curvature.push_back(std::atan2(back.cross(forth).norm(), back.dot(forth)) / reach);
+  }
+  // Near the ends there are no two sides: as at the next place that has them.
+  const auto known = [](double curvature) { return curvature >= 0.0; };
+  const auto first = std::find_if(branch.curvature.begin(), branch.curvature.end(), known);
+  if (first == branch.curvature.end()) {
+    std::fill(branch.curvature.begin(), branch.curvature.end(), 0.0);
+    return;
+  }
+  const auto last = std::find_if(branch.curvature.rbegin(), branch.curvature.rend(), known);
+  std::fill(branch.curvature.begin(), first, *first);
+  std::fill(branch.curvature.rbegin(), last, *last);
 }
 
 void FittedTree::measure_radius(const VesselVoxels& vessel, const SkeletonPath& path, Branch& branch) {

@@ -51,6 +51,7 @@ class FittedTree {
   };
   Branch fit(const VesselVoxels& vessel, const SkeletonPath& path) const;
   static void measure_radius(const VesselVoxels& vessel, const SkeletonPath& path, Branch& branch);
+  static void measure_curvature(Branch& branch);
   int thinnest_leaf() const;
   /// Where nodes must stand on a branch: its ends and the forks of its children, near ones joined.
   std::vector<double> fixed_stations(std::size_t branch, double shortest_mm) const;

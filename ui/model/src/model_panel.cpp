@@ -2,54 +2,123 @@
 #include "glisson/ui/model/model_panel.h"
 
 #include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QSlider>
 #include <QSpinBox>
-#include <map>
 
 #include "glisson/ui/common/texts.h"
 #include "glisson/ui/scene/model_surfaces.h"
 
 namespace glisson::ui {
+namespace {
+
+constexpr double kFiner = 0.5;  // edges over those elsewhere, where finer ones are asked for
+
+}  // namespace
 
 ModelPanel::ModelPanel(EngineBridge& engine, LinkedViews& views, QWidget* parent)
     : Panel(engine, tr("Model"), tr("A mesh of the liver with its vessels, ready for mechanics."), parent),
       views_(views) {
   setObjectName(QStringLiteral("model_panel"));
+  build_options();
+  QVBoxLayout* result = add_section(tr("Quality"));
+  quality_ = new QualitySheet(engine, views_, this);
+  result->addWidget(quality_);
+  build_trees();
+  build_trial();
+  build_look();
+  // One hand in the 3D view at a time.
+  connect(trees_, &TreeEditor::began, this, [this] { trial_->end(); });
+  connect(trial_->button(), &QPushButton::toggled, this, [this](bool on) {
+    if (on) trees_->leave();
+  });
+  connect(&this->engine(), &EngineBridge::case_changed, this, &ModelPanel::show_case);
+  watch(engine::Part::model, {"build_model", "import_surfaces", "import_mesh", "edit_trees"});
+  show_case();
+}
+
+void ModelPanel::build_options() {
   QVBoxLayout* build = add_section(tr("Build from the labels"));
   auto* form = new QFormLayout;
+  size_by_ = new QComboBox(this);
+  size_by_->setObjectName(QStringLiteral("mesh_size_by"));
+  size_by_->addItems({tr("Vertices"), tr("Edge length")});
+  size_by_->setToolTip(
+      tr("More vertices, or shorter edges, follow the organ more closely and compute more slowly."));
   vertices_ = new QSpinBox(this);
   vertices_->setRange(100, 5000);
   vertices_->setSingleStep(50);
   vertices_->setValue(model::MeshOptions{}.target_vertices);
-  vertices_->setToolTip(tr("More vertices follow the organ more closely and compute more slowly."));
-  form->addRow(tr("Mesh vertices"), vertices_);
+  edge_ = new QDoubleSpinBox(this);
+  edge_->setRange(6.0, 40.0);
+  edge_->setDecimals(1);
+  edge_->setSuffix(tr(" mm"));
+  edge_->setValue(18.0);
+  edge_->hide();
+  auto* size = new QHBoxLayout;
+  size->addWidget(size_by_);
+  size->addWidget(vertices_, 1);
+  size->addWidget(edge_, 1);
+  form->addRow(tr("Mesh size"), size);
+  connect(size_by_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this](int by) {
+    vertices_->setVisible(by == 0);
+    edge_->setVisible(by == 1);
+  });
+  fine_lesions_ = new QCheckBox(tr("Finer at lesions"), this);
+  fine_lesions_->setObjectName(QStringLiteral("fine_lesions"));
+  fine_vessels_ = new QCheckBox(tr("Finer at vessels"), this);
+  fine_vessels_->setObjectName(QStringLiteral("fine_vessels"));
+  for (QCheckBox* box : {fine_lesions_, fine_vessels_})
+    box->setToolTip(tr("Edges half as long there; with a number of vertices, longer ones elsewhere."));
+  auto* finer = new QHBoxLayout;
+  finer->addWidget(fine_lesions_);
+  finer->addWidget(fine_vessels_);
+  form->addRow(finer);
   vessels_ = new QCheckBox(tr("Portal and hepatic vessels stiffen the model"), this);
   vessels_->setChecked(true);
   form->addRow(vessels_);
   build->addLayout(form);
   run_ = new TaskButton(
-      engine, tr("Build model"), [this] { return engine::Command(command()); }, this);
+      engine(), tr("Build model"), [this] { return engine::Command(command()); }, this);
   run_->setObjectName(QStringLiteral("build_model"));
   build->addWidget(run_);
-  auto* import = new QPushButton(tr("From a folder of surfaces…"), this);
-  connect(import, &QPushButton::clicked, this, &ModelPanel::import_surfaces);
+  auto* import = new QPushButton(tr("From surfaces…"), this);
+  auto* ways = new QMenu(import);
+  ways->addAction(tr("A folder, files named by structure…"), this, [this] {
+    import_surfaces(QFileDialog::getExistingDirectory(this, tr("Folder of surfaces, named by structure")));
+  });
+  ways->addAction(tr("A list of files (JSON)…"), this, [this] {
+    import_surfaces(
+        QFileDialog::getOpenFileName(this, tr("List of surfaces"), {}, tr("List of surfaces (*.json)")));
+  });
+  ways->addAction(tr("One surface of the liver…"), this, [this] {
+    import_surfaces(QFileDialog::getOpenFileName(this, tr("Surface of the liver"), {},
+                                                 tr("Surfaces (*.stl *.obj *.ply *.vtk *.vtp)")));
+  });
+  import->setMenu(ways);
   build->addWidget(import);
+}
 
-  build_trial();
-
-  QVBoxLayout* result = add_section(tr("Quality"));
-  quality_ = new FiguresTable(this);
-  result->addWidget(quality_);
-  notes_ = make_explanation({}, this);
-  result->addWidget(notes_);
-  build_look();
-  connect(&this->engine(), &EngineBridge::case_changed, this, &ModelPanel::show_case);
-  watch(engine::Part::model, {"build_model", "import_surfaces", "import_mesh"});
-  show_case();
+void ModelPanel::build_trees() {
+  trees_section_ = new QWidget(this);
+  auto* layout = new QVBoxLayout(trees_section_);
+  layout->setContentsMargins(0, 6, 0, 0);
+  layout->setSpacing(5);
+  auto* heading = new QLabel(tr("Vessel trees"), trees_section_);
+  heading->setProperty("role", "heading");
+  layout->addWidget(heading);
+  layout->addWidget(make_explanation(
+      tr("The centrelines that stiffen the model. Each tree is held where it enters."), trees_section_));
+  trees_ = new TreeEditor(engine(), views_, trees_section_);
+  layout->addWidget(trees_);
+  content()->addWidget(trees_section_);
 }
 
 void ModelPanel::build_trial() {
@@ -70,7 +139,11 @@ void ModelPanel::build_trial() {
   content()->addWidget(trial_section_);
 }
 
-void ModelPanel::deactivate() { trial_->end(); }
+void ModelPanel::deactivate() {
+  trial_->end();
+  trees_->leave();
+  quality_->leave();
+}
 
 void ModelPanel::build_look() {
   look_ = new QWidget(this);
@@ -104,13 +177,17 @@ void ModelPanel::build_look() {
 
 engine::BuildModel ModelPanel::command() const {
   engine::BuildModel command;
-  command.options.mesh.target_vertices = vertices_->value();
+  if (size_by_->currentIndex() == 0)
+    command.options.mesh.target_vertices = vertices_->value();
+  else
+    command.options.mesh.edge_mm = edge_->value();
+  if (fine_lesions_->isChecked()) command.options.mesh.lesion_refinement = kFiner;
+  if (fine_vessels_->isChecked()) command.options.mesh.vessel_refinement = kFiner;
   command.options.vessels = vessels_->isChecked();
   return command;
 }
 
-void ModelPanel::import_surfaces() {
-  const QString path = QFileDialog::getExistingDirectory(this, tr("Folder of surfaces, named by structure"));
+void ModelPanel::import_surfaces(const QString& path) {
   if (path.isEmpty()) return;
   engine::ImportSurfaces command;
   command.path = path.toStdString();
@@ -126,31 +203,8 @@ void ModelPanel::show_case() {
   look_->setVisible(shown_ != nullptr);
   trial_section_->setVisible(shown_ != nullptr);
   if (!shown_) trial_->end();
-  if (!shown_) {
-    quality_->clear();
-    notes_->setText(tr("No model yet."));
-    return;
-  }
-  const model::MeshQuality& q = shown_->report.quality;
-  const auto mm = [](double value) { return tr("%1 mm").arg(value, 0, 'f', 2); };
-  std::vector<std::pair<QString, QString>> rows = {{tr("Vertices"), QString::number(q.vertices)},
-                                                   {tr("Tetrahedra"), QString::number(q.tetrahedra)}};
-  if (q.min_dihedral_deg > 0.0)
-    rows.emplace_back(tr("Dihedral angles"),
-                      tr("%1° to %2°").arg(q.min_dihedral_deg, 0, 'f', 1).arg(q.max_dihedral_deg, 0, 'f', 1));
-  rows.emplace_back(tr("Volume error"), tr("%1 %").arg(100.0 * q.volume_error, 0, 'f', 1));
-  rows.emplace_back(tr("Vertices to fine surface, mean"), mm(q.vertices_to_fine_mean_mm));
-  rows.emplace_back(tr("Mesh to fine surface, mean"), mm(q.mesh_to_fine_mean_mm));
-  rows.emplace_back(tr("Fine surface to mesh, mean"), mm(q.fine_to_mesh_mean_mm));
-  rows.emplace_back(tr("Fine surface to mesh, largest"), mm(q.fine_to_mesh_max_mm));
-  std::map<Label, std::size_t> beams;  // of all of a structure's trees together
-  for (const VesselTree& tree : shown_->model.vessels) beams[tree.structure] += tree.beams.size();
-  for (const auto& [structure, count] : beams)
-    rows.emplace_back(tr("%1, beams").arg(structure_text(structure)), QString::number(count));
-  quality_->set_rows(rows);
-  notes_->setText(notes_text(shown_->report.notes));
-  notes_->setVisible(!shown_->report.notes.empty());
-  show_structures();
+  trees_section_->setVisible(shown_ && !(shown_->model.vessels.empty() && shown_->tree_edits.empty()));
+  if (shown_) show_structures();
 }
 
 void ModelPanel::show_structures() {

@@ -84,6 +84,7 @@ void give_colour(vtkActor& actor, Feature feature) {
   actor.GetProperty()->SetColor(colour.redF(), colour.greenF(), colour.blueF());
 }
 
+constexpr double kSkeletonRadius = 0.7e-3;  ///< metres
 constexpr double kFillView = 1.25;  ///< VTK fits the scene's sphere; a patient's liver is flatter than that
 
 /// Towards which side of the patient a direction points: one letter, or two where it lies between sides.
@@ -108,7 +109,8 @@ struct PatientScene::Impl {
   std::shared_ptr<const PatientModel> model;  ///< drawable's
   Points nodes;
   std::map<Label, std::unique_ptr<Shape>> structures;
-  std::unique_ptr<Shape> mesh, margin, notch, cava, cloud, pull;
+  std::unique_ptr<Shape> mesh, margin, notch, cava, cloud, pull, highlight, roots;
+  std::vector<std::unique_ptr<Shape>> skeletons;  ///< one a tree
   Landmarks landmarks;
   Binding margin_binding, notch_binding, cava_binding;
   std::vector<std::unique_ptr<Shape>> markers;
@@ -119,7 +121,7 @@ struct PatientScene::Impl {
   std::array<std::unique_ptr<Slice>, 3> slices;
   std::map<Label, bool> visible;
   std::map<Label, double> opacity{{structure::kParenchyma, 0.35}};
-  bool mesh_visible = false, slices_visible = true;
+  bool mesh_visible = false, slices_visible = true, skeleton_visible = false;
   ClosestPointTree skin;
 
   void remove(std::unique_ptr<Shape>& shape) {
@@ -149,6 +151,32 @@ struct PatientScene::Impl {
     add(*shape);
     structures[surface.structure] = std::move(shape);
     apply_look(surface.structure);
+  }
+
+  void draw_skeleton() {
+    for (auto& shape : skeletons) remove(shape);
+    skeletons.clear();
+    remove(roots);
+    if (!skeleton_visible || !model || model->vessels.empty()) return;
+    Points entrances(0, 3);
+    for (const VesselTree& tree : model->vessels) {
+      VesselTree thin = tree;
+      thin.radii.assign(tree.radii.size(), kSkeletonRadius);
+      auto shape = make_shape(make_poly_data(tube_mesh(thin, 6)));
+      // Lighter than the vessel around it, whose colour it keeps.
+      const auto colour = structure_colour(tree.structure);
+      shape->actor->GetProperty()->SetColor(0.5 + 0.5 * colour[0], 0.5 + 0.5 * colour[1],
+                                            0.5 + 0.5 * colour[2]);
+      shape->actor->GetProperty()->LightingOff();
+      add(*shape);
+      skeletons.push_back(std::move(shape));
+      if (tree.root < 0) continue;
+      entrances.conservativeResize(entrances.rows() + 1, 3);
+      entrances.bottomRows(1) = tree.nodes.row(tree.root);
+    }
+    roots = make_shape(balls(entrances, 3e-3));
+    roots->actor->GetProperty()->SetColor(1.0, 1.0, 1.0);
+    add(*roots);
   }
 
   void draw_landmarks() {
@@ -214,6 +242,7 @@ void PatientScene::set_model(std::shared_ptr<const DrawableModel> drawable) {
   impl_->drawable = std::move(drawable);
   impl_->model = impl_->drawable ? impl_->drawable->model : nullptr;
   impl_->skin = {};
+  impl_->draw_skeleton();
   if (!impl_->model) {
     set_landmarks({});
     return;
@@ -250,6 +279,24 @@ void PatientScene::set_pull(const std::optional<Pull>& pull) {
   impl_->pull->actor->GetProperty()->SetColor(1.0, 0.85, 0.2);
   impl_->pull->actor->GetProperty()->LightingOff();
   impl_->add(*impl_->pull);
+}
+
+void PatientScene::set_skeleton_visible(bool visible) {
+  if (impl_->skeleton_visible == visible) return;
+  impl_->skeleton_visible = visible;
+  impl_->draw_skeleton();
+}
+
+void PatientScene::set_highlight(const TriangleMesh& surface) {
+  impl_->remove(impl_->highlight);
+  if (surface.triangle_count() == 0) return;
+  impl_->highlight = make_shape(make_poly_data(surface));
+  vtkProperty& look = *impl_->highlight->actor->GetProperty();
+  look.SetColor(1.0, 0.35, 0.1);
+  look.LightingOff();
+  look.SetEdgeVisibility(1);
+  look.SetEdgeColor(0.3, 0.05, 0.0);
+  impl_->add(*impl_->highlight);
 }
 
 void PatientScene::Impl::put(const Points& moved, bool loaded) {

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "glisson/ui/common/figures_table.h"
 #include "glisson/ui/common/linked_views.h"
 #include "glisson/ui/common/panel.h"
 #include "glisson/ui/common/task_button.h"
 #include "glisson/ui/model/load_trial_box.h"
+#include "glisson/ui/model/quality_sheet.h"
+#include "glisson/ui/model/tree_editor.h"
 
 class QCheckBox;
-class QLabel;
-class QSlider;
+class QComboBox;
+class QDoubleSpinBox;
 class QSpinBox;
 class QVBoxLayout;
 
@@ -23,19 +24,24 @@ class ModelPanel : public Panel {
   void deactivate() override;
 
  private:
+  void build_options();
+  void build_trees();
   void build_trial();
   void build_look();
   void show_case();
   void show_structures();
-  void import_surfaces();
+  void import_surfaces(const QString& path);
   engine::BuildModel command() const;
 
   LinkedViews& views_;
+  QComboBox* size_by_ = nullptr;
   QSpinBox* vertices_ = nullptr;
-  QCheckBox* vessels_ = nullptr;
+  QDoubleSpinBox* edge_ = nullptr;
+  QCheckBox *vessels_ = nullptr, *fine_lesions_ = nullptr, *fine_vessels_ = nullptr;
   TaskButton* run_ = nullptr;
-  FiguresTable* quality_ = nullptr;
-  QLabel* notes_ = nullptr;
+  QualitySheet* quality_ = nullptr;
+  QWidget* trees_section_ = nullptr;
+  TreeEditor* trees_ = nullptr;
   QWidget* trial_section_ = nullptr;
   LoadTrialBox* trial_ = nullptr;
   QWidget* look_ = nullptr;

@@ -72,6 +72,11 @@ class PatientScene {
   void set_opacity(Label structure, double opacity);
   void set_mesh_visible(bool visible);
   void set_slices_visible(bool visible);
+  /// The model's vessel trees as lines along their beams, a ball at each entrance; at rest.
+  void set_skeleton_visible(bool visible);
+  /// A surface that is to be seen through everything translucent, in a warning colour; empty: none. Scene's
+  /// frame, metres.
+  void set_highlight(const TriangleMesh& surface);
 
   /// Whole scene in view. `camera` looks along +z with y down (the laparoscope's own view).
   void look_from(ViewFrom from);

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The model panel by mouse: what it says of a model, the check, and the editing of vessel trees in 3D.
+#include <QAbstractButton>
+#include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QtTest>
+
+#include <vtkActorCollection.h>
+#include <vtkRenderer.h>
+
+#include "fake_operation.h"
+#include "glisson/ui/model/quality_sheet.h"
+#include "glisson/ui/model/tree_editor.h"
+#include "glisson/ui/shell/main_window.h"
+#include "glisson/ui/shell/run_window.h"
+
+namespace glisson {
+
+using Kind = model::TreeEdit::Kind;
+using ui::MainWindow;
+
+class ModelPanelTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void init();
+  void cleanup();
+  void TheSheetSaysWhatStandsOut();
+  void TheCheckIsKeptUntilAnotherModel();
+  void FlattestElementsAreShownAndPutAway();
+  void SizeIsGivenByVerticesOrEdges();
+  void AnEntranceIsMovedByAClickAndUndone();
+  void APrunedTreeComesBackAndGoesAgain();
+  void AnImpossibleJoinSaysWhy();
+  void EscapeAndAnotherPanelPutTheToolAway();
+  void AClickBesideTheVesselsTurnsTheCamera();
+
+ private:
+  bool settle() {
+    return QTest::qWaitFor([this] { return window_->engine().tasks().empty(); }, 20000);
+  }
+  const engine::CaseState& state() { return window_->engine().state(); }
+  const std::vector<VesselTree>& trees() { return state().model->model.vessels; }
+  ui::RenderView& view() { return window_->views().volume(); }
+  ui::TreeEditor& editor() { return *window_->findChild<ui::TreeEditor*>(); }
+  ui::QualitySheet& sheet() { return *window_->findChild<ui::QualitySheet*>(); }
+  QString text(const char* label) { return window_->findChild<QLabel*>(QString::fromLatin1(label))->text(); }
+  int actors() { return view().patient().renderer().GetActors()->GetNumberOfItems(); }
+  void press(QAbstractButton* button) {
+    QVERIFY(button->isEnabled());
+    button->click();
+    QVERIFY(settle());
+  }
+  void click_on(const Eigen::Vector3d& p) {
+    const auto at = view().patient().view_point(p, view().aspect());
+    QVERIFY(at.has_value());
+    const QPoint place(static_cast<int>(at->x() * view().width()),
+                       static_cast<int>(at->y() * view().height()));
+    QTest::mouseClick(&view(), Qt::LeftButton, {}, place);
+    QVERIFY(settle());
+  }
+  Eigen::Vector3d entrance(std::size_t tree) {
+    return trees().at(tree).nodes.row(trees().at(tree).root).transpose();
+  }
+  Eigen::Vector3d last_node(std::size_t tree) {
+    return operation_->model.vessels[tree].nodes.bottomRows(1).transpose();
+  }
+
+  std::unique_ptr<FakeOperation> operation_;
+  std::unique_ptr<MainWindow> window_;
+};
+
+void ModelPanelTest::init() {
+  operation_ = std::make_unique<FakeOperation>();
+  make_box_operation(*operation_);
+  operation_->model.vessels[1].nodes.col(2).array() += 0.018;  // not behind the other, seen from the front
+  engine::Engine::Options options = operation_->options();
+  options.apply = [fake = options.apply](const engine::CaseState& now, const engine::Command& command,
+                                         const RunContext& context) {
+    const bool real = std::holds_alternative<engine::EditTrees>(command) ||
+                      std::holds_alternative<engine::CheckModel>(command);
+    return real ? engine::apply(now, command, context) : fake(now, command, context);
+  };
+  window_ = std::make_unique<MainWindow>(std::move(options));
+  window_->resize(1280, 800);
+  window_->show();
+  QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+  window_->engine().post(engine::ImportImage{"ct.nii"});
+  window_->engine().post(engine::SetSeeds{});
+  window_->engine().post(engine::Segment{});
+  window_->engine().post(engine::BuildModel{});
+  QVERIFY(settle());
+  window_->show_step(MainWindow::model);
+  QTRY_VERIFY(window_->views().surface_point(0.5, 0.5).has_value());
+}
+
+void ModelPanelTest::cleanup() {
+  window_.reset();
+  operation_.reset();
+}
+
+void ModelPanelTest::TheSheetSaysWhatStandsOut() {
+  // The block's lesion has no elements of its own; everything else is as it should be.
+  QVERIFY(text("model_summary").contains(QStringLiteral("Lesions without elements of their own: 1")));
+  QVERIFY(!text("model_summary").contains(QStringLiteral("Flat elements")));
+  QStringList shown;
+  for (const QLabel* label : sheet().findChildren<QLabel*>()) shown << label->text();
+  QVERIFY(shown.contains(QStringLiteral("14.2° to 151.0°")));
+  QVERIFY(shown.contains(QStringLiteral("-1.1 %")));
+  QVERIFY(shown.contains(QStringLiteral("480 ml")));  // 12 x 8 x 5 cm
+  QCOMPARE(shown.filter(QStringLiteral("tips: 1, beams: 4")).size(), 2);
+}
+
+void ModelPanelTest::TheCheckIsKeptUntilAnotherModel() {
+  QVERIFY(!sheet().checked_box()->isChecked());
+  press(sheet().checked_box());
+  QVERIFY(engine::is_model_checked(state()));
+  QVERIFY(sheet().checked_box()->isChecked());
+  press(sheet().checked_box());
+  QVERIFY(!engine::is_model_checked(state()));
+  press(sheet().checked_box());
+  window_->engine().post(engine::BuildModel{});
+  QVERIFY(settle());
+  QTRY_VERIFY(!sheet().checked_box()->isChecked());
+  QVERIFY(!engine::is_model_checked(state()));
+}
+
+void ModelPanelTest::FlattestElementsAreShownAndPutAway() {
+  const int before = actors();
+  sheet().worst_box()->click();
+  QCOMPARE(actors(), before + 1);
+  sheet().worst_box()->click();
+  QCOMPARE(actors(), before);
+  sheet().worst_box()->click();
+  window_->show_step(MainWindow::atlas);
+  QVERIFY(!sheet().worst_box()->isChecked());
+}
+
+void ModelPanelTest::SizeIsGivenByVerticesOrEdges() {
+  auto* by = window_->findChild<QComboBox*>(QStringLiteral("mesh_size_by"));
+  QVERIFY(by != nullptr);
+  auto* edge = by->parentWidget()->findChild<QDoubleSpinBox*>();
+  QVERIFY(!edge->isVisible());
+  by->setCurrentIndex(1);
+  QVERIFY(edge->isVisible());
+}
+
+void ModelPanelTest::AnEntranceIsMovedByAClickAndUndone() {
+  const Eigen::Vector3d before = entrance(0), wanted = last_node(0);
+  const int drawn = actors();
+  press(editor().tool_button(Kind::set_root));
+  QVERIFY(actors() > drawn);  // centrelines and entrances
+  QVERIFY(text("tree_message").contains(QStringLiteral("Click the place")));
+  click_on(wanted);
+  QVERIFY((entrance(0) - wanted).norm() < 1e-9);
+  QTRY_VERIFY(editor().undo_button()->isEnabled());
+  press(editor().undo_button());
+  QVERIFY((entrance(0) - before).norm() < 1e-9);
+  QVERIFY(!editor().undo_button()->isEnabled());
+}
+
+void ModelPanelTest::APrunedTreeComesBackAndGoesAgain() {
+  press(editor().tool_button(Kind::prune));
+  click_on(operation_->model.vessels[0].nodes.row(2).transpose());
+  QCOMPARE(trees().size(), std::size_t{1});  // its trunk was all that it had
+  QTRY_VERIFY(editor().undo_button()->isEnabled());
+  press(editor().undo_button());
+  QCOMPARE(trees().size(), std::size_t{2});
+  QTRY_VERIFY(editor().redo_button()->isEnabled());
+  press(editor().redo_button());
+  QCOMPARE(trees().size(), std::size_t{1});
+  // A new model has nothing to undo or redo.
+  press(editor().undo_button());
+  window_->engine().post(engine::BuildModel{});
+  QVERIFY(settle());
+  QTRY_VERIFY(!editor().undo_button()->isEnabled() && !editor().redo_button()->isEnabled());
+}
+
+void ModelPanelTest::AnImpossibleJoinSaysWhy() {
+  press(editor().tool_button(Kind::join));
+  click_on(last_node(0));
+  QVERIFY(text("tree_message").contains(QStringLiteral("other tree")));
+  click_on(last_node(1));
+  QTRY_VERIFY(text("tree_message").contains(QStringLiteral("hepatic_veins")));
+  QCOMPARE(trees().size(), std::size_t{2});
+  QVERIFY(!editor().undo_button()->isEnabled());
+}
+
+void ModelPanelTest::EscapeAndAnotherPanelPutTheToolAway() {
+  const int drawn = actors();
+  press(editor().tool_button(Kind::prune));
+  QVERIFY(editor().is_on());
+  QApplication::setActiveWindow(window_.get());
+  QTest::keyClick(window_.get(), Qt::Key_Escape);
+  QVERIFY(!editor().is_on() && !editor().tool_button(Kind::prune)->isChecked());
+  QCOMPARE(actors(), drawn);
+  press(editor().tool_button(Kind::join));
+  window_->show_step(MainWindow::atlas);
+  QVERIFY(!editor().is_on());
+}
+
+void ModelPanelTest::AClickBesideTheVesselsTurnsTheCamera() {
+  press(editor().tool_button(Kind::prune));
+  QTest::mouseClick(&view(), Qt::LeftButton, {}, QPoint(view().width() / 2, 12));
+  QVERIFY(settle());
+  QCOMPARE(trees().size(), std::size_t{2});
+}
+
+}  // namespace glisson
+
+int main(int argc, char** argv) {
+  glisson::ui::prepare_application();
+  QApplication application(argc, argv);
+  glisson::ui::dress_application(application);
+  glisson::ModelPanelTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+#include "model_panel_test.moc"

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "glisson/ui/common/engine_bridge.h"
+#include "glisson/ui/common/figures_table.h"
+#include "glisson/ui/common/linked_views.h"
+#include "glisson/ui/model/angle_histogram.h"
+
+class QCheckBox;
+class QLabel;
+
+namespace glisson::ui {
+
+/// What a person reads before trusting a model: what stands out, the figures, the angles; the worst elements
+/// in three dimensions; and the person's word that it is right.
+class QualitySheet : public QWidget {
+  Q_OBJECT
+ public:
+  QualitySheet(EngineBridge& engine, LinkedViews& views, QWidget* parent = nullptr);
+
+  /// Ends the view of the worst elements.
+  void leave();
+  QCheckBox* checked_box() const { return checked_; }
+  QCheckBox* worst_box() const { return worst_; }
+
+ private:
+  void show_case();
+  void show_worst();
+  /// What is worth a look, a line each.
+  QStringList findings() const;
+  std::vector<std::pair<QString, QString>> rows() const;
+
+  EngineBridge& engine_;
+  LinkedViews& views_;
+  QLabel* summary_;
+  FiguresTable* figures_;
+  AngleHistogram* angles_;
+  QCheckBox* worst_;
+  QLabel* notes_;
+  QCheckBox* checked_;
+  std::shared_ptr<const model::BuiltModel> shown_;
+};
+
+}  // namespace glisson::ui

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <optional>
+#include <vector>
+
+#include "glisson/model/tree_edits.h"
+#include "glisson/ui/common/engine_bridge.h"
+#include "glisson/ui/common/linked_views.h"
+
+class QAbstractButton;
+class QButtonGroup;
+class QLabel;
+class QPushButton;
+class QShortcut;
+
+namespace glisson::ui {
+
+/// Entrances are moved, branches pruned and trees joined by clicks on the centrelines in the 3D view. Every
+/// click is one edit that can be undone.
+class TreeEditor : public QWidget {
+  Q_OBJECT
+ public:
+  TreeEditor(EngineBridge& engine, LinkedViews& views, QWidget* parent = nullptr);
+
+  bool is_on() const { return tool_.has_value(); }
+  /// Puts the tool away; the 3D view shows the vessels as before.
+  void leave();
+  QAbstractButton* tool_button(model::TreeEdit::Kind kind) const;
+  QPushButton* undo_button() const { return undo_; }
+  QPushButton* redo_button() const { return redo_; }
+
+ signals:
+  /// A tool was taken up.
+  void began();
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void choose(std::optional<model::TreeEdit::Kind> tool);
+  void show_case();
+  void show_message(const QString& sentence, bool is_problem = false);
+  void take(const engine::Outcome& outcome);
+  /// The tree's node under a place in the view, CT frame; empty: none is near.
+  std::optional<Eigen::Vector3d> node_at(const QPointF& at) const;
+  void click(const Eigen::Vector3d& node);
+  void post(std::vector<model::TreeEdit> edits);
+  QString instruction() const;
+
+  EngineBridge& engine_;
+  LinkedViews& views_;
+  QButtonGroup* tools_;
+  QPushButton *undo_, *redo_;
+  QLabel* message_;
+  QShortcut* escape_;
+  std::optional<model::TreeEdit::Kind> tool_;
+  std::optional<Eigen::Vector3d> first_;  ///< of a join
+  std::vector<model::TreeEdit> undone_;   ///< the next to redo last
+  std::optional<engine::CommandId> posted_;
+  std::optional<std::vector<model::TreeEdit>> expected_;  ///< of the model that the post will make
+  std::shared_ptr<const model::BuiltModel> shown_;
+};
+
+}  // namespace glisson::ui

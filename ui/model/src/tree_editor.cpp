@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/ui/model/tree_editor.h"
+
+#include <QButtonGroup>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMouseEvent>
+#include <QPushButton>
+#include <QShortcut>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "glisson/ui/common/panel.h"
+#include "glisson/ui/common/texts.h"
+
+namespace glisson::ui {
+namespace {
+
+using Kind = model::TreeEdit::Kind;
+
+constexpr double kReachPx = 14.0;  // from the pointer to a centreline's node
+constexpr double kSeeThrough = 0.3;
+
+}  // namespace
+
+TreeEditor::TreeEditor(EngineBridge& engine, LinkedViews& views, QWidget* parent)
+    : QWidget(parent), engine_(engine), views_(views), tools_(new QButtonGroup(this)) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(5);
+  auto* row = new QHBoxLayout;
+  const auto add_tool = [&](Kind kind, const QString& text, const QString& tip, const char* name) {
+    auto* button = new QPushButton(text, this);
+    button->setObjectName(QString::fromLatin1(name));
+    button->setCheckable(true);
+    button->setToolTip(tip);
+    tools_->addButton(button, static_cast<int>(kind));
+    row->addWidget(button);
+    connect(button, &QPushButton::clicked, this,
+            [this, kind](bool on) { choose(on ? std::optional(kind) : std::nullopt); });
+  };
+  tools_->setExclusive(false);  // pressed again, a tool is put away
+  add_tool(Kind::set_root, tr("Entrance"), tr("Where blood enters or leaves the tree; it is held there."),
+           "tree_root");
+  add_tool(Kind::prune, tr("Prune"), tr("Cuts off a branch with all that hangs on it."), "tree_prune");
+  add_tool(Kind::join, tr("Join"), tr("Hangs one tree on another of its kind."), "tree_join");
+  layout->addLayout(row);
+  auto* steps = new QHBoxLayout;
+  undo_ = new QPushButton(tr("Undo"), this);
+  undo_->setObjectName(QStringLiteral("tree_undo"));
+  redo_ = new QPushButton(tr("Redo"), this);
+  redo_->setObjectName(QStringLiteral("tree_redo"));
+  steps->addWidget(undo_);
+  steps->addWidget(redo_);
+  steps->addStretch(1);
+  layout->addLayout(steps);
+  message_ = make_explanation({}, this);
+  message_->setObjectName(QStringLiteral("tree_message"));
+  layout->addWidget(message_);
+  escape_ = new QShortcut(Qt::Key_Escape, this);
+  escape_->setEnabled(false);
+  connect(escape_, &QShortcut::activated, this, &TreeEditor::leave);
+  connect(undo_, &QPushButton::clicked, this, [this] {
+    if (!shown_ || shown_->tree_edits.empty()) return;
+    std::vector<model::TreeEdit> edits = shown_->tree_edits;
+    undone_.push_back(edits.back());
+    edits.pop_back();
+    post(std::move(edits));
+  });
+  connect(redo_, &QPushButton::clicked, this, [this] {
+    if (!shown_ || undone_.empty()) return;
+    std::vector<model::TreeEdit> edits = shown_->tree_edits;
+    edits.push_back(undone_.back());
+    undone_.pop_back();
+    post(std::move(edits));
+  });
+  connect(&engine_, &EngineBridge::case_changed, this, &TreeEditor::show_case);
+  connect(&engine_, &EngineBridge::finished, this, &TreeEditor::take);
+  show_case();
+}
+
+QAbstractButton* TreeEditor::tool_button(Kind kind) const { return tools_->button(static_cast<int>(kind)); }
+
+void TreeEditor::leave() { choose(std::nullopt); }
+
+void TreeEditor::choose(std::optional<Kind> tool) {
+  const bool was_on = is_on();
+  tool_ = tool;
+  first_.reset();
+  for (QAbstractButton* button : tools_->buttons())
+    button->setChecked(tool && tools_->id(button) == static_cast<int>(*tool));
+  escape_->setEnabled(is_on());
+  scene::PatientScene& scene = views_.volume().patient();
+  scene.set_pull(std::nullopt);
+  if (was_on != is_on()) {
+    // The centrelines lie inside the vessels: those are seen through meanwhile.
+    scene.set_skeleton_visible(is_on());
+    for (const Label vessel : {structure::kPortalVein, structure::kHepaticVeins, structure::kArtery})
+      scene.set_opacity(vessel, is_on() ? kSeeThrough : 1.0);
+    is_on() ? views_.volume().installEventFilter(this) : views_.volume().removeEventFilter(this);
+    is_on() ? views_.volume().setCursor(Qt::PointingHandCursor) : views_.volume().unsetCursor();
+  }
+  views_.volume().update();
+  show_message(instruction());
+  if (is_on() && !was_on) emit began();
+}
+
+QString TreeEditor::instruction() const {
+  if (!tool_) return {};
+  switch (*tool_) {
+    case Kind::set_root:
+      return tr(
+          "Click the place on a centreline where its tree is to enter. White balls are the entrances "
+          "now. Esc ends.");
+    case Kind::prune:
+      return tr("Click the branch that is to go, on its centreline. Esc ends.");
+    case Kind::join:
+      break;
+  }
+  return first_ ? tr("Now click the other tree, where it is to hang on.")
+                : tr("Click the tree that stays, then the one that is to hang on it. Esc ends.");
+}
+
+void TreeEditor::show_case() {
+  const auto now = engine_.state().model;
+  if (now != shown_) {
+    // What was undone belongs to the trees as this editor left them.
+    if (!now || !expected_ || now->tree_edits != *expected_) undone_.clear();
+    expected_.reset();
+  }
+  shown_ = now;
+  if (is_on() && (!shown_ || shown_->model.vessels.empty())) leave();
+  setEnabled(shown_ && !(shown_->model.vessels.empty() && shown_->tree_edits.empty()));
+  for (QAbstractButton* button : tools_->buttons())
+    button->setEnabled(shown_ && !shown_->model.vessels.empty());
+  undo_->setEnabled(shown_ && !shown_->tree_edits.empty());
+  redo_->setEnabled(shown_ && !undone_.empty());
+}
+
+void TreeEditor::show_message(const QString& sentence, bool is_problem) {
+  message_->setText(sentence);
+  message_->setVisible(!sentence.isEmpty());
+  set_style_property(message_, "role", is_problem ? QStringLiteral("error") : QStringLiteral("explanation"));
+}
+
+void TreeEditor::take(const engine::Outcome& outcome) {
+  if (!posted_ || outcome.id != *posted_) return;
+  posted_.reset();
+  if (outcome.status == engine::Status::done) {
+    show_message(instruction());
+  } else {
+    expected_.reset();
+    show_message(QString::fromStdString(outcome.error), true);
+  }
+  show_case();
+}
+
+std::optional<Eigen::Vector3d> TreeEditor::node_at(const QPointF& at) const {
+  const RenderView& view = views_.volume();
+  std::optional<Eigen::Vector3d> best;
+  double least = kReachPx;
+  for (const VesselTree& tree : shown_->model.vessels)
+    for (Eigen::Index i = 0; i < tree.nodes.rows(); ++i) {
+      const Eigen::Vector3d node = tree.nodes.row(i).transpose();
+      const auto place = views_.volume().patient().view_point(node, view.aspect());
+      if (!place) continue;
+      const double far = std::hypot(place->x() * view.width() - at.x(), place->y() * view.height() - at.y());
+      if (far >= least) continue;
+      least = far;
+      best = node;
+    }
+  return best;
+}
+
+bool TreeEditor::eventFilter(QObject* watched, QEvent* event) {
+  const auto* mouse = dynamic_cast<QMouseEvent*>(event);
+  if (watched != &views_.volume() || mouse == nullptr || !tool_ || !shown_)
+    return QWidget::eventFilter(watched, event);
+  if (event->type() != QEvent::MouseButtonPress || mouse->button() != Qt::LeftButton) return false;
+  const auto node = node_at(mouse->position());
+  if (!node) return false;  // the camera turns
+  if (!posted_) click(*node);
+  return true;
+}
+
+void TreeEditor::click(const Eigen::Vector3d& node) {
+  model::TreeEdit edit{*tool_, node};
+  if (*tool_ == Kind::join) {
+    if (!first_) {
+      first_ = node;
+      views_.volume().patient().set_pull(scene::PatientScene::Pull{node, node});
+      views_.volume().update();
+      show_message(instruction());
+      return;
+    }
+    edit.at = *first_;
+    edit.to = node;
+    first_.reset();
+    views_.volume().patient().set_pull(std::nullopt);
+  }
+  undone_.clear();
+  std::vector<model::TreeEdit> edits = shown_->tree_edits;
+  edits.push_back(edit);
+  post(std::move(edits));
+}
+
+void TreeEditor::post(std::vector<model::TreeEdit> edits) {
+  expected_ = edits;
+  posted_ = engine_.post(engine::EditTrees{std::move(edits)});
+  undo_->setEnabled(false);
+  redo_->setEnabled(false);
+}
+
+}  // namespace glisson::ui
