@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "features.h"
+#include "feature_detector.h"
 #include "rectification.h"
 
 namespace glisson::stereo {

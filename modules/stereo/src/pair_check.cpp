@@ -4,7 +4,7 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "features.h"
+#include "feature_detector.h"
 #include "glisson/core/error.h"
 #include "glisson/stereo/faults.h"
 #include "highlights.h"

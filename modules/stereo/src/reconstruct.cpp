@@ -8,7 +8,7 @@
 #include <string>
 
 #include "dense.h"
-#include "features.h"
+#include "feature_detector.h"
 #include "glisson/core/error.h"
 #include "glisson/stereo/source.h"
 #include "highlights.h"

@@ -2,7 +2,7 @@
 #include <dlib/image_keypoint/surf.h>
 #include <dlib/opencv/cv_image.h>
 
-#include "features.h"
+#include "feature_detector.h"
 
 namespace glisson::stereo {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "features.h"
+#include "feature_detector.h"
 
 #include <algorithm>
 #include <cmath>
