@@ -6,6 +6,8 @@
 #include "glisson/core/files.h"
 #include "glisson/insilico/operator.h"
 #include "glisson/insilico/patient.h"
+#include "glisson/segmentation/bridges.h"
+#include "glisson/segmentation/connections.h"
 #include "glisson/segmentation/segment.h"
 #include "glisson/volume/morphology.h"
 
@@ -225,6 +227,22 @@ void PatientsTest::RealPatientIsFoundFromClicks() {
   qInfo("vessels together %.3f, lesions together %.3f",
         dice(within(is(found, {structure::kPortalVein, structure::kHepaticVeins})), is(truth, {465, 481})),
         dice(where(found, is_lesion), is(truth, {451})));
+  const LabelMap expert = recode(
+      {LabelVolume(image.grid, truth), {}},
+      read_label_codes(fs::path(std::getenv("GLISSON_SOURCE_DIR")) / "tests/data/3dircadb1_codes.json"),
+      "expert");
+  for (const Label tree : {structure::kPortalVein, structure::kHepaticVeins}) {
+    const Connections reached = count_connections(expert, result.labels, tree, liver),
+                      claimed = count_connections(result.labels, expert, tree, liver);
+    qInfo("%s: %d of the expert's %d ways from root to tip found; %d of the %d found are the expert's",
+          structure_name(tree).c_str(), reached.found, reached.ways, claimed.found, claimed.ways);
+    QVERIFY(4 * reached.found >= reached.ways);  // guards against falling back
+  }
+  for (const Bridge& bridge : find_bridges(result.labels))
+    if (bridge.contact_mm2 > 2.0) qInfo("bridge of %.1f mm2", bridge.contact_mm2);
+  for (const Joint& joint : find_joined(result.labels))
+    qInfo("%s hangs by %.1f mm2: %.2f ml beyond", structure_name(joint.tree).c_str(), joint.neck_mm2,
+          joint.beyond_ml);
   QVERIFY(figures.liver > 0.95);
   QVERIFY(figures.portal > 0.55 && figures.hepatic > 0.5);
 }

@@ -47,32 +47,6 @@ Contact contact_of(const VolumeGrid& grid, const VoxelBox& box, const Mask& port
   return contact;
 }
 
-/// Patches joined through 26 neighbours, as lists of voxels.
-std::vector<std::vector<std::size_t>> patches_of(const Mask& mask) {
-  std::vector<std::vector<std::size_t>> patches;
-  Mask left = mask;
-  const int nx = mask.size.x(), ny = mask.size.y();
-  for (std::size_t seed = 0; seed < left.voxels.size(); ++seed) {
-    if (left.voxels[seed] == 0) continue;
-    std::vector<std::size_t> patch{seed};
-    left.voxels[seed] = 0;
-    for (std::size_t n = 0; n < patch.size(); ++n) {
-      const int at = static_cast<int>(patch[n]);
-      const int i = at % nx, j = at / nx % ny, k = at / (nx * ny);
-      for (int c = std::max(0, k - 1); c <= std::min(mask.size.z() - 1, k + 1); ++c)
-        for (int b = std::max(0, j - 1); b <= std::min(ny - 1, j + 1); ++b)
-          for (int a = std::max(0, i - 1); a <= std::min(nx - 1, i + 1); ++a) {
-            const std::size_t other = mask.offset(a, b, c);
-            if (left.voxels[other] == 0) continue;
-            left.voxels[other] = 0;
-            patch.push_back(other);
-          }
-    }
-    patches.push_back(std::move(patch));
-  }
-  return patches;
-}
-
 Bridge bridge_of(const VolumeGrid& grid, const VoxelBox& box, const Contact& contact,
                  const std::vector<std::size_t>& patch) {
   const auto place = [&](std::size_t at) {
@@ -192,20 +166,9 @@ std::vector<Joint> find_joined(const LabelMap& labels, double least_ml) {
   const VolumeGrid& grid = labels.voxels.grid();
   std::vector<Joint> joints;
   for (const Label tree : {structure::kPortalVein, structure::kHepaticVeins}) {
-    std::vector<std::uint8_t> left = mask_of(labels.voxels, tree);
-    // Piece by piece; small ones cannot hold a part of least_ml.
-    while (true) {
-      const Shells shells = shells_of(grid, left, std::nullopt);
-      double volume = 0.0;
-      for (const auto& piece : shells.pieces) volume += 1e-3 * piece.volume_mm3;
-      if (volume < least_ml) break;
+    // A part cannot hang on what is smaller than itself.
+    for (const Shells& shells : shells_of_each(grid, mask_of(labels.voxels, tree), 1e3 * least_ml))
       add_joints(grid, shells, tree, least_ml, joints);
-      std::size_t at = 0;
-      for (int k = shells.box.low.z(); k < shells.box.high.z(); ++k)
-        for (int j = shells.box.low.y(); j < shells.box.high.y(); ++j)
-          for (int i = shells.box.low.x(); i < shells.box.high.x(); ++i, ++at)
-            if (shells.piece[at] >= 0) left[static_cast<std::size_t>(grid.offset({i, j, k}))] = 0;
-    }
   }
   std::stable_sort(joints.begin(), joints.end(),
                    [](const Joint& x, const Joint& y) { return x.beyond_ml > y.beyond_ml; });

@@ -2,6 +2,7 @@
 #include "glisson/segmentation/evaluate.h"
 
 #include "glisson/core/error.h"
+#include "glisson/segmentation/connections.h"
 #include "glisson/segmentation/segment.h"
 
 namespace glisson::segmentation {
@@ -46,8 +47,15 @@ Figures compare_labels(const LabelMap& labels, const LabelMap& truth) {
     const auto is_it = [label](Label other) { return other == label; };
     const Voxels mask = labels.voxels.mask(is_it), of_truth = truth.voxels.mask(is_it);
     add(structure_name(label), mask, of_truth);
-    if (label == structure::kPortalVein || label == structure::kHepaticVeins)
+    if (label == structure::kPortalVein || label == structure::kHepaticVeins) {
       add(structure_name(label) + "_inside", both(mask, true_liver), both(of_truth, true_liver));
+      const Connections reached = count_connections(truth, labels, label, true_liver),
+                        claimed = count_connections(labels, truth, label, true_liver);
+      figures["tips_" + structure_name(label) + "_truth"] = reached.ways;
+      figures["tips_" + structure_name(label) + "_truth_found"] = reached.found;
+      figures["tips_" + structure_name(label)] = claimed.ways;
+      figures["tips_" + structure_name(label) + "_true"] = claimed.found;
+    }
   }
   const Voxels true_lesions = truth.voxels.mask(is_lesion);
   if (volume_ml(true_lesions, voxel_mm3) > 0.0) add("lesions", labels.voxels.mask(is_lesion), true_lesions);

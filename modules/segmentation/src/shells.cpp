@@ -152,6 +152,31 @@ std::optional<Eigen::Vector3i> nearest_set(const VolumeGrid& grid, const std::ve
   return nearest;
 }
 
+std::vector<std::vector<std::size_t>> patches_of(const Mask& mask) {
+  std::vector<std::vector<std::size_t>> patches;
+  Mask left = mask;
+  const int nx = mask.size.x(), ny = mask.size.y();
+  for (std::size_t seed = 0; seed < left.voxels.size(); ++seed) {
+    if (left.voxels[seed] == 0) continue;
+    std::vector<std::size_t> patch{seed};
+    left.voxels[seed] = 0;
+    for (std::size_t n = 0; n < patch.size(); ++n) {
+      const int at = static_cast<int>(patch[n]);
+      const int i = at % nx, j = at / nx % ny, k = at / (nx * ny);
+      for (int c = std::max(0, k - 1); c <= std::min(mask.size.z() - 1, k + 1); ++c)
+        for (int b = std::max(0, j - 1); b <= std::min(ny - 1, j + 1); ++b)
+          for (int a = std::max(0, i - 1); a <= std::min(nx - 1, i + 1); ++a) {
+            const std::size_t other = mask.offset(a, b, c);
+            if (left.voxels[other] == 0) continue;
+            left.voxels[other] = 0;
+            patch.push_back(other);
+          }
+    }
+    patches.push_back(std::move(patch));
+  }
+  return patches;
+}
+
 Shells shells_of(const VolumeGrid& grid, const std::vector<std::uint8_t>& tree,
                  const std::optional<Eigen::Vector3d>& root) {
   Shells shells;
@@ -197,6 +222,27 @@ Shells shells_of(const VolumeGrid& grid, const std::vector<std::uint8_t>& tree,
     height = std::max(height, piece.height + 1);
   }
   return shells;
+}
+
+std::vector<Shells> shells_of_each(const VolumeGrid& grid, const std::vector<std::uint8_t>& tree,
+                                   double least_mm3) {
+  std::vector<Shells> all;
+  const VoxelBox box = bounding_box(grid.size, grid.spacing_mm, tree, 0.0);
+  if (box.empty()) return all;
+  const Mask part = crop(grid.size, grid.spacing_mm, tree, box);
+  auto patches = patches_of(part);
+  std::stable_sort(patches.begin(), patches.end(),
+                   [](const auto& a, const auto& b) { return a.size() > b.size(); });
+  Mask one(part.size, part.spacing_mm);
+  std::vector<std::uint8_t> whole(tree.size(), 0);
+  for (const auto& patch : patches) {
+    if (static_cast<double>(patch.size()) * grid.voxel_volume_mm3() < least_mm3) break;
+    for (const std::size_t at : patch) one.voxels[at] = 1;
+    paste(one, box, grid.size, whole);
+    all.push_back(shells_of(grid, whole, std::nullopt));
+    for (const std::size_t at : patch) one.voxels[at] = 0;
+  }
+  return all;
 }
 
 }  // namespace glisson::segmentation

@@ -41,6 +41,14 @@ struct Shells {
 Shells shells_of(const VolumeGrid& grid, const std::vector<std::uint8_t>& tree,
                  const std::optional<Eigen::Vector3d>& root);
 
+/// Shells of every part of a tree that holds at least so much, each from its own thickest place; the largest
+/// first.
+std::vector<Shells> shells_of_each(const VolumeGrid& grid, const std::vector<std::uint8_t>& tree,
+                                   double least_mm3);
+
+/// Patches joined through 26 neighbours, as lists of voxels.
+std::vector<std::vector<std::size_t>> patches_of(const Mask& mask);
+
 /// The set voxel nearest to an index, within `reach_mm`.
 std::optional<Eigen::Vector3i> nearest_set(const VolumeGrid& grid, const std::vector<std::uint8_t>& mask,
                                            const Eigen::Vector3d& index, double reach_mm);

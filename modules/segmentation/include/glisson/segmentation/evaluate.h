@@ -23,7 +23,9 @@ Agreement agreement(const std::vector<std::uint8_t>& mask, const std::vector<std
 
 /// "dice_liver" (with everything in it), "dice_<structure>" of every structure that the truth has, "_ml" and
 /// "_truth_ml" beside each; vessels once everywhere and once inside the true liver
-/// ("dice_portal_vein_inside"); all lesions together ("dice_lesions").
+/// ("dice_portal_vein_inside"); all lesions together ("dice_lesions"). Ways from the trees' roots to their
+/// tips (see count_connections()): "tips_<tree>_truth", of them "..._truth_found"; "tips_<tree>", of them
+/// "..._true".
 /// @pre one grid.
 Figures compare_labels(const LabelMap& labels, const LabelMap& truth);
 
