@@ -23,8 +23,8 @@ using CommandId = std::uint64_t;
 /// What a command made of a state.
 struct Applied {
   CaseState state;
-  Figures figures;                  ///< flat, units in the names
-  std::vector<std::string> notes;   ///< codes with values, for people to be told
+  Figures figures;                       ///< flat, units in the names
+  std::vector<std::string> notes;        ///< codes with values, for people to be told
   std::vector<DicomSeries> series = {};  ///< of ListSeries
   /// The state brings its own stamps (a case that was opened).
   bool keeps_stamps = false;
