@@ -35,9 +35,9 @@ struct Structures {
 
 struct SegmentationOptions {
   /// Resolution of the liver's contour, 0.3 to 5 mm. Below 2 mm the level set runs at 2 mm first, and its
-  /// last rounds once more at this spacing, from where it came to rest. Memory then is about 60 bytes for
-  /// each working voxel of the region: 0.4 GB for (100 mm)^3 at 0.57 mm. @throws InputError in segment() for
-  /// a region of more than 80 million working voxels.
+  /// last rounds once more at this spacing, from where it came to rest. Memory then is an estimated 60 bytes
+  /// for each working voxel of the region: 0.4 GB for (100 mm)^3 at 0.57 mm. @throws InputError in segment()
+  /// for a region of more than 50 million working voxels.
   double working_spacing_mm = 2.0;
   /// CT frame, metres, along LPS; the whole image when not set. Only what lies in it is read and labelled;
   /// outside it the labels given to segment() stay. Seeds outside are left aside.
