@@ -88,6 +88,8 @@ void LinkedViews::connect_labels() {
   for (const auto signal : {&ViewState::volume_changed, &ViewState::labels_changed,
                             &ViewState::overlays_changed, &ViewState::shows_labels_changed})
     connect(&state_, signal, this, &LinkedViews::show_labels);
+  connect(&engine_, &EngineBridge::evolving_changed, this,
+          [this] { state_.set_evolving(engine_.snapshot()->evolving); });
   connect(&state_, &ViewState::style_changed, this, [this] {
     label_actors_->set_hidden(state_.style().hidden);
     volume_->update();
@@ -113,6 +115,7 @@ void LinkedViews::show_labels() {
 void LinkedViews::show_label_surfaces() {
   const bool first = label_actors_->actor_count() == 0;
   label_actors_->show(*label_surfaces_->surfaces());
+  if (labels_in_3d()) volume_->patient().set_landmarks({});  // those belong to the model
   if (first && label_actors_->actor_count() > 0) {
     slices_toggle_->setChecked(false);
     volume_->patient().look_from(scene::ViewFrom::anterior);

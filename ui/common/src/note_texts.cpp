@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QCoreApplication>
 #include <QHash>
+#include <QRegularExpression>
 #include <cmath>
 
 #include "glisson/ui/common/texts.h"
@@ -19,6 +20,10 @@ class Notes {
         {"liver.large", tr("The liver is larger than 4000 ml: check it in the slices.")},
         {"liver.piece_dropped", tr("A separate piece of the liver's surface was left out (%2 ml).")},
         {"liver.pieces_dropped", tr("Separate specks of liver were left out: %1 (%3 ml).")},
+        {"nothing_changed", tr("Nothing changed.")},
+        {"no_slices_between", tr("There is no empty slice between two that are drawn.")},
+        {"level_tracing.open", tr("The region reaches the slice's edge: click where it is enclosed.")},
+        {"islands_left", tr("No label was free for the smallest islands: %1 stayed as they were.")},
         {"portal_vein.not_found", tr("No portal vein was found at its seeds.")},
         {"hepatic_veins.not_found", tr("No hepatic vein was found at its seeds.")},
         {"vessels.pieces_dropped",
@@ -88,8 +93,8 @@ QString value_text(const QString& token) {
 }  // namespace
 
 QString note_text(std::string_view note) {
-  const QStringList tokens =
-      QString::fromUtf8(note.data(), static_cast<qsizetype>(note.size())).split(QLatin1Char(' '));
+  const QStringList tokens = QString::fromUtf8(note.data(), static_cast<qsizetype>(note.size()))
+                                 .split(QRegularExpression(QStringLiteral("[ :]")));
   const QString& code = tokens.front();
   const QString not_found = QStringLiteral(".not_found");
   const auto sentences = Notes::sentences();

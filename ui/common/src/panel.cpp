@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/common/panel.h"
 
+#include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
@@ -37,6 +38,15 @@ QLabel* make_explanation(const QString& text, QWidget* parent) {
   label->setProperty("role", "explanation");
   label->setWordWrap(true);
   return label;
+}
+
+QComboBox* make_narrow_combo(QWidget* parent) {
+  constexpr int kLetters = 12;
+  auto* box = new QComboBox(parent);
+  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  box->setMinimumContentsLength(kLetters);
+  box->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  return box;
 }
 
 Panel::Panel(EngineBridge& engine, const QString& title, const QString& purpose, QWidget* parent)

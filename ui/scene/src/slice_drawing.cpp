@@ -8,6 +8,8 @@
 namespace glisson::scene {
 namespace {
 
+constexpr QColor kPreviewEdge(255, 235, 120);  ///< as a lasso: no structure has it
+
 bool same_slice(const SliceGeometry& a, const SliceGeometry& b) {
   return a.plane == b.plane && a.width == b.width && a.height == b.height && a.origin == b.origin &&
          a.right == b.right && a.down == b.down;
@@ -110,8 +112,11 @@ QImage change_overlay(const LabelVolume& before, const LabelVolume& after, const
       const Label label = becomes(u, v);
       if (label == kSame) continue;
       if (image.isNull()) image = transparent(slice);
-      const QColor colour = label == structure::kBackground ? QColor(Qt::white) : colour_of(label);
-      const bool drawn = is_edge(slice, u, v, becomes) || (u + v) % kHatch == 0;
+      const bool edge = is_edge(slice, u, v, becomes);
+      const QColor colour = label == structure::kBackground ? QColor(Qt::white)
+                            : edge                          ? kPreviewEdge
+                                                            : colour_of(label);
+      const bool drawn = edge || (u + v) % kHatch == 0;
       const int alpha = drawn ? 255 : 50;
       auto* line = reinterpret_cast<QRgb*>(image.scanLine(v));
       line[u] = qPremultiply(qRgba(colour.red(), colour.green(), colour.blue(), alpha));

@@ -46,7 +46,8 @@ struct Between {
   Between(double index, int size) {
     // Half a voxel beyond the outermost centres still belongs to the volume.
     inside = index >= -0.5 && index <= size - 0.5;
-    const double x = std::clamp(index, 0.0, size - 1.0);
+    double x = std::clamp(index, 0.0, size - 1.0);
+    if (std::abs(x - std::round(x)) < 1e-6) x = std::round(x);  // on a voxel, but for rounding
     low = static_cast<int>(x);
     high = std::min(low + 1, size - 1);
     t = x - low;
@@ -74,7 +75,8 @@ void draw_grey_aligned(const Image& image, const VoxelWalk& walk, const SliceGeo
   for (int u = 0; u < slice.width; ++u)
     columns.emplace_back(walk.start[walk.across] + u * walk.right[walk.across], size[walk.across]);
   const std::int16_t* voxels = image.voxels->data();
-  const bool between_layers = depth.t > 1e-6 && depth.low != depth.high;
+  const bool between_columns =
+      std::any_of(columns.begin(), columns.end(), [](const Between& column) { return column.t > 0.0; });
   std::size_t at = 0;
   for (int v = 0; v < slice.height; ++v) {
     const Between row(walk.start[walk.along] + v * walk.down[walk.along], size[walk.along]);
@@ -88,15 +90,17 @@ void draw_grey_aligned(const Image& image, const VoxelWalk& walk, const SliceGeo
     const std::array<const std::int16_t*, 4> lines = {line(depth.low, row.low), line(depth.low, row.high),
                                                       line(depth.high, row.low), line(depth.high, row.high)};
     const long step = stride_of(walk.across);
+    const bool between_rows = row.t > 0.0;
     for (const Between& column : columns) {
       const long low = column.low * step, high = column.high * step;
       const auto across = [&](const std::int16_t* from) {
-        return (1.0 - column.t) * from[low] + column.t * from[high];
+        return between_columns ? (1.0 - column.t) * from[low] + column.t * from[high] : from[low];
       };
-      double value = (1.0 - row.t) * across(lines[0]) + row.t * across(lines[1]);
-      if (between_layers)
-        value =
-            (1.0 - depth.t) * value + depth.t * ((1.0 - row.t) * across(lines[2]) + row.t * across(lines[3]));
+      const auto layer = [&](std::size_t first) {
+        return between_rows ? (1.0 - row.t) * across(lines[first]) + row.t * across(lines[first + 1])
+                            : across(lines[first]);
+      };
+      const double value = depth.t > 0.0 ? (1.0 - depth.t) * layer(0) + depth.t * layer(2) : layer(0);
       if (column.inside) bytes[at] = bytes[at + 1] = bytes[at + 2] = greys.of(value);
       at += 3;
     }
@@ -178,21 +182,37 @@ void sample_labels(const LabelVolume& labels, const SliceGeometry& slice, const 
       }
     return;
   }
-  Eigen::Vector3i voxel = Eigen::Vector3i::Zero();
-  const auto nearest = [](double index) { return static_cast<int>(std::lround(index)); };
-  voxel[walk.fixed] = nearest(walk.start[walk.fixed]);
-  const bool meets = voxel[walk.fixed] >= 0 && voxel[walk.fixed] < labels.grid().size[walk.fixed];
+  const Eigen::Vector3i &size = labels.grid().size, &bricks = labels.brick_counts();
+  constexpr int kSide = LabelVolume::kSide;
+  /// Of a voxel's index along one axis: its brick's number and its place in the brick, both as summands.
+  struct Place {
+    bool inside;
+    std::size_t brick, voxel;
+  };
+  const auto place = [&](int axis, double index) {
+    const auto i = static_cast<int>(std::lround(index));
+    if (i < 0 || i >= size[axis]) return Place{false, 0, 0};
+    const std::size_t per_brick =
+        axis == 0   ? 1
+        : axis == 1 ? static_cast<std::size_t>(bricks.x())
+                    : static_cast<std::size_t>(bricks.x()) * static_cast<std::size_t>(bricks.y());
+    const std::size_t per_voxel = axis == 0 ? 1 : axis == 1 ? kSide : kSide * kSide;
+    return Place{true, per_brick * static_cast<std::size_t>(i / kSide),
+                 per_voxel * static_cast<std::size_t>(i % kSide)};
+  };
+  const Place depth = place(walk.fixed, walk.start[walk.fixed]);
+  std::vector<Place> columns;
+  columns.reserve(static_cast<std::size_t>(std::max(0, box.right - box.left)));
+  for (int u = box.left; u < box.right; ++u)
+    columns.push_back(place(walk.across, walk.start[walk.across] + u * walk.right[walk.across]));
   for (int v = box.top; v < box.bottom; ++v) {
-    Label* row = row_of(v);
-    voxel[walk.along] = nearest(walk.start[walk.along] + v * walk.down[walk.along]);
-    if (!meets || voxel[walk.along] < 0 || voxel[walk.along] >= labels.grid().size[walk.along]) {
-      std::fill(row + box.left, row + box.right, Label{0});
-      continue;
-    }
-    for (int u = box.left; u < box.right; ++u) {
-      voxel[walk.across] = nearest(walk.start[walk.across] + u * walk.right[walk.across]);
-      const bool inside = voxel[walk.across] >= 0 && voxel[walk.across] < labels.grid().size[walk.across];
-      row[u] = inside ? labels.at(voxel) : Label{0};
+    Label* out = row_of(v) + box.left;
+    const Place row = place(walk.along, walk.start[walk.along] + v * walk.down[walk.along]);
+    const bool meets = depth.inside && row.inside;
+    for (const Place& column : columns) {
+      const LabelVolume::Brick* brick =
+          meets && column.inside ? labels.brick(depth.brick + row.brick + column.brick).get() : nullptr;
+      *out++ = brick == nullptr ? Label{0} : (*brick)[depth.voxel + row.voxel + column.voxel];
     }
   }
 }

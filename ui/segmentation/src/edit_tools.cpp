@@ -58,6 +58,13 @@ bool has(const std::vector<Label>& labels, Label label) {
   return std::find(labels.begin(), labels.end(), label) != labels.end();
 }
 
+/// The same place in the closest layer of voxels, as slices show it.
+Point<CtFrame> in_layer(const VolumeGrid& grid, int axis, const Point<CtFrame>& p) {
+  Eigen::Vector3d index = grid.index_of(p);
+  index[axis] = std::round(index[axis]);
+  return grid.p_in_ct(index);
+}
+
 Scissors cut_of(const EditSettings& settings, bool invert) {
   Scissors cut;
   cut.operation = settings.cut;
@@ -144,6 +151,11 @@ Edit brush_edit(EditTool tool, const EditSettings& settings, const VolumeGrid& g
   paint.radius = settings.brush_radius;
   paint.normal_axis = voxel_axis_across(grid, plane);
   paint.path = path;
+  // A disc lies in the layer of voxels that the slice shows, also where the slice is between two.
+  if (!settings.ball)
+    for (Eigen::Index i = 0; i < path.rows(); ++i)
+      paint.path.row(i) =
+          in_layer(grid, paint.normal_axis, Point<CtFrame>(path.row(i).transpose())).xyz.transpose();
   return {paint, settings.region};
 }
 
@@ -155,11 +167,11 @@ Edit slice_cut(const EditSettings& settings, const VolumeGrid& grid, const scene
   if (settings.depth != CutDepth::through) {
     // The layer of voxels that the slice shows.
     const int axis = voxel_axis_across(grid, slice.plane);
-    Eigen::Vector3d index = grid.index_of(slice.p_in_ct({0.5 * slice.width, 0.5 * slice.height}));
-    index[axis] = std::round(index[axis]);
+    const Point<CtFrame> middle =
+        in_layer(grid, axis, slice.p_in_ct({0.5 * slice.width, 0.5 * slice.height}));
     Scissors::Slab slab;
     slab.normal = slice.right.cross(slice.down).normalized();
-    slab.offset = slab.normal.dot(grid.p_in_ct(index).xyz);
+    slab.offset = slab.normal.dot(middle.xyz);
     const double layer = 0.5e-3 * grid.spacing_mm[axis];
     slab.half_thickness = settings.depth == CutDepth::slice ? layer : std::max(layer, 0.5 * settings.slab);
     cut.slab = slab;
@@ -214,7 +226,7 @@ Edit whole_edit(EditTool tool, const EditSettings& settings, const VolumeGrid& g
       return with(grow);
     }
     case EditTool::islands:
-      return with(Islands{settings.label, settings.islands, settings.smallest_ml, {}});
+      return with(Islands{settings.label, settings.islands, settings.smallest_ml, Eigen::Vector3d::Zero()});
     case EditTool::fill_holes:
       return with(segmentation::FillHoles{settings.label, settings.holes_in_slices});
     case EditTool::smooth:

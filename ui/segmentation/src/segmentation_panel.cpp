@@ -1,292 +1,213 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/segmentation/segmentation_panel.h"
 
-#include <QDoubleSpinBox>
+#include <QAbstractSpinBox>
+#include <QAction>
 #include <QFileDialog>
 #include <QFormLayout>
-#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
-#include <QListWidget>
-#include <QMessageBox>
 #include <QPushButton>
 #include <QShortcut>
 #include <QSlider>
+#include <QVBoxLayout>
 
-#include "glisson/core/error.h"
 #include "glisson/ui/common/texts.h"
+#include "glisson/ui/segmentation/bridge_list.h"
+#include "glisson/ui/segmentation/edit_box.h"
+#include "glisson/ui/segmentation/edit_texts.h"
+#include "glisson/ui/segmentation/seed_box.h"
 
 namespace glisson::ui {
-namespace {
-
-QString seed_name(Label label) {
-  return label == structure::kBackground ? SegmentationPanel::tr("Not liver") : structure_text(label);
-}
-
-/// The structures that can be seeded, with as many lesions as there are and one more.
-std::vector<Label> choices(const segmentation::Seeds& seeds) {
-  std::vector<Label> labels = {structure::kParenchyma, structure::kPortalVein,  structure::kHepaticVeins,
-                               structure::kVenaCava,   structure::kGallbladder, structure::kBackground};
-  for (std::size_t i = 0; i <= seeds.lesions.size(); ++i)
-    labels.push_back(static_cast<Label>(structure::kFirstLesion + i));
-  return labels;
-}
-
-}  // namespace
 
 SegmentationPanel::SegmentationPanel(EngineBridge& engine, ViewState& views, QWidget* parent)
     : Panel(engine, tr("Segmentation"),
-            tr("Mark each structure with a few clicks in the slices, then grow them."), parent),
-      views_(views) {
+            tr("Grow the structures from a few clicks, then correct them by hand."), parent),
+      views_(views),
+      session_(new EditSession(engine, views, this)) {
   setObjectName(QStringLiteral("segmentation_panel"));
-  build_structures();
-  build_seed_list();
-  QVBoxLayout* grow = add_section(tr("Grow"));
-  auto* form = new QFormLayout;
-  spacing_ = new QDoubleSpinBox(this);
-  spacing_->setRange(0.5, 5.0);
-  spacing_->setSingleStep(0.5);
-  spacing_->setDecimals(1);
-  spacing_->setSuffix(tr(" mm"));
-  spacing_->setValue(segmentation::SegmentationOptions{}.working_spacing_mm);
-  spacing_->setToolTip(tr("Resolution at which the liver's surface evolves. Finer is slower."));
-  form->addRow(tr("Resolution"), spacing_);
-  grow->addLayout(form);
-  run_ = new TaskButton(
-      engine, tr("Segment"),
-      [this]() -> std::optional<engine::Command> {
-        choose_structure(std::nullopt);
-        engine::Segment command;
-        command.options.working_spacing_mm = spacing_->value();
-        return command;
-      },
-      this);
-  run_->setObjectName(QStringLiteral("segment"));
-  grow->addWidget(run_);
-  notes_ = make_explanation({}, this);
-  notes_->hide();
-  grow->addWidget(notes_);
-
-  QVBoxLayout* look = add_section(tr("Result"));
-  figures_ = new FiguresTable(this);
-  look->addWidget(figures_);
-  auto* opacity = new QSlider(Qt::Horizontal, this);
-  opacity->setRange(0, 100);
-  opacity->setValue(static_cast<int>(100 * views.style().label_opacity));
-  auto* row = new QFormLayout;
-  row->addRow(tr("Label opacity"), opacity);
-  look->addLayout(row);
-  auto* import = new QPushButton(tr("Import labels…"), this);
-  look->addWidget(import);
-
-  connect(opacity, &QSlider::valueChanged, this,
-          [this](int value) { views_.set_label_opacity(value / 100.0); });
-  connect(import, &QPushButton::clicked, this, [this] {
-    const QString path = QFileDialog::getOpenFileName(this, tr("Import labels"), {},
-                                                      tr("Labels (*.nrrd *.nii *.nii.gz *.mha *.mhd *.vti)"));
-    if (!path.isEmpty()) this->engine().post(engine::ImportLabels{path.toStdString(), {}});
+  build_modes();
+  seeds_ = new SeedBox(engine, views, this);
+  content()->addWidget(seeds_);
+  build_labels();
+  edit_ = new EditBox(*session_, *this, this);
+  edit_->add_below_settings(new BridgeList(*session_, engine, views, edit_));
+  content()->addWidget(edit_);
+  show_editing(false);
+  auto* escape = new QShortcut(Qt::Key_Escape, this);
+  connect(escape, &QShortcut::activated, this, [this] {
+    if (seeds_->structure())
+      seeds_->choose_structure(std::nullopt);
+    else
+      session_->escape();
   });
-  connect(&this->engine(), &EngineBridge::finished, this, [this](const engine::Outcome& outcome) {
-    if (outcome.status != engine::Status::done || outcome.command != "segment") return;
-    notes_->setText(notes_text(outcome.notes));
-    notes_->setVisible(!outcome.notes.empty());
+  connect(seeds_, &SeedBox::structure_chosen, this, [this] { session_->set_tool(EditTool::none); });
+  connect(session_, &EditSession::tool_changed, this, [this] {
+    if (session_->tool() == EditTool::none) return;
+    seeds_->choose_structure(std::nullopt);
+    show_editing(true);
   });
-  connect(&views_, &ViewState::picked, this, &SegmentationPanel::place);
+  connect(session_, &EditSession::settings_changed, this, &SegmentationPanel::show_label);
   connect(&this->engine(), &EngineBridge::case_changed, this, &SegmentationPanel::show_case);
-  connect(&this->engine(), &EngineBridge::finished, this, [this](const engine::Outcome& outcome) {
-    if (storing_.erase(outcome.id) > 0 && storing_.empty()) show_case();
-  });
+  // Undo is the labels', even while a number has the keyboard.
+  for (QAbstractSpinBox* number : findChildren<QAbstractSpinBox*>()) number->installEventFilter(this);
   watch(engine::Part::labels, {"segment", "import_labels"});
   show_case();
 }
 
-void SegmentationPanel::build_structures() {
-  QVBoxLayout* box =
-      add_section(tr("Seeds"), tr("Choose a structure, then click it in a slice. Esc ends placing."));
-  grid_ = new QGridLayout;
-  grid_->setSpacing(4);
-  box->addLayout(grid_);
-  auto* escape = new QShortcut(Qt::Key_Escape, this);
-  escape->setContext(Qt::WindowShortcut);
-  connect(escape, &QShortcut::activated, this, [this] { choose_structure(std::nullopt); });
+bool SegmentationPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride) {
+    const auto* key = static_cast<QKeyEvent*>(event);
+    if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
+      event->ignore();
+      return true;
+    }
+  }
+  return Panel::eventFilter(watched, event);
 }
 
-void SegmentationPanel::build_seed_list() {
-  list_ = new QListWidget(this);
-  list_->setObjectName(QStringLiteral("seed_list"));
-  list_->setFixedHeight(110);
-  list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
-  content()->addWidget(list_);
-  auto* buttons = new QGridLayout;
-  buttons->setSpacing(4);
-  remove_ = new QPushButton(tr("Delete"), this);
-  remove_->setObjectName(QStringLiteral("delete_seeds"));
-  clear_ = new QPushButton(tr("Clear"), this);
-  auto* load = new QPushButton(tr("Load…"), this);
-  save_ = new QPushButton(tr("Save…"), this);
-  int cell = 0;
-  for (QPushButton* button : {remove_, clear_, load, save_}) {
-    buttons->addWidget(button, cell / 2, cell % 2);
-    ++cell;
+void SegmentationPanel::build_modes() {
+  auto* row = new QHBoxLayout;
+  row->setSpacing(0);
+  seeds_mode_ = new QPushButton(tr("Seeds and growth"), this);
+  seeds_mode_->setObjectName(QStringLiteral("mode_seeds"));
+  edit_mode_ = new QPushButton(tr("Edit"), this);
+  edit_mode_->setObjectName(QStringLiteral("mode_edit"));
+  for (QPushButton* button : {seeds_mode_, edit_mode_}) {
+    button->setCheckable(true);
+    button->setProperty("role", "mode");
+    row->addWidget(button, 1);
   }
-  content()->addLayout(buttons);
-  auto* key = new QShortcut(Qt::Key_Delete, list_);
-  key->setContext(Qt::WidgetShortcut);
-  connect(key, &QShortcut::activated, this, &SegmentationPanel::remove_selected);
-  connect(remove_, &QPushButton::clicked, this, &SegmentationPanel::remove_selected);
-  connect(list_, &QListWidget::itemSelectionChanged, this,
-          [this] { remove_->setEnabled(!list_->selectedItems().isEmpty()); });
-  connect(list_, &QListWidget::currentRowChanged, this, [this](int row_number) {
-    if (row_number >= 0 && row_number < static_cast<int>(entries_.size()))
-      views_.set_crosshair(Point<CtFrame>(entries_[static_cast<std::size_t>(row_number)].p_in_ct));
+  content()->addLayout(row);
+  connect(seeds_mode_, &QPushButton::clicked, this, [this] {
+    session_->set_tool(EditTool::none);
+    show_editing(false);
   });
-  connect(clear_, &QPushButton::clicked, this, [this] {
-    seeds_ = {};
-    store();
-  });
-  connect(load, &QPushButton::clicked, this, [this] {
-    const QString path = QFileDialog::getOpenFileName(this, tr("Load seeds"), {}, tr("Seeds (*.json)"));
-    if (path.isEmpty()) return;
-    try {
-      seeds_ = segmentation::read_seeds(path.toStdString());
-      store();
-    } catch (const Error& error) {
-      QMessageBox::warning(this, tr("Load seeds"), QString::fromStdString(error.what()));
-    }
-  });
-  connect(save_, &QPushButton::clicked, this, [this] {
-    const QString path = QFileDialog::getSaveFileName(this, tr("Save seeds"), {}, tr("Seeds (*.json)"));
-    if (path.isEmpty()) return;
-    try {
-      segmentation::write_seeds(path.toStdString(), seeds_);
-    } catch (const Error& error) {
-      QMessageBox::warning(this, tr("Save seeds"), QString::fromStdString(error.what()));
-    }
+  connect(edit_mode_, &QPushButton::clicked, this, [this] {
+    seeds_->choose_structure(std::nullopt);
+    show_editing(true);
   });
 }
+
+void SegmentationPanel::show_editing(bool on) {
+  seeds_mode_->setChecked(!on);
+  edit_mode_->setChecked(on);
+  seeds_->setVisible(!on);
+  edit_->setVisible(on);
+}
+
+void SegmentationPanel::build_labels() {
+  auto* column = new QVBoxLayout;
+  column->setSpacing(5);
+  table_ = new LabelTable(this);
+  column->addWidget(table_);
+  figures_ = make_explanation({}, this);
+  figures_->setObjectName(QStringLiteral("label_figures"));
+  column->addWidget(figures_);
+  auto* row = new QHBoxLayout;
+  approve_ = new QPushButton(tr("Approve"), this);
+  approve_->setObjectName(QStringLiteral("approve_label"));
+  approve_->setProperty("role", "small");
+  approve_->setToolTip(tr("You have looked at the chosen label and it is right. An edit takes that back."));
+  auto* import = new QPushButton(tr("Import…"), this);
+  import->setProperty("role", "small");
+  import->setToolTip(tr("Labels that were made elsewhere: .seg.nrrd, NIfTI"));
+  auto* opacity = new QSlider(Qt::Horizontal, this);
+  opacity->setRange(0, 100);
+  opacity->setValue(static_cast<int>(100 * views_.style().label_opacity));
+  opacity->setToolTip(tr("Opacity of the labels in the slices"));
+  opacity->setAccessibleName(opacity->toolTip());
+  row->addWidget(approve_);
+  row->addWidget(import);
+  row->addWidget(opacity, 1);
+  column->addLayout(row);
+  content()->addLayout(column);
+  connect(opacity, &QSlider::valueChanged, this,
+          [this](int value) { views_.set_label_opacity(value / 100.0); });
+  connect(import, &QPushButton::clicked, this, &SegmentationPanel::import_labels);
+  connect(approve_, &QPushButton::clicked, this, &SegmentationPanel::approve);
+  connect(table_, &LabelTable::label_chosen, this, [this](Label label) {
+    EditSettings next = session_->settings();
+    next.label = label;
+    session_->set_settings(next);
+  });
+  connect(table_, &LabelTable::shown_toggled, this, [this](Label label) { toggle(hidden_, label); });
+  connect(table_, &LabelTable::lock_toggled, this, [this](Label label) { toggle(locked_, label); });
+  connect(table_, &LabelTable::review_chosen, session_, &EditSession::set_review);
+}
+
+void SegmentationPanel::toggle(std::set<Label>& labels, Label label) {
+  if (labels.erase(label) == 0) labels.insert(label);
+  take_marks();
+}
+
+void SegmentationPanel::take_marks() {
+  table_->set_marks(hidden_, locked_);
+  views_.set_hidden({hidden_.begin(), hidden_.end()});
+  EditSettings next = session_->settings();
+  next.region.locked = {locked_.begin(), locked_.end()};
+  session_->set_settings(next);
+}
+
+void SegmentationPanel::import_labels() {
+  const QString path = QFileDialog::getOpenFileName(this, tr("Import labels"), {},
+                                                    tr("Labels (*.nrrd *.nii *.nii.gz *.mha *.mhd *.vti)"));
+  if (!path.isEmpty()) engine().post(engine::ImportLabels{path.toStdString(), {}});
+}
+
+void SegmentationPanel::approve() { session_->set_review(session_->settings().label, ReviewState::approved); }
 
 void SegmentationPanel::activate() {
-  active_ = true;
-  show_markers();
+  views_.set_shows_labels(true);
+  seeds_->set_active(true);
+  session_->set_active(true);
 }
 
 void SegmentationPanel::deactivate() {
-  choose_structure(std::nullopt);
-  active_ = false;
-  show_markers();  // they would lie over what the other steps show
+  session_->set_active(false);
+  seeds_->set_active(false);  // they would lie over what the other steps show
+  views_.set_shows_labels(false);
 }
 
 void SegmentationPanel::choose_structure(std::optional<Label> structure) {
-  structure_ = structure;
-  for (const auto& [label, button] : buttons_) button->setChecked(structure == label);
-  views_.set_hand(structure ? Hand::point : Hand::crosshair);
+  seeds_->choose_structure(structure);
 }
 
-void SegmentationPanel::place(const Point<CtFrame>& p) {
-  if (!structure_) return;
-  add_seed(seeds_, *structure_, p.xyz);
-  store();
-}
-
-void SegmentationPanel::remove_selected() {
-  std::vector<SeedEntry> gone;
-  for (const QListWidgetItem* item : list_->selectedItems())
-    gone.push_back(entries_[static_cast<std::size_t>(list_->row(item))]);
-  // From behind, so that rows and lesions that move up do not shift what is still to go.
-  std::sort(gone.begin(), gone.end(), [](const SeedEntry& a, const SeedEntry& b) {
-    return std::pair(a.structure, a.row) > std::pair(b.structure, b.row);
-  });
-  for (const SeedEntry& entry : gone) remove_seed(seeds_, entry);
-  if (!gone.empty()) store();
-}
-
-void SegmentationPanel::store() {
-  storing_.insert(engine().post(engine::SetSeeds{seeds_}));
-  show_seeds();
+QList<QAction*> SegmentationPanel::history_actions() const {
+  return {edit_->undo_action(), edit_->redo_action()};
 }
 
 void SegmentationPanel::show_case() {
-  // While own edits are on their way the panel is ahead of the case.
-  if (storing_.empty() && engine().state().seeds != taken_) {
-    taken_ = engine().state().seeds;
-    seeds_ = taken_ ? *taken_ : segmentation::Seeds{};
+  const engine::CaseState& now = engine().state();
+  if (now.statistics != shown_statistics_ || now.review != shown_review_ ||
+      table_->topLevelItemCount() == 0) {
+    shown_statistics_ = now.statistics;
+    shown_review_ = now.review;
+    table_->set_rows(label_rows(now.statistics.get(), now.review.get()));
   }
-  show_volumes();
-  show_seeds();
+  show_label();
 }
 
-void SegmentationPanel::show_seeds() {
-  entries_ = list_seeds(seeds_);
-  const int chosen = list_->currentRow();
-  {
-    const QSignalBlocker quiet(list_);
-    list_->clear();
-    for (const SeedEntry& entry : entries_) {
-      QStringList place;
-      for (int axis = 0; axis < 3; ++axis)
-        place << QString::fromStdString(scene::anatomical_coordinate(axis, entry.p_in_ct[axis]));
-      list_->addItem(new QListWidgetItem(
-          structure_icon(entry.structure),
-          QStringLiteral("%1   %2").arg(seed_name(entry.structure), place.join(QStringLiteral("  ")))));
-    }
-    list_->setCurrentRow(std::min(chosen, list_->count() - 1));
+void SegmentationPanel::show_label() {
+  const Label label = session_->settings().label;
+  table_->choose(label);
+  const auto& statistics = engine().state().statistics;
+  const bool counted =
+      statistics && statistics->figures().count(label) > 0 && statistics->figures().at(label).voxels > 0;
+  const auto& review = engine().state().review;
+  const bool approved = review && review->count(label) > 0 && review->at(label) == ReviewState::approved;
+  approve_->setEnabled(counted && !approved);
+  approve_->setText(approved ? tr("Approved") : tr("Approve"));
+  if (!counted) {
+    figures_->setText(tr("%1: nothing yet").arg(structure_text(label)));
+    return;
   }
-  const std::vector<Label> labels = choices(seeds_);
-  int cell = 0;
-  for (const Label label : labels) {
-    QPushButton*& button = buttons_[label];
-    if (button == nullptr) {
-      button = new QPushButton(this);
-      button->setCheckable(true);
-      button->setProperty("role", "choice");
-      button->setIcon(structure_icon(label));
-      button->setObjectName(QStringLiteral("seed_%1").arg(QString::fromStdString(structure_name(label))));
-      connect(button, &QPushButton::clicked, this,
-              [this, label](bool on) { choose_structure(on ? std::optional(label) : std::nullopt); });
-    }
-    const int count = count_seeds(seeds_, label);
-    button->setText(count > 0 ? QStringLiteral("%1 (%2)").arg(seed_name(label)).arg(count)
-                              : seed_name(label));
-    button->setEnabled(engine().state().image != nullptr);
-    button->show();
-    grid_->addWidget(button, cell / 2, cell % 2);
-    ++cell;
-  }
-  for (const auto& [label, button] : buttons_)
-    if (std::find(labels.begin(), labels.end(), label) == labels.end()) button->hide();
-  show_markers();
-  remove_->setEnabled(!list_->selectedItems().isEmpty());
-  for (QPushButton* button : {clear_, save_}) button->setEnabled(!entries_.empty());
-  run_->set_obstacle(obstacle());
-}
-
-void SegmentationPanel::show_markers() {
-  std::vector<scene::Marker> markers;
-  if (active_)
-    for (const SeedEntry& entry : entries_) markers.push_back({entry.p_in_ct, entry.structure, 3e-3});
-  views_.set_markers(std::move(markers));
-}
-
-void SegmentationPanel::show_volumes() {
-  const auto& labels = engine().state().labels;
-  if (labels == measured_) return;
-  measured_ = labels;
-  std::vector<std::pair<QString, QString>> rows;
-  if (labels) {
-    const std::vector<long> voxels = labels->voxels.histogram();
-    const double voxel_ml = 1e-3 * labels->voxels.grid().spacing_mm.prod();
-    for (std::size_t label = 1; label < voxels.size(); ++label)
-      if (voxels[label] > 0)
-        rows.emplace_back(structure_text(static_cast<Label>(label)),
-                          tr("%1 ml").arg(voxel_ml * static_cast<double>(voxels[label]), 0, 'f', 1));
-  }
-  figures_->set_rows(rows);
-  if (!labels) notes_->hide();
-}
-
-QString SegmentationPanel::obstacle() const {
-  if (!engine().state().image) return tr("Open a CT first.");
-  if (seeds_.liver.rows() == 0) return tr("Place at least one seed in the liver.");
-  return {};
+  const segmentation::LabelFigures& figures = statistics->figures().at(label);
+  QStringList parts = {tr("%1 ml").arg(figures.ml, 0, 'f', 1),
+                       tr("%1 ± %2 HU").arg(figures.mean_hu, 0, 'f', 0).arg(figures.sd_hu, 0, 'f', 0)};
+  if (is_lesion(label)) parts << tr("longest diameter %1 mm").arg(figures.longest_diameter_mm, 0, 'f', 1);
+  figures_->setText(tr("%1: %2").arg(structure_text(label), parts.join(QStringLiteral(", "))));
 }
 
 }  // namespace glisson::ui

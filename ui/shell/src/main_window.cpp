@@ -110,6 +110,8 @@ void MainWindow::build_menu() {
   save_as_ = file->addAction(tr("Save &as…"), QKeySequence::SaveAs, this, [this] { save_as(); });
   file->addSeparator();
   file->addAction(tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
+  QMenu* edit = menuBar()->addMenu(tr("&Edit"));
+  edit->addActions(qobject_cast<SegmentationPanel*>(panels_[segmentation])->history_actions());
   QMenu* go = menuBar()->addMenu(tr("&Step"));
   for (int step = 0; step < static_cast<int>(panels_.size()); ++step)
     go->addAction(panels_[static_cast<std::size_t>(step)]->title(), this, [this, step] { show_step(step); });

@@ -2,6 +2,8 @@
 #include "glisson/ui/shell/screenshot_tour.h"
 
 #include <QBuffer>
+#include <QCoreApplication>
+#include <QMouseEvent>
 #include <QPixmap>
 #include <QSaveFile>
 #include <QTimer>
@@ -10,15 +12,26 @@
 #include "glisson/ui/common/task_button.h"
 #include "glisson/ui/guidance/guidance_panel.h"
 #include "glisson/ui/scene/picture_image.h"
+#include "glisson/ui/segmentation/segmentation_panel.h"
 
 namespace glisson::ui {
 namespace {
 
-constexpr std::array<const char*, 6> kNames = {"welcome", "segmentation", "model",
-                                               "atlas",   "stereo",       "guidance"};
+struct Stop {
+  const char* name;
+  int step;  ///< of the window; -1: none is open
+};
+constexpr std::array<Stop, 8> kStops = {{{"welcome", -1},
+                                         {"segmentation", MainWindow::segmentation},
+                                         {"editing", MainWindow::segmentation},
+                                         {"preview", MainWindow::segmentation},
+                                         {"model", MainWindow::model},
+                                         {"atlas", MainWindow::atlas},
+                                         {"stereo", MainWindow::stereo},
+                                         {"guidance", MainWindow::guidance}}};
 constexpr int kSettle = 700;        ///< milliseconds for a panel to draw itself
 constexpr int kLivePictures = 6;    ///< tracked before the live view is taken
-constexpr int kLongestWait = 8000;  ///< milliseconds for them
+constexpr int kLongestWait = 8000;  ///< milliseconds for what is waited for
 constexpr int kAsk = 20;            ///< milliseconds between questions
 
 /// Bright colours rounded to `bits`: a camera's noise makes the files of a manual several times as large.
@@ -57,7 +70,7 @@ void ScreenshotTour::start() {
   const auto begin_when_idle = [this] {
     if (started_ || !window_.engine().tasks().empty() || window_.drawables().is_preparing()) return;
     started_ = true;
-    step_ = window_.engine().state().image || window_.engine().state().model ? 0 : -1;
+    stop_ = window_.engine().state().image || window_.engine().state().model ? 1 : 0;
     QTimer::singleShot(kSettle, this, &ScreenshotTour::visit);
   };
   connect(&window_.engine(), &EngineBridge::tasks_changed, this, begin_when_idle);
@@ -65,31 +78,69 @@ void ScreenshotTour::start() {
   begin_when_idle();
 }
 
-void ScreenshotTour::visit() {
-  if (step_ >= 0) window_.show_step(step_);
-  const engine::CaseState& now = window_.engine().state();
-  const bool live = step_ == MainWindow::guidance && now.registration && now.video;
-  if (live) {
-    if (auto* button = window_.findChild<TaskButton*>(QStringLiteral("start_tracking"))) button->trigger();
-  }
-  if (!live) return QTimer::singleShot(kSettle, this, &ScreenshotTour::shoot);
-  const auto* guidance = window_.findChild<GuidancePanel*>();
+void ScreenshotTour::show_brush() {
+  EditSession& session = window_.findChild<SegmentationPanel*>()->session();
+  EditSettings settings = session.settings();
+  settings.label = structure::kPortalVein;
+  settings.brush_radius = 7e-3;
+  settings.ball = true;
+  session.set_settings(settings);
+  session.set_tool(EditTool::paint);
+  SliceView& axial = window_.views().slice(scene::Plane::axial);
+  const QPointF middle(0.4 * axial.width(), 0.42 * axial.height());
+  QMouseEvent move(QEvent::MouseMove, middle, axial.mapToGlobal(middle), Qt::NoButton, Qt::NoButton,
+                   Qt::NoModifier);
+  QCoreApplication::sendEvent(&axial, &move);
+}
+
+void ScreenshotTour::show_threshold() {
+  EditSession& session = window_.findChild<SegmentationPanel*>()->session();
+  EditSettings settings = session.settings();
+  settings.label = structure::kHepaticVeins;
+  settings.low = 140.0;
+  settings.high = 220.0;
+  settings.region.area = segmentation::EditableRegion::Area::inside_liver;
+  session.set_settings(settings);
+  session.set_tool(EditTool::threshold);
+}
+
+void ScreenshotTour::shoot_when(const std::function<bool()>& ready) {
   auto* question = new QTimer(this);
-  connect(
-      question, &QTimer::timeout, this,
-      [this, question, guidance, wanted = guidance->pictures_shown() + kLivePictures, asked = 0]() mutable {
-        if (guidance->pictures_shown() < wanted && ++asked * kAsk < kLongestWait) return;
-        question->deleteLater();
-        shoot();
-      });
+  connect(question, &QTimer::timeout, this, [this, question, ready, asked = 0]() mutable {
+    if (!ready() && ++asked * kAsk < kLongestWait) return;
+    question->deleteLater();
+    QTimer::singleShot(kSettle, this, &ScreenshotTour::shoot);
+  });
   question->start(kAsk);
 }
 
+void ScreenshotTour::visit() {
+  const Stop& stop = kStops[stop_];
+  const std::string name = stop.name;
+  if (stop.step >= 0 && window_.step() != stop.step) window_.show_step(stop.step);
+  const auto& surfaces = window_.views().label_surfaces();
+  if (name == "segmentation") return shoot_when([&surfaces] { return !surfaces.is_making(); });
+  if (name == "editing") show_brush();
+  if (name == "preview") {
+    show_threshold();
+    return shoot_when([this] { return window_.findChild<SegmentationPanel*>()->session().shows_preview(); });
+  }
+  const engine::CaseState& now = window_.engine().state();
+  const bool live = stop.step == MainWindow::guidance && now.registration && now.video;
+  if (!live) {
+    QTimer::singleShot(kSettle, this, &ScreenshotTour::shoot);
+    return;
+  }
+  if (auto* button = window_.findChild<TaskButton*>(QStringLiteral("start_tracking"))) button->trigger();
+  const auto* guidance = window_.findChild<GuidancePanel*>();
+  const auto wanted = guidance->pictures_shown() + kLivePictures;
+  shoot_when([guidance, wanted] { return guidance->pictures_shown() >= wanted; });
+}
+
 void ScreenshotTour::shoot() {
-  const QString file = QStringLiteral("%1/%2.png")
-                           .arg(folder_, QString::fromLatin1(kNames[static_cast<std::size_t>(step_ + 1)]));
+  const QString file = QStringLiteral("%1/%2.png").arg(folder_, QString::fromLatin1(kStops[stop_].name));
   all_saved_ = save_light(window_.grab().toImage(), file) && all_saved_;
-  if (step_ == MainWindow::guidance) {
+  if (kStops[stop_].step == MainWindow::guidance) {
     const Picture& augmented = window_.findChild<GuidancePanel*>()->picture().picture();
     if (!augmented.empty())
       all_saved_ =
@@ -97,7 +148,7 @@ void ScreenshotTour::shoot() {
     emit finished(all_saved_);
     return;
   }
-  ++step_;
+  ++stop_;
   visit();
 }
 

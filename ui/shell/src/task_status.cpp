@@ -14,8 +14,10 @@ namespace {
 
 /// Small edits pass too quickly to be announced.
 bool is_worth_telling(const std::string& command) {
-  return command != "set_seeds" && command != "set_landmarks" && command != "set_regions" &&
-         command != "start_tracking" && command != "stop_tracking";
+  return command != "set_seeds" && command != "edit_labels" && command != "preview_edit" &&
+         command != "undo_labels" && command != "redo_labels" && command != "set_review" &&
+         command != "set_landmarks" && command != "set_regions" && command != "start_tracking" &&
+         command != "stop_tracking";
 }
 
 }  // namespace

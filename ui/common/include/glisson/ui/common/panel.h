@@ -7,6 +7,7 @@
 
 #include "glisson/ui/common/engine_bridge.h"
 
+class QComboBox;
 class QLabel;
 class QVBoxLayout;
 
@@ -60,5 +61,7 @@ void set_style_property(QWidget* widget, const char* name, const QVariant& value
 QIcon structure_icon(Label structure);
 /// A label for explanations: small, grey, wrapped.
 QLabel* make_explanation(const QString& text, QWidget* parent = nullptr);
+/// A choice that fits its column: long texts are cut short in it and whole in its list.
+QComboBox* make_narrow_combo(QWidget* parent);
 
 }  // namespace glisson::ui

@@ -37,7 +37,7 @@ class SliceDrawing {
 };
 
 /// What an edit would change on a slice, to be laid over its picture: hatched in the colour that it will have
-/// (white where a label goes), outlined. Null when nothing changes there. @pre one grid.
+/// (white where a label goes), with a yellow outline. Null when nothing changes there. @pre one grid.
 QImage change_overlay(const LabelVolume& before, const LabelVolume& after, const SliceGeometry& geometry);
 
 /// The outlines of labels alone, two pixels wide. Null when there is none on the slice.

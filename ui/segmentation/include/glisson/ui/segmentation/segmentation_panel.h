@@ -1,26 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <map>
 #include <set>
-#include <vector>
 
-#include "glisson/ui/common/figures_table.h"
 #include "glisson/ui/common/panel.h"
-#include "glisson/ui/common/task_button.h"
 #include "glisson/ui/common/view_state.h"
-#include "glisson/ui/segmentation/seed_book.h"
+#include "glisson/ui/segmentation/edit_session.h"
+#include "glisson/ui/segmentation/label_table.h"
 
-class QDoubleSpinBox;
-class QGridLayout;
 class QLabel;
-class QListWidget;
 class QPushButton;
-class QSlider;
 
 namespace glisson::ui {
 
-/// CT to labels: the operator clicks seeds in the slices, the engine grows the structures.
+class EditBox;
+class SeedBox;
+
+/// CT to labels: structures grow from seeds that the operator clicks, and are corrected by hand.
 class SegmentationPanel : public Panel {
   Q_OBJECT
  public:
@@ -28,41 +24,39 @@ class SegmentationPanel : public Panel {
 
   void activate() override;
   void deactivate() override;
-  /// The seeds as they are on the screen.
-  const segmentation::Seeds& seeds() const { return seeds_; }
+  EditSession& session() { return *session_; }
   /// Clicks in the slices place seeds of this structure; none: they move the crosshair.
   void choose_structure(std::optional<Label> structure);
+  /// Undo and redo, for a menu.
+  QList<QAction*> history_actions() const;
+  /// Seeds and growth, or the tools of the hand.
+  void show_editing(bool on);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  void build_structures();
-  void build_seed_list();
+  void build_modes();
+  void build_labels();
   void show_case();
-  void show_seeds();
-  void show_markers();
-  void show_volumes();
-  void place(const Point<CtFrame>& p);
-  void store();
-  void remove_selected();
-  QString obstacle() const;
+  void show_label();
+  void toggle(std::set<Label>& labels, Label label);
+  void take_marks();
+  void approve();
+  void import_labels();
 
   ViewState& views_;
-  segmentation::Seeds seeds_;
-  std::shared_ptr<const segmentation::Seeds> taken_;
-  std::shared_ptr<const LabelMap> measured_;  ///< whose volumes are shown
-  std::set<engine::CommandId> storing_;
-  bool active_ = false;
-  std::optional<Label> structure_;
-  std::vector<SeedEntry> entries_;
-  std::map<Label, QPushButton*> buttons_;
-  QGridLayout* grid_ = nullptr;
-  QListWidget* list_ = nullptr;
-  QPushButton* remove_ = nullptr;
-  QPushButton* clear_ = nullptr;
-  QPushButton* save_ = nullptr;
-  QDoubleSpinBox* spacing_ = nullptr;
-  TaskButton* run_ = nullptr;
-  FiguresTable* figures_ = nullptr;
-  QLabel* notes_ = nullptr;
+  EditSession* session_;
+  SeedBox* seeds_ = nullptr;
+  EditBox* edit_ = nullptr;
+  QPushButton* seeds_mode_ = nullptr;
+  QPushButton* edit_mode_ = nullptr;
+  LabelTable* table_ = nullptr;
+  QLabel* figures_ = nullptr;
+  QPushButton* approve_ = nullptr;
+  std::set<Label> hidden_, locked_;
+  std::shared_ptr<const segmentation::LabelStatistics> shown_statistics_;
+  std::shared_ptr<const Review> shown_review_;
 };
 
 }  // namespace glisson::ui

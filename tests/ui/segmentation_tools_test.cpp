@@ -1,0 +1,392 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From a tool's settings and what the mouse did to an edit; and the rows of the list of labels.
+#include <QtTest>
+#include <set>
+
+#include "glisson/core/error.h"
+#include "glisson/ui/segmentation/edit_texts.h"
+#include "glisson/ui/segmentation/edit_tools.h"
+#include "glisson/ui/segmentation/label_rows.h"
+
+namespace glisson {
+namespace {
+
+using scene::Plane;
+using segmentation::Islands;
+using segmentation::Logical;
+using segmentation::Paint;
+using segmentation::Scissors;
+using ui::EditObstacle;
+using ui::EditSettings;
+using ui::EditTool;
+
+VolumeGrid permuted_grid() {
+  VolumeGrid grid;
+  grid.size = {40, 50, 60};
+  grid.spacing_mm = {2.5, 0.8, 0.7};
+  grid.origin_mm = {-10.0, 20.0, -30.0};
+  grid.direction << 0, 1, 0, 0, 0, -1, 1, 0, 0;  // i along z, j along x, k against y
+  return grid;
+}
+
+Points path_of(int count) {
+  Points path(count, 3);
+  for (int i = 0; i < count; ++i) path.row(i) << 1e-3 * i, 2e-3, 3e-3;
+  return path;
+}
+
+Eigen::Vector2d seen(const Scissors& cut, const Eigen::Vector3d& p) {
+  const Eigen::Vector3d h = cut.view_from_ct * p.homogeneous();
+  return h.head<2>() / h[2];
+}
+
+}  // namespace
+
+class SegmentationToolsTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void EveryToolHasItsOwnKeyAndName();
+  void SlicesAreAcrossTheVoxelAxisOfTheirPlane();
+  void BrushPaintsWhatIsChosenAndCtrlErases();
+  void BrushGrowsAndShrinksByTheWheel();
+  void SliceCutSeesTheSlicesPixels();
+  void SliceCutIsOneLayerASlabOrEverything();
+  void CtrlInvertsTheCut();
+  void VolumeCutKeepsTheView();
+  void ClicksCarryThePlace();
+  void BranchGoesToTheOtherTree();
+  void WholeToolsTakeTheirSettings();
+  void GrowLeavesOutWhatIsLockedOrOther();
+  void RegionGoesWithEveryEdit();
+  void ObstaclesAreNamed();
+  void ToolsOfTheMouseHaveNoWholeEdit();
+  void StepsAreNamedForPeople();
+  void RowsShowUsualLabelsFirstAndAFreeLesion();
+};
+
+void SegmentationToolsTest::EveryToolHasItsOwnKeyAndName() {
+  std::set<char> keys;
+  std::set<std::string> codes;
+  for (const EditTool tool : ui::kEditTools) {
+    keys.insert(ui::tool_key(tool));
+    codes.insert(ui::tool_code(tool));
+    QVERIFY(!ui::tool_text(tool).isEmpty() && !ui::tool_hint(tool, {}).isEmpty());
+  }
+  QCOMPARE(keys.size(), ui::kEditTools.size());
+  QCOMPARE(codes.size(), ui::kEditTools.size());
+  QCOMPARE(ui::tool_key(EditTool::paint), 'P');
+  QCOMPARE(ui::tool_key(EditTool::erase), 'E');
+  QCOMPARE(ui::tool_key(EditTool::scissors), 'X');
+}
+
+void SegmentationToolsTest::SlicesAreAcrossTheVoxelAxisOfTheirPlane() {
+  const VolumeGrid grid = permuted_grid();
+  QCOMPARE(ui::voxel_axis_across(grid, Plane::axial), 0);     // z is i
+  QCOMPARE(ui::voxel_axis_across(grid, Plane::coronal), 2);   // y is k
+  QCOMPARE(ui::voxel_axis_across(grid, Plane::sagittal), 1);  // x is j
+}
+
+void SegmentationToolsTest::BrushPaintsWhatIsChosenAndCtrlErases() {
+  EditSettings settings;
+  settings.label = structure::kPortalVein;
+  settings.brush_radius = 4e-3;
+  const VolumeGrid grid = permuted_grid();
+  const auto made = [&](EditTool tool, bool invert) {
+    return std::get<Paint>(ui::brush_edit(tool, settings, grid, Plane::coronal, path_of(3), invert).tool);
+  };
+  const Paint paint = made(EditTool::paint, false);
+  QVERIFY(!paint.erase && paint.label == structure::kPortalVein && paint.radius == 4e-3);
+  QVERIFY(paint.brush == Paint::Brush::disc && paint.normal_axis == 2);
+  for (Eigen::Index i = 0; i < 3; ++i) {  // along the drag, in the closest layer of voxels
+    const Eigen::Vector3d wanted = grid.index_of(Point<CtFrame>(path_of(3).row(i).transpose()));
+    const Eigen::Vector3d got = grid.index_of(Point<CtFrame>(paint.path.row(i).transpose()));
+    QVERIFY((got - wanted).head<2>().norm() < 1e-9);
+    QVERIFY(std::abs(got[2] - std::round(wanted[2])) < 1e-9);
+  }
+  QVERIFY(made(EditTool::paint, true).erase);
+  QVERIFY(made(EditTool::erase, false).erase);
+  QVERIFY(!made(EditTool::erase, true).erase);
+  settings.erase_any = true;
+  settings.ball = true;
+  QCOMPARE(made(EditTool::erase, false).label, structure::kBackground);
+  QCOMPARE(made(EditTool::erase, true).label, structure::kPortalVein);
+  QVERIFY(made(EditTool::erase, false).brush == Paint::Brush::ball);
+  QVERIFY(made(EditTool::erase, false).path == path_of(3));  // a ball is where it is
+  QVERIFY_EXCEPTION_THROWN(made(EditTool::smooth, false), PreconditionError);
+}
+
+void SegmentationToolsTest::BrushGrowsAndShrinksByTheWheel() {
+  double radius = 5e-3;
+  for (int i = 0; i < 100; ++i) {
+    const double next = ui::brush_after(radius, 1.0);
+    QVERIFY(next > radius || next == ui::kLargestBrush);
+    radius = next;
+  }
+  QCOMPARE(radius, ui::kLargestBrush);
+  for (int i = 0; i < 200; ++i) {
+    const double next = ui::brush_after(radius, -1.0);
+    QVERIFY(next < radius || next == ui::kSmallestBrush);
+    radius = next;
+  }
+  QCOMPARE(radius, ui::kSmallestBrush);
+}
+
+void SegmentationToolsTest::SliceCutSeesTheSlicesPixels() {
+  const VolumeGrid grid = permuted_grid();
+  for (const Plane plane : {Plane::axial, Plane::coronal, Plane::sagittal}) {
+    const auto slice = scene::slice_geometry(grid, plane, grid.p_in_ct({20, 25, 30}));
+    Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor> outline(3, 2);
+    outline << 3, 4, 20, 5, 8, 17;
+    const auto cut = std::get<Scissors>(ui::slice_cut({}, grid, slice, outline, false).tool);
+    QVERIFY(cut.outline == outline);
+    const Eigen::Vector2d pixel(7.25, 11.5);
+    const Eigen::Vector3d off = 0.01 * slice.right.cross(slice.down).normalized();
+    QVERIFY((seen(cut, slice.p_in_ct(pixel).xyz + off) - pixel).norm() < 1e-9);
+  }
+}
+
+void SegmentationToolsTest::SliceCutIsOneLayerASlabOrEverything() {
+  const VolumeGrid grid = permuted_grid();
+  // Between two layers of voxels (2.5 mm apart along z), closer to layer 20.
+  const auto slice = scene::slice_geometry(grid, Plane::axial, grid.p_in_ct({20.4, 25, 30}));
+  Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor> outline(3, 2);
+  outline << 0, 0, 30, 0, 0, 30;
+  EditSettings settings;
+  const auto depth_of = [&](double i) {
+    const auto cut = std::get<Scissors>(ui::slice_cut(settings, grid, slice, outline, false).tool);
+    if (!cut.slab) return true;
+    const Eigen::Vector3d p = grid.p_in_ct({i, 25, 30}).xyz;
+    return std::abs(cut.slab->normal.dot(p) - cut.slab->offset) <= cut.slab->half_thickness;
+  };
+  QVERIFY(depth_of(20) && !depth_of(21) && !depth_of(19));
+  settings.depth = ui::CutDepth::slab;
+  settings.slab = 11e-3;
+  QVERIFY(depth_of(18) && depth_of(22) && !depth_of(17) && !depth_of(23));
+  settings.slab = 1e-3;  // thinner than a layer: the layer all the same
+  QVERIFY(depth_of(20) && !depth_of(21));
+  settings.depth = ui::CutDepth::through;
+  QVERIFY(depth_of(0) && depth_of(39));
+}
+
+void SegmentationToolsTest::CtrlInvertsTheCut() {
+  const VolumeGrid grid = permuted_grid();
+  const auto slice = scene::slice_geometry(grid, Plane::axial, grid.p_in_ct({20, 25, 30}));
+  EditSettings settings;
+  const auto operation = [&](Scissors::Operation cut, bool invert) {
+    settings.cut = cut;
+    return std::get<Scissors>(ui::slice_cut(settings, grid, slice, {}, invert).tool).operation;
+  };
+  using Operation = Scissors::Operation;
+  QCOMPARE(operation(Operation::erase_inside, false), Operation::erase_inside);
+  QCOMPARE(operation(Operation::erase_inside, true), Operation::fill_inside);
+  QCOMPARE(operation(Operation::fill_inside, true), Operation::erase_inside);
+  QCOMPARE(operation(Operation::erase_outside, true), Operation::erase_inside);
+  settings.cut_any = true;
+  settings.cut = Operation::erase_inside;
+  QCOMPARE(std::get<Scissors>(ui::slice_cut(settings, grid, slice, {}, false).tool).label,
+           structure::kBackground);
+  QCOMPARE(std::get<Scissors>(ui::slice_cut(settings, grid, slice, {}, true).tool).label,
+           structure::kParenchyma);  // what is filled needs a label
+}
+
+void SegmentationToolsTest::VolumeCutKeepsTheView() {
+  ui::VolumeLasso lasso;
+  lasso.view_from_ct.setRandom();
+  lasso.outline.resize(4, 2);
+  lasso.outline.setRandom();
+  const auto cut = std::get<Scissors>(ui::volume_cut({}, lasso, false).tool);
+  QVERIFY(cut.view_from_ct == lasso.view_from_ct && cut.outline == lasso.outline && !cut.slab);
+}
+
+void SegmentationToolsTest::ClicksCarryThePlace() {
+  const VolumeGrid grid = permuted_grid();
+  const Point<CtFrame> p(0.01, 0.02, 0.03);
+  EditSettings settings;
+  settings.label = structure::kFirstLesion;
+  const auto traced = ui::click_edit(EditTool::level_tracing, settings, grid, Plane::axial, p, 0, true);
+  const auto& tracing = std::get<segmentation::LevelTracing>(traced->tool);
+  QVERIFY(tracing.p_in_ct == p.xyz && tracing.label == structure::kFirstLesion && tracing.erase);
+  QCOMPARE(tracing.normal_axis, 0);
+  settings.islands = Islands::Operation::remove_clicked;
+  const auto clicked = ui::click_edit(EditTool::islands, settings, grid, Plane::axial, p, 0, false);
+  QVERIFY(std::get<Islands>(clicked->tool).p_in_ct == p.xyz);
+  QCOMPARE(std::get<Islands>(clicked->tool).operation, Islands::Operation::remove_clicked);
+  const auto opposite = ui::click_edit(EditTool::islands, settings, grid, Plane::axial, p, 0, true);
+  QCOMPARE(std::get<Islands>(opposite->tool).operation, Islands::Operation::keep_clicked);
+  QVERIFY_EXCEPTION_THROWN(ui::click_edit(EditTool::paint, settings, grid, Plane::axial, p, 0, false),
+                           PreconditionError);
+}
+
+void SegmentationToolsTest::BranchGoesToTheOtherTree() {
+  const VolumeGrid grid = permuted_grid();
+  EditSettings settings;
+  const auto branch = [&](Label clicked, bool invert) {
+    return ui::click_edit(EditTool::move_branch, settings, grid, Plane::axial, {}, clicked, invert);
+  };
+  const auto to = [&](Label clicked, bool invert) {
+    return std::get<segmentation::ReassignBranch>(branch(clicked, invert)->tool);
+  };
+  QCOMPARE(to(structure::kPortalVein, false).to, structure::kHepaticVeins);
+  QCOMPARE(to(structure::kPortalVein, false).label, structure::kPortalVein);
+  QCOMPARE(to(structure::kHepaticVeins, false).to, structure::kPortalVein);
+  QCOMPARE(to(structure::kHepaticVeins, true).to, structure::kBackground);
+  settings.cut_branch_off = true;
+  QCOMPARE(to(structure::kPortalVein, false).to, structure::kBackground);
+  QVERIFY(!branch(structure::kParenchyma, false) && !branch(structure::kBackground, false));
+}
+
+void SegmentationToolsTest::WholeToolsTakeTheirSettings() {
+  const VolumeGrid grid = permuted_grid();
+  EditSettings settings;
+  settings.label = structure::kVenaCava;
+  settings.low = 120;
+  settings.high = 240;
+  settings.replace = true;
+  settings.shrink = true;
+  settings.margin = 2e-3;
+  settings.between = Plane::sagittal;
+  settings.logical = Logical::Operation::subtract;
+  settings.other = structure::kGallbladder;
+  const auto made = [&](EditTool tool) { return ui::whole_edit(tool, settings, grid, {1, 2}).tool; };
+  QVERIFY((std::get<segmentation::Threshold>(made(EditTool::threshold)) ==
+           segmentation::Threshold{structure::kVenaCava, 120, 240, true}));
+  QCOMPARE(std::get<segmentation::Margin>(made(EditTool::margin)).distance, -2e-3);
+  QCOMPARE(std::get<segmentation::InterpolateSlices>(made(EditTool::interpolate)).normal_axis, 1);
+  QCOMPARE(std::get<Logical>(made(EditTool::logical)).other, structure::kGallbladder);
+  settings.logical = Logical::Operation::clear;
+  QCOMPARE(std::get<Logical>(made(EditTool::logical)).other, structure::kBackground);
+  QCOMPARE(std::get<segmentation::Smooth>(made(EditTool::smooth)).radius, settings.smooth_radius);
+  QVERIFY(!std::get<segmentation::FillHoles>(made(EditTool::fill_holes)).in_slices);
+  QCOMPARE(std::get<Islands>(made(EditTool::islands)).operation, Islands::Operation::keep_largest);
+}
+
+void SegmentationToolsTest::GrowLeavesOutWhatIsLockedOrOther() {
+  EditSettings settings;
+  settings.region.locked = {structure::kVenaCava};
+  settings.not_growing = {structure::kHepaticVeins};
+  const std::vector<Label> present = {structure::kParenchyma,   structure::kPortalVein,
+                                      structure::kHepaticVeins, structure::kVenaCava,
+                                      structure::kFirstOther,   structure::kFirstLesion};
+  const auto grow = std::get<segmentation::GrowFromSeeds>(
+      ui::whole_edit(EditTool::grow, settings, permuted_grid(), present).tool);
+  QVERIFY((grow.labels ==
+           std::vector<Label>{structure::kParenchyma, structure::kPortalVein, structure::kFirstLesion}));
+  QVERIFY(grow.rivals == std::vector<Label>{structure::kFirstOther});
+}
+
+void SegmentationToolsTest::RegionGoesWithEveryEdit() {
+  const VolumeGrid grid = permuted_grid();
+  EditSettings settings;
+  settings.region.area = segmentation::EditableRegion::Area::inside_label;
+  settings.region.label = structure::kParenchyma;
+  settings.region.intensity = {100.0, 200.0};
+  settings.region.locked = {structure::kPortalVein};
+  const auto slice = scene::slice_geometry(grid, Plane::axial, grid.p_in_ct({20, 25, 30}));
+  QVERIFY(ui::brush_edit(EditTool::paint, settings, grid, Plane::axial, path_of(1), false).region ==
+          settings.region);
+  QVERIFY(ui::slice_cut(settings, grid, slice, {}, false).region == settings.region);
+  QVERIFY(ui::volume_cut(settings, {}, false).region == settings.region);
+  QVERIFY(ui::whole_edit(EditTool::smooth, settings, grid, {1}).region == settings.region);
+  QVERIFY(ui::click_edit(EditTool::level_tracing, settings, grid, Plane::axial, {}, 0, false)->region ==
+          settings.region);
+}
+
+void SegmentationToolsTest::ObstaclesAreNamed() {
+  EditSettings settings;
+  const std::vector<Label> liver = {structure::kParenchyma};
+  QCOMPARE(ui::obstacle_of(EditTool::paint, settings, {}), EditObstacle::none);
+  QCOMPARE(ui::obstacle_of(EditTool::smooth, settings, {}), EditObstacle::label_empty);
+  QCOMPARE(ui::obstacle_of(EditTool::smooth, settings, liver), EditObstacle::none);
+  QCOMPARE(ui::obstacle_of(EditTool::grow, settings, liver), EditObstacle::one_label);
+  QCOMPARE(ui::obstacle_of(EditTool::logical, settings, liver), EditObstacle::other_empty);
+  settings.other = settings.label;
+  QCOMPARE(ui::obstacle_of(EditTool::logical, settings, liver), EditObstacle::same_label);
+  settings.region.locked = liver;
+  QCOMPARE(ui::obstacle_of(EditTool::paint, settings, liver), EditObstacle::label_locked);
+  for (const EditObstacle obstacle :
+       {EditObstacle::no_volume, EditObstacle::label_locked, EditObstacle::label_empty,
+        EditObstacle::other_empty, EditObstacle::same_label, EditObstacle::one_label})
+    QVERIFY(!ui::obstacle_text(obstacle).isEmpty());
+}
+
+void SegmentationToolsTest::ToolsOfTheMouseHaveNoWholeEdit() {
+  EditSettings settings;
+  for (const EditTool tool :
+       {EditTool::paint, EditTool::scissors, EditTool::move_branch, EditTool::level_tracing}) {
+    QVERIFY(!ui::is_previewed(tool, settings));
+    QVERIFY_EXCEPTION_THROWN(ui::whole_edit(tool, settings, permuted_grid(), {1, 2}), PreconditionError);
+  }
+  QVERIFY(ui::is_previewed(EditTool::islands, settings));
+  settings.islands = Islands::Operation::keep_clicked;
+  QVERIFY(!ui::is_previewed(EditTool::islands, settings));
+  QVERIFY(!ui::is_previewed(EditTool::none, settings));
+}
+
+void SegmentationToolsTest::StepsAreNamedForPeople() {
+  QCOMPARE(ui::step_text({"paint", structure::kPortalVein, 5e-3}),
+           QStringLiteral("Paint, 10 mm, Portal vein"));
+  QCOMPARE(ui::step_text({"margin.grow", structure::kParenchyma, 2.5e-3}),
+           QStringLiteral("Margin: grow, 2.5 mm, Liver"));
+  QCOMPARE(ui::step_text({"segment", structure::kBackground, 0.0}), QStringLiteral("Segment"));
+  // Every name that an edit gives itself is known.
+  const VolumeGrid grid = permuted_grid();
+  const auto slice = scene::slice_geometry(grid, Plane::axial, grid.p_in_ct({20, 25, 30}));
+  std::vector<segmentation::Edit> edits = {
+      ui::brush_edit(EditTool::paint, {}, grid, Plane::axial, path_of(1), false),
+      ui::brush_edit(EditTool::erase, {}, grid, Plane::axial, path_of(1), false)};
+  for (const bool invert : {false, true}) {
+    edits.push_back(*ui::click_edit(EditTool::level_tracing, {}, grid, Plane::axial, {}, 0, invert));
+    edits.push_back(
+        *ui::click_edit(EditTool::move_branch, {}, grid, Plane::axial, {}, structure::kPortalVein, invert));
+    EditSettings settings;
+    settings.shrink = invert;
+    edits.push_back(ui::whole_edit(EditTool::margin, settings, grid, {}));
+  }
+  for (int k = 0; k < 7; ++k) {
+    EditSettings settings;
+    settings.cut = static_cast<Scissors::Operation>(k % 3);
+    edits.push_back(ui::slice_cut(settings, grid, slice, {}, false));
+    settings.smooth = static_cast<segmentation::Smooth::Method>(k % 4);
+    edits.push_back(ui::whole_edit(EditTool::smooth, settings, grid, {}));
+    settings.logical = static_cast<Logical::Operation>(k);
+    edits.push_back(ui::whole_edit(EditTool::logical, settings, grid, {}));
+    edits.push_back({Islands{1, static_cast<Islands::Operation>(k % 5), 1.0, Eigen::Vector3d::Zero()}, {}});
+  }
+  for (const EditTool tool :
+       {EditTool::threshold, EditTool::grow, EditTool::fill_holes, EditTool::interpolate})
+    edits.push_back(ui::whole_edit(tool, {}, grid, {1, 2}));
+  for (const segmentation::Edit& edit : edits) {
+    const segmentation::StepName name = segmentation::step_name(edit);
+    QVERIFY2(ui::knows_step(name.code), name.code.c_str());
+  }
+}
+
+void SegmentationToolsTest::RowsShowUsualLabelsFirstAndAFreeLesion() {
+  const auto labels_of = [](const std::vector<ui::LabelRow>& rows) {
+    std::vector<Label> labels;
+    for (const ui::LabelRow& row : rows) labels.push_back(row.label);
+    return labels;
+  };
+  QVERIFY((labels_of(ui::label_rows(nullptr, nullptr)) == std::vector<Label>{1, 2, 3, 4, 6, 16}));
+  Image image;
+  image.grid.size = {8, 8, 8};
+  image.voxels = std::make_shared<const std::vector<std::int16_t>>(512, std::int16_t{90});
+  LabelMap map;
+  map.voxels = LabelVolume(image.grid);
+  map.voxels.set({1, 1, 1}, structure::kFirstLesion);
+  map.voxels.set({2, 1, 1}, structure::kPortalVein);
+  map.voxels.set({5, 5, 5}, structure::kFirstLesion + 2);
+  const segmentation::LabelStatistics statistics(map, &image);
+  const Review review = {{structure::kPortalVein, ReviewState::approved}};
+  const auto rows = ui::label_rows(&statistics, &review);
+  QVERIFY((labels_of(rows) == std::vector<Label>{1, 2, 3, 4, 6, 16, 17, 18}));  // 17 is free
+  QCOMPARE(rows[1].review, ReviewState::approved);
+  QCOMPARE(rows[1].figures.voxels, 1L);
+  QCOMPARE(rows[1].figures.mean_hu, 90.0);
+  QCOMPARE(rows[6].figures.voxels, 0L);
+}
+
+}  // namespace glisson
+
+QTEST_APPLESS_MAIN(glisson::SegmentationToolsTest)
+#include "segmentation_tools_test.moc"

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "glisson/segmentation/bridges.h"
+#include "glisson/ui/segmentation/edit_session.h"
+
+class QLabel;
+class QListWidget;
+
+namespace glisson::ui {
+
+/// Where the portal and the hepatic tree touch, and where a part hangs on a tree by a neck: a click goes
+/// there. Looked for beside the window's thread whenever the labels have changed while the list is in sight.
+class BridgeList : public QWidget {
+  Q_OBJECT
+ public:
+  BridgeList(EditSession& session, EngineBridge& engine, ViewState& views, QWidget* parent = nullptr);
+  ~BridgeList() override;
+
+  struct Found {
+    std::vector<segmentation::Bridge> bridges;
+    std::vector<segmentation::Joint> joints;
+  };
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  void order();
+  void accept(const std::shared_ptr<const LabelMap>& of, const Found& found);
+  void run(const std::stop_token& stop);
+
+  EngineBridge& engine_;
+  ViewState& views_;
+  QListWidget* list_ = nullptr;
+  QLabel* state_ = nullptr;
+  std::vector<Point<CtFrame>> places_;
+  std::shared_ptr<const LabelMap> wanted_;
+  std::mutex mutex_;
+  std::condition_variable_any wake_;
+  std::shared_ptr<const LabelMap> order_;  ///< newest wins
+  std::jthread thread_;
+};
+
+}  // namespace glisson::ui

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "glisson/ui/common/engine_bridge.h"
+#include "glisson/ui/common/view_state.h"
+#include "glisson/ui/segmentation/edit_tools.h"
+
+class QTimer;
+
+namespace glisson::ui {
+
+/// The hand at work: the chosen tool and its settings, drags in the views as edits for the engine, previews,
+/// undo and redo. No widgets; nothing is computed here.
+class EditSession : public QObject {
+  Q_OBJECT
+ public:
+  EditSession(EngineBridge& engine, ViewState& views, QObject* parent = nullptr);
+
+  EditTool tool() const { return tool_; }
+  void set_tool(EditTool tool);
+  const EditSettings& settings() const { return settings_; }
+  void set_settings(const EditSettings& settings);
+  /// While the session does not have the views, tools do not hear them.
+  void set_active(bool on);
+  bool is_active() const { return active_; }
+
+  /// Labels that have voxels, ascending.
+  const std::vector<Label>& present() const { return present_; }
+  EditObstacle obstacle() const;
+
+  /// Of the case; null: there is none.
+  const std::shared_ptr<const segmentation::History>& history() const { return engine_.state().history; }
+  bool can_undo() const;
+  bool can_redo() const;
+  void undo();
+  void redo();
+
+  /// Of the tool as it is set. @pre is_previewed()
+  void preview();
+  void apply();
+  /// Whether the preview that is shown is of the tool as it is set.
+  bool shows_preview() const;
+  long voxels_to_change() const;
+  double ml_of(long voxels) const;
+  /// A preview or an edit is being computed: its part that is done.
+  std::optional<double> progress() const;
+  /// Drops the line that is drawn, else what is computed or previewed, else the tool.
+  void escape();
+  void cancel();
+
+  void set_review(Label label, ReviewState state);
+  /// Why the last edit could not be done; empty: it could.
+  const std::string& problem() const { return problem_; }
+  /// What it had to say: codes with values.
+  const std::vector<std::string>& notes() const { return notes_; }
+
+ signals:
+  void tool_changed();
+  void settings_changed();
+  /// Labels, history, preview, progress or problem.
+  void changed();
+
+ private:
+  std::optional<segmentation::Edit> whole() const;
+  void show_hand();
+  void show_case();
+  void show_preview();
+  void hear(const SliceGesture& gesture);
+  void drag_brush(const SliceGesture& gesture);
+  void drag_lasso(const SliceGesture& gesture);
+  void click(const SliceGesture& gesture);
+  void cut_volume(const VolumeLasso& lasso);
+  /// Sends what was drawn since the last time.
+  void send_stroke();
+  void finish_stroke();
+  void post_edit(const segmentation::Edit& edit);
+  /// Steps that the history will have done once the engine has caught up, over those that it has.
+  int steps_ahead() const;
+  void take(const engine::Outcome& outcome);
+  void settings_have_changed();
+  void drop_preview();
+
+  EngineBridge& engine_;
+  ViewState& views_;
+  EditTool tool_ = EditTool::none;
+  EditSettings settings_;
+  bool active_ = false;
+  std::shared_ptr<const LabelMap> listed_;
+  std::vector<Label> present_;
+
+  struct Stroke {
+    std::uint64_t gesture = 0;
+    scene::Plane plane = scene::Plane::axial;
+    bool invert = false;
+    std::vector<Eigen::Vector3d> path;  ///< from the last point that was sent
+    bool has_news = false;
+    std::optional<engine::CommandId> sent;  ///< that is not done yet
+    bool ended = false;
+  };
+  std::optional<Stroke> stroke_;
+  std::uint64_t gestures_ = 0;
+  std::vector<Eigen::Vector2d> outline_;  ///< of a lasso in a slice, pixels
+
+  QTimer* soon_ = nullptr;  ///< a preview follows the settings when they rest
+  std::optional<engine::CommandId> previewing_, applying_;
+  std::set<engine::CommandId> edits_;  ///< that are not done yet
+  int undos_ = 0, redos_ = 0;          ///< the same
+  std::string problem_;
+  std::vector<std::string> notes_;
+};
+
+}  // namespace glisson::ui

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+#include "glisson/ui/segmentation/edit_tools.h"
+
+namespace glisson::ui {
+
+QString tool_text(EditTool tool);
+/// What to do with the mouse, in one line.
+QString tool_hint(EditTool tool, const EditSettings& settings);
+QString obstacle_text(EditObstacle obstacle);
+QString review_text(ReviewState state);
+/// A step of the history: "Paint, 10 mm, Portal vein" (the brush's diameter).
+QString step_text(const segmentation::StepName& step);
+/// Whether a step of this code has a word of its own.
+bool knows_step(const std::string& code);
+
+}  // namespace glisson::ui

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <map>
+#include <set>
+#include <vector>
+
+#include "glisson/ui/common/engine_bridge.h"
+#include "glisson/ui/common/task_button.h"
+#include "glisson/ui/common/view_state.h"
+#include "glisson/ui/segmentation/seed_book.h"
+
+class QComboBox;
+class QDoubleSpinBox;
+class QGridLayout;
+class QLabel;
+class QListWidget;
+class QPushButton;
+
+namespace glisson::ui {
+
+/// Seeds that are clicked in the slices, their list, and the growth from them.
+class SeedBox : public QWidget {
+  Q_OBJECT
+ public:
+  SeedBox(EngineBridge& engine, ViewState& views, QWidget* parent = nullptr);
+
+  /// Seeds are drawn in the views, or not.
+  void set_active(bool on);
+  /// Clicks in the slices place seeds of this structure; none: they move the crosshair.
+  void choose_structure(std::optional<Label> structure);
+  const std::optional<Label>& structure() const { return structure_; }
+
+ signals:
+  void structure_chosen();
+
+ private:
+  void build_structures();
+  void build_seed_list();
+  void connect_seed_list();
+  void build_growth();
+  void load_seeds();
+  void save_seeds();
+  void show_case();
+  void show_seeds();
+  void show_buttons();
+  void show_markers();
+  void place(const Point<CtFrame>& p);
+  void store();
+  void remove_selected();
+  segmentation::SegmentationOptions options() const;
+  QString obstacle() const;
+
+  EngineBridge& engine_;
+  ViewState& views_;
+  segmentation::Seeds seeds_;
+  std::shared_ptr<const segmentation::Seeds> taken_;
+  std::set<engine::CommandId> storing_;
+  bool active_ = false;
+  std::optional<Label> structure_;
+  std::vector<SeedEntry> entries_;
+  std::map<Label, QPushButton*> buttons_;
+  QGridLayout* grid_ = nullptr;
+  QListWidget* list_ = nullptr;
+  QPushButton* remove_ = nullptr;
+  QPushButton* clear_ = nullptr;
+  QPushButton* load_ = nullptr;
+  QPushButton* save_ = nullptr;
+  QComboBox* what_ = nullptr;
+  QDoubleSpinBox* spacing_ = nullptr;
+  TaskButton* run_ = nullptr;
+  QLabel* notes_ = nullptr;
+};
+
+}  // namespace glisson::ui

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/ui/segmentation/bridge_list.h"
+
+#include <QLabel>
+#include <QListWidget>
+#include <QVBoxLayout>
+
+#include "glisson/ui/common/panel.h"
+#include "glisson/ui/common/texts.h"
+
+namespace glisson::ui {
+
+BridgeList::BridgeList(EditSession& session, EngineBridge& engine, ViewState& views, QWidget* parent)
+    : QWidget(parent), engine_(engine), views_(views) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(5);
+  state_ = make_explanation({}, this);
+  column->addWidget(state_);
+  list_ = new QListWidget(this);
+  list_->setObjectName(QStringLiteral("bridges"));
+  list_->setFixedHeight(96);
+  column->addWidget(list_);
+  const auto go = [this](int row) {
+    if (row >= 0 && row < static_cast<int>(places_.size()))
+      views_.set_crosshair(places_[static_cast<std::size_t>(row)]);
+  };
+  connect(list_, &QListWidget::currentRowChanged, this, go);
+  connect(list_, &QListWidget::itemClicked, this, [this, go] { go(list_->currentRow()); });
+  connect(&engine_, &EngineBridge::case_changed, this, &BridgeList::order);
+  connect(&session, &EditSession::tool_changed, this,
+          [this, &session] { setVisible(session.tool() == EditTool::move_branch); });
+  hide();
+  thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
+}
+
+BridgeList::~BridgeList() {
+  thread_.request_stop();
+  thread_.join();
+}
+
+void BridgeList::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  order();
+}
+
+void BridgeList::order() {
+  const auto& labels = engine_.state().labels;
+  if (!isVisible() || labels == wanted_) return;
+  wanted_ = labels;
+  state_->setText(labels ? tr("Looking for places where the trees touch…") : QString());
+  if (!labels) list_->clear();
+  {
+    const std::lock_guard lock(mutex_);
+    order_ = labels;
+  }
+  wake_.notify_one();
+}
+
+void BridgeList::accept(const std::shared_ptr<const LabelMap>& of, const Found& found) {
+  if (of != wanted_) return;  // newer labels are being looked at
+  list_->clear();
+  places_.clear();
+  for (const segmentation::Bridge& bridge : found.bridges) {
+    list_->addItem(tr("The trees touch: %1 mm²").arg(bridge.contact_mm2, 0, 'f', 0));
+    places_.push_back(bridge.p_in_ct);
+  }
+  for (const segmentation::Joint& joint : found.joints) {
+    list_->addItem(new QListWidgetItem(structure_icon(joint.tree), tr("A neck of %1 mm², %2 ml beyond it")
+                                                                       .arg(joint.neck_mm2, 0, 'f', 0)
+                                                                       .arg(joint.beyond_ml, 0, 'f', 1)));
+    places_.push_back(joint.p_in_ct);
+  }
+  state_->setText(places_.empty()
+                      ? tr("The trees touch nowhere, and no part hangs by a neck.")
+                      : tr("Suspicious places. Click one to go there; cut where the branch is wrong."));
+}
+
+void BridgeList::run(const std::stop_token& stop) {
+  while (true) {
+    std::shared_ptr<const LabelMap> order;
+    {
+      std::unique_lock lock(mutex_);
+      wake_.wait(lock, stop, [this] { return order_ != nullptr; });
+      if (stop.stop_requested()) return;
+      std::swap(order, order_);
+    }
+    const Found found = {segmentation::find_bridges(*order), segmentation::find_joined(*order)};
+    QMetaObject::invokeMethod(
+        this, [this, order, found] { accept(order, found); }, Qt::QueuedConnection);
+  }
+}
+
+}  // namespace glisson::ui

@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/ui/segmentation/edit_session.h"
+
+#include <QDateTime>
+#include <QTimer>
+#include <algorithm>
+
+#include "glisson/core/error.h"
+
+namespace glisson::ui {
+namespace {
+
+constexpr int kRest = 250;  ///< milliseconds
+
+using Outline = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;
+
+Points points_of(const std::vector<Eigen::Vector3d>& path) {
+  Points points(static_cast<Eigen::Index>(path.size()), 3);
+  for (std::size_t i = 0; i < path.size(); ++i)
+    points.row(static_cast<Eigen::Index>(i)) = path[i].transpose();
+  return points;
+}
+
+/// Whether a line encloses anything: three corners, some pixels wide and high.
+bool encloses(const Outline& outline, double pixel) {
+  if (outline.rows() < 3) return false;
+  const Eigen::Array2d size = (outline.colwise().maxCoeff() - outline.colwise().minCoeff()).transpose();
+  return size.minCoeff() > pixel;
+}
+
+}  // namespace
+
+EditSession::EditSession(EngineBridge& engine, ViewState& views, QObject* parent)
+    : QObject(parent),
+      engine_(engine),
+      views_(views),
+      // Gestures are told apart for as long as a case's history lives.
+      gestures_(static_cast<std::uint64_t>(QDateTime::currentMSecsSinceEpoch())) {
+  soon_ = new QTimer(this);
+  soon_->setSingleShot(true);
+  soon_->setInterval(kRest);
+  connect(soon_, &QTimer::timeout, this, &EditSession::preview);
+  connect(&views_, &ViewState::gestured, this, &EditSession::hear);
+  connect(&views_, &ViewState::volume_lassoed, this, &EditSession::cut_volume);
+  connect(&views_, &ViewState::brush_turned, this, [this](double notches) {
+    EditSettings next = settings_;
+    next.brush_radius = brush_after(next.brush_radius, notches);
+    set_settings(next);
+  });
+  connect(&engine_, &EngineBridge::case_changed, this, &EditSession::show_case);
+  connect(&engine_, &EngineBridge::finished, this, &EditSession::take);
+  connect(&engine_, &EngineBridge::tasks_changed, this, [this] {
+    if (previewing_ || applying_) emit changed();
+  });
+  show_case();
+}
+
+void EditSession::set_tool(EditTool tool) {
+  if (tool == tool_) return;
+  finish_stroke();
+  drop_preview();
+  problem_.clear();
+  notes_.clear();
+  tool_ = tool;
+  show_hand();
+  emit tool_changed();
+  settings_have_changed();
+}
+
+void EditSession::set_settings(const EditSettings& settings) {
+  if (settings == settings_) return;
+  finish_stroke();
+  settings_ = settings;
+  if (tool_ != EditTool::none) show_hand();  // else the views are somebody else's
+  emit settings_changed();
+  settings_have_changed();
+}
+
+void EditSession::settings_have_changed() {
+  problem_.clear();
+  // Growing takes its time: it waits to be asked.
+  if (active_ && is_previewed(tool_, settings_) && tool_ != EditTool::grow &&
+      obstacle() == EditObstacle::none) {
+    soon_->start();
+  } else {
+    soon_->stop();
+    if (!shows_preview()) drop_preview();
+  }
+  show_preview();
+  emit changed();
+}
+
+void EditSession::set_active(bool on) {
+  if (on == active_) return;
+  if (!on) set_tool(EditTool::none);
+  active_ = on;
+  emit changed();
+}
+
+void EditSession::show_hand() {
+  views_.set_hand(hand_of(tool_, settings_));
+  const bool erases = tool_ == EditTool::erase;
+  views_.set_brush(
+      {settings_.brush_radius, settings_.ball, erases ? structure::kBackground : settings_.label});
+}
+
+EditObstacle EditSession::obstacle() const {
+  if (!engine_.state().image) return EditObstacle::no_volume;
+  return obstacle_of(tool_, settings_, present_);
+}
+
+void EditSession::show_case() {
+  const auto& labels = engine_.state().labels;
+  if (labels != listed_) {
+    listed_ = labels;
+    present_.clear();
+    if (const auto& statistics = engine_.state().statistics)
+      for (const auto& [label, figures] : statistics->figures())
+        if (label != structure::kBackground && figures.voxels > 0) present_.push_back(label);
+  }
+  show_preview();
+  emit changed();
+}
+
+int EditSession::steps_ahead() const { return static_cast<int>(edits_.size()) + redos_ - undos_; }
+
+bool EditSession::can_undo() const {
+  const auto& history = engine_.state().history;
+  return (history ? static_cast<int>(history->done()) : 0) + steps_ahead() > 0;
+}
+
+bool EditSession::can_redo() const {
+  const auto& history = engine_.state().history;
+  return history && edits_.empty() &&
+         static_cast<int>(history->done()) + steps_ahead() < static_cast<int>(history->steps().size());
+}
+
+void EditSession::undo() {
+  finish_stroke();  // what was drawn is undone, not left behind
+  problem_.clear();
+  if (!can_undo()) return;
+  ++undos_;
+  engine_.post(engine::UndoLabels{});
+}
+
+void EditSession::redo() {
+  finish_stroke();
+  problem_.clear();
+  if (!can_redo()) return;
+  ++redos_;
+  engine_.post(engine::RedoLabels{});
+}
+
+void EditSession::hear(const SliceGesture& gesture) {
+  if (!active_ || !engine_.state().image) return;
+  switch (hand_of(tool_, settings_)) {
+    case Hand::brush:
+      drag_brush(gesture);
+      break;
+    case Hand::lasso:
+      drag_lasso(gesture);
+      break;
+    case Hand::point:
+      click(gesture);
+      break;
+    case Hand::crosshair:
+      break;
+  }
+}
+
+void EditSession::drag_brush(const SliceGesture& gesture) {
+  if (gesture.phase == SliceGesture::Phase::begin) {
+    finish_stroke();
+    if (obstacle() != EditObstacle::none) return;
+    problem_.clear();
+    stroke_.emplace();
+    stroke_->gesture = ++gestures_;
+    stroke_->plane = gesture.slice.plane;
+    stroke_->invert = gesture.keys.testFlag(Qt::ControlModifier);
+  }
+  if (!stroke_) return;
+  if (stroke_->path.empty() || stroke_->path.back() != gesture.p.xyz) {
+    stroke_->path.push_back(gesture.p.xyz);
+    stroke_->has_news = true;
+  }
+  stroke_->ended = gesture.phase == SliceGesture::Phase::end;
+  // While the engine is at the last piece the next one grows: a slow machine draws in larger pieces, but
+  // never falls behind the hand.
+  if (!stroke_->sent) send_stroke();
+}
+
+void EditSession::send_stroke() {
+  if (stroke_->has_news) {
+    const segmentation::Edit edit = brush_edit(tool_, settings_, engine_.state().image->grid, stroke_->plane,
+                                               points_of(stroke_->path), stroke_->invert);
+    stroke_->sent = engine_.post(engine::EditLabels{edit, stroke_->gesture});
+    edits_.insert(*stroke_->sent);
+    stroke_->path = {stroke_->path.back()};
+    stroke_->has_news = false;
+  } else if (stroke_->ended) {
+    stroke_.reset();
+  }
+}
+
+void EditSession::finish_stroke() {
+  if (stroke_ && stroke_->has_news) send_stroke();
+  stroke_.reset();
+  outline_.clear();
+}
+
+void EditSession::drag_lasso(const SliceGesture& gesture) {
+  if (gesture.phase == SliceGesture::Phase::begin) outline_.clear();
+  outline_.push_back(gesture.slice.pixel_of(gesture.p));
+  if (gesture.phase != SliceGesture::Phase::end) return;
+  Outline outline(static_cast<Eigen::Index>(outline_.size()), 2);
+  for (std::size_t i = 0; i < outline_.size(); ++i)
+    outline.row(static_cast<Eigen::Index>(i)) = outline_[i].transpose();
+  outline_.clear();
+  if (!encloses(outline, 1.0) || obstacle() != EditObstacle::none) return;
+  post_edit(slice_cut(settings_, engine_.state().image->grid, gesture.slice, outline,
+                      gesture.keys.testFlag(Qt::ControlModifier)));
+}
+
+void EditSession::cut_volume(const VolumeLasso& lasso) {
+  if (!active_ || tool_ != EditTool::scissors || !engine_.state().image) return;
+  if (!encloses(lasso.outline, 1e-3) || obstacle() != EditObstacle::none) return;
+  post_edit(volume_cut(settings_, lasso, lasso.keys.testFlag(Qt::ControlModifier)));
+}
+
+void EditSession::click(const SliceGesture& gesture) {
+  if (gesture.phase != SliceGesture::Phase::begin || obstacle() != EditObstacle::none) return;
+  const Image& image = *engine_.state().image;
+  const LabelVolume* labels = engine_.state().labels ? &engine_.state().labels->voxels : nullptr;
+  const Label clicked = scene::probe(image, labels, gesture.p).label;
+  const auto edit = click_edit(tool_, settings_, image.grid, gesture.slice.plane, gesture.p, clicked,
+                               gesture.keys.testFlag(Qt::ControlModifier));
+  if (edit) post_edit(*edit);
+}
+
+void EditSession::post_edit(const segmentation::Edit& edit) {
+  problem_.clear();
+  notes_.clear();
+  applying_ = engine_.post(engine::EditLabels{edit, 0});
+  edits_.insert(*applying_);
+  emit changed();
+}
+
+std::optional<segmentation::Edit> EditSession::whole() const {
+  if (!is_previewed(tool_, settings_) || obstacle() != EditObstacle::none) return std::nullopt;
+  return whole_edit(tool_, settings_, engine_.state().image->grid, present_);
+}
+
+void EditSession::preview() {
+  soon_->stop();
+  const auto edit = whole();
+  if (!edit || shows_preview()) return;
+  if (previewing_) engine_.cancel(*previewing_);
+  problem_.clear();
+  previewing_ = engine_.post(engine::PreviewEdit{edit});
+  emit changed();
+}
+
+void EditSession::apply() {
+  soon_->stop();
+  const auto edit = whole();
+  if (!edit || applying_) return;
+  // A preview of this very edit that is on its way is not thrown away: the engine takes its result.
+  post_edit(*edit);
+}
+
+void EditSession::drop_preview() {
+  soon_->stop();
+  if (previewing_) engine_.cancel(*previewing_);
+  previewing_.reset();
+  if (engine_.state().preview) engine_.post(engine::PreviewEdit{});
+  views_.set_preview(nullptr);
+}
+
+bool EditSession::shows_preview() const {
+  const auto& preview = engine_.state().preview;
+  const auto edit = preview ? whole() : std::nullopt;
+  return edit && preview->edit == *edit;
+}
+
+long EditSession::voxels_to_change() const {
+  return shows_preview() ? engine_.state().preview->result.voxels_changed : 0;
+}
+
+double EditSession::ml_of(long voxels) const {
+  return engine_.state().image
+             ? 1e-3 * engine_.state().image->grid.voxel_volume_mm3() * static_cast<double>(voxels)
+             : 0.0;
+}
+
+void EditSession::show_preview() {
+  // The former one stays in sight while the settings move, until the next is there.
+  const auto& preview = engine_.state().preview;
+  const auto edit = preview ? whole() : std::nullopt;
+  const bool same_tool = edit && edit->tool.index() == preview->edit.tool.index();
+  views_.set_preview(same_tool ? std::shared_ptr<const LabelMap>(preview, &preview->result.labels) : nullptr);
+}
+
+std::optional<double> EditSession::progress() const {
+  for (const Task& task : engine_.tasks())
+    if (task.id == applying_ || task.id == previewing_) return task.fraction;
+  return std::nullopt;
+}
+
+void EditSession::cancel() {
+  if (applying_) engine_.cancel(*applying_);
+  drop_preview();
+  emit changed();
+}
+
+void EditSession::escape() {
+  if (stroke_ || !outline_.empty()) {
+    finish_stroke();
+    views_.drop_gesture();
+    return;
+  }
+  if (applying_ || previewing_ || soon_->isActive() || shows_preview()) return cancel();
+  set_tool(EditTool::none);
+}
+
+void EditSession::set_review(Label label, ReviewState state) {
+  engine_.post(engine::SetReview{label, state});
+}
+
+void EditSession::take(const engine::Outcome& outcome) {
+  const bool edit = edits_.erase(outcome.id) > 0, preview = outcome.id == previewing_;
+  if (outcome.command == "undo_labels") --undos_;
+  if (outcome.command == "redo_labels") --redos_;
+  const bool in_history = outcome.command == "undo_labels" || outcome.command == "redo_labels";
+  if (outcome.id == applying_) applying_.reset();
+  if (preview) previewing_.reset();
+  if ((edit || preview) && outcome.status == engine::Status::failed) problem_ = outcome.error;
+  if ((edit || preview) && outcome.status == engine::Status::done) notes_ = outcome.notes;
+  if (stroke_ && outcome.id == stroke_->sent) {
+    stroke_->sent.reset();
+    if (outcome.status == engine::Status::failed)
+      stroke_.reset();  // every further piece would fail alike
+    else
+      send_stroke();
+  }
+  if (edit || preview || in_history) emit changed();
+}
+
+}  // namespace glisson::ui

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/ui/segmentation/label_rows.h"
+
+#include <set>
+
+namespace glisson::ui {
+
+std::vector<LabelRow> label_rows(const segmentation::LabelStatistics* statistics, const Review* review) {
+  const auto figures_of = [&](Label label) {
+    if (statistics != nullptr)
+      if (const auto found = statistics->figures().find(label); found != statistics->figures().end())
+        return found->second;
+    return segmentation::LabelFigures{};
+  };
+  std::set<Label> labels = {structure::kParenchyma, structure::kPortalVein, structure::kHepaticVeins,
+                            structure::kVenaCava, structure::kGallbladder};
+  if (statistics != nullptr)
+    for (const auto& [label, figures] : statistics->figures())
+      if (label != structure::kBackground && figures.voxels > 0) labels.insert(label);
+  int free = structure::kFirstLesion;
+  while (free <= structure::kLastLesion && labels.count(static_cast<Label>(free)) > 0) ++free;
+  if (free <= structure::kLastLesion) labels.insert(static_cast<Label>(free));
+  std::vector<LabelRow> rows;
+  for (const Label label : labels) {
+    LabelRow row{label, figures_of(label), ReviewState::not_started};
+    if (review != nullptr)
+      if (const auto found = review->find(label); found != review->end()) row.review = found->second;
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+}  // namespace glisson::ui

@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/ui/segmentation/seed_box.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QGridLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QShortcut>
+#include <QVBoxLayout>
+
+#include "glisson/core/error.h"
+#include "glisson/ui/common/panel.h"
+#include "glisson/ui/common/texts.h"
+
+namespace glisson::ui {
+namespace {
+
+QString seed_name(Label label) {
+  return label == structure::kBackground ? SeedBox::tr("Not liver") : structure_text(label);
+}
+
+/// The structures that can be seeded, with as many lesions as there are and one more.
+std::vector<Label> choices(const segmentation::Seeds& seeds) {
+  std::vector<Label> labels = {structure::kParenchyma, structure::kPortalVein,  structure::kHepaticVeins,
+                               structure::kVenaCava,   structure::kGallbladder, structure::kBackground};
+  for (std::size_t i = 0; i <= seeds.lesions.size(); ++i)
+    labels.push_back(static_cast<Label>(structure::kFirstLesion + i));
+  return labels;
+}
+
+/// What growth finds anew; all else stays as a hand left it.
+enum class Find { everything, vessels, lesions, all_but_liver };
+
+segmentation::Structures structures_of(Find find) {
+  segmentation::Structures structures;
+  switch (find) {
+    case Find::everything:
+      break;
+    case Find::vessels:
+      structures.liver = structures.vena_cava = structures.gallbladder = structures.lesions = false;
+      break;
+    case Find::lesions:
+      structures = {false, false, false, false, false, true};
+      break;
+    case Find::all_but_liver:
+      structures.liver = false;
+      break;
+  }
+  return structures;
+}
+
+QVBoxLayout* column_of(QWidget* widget) { return static_cast<QVBoxLayout*>(widget->layout()); }
+
+}  // namespace
+
+SeedBox::SeedBox(EngineBridge& engine, ViewState& views, QWidget* parent)
+    : QWidget(parent), engine_(engine), views_(views) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(6);
+  build_structures();
+  build_seed_list();
+  connect_seed_list();
+  build_growth();
+  connect(&views_, &ViewState::picked, this, &SeedBox::place);
+  connect(&engine_, &EngineBridge::case_changed, this, &SeedBox::show_case);
+  connect(&engine_, &EngineBridge::finished, this, [this](const engine::Outcome& outcome) {
+    if (storing_.erase(outcome.id) > 0 && storing_.empty()) show_case();
+    if (outcome.status != engine::Status::done || outcome.command != "segment") return;
+    notes_->setText(notes_text(outcome.notes));
+    notes_->setVisible(!outcome.notes.empty());
+  });
+  show_case();
+}
+
+void SeedBox::build_structures() {
+  column_of(this)->addWidget(
+      make_explanation(tr("Choose a structure, then click it in a slice. Esc ends placing."), this));
+  grid_ = new QGridLayout;
+  grid_->setSpacing(4);
+  column_of(this)->addLayout(grid_);
+}
+
+void SeedBox::build_seed_list() {
+  list_ = new QListWidget(this);
+  list_->setObjectName(QStringLiteral("seed_list"));
+  list_->setFixedHeight(84);
+  list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+  column_of(this)->addWidget(list_);
+  auto* buttons = new QGridLayout;
+  buttons->setSpacing(4);
+  remove_ = new QPushButton(tr("Delete"), this);
+  remove_->setObjectName(QStringLiteral("delete_seeds"));
+  clear_ = new QPushButton(tr("Clear"), this);
+  load_ = new QPushButton(tr("Load…"), this);
+  save_ = new QPushButton(tr("Save…"), this);
+  int cell = 0;
+  for (QPushButton* button : {remove_, clear_, load_, save_}) {
+    button->setProperty("role", "small");
+    buttons->addWidget(button, 0, cell++);
+  }
+  column_of(this)->addLayout(buttons);
+}
+
+void SeedBox::connect_seed_list() {
+  auto* key = new QShortcut(Qt::Key_Delete, list_);
+  key->setContext(Qt::WidgetShortcut);
+  connect(key, &QShortcut::activated, this, &SeedBox::remove_selected);
+  connect(remove_, &QPushButton::clicked, this, &SeedBox::remove_selected);
+  connect(list_, &QListWidget::itemSelectionChanged, this,
+          [this] { remove_->setEnabled(!list_->selectedItems().isEmpty()); });
+  connect(list_, &QListWidget::currentRowChanged, this, [this](int row_number) {
+    if (row_number >= 0 && row_number < static_cast<int>(entries_.size()))
+      views_.set_crosshair(Point<CtFrame>(entries_[static_cast<std::size_t>(row_number)].p_in_ct));
+  });
+  connect(clear_, &QPushButton::clicked, this, [this] {
+    seeds_ = {};
+    store();
+  });
+  connect(load_, &QPushButton::clicked, this, &SeedBox::load_seeds);
+  connect(save_, &QPushButton::clicked, this, &SeedBox::save_seeds);
+}
+
+void SeedBox::load_seeds() {
+  const QString path = QFileDialog::getOpenFileName(this, tr("Load seeds"), {}, tr("Seeds (*.json)"));
+  if (path.isEmpty()) return;
+  try {
+    seeds_ = segmentation::read_seeds(path.toStdString());
+    store();
+  } catch (const Error& error) {
+    QMessageBox::warning(this, tr("Load seeds"), QString::fromStdString(error.what()));
+  }
+}
+
+void SeedBox::save_seeds() {
+  const QString path = QFileDialog::getSaveFileName(this, tr("Save seeds"), {}, tr("Seeds (*.json)"));
+  if (path.isEmpty()) return;
+  try {
+    segmentation::write_seeds(path.toStdString(), seeds_);
+  } catch (const Error& error) {
+    QMessageBox::warning(this, tr("Save seeds"), QString::fromStdString(error.what()));
+  }
+}
+
+void SeedBox::build_growth() {
+  auto* form = new QFormLayout;
+  what_ = make_narrow_combo(this);
+  what_->setObjectName(QStringLiteral("find_anew"));
+  what_->addItems({tr("Everything"), tr("Portal and hepatic veins"), tr("Lesions"), tr("All but the liver")});
+  what_->setToolTip(tr("What is found anew. All else stays as it is, with everything that you edited."));
+  form->addRow(tr("Find anew"), what_);
+  spacing_ = new QDoubleSpinBox(this);
+  spacing_->setObjectName(QStringLiteral("segment_resolution"));
+  spacing_->setRange(0.5, 5.0);
+  spacing_->setSingleStep(0.5);
+  spacing_->setDecimals(1);
+  spacing_->setSuffix(tr(" mm"));
+  spacing_->setValue(segmentation::SegmentationOptions{}.working_spacing_mm);
+  spacing_->setToolTip(tr("Resolution at which the liver's surface evolves. Finer is slower."));
+  form->addRow(tr("Resolution"), spacing_);
+  column_of(this)->addLayout(form);
+  run_ = new TaskButton(
+      engine_, tr("Segment"),
+      [this]() -> std::optional<engine::Command> {
+        choose_structure(std::nullopt);
+        engine::Segment command;
+        command.options = options();
+        return command;
+      },
+      this);
+  run_->setObjectName(QStringLiteral("segment"));
+  column_of(this)->addWidget(run_);
+  notes_ = make_explanation({}, this);
+  notes_->hide();
+  column_of(this)->addWidget(notes_);
+  connect(what_, &QComboBox::currentIndexChanged, this, [this] { run_->set_obstacle(obstacle()); });
+}
+
+segmentation::SegmentationOptions SeedBox::options() const {
+  segmentation::SegmentationOptions options;
+  options.working_spacing_mm = spacing_->value();
+  options.structures = structures_of(static_cast<Find>(what_->currentIndex()));
+  return options;
+}
+
+void SeedBox::set_active(bool on) {
+  if (!on) choose_structure(std::nullopt);
+  active_ = on;
+  show_markers();
+}
+
+void SeedBox::choose_structure(std::optional<Label> structure) {
+  if (!structure && !structure_) return;
+  structure_ = structure;
+  for (const auto& [label, button] : buttons_) button->setChecked(structure == label);
+  if (structure) emit structure_chosen();  // whoever has the mouse lets go
+  views_.set_hand(structure ? Hand::point : Hand::crosshair);
+}
+
+void SeedBox::place(const Point<CtFrame>& p) {
+  if (!structure_) return;
+  add_seed(seeds_, *structure_, p.xyz);
+  store();
+}
+
+void SeedBox::remove_selected() {
+  std::vector<SeedEntry> gone;
+  for (const QListWidgetItem* item : list_->selectedItems())
+    gone.push_back(entries_[static_cast<std::size_t>(list_->row(item))]);
+  // From behind, so that rows and lesions that move up do not shift what is still to go.
+  std::sort(gone.begin(), gone.end(), [](const SeedEntry& a, const SeedEntry& b) {
+    return std::pair(a.structure, a.row) > std::pair(b.structure, b.row);
+  });
+  for (const SeedEntry& entry : gone) remove_seed(seeds_, entry);
+  if (!gone.empty()) store();
+}
+
+void SeedBox::store() {
+  storing_.insert(engine_.post(engine::SetSeeds{seeds_}));
+  show_seeds();
+}
+
+void SeedBox::show_case() {
+  // While own edits are on their way the box is ahead of the case.
+  if (storing_.empty() && engine_.state().seeds != taken_) {
+    taken_ = engine_.state().seeds;
+    seeds_ = taken_ ? *taken_ : segmentation::Seeds{};
+    show_seeds();
+  }
+  if (entries_.empty()) show_seeds();
+  if (!engine_.state().labels) notes_->hide();
+  show_buttons();
+}
+
+void SeedBox::show_seeds() {
+  entries_ = list_seeds(seeds_);
+  const int chosen = list_->currentRow();
+  {
+    const QSignalBlocker quiet(list_);
+    list_->clear();
+    for (const SeedEntry& entry : entries_) {
+      QStringList place;
+      for (int axis = 0; axis < 3; ++axis)
+        place << QString::fromStdString(scene::anatomical_coordinate(axis, entry.p_in_ct[axis]));
+      list_->addItem(new QListWidgetItem(
+          structure_icon(entry.structure),
+          QStringLiteral("%1   %2").arg(seed_name(entry.structure), place.join(QStringLiteral("  ")))));
+    }
+    list_->setCurrentRow(std::min(chosen, list_->count() - 1));
+  }
+  show_markers();
+  show_buttons();
+}
+
+void SeedBox::show_buttons() {
+  const std::vector<Label> labels = choices(seeds_);
+  int cell = 0;
+  for (const Label label : labels) {
+    QPushButton*& button = buttons_[label];
+    if (button == nullptr) {
+      button = new QPushButton(this);
+      button->setCheckable(true);
+      button->setProperty("role", "choice");
+      button->setIcon(structure_icon(label));
+      button->setObjectName(QStringLiteral("seed_%1").arg(QString::fromStdString(structure_name(label))));
+      connect(button, &QPushButton::clicked, this,
+              [this, label](bool on) { choose_structure(on ? std::optional(label) : std::nullopt); });
+    }
+    const int count = count_seeds(seeds_, label);
+    button->setText(count > 0 ? QStringLiteral("%1 (%2)").arg(seed_name(label)).arg(count)
+                              : seed_name(label));
+    button->setEnabled(engine_.state().image != nullptr);
+    button->show();
+    grid_->addWidget(button, cell / 2, cell % 2);
+    ++cell;
+  }
+  for (const auto& [label, button] : buttons_)
+    if (std::find(labels.begin(), labels.end(), label) == labels.end()) button->hide();
+  remove_->setEnabled(!list_->selectedItems().isEmpty());
+  for (QPushButton* button : {clear_, save_}) button->setEnabled(!entries_.empty());
+  run_->set_obstacle(obstacle());
+}
+
+void SeedBox::show_markers() {
+  std::vector<scene::Marker> markers;
+  if (active_)
+    for (const SeedEntry& entry : entries_) markers.push_back({entry.p_in_ct, entry.structure, 3e-3});
+  views_.set_markers(std::move(markers));
+}
+
+QString SeedBox::obstacle() const {
+  if (!engine_.state().image) return tr("Open a CT first.");
+  if (structures_of(static_cast<Find>(what_->currentIndex())).liver) {
+    if (seeds_.liver.rows() == 0) return tr("Place at least one seed in the liver.");
+  } else if (!engine_.state().labels) {
+    return tr("There is no liver yet: find everything first.");
+  }
+  return {};
+}
+
+}  // namespace glisson::ui
