@@ -2,6 +2,284 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>Cli</name>
+    <message>
+        <source>--review %1: write STRUCTURE=STATE, such as portal_vein=approved; states are not_started, in_progress, to_review, approved.</source>
+        <translation>--review %1: STRUKTUR=ZUSTAND schreiben, etwa portal_vein=approved; Zustände sind not_started, in_progress, to_review, approved.</translation>
+    </message>
+    <message>
+        <source>--only %1: is no structure that is found. Use liver, portal_vein, hepatic_veins, vena_cava, gallbladder or lesions, with commas.</source>
+        <translation>--only %1: keine Struktur, die gesucht wird. Möglich sind liver, portal_vein, hepatic_veins, vena_cava, gallbladder, lesions, mit Kommas.</translation>
+    </message>
+</context>
+<context>
+    <name>EditTexts</name>
+    <message>
+        <source>Paint</source>
+        <translation>Malen</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Radieren</translation>
+    </message>
+    <message>
+        <source>Scissors</source>
+        <translation>Schere</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>Schwellenwert</translation>
+    </message>
+    <message>
+        <source>Grow from seeds</source>
+        <translation>Aus Saatpunkten wachsen</translation>
+    </message>
+    <message>
+        <source>Level tracing</source>
+        <translation>Isolinie</translation>
+    </message>
+    <message>
+        <source>Islands</source>
+        <translation>Inseln</translation>
+    </message>
+    <message>
+        <source>Fill holes</source>
+        <translation>Löcher füllen</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Glätten</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Rand</translation>
+    </message>
+    <message>
+        <source>Interpolate between slices</source>
+        <translation>Zwischen Schichten füllen</translation>
+    </message>
+    <message>
+        <source>Logical</source>
+        <translation>Verknüpfen</translation>
+    </message>
+    <message>
+        <source>Move branch</source>
+        <translation>Ast umhängen</translation>
+    </message>
+    <message>
+        <source>No tool</source>
+        <translation>Kein Werkzeug</translation>
+    </message>
+    <message>
+        <source>Choose a label and a tool.</source>
+        <translation>Ein Label und ein Werkzeug wählen.</translation>
+    </message>
+    <message>
+        <source>Drag in a slice. Ctrl erases. Shift + wheel: size.</source>
+        <translation>In einer Schicht ziehen. Strg radiert. Umschalt + Rad: Größe.</translation>
+    </message>
+    <message>
+        <source>Drag in a slice. Ctrl paints. Shift + wheel: size.</source>
+        <translation>In einer Schicht ziehen. Strg malt. Umschalt + Rad: Größe.</translation>
+    </message>
+    <message>
+        <source>Draw around it, in a slice or in 3D. Ctrl fills instead of erasing, and the other way.</source>
+        <translation>Umfahren, in einer Schicht oder in 3D. Strg füllt, statt zu radieren, und umgekehrt.</translation>
+    </message>
+    <message>
+        <source>Everything between two intensities becomes the label.</source>
+        <translation>Alles zwischen zwei Intensitäten bekommt das Label.</translation>
+    </message>
+    <message>
+        <source>What is labelled grows into what is not, along like intensities. Paint a few strokes of each label first.</source>
+        <translation>Was ein Label hat, wächst in das, was keines hat, entlang ähnlicher Intensitäten. Zuerst von jedem Label ein paar Striche malen.</translation>
+    </message>
+    <message>
+        <source>Click where the region of like intensity ends. Ctrl erases.</source>
+        <translation>Dort klicken, wo das Gebiet ähnlicher Intensität endet. Strg radiert.</translation>
+    </message>
+    <message>
+        <source>Click an island of the label. Ctrl does the opposite.</source>
+        <translation>Eine Insel des Labels anklicken. Strg tut das Gegenteil.</translation>
+    </message>
+    <message>
+        <source>Separate pieces of the label.</source>
+        <translation>Getrennte Stücke des Labels.</translation>
+    </message>
+    <message>
+        <source>Closes what the label encloses.</source>
+        <translation>Schließt, was das Label umschließt.</translation>
+    </message>
+    <message>
+        <source>All labels at once, without gaps between them.</source>
+        <translation>Alle Labels zugleich, ohne Lücken dazwischen.</translation>
+    </message>
+    <message>
+        <source>Evens the label&apos;s surface.</source>
+        <translation>Ebnet die Oberfläche des Labels.</translation>
+    </message>
+    <message>
+        <source>Grows or shrinks the label by a distance.</source>
+        <translation>Lässt das Label um einen Abstand wachsen oder schrumpfen.</translation>
+    </message>
+    <message>
+        <source>Paint the label in some slices; those between are filled.</source>
+        <translation>Das Label in einigen Schichten malen; die dazwischen werden gefüllt.</translation>
+    </message>
+    <message>
+        <source>Combines two labels.</source>
+        <translation>Verknüpft zwei Labels.</translation>
+    </message>
+    <message>
+        <source>Click a vessel: what hangs on it beyond its thinnest place goes to the other tree. Ctrl does the other of the two.</source>
+        <translation>Ein Gefäß anklicken: was jenseits seiner dünnsten Stelle daran hängt, kommt zum anderen Baum. Strg tut das andere von beiden.</translation>
+    </message>
+    <message>
+        <source>Open a CT first.</source>
+        <translation>Zuerst ein CT öffnen.</translation>
+    </message>
+    <message>
+        <source>The label is locked.</source>
+        <translation>Das Label ist gesperrt.</translation>
+    </message>
+    <message>
+        <source>The label is empty.</source>
+        <translation>Das Label ist leer.</translation>
+    </message>
+    <message>
+        <source>The other label is empty.</source>
+        <translation>Das andere Label ist leer.</translation>
+    </message>
+    <message>
+        <source>Choose another second label.</source>
+        <translation>Ein anderes zweites Label wählen.</translation>
+    </message>
+    <message>
+        <source>Two labels or more must grow.</source>
+        <translation>Mindestens zwei Labels müssen wachsen.</translation>
+    </message>
+    <message>
+        <source>Not started</source>
+        <translation>Nicht begonnen</translation>
+    </message>
+    <message>
+        <source>In progress</source>
+        <translation>In Arbeit</translation>
+    </message>
+    <message>
+        <source>To review</source>
+        <translation>Zu prüfen</translation>
+    </message>
+    <message>
+        <source>Approved</source>
+        <translation>Freigegeben</translation>
+    </message>
+    <message>
+        <source>Scissors: fill inside</source>
+        <translation>Schere: innen füllen</translation>
+    </message>
+    <message>
+        <source>Scissors: erase inside</source>
+        <translation>Schere: innen radieren</translation>
+    </message>
+    <message>
+        <source>Scissors: erase outside</source>
+        <translation>Schere: außen radieren</translation>
+    </message>
+    <message>
+        <source>Level tracing: erase</source>
+        <translation>Isolinie: radieren</translation>
+    </message>
+    <message>
+        <source>Islands: keep largest</source>
+        <translation>Inseln: größte behalten</translation>
+    </message>
+    <message>
+        <source>Islands: remove small</source>
+        <translation>Inseln: kleine entfernen</translation>
+    </message>
+    <message>
+        <source>Islands: keep clicked</source>
+        <translation>Inseln: angeklickte behalten</translation>
+    </message>
+    <message>
+        <source>Islands: remove clicked</source>
+        <translation>Inseln: angeklickte entfernen</translation>
+    </message>
+    <message>
+        <source>Islands: split</source>
+        <translation>Inseln: trennen</translation>
+    </message>
+    <message>
+        <source>Smooth: median</source>
+        <translation>Glätten: Median</translation>
+    </message>
+    <message>
+        <source>Smooth: closing</source>
+        <translation>Glätten: Schließen</translation>
+    </message>
+    <message>
+        <source>Smooth: opening</source>
+        <translation>Glätten: Öffnen</translation>
+    </message>
+    <message>
+        <source>Smooth: joint</source>
+        <translation>Glätten: gemeinsam</translation>
+    </message>
+    <message>
+        <source>Margin: grow</source>
+        <translation>Rand: wachsen</translation>
+    </message>
+    <message>
+        <source>Margin: shrink</source>
+        <translation>Rand: schrumpfen</translation>
+    </message>
+    <message>
+        <source>Logical: copy</source>
+        <translation>Verknüpfen: kopieren</translation>
+    </message>
+    <message>
+        <source>Logical: add</source>
+        <translation>Verknüpfen: hinzufügen</translation>
+    </message>
+    <message>
+        <source>Logical: subtract</source>
+        <translation>Verknüpfen: abziehen</translation>
+    </message>
+    <message>
+        <source>Logical: intersect</source>
+        <translation>Verknüpfen: Schnitt</translation>
+    </message>
+    <message>
+        <source>Logical: invert</source>
+        <translation>Verknüpfen: umkehren</translation>
+    </message>
+    <message>
+        <source>Logical: clear</source>
+        <translation>Verknüpfen: leeren</translation>
+    </message>
+    <message>
+        <source>Logical: fill</source>
+        <translation>Verknüpfen: alles füllen</translation>
+    </message>
+    <message>
+        <source>Cut branch off</source>
+        <translation>Ast abschneiden</translation>
+    </message>
+    <message>
+        <source>Segment</source>
+        <translation>Segmentieren</translation>
+    </message>
+    <message>
+        <source>Import labels</source>
+        <translation>Labels importieren</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
     <name>Notes</name>
     <message>
         <source>The liver is smaller than 400 ml: check it in the slices.</source>
@@ -138,6 +416,22 @@
     <message>
         <source>The organ would be bent as in hardly any simulated operation.</source>
         <translation>Das Organ wäre so verformt wie in kaum einer simulierten Operation.</translation>
+    </message>
+    <message>
+        <source>Nothing changed.</source>
+        <translation>Nichts hat sich geändert.</translation>
+    </message>
+    <message>
+        <source>There is no empty slice between two that are drawn.</source>
+        <translation>Zwischen zwei gemalten Schichten liegt keine leere.</translation>
+    </message>
+    <message>
+        <source>The region reaches the slice&apos;s edge: click where it is enclosed.</source>
+        <translation>Das Gebiet reicht an den Rand der Schicht: dort klicken, wo es umschlossen ist.</translation>
+    </message>
+    <message>
+        <source>No label was free for the smallest islands: %1 stayed as they were.</source>
+        <translation>Für die kleinsten Inseln war kein Label frei: %1 blieben, wie sie waren.</translation>
     </message>
 </context>
 <context>
@@ -549,6 +843,30 @@
         <source>preparing the solver</source>
         <translation>Löser wird vorbereitet</translation>
     </message>
+    <message>
+        <source>Editing the labels</source>
+        <translation>Labels bearbeiten</translation>
+    </message>
+    <message>
+        <source>Preparing a preview</source>
+        <translation>Vorschau vorbereiten</translation>
+    </message>
+    <message>
+        <source>Undoing</source>
+        <translation>Rückgängig machen</translation>
+    </message>
+    <message>
+        <source>Redoing</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Storing the review</source>
+        <translation>Prüfstand speichern</translation>
+    </message>
+    <message>
+        <source>looking at voxels</source>
+        <translation>Voxel ansehen</translation>
+    </message>
 </context>
 <context>
     <name>cli</name>
@@ -685,10 +1003,6 @@
         <translation>Was angeklickt wurde (JSON, LPS mm).</translation>
     </message>
     <message>
-        <source>Labels of an expert: adds the Dice coefficient. Read after everything else.</source>
-        <translation>Labels eines Experten: fügt den Dice-Koeffizienten hinzu. Wird erst nach allem anderen gelesen.</translation>
-    </message>
-    <message>
         <source>What the expert&apos;s codes mean (JSON).</source>
         <translation>Was die Codes des Experten bedeuten (JSON).</translation>
     </message>
@@ -813,20 +1127,12 @@
         <translation>Das rechte Bild.</translation>
     </message>
     <message>
-        <source>OpenCV YAML: M1 D1 M2 D2 R T image_width image_height unit.</source>
-        <translation>OpenCV-YAML: M1 D1 M2 D2 R T image_width image_height unit.</translation>
-    </message>
-    <message>
         <source>What of the left picture is tissue (non-zero).</source>
         <translation>Was im linken Bild Gewebe ist (nicht null).</translation>
     </message>
     <message>
         <source>Clicked regions (JSON): only what lies in one is kept, with its label.</source>
         <translation>Angeklickte Bereiche (JSON): Nur was darin liegt, bleibt, mit dessen Beschriftung.</translation>
-    </message>
-    <message>
-        <source>Semi-global matching instead of features.</source>
-        <translation>Semi-globales Matching statt Merkmalspunkten.</translation>
     </message>
     <message>
         <source>The cloud (PLY).</source>
@@ -952,6 +1258,426 @@
         <source>The load (JSON): gravity, pressure, forces, springs, fixed; see the manual.</source>
         <translation>Die Last (JSON): Schwerkraft, Druck, Kräfte, Federn, feste Knoten; siehe Handbuch.</translation>
     </message>
+    <message>
+        <source>Edits the labels by a script of the window&apos;s tools. Each edit is a step that can be undone in the window.</source>
+        <translation>Bearbeitet die Labels nach einem Skript mit den Werkzeugen des Fensters. Jede Bearbeitung ist ein Schritt, der im Fenster rückgängig gemacht werden kann.</translation>
+    </message>
+    <message>
+        <source>The edits (JSON, LPS mm).</source>
+        <translation>Die Bearbeitungen (JSON, LPS mm).</translation>
+    </message>
+    <message>
+        <source>Undo so many steps first.</source>
+        <translation>Zuerst so viele Schritte rückgängig machen.</translation>
+    </message>
+    <message>
+        <source>Redo so many steps first, after those that are undone.</source>
+        <translation>Zuerst so viele Schritte wiederholen, nach denen, die rückgängig gemacht werden.</translation>
+    </message>
+    <message>
+        <source>How far a label has come: STRUCTURE=STATE, several with commas.</source>
+        <translation>Wie weit ein Label ist: STRUKTUR=ZUSTAND, mehrere mit Kommas.</translation>
+    </message>
+    <message>
+        <source>Nothing to do: give --script, --undo, --redo or --review.</source>
+        <translation>Nichts zu tun: --script, --undo, --redo oder --review angeben.</translation>
+    </message>
+    <message>
+        <source>Labels of an expert: adds Dice coefficients. Read after everything else.</source>
+        <translation>Labels eines Experten: ergänzt Dice-Koeffizienten. Wird nach allem anderen gelesen.</translation>
+    </message>
+    <message>
+        <source>Mean edge length wanted, mm, instead of a number of vertices.</source>
+        <translation>Gewünschte mittlere Kantenlänge, mm, statt einer Zahl von Ecken.</translation>
+    </message>
+    <message>
+        <source>Edge length in lesions over that elsewhere, 0.1 to 1.</source>
+        <translation>Kantenlänge in Läsionen zu der anderswo, 0.1 bis 1.</translation>
+    </message>
+    <message>
+        <source>Edge length in and next to vessels over that elsewhere, 0.2 to 1.</source>
+        <translation>Kantenlänge in und neben Gefäßen zu der anderswo, 0.2 bis 1.</translation>
+    </message>
+    <message>
+        <source>--region %1: write two opposite corners, X0,Y0,Z0,X1,Y1,Z1 in LPS millimetres.</source>
+        <translation>--region %1: zwei gegenüberliegende Ecken schreiben, X0,Y0,Z0,X1,Y1,Z1 in LPS-Millimetern.</translation>
+    </message>
+    <message>
+        <source>Which DICOM series, where there are several: its UID or number.</source>
+        <translation>Welche DICOM-Serie, wenn es mehrere gibt: ihre UID oder Nummer.</translation>
+    </message>
+    <message>
+        <source>Of the liver&apos;s contour, mm.</source>
+        <translation>Der Leberkontur, mm.</translation>
+    </message>
+    <message>
+        <source>Find these anew and keep the other labels: liver, portal_vein, hepatic_veins, vena_cava, gallbladder, lesions, with commas.</source>
+        <translation>Diese neu suchen und die anderen Labels behalten: liver, portal_vein, hepatic_veins, vena_cava, gallbladder, lesions, mit Kommas.</translation>
+    </message>
+    <message>
+        <source>Only inside this box, and keep the labels outside: X0,Y0,Z0,X1,Y1,Z1, LPS mm.</source>
+        <translation>Nur in diesem Quader, und die Labels außerhalb behalten: X0,Y0,Z0,X1,Y1,Z1, LPS mm.</translation>
+    </message>
+    <message>
+        <source>real CT: Dice of the liver</source>
+        <translation>echtes CT: Dice der Leber</translation>
+    </message>
+    <message>
+        <source>real CT: Dice of the portal vein in the liver</source>
+        <translation>echtes CT: Dice der Pfortader in der Leber</translation>
+    </message>
+    <message>
+        <source>real CT: Dice of the hepatic veins in the liver</source>
+        <translation>echtes CT: Dice der Lebervenen in der Leber</translation>
+    </message>
+    <message>
+        <source>real CT: portal vein after the strokes</source>
+        <translation>echtes CT: Pfortader nach den Strichen</translation>
+    </message>
+    <message>
+        <source>real CT: hepatic veins after the strokes</source>
+        <translation>echtes CT: Lebervenen nach den Strichen</translation>
+    </message>
+    <message>
+        <source>real CT: vertices to the fine surface, mean, mm</source>
+        <translation>echtes CT: Ecken zur feinen Oberfläche, Mittel, mm</translation>
+    </message>
+    <message>
+        <source>real CT: least dihedral angle, degrees</source>
+        <translation>echtes CT: kleinster Flächenwinkel, Grad</translation>
+    </message>
+    <message>
+        <source>real CT: tetrahedra of the fine model</source>
+        <translation>echtes CT: Tetraeder des feinen Modells</translation>
+    </message>
+    <message>
+        <source>real CT: volume error of the fine model</source>
+        <translation>echtes CT: Volumenfehler des feinen Modells</translation>
+    </message>
+    <message>
+        <source>in silico: Dice of the liver</source>
+        <translation>in silico: Dice der Leber</translation>
+    </message>
+    <message>
+        <source>in silico: centrelines to the true trees, mean, voxels</source>
+        <translation>in silico: Mittellinien zu den wahren Bäumen, Mittel, Voxel</translation>
+    </message>
+    <message>
+        <source>in silico: branches above 2 mm radius found</source>
+        <translation>in silico: gefundene Äste über 2 mm Radius</translation>
+    </message>
+    <message>
+        <source>in silico: false loops</source>
+        <translation>in silico: falsche Schleifen</translation>
+    </message>
+    <message>
+        <source>in silico, segmented by clicks: centrelines to the true trees, mean, voxels</source>
+        <translation>in silico, durch Klicks segmentiert: Mittellinien zu den wahren Bäumen, Mittel, Voxel</translation>
+    </message>
+    <message>
+        <source>in silico: vertices to the fine surface, mean, mm</source>
+        <translation>in silico: Ecken zur feinen Oberfläche, Mittel, mm</translation>
+    </message>
+    <message>
+        <source>in silico: least dihedral angle, degrees</source>
+        <translation>in silico: kleinster Flächenwinkel, Grad</translation>
+    </message>
+    <message>
+        <source>in silico: volume error of the fine model</source>
+        <translation>in silico: Volumenfehler des feinen Modells</translation>
+    </message>
+    <message>
+        <source>met</source>
+        <translation>erfüllt</translation>
+    </message>
+    <message>
+        <source>NOT MET</source>
+        <translation>NICHT ERFÜLLT</translation>
+    </message>
+    <message>
+        <source>%1 is not there: the real CT is left out.</source>
+        <translation>%1 ist nicht da: das echte CT wird ausgelassen.</translation>
+    </message>
+    <message>
+        <source>Folder of the real data; what is not there is left out.</source>
+        <translation>Ordner der echten Daten; was nicht da ist, wird ausgelassen.</translation>
+    </message>
+    <message>
+        <source>Folder of the clicks on it.</source>
+        <translation>Ordner der Klicks darauf.</translation>
+    </message>
+    <message>
+        <source>Folder for cases, scripts and pictures.</source>
+        <translation>Ordner für Fälle, Skripte und Bilder.</translation>
+    </message>
+    <message>
+        <source>%1: is no proof. See &apos;glisson prove --help&apos;.</source>
+        <translation>%1: kein Nachweis. Siehe &apos;glisson prove --help&apos;.</translation>
+    </message>
+    <message>
+        <source>%1: the board is found in the left picture only</source>
+        <translation>%1: die Tafel ist nur im linken Bild zu finden</translation>
+    </message>
+    <message>
+        <source>%1: the board is found in the right picture only</source>
+        <translation>%1: die Tafel ist nur im rechten Bild zu finden</translation>
+    </message>
+    <message>
+        <source>%1: no board is found</source>
+        <translation>%1: keine Tafel gefunden</translation>
+    </message>
+    <message>
+        <source>%1: has no partner</source>
+        <translation>%1: hat keinen Partner</translation>
+    </message>
+    <message>
+        <source>view, left px, right px, distance mm, tilt degrees, rows px by a calibration without it, rows px by the reference</source>
+        <translation>Ansicht, links px, rechts px, Abstand mm, Neigung Grad, Zeilen px nach einer Kalibrierung ohne sie, Zeilen px nach der Vergleichskalibrierung</translation>
+    </message>
+    <message>
+        <source>  left out</source>
+        <translation>  ausgelassen</translation>
+    </message>
+    <message>
+        <source>  fits far worse than the others: leave it out (--drop-outliers)</source>
+        <translation>  passt weit schlechter als die anderen: auslassen (--drop-outliers)</translation>
+    </message>
+    <message>
+        <source>A folder of picture pairs whose names differ in left and right only, or with folders left and right in it.</source>
+        <translation>Ein Ordner mit Bildpaaren, deren Namen sich nur in left und right unterscheiden, oder mit Ordnern left und right darin.</translation>
+    </message>
+    <message>
+        <source>The left pictures: a folder, or a pattern such as &apos;shots/left-*.png&apos;.</source>
+        <translation>Die linken Bilder: ein Ordner oder ein Muster wie &apos;shots/left-*.png&apos;.</translation>
+    </message>
+    <message>
+        <source>The right pictures, likewise.</source>
+        <translation>Die rechten Bilder, ebenso.</translation>
+    </message>
+    <message>
+        <source>Stereo video of the board, views side by side.</source>
+        <translation>Stereovideo der Tafel, Ansichten nebeneinander.</translation>
+    </message>
+    <message>
+        <source>Inner corners of the board, columns and rows.</source>
+        <translation>Innere Ecken der Tafel, Spalten und Zeilen.</translation>
+    </message>
+    <message>
+        <source>Side of a square, millimetres.</source>
+        <translation>Seite eines Quadrats, Millimeter.</translation>
+    </message>
+    <message>
+        <source>A ChArUco board: the dictionary of its markers, as DICT_4X4_50.</source>
+        <translation>Eine ChArUco-Tafel: das Wörterbuch ihrer Marker, etwa DICT_4X4_50.</translation>
+    </message>
+    <message>
+        <source>Side of a ChArUco marker, millimetres.</source>
+        <translation>Seite eines ChArUco-Markers, Millimeter.</translation>
+    </message>
+    <message>
+        <source>Views to use at most; those that differ most are kept.</source>
+        <translation>Höchstzahl der Ansichten; die verschiedensten bleiben.</translation>
+    </message>
+    <message>
+        <source>Another calibration to compare with: YAML, or a folder of plain text.</source>
+        <translation>Eine andere Kalibrierung zum Vergleich: YAML oder ein Ordner mit einfachem Text.</translation>
+    </message>
+    <message>
+        <source>Leave out the views that fit far worse than the others.</source>
+        <translation>Ansichten auslassen, die weit schlechter passen als die anderen.</translation>
+    </message>
+    <message>
+        <source>Estimate the third radial distortion term too.</source>
+        <translation>Auch den dritten radialen Verzeichnungsterm schätzen.</translation>
+    </message>
+    <message>
+        <source>Picture of where the boards were, both cameras.</source>
+        <translation>Bild davon, wo die Tafeln waren, beide Kameras.</translation>
+    </message>
+    <message>
+        <source>Instead of pictures: a calibration in plain text files (3x3, 4x4), to be written as YAML; needs --size.</source>
+        <translation>Statt Bildern: eine Kalibrierung in einfachen Textdateien (3x3, 4x4), die als YAML geschrieben wird; braucht --size.</translation>
+    </message>
+    <message>
+        <source>Width and height of the pictures, for --text.</source>
+        <translation>Breite und Höhe der Bilder, für --text.</translation>
+    </message>
+    <message>
+        <source>Unit of the translation in --text: mm, cm or m.</source>
+        <translation>Einheit der Verschiebung in --text: mm, cm oder m.</translation>
+    </message>
+    <message>
+        <source>The calibration (OpenCV YAML, mm).</source>
+        <translation>Die Kalibrierung (OpenCV-YAML, mm).</translation>
+    </message>
+    <message>
+        <source>Calibrates a stereo laparoscope from pictures of a chessboard or ChArUco board, and tells how far to trust it.</source>
+        <translation>Kalibriert ein Stereolaparoskop aus Bildern einer Schachbrett- oder ChArUco-Tafel und sagt, wie weit man ihr trauen kann.</translation>
+    </message>
+    <message>
+        <source>OpenCV YAML: M1 D1 M2 D2 R T image_width image_height unit; or a folder of plain text files (3x3, 4x4).</source>
+        <translation>OpenCV-YAML: M1 D1 M2 D2 R T image_width image_height unit; oder ein Ordner mit einfachen Textdateien (3x3, 4x4).</translation>
+    </message>
+    <message>
+        <source>Features (sparse, the paper&apos;s), semi-global matching (dense), or auto: dense where features leave fewer than 0.7 points per cm2.</source>
+        <translation>Merkmale (sparse, wie im Artikel), halbglobaler Abgleich (dense) oder auto: dense, wo Merkmale weniger als 0,7 Punkte je cm2 lassen.</translation>
+    </message>
+    <message>
+        <source>The same as --method dense.</source>
+        <translation>Dasselbe wie --method dense.</translation>
+    </message>
+    <message>
+        <source>Kind of features.</source>
+        <translation>Art der Merkmale.</translation>
+    </message>
+    <message>
+        <source>Edit the labels by a script of the window&apos;s tools</source>
+        <translation>Labels nach einem Skript mit den Werkzeugen des Fensters bearbeiten</translation>
+    </message>
+    <message>
+        <source>Calibrate a stereo laparoscope from pictures of a board</source>
+        <translation>Ein Stereolaparoskop aus Bildern einer Tafel kalibrieren</translation>
+    </message>
+    <message>
+        <source>Measure the figures of the READMEs again</source>
+        <translation>Die Zahlen der READMEs noch einmal messen</translation>
+    </message>
+    <message>
+        <source>real liver, features: points</source>
+        <translation>echte Leber, Merkmale: Punkte</translation>
+    </message>
+    <message>
+        <source>real liver, features: median to the CT surface, mm</source>
+        <translation>echte Leber, Merkmale: Median zur CT-Oberfläche, mm</translation>
+    </message>
+    <message>
+        <source>real liver, features: share within 3 mm</source>
+        <translation>echte Leber, Merkmale: Anteil innerhalb 3 mm</translation>
+    </message>
+    <message>
+        <source>real liver, features: median without the common offset, mm</source>
+        <translation>echte Leber, Merkmale: Median ohne gemeinsamen Versatz, mm</translation>
+    </message>
+    <message>
+        <source>real liver, dense: median to the CT surface, mm</source>
+        <translation>echte Leber, dicht: Median zur CT-Oberfläche, mm</translation>
+    </message>
+    <message>
+        <source>real liver, dense: share of the region covered</source>
+        <translation>echte Leber, dicht: abgedeckter Anteil der Region</translation>
+    </message>
+    <message>
+        <source>real liver, dense: median without the common offset, mm</source>
+        <translation>echte Leber, dicht: Median ohne gemeinsamen Versatz, mm</translation>
+    </message>
+    <message>
+        <source>real chessboards: joint stereo rms, pixels</source>
+        <translation>echte Schachbretter: gemeinsamer Stereo-RMS, Pixel</translation>
+    </message>
+    <message>
+        <source>real chessboards: views that fit better left out than by the reference</source>
+        <translation>echte Schachbretter: Ansichten, die ausgelassen besser passen als nach der Vergleichskalibrierung</translation>
+    </message>
+    <message>
+        <source>real heart: rows, rms, pixels</source>
+        <translation>echtes Herz: Zeilen, RMS, Pixel</translation>
+    </message>
+    <message>
+        <source>in silico: largest bias of any trial, mm</source>
+        <translation>in silico: größte systematische Abweichung eines Versuchs, mm</translation>
+    </message>
+    <message>
+        <source>in silico: normalised error, median of the trials (1: sigma is right)</source>
+        <translation>in silico: normierter Fehler, Median der Versuche (1: Sigma stimmt)</translation>
+    </message>
+    <message>
+        <source>%1 is not there and is left out.</source>
+        <translation>%1 ist nicht da und wird ausgelassen.</translation>
+    </message>
+    <message>
+        <source>Measures the figures of the READMEs again, against experts&apos; labels and known truths: patient (from the CT to the model), stereo (from pictures to clouds).</source>
+        <translation>Misst die Zahlen der READMEs noch einmal, an Labels von Experten und bekannten Wahrheiten: patient (vom CT zum Modell), stereo (von Bildern zu Punktwolken).</translation>
+    </message>
+    <message>
+        <source>Which: patient or stereo.</source>
+        <translation>Welche: patient oder stereo.</translation>
+    </message>
+    <message>
+        <source>Picture of where there are enough points, and where they are missing.</source>
+        <translation>Bild davon, wo genug Punkte sind und wo sie fehlen.</translation>
+    </message>
+    <message>
+        <source>both views are black</source>
+        <translation>beide Ansichten sind schwarz</translation>
+    </message>
+    <message>
+        <source>the left view shows nothing</source>
+        <translation>die linke Ansicht zeigt nichts</translation>
+    </message>
+    <message>
+        <source>the right view shows nothing</source>
+        <translation>die rechte Ansicht zeigt nichts</translation>
+    </message>
+    <message>
+        <source>both views are the same picture</source>
+        <translation>beide Ansichten sind dasselbe Bild</translation>
+    </message>
+    <message>
+        <source>left and right are swapped</source>
+        <translation>links und rechts sind vertauscht</translation>
+    </message>
+    <message>
+        <source>the views show nothing in common</source>
+        <translation>die Ansichten zeigen nichts Gemeinsames</translation>
+    </message>
+    <message>
+        <source>the calibration is not of this laparoscope</source>
+        <translation>die Kalibrierung gehört nicht zu diesem Laparoskop</translation>
+    </message>
+    <message>
+        <source>the frame before comes once more</source>
+        <translation>das vorige Bild kommt noch einmal</translation>
+    </message>
+    <message>
+        <source>the picture is frozen</source>
+        <translation>das Bild steht still</translation>
+    </message>
+    <message>
+        <source>the left view is frozen</source>
+        <translation>die linke Ansicht steht still</translation>
+    </message>
+    <message>
+        <source>the right view is frozen</source>
+        <translation>die rechte Ansicht steht still</translation>
+    </message>
+    <message>
+        <source>two frames have changed places</source>
+        <translation>zwei Bilder haben die Plätze getauscht</translation>
+    </message>
+    <message>
+        <source>Looks through a stereo video for faults: black, frozen, duplicated, swapped or exchanged frames, a lost camera, a calibration of another scope.</source>
+        <translation>Sieht ein Stereovideo auf Fehler durch: schwarze, stehende, doppelte, vertauschte oder umgestellte Bilder, eine ausgefallene Kamera, die Kalibrierung eines anderen Laparoskops.</translation>
+    </message>
+    <message>
+        <source>Stereo video, folder of picture pairs, or description of a source (.json).</source>
+        <translation>Stereovideo, Ordner mit Bildpaaren oder Beschreibung einer Quelle (.json).</translation>
+    </message>
+    <message>
+        <source>OpenCV YAML of the laparoscope, or a folder of plain text.</source>
+        <translation>OpenCV-YAML des Laparoskops oder ein Ordner mit einfachem Text.</translation>
+    </message>
+    <message>
+        <source>Hold each N-th frame against the calibration.</source>
+        <translation>Jedes N-te Bild gegen die Kalibrierung halten.</translation>
+    </message>
+    <message>
+        <source>frame %1: %2</source>
+        <translation>Bild %1: %2</translation>
+    </message>
+    <message>
+        <source>Look through a stereo video for faults</source>
+        <translation>Ein Stereovideo auf Fehler durchsehen</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AtlasPanel</name>
@@ -1030,6 +1756,120 @@
     <message>
         <source>points: %1</source>
         <translation>Punkte: %1</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::BridgeList</name>
+    <message>
+        <source>Looking for places where the trees touch…</source>
+        <translation>Stellen suchen, an denen sich die Bäume berühren…</translation>
+    </message>
+    <message>
+        <source>The trees touch: %1 mm²</source>
+        <translation>Die Bäume berühren sich: %1 mm²</translation>
+    </message>
+    <message>
+        <source>A neck of %1 mm², %2 ml beyond it</source>
+        <translation>Ein Hals von %1 mm², %2 ml dahinter</translation>
+    </message>
+    <message>
+        <source>The trees touch nowhere, and no part hangs by a neck.</source>
+        <translation>Die Bäume berühren sich nirgends, und nichts hängt an einem Hals.</translation>
+    </message>
+    <message>
+        <source>Suspicious places. Click one to go there; cut where the branch is wrong.</source>
+        <translation>Verdächtige Stellen. Anklicken führt hin; abschneiden, wo der Ast falsch ist.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::EditBox</name>
+    <message>
+        <source>Apply</source>
+        <translation>Anwenden</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Eingabetaste</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>Hatched in the slices: what would change</source>
+        <translation>Schraffiert in den Schichten: was sich ändern würde</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Where tools may change anything</source>
+        <translation>Wo Werkzeuge etwas ändern dürfen</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>Only these intensities</source>
+        <translation>Nur diese Intensitäten</translation>
+    </message>
+    <message>
+        <source> HU</source>
+        <translation> HU</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Everywhere</source>
+        <translation>Überall</translation>
+    </message>
+    <message>
+        <source>Nothing is overwritten</source>
+        <translation>Nichts wird überschrieben</translation>
+    </message>
+    <message>
+        <source>Inside any label</source>
+        <translation>In jedem Label</translation>
+    </message>
+    <message>
+        <source>Inside the liver</source>
+        <translation>In der Leber</translation>
+    </message>
+    <message>
+        <source>Inside: %1</source>
+        <translation>In: %1</translation>
+    </message>
+    <message>
+        <source>Undo: %1</source>
+        <translation>Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translation>Wiederholen: %1</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Nothing would change.</source>
+        <translation>Nichts würde sich ändern.</translation>
+    </message>
+    <message>
+        <source>%1 ml would change.</source>
+        <translation>%1 ml würden sich ändern.</translation>
     </message>
 </context>
 <context>
@@ -1248,6 +2088,87 @@
     </message>
 </context>
 <context>
+    <name>glisson::ui::ImageImport</name>
+    <message>
+        <source>no description</source>
+        <translation>keine Beschreibung</translation>
+    </message>
+    <message>
+        <source>%1  %2  %3 slices  (series %4)</source>
+        <translation>%1  %2  %3 Schichten  (Serie %4)</translation>
+    </message>
+    <message>
+        <source>Several series</source>
+        <translation>Mehrere Serien</translation>
+    </message>
+    <message numerus="yes">
+        <source>This folder holds %n series. Which one shows the liver in the portal venous phase?</source>
+        <translation>
+            <numerusform>Dieser Ordner enthält %n Serie. Zeigt sie die Leber in der portalvenösen Phase?</numerusform>
+            <numerusform>Dieser Ordner enthält %n Serien. Welche zeigt die Leber in der portalvenösen Phase?</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::LabelTable</name>
+    <message>
+        <source>Label</source>
+        <translation>Label</translation>
+    </message>
+    <message>
+        <source>ml</source>
+        <translation>ml</translation>
+    </message>
+    <message>
+        <source>HU</source>
+        <translation>HU</translation>
+    </message>
+    <message>
+        <source>⌀ mm</source>
+        <translation>⌀ mm</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Mean intensity</source>
+        <translation>Mittlere Intensität</translation>
+    </message>
+    <message>
+        <source>Longest diameter of a lesion</source>
+        <translation>Längster Durchmesser einer Läsion</translation>
+    </message>
+    <message>
+        <source>%1 (new)</source>
+        <translation>%1 (neu)</translation>
+    </message>
+    <message>
+        <source>%1: click to change</source>
+        <translation>%1: zum Ändern klicken</translation>
+    </message>
+    <message>
+        <source>%1 ± %2 HU</source>
+        <translation>%1 ± %2 HU</translation>
+    </message>
+    <message>
+        <source>Hidden: click to show</source>
+        <translation>Verborgen: zum Zeigen klicken</translation>
+    </message>
+    <message>
+        <source>Shown: click to hide</source>
+        <translation>Sichtbar: zum Verbergen klicken</translation>
+    </message>
+    <message>
+        <source>Locked: neither loses nor gains voxels. Click to unlock</source>
+        <translation>Gesperrt: verliert und bekommt keine Voxel. Zum Entsperren klicken</translation>
+    </message>
+    <message>
+        <source>Click to lock: it neither loses nor gains voxels</source>
+        <translation>Zum Sperren klicken: verliert und bekommt dann keine Voxel</translation>
+    </message>
+</context>
+<context>
     <name>glisson::ui::LinkedViews</name>
     <message>
         <source>3D</source>
@@ -1332,6 +2253,10 @@
     <message>
         <source>%1 HU</source>
         <translation>%1 HE</translation>
+    </message>
+    <message>
+        <source>Preparing the surfaces…</source>
+        <translation>Oberflächen werden vorbereitet…</translation>
     </message>
 </context>
 <context>
@@ -1487,6 +2412,10 @@
         <source>The case has changes that are not saved. Opening another loses them.</source>
         <translation>Der Fall hat Änderungen, die nicht gespeichert sind. Beim Öffnen eines anderen gehen sie verloren.</translation>
     </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::ModelPanel</name>
@@ -1626,62 +2555,10 @@
     </message>
 </context>
 <context>
-    <name>glisson::ui::SegmentationPanel</name>
+    <name>glisson::ui::SeedBox</name>
     <message>
         <source>Not liver</source>
         <translation>Nicht Leber</translation>
-    </message>
-    <message>
-        <source>Segmentation</source>
-        <translation>Segmentierung</translation>
-    </message>
-    <message>
-        <source>Mark each structure with a few clicks in the slices, then grow them.</source>
-        <translation>Jede Struktur mit ein paar Klicks in den Schichten markieren, dann wachsen lassen.</translation>
-    </message>
-    <message>
-        <source>Grow</source>
-        <translation>Wachsen</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source>Resolution at which the liver&apos;s surface evolves. Finer is slower.</source>
-        <translation>Auflösung, in der die Leberoberfläche wächst. Feiner ist langsamer.</translation>
-    </message>
-    <message>
-        <source>Resolution</source>
-        <translation>Auflösung</translation>
-    </message>
-    <message>
-        <source>Segment</source>
-        <translation>Segmentieren</translation>
-    </message>
-    <message>
-        <source>Result</source>
-        <translation>Ergebnis</translation>
-    </message>
-    <message>
-        <source>Label opacity</source>
-        <translation>Deckkraft der Labels</translation>
-    </message>
-    <message>
-        <source>Import labels…</source>
-        <translation>Labels importieren…</translation>
-    </message>
-    <message>
-        <source>Import labels</source>
-        <translation>Labels importieren</translation>
-    </message>
-    <message>
-        <source>Labels (*.nrrd *.nii *.nii.gz *.mha *.mhd *.vti)</source>
-        <translation>Labels (*.nrrd *.nii *.nii.gz *.mha *.mhd *.vti)</translation>
-    </message>
-    <message>
-        <source>Seeds</source>
-        <translation>Saatpunkte</translation>
     </message>
     <message>
         <source>Choose a structure, then click it in a slice. Esc ends placing.</source>
@@ -1716,8 +2593,44 @@
         <translation>Saatpunkte sichern</translation>
     </message>
     <message>
-        <source>%1 ml</source>
-        <translation>%1 ml</translation>
+        <source>Everything</source>
+        <translation>Alles</translation>
+    </message>
+    <message>
+        <source>Portal and hepatic veins</source>
+        <translation>Pfortader und Lebervenen</translation>
+    </message>
+    <message>
+        <source>Lesions</source>
+        <translation>Läsionen</translation>
+    </message>
+    <message>
+        <source>All but the liver</source>
+        <translation>Alles außer der Leber</translation>
+    </message>
+    <message>
+        <source>What is found anew. All else stays as it is, with everything that you edited.</source>
+        <translation>Was neu gesucht wird. Alles andere bleibt, wie es ist, mit allem, was Sie bearbeitet haben.</translation>
+    </message>
+    <message>
+        <source>Find anew</source>
+        <translation>Neu suchen</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Resolution at which the liver&apos;s surface evolves. Finer is slower.</source>
+        <translation>Auflösung, in der die Leberoberfläche wächst. Feiner ist langsamer.</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Auflösung</translation>
+    </message>
+    <message>
+        <source>Segment</source>
+        <translation>Segmentieren</translation>
     </message>
     <message>
         <source>Open a CT first.</source>
@@ -1726,6 +2639,81 @@
     <message>
         <source>Place at least one seed in the liver.</source>
         <translation>Mindestens einen Saatpunkt in die Leber setzen.</translation>
+    </message>
+    <message>
+        <source>There is no liver yet: find everything first.</source>
+        <translation>Es gibt noch keine Leber: zuerst alles suchen.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::SegmentationPanel</name>
+    <message>
+        <source>Segmentation</source>
+        <translation>Segmentierung</translation>
+    </message>
+    <message>
+        <source>Import labels</source>
+        <translation>Labels importieren</translation>
+    </message>
+    <message>
+        <source>Labels (*.nrrd *.nii *.nii.gz *.mha *.mhd *.vti)</source>
+        <translation>Labels (*.nrrd *.nii *.nii.gz *.mha *.mhd *.vti)</translation>
+    </message>
+    <message>
+        <source>%1 ml</source>
+        <translation>%1 ml</translation>
+    </message>
+    <message>
+        <source>Grow the structures from a few clicks, then correct them by hand.</source>
+        <translation>Strukturen aus wenigen Klicks wachsen lassen, dann von Hand verbessern.</translation>
+    </message>
+    <message>
+        <source>Seeds and growth</source>
+        <translation>Saat und Wachstum</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Bearbeiten</translation>
+    </message>
+    <message>
+        <source>Approve</source>
+        <translation>Freigeben</translation>
+    </message>
+    <message>
+        <source>You have looked at the chosen label and it is right. An edit takes that back.</source>
+        <translation>Sie haben das gewählte Label angesehen, und es stimmt. Eine Bearbeitung nimmt das zurück.</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>Importieren…</translation>
+    </message>
+    <message>
+        <source>Labels that were made elsewhere: .seg.nrrd, NIfTI</source>
+        <translation>Labels, die anderswo gemacht wurden: .seg.nrrd, NIfTI</translation>
+    </message>
+    <message>
+        <source>Opacity of the labels in the slices</source>
+        <translation>Deckkraft der Labels in den Schichten</translation>
+    </message>
+    <message>
+        <source>Approved</source>
+        <translation>Freigegeben</translation>
+    </message>
+    <message>
+        <source>%1: nothing yet</source>
+        <translation>%1: noch nichts</translation>
+    </message>
+    <message>
+        <source>%1 ± %2 HU</source>
+        <translation>%1 ± %2 HU</translation>
+    </message>
+    <message>
+        <source>longest diameter %1 mm</source>
+        <translation>längster Durchmesser %1 mm</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -1973,6 +2961,229 @@
     <message>
         <source>%1: cancelled</source>
         <translation>%1: abgebrochen</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::ToolPages</name>
+    <message>
+        <source>Diameter</source>
+        <translation>Durchmesser</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Size of the brush. In a slice: Shift + wheel.</source>
+        <translation>Größe des Pinsels. In einer Schicht: Umschalt + Rad.</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation>Pinsel</translation>
+    </message>
+    <message>
+        <source>Disc, this slice</source>
+        <translation>Scheibe, diese Schicht</translation>
+    </message>
+    <message>
+        <source>Ball, all slices</source>
+        <translation>Kugel, alle Schichten</translation>
+    </message>
+    <message>
+        <source>Erase any label</source>
+        <translation>Jedes Label radieren</translation>
+    </message>
+    <message>
+        <source>Does</source>
+        <translation>Wirkung</translation>
+    </message>
+    <message>
+        <source>Fill inside</source>
+        <translation>Innen füllen</translation>
+    </message>
+    <message>
+        <source>Erase inside</source>
+        <translation>Innen radieren</translation>
+    </message>
+    <message>
+        <source>Erase outside</source>
+        <translation>Außen radieren</translation>
+    </message>
+    <message>
+        <source>In slices</source>
+        <translation>In Schichten</translation>
+    </message>
+    <message>
+        <source>This slice only</source>
+        <translation>Nur diese Schicht</translation>
+    </message>
+    <message>
+        <source>A slab around it</source>
+        <translation>Eine Scheibe darum</translation>
+    </message>
+    <message>
+        <source>Through the whole volume</source>
+        <translation>Durch das ganze Volumen</translation>
+    </message>
+    <message>
+        <source>Slab</source>
+        <translation>Scheibe</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source> HU</source>
+        <translation> HU</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>Forget what the label had before</source>
+        <translation>Früheres des Labels vergessen</translation>
+    </message>
+    <message>
+        <source>Use the range for painting</source>
+        <translation>Bereich zum Malen verwenden</translation>
+    </message>
+    <message>
+        <source>Tools then change only voxels of these intensities; paint comes next.</source>
+        <translation>Werkzeuge ändern dann nur Voxel dieser Intensitäten; als Nächstes kommt das Malen.</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Median</translation>
+    </message>
+    <message>
+        <source>Closing: fills gaps</source>
+        <translation>Schließen: füllt Lücken</translation>
+    </message>
+    <message>
+        <source>Opening: takes spikes</source>
+        <translation>Öffnen: nimmt Spitzen</translation>
+    </message>
+    <message>
+        <source>Joint: all labels</source>
+        <translation>Gemeinsam: alle Labels</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Grow</source>
+        <translation>Wachsen</translation>
+    </message>
+    <message>
+        <source>Shrink</source>
+        <translation>Schrumpfen</translation>
+    </message>
+    <message>
+        <source>By</source>
+        <translation>Um</translation>
+    </message>
+    <message>
+        <source>Holes of one slice, too</source>
+        <translation>Auch Löcher einer Schicht</translation>
+    </message>
+    <message>
+        <source>Slices</source>
+        <translation>Schichten</translation>
+    </message>
+    <message>
+        <source>Axial</source>
+        <translation>Axial</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>Koronar</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>Sagittal</translation>
+    </message>
+    <message>
+        <source>Keep the largest</source>
+        <translation>Die größte behalten</translation>
+    </message>
+    <message>
+        <source>Remove small ones</source>
+        <translation>Kleine entfernen</translation>
+    </message>
+    <message>
+        <source>Keep the one that is clicked</source>
+        <translation>Die angeklickte behalten</translation>
+    </message>
+    <message>
+        <source>Remove the one that is clicked</source>
+        <translation>Die angeklickte entfernen</translation>
+    </message>
+    <message>
+        <source>Split: a label for each</source>
+        <translation>Trennen: jeder ein Label</translation>
+    </message>
+    <message>
+        <source>Smaller than</source>
+        <translation>Kleiner als</translation>
+    </message>
+    <message>
+        <source> ml</source>
+        <translation> ml</translation>
+    </message>
+    <message>
+        <source>Copy from</source>
+        <translation>Kopieren aus</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Subtract</source>
+        <translation>Abziehen</translation>
+    </message>
+    <message>
+        <source>Keep what is also in</source>
+        <translation>Behalten, was auch darin ist</translation>
+    </message>
+    <message>
+        <source>Invert</source>
+        <translation>Umkehren</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Leeren</translation>
+    </message>
+    <message>
+        <source>Fill everything</source>
+        <translation>Alles füllen</translation>
+    </message>
+    <message>
+        <source>Other label</source>
+        <translation>Anderes Label</translation>
+    </message>
+    <message>
+        <source>No farther than</source>
+        <translation>Nicht weiter als</translation>
+    </message>
+    <message>
+        <source>The branch</source>
+        <translation>Der Ast</translation>
+    </message>
+    <message>
+        <source>goes to the other tree</source>
+        <translation>kommt zum anderen Baum</translation>
+    </message>
+    <message>
+        <source>is cut off</source>
+        <translation>wird abgeschnitten</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,284 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="fr" sourcelanguage="en">
 <context>
+    <name>Cli</name>
+    <message>
+        <source>--review %1: write STRUCTURE=STATE, such as portal_vein=approved; states are not_started, in_progress, to_review, approved.</source>
+        <translation>--review %1 : écrivez STRUCTURE=ÉTAT, par exemple portal_vein=approved ; les états sont not_started, in_progress, to_review, approved.</translation>
+    </message>
+    <message>
+        <source>--only %1: is no structure that is found. Use liver, portal_vein, hepatic_veins, vena_cava, gallbladder or lesions, with commas.</source>
+        <translation>--only %1 : ce n&apos;est pas une structure recherchée. Utilisez liver, portal_vein, hepatic_veins, vena_cava, gallbladder ou lesions, avec des virgules.</translation>
+    </message>
+</context>
+<context>
+    <name>EditTexts</name>
+    <message>
+        <source>Paint</source>
+        <translation>Peindre</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Effacer</translation>
+    </message>
+    <message>
+        <source>Scissors</source>
+        <translation>Ciseaux</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>Seuil</translation>
+    </message>
+    <message>
+        <source>Grow from seeds</source>
+        <translation>Croître depuis les graines</translation>
+    </message>
+    <message>
+        <source>Level tracing</source>
+        <translation>Isoligne</translation>
+    </message>
+    <message>
+        <source>Islands</source>
+        <translation>Îlots</translation>
+    </message>
+    <message>
+        <source>Fill holes</source>
+        <translation>Combler les trous</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Lisser</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Marge</translation>
+    </message>
+    <message>
+        <source>Interpolate between slices</source>
+        <translation>Interpoler entre les coupes</translation>
+    </message>
+    <message>
+        <source>Logical</source>
+        <translation>Logique</translation>
+    </message>
+    <message>
+        <source>Move branch</source>
+        <translation>Déplacer une branche</translation>
+    </message>
+    <message>
+        <source>No tool</source>
+        <translation>Aucun outil</translation>
+    </message>
+    <message>
+        <source>Choose a label and a tool.</source>
+        <translation>Choisissez une étiquette et un outil.</translation>
+    </message>
+    <message>
+        <source>Drag in a slice. Ctrl erases. Shift + wheel: size.</source>
+        <translation>Glissez dans une coupe. Ctrl efface. Maj + molette : taille.</translation>
+    </message>
+    <message>
+        <source>Drag in a slice. Ctrl paints. Shift + wheel: size.</source>
+        <translation>Glissez dans une coupe. Ctrl peint. Maj + molette : taille.</translation>
+    </message>
+    <message>
+        <source>Draw around it, in a slice or in 3D. Ctrl fills instead of erasing, and the other way.</source>
+        <translation>Entourez, dans une coupe ou en 3D. Ctrl remplit au lieu d&apos;effacer, et inversement.</translation>
+    </message>
+    <message>
+        <source>Everything between two intensities becomes the label.</source>
+        <translation>Tout ce qui est entre deux intensités reçoit l&apos;étiquette.</translation>
+    </message>
+    <message>
+        <source>What is labelled grows into what is not, along like intensities. Paint a few strokes of each label first.</source>
+        <translation>Ce qui est étiqueté croît dans ce qui ne l&apos;est pas, le long d&apos;intensités semblables. Peignez d&apos;abord quelques traits de chaque étiquette.</translation>
+    </message>
+    <message>
+        <source>Click where the region of like intensity ends. Ctrl erases.</source>
+        <translation>Cliquez là où la région d&apos;intensité semblable se termine. Ctrl efface.</translation>
+    </message>
+    <message>
+        <source>Click an island of the label. Ctrl does the opposite.</source>
+        <translation>Cliquez un îlot de l&apos;étiquette. Ctrl fait le contraire.</translation>
+    </message>
+    <message>
+        <source>Separate pieces of the label.</source>
+        <translation>Morceaux séparés de l&apos;étiquette.</translation>
+    </message>
+    <message>
+        <source>Closes what the label encloses.</source>
+        <translation>Comble ce que l&apos;étiquette entoure.</translation>
+    </message>
+    <message>
+        <source>All labels at once, without gaps between them.</source>
+        <translation>Toutes les étiquettes à la fois, sans vides entre elles.</translation>
+    </message>
+    <message>
+        <source>Evens the label&apos;s surface.</source>
+        <translation>Aplanit la surface de l&apos;étiquette.</translation>
+    </message>
+    <message>
+        <source>Grows or shrinks the label by a distance.</source>
+        <translation>Agrandit ou rétrécit l&apos;étiquette d&apos;une distance.</translation>
+    </message>
+    <message>
+        <source>Paint the label in some slices; those between are filled.</source>
+        <translation>Peignez l&apos;étiquette dans quelques coupes ; celles d&apos;entre elles sont remplies.</translation>
+    </message>
+    <message>
+        <source>Combines two labels.</source>
+        <translation>Combine deux étiquettes.</translation>
+    </message>
+    <message>
+        <source>Click a vessel: what hangs on it beyond its thinnest place goes to the other tree. Ctrl does the other of the two.</source>
+        <translation>Cliquez un vaisseau : ce qui y pend au-delà de son point le plus mince passe à l&apos;autre arbre. Ctrl fait l&apos;autre des deux.</translation>
+    </message>
+    <message>
+        <source>Open a CT first.</source>
+        <translation>Ouvrez d&apos;abord un scanner.</translation>
+    </message>
+    <message>
+        <source>The label is locked.</source>
+        <translation>L&apos;étiquette est verrouillée.</translation>
+    </message>
+    <message>
+        <source>The label is empty.</source>
+        <translation>L&apos;étiquette est vide.</translation>
+    </message>
+    <message>
+        <source>The other label is empty.</source>
+        <translation>L&apos;autre étiquette est vide.</translation>
+    </message>
+    <message>
+        <source>Choose another second label.</source>
+        <translation>Choisissez une autre seconde étiquette.</translation>
+    </message>
+    <message>
+        <source>Two labels or more must grow.</source>
+        <translation>Il faut au moins deux étiquettes qui croissent.</translation>
+    </message>
+    <message>
+        <source>Not started</source>
+        <translation>Pas commencé</translation>
+    </message>
+    <message>
+        <source>In progress</source>
+        <translation>En cours</translation>
+    </message>
+    <message>
+        <source>To review</source>
+        <translation>À vérifier</translation>
+    </message>
+    <message>
+        <source>Approved</source>
+        <translation>Approuvé</translation>
+    </message>
+    <message>
+        <source>Scissors: fill inside</source>
+        <translation>Ciseaux : remplir l&apos;intérieur</translation>
+    </message>
+    <message>
+        <source>Scissors: erase inside</source>
+        <translation>Ciseaux : effacer l&apos;intérieur</translation>
+    </message>
+    <message>
+        <source>Scissors: erase outside</source>
+        <translation>Ciseaux : effacer l&apos;extérieur</translation>
+    </message>
+    <message>
+        <source>Level tracing: erase</source>
+        <translation>Isoligne : effacer</translation>
+    </message>
+    <message>
+        <source>Islands: keep largest</source>
+        <translation>Îlots : garder le plus grand</translation>
+    </message>
+    <message>
+        <source>Islands: remove small</source>
+        <translation>Îlots : retirer les petits</translation>
+    </message>
+    <message>
+        <source>Islands: keep clicked</source>
+        <translation>Îlots : garder celui cliqué</translation>
+    </message>
+    <message>
+        <source>Islands: remove clicked</source>
+        <translation>Îlots : retirer celui cliqué</translation>
+    </message>
+    <message>
+        <source>Islands: split</source>
+        <translation>Îlots : séparer</translation>
+    </message>
+    <message>
+        <source>Smooth: median</source>
+        <translation>Lisser : médiane</translation>
+    </message>
+    <message>
+        <source>Smooth: closing</source>
+        <translation>Lisser : fermeture</translation>
+    </message>
+    <message>
+        <source>Smooth: opening</source>
+        <translation>Lisser : ouverture</translation>
+    </message>
+    <message>
+        <source>Smooth: joint</source>
+        <translation>Lisser : ensemble</translation>
+    </message>
+    <message>
+        <source>Margin: grow</source>
+        <translation>Marge : agrandir</translation>
+    </message>
+    <message>
+        <source>Margin: shrink</source>
+        <translation>Marge : rétrécir</translation>
+    </message>
+    <message>
+        <source>Logical: copy</source>
+        <translation>Logique : copier</translation>
+    </message>
+    <message>
+        <source>Logical: add</source>
+        <translation>Logique : ajouter</translation>
+    </message>
+    <message>
+        <source>Logical: subtract</source>
+        <translation>Logique : soustraire</translation>
+    </message>
+    <message>
+        <source>Logical: intersect</source>
+        <translation>Logique : intersection</translation>
+    </message>
+    <message>
+        <source>Logical: invert</source>
+        <translation>Logique : inverser</translation>
+    </message>
+    <message>
+        <source>Logical: clear</source>
+        <translation>Logique : vider</translation>
+    </message>
+    <message>
+        <source>Logical: fill</source>
+        <translation>Logique : tout remplir</translation>
+    </message>
+    <message>
+        <source>Cut branch off</source>
+        <translation>Couper la branche</translation>
+    </message>
+    <message>
+        <source>Segment</source>
+        <translation>Segmenter</translation>
+    </message>
+    <message>
+        <source>Import labels</source>
+        <translation>Importer des étiquettes</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
     <name>Notes</name>
     <message>
         <source>The liver is smaller than 400 ml: check it in the slices.</source>
@@ -138,6 +416,22 @@
     <message>
         <source>The organ would be bent as in hardly any simulated operation.</source>
         <translation>L&apos;organe serait déformé comme dans presque aucune opération simulée.</translation>
+    </message>
+    <message>
+        <source>Nothing changed.</source>
+        <translation>Rien n&apos;a changé.</translation>
+    </message>
+    <message>
+        <source>There is no empty slice between two that are drawn.</source>
+        <translation>Il n&apos;y a pas de coupe vide entre deux coupes dessinées.</translation>
+    </message>
+    <message>
+        <source>The region reaches the slice&apos;s edge: click where it is enclosed.</source>
+        <translation>La région atteint le bord de la coupe : cliquez là où elle est fermée.</translation>
+    </message>
+    <message>
+        <source>No label was free for the smallest islands: %1 stayed as they were.</source>
+        <translation>Aucune étiquette n&apos;était libre pour les plus petits îlots : %1 sont restés tels quels.</translation>
     </message>
 </context>
 <context>
@@ -549,6 +843,30 @@
         <source>preparing the solver</source>
         <translation>préparation du solveur</translation>
     </message>
+    <message>
+        <source>Editing the labels</source>
+        <translation>Modification des étiquettes</translation>
+    </message>
+    <message>
+        <source>Preparing a preview</source>
+        <translation>Préparation d&apos;un aperçu</translation>
+    </message>
+    <message>
+        <source>Undoing</source>
+        <translation>Annulation</translation>
+    </message>
+    <message>
+        <source>Redoing</source>
+        <translation>Rétablissement</translation>
+    </message>
+    <message>
+        <source>Storing the review</source>
+        <translation>Enregistrement de l&apos;état de vérification</translation>
+    </message>
+    <message>
+        <source>looking at voxels</source>
+        <translation>examen des voxels</translation>
+    </message>
 </context>
 <context>
     <name>cli</name>
@@ -685,10 +1003,6 @@
         <translation>Ce qui a été cliqué (JSON, LPS mm).</translation>
     </message>
     <message>
-        <source>Labels of an expert: adds the Dice coefficient. Read after everything else.</source>
-        <translation>Étiquettes d&apos;un expert&#xa0;: ajoute le coefficient de Dice. Lues après tout le reste.</translation>
-    </message>
-    <message>
         <source>What the expert&apos;s codes mean (JSON).</source>
         <translation>Ce que signifient les codes de l&apos;expert (JSON).</translation>
     </message>
@@ -813,20 +1127,12 @@
         <translation>L&apos;image droite.</translation>
     </message>
     <message>
-        <source>OpenCV YAML: M1 D1 M2 D2 R T image_width image_height unit.</source>
-        <translation>YAML OpenCV&#xa0;: M1 D1 M2 D2 R T image_width image_height unit.</translation>
-    </message>
-    <message>
         <source>What of the left picture is tissue (non-zero).</source>
         <translation>Ce qui est du tissu dans l&apos;image gauche (non nul).</translation>
     </message>
     <message>
         <source>Clicked regions (JSON): only what lies in one is kept, with its label.</source>
         <translation>Zones cliquées (JSON)&#xa0;: seul ce qui s&apos;y trouve est gardé, avec son étiquette.</translation>
-    </message>
-    <message>
-        <source>Semi-global matching instead of features.</source>
-        <translation>Appariement semi-global au lieu de points caractéristiques.</translation>
     </message>
     <message>
         <source>The cloud (PLY).</source>
@@ -952,6 +1258,426 @@
         <source>The load (JSON): gravity, pressure, forces, springs, fixed; see the manual.</source>
         <translation>La charge (JSON)&#xa0;: pesanteur, pression, forces, ressorts, nœuds fixes&#xa0;; voir le manuel.</translation>
     </message>
+    <message>
+        <source>Edits the labels by a script of the window&apos;s tools. Each edit is a step that can be undone in the window.</source>
+        <translation>Modifie les étiquettes par un script des outils de la fenêtre. Chaque modification est une étape que l&apos;on peut annuler dans la fenêtre.</translation>
+    </message>
+    <message>
+        <source>The edits (JSON, LPS mm).</source>
+        <translation>Les modifications (JSON, LPS mm).</translation>
+    </message>
+    <message>
+        <source>Undo so many steps first.</source>
+        <translation>Annuler d&apos;abord autant d&apos;étapes.</translation>
+    </message>
+    <message>
+        <source>Redo so many steps first, after those that are undone.</source>
+        <translation>Rétablir d&apos;abord autant d&apos;étapes, après celles qui sont annulées.</translation>
+    </message>
+    <message>
+        <source>How far a label has come: STRUCTURE=STATE, several with commas.</source>
+        <translation>Où en est une étiquette : STRUCTURE=ÉTAT, plusieurs avec des virgules.</translation>
+    </message>
+    <message>
+        <source>Nothing to do: give --script, --undo, --redo or --review.</source>
+        <translation>Rien à faire : donnez --script, --undo, --redo ou --review.</translation>
+    </message>
+    <message>
+        <source>Labels of an expert: adds Dice coefficients. Read after everything else.</source>
+        <translation>Étiquettes d&apos;un expert : ajoute les coefficients de Dice. Lues après tout le reste.</translation>
+    </message>
+    <message>
+        <source>Mean edge length wanted, mm, instead of a number of vertices.</source>
+        <translation>Longueur d&apos;arête moyenne voulue, mm, au lieu d&apos;un nombre de sommets.</translation>
+    </message>
+    <message>
+        <source>Edge length in lesions over that elsewhere, 0.1 to 1.</source>
+        <translation>Longueur d&apos;arête dans les lésions rapportée à celle d&apos;ailleurs, 0.1 à 1.</translation>
+    </message>
+    <message>
+        <source>Edge length in and next to vessels over that elsewhere, 0.2 to 1.</source>
+        <translation>Longueur d&apos;arête dans et près des vaisseaux rapportée à celle d&apos;ailleurs, 0.2 à 1.</translation>
+    </message>
+    <message>
+        <source>--region %1: write two opposite corners, X0,Y0,Z0,X1,Y1,Z1 in LPS millimetres.</source>
+        <translation>--region %1 : écrivez deux coins opposés, X0,Y0,Z0,X1,Y1,Z1 en millimètres LPS.</translation>
+    </message>
+    <message>
+        <source>Which DICOM series, where there are several: its UID or number.</source>
+        <translation>Quelle série DICOM, s&apos;il y en a plusieurs : son UID ou son numéro.</translation>
+    </message>
+    <message>
+        <source>Of the liver&apos;s contour, mm.</source>
+        <translation>Du contour du foie, mm.</translation>
+    </message>
+    <message>
+        <source>Find these anew and keep the other labels: liver, portal_vein, hepatic_veins, vena_cava, gallbladder, lesions, with commas.</source>
+        <translation>Rechercher celles-ci à nouveau et garder les autres étiquettes : liver, portal_vein, hepatic_veins, vena_cava, gallbladder, lesions, avec des virgules.</translation>
+    </message>
+    <message>
+        <source>Only inside this box, and keep the labels outside: X0,Y0,Z0,X1,Y1,Z1, LPS mm.</source>
+        <translation>Seulement dans cette boîte, en gardant les étiquettes au-dehors : X0,Y0,Z0,X1,Y1,Z1, LPS mm.</translation>
+    </message>
+    <message>
+        <source>real CT: Dice of the liver</source>
+        <translation>scanner réel : Dice du foie</translation>
+    </message>
+    <message>
+        <source>real CT: Dice of the portal vein in the liver</source>
+        <translation>scanner réel : Dice de la veine porte dans le foie</translation>
+    </message>
+    <message>
+        <source>real CT: Dice of the hepatic veins in the liver</source>
+        <translation>scanner réel : Dice des veines hépatiques dans le foie</translation>
+    </message>
+    <message>
+        <source>real CT: portal vein after the strokes</source>
+        <translation>scanner réel : veine porte après les traits</translation>
+    </message>
+    <message>
+        <source>real CT: hepatic veins after the strokes</source>
+        <translation>scanner réel : veines hépatiques après les traits</translation>
+    </message>
+    <message>
+        <source>real CT: vertices to the fine surface, mean, mm</source>
+        <translation>scanner réel : sommets à la surface fine, moyenne, mm</translation>
+    </message>
+    <message>
+        <source>real CT: least dihedral angle, degrees</source>
+        <translation>scanner réel : plus petit angle dièdre, degrés</translation>
+    </message>
+    <message>
+        <source>real CT: tetrahedra of the fine model</source>
+        <translation>scanner réel : tétraèdres du modèle fin</translation>
+    </message>
+    <message>
+        <source>real CT: volume error of the fine model</source>
+        <translation>scanner réel : erreur de volume du modèle fin</translation>
+    </message>
+    <message>
+        <source>in silico: Dice of the liver</source>
+        <translation>in silico : Dice du foie</translation>
+    </message>
+    <message>
+        <source>in silico: centrelines to the true trees, mean, voxels</source>
+        <translation>in silico : lignes centrales aux vrais arbres, moyenne, voxels</translation>
+    </message>
+    <message>
+        <source>in silico: branches above 2 mm radius found</source>
+        <translation>in silico : branches de plus de 2 mm de rayon trouvées</translation>
+    </message>
+    <message>
+        <source>in silico: false loops</source>
+        <translation>in silico : fausses boucles</translation>
+    </message>
+    <message>
+        <source>in silico, segmented by clicks: centrelines to the true trees, mean, voxels</source>
+        <translation>in silico, segmenté par clics : lignes centrales aux vrais arbres, moyenne, voxels</translation>
+    </message>
+    <message>
+        <source>in silico: vertices to the fine surface, mean, mm</source>
+        <translation>in silico : sommets à la surface fine, moyenne, mm</translation>
+    </message>
+    <message>
+        <source>in silico: least dihedral angle, degrees</source>
+        <translation>in silico : plus petit angle dièdre, degrés</translation>
+    </message>
+    <message>
+        <source>in silico: volume error of the fine model</source>
+        <translation>in silico : erreur de volume du modèle fin</translation>
+    </message>
+    <message>
+        <source>met</source>
+        <translation>atteint</translation>
+    </message>
+    <message>
+        <source>NOT MET</source>
+        <translation>NON ATTEINT</translation>
+    </message>
+    <message>
+        <source>%1 is not there: the real CT is left out.</source>
+        <translation>%1 est absent : le scanner réel est laissé de côté.</translation>
+    </message>
+    <message>
+        <source>Folder of the real data; what is not there is left out.</source>
+        <translation>Dossier des données réelles ; ce qui manque est laissé de côté.</translation>
+    </message>
+    <message>
+        <source>Folder of the clicks on it.</source>
+        <translation>Dossier des clics correspondants.</translation>
+    </message>
+    <message>
+        <source>Folder for cases, scripts and pictures.</source>
+        <translation>Dossier pour les cas, scripts et images.</translation>
+    </message>
+    <message>
+        <source>%1: is no proof. See &apos;glisson prove --help&apos;.</source>
+        <translation>%1 : ce n&apos;est pas une preuve. Voir &apos;glisson prove --help&apos;.</translation>
+    </message>
+    <message>
+        <source>%1: the board is found in the left picture only</source>
+        <translation>%1 : la mire n&apos;est trouvée que dans l&apos;image gauche</translation>
+    </message>
+    <message>
+        <source>%1: the board is found in the right picture only</source>
+        <translation>%1 : la mire n&apos;est trouvée que dans l&apos;image droite</translation>
+    </message>
+    <message>
+        <source>%1: no board is found</source>
+        <translation>%1 : aucune mire trouvée</translation>
+    </message>
+    <message>
+        <source>%1: has no partner</source>
+        <translation>%1 : n&apos;a pas de partenaire</translation>
+    </message>
+    <message>
+        <source>view, left px, right px, distance mm, tilt degrees, rows px by a calibration without it, rows px by the reference</source>
+        <translation>vue, gauche px, droite px, distance mm, inclinaison degrés, lignes px par un étalonnage sans elle, lignes px par la référence</translation>
+    </message>
+    <message>
+        <source>  left out</source>
+        <translation>  laissée de côté</translation>
+    </message>
+    <message>
+        <source>  fits far worse than the others: leave it out (--drop-outliers)</source>
+        <translation>  s&apos;ajuste bien moins que les autres : à laisser de côté (--drop-outliers)</translation>
+    </message>
+    <message>
+        <source>A folder of picture pairs whose names differ in left and right only, or with folders left and right in it.</source>
+        <translation>Un dossier de paires d&apos;images dont les noms ne diffèrent que par left et right, ou contenant des dossiers left et right.</translation>
+    </message>
+    <message>
+        <source>The left pictures: a folder, or a pattern such as &apos;shots/left-*.png&apos;.</source>
+        <translation>Les images gauches : un dossier, ou un motif tel que &apos;shots/left-*.png&apos;.</translation>
+    </message>
+    <message>
+        <source>The right pictures, likewise.</source>
+        <translation>Les images droites, de même.</translation>
+    </message>
+    <message>
+        <source>Stereo video of the board, views side by side.</source>
+        <translation>Vidéo stéréo de la mire, vues côte à côte.</translation>
+    </message>
+    <message>
+        <source>Inner corners of the board, columns and rows.</source>
+        <translation>Coins intérieurs de la mire, colonnes et lignes.</translation>
+    </message>
+    <message>
+        <source>Side of a square, millimetres.</source>
+        <translation>Côté d&apos;un carré, millimètres.</translation>
+    </message>
+    <message>
+        <source>A ChArUco board: the dictionary of its markers, as DICT_4X4_50.</source>
+        <translation>Une mire ChArUco : le dictionnaire de ses marqueurs, par exemple DICT_4X4_50.</translation>
+    </message>
+    <message>
+        <source>Side of a ChArUco marker, millimetres.</source>
+        <translation>Côté d&apos;un marqueur ChArUco, millimètres.</translation>
+    </message>
+    <message>
+        <source>Views to use at most; those that differ most are kept.</source>
+        <translation>Nombre maximal de vues ; les plus différentes sont gardées.</translation>
+    </message>
+    <message>
+        <source>Another calibration to compare with: YAML, or a folder of plain text.</source>
+        <translation>Un autre étalonnage pour comparaison : YAML, ou un dossier de texte simple.</translation>
+    </message>
+    <message>
+        <source>Leave out the views that fit far worse than the others.</source>
+        <translation>Laisser de côté les vues qui s&apos;ajustent bien moins que les autres.</translation>
+    </message>
+    <message>
+        <source>Estimate the third radial distortion term too.</source>
+        <translation>Estimer aussi le troisième terme de distorsion radiale.</translation>
+    </message>
+    <message>
+        <source>Picture of where the boards were, both cameras.</source>
+        <translation>Image des positions de la mire, pour les deux caméras.</translation>
+    </message>
+    <message>
+        <source>Instead of pictures: a calibration in plain text files (3x3, 4x4), to be written as YAML; needs --size.</source>
+        <translation>Au lieu d&apos;images : un étalonnage en fichiers de texte simple (3x3, 4x4), à écrire en YAML ; exige --size.</translation>
+    </message>
+    <message>
+        <source>Width and height of the pictures, for --text.</source>
+        <translation>Largeur et hauteur des images, pour --text.</translation>
+    </message>
+    <message>
+        <source>Unit of the translation in --text: mm, cm or m.</source>
+        <translation>Unité de la translation dans --text : mm, cm ou m.</translation>
+    </message>
+    <message>
+        <source>The calibration (OpenCV YAML, mm).</source>
+        <translation>L&apos;étalonnage (YAML d&apos;OpenCV, mm).</translation>
+    </message>
+    <message>
+        <source>Calibrates a stereo laparoscope from pictures of a chessboard or ChArUco board, and tells how far to trust it.</source>
+        <translation>Étalonne un laparoscope stéréo à partir d&apos;images d&apos;un échiquier ou d&apos;une mire ChArUco, et dit jusqu&apos;où s&apos;y fier.</translation>
+    </message>
+    <message>
+        <source>OpenCV YAML: M1 D1 M2 D2 R T image_width image_height unit; or a folder of plain text files (3x3, 4x4).</source>
+        <translation>YAML d&apos;OpenCV : M1 D1 M2 D2 R T image_width image_height unit ; ou un dossier de fichiers de texte simple (3x3, 4x4).</translation>
+    </message>
+    <message>
+        <source>Features (sparse, the paper&apos;s), semi-global matching (dense), or auto: dense where features leave fewer than 0.7 points per cm2.</source>
+        <translation>Points caractéristiques (sparse, ceux de l&apos;article), appariement semi-global (dense), ou auto : dense là où ils laissent moins de 0,7 point par cm2.</translation>
+    </message>
+    <message>
+        <source>The same as --method dense.</source>
+        <translation>La même chose que --method dense.</translation>
+    </message>
+    <message>
+        <source>Kind of features.</source>
+        <translation>Type de points caractéristiques.</translation>
+    </message>
+    <message>
+        <source>Edit the labels by a script of the window&apos;s tools</source>
+        <translation>Modifier les étiquettes par un script des outils de la fenêtre</translation>
+    </message>
+    <message>
+        <source>Calibrate a stereo laparoscope from pictures of a board</source>
+        <translation>Étalonner un laparoscope stéréo à partir d&apos;images d&apos;une mire</translation>
+    </message>
+    <message>
+        <source>Measure the figures of the READMEs again</source>
+        <translation>Mesurer à nouveau les chiffres des README</translation>
+    </message>
+    <message>
+        <source>real liver, features: points</source>
+        <translation>foie réel, points caractéristiques : points</translation>
+    </message>
+    <message>
+        <source>real liver, features: median to the CT surface, mm</source>
+        <translation>foie réel, points caractéristiques : médiane à la surface du scanner, mm</translation>
+    </message>
+    <message>
+        <source>real liver, features: share within 3 mm</source>
+        <translation>foie réel, points caractéristiques : part à moins de 3 mm</translation>
+    </message>
+    <message>
+        <source>real liver, features: median without the common offset, mm</source>
+        <translation>foie réel, points caractéristiques : médiane sans le décalage commun, mm</translation>
+    </message>
+    <message>
+        <source>real liver, dense: median to the CT surface, mm</source>
+        <translation>foie réel, dense : médiane à la surface du scanner, mm</translation>
+    </message>
+    <message>
+        <source>real liver, dense: share of the region covered</source>
+        <translation>foie réel, dense : part de la région couverte</translation>
+    </message>
+    <message>
+        <source>real liver, dense: median without the common offset, mm</source>
+        <translation>foie réel, dense : médiane sans le décalage commun, mm</translation>
+    </message>
+    <message>
+        <source>real chessboards: joint stereo rms, pixels</source>
+        <translation>échiquiers réels : rms stéréo commun, pixels</translation>
+    </message>
+    <message>
+        <source>real chessboards: views that fit better left out than by the reference</source>
+        <translation>échiquiers réels : vues qui s&apos;ajustent mieux laissées de côté que par la référence</translation>
+    </message>
+    <message>
+        <source>real heart: rows, rms, pixels</source>
+        <translation>cœur réel : lignes, rms, pixels</translation>
+    </message>
+    <message>
+        <source>in silico: largest bias of any trial, mm</source>
+        <translation>in silico : plus grand biais d&apos;un essai, mm</translation>
+    </message>
+    <message>
+        <source>in silico: normalised error, median of the trials (1: sigma is right)</source>
+        <translation>in silico : erreur normalisée, médiane des essais (1 : sigma est juste)</translation>
+    </message>
+    <message>
+        <source>%1 is not there and is left out.</source>
+        <translation>%1 est absent et laissé de côté.</translation>
+    </message>
+    <message>
+        <source>Measures the figures of the READMEs again, against experts&apos; labels and known truths: patient (from the CT to the model), stereo (from pictures to clouds).</source>
+        <translation>Mesure à nouveau les chiffres des README, contre des étiquettes d&apos;experts et des vérités connues : patient (du scanner au modèle), stereo (des images aux nuages).</translation>
+    </message>
+    <message>
+        <source>Which: patient or stereo.</source>
+        <translation>Laquelle : patient ou stereo.</translation>
+    </message>
+    <message>
+        <source>Picture of where there are enough points, and where they are missing.</source>
+        <translation>Image des endroits où il y a assez de points, et où il en manque.</translation>
+    </message>
+    <message>
+        <source>both views are black</source>
+        <translation>les deux vues sont noires</translation>
+    </message>
+    <message>
+        <source>the left view shows nothing</source>
+        <translation>la vue gauche ne montre rien</translation>
+    </message>
+    <message>
+        <source>the right view shows nothing</source>
+        <translation>la vue droite ne montre rien</translation>
+    </message>
+    <message>
+        <source>both views are the same picture</source>
+        <translation>les deux vues sont la même image</translation>
+    </message>
+    <message>
+        <source>left and right are swapped</source>
+        <translation>gauche et droite sont échangées</translation>
+    </message>
+    <message>
+        <source>the views show nothing in common</source>
+        <translation>les vues n&apos;ont rien en commun</translation>
+    </message>
+    <message>
+        <source>the calibration is not of this laparoscope</source>
+        <translation>l&apos;étalonnage n&apos;est pas celui de ce laparoscope</translation>
+    </message>
+    <message>
+        <source>the frame before comes once more</source>
+        <translation>l&apos;image précédente revient</translation>
+    </message>
+    <message>
+        <source>the picture is frozen</source>
+        <translation>l&apos;image est figée</translation>
+    </message>
+    <message>
+        <source>the left view is frozen</source>
+        <translation>la vue gauche est figée</translation>
+    </message>
+    <message>
+        <source>the right view is frozen</source>
+        <translation>la vue droite est figée</translation>
+    </message>
+    <message>
+        <source>two frames have changed places</source>
+        <translation>deux images ont échangé leur place</translation>
+    </message>
+    <message>
+        <source>Looks through a stereo video for faults: black, frozen, duplicated, swapped or exchanged frames, a lost camera, a calibration of another scope.</source>
+        <translation>Cherche les défauts d&apos;une vidéo stéréo : images noires, figées, doublées, échangées ou déplacées, une caméra perdue, l&apos;étalonnage d&apos;un autre laparoscope.</translation>
+    </message>
+    <message>
+        <source>Stereo video, folder of picture pairs, or description of a source (.json).</source>
+        <translation>Vidéo stéréo, dossier de paires d&apos;images, ou description d&apos;une source (.json).</translation>
+    </message>
+    <message>
+        <source>OpenCV YAML of the laparoscope, or a folder of plain text.</source>
+        <translation>YAML d&apos;OpenCV du laparoscope, ou un dossier de texte simple.</translation>
+    </message>
+    <message>
+        <source>Hold each N-th frame against the calibration.</source>
+        <translation>Comparer chaque N-ième image à l&apos;étalonnage.</translation>
+    </message>
+    <message>
+        <source>frame %1: %2</source>
+        <translation>image %1 : %2</translation>
+    </message>
+    <message>
+        <source>Look through a stereo video for faults</source>
+        <translation>Chercher les défauts d&apos;une vidéo stéréo</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AtlasPanel</name>
@@ -1030,6 +1756,120 @@
     <message>
         <source>points: %1</source>
         <translation>points : %1</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::BridgeList</name>
+    <message>
+        <source>Looking for places where the trees touch…</source>
+        <translation>Recherche des endroits où les arbres se touchent…</translation>
+    </message>
+    <message>
+        <source>The trees touch: %1 mm²</source>
+        <translation>Les arbres se touchent : %1 mm²</translation>
+    </message>
+    <message>
+        <source>A neck of %1 mm², %2 ml beyond it</source>
+        <translation>Un col de %1 mm², %2 ml au-delà</translation>
+    </message>
+    <message>
+        <source>The trees touch nowhere, and no part hangs by a neck.</source>
+        <translation>Les arbres ne se touchent nulle part, et rien ne pend à un col.</translation>
+    </message>
+    <message>
+        <source>Suspicious places. Click one to go there; cut where the branch is wrong.</source>
+        <translation>Endroits suspects. Cliquez pour y aller ; coupez là où la branche est fausse.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::EditBox</name>
+    <message>
+        <source>Apply</source>
+        <translation>Appliquer</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Entrée</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Aperçu</translation>
+    </message>
+    <message>
+        <source>Hatched in the slices: what would change</source>
+        <translation>Hachuré dans les coupes : ce qui changerait</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Échap</translation>
+    </message>
+    <message>
+        <source>Where tools may change anything</source>
+        <translation>Où les outils peuvent agir</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Zone</translation>
+    </message>
+    <message>
+        <source>Only these intensities</source>
+        <translation>Seulement ces intensités</translation>
+    </message>
+    <message>
+        <source> HU</source>
+        <translation> UH</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>Everywhere</source>
+        <translation>Partout</translation>
+    </message>
+    <message>
+        <source>Nothing is overwritten</source>
+        <translation>Rien n&apos;est écrasé</translation>
+    </message>
+    <message>
+        <source>Inside any label</source>
+        <translation>Dans toute étiquette</translation>
+    </message>
+    <message>
+        <source>Inside the liver</source>
+        <translation>Dans le foie</translation>
+    </message>
+    <message>
+        <source>Inside: %1</source>
+        <translation>Dans : %1</translation>
+    </message>
+    <message>
+        <source>Undo: %1</source>
+        <translation>Annuler : %1</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translation>Rétablir : %1</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rétablir</translation>
+    </message>
+    <message>
+        <source>Nothing would change.</source>
+        <translation>Rien ne changerait.</translation>
+    </message>
+    <message>
+        <source>%1 ml would change.</source>
+        <translation>%1 ml changeraient.</translation>
     </message>
 </context>
 <context>
@@ -1248,6 +2088,87 @@
     </message>
 </context>
 <context>
+    <name>glisson::ui::ImageImport</name>
+    <message>
+        <source>no description</source>
+        <translation>sans description</translation>
+    </message>
+    <message>
+        <source>%1  %2  %3 slices  (series %4)</source>
+        <translation>%1  %2  %3 coupes  (série %4)</translation>
+    </message>
+    <message>
+        <source>Several series</source>
+        <translation>Plusieurs séries</translation>
+    </message>
+    <message numerus="yes">
+        <source>This folder holds %n series. Which one shows the liver in the portal venous phase?</source>
+        <translation>
+            <numerusform>Ce dossier contient %n série. Montre-t-elle le foie en phase portale ?</numerusform>
+            <numerusform>Ce dossier contient %n séries. Laquelle montre le foie en phase portale ?</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::LabelTable</name>
+    <message>
+        <source>Label</source>
+        <translation>Étiquette</translation>
+    </message>
+    <message>
+        <source>ml</source>
+        <translation>ml</translation>
+    </message>
+    <message>
+        <source>HU</source>
+        <translation>UH</translation>
+    </message>
+    <message>
+        <source>⌀ mm</source>
+        <translation>⌀ mm</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volume</translation>
+    </message>
+    <message>
+        <source>Mean intensity</source>
+        <translation>Intensité moyenne</translation>
+    </message>
+    <message>
+        <source>Longest diameter of a lesion</source>
+        <translation>Plus long diamètre d&apos;une lésion</translation>
+    </message>
+    <message>
+        <source>%1 (new)</source>
+        <translation>%1 (nouvelle)</translation>
+    </message>
+    <message>
+        <source>%1: click to change</source>
+        <translation>%1 : cliquez pour changer</translation>
+    </message>
+    <message>
+        <source>%1 ± %2 HU</source>
+        <translation>%1 ± %2 UH</translation>
+    </message>
+    <message>
+        <source>Hidden: click to show</source>
+        <translation>Masquée : cliquez pour afficher</translation>
+    </message>
+    <message>
+        <source>Shown: click to hide</source>
+        <translation>Affichée : cliquez pour masquer</translation>
+    </message>
+    <message>
+        <source>Locked: neither loses nor gains voxels. Click to unlock</source>
+        <translation>Verrouillée : ne perd ni ne gagne de voxels. Cliquez pour déverrouiller</translation>
+    </message>
+    <message>
+        <source>Click to lock: it neither loses nor gains voxels</source>
+        <translation>Cliquez pour verrouiller : elle ne perd ni ne gagne plus de voxels</translation>
+    </message>
+</context>
+<context>
     <name>glisson::ui::LinkedViews</name>
     <message>
         <source>3D</source>
@@ -1332,6 +2253,10 @@
     <message>
         <source>%1 HU</source>
         <translation>%1 UH</translation>
+    </message>
+    <message>
+        <source>Preparing the surfaces…</source>
+        <translation>Préparation des surfaces…</translation>
     </message>
 </context>
 <context>
@@ -1487,6 +2412,10 @@
         <source>The case has changes that are not saved. Opening another loses them.</source>
         <translation>Le cas a des modifications non enregistrées. En ouvrir un autre les perd.</translation>
     </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Édition</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::ModelPanel</name>
@@ -1626,62 +2555,10 @@
     </message>
 </context>
 <context>
-    <name>glisson::ui::SegmentationPanel</name>
+    <name>glisson::ui::SeedBox</name>
     <message>
         <source>Not liver</source>
         <translation>Pas le foie</translation>
-    </message>
-    <message>
-        <source>Segmentation</source>
-        <translation>Segmentation</translation>
-    </message>
-    <message>
-        <source>Mark each structure with a few clicks in the slices, then grow them.</source>
-        <translation>Marquez chaque structure de quelques clics dans les coupes, puis faites-les croître.</translation>
-    </message>
-    <message>
-        <source>Grow</source>
-        <translation>Croissance</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source>Resolution at which the liver&apos;s surface evolves. Finer is slower.</source>
-        <translation>Résolution à laquelle évolue la surface du foie. Plus fine, plus lente.</translation>
-    </message>
-    <message>
-        <source>Resolution</source>
-        <translation>Résolution</translation>
-    </message>
-    <message>
-        <source>Segment</source>
-        <translation>Segmenter</translation>
-    </message>
-    <message>
-        <source>Result</source>
-        <translation>Résultat</translation>
-    </message>
-    <message>
-        <source>Label opacity</source>
-        <translation>Opacité des étiquettes</translation>
-    </message>
-    <message>
-        <source>Import labels…</source>
-        <translation>Importer des étiquettes…</translation>
-    </message>
-    <message>
-        <source>Import labels</source>
-        <translation>Importer des étiquettes</translation>
-    </message>
-    <message>
-        <source>Labels (*.nrrd *.nii *.nii.gz *.mha *.mhd *.vti)</source>
-        <translation>Étiquettes (*.nrrd *.nii *.nii.gz *.mha *.mhd *.vti)</translation>
-    </message>
-    <message>
-        <source>Seeds</source>
-        <translation>Germes</translation>
     </message>
     <message>
         <source>Choose a structure, then click it in a slice. Esc ends placing.</source>
@@ -1716,8 +2593,44 @@
         <translation>Enregistrer les germes</translation>
     </message>
     <message>
-        <source>%1 ml</source>
-        <translation>%1 ml</translation>
+        <source>Everything</source>
+        <translation>Tout</translation>
+    </message>
+    <message>
+        <source>Portal and hepatic veins</source>
+        <translation>Veines porte et hépatiques</translation>
+    </message>
+    <message>
+        <source>Lesions</source>
+        <translation>Lésions</translation>
+    </message>
+    <message>
+        <source>All but the liver</source>
+        <translation>Tout sauf le foie</translation>
+    </message>
+    <message>
+        <source>What is found anew. All else stays as it is, with everything that you edited.</source>
+        <translation>Ce qui est recherché à nouveau. Tout le reste reste tel quel, avec tout ce que vous avez modifié.</translation>
+    </message>
+    <message>
+        <source>Find anew</source>
+        <translation>Rechercher</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Resolution at which the liver&apos;s surface evolves. Finer is slower.</source>
+        <translation>Résolution à laquelle évolue la surface du foie. Plus fine, plus lente.</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Résolution</translation>
+    </message>
+    <message>
+        <source>Segment</source>
+        <translation>Segmenter</translation>
     </message>
     <message>
         <source>Open a CT first.</source>
@@ -1726,6 +2639,81 @@
     <message>
         <source>Place at least one seed in the liver.</source>
         <translation>Placez au moins un germe dans le foie.</translation>
+    </message>
+    <message>
+        <source>There is no liver yet: find everything first.</source>
+        <translation>Il n&apos;y a pas encore de foie : recherchez d&apos;abord tout.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::SegmentationPanel</name>
+    <message>
+        <source>Segmentation</source>
+        <translation>Segmentation</translation>
+    </message>
+    <message>
+        <source>Import labels</source>
+        <translation>Importer des étiquettes</translation>
+    </message>
+    <message>
+        <source>Labels (*.nrrd *.nii *.nii.gz *.mha *.mhd *.vti)</source>
+        <translation>Étiquettes (*.nrrd *.nii *.nii.gz *.mha *.mhd *.vti)</translation>
+    </message>
+    <message>
+        <source>%1 ml</source>
+        <translation>%1 ml</translation>
+    </message>
+    <message>
+        <source>Grow the structures from a few clicks, then correct them by hand.</source>
+        <translation>Faites croître les structures à partir de quelques clics, puis corrigez-les à la main.</translation>
+    </message>
+    <message>
+        <source>Seeds and growth</source>
+        <translation>Graines et croissance</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Modifier</translation>
+    </message>
+    <message>
+        <source>Approve</source>
+        <translation>Approuver</translation>
+    </message>
+    <message>
+        <source>You have looked at the chosen label and it is right. An edit takes that back.</source>
+        <translation>Vous avez regardé l&apos;étiquette choisie et elle est juste. Une modification retire cela.</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>Importer…</translation>
+    </message>
+    <message>
+        <source>Labels that were made elsewhere: .seg.nrrd, NIfTI</source>
+        <translation>Étiquettes faites ailleurs : .seg.nrrd, NIfTI</translation>
+    </message>
+    <message>
+        <source>Opacity of the labels in the slices</source>
+        <translation>Opacité des étiquettes dans les coupes</translation>
+    </message>
+    <message>
+        <source>Approved</source>
+        <translation>Approuvé</translation>
+    </message>
+    <message>
+        <source>%1: nothing yet</source>
+        <translation>%1 : rien encore</translation>
+    </message>
+    <message>
+        <source>%1 ± %2 HU</source>
+        <translation>%1 ± %2 UH</translation>
+    </message>
+    <message>
+        <source>longest diameter %1 mm</source>
+        <translation>plus long diamètre %1 mm</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
     </message>
 </context>
 <context>
@@ -1973,6 +2961,229 @@
     <message>
         <source>%1: cancelled</source>
         <translation>%1 : annulé</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::ToolPages</name>
+    <message>
+        <source>Diameter</source>
+        <translation>Diamètre</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Size of the brush. In a slice: Shift + wheel.</source>
+        <translation>Taille du pinceau. Dans une coupe : Maj + molette.</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation>Pinceau</translation>
+    </message>
+    <message>
+        <source>Disc, this slice</source>
+        <translation>Disque, cette coupe</translation>
+    </message>
+    <message>
+        <source>Ball, all slices</source>
+        <translation>Boule, toutes les coupes</translation>
+    </message>
+    <message>
+        <source>Erase any label</source>
+        <translation>Effacer toute étiquette</translation>
+    </message>
+    <message>
+        <source>Does</source>
+        <translation>Action</translation>
+    </message>
+    <message>
+        <source>Fill inside</source>
+        <translation>Remplir l&apos;intérieur</translation>
+    </message>
+    <message>
+        <source>Erase inside</source>
+        <translation>Effacer l&apos;intérieur</translation>
+    </message>
+    <message>
+        <source>Erase outside</source>
+        <translation>Effacer l&apos;extérieur</translation>
+    </message>
+    <message>
+        <source>In slices</source>
+        <translation>Dans les coupes</translation>
+    </message>
+    <message>
+        <source>This slice only</source>
+        <translation>Cette coupe seulement</translation>
+    </message>
+    <message>
+        <source>A slab around it</source>
+        <translation>Une tranche autour</translation>
+    </message>
+    <message>
+        <source>Through the whole volume</source>
+        <translation>À travers tout le volume</translation>
+    </message>
+    <message>
+        <source>Slab</source>
+        <translation>Tranche</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source> HU</source>
+        <translation> UH</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>À</translation>
+    </message>
+    <message>
+        <source>Forget what the label had before</source>
+        <translation>Oublier ce que l&apos;étiquette avait</translation>
+    </message>
+    <message>
+        <source>Use the range for painting</source>
+        <translation>Utiliser l&apos;intervalle pour peindre</translation>
+    </message>
+    <message>
+        <source>Tools then change only voxels of these intensities; paint comes next.</source>
+        <translation>Les outils ne changent alors que les voxels de ces intensités ; vient ensuite le pinceau.</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Méthode</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Médiane</translation>
+    </message>
+    <message>
+        <source>Closing: fills gaps</source>
+        <translation>Fermeture : comble les vides</translation>
+    </message>
+    <message>
+        <source>Opening: takes spikes</source>
+        <translation>Ouverture : retire les pointes</translation>
+    </message>
+    <message>
+        <source>Joint: all labels</source>
+        <translation>Ensemble : toutes</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Rayon</translation>
+    </message>
+    <message>
+        <source>Grow</source>
+        <translation>Agrandir</translation>
+    </message>
+    <message>
+        <source>Shrink</source>
+        <translation>Rétrécir</translation>
+    </message>
+    <message>
+        <source>By</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source>Holes of one slice, too</source>
+        <translation>Aussi les trous d&apos;une coupe</translation>
+    </message>
+    <message>
+        <source>Slices</source>
+        <translation>Coupes</translation>
+    </message>
+    <message>
+        <source>Axial</source>
+        <translation>Axiale</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>Coronale</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>Sagittale</translation>
+    </message>
+    <message>
+        <source>Keep the largest</source>
+        <translation>Garder le plus grand</translation>
+    </message>
+    <message>
+        <source>Remove small ones</source>
+        <translation>Retirer les petits</translation>
+    </message>
+    <message>
+        <source>Keep the one that is clicked</source>
+        <translation>Garder celui qui est cliqué</translation>
+    </message>
+    <message>
+        <source>Remove the one that is clicked</source>
+        <translation>Retirer celui qui est cliqué</translation>
+    </message>
+    <message>
+        <source>Split: a label for each</source>
+        <translation>Séparer : une étiquette chacun</translation>
+    </message>
+    <message>
+        <source>Smaller than</source>
+        <translation>Plus petits que</translation>
+    </message>
+    <message>
+        <source> ml</source>
+        <translation> ml</translation>
+    </message>
+    <message>
+        <source>Copy from</source>
+        <translation>Copier depuis</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Ajouter</translation>
+    </message>
+    <message>
+        <source>Subtract</source>
+        <translation>Soustraire</translation>
+    </message>
+    <message>
+        <source>Keep what is also in</source>
+        <translation>Garder ce qui est aussi dans</translation>
+    </message>
+    <message>
+        <source>Invert</source>
+        <translation>Inverser</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Vider</translation>
+    </message>
+    <message>
+        <source>Fill everything</source>
+        <translation>Tout remplir</translation>
+    </message>
+    <message>
+        <source>Other label</source>
+        <translation>Autre étiquette</translation>
+    </message>
+    <message>
+        <source>No farther than</source>
+        <translation>Pas plus loin que</translation>
+    </message>
+    <message>
+        <source>The branch</source>
+        <translation>La branche</translation>
+    </message>
+    <message>
+        <source>goes to the other tree</source>
+        <translation>passe à l&apos;autre arbre</translation>
+    </message>
+    <message>
+        <source>is cut off</source>
+        <translation>est coupée</translation>
     </message>
 </context>
 <context>
