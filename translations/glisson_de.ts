@@ -867,6 +867,30 @@
         <source>looking at voxels</source>
         <translation>Voxel ansehen</translation>
     </message>
+    <message>
+        <source>Editing the vessel trees</source>
+        <translation>Gefäßbäume bearbeiten</translation>
+    </message>
+    <message>
+        <source>Noting the check of the model</source>
+        <translation>Prüfung des Modells vermerken</translation>
+    </message>
+    <message>
+        <source>looking for the board</source>
+        <translation>Tafel suchen</translation>
+    </message>
+    <message>
+        <source>calibrating each camera</source>
+        <translation>jede Kamera kalibrieren</translation>
+    </message>
+    <message>
+        <source>calibrating both together</source>
+        <translation>beide zusammen kalibrieren</translation>
+    </message>
+    <message>
+        <source>holding each view against the others</source>
+        <translation>jede Ansicht gegen die anderen halten</translation>
+    </message>
 </context>
 <context>
     <name>cli</name>
@@ -1021,10 +1045,6 @@
     <message>
         <source>What their codes mean: JSON, {&quot;6&quot;: &quot;parenchyma&quot;, &quot;10&quot;: &quot;portal_vein&quot;, ...}.</source>
         <translation>Was ihre Codes bedeuten: JSON, {&quot;6&quot;: &quot;parenchyma&quot;, &quot;10&quot;: &quot;portal_vein&quot;, ...}.</translation>
-    </message>
-    <message>
-        <source>Closed surfaces to take instead of labels: a folder by structure, or one file.</source>
-        <translation>Geschlossene Oberflächen statt Labels: ein Ordner nach Strukturen oder eine Datei.</translation>
     </message>
     <message>
         <source>Unit of the surfaces: mm, cm or m.</source>
@@ -1677,6 +1697,14 @@
     <message>
         <source>Look through a stereo video for faults</source>
         <translation>Ein Stereovideo auf Fehler durchsehen</translation>
+    </message>
+    <message>
+        <source>Closed surfaces to take instead of labels: a folder by structure, a list (JSON) of structures and files, or one file.</source>
+        <translation>Geschlossene Oberflächen statt Labels: ein Ordner nach Strukturen, eine Liste (JSON) von Strukturen und Dateien oder eine Datei.</translation>
+    </message>
+    <message>
+        <source>What is changed in the vessel trees (JSON, LPS mm).</source>
+        <translation>Was an den Gefäßbäumen geändert wird (JSON, LPS mm).</translation>
     </message>
 </context>
 <context>
@@ -2432,24 +2460,12 @@
         <translation>Aus den Labels bauen</translation>
     </message>
     <message>
-        <source>More vertices follow the organ more closely and compute more slowly.</source>
-        <translation>Mehr Knoten folgen dem Organ genauer und rechnen länger.</translation>
-    </message>
-    <message>
-        <source>Mesh vertices</source>
-        <translation>Netzknoten</translation>
-    </message>
-    <message>
         <source>Portal and hepatic vessels stiffen the model</source>
         <translation>Gefäße versteifen das Modell</translation>
     </message>
     <message>
         <source>Build model</source>
         <translation>Modell bauen</translation>
-    </message>
-    <message>
-        <source>From a folder of surfaces…</source>
-        <translation>Aus einem Ordner mit Oberflächen…</translation>
     </message>
     <message>
         <source>Quality</source>
@@ -2476,56 +2492,8 @@
         <translation>Zuerst das CT segmentieren oder Labels importieren.</translation>
     </message>
     <message>
-        <source>No model yet.</source>
-        <translation>Noch kein Modell.</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
         <source>Vertices</source>
         <translation>Knoten</translation>
-    </message>
-    <message>
-        <source>Tetrahedra</source>
-        <translation>Tetraeder</translation>
-    </message>
-    <message>
-        <source>Dihedral angles</source>
-        <translation>Flächenwinkel</translation>
-    </message>
-    <message>
-        <source>%1° to %2°</source>
-        <translation>%1° bis %2°</translation>
-    </message>
-    <message>
-        <source>Volume error</source>
-        <translation>Volumenfehler</translation>
-    </message>
-    <message>
-        <source>%1 %</source>
-        <translation>%1 %</translation>
-    </message>
-    <message>
-        <source>Vertices to fine surface, mean</source>
-        <translation>Knoten zur feinen Oberfläche, Mittel</translation>
-    </message>
-    <message>
-        <source>Mesh to fine surface, mean</source>
-        <translation>Netz zur feinen Oberfläche, Mittel</translation>
-    </message>
-    <message>
-        <source>Fine surface to mesh, mean</source>
-        <translation>Feine Oberfläche zum Netz, Mittel</translation>
-    </message>
-    <message>
-        <source>Fine surface to mesh, largest</source>
-        <translation>Feine Oberfläche zum Netz, größter</translation>
-    </message>
-    <message>
-        <source>%1, beams</source>
-        <translation>%1, Balken</translation>
     </message>
     <message>
         <source>Mechanics</source>
@@ -2534,6 +2502,74 @@
     <message>
         <source>Drag a point of the liver and see it follow with its vessels and lesions. It is held at the vena cava and where vessels enter; its neighbours are not modelled. A trial: the case stays as it is. Esc ends it.</source>
         <translation>Einen Punkt der Leber ziehen: Gefäße und Läsionen folgen. Gehalten wird sie an der Vena cava und an den Gefäßeintritten; ihre Nachbarn sind nicht modelliert. Ein Versuch: Der Fall bleibt, wie er ist. Esc beendet ihn.</translation>
+    </message>
+    <message>
+        <source>Edge length</source>
+        <translation>Kantenlänge</translation>
+    </message>
+    <message>
+        <source>More vertices, or shorter edges, follow the organ more closely and compute more slowly.</source>
+        <translation>Mehr Ecken oder kürzere Kanten folgen dem Organ genauer und rechnen langsamer.</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Mesh size</source>
+        <translation>Netzgröße</translation>
+    </message>
+    <message>
+        <source>Finer at lesions</source>
+        <translation>Feiner an Läsionen</translation>
+    </message>
+    <message>
+        <source>Finer at vessels</source>
+        <translation>Feiner an Gefäßen</translation>
+    </message>
+    <message>
+        <source>Edges half as long there; with a number of vertices, longer ones elsewhere.</source>
+        <translation>Dort halb so lange Kanten; bei einer Zahl von Ecken anderswo längere.</translation>
+    </message>
+    <message>
+        <source>From surfaces…</source>
+        <translation>Aus Oberflächen…</translation>
+    </message>
+    <message>
+        <source>A folder, files named by structure…</source>
+        <translation>Ein Ordner, Dateien nach Strukturen benannt…</translation>
+    </message>
+    <message>
+        <source>A list of files (JSON)…</source>
+        <translation>Eine Liste von Dateien (JSON)…</translation>
+    </message>
+    <message>
+        <source>List of surfaces</source>
+        <translation>Liste von Oberflächen</translation>
+    </message>
+    <message>
+        <source>List of surfaces (*.json)</source>
+        <translation>Liste von Oberflächen (*.json)</translation>
+    </message>
+    <message>
+        <source>One surface of the liver…</source>
+        <translation>Eine Oberfläche der Leber…</translation>
+    </message>
+    <message>
+        <source>Surface of the liver</source>
+        <translation>Oberfläche der Leber</translation>
+    </message>
+    <message>
+        <source>Surfaces (*.stl *.obj *.ply *.vtk *.vtp)</source>
+        <translation>Oberflächen (*.stl *.obj *.ply *.vtk *.vtp)</translation>
+    </message>
+    <message>
+        <source>Vessel trees</source>
+        <translation>Gefäßbäume</translation>
+    </message>
+    <message>
+        <source>The centrelines that stiffen the model. Each tree is held where it enters.</source>
+        <translation>Die Mittellinien, die das Modell versteifen. Jeder Baum ist gehalten, wo er eintritt.</translation>
     </message>
 </context>
 <context>

@@ -867,6 +867,30 @@
         <source>looking at voxels</source>
         <translation>examen des voxels</translation>
     </message>
+    <message>
+        <source>Editing the vessel trees</source>
+        <translation>Modification des arbres vasculaires</translation>
+    </message>
+    <message>
+        <source>Noting the check of the model</source>
+        <translation>Enregistrement de la vérification du modèle</translation>
+    </message>
+    <message>
+        <source>looking for the board</source>
+        <translation>recherche de la mire</translation>
+    </message>
+    <message>
+        <source>calibrating each camera</source>
+        <translation>étalonnage de chaque caméra</translation>
+    </message>
+    <message>
+        <source>calibrating both together</source>
+        <translation>étalonnage des deux ensemble</translation>
+    </message>
+    <message>
+        <source>holding each view against the others</source>
+        <translation>comparaison de chaque vue aux autres</translation>
+    </message>
 </context>
 <context>
     <name>cli</name>
@@ -1021,10 +1045,6 @@
     <message>
         <source>What their codes mean: JSON, {&quot;6&quot;: &quot;parenchyma&quot;, &quot;10&quot;: &quot;portal_vein&quot;, ...}.</source>
         <translation>Ce que signifient leurs codes&#xa0;: JSON, {&quot;6&quot;: &quot;parenchyma&quot;, &quot;10&quot;: &quot;portal_vein&quot;, ...}.</translation>
-    </message>
-    <message>
-        <source>Closed surfaces to take instead of labels: a folder by structure, or one file.</source>
-        <translation>Surfaces fermées à prendre au lieu d&apos;étiquettes&#xa0;: un dossier par structure, ou un fichier.</translation>
     </message>
     <message>
         <source>Unit of the surfaces: mm, cm or m.</source>
@@ -1677,6 +1697,14 @@
     <message>
         <source>Look through a stereo video for faults</source>
         <translation>Chercher les défauts d&apos;une vidéo stéréo</translation>
+    </message>
+    <message>
+        <source>Closed surfaces to take instead of labels: a folder by structure, a list (JSON) of structures and files, or one file.</source>
+        <translation>Surfaces fermées à prendre au lieu d&apos;étiquettes : un dossier par structure, une liste (JSON) de structures et de fichiers, ou un fichier.</translation>
+    </message>
+    <message>
+        <source>What is changed in the vessel trees (JSON, LPS mm).</source>
+        <translation>Ce qui est changé dans les arbres vasculaires (JSON, LPS mm).</translation>
     </message>
 </context>
 <context>
@@ -2432,24 +2460,12 @@
         <translation>Construire à partir des étiquettes</translation>
     </message>
     <message>
-        <source>More vertices follow the organ more closely and compute more slowly.</source>
-        <translation>Plus de sommets suivent mieux l&apos;organe et calculent plus lentement.</translation>
-    </message>
-    <message>
-        <source>Mesh vertices</source>
-        <translation>Sommets du maillage</translation>
-    </message>
-    <message>
         <source>Portal and hepatic vessels stiffen the model</source>
         <translation>Les vaisseaux raidissent le modèle</translation>
     </message>
     <message>
         <source>Build model</source>
         <translation>Construire le modèle</translation>
-    </message>
-    <message>
-        <source>From a folder of surfaces…</source>
-        <translation>Depuis un dossier de surfaces…</translation>
     </message>
     <message>
         <source>Quality</source>
@@ -2476,56 +2492,8 @@
         <translation>Segmentez d&apos;abord le scanner ou importez des étiquettes.</translation>
     </message>
     <message>
-        <source>No model yet.</source>
-        <translation>Pas encore de modèle.</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
         <source>Vertices</source>
         <translation>Sommets</translation>
-    </message>
-    <message>
-        <source>Tetrahedra</source>
-        <translation>Tétraèdres</translation>
-    </message>
-    <message>
-        <source>Dihedral angles</source>
-        <translation>Angles dièdres</translation>
-    </message>
-    <message>
-        <source>%1° to %2°</source>
-        <translation>%1° à %2°</translation>
-    </message>
-    <message>
-        <source>Volume error</source>
-        <translation>Erreur de volume</translation>
-    </message>
-    <message>
-        <source>%1 %</source>
-        <translation>%1 %</translation>
-    </message>
-    <message>
-        <source>Vertices to fine surface, mean</source>
-        <translation>Sommets à la surface fine, moyenne</translation>
-    </message>
-    <message>
-        <source>Mesh to fine surface, mean</source>
-        <translation>Maillage à la surface fine, moyenne</translation>
-    </message>
-    <message>
-        <source>Fine surface to mesh, mean</source>
-        <translation>Surface fine au maillage, moyenne</translation>
-    </message>
-    <message>
-        <source>Fine surface to mesh, largest</source>
-        <translation>Surface fine au maillage, maximum</translation>
-    </message>
-    <message>
-        <source>%1, beams</source>
-        <translation>%1, poutres</translation>
     </message>
     <message>
         <source>Mechanics</source>
@@ -2534,6 +2502,74 @@
     <message>
         <source>Drag a point of the liver and see it follow with its vessels and lesions. It is held at the vena cava and where vessels enter; its neighbours are not modelled. A trial: the case stays as it is. Esc ends it.</source>
         <translation>Tirez un point du foie : vaisseaux et lésions suivent. Il est tenu à la veine cave et là où entrent les vaisseaux ; ses voisins ne sont pas modélisés. Un essai : le cas reste tel quel. Échap y met fin.</translation>
+    </message>
+    <message>
+        <source>Edge length</source>
+        <translation>Longueur d&apos;arête</translation>
+    </message>
+    <message>
+        <source>More vertices, or shorter edges, follow the organ more closely and compute more slowly.</source>
+        <translation>Plus de sommets, ou des arêtes plus courtes, suivent l&apos;organe de plus près et calculent plus lentement.</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Mesh size</source>
+        <translation>Taille du maillage</translation>
+    </message>
+    <message>
+        <source>Finer at lesions</source>
+        <translation>Plus fin aux lésions</translation>
+    </message>
+    <message>
+        <source>Finer at vessels</source>
+        <translation>Plus fin aux vaisseaux</translation>
+    </message>
+    <message>
+        <source>Edges half as long there; with a number of vertices, longer ones elsewhere.</source>
+        <translation>Arêtes deux fois plus courtes là ; avec un nombre de sommets, plus longues ailleurs.</translation>
+    </message>
+    <message>
+        <source>From surfaces…</source>
+        <translation>Depuis des surfaces…</translation>
+    </message>
+    <message>
+        <source>A folder, files named by structure…</source>
+        <translation>Un dossier, fichiers nommés par structure…</translation>
+    </message>
+    <message>
+        <source>A list of files (JSON)…</source>
+        <translation>Une liste de fichiers (JSON)…</translation>
+    </message>
+    <message>
+        <source>List of surfaces</source>
+        <translation>Liste de surfaces</translation>
+    </message>
+    <message>
+        <source>List of surfaces (*.json)</source>
+        <translation>Liste de surfaces (*.json)</translation>
+    </message>
+    <message>
+        <source>One surface of the liver…</source>
+        <translation>Une surface du foie…</translation>
+    </message>
+    <message>
+        <source>Surface of the liver</source>
+        <translation>Surface du foie</translation>
+    </message>
+    <message>
+        <source>Surfaces (*.stl *.obj *.ply *.vtk *.vtp)</source>
+        <translation>Surfaces (*.stl *.obj *.ply *.vtk *.vtp)</translation>
+    </message>
+    <message>
+        <source>Vessel trees</source>
+        <translation>Arbres vasculaires</translation>
+    </message>
+    <message>
+        <source>The centrelines that stiffen the model. Each tree is held where it enters.</source>
+        <translation>Les lignes centrales qui raidissent le modèle. Chaque arbre est tenu là où il entre.</translation>
     </message>
 </context>
 <context>

@@ -21,6 +21,7 @@
 #include "glisson/ui/atlas/atlas_panel.h"
 #include "glisson/ui/common/task_button.h"
 #include "glisson/ui/guidance/guidance_panel.h"
+#include "glisson/ui/segmentation/seed_book.h"
 #include "glisson/ui/segmentation/segmentation_panel.h"
 #include "glisson/ui/shell/case_opening.h"
 #include "glisson/ui/shell/main_window.h"
