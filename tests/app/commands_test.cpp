@@ -151,6 +151,7 @@ class CommandsTest : public QObject {
   void ACloudInAnotherUnitIsRefusedWithTheUnit();
   void ACaseOfAnotherVersionIsRefused();
   void SeveralLargeComponentsAreRefused();
+  void AModelComesFromAListOfSurfacesAndItsTreesAreEdited();
   void AVideoThatEndsEarlyIsRecognised();
   void RegisterFindsAKnownDeformationAndKeepsTheNodeOrder();
   void ASurfaceComesBackAsThatSurface();
@@ -216,6 +217,8 @@ void CommandsTest::WrongUsageIsRefusedWithCodeTwo() {
   refused({"demo", "--headless", "headles"}, "headles: is no option", 2);
   refused({"segment", "--case", "a.glisson", "--seeds", "s.json", "--labels-out", "l.txt"}, ".nrrd", 2);
   refused({"model", "--case", "a.glisson", "--mesh-out", "m.stl"}, "must end in .vtu", 2);
+  refused({"model", "--case", "a.glisson", "--edge", "0.5"}, "--edge", 2);
+  refused({"model", "--case", "a.glisson", "--vessel-refinement", "2"}, "--vessel-refinement", 2);
   refused({"render", "--case", "a.glisson", "--out", "p.txt"}, ".png", 2);
   refused({"reconstruct", "--out", "c.xyz"}, ".ply", 2);
 }
@@ -367,6 +370,18 @@ void CommandsTest::SeveralLargeComponentsAreRefused() {
   two.triangles.bottomRows(one.triangles.rows()) = one.triangles.array() + one.vertex_count();
   write_triangle_mesh(at("two.vtp"), two, LengthUnit::millimetre);
   refused({"model", "--surfaces", "two.vtp", "--case", "a.glisson"}, "pieces");
+}
+
+void CommandsTest::AModelComesFromAListOfSurfacesAndItsTreesAreEdited() {
+  write_triangle_mesh(at("a.ply"), boundary_surface(ball()).mesh, LengthUnit::millimetre);
+  write_text(at("list.json"), R"({"structures": {"liver": "a.ply"}})");
+  QCOMPARE(run({"model", "--surfaces", "list.json", "--case", "a.glisson", "--edge", "25"}).code, 0);
+  refused({"model", "--surfaces", "list.json", "--case", "b.glisson", "--tree-edits", "none.json"},
+          "none.json");
+  write_text(at("edits.json"), R"({"edits": [{"edit": "prune", "at": [0, 0, 0]}]})");
+  // A bare liver has no vessel to prune.
+  refused({"model", "--surfaces", "list.json", "--case", "b.glisson", "--tree-edits", "edits.json"},
+          "edit 1 (prune)");
 }
 
 void CommandsTest::AVideoThatEndsEarlyIsRecognised() {

@@ -17,6 +17,7 @@ constexpr double kFarthestRootMm = 20.0;   // a root point farther from its vess
 constexpr double kNearSurfaceMm = 8.0, kNearCavaMm = 15.0;
 constexpr float kFavour = 1.4F;  // how much thicker an unfavoured end must be
 constexpr double kShortestSpacingMm = 4.0, kLongestSpacingMm = 20.0;
+constexpr double kMostTurn = 1.2;    // radians that a beam may span where beams are short
 constexpr double kMostBeams = 1.15;  // of the target, before branches are pruned
 
 /// One piece of a vessel on a grid of its own, with a margin.
@@ -136,6 +137,8 @@ std::vector<VesselTree> sampled(std::vector<FittedTree> trees, int target, std::
   FittedTree::Sampling sampling;
   sampling.longest_mm = kLongestSpacingMm;
   const auto most = static_cast<std::size_t>(kMostBeams * target);
+  // Better a coarser bend than a branch less.
+  while (sampling.turn < kMostTurn && beam_count(trees, sampling) > most) sampling.turn *= 1.25;
   int pruned = 0;
   double pruned_mm = 0.0;
   while (beam_count(trees, sampling) > most) {

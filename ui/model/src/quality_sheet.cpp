@@ -30,10 +30,6 @@ QualitySheet::QualitySheet(EngineBridge& engine, LinkedViews& views, QWidget* pa
   summary_->setObjectName(QStringLiteral("model_summary"));
   summary_->setWordWrap(true);
   layout->addWidget(summary_);
-  checked_ = new QCheckBox(tr("I have checked this model"), this);
-  checked_->setObjectName(QStringLiteral("model_checked"));
-  checked_->setToolTip(tr("Kept with the case. Another model, or an edit of its vessels, asks again."));
-  layout->addWidget(checked_);
   figures_ = new FiguresTable(this);
   layout->addWidget(figures_);
   angles_ = new AngleHistogram(this);
@@ -42,6 +38,12 @@ QualitySheet::QualitySheet(EngineBridge& engine, LinkedViews& views, QWidget* pa
   worst_ = new QCheckBox(tr("Show the %1 flattest elements in 3D").arg(kWorstElements), this);
   worst_->setObjectName(QStringLiteral("model_worst"));
   layout->addWidget(worst_);
+  structures_ = new FiguresTable(this);
+  layout->addWidget(structures_);
+  checked_ = new QCheckBox(tr("I have checked this model"), this);
+  checked_->setObjectName(QStringLiteral("model_checked"));
+  checked_->setToolTip(tr("Kept with the case. Another model, or an edit of its vessels, asks again."));
+  layout->addWidget(checked_);
   notes_ = make_explanation({}, this);
   layout->addWidget(notes_);
   connect(worst_, &QCheckBox::toggled, this, &QualitySheet::show_worst);
@@ -67,13 +69,15 @@ void QualitySheet::show_case() {
   if (!shown_) {
     summary_->setText(tr("No model yet."));
     figures_->clear();
+    structures_->clear();
     return;
   }
   const QStringList open = findings();
   summary_->setText(open.isEmpty()
                         ? tr("Nothing stands out. Look at the liver, its vessels and lesions in 3D.")
                         : tr("Worth a look:") + QStringLiteral("\n• ") + open.join(QStringLiteral("\n• ")));
-  figures_->set_rows(rows());
+  figures_->set_rows(mesh_rows());
+  structures_->set_rows(structure_rows());
   angles_->set_counts(model::dihedral_histogram(shown_->model.mesh));
   notes_->setText(notes_text(shown_->report.notes));
 }
@@ -108,7 +112,7 @@ QStringList QualitySheet::findings() const {
   return found;
 }
 
-std::vector<std::pair<QString, QString>> QualitySheet::rows() const {
+std::vector<std::pair<QString, QString>> QualitySheet::mesh_rows() const {
   const model::MeshQuality& q = shown_->report.quality;
   const PatientModel& patient = shown_->model;
   const auto mm = [](double value) { return tr("%1 mm").arg(value, 0, 'f', 2); };
@@ -122,22 +126,30 @@ std::vector<std::pair<QString, QString>> QualitySheet::rows() const {
       {tr("Mesh to fine surface, mean"), mm(q.mesh_to_fine_mean_mm)},
       {tr("Fine surface to mesh, mean"), mm(q.fine_to_mesh_mean_mm)},
       {tr("Fine surface to mesh, largest"), mm(q.fine_to_mesh_max_mm)}};
-  for (const model::LesionVolume& lesion : model::lesion_volumes(patient)) {
-    if (lesion.mesh_volume == 0.0) continue;
-    rows.emplace_back(structure_text(lesion.label),
-                      lesion.volume > 0.0
-                          ? tr("%1 ml, in the mesh %2 %")
-                                .arg(1e6 * lesion.volume, 0, 'f', 1)
-                                .arg(100.0 * (lesion.mesh_volume / lesion.volume - 1.0), 0, 'f', 1)
-                          : tr("%1 ml").arg(1e6 * lesion.mesh_volume, 0, 'f', 1));
-  }
-  for (const model::TreeSummary& tree : model::tree_summaries(patient))
-    rows.emplace_back(
-        structure_text(tree.structure),
-        tr("%1 mm, tips: %2, beams: %3").arg(1e3 * tree.length, 0, 'f', 0).arg(tree.tips).arg(tree.beams));
   if (q.min_dihedral_deg > 0.0)
     rows.emplace_back(tr("Dihedral angles"),
                       tr("%1° to %2°").arg(q.min_dihedral_deg, 0, 'f', 1).arg(q.max_dihedral_deg, 0, 'f', 1));
+  return rows;
+}
+
+std::vector<std::pair<QString, QString>> QualitySheet::structure_rows() const {
+  std::vector<std::pair<QString, QString>> rows;
+  for (const model::LesionVolume& lesion : model::lesion_volumes(shown_->model)) {
+    if (lesion.mesh_volume == 0.0) continue;
+    QString value =
+        tr("%1 ml").arg(1e6 * (lesion.volume > 0.0 ? lesion.volume : lesion.mesh_volume), 0, 'f', 1);
+    if (lesion.volume > 0.0) {
+      const double error = 100.0 * (lesion.mesh_volume / lesion.volume - 1.0);
+      value =
+          tr("%1, mesh %2 %")
+              .arg(value, (error < 0.0 ? QString() : QStringLiteral("+")) + QString::number(error, 'f', 1));
+    }
+    rows.emplace_back(structure_text(lesion.label), value);
+  }
+  for (const model::TreeSummary& tree : model::tree_summaries(shown_->model))
+    rows.emplace_back(
+        structure_text(tree.structure),
+        tr("%1 mm, tips: %2, beams: %3").arg(1e3 * tree.length, 0, 'f', 0).arg(tree.tips).arg(tree.beams));
   return rows;
 }
 

@@ -28,12 +28,13 @@ class QualitySheet : public QWidget {
   void show_worst();
   /// What is worth a look, a line each.
   QStringList findings() const;
-  std::vector<std::pair<QString, QString>> rows() const;
+  std::vector<std::pair<QString, QString>> mesh_rows() const;
+  std::vector<std::pair<QString, QString>> structure_rows() const;  ///< lesions, and trees of vessels
 
   EngineBridge& engine_;
   LinkedViews& views_;
   QLabel* summary_;
-  FiguresTable* figures_;
+  FiguresTable *figures_, *structures_;
   AngleHistogram* angles_;
   QCheckBox* worst_;
   QLabel* notes_;
