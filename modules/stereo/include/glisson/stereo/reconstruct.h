@@ -33,6 +33,7 @@ struct ReconstructOptions {
   bool find_circle = true;  ///< without a mask: leave out what lies outside the laparoscope's circle
   /// @throws PreconditionError naming what is out of range.
   void validate() const;
+  bool operator==(const ReconstructOptions&) const = default;
 };
 
 struct ReconstructReport {
