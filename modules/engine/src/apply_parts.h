@@ -31,6 +31,8 @@ Cancellable<Applied> apply_one(const CaseState& state, const SetLandmarks& comma
 
 Cancellable<Applied> apply_one(const CaseState& state, const SetCalibration& command,
                                const RunContext& context);
+Cancellable<Applied> apply_one(const CaseState& state, const CalibrateRig& command,
+                               const RunContext& context);
 Cancellable<Applied> apply_one(const CaseState& state, const LoadStereoPair& command,
                                const RunContext& context);
 Cancellable<Applied> apply_one(const CaseState& state, const SetVideo& command, const RunContext& context);

@@ -9,6 +9,8 @@
 #include "glisson/geometry/distance.h"
 #include "glisson/geometry/mesh_io.h"
 #include "glisson/stereo/calibration_io.h"
+#include "glisson/stereo/faults.h"
+#include "glisson/stereo/labelling.h"
 #include "glisson/stereo/picture_io.h"
 
 namespace glisson::engine {
@@ -131,23 +133,99 @@ Cancellable<Applied> apply_one(const CaseState& state, const SetRegions& command
   return applied;
 }
 
+namespace {
+
+/// Reconstructed now, or for an earlier command on the same pair.
+Cancellable<std::shared_ptr<const stereo::Reconstructed>> points_of(const CaseState& state,
+                                                                    const stereo::ReconstructOptions& options,
+                                                                    const RunContext& context) {
+  const auto& known = state.points;
+  if (known && known->frame == state.frame && known->rig == state.rig && known->options == options)
+    return known->whole;
+  const StereoInput& input = *state.frame;
+  try {
+    auto made = stereo::reconstruct(input.frame.left, input.frame.right, *state.rig, input.mask, {}, options,
+                                    context);
+    if (!made) return {};
+    return std::make_shared<const stereo::Reconstructed>(std::move(*made));
+  } catch (const InputError&) {
+    // Where the pair itself is at fault, that is the better answer.
+    stereo::require_sound(stereo::check_pair(input.frame.left, input.frame.right, *state.rig));
+    throw;
+  }
+}
+
+/// What is wrong with the pair, as notes. Looked for where the points give cause to: it takes a second.
+std::vector<std::string> fault_notes(const CaseState& state, const PairPoints& points) {
+  constexpr double kRowsOff = 3.0;  // pixels
+  const bool suspicious = std::abs(points.whole->report.row_offset_px) > kRowsOff ||
+                          points.density_per_cm2 < points.options.least_density_per_cm2;
+  std::vector<std::string> notes;
+  if (!suspicious) return notes;
+  const StereoFrame& frame = state.frame->frame;
+  for (const stereo::Fault fault : stereo::check_pair(frame.left, frame.right, *state.rig).faults)
+    notes.push_back("stereo." + std::string(stereo::fault_code(fault)));
+  return notes;
+}
+
+void add_figures(Figures& figures, const PairPoints& points, const LabelledCloud& cloud) {
+  const stereo::ReconstructReport& report = points.whole->report;
+  figures["cloud_features_left"] = report.features_left;
+  figures["cloud_features_right"] = report.features_right;
+  figures["cloud_matches"] = report.matches;
+  figures["cloud_points"] = cloud.size();
+  figures["cloud_area_cm2"] = points.area_cm2;
+  figures["cloud_density_per_cm2"] = points.density_per_cm2;
+  figures["cloud_covered_share"] = points.density.covered;
+  figures["cloud_row_offset_px"] = report.row_offset_px;
+  figures["cloud_epipolar_rms_px"] = report.epipolar_rms_px;
+  figures["cloud_sigma_median_mm"] = 1e3 * report.sigma_median;
+  figures["cloud_dense"] = report.method == stereo::Method::dense ? 1.0 : 0.0;
+}
+
+}  // namespace
+
 Cancellable<Applied> apply_one(const CaseState& state, const Reconstruct& command,
                                const RunContext& context) {
   require_part(state, Part::rig, "Load the laparoscope's calibration first");
   require_part(state, Part::frame, "Load a stereo pair first");
   require_rig_fits(state);
   const stereo::Regions regions = state.regions ? *state.regions : stereo::Regions{};
-  auto made = stereo::reconstruct(state.frame->frame.left, state.frame->frame.right, *state.rig,
-                                  state.frame->mask, regions, command.options, context);
-  if (!made) return {};
+  stereo::require_regions_of(regions, state.frame->frame.left, state.frame->frame.right);
+  const bool labels = !regions.regions.empty();
+  const bool may_be_dense = labels && command.options.method == stereo::Method::automatic;
+  auto whole = points_of(state, command.options, context.part(0.0, may_be_dense ? 0.6 : 1.0));
+  if (!whole) return {};
+  stereo::LabelledPart part = stereo::labelled_part((*whole)->cloud, *state.rig, state.frame->mask, regions);
+  if (may_be_dense && (*whole)->report.method == stereo::Method::sparse &&
+      part.density_per_cm2 < command.options.least_density_per_cm2) {
+    stereo::ReconstructOptions dense = command.options;
+    dense.method = stereo::Method::dense;
+    whole = points_of(state, dense, context.part(0.6, 1.0));
+    if (!whole) return {};
+    part = stereo::labelled_part((*whole)->cloud, *state.rig, state.frame->mask, regions);
+  }
+  if (part.cloud.size() == 0)
+    throw InputError("regions", "",
+                     "hold none of the pair's " + std::to_string((*whole)->cloud.size()) + " points",
+                     "Draw them where the liver is reconstructed, or reconstruct densely");
+  PairPoints points{state.frame,
+                    state.rig,
+                    command.options,
+                    *whole,
+                    part.area_cm2,
+                    part.density_per_cm2,
+                    stereo::density_map(part.cloud, state.rig->left, state.frame->mask, regions)};
+  if (!labels) {
+    points.area_cm2 = (*whole)->report.area_cm2;
+    points.density_per_cm2 = (*whole)->report.density_per_cm2;
+  }
   Applied applied;
   applied.state = state;
-  applied.figures["cloud_features_left"] = made->report.features_left;
-  applied.figures["cloud_features_right"] = made->report.features_right;
-  applied.figures["cloud_matches"] = made->report.matches;
-  applied.figures["cloud_points"] = made->report.points;
-  applied.figures["cloud_density_per_cm2"] = made->report.density_per_cm2;
-  applied.state.cloud = std::make_shared<const LabelledCloud>(std::move(made->cloud));
+  add_figures(applied.figures, points, part.cloud);
+  applied.notes = fault_notes(state, points);
+  applied.state.cloud = std::make_shared<const LabelledCloud>(std::move(part.cloud));
+  applied.state.points = std::make_shared<const PairPoints>(std::move(points));
   return applied;
 }
 
@@ -195,6 +273,7 @@ Cancellable<Applied> apply_one(const CaseState& state, const ImportCloud& comman
   auto cloud = std::make_shared<const LabelledCloud>(read_cloud(command.path, command.unit));
   require_cloud_of_a_liver(*cloud, command.unit, command.path.string());
   applied.state.cloud = std::move(cloud);
+  applied.state.points = nullptr;
   applied.figures["cloud_points"] = applied.state.cloud->size();
   return applied;
 }

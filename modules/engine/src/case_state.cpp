@@ -67,6 +67,7 @@ void CaseState::take(Part part, const CaseState& from) {
     history = from.history;
     statistics = from.statistics;
   }
+  if (part == Part::cloud) points = from.points;
   if (part == Part::registration) operations = from.operations;
 }
 

@@ -36,6 +36,7 @@ Traits traits(const EditTrees&) { return {"edit_trees", {Part::model}, {Part::mo
 Traits traits(const CheckModel&) { return {"check_model", {Part::model}, {Part::check}, true}; }
 Traits traits(const SetLandmarks&) { return {"set_landmarks", {Part::model}, {Part::landmarks}, true}; }
 Traits traits(const SetCalibration&) { return {"set_calibration", {}, {Part::rig}, true}; }
+Traits traits(const CalibrateRig&) { return {"calibrate", {}, {Part::rig}}; }
 Traits traits(const LoadStereoPair&) { return {"load_stereo_pair", {}, {Part::frame}}; }
 Traits traits(const SetVideo&) { return {"set_video", {}, {Part::video}, true}; }
 Traits traits(const LoadVideoFrame&) { return {"load_video_frame", {Part::video}, {Part::frame}}; }

@@ -22,6 +22,7 @@
 #include "glisson/segmentation/history.h"
 #include "glisson/segmentation/segment.h"
 #include "glisson/segmentation/statistics.h"
+#include "glisson/stereo/density.h"
 #include "glisson/stereo/reconstruct.h"
 #include "glisson/volume/image.h"
 
@@ -121,6 +122,17 @@ struct SimulatedOperations {
   std::shared_ptr<const registration::OperationPrior> prior;
 };
 
+/// The points of a whole stereo pair, and what they were made of: other regions need no others.
+struct PairPoints {
+  std::shared_ptr<const StereoInput> frame;
+  std::shared_ptr<const StereoRig> rig;
+  stereo::ReconstructOptions options;
+  std::shared_ptr<const stereo::Reconstructed> whole;  ///< made without regions
+  double area_cm2 = 0.0;         ///< of the surface that the cloud stands for: within the regions, if any
+  double density_per_cm2 = 0.0;  ///< of the cloud
+  stereo::DensityMap density;    ///< where in the left picture points are missing
+};
+
 /// Everything that is known of one patient. Each part is immutable and shared, so that a copy is cheap;
 /// absent parts are null.
 struct CaseState {
@@ -143,6 +155,7 @@ struct CaseState {
   /// Come with the labels: their steps, and their figures on the image.
   std::shared_ptr<const segmentation::History> history;
   std::shared_ptr<const segmentation::LabelStatistics> statistics;
+  std::shared_ptr<const PairPoints> points;  ///< comes with a reconstructed cloud; not in the files
   std::shared_ptr<const SimulatedOperations> operations;  ///< comes with a registration; not in the files
   std::array<Stamp, kPartCount> stamps;
 
@@ -150,7 +163,7 @@ struct CaseState {
   const Stamp& stamp(Part part) const { return stamps[static_cast<std::size_t>(part)]; }
   Stamp& stamp(Part part) { return stamps[static_cast<std::size_t>(part)]; }
   /// Copies one part (not its stamp) from another state; with the labels their history
-  /// and figures, with the registration its simulated operations.
+  /// and figures, with the cloud the pair's points, with the registration its simulated operations.
   void take(Part part, const CaseState& from);
   /// Whether this part is the very same object in both.
   bool shares(Part part, const CaseState& with) const;

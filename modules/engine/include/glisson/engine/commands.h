@@ -15,6 +15,7 @@
 #include "glisson/fem/simulate.h"
 #include "glisson/guidance/tracker.h"
 #include "glisson/registration/register.h"
+#include "glisson/stereo/calibrate.h"
 
 /// @file
 /// Everything that can be asked of the engine, as values. The window, the command line and the tests post the
@@ -93,6 +94,13 @@ struct SetLandmarks {
 struct SetCalibration {
   std::filesystem::path path;
 };
+/// Calibrates the laparoscope from pairs of pictures of a board (stereo::picture_pairs: a folder; or with
+/// `right` two folders or patterns). Outliers are notes, "calibration.outlier NAME".
+struct CalibrateRig {
+  std::filesystem::path left, right;
+  stereo::Board board;
+  stereo::CalibrateOptions options;
+};
 /// A stereo pair of picture files; `mask` may be empty.
 struct LoadStereoPair {
   std::filesystem::path left, right, mask;
@@ -108,6 +116,9 @@ struct LoadVideoFrame {
 struct SetRegions {
   stereo::Regions regions;
 };
+/// The points of the whole pair, then those in regions with their labels. Where only the regions have changed
+/// since the last time, the points are those of that time; with Method::automatic they become dense once the
+/// regions leave fewer of them than wanted.
 struct Reconstruct {
   stereo::ReconstructOptions options;
 };
@@ -168,9 +179,9 @@ struct SaveCase {
 using Command =
     std::variant<ImportImage, ListSeries, ImportLabels, EditLabels, PreviewEdit, UndoLabels, RedoLabels,
                  SetReview, SetSeeds, Segment, BuildModel, ImportSurfaces, ImportMesh, EditTrees, CheckModel,
-                 SetLandmarks, SetCalibration, LoadStereoPair, SetVideo, LoadVideoFrame, SetRegions,
-                 Reconstruct, ImportCloud, Register, ImportRegistration, StartTracking, StopTracking,
-                 StartTrial, StopTrial, Simulate, OpenCase, SaveCase>;
+                 SetLandmarks, SetCalibration, CalibrateRig, LoadStereoPair, SetVideo, LoadVideoFrame,
+                 SetRegions, Reconstruct, ImportCloud, Register, ImportRegistration, StartTracking,
+                 StopTracking, StartTrial, StopTrial, Simulate, OpenCase, SaveCase>;
 
 /// Code of a command for progress, figures and logs: "segment", "build_model", ...
 std::string_view command_code(const Command& command);
