@@ -223,7 +223,7 @@ void OperationTest::ScopeIsDroppedAndRegionsAreClicked() {
   QVERIFY(settle());
   QVERIFY2(state().rig && state().frame, qPrintable(window_->status_text()));
   auto* panel = window_->findChild<ui::StereoPanel*>();
-  ui::RegionEditor& editor = panel->editor();
+  ui::RegionEditor& editor = panel->stereo_view().editor(stereo::Side::left);
   QTRY_VERIFY(editor.isVisible() && !editor.picture().empty());
   for (const stereo::Region& region : regions_.regions) {
     push(QStringLiteral("region_%1").arg(static_cast<int>(region.feature)));

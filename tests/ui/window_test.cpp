@@ -365,7 +365,7 @@ void WindowTest::RegionIsClickedClosedDraggedAndTakenBack() {
   reach_registration();
   window_->show_step(MainWindow::stereo);
   auto* panel = window_->findChild<ui::StereoPanel*>();
-  ui::RegionEditor& editor = panel->editor();
+  ui::RegionEditor& editor = panel->stereo_view().editor(stereo::Side::left);
   QTRY_VERIFY(editor.isVisible() && !editor.picture().empty());
   QTest::mouseClick(panel->findChild<QPushButton*>(QStringLiteral("region_2")), Qt::LeftButton);
   const auto at = [&](double x, double y) { return editor.widget_point({x, y}).toPoint(); };
@@ -373,7 +373,7 @@ void WindowTest::RegionIsClickedClosedDraggedAndTakenBack() {
   QTest::mouseClick(&editor, Qt::LeftButton, {}, at(200, 60));
   QTest::mouseClick(&editor, Qt::LeftButton, {}, at(300, 170));
   QTest::keyClick(&editor, Qt::Key_Backspace);
-  QCOMPARE(editor.open_polygon().size(), std::size_t{2});
+  QCOMPARE(panel->stereo_view().drawing().unfinished()->polygon.size(), std::size_t{2});
   QTest::mouseClick(&editor, Qt::LeftButton, {}, at(180, 120));
   QTest::mouseClick(&editor, Qt::LeftButton, {}, at(100, 50));
   QVERIFY(settle());

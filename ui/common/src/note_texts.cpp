@@ -46,6 +46,15 @@ class Notes {
         {"surfaces.ignored", tr("The file %1 was not used: its name tells no structure.")},
         {"landmarks.no_anterior_margin",
          tr("No anterior margin was found: the registration has one feature less.")},
+        {"stereo.black", tr("Both pictures are dark.")},
+        {"stereo.left_lost", tr("The left camera shows nothing.")},
+        {"stereo.right_lost", tr("The right camera shows nothing.")},
+        {"stereo.one_view", tr("Both pictures are the same: one camera is lost.")},
+        {"stereo.swapped", tr("Left and right are swapped.")},
+        {"stereo.unrelated", tr("The two pictures show nothing in common.")},
+        {"stereo.other_scope", tr("The calibration is of another laparoscope: the pictures' points do not "
+                                  "lie on its epipolar lines.")},
+        {"calibration.outlier", tr("The view %1 fits far worse than the others and was left out.")},
         {"few_margin_points", tr("Few points show the anterior margin: the position along it is uncertain.")},
         {"no_notch",
          tr("The umbilical notch is not marked in both model and picture: the position along the margin is "

@@ -50,7 +50,7 @@ void PictureView::paintEvent(QPaintEvent*) {
     painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap, hint_);
   } else {
     painter.setRenderHints(QPainter::SmoothPixmapTransform | QPainter::Antialiasing);
-    painter.drawImage(picture_area(), image_);
+    draw_picture(painter);
     paint_over(painter);
   }
   if (title_.isEmpty()) return;
@@ -65,6 +65,8 @@ void PictureView::paintEvent(QPaintEvent*) {
   painter.setPen(QColor(225, 230, 233));
   painter.drawText(plate, Qt::AlignCenter, title_);
 }
+
+void PictureView::draw_picture(QPainter& painter) const { painter.drawImage(picture_area(), image_); }
 
 void PictureView::paint_over(QPainter&) {}
 

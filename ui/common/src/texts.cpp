@@ -28,6 +28,7 @@ class Texts {
             {"check_model", tr("Noting the check of the model")},
             {"set_landmarks", tr("Storing the landmarks")},
             {"set_calibration", tr("Reading the calibration")},
+            {"calibrate", tr("Calibrating the laparoscope")},
             {"load_stereo_pair", tr("Reading the stereo pair")},
             {"set_video", tr("Opening the video")},
             {"load_video_frame", tr("Reading the video's frame")},

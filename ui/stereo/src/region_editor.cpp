@@ -4,6 +4,7 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QPainterPath>
 #include <algorithm>
 
 #include "glisson/ui/scene/colours.h"
@@ -12,38 +13,62 @@ namespace glisson::ui {
 namespace {
 
 using scene::colour_of;
+using Click = RegionDrawing::Click;
 
-constexpr double kReach = 9.0;  ///< pixels on the screen within which a corner is taken
+constexpr double kReach = 9.0;           ///< pixels on the screen within which a corner is taken
+constexpr double kLoupeRadius = 58.0;    ///< pixels on the screen
+constexpr double kLoupeDistance = 84.0;  ///< of its middle from the pointer
+constexpr double kLoupeScale = 3.0;      ///< times what is on the screen
+const QColor kDark(20, 24, 28);
+const QColor kGuide(255, 209, 64);
 
-bool close_to(const QPointF& a, const QPointF& b) {
-  const QPointF d = a - b;
-  return d.x() * d.x() + d.y() * d.y() <= kReach * kReach;
+Qt::CursorShape cursor_of(Click click) {
+  switch (click) {
+    case Click::begin:
+    case Click::add:
+      return Qt::CrossCursor;
+    case Click::close:
+    case Click::end_curve:
+    case Click::select:
+      return Qt::PointingHandCursor;
+    case Click::wrong_picture:
+      return Qt::ForbiddenCursor;
+    case Click::drag:
+      return Qt::SizeAllCursor;
+    case Click::insert:
+      return Qt::DragCopyCursor;
+    case Click::nothing:
+      return Qt::ArrowCursor;
+  }
+  return Qt::ArrowCursor;
 }
 
 }  // namespace
 
-RegionEditor::RegionEditor(QWidget* parent) : PictureView(tr("Left"), parent) {
+RegionEditor::RegionEditor(stereo::Side side, const QString& title, RegionDrawing& drawing, QWidget* parent)
+    : PictureView(title, parent), side_(side), drawing_(drawing) {
   setFocusPolicy(Qt::StrongFocus);
-  set_hint(tr("Load a stereo pair or a video, and the laparoscope's calibration."));
-}
-
-void RegionEditor::set_feature(std::optional<Feature> feature) {
-  feature_ = feature;
-  open_.clear();
-  setCursor(feature ? Qt::CrossCursor : Qt::ArrowCursor);
-  if (feature) setFocus();
-  update();
-}
-
-void RegionEditor::set_regions(const std::vector<stereo::Region>& regions) {
-  regions_ = regions;
-  dragged_.reset();
-  update();
 }
 
 void RegionEditor::set_dots(std::vector<Eigen::Vector2d> dots, std::vector<Feature> features) {
   dots_ = std::move(dots);
   dot_features_ = std::move(features);
+  update();
+}
+
+void RegionEditor::set_guide(std::vector<Eigen::Vector2d> line, const std::optional<Eigen::Vector2d>& point) {
+  guide_ = std::move(line);
+  guide_point_ = point;
+  update();
+}
+
+void RegionEditor::set_veil(const QImage& veil) {
+  veil_ = veil;
+  update();
+}
+
+void RegionEditor::set_loupe(bool on) {
+  loupe_ = on;
   update();
 }
 
@@ -53,110 +78,177 @@ QPolygonF RegionEditor::on_screen(const std::vector<Eigen::Vector2d>& polygon) c
   return shape;
 }
 
-Eigen::Vector2d RegionEditor::pixel_inside(const QPointF& place) const {
-  return pixel_at(place)
-      .cwiseMax(Eigen::Vector2d::Zero())
-      .cwiseMin(Eigen::Vector2d(picture().width - 1, picture().height - 1));
+double RegionEditor::pixels_on_screen() const {
+  return widget_point({1.0, 0.0}).x() - widget_point({0.0, 0.0}).x();
 }
 
-std::optional<RegionEditor::Corner> RegionEditor::corner_at(const QPointF& place) const {
-  for (std::size_t r = 0; r < regions_.size(); ++r)
-    for (std::size_t c = 0; c < regions_[r].polygon.size(); ++c)
-      if (close_to(widget_point(regions_[r].polygon[c]), place)) return Corner{r, c};
-  return std::nullopt;
+RegionDrawing::Place RegionEditor::place_at(const QPointF& widget) const {
+  const Eigen::Vector2d pixel = pixel_at(widget)
+                                    .cwiseMax(Eigen::Vector2d::Zero())
+                                    .cwiseMin(Eigen::Vector2d(picture().width - 1, picture().height - 1));
+  return {side_, pixel, kReach / pixels_on_screen()};
 }
 
-void RegionEditor::remove_region_at(const QPointF& place) {
-  for (std::size_t r = regions_.size(); r-- > 0;)
-    if (on_screen(regions_[r].polygon).containsPoint(place, Qt::OddEvenFill)) {
-      regions_.erase(regions_.begin() + static_cast<std::ptrdiff_t>(r));
-      update();
-      emit regions_edited();
-      return;
-    }
+void RegionEditor::update_cursor() {
+  setCursor(picture().empty() || !pointer_ ? Qt::ArrowCursor
+                                           : cursor_of(drawing_.click_at(place_at(*pointer_))));
 }
 
-void RegionEditor::add_corner(const QPointF& place) {
-  if (open_.size() >= 3 && close_to(widget_point(open_.front()), place)) return close_region();
-  open_.push_back(pixel_inside(place));
-  update();
-}
-
-void RegionEditor::close_region() {
-  if (open_.size() < 3) return;
-  regions_.push_back({*feature_, open_});
-  open_.clear();
-  update();
-  emit regions_edited();
+void RegionEditor::tell(bool edited) {
+  update_cursor();
+  emit drawing_changed();
+  if (edited) emit regions_edited();
 }
 
 void RegionEditor::mousePressEvent(QMouseEvent* event) {
   if (picture().empty()) return;
   pointer_ = event->position();
-  if (event->button() == Qt::RightButton && open_.empty()) return remove_region_at(event->position());
+  const RegionDrawing::Place place = place_at(event->position());
+  if (event->button() == Qt::RightButton) return tell(drawing_.remove_at(place));
   if (event->button() != Qt::LeftButton) return;
-  // Regions touch one another: whoever draws one does not want to move its neighbour's corners.
-  if (feature_)
-    add_corner(event->position());
-  else
-    dragged_ = corner_at(event->position());
+  if (!drawing_.tool()) emit pointed();
+  tell(drawing_.press(place));
+}
+
+void RegionEditor::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (picture().empty() || event->button() != Qt::LeftButton) return;
+  tell(drawing_.double_click(place_at(event->position())));
 }
 
 void RegionEditor::mouseMoveEvent(QMouseEvent* event) {
+  if (picture().empty()) return;
   pointer_ = event->position();
-  if (dragged_) regions_[dragged_->region].polygon[dragged_->corner] = pixel_inside(event->position());
-  if (dragged_ || !open_.empty()) update();
+  drawing_.move(place_at(event->position()));
+  update_cursor();
+  update();
+  emit pointer_moved();
 }
 
 void RegionEditor::mouseReleaseEvent(QMouseEvent* event) {
-  if (event->button() != Qt::LeftButton || !dragged_) return;
-  dragged_.reset();
-  emit regions_edited();
+  if (event->button() == Qt::LeftButton && drawing_.dragged()) tell(drawing_.release());
+}
+
+void RegionEditor::leaveEvent(QEvent* event) {
+  pointer_.reset();
+  update();
+  emit pointer_moved();
+  PictureView::leaveEvent(event);
 }
 
 void RegionEditor::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Backspace && !open_.empty()) {
-    open_.pop_back();
-    update();
-  } else if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
-    close_region();
-  } else if (event->key() == Qt::Key_Escape) {
-    set_feature(std::nullopt);
-    emit drawing_ended();
-  } else {
-    PictureView::keyPressEvent(event);
+  if (event->matches(QKeySequence::Undo)) return tell(drawing_.undo());
+  if (event->matches(QKeySequence::Redo)) return tell(drawing_.redo());
+  switch (event->key()) {
+    case Qt::Key_Backspace:
+      drawing_.take_back();
+      return tell(false);
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+      return tell(drawing_.finish());
+    case Qt::Key_Delete:
+      return tell(drawing_.remove_selected());
+    case Qt::Key_Escape:
+      drawing_.drop();
+      return tell(false);
+    default:
+      PictureView::keyPressEvent(event);
   }
 }
 
-void RegionEditor::paint_over(QPainter& painter) {
+void RegionEditor::paint_region(QPainter& painter, const stereo::Region& region, bool finished, bool selected,
+                                double scale) const {
+  const QColor colour = colour_of(region.feature);
+  QColor fill = colour;
+  fill.setAlpha(selected ? 70 : 38);
+  const QPolygonF shape = on_screen(region.polygon);
+  painter.setBrush(Qt::NoBrush);
+  if (!region.closed) {
+    painter.setPen(QPen(fill, 2.0 * region.half_width_px * pixels_on_screen(), Qt::SolidLine, Qt::RoundCap,
+                        Qt::RoundJoin));
+    painter.drawPolyline(shape);
+  }
+  painter.setPen(QPen(colour, (selected ? 3.0 : 2.0) / scale, finished ? Qt::SolidLine : Qt::DashLine));
+  if (region.closed && finished) {
+    painter.setBrush(fill);
+    painter.drawPolygon(shape);
+  } else {
+    painter.drawPolyline(shape);
+  }
+  painter.setPen(QPen(colour, 1.5 / scale));
+  painter.setBrush(kDark);
+  for (const QPointF& corner : shape) painter.drawEllipse(corner, 3.5 / scale, 3.5 / scale);
+}
+
+/// Everything over the picture. @param scale by which the painter enlarges: lines stay as thin as they are.
+void RegionEditor::paint_marks(QPainter& painter, double scale) const {
   painter.setPen(Qt::NoPen);
   for (std::size_t i = 0; i < dots_.size(); ++i) {
     QColor colour = colour_of(i < dot_features_.size() ? dot_features_[i] : Feature::surface);
     colour.setAlpha(200);
     painter.setBrush(colour);
-    painter.drawEllipse(widget_point(dots_[i]), 1.6, 1.6);
+    painter.drawEllipse(widget_point(dots_[i]), 1.6 / scale, 1.6 / scale);
   }
-  for (const stereo::Region& region : regions_) {
-    const QColor colour = colour_of(region.feature);
-    QColor fill = colour;
-    fill.setAlpha(38);
-    const QPolygonF shape = on_screen(region.polygon);
-    painter.setPen(QPen(colour, 2.0));
-    painter.setBrush(fill);
-    painter.drawPolygon(shape);
-    painter.setBrush(QColor(20, 24, 28));
-    for (const QPointF& corner : shape) painter.drawEllipse(corner, 3.5, 3.5);
+  for (std::size_t r = 0; r < drawing_.regions().size(); ++r)
+    if (drawing_.regions()[r].side == side_)
+      paint_region(painter, drawing_.regions()[r], true, drawing_.selected() == r, scale);
+  if (!guide_.empty()) {
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(kGuide, 1.4 / scale));
+    painter.drawPolyline(on_screen(guide_));
   }
-  if (open_.empty() || !feature_) return;
-  const QPolygonF shape = on_screen(open_);
+  if (guide_point_) {
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(kGuide, 1.4 / scale));
+    painter.drawEllipse(widget_point(*guide_point_), 5.0 / scale, 5.0 / scale);
+  }
+  const stereo::Region* unfinished = drawing_.unfinished();
+  if (unfinished == nullptr || unfinished->side != side_) return;
+  paint_region(painter, *unfinished, false, false, scale);
+  const QColor colour = colour_of(unfinished->feature);
+  if (pointer_) {
+    painter.setPen(QPen(colour, 1.5 / scale, Qt::DotLine));
+    painter.drawLine(widget_point(unfinished->polygon.back()), *pointer_);
+  }
+  const bool closes = pointer_ && drawing_.click_at(place_at(*pointer_)) == Click::close;
+  painter.setPen(QPen(colour, 2.0 / scale));
+  painter.setBrush(closes ? QBrush(colour) : QBrush(kDark));
+  const double radius = (closes ? 6.5 : 4.5) / scale;
+  painter.drawEllipse(widget_point(unfinished->polygon.front()), radius, radius);
+}
+
+void RegionEditor::paint_loupe(QPainter& painter) {
+  const QPointF from = *pointer_;
+  QPointF middle = from + QPointF(kLoupeDistance, -kLoupeDistance) * 0.75;
+  if (middle.x() + kLoupeRadius > width()) middle.setX(from.x() - 0.75 * kLoupeDistance);
+  if (middle.y() - kLoupeRadius < 0.0) middle.setY(from.y() + 0.75 * kLoupeDistance);
+  QPainterPath glass;
+  glass.addEllipse(middle, kLoupeRadius, kLoupeRadius);
+  painter.save();
+  painter.setClipPath(glass);
+  painter.fillPath(glass, Qt::black);
+  painter.translate(middle);
+  painter.scale(kLoupeScale, kLoupeScale);
+  painter.translate(-from);
+  draw_picture(painter);
+  paint_marks(painter, kLoupeScale);
+  painter.restore();
   painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(colour_of(*feature_), 2.0, Qt::DashLine));
-  painter.drawPolyline(shape);
-  painter.drawLine(shape.back(), pointer_);
-  painter.setPen(QPen(colour_of(*feature_), 2.0));
-  const bool closes = open_.size() >= 3 && close_to(shape.front(), pointer_);
-  painter.setBrush(closes ? QBrush(colour_of(*feature_)) : QBrush(QColor(20, 24, 28)));
-  painter.drawEllipse(shape.front(), closes ? 6.0 : 4.5, closes ? 6.0 : 4.5);
+  painter.setPen(QPen(QColor(12, 16, 20), 4.0));
+  painter.drawEllipse(middle, kLoupeRadius, kLoupeRadius);
+  painter.setPen(QPen(QColor(190, 200, 206), 1.5));
+  painter.drawEllipse(middle, kLoupeRadius, kLoupeRadius);
+  painter.setPen(QPen(QColor(255, 255, 255, 170), 1.0));
+  for (const QPointF& arm : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
+    painter.drawLine(middle + 5.0 * arm, middle + 14.0 * arm);
+}
+
+void RegionEditor::paint_over(QPainter& painter) {
+  if (!veil_.isNull())
+    painter.drawImage(
+        QRectF(widget_point({-0.5, -0.5}), widget_point({picture().width - 0.5, picture().height - 0.5})),
+        veil_);
+  paint_marks(painter, 1.0);
+  if (loupe_ && pointer_ && (drawing_.tool() || drawing_.dragged())) paint_loupe(painter);
 }
 
 }  // namespace glisson::ui

@@ -1,50 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/stereo/stereo_panel.h"
 
-#include <QFileDialog>
-#include <QFormLayout>
+#include <QComboBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
+#include <QMenu>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QSpinBox>
-#include <QSplitter>
-#include <map>
+#include <algorithm>
+
+#include "glisson/ui/common/texts.h"
+#include "glisson/ui/scene/colours.h"
+#include "glisson/ui/stereo/cloud_figures.h"
 
 namespace glisson::ui {
 namespace {
 
-QString feature_name(Feature feature) {
-  switch (feature) {
-    case Feature::surface:
-      return StereoPanel::tr("Surface");
-    case Feature::anterior_margin:
-      return StereoPanel::tr("Anterior margin");
-    case Feature::umbilical_notch:
-      return StereoPanel::tr("Umbilical notch");
-  }
-  return {};
+QIcon feature_icon(Feature feature) {
+  QPixmap pixmap(12, 12);
+  pixmap.fill(scene::colour_of(feature));
+  return pixmap;
 }
 
-/// What is known of a cloud, wherever it came from.
-std::vector<std::pair<QString, QString>> rows_of(const LabelledCloud* cloud) {
-  if (cloud == nullptr) return {};
-  std::map<Feature, int> counts;
-  for (int i = 0; i < cloud->size(); ++i) ++counts[cloud->feature(i)];
-  std::vector<std::pair<QString, QString>> rows = {
-      {StereoPanel::tr("Points"), QString::number(cloud->size())}};
-  for (const Feature feature : {Feature::surface, Feature::anterior_margin, Feature::umbilical_notch})
-    rows.emplace_back(feature_name(feature), QString::number(counts[feature]));
-  if (cloud->size() == 0) return rows;
-  const auto z = cloud->points.col(2);
-  rows.emplace_back(
-      StereoPanel::tr("Distance from the camera"),
-      StereoPanel::tr("%1 to %2 mm").arg(1e3 * z.minCoeff(), 0, 'f', 0).arg(1e3 * z.maxCoeff(), 0, 'f', 0));
-  return rows;
+QString region_text(const stereo::Region& region) {
+  const QString where =
+      region.side == stereo::Side::left ? StereoPanel::tr("left") : StereoPanel::tr("right");
+  const QString what = region.closed ? feature_name(region.feature)
+                                     : StereoPanel::tr("%1, line").arg(feature_name(region.feature));
+  const QString text = StereoPanel::tr("%1 (%2), corners: %3").arg(what, where).arg(region.polygon.size());
+  return region.closed && stereo::crosses_itself(region) ? StereoPanel::tr("%1, crosses itself").arg(text)
+                                                         : text;
 }
-
-QString pictures_filter() { return StereoPanel::tr("Pictures (*.png *.jpg *.jpeg *.bmp)"); }
 
 }  // namespace
 
@@ -52,27 +41,21 @@ StereoPanel::StereoPanel(EngineBridge& engine, QWidget* parent)
     : Panel(engine, tr("Stereo"), tr("What the stereo laparoscope sees of the liver, as points in space."),
             parent) {
   setObjectName(QStringLiteral("stereo_panel"));
-  build_view();
+  view_ = new StereoView;
   build_input();
   build_regions();
-  QVBoxLayout* build = add_section(tr("Reconstruct"));
-  run_ = new TaskButton(
-      engine, tr("Reconstruct surface"),
-      [this] {
-        choose(std::nullopt);
-        return engine::Command(engine::Reconstruct{});
-      },
-      this);
-  run_->setObjectName(QStringLiteral("reconstruct"));
-  build->addWidget(run_);
-  figures_ = new FiguresTable(this);
-  build->addWidget(figures_);
+  build_reconstruction();
+  connect(view_, &StereoView::regions_edited, this, &StereoPanel::store);
+  connect(view_, &StereoView::drawing_changed, this, &StereoPanel::show_drawing);
   connect(&this->engine(), &EngineBridge::case_changed, this, &StereoPanel::show_case);
   connect(&this->engine(), &EngineBridge::finished, this, [this](const engine::Outcome& outcome) {
-    if (storing_.erase(outcome.id) > 0 && storing_.empty()) show_case();
+    if (storing_.erase(outcome.id) > 0 && storing_.empty()) {
+      show_case();
+      if (outcome.status == engine::Status::done) label();
+    }
     if (outcome.command == "set_video" && outcome.status == engine::Status::done)
       if (const auto frames = outcome.figures.find("video_frames"); frames != outcome.figures.end())
-        frame_->setMaximum(std::max(0, static_cast<int>(frames->second) - 1));
+        frame_->setMaximum(frames->second >= 1.0 ? static_cast<int>(frames->second) - 1 : 999999);
   });
   watch(engine::Part::cloud, {"reconstruct", "import_cloud"});
   show_case();
@@ -82,43 +65,30 @@ StereoPanel::~StereoPanel() {
   if (view_ && view_->parent() == nullptr) delete view_;  // nobody hosted it
 }
 
-void StereoPanel::build_view() {
-  auto* rows = new QSplitter(Qt::Vertical);
-  view_ = rows;
-  rows->setObjectName(QStringLiteral("stereo_view"));
-  rows->setChildrenCollapsible(false);
-  editor_ = new RegionEditor(rows);
-  rows->addWidget(editor_);
-  auto* lower = new QSplitter(Qt::Horizontal, rows);
-  lower->setChildrenCollapsible(false);
-  right_ = new PictureView(tr("Right"), lower);
-  cloud_ = new RenderView(lower);
-  cloud_->set_title(tr("Reconstructed points"));
-  cloud_->set_hint(tr("No points yet"));
-  lower->addWidget(right_);
-  lower->addWidget(cloud_);
-  rows->addWidget(lower);
-  rows->setStretchFactor(0, 3);
-  rows->setStretchFactor(1, 2);
-  connect(editor_, &RegionEditor::regions_edited, this, &StereoPanel::store);
-  connect(editor_, &RegionEditor::drawing_ended, this, [this] { choose(std::nullopt); });
-}
-
 void StereoPanel::build_input() {
   QVBoxLayout* box = add_section(tr("Pictures"));
   auto* grid = new QGridLayout;
   grid->setSpacing(5);
   grid->setColumnStretch(1, 1);
-  auto* calibration = new QPushButton(tr("Calibration…"), this);
+  auto* calibration = new QPushButton(tr("Calibration"), this);
+  auto* calibrations = new QMenu(calibration);
+  calibrations->addAction(tr("Calibration file…"), this, &StereoPanel::open_calibration);
+  calibrations->addAction(tr("Folder of text files…"), this, &StereoPanel::open_text_calibration);
+  calibrations->addAction(tr("Calibrate from boards…"), this, &StereoPanel::calibrate_from_boards);
+  calibrations->addSeparator();
+  save_calibration_ = calibrations->addAction(tr("Save as…"), this, &StereoPanel::save_calibration);
+  calibration->setMenu(calibrations);
   calibration_ = make_explanation({}, this);
-  auto* pair = new QPushButton(tr("Stereo pair…"), this);
-  auto* video = new QPushButton(tr("Video…"), this);
+  auto* pictures = new QPushButton(tr("Open"), this);
+  auto* sources = new QMenu(pictures);
+  fill_source_menu(sources);
+  pictures->setMenu(sources);
+  pictures->setObjectName(QStringLiteral("open_pictures"));
   source_ = make_explanation({}, this);
-  grid->addWidget(calibration, 0, 0);
-  grid->addWidget(calibration_, 0, 1);
-  grid->addWidget(pair, 1, 0);
-  grid->addWidget(source_, 1, 1, 2, 1);
-  grid->addWidget(video, 2, 0);
+  grid->addWidget(pictures, 0, 0);
+  grid->addWidget(source_, 0, 1);
+  grid->addWidget(calibration, 1, 0);
+  grid->addWidget(calibration_, 1, 1);
   box->addLayout(grid);
   auto* row = new QHBoxLayout;
   frame_ = new QSpinBox(this);
@@ -128,91 +98,162 @@ void StereoPanel::build_input() {
   row->addWidget(frame_, 1);
   row->addWidget(load_frame_);
   box->addLayout(row);
-  connect(calibration, &QPushButton::clicked, this, &StereoPanel::open_calibration);
-  connect(pair, &QPushButton::clicked, this, &StereoPanel::open_pair);
-  connect(video, &QPushButton::clicked, this, &StereoPanel::open_video);
   connect(load_frame_, &QPushButton::clicked, this,
-          [this] { engine().post(engine::LoadVideoFrame{frame_->value()}); });
+          [this] { this->engine().post(engine::LoadVideoFrame{frame_->value()}); });
 }
 
 void StereoPanel::build_regions() {
-  QVBoxLayout* box =
-      add_section(tr("Regions"), tr("Choose a feature and click around it in the left picture; Enter, or a "
-                                    "click on the first corner, closes. Backspace takes a corner back, Esc "
-                                    "ends. Then corners can be dragged; right click removes a region."));
-  auto* row = new QHBoxLayout;
-  row->setSpacing(4);
-  for (const Feature feature : {Feature::surface, Feature::anterior_margin, Feature::umbilical_notch}) {
-    auto* button = new QPushButton(feature_name(feature), this);
+  QVBoxLayout* box = add_section(tr("Regions"), tr("Choose a feature and click around it in either picture. "
+                                                   "Esc ends drawing; then corners can be dragged."));
+  auto* grid = new QGridLayout;
+  grid->setSpacing(4);
+  const auto add_tool = [&](const RegionDrawing::Tool& tool, const QString& text, const QString& name) {
+    auto* button = new QPushButton(feature_icon(tool.feature), text, this);
     button->setCheckable(true);
     button->setProperty("role", "choice");
-    button->setObjectName(QStringLiteral("region_%1").arg(static_cast<int>(feature)));
-    row->addWidget(button);
-    features_[feature] = button;
+    button->setObjectName(name);
+    const int place = static_cast<int>(tools_.size());
+    grid->addWidget(button, place / 2, place % 2);
+    tools_.emplace_back(tool, button);
     connect(button, &QPushButton::clicked, this,
-            [this, feature](bool on) { choose(on ? std::optional(feature) : std::nullopt); });
-  }
-  box->addLayout(row);
+            [this, tool](bool on) { choose(on ? std::optional(tool) : std::nullopt); });
+  };
+  for (const Feature feature : {Feature::surface, Feature::umbilical_notch, Feature::anterior_margin})
+    add_tool({feature, true, 0.0}, feature_name(feature),
+             QStringLiteral("region_%1").arg(static_cast<int>(feature)));
+  add_tool({Feature::anterior_margin, false, 0.0}, tr("Margin as a line"), QStringLiteral("region_curve"));
+  box->addLayout(grid);
   list_ = new QListWidget(this);
-  list_->setFixedHeight(72);
+  list_->setFixedHeight(84);
   list_->setObjectName(QStringLiteral("region_list"));
   box->addWidget(list_);
-  clear_ = new QPushButton(tr("Clear regions"), this);
-  box->addWidget(clear_);
-  connect(clear_, &QPushButton::clicked, this, [this] {
-    editor_->set_regions({});
-    store();
+  connect(list_, &QListWidget::currentRowChanged, this, [this](int row) {
+    view_->drawing().select(row < 0 ? std::nullopt : std::optional(static_cast<std::size_t>(row)));
+    view_->refresh();
+    show_drawing();
   });
+  auto* row = new QHBoxLayout;
+  row->setSpacing(4);
+  const auto add_button = [&](const QString& text, const QString& name, const auto& act) {
+    auto* button = new QPushButton(text, this);
+    button->setObjectName(name);
+    row->addWidget(button);
+    connect(button, &QPushButton::clicked, this, [this, act] {
+      const bool edited = act(view_->drawing());
+      view_->refresh();
+      show_drawing();
+      if (edited) store();
+    });
+    return button;
+  };
+  undo_ = add_button(QStringLiteral("↶"), QStringLiteral("undo_region"),
+                     [](RegionDrawing& d) { return d.undo(); });
+  undo_->setToolTip(tr("Undo (Ctrl+Z)"));
+  redo_ = add_button(QStringLiteral("↷"), QStringLiteral("redo_region"),
+                     [](RegionDrawing& d) { return d.redo(); });
+  redo_->setToolTip(tr("Redo (Ctrl+Shift+Z)"));
+  remove_ = add_button(tr("Remove"), QStringLiteral("remove_region"),
+                       [](RegionDrawing& d) { return d.remove_selected(); });
+  clear_ =
+      add_button(tr("Clear"), QStringLiteral("clear_regions"), [](RegionDrawing& d) { return d.clear(); });
+  box->addLayout(row);
 }
 
-void StereoPanel::open_calibration() {
-  const QString path =
-      QFileDialog::getOpenFileName(this, tr("Calibration"), {}, tr("OpenCV YAML (*.yml *.yaml)"));
-  if (!path.isEmpty()) engine().post(engine::SetCalibration{path.toStdString()});
-}
-
-void StereoPanel::open_pair() {
-  const QString left = QFileDialog::getOpenFileName(this, tr("Left picture"), {}, pictures_filter());
-  if (left.isEmpty()) return;
-  const QString right =
-      QFileDialog::getOpenFileName(this, tr("Right picture"), QFileInfo(left).path(), pictures_filter());
-  if (!right.isEmpty()) engine().post(engine::LoadStereoPair{left.toStdString(), right.toStdString(), {}});
-}
-
-void StereoPanel::open_video() {
-  const QString path = QFileDialog::getOpenFileName(this, tr("Stereo video, both views side by side"), {},
-                                                    tr("Videos (*.mkv *.mp4 *.avi *.mov)"));
-  if (path.isEmpty()) return;
-  engine().post(engine::SetVideo{path.toStdString(), {}});
-  engine().post(engine::LoadVideoFrame{0});
+void StereoPanel::build_reconstruction() {
+  QVBoxLayout* box = add_section(tr("Reconstruct"));
+  auto* row = new QHBoxLayout;
+  method_ = new QComboBox(this);
+  method_->setObjectName(QStringLiteral("method"));
+  method_->setToolTip(
+      tr("Features are the paper's way. Dense covers what lies between them. Automatic becomes dense where "
+         "features leave less than %1 points per cm².")
+          .arg(stereo::ReconstructOptions{}.least_density_per_cm2));
+  method_->addItem(tr("Automatic"), static_cast<int>(stereo::Method::automatic));
+  method_->addItem(tr("Features"), static_cast<int>(stereo::Method::sparse));
+  method_->addItem(tr("Dense"), static_cast<int>(stereo::Method::dense));
+  kind_ = new QComboBox(this);
+  kind_->setObjectName(QStringLiteral("features"));
+  kind_->setToolTip(tr("Kind of features that are looked for in both pictures"));
+  kind_->addItem(QStringLiteral("SURF"), static_cast<int>(stereo::Features::surf));
+  kind_->addItem(QStringLiteral("SIFT"), static_cast<int>(stereo::Features::sift));
+  kind_->addItem(QStringLiteral("AKAZE"), static_cast<int>(stereo::Features::akaze));
+  row->addWidget(method_, 3);
+  row->addWidget(kind_, 2);
+  box->addLayout(row);
+  run_ = new TaskButton(
+      engine(), tr("Reconstruct surface"),
+      [this] {
+        engine::Reconstruct command;
+        if (again_)
+          command.options = *std::exchange(again_, std::nullopt);
+        else {
+          command.options.method = static_cast<stereo::Method>(method_->currentData().toInt());
+          command.options.kind = static_cast<stereo::Features>(kind_->currentData().toInt());
+        }
+        return engine::Command(command);
+      },
+      this);
+  run_->setObjectName(QStringLiteral("reconstruct"));
+  box->addWidget(run_);
+  connect(run_, &TaskButton::done, this, [this](const engine::Outcome& outcome) {
+    faults_ = notes_text(outcome.notes);
+    show_figures();
+    if (std::exchange(label_again_, false)) label();
+  });
+  warnings_ = new QLabel(this);
+  warnings_->setWordWrap(true);
+  warnings_->setObjectName(QStringLiteral("stereo_warnings"));
+  set_style_property(warnings_, "role", "muted");
+  box->addWidget(warnings_);
+  figures_ = new FiguresTable(this);
+  figures_->setObjectName(QStringLiteral("cloud_figures"));
+  box->addWidget(figures_);
 }
 
 void StereoPanel::deactivate() { choose(std::nullopt); }
 
-void StereoPanel::choose(std::optional<Feature> feature) {
-  for (const auto& [one, button] : features_) button->setChecked(feature == one);
-  editor_->set_feature(feature);
+void StereoPanel::choose(const std::optional<RegionDrawing::Tool>& tool) {
+  std::optional<RegionDrawing::Tool> sized = tool;
+  // A line reaches as far in a large picture as in a small one.
+  if (sized && shown_frame_) sized->half_width_px = std::max(3.0, shown_frame_->frame.left.width / 120.0);
+  view_->drawing().set_tool(sized);
+  if (tool) view_->editor(stereo::Side::left).setFocus();
+  view_->refresh();
+  show_drawing();
 }
 
 void StereoPanel::store() {
   stereo::Regions regions;
   regions.frame = shown_frame_ ? shown_frame_->frame.index : 0;
-  regions.regions = editor_->regions();
+  regions.regions = view_->drawing().regions();
   storing_.insert(engine().post(engine::SetRegions{regions}));
-  show_region_list();
+  show_drawing();
+}
+
+void StereoPanel::label() {
+  const engine::CaseState& now = engine().state();
+  if (!now.points || now.points->frame != now.frame || now.points->rig != now.rig) return;
+  if (run_->is_running()) {
+    label_again_ = true;
+    return;
+  }
+  again_ = now.points->options;
+  run_->trigger();
+  again_.reset();
 }
 
 void StereoPanel::show_case() {
   const engine::CaseState& now = engine().state();
   if (now.frame != shown_frame_) {
     shown_frame_ = now.frame;
-    editor_->set_picture(now.frame ? now.frame->frame.left : Picture());
-    right_->set_picture(now.frame ? now.frame->frame.right : Picture());
+    faults_.clear();
     if (now.frame) frame_->setValue(now.frame->frame.index);
   }
+  view_->set_pair(now.frame, now.rig);
   if (storing_.empty() && now.regions != taken_) {
     taken_ = now.regions;
-    editor_->set_regions(taken_ ? taken_->regions : std::vector<stereo::Region>());
+    view_->drawing().set_regions(taken_ ? taken_->regions : RegionDrawing::Regions());
+    view_->refresh();
   }
   calibration_->setText(now.rig ? tr("%1 × %2, baseline %3 mm")
                                       .arg(now.rig->left.width)
@@ -224,42 +265,53 @@ void StereoPanel::show_case() {
       : now.frame
           ? tr("Stereo pair, %1 × %2").arg(now.frame->frame.left.width).arg(now.frame->frame.left.height)
           : tr("none"));
+  save_calibration_->setEnabled(now.rig != nullptr);
   frame_->setEnabled(now.video != nullptr);
   load_frame_->setEnabled(now.video != nullptr);
-  for (const auto& [feature, button] : features_) button->setEnabled(now.frame != nullptr);
   run_->set_obstacle(obstacle());
-  show_region_list();
-  show_cloud();
+  show_drawing();
+  view_->set_cloud(now.cloud, engine().snapshot()->stage(engine::Part::cloud) == engine::StageState::stale,
+                   now.points ? &now.points->density : nullptr);
+  show_figures();
 }
 
-void StereoPanel::show_cloud() {
+void StereoPanel::show_figures() {
   const engine::CaseState& now = engine().state();
-  if (now.cloud == shown_cloud_) return;
-  shown_cloud_ = now.cloud;
-  figures_->set_rows(rows_of(now.cloud.get()));
-  cloud_->set_hint(now.cloud ? QString() : tr("No points yet"));
-  cloud_->patient().set_cloud(now.cloud ? *now.cloud : LabelledCloud());
-  if (now.cloud) cloud_->patient().look_from(scene::ViewFrom::camera);
-  cloud_->update();
-  std::vector<Eigen::Vector2d> dots;
-  std::vector<Feature> features;
-  if (now.cloud && now.rig)
-    for (int i = 0; i < now.cloud->size(); ++i) {
-      const Eigen::Vector3d p = now.cloud->points.row(i).transpose();
-      if (p.z() <= 0.0) continue;
-      const Eigen::Vector2d pixel = now.rig->left.project(p);
-      if (!now.rig->left.sees(pixel)) continue;
-      dots.push_back(pixel);
-      features.push_back(now.cloud->feature(i));
-    }
-  editor_->set_dots(std::move(dots), std::move(features));
+  figures_->set_rows(cloud_figures(now));
+  QString warning = cloud_warning(now);
+  if (!faults_.isEmpty()) warning = warning.isEmpty() ? faults_ : faults_ + QLatin1Char('\n') + warning;
+  warnings_->setText(warning);
+  warnings_->setVisible(!warning.isEmpty());
 }
 
+void StereoPanel::show_drawing() {
+  const RegionDrawing& drawing = view_->drawing();
+  for (const auto& [tool, button] : tools_) {
+    button->setEnabled(shown_frame_ != nullptr);
+    button->setChecked(drawing.tool() && drawing.tool()->feature == tool.feature &&
+                       drawing.tool()->closed == tool.closed);
+  }
+  show_region_list();
+  undo_->setEnabled(drawing.can_undo());
+  redo_->setEnabled(drawing.can_redo());
+  remove_->setEnabled(drawing.selected().has_value());
+  clear_->setEnabled(!drawing.regions().empty() || drawing.unfinished() != nullptr);
+}
+
+/// Leaves the list as it is where nothing has changed: it may be the list that was clicked.
 void StereoPanel::show_region_list() {
-  list_->clear();
-  for (const stereo::Region& region : editor_->regions())
-    list_->addItem(tr("%1, corners: %2").arg(feature_name(region.feature)).arg(region.polygon.size()));
-  clear_->setEnabled(!editor_->regions().empty());
+  const RegionDrawing& drawing = view_->drawing();
+  QStringList wanted, shown;
+  for (const stereo::Region& region : drawing.regions()) wanted << region_text(region);
+  for (int row = 0; row < list_->count(); ++row) shown << list_->item(row)->text();
+  const QSignalBlocker quiet(list_);
+  if (wanted != shown) {
+    list_->clear();
+    for (qsizetype i = 0; i < wanted.size(); ++i)
+      list_->addItem(new QListWidgetItem(feature_icon(drawing.regions()[static_cast<std::size_t>(i)].feature),
+                                         wanted[i]));
+  }
+  list_->setCurrentRow(drawing.selected() ? static_cast<int>(*drawing.selected()) : -1);
 }
 
 QString StereoPanel::obstacle() const {

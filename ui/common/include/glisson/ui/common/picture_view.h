@@ -26,6 +26,8 @@ class PictureView : public QWidget {
 
  protected:
   void paintEvent(QPaintEvent* event) override;
+  /// The picture alone, where it lies in the widget. @pre there is one.
+  void draw_picture(QPainter& painter) const;
   /// Draws on top of the picture, in widget coordinates.
   virtual void paint_over(QPainter& painter);
 

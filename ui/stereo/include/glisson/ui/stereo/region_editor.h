@@ -4,59 +4,72 @@
 #include <optional>
 #include <vector>
 
-#include "glisson/stereo/reconstruct.h"
 #include "glisson/ui/common/picture_view.h"
+#include "glisson/ui/stereo/region_drawing.h"
 
 namespace glisson::ui {
 
-/// The left picture, on which closed polygons are clicked. Click: next corner; click on the first corner:
-/// close; Backspace: take the last corner back; Escape: give the open polygon up; drag a corner: move it;
-/// right click in a polygon: remove it.
+/// One of the two pictures with what is drawn on both: passes mouse and keyboard on to the drawing, and shows
+/// it, with a loupe at the pointer.
 class RegionEditor : public PictureView {
   Q_OBJECT
  public:
-  explicit RegionEditor(QWidget* parent = nullptr);
+  /// @param drawing outlives this widget.
+  RegionEditor(stereo::Side side, const QString& title, RegionDrawing& drawing, QWidget* parent = nullptr);
 
-  /// What the next polygon will be; none: clicks do nothing but drag.
-  void set_feature(std::optional<Feature> feature);
-  std::optional<Feature> feature() const { return feature_; }
-  void set_regions(const std::vector<stereo::Region>& regions);
-  const std::vector<stereo::Region>& regions() const { return regions_; }
-  const std::vector<Eigen::Vector2d>& open_polygon() const { return open_; }
+  stereo::Side side() const { return side_; }
   /// Dots on top, pixels of the picture: where reconstructed points are seen.
   void set_dots(std::vector<Eigen::Vector2d> dots, std::vector<Feature> features);
+  /// An epipolar line and the point that it belongs to; empty: none.
+  void set_guide(std::vector<Eigen::Vector2d> line, const std::optional<Eigen::Vector2d>& point);
+  const std::vector<Eigen::Vector2d>& guide() const { return guide_; }
+  /// Drawn over the picture, as large as it; null: nothing.
+  void set_veil(const QImage& veil);
+  bool has_veil() const { return !veil_.isNull(); }
+  void set_loupe(bool on);
+  /// The cursor for what a click would do now.
+  void update_cursor();
+  RegionDrawing::Place place_at(const QPointF& widget) const;
+  /// Where the pointer is; empty: not over the picture.
+  const std::optional<QPointF>& pointer() const { return pointer_; }
 
  signals:
-  /// A polygon was closed, moved or removed.
+  /// A region was closed, moved, removed or brought back.
   void regions_edited();
-  /// By Esc.
-  void drawing_ended();
+  /// Anything of the drawing, or what a click would do.
+  void drawing_changed();
+  /// The pointer is somewhere else, or has left.
+  void pointer_moved();
+  /// A click that was not part of the drawing.
+  void pointed();
 
  protected:
   void paint_over(QPainter& painter) override;
   void mousePressEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
+  void leaveEvent(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
-  struct Corner {
-    std::size_t region = 0, corner = 0;
-  };
-  std::optional<Corner> corner_at(const QPointF& place) const;
-  void remove_region_at(const QPointF& place);
-  void close_region();
-  void add_corner(const QPointF& place);
+  void tell(bool edited);
+  void paint_marks(QPainter& painter, double scale) const;
+  void paint_loupe(QPainter& painter);
+  void paint_region(QPainter& painter, const stereo::Region& region, bool finished, bool selected,
+                    double scale) const;
   QPolygonF on_screen(const std::vector<Eigen::Vector2d>& polygon) const;
-  Eigen::Vector2d pixel_inside(const QPointF& place) const;
+  double pixels_on_screen() const;
 
-  std::optional<Feature> feature_;
-  std::vector<stereo::Region> regions_;
-  std::vector<Eigen::Vector2d> open_;
+  stereo::Side side_;
+  RegionDrawing& drawing_;
   std::vector<Eigen::Vector2d> dots_;
   std::vector<Feature> dot_features_;
-  std::optional<Corner> dragged_;
-  QPointF pointer_;
+  std::vector<Eigen::Vector2d> guide_;
+  std::optional<Eigen::Vector2d> guide_point_;
+  QImage veil_;
+  bool loupe_ = true;
+  std::optional<QPointF> pointer_;
 };
 
 }  // namespace glisson::ui

@@ -2,17 +2,21 @@
 #pragma once
 
 #include <QPointer>
-#include <map>
+#include <optional>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include "glisson/ui/common/figures_table.h"
 #include "glisson/ui/common/panel.h"
-#include "glisson/ui/common/render_view.h"
 #include "glisson/ui/common/task_button.h"
-#include "glisson/ui/stereo/region_editor.h"
+#include "glisson/ui/stereo/stereo_view.h"
 
+class QAction;
+class QComboBox;
 class QLabel;
 class QListWidget;
+class QMenu;
 class QPushButton;
 class QSpinBox;
 
@@ -27,38 +31,57 @@ class StereoPanel : public Panel {
 
   QWidget* view() override { return view_; }
   void deactivate() override;
-  RegionEditor& editor() { return *editor_; }
+  StereoView& stereo_view() { return *view_; }
 
  private:
   void build_input();
+  void fill_source_menu(QMenu* menu);
   void build_regions();
-  void build_view();
+  void build_reconstruction();
   void open_calibration();
+  void open_text_calibration();
+  void calibrate_from_boards();
+  void save_calibration();
   void open_pair();
   void open_video();
-  void choose(std::optional<Feature> feature);
+  void open_two_videos();
+  void open_folder();
+  void open_device();
+  void describe_source();
+  void open_source(const engine::SetVideo& source);
+  void choose(const std::optional<RegionDrawing::Tool>& tool);
   void store();
+  /// Labels the points anew, where they are of this pair: regions have changed.
+  void label();
   void show_case();
   void show_cloud();
+  void show_drawing();
   void show_region_list();
+  void show_figures();
   QString obstacle() const;
 
-  QPointer<QWidget> view_;  ///< belongs to whoever hosts it
-  RegionEditor* editor_ = nullptr;
-  PictureView* right_ = nullptr;
-  RenderView* cloud_ = nullptr;
+  QPointer<StereoView> view_;  ///< belongs to whoever hosts it
   QLabel* calibration_ = nullptr;
+  QAction* save_calibration_ = nullptr;
   QLabel* source_ = nullptr;
   QSpinBox* frame_ = nullptr;
   QPushButton* load_frame_ = nullptr;
-  QPushButton* clear_ = nullptr;
-  std::map<Feature, QPushButton*> features_;
+  std::vector<std::pair<RegionDrawing::Tool, QPushButton*>> tools_;
   QListWidget* list_ = nullptr;
+  QPushButton* undo_ = nullptr;
+  QPushButton* redo_ = nullptr;
+  QPushButton* remove_ = nullptr;
+  QPushButton* clear_ = nullptr;
+  QComboBox* method_ = nullptr;
+  QComboBox* kind_ = nullptr;
   TaskButton* run_ = nullptr;
   FiguresTable* figures_ = nullptr;
+  QLabel* warnings_ = nullptr;
   std::set<engine::CommandId> storing_;
+  std::optional<stereo::ReconstructOptions> again_;  ///< what the points were made with that are labelled
+  QString faults_;            ///< what the last reconstruction found wrong with the pair
+  bool label_again_ = false;  ///< regions changed while points were labelled
   std::shared_ptr<const engine::StereoInput> shown_frame_;
-  std::shared_ptr<const LabelledCloud> shown_cloud_;
   std::shared_ptr<const stereo::Regions> taken_;
 };
 

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A rendered stereo pair is loaded, reconstructed and labelled by mouse and keyboard, with the real engine.
+#include <QComboBox>
+#include <QLabel>
+#include <QListWidget>
+#include <QPolygonF>
+#include <QPushButton>
+#include <QToolButton>
+#include <QtTest>
+#include <map>
+
+#include "../stereo/rendered_pair.h"
+#include "glisson/core/files.h"
+#include "glisson/stereo/calibration_io.h"
+#include "glisson/stereo/picture_io.h"
+#include "glisson/ui/common/task_button.h"
+#include "glisson/ui/shell/main_window.h"
+#include "glisson/ui/stereo/stereo_panel.h"
+#include "run_in_window.h"
+
+namespace glisson {
+
+using engine::Part;
+using engine::StageState;
+using stereo::Side;
+using ui::MainWindow;
+
+class StereoLabellingTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void initTestCase();
+  void PairIsLoadedAndReconstructed();
+  void EpipolarLineOfThePointerPassesThroughItsPartner();
+  void ClosingARegionLabelsTheSamePoints();
+  void MarginIsALineAndTheNotchIsClickedOnTheRightPicture();
+  void CloudHoldsEveryLabelWhereItWasClicked();
+  void DraggedCornerTakesPointsAwayAndUndoBringsThemBack();
+  void DeleteRemovesAndRedoRemovesAgain();
+  void HintSaysWhatAClickDoes();
+  void RegionsOfAnotherFrameAreSaid();
+  void cleanupTestCase() { window_.reset(); }
+
+ private:
+  static constexpr double kDepth = 0.09;
+  bool settle() {
+    return QTest::qWaitFor([this] { return window_->engine().tasks().empty(); }, 60000);
+  }
+  ui::StereoPanel& panel() { return *window_->findChild<ui::StereoPanel*>(); }
+  ui::RegionEditor& editor(Side side) { return panel().stereo_view().editor(side); }
+  const engine::CaseState& state() { return window_->engine().state(); }
+  void push(const char* name) {
+    auto* button = window_->findChild<QAbstractButton*>(QString::fromLatin1(name));
+    QVERIFY2(button != nullptr, name);
+    QTest::mouseClick(button, Qt::LeftButton);
+  }
+  void click(Side side, double x, double y, Qt::MouseButton button = Qt::LeftButton) {
+    QTest::mouseClick(&editor(side), button, {}, editor(side).widget_point({x, y}).toPoint());
+  }
+  void key(int key, Qt::KeyboardModifiers keys = {}) {
+    QTest::keyClick(&editor(Side::left), static_cast<Qt::Key>(key), keys);
+  }
+  /// Where the right picture shows what the left one shows at a pixel.
+  Eigen::Vector2d partner(double x, double y) {
+    const int column = static_cast<int>(std::lround(x)), row = static_cast<int>(std::lround(y));
+    const double z = pair_.depth[static_cast<std::size_t>(row * pair_.rig.left.width + column)];
+    const Point<CameraFrame> p(Eigen::Vector3d(z * pair_.rig.left.ray({x, y})));
+    return pair_.rig.right.project((pair_.rig.right_from_left * p).xyz);
+  }
+  std::map<Feature, int> counts() {
+    std::map<Feature, int> counts;
+    for (int i = 0; i < state().cloud->size(); ++i) ++counts[state().cloud->feature(i)];
+    return counts;
+  }
+
+  rendered::Pair pair_;
+  TemporaryFolder folder_;
+  std::unique_ptr<MainWindow> window_;
+  std::shared_ptr<const stereo::Reconstructed> whole_;
+};
+
+void StereoLabellingTest::initTestCase() {
+  pair_ = rendered::pair(
+      rendered::plane(Eigen::Vector3d(0, 0, kDepth), Eigen::Vector3d(0.1, 0.2, -1.0).normalized()));
+  stereo::write_picture(folder_.path() / "left.png", pair_.left);
+  stereo::write_picture(folder_.path() / "right.png", pair_.right);
+  stereo::write_calibration(folder_.path() / "scope.yaml", pair_.rig);
+  window_ = std::make_unique<MainWindow>();
+  window_->resize(1280, 800);
+  window_->show();
+  QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+  window_->show_step(MainWindow::stereo);
+}
+
+void StereoLabellingTest::PairIsLoadedAndReconstructed() {
+  auto* run = window_->findChild<ui::TaskButton*>(QStringLiteral("reconstruct"));
+  QVERIFY(!run->button()->isEnabled());
+  window_->open(folder_.path() / "scope.yaml");
+  window_->engine().post(
+      engine::LoadStereoPair{folder_.path() / "left.png", folder_.path() / "right.png", {}});
+  QVERIFY(settle());
+  QVERIFY(state().frame && state().rig);
+  QTRY_VERIFY(run->button()->isEnabled());
+  QTest::mouseClick(run->button(), Qt::LeftButton);
+  QVERIFY(settle());
+  QVERIFY2(state().cloud && state().points, qPrintable(window_->status_text()));
+  whole_ = state().points->whole;
+  QVERIFY(state().cloud->size() > 100);
+  QCOMPARE(counts().size(), std::size_t{1});  // nothing was labelled
+}
+
+void StereoLabellingTest::EpipolarLineOfThePointerPassesThroughItsPartner() {
+  push("show_epipolar");
+  const QPoint place = editor(Side::left).widget_point({250, 200}).toPoint();
+  QTest::mouseMove(&editor(Side::left), place);
+  QTRY_VERIFY(!editor(Side::right).guide().empty());
+  const Eigen::Vector2d pixel = editor(Side::left).place_at(place).pixel;
+  stereo::Region line;
+  line.closed = false;
+  line.polygon = editor(Side::right).guide();
+  QVERIFY(stereo::closest_on_outline(line, partner(pixel.x(), pixel.y())).distance_px < 0.5);
+  push("show_epipolar");
+  QVERIFY(editor(Side::right).guide().empty());
+}
+
+void StereoLabellingTest::ClosingARegionLabelsTheSamePoints() {
+  push("region_1");
+  click(Side::left, 160, 120);
+  click(Side::left, 480, 130);
+  click(Side::left, 600, 20);
+  key(Qt::Key_Backspace);
+  QCOMPARE(panel().stereo_view().drawing().unfinished()->polygon.size(), std::size_t{2});
+  click(Side::left, 470, 380);
+  click(Side::left, 170, 370);
+  QVERIFY(!state().regions);  // an open outline is nobody's business
+  click(Side::left, 162, 122);
+  QVERIFY(settle());
+  QTRY_COMPARE(window_->engine().snapshot()->stage(Part::cloud), StageState::current);
+  QCOMPARE(state().regions->regions.size(), std::size_t{1});
+  QVERIFY(state().points->whole == whole_);
+  QVERIFY(state().cloud->size() < whole_->cloud.size());
+  QVERIFY(state().points->area_cm2 > 1.0 && state().points->density_per_cm2 > 0.7);
+}
+
+void StereoLabellingTest::MarginIsALineAndTheNotchIsClickedOnTheRightPicture() {
+  push("region_curve");
+  click(Side::left, 180, 330);
+  click(Side::left, 300, 345);
+  click(Side::left, 450, 335);
+  key(Qt::Key_Return);
+  push("region_3");
+  for (const auto& [x, y] :
+       {std::pair(290.0, 300.0), std::pair(370.0, 300.0), std::pair(370.0, 362.0), std::pair(290.0, 362.0)}) {
+    const Eigen::Vector2d right = partner(x, y);
+    click(Side::right, right.x(), right.y());
+  }
+  QTest::keyClick(&editor(Side::right), Qt::Key_Return);
+  QVERIFY(settle());
+  QCOMPARE(state().regions->regions.size(), std::size_t{3});
+  QVERIFY(!state().regions->regions[1].closed);
+  QVERIFY(state().regions->regions[2].side == Side::right);
+  QCOMPARE(window_->findChild<QListWidget*>(QStringLiteral("region_list"))->count(), 3);
+  key(Qt::Key_Escape);
+  QVERIFY(!panel().stereo_view().drawing().tool());
+  QVERIFY(!window_->findChild<QPushButton*>(QStringLiteral("region_3"))->isChecked());
+}
+
+void StereoLabellingTest::CloudHoldsEveryLabelWhereItWasClicked() {
+  QVERIFY(settle());
+  QTRY_COMPARE(counts().size(), std::size_t{3});
+  const LabelledCloud& cloud = *state().cloud;
+  for (int i = 0; i < cloud.size(); ++i) {
+    const Eigen::Vector2d pixel = pair_.rig.left.project(cloud.points.row(i).transpose());
+    // A pixel's room at the borders: clicks are rounded to the screen's, which are larger.
+    const bool in_notch = pixel.x() > 294 && pixel.x() < 366 && pixel.y() > 304 && pixel.y() < 358;
+    const bool near_notch = pixel.x() > 286 && pixel.x() < 374 && pixel.y() > 296 && pixel.y() < 366;
+    if (in_notch) QVERIFY(cloud.feature(i) == Feature::umbilical_notch);
+    if (!near_notch) QVERIFY(cloud.feature(i) != Feature::umbilical_notch);
+    if (pixel.y() < 310 && !near_notch) QVERIFY(cloud.feature(i) == Feature::surface);
+  }
+  const auto* legend = window_->findChild<QLabel*>(QStringLiteral("cloud_legend"));
+  QVERIFY(legend->isVisible());
+  for (const auto& [feature, count] : counts())
+    QVERIFY(legend->text().contains(QStringLiteral("%1: %2").arg(ui::feature_name(feature)).arg(count)));
+}
+
+void StereoLabellingTest::DraggedCornerTakesPointsAwayAndUndoBringsThemBack() {
+  const int before = state().cloud->size();
+  ui::RegionEditor& left = editor(Side::left);
+  const QPoint from = left.widget_point({160, 120}).toPoint(), to = left.widget_point({380, 300}).toPoint();
+  QTest::mousePress(&left, Qt::LeftButton, {}, from);
+  QMouseEvent move(QEvent::MouseMove, QPointF(to), left.mapToGlobal(QPointF(to)), Qt::NoButton,
+                   Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(&left, &move);
+  QTest::mouseRelease(&left, Qt::LeftButton, {}, to);
+  QVERIFY(settle());
+  QTRY_VERIFY(state().cloud->size() < before);
+  QVERIFY((state().regions->regions[0].polygon[0] - Eigen::Vector2d(380, 300)).norm() < 2.0);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  QVERIFY(settle());
+  QTRY_COMPARE(state().cloud->size(), before);
+  QVERIFY(state().points->whole == whole_);
+}
+
+void StereoLabellingTest::DeleteRemovesAndRedoRemovesAgain() {
+  click(Side::left, 200, 200);  // inside the surface's region only
+  QVERIFY(panel().stereo_view().drawing().selected() == std::optional<std::size_t>(0));
+  key(Qt::Key_Delete);
+  QVERIFY(settle());
+  QTRY_COMPARE(counts().count(Feature::surface), std::size_t{0});
+  key(Qt::Key_Z, Qt::ControlModifier);
+  QVERIFY(settle());
+  QTRY_COMPARE(counts().size(), std::size_t{3});
+  key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  QVERIFY(settle());
+  QTRY_COMPARE(counts().count(Feature::surface), std::size_t{0});
+  push("undo_region");
+  QVERIFY(settle());
+  QTRY_COMPARE(counts().size(), std::size_t{3});
+}
+
+void StereoLabellingTest::HintSaysWhatAClickDoes() {
+  const auto* hint = window_->findChild<QLabel*>(QStringLiteral("stereo_hint"));
+  ui::RegionEditor& left = editor(Side::left);
+  const auto hover = [&](double x, double y) {
+    const QPointF place = left.widget_point({x, y});
+    QMouseEvent move(QEvent::MouseMove, place, left.mapToGlobal(place), Qt::NoButton, Qt::NoButton,
+                     Qt::NoModifier);
+    QCoreApplication::sendEvent(&left, &move);
+  };
+  hover(480, 130);
+  QVERIFY(hint->text().contains(QStringLiteral("moves this corner")));
+  QVERIFY(left.cursor().shape() == Qt::SizeAllCursor);
+  hover(240, 220);
+  QVERIFY(hint->text().contains(QStringLiteral("selects this region")));
+  push("region_2");
+  hover(240, 220);
+  QVERIFY(hint->text().contains(QStringLiteral("begins here")));
+  QVERIFY(left.cursor().shape() == Qt::CrossCursor);
+  key(Qt::Key_Escape);
+}
+
+void StereoLabellingTest::RegionsOfAnotherFrameAreSaid() {
+  const auto* warning = window_->findChild<QLabel*>(QStringLiteral("stereo_warnings"));
+  QVERIFY(!warning->isVisible());
+  const auto other = rendered::pair(rendered::plane({0, 0, 0.1}, {0, 0, -1}), {0.002, 30.0, 1.0});
+  stereo::write_picture(folder_.path() / "l2.png", other.left);
+  stereo::write_picture(folder_.path() / "r2.png", other.right);
+  window_->engine().post(engine::LoadStereoPair{folder_.path() / "l2.png", folder_.path() / "r2.png", {}});
+  QVERIFY(settle());
+  QTRY_VERIFY(warning->isVisible() && warning->text().contains(QStringLiteral("another frame")));
+  push("clear_regions");
+  QVERIFY(settle());
+  QTRY_VERIFY(!warning->isVisible());
+  QVERIFY(state().regions->regions.empty());
+}
+
+}  // namespace glisson
+
+int main(int argc, char** argv) { return glisson::run_in_window<glisson::StereoLabellingTest>(argc, argv); }
+#include "stereo_labelling_test.moc"

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDialog>
+
+#include "glisson/ui/common/figures_table.h"
+#include "glisson/ui/common/task_button.h"
+
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QLineEdit;
+class QSpinBox;
+
+namespace glisson::ui {
+
+/// Calibrates the laparoscope from a folder of pairs of pictures of a board, and says how far to trust it.
+class CalibrationDialog : public QDialog {
+  Q_OBJECT
+ public:
+  explicit CalibrationDialog(EngineBridge& engine, QWidget* parent = nullptr);
+
+  /// What the dialog asks for now.
+  engine::CalibrateRig command() const;
+  TaskButton& task() { return *run_; }
+
+ private:
+  void choose_folder();
+  void show_state();
+  void show_outcome(const engine::Outcome& outcome);
+
+  QLineEdit* folder_;
+  QComboBox* kind_;
+  QSpinBox* columns_;
+  QSpinBox* rows_;
+  QDoubleSpinBox* square_;
+  QDoubleSpinBox* marker_;
+  TaskButton* run_;
+  FiguresTable* figures_;
+  QLabel* notes_;
+};
+
+}  // namespace glisson::ui

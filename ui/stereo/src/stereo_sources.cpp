@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the panel's pictures come from: the dialogs.
+#include <QFileDialog>
+#include <QInputDialog>
+#include <QMenu>
+#include <QMessageBox>
+
+#include "glisson/core/error.h"
+#include "glisson/stereo/calibration_io.h"
+#include "glisson/ui/stereo/calibration_dialog.h"
+#include "glisson/ui/stereo/source_dialog.h"
+#include "glisson/ui/stereo/stereo_panel.h"
+
+namespace glisson::ui {
+namespace {
+
+QString pictures_filter() { return StereoPanel::tr("Pictures (*.png *.jpg *.jpeg *.bmp *.tif *.tiff)"); }
+QString videos_filter() { return StereoPanel::tr("Videos (*.mkv *.mp4 *.avi *.mov)"); }
+
+}  // namespace
+
+void StereoPanel::fill_source_menu(QMenu* menu) {
+  menu->addAction(tr("Stereo pair…"), this, &StereoPanel::open_pair);
+  menu->addAction(tr("Video, side by side…"), this, &StereoPanel::open_video);
+  menu->addAction(tr("Two videos…"), this, &StereoPanel::open_two_videos);
+  menu->addAction(tr("Folder of pairs…"), this, &StereoPanel::open_folder);
+  menu->addAction(tr("Live device…"), this, &StereoPanel::open_device);
+  menu->addSeparator();
+  menu->addAction(tr("Other arrangement…"), this, &StereoPanel::describe_source);
+}
+
+void StereoPanel::open_calibration() {
+  const QString path =
+      QFileDialog::getOpenFileName(this, tr("Calibration"), {}, tr("OpenCV YAML (*.yml *.yaml)"));
+  if (!path.isEmpty()) engine().post(engine::SetCalibration{path.toStdString()});
+}
+
+void StereoPanel::open_text_calibration() {
+  const QString path =
+      QFileDialog::getExistingDirectory(this, tr("Folder of 3 × 3 and 4 × 4 text files, millimetres"));
+  if (!path.isEmpty()) engine().post(engine::SetCalibration{path.toStdString()});
+}
+
+void StereoPanel::calibrate_from_boards() {
+  auto* dialog = new CalibrationDialog(engine(), this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->open();  // does not stop the window
+}
+
+void StereoPanel::save_calibration() {
+  const auto rig = engine().state().rig;
+  QString path = QFileDialog::getSaveFileName(
+      this, tr("Save the calibration"), QStringLiteral("calibration.yaml"), tr("OpenCV YAML (*.yml *.yaml)"));
+  if (path.isEmpty() || !rig) return;
+  if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".yaml");
+  try {
+    stereo::write_calibration(path.toStdString(), *rig);
+  } catch (const Error& error) {
+    auto* box = new QMessageBox(QMessageBox::Warning, tr("Glisson"), QString::fromStdString(error.what()),
+                                QMessageBox::Ok, this);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->open();  // does not stop the window
+  }
+}
+
+void StereoPanel::open_pair() {
+  const QString left = QFileDialog::getOpenFileName(this, tr("Left picture"), {}, pictures_filter());
+  if (left.isEmpty()) return;
+  const QString right =
+      QFileDialog::getOpenFileName(this, tr("Right picture"), QFileInfo(left).path(), pictures_filter());
+  if (!right.isEmpty()) engine().post(engine::LoadStereoPair{left.toStdString(), right.toStdString(), {}});
+}
+
+void StereoPanel::open_source(const engine::SetVideo& source) {
+  engine().post(source);
+  engine().post(engine::LoadVideoFrame{0});
+}
+
+void StereoPanel::open_video() {
+  const QString path =
+      QFileDialog::getOpenFileName(this, tr("Stereo video, both views side by side"), {}, videos_filter());
+  if (!path.isEmpty()) open_source({path.toStdString(), {}});
+}
+
+void StereoPanel::open_two_videos() {
+  const QString left =
+      QFileDialog::getOpenFileName(this, tr("Video of the left camera"), {}, videos_filter());
+  if (left.isEmpty()) return;
+  const QString right = QFileDialog::getOpenFileName(this, tr("Video of the right camera"),
+                                                     QFileInfo(left).path(), videos_filter());
+  if (!right.isEmpty()) open_source({left.toStdString(), right.toStdString()});
+}
+
+void StereoPanel::open_folder() {
+  const QString path = QFileDialog::getExistingDirectory(this, tr("Folder of left and right pictures"));
+  if (!path.isEmpty()) open_source({path.toStdString(), {}});
+}
+
+void StereoPanel::open_device() {
+  bool chosen = false;
+  const int number =
+      QInputDialog::getInt(this, tr("Live device"), tr("Number of the video device"), 0, 0, 63, 1, &chosen);
+  if (chosen) open_source({"device:" + std::to_string(number), {}});
+}
+
+void StereoPanel::describe_source() {
+  auto* dialog = new SourceDialog(this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &SourceDialog::described, this, [this](const QString& file) {
+    open_source({file.toStdString(), {}});
+  });
+  dialog->open();  // does not stop the window
+}
+
+}  // namespace glisson::ui
