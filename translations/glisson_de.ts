@@ -433,6 +433,38 @@
         <source>No label was free for the smallest islands: %1 stayed as they were.</source>
         <translation>Für die kleinsten Inseln war kein Label frei: %1 blieben, wie sie waren.</translation>
     </message>
+    <message>
+        <source>Both pictures are dark.</source>
+        <translation>Beide Bilder sind dunkel.</translation>
+    </message>
+    <message>
+        <source>The left camera shows nothing.</source>
+        <translation>Die linke Kamera zeigt nichts.</translation>
+    </message>
+    <message>
+        <source>The right camera shows nothing.</source>
+        <translation>Die rechte Kamera zeigt nichts.</translation>
+    </message>
+    <message>
+        <source>Both pictures are the same: one camera is lost.</source>
+        <translation>Beide Bilder sind gleich: eine Kamera ist ausgefallen.</translation>
+    </message>
+    <message>
+        <source>Left and right are swapped.</source>
+        <translation>Links und rechts sind vertauscht.</translation>
+    </message>
+    <message>
+        <source>The two pictures show nothing in common.</source>
+        <translation>Die beiden Bilder zeigen nichts Gemeinsames.</translation>
+    </message>
+    <message>
+        <source>The calibration is of another laparoscope: the pictures&apos; points do not lie on its epipolar lines.</source>
+        <translation>Die Kalibrierung gehört zu einem anderen Laparoskop: die Punkte der Bilder liegen nicht auf ihren Epipolarlinien.</translation>
+    </message>
+    <message>
+        <source>The view %1 fits far worse than the others and was left out.</source>
+        <translation>Die Ansicht %1 passt weit schlechter als die anderen und wurde ausgelassen.</translation>
+    </message>
 </context>
 <context>
     <name>Overlay</name>
@@ -890,6 +922,10 @@
     <message>
         <source>holding each view against the others</source>
         <translation>jede Ansicht gegen die anderen halten</translation>
+    </message>
+    <message>
+        <source>Calibrating the laparoscope</source>
+        <translation>Laparoskop kalibrieren</translation>
     </message>
 </context>
 <context>
@@ -1705,6 +1741,21 @@
     <message>
         <source>What is changed in the vessel trees (JSON, LPS mm).</source>
         <translation>Was an den Gefäßbäumen geändert wird (JSON, LPS mm).</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::AngleHistogram</name>
+    <message>
+        <source>Angles between the faces of each element. Flat elements, below 10°, make the computation inexact.</source>
+        <translation>Winkel zwischen den Flächen jedes Elements. Flache Elemente, unter 10°, machen die Rechnung ungenau.</translation>
+    </message>
+    <message>
+        <source>Dihedral angles, %1 below 10°</source>
+        <translation>Flächenwinkel, %1 unter 10°</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
     </message>
 </context>
 <context>
@@ -2580,14 +2631,118 @@
     </message>
 </context>
 <context>
-    <name>glisson::ui::RegionEditor</name>
+    <name>glisson::ui::QualitySheet</name>
     <message>
-        <source>Left</source>
-        <translation>Links</translation>
+        <source>Show the %1 flattest elements in 3D</source>
+        <translation>Die %1 flachsten Elemente in 3D</translation>
     </message>
     <message>
-        <source>Load a stereo pair or a video, and the laparoscope&apos;s calibration.</source>
-        <translation>Stereobildpaar oder Video und die Kalibrierung des Laparoskops laden.</translation>
+        <source>I have checked this model</source>
+        <translation>Ich habe dieses Modell geprüft</translation>
+    </message>
+    <message>
+        <source>Kept with the case. Another model, or an edit of its vessels, asks again.</source>
+        <translation>Wird mit dem Fall gesichert. Ein anderes Modell oder eine Bearbeitung der Gefäße fragt wieder.</translation>
+    </message>
+    <message>
+        <source>No model yet.</source>
+        <translation>Noch kein Modell.</translation>
+    </message>
+    <message>
+        <source>Nothing stands out. Look at the liver, its vessels and lesions in 3D.</source>
+        <translation>Nichts fällt auf. Leber, Gefäße und Läsionen in 3D ansehen.</translation>
+    </message>
+    <message>
+        <source>Worth a look:</source>
+        <translation>Einen Blick wert:</translation>
+    </message>
+    <message>
+        <source>Flat elements: the smallest angle is %1°. Build anew with another number of vertices.</source>
+        <translation>Flache Elemente: der kleinste Winkel ist %1°. Mit einer anderen Zahl von Ecken neu bauen.</translation>
+    </message>
+    <message>
+        <source>The mesh holds %1 % less volume than the organ. More vertices follow it more closely.</source>
+        <translation>Das Netz hat %1 % weniger Volumen als das Organ. Mehr Ecken folgen ihm genauer.</translation>
+    </message>
+    <message>
+        <source>The mesh&apos;s vertices lie %1 mm beside the organ&apos;s surface on average.</source>
+        <translation>Die Ecken des Netzes liegen im Mittel %1 mm neben der Oberfläche des Organs.</translation>
+    </message>
+    <message>
+        <source>A thin edge of the liver stands out of the mesh by %1 mm.</source>
+        <translation>Ein dünner Rand der Leber ragt %1 mm aus dem Netz.</translation>
+    </message>
+    <message>
+        <source>%1: %2 separate trees. Join those that belong together.</source>
+        <translation>%1: %2 getrennte Bäume. Verbinden, was zusammengehört.</translation>
+    </message>
+    <message>
+        <source>Lesions without elements of their own: %1. They follow the tissue around them.</source>
+        <translation>Läsionen ohne eigene Elemente: %1. Sie folgen dem Gewebe um sie.</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Vertices</source>
+        <translation>Knoten</translation>
+    </message>
+    <message>
+        <source>Tetrahedra</source>
+        <translation>Tetraeder</translation>
+    </message>
+    <message>
+        <source>Edge length, mean</source>
+        <translation>Kantenlänge, Mittel</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>%1 ml</source>
+        <translation>%1 ml</translation>
+    </message>
+    <message>
+        <source>Volume error</source>
+        <translation>Volumenfehler</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Vertices to fine surface, mean</source>
+        <translation>Ecken zur feinen Oberfläche, Mittel</translation>
+    </message>
+    <message>
+        <source>Mesh to fine surface, mean</source>
+        <translation>Netz zur feinen Oberfläche, Mittel</translation>
+    </message>
+    <message>
+        <source>Fine surface to mesh, mean</source>
+        <translation>Feine Oberfläche zum Netz, Mittel</translation>
+    </message>
+    <message>
+        <source>Fine surface to mesh, largest</source>
+        <translation>Feine Oberfläche zum Netz, Maximum</translation>
+    </message>
+    <message>
+        <source>Dihedral angles</source>
+        <translation>Flächenwinkel</translation>
+    </message>
+    <message>
+        <source>%1° to %2°</source>
+        <translation>%1° bis %2°</translation>
+    </message>
+    <message>
+        <source>%1, mesh %2 %</source>
+        <translation>%1, Netz %2 %</translation>
+    </message>
+    <message>
+        <source>%1 mm, tips: %2, beams: %3</source>
+        <translation>%1 mm, Spitzen: %2, Balken: %3</translation>
     </message>
 </context>
 <context>
@@ -2813,34 +2968,6 @@
 <context>
     <name>glisson::ui::StereoPanel</name>
     <message>
-        <source>Surface</source>
-        <translation>Oberfläche</translation>
-    </message>
-    <message>
-        <source>Anterior margin</source>
-        <translation>Vorderrand</translation>
-    </message>
-    <message>
-        <source>Umbilical notch</source>
-        <translation>Nabelkerbe</translation>
-    </message>
-    <message>
-        <source>Points</source>
-        <translation>Punkte</translation>
-    </message>
-    <message>
-        <source>Distance from the camera</source>
-        <translation>Abstand von der Kamera</translation>
-    </message>
-    <message>
-        <source>%1 to %2 mm</source>
-        <translation>%1 bis %2 mm</translation>
-    </message>
-    <message>
-        <source>Pictures (*.png *.jpg *.jpeg *.bmp)</source>
-        <translation>Bilder (*.png *.jpg *.jpeg *.bmp)</translation>
-    </message>
-    <message>
         <source>Stereo</source>
         <translation>Stereo</translation>
     </message>
@@ -2857,32 +2984,8 @@
         <translation>Oberfläche rekonstruieren</translation>
     </message>
     <message>
-        <source>Right</source>
-        <translation>Rechts</translation>
-    </message>
-    <message>
-        <source>Reconstructed points</source>
-        <translation>Rekonstruierte Punkte</translation>
-    </message>
-    <message>
-        <source>No points yet</source>
-        <translation>Noch keine Punkte</translation>
-    </message>
-    <message>
         <source>Pictures</source>
         <translation>Bilder</translation>
-    </message>
-    <message>
-        <source>Calibration…</source>
-        <translation>Kalibrierung…</translation>
-    </message>
-    <message>
-        <source>Stereo pair…</source>
-        <translation>Stereopaar…</translation>
-    </message>
-    <message>
-        <source>Video…</source>
-        <translation>Video…</translation>
     </message>
     <message>
         <source>Frame </source>
@@ -2897,36 +3000,8 @@
         <translation>Bereiche</translation>
     </message>
     <message>
-        <source>Choose a feature and click around it in the left picture; Enter, or a click on the first corner, closes. Backspace takes a corner back, Esc ends. Then corners can be dragged; right click removes a region.</source>
-        <translation>Merkmal wählen und im linken Bild umklicken; Eingabe oder ein Klick auf die erste Ecke schließt. Die Rücktaste nimmt eine Ecke zurück, Esc beendet. Danach lassen sich Ecken ziehen; ein Rechtsklick entfernt einen Bereich.</translation>
-    </message>
-    <message>
-        <source>Clear regions</source>
-        <translation>Bereiche leeren</translation>
-    </message>
-    <message>
         <source>Calibration</source>
         <translation>Kalibrierung</translation>
-    </message>
-    <message>
-        <source>OpenCV YAML (*.yml *.yaml)</source>
-        <translation>OpenCV YAML (*.yml *.yaml)</translation>
-    </message>
-    <message>
-        <source>Left picture</source>
-        <translation>Linkes Bild</translation>
-    </message>
-    <message>
-        <source>Right picture</source>
-        <translation>Rechtes Bild</translation>
-    </message>
-    <message>
-        <source>Stereo video, both views side by side</source>
-        <translation>Stereovideo, beide Ansichten nebeneinander</translation>
-    </message>
-    <message>
-        <source>Videos (*.mkv *.mp4 *.avi *.mov)</source>
-        <translation>Videos (*.mkv *.mp4 *.avi *.mov)</translation>
     </message>
     <message>
         <source>%1 × %2, baseline %3 mm</source>
@@ -2945,16 +3020,96 @@
         <translation>Stereobildpaar, %1 × %2</translation>
     </message>
     <message>
-        <source>%1, corners: %2</source>
-        <translation>%1, Ecken: %2</translation>
-    </message>
-    <message>
         <source>Load the laparoscope&apos;s calibration first.</source>
         <translation>Zuerst die Kalibrierung des Laparoskops laden.</translation>
     </message>
     <message>
         <source>Load a stereo pair or a video frame first.</source>
         <translation>Zuerst ein Stereobildpaar oder ein Videobild laden.</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>%1, line</source>
+        <translation>%1, Linie</translation>
+    </message>
+    <message>
+        <source>%1 (%2), corners: %3</source>
+        <translation>%1 (%2), Ecken: %3</translation>
+    </message>
+    <message>
+        <source>%1, crosses itself</source>
+        <translation>%1, kreuzt sich selbst</translation>
+    </message>
+    <message>
+        <source>Calibration file…</source>
+        <translation>Kalibrierungsdatei…</translation>
+    </message>
+    <message>
+        <source>Folder of text files…</source>
+        <translation>Ordner mit Textdateien…</translation>
+    </message>
+    <message>
+        <source>Calibrate from boards…</source>
+        <translation>Aus Tafeln kalibrieren…</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Sichern als…</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Choose a feature and click around it in either picture. Esc ends drawing; then corners can be dragged.</source>
+        <translation>Ein Merkmal wählen und in einem der Bilder umklicken. Esc beendet das Zeichnen; dann lassen sich Ecken ziehen.</translation>
+    </message>
+    <message>
+        <source>Margin as a line</source>
+        <translation>Rand als Linie</translation>
+    </message>
+    <message>
+        <source>Undo (Ctrl+Z)</source>
+        <translation>Rückgängig (Strg+Z)</translation>
+    </message>
+    <message>
+        <source>Redo (Ctrl+Shift+Z)</source>
+        <translation>Wiederholen (Strg+Umschalt+Z)</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Leeren</translation>
+    </message>
+    <message>
+        <source>Features are the paper&apos;s way. Dense covers what lies between them. Automatic becomes dense where features leave less than %1 points per cm².</source>
+        <translation>Merkmale sind der Weg des Artikels. Dicht deckt ab, was dazwischen liegt. Automatisch wird dicht, wo Merkmale weniger als %1 Punkte je cm² lassen.</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Features</source>
+        <translation>Merkmale</translation>
+    </message>
+    <message>
+        <source>Dense</source>
+        <translation>Dicht</translation>
+    </message>
+    <message>
+        <source>Kind of features that are looked for in both pictures</source>
+        <translation>Art der Merkmale, die in beiden Bildern gesucht werden</translation>
     </message>
 </context>
 <context>
@@ -3220,6 +3375,57 @@
     <message>
         <source>is cut off</source>
         <translation>wird abgeschnitten</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::TreeEditor</name>
+    <message>
+        <source>Entrance</source>
+        <translation>Eintritt</translation>
+    </message>
+    <message>
+        <source>Where blood enters or leaves the tree; it is held there.</source>
+        <translation>Wo Blut in den Baum tritt oder ihn verlässt; dort ist er gehalten.</translation>
+    </message>
+    <message>
+        <source>Prune</source>
+        <translation>Kappen</translation>
+    </message>
+    <message>
+        <source>Cuts off a branch with all that hangs on it.</source>
+        <translation>Schneidet einen Ast ab mit allem, was daran hängt.</translation>
+    </message>
+    <message>
+        <source>Join</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Hangs one tree on another of its kind.</source>
+        <translation>Hängt einen Baum an einen anderen seiner Art.</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Click the place on a centreline where its tree is to enter. White balls are the entrances now. Esc ends.</source>
+        <translation>Die Stelle einer Mittellinie anklicken, an der ihr Baum eintreten soll. Weiße Kugeln sind die jetzigen Eintritte. Esc beendet.</translation>
+    </message>
+    <message>
+        <source>Click the branch that is to go, on its centreline. Esc ends.</source>
+        <translation>Den Ast, der weg soll, auf seiner Mittellinie anklicken. Esc beendet.</translation>
+    </message>
+    <message>
+        <source>Now click the other tree, where it is to hang on.</source>
+        <translation>Nun den anderen Baum anklicken, wo er hängen soll.</translation>
+    </message>
+    <message>
+        <source>Click the tree that stays, then the one that is to hang on it. Esc ends.</source>
+        <translation>Den Baum anklicken, der bleibt, dann den, der an ihm hängen soll. Esc beendet.</translation>
     </message>
 </context>
 <context>

@@ -433,6 +433,38 @@
         <source>No label was free for the smallest islands: %1 stayed as they were.</source>
         <translation>Aucune étiquette n&apos;était libre pour les plus petits îlots : %1 sont restés tels quels.</translation>
     </message>
+    <message>
+        <source>Both pictures are dark.</source>
+        <translation>Les deux images sont sombres.</translation>
+    </message>
+    <message>
+        <source>The left camera shows nothing.</source>
+        <translation>La caméra gauche ne montre rien.</translation>
+    </message>
+    <message>
+        <source>The right camera shows nothing.</source>
+        <translation>La caméra droite ne montre rien.</translation>
+    </message>
+    <message>
+        <source>Both pictures are the same: one camera is lost.</source>
+        <translation>Les deux images sont identiques : une caméra est perdue.</translation>
+    </message>
+    <message>
+        <source>Left and right are swapped.</source>
+        <translation>Gauche et droite sont échangées.</translation>
+    </message>
+    <message>
+        <source>The two pictures show nothing in common.</source>
+        <translation>Les deux images n&apos;ont rien en commun.</translation>
+    </message>
+    <message>
+        <source>The calibration is of another laparoscope: the pictures&apos; points do not lie on its epipolar lines.</source>
+        <translation>L&apos;étalonnage est celui d&apos;un autre laparoscope : les points des images ne sont pas sur ses lignes épipolaires.</translation>
+    </message>
+    <message>
+        <source>The view %1 fits far worse than the others and was left out.</source>
+        <translation>La vue %1 s&apos;ajuste bien moins que les autres et a été laissée de côté.</translation>
+    </message>
 </context>
 <context>
     <name>Overlay</name>
@@ -890,6 +922,10 @@
     <message>
         <source>holding each view against the others</source>
         <translation>comparaison de chaque vue aux autres</translation>
+    </message>
+    <message>
+        <source>Calibrating the laparoscope</source>
+        <translation>Étalonnage du laparoscope</translation>
     </message>
 </context>
 <context>
@@ -1708,6 +1744,21 @@
     </message>
 </context>
 <context>
+    <name>glisson::ui::AngleHistogram</name>
+    <message>
+        <source>Angles between the faces of each element. Flat elements, below 10°, make the computation inexact.</source>
+        <translation>Angles entre les faces de chaque élément. Les éléments plats, sous 10°, rendent le calcul inexact.</translation>
+    </message>
+    <message>
+        <source>Dihedral angles, %1 below 10°</source>
+        <translation>Angles dièdres, %1 sous 10°</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+</context>
+<context>
     <name>glisson::ui::AtlasPanel</name>
     <message>
         <source>Landmarks</source>
@@ -2505,7 +2556,7 @@
     </message>
     <message>
         <source>Edge length</source>
-        <translation>Longueur d&apos;arête</translation>
+        <translation>Arête</translation>
     </message>
     <message>
         <source>More vertices, or shorter edges, follow the organ more closely and compute more slowly.</source>
@@ -2517,15 +2568,15 @@
     </message>
     <message>
         <source>Mesh size</source>
-        <translation>Taille du maillage</translation>
+        <translation>Maillage</translation>
     </message>
     <message>
         <source>Finer at lesions</source>
-        <translation>Plus fin aux lésions</translation>
+        <translation>Fin aux lésions</translation>
     </message>
     <message>
         <source>Finer at vessels</source>
-        <translation>Plus fin aux vaisseaux</translation>
+        <translation>Fin aux vaisseaux</translation>
     </message>
     <message>
         <source>Edges half as long there; with a number of vertices, longer ones elsewhere.</source>
@@ -2580,14 +2631,118 @@
     </message>
 </context>
 <context>
-    <name>glisson::ui::RegionEditor</name>
+    <name>glisson::ui::QualitySheet</name>
     <message>
-        <source>Left</source>
-        <translation>Gauche</translation>
+        <source>Show the %1 flattest elements in 3D</source>
+        <translation>Les %1 éléments les plus plats en 3D</translation>
     </message>
     <message>
-        <source>Load a stereo pair or a video, and the laparoscope&apos;s calibration.</source>
-        <translation>Chargez une paire stéréo ou une vidéo, et l&apos;étalonnage du laparoscope.</translation>
+        <source>I have checked this model</source>
+        <translation>J&apos;ai vérifié ce modèle</translation>
+    </message>
+    <message>
+        <source>Kept with the case. Another model, or an edit of its vessels, asks again.</source>
+        <translation>Conservé avec le cas. Un autre modèle, ou une modification de ses vaisseaux, redemande.</translation>
+    </message>
+    <message>
+        <source>No model yet.</source>
+        <translation>Pas encore de modèle.</translation>
+    </message>
+    <message>
+        <source>Nothing stands out. Look at the liver, its vessels and lesions in 3D.</source>
+        <translation>Rien ne ressort. Regardez le foie, ses vaisseaux et lésions en 3D.</translation>
+    </message>
+    <message>
+        <source>Worth a look:</source>
+        <translation>À regarder :</translation>
+    </message>
+    <message>
+        <source>Flat elements: the smallest angle is %1°. Build anew with another number of vertices.</source>
+        <translation>Éléments plats : le plus petit angle est de %1°. Reconstruisez avec un autre nombre de sommets.</translation>
+    </message>
+    <message>
+        <source>The mesh holds %1 % less volume than the organ. More vertices follow it more closely.</source>
+        <translation>Le maillage a %1 % de volume de moins que l&apos;organe. Plus de sommets le suivent de plus près.</translation>
+    </message>
+    <message>
+        <source>The mesh&apos;s vertices lie %1 mm beside the organ&apos;s surface on average.</source>
+        <translation>Les sommets du maillage sont en moyenne à %1 mm de la surface de l&apos;organe.</translation>
+    </message>
+    <message>
+        <source>A thin edge of the liver stands out of the mesh by %1 mm.</source>
+        <translation>Un bord mince du foie dépasse du maillage de %1 mm.</translation>
+    </message>
+    <message>
+        <source>%1: %2 separate trees. Join those that belong together.</source>
+        <translation>%1 : %2 arbres séparés. Joignez ceux qui vont ensemble.</translation>
+    </message>
+    <message>
+        <source>Lesions without elements of their own: %1. They follow the tissue around them.</source>
+        <translation>Lésions sans éléments propres : %1. Elles suivent le tissu autour d&apos;elles.</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Vertices</source>
+        <translation>Sommets</translation>
+    </message>
+    <message>
+        <source>Tetrahedra</source>
+        <translation>Tétraèdres</translation>
+    </message>
+    <message>
+        <source>Edge length, mean</source>
+        <translation>Arête, moyenne</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volume</translation>
+    </message>
+    <message>
+        <source>%1 ml</source>
+        <translation>%1 ml</translation>
+    </message>
+    <message>
+        <source>Volume error</source>
+        <translation>Erreur de volume</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Vertices to fine surface, mean</source>
+        <translation>Sommets à la surface fine, moyenne</translation>
+    </message>
+    <message>
+        <source>Mesh to fine surface, mean</source>
+        <translation>Maillage à la surface fine, moyenne</translation>
+    </message>
+    <message>
+        <source>Fine surface to mesh, mean</source>
+        <translation>Surface fine au maillage, moyenne</translation>
+    </message>
+    <message>
+        <source>Fine surface to mesh, largest</source>
+        <translation>Surface fine au maillage, maximum</translation>
+    </message>
+    <message>
+        <source>Dihedral angles</source>
+        <translation>Angles dièdres</translation>
+    </message>
+    <message>
+        <source>%1° to %2°</source>
+        <translation>%1° à %2°</translation>
+    </message>
+    <message>
+        <source>%1, mesh %2 %</source>
+        <translation>%1, maillage %2 %</translation>
+    </message>
+    <message>
+        <source>%1 mm, tips: %2, beams: %3</source>
+        <translation>%1 mm, bouts : %2, poutres : %3</translation>
     </message>
 </context>
 <context>
@@ -2813,34 +2968,6 @@
 <context>
     <name>glisson::ui::StereoPanel</name>
     <message>
-        <source>Surface</source>
-        <translation>Surface</translation>
-    </message>
-    <message>
-        <source>Anterior margin</source>
-        <translation>Bord antérieur</translation>
-    </message>
-    <message>
-        <source>Umbilical notch</source>
-        <translation>Échancrure</translation>
-    </message>
-    <message>
-        <source>Points</source>
-        <translation>Points</translation>
-    </message>
-    <message>
-        <source>Distance from the camera</source>
-        <translation>Distance à la caméra</translation>
-    </message>
-    <message>
-        <source>%1 to %2 mm</source>
-        <translation>%1 à %2 mm</translation>
-    </message>
-    <message>
-        <source>Pictures (*.png *.jpg *.jpeg *.bmp)</source>
-        <translation>Images (*.png *.jpg *.jpeg *.bmp)</translation>
-    </message>
-    <message>
         <source>Stereo</source>
         <translation>Stéréo</translation>
     </message>
@@ -2857,32 +2984,8 @@
         <translation>Reconstruire la surface</translation>
     </message>
     <message>
-        <source>Right</source>
-        <translation>Droite</translation>
-    </message>
-    <message>
-        <source>Reconstructed points</source>
-        <translation>Points reconstruits</translation>
-    </message>
-    <message>
-        <source>No points yet</source>
-        <translation>Pas encore de points</translation>
-    </message>
-    <message>
         <source>Pictures</source>
         <translation>Images</translation>
-    </message>
-    <message>
-        <source>Calibration…</source>
-        <translation>Étalonnage…</translation>
-    </message>
-    <message>
-        <source>Stereo pair…</source>
-        <translation>Paire stéréo…</translation>
-    </message>
-    <message>
-        <source>Video…</source>
-        <translation>Vidéo…</translation>
     </message>
     <message>
         <source>Frame </source>
@@ -2897,36 +3000,8 @@
         <translation>Régions</translation>
     </message>
     <message>
-        <source>Choose a feature and click around it in the left picture; Enter, or a click on the first corner, closes. Backspace takes a corner back, Esc ends. Then corners can be dragged; right click removes a region.</source>
-        <translation>Choisissez un trait et cliquez autour dans l&apos;image gauche ; Entrée, ou un clic sur le premier coin, ferme. Retour arrière reprend un coin, Échap termine. Ensuite les coins se déplacent ; un clic droit supprime une région.</translation>
-    </message>
-    <message>
-        <source>Clear regions</source>
-        <translation>Vider les régions</translation>
-    </message>
-    <message>
         <source>Calibration</source>
         <translation>Étalonnage</translation>
-    </message>
-    <message>
-        <source>OpenCV YAML (*.yml *.yaml)</source>
-        <translation>OpenCV YAML (*.yml *.yaml)</translation>
-    </message>
-    <message>
-        <source>Left picture</source>
-        <translation>Image gauche</translation>
-    </message>
-    <message>
-        <source>Right picture</source>
-        <translation>Image droite</translation>
-    </message>
-    <message>
-        <source>Stereo video, both views side by side</source>
-        <translation>Vidéo stéréo, les deux vues côte à côte</translation>
-    </message>
-    <message>
-        <source>Videos (*.mkv *.mp4 *.avi *.mov)</source>
-        <translation>Vidéos (*.mkv *.mp4 *.avi *.mov)</translation>
     </message>
     <message>
         <source>%1 × %2, baseline %3 mm</source>
@@ -2945,16 +3020,96 @@
         <translation>Paire stéréo, %1 × %2</translation>
     </message>
     <message>
-        <source>%1, corners: %2</source>
-        <translation>%1, coins : %2</translation>
-    </message>
-    <message>
         <source>Load the laparoscope&apos;s calibration first.</source>
         <translation>Chargez d&apos;abord l&apos;étalonnage du laparoscope.</translation>
     </message>
     <message>
         <source>Load a stereo pair or a video frame first.</source>
         <translation>Chargez d&apos;abord une paire stéréo ou une image de vidéo.</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>gauche</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>droite</translation>
+    </message>
+    <message>
+        <source>%1, line</source>
+        <translation>%1, ligne</translation>
+    </message>
+    <message>
+        <source>%1 (%2), corners: %3</source>
+        <translation>%1 (%2), coins : %3</translation>
+    </message>
+    <message>
+        <source>%1, crosses itself</source>
+        <translation>%1, se croise</translation>
+    </message>
+    <message>
+        <source>Calibration file…</source>
+        <translation>Fichier d&apos;étalonnage…</translation>
+    </message>
+    <message>
+        <source>Folder of text files…</source>
+        <translation>Dossier de fichiers texte…</translation>
+    </message>
+    <message>
+        <source>Calibrate from boards…</source>
+        <translation>Étalonner avec des mires…</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Enregistrer sous…</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Choose a feature and click around it in either picture. Esc ends drawing; then corners can be dragged.</source>
+        <translation>Choisissez un repère et cliquez autour dans l&apos;une des images. Échap termine le tracé ; les coins peuvent alors être glissés.</translation>
+    </message>
+    <message>
+        <source>Margin as a line</source>
+        <translation>Bord en ligne</translation>
+    </message>
+    <message>
+        <source>Undo (Ctrl+Z)</source>
+        <translation>Annuler (Ctrl+Z)</translation>
+    </message>
+    <message>
+        <source>Redo (Ctrl+Shift+Z)</source>
+        <translation>Rétablir (Ctrl+Maj+Z)</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Retirer</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Vider</translation>
+    </message>
+    <message>
+        <source>Features are the paper&apos;s way. Dense covers what lies between them. Automatic becomes dense where features leave less than %1 points per cm².</source>
+        <translation>Les points caractéristiques sont la voie de l&apos;article. Dense couvre ce qui est entre eux. Automatique devient dense là où ils laissent moins de %1 points par cm².</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatique</translation>
+    </message>
+    <message>
+        <source>Features</source>
+        <translation>Points</translation>
+    </message>
+    <message>
+        <source>Dense</source>
+        <translation>Dense</translation>
+    </message>
+    <message>
+        <source>Kind of features that are looked for in both pictures</source>
+        <translation>Type de points cherchés dans les deux images</translation>
     </message>
 </context>
 <context>
@@ -3220,6 +3375,57 @@
     <message>
         <source>is cut off</source>
         <translation>est coupée</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::TreeEditor</name>
+    <message>
+        <source>Entrance</source>
+        <translation>Entrée</translation>
+    </message>
+    <message>
+        <source>Where blood enters or leaves the tree; it is held there.</source>
+        <translation>Là où le sang entre dans l&apos;arbre ou le quitte ; il y est tenu.</translation>
+    </message>
+    <message>
+        <source>Prune</source>
+        <translation>Élaguer</translation>
+    </message>
+    <message>
+        <source>Cuts off a branch with all that hangs on it.</source>
+        <translation>Coupe une branche avec tout ce qui y pend.</translation>
+    </message>
+    <message>
+        <source>Join</source>
+        <translation>Joindre</translation>
+    </message>
+    <message>
+        <source>Hangs one tree on another of its kind.</source>
+        <translation>Accroche un arbre à un autre de même espèce.</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rétablir</translation>
+    </message>
+    <message>
+        <source>Click the place on a centreline where its tree is to enter. White balls are the entrances now. Esc ends.</source>
+        <translation>Cliquez l&apos;endroit d&apos;une ligne centrale où son arbre doit entrer. Les boules blanches sont les entrées actuelles. Échap termine.</translation>
+    </message>
+    <message>
+        <source>Click the branch that is to go, on its centreline. Esc ends.</source>
+        <translation>Cliquez la branche à retirer, sur sa ligne centrale. Échap termine.</translation>
+    </message>
+    <message>
+        <source>Now click the other tree, where it is to hang on.</source>
+        <translation>Cliquez maintenant l&apos;autre arbre, là où il doit être accroché.</translation>
+    </message>
+    <message>
+        <source>Click the tree that stays, then the one that is to hang on it. Esc ends.</source>
+        <translation>Cliquez l&apos;arbre qui reste, puis celui qui doit y être accroché. Échap termine.</translation>
     </message>
 </context>
 <context>
