@@ -12,7 +12,7 @@
 namespace glisson::ui {
 namespace {
 
-constexpr int kIconColumn = 21, kFigureColumn = 43, kIntensityColumn = 31, kRowsInSight = 8;
+constexpr int kIconColumn = 21, kFigureColumn = 42, kIntensityColumn = 41, kRowsInSight = 8;
 
 QIcon icon(const char* name) {
   return QIcon(QStringLiteral(":/glisson/icons/%1.svg").arg(QLatin1String(name)));
