@@ -116,8 +116,8 @@ StereoView::StereoView(QWidget* parent) : QWidget(parent) {
   rows->addWidget(cloud_);
   rows->setStretchFactor(0, 1);
   rows->setStretchFactor(1, 1);
-  layout->addWidget(rows, 1);
   build_bar(bar);
+  layout->addWidget(rows, 1);
   refresh();
 }
 
@@ -158,8 +158,10 @@ void StereoView::build_bar(QWidget* bar) {
   hint_ = new QLabel(bar);
   hint_->setProperty("role", "explanation");
   hint_->setObjectName(QStringLiteral("stereo_hint"));
+  hint_->setContentsMargins(8, 0, 8, 3);
   hint_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  row->addWidget(hint_, 1);
+  static_cast<QVBoxLayout*>(layout())->addWidget(hint_);  // below the bar: longer than what the bar leaves
+  row->addStretch(1);
   connect(epipolar_, &QToolButton::toggled, this, [this] {
     pinned_.reset();
     show_guide();
