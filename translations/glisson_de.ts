@@ -13,6 +13,97 @@
     </message>
 </context>
 <context>
+    <name>CloudFigures</name>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Distance from the camera</source>
+        <translation>Abstand von der Kamera</translation>
+    </message>
+    <message>
+        <source>%1 to %2 mm</source>
+        <translation>%1 bis %2 mm</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>dense</source>
+        <translation>dicht</translation>
+    </message>
+    <message>
+        <source>features</source>
+        <translation>Merkmale</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>%1 cm²</source>
+        <translation>%1 cm²</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Dichte</translation>
+    </message>
+    <message>
+        <source>%1 per cm² (needs %2)</source>
+        <translation>%1 je cm² (nötig: %2)</translation>
+    </message>
+    <message>
+        <source>Dense enough</source>
+        <translation>Dicht genug</translation>
+    </message>
+    <message>
+        <source>%1 % of the surface</source>
+        <translation>%1 % der Oberfläche</translation>
+    </message>
+    <message>
+        <source>Depth&apos;s deviation</source>
+        <translation>Streuung der Tiefe</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Rows off by</source>
+        <translation>Zeilen versetzt um</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>Epipolar error</source>
+        <translation>Epipolarfehler</translation>
+    </message>
+    <message>
+        <source>Of the organ seen</source>
+        <translation>Vom Organ gesehen</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>The regions were drawn on another frame: move them to where they belong now, or clear them.</source>
+        <translation>Die Bereiche wurden auf einem anderen Bild gezeichnet: verschieben Sie sie dorthin, wo sie jetzt hingehören, oder löschen Sie sie.</translation>
+    </message>
+    <message>
+        <source>Fewer points per cm² than registration needs: choose another method, or look closer.</source>
+        <translation>Weniger Punkte je cm², als die Registrierung braucht: wählen Sie ein anderes Verfahren oder gehen Sie näher heran.</translation>
+    </message>
+    <message>
+        <source>The pictures&apos; rows do not agree with the calibration: calibrate the laparoscope again.</source>
+        <translation>Die Zeilen der Bilder passen nicht zur Kalibrierung: kalibrieren Sie das Laparoskop neu.</translation>
+    </message>
+</context>
+<context>
     <name>EditTexts</name>
     <message>
         <source>Paint</source>
@@ -926,6 +1017,10 @@
     <message>
         <source>Calibrating the laparoscope</source>
         <translation>Laparoskop kalibrieren</translation>
+    </message>
+    <message>
+        <source>Writing the labels</source>
+        <translation>Labels werden geschrieben</translation>
     </message>
 </context>
 <context>
@@ -1861,6 +1956,105 @@
     </message>
 </context>
 <context>
+    <name>glisson::ui::CalibrationDialog</name>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>Calibrate from boards</source>
+        <translation>Mit Tafeln kalibrieren</translation>
+    </message>
+    <message>
+        <source>Ten pairs of pictures or more of a chessboard or a ChArUco board, near and far, slanted to all sides, up to the pictures&apos; borders.</source>
+        <translation>Zehn oder mehr Bildpaare eines Schachbretts oder einer ChArUco-Tafel, nah und fern, nach allen Seiten geneigt, bis an die Ränder der Bilder.</translation>
+    </message>
+    <message>
+        <source>folder of left and right pictures</source>
+        <translation>Ordner mit linken und rechten Bildern</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Auswählen …</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Chessboard</source>
+        <translation>Schachbrett</translation>
+    </message>
+    <message>
+        <source>ChArUco, %1</source>
+        <translation>ChArUco, %1</translation>
+    </message>
+    <message>
+        <source>Board</source>
+        <translation>Tafel</translation>
+    </message>
+    <message>
+        <source>Inner corners</source>
+        <translation>Innere Ecken</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Side of a square</source>
+        <translation>Seite eines Feldes</translation>
+    </message>
+    <message>
+        <source>Side of a marker</source>
+        <translation>Seite einer Marke</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>Kalibrieren</translation>
+    </message>
+    <message>
+        <source>Folder of left and right pictures</source>
+        <translation>Ordner mit linken und rechten Bildern</translation>
+    </message>
+    <message>
+        <source>Choose the folder of pictures first.</source>
+        <translation>Wählen Sie zuerst den Ordner mit den Bildern.</translation>
+    </message>
+    <message>
+        <source>Views used</source>
+        <translation>Verwendete Ansichten</translation>
+    </message>
+    <message>
+        <source>%1 of %2 pairs</source>
+        <translation>%1 von %2 Paaren</translation>
+    </message>
+    <message>
+        <source>Error, both cameras</source>
+        <translation>Fehler, beide Kameras</translation>
+    </message>
+    <message>
+        <source>Rows off, view left out</source>
+        <translation>Zeilenversatz, Ansicht weggelassen</translation>
+    </message>
+    <message>
+        <source>Picture covered</source>
+        <translation>Abgedecktes Bild</translation>
+    </message>
+    <message>
+        <source>%1 % left, %2 % right</source>
+        <translation>%1 % links, %2 % rechts</translation>
+    </message>
+    <message>
+        <source>Baseline</source>
+        <translation>Basislänge</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
     <name>glisson::ui::EditBox</name>
     <message>
         <source>Apply</source>
@@ -2495,6 +2689,18 @@
         <source>&amp;Edit</source>
         <translation>&amp;Bearbeiten</translation>
     </message>
+    <message>
+        <source>Export &amp;labels…</source>
+        <translation>&amp;Labels exportieren …</translation>
+    </message>
+    <message>
+        <source>Export labels</source>
+        <translation>Labels exportieren</translation>
+    </message>
+    <message>
+        <source>Labels (*.seg.nrrd *.nii.gz *.nrrd *.mha)</source>
+        <translation>Labels (*.seg.nrrd *.nii.gz *.nrrd *.mha)</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::ModelPanel</name>
@@ -2939,6 +3145,105 @@
     </message>
 </context>
 <context>
+    <name>glisson::ui::SourceDialog</name>
+    <message>
+        <source>Arrangement of a stereo source</source>
+        <translation>Anordnung einer Stereoquelle</translation>
+    </message>
+    <message>
+        <source>What is said here is written into a small file, by which this source can be opened again.</source>
+        <translation>Diese Angaben werden in eine kleine Datei geschrieben, mit der sich die Quelle wieder öffnen lässt.</translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation>Nebeneinander</translation>
+    </message>
+    <message>
+        <source>One above the other</source>
+        <translation>Übereinander</translation>
+    </message>
+    <message>
+        <source>Row by row</source>
+        <translation>Zeilenweise</translation>
+    </message>
+    <message>
+        <source>Two sources</source>
+        <translation>Zwei Quellen</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>Ansichten</translation>
+    </message>
+    <message>
+        <source>video, folder of pictures, or device:0</source>
+        <translation>Video, Ordner mit Bildern oder device:0</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Auswählen …</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>Right source</source>
+        <translation>Rechte Quelle</translation>
+    </message>
+    <message>
+        <source>The right view comes first</source>
+        <translation>Die rechte Ansicht kommt zuerst</translation>
+    </message>
+    <message>
+        <source>Interlaced: use the first field only</source>
+        <translation>Zeilensprung: nur das erste Halbbild verwenden</translation>
+    </message>
+    <message>
+        <source>x </source>
+        <translation>x </translation>
+    </message>
+    <message>
+        <source>y </source>
+        <translation>y </translation>
+    </message>
+    <message>
+        <source>width </source>
+        <translation>Breite </translation>
+    </message>
+    <message>
+        <source>height </source>
+        <translation>Höhe </translation>
+    </message>
+    <message>
+        <source>Pixels of each view that are kept; a width or height of 0: all</source>
+        <translation>Pixel jeder Ansicht, die behalten werden; Breite oder Höhe 0: alle</translation>
+    </message>
+    <message>
+        <source>Crop</source>
+        <translation>Ausschnitt</translation>
+    </message>
+    <message>
+        <source>Save and open…</source>
+        <translation>Speichern und öffnen …</translation>
+    </message>
+    <message>
+        <source>Stereo source</source>
+        <translation>Stereoquelle</translation>
+    </message>
+    <message>
+        <source>Videos (*.mkv *.mp4 *.avi *.mov);;All files (*)</source>
+        <translation>Videos (*.mkv *.mp4 *.avi *.mov);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Save the description</source>
+        <translation>Beschreibung speichern</translation>
+    </message>
+    <message>
+        <source>Stereo source (*.json)</source>
+        <translation>Stereoquelle (*.json)</translation>
+    </message>
+</context>
+<context>
     <name>glisson::ui::StepBar</name>
     <message>
         <source>Research software: not for clinical use</source>
@@ -3110,6 +3415,213 @@
     <message>
         <source>Kind of features that are looked for in both pictures</source>
         <translation>Art der Merkmale, die in beiden Bildern gesucht werden</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.bmp *.tif *.tiff)</source>
+        <translation>Bilder (*.png *.jpg *.jpeg *.bmp *.tif *.tiff)</translation>
+    </message>
+    <message>
+        <source>Videos (*.mkv *.mp4 *.avi *.mov)</source>
+        <translation>Videos (*.mkv *.mp4 *.avi *.mov)</translation>
+    </message>
+    <message>
+        <source>Stereo pair…</source>
+        <translation>Stereopaar …</translation>
+    </message>
+    <message>
+        <source>Video, side by side…</source>
+        <translation>Video, nebeneinander …</translation>
+    </message>
+    <message>
+        <source>Two videos…</source>
+        <translation>Zwei Videos …</translation>
+    </message>
+    <message>
+        <source>Folder of pairs…</source>
+        <translation>Ordner mit Paaren …</translation>
+    </message>
+    <message>
+        <source>Live device…</source>
+        <translation>Live-Gerät …</translation>
+    </message>
+    <message>
+        <source>Other arrangement…</source>
+        <translation>Andere Anordnung …</translation>
+    </message>
+    <message>
+        <source>OpenCV YAML (*.yml *.yaml)</source>
+        <translation>OpenCV YAML (*.yml *.yaml)</translation>
+    </message>
+    <message>
+        <source>Folder of 3 × 3 and 4 × 4 text files, millimetres</source>
+        <translation>Ordner mit Textdateien 3 × 3 und 4 × 4, Millimeter</translation>
+    </message>
+    <message>
+        <source>Save the calibration</source>
+        <translation>Kalibrierung speichern</translation>
+    </message>
+    <message>
+        <source>Glisson</source>
+        <translation>Glisson</translation>
+    </message>
+    <message>
+        <source>Left picture</source>
+        <translation>Linkes Bild</translation>
+    </message>
+    <message>
+        <source>Right picture</source>
+        <translation>Rechtes Bild</translation>
+    </message>
+    <message>
+        <source>Stereo video, both views side by side</source>
+        <translation>Stereovideo, beide Ansichten nebeneinander</translation>
+    </message>
+    <message>
+        <source>Video of the left camera</source>
+        <translation>Video der linken Kamera</translation>
+    </message>
+    <message>
+        <source>Video of the right camera</source>
+        <translation>Video der rechten Kamera</translation>
+    </message>
+    <message>
+        <source>Folder of left and right pictures</source>
+        <translation>Ordner mit linken und rechten Bildern</translation>
+    </message>
+    <message>
+        <source>Live device</source>
+        <translation>Live-Gerät</translation>
+    </message>
+    <message>
+        <source>Number of the video device</source>
+        <translation>Nummer des Videogeräts</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::StereoView</name>
+    <message>
+        <source>Surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>Anterior margin</source>
+        <translation>Vorderrand</translation>
+    </message>
+    <message>
+        <source>Umbilical notch</source>
+        <translation>Nabelkerbe</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Load a stereo pair or a video, and the laparoscope&apos;s calibration.</source>
+        <translation>Laden Sie ein Stereopaar oder ein Video und die Kalibrierung des Laparoskops.</translation>
+    </message>
+    <message>
+        <source>Reconstructed points</source>
+        <translation>Rekonstruierte Punkte</translation>
+    </message>
+    <message>
+        <source>No points yet</source>
+        <translation>Noch keine Punkte</translation>
+    </message>
+    <message>
+        <source>Epipolar lines</source>
+        <translation>Epipolarlinien</translation>
+    </message>
+    <message>
+        <source>Where the other picture can show what lies under the pointer. A click keeps the line; another click next to it lets it go.</source>
+        <translation>Wo das andere Bild zeigen kann, was unter dem Zeiger liegt. Ein Klick hält die Linie fest; ein weiterer daneben lässt sie los.</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>The reconstructed points in both pictures</source>
+        <translation>Die rekonstruierten Punkte in beiden Bildern</translation>
+    </message>
+    <message>
+        <source>Area used</source>
+        <translation>Genutzter Bereich</translation>
+    </message>
+    <message>
+        <source>Darkens what is not reconstructed: outside the mask, or outside the laparoscope&apos;s circle.</source>
+        <translation>Verdunkelt, was nicht rekonstruiert wird: außerhalb der Maske oder des Bildkreises des Laparoskops.</translation>
+    </message>
+    <message>
+        <source>Missing points</source>
+        <translation>Fehlende Punkte</translation>
+    </message>
+    <message>
+        <source>Orange where the left picture has fewer points per cm² than registration needs, blue where it has enough.</source>
+        <translation>Orange, wo das linke Bild weniger Punkte je cm² hat, als die Registrierung braucht, blau, wo es genug sind.</translation>
+    </message>
+    <message>
+        <source>Loupe</source>
+        <translation>Lupe</translation>
+    </message>
+    <message>
+        <source>Enlarges what is under the pointer while you draw.</source>
+        <translation>Vergrößert beim Zeichnen, was unter dem Zeiger liegt.</translation>
+    </message>
+    <message>
+        <source>Out of date: reconstruct again</source>
+        <translation>Veraltet: neu rekonstruieren</translation>
+    </message>
+    <message>
+        <source>Enter or a double click ends the line; Backspace takes a corner back.</source>
+        <translation>Eingabe oder Doppelklick beendet die Linie; Rücktaste nimmt eine Ecke zurück.</translation>
+    </message>
+    <message>
+        <source>Click around the %1 in either picture.</source>
+        <translation>Klicken Sie in einem der Bilder um „%1“ herum.</translation>
+    </message>
+    <message>
+        <source>Choose a feature on the right to label it.</source>
+        <translation>Wählen Sie rechts ein Merkmal, um es zu markieren.</translation>
+    </message>
+    <message>
+        <source>Click: the outline begins here. Esc: stop drawing.</source>
+        <translation>Klick: der Umriss beginnt hier. Esc: Zeichnen beenden.</translation>
+    </message>
+    <message>
+        <source>Click: the line begins here. Esc: stop drawing.</source>
+        <translation>Klick: die Linie beginnt hier. Esc: Zeichnen beenden.</translation>
+    </message>
+    <message>
+        <source>Click: next corner. Enter, double click: end. Backspace: one back. Esc: drop.</source>
+        <translation>Klick: nächste Ecke. Eingabe, Doppelklick: Ende. Rücktaste: eine zurück. Esc: verwerfen.</translation>
+    </message>
+    <message>
+        <source>Click: closes the outline.</source>
+        <translation>Klick: schließt den Umriss.</translation>
+    </message>
+    <message>
+        <source>Click: ends the line here.</source>
+        <translation>Klick: beendet die Linie hier.</translation>
+    </message>
+    <message>
+        <source>The line was begun in the other picture. Enter ends it, Esc drops it.</source>
+        <translation>Die Linie wurde im anderen Bild begonnen. Eingabe beendet, Esc verwirft sie.</translation>
+    </message>
+    <message>
+        <source>Drag: moves this corner.</source>
+        <translation>Ziehen: verschiebt diese Ecke.</translation>
+    </message>
+    <message>
+        <source>Click or drag: a new corner here. Delete: removes the region.</source>
+        <translation>Klick oder Ziehen: neue Ecke hier. Entf: entfernt den Bereich.</translation>
+    </message>
+    <message>
+        <source>Click: selects this region. Right click: removes it.</source>
+        <translation>Klick: wählt diesen Bereich. Rechtsklick: entfernt ihn.</translation>
     </message>
 </context>
 <context>

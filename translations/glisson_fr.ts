@@ -13,6 +13,97 @@
     </message>
 </context>
 <context>
+    <name>CloudFigures</name>
+    <message>
+        <source>Points</source>
+        <translation>Points</translation>
+    </message>
+    <message>
+        <source>Distance from the camera</source>
+        <translation>Distance à la caméra</translation>
+    </message>
+    <message>
+        <source>%1 to %2 mm</source>
+        <translation>%1 à %2 mm</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Méthode</translation>
+    </message>
+    <message>
+        <source>dense</source>
+        <translation>dense</translation>
+    </message>
+    <message>
+        <source>features</source>
+        <translation>points d’intérêt</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Surface</translation>
+    </message>
+    <message>
+        <source>%1 cm²</source>
+        <translation>%1 cm²</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Densité</translation>
+    </message>
+    <message>
+        <source>%1 per cm² (needs %2)</source>
+        <translation>%1 par cm² (il en faut %2)</translation>
+    </message>
+    <message>
+        <source>Dense enough</source>
+        <translation>Assez dense</translation>
+    </message>
+    <message>
+        <source>%1 % of the surface</source>
+        <translation>%1 % de la surface</translation>
+    </message>
+    <message>
+        <source>Depth&apos;s deviation</source>
+        <translation>Écart-type de la profondeur</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Rows off by</source>
+        <translation>Lignes décalées de</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>Epipolar error</source>
+        <translation>Erreur épipolaire</translation>
+    </message>
+    <message>
+        <source>Of the organ seen</source>
+        <translation>Part de l’organe vue</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>The regions were drawn on another frame: move them to where they belong now, or clear them.</source>
+        <translation>Les régions ont été tracées sur une autre image : déplacez-les là où elles sont maintenant, ou effacez-les.</translation>
+    </message>
+    <message>
+        <source>Fewer points per cm² than registration needs: choose another method, or look closer.</source>
+        <translation>Moins de points par cm² que le recalage n’en demande : choisissez une autre méthode ou approchez-vous.</translation>
+    </message>
+    <message>
+        <source>The pictures&apos; rows do not agree with the calibration: calibrate the laparoscope again.</source>
+        <translation>Les lignes des images ne correspondent pas à l’étalonnage : étalonnez de nouveau le laparoscope.</translation>
+    </message>
+</context>
+<context>
     <name>EditTexts</name>
     <message>
         <source>Paint</source>
@@ -926,6 +1017,10 @@
     <message>
         <source>Calibrating the laparoscope</source>
         <translation>Étalonnage du laparoscope</translation>
+    </message>
+    <message>
+        <source>Writing the labels</source>
+        <translation>Écriture des étiquettes</translation>
     </message>
 </context>
 <context>
@@ -1861,6 +1956,105 @@
     </message>
 </context>
 <context>
+    <name>glisson::ui::CalibrationDialog</name>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>Calibrate from boards</source>
+        <translation>Étalonner avec des mires</translation>
+    </message>
+    <message>
+        <source>Ten pairs of pictures or more of a chessboard or a ChArUco board, near and far, slanted to all sides, up to the pictures&apos; borders.</source>
+        <translation>Dix paires d’images ou plus d’un échiquier ou d’une mire ChArUco, de près et de loin, inclinée de tous côtés, jusqu’aux bords des images.</translation>
+    </message>
+    <message>
+        <source>folder of left and right pictures</source>
+        <translation>dossier d’images gauches et droites</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Choisir…</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Images</translation>
+    </message>
+    <message>
+        <source>Chessboard</source>
+        <translation>Échiquier</translation>
+    </message>
+    <message>
+        <source>ChArUco, %1</source>
+        <translation>ChArUco, %1</translation>
+    </message>
+    <message>
+        <source>Board</source>
+        <translation>Mire</translation>
+    </message>
+    <message>
+        <source>Inner corners</source>
+        <translation>Coins intérieurs</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Side of a square</source>
+        <translation>Côté d’une case</translation>
+    </message>
+    <message>
+        <source>Side of a marker</source>
+        <translation>Côté d’un marqueur</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>Étalonner</translation>
+    </message>
+    <message>
+        <source>Folder of left and right pictures</source>
+        <translation>Dossier d’images gauches et droites</translation>
+    </message>
+    <message>
+        <source>Choose the folder of pictures first.</source>
+        <translation>Choisissez d’abord le dossier d’images.</translation>
+    </message>
+    <message>
+        <source>Views used</source>
+        <translation>Vues utilisées</translation>
+    </message>
+    <message>
+        <source>%1 of %2 pairs</source>
+        <translation>%1 sur %2 paires</translation>
+    </message>
+    <message>
+        <source>Error, both cameras</source>
+        <translation>Erreur, deux caméras</translation>
+    </message>
+    <message>
+        <source>Rows off, view left out</source>
+        <translation>Décalage des lignes, vue écartée</translation>
+    </message>
+    <message>
+        <source>Picture covered</source>
+        <translation>Image couverte</translation>
+    </message>
+    <message>
+        <source>%1 % left, %2 % right</source>
+        <translation>%1 % à gauche, %2 % à droite</translation>
+    </message>
+    <message>
+        <source>Baseline</source>
+        <translation>Ligne de base</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
     <name>glisson::ui::EditBox</name>
     <message>
         <source>Apply</source>
@@ -2495,6 +2689,18 @@
         <source>&amp;Edit</source>
         <translation>&amp;Édition</translation>
     </message>
+    <message>
+        <source>Export &amp;labels…</source>
+        <translation>Exporter les &amp;étiquettes…</translation>
+    </message>
+    <message>
+        <source>Export labels</source>
+        <translation>Exporter les étiquettes</translation>
+    </message>
+    <message>
+        <source>Labels (*.seg.nrrd *.nii.gz *.nrrd *.mha)</source>
+        <translation>Étiquettes (*.seg.nrrd *.nii.gz *.nrrd *.mha)</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::ModelPanel</name>
@@ -2939,6 +3145,105 @@
     </message>
 </context>
 <context>
+    <name>glisson::ui::SourceDialog</name>
+    <message>
+        <source>Arrangement of a stereo source</source>
+        <translation>Disposition d’une source stéréo</translation>
+    </message>
+    <message>
+        <source>What is said here is written into a small file, by which this source can be opened again.</source>
+        <translation>Ces indications sont écrites dans un petit fichier, qui permet de rouvrir cette source.</translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation>Côte à côte</translation>
+    </message>
+    <message>
+        <source>One above the other</source>
+        <translation>L’une au-dessus de l’autre</translation>
+    </message>
+    <message>
+        <source>Row by row</source>
+        <translation>Ligne par ligne</translation>
+    </message>
+    <message>
+        <source>Two sources</source>
+        <translation>Deux sources</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>Vues</translation>
+    </message>
+    <message>
+        <source>video, folder of pictures, or device:0</source>
+        <translation>vidéo, dossier d’images ou device:0</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Choisir…</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Source</translation>
+    </message>
+    <message>
+        <source>Right source</source>
+        <translation>Source droite</translation>
+    </message>
+    <message>
+        <source>The right view comes first</source>
+        <translation>La vue droite vient en premier</translation>
+    </message>
+    <message>
+        <source>Interlaced: use the first field only</source>
+        <translation>Entrelacé : n’utiliser que la première trame</translation>
+    </message>
+    <message>
+        <source>x </source>
+        <translation>x </translation>
+    </message>
+    <message>
+        <source>y </source>
+        <translation>y </translation>
+    </message>
+    <message>
+        <source>width </source>
+        <translation>largeur </translation>
+    </message>
+    <message>
+        <source>height </source>
+        <translation>hauteur </translation>
+    </message>
+    <message>
+        <source>Pixels of each view that are kept; a width or height of 0: all</source>
+        <translation>Pixels gardés de chaque vue ; largeur ou hauteur 0 : tous</translation>
+    </message>
+    <message>
+        <source>Crop</source>
+        <translation>Cadrage</translation>
+    </message>
+    <message>
+        <source>Save and open…</source>
+        <translation>Enregistrer et ouvrir…</translation>
+    </message>
+    <message>
+        <source>Stereo source</source>
+        <translation>Source stéréo</translation>
+    </message>
+    <message>
+        <source>Videos (*.mkv *.mp4 *.avi *.mov);;All files (*)</source>
+        <translation>Vidéos (*.mkv *.mp4 *.avi *.mov);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Save the description</source>
+        <translation>Enregistrer la description</translation>
+    </message>
+    <message>
+        <source>Stereo source (*.json)</source>
+        <translation>Source stéréo (*.json)</translation>
+    </message>
+</context>
+<context>
     <name>glisson::ui::StepBar</name>
     <message>
         <source>Research software: not for clinical use</source>
@@ -3110,6 +3415,213 @@
     <message>
         <source>Kind of features that are looked for in both pictures</source>
         <translation>Type de points cherchés dans les deux images</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.bmp *.tif *.tiff)</source>
+        <translation>Images (*.png *.jpg *.jpeg *.bmp *.tif *.tiff)</translation>
+    </message>
+    <message>
+        <source>Videos (*.mkv *.mp4 *.avi *.mov)</source>
+        <translation>Vidéos (*.mkv *.mp4 *.avi *.mov)</translation>
+    </message>
+    <message>
+        <source>Stereo pair…</source>
+        <translation>Paire stéréo…</translation>
+    </message>
+    <message>
+        <source>Video, side by side…</source>
+        <translation>Vidéo, côte à côte…</translation>
+    </message>
+    <message>
+        <source>Two videos…</source>
+        <translation>Deux vidéos…</translation>
+    </message>
+    <message>
+        <source>Folder of pairs…</source>
+        <translation>Dossier de paires…</translation>
+    </message>
+    <message>
+        <source>Live device…</source>
+        <translation>Appareil en direct…</translation>
+    </message>
+    <message>
+        <source>Other arrangement…</source>
+        <translation>Autre disposition…</translation>
+    </message>
+    <message>
+        <source>OpenCV YAML (*.yml *.yaml)</source>
+        <translation>OpenCV YAML (*.yml *.yaml)</translation>
+    </message>
+    <message>
+        <source>Folder of 3 × 3 and 4 × 4 text files, millimetres</source>
+        <translation>Dossier de fichiers texte 3 × 3 et 4 × 4, millimètres</translation>
+    </message>
+    <message>
+        <source>Save the calibration</source>
+        <translation>Enregistrer l’étalonnage</translation>
+    </message>
+    <message>
+        <source>Glisson</source>
+        <translation>Glisson</translation>
+    </message>
+    <message>
+        <source>Left picture</source>
+        <translation>Image gauche</translation>
+    </message>
+    <message>
+        <source>Right picture</source>
+        <translation>Image droite</translation>
+    </message>
+    <message>
+        <source>Stereo video, both views side by side</source>
+        <translation>Vidéo stéréo, deux vues côte à côte</translation>
+    </message>
+    <message>
+        <source>Video of the left camera</source>
+        <translation>Vidéo de la caméra gauche</translation>
+    </message>
+    <message>
+        <source>Video of the right camera</source>
+        <translation>Vidéo de la caméra droite</translation>
+    </message>
+    <message>
+        <source>Folder of left and right pictures</source>
+        <translation>Dossier d’images gauches et droites</translation>
+    </message>
+    <message>
+        <source>Live device</source>
+        <translation>Appareil en direct</translation>
+    </message>
+    <message>
+        <source>Number of the video device</source>
+        <translation>Numéro de l’appareil vidéo</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::StereoView</name>
+    <message>
+        <source>Surface</source>
+        <translation>Surface</translation>
+    </message>
+    <message>
+        <source>Anterior margin</source>
+        <translation>Bord antérieur</translation>
+    </message>
+    <message>
+        <source>Umbilical notch</source>
+        <translation>Échancrure</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Gauche</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Droite</translation>
+    </message>
+    <message>
+        <source>Load a stereo pair or a video, and the laparoscope&apos;s calibration.</source>
+        <translation>Chargez une paire stéréo ou une vidéo, et l’étalonnage du laparoscope.</translation>
+    </message>
+    <message>
+        <source>Reconstructed points</source>
+        <translation>Points reconstruits</translation>
+    </message>
+    <message>
+        <source>No points yet</source>
+        <translation>Pas encore de points</translation>
+    </message>
+    <message>
+        <source>Epipolar lines</source>
+        <translation>Lignes épipolaires</translation>
+    </message>
+    <message>
+        <source>Where the other picture can show what lies under the pointer. A click keeps the line; another click next to it lets it go.</source>
+        <translation>Où l’autre image peut montrer ce qui est sous le pointeur. Un clic fixe la ligne ; un autre clic à côté la libère.</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Points</translation>
+    </message>
+    <message>
+        <source>The reconstructed points in both pictures</source>
+        <translation>Les points reconstruits dans les deux images</translation>
+    </message>
+    <message>
+        <source>Area used</source>
+        <translation>Zone utilisée</translation>
+    </message>
+    <message>
+        <source>Darkens what is not reconstructed: outside the mask, or outside the laparoscope&apos;s circle.</source>
+        <translation>Assombrit ce qui n’est pas reconstruit : hors du masque ou du cercle du laparoscope.</translation>
+    </message>
+    <message>
+        <source>Missing points</source>
+        <translation>Points manquants</translation>
+    </message>
+    <message>
+        <source>Orange where the left picture has fewer points per cm² than registration needs, blue where it has enough.</source>
+        <translation>Orange où l’image gauche a moins de points par cm² que le recalage n’en demande, bleu où il y en a assez.</translation>
+    </message>
+    <message>
+        <source>Loupe</source>
+        <translation>Loupe</translation>
+    </message>
+    <message>
+        <source>Enlarges what is under the pointer while you draw.</source>
+        <translation>Agrandit ce qui est sous le pointeur pendant le tracé.</translation>
+    </message>
+    <message>
+        <source>Out of date: reconstruct again</source>
+        <translation>Périmé : reconstruire à nouveau</translation>
+    </message>
+    <message>
+        <source>Enter or a double click ends the line; Backspace takes a corner back.</source>
+        <translation>Entrée ou un double clic termine la ligne ; Retour arrière reprend un sommet.</translation>
+    </message>
+    <message>
+        <source>Click around the %1 in either picture.</source>
+        <translation>Cliquez autour de « %1 » dans l’une des images.</translation>
+    </message>
+    <message>
+        <source>Choose a feature on the right to label it.</source>
+        <translation>Choisissez à droite une structure à marquer.</translation>
+    </message>
+    <message>
+        <source>Click: the outline begins here. Esc: stop drawing.</source>
+        <translation>Clic : le contour commence ici. Échap : arrêter le tracé.</translation>
+    </message>
+    <message>
+        <source>Click: the line begins here. Esc: stop drawing.</source>
+        <translation>Clic : la ligne commence ici. Échap : arrêter le tracé.</translation>
+    </message>
+    <message>
+        <source>Click: next corner. Enter, double click: end. Backspace: one back. Esc: drop.</source>
+        <translation>Clic : sommet suivant. Entrée, double clic : fin. Retour arrière : un de moins. Échap : abandonner.</translation>
+    </message>
+    <message>
+        <source>Click: closes the outline.</source>
+        <translation>Clic : ferme le contour.</translation>
+    </message>
+    <message>
+        <source>Click: ends the line here.</source>
+        <translation>Clic : termine la ligne ici.</translation>
+    </message>
+    <message>
+        <source>The line was begun in the other picture. Enter ends it, Esc drops it.</source>
+        <translation>La ligne a été commencée dans l’autre image. Entrée la termine, Échap l’abandonne.</translation>
+    </message>
+    <message>
+        <source>Drag: moves this corner.</source>
+        <translation>Glisser : déplace ce sommet.</translation>
+    </message>
+    <message>
+        <source>Click or drag: a new corner here. Delete: removes the region.</source>
+        <translation>Clic ou glisser : nouveau sommet ici. Suppr : supprime la région.</translation>
+    </message>
+    <message>
+        <source>Click: selects this region. Right click: removes it.</source>
+        <translation>Clic : sélectionne cette région. Clic droit : la supprime.</translation>
     </message>
 </context>
 <context>

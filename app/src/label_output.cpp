@@ -30,7 +30,8 @@ void LabelOutput::finish(Session& session) const {
                                      : recode(file, truth_codes_, path.string())));
   }
   save_case(arguments_, session);
-  if (arguments_.has("labels-out")) write_labels(arguments_.path("labels-out"), labels.voxels, labels.infos);
+  if (arguments_.has("labels-out"))
+    write_labels(arguments_.path("labels-out"), labels.voxels, engine::reviewed_infos(session.state()));
   session.finish();
 }
 

@@ -94,6 +94,7 @@ class CaseIoTest : public QObject {
   Q_OBJECT
  private slots:
   void ACaseComesBackAsItWas();
+  void ALiveDeviceIsNoFile();
   void SavingAgainReplacesTheCase();
   void ASaveKilledAtAnyMomentLeavesTheOldCaseOrTheNewOne();
   void ADiskThatFillsUpLeavesTheOldCase();
@@ -129,6 +130,16 @@ void CaseIoTest::ACaseComesBackAsItWas() {
   const auto& [kind, at, to] = read->model->tree_edits.at(0);
   QVERIFY(kind == model::TreeEdit::Kind::prune && (at - Eigen::Vector3d(0.02, 0.02, 0.02)).norm() < 1e-9);
   QCOMPARE(read->model->trees_as_built.at(0).beams, state.model->trees_as_built.at(0).beams);
+}
+
+void CaseIoTest::ALiveDeviceIsNoFile() {
+  const TemporaryFolder folder;
+  CaseState state = small_case();
+  state.video = std::make_shared<VideoSource>(VideoSource{"device:0", "device:1"});
+  QVERIFY(save_case(folder.path() / "a.glisson", state, RunContext()));
+  const auto read = open_case(folder.path() / "a.glisson", RunContext());
+  QCOMPARE(read->video->left.string(), std::string("device:0"));
+  QCOMPARE(read->video->right.string(), std::string("device:1"));
 }
 
 void CaseIoTest::SavingAgainReplacesTheCase() {

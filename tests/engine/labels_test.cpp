@@ -257,6 +257,11 @@ void LabelsTest::SlicersStatusIsKnownAndKept() {
   QCOMPARE(written.infos.size(), std::size_t{2});
   QCOMPARE(written.infos[0].status, std::string("completed"));
   QCOMPARE(written.infos[1].status, std::string("flagged"));
+  // The same in a file of its own.
+  QCOMPARE(done(*engine, ExportLabels{files.path() / "out.seg.nrrd"}).status, Status::done);
+  const LabelFile exported = read_labels(files.path() / "out.seg.nrrd");
+  QVERIFY(exported.voxels == labels.voxels);
+  QCOMPARE(exported.infos[0].status, std::string("completed"));
 }
 
 void LabelsTest::EditsGoOnWhileAModelIsBuiltWhichIsStaleThen() {
@@ -290,6 +295,7 @@ void LabelsTest::NothingToUndoOrToDrawOnIsSaid() {
   options.runner = Runner::inline_;
   Engine engine(std::move(options));
   QVERIFY(done(engine, EditLabels{ball({0, 0, 0}, 5)}).error.find("Import a CT first") != std::string::npos);
+  QVERIFY(done(engine, ExportLabels{"x.seg.nrrd"}).error.find("Segment the CT") != std::string::npos);
   QVERIFY(done(engine, UndoLabels{}).error.find("no step to undo") != std::string::npos);
   QVERIFY(done(engine, RedoLabels{}).error.find("no step to redo") != std::string::npos);
 }

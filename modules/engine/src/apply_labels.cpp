@@ -121,6 +121,12 @@ Cancellable<Applied> apply_one(const CaseState& state, const ImportLabels& comma
   return applied;
 }
 
+Cancellable<Applied> apply_one(const CaseState& state, const ExportLabels& command, const RunContext&) {
+  require_part(state, Part::labels, "Segment the CT or import labels first");
+  write_labels(command.path, state.labels->voxels, reviewed_infos(state));
+  return Applied{state, {}, {}};
+}
+
 Cancellable<Applied> apply_one(const CaseState& state, const Segment& command, const RunContext& context) {
   require_part(state, Part::image, "Import a CT first");
   require_part(state, Part::seeds, "Click seeds in the liver first, or give --seeds FILE");

@@ -13,6 +13,8 @@ Cancellable<Applied> apply_one(const CaseState& state, const ImportImage& comman
 Cancellable<Applied> apply_one(const CaseState& state, const ListSeries& command, const RunContext& context);
 Cancellable<Applied> apply_one(const CaseState& state, const ImportLabels& command,
                                const RunContext& context);
+Cancellable<Applied> apply_one(const CaseState& state, const ExportLabels& command,
+                               const RunContext& context);
 Cancellable<Applied> apply_one(const CaseState& state, const EditLabels& command, const RunContext& context);
 Cancellable<Applied> apply_one(const CaseState& state, const PreviewEdit& command, const RunContext& context);
 Cancellable<Applied> apply_one(const CaseState& state, const UndoLabels& command, const RunContext& context);

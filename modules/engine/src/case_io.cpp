@@ -125,6 +125,9 @@ json registration_entry(const Registration& registration) {
 
 // ---- the case ----
 
+/// "device:0" is no file.
+bool is_device(const fs::path& video) { return video.string().starts_with("device:"); }
+
 /// Writes the files of every part that there is into `folder`, for a case that will stand at `path`.
 /// @return case.json, or nothing when cancelled.
 std::optional<json> write_parts(const fs::path& folder, const fs::path& path, const CaseState& state,
@@ -155,11 +158,7 @@ std::optional<json> write_parts(const fs::path& folder, const fs::path& path, co
   const auto seeds = [&] { segmentation::write_seeds(folder / "seeds.json", *state.seeds); };
   write(Part::seeds, file(seeds));
   write(Part::labels, [&] {
-    std::vector<LabelInfo> infos = state.labels->infos;
-    if (state.review)
-      for (LabelInfo& info : infos)
-        if (state.review->contains(info.code)) info.status = slicer_status(state.review->at(info.code));
-    write_labels(folder / "labels.seg.nrrd", state.labels->voxels, infos);
+    write_labels(folder / "labels.seg.nrrd", state.labels->voxels, reviewed_infos(state));
     if (state.history && !state.history->steps().empty()) {
       fs::create_directory(folder / "history");
       segmentation::write_history(folder / "history", *state.history);
@@ -182,6 +181,7 @@ std::optional<json> write_parts(const fs::path& folder, const fs::path& path, co
   write(Part::video, [&] {
     const auto place = [&](const fs::path& video) {
       if (video.empty()) return std::string();
+      if (is_device(video)) return video.string();
       const fs::path relative = fs::absolute(video).lexically_normal().lexically_relative(path);
       const bool beside = !relative.empty() && relative.begin() != relative.end() &&
                           std::next(relative.begin()) != relative.end() &&
@@ -254,7 +254,8 @@ void read_part(CaseState& state, Part part, const json& entry, const fs::path& f
     case Part::video: {
       const auto place = [&](const char* side) {
         const fs::path video = entry.at(side).get<std::string>();
-        return video.empty() || video.is_absolute() ? video : (folder / video).lexically_normal();
+        return video.empty() || video.is_absolute() || is_device(video) ? video
+                                                                        : (folder / video).lexically_normal();
       };
       state.video = std::make_shared<const VideoSource>(VideoSource{place("left"), place("right")});
       break;

@@ -76,6 +76,16 @@ bool CaseState::shares(Part part, const CaseState& with) const {
       part, [](const auto& mine, const auto& theirs) { return mine == theirs; }, *this, with);
 }
 
+std::vector<LabelInfo> reviewed_infos(const CaseState& state) {
+  require(state.labels != nullptr, "labels that are named are there");
+  std::vector<LabelInfo> infos = state.labels->infos;
+  if (state.review)
+    for (LabelInfo& info : infos)
+      if (const auto known = state.review->find(info.code); known != state.review->end())
+        info.status = slicer_status(known->second);
+  return infos;
+}
+
 StageState stage_state(const CaseState& state, Part part) {
   if (!state.has(part)) return StageState::absent;
   for (const auto& [input, revision] : state.stamp(part).made_from)

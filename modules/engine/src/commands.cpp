@@ -18,6 +18,7 @@ Traits traits(const ListSeries&) { return {"list_series", {}, {}}; }
 constexpr Parts kEdited = {Part::labels, Part::review, Part::preview};
 constexpr Parts kEditReads = {Part::image, Part::labels, Part::review, Part::preview};
 Traits traits(const ImportLabels&) { return {"import_labels", {Part::image}, kEdited}; }
+Traits traits(const ExportLabels&) { return {"export_labels", {Part::labels, Part::review}, {}}; }
 Traits traits(const EditLabels& command) {
   return {"edit_labels", kEditReads, kEdited, segmentation::is_local(command.edit.tool)};
 }

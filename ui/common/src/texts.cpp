@@ -14,6 +14,7 @@ class Texts {
   static QHash<QString, QString> commands() {
     return {{"import_image", tr("Reading the volume")},
             {"import_labels", tr("Reading the labels")},
+            {"export_labels", tr("Writing the labels")},
             {"edit_labels", tr("Editing the labels")},
             {"preview_edit", tr("Preparing a preview")},
             {"undo_labels", tr("Undoing")},

@@ -108,6 +108,7 @@ void MainWindow::build_menu() {
   file->addSeparator();
   save_ = file->addAction(tr("&Save"), QKeySequence::Save, this, [this] { save(); });
   save_as_ = file->addAction(tr("Save &as…"), QKeySequence::SaveAs, this, [this] { save_as(); });
+  export_labels_ = file->addAction(tr("Export &labels…"), this, &MainWindow::export_labels);
   file->addSeparator();
   file->addAction(tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
   QMenu* edit = menuBar()->addMenu(tr("&Edit"));
@@ -193,6 +194,13 @@ bool MainWindow::save_as() {
   return true;
 }
 
+void MainWindow::export_labels() {
+  const QString path =
+      QFileDialog::getSaveFileName(this, tr("Export labels"), QStringLiteral("labels.seg.nrrd"),
+                                   tr("Labels (*.seg.nrrd *.nii.gz *.nrrd *.mha)"));
+  if (!path.isEmpty()) engine_.post(engine::ExportLabels{path.toStdString()});
+}
+
 void MainWindow::show_step(int step) {
   panels_[static_cast<std::size_t>(step_)]->deactivate();
   step_ = step;
@@ -220,6 +228,7 @@ void MainWindow::show_case() {
   setWindowTitle(name.isEmpty() ? tr("Glisson") : tr("%1[*] – Glisson").arg(name));
   save_->setEnabled(!name.isEmpty());
   save_as_->setEnabled(!name.isEmpty());
+  export_labels_->setEnabled(now.labels != nullptr);
   setWindowModified(!name.isEmpty() && engine_.snapshot()->revision != saved_revision_);
   show_middle();
 }
@@ -235,9 +244,9 @@ void MainWindow::show_outcome(const engine::Outcome& outcome) {
   if (is_save) close_after_save_ = false;
   // A panel's own button shows its own error; what came from the menu or a drop has no other place.
   const bool from_menu = is_save || outcome.command.starts_with("open_") ||
-                         outcome.command.starts_with("import_") || outcome.command == "list_series" ||
-                         outcome.command.starts_with("load_") || outcome.command == "set_calibration" ||
-                         outcome.command == "set_video";
+                         outcome.command.starts_with("import_") || outcome.command.starts_with("export_") ||
+                         outcome.command == "list_series" || outcome.command.starts_with("load_") ||
+                         outcome.command == "set_calibration" || outcome.command == "set_video";
   if (!from_menu) return;
   show_problem(QString::fromStdString(outcome.error));
 }

@@ -169,6 +169,9 @@ struct CaseState {
   bool shares(Part part, const CaseState& with) const;
 };
 
+/// What the labels are called, with how far a person has come with each. @pre state.labels
+std::vector<LabelInfo> reviewed_infos(const CaseState& state);
+
 enum class StageState { absent, current, stale };
 /// A part is stale when anything that it was made from has changed since, or is itself stale.
 StageState stage_state(const CaseState& state, Part part);

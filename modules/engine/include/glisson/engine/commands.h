@@ -37,6 +37,11 @@ struct ImportLabels {
   std::filesystem::path path;
   LabelCodes codes;
 };
+/// Writes the labels with their names, terminology and review to a file (.seg.nrrd, .nii.gz, ...). Changes no
+/// part.
+struct ExportLabels {
+  std::filesystem::path path;
+};
 /// One edit of the labels. Done at once where its tool is local (see segmentation::is_local); with the result
 /// of the preview where that is of the same edit.
 struct EditLabels {
@@ -177,11 +182,11 @@ struct SaveCase {
 };
 
 using Command =
-    std::variant<ImportImage, ListSeries, ImportLabels, EditLabels, PreviewEdit, UndoLabels, RedoLabels,
-                 SetReview, SetSeeds, Segment, BuildModel, ImportSurfaces, ImportMesh, EditTrees, CheckModel,
-                 SetLandmarks, SetCalibration, CalibrateRig, LoadStereoPair, SetVideo, LoadVideoFrame,
-                 SetRegions, Reconstruct, ImportCloud, Register, ImportRegistration, StartTracking,
-                 StopTracking, StartTrial, StopTrial, Simulate, OpenCase, SaveCase>;
+    std::variant<ImportImage, ListSeries, ImportLabels, ExportLabels, EditLabels, PreviewEdit, UndoLabels,
+                 RedoLabels, SetReview, SetSeeds, Segment, BuildModel, ImportSurfaces, ImportMesh, EditTrees,
+                 CheckModel, SetLandmarks, SetCalibration, CalibrateRig, LoadStereoPair, SetVideo,
+                 LoadVideoFrame, SetRegions, Reconstruct, ImportCloud, Register, ImportRegistration,
+                 StartTracking, StopTracking, StartTrial, StopTrial, Simulate, OpenCase, SaveCase>;
 
 /// Code of a command for progress, figures and logs: "segment", "build_model", ...
 std::string_view command_code(const Command& command);

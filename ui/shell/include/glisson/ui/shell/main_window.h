@@ -55,6 +55,7 @@ class MainWindow : public QMainWindow {
   void replace_case(const std::filesystem::path& path);
   void open_dicom();
   void open_volume();
+  void export_labels();
   bool save();
   bool save_as();
   void show_case();
@@ -74,6 +75,7 @@ class MainWindow : public QMainWindow {
   TaskStatus* status_ = nullptr;
   QAction* save_ = nullptr;
   QAction* save_as_ = nullptr;
+  QAction* export_labels_ = nullptr;
   std::vector<Panel*> panels_;
   int step_ = 0;
   std::uint64_t saved_revision_ = 0;
