@@ -12,35 +12,11 @@
 #include <utility>
 
 #include "glisson/core/error.h"
+#include "job.h"
 #include "trial_lane.h"
 
 namespace glisson::engine {
 namespace {
-
-enum class Lane { edits, work };
-
-/// A command on its way.
-struct Job {
-  CommandId id = 0;
-  Command command;
-  std::shared_ptr<CancelFlag> cancel;
-
-  Lane lane() const { return is_edit(command) ? Lane::edits : Lane::work; }
-  /// Starts and stops of a trial touch no part, but keep their order.
-  bool is_about_trial() const {
-    return std::holds_alternative<StartTrial>(command) || std::holds_alternative<StopTrial>(command);
-  }
-  bool conflicts_with(const Job& other) const {
-    return must_wait_for(other) || writes(command).meets(reads(other.command));
-  }
-  /// Whether this cannot start while `other`, which was posted before, is running: what that reads it has
-  /// taken when it began, so only what it writes matters. An edit of the labels need not wait until a model
-  /// is built of them.
-  bool must_wait_for(const Job& running) const {
-    return (is_about_trial() && running.is_about_trial()) ||
-           writes(running.command).meets(reads(command) | writes(command));
-  }
-};
 
 /// Outcomes that nobody waited for are kept so long that a late wait() still finds them, but not for ever.
 constexpr std::size_t kOutcomesKept = 1024;
@@ -98,6 +74,14 @@ struct Engine::Impl {
     current = std::move(snapshot);
   }
 
+  /// The snapshot with what does not belong to the case changed: its revision stays.
+  template <typename Change>
+  void amend(const Change& change) {
+    auto amended = std::make_shared<Snapshot>(*current);
+    change(*amended);
+    current = std::move(amended);
+  }
+
   /// The first waiting job of the lane that may start: nothing that waits before it touches what it writes or
   /// writes what it touches, and nothing that runs writes what it touches.
   std::shared_ptr<Job> take_ready(Lane lane) {
@@ -129,23 +113,6 @@ struct Engine::Impl {
     else
       events.emplace_back(std::move(progress));
     wake(lock);
-  }
-
-  /// Of which editions of other parts a part was made that a command wrote.
-  static std::map<Part, std::uint64_t> made_from(Part part, const Command& command, const CaseState& base) {
-    std::map<Part, std::uint64_t> inputs;
-    if (part == Part::review) return inputs;  // a person's word, made from nothing
-    const Stamp& former = base.stamp(part);
-    for (int k = 0; k < kPartCount; ++k) {
-      const Part input = static_cast<Part>(k);
-      if (input == part || input == Part::review || input == Part::preview || !reads(command).has(input))
-        continue;
-      // What is only changed stays as old as it was: an edit does not make labels of a former CT current.
-      const bool is_edited = reads(command).has(part) && former.made_from.contains(input);
-      // An input that was not there counts too (revision 0): when it comes, this part is stale.
-      inputs[input] = is_edited ? former.made_from.at(input) : base.stamp(input).revision;
-    }
-    return inputs;
   }
 
   /// Takes over what a command made. Only the parts that it writes; the rest may have moved on meanwhile.
@@ -258,9 +225,7 @@ struct Engine::Impl {
     wake(lock);
   }
   void put_evolving(std::shared_ptr<const LabelVolume> liver) {
-    auto changed_snapshot = std::make_shared<Snapshot>(*current);
-    changed_snapshot->evolving = std::move(liver);
-    current = std::move(changed_snapshot);
+    amend([&](Snapshot& now) { now.evolving = std::move(liver); });
   }
 
   void settle_tracking(const Command& command) {
@@ -283,9 +248,7 @@ struct Engine::Impl {
     show_trial(nullptr);
   }
   void show_trial(std::shared_ptr<const TrialState> state) {
-    auto changed_snapshot = std::make_shared<Snapshot>(*current);
-    changed_snapshot->trial = std::move(state);
-    current = std::move(changed_snapshot);
+    amend([&](Snapshot& now) { now.trial = std::move(state); });
   }
   /// A step of the trial. Called with the lock held; lets go of it meanwhile.
   void step_trial(std::unique_lock<std::mutex>& lock) {
@@ -299,9 +262,7 @@ struct Engine::Impl {
   }
   void set_tracking(bool on) {
     live = {};
-    auto changed_snapshot = std::make_shared<Snapshot>(*current);
-    changed_snapshot->tracking = on;
-    current = std::move(changed_snapshot);
+    amend([&](Snapshot& now) { now.tracking = on; });
   }
 
   void finish(std::unique_lock<std::mutex>& lock, Outcome outcome) {
