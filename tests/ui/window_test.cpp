@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Drives the window by mouse and keyboard, from opening a CT to the recorded live view. The engine's
 // scheduling is the real one; what its commands compute is made by FakeOperation.
+#include <vtkActor.h>
+#include <vtkActorCollection.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+
 #include <QApplication>
 #include <QDialog>
 #include <QDropEvent>
@@ -21,9 +26,9 @@
 #include "glisson/ui/atlas/atlas_panel.h"
 #include "glisson/ui/common/task_button.h"
 #include "glisson/ui/guidance/guidance_panel.h"
+#include "glisson/ui/scene/colours.h"
 #include "glisson/ui/segmentation/seed_book.h"
 #include "glisson/ui/segmentation/segmentation_panel.h"
-#include "glisson/ui/shell/case_opening.h"
 #include "glisson/ui/shell/main_window.h"
 #include "glisson/ui/stereo/stereo_panel.h"
 #include "run_in_window.h"
@@ -54,10 +59,10 @@ class WindowTest : public QObject {
   void CancelLeavesTheCaseAsItWas();
   void EditMakesLaterStepsStale();
   void NotchIsPlacedOnTheSurface();
+  void LandmarksAreDrawnWithTheModelOnly();
   void RegionIsClickedClosedDraggedAndTakenBack();
   void LiveViewPlaysShowsAgeAndRecords();
   void WholePathByMouse();
-  void PathsAreTakenForWhatTheyAre();
 
  private:
   bool settle() {
@@ -361,6 +366,37 @@ void WindowTest::NotchIsPlacedOnTheSurface() {
   QVERIFY((stored->umbilical_notch.bottomRows(1).transpose() - wanted).norm() < 2e-3);  // a pixel or so
 }
 
+void WindowTest::LandmarksAreDrawnWithTheModelOnly() {
+  reach_model();
+  Landmarks placed;
+  placed.umbilical_notch.resize(1, 3);
+  placed.umbilical_notch << 0.02, -0.04, 0.005;
+  ui::LinkedViews& views = window_->views();
+  const QColor colour = scene::colour_of(Feature::umbilical_notch);
+  const auto is_drawn = [&] {
+    vtkActorCollection& actors = *views.volume().patient().renderer().GetActors();
+    vtkCollectionSimpleIterator at;
+    actors.InitTraversal(at);
+    while (vtkActor* actor = actors.GetNextActor(at)) {
+      const double* rgb = actor->GetProperty()->GetColor();
+      if (QColor::fromRgbF(rgb[0], rgb[1], rgb[2]).rgb() == colour.rgb()) return true;
+    }
+    return false;
+  };
+  window_->show_step(MainWindow::atlas);
+  window_->engine().post(engine::SetLandmarks{placed});
+  QTRY_VERIFY(is_drawn());
+  window_->show_step(MainWindow::segmentation);  // there the labels stand in for the model
+  QTRY_VERIFY(!is_drawn());
+  placed.umbilical_notch(0, 0) = 0.01;
+  window_->engine().post(engine::SetLandmarks{placed});
+  QVERIFY(settle());
+  QTRY_VERIFY(views.label_surfaces().surfaces() != nullptr);
+  QVERIFY(!is_drawn());
+  window_->show_step(MainWindow::atlas);
+  QTRY_VERIFY(is_drawn());
+}
+
 void WindowTest::RegionIsClickedClosedDraggedAndTakenBack() {
   reach_registration();
   window_->show_step(MainWindow::stereo);
@@ -456,27 +492,6 @@ void WindowTest::WholePathByMouse() {
   for (int step = 0; step < 5; ++step) QCOMPARE(window_->panel(step).step_state(), ui::StepState::done);
   auto* guidance = window_->findChild<ui::GuidancePanel*>();
   QTRY_VERIFY_WITH_TIMEOUT(!guidance->picture().picture().empty(), 20000);
-}
-
-void WindowTest::PathsAreTakenForWhatTheyAre() {
-  const auto code = [](const std::filesystem::path& path) {
-    const auto command = ui::command_to_open(path);
-    return command ? std::string(engine::command_code(*command)) : std::string();
-  };
-  const std::filesystem::path root = folder_->path();
-  std::filesystem::create_directories(root / "dicom");
-  std::filesystem::create_directories(root / "a.glisson");
-  std::filesystem::create_directories(root / "surfaces");
-  write_file_atomically(root / "surfaces" / "liver.vtk", std::string("x"));
-  QCOMPARE(code(root / "dicom"), std::string("import_image"));
-  QCOMPARE(code(root / "a.glisson"), std::string("open_case"));
-  QCOMPARE(code((root / "a.glisson").string() + "/"), std::string("open_case"));
-  QCOMPARE(code(root / "surfaces"), std::string("import_surfaces"));
-  QCOMPARE(code("ct.NII.gz"), std::string("import_image"));
-  QCOMPARE(code("liver.seg.nrrd"), std::string("import_labels"));
-  QCOMPARE(code("scope.yaml"), std::string("set_calibration"));
-  QCOMPARE(code("film.mkv"), std::string("set_video"));
-  QCOMPARE(code("letter.pdf"), std::string());
 }
 
 }  // namespace glisson

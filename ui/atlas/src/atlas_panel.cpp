@@ -144,9 +144,7 @@ void AtlasPanel::show_landmarks() {
   notch_->setText(placed(landmarks_.umbilical_notch));
   cava_->setText(placed(landmarks_.vena_cava));
   emit landmarks_shown();
-  if (!ready) return;
-  views_.volume().patient().set_landmarks(landmarks_);
-  views_.volume().update();
+  if (ready) views_.set_landmarks(landmarks_);
 }
 
 }  // namespace glisson::ui

@@ -115,7 +115,6 @@ void LinkedViews::show_labels() {
 void LinkedViews::show_label_surfaces() {
   const bool first = label_actors_->actor_count() == 0;
   label_actors_->show(*label_surfaces_->surfaces());
-  if (labels_in_3d()) volume_->patient().set_landmarks({});  // those belong to the model
   if (first && label_actors_->actor_count() > 0) {
     slices_toggle_->setChecked(false);
     volume_->patient().look_from(scene::ViewFrom::anterior);
@@ -182,9 +181,10 @@ QWidget* LinkedViews::make_volume_pane() {
 void LinkedViews::show_case() {
   const engine::CaseState& now = engine_.state();
   state_.set_volume(now.image, now.labels);
-  if (shown_model_ && now.landmarks != shown_landmarks_ && now.model) {
-    shown_landmarks_ = now.landmarks;
-    volume_->patient().set_landmarks(engine::effective_landmarks(now));
+  if (now.landmarks != taken_landmarks_ || now.model != taken_model_) {
+    taken_landmarks_ = now.landmarks;
+    taken_model_ = now.model;
+    set_landmarks(now.model ? engine::effective_landmarks(now) : Landmarks{});
   }
   const bool was_empty = scene_is_empty_;
   scene_is_empty_ = !now.model && !now.image;
@@ -192,16 +192,20 @@ void LinkedViews::show_case() {
   show_model();
 }
 
+void LinkedViews::set_landmarks(const Landmarks& landmarks) {
+  landmarks_ = landmarks;
+  if (shown_model_) volume_->patient().set_landmarks(landmarks_);
+  volume_->update();
+}
+
 void LinkedViews::show_model() {
-  const engine::CaseState& now = engine_.state();
   const bool labels_instead = labels_in_3d() != nullptr;
   const auto wanted = labels_instead ? nullptr : drawables_.drawable();
   if (wanted != shown_model_) {
     shown_model_ = wanted;
     scene::PatientScene& patient = volume_->patient();
     patient.set_model(shown_model_);
-    shown_landmarks_ = now.landmarks;
-    if (shown_model_) patient.set_landmarks(engine::effective_landmarks(now));
+    if (shown_model_) patient.set_landmarks(landmarks_);
     if (shown_model_ && shown_model_ != faced_model_) {
       faced_model_ = shown_model_;
       slices_toggle_->setChecked(false);  // the liver would hide in them

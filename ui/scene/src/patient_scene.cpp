@@ -17,7 +17,6 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
-#include <vtkSphereSource.h>
 #include <vtkTexture.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -54,29 +53,6 @@ void give_colour(vtkActor& actor, Label structure) {
   actor.GetProperty()->SetColor(colour.data());
   actor.GetProperty()->SetSpecular(0.25);
   actor.GetProperty()->SetSpecularPower(30.0);
-}
-
-vtkSmartPointer<vtkPolyData> balls(const Points& points, double radius) {
-  vtkNew<vtkAppendPolyData> all;
-  for (Eigen::Index i = 0; i < points.rows(); ++i) {
-    vtkNew<vtkSphereSource> ball;
-    ball->SetCenter(points(i, 0), points(i, 1), points(i, 2));
-    ball->SetRadius(radius);
-    ball->SetThetaResolution(12);
-    ball->SetPhiResolution(12);
-    ball->Update();
-    all->AddInputData(ball->GetOutput());
-  }
-  all->Update();
-  return all->GetOutput();
-}
-
-TriangleMesh polyline_tube(const Points& line, double radius) {
-  VesselTree tree;
-  tree.nodes = line;
-  tree.radii.assign(static_cast<std::size_t>(line.rows()), radius);
-  for (int i = 0; i + 1 < line.rows(); ++i) tree.beams.push_back({i, i + 1});
-  return tube_mesh(tree, 8);
 }
 
 void give_colour(vtkActor& actor, Feature feature) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/scene/surface_shapes.h"
 
+#include <vtkAppendPolyData.h>
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
@@ -9,6 +10,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkQuadricDecimation.h>
+#include <vtkSphereSource.h>
 #include <vtkTriangleFilter.h>
 #include <vtkTubeFilter.h>
 
@@ -237,6 +239,29 @@ std::vector<Label> inner_structures(const PatientModel& model) {
   for (const int label : model.mesh.labels)
     if (is_lesion(static_cast<Label>(label))) found.insert(static_cast<Label>(label));
   return {found.begin(), found.end()};
+}
+
+vtkSmartPointer<vtkPolyData> balls(const Points& points, double radius) {
+  vtkNew<vtkAppendPolyData> all;
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    vtkNew<vtkSphereSource> ball;
+    ball->SetCenter(points(i, 0), points(i, 1), points(i, 2));
+    ball->SetRadius(radius);
+    ball->SetThetaResolution(12);
+    ball->SetPhiResolution(12);
+    ball->Update();
+    all->AddInputData(ball->GetOutput());
+  }
+  all->Update();
+  return all->GetOutput();
+}
+
+TriangleMesh polyline_tube(const Points& line, double radius) {
+  VesselTree tree;
+  tree.nodes = line;
+  tree.radii.assign(static_cast<std::size_t>(line.rows()), radius);
+  for (int i = 0; i + 1 < line.rows(); ++i) tree.beams.push_back({i, i + 1});
+  return tube_mesh(tree, 8);
 }
 
 }  // namespace glisson::scene

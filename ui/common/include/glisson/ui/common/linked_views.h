@@ -33,6 +33,9 @@ class LinkedViews : public QWidget {
   QString probe_line() const;
   /// The model's liver surface under a place in the 3D view, in the CT's frame.
   std::optional<Eigen::Vector3d> surface_point(double x, double y) const;
+  /// Draws these landmarks on the model, instead of the case's, until the case's change. CT frame, metres.
+  /// Where labels stand in for the model they wait until it is back.
+  void set_landmarks(const Landmarks& landmarks);
   /// Of the labels, in three dimensions.
   const LabelSurfaceSource& label_surfaces() const { return *label_surfaces_; }
 
@@ -64,7 +67,9 @@ class LinkedViews : public QWidget {
   QTimer* late_ = nullptr;  ///< the slices in three dimensions follow a stroke at leisure
   std::shared_ptr<const scene::DrawableModel> shown_model_;
   std::shared_ptr<const scene::DrawableModel> faced_model_;  ///< that the camera was last turned to
-  std::shared_ptr<const Landmarks> shown_landmarks_;
+  Landmarks landmarks_;
+  std::shared_ptr<const Landmarks> taken_landmarks_;  ///< the case's, when landmarks_ were taken from it
+  std::shared_ptr<const model::BuiltModel> taken_model_;
   bool scene_is_empty_ = true;
 };
 

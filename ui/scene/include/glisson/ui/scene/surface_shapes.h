@@ -16,5 +16,9 @@ vtkSmartPointer<vtkPolyData> make_poly_data(const TriangleMesh& mesh);
 void move_vertices(vtkPolyData& shape, const Points& vertices);
 /// Adds smooth normals, weighted by area; move_vertices() keeps them up to date.
 void add_normals(vtkPolyData& shape);
+/// A ball at each point, in the points' frame. @param radius metres.
+vtkSmartPointer<vtkPolyData> balls(const Points& points, double radius);
+/// A tube along a line. @param line points in order. @param radius metres.
+TriangleMesh polyline_tube(const Points& line, double radius);
 
 }  // namespace glisson::scene

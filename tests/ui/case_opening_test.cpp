@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QtTest>
+
+#include "glisson/core/files.h"
+#include "glisson/ui/shell/case_opening.h"
+
+namespace glisson {
+
+class CaseOpeningTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void PathsAreTakenForWhatTheyAre();
+};
+
+void CaseOpeningTest::PathsAreTakenForWhatTheyAre() {
+  const auto code = [](const std::filesystem::path& path) {
+    const auto command = ui::command_to_open(path);
+    return command ? std::string(engine::command_code(*command)) : std::string();
+  };
+  const TemporaryFolder folder;
+  const std::filesystem::path root = folder.path();
+  std::filesystem::create_directories(root / "dicom");
+  std::filesystem::create_directories(root / "a.glisson");
+  std::filesystem::create_directories(root / "surfaces");
+  write_file_atomically(root / "surfaces" / "liver.vtk", std::string("x"));
+  QCOMPARE(code(root / "dicom"), std::string("import_image"));
+  QCOMPARE(code(root / "a.glisson"), std::string("open_case"));
+  QCOMPARE(code((root / "a.glisson").string() + "/"), std::string("open_case"));
+  QCOMPARE(code(root / "surfaces"), std::string("import_surfaces"));
+  QCOMPARE(code("ct.NII.gz"), std::string("import_image"));
+  QCOMPARE(code("liver.seg.nrrd"), std::string("import_labels"));
+  QCOMPARE(code("scope.yaml"), std::string("set_calibration"));
+  QCOMPARE(code("film.mkv"), std::string("set_video"));
+  QCOMPARE(code("letter.pdf"), std::string());
+}
+
+}  // namespace glisson
+
+QTEST_APPLESS_MAIN(glisson::CaseOpeningTest)
+#include "case_opening_test.moc"
