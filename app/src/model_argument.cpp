@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model_argument.h"
 
+#include "glisson/core/files.h"
 #include "glisson/engine/case_io.h"
 #include "glisson/fem/materials.h"
 #include "glisson/geometry/mesh_io.h"
@@ -67,7 +68,7 @@ void write_deformed(const fs::path& path, const ModelArgument& argument, const S
 }
 
 Points read_true_nodes(const fs::path& path, LengthUnit unit) {
-  const std::string extension = path.extension().string();
+  const std::string extension = lower_extension(path);
   if (extension == ".xyz" || extension == ".txt") return read_node_list(path, unit);
   return is_tetrahedral(path) ? read_tet_mesh(path, unit).vertices : read_triangle_mesh(path, unit).vertices;
 }

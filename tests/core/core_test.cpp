@@ -56,6 +56,7 @@ class CoreTest : public QObject {
   void KilledWriterLeavesTheOldOrTheNew();
   void TemporaryFolderGoesAway();
   void JsonErrorNamesLineAndColumn();
+  void NamesCompareWhateverTheirCase();
   void JsonSurvivesTheFile();
   void FiguresThatAreNotFiniteAreNullAndCountsAreWhole();
 };
@@ -280,6 +281,14 @@ void CoreTest::JsonErrorNamesLineAndColumn() {
   const std::string message = test::complaint<Error>([&] { read_json(folder.path() / "x.json"); });
   QVERIFY(message.find("line 3, column 7") != std::string::npos);
   QVERIFY_EXCEPTION_THROWN(read_json(folder.path() / "absent.json"), FileError);
+}
+
+void CoreTest::NamesCompareWhateverTheirCase() {
+  QCOMPARE(lower_case("Portal Vein \xC3\x84-7"),
+           std::string("portal vein \xC3\x84-7"));  // ASCII letters only
+  QCOMPARE(lower_name("/Data/CT.NII.GZ"), std::string("ct.nii.gz"));
+  QCOMPARE(lower_extension("/Data.Old/Liver.STL"), std::string(".stl"));
+  QCOMPARE(lower_extension("/Data.Old/liver"), std::string());
 }
 
 void CoreTest::JsonSurvivesTheFile() {

@@ -39,6 +39,15 @@ fs::path folder_of(const fs::path& path) {
 
 }  // namespace
 
+std::string lower_case(std::string text) {
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
+}
+
+std::string lower_name(const fs::path& path) { return lower_case(path.filename().string()); }
+std::string lower_extension(const fs::path& path) { return lower_case(path.extension().string()); }
+
 std::string read_file(const fs::path& path) {
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) throw FileError(path.string() + ": is a folder. Name a file in it.");

@@ -2,7 +2,6 @@
 #include "glisson/geometry/mesh_io.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdio>
 
 #include "glisson/core/error.h"
@@ -17,18 +16,12 @@ namespace {
 
 constexpr double kSmallestLiver = 0.08, kLargestLiver = 0.6;  // metres, diagonal of the box
 
-std::string extension_of(const fs::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
-}
-
 bool is_vtk_format(const std::string& extension) {
   return extension == ".vtk" || extension == ".vtu" || extension == ".vtp";
 }
 
 formats::MixedFile read_vtk(const fs::path& path) {
-  return extension_of(path) == ".vtk" ? formats::read_legacy_vtk(path) : formats::read_xml_vtk(path);
+  return lower_extension(path) == ".vtk" ? formats::read_legacy_vtk(path) : formats::read_xml_vtk(path);
 }
 
 void require_finite(const Points& vertices, const std::string& name) {
@@ -65,7 +58,7 @@ const char* unit_code(LengthUnit unit) {
 }
 
 bool is_tetrahedral(const fs::path& path) {
-  const std::string extension = extension_of(path);
+  const std::string extension = lower_extension(path);
   if (extension == ".msh") return formats::read_msh(path).mesh.tetrahedron_count() > 0;
   if (is_vtk_format(extension)) return read_vtk(path).tets.mesh.tetrahedron_count() > 0;
   if (extension == ".stl" || extension == ".obj" || extension == ".ply") {
@@ -77,7 +70,7 @@ bool is_tetrahedral(const fs::path& path) {
 }
 
 TetFile read_tet_file(const fs::path& path, LengthUnit unit) {
-  const std::string extension = extension_of(path), name = path.string();
+  const std::string extension = lower_extension(path), name = path.string();
   TetFile file;
   if (extension == ".msh") {
     file = formats::read_msh(path);
@@ -97,7 +90,7 @@ TetFile read_tet_file(const fs::path& path, LengthUnit unit) {
 TetMesh read_tet_mesh(const fs::path& path, LengthUnit unit) { return read_tet_file(path, unit).mesh; }
 
 void write_tet_mesh(const fs::path& path, const TetFile& file, LengthUnit unit) {
-  const std::string extension = extension_of(path);
+  const std::string extension = lower_extension(path);
   if (extension != ".vtu" && extension != ".vtk")
     throw InputError(path.string(), "", "a tetrahedral mesh is not written as \"" + extension + "\"",
                      "Name the file .vtu or .vtk");
@@ -114,7 +107,7 @@ void write_tet_mesh(const fs::path& path, const TetMesh& mesh, LengthUnit unit) 
 }
 
 TriangleFile read_triangle_file(const fs::path& path, LengthUnit unit) {
-  const std::string extension = extension_of(path), name = path.string();
+  const std::string extension = lower_extension(path), name = path.string();
   TriangleFile file;
   if (extension == ".stl") {
     file.mesh = formats::read_stl(path);
@@ -140,7 +133,7 @@ TriangleMesh read_triangle_mesh(const fs::path& path, LengthUnit unit) {
 }
 
 void write_triangle_mesh(const fs::path& path, const TriangleFile& file, LengthUnit unit) {
-  const std::string extension = extension_of(path);
+  const std::string extension = lower_extension(path);
   require(file.mesh.vertices.allFinite(), "a surface to be written has finite coordinates");
   require_same_rows(file.point_data, file.mesh.vertices.rows());
   require_same_rows(file.cell_data, file.mesh.triangles.rows());

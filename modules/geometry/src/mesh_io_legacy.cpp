@@ -252,8 +252,7 @@ class LegacyParser {
         {"vtktypeuint64", {Kind::unsigned_integer, 8}},
         {"float", {Kind::real, 4}},
         {"double", {Kind::real, 8}}};
-    std::string lower(name);
-    for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    const std::string lower = lower_case(std::string(name));
     for (const auto& [known, type] : kTypes)
       if (lower == known) return type;
     scan_.fail("unknown number type \"" + std::string(name.substr(0, 40)) + "\"");

@@ -53,10 +53,7 @@ class Complaints {
   throw InputError(path.string(), field, problem, "Export the mesh anew");
 }
 
-bool is_legacy(const fs::path& path) {
-  const std::string extension = path.extension().string();
-  return extension == ".vtk" || extension == ".VTK";
-}
+bool is_legacy(const fs::path& path) { return lower_extension(path) == ".vtk"; }
 
 template <class Reader>
 vtkSmartPointer<vtkPointSet> read_xml(const fs::path& path, const std::string& content) {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "anatomy.h"
 #include "glisson/core/error.h"
+#include "glisson/core/files.h"
 #include "glisson/core/json_file.h"
 #include "glisson/geometry/mesh_io.h"
 #include "glisson/geometry/topology.h"
@@ -30,9 +30,9 @@ struct Meaning {
 };
 
 std::optional<Meaning> meaning_of(std::string stem) {
-  std::transform(stem.begin(), stem.end(), stem.begin(), [](unsigned char c) {
-    return c == '-' || c == ' ' ? '_' : static_cast<char>(std::tolower(c));
-  });
+  stem = lower_case(std::move(stem));
+  std::replace_if(
+      stem.begin(), stem.end(), [](char c) { return c == '-' || c == ' '; }, '_');
   static const std::map<std::string, Meaning> kMeanings = {
       {"liver", {Role::liver, structure::kParenchyma}},
       {"portal_vein", {Role::vessel, structure::kPortalVein}},
@@ -57,21 +57,15 @@ std::optional<Meaning> meaning_of(std::string stem) {
   return found->second;
 }
 
-std::string extension_of(const fs::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
-}
-
 /// One file a structure: where a folder has several formats of it, the first of kExtensions.
 std::map<std::string, fs::path> files_in(const fs::path& folder, std::vector<std::string>& notes) {
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(folder))
     if (entry.is_regular_file() &&
-        std::find(kExtensions.begin(), kExtensions.end(), extension_of(entry.path())) != kExtensions.end())
+        std::find(kExtensions.begin(), kExtensions.end(), lower_extension(entry.path())) != kExtensions.end())
       files.push_back(entry.path());
   const auto rank = [](const fs::path& path) {
-    return std::find(kExtensions.begin(), kExtensions.end(), extension_of(path)) - kExtensions.begin();
+    return std::find(kExtensions.begin(), kExtensions.end(), lower_extension(path)) - kExtensions.begin();
   };
   std::sort(files.begin(), files.end(), [&](const fs::path& a, const fs::path& b) {
     return std::pair(a.stem(), rank(a)) < std::pair(b.stem(), rank(b));
@@ -248,7 +242,7 @@ SurfaceSet read_surfaces(const fs::path& path, LengthUnit unit) {
     for (const auto& [stem, file] : files_in(path, notes)) sources.push_back({file, *meaning_of(stem), unit});
     return read_sources(std::move(sources), path, std::move(notes));
   }
-  if (extension_of(path) == ".json") return read_sources(sources_in_list(path, unit), path, {});
+  if (lower_extension(path) == ".json") return read_sources(sources_in_list(path, unit), path, {});
   return read_sources({{path, {Role::liver, structure::kParenchyma}, unit}}, path, {});
 }
 

@@ -22,12 +22,6 @@ constexpr const char* kShape =
     "right, "
     "and calib.l2r.txt (4x4)";
 
-std::string lower_name(const fs::path& path) {
-  std::string name = path.filename().string();
-  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return name;
-}
-
 bool has(const std::string& name, const char* word) { return name.find(word) != std::string::npos; }
 
 std::vector<double> numbers(const fs::path& path) {

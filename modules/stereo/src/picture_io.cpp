@@ -61,7 +61,7 @@ Picture read_picture(const std::filesystem::path& path) {
 }
 
 void write_picture(const std::filesystem::path& path, const Picture& picture) {
-  const std::string extension = path.extension().string();
+  const std::string extension = lower_extension(path);
   if (extension != ".png" && extension != ".jpg" && extension != ".jpeg" && extension != ".bmp")
     throw InputError(path.string(), "", "has no extension of a picture", "Use .png, .jpg or .bmp");
   std::vector<std::uint8_t> bytes;

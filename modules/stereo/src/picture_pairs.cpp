@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "glisson/core/error.h"
+#include "glisson/core/files.h"
 #include "glisson/stereo/side.h"
 
 namespace glisson::stereo {
@@ -17,11 +18,6 @@ constexpr const char* kNames =
     "Name them so that only the side differs, as left-001.png and right-001.png, or put them into folders "
     "left "
     "and right";
-
-std::string lower(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
 
 bool digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -48,7 +44,7 @@ bool before(const std::string& a, const std::string& b) {
 }
 
 bool is_picture(const fs::path& path) {
-  const std::string extension = lower(path.extension().string());
+  const std::string extension = lower_extension(path);
   for (const char* known : {".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff"})
     if (extension == known) return true;
   return false;
@@ -112,7 +108,7 @@ struct Named {
   std::string rest;
 };
 Named named(const fs::path& file) {
-  const std::string stem = lower(file.stem().string());
+  const std::string stem = lower_case(file.stem().string());
   for (const auto& [word, side] : {std::pair<std::string, Side>{"left", Side::left}, {"right", Side::right}})
     if (const std::size_t at = stem.rfind(word); at != std::string::npos)
       return {side, stem.substr(0, at) + stem.substr(at + word.size())};

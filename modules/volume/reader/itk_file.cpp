@@ -7,24 +7,20 @@
 #include <limits>
 
 #include "glisson/core/error.h"
+#include "glisson/core/files.h"
 #include "itk_buffer.h"
 #include "raw_volume.h"
 
 namespace glisson::reader {
 namespace {
 
-bool ends_with(const std::string& text, const std::string& end) {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
 enum class Format { nifti, nrrd, meta };
 
 Format format_of(const Request& request) {
-  std::string name = request.path.filename().string();
-  for (char& letter : name) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  if (ends_with(name, ".nii") || ends_with(name, ".nii.gz")) return Format::nifti;
-  if (ends_with(name, ".nrrd") || ends_with(name, ".nhdr")) return Format::nrrd;
-  if (ends_with(name, ".mha") || ends_with(name, ".mhd")) return Format::meta;
+  const std::string name = lower_name(request.path);
+  if (name.ends_with(".nii") || name.ends_with(".nii.gz")) return Format::nifti;
+  if (name.ends_with(".nrrd") || name.ends_with(".nhdr")) return Format::nrrd;
+  if (name.ends_with(".mha") || name.ends_with(".mhd")) return Format::meta;
   throw InputError(request.name, "", "has an extension that is not known",
                    "Give a folder of DICOM slices, .tar.gz, .nii, .nii.gz, .nrrd, .nhdr, .mha, .mhd or .vti");
 }
@@ -44,7 +40,7 @@ itk::ImageIOBase::Pointer io_for(Format format) {
 /// The NIfTI library takes the voxels of a.nii for those of a.nii.gz when both lie in one folder: give it a
 /// folder with nothing else.
 std::filesystem::path alone(const Request& request) {
-  const bool packed = ends_with(request.path.string(), "z") || ends_with(request.path.string(), "Z");
+  const bool packed = lower_name(request.path).ends_with("z");
   const std::filesystem::path link = request.scratch / (packed ? "input.nii.gz" : "input.nii");
   std::filesystem::create_symlink(std::filesystem::absolute(request.path), link);
   return link;

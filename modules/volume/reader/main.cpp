@@ -19,6 +19,7 @@
 #include <nlohmann/json.hpp>
 
 #include "glisson/core/error.h"
+#include "glisson/core/files.h"
 #include "raw_volume.h"
 
 namespace {
@@ -48,9 +49,7 @@ RawVolume read_any(const Request& request) {
   if (!request.series.empty())
     throw InputError(request.name, "series", "cannot be chosen in a file that holds one volume",
                      "Leave the series out, or name the folder that holds the DICOM slices");
-  std::string extension = request.path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  const std::string extension = lower_extension(request.path);
   if (extension == ".vti") return reader::read_vti_file(request);
   if (extension == ".dcm" || extension == ".ima")
     throw InputError(request.name, "", "is a single DICOM slice", "Name the folder that holds the series");

@@ -21,11 +21,6 @@ namespace {
 constexpr int kRefused = 3;  // reader/main.cpp
 constexpr const char* kProgram = "glisson-read-volume";
 
-bool ends_with(std::string text, const std::string& end) {
-  for (char& letter : text) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
 /// The program that parses: named by GLISSON_READ_VOLUME, beside the running program, or where it was built.
 fs::path reader_program() {
   std::vector<fs::path> places;
@@ -115,8 +110,8 @@ void require_exists(const fs::path& path) {
 }
 
 bool is_archive(const fs::path& path) {
-  const std::string name = path.filename().string();
-  return ends_with(name, ".tar.gz") || ends_with(name, ".tgz") || ends_with(name, ".tar");
+  const std::string name = lower_name(path);
+  return name.ends_with(".tar.gz") || name.ends_with(".tgz") || name.ends_with(".tar");
 }
 
 /// Unpacks into `folder`. False when cancelled.

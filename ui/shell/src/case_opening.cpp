@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/shell/case_opening.h"
+#include "glisson/core/files.h"
 
 #include <algorithm>
 #include <array>
@@ -9,12 +10,6 @@ namespace glisson::ui {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string lower_name(const fs::path& path) {
-  std::string name = path.filename().string();
-  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
-  return name;
-}
 
 bool ends_with_any(const std::string& name, std::initializer_list<const char*> endings) {
   return std::any_of(endings.begin(), endings.end(),

@@ -7,6 +7,12 @@
 
 namespace glisson {
 
+/// ASCII letters in lower case; the rest as it is, whatever the locale.
+std::string lower_case(std::string text);
+/// A file's name and its extension (with the dot) in lower case: "CT.NII.GZ" is the file "ct.nii.gz" is.
+std::string lower_name(const std::filesystem::path& path);
+std::string lower_extension(const std::filesystem::path& path);
+
 /// Reads a whole file. @throws FileError naming the path when it is missing or unreadable.
 std::string read_file(const std::filesystem::path& path);
 
