@@ -7,9 +7,9 @@ namespace glisson::engine {
 namespace {
 
 Cancellable<Applied> apply_one(const CaseState&, const OpenCase& command, const RunContext& context) {
-  auto opened = open_case(command.path, context);
-  if (!opened) return {};
   Applied applied;
+  auto opened = open_case(command.path, context, &applied.notes);
+  if (!opened) return {};
   applied.state = std::move(*opened);
   applied.keeps_stamps = true;
   return applied;

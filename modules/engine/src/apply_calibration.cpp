@@ -35,7 +35,8 @@ Cancellable<Applied> apply_one(const CaseState& state, const CalibrateRig& comma
                                            : stereo::picture_pairs(command.left, command.right).pairs;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     if (context.cancelled()) return {};
-    context.progress(kFindShare * static_cast<double>(i) / static_cast<double>(pairs.size()), "calibrate.find_board");
+    context.progress(kFindShare * static_cast<double>(i) / static_cast<double>(pairs.size()),
+                     "calibrate.find_board");
     views.add(pairs[i].name, stereo::read_picture(pairs[i].left), stereo::read_picture(pairs[i].right));
   }
   views.require(kFewestViews);

@@ -215,7 +215,8 @@ Cancellable<Applied> apply_one(const CaseState& state, const Reconstruct& comman
                     *whole,
                     part.area_cm2,
                     part.density_per_cm2,
-                    stereo::density_map(part.cloud, state.rig->left, state.frame->mask, regions)};
+                    stereo::density_map(part.cloud, state.rig->left, state.frame->mask, regions),
+                    stereo::frame_identity(state.frame->frame.left, state.frame->frame.right)};
   if (!labels) {
     points.area_cm2 = (*whole)->report.area_cm2;
     points.density_per_cm2 = (*whole)->report.density_per_cm2;

@@ -12,13 +12,13 @@
 #include <system_error>
 
 #include "case_files.h"
+#include "case_stereo.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/core/json_file.h"
 #include "glisson/geometry/mesh_io.h"
 #include "glisson/model/tree_edits.h"
 #include "glisson/stereo/calibration_io.h"
-#include "glisson/stereo/picture_io.h"
 
 namespace glisson::engine {
 namespace fs = std::filesystem;
@@ -94,25 +94,7 @@ model::BuiltModel read_model(const fs::path& folder, const json& entry) {
   return built;
 }
 
-// ---- pictures and registration ----
-
-json write_frame(const fs::path& folder, const StereoInput& input) {
-  fs::create_directory(folder / "frame");
-  stereo::write_picture(folder / "frame/left.png", input.frame.left);
-  stereo::write_picture(folder / "frame/right.png", input.frame.right);
-  if (!input.mask.empty()) stereo::write_picture(folder / "frame/mask.png", input.mask);
-  return {{"index", input.frame.index}, {"seconds", input.frame.seconds}};
-}
-
-StereoInput read_frame(const fs::path& folder, const json& entry) {
-  StereoInput input;
-  input.frame.left = stereo::read_picture(folder / "frame/left.png");
-  input.frame.right = stereo::read_picture(folder / "frame/right.png");
-  if (fs::exists(folder / "frame/mask.png")) input.mask = stereo::read_picture(folder / "frame/mask.png");
-  input.frame.index = entry.at("index");
-  input.frame.seconds = entry.at("seconds");
-  return input;
-}
+// ---- registration ----
 
 json registration_entry(const Registration& registration) {
   return {{"termination", static_cast<int>(registration.termination)},
@@ -193,8 +175,11 @@ std::optional<json> write_parts(const fs::path& folder, const fs::path& path, co
   write(Part::frame, [&] { return write_frame(folder, *state.frame); });
   const auto regions = [&] { stereo::write_regions(folder / "regions.json", *state.regions); };
   write(Part::regions, file(regions));
-  const auto cloud = [&] { write_cloud(folder / "cloud.ply", *state.cloud); };
-  write(Part::cloud, file(cloud));
+  write(Part::cloud, [&] {
+    write_cloud(folder / "cloud.ply", *state.cloud, kUnit);
+    if (state.points) write_points(folder, state, *state.points);
+    return json{{"has_points", state.points != nullptr}};
+  });
   // A registration is that of its model: without one there is nothing to write it on.
   if (state.model)
     write(Part::registration, [&] {
@@ -205,8 +190,21 @@ std::optional<json> write_parts(const fs::path& folder, const fs::path& path, co
   return json{{"format", kFormat}, {"version", kCaseFormatVersion}, {"parts", parts}};
 }
 
+/// Reads what can be made again. @return false when it could not be read and that was told to `lost`.
+bool or_lost(std::vector<std::string>* lost, const char* code, const std::function<void()>& read) {
+  try {
+    read();
+    return true;
+  } catch (const Error& failure) {
+    if (lost == nullptr) throw;
+    lost->push_back(std::string(code) + ' ' + failure.what());
+    return false;
+  }
+}
+
+/// @param lost see open_case.
 void read_part(CaseState& state, Part part, const json& entry, const fs::path& folder,
-               const RunContext& context) {
+               const RunContext& context, std::vector<std::string>* lost) {
   switch (part) {
     case Part::image: {
       auto image = read_image(folder / "image.nrrd", context);
@@ -267,7 +265,12 @@ void read_part(CaseState& state, Part part, const json& entry, const fs::path& f
       state.regions = std::make_shared<const stereo::Regions>(stereo::read_regions(folder / "regions.json"));
       break;
     case Part::cloud:
-      state.cloud = std::make_shared<const LabelledCloud>(read_cloud(folder / "cloud.ply", kUnit));
+      if (!or_lost(lost, "case.cloud_lost", [&] {
+            state.cloud = std::make_shared<const LabelledCloud>(read_cloud(folder / "cloud.ply", kUnit));
+          }))
+        break;
+      if (!entry.value("has_points", false)) break;  // imported, or of a case of before
+      or_lost(lost, "case.points_lost", [&] { state.points = read_points(folder, state); });
       break;
     case Part::registration: {
       if (!state.model)
@@ -324,7 +327,10 @@ void verify(const fs::path& folder, const CaseState& state) {
     same = close(read->model->model.mesh.vertices, state.model->model.mesh.vertices) &&
            read->model->model.mesh.tetrahedra == state.model->model.mesh.tetrahedra &&
            read->model->model.vessels.size() == state.model->model.vessels.size();
-  if (same && state.cloud) same = close(read->cloud->points, state.cloud->points);
+  if (same && state.cloud)
+    same = close(read->cloud->points, state.cloud->points) &&
+           (read->points != nullptr) == (state.points != nullptr) &&
+           (!state.points || same_points(*read->points, *state.points));
   if (same && state.registration && state.model)
     same = close(read->registration->nodes_in_camera, state.registration->nodes_in_camera);
   if (!same)
@@ -389,7 +395,8 @@ bool save_case(const fs::path& given, const CaseState& state, const RunContext& 
   return true;
 }
 
-Cancellable<CaseState> open_case(const fs::path& given, const RunContext& context) {
+Cancellable<CaseState> open_case(const fs::path& given, const RunContext& context,
+                                 std::vector<std::string>* lost) {
   fs::path path = fs::absolute(given).lexically_normal();
   if (!path.has_filename()) path = path.parent_path();
   if (!fs::exists(path) && fs::exists(former_name(path) / "case.json")) path = former_name(path);
@@ -415,7 +422,7 @@ Cancellable<CaseState> open_case(const fs::path& given, const RunContext& contex
       if (!document.at("parts").contains(code)) continue;
       context.progress(static_cast<double>(i) / kPartCount, "case.read");
       const json& entry = document["parts"][code];
-      read_part(state, part, entry, path, context);
+      read_part(state, part, entry, path, context, lost);
       if (context.cancelled()) return {};
       if (state.has(part)) state.stamp(part) = read_stamp(entry);
     }

@@ -11,6 +11,14 @@
 namespace glisson {
 namespace {
 
+/// The beginning of a word of the file, for an error's sentence: a binary one may hold anything.
+std::string shown(std::string_view word) {
+  std::string text(word.substr(0, 40));
+  for (char& letter : text)
+    if (letter < ' ' || letter > '~') letter = '?';
+  return text;
+}
+
 constexpr const char* kExport = "The file is damaged, or its exporter is: export it anew";
 
 enum class Type { i8, u8, i16, u16, i32, u32, f32, f64 };
@@ -75,7 +83,7 @@ class HeaderParser {
         if (header_.elements.empty()) fail("a property stands before any element");
         header_.properties.back().push_back(parse_property(words));
       } else if (!key.empty() && key != "comment" && key != "obj_info") {
-        fail("\"" + std::string(key.substr(0, 40)) + "\" is no entry of a PLY header");
+        fail("\"" + shown(key) + "\" is no entry of a PLY header");
       }
     }
     fail("the file ends before end_header");
@@ -94,7 +102,7 @@ class HeaderParser {
     else if (format == "binary_big_endian")
       header_.encoding = Encoding::big;
     else
-      fail("unknown format \"" + std::string(format.substr(0, 40)) + "\"");
+      fail("unknown format \"" + shown(format) + "\"");
   }
 
   void parse_element(TextScanner& words) {
@@ -115,8 +123,7 @@ class HeaderParser {
         fail("a list's count has no integer type");
       word = words.token();
     }
-    if (!parse_type(word, property.type))
-      fail("unknown property type \"" + std::string(word.substr(0, 40)) + "\"");
+    if (!parse_type(word, property.type)) fail("unknown property type \"" + shown(word) + "\"");
     property.name = words.token();
     if (property.name.empty()) fail("a property has no name");
     return property;
@@ -149,11 +156,10 @@ class Body {
     // A number too small for a double is as good as zero; one too large is none.
     const bool tiny = word.find("e-") != std::string_view::npos || word.find("E-") != std::string_view::npos;
     if (tiny && word.find_first_not_of("+-.0123456789eE") == std::string_view::npos) return 0.0;
-    throw InputError(name_, field,
-                     word.empty()
-                         ? "the file ends here"
-                         : "holds \"" + std::string(word.substr(0, 40)) + "\", which is not a number",
-                     kExport);
+    throw InputError(
+        name_, field,
+        word.empty() ? "the file ends here" : "holds \"" + shown(word) + "\", which is not a number",
+        kExport);
   }
 
   double read_binary(Type type, const std::string& field) {

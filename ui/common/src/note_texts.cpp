@@ -13,7 +13,8 @@ namespace {
 class Notes {
   Q_DECLARE_TR_FUNCTIONS(Notes)
  public:
-  /// Sentences by code; %1, %2, ... are the values that follow the code, in their order.
+  /// Sentences by code; %1, %2, ... are the values that follow the code, in their order; %* is all of them,
+  /// a sentence.
   static QHash<QString, QString> sentences() {
     return {
         {"liver.small", tr("The liver is smaller than 400 ml: check it in the slices.")},
@@ -70,7 +71,13 @@ class Notes {
         {"residual_large", tr("The model stays more than 5 mm from the points on average.")},
         {"inverted_elements", tr("Some elements of the mesh turned inside out.")},
         {"mechanics_failed", tr("The mechanical computation did not come to an end.")},
-        {"simulation_not_converged", tr("The simulation had not come to rest at its last step.")}};
+        {"simulation_not_converged", tr("The simulation had not come to rest at its last step.")},
+        {"case.cloud_lost",
+         tr("The case was opened without its cloud of points: reconstruct the surface or import the cloud "
+            "again. Saved now, the case loses what is left of it. (%*)")},
+        {"case.points_lost",
+         tr("The case was opened without the points of the whole stereo pair: reconstruct the surface again "
+            "before regions are changed. Saved now, the case loses what is left of them. (%*)")}};
   }
   static QString lesion_not_found(const QString& lesion) {
     return tr("%1 was not found at its seeds.").arg(lesion);
@@ -109,6 +116,10 @@ QString note_text(std::string_view note) {
   const auto sentences = Notes::sentences();
   if (const auto known = sentences.find(code); known != sentences.end()) {
     QString text = *known;
+    if (text.contains(QLatin1String("%*")))
+      return text.replace(
+          QLatin1String("%*"),
+          QString::fromUtf8(note.data(), static_cast<qsizetype>(note.size())).mid(code.size() + 1));
     for (qsizetype i = 1; i < tokens.size(); ++i)
       text.replace(QStringLiteral("%%1").arg(i), value_text(tokens[i]));
     return text;

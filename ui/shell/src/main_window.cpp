@@ -15,6 +15,7 @@
 #include <QStatusBar>
 
 #include "glisson/ui/atlas/atlas_panel.h"
+#include "glisson/ui/common/texts.h"
 #include "glisson/ui/guidance/guidance_panel.h"
 #include "glisson/ui/model/model_panel.h"
 #include "glisson/ui/segmentation/segmentation_panel.h"
@@ -239,6 +240,7 @@ void MainWindow::show_outcome(const engine::Outcome& outcome) {
     saved_revision_ = engine_.snapshot()->revision;
     setWindowModified(false);
     if (is_save && close_after_save_) close();
+    if (!outcome.notes.empty()) show_problem(notes_text(outcome.notes));
   }
   if (outcome.status != engine::Status::failed) return;
   if (is_save) close_after_save_ = false;

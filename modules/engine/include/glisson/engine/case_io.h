@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "glisson/core/run_context.h"
 #include "glisson/core/units.h"
@@ -19,9 +21,13 @@ inline constexpr int kCaseFormatVersion = 1;
 /// @throws FileError, InputError (the path does not end in .glisson, or is something else than a case).
 bool save_case(const std::filesystem::path& path, const CaseState& state, const RunContext& context);
 
-/// Reads a case, stamps included. @throws FileError missing; InputError not a case, newer format, a part that
-/// is malformed (named).
-Cancellable<CaseState> open_case(const std::filesystem::path& path, const RunContext& context);
+/// Reads a case, stamps included.
+/// @param lost a cloud, or the points of its stereo pair, that cannot be read can be made again: the case is
+///   opened without and what is wrong is told here ("case.cloud_lost SENTENCE", "case.points_lost SENTENCE");
+///   null: that is thrown too.
+/// @throws FileError missing; InputError not a case, newer format, a part that is malformed (named).
+Cancellable<CaseState> open_case(const std::filesystem::path& path, const RunContext& context,
+                                 std::vector<std::string>* lost = nullptr);
 
 /// Landmarks as JSON: {"frame": "LPS", "unit": "mm", "anterior_margin": [[x, y, z], ...], "umbilical_notch":
 /// ..., "vena_cava": ...}; absent ones may be left out. @throws InputError naming the field.

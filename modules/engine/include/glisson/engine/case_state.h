@@ -124,13 +124,14 @@ struct SimulatedOperations {
 
 /// The points of a whole stereo pair, and what they were made of: other regions need no others.
 struct PairPoints {
-  std::shared_ptr<const StereoInput> frame;
-  std::shared_ptr<const StereoRig> rig;
+  std::shared_ptr<const StereoInput> frame;  ///< null: one that a case of before knew
+  std::shared_ptr<const StereoRig> rig;      ///< the same
   stereo::ReconstructOptions options;
   std::shared_ptr<const stereo::Reconstructed> whole;  ///< made without regions
-  double area_cm2 = 0.0;         ///< of the surface that the cloud stands for: within the regions, if any
-  double density_per_cm2 = 0.0;  ///< of the cloud
-  stereo::DensityMap density;    ///< where in the left picture points are missing
+  double area_cm2 = 0.0;            ///< of the surface that the cloud stands for: within the regions, if any
+  double density_per_cm2 = 0.0;     ///< of the cloud
+  stereo::DensityMap density;       ///< where in the left picture points are missing
+  std::string frame_identity = {};  ///< stereo::frame_identity of the pair
 };
 
 /// Everything that is known of one patient. Each part is immutable and shared, so that a copy is cheap;
@@ -155,7 +156,7 @@ struct CaseState {
   /// Come with the labels: their steps, and their figures on the image.
   std::shared_ptr<const segmentation::History> history;
   std::shared_ptr<const segmentation::LabelStatistics> statistics;
-  std::shared_ptr<const PairPoints> points;  ///< comes with a reconstructed cloud; not in the files
+  std::shared_ptr<const PairPoints> points;               ///< comes with a reconstructed cloud
   std::shared_ptr<const SimulatedOperations> operations;  ///< comes with a registration; not in the files
   std::array<Stamp, kPartCount> stamps;
 
