@@ -1,43 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Edits a segmentation by mouse and keyboard, like a person at the window: the engine, the segmentation and
-// the tools are the real ones, the CT is a small synthetic one.
-#include <QAction>
-#include <QApplication>
+// Edits a segmentation by mouse and keyboard, like a person at the window: what tools do in the views.
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QListWidget>
-#include <QMenu>
-#include <QPushButton>
-#include <QScrollArea>
-#include <QScrollBar>
-#include <QSlider>
 #include <QToolButton>
-#include <QTranslator>
-#include <QtTest>
 
-#include "glisson/core/files.h"
-#include "glisson/ui/common/task_button.h"
-#include "glisson/ui/segmentation/label_table.h"
-#include "glisson/ui/segmentation/segmentation_panel.h"
-#include "glisson/ui/shell/main_window.h"
-#include "glisson/volume/io.h"
-#include "run_in_window.h"
+#include "segmentation_window.h"
 
 namespace glisson {
 
-using engine::Part;
-using engine::StageState;
 using scene::Plane;
 using ui::EditTool;
 using ui::MainWindow;
 
-class SegmentationEditTest : public QObject {
+class SegmentationEditTest : public QObject, private SegmentationWindow {
   Q_OBJECT
  private slots:
-  void initTestCase();
-  void init();
-  void cleanup();
+  void initTestCase() { make_ct(); }
+  void init() { show_window(); }
+  void cleanup() { window_.reset(); }
   void StrokeIsOneStepThatIsUndoneAndRedone();
   void CtrlErasesAndEraseTakesOnlyTheChosenLabel();
   void BrushShowsItsTrueSizeInAllSlices();
@@ -47,138 +29,11 @@ class SegmentationEditTest : public QObject {
   void ThresholdIsPreviewedThenApplied();
   void CancelledPreviewChangesNothing();
   void EnterKeepsTheLargestIsland();
-  void LockedLabelIsNotTouched();
-  void HiddenLabelLeavesTheViews();
   void PaintingWithinIntensitiesSparesTheRest();
-  void KeysChooseToolsAndEscLetsGo();
-  void UndoWorksWhileANumberHasTheKeyboard();
-  void ApprovalIsTakenBackByAnEdit();
   void SurfacesFollowTheEdit();
   void TouchingTreesAreListedAndGoneTo();
   void MouseMeansWhatItMeantBesideTheTool();
-  void EditPanelFitsItsColumnInEveryLanguage_data();
-  void EditPanelFitsItsColumnInEveryLanguage();
-  void WholePathByHandIsSavedWithItsHistory();
-
- private:
-  void show_window() {
-    window_ = std::make_unique<MainWindow>();
-    window_->resize(1280, 800);
-    window_->show();
-    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
-    QApplication::setActiveWindow(window_.get());  // keys go to it though no window manager says so
-  }
-  bool settle() {
-    return QTest::qWaitFor([this] { return window_->engine().tasks().empty(); }, 60000);
-  }
-  template <class Widget = QWidget>
-  Widget* find(const char* name) {
-    return panel().findChild<Widget*>(QString::fromLatin1(name));
-  }
-  ui::SegmentationPanel& panel() { return *window_->findChild<ui::SegmentationPanel*>(); }
-  ui::EditSession& session() { return panel().session(); }
-  ui::SliceView& slice(Plane plane) { return window_->views().slice(plane); }
-  ui::LabelTable& table() { return *find<ui::LabelTable>("label_table"); }
-  const LabelVolume& labels() { return window_->engine().state().labels->voxels; }
-  long count(Label label) {
-    const auto all = labels().histogram();
-    return label < all.size() ? all[label] : 0;
-  }
-  Label at(const Eigen::Vector3d& p) {
-    return labels().at(labels().grid().index_of(Point<CtFrame>(p)).array().round().cast<int>().matrix());
-  }
-  void press(const char* name) {
-    auto* widget = find<QWidget>(name);
-    QVERIFY2(widget != nullptr && widget->isEnabled(), name);
-    QTest::mouseClick(widget, Qt::LeftButton);
-  }
-  /// As a hand: pressed at the first place, moved over the others, let go at the last.
-  void drag(QWidget& view, const std::vector<QPoint>& way, Qt::KeyboardModifiers keys = {}) {
-    QTest::mousePress(&view, Qt::LeftButton, keys, way.front());
-    for (const QPoint& place : way) {
-      QMouseEvent move(QEvent::MouseMove, QPointF(place), view.mapToGlobal(QPointF(place)), Qt::NoButton,
-                       Qt::LeftButton, keys);
-      QCoreApplication::sendEvent(&view, &move);
-    }
-    QTest::mouseRelease(&view, Qt::LeftButton, keys, way.back());
-  }
-  void drag(ui::SliceView& view, const std::vector<Eigen::Vector3d>& way, Qt::KeyboardModifiers keys = {}) {
-    std::vector<QPoint> pixels;
-    for (const Eigen::Vector3d& p : way) pixels.push_back(view.widget_point(Point<CtFrame>(p)).toPoint());
-    drag(static_cast<QWidget&>(view), pixels, keys);
-  }
-  void choose(Label label) {
-    QTreeWidgetItem* row = table().row_of(label);
-    QVERIFY(row != nullptr);
-    click_mark(label, ui::LabelTable::name);
-    QCOMPARE(session().settings().label, label);
-  }
-  void click_mark(Label label, int column) {
-    QTreeWidgetItem* row = table().row_of(label);
-    QRect cell = table().visualItemRect(row);
-    cell.setLeft(table().columnViewportPosition(column));
-    cell.setWidth(table().columnWidth(column));
-    QTest::mouseClick(table().viewport(), Qt::LeftButton, {}, cell.center());
-  }
-  void open_ct() {
-    window_->open(folder_->path() / "ct.nrrd");
-    QVERIFY(settle());
-    QVERIFY(window_->engine().state().image != nullptr);
-    window_->views().slice(Plane::axial);
-    QTest::mouseClick(&slice(Plane::axial), Qt::LeftButton, {},
-                      slice(Plane::axial).widget_point(Point<CtFrame>(0.001, 0.001, 0.0)).toPoint());
-  }
-  /// The CT with the labels that it was made of, and the tools in sight.
-  void open_labels() {
-    open_ct();
-    window_->engine().post(engine::ImportLabels{folder_->path() / "labels.seg.nrrd", {}});
-    QVERIFY(settle());
-    QVERIFY(window_->engine().state().labels != nullptr);
-    press("mode_edit");
-  }
-
-  std::unique_ptr<TemporaryFolder> folder_;
-  std::unique_ptr<MainWindow> window_;
-  Image ct_;
 };
-
-void SegmentationEditTest::initTestCase() {
-  folder_ = std::make_unique<TemporaryFolder>();
-  ct_.grid.size = {84, 66, 44};
-  ct_.grid.spacing_mm = {2.0, 2.0, 2.0};
-  ct_.grid.origin_mm = {-83.0, -65.0, -43.0};
-  auto voxels = std::make_shared<std::vector<std::int16_t>>(static_cast<std::size_t>(ct_.grid.voxel_count()));
-  LabelMap map;
-  map.voxels = LabelVolume(ct_.grid);
-  for (int k = 0; k < ct_.grid.size.z(); ++k)
-    for (int j = 0; j < ct_.grid.size.y(); ++j)
-      for (int i = 0; i < ct_.grid.size.x(); ++i) {
-        const Eigen::Vector3d p = ct_.grid.p_in_ct({double(i), double(j), double(k)}).xyz;
-        const bool liver = p.cwiseQuotient(Eigen::Vector3d(0.065, 0.045, 0.032)).norm() < 1.0;
-        const bool lesion = (p - Eigen::Vector3d(0.03, 0.0, 0.0)).norm() < 8e-3;
-        const bool portal = std::hypot(p.y() + 0.015, p.z()) < 4e-3 && std::abs(p.x()) < 0.04;
-        const bool neighbour = (p - Eigen::Vector3d(-0.06, 0.05, 0.0)).norm() < 8e-3;
-        (*voxels)[static_cast<std::size_t>(ct_.grid.offset({i, j, k}))] =
-            static_cast<std::int16_t>((lesion               ? 60
-                                       : liver && portal    ? 170
-                                       : liver || neighbour ? 110
-                                                            : -80) +
-                                      (i * 7 + j * 5 + k * 3) % 5);
-        if (liver)
-          map.voxels.set({i, j, k}, lesion   ? structure::kFirstLesion
-                                    : portal ? structure::kPortalVein
-                                             : structure::kParenchyma);
-      }
-  ct_.voxels = voxels;
-  for (const Label label : {structure::kParenchyma, structure::kPortalVein, structure::kFirstLesion})
-    map.infos.push_back(structure_info(label));
-  write_image(folder_->path() / "ct.nrrd", ct_);
-  write_labels(folder_->path() / "labels.seg.nrrd", map.voxels, map.infos);
-}
-
-void SegmentationEditTest::init() { show_window(); }
-
-void SegmentationEditTest::cleanup() { window_.reset(); }
 
 void SegmentationEditTest::StrokeIsOneStepThatIsUndoneAndRedone() {
   open_labels();
@@ -362,33 +217,6 @@ void SegmentationEditTest::EnterKeepsTheLargestIsland() {
   QCOMPARE(at({0, -0.015, 0}), structure::kPortalVein);
 }
 
-void SegmentationEditTest::LockedLabelIsNotTouched() {
-  open_labels();
-  click_mark(structure::kFirstLesion, ui::LabelTable::locked);
-  const long lesion = count(structure::kFirstLesion);
-  choose(structure::kPortalVein);
-  press("tool_paint");
-  drag(slice(Plane::axial), {{0.01, 0, 0}, {0.05, 0, 0}});
-  QVERIFY(settle());
-  QCOMPARE(count(structure::kFirstLesion), lesion);
-  QCOMPARE(at({0.012, 0, 0}), structure::kPortalVein);
-  const LabelVolume before = labels();
-  choose(structure::kFirstLesion);
-  drag(slice(Plane::axial), {{0.0, 0.02, 0}, {0.01, 0.02, 0}});
-  QVERIFY(settle());
-  QVERIFY(labels() == before);
-  QVERIFY(find<QLabel>("edit_outcome")->text().contains(QStringLiteral("locked")));
-}
-
-void SegmentationEditTest::HiddenLabelLeavesTheViews() {
-  open_labels();
-  const Picture before = slice(Plane::axial).slice();
-  click_mark(structure::kParenchyma, ui::LabelTable::shown);
-  QVERIFY(*slice(Plane::axial).slice().bytes != *before.bytes);
-  click_mark(structure::kParenchyma, ui::LabelTable::shown);
-  QVERIFY(*slice(Plane::axial).slice().bytes == *before.bytes);
-}
-
 void SegmentationEditTest::PaintingWithinIntensitiesSparesTheRest() {
   open_labels();
   choose(structure::kHepaticVeins);
@@ -404,61 +232,6 @@ void SegmentationEditTest::PaintingWithinIntensitiesSparesTheRest() {
     for (int j = 0; j < ct_.grid.size.y(); ++j)
       for (int i = 0; i < ct_.grid.size.x(); ++i)
         if (labels().at({i, j, k}) == structure::kHepaticVeins) QVERIFY(ct_.at({i, j, k}) >= 150);
-}
-
-void SegmentationEditTest::KeysChooseToolsAndEscLetsGo() {
-  open_labels();
-  press("mode_seeds");
-  QVERIFY(!find<QToolButton>("tool_paint")->isVisible());
-  for (const EditTool tool : ui::kEditTools) {
-    QTest::keyClick(window_.get(), static_cast<Qt::Key>(ui::tool_key(tool)));
-    QCOMPARE(session().tool(), tool);
-    QVERIFY(find<QToolButton>(("tool_" + ui::tool_code(tool)).c_str())->isChecked());
-  }
-  QVERIFY(find<QToolButton>("tool_paint")->isVisible());  // the tools came into sight
-  for (int i = 0; i < 3 && session().tool() != EditTool::none; ++i)
-    QTest::keyClick(window_.get(), Qt::Key_Escape);
-  QCOMPARE(session().tool(), EditTool::none);
-  QVERIFY(settle());
-  // Seeds and tools share the mouse: one lets go when the other is taken.
-  QTest::keyClick(window_.get(), Qt::Key_P);
-  press("mode_seeds");
-  press("seed_portal_vein");
-  QCOMPARE(session().tool(), EditTool::none);
-  const LabelVolume before = labels();
-  QTest::mouseClick(&slice(Plane::axial), Qt::LeftButton, {}, slice(Plane::axial).rect().center());
-  QVERIFY(settle());
-  QVERIFY(labels() == before);
-  QCOMPARE(window_->engine().state().seeds->portal_vein.rows(), 1);
-}
-
-void SegmentationEditTest::UndoWorksWhileANumberHasTheKeyboard() {
-  open_labels();
-  const LabelVolume before = labels();
-  choose(structure::kHepaticVeins);
-  press("tool_paint");
-  drag(slice(Plane::axial), {{-0.03, 0.01, 0}, {0.01, 0.01, 0}});
-  QVERIFY(settle());
-  auto* number = find<QDoubleSpinBox>("brush_diameter");
-  number->setFocus();
-  QTest::keyClicks(number, QStringLiteral("7"));
-  QTest::keyClick(number, Qt::Key_Z, Qt::ControlModifier);
-  QVERIFY(settle());
-  QVERIFY(labels() == before);
-}
-
-void SegmentationEditTest::ApprovalIsTakenBackByAnEdit() {
-  open_labels();
-  choose(structure::kPortalVein);
-  press("approve_label");
-  QVERIFY(settle());
-  QCOMPARE(window_->engine().state().review->at(structure::kPortalVein), ReviewState::approved);
-  QVERIFY(!find<QPushButton>("approve_label")->isEnabled());
-  press("tool_paint");
-  drag(slice(Plane::axial), {{-0.02, 0.02, 0}, {0.0, 0.02, 0}});
-  QVERIFY(settle());
-  QCOMPARE(window_->engine().state().review->at(structure::kPortalVein), ReviewState::to_review);
-  QVERIFY(find<QPushButton>("approve_label")->isEnabled());
 }
 
 void SegmentationEditTest::SurfacesFollowTheEdit() {
@@ -527,87 +300,6 @@ void SegmentationEditTest::MouseMeansWhatItMeantBesideTheTool() {
   QVERIFY(axial.widget_point(Point<CtFrame>()) != place);
   QVERIFY(settle());
   QVERIFY(labels() == before);
-}
-
-void SegmentationEditTest::EditPanelFitsItsColumnInEveryLanguage_data() {
-  QTest::addColumn<QString>("language");
-  for (const char* language : {"en", "de", "fr"}) QTest::newRow(language) << QString::fromLatin1(language);
-}
-
-void SegmentationEditTest::EditPanelFitsItsColumnInEveryLanguage() {
-  QFETCH(QString, language);
-  QTranslator translator;
-  if (language != QStringLiteral("en")) {
-    QVERIFY(translator.load(QStringLiteral(":/glisson/translations/glisson_") + language));
-    QCoreApplication::installTranslator(&translator);
-  }
-  show_window();
-  open_labels();
-  auto* column = qobject_cast<QScrollArea*>(panel().parentWidget()->parentWidget());
-  QVERIFY(column != nullptr);
-  const int room = column->width() - column->verticalScrollBar()->sizeHint().width();
-  for (const EditTool tool : ui::kEditTools) {
-    session().set_tool(tool);
-    QCoreApplication::processEvents();
-    const QByteArray what = QStringLiteral("%1 needs %2 of %3 pixels")
-                                .arg(QString::fromStdString(ui::tool_code(tool)))
-                                .arg(panel().minimumSizeHint().width())
-                                .arg(room)
-                                .toUtf8();
-    QVERIFY2(panel().minimumSizeHint().width() <= room, what.constData());
-  }
-  session().cancel();
-  QVERIFY(settle());
-  QCOMPARE(window_->size(), QSize(1280, 800));
-  QCoreApplication::removeTranslator(&translator);
-}
-
-void SegmentationEditTest::WholePathByHandIsSavedWithItsHistory() {
-  open_ct();
-  press("seed_parenchyma");
-  for (const Eigen::Vector3d& p : {Eigen::Vector3d(-0.03, 0.01, 0), {0.0, 0.02, 0}, {0.045, -0.01, 0}})
-    QTest::mouseClick(&slice(Plane::axial), Qt::LeftButton, {},
-                      slice(Plane::axial).widget_point(Point<CtFrame>(p)).toPoint());
-  press("seed_portal_vein");
-  for (const double x : {-0.03, 0.02})
-    QTest::mouseClick(&slice(Plane::axial), Qt::LeftButton, {},
-                      slice(Plane::axial).widget_point(Point<CtFrame>(x, -0.015, 0)).toPoint());
-  QVERIFY(settle());
-  QTest::mouseClick(window_->findChild<ui::TaskButton*>(QStringLiteral("segment"))->button(), Qt::LeftButton);
-  QVERIFY(settle());
-  QVERIFY2(window_->engine().state().labels != nullptr, qPrintable(window_->status_text()));
-  QCOMPARE(at({0.0, 0.02, 0}), structure::kParenchyma);
-  const LabelVolume grown = labels();
-
-  press("mode_edit");
-  choose(structure::kFirstLesion);
-  QTest::keyClick(window_.get(), Qt::Key_P);
-  drag(slice(Plane::axial), {{0.026, 0, 0}, {0.034, 0, 0}});
-  QVERIFY(settle());
-  QCOMPARE(at({0.03, 0, 0}), structure::kFirstLesion);
-  choose(structure::kParenchyma);
-  QTest::keyClick(window_.get(), Qt::Key_X);
-  drag(slice(Plane::axial), {{-0.07, -0.02, 0}, {-0.05, -0.02, 0}, {-0.05, 0.02, 0}, {-0.07, 0.02, 0}});
-  QVERIFY(settle());
-  QVERIFY(at({-0.055, 0, 0}) != structure::kParenchyma);
-  press("approve_label");
-  QVERIFY(settle());
-  const LabelVolume edited = labels();
-  QVERIFY(!(edited == grown));
-
-  const std::filesystem::path path = folder_->path() / "edited.glisson";
-  window_->engine().post(engine::SaveCase{path});
-  QVERIFY(settle());
-  show_window();
-  window_->open(path);
-  QVERIFY(settle());
-  QVERIFY(labels() == edited);
-  QCOMPARE(window_->engine().state().review->at(structure::kParenchyma), ReviewState::approved);
-  press("mode_edit");
-  QVERIFY(find<QToolButton>("undo")->text().contains(QStringLiteral("Scissors: erase inside, Liver")));
-  for (int step = 0; step < 2; ++step) QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
-  QVERIFY(settle());
-  QVERIFY(labels() == grown);
 }
 
 }  // namespace glisson

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "glisson/ui/common/lasso_line.h"
+#include "glisson/ui/common/slice_lines.h"
 #include "glisson/ui/scene/picture_image.h"
 
 namespace glisson::ui {
@@ -16,6 +17,7 @@ namespace {
 
 constexpr double kMarkerReach = 4e-3;  ///< metres from the slice within which a marker is drawn
 constexpr int kFlash = 500;            ///< milliseconds that a preview is bright, and then dim
+constexpr double kReach = 7.0;         ///< pixels of the widget within which the pointer takes an edge
 
 QColor plane_colour(scene::Plane plane) {
   switch (plane) {
@@ -72,6 +74,7 @@ SliceView::SliceView(ViewState& state, scene::Plane plane, QWidget* parent)
   connect(&state_, &ViewState::markers_changed, this, qOverload<>(&QWidget::update));
   connect(&state_, &ViewState::hand_changed, this, &SliceView::show_hand);
   connect(&state_, &ViewState::brush_changed, this, qOverload<>(&QWidget::update));
+  connect(&state_, &ViewState::box_changed, this, qOverload<>(&QWidget::update));
   connect(&state_, &ViewState::pointer_changed, this, [this] {
     if (state_.hand() == Hand::brush) update();
   });
@@ -181,6 +184,8 @@ void SliceView::paintEvent(QPaintEvent*) {
   painter.drawImage(QPointF(0, 0), shown_);
   painter.setRenderHints(QPainter::SmoothPixmapTransform | QPainter::Antialiasing);
   paint_overlay(painter);
+  if (state_.box())
+    paint_box(painter, *state_.box(), slice_, widget_from_pixel(), state_.hand() == Hand::box);
   paint_marks(painter);
   paint_lasso(painter, widget_from_pixel().map(lasso_));
   if (state_.hand() == Hand::brush && state_.pointer()) paint_brush(painter);
@@ -289,7 +294,8 @@ void SliceView::paint_texts(QPainter& painter) const {
 }
 
 void SliceView::tell(SliceGesture::Phase phase, const QMouseEvent& event) {
-  state_.gesture({phase, slice_, p_in_ct(event.position()), event.modifiers()});
+  const double metres_per_pixel = slice_.right.norm() / widget_from_pixel().m11();
+  state_.gesture({phase, slice_, p_in_ct(event.position()), event.modifiers(), kReach * metres_per_pixel});
 }
 
 void SliceView::begin_gesture(const QMouseEvent& event) {
@@ -303,6 +309,7 @@ void SliceView::begin_gesture(const QMouseEvent& event) {
       break;
     case Hand::brush:
     case Hand::lasso:
+    case Hand::box:
       dragging_ = true;
       lasso_.clear();
       if (state_.hand() == Hand::lasso) lasso_ << widget_from_pixel().inverted().map(event.position());

@@ -22,6 +22,7 @@ void ViewState::set_volume(std::shared_ptr<const Image> image, std::shared_ptr<c
   }
   preview_ = nullptr;
   evolving_ = nullptr;
+  box_.reset();
   pointer_.reset();
   emit volume_changed();
   emit crosshair_changed();
@@ -68,6 +69,13 @@ void ViewState::set_evolving(std::shared_ptr<const LabelVolume> labels) {
   if (labels == evolving_) return;
   evolving_ = std::move(labels);
   emit overlays_changed();
+}
+
+void ViewState::set_box(const std::optional<Eigen::AlignedBox3d>& box) {
+  const bool same = box && box_ ? box->min() == box_->min() && box->max() == box_->max() : !box && !box_;
+  if (same) return;
+  box_ = box;
+  emit box_changed();
 }
 
 void ViewState::set_shows_labels(bool on) {

@@ -62,8 +62,8 @@ void EditSession::set_tool(EditTool tool) {
   problem_.clear();
   notes_.clear();
   tool_ = tool;
+  emit tool_changed();  // whoever had the mouse lets go of it
   show_hand();
-  emit tool_changed();
   settings_have_changed();
 }
 
@@ -164,6 +164,7 @@ void EditSession::hear(const SliceGesture& gesture) {
       click(gesture);
       break;
     case Hand::crosshair:
+    case Hand::box:  // no tool's
       break;
   }
 }

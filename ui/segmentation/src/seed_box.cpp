@@ -2,7 +2,6 @@
 #include "glisson/ui/segmentation/seed_box.h"
 
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QGridLayout>
@@ -16,9 +15,12 @@
 #include "glisson/core/error.h"
 #include "glisson/ui/common/panel.h"
 #include "glisson/ui/common/texts.h"
+#include "glisson/ui/segmentation/region_box.h"
 
 namespace glisson::ui {
 namespace {
+
+constexpr double kLeastVoxels = 9.0;  ///< a side of the region: segment() wants eight of them whole
 
 QString seed_name(Label label) {
   return label == structure::kBackground ? SeedBox::tr("Not liver") : structure_text(label);
@@ -33,25 +35,31 @@ std::vector<Label> choices(const segmentation::Seeds& seeds) {
   return labels;
 }
 
-/// What growth finds anew; all else stays as a hand left it.
-enum class Find { everything, vessels, lesions, all_but_liver };
-
-segmentation::Structures structures_of(Find find) {
+/// What growth can find anew, as people ask for it; all else stays as a hand left it.
+struct Find {
+  QString text;
   segmentation::Structures structures;
-  switch (find) {
-    case Find::everything:
-      break;
-    case Find::vessels:
-      structures.liver = structures.vena_cava = structures.gallbladder = structures.lesions = false;
-      break;
-    case Find::lesions:
-      structures = {false, false, false, false, false, true};
-      break;
-    case Find::all_but_liver:
-      structures.liver = false;
-      break;
-  }
-  return structures;
+};
+
+std::vector<Find> finds() {
+  using Structures = segmentation::Structures;
+  const auto only = [](std::initializer_list<bool Structures::*> which) {
+    Structures structures{false, false, false, false, false, false};
+    for (bool Structures::*one : which) structures.*one = true;
+    return structures;
+  };
+  Structures all_but_liver;
+  all_but_liver.liver = false;
+  return {
+      {SeedBox::tr("Everything"), {}},
+      {SeedBox::tr("Portal and hepatic veins"), only({&Structures::portal_vein, &Structures::hepatic_veins})},
+      {SeedBox::tr("Lesions"), only({&Structures::lesions})},
+      {SeedBox::tr("All but the liver"), all_but_liver},
+      {SeedBox::tr("Liver"), only({&Structures::liver})},
+      {SeedBox::tr("Portal vein"), only({&Structures::portal_vein})},
+      {SeedBox::tr("Hepatic veins"), only({&Structures::hepatic_veins})},
+      {SeedBox::tr("Vena cava"), only({&Structures::vena_cava})},
+      {SeedBox::tr("Gallbladder"), only({&Structures::gallbladder})}};
 }
 
 QVBoxLayout* column_of(QWidget* widget) { return static_cast<QVBoxLayout*>(widget->layout()); }
@@ -151,23 +159,21 @@ void SeedBox::build_growth() {
   auto* form = new QFormLayout;
   what_ = make_narrow_combo(this);
   what_->setObjectName(QStringLiteral("find_anew"));
-  what_->addItems({tr("Everything"), tr("Portal and hepatic veins"), tr("Lesions"), tr("All but the liver")});
+  for (const Find& find : finds()) what_->addItem(find.text);
   what_->setToolTip(tr("What is found anew. All else stays as it is, with everything that you edited."));
   form->addRow(tr("Find anew"), what_);
-  spacing_ = new QDoubleSpinBox(this);
-  spacing_->setObjectName(QStringLiteral("segment_resolution"));
-  spacing_->setRange(0.5, 5.0);
-  spacing_->setSingleStep(0.5);
-  spacing_->setDecimals(1);
-  spacing_->setSuffix(tr(" mm"));
-  spacing_->setValue(segmentation::SegmentationOptions{}.working_spacing_mm);
-  spacing_->setToolTip(tr("Resolution at which the liver's surface evolves. Finer is slower."));
-  form->addRow(tr("Resolution"), spacing_);
   column_of(this)->addLayout(form);
+  region_ = new RegionBox(views_, this);
+  column_of(this)->addWidget(region_);
+  connect(region_, &RegionBox::drawing_started, this, [this] {
+    choose_structure(std::nullopt);
+    emit took_mouse();
+  });
+  connect(region_, &RegionBox::changed, this, [this] { run_->set_obstacle(obstacle()); });
   run_ = new TaskButton(
       engine_, tr("Segment"),
       [this]() -> std::optional<engine::Command> {
-        choose_structure(std::nullopt);
+        let_go();
         engine::Segment command;
         command.options = options();
         return command;
@@ -183,23 +189,49 @@ void SeedBox::build_growth() {
 
 segmentation::SegmentationOptions SeedBox::options() const {
   segmentation::SegmentationOptions options;
-  options.working_spacing_mm = spacing_->value();
-  options.structures = structures_of(static_cast<Find>(what_->currentIndex()));
+  options.working_spacing_mm = region_->resolution_mm();
+  options.region = region_->region();
+  options.structures = structures();
   return options;
 }
 
+segmentation::Structures SeedBox::structures() const {
+  return finds()[static_cast<std::size_t>(what_->currentIndex())].structures;
+}
+
 void SeedBox::set_active(bool on) {
-  if (!on) choose_structure(std::nullopt);
+  if (!on) let_go();
   active_ = on;
+  region_->set_active(active_ && !isHidden());
   show_markers();
+}
+
+void SeedBox::set_in_front(bool on) {
+  setVisible(on);
+  region_->set_active(active_ && on);
 }
 
 void SeedBox::choose_structure(std::optional<Label> structure) {
   if (!structure && !structure_) return;
   structure_ = structure;
   for (const auto& [label, button] : buttons_) button->setChecked(structure == label);
-  if (structure) emit structure_chosen();  // whoever has the mouse lets go
+  if (structure) {  // whoever has the mouse lets go
+    region_->set_drawing(false);
+    emit took_mouse();
+  }
   views_.set_hand(structure ? Hand::point : Hand::crosshair);
+}
+
+void SeedBox::let_go() {
+  choose_structure(std::nullopt);
+  region_->set_drawing(false);
+}
+
+bool SeedBox::escape() {
+  if (region_->escape()) return true;
+  if (!structure_) return false;
+  choose_structure(std::nullopt);
+  return true;
 }
 
 void SeedBox::place(const Point<CtFrame>& p) {
@@ -294,12 +326,18 @@ void SeedBox::show_markers() {
 }
 
 QString SeedBox::obstacle() const {
-  if (!engine_.state().image) return tr("Open a CT first.");
-  if (structures_of(static_cast<Find>(what_->currentIndex())).liver) {
-    if (seeds_.liver.rows() == 0) return tr("Place at least one seed in the liver.");
-  } else if (!engine_.state().labels) {
-    return tr("There is no liver yet: find everything first.");
-  }
+  const auto& image = engine_.state().image;
+  if (!image) return tr("Open a CT first.");
+  const auto& region = region_->region();
+  if (region && (1e3 * region->sizes().array() < kLeastVoxels * image->grid.spacing_mm.maxCoeff()).any())
+    return tr("The box is too small.");
+  if (!structures().liver)
+    return engine_.state().labels ? QString() : tr("There is no liver yet: find everything first.");
+  if (seeds_.liver.rows() == 0) return tr("Place at least one seed in the liver.");
+  const auto rows = seeds_.liver.rowwise();
+  if (region && std::none_of(rows.begin(), rows.end(),
+                             [&](const auto& row) { return region->contains(row.transpose()); }))
+    return tr("Place a seed in the liver inside the box.");
   return {};
 }
 

@@ -37,15 +37,12 @@ SegmentationPanel::SegmentationPanel(EngineBridge& engine, ViewState& views, QWi
   show_editing(false);
   auto* escape = new QShortcut(Qt::Key_Escape, this);
   connect(escape, &QShortcut::activated, this, [this] {
-    if (seeds_->structure())
-      seeds_->choose_structure(std::nullopt);
-    else
-      session_->escape();
+    if (!seeds_->escape()) session_->escape();
   });
-  connect(seeds_, &SeedBox::structure_chosen, this, [this] { session_->set_tool(EditTool::none); });
+  connect(seeds_, &SeedBox::took_mouse, this, [this] { session_->set_tool(EditTool::none); });
   connect(session_, &EditSession::tool_changed, this, [this] {
     if (session_->tool() == EditTool::none) return;
-    seeds_->choose_structure(std::nullopt);
+    seeds_->let_go();
     show_editing(true);
   });
   connect(session_, &EditSession::settings_changed, this, &SegmentationPanel::show_label);
@@ -85,7 +82,7 @@ void SegmentationPanel::build_modes() {
     show_editing(false);
   });
   connect(edit_mode_, &QPushButton::clicked, this, [this] {
-    seeds_->choose_structure(std::nullopt);
+    seeds_->let_go();
     show_editing(true);
   });
 }
@@ -93,7 +90,7 @@ void SegmentationPanel::build_modes() {
 void SegmentationPanel::show_editing(bool on) {
   seeds_mode_->setChecked(!on);
   edit_mode_->setChecked(on);
-  seeds_->setVisible(!on);
+  seeds_->set_in_front(!on);
   edit_->setVisible(on);
 }
 

@@ -37,6 +37,9 @@ TaskStatus::TaskStatus(EngineBridge& engine, QWidget* parent) : QWidget(parent),
   row->addWidget(text_, 1);
   row->addWidget(bar_);
   row->addWidget(cancel_);
+  QSizePolicy keeps_its_place = cancel_->sizePolicy();
+  keeps_its_place.setRetainSizeWhenHidden(true);  // the views above do not jump when work begins
+  cancel_->setSizePolicy(keeps_its_place);
   bar_->hide();
   cancel_->hide();
   connect(&engine_, &EngineBridge::tasks_changed, this, &TaskStatus::show_tasks);

@@ -16,7 +16,8 @@ enum class Hand {
   crosshair,  ///< moves the crosshair
   point,      ///< says where: a seed, a place to work at
   brush,      ///< is dragged with a brush at its tip
-  lasso       ///< draws a closed line; in three dimensions, too
+  lasso,      ///< draws a closed line; in three dimensions, too
+  box         ///< drags a rectangle, or an edge of the box that is shown
 };
 
 /// The brush as it is drawn at the pointer.
@@ -34,6 +35,7 @@ struct SliceGesture {
   scene::SliceGeometry slice;
   Point<CtFrame> p;
   Qt::KeyboardModifiers keys;
+  double reach = 2e-3;  ///< metres within which the pointer takes what it points at
 };
 
 /// A closed line that was drawn over the 3D view.

@@ -29,6 +29,7 @@ class LinkedViews : public QWidget {
 
   SliceView& slice(scene::Plane plane) { return *slices_[static_cast<std::size_t>(plane)]; }
   RenderView& volume() { return *volume_; }
+  const ViewState& state() const { return state_; }
   /// "R 12.3  A 40.0  S 210.5 mm   104 HU   Portal vein"
   QString probe_line() const;
   /// The model's liver surface under a place in the 3D view, in the CT's frame.

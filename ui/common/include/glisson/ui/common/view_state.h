@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Geometry>
 #include <QObject>
 #include <memory>
 #include <optional>
@@ -45,6 +46,9 @@ class ViewState : public QObject {
   /// A segmentation that is still growing, outlined over the slices; null: none.
   const std::shared_ptr<const LabelVolume>& evolving() const { return evolving_; }
   void set_evolving(std::shared_ptr<const LabelVolume> labels);
+  /// A box along the patient's axes, drawn over the slices; CT frame, metres. None: nothing is drawn.
+  const std::optional<Eigen::AlignedBox3d>& box() const { return box_; }
+  void set_box(const std::optional<Eigen::AlignedBox3d>& box);
   /// Whether the 3D view shows the labels' surfaces instead of the model.
   bool shows_labels() const { return shows_labels_; }
   void set_shows_labels(bool on);
@@ -72,12 +76,13 @@ class ViewState : public QObject {
   void style_changed();
   void markers_changed();
   void overlays_changed();
+  void box_changed();
   void shows_labels_changed();
   void hand_changed();
   void brush_changed();
   void pointer_changed();
   void picked(const glisson::Point<glisson::CtFrame>& p);
-  /// With Hand::point, brush and lasso.
+  /// With Hand::point, brush, lasso and box.
   void gestured(const glisson::ui::SliceGesture& gesture);
   void volume_lassoed(const glisson::ui::VolumeLasso& lasso);
   void brush_turned(double notches);
@@ -88,6 +93,7 @@ class ViewState : public QObject {
   std::shared_ptr<const LabelMap> labels_;
   std::shared_ptr<const LabelMap> preview_;
   std::shared_ptr<const LabelVolume> evolving_;
+  std::optional<Eigen::AlignedBox3d> box_;
   Point<CtFrame> crosshair_;
   scene::SliceStyle style_;
   std::vector<scene::Marker> markers_;

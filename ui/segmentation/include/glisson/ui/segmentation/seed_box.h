@@ -12,13 +12,14 @@
 #include "glisson/ui/segmentation/seed_book.h"
 
 class QComboBox;
-class QDoubleSpinBox;
 class QGridLayout;
 class QLabel;
 class QListWidget;
 class QPushButton;
 
 namespace glisson::ui {
+
+class RegionBox;
 
 /// Seeds that are clicked in the slices, their list, and the growth from them.
 class SeedBox : public QWidget {
@@ -28,12 +29,19 @@ class SeedBox : public QWidget {
 
   /// Seeds are drawn in the views, or not.
   void set_active(bool on);
+  /// This page is shown, or that of the tools.
+  void set_in_front(bool on);
   /// Clicks in the slices place seeds of this structure; none: they move the crosshair.
   void choose_structure(std::optional<Label> structure);
   const std::optional<Label>& structure() const { return structure_; }
+  /// Nobody here has the mouse any more.
+  void let_go();
+  /// Drops what the mouse has begun, else what it means. @return whether there was any of it.
+  bool escape();
 
  signals:
-  void structure_chosen();
+  /// From now on clicks and drags in the slices are meant for the seeds or their region.
+  void took_mouse();
 
  private:
   void build_structures();
@@ -50,6 +58,7 @@ class SeedBox : public QWidget {
   void store();
   void remove_selected();
   segmentation::SegmentationOptions options() const;
+  segmentation::Structures structures() const;
   QString obstacle() const;
 
   EngineBridge& engine_;
@@ -68,7 +77,7 @@ class SeedBox : public QWidget {
   QPushButton* load_ = nullptr;
   QPushButton* save_ = nullptr;
   QComboBox* what_ = nullptr;
-  QDoubleSpinBox* spacing_ = nullptr;
+  RegionBox* region_ = nullptr;
   TaskButton* run_ = nullptr;
   QLabel* notes_ = nullptr;
 };

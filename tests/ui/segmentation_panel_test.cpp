@@ -1,0 +1,372 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The segmentation panel by mouse and keyboard: the list of labels, seeds and growth, the history.
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QToolButton>
+#include <QTranslator>
+
+#include "glisson/ui/common/task_button.h"
+#include "glisson/ui/scene/slice_drawing.h"
+#include "segmentation_window.h"
+
+namespace glisson {
+
+using scene::Plane;
+using ui::EditTool;
+
+class SegmentationPanelTest : public QObject, private SegmentationWindow {
+  Q_OBJECT
+ private slots:
+  void initTestCase() { make_ct(); }
+  void init() { show_window(); }
+  void cleanup() { window_.reset(); }
+  void LockedLabelIsNotTouched();
+  void HiddenLabelLeavesTheViews();
+  void KeysChooseToolsAndEscLetsGo();
+  void BoxDrawnInSlicesIsWhereGrowthWorks();
+  void BoxIsMovedByItsEdgesTypedAndCleared();
+  void BoxWithoutALiverSeedIsSaid();
+  void ContourIsDrawnWhileItEvolvesAndGoneWhenCancelled();
+  void UndoWorksWhileANumberHasTheKeyboard();
+  void ApprovalIsTakenBackByAnEdit();
+  void EditPanelFitsItsColumnInEveryLanguage_data();
+  void EditPanelFitsItsColumnInEveryLanguage();
+  void WholePathByHandIsSavedWithItsHistory();
+
+ private:
+  /// What the views share.
+  const ui::ViewState& shared() { return window_->views().state(); }
+  void seed_liver() {
+    press("seed_parenchyma");
+    for (const Eigen::Vector3d& p : {Eigen::Vector3d(-0.03, 0.01, 0), {0.0, 0.02, 0}, {0.045, -0.01, 0}})
+      QTest::mouseClick(&slice(Plane::axial), Qt::LeftButton, {},
+                        slice(Plane::axial).widget_point(Point<CtFrame>(p)).toPoint());
+    QVERIFY(settle());
+    QCOMPARE(window_->engine().state().seeds->liver.rows(), 3);
+    QTest::keyClick(window_.get(), Qt::Key_Escape);
+  }
+  void grow() {
+    QTest::mouseClick(window_->findChild<ui::TaskButton*>(QStringLiteral("segment"))->button(),
+                      Qt::LeftButton);
+    QVERIFY(settle());
+  }
+};
+
+void SegmentationPanelTest::LockedLabelIsNotTouched() {
+  open_labels();
+  click_mark(structure::kFirstLesion, ui::LabelTable::locked);
+  const long lesion = count(structure::kFirstLesion);
+  choose(structure::kPortalVein);
+  press("tool_paint");
+  drag(slice(Plane::axial), {{0.01, 0, 0}, {0.05, 0, 0}});
+  QVERIFY(settle());
+  QCOMPARE(count(structure::kFirstLesion), lesion);
+  QCOMPARE(at({0.012, 0, 0}), structure::kPortalVein);
+  const LabelVolume before = labels();
+  choose(structure::kFirstLesion);
+  drag(slice(Plane::axial), {{0.0, 0.02, 0}, {0.01, 0.02, 0}});
+  QVERIFY(settle());
+  QVERIFY(labels() == before);
+  QVERIFY(find<QLabel>("edit_outcome")->text().contains(QStringLiteral("locked")));
+}
+
+void SegmentationPanelTest::HiddenLabelLeavesTheViews() {
+  open_labels();
+  const Picture before = slice(Plane::axial).slice();
+  click_mark(structure::kParenchyma, ui::LabelTable::shown);
+  QVERIFY(*slice(Plane::axial).slice().bytes != *before.bytes);
+  click_mark(structure::kParenchyma, ui::LabelTable::shown);
+  QVERIFY(*slice(Plane::axial).slice().bytes == *before.bytes);
+}
+
+void SegmentationPanelTest::KeysChooseToolsAndEscLetsGo() {
+  open_labels();
+  press("mode_seeds");
+  QVERIFY(!find<QToolButton>("tool_paint")->isVisible());
+  for (const EditTool tool : ui::kEditTools) {
+    QTest::keyClick(window_.get(), static_cast<Qt::Key>(ui::tool_key(tool)));
+    QCOMPARE(session().tool(), tool);
+    QVERIFY(find<QToolButton>(("tool_" + ui::tool_code(tool)).c_str())->isChecked());
+  }
+  QVERIFY(find<QToolButton>("tool_paint")->isVisible());  // the tools came into sight
+  for (int i = 0; i < 3 && session().tool() != EditTool::none; ++i)
+    QTest::keyClick(window_.get(), Qt::Key_Escape);
+  QCOMPARE(session().tool(), EditTool::none);
+  QVERIFY(settle());
+  // Seeds and tools share the mouse: one lets go when the other is taken.
+  QTest::keyClick(window_.get(), Qt::Key_P);
+  press("mode_seeds");
+  press("seed_portal_vein");
+  QCOMPARE(session().tool(), EditTool::none);
+  const LabelVolume before = labels();
+  QTest::mouseClick(&slice(Plane::axial), Qt::LeftButton, {}, slice(Plane::axial).rect().center());
+  QVERIFY(settle());
+  QVERIFY(labels() == before);
+  QCOMPARE(window_->engine().state().seeds->portal_vein.rows(), 1);
+}
+
+void SegmentationPanelTest::BoxDrawnInSlicesIsWhereGrowthWorks() {
+  open_ct();
+  seed_liver();
+  press("draw_region");
+  // The right half of the liver, in the axial slice; then its depth, by an edge in the coronal one.
+  drag(slice(Plane::axial), {{-0.08, -0.06, 0}, {-0.02, 0.0, 0}, {0.011, 0.062, 0}});
+  const auto drawn = shared().box();
+  QVERIFY(drawn.has_value());
+  QVERIFY(std::abs(drawn->max().x() - 0.011) < 1e-3 && std::abs(drawn->min().y() + 0.06) < 1e-3);
+  QCOMPARE(drawn->min().z(), -0.043);  // as deep as the volume
+  QCOMPARE(drawn->max().z(), 0.043);
+  drag(slice(Plane::coronal), {{-0.03, 0, 0.043}, {-0.03, 0, 0.021}});
+  QVERIFY(std::abs(shared().box()->max().z() - 0.021) < 1e-3);
+  QCOMPARE(shared().box()->max().x(), drawn->max().x());
+  press("own_resolution");
+  QCOMPARE(find<QDoubleSpinBox>("segment_resolution")->value(), 2.0);  // the CT's voxels
+  QTest::keyClick(window_.get(), Qt::Key_Escape);                      // the mouse is the crosshair's again
+  QCOMPARE(shared().hand(), ui::Hand::crosshair);
+  QVERIFY(shared().box().has_value());
+  grow();
+  QVERIFY(window_->engine().state().labels != nullptr);
+  QCOMPARE(at({-0.03, 0.01, 0}), structure::kParenchyma);
+  const Eigen::AlignedBox3d box = *shared().box();
+  long inside = 0;
+  const VolumeGrid& grid = labels().grid();
+  for (int k = 0; k < grid.size.z(); ++k)
+    for (int j = 0; j < grid.size.y(); ++j)
+      for (int i = 0; i < grid.size.x(); ++i) {
+        if (labels().at({i, j, k}) == 0) continue;
+        QVERIFY(box.contains(grid.p_in_ct({double(i), double(j), double(k)}).xyz));
+        ++inside;
+      }
+  QVERIFY(inside > 10000);
+  // The rest of the liver is found by growing everywhere, and the box is then only in the way.
+  press("clear_region");
+  grow();
+  QCOMPARE(at({0.05, -0.01, 0}), structure::kParenchyma);
+}
+
+void SegmentationPanelTest::BoxIsMovedByItsEdgesTypedAndCleared() {
+  open_ct();
+  const QImage plain = slice(Plane::sagittal).grab().toImage();
+  press("draw_region");
+  drag(slice(Plane::axial), {{-0.05, -0.04, 0}, {0.03, 0.03, 0}});
+  const Eigen::AlignedBox3d drawn = *shared().box();
+  QVERIFY(slice(Plane::sagittal).grab().toImage() != plain);  // all slices show it
+  // A corner is two edges.
+  drag(slice(Plane::axial), {drawn.max(), {0.045, 0.035, 0}});
+  QVERIFY((shared().box()->max().head<2>() - Eigen::Vector2d(0.045, 0.035)).norm() < 1.5e-3);
+  QCOMPARE(shared().box()->min(), drawn.min());
+  const Eigen::AlignedBox3d moved = *shared().box();
+  // A click that draws nothing leaves it; Esc takes a drag back.
+  drag(slice(Plane::axial), {{0.0, 0.0, 0}});
+  QCOMPARE(shared().box()->min(), moved.min());
+  QTest::mousePress(&slice(Plane::axial), Qt::LeftButton, {}, slice(Plane::axial).widget_point({}).toPoint());
+  QTest::mouseMove(&slice(Plane::axial), slice(Plane::axial).widget_point({0.02, 0.02, 0}).toPoint());
+  QTRY_VERIFY(shared().box()->min() != moved.min());
+  QTest::keyClick(window_.get(), Qt::Key_Escape);
+  QTest::mouseRelease(&slice(Plane::axial), Qt::LeftButton, {},
+                      slice(Plane::axial).widget_point({0.02, 0.02, 0}).toPoint());
+  QCOMPARE(shared().box()->min(), moved.min());
+  QCOMPARE(shared().box()->max(), moved.max());
+  // Typed: the side that was typed and no other.
+  auto* top = find<QDoubleSpinBox>("region_z_high");
+  QVERIFY(top->isVisible());
+  top->setFocus();
+  top->selectAll();
+  QTest::keyClicks(top, QStringLiteral("20"));
+  QTest::keyClick(top, Qt::Key_Return);
+  QCOMPARE(shared().box()->max().z(), 0.02);
+  top->selectAll();
+  QTest::keyClicks(top, QStringLiteral("-43"));  // no box is as thin as that: the last good one stays
+  QVERIFY(shared().box()->sizes().minCoeff() > 0.0);
+  top->selectAll();
+  QTest::keyClicks(top, QStringLiteral("20"));
+  QCOMPARE(shared().box()->max().z(), 0.02);
+  QCOMPARE(shared().box()->min(), moved.min());
+  // The tools' page has no use for it; a tool takes the mouse.
+  press("draw_region");
+  press("draw_region");
+  QTest::keyClick(window_.get(), Qt::Key_P);
+  QCOMPARE(shared().hand(), ui::Hand::brush);
+  QVERIFY(!shared().box().has_value());
+  press("mode_seeds");
+  QVERIFY(shared().box().has_value());
+  press("seed_parenchyma");
+  QCOMPARE(shared().hand(), ui::Hand::point);
+  press("clear_region");
+  QVERIFY(!shared().box().has_value());
+  QVERIFY(!top->isVisible());
+}
+
+void SegmentationPanelTest::BoxWithoutALiverSeedIsSaid() {
+  open_ct();
+  seed_liver();
+  auto* segment = window_->findChild<ui::TaskButton*>(QStringLiteral("segment"));
+  QVERIFY(segment->button()->isEnabled());
+  press("draw_region");
+  drag(slice(Plane::axial), {{-0.08, 0.04, 0}, {-0.04, 0.06, 0}});  // no seed is there
+  QVERIFY(!segment->button()->isEnabled());
+  drag(slice(Plane::axial), {{-0.04, 0.04, 0}, {0.01, -0.04, 0}});  // a corner is moved beyond it
+  QVERIFY(segment->button()->isEnabled());
+}
+
+void SegmentationPanelTest::ContourIsDrawnWhileItEvolvesAndGoneWhenCancelled() {
+  open_ct();
+  seed_liver();
+  find<QDoubleSpinBox>("segment_resolution")->setValue(0.5);  // long enough to be looked at
+  const QImage before = slice(Plane::axial).grab().toImage();
+  auto* segment = window_->findChild<ui::TaskButton*>(QStringLiteral("segment"));
+  QTest::mouseClick(segment->button(), Qt::LeftButton);
+  std::vector<std::shared_ptr<const LabelVolume>> contours;
+  QVERIFY(QTest::qWaitFor(
+      [&] {
+        const auto& evolving = shared().evolving();
+        if (evolving && (contours.empty() || contours.back() != evolving)) contours.push_back(evolving);
+        return contours.size() >= 3 || !segment->is_running();
+      },
+      60000));
+  QVERIFY2(contours.size() >= 3, qPrintable(window_->status_text()));
+  QVERIFY(segment->is_running());
+  // It is the liver on its way: about the seeds, and another one from time to time.
+  const VolumeGrid& grid = contours.back()->grid();
+  QVERIFY(grid.same_as(ct_.grid));
+  const Eigen::Vector3i seed =
+      grid.index_of(Point<CtFrame>(-0.03, 0.01, 0)).array().round().cast<int>().matrix();
+  QCOMPARE(contours.back()->at(seed), structure::kParenchyma);
+  QVERIFY(!(*contours.front() == *contours.back()));
+  // Its outline is drawn where the contour meets the slice.
+  const QImage now = slice(Plane::axial).grab().toImage();
+  const QImage outline = scene::outline_overlay(*shared().evolving(), slice(Plane::axial).geometry_in_ct());
+  QVERIFY(!outline.isNull());
+  const scene::SliceGeometry& geometry = slice(Plane::axial).geometry_in_ct();
+  int drawn = 0, wanted = 0;
+  for (int v = 0; v < outline.height(); ++v)
+    for (int u = 0; u < outline.width(); ++u) {
+      if (outline.pixelColor(u, v).alpha() == 0) continue;
+      const QPoint at = slice(Plane::axial).widget_point(geometry.p_in_ct({double(u), double(v)})).toPoint();
+      if (!now.rect().contains(at)) continue;
+      ++wanted;
+      drawn += now.pixel(at) != before.pixel(at) ? 1 : 0;
+    }
+  QVERIFY2(wanted > 50 && drawn > 0.9 * wanted,
+           qPrintable(QStringLiteral("%1 of %2").arg(drawn).arg(wanted)));
+  QTest::mouseClick(segment->cancel_button(), Qt::LeftButton);
+  QVERIFY(settle());
+  QVERIFY(!shared().evolving());
+  QVERIFY(!window_->engine().snapshot()->evolving);
+  QVERIFY(window_->engine().state().labels == nullptr);
+  QCOMPARE(slice(Plane::axial).grab().toImage(), before);
+}
+
+void SegmentationPanelTest::UndoWorksWhileANumberHasTheKeyboard() {
+  open_labels();
+  const LabelVolume before = labels();
+  choose(structure::kHepaticVeins);
+  press("tool_paint");
+  drag(slice(Plane::axial), {{-0.03, 0.01, 0}, {0.01, 0.01, 0}});
+  QVERIFY(settle());
+  auto* number = find<QDoubleSpinBox>("brush_diameter");
+  number->setFocus();
+  QTest::keyClicks(number, QStringLiteral("7"));
+  QTest::keyClick(number, Qt::Key_Z, Qt::ControlModifier);
+  QVERIFY(settle());
+  QVERIFY(labels() == before);
+}
+
+void SegmentationPanelTest::ApprovalIsTakenBackByAnEdit() {
+  open_labels();
+  choose(structure::kPortalVein);
+  press("approve_label");
+  QVERIFY(settle());
+  QCOMPARE(window_->engine().state().review->at(structure::kPortalVein), ReviewState::approved);
+  QVERIFY(!find<QPushButton>("approve_label")->isEnabled());
+  press("tool_paint");
+  drag(slice(Plane::axial), {{-0.02, 0.02, 0}, {0.0, 0.02, 0}});
+  QVERIFY(settle());
+  QCOMPARE(window_->engine().state().review->at(structure::kPortalVein), ReviewState::to_review);
+  QVERIFY(find<QPushButton>("approve_label")->isEnabled());
+}
+
+void SegmentationPanelTest::EditPanelFitsItsColumnInEveryLanguage_data() {
+  QTest::addColumn<QString>("language");
+  for (const char* language : {"en", "de", "fr"}) QTest::newRow(language) << QString::fromLatin1(language);
+}
+
+void SegmentationPanelTest::EditPanelFitsItsColumnInEveryLanguage() {
+  QFETCH(QString, language);
+  QTranslator translator;
+  if (language != QStringLiteral("en")) {
+    QVERIFY(translator.load(QStringLiteral(":/glisson/translations/glisson_") + language));
+    QCoreApplication::installTranslator(&translator);
+  }
+  show_window();
+  open_labels();
+  auto* column = qobject_cast<QScrollArea*>(panel().parentWidget()->parentWidget());
+  QVERIFY(column != nullptr);
+  const int room = column->width() - column->verticalScrollBar()->sizeHint().width();
+  for (const EditTool tool : ui::kEditTools) {
+    session().set_tool(tool);
+    QCoreApplication::processEvents();
+    const QByteArray what = QStringLiteral("%1 needs %2 of %3 pixels")
+                                .arg(QString::fromStdString(ui::tool_code(tool)))
+                                .arg(panel().minimumSizeHint().width())
+                                .arg(room)
+                                .toUtf8();
+    QVERIFY2(panel().minimumSizeHint().width() <= room, what.constData());
+  }
+  session().cancel();
+  QVERIFY(settle());
+  QCOMPARE(window_->size(), QSize(1280, 800));
+  QCoreApplication::removeTranslator(&translator);
+}
+
+void SegmentationPanelTest::WholePathByHandIsSavedWithItsHistory() {
+  open_ct();
+  seed_liver();
+  press("seed_portal_vein");
+  for (const double x : {-0.03, 0.02})
+    QTest::mouseClick(&slice(Plane::axial), Qt::LeftButton, {},
+                      slice(Plane::axial).widget_point(Point<CtFrame>(x, -0.015, 0)).toPoint());
+  QVERIFY(settle());
+  grow();
+  QVERIFY2(window_->engine().state().labels != nullptr, qPrintable(window_->status_text()));
+  QCOMPARE(at({0.0, 0.02, 0}), structure::kParenchyma);
+  const LabelVolume grown = labels();
+
+  press("mode_edit");
+  choose(structure::kFirstLesion);
+  QTest::keyClick(window_.get(), Qt::Key_P);
+  drag(slice(Plane::axial), {{0.026, 0, 0}, {0.034, 0, 0}});
+  QVERIFY(settle());
+  QCOMPARE(at({0.03, 0, 0}), structure::kFirstLesion);
+  choose(structure::kParenchyma);
+  QTest::keyClick(window_.get(), Qt::Key_X);
+  drag(slice(Plane::axial), {{-0.07, -0.02, 0}, {-0.05, -0.02, 0}, {-0.05, 0.02, 0}, {-0.07, 0.02, 0}});
+  QVERIFY(settle());
+  QVERIFY(at({-0.055, 0, 0}) != structure::kParenchyma);
+  press("approve_label");
+  QVERIFY(settle());
+  const LabelVolume edited = labels();
+  QVERIFY(!(edited == grown));
+
+  const std::filesystem::path path = folder_->path() / "edited.glisson";
+  window_->engine().post(engine::SaveCase{path});
+  QVERIFY(settle());
+  show_window();
+  window_->open(path);
+  QVERIFY(settle());
+  QVERIFY(labels() == edited);
+  QCOMPARE(window_->engine().state().review->at(structure::kParenchyma), ReviewState::approved);
+  press("mode_edit");
+  QVERIFY(find<QToolButton>("undo")->text().contains(QStringLiteral("Scissors: erase inside, Liver")));
+  for (int step = 0; step < 2; ++step) QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
+  QVERIFY(settle());
+  QVERIFY(labels() == grown);
+}
+
+}  // namespace glisson
+
+int main(int argc, char** argv) { return glisson::run_in_window<glisson::SegmentationPanelTest>(argc, argv); }
+#include "segmentation_panel_test.moc"
