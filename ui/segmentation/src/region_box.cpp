@@ -161,13 +161,15 @@ void RegionBox::show_size() {
   if (region_) {
     const Eigen::Vector3d mm = kMm * region_->sizes();
     const double voxels = mm.prod() / std::pow(resolution_mm(), 3);
-    large = resolution_mm() < segmentation::SegmentationOptions{}.working_spacing_mm && voxels > kMostVoxels;
+    const double gigabytes = 1e-9 * kBytesPerVoxel * voxels;
+    const bool fine = resolution_mm() < segmentation::SegmentationOptions{}.working_spacing_mm;
+    large = fine && voxels > kMostVoxels;
     text = tr("%1 × %2 × %3 mm").arg(mm.x(), 0, 'f', 0).arg(mm.y(), 0, 'f', 0).arg(mm.z(), 0, 'f', 0);
     if (large)
       text =
-          tr("%1: too fine for so large a box, if the liver fills it. At most 50 million voxels.").arg(text);
-    else if (resolution_mm() < segmentation::SegmentationOptions{}.working_spacing_mm)
-      text = tr("%1: up to %2 GB of memory").arg(text).arg(1e-9 * kBytesPerVoxel * voxels, 0, 'f', 1);
+          tr("%1: too fine for so large a box if the liver fills it. At most 50 million voxels.").arg(text);
+    else if (fine && gigabytes > 0.1)
+      text = tr("%1: up to %2 GB of memory").arg(text).arg(gigabytes, 0, 'f', 1);
   }
   size_->setText(text);
   size_->setVisible(!text.isEmpty());
