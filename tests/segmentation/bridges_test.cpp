@@ -84,6 +84,8 @@ class BridgesTest : public QObject {
   void TreesApartHaveNoBridge();
   void BranchBeyondTheWaistChangesSides();
   void CutStaysBehindTheFork();
+  void AClickAtTheForkSparesTheTrunk_data();
+  void AClickAtTheForkSparesTheTrunk();
   void TheRootDecidesWhatIsBeyond();
   void OnlyTheClickedPieceChanges();
   void AForeignPartIsSuspected();
@@ -166,6 +168,39 @@ void BridgesTest::CutStaysBehindTheFork() {
     return in_tube(kTrunk, p) || in_tube(kLeft, p) || in_tube(kWaist, p) || in_tube(kFarLeft, p);
   });
   QCOMPARE(stays.first, stays.second);
+}
+
+void BridgesTest::AClickAtTheForkSparesTheTrunk_data() {
+  QTest::addColumn<double>("x");
+  QTest::addColumn<double>("z");
+  QTest::addColumn<bool>("left");
+  QTest::addColumn<bool>("right");
+  QTest::newRow("left of the middle") << 37.5 << 41.5 << true << false;
+  QTest::newRow("right of the middle") << 43.0 << 41.5 << false << true;
+  QTest::newRow("before it, to the left") << 37.0 << 38.5 << true << false;
+  QTest::newRow("before it, to the right") << 43.0 << 38.5 << false << true;
+  QTest::newRow("the trunk, clearly") << 40.0 << 26.0 << true << true;
+}
+
+void BridgesTest::AClickAtTheForkSparesTheTrunk() {
+  QFETCH(double, x);
+  QFETCH(double, z);
+  QFETCH(bool, left);
+  QFETCH(bool, right);
+  // The trunk's root is given: the thickest place of this tree is its fork.
+  const LabelVolume before = y_tree();
+  const LabelVolume after =
+      reassign_branch(before, kPortal, kHepatic, at(grid(), {x, 36, z}), at(grid(), {40, 36, 8}));
+  const auto moved = [&](auto&& where) {
+    const auto [count, all] = share(after, kHepatic, where);
+    return count == all ? 1 : count == 0 ? 0 : -1;
+  };
+  QCOMPARE(moved([](const Eigen::Vector3d& p) { return in_tube(kFarLeft, p) && p.x() < 20.0; }),
+           left ? 1 : 0);
+  QCOMPARE(moved([](const Eigen::Vector3d& p) { return in_tube(kRight, p) && p.x() > 52.0; }), right ? 1 : 0);
+  QCOMPARE(moved([](const Eigen::Vector3d& p) { return in_tube(kTrunk, p) && p.z() < 18.0; }), 0);
+  if (!left || !right)
+    QCOMPARE(moved([](const Eigen::Vector3d& p) { return in_tube(kTrunk, p) && p.z() < 34.0; }), 0);
 }
 
 void BridgesTest::TheRootDecidesWhatIsBeyond() {

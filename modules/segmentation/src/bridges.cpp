@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 #include "glisson/core/error.h"
 #include "shells.h"
@@ -15,6 +17,9 @@ constexpr double kClickReach = 5.0;  // mm
 constexpr double kCutReach = 6.0;    // mm of way on either side of the click
 constexpr double kSmoothing = 5.0;   // mm of way over which a cross-section is averaged
 constexpr double kWideAgain = 2.0;   // times a neck's cross-section
+constexpr double kForkReach = 3.0;   // mm before two branches part, at least, that mean one of them
+constexpr double kForkRadii = 1.5;   // or so many radii: they part about one behind where their axes meet
+constexpr int kBeginning = 4;        // pieces of a branch by which it is known
 
 std::vector<std::uint8_t> mask_of(const LabelVolume& labels, Label label) {
   return labels.mask([=](Label l) { return l == label; });
@@ -141,6 +146,53 @@ int thinnest_near(const Shells& shells, int clicked) {
   return best;
 }
 
+/// The beginning of a branch, up to the next fork.
+std::vector<int> beginning(const Shells& shells, int child) {
+  std::vector<int> pieces{child};
+  while (static_cast<int>(pieces.size()) < kBeginning && shells.branches_of(pieces.back()).size() == 1)
+    pieces.push_back(shells.branches_of(pieces.back()).front());
+  return pieces;
+}
+
+/// The first fork within reach of a click, as a hand means it; -1: none.
+int fork_near(const Shells& shells, int clicked) {
+  const Shells::Piece& piece = shells.pieces[static_cast<std::size_t>(clicked)];
+  // The root's piece is a ball: its volume says nothing of a cross-section.
+  const double reach = piece.parent < 0
+                           ? kForkReach
+                           : std::max(kForkReach, kForkRadii * std::sqrt(piece.area_mm2 / std::numbers::pi));
+  for (int n = clicked;;) {
+    const std::vector<int> next = shells.branches_of(n);
+    if (next.size() != 1) return next.empty() ? -1 : n;
+    n = next.front();
+    if (shells.pieces[static_cast<std::size_t>(n)].distance_mm - piece.distance_mm > reach) return -1;
+  }
+}
+
+/// Where to cut for a click. At a fork a branch behind it is meant, the one nearest to the click, and never
+/// the trunk before it; but a neck before it is one: there a part of another tree hangs by its side.
+/// @param p_mm the click, an index of the volume times its spacing.
+int cut_for(const Shells& shells, int clicked, const Eigen::Vector3d& p_mm,
+            const Eigen::Vector3d& spacing_mm) {
+  const auto& pieces = shells.pieces;
+  const int cut = thinnest_near(shells, clicked), fork = fork_near(shells, clicked);
+  if (fork < 0) return cut;
+  int best = -1;
+  double least = std::numeric_limits<double>::infinity(), widest = 0.0;
+  for (const int child : shells.branches_of(fork))
+    for (const int n : beginning(shells, child)) {
+      const Shells::Piece& piece = pieces[static_cast<std::size_t>(n)];
+      const double far = (piece.centre.cwiseProduct(spacing_mm) - p_mm).norm();
+      widest = std::max(widest, piece.area_mm2);
+      if (far >= least) continue;
+      least = far;
+      best = child;
+    }
+  const bool neck = pieces[static_cast<std::size_t>(cut)].parent >= 0 &&
+                    widest >= kWideAgain * pieces[static_cast<std::size_t>(cut)].area_mm2;
+  return neck ? cut : thinnest_near(shells, best);
+}
+
 }  // namespace
 
 std::vector<Bridge> find_bridges(const LabelMap& labels) {
@@ -191,7 +243,7 @@ LabelVolume reassign_branch(const LabelVolume& labels, Label from, Label to, con
       shells_of(grid, tree, root ? std::optional<Eigen::Vector3d>(grid.index_of(*root)) : std::nullopt);
   const Eigen::Vector3i v = *click - shells.box.low;
   const int clicked = shells.piece[shells.grid.offset(v.x(), v.y(), v.z())];
-  const int cut = thinnest_near(shells, clicked);
+  const int cut = cut_for(shells, clicked, grid.index_of(p).cwiseProduct(grid.spacing_mm), grid.spacing_mm);
   if (shells.pieces[static_cast<std::size_t>(cut)].parent < 0)
     throw InputError("click", "", "lies at the tree's root", "Click farther out on the branch");
   std::vector<std::uint8_t> moves(shells.pieces.size(), 0);

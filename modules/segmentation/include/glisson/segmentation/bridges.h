@@ -38,8 +38,10 @@ std::vector<Joint> find_joined(const LabelMap& labels, double least_ml = 0.3);
 
 /// Everything of `from` beyond the thinnest cross-section near a click, seen from the root of the tree there,
 /// becomes `to`. Cross-sections are those within 6 mm of way on either side of the click, up to the next
-/// fork, and as thick as 1.5 voxels. Where a tree's branches meet again (a second bridge), the part that is
-/// nearer to the root by the other way stays. Bricks that do not change are shared.
+/// fork, and as thick as 1.5 voxels. A click at a fork (up to 3 mm or 1.5 radii before the branches part)
+/// means the branch behind it that is nearest to the click, not the trunk; unless there is a neck before it.
+/// Where a tree's branches meet again (a second bridge), the part that is nearer to the root by the other way
+/// stays. Bricks that do not change are shared.
 /// @param p within 5 mm of a voxel of `from`.
 /// @param root of the tree; none: its thickest place.
 /// @throws InputError naming "click": no such voxel near, or the click lies at the root itself.
