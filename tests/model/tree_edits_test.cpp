@@ -67,6 +67,9 @@ class TreeEditsTest : public QObject {
   void RootMovesAndBeamsLeadAwayFromIt();
   void PruningTakesTheBranchWithAllThatHangsOnIt();
   void PruningTheTrunkTakesTheTree();
+  void AClickAtAForkTakesTheChildMeant_data();
+  void AClickAtAForkTakesTheChildMeant();
+  void ACutIsToldBeforeItIsMade();
   void JoinHangsOneTreeOnTheOther();
   void JoinIsUndoneByReplayingWithoutIt();
   void EditsFollowOneAnother();
@@ -103,12 +106,67 @@ void TreeEditsTest::PruningTakesTheBranchWithAllThatHangsOnIt() {
 }
 
 void TreeEditsTest::PruningTheTrunkTakesTheTree() {
-  for (const double z : {0.0, 20.0, 40.0}) {
+  for (const double z : {0.0, 20.0, 30.0}) {  // clearly before the fork
     const auto trees =
         model::edited_trees({fork({0, 0, 0}), fork({100, 0, 0})}, {{Kind::prune, mm(0, 0, z)}});
     QCOMPARE(trees.size(), std::size_t{1});
     QVERIFY(trees[0].nodes.col(0).minCoeff() > 0.05);
   }
+}
+
+void TreeEditsTest::AClickAtAForkTakesTheChildMeant_data() {
+  QTest::addColumn<double>("x");
+  QTest::addColumn<double>("z");
+  QTest::addColumn<double>("goes");  // mm
+  QTest::addColumn<double>("left");  // mm, least x of what goes
+  const auto row = [](const char* name, double x, double z, double goes, double least_x) {
+    QTest::newRow(name) << x << z << goes << least_x;
+  };
+  // The left branch (30 mm) bears a twig of 8 mm, the right one (30 mm) none: less hangs on it.
+  row("the fork itself: the least", 0, 40, 30, 0);
+  row("the fork's left side", -1, 41, 38, -30);
+  row("the fork's right side", 1, 41, 30, 0);
+  row("just before the fork", 0, 36, 30, 0);
+  row("just before the fork, to the left", -1.5, 38, 38, -30);
+  row("in the fork's tube, to the left", -3, 39, 38, -30);
+  row("the twig's fork, from the trunk's side", -18, 40, 8, -20);
+  row("the trunk, clearly", 0, 33, 108, -30);
+}
+
+void TreeEditsTest::AClickAtAForkTakesTheChildMeant() {
+  QFETCH(double, x);
+  QFETCH(double, z);
+  QFETCH(double, goes);
+  QFETCH(double, left);
+  VesselTree tree = fork({0, 0, 0});
+  tree.nodes.conservativeResize(12, 3);
+  tree.nodes.row(11) = mm(-20, 0, 48).transpose();
+  tree.radii.push_back(1e-3);
+  tree.beams.push_back({6, 11});
+  const model::Pruning cut = model::pruning_at({tree}, mm(x, 0, z));
+  QVERIFY(std::abs(length_mm(cut.part) - goes) < 1e-9);
+  require_tree(cut.part);
+  QVERIFY(std::abs(1e3 * cut.part.nodes.col(0).minCoeff() - left) < 1e-9);
+  const auto rest = model::edited_trees({tree}, {{Kind::prune, mm(x, 0, z)}});
+  QCOMPARE(rest.empty(), cut.whole_tree);
+  if (!rest.empty()) {
+    require_tree(rest[0]);
+    QVERIFY(std::abs(length_mm(rest[0]) + goes - 108) < 1e-9);
+    QVERIFY((rest[0].nodes.row(0) - tree.nodes.row(0)).norm() < 1e-12);  // the trunk stays
+  }
+}
+
+void TreeEditsTest::ACutIsToldBeforeItIsMade() {
+  // Of the second tree; between two nodes, beside the line.
+  const auto trees = {fork({0, 0, 0}), fork({100, 0, 0}, structure::kHepaticVeins)};
+  const model::Pruning cut = model::pruning_at(trees, mm(85, 2, 40));
+  QCOMPARE(cut.tree, std::size_t{1});
+  QCOMPARE(cut.part.structure, structure::kHepaticVeins);
+  QVERIFY(!cut.whole_tree);
+  QVERIFY((cut.part.nodes.row(0).transpose() - mm(100, 0, 40)).norm() < 1e-12);
+  QVERIFY(model::pruning_at(trees, mm(0, 0, 5)).whole_tree);
+  QVERIFY_EXCEPTION_THROWN(model::pruning_at(trees, mm(0, 50, 0)), InputError);
+  QVERIFY_EXCEPTION_THROWN(model::pruning_at({}, mm(0, 0, 0)), InputError);
 }
 
 void TreeEditsTest::JoinHangsOneTreeOnTheOther() {
@@ -149,7 +207,7 @@ void TreeEditsTest::EditsFollowOneAnother() {
   // The second edit finds what the first has left.
   const auto trees =
       model::edited_trees({fork({0, 0, 0})}, {{Kind::prune, mm(20, 0, 40)}, {Kind::prune, mm(18, 0, 40)}});
-  QVERIFY(trees.empty());  // nearest to (18, 0, 40) is now the fork, which belongs to the trunk
+  QVERIFY(trees.empty());  // nearest to (18, 0, 40) is now where the fork was: one line from root to tip
 }
 
 void TreeEditsTest::FarFromEveryVesselIsRefused() {

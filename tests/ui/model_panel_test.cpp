@@ -16,7 +16,7 @@
 #include "glisson/ui/model/quality_sheet.h"
 #include "glisson/ui/model/tree_editor.h"
 #include "glisson/ui/shell/main_window.h"
-#include "glisson/ui/shell/run_window.h"
+#include "run_in_window.h"
 
 namespace glisson {
 
@@ -211,11 +211,5 @@ void ModelPanelTest::AClickBesideTheVesselsTurnsTheCamera() {
 
 }  // namespace glisson
 
-int main(int argc, char** argv) {
-  glisson::ui::prepare_application();
-  QApplication application(argc, argv);
-  glisson::ui::dress_application(application);
-  glisson::ModelPanelTest test;
-  return QTest::qExec(&test, argc, argv);
-}
+int main(int argc, char** argv) { return glisson::run_in_window<glisson::ModelPanelTest>(argc, argv); }
 #include "model_panel_test.moc"

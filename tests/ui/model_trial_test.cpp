@@ -12,7 +12,7 @@
 #include "glisson/geometry/rigid.h"
 #include "glisson/ui/model/load_trial_box.h"
 #include "glisson/ui/shell/main_window.h"
-#include "glisson/ui/shell/run_window.h"
+#include "run_in_window.h"
 
 namespace glisson {
 
@@ -283,11 +283,5 @@ void ModelTrialTest::OutsideStaysWhereItIsNotAttached() {
 
 }  // namespace glisson
 
-int main(int argc, char** argv) {
-  glisson::ui::prepare_application();
-  QApplication application(argc, argv);
-  glisson::ui::dress_application(application);
-  glisson::ModelTrialTest test;
-  return QTest::qExec(&test, argc, argv);
-}
+int main(int argc, char** argv) { return glisson::run_in_window<glisson::ModelTrialTest>(argc, argv); }
 #include "model_trial_test.moc"

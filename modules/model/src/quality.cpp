@@ -96,28 +96,30 @@ std::vector<LesionVolume> lesion_volumes(const PatientModel& model) {
   return result;
 }
 
+TreeSummary tree_summary(const VesselTree& tree) {
+  TreeSummary summary;
+  summary.structure = tree.structure;
+  summary.beams = static_cast<int>(tree.beams.size());
+  std::vector<int> degree(tree.radii.size(), 0);
+  for (const auto& [a, b] : tree.beams) {
+    ++degree[static_cast<std::size_t>(a)];
+    ++degree[static_cast<std::size_t>(b)];
+    summary.length += (tree.nodes.row(a) - tree.nodes.row(b)).norm();
+  }
+  for (std::size_t i = 0; i < degree.size(); ++i) {
+    if (degree[i] > 2) ++summary.forks;
+    if (degree[i] == 1 && static_cast<int>(i) != tree.root) ++summary.tips;
+  }
+  if (tree.root >= 0) {
+    summary.root = tree.nodes.row(tree.root).transpose();
+    summary.root_radius = tree.radii[static_cast<std::size_t>(tree.root)];
+  }
+  return summary;
+}
+
 std::vector<TreeSummary> tree_summaries(const PatientModel& model) {
   std::vector<TreeSummary> result;
-  for (const VesselTree& tree : model.vessels) {
-    TreeSummary summary;
-    summary.structure = tree.structure;
-    summary.beams = static_cast<int>(tree.beams.size());
-    std::vector<int> degree(tree.radii.size(), 0);
-    for (const auto& [a, b] : tree.beams) {
-      ++degree[static_cast<std::size_t>(a)];
-      ++degree[static_cast<std::size_t>(b)];
-      summary.length += (tree.nodes.row(a) - tree.nodes.row(b)).norm();
-    }
-    for (std::size_t i = 0; i < degree.size(); ++i) {
-      if (degree[i] > 2) ++summary.forks;
-      if (degree[i] == 1 && static_cast<int>(i) != tree.root) ++summary.tips;
-    }
-    if (tree.root >= 0) {
-      summary.root = tree.nodes.row(tree.root).transpose();
-      summary.root_radius = tree.radii[static_cast<std::size_t>(tree.root)];
-    }
-    result.push_back(summary);
-  }
+  for (const VesselTree& tree : model.vessels) result.push_back(tree_summary(tree));
   return result;
 }
 

@@ -8,6 +8,7 @@
 
 #include "anatomy.h"
 #include "glisson/core/error.h"
+#include "glisson/model/quality.h"
 
 namespace glisson::model {
 namespace {
@@ -16,6 +17,8 @@ constexpr double kFarthestPick = 0.020;  // metres from a vessel: farther is a m
 constexpr double kLongestJoin = 0.060;   // metres
 constexpr double kBeamOfJoin = 0.010;    // metres, at most
 constexpr double kLeastJoin = 1e-6;      // metres: nearer, the two nodes become one
+constexpr double kForkReach = 3e-3;      // metres before a fork, at least, that are meant for a child
+constexpr double kAsNear = 0.1e-3;       // metres: no hand tells them apart
 
 struct Place {
   std::size_t tree = 0;
@@ -32,6 +35,13 @@ struct Complaint {
   }
 };
 
+[[noreturn]] void say_too_far(const std::vector<VesselTree>& trees, double least,
+                              const Complaint& complaint) {
+  complaint.say(trees.empty() ? "there is no vessel tree"
+                              : "lies " + shown(1e3 * least) + " mm from the nearest vessel",
+                "Point at a vessel of the model");
+}
+
 Place nearest(const std::vector<VesselTree>& trees, const Eigen::Vector3d& p, const Complaint& complaint) {
   Place best;
   double least = std::numeric_limits<double>::infinity();
@@ -42,10 +52,7 @@ Place nearest(const std::vector<VesselTree>& trees, const Eigen::Vector3d& p, co
       least = far;
       best = {t, i};
     }
-  if (!(least <= kFarthestPick))
-    complaint.say(best.node < 0 ? "there is no vessel tree"
-                                : "lies " + shown(1e3 * least) + " mm from the nearest vessel",
-                  "Point at a vessel of the model");
+  if (!(least <= kFarthestPick)) say_too_far(trees, least, complaint);
   return best;
 }
 
@@ -83,21 +90,126 @@ VesselTree from_root(const VesselTree& tree, int root, Keep keep) {
   return result;
 }
 
-/// Without the branch on which the node lies. Empty: that was the trunk, and all hung on it.
-VesselTree pruned(const VesselTree& tree, int node) {
-  std::vector<int> parent(tree.radii.size(), -1), children(tree.radii.size(), 0);
-  for (const auto& [a, b] : tree.beams) {
-    parent[static_cast<std::size_t>(b)] = a;
-    ++children[static_cast<std::size_t>(a)];
+/// A tree's branches: from a fork (or the root) to the next fork or tip.
+class Branches {
+ public:
+  explicit Branches(const VesselTree& tree)
+      : tree_(tree), parent_(tree.radii.size(), -1), children_(tree.radii.size()) {
+    for (const auto& [a, b] : tree.beams) {
+      parent_[static_cast<std::size_t>(b)] = a;
+      children_[static_cast<std::size_t>(a)].push_back(b);
+    }
   }
-  // A fork belongs to the branch that leads to it. The branch begins below the next fork towards the root.
-  int first = node;
-  const auto above = [&](int at) { return parent[static_cast<std::size_t>(at)]; };
-  if (first == tree.root) return {};
-  while (above(first) != tree.root && children[static_cast<std::size_t>(above(first))] == 1)
-    first = above(first);
-  if (above(first) == tree.root && children[static_cast<std::size_t>(tree.root)] == 1) return {};
-  return from_root(tree, tree.root, [&](int at) { return at != first; });
+
+  int parent(int node) const { return parent_[static_cast<std::size_t>(node)]; }
+  const std::vector<int>& children(int node) const { return children_[static_cast<std::size_t>(node)]; }
+  bool is_fork(int node) const { return children(node).size() > 1; }
+  /// The branch's node next to the fork or root at which it begins.
+  int begin(int node) const {
+    while (parent(node) >= 0 && parent(node) != tree_.root && !is_fork(parent(node))) node = parent(node);
+    return node;
+  }
+  /// The fork or tip at which the branch ends.
+  int end(int node) const {
+    while (children(node).size() == 1) node = children(node).front();
+    return node;
+  }
+  /// Metres along the branch from a node down to one of the nodes that follow.
+  double way(int from, int to) const {
+    double sum = 0.0;
+    for (; to != from; to = parent(to)) sum += (tree_.nodes.row(to) - tree_.nodes.row(parent(to))).norm();
+    return sum;
+  }
+  /// Of a point from the branch that begins with the beam to `node`.
+  double distance(const Eigen::Vector3d& p, int node) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (;; node = children(node).front()) {
+      const Eigen::Vector3d a = tree_.nodes.row(parent(node)).transpose(),
+                            b = tree_.nodes.row(node).transpose();
+      least = std::min(least, (p - a - share_along(p, a, b) * (b - a)).norm());
+      if (children(node).size() != 1) return least;
+    }
+  }
+  /// What goes with a node, hanging on the node before it.
+  VesselTree part(int first) const {
+    if (first == tree_.root) return from_root(tree_, first, [](int) { return true; });
+    std::vector<char> goes(tree_.radii.size(), 0);
+    std::vector<int> open{first};
+    while (!open.empty()) {
+      const int node = open.back();
+      open.pop_back();
+      goes[static_cast<std::size_t>(node)] = 1;
+      open.insert(open.end(), children(node).begin(), children(node).end());
+    }
+    return from_root(tree_, parent(first),
+                     [&](int node) { return goes[static_cast<std::size_t>(node)] != 0; });
+  }
+  /// The child of a fork that a click there means.
+  int child_at(int fork, const Eigen::Vector3d& p) const {
+    int best = -1;
+    double least = 0.0, least_length = 0.0;
+    for (const int child : children(fork)) {
+      const double far = distance(p, child), length = tree_summary(part(child)).length;
+      const bool as_near = best >= 0 && std::abs(far - least) <= kAsNear;
+      if (best >= 0 && (as_near ? length >= least_length : far > least)) continue;
+      best = child;
+      least = far;
+      least_length = length;
+    }
+    return best;
+  }
+
+  /// 0 at `a`, 1 at `b`, of the point of the line between them that is nearest to `p`.
+  static double share_along(const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    const double squared = (b - a).squaredNorm();
+    return squared > 0.0 ? std::clamp((p - a).dot(b - a) / squared, 0.0, 1.0) : 0.0;
+  }
+
+ private:
+  const VesselTree& tree_;
+  std::vector<int> parent_;
+  std::vector<std::vector<int>> children_;
+};
+
+/// The node next to the root that goes, for a click whose nearest point lies on the beam from a to b.
+int first_to_go(const VesselTree& tree, const std::array<int, 2>& beam, double share,
+                const Eigen::Vector3d& p) {
+  const Branches branches(tree);
+  const auto [a, b] = beam;
+  const double length = (tree.nodes.row(b) - tree.nodes.row(a)).norm();
+  if (branches.is_fork(a) && share * length <= kAsNear) return branches.child_at(a, p);
+  const int begin = branches.begin(b), end = branches.end(b);
+  if (branches.is_fork(end)) {
+    const double before = (1.0 - share) * length + branches.way(b, end);
+    const double reach = std::min(std::max(kForkReach, tree.radii[static_cast<std::size_t>(end)]),
+                                  0.5 * branches.way(branches.parent(begin), end));
+    if (before <= reach) return branches.child_at(end, p);
+  }
+  const bool trunk = branches.parent(begin) == tree.root && !branches.is_fork(tree.root);
+  return trunk ? tree.root : begin;
+}
+
+Pruning pruning(const std::vector<VesselTree>& trees, const Eigen::Vector3d& p, const Complaint& complaint) {
+  Pruning result;
+  std::array<int, 2> beam{};
+  double least = std::numeric_limits<double>::infinity(), share = 0.0;
+  for (std::size_t t = 0; t < trees.size(); ++t)
+    for (const auto& [a, b] : trees[t].beams) {
+      const Eigen::Vector3d from = trees[t].nodes.row(a).transpose(), to = trees[t].nodes.row(b).transpose();
+      const double along = Branches::share_along(p, from, to);
+      const double far = (p - from - along * (to - from)).norm();
+      if (far >= least) continue;
+      least = far;
+      share = along;
+      beam = {a, b};
+      result.tree = t;
+    }
+  if (!(least <= kFarthestPick)) say_too_far(trees, least, complaint);
+  const VesselTree& tree = trees[result.tree];
+  result.first = first_to_go(tree, beam, share, p);
+  result.whole_tree = result.first == tree.root;
+  result.part = Branches(tree).part(result.first);
+  return result;
 }
 
 VesselTree joined(const VesselTree& trunk, int at, const VesselTree& other, int to) {
@@ -124,19 +236,22 @@ VesselTree joined(const VesselTree& trunk, int at, const VesselTree& other, int 
   return from_root(result, result.root, [](int) { return true; });
 }
 
+void prune(std::vector<VesselTree>& trees, const Eigen::Vector3d& at, const Complaint& complaint) {
+  const Pruning cut = pruning(trees, at, complaint);
+  VesselTree& tree = trees[cut.tree];
+  if (cut.whole_tree)
+    trees.erase(trees.begin() + static_cast<std::ptrdiff_t>(cut.tree));
+  else
+    tree = from_root(tree, tree.root, [&](int node) { return node != cut.first; });
+}
+
 void apply(std::vector<VesselTree>& trees, const TreeEdit& edit, const Complaint& complaint) {
+  if (edit.kind == TreeEdit::Kind::prune) return prune(trees, edit.at, complaint);
   const Place at = nearest(trees, edit.at, complaint);
   VesselTree& tree = trees[at.tree];
-  switch (edit.kind) {
-    case TreeEdit::Kind::set_root:
-      tree = from_root(tree, at.node, [](int) { return true; });
-      return;
-    case TreeEdit::Kind::prune:
-      tree = pruned(tree, at.node);
-      if (tree.beams.empty()) trees.erase(trees.begin() + static_cast<std::ptrdiff_t>(at.tree));
-      return;
-    case TreeEdit::Kind::join:
-      break;
+  if (edit.kind == TreeEdit::Kind::set_root) {
+    tree = from_root(tree, at.node, [](int) { return true; });
+    return;
   }
   const Place to = nearest(trees, edit.to, complaint);
   if (to.tree == at.tree)
@@ -157,6 +272,10 @@ void apply(std::vector<VesselTree>& trees, const TreeEdit& edit, const Complaint
 
 std::string edit_code(TreeEdit::Kind kind) {
   return kind == TreeEdit::Kind::set_root ? "set_root" : kind == TreeEdit::Kind::prune ? "prune" : "join";
+}
+
+Pruning pruning_at(const std::vector<VesselTree>& trees, const Eigen::Vector3d& at) {
+  return pruning(trees, at, {0, TreeEdit::Kind::prune});
 }
 
 std::vector<VesselTree> edited_trees(std::vector<VesselTree> trees, const std::vector<TreeEdit>& edits) {

@@ -40,7 +40,7 @@ struct ModelReport {
 struct TreeEdit {
   enum class Kind {
     set_root,  ///< the tree enters at the node nearest to `at`; its beams lead away from there
-    prune,     ///< the branch on which that node lies goes, from its fork on, with all that hangs on it
+    prune,     ///< the branch nearest to `at` goes, from its fork on, with all that hangs on it (pruning_at)
     join       ///< the node nearest to `to`, of another tree, hangs on the node nearest to `at` by new beams
   };
   Kind kind = Kind::prune;

@@ -43,6 +43,7 @@ struct TreeSummary {
   double root_radius = 0.0;                        ///< m, of the entrance
   Eigen::Vector3d root = Eigen::Vector3d::Zero();  ///< CT frame, metres
 };
+TreeSummary tree_summary(const VesselTree& tree);
 /// In the order of PatientModel::vessels.
 std::vector<TreeSummary> tree_summaries(const PatientModel& model);
 

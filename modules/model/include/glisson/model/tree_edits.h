@@ -16,6 +16,20 @@ namespace glisson::model {
 /// "set_root", "prune", "join".
 std::string edit_code(TreeEdit::Kind kind);
 
+/// What an edit "prune" takes.
+struct Pruning {
+  std::size_t tree = 0;     ///< of those given
+  int first = -1;           ///< the node next to the root that goes; the tree's root: the whole tree goes
+  VesselTree part;          ///< what goes; node 0 is where it hangs on the tree, which stays
+  bool whole_tree = false;  ///< the branch is the trunk, on which all hangs
+};
+/// What a click at `at` (CT frame, metres) prunes: the branch whose centreline is nearest, from its fork on,
+/// with all that hangs on it. A click at a fork (up to 3 mm or its radius before it, or half the branch that
+/// leads there) means the child nearest to the click, of several as near the one with the least on it, never
+/// the branch that leads to the fork.
+/// @throws InputError no vessel within 20 mm.
+Pruning pruning_at(const std::vector<VesselTree>& trees, const Eigen::Vector3d& at);
+
 /// The trees after the edits, one after the other. Node 0 of a changed tree is its root.
 /// @throws InputError naming the edit by its number: no vessel within 20 mm; join: two places of one tree
 /// (that would close a loop), vessels of two kinds, or more than 60 mm apart.
