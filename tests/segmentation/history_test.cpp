@@ -224,6 +224,8 @@ void HistoryTest::UndoAndRedoNeedAStep() {
   const LabelMap labels = blank({4, 4, 4});
   QVERIFY_EXCEPTION_THROWN(History().undo(labels), PreconditionError);
   QVERIFY_EXCEPTION_THROWN(History().redo(labels), PreconditionError);
+  QVERIFY_EXCEPTION_THROWN(History().undo_step(), PreconditionError);
+  QVERIFY_EXCEPTION_THROWN(History().redo_step(), PreconditionError);
   QVERIFY_EXCEPTION_THROWN(History().undo_name(), PreconditionError);
   QVERIFY_EXCEPTION_THROWN(History().redo_name(), PreconditionError);
 }

@@ -9,10 +9,10 @@ namespace glisson::engine {
 namespace {
 
 /// Labels of which a voxel came or went.
-std::set<Label> labels_touched(const LabelVolume& before, const LabelVolume& after) {
+std::set<Label> labels_touched(const LabelChanges& changes) {
   std::set<Label> touched;
   std::pair<Label, Label> last{0, 0};
-  for (const LabelChange& change : after.changes_since(before))
+  for (const LabelChange& change : changes)
     for (std::size_t i = 0; i < LabelVolume::Brick().size(); ++i) {
       const std::pair<Label, Label> now{change.before ? (*change.before)[i] : Label{0},
                                         change.after ? (*change.after)[i] : Label{0}};
@@ -62,13 +62,26 @@ void put_labels(CaseState& state, LabelMap labels, segmentation::History history
   state.preview = nullptr;
 }
 
-/// Labels that a whole step made anew.
-void replace_labels(CaseState& state, LabelMap labels, const segmentation::StepName& name) {
-  segmentation::History history;
-  // Steps on another grid lead nowhere.
-  if (state.labels && state.labels->voxels.grid().same_as(labels.voxels.grid()))
-    history = history_of(state).with(name, *state.labels, labels);
+/// Puts the labels in place that a step made of `before`. @return those of which a voxel came or went.
+std::set<Label> step_to(CaseState& state, const LabelMap& before, LabelMap labels,
+                        const segmentation::StepName& name, std::uint64_t gesture = 0) {
+  LabelChanges changes = labels.voxels.changes_since(before.voxels);
+  std::set<Label> touched = labels_touched(changes);
+  segmentation::History history =
+      history_of(state).with({name, std::move(changes), before.infos, labels.infos, gesture});
   put_labels(state, std::move(labels), std::move(history));
+  return touched;
+}
+
+/// Labels that a whole step made anew. @return as step_to().
+std::set<Label> replace_labels(CaseState& state, LabelMap labels, const segmentation::StepName& name) {
+  const VolumeGrid& grid = labels.voxels.grid();
+  if (state.labels && state.labels->voxels.grid().same_as(grid))
+    return step_to(state, LabelMap(*state.labels), std::move(labels), name);  // a copy: its bricks are shared
+  // Steps on another grid lead nowhere, nor is there a way back to no labels at all.
+  std::set<Label> touched = labels_touched(labels.voxels.changes_since(LabelVolume(grid)));
+  put_labels(state, std::move(labels), segmentation::History());
+  return touched;
 }
 
 void report_labels(const CaseState& state, Figures& figures) {
@@ -89,9 +102,9 @@ Applied stepped(const CaseState& state, bool back) {
                      back ? "Edit the labels first" : "Only what was undone last can be redone");
   Applied applied;
   applied.state = state;
+  const segmentation::History::Step& step = back ? history.undo_step() : history.redo_step();
+  put_review(applied.state, review_after(review_of(state), labels_touched(step.changes)));
   auto [labels, then] = back ? history.undo(*state.labels) : history.redo(*state.labels);
-  put_review(applied.state,
-             review_after(review_of(state), labels_touched(state.labels->voxels, labels.voxels)));
   put_labels(applied.state, std::move(labels), std::move(then));
   return applied;
 }
@@ -138,13 +151,11 @@ Cancellable<Applied> apply_one(const CaseState& state, const Segment& command, c
   Applied applied;
   applied.state = state;
   applied.notes = segmented->report.notes;
-  const LabelVolume before = labels_of(state).voxels;
-  replace_labels(applied.state, std::move(segmented->labels), {"segment", 0, 0.0});
+  const std::set<Label> touched =
+      replace_labels(applied.state, std::move(segmented->labels), {"segment", 0, 0.0});
   // What a machine made is there to be looked at.
   Review review = review_of(state);
-  if (before.grid().same_as(applied.state.labels->voxels.grid()))
-    for (const Label label : labels_touched(before, applied.state.labels->voxels))
-      review[label] = ReviewState::to_review;
+  for (const Label label : touched) review[label] = ReviewState::to_review;
   put_review(applied.state, review);
   report_labels(applied.state, applied.figures);
   return applied;
@@ -163,11 +174,9 @@ Cancellable<Applied> apply_one(const CaseState& state, const EditLabels& command
   applied.state = state;
   applied.figures["voxels_changed"] = static_cast<double>(edited->voxels_changed);
   applied.notes = edited->notes;
-  put_review(applied.state,
-             review_after(review_of(state), labels_touched(before.voxels, edited->labels.voxels)));
-  segmentation::History history =
-      history_of(state).with(segmentation::step_name(command.edit), before, edited->labels, command.gesture);
-  put_labels(applied.state, std::move(edited->labels), std::move(history));
+  const std::set<Label> touched = step_to(applied.state, before, std::move(edited->labels),
+                                          segmentation::step_name(command.edit), command.gesture);
+  put_review(applied.state, review_after(review_of(state), touched));
   return applied;
 }
 

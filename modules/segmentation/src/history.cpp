@@ -39,14 +39,18 @@ bool same_info(const LabelInfo& a, const LabelInfo& b) {
 
 History History::with(StepName name, const LabelMap& before, const LabelMap& after,
                       std::uint64_t gesture) const {
-  Step step{std::move(name), after.voxels.changes_since(before.voxels), before.infos, after.infos, gesture};
+  return with(
+      Step{std::move(name), after.voxels.changes_since(before.voxels), before.infos, after.infos, gesture});
+}
+
+History History::with(Step step) const {
   History history = *this;
   const bool changed =
-      !step.changes.empty() || !std::equal(before.infos.begin(), before.infos.end(), after.infos.begin(),
-                                           after.infos.end(), same_info);
+      !step.changes.empty() || !std::equal(step.infos_before.begin(), step.infos_before.end(),
+                                           step.infos_after.begin(), step.infos_after.end(), same_info);
   if (!changed) return history;
   history.steps_.resize(history.done_);
-  if (gesture != 0 && !history.steps_.empty() && history.steps_.back()->gesture == gesture) {
+  if (step.gesture != 0 && !history.steps_.empty() && history.steps_.back()->gesture == step.gesture) {
     const Step& last = *history.steps_.back();
     step.changes = joined(last.changes, step.changes);
     step.infos_before = last.infos_before;
@@ -58,20 +62,19 @@ History History::with(StepName name, const LabelMap& before, const LabelMap& aft
   return history;
 }
 
-const StepName& History::undo_name() const {
+const History::Step& History::undo_step() const {
   require(can_undo(), "there is a step to be undone");
-  return steps_[done_ - 1]->name;
+  return *steps_[done_ - 1];
 }
 
-const StepName& History::redo_name() const {
+const History::Step& History::redo_step() const {
   require(can_redo(), "there is a step to be redone");
-  return steps_[done_]->name;
+  return *steps_[done_];
 }
 
 std::pair<LabelMap, History> History::undo(const LabelMap& labels) const {
-  require(can_undo(), "there is a step to be undone");
+  const Step& step = undo_step();
   std::pair<LabelMap, History> answer{labels, *this};
-  const Step& step = *steps_[done_ - 1];
   answer.first.voxels.apply(step.changes, true);
   answer.first.infos = step.infos_before;
   --answer.second.done_;
@@ -79,9 +82,8 @@ std::pair<LabelMap, History> History::undo(const LabelMap& labels) const {
 }
 
 std::pair<LabelMap, History> History::redo(const LabelMap& labels) const {
-  require(can_redo(), "there is a step to be redone");
+  const Step& step = redo_step();
   std::pair<LabelMap, History> answer{labels, *this};
-  const Step& step = *steps_[done_];
   answer.first.voxels.apply(step.changes, false);
   answer.first.infos = step.infos_after;
   ++answer.second.done_;

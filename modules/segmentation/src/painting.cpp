@@ -7,6 +7,23 @@
 #include "level_set.h"
 
 namespace glisson::segmentation {
+namespace {
+
+/// @param inside of a place in the image's voxel coordinates.
+template <class Inside>
+Mask mask_of(const Field& grid, const Inside& inside) {
+  Mask mask = grid.empty_mask();
+  std::size_t at = 0;
+  for (int k = 0; k < grid.size.z(); ++k)
+    for (int j = 0; j < grid.size.y(); ++j)
+      for (int i = 0; i < grid.size.x(); ++i, ++at)
+        mask.voxels[at] =
+            inside(Eigen::Vector3d(grid.first_index + Eigen::Vector3d(i, j, k).cwiseProduct(grid.step))) ? 1
+                                                                                                         : 0;
+  return mask;
+}
+
+}  // namespace
 
 Field smooth_boundary(const Mask& mask, const Field& grid) {
   Field phi = signed_distance(mask, grid);
@@ -27,31 +44,18 @@ VoxelBox image_box(const VolumeGrid& image, const Field& grid, const Mask& mask,
 }
 
 Mask transferred(const Field& phi, const Field& to) {
-  Mask mask = to.empty_mask();
-  std::size_t at = 0;
-  for (int k = 0; k < to.size.z(); ++k)
-    for (int j = 0; j < to.size.y(); ++j)
-      for (int i = 0; i < to.size.x(); ++i, ++at) {
-        const Eigen::Vector3d index = to.first_index + Eigen::Vector3d(i, j, k).cwiseProduct(to.step);
-        const Eigen::Vector3i v =
-            phi.voxel_of(index).cwiseMax(0).cwiseMin(phi.size - Eigen::Vector3i::Ones());
-        mask.voxels[at] = phi.values[phi.offset(v)] < 0.0F ? 1 : 0;
-      }
-  return mask;
+  return mask_of(to, [&](const Eigen::Vector3d& index) {
+    const Eigen::Vector3i v = phi.voxel_of(index).cwiseMax(0).cwiseMin(phi.size - Eigen::Vector3i::Ones());
+    return phi.values[phi.offset(v)] < 0.0F;
+  });
 }
 
 Mask sampled(const VolumeGrid& image, const std::vector<std::uint8_t>& voxels, const Field& to) {
-  Mask mask = to.empty_mask();
-  std::size_t at = 0;
-  for (int k = 0; k < to.size.z(); ++k)
-    for (int j = 0; j < to.size.y(); ++j)
-      for (int i = 0; i < to.size.x(); ++i, ++at) {
-        const Eigen::Vector3d index = to.first_index + Eigen::Vector3d(i, j, k).cwiseProduct(to.step);
-        const Eigen::Vector3i v = index.array().round().matrix().cast<int>().cwiseMax(0).cwiseMin(
-            image.size - Eigen::Vector3i::Ones());
-        mask.voxels[at] = voxels[static_cast<std::size_t>(image.offset(v))];
-      }
-  return mask;
+  return mask_of(to, [&](const Eigen::Vector3d& index) {
+    const Eigen::Vector3i v =
+        index.array().round().matrix().cast<int>().cwiseMax(0).cwiseMin(image.size - Eigen::Vector3i::Ones());
+    return voxels[static_cast<std::size_t>(image.offset(v))] != 0;
+  });
 }
 
 Field interpolated(const Field& from, const Field& to) {

@@ -32,12 +32,17 @@ class History {
   /// The history after a step from `before` to `after`; what could be redone is forgotten. A step of the same
   /// gesture (not 0) as the last one is joined to it. @pre one grid.
   History with(StepName name, const LabelMap& before, const LabelMap& after, std::uint64_t gesture = 0) const;
+  /// The same for whoever has compared the two already.
+  /// @pre `step.changes` are after.voxels.changes_since(before.voxels).
+  History with(Step step) const;
 
   bool can_undo() const { return done_ > 0; }
   bool can_redo() const { return done_ < steps_.size(); }
-  /// Of the step that would be undone or redone. @pre can_undo(), can_redo().
-  const StepName& undo_name() const;
-  const StepName& redo_name() const;
+  const StepName& undo_name() const { return undo_step().name; }
+  const StepName& redo_name() const { return redo_step().name; }
+  /// The step that would be undone or redone. @pre can_undo(), can_redo().
+  const Step& undo_step() const;
+  const Step& redo_step() const;
   /// The labels one step back or forth, and the history then. @pre can_undo(), can_redo(); `labels` are those
   /// of the last step.
   std::pair<LabelMap, History> undo(const LabelMap& labels) const;
