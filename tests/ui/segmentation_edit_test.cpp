@@ -30,6 +30,7 @@ class SegmentationEditTest : public QObject, private SegmentationWindow {
   void CancelledPreviewChangesNothing();
   void EnterKeepsTheLargestIsland();
   void PaintingWithinIntensitiesSparesTheRest();
+  void LevelTracingShowsWhatAClickTakes();
   void SurfacesFollowTheEdit();
   void TouchingTreesAreListedAndGoneTo();
   void MouseMeansWhatItMeantBesideTheTool();
@@ -232,6 +233,62 @@ void SegmentationEditTest::PaintingWithinIntensitiesSparesTheRest() {
     for (int j = 0; j < ct_.grid.size.y(); ++j)
       for (int i = 0; i < ct_.grid.size.x(); ++i)
         if (labels().at({i, j, k}) == structure::kHepaticVeins) QVERIFY(ct_.at({i, j, k}) >= 150);
+}
+
+void SegmentationEditTest::LevelTracingShowsWhatAClickTakes() {
+  open_labels();
+  choose(structure::kGallbladder);
+  QTest::keyClick(window_.get(), Qt::Key_L);
+  ui::SliceView& axial = slice(Plane::axial);
+  const QImage plain = axial.grab().toImage();
+  const ui::ViewState& shared = window_->views().state();
+  const auto move = [&](const Eigen::Vector3d& p) {
+    QTest::mouseMove(&axial, axial.widget_point(Point<CtFrame>(p)).toPoint());
+    return QTest::qWaitFor([&] {
+      return shared.line() && shared.pointer() && shared.line()->place.p.xyz == shared.pointer()->p.xyz;
+    });
+  };
+  QVERIFY(move({0.0225, 0.0, 0}));  // on the lesion's edge
+  const auto line = shared.line();
+  QCOMPARE(line->label, structure::kGallbladder);
+  const QImage drawn = axial.grab().toImage();
+  QPolygonF outline;
+  for (Eigen::Index n = 0; n < line->corners.rows(); ++n) {
+    outline << axial.widget_point(Point<CtFrame>(Eigen::Vector3d(line->corners.row(n).transpose())));
+    const QPoint at = outline.last().toPoint();
+    QVERIFY(drawn.pixel(at) != plain.pixel(at));
+  }
+  QVERIFY(outline.size() > 8);
+  QVERIFY(slice(Plane::coronal).geometry_in_ct().width > 0);
+  // A click takes what the line encloses.
+  const LabelVolume before = labels();
+  QTest::mouseClick(&axial, Qt::LeftButton, {}, axial.widget_point(Point<CtFrame>(0.0225, 0.0, 0)).toPoint());
+  QVERIFY(settle());
+  const VolumeGrid& grid = labels().grid();
+  const int layer = static_cast<int>(std::lround(grid.index_of(line->place.p).z()));
+  int taken = 0;
+  for (int j = 0; j < grid.size.y(); ++j)
+    for (int i = 0; i < grid.size.x(); ++i) {
+      const Point<CtFrame> p = grid.p_in_ct({double(i), double(j), double(layer)});
+      const bool inside = outline.containsPoint(axial.widget_point(p), Qt::OddEvenFill);
+      QCOMPARE(labels().at({i, j, layer}) == structure::kGallbladder, inside);
+      taken += inside ? 1 : 0;
+    }
+  QVERIFY2(taken > 30 && taken < 70, qPrintable(QString::number(taken)));  // 8 mm of radius, pixels of 2 mm
+  // The wheel shows the next slice's, the pointer's leaving and other tools show none.
+  QWheelEvent wheel(axial.widget_point(Point<CtFrame>(0.0225, 0.0, 0)), {}, {}, QPoint(0, 120), Qt::NoButton,
+                    {}, Qt::NoScrollPhase, false);
+  QCoreApplication::sendEvent(&axial, &wheel);
+  QTRY_VERIFY(shared.line() && shared.line()->place.p.xyz.z() > line->place.p.xyz.z());
+  QTest::mouseMove(&axial, QPoint(axial.width() / 2, 4));  // above the volume
+  QTRY_VERIFY(!shared.line());
+  QVERIFY(move({0.0, 0.0445, 0}));
+  QEvent leave(QEvent::Leave);
+  QCoreApplication::sendEvent(&axial, &leave);
+  QVERIFY(!shared.line());
+  QVERIFY(move({0.01, 0.0445, 0}));
+  QTest::keyClick(window_.get(), Qt::Key_P);
+  QVERIFY(!shared.line());
 }
 
 void SegmentationEditTest::SurfacesFollowTheEdit() {

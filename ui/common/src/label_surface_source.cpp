@@ -4,14 +4,9 @@
 namespace glisson::ui {
 
 LabelSurfaceSource::LabelSurfaceSource(QObject* parent)
-    : QObject(parent), surfaces_(std::make_shared<const scene::LabelSurfaces>()) {
-  thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
-}
-
-LabelSurfaceSource::~LabelSurfaceSource() {
-  thread_.request_stop();
-  thread_.join();
-}
+    : QObject(parent),
+      surfaces_(std::make_shared<const scene::LabelSurfaces>()),
+      maker_([this](const auto& order, const std::stop_token& stop) { make(order, stop); }) {}
 
 void LabelSurfaceSource::set_labels(std::shared_ptr<const LabelVolume> labels) {
   if (labels == wanted_) return;
@@ -21,11 +16,7 @@ void LabelSurfaceSource::set_labels(std::shared_ptr<const LabelVolume> labels) {
     surfaces_ = std::make_shared<const scene::LabelSurfaces>();
     emit changed();
   }
-  {
-    const std::lock_guard lock(mutex_);
-    order_ = std::move(labels);
-  }
-  wake_.notify_one();
+  maker_.give(std::move(labels));
 }
 
 void LabelSurfaceSource::accept(const std::shared_ptr<const LabelVolume>& of,
@@ -37,22 +28,13 @@ void LabelSurfaceSource::accept(const std::shared_ptr<const LabelVolume>& of,
   emit changed();
 }
 
-void LabelSurfaceSource::run(const std::stop_token& stop) {
-  std::shared_ptr<const scene::LabelSurfaces> former;  // even of other labels: it compares bricks
-  while (true) {
-    std::shared_ptr<const LabelVolume> order;
-    {
-      std::unique_lock lock(mutex_);
-      wake_.wait(lock, stop, [this] { return order_ != nullptr; });
-      if (stop.stop_requested()) return;
-      std::swap(order, order_);
-    }
-    auto made = scene::LabelSurfaces::of(*order, former.get(), [&stop] { return stop.stop_requested(); });
-    if (!made) return;
-    former = std::make_shared<const scene::LabelSurfaces>(std::move(*made));
-    QMetaObject::invokeMethod(
-        this, [this, order, former] { accept(order, former); }, Qt::QueuedConnection);
-  }
+void LabelSurfaceSource::make(const std::shared_ptr<const LabelVolume>& order, const std::stop_token& stop) {
+  if (!order) return;
+  auto made = scene::LabelSurfaces::of(*order, former_.get(), [&stop] { return stop.stop_requested(); });
+  if (!made) return;
+  former_ = std::make_shared<const scene::LabelSurfaces>(std::move(*made));
+  QMetaObject::invokeMethod(
+      this, [this, order, surfaces = former_] { accept(order, surfaces); }, Qt::QueuedConnection);
 }
 
 }  // namespace glisson::ui

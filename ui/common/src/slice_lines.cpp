@@ -29,4 +29,13 @@ void paint_box(QPainter& painter, const Eigen::AlignedBox3d& box, const scene::S
         painter.drawRect(QRectF(x - kHalf, y - kHalf, 2 * kHalf, 2 * kHalf));
 }
 
+void paint_outline(QPainter& painter, const QPolygonF& outline, const QColor& colour, bool open) {
+  if (outline.size() < 3) return;
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(QColor(0, 0, 0, 200), 3.0));
+  painter.drawPolygon(outline);
+  painter.setPen(QPen(colour, 1.5, open ? Qt::DashLine : Qt::SolidLine));
+  painter.drawPolygon(outline);
+}
+
 }  // namespace glisson::ui

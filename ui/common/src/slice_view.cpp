@@ -74,6 +74,7 @@ SliceView::SliceView(ViewState& state, scene::Plane plane, QWidget* parent)
   connect(&state_, &ViewState::markers_changed, this, qOverload<>(&QWidget::update));
   connect(&state_, &ViewState::hand_changed, this, &SliceView::show_hand);
   connect(&state_, &ViewState::brush_changed, this, qOverload<>(&QWidget::update));
+  connect(&state_, &ViewState::line_changed, this, qOverload<>(&QWidget::update));
   connect(&state_, &ViewState::box_changed, this, qOverload<>(&QWidget::update));
   connect(&state_, &ViewState::pointer_changed, this, [this] {
     if (state_.hand() == Hand::brush) update();
@@ -186,6 +187,7 @@ void SliceView::paintEvent(QPaintEvent*) {
   paint_overlay(painter);
   if (state_.box())
     paint_box(painter, *state_.box(), slice_, widget_from_pixel(), state_.hand() == Hand::box);
+  if (state_.line()) paint_line(painter);
   paint_marks(painter);
   paint_lasso(painter, widget_from_pixel().map(lasso_));
   if (state_.hand() == Hand::brush && state_.pointer()) paint_brush(painter);
@@ -237,6 +239,17 @@ void SliceView::paint_brush(QPainter& painter) const {
   painter.setPen(
       QPen(brush.label == structure::kBackground ? QColor(Qt::white) : colour_of(brush.label), 1.5));
   draw();
+}
+
+void SliceView::paint_line(QPainter& painter) const {
+  const SliceLine& line = *state_.line();
+  constexpr double kHere = 1e-6;  // metres: the place was taken from this very slice
+  if (line.place.plane != plane_ || std::abs(slice_.distance_of(line.place.p)) > kHere) return;
+  QPolygonF outline;
+  outline.reserve(line.corners.rows());
+  for (Eigen::Index n = 0; n < line.corners.rows(); ++n)
+    outline << widget_point(Point<CtFrame>(Eigen::Vector3d(line.corners.row(n).transpose())));
+  paint_outline(painter, outline, colour_of(line.label), line.open);
 }
 
 void SliceView::paint_marks(QPainter& painter) const {
@@ -389,6 +402,7 @@ void SliceView::wheelEvent(QWheelEvent* event) {
     wheel_rest_ -= slices;
     step(slices);
   }
+  state_.set_pointer(PointerPlace{plane_, p_in_ct(event->position())});  // it rests, the slice does not
   event->accept();
 }
 

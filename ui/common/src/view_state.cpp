@@ -22,6 +22,7 @@ void ViewState::set_volume(std::shared_ptr<const Image> image, std::shared_ptr<c
   }
   preview_ = nullptr;
   evolving_ = nullptr;
+  line_ = nullptr;
   box_.reset();
   pointer_.reset();
   emit volume_changed();
@@ -69,6 +70,12 @@ void ViewState::set_evolving(std::shared_ptr<const LabelVolume> labels) {
   if (labels == evolving_) return;
   evolving_ = std::move(labels);
   emit overlays_changed();
+}
+
+void ViewState::set_line(std::shared_ptr<const SliceLine> line) {
+  if (line == line_) return;
+  line_ = std::move(line);
+  emit line_changed();
 }
 
 void ViewState::set_box(const std::optional<Eigen::AlignedBox3d>& box) {

@@ -36,6 +36,7 @@ EditSession::EditSession(EngineBridge& engine, ViewState& views, QObject* parent
       views_(views),
       // Gestures are told apart for as long as a case's history lives.
       gestures_(static_cast<std::uint64_t>(QDateTime::currentMSecsSinceEpoch())) {
+  traced_ = new LevelOutline(views, this);
   soon_ = new QTimer(this);
   soon_->setSingleShot(true);
   soon_->setInterval(kRest);
@@ -76,8 +77,14 @@ void EditSession::set_settings(const EditSettings& settings) {
   settings_have_changed();
 }
 
+void EditSession::show_outline() {
+  const bool traces = active_ && tool_ == EditTool::level_tracing && obstacle() == EditObstacle::none;
+  traced_->set_label(traces ? std::optional(settings_.label) : std::nullopt);
+}
+
 void EditSession::settings_have_changed() {
   problem_.clear();
+  show_outline();
   // Growing takes its time: it waits to be asked.
   if (active_ && is_previewed(tool_, settings_) && tool_ != EditTool::grow &&
       obstacle() == EditObstacle::none) {
@@ -94,6 +101,7 @@ void EditSession::set_active(bool on) {
   if (on == active_) return;
   if (!on) set_tool(EditTool::none);
   active_ = on;
+  show_outline();
   emit changed();
 }
 
@@ -118,6 +126,7 @@ void EditSession::show_case() {
       for (const auto& [label, figures] : statistics->figures())
         if (label != structure::kBackground && figures.voxels > 0) present_.push_back(label);
   }
+  show_outline();
   show_preview();
   emit changed();
 }

@@ -2,12 +2,10 @@
 #pragma once
 
 #include <QObject>
-#include <condition_variable>
 #include <memory>
-#include <mutex>
-#include <thread>
 
 #include "glisson/ui/common/engine_bridge.h"
+#include "glisson/ui/common/newest_wins.h"
 #include "glisson/ui/scene/drawable_model.h"
 
 namespace glisson::ui {
@@ -17,7 +15,6 @@ class DrawableSource : public QObject {
   Q_OBJECT
  public:
   explicit DrawableSource(EngineBridge& engine, QObject* parent = nullptr);
-  ~DrawableSource() override;
 
   /// Of the case's present model; null while there is none or it is being made.
   const std::shared_ptr<const scene::DrawableModel>& drawable() const { return drawable_; }
@@ -30,15 +27,11 @@ class DrawableSource : public QObject {
  private:
   void show_case();
   void accept(const std::shared_ptr<const scene::DrawableModel>& made);
-  void run(const std::stop_token& stop);
 
   EngineBridge& engine_;
   std::shared_ptr<const model::BuiltModel> wanted_;
   std::shared_ptr<const scene::DrawableModel> drawable_;
-  std::mutex mutex_;
-  std::condition_variable_any wake_;
-  std::shared_ptr<const model::BuiltModel> order_;  ///< newest wins
-  std::jthread thread_;
+  NewestWins<std::shared_ptr<const model::BuiltModel>> maker_;
 };
 
 }  // namespace glisson::ui

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "glisson/core/frames.h"
+#include "glisson/geometry/mesh.h"
 #include "glisson/ui/scene/slice_picture.h"
 #include "glisson/volume/label_volume.h"
 
@@ -50,6 +51,14 @@ struct VolumeLasso {
 struct PointerPlace {
   scene::Plane plane = scene::Plane::axial;
   Point<CtFrame> p;
+};
+
+/// A closed line in the slice that a place lies in.
+struct SliceLine {
+  PointerPlace place;
+  Points corners;     ///< CT frame, metres
+  Label label = 0;    ///< gives the colour
+  bool open = false;  ///< it runs along the slice's edge: drawn dashed
 };
 
 }  // namespace glisson::ui

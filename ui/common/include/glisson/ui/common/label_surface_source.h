@@ -2,12 +2,9 @@
 #pragma once
 
 #include <QObject>
-#include <atomic>
-#include <condition_variable>
 #include <memory>
-#include <mutex>
-#include <thread>
 
+#include "glisson/ui/common/newest_wins.h"
 #include "glisson/ui/scene/label_surfaces.h"
 
 namespace glisson::ui {
@@ -18,7 +15,6 @@ class LabelSurfaceSource : public QObject {
   Q_OBJECT
  public:
   explicit LabelSurfaceSource(QObject* parent = nullptr);
-  ~LabelSurfaceSource() override;
 
   /// From now on those of these labels; null: none. What is shown stays until the new ones are there.
   void set_labels(std::shared_ptr<const LabelVolume> labels);
@@ -32,15 +28,15 @@ class LabelSurfaceSource : public QObject {
  private:
   void accept(const std::shared_ptr<const LabelVolume>& of,
               const std::shared_ptr<const scene::LabelSurfaces>& made);
-  void run(const std::stop_token& stop);
+  /// On the thread.
+  void make(const std::shared_ptr<const LabelVolume>& order, const std::stop_token& stop);
 
   std::shared_ptr<const LabelVolume> wanted_;
   std::shared_ptr<const scene::LabelSurfaces> surfaces_;
   bool making_ = false;
-  std::mutex mutex_;
-  std::condition_variable_any wake_;
-  std::shared_ptr<const LabelVolume> order_;  ///< newest wins
-  std::jthread thread_;
+  std::shared_ptr<const scene::LabelSurfaces>
+      former_;  ///< the thread's; even of other labels: it compares bricks
+  NewestWins<std::shared_ptr<const LabelVolume>> maker_;
 };
 
 }  // namespace glisson::ui

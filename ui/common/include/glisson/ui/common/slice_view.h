@@ -64,6 +64,7 @@ class SliceView : public QWidget {
   void paint_overlay(QPainter& painter);
   void paint_marks(QPainter& painter) const;
   void paint_brush(QPainter& painter) const;
+  void paint_line(QPainter& painter) const;
   void paint_texts(QPainter& painter) const;
 
   ViewState& state_;

@@ -46,6 +46,9 @@ class ViewState : public QObject {
   /// A segmentation that is still growing, outlined over the slices; null: none.
   const std::shared_ptr<const LabelVolume>& evolving() const { return evolving_; }
   void set_evolving(std::shared_ptr<const LabelVolume> labels);
+  /// A line at the pointer; null: none.
+  const std::shared_ptr<const SliceLine>& line() const { return line_; }
+  void set_line(std::shared_ptr<const SliceLine> line);
   /// A box along the patient's axes, drawn over the slices; CT frame, metres. None: nothing is drawn.
   const std::optional<Eigen::AlignedBox3d>& box() const { return box_; }
   void set_box(const std::optional<Eigen::AlignedBox3d>& box);
@@ -76,6 +79,7 @@ class ViewState : public QObject {
   void style_changed();
   void markers_changed();
   void overlays_changed();
+  void line_changed();
   void box_changed();
   void shows_labels_changed();
   void hand_changed();
@@ -93,6 +97,7 @@ class ViewState : public QObject {
   std::shared_ptr<const LabelMap> labels_;
   std::shared_ptr<const LabelMap> preview_;
   std::shared_ptr<const LabelVolume> evolving_;
+  std::shared_ptr<const SliceLine> line_;
   std::optional<Eigen::AlignedBox3d> box_;
   Point<CtFrame> crosshair_;
   scene::SliceStyle style_;

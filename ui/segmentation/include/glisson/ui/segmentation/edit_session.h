@@ -9,6 +9,7 @@
 #include "glisson/ui/common/engine_bridge.h"
 #include "glisson/ui/common/view_state.h"
 #include "glisson/ui/segmentation/edit_tools.h"
+#include "glisson/ui/segmentation/level_outline.h"
 
 class QTimer;
 
@@ -68,6 +69,7 @@ class EditSession : public QObject {
  private:
   std::optional<segmentation::Edit> whole() const;
   void show_hand();
+  void show_outline();
   void show_case();
   void show_preview();
   void hear(const SliceGesture& gesture);
@@ -106,6 +108,7 @@ class EditSession : public QObject {
   std::uint64_t gestures_ = 0;
   std::vector<Eigen::Vector2d> outline_;  ///< of a lasso in a slice, pixels
 
+  LevelOutline* traced_ = nullptr;
   QTimer* soon_ = nullptr;  ///< a preview follows the settings when they rest
   std::optional<engine::CommandId> previewing_, applying_;
   std::set<engine::CommandId> edits_;  ///< that are not done yet

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <memory>
+#include <optional>
+
+#include "glisson/segmentation/level_tracing.h"
+#include "glisson/ui/common/newest_wins.h"
+#include "glisson/ui/common/view_state.h"
+
+namespace glisson::ui {
+
+/// Draws at the pointer what level tracing would take there. Traced on a thread of its own: the newest place
+/// wins, so that the line never falls behind the hand.
+class LevelOutline : public QObject {
+  Q_OBJECT
+ public:
+  explicit LevelOutline(ViewState& views, QObject* parent = nullptr);
+
+  /// For which label, which gives the colour; none: nothing is drawn.
+  void set_label(const std::optional<Label>& label);
+
+ private:
+  struct Order {
+    std::shared_ptr<const Image> image;
+    PointerPlace place;
+    Label label = 0;
+  };
+  void follow();
+  /// On the thread.
+  void trace(const Order& order);
+  void accept(const std::shared_ptr<const SliceLine>& line);
+
+  ViewState& views_;
+  std::optional<Label> label_;
+  segmentation::LevelTracer tracer_;  ///< the thread's
+  NewestWins<Order> tracing_;
+};
+
+}  // namespace glisson::ui
