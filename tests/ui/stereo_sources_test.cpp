@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSpinBox>
+#include <QTreeWidget>
 #include <QtTest>
 
 #include "../stereo/rendered_board.h"
@@ -28,6 +29,33 @@ class StereoSourcesTest : public QObject {
   static Widget& child(QDialog& dialog, const char* name) {
     return *dialog.findChild<Widget*>(QString::fromLatin1(name));
   }
+
+  /// Nine pairs. @param moved the board of this pair was moved between its two pictures; negative: none.
+  void write_boards(const std::filesystem::path& pictures, int moved) const {
+    std::filesystem::create_directories(pictures);
+    const auto poses = rendered::board_poses(board_, 0.13);
+    for (int i = 0; i < 9; ++i)
+      for (const bool left : {true, false}) {
+        const std::string name = (left ? "left-" : "right-") + std::to_string(i) + ".png";
+        const bool is_moved = !left && i == moved;
+        if (moved >= 0 && !is_moved) {
+          std::filesystem::copy_file(folder_.path() / "boards" / name, pictures / name);
+          continue;
+        }
+        auto pose = poses[static_cast<std::size_t>(i + i / 3)];
+        if (is_moved) pose.translation += Eigen::Vector3d(0.0, 0.6e-3, 0.0);
+        stereo::write_picture(pictures / name, rendered::board_picture(rendered::rig(), left, pose,
+                                                                       rendered::chessboard_ink(board_)));
+      }
+  }
+  void ask_for(QDialog& dialog, const std::filesystem::path& pictures) const {
+    child<QLineEdit>(dialog, "board_folder").setText(QString::fromStdString(pictures.string()));
+    child<QSpinBox>(dialog, "board_columns").setValue(board_.columns);
+    child<QSpinBox>(dialog, "board_rows").setValue(board_.rows);
+    child<QDoubleSpinBox>(dialog, "board_square").setValue(1e3 * board_.square);
+  }
+
+  const stereo::Board board_{9, 6, 6e-3, {}, 0.0};
 
  private slots:
   void DescribedArrangementIsReadBackAsItWasSaid() {
@@ -55,27 +83,16 @@ class StereoSourcesTest : public QObject {
   }
 
   void BoardsInAFolderCalibrateTheRig() {
-    stereo::Board board;
-    board.columns = 9;
-    board.rows = 6;
-    board.square = 6e-3;
-    const StereoRig rig = rendered::rig();
     const std::filesystem::path pictures = folder_.path() / "boards";
-    std::filesystem::create_directories(pictures);
-    const auto poses = rendered::board_poses(board, 0.13);
-    for (std::size_t i = 0; i < poses.size(); i += 2)
-      for (const bool left : {true, false})
-        stereo::write_picture(pictures / ((left ? "left-" : "right-") + std::to_string(i) + ".png"),
-                              rendered::board_picture(rig, left, poses[i], rendered::chessboard_ink(board)));
+    write_boards(pictures, -1);
+    const StereoRig rig = rendered::rig();
     ui::EngineBridge engine;
     ui::CalibrationDialog dialog(engine);
     dialog.open();
     QVERIFY(!dialog.task().button()->isEnabled());  // and says that the folder is missing
-    child<QLineEdit>(dialog, "board_folder").setText(QString::fromStdString(pictures.string()));
-    child<QSpinBox>(dialog, "board_columns").setValue(board.columns);
-    child<QSpinBox>(dialog, "board_rows").setValue(board.rows);
-    child<QDoubleSpinBox>(dialog, "board_square").setValue(1e3 * board.square);
+    ask_for(dialog, pictures);
     QVERIFY(dialog.task().button()->isEnabled());
+    QVERIFY(!dialog.again().isVisible());
     QSignalSpy done(&dialog.task(), &ui::TaskButton::done);
     QTest::mouseClick(dialog.task().button(), Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(done.count(), 1, 120000);
@@ -87,7 +104,66 @@ class StereoSourcesTest : public QObject {
     QVERIFY(std::abs(engine.state().rig->baseline() / rig.baseline() - 1.0) < 0.02);
     QString shown;
     for (const QLabel* label : dialog.findChildren<QLabel*>()) shown += label->text() + QLatin1Char('\n');
-    QVERIFY(shown.contains(QStringLiteral("of 6 pairs")));
+    QVERIFY(shown.contains(QStringLiteral("9 of 9 pairs")));
+    QVERIFY(dialog.again().isVisible() && !dialog.again().button()->isEnabled());  // all views are ticked
+    QVERIFY(!child<ui::CoverageView>(dialog, "calibration_coverage").picture().empty());
+    QCOMPARE(child<QTreeWidget>(dialog, "calibration_views").topLevelItemCount(), 9);
+    child<QSpinBox>(dialog, "board_columns").setValue(board_.columns + 1);
+    QVERIFY(!dialog.again().isVisible());  // what was found is of another board
+  }
+
+  void AViewThatFitsFarWorseIsProposedAndLeftOut() {
+    constexpr int kMoved = 4;
+    const std::filesystem::path pictures = folder_.path() / "moved";
+    write_boards(pictures, kMoved);
+    ui::EngineBridge engine;
+    ui::CalibrationDialog dialog(engine);
+    ask_for(dialog, pictures);
+    dialog.open();
+    QSignalSpy done(&dialog.task(), &ui::TaskButton::done);
+    dialog.task().trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(done.count(), 1, 120000);
+    const auto first = done[0][0].value<engine::Outcome>();
+    QVERIFY2(first.status == engine::Status::done, first.error.c_str());
+    auto& table = child<QTreeWidget>(dialog, "calibration_views");
+    auto& results = *dialog.findChild<ui::CalibrationResults*>();
+    QVERIFY(table.topLevelItem(kMoved)->checkState(0) == Qt::Unchecked);
+    QCOMPARE(results.unticked().size(), std::size_t{1});
+    QVERIFY(results.differs());
+    QVERIFY(first.calibration->calibration.views[kMoved].used);  // proposed, not dropped
+    QVERIFY(table.topLevelItem(kMoved)->text(ui::CalibrationResults::left).toDouble() > 0.7);
+    // A row brings its board out in the picture.
+    auto& coverage = child<ui::CoverageView>(dialog, "calibration_coverage");
+    const QImage before = coverage.grab().toImage();
+    table.setCurrentItem(table.topLevelItem(kMoved));
+    QCOMPARE(coverage.brought_out(), kMoved);
+    QVERIFY(coverage.grab().toImage() != before);
+
+    QSignalSpy again(&dialog.again(), &ui::TaskButton::done);
+    QTest::mouseClick(dialog.again().button(), Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(again.count(), 1, 120000);
+    const auto second = again[0][0].value<engine::Outcome>();
+    QVERIFY2(second.status == engine::Status::done, second.error.c_str());
+    QVERIFY(second.calibration->views == first.calibration->views);  // not looked for again
+    QVERIFY(!second.calibration->calibration.views[kMoved].used);
+    QVERIFY(second.calibration->calibration.rms < 0.5 * first.calibration->calibration.rms);
+    const double wrong = engine.state().rig->baseline() / rendered::rig().baseline() - 1.0;
+    QVERIFY2(std::abs(wrong) < 0.02, qPrintable(QString::number(wrong)));
+    QVERIFY(!dialog.again().button()->isEnabled() && !results.differs());
+    QCOMPARE(table.topLevelItem(kMoved)->text(ui::CalibrationResults::left), QStringLiteral("–"));
+    QVERIFY(table.topLevelItem(kMoved)->text(ui::CalibrationResults::rows).toDouble() > 0.7);
+
+    // Too few views are refused, and the calibration stays.
+    const auto rig = engine.state().rig;
+    for (int i = 2; i < table.topLevelItemCount(); ++i)
+      table.topLevelItem(i)->setCheckState(0, Qt::Unchecked);
+    QTest::mouseClick(dialog.again().button(), Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(again.count(), 2, 120000);
+    const auto third = again[1][0].value<engine::Outcome>();
+    QVERIFY(third.status == engine::Status::failed);
+    QVERIFY2(third.error.find("Keep 3") != std::string::npos, third.error.c_str());
+    QVERIFY(engine.state().rig == rig);
+    QVERIFY(dialog.again().button()->isEnabled());  // with other ticks
   }
 
   void WrongBoardSizeIsSaid() {

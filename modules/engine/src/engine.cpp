@@ -172,6 +172,7 @@ struct Engine::Impl {
       outcome.figures = std::move(applied->figures);
       outcome.notes = std::move(applied->notes);
       outcome.series = std::move(applied->series);
+      outcome.calibration = std::move(applied->calibration);
       settle_tracking(job->command);
       settle_trial(job->command, base);
       commit(*job, base, std::move(*applied));

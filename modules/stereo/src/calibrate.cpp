@@ -296,7 +296,16 @@ Cancellable<Calibration> calibrate(const BoardViews& views, const CalibrateOptio
     result.views.emplace_back();
     result.views.back().name = view.name;
     result.views.back().epipolar_left_out = result.views.back().epipolar_reference = kUnknown;
+    if (std::find(options.without.begin(), options.without.end(), view.name) == options.without.end())
+      continue;
+    result.views.back().used = false;
+    result.views.back().left_rms = result.views.back().right_rms = kUnknown;
   }
+  const auto left =
+      std::count_if(result.views.begin(), result.views.end(), [](const auto& v) { return v.used; });
+  if (left < kFewestViews)
+    throw InputError("board", "views", "are " + std::to_string(left) + " without those left out",
+                     "Keep " + std::to_string(kFewestViews) + " or more");
   std::optional<Joint> joint;
   try {
     constexpr int kMostPasses = 4;

@@ -8,8 +8,6 @@
 namespace glisson::stereo {
 namespace {
 
-constexpr int kWidth = 640;  ///< of one camera's half
-
 /// Told apart by people who do not tell red from green (Okabe and Ito 2008), blue green red.
 const cv::Scalar kUsed(178, 114, 0), kOutlier(0, 94, 213), kGround(238, 238, 238), kCovered(214, 200, 170);
 
@@ -39,12 +37,12 @@ void draw_side(cv::Mat& half, const BoardViews& views, const Calibration& calibr
 Picture coverage_picture(const BoardViews& views, const Calibration& calibration) {
   require(views.views().size() == calibration.views.size() && views.width() > 0,
           "the coverage is that of the views that were calibrated with");
-  constexpr int kGap = 8;
-  const double scale = static_cast<double>(kWidth) / views.width();
+  const double scale = static_cast<double>(kCoverageWidth) / views.width();
   const int height = cvRound(views.height() * scale);
-  cv::Mat image(height, 2 * kWidth + kGap, CV_8UC3, cv::Scalar::all(255));
+  cv::Mat image(height, 2 * kCoverageWidth + kCoverageGap, CV_8UC3, cv::Scalar::all(255));
   for (const bool left : {true, false}) {
-    cv::Mat half = image.colRange(left ? 0 : kWidth + kGap, left ? kWidth : 2 * kWidth + kGap);
+    cv::Mat half = image.colRange(left ? 0 : kCoverageWidth + kCoverageGap,
+                                  left ? kCoverageWidth : 2 * kCoverageWidth + kCoverageGap);
     half.setTo(kGround);
     draw_side(half, views, calibration, left, scale);
   }

@@ -56,6 +56,8 @@ class Notes {
         {"stereo.other_scope", tr("The calibration is of another laparoscope: the pictures' points do not "
                                   "lie on its epipolar lines.")},
         {"calibration.outlier", tr("The view %1 fits far worse than the others and was left out.")},
+        {"calibration.proposed",
+         tr("The view %1 fits far worse than the others: calibrate again without it.")},
         {"few_margin_points", tr("Few points show the anterior margin: the position along it is uncertain.")},
         {"no_notch",
          tr("The umbilical notch is not marked in both model and picture: the position along the margin is "

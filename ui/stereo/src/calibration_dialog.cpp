@@ -11,6 +11,8 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSpinBox>
+#include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 
 #include "glisson/ui/common/panel.h"
@@ -21,18 +23,41 @@ namespace {
 
 constexpr double kMillimetre = 1e-3;
 
-QString pixels(const engine::Outcome& outcome, const char* figure) {
-  const auto found = outcome.figures.find(figure);
-  if (found == outcome.figures.end() || !std::isfinite(found->second)) return QStringLiteral("–");
-  return CalibrationDialog::tr("%1 px").arg(found->second, 0, 'f', 2);
+constexpr int kFormWidth = 400;
+
+QString pixels(double value) {
+  return std::isfinite(value) ? CalibrationDialog::tr("%1 px").arg(value, 0, 'f', 2) : QStringLiteral("–");
 }
 
 }  // namespace
 
 CalibrationDialog::CalibrationDialog(EngineBridge& engine, QWidget* parent) : QDialog(parent) {
   setWindowTitle(tr("Calibrate from boards"));
-  setMinimumWidth(480);
-  auto* form = new QFormLayout(this);
+  auto* columns = new QHBoxLayout;
+  columns->setSpacing(16);
+  columns->addLayout(make_form(engine));
+  results_ = new CalibrationResults(this);
+  results_->hide();
+  columns->addWidget(results_, 1);
+  auto* box = new QVBoxLayout(this);
+  box->addLayout(columns, 1);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+  box->addWidget(buttons);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  connect(folder_, &QLineEdit::textChanged, this, &CalibrationDialog::change_request);
+  connect(kind_, &QComboBox::currentIndexChanged, this, &CalibrationDialog::change_request);
+  for (QSpinBox* count : {columns_, rows_})
+    connect(count, &QSpinBox::valueChanged, this, &CalibrationDialog::change_request);
+  for (QDoubleSpinBox* length : {square_, marker_})
+    connect(length, &QDoubleSpinBox::valueChanged, this, &CalibrationDialog::change_request);
+  connect(results_, &CalibrationResults::ticks_changed, this, &CalibrationDialog::show_state);
+  for (TaskButton* task : {run_, again_})
+    connect(task, &TaskButton::done, this, &CalibrationDialog::show_outcome);
+  show_state();
+}
+
+QLayout* CalibrationDialog::make_form(EngineBridge& engine) {
+  auto* form = new QFormLayout;
   form->setLabelAlignment(Qt::AlignLeft);
   form->addRow(
       make_explanation(tr("Ten pairs of pictures or more of a chessboard or a ChArUco board, near and "
@@ -82,7 +107,19 @@ CalibrationDialog::CalibrationDialog(EngineBridge& engine, QWidget* parent) : QD
   run_ = new TaskButton(
       engine, tr("Calibrate"), [this] { return engine::Command(command()); }, this);
   run_->setObjectName(QStringLiteral("calibrate"));
+  run_->setFixedWidth(kFormWidth);
   form->addRow(run_);
+  again_ = new TaskButton(
+      engine, tr("Calibrate with the views ticked"),
+      [this] {
+        engine::CalibrateRig again = command();
+        again.found = results_->sheet()->views;
+        again.options.without = results_->unticked();
+        return engine::Command(again);
+      },
+      this);
+  again_->setObjectName(QStringLiteral("calibrate_again"));
+  form->addRow(again_);
   figures_ = new FiguresTable(this);
   form->addRow(figures_);
   notes_ = new QLabel(this);
@@ -90,14 +127,7 @@ CalibrationDialog::CalibrationDialog(EngineBridge& engine, QWidget* parent) : QD
   set_style_property(notes_, "role", "muted");
   form->addRow(notes_);
   notes_->hide();
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
-  form->addRow(buttons);
-  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  connect(choose, &QPushButton::clicked, this, &CalibrationDialog::choose_folder);
-  connect(folder_, &QLineEdit::textChanged, this, &CalibrationDialog::show_state);
-  connect(kind_, &QComboBox::currentIndexChanged, this, &CalibrationDialog::show_state);
-  connect(run_, &TaskButton::done, this, &CalibrationDialog::show_outcome);
-  show_state();
+  return form;
 }
 
 engine::CalibrateRig CalibrationDialog::command() const {
@@ -108,7 +138,6 @@ engine::CalibrateRig CalibrationDialog::command() const {
   command.board.square = square_->value() * kMillimetre;
   command.board.dictionary = kind_->currentData().toString().toStdString();
   if (command.board.charuco()) command.board.marker = marker_->value() * kMillimetre;
-  command.options.drop_outliers = true;
   return command;
 }
 
@@ -117,32 +146,45 @@ void CalibrationDialog::choose_folder() {
   if (!path.isEmpty()) folder_->setText(path);
 }
 
+void CalibrationDialog::change_request() {
+  if (results_->sheet()) results_->set_sheet(nullptr);
+  show_state();
+}
+
 void CalibrationDialog::show_state() {
   marker_->setEnabled(!kind_->currentData().toString().isEmpty());
   run_->set_obstacle(folder_->text().trimmed().isEmpty() ? tr("Choose the folder of pictures first.")
                                                          : QString());
+  again_->setVisible(results_->sheet() != nullptr);
+  if (results_->sheet())
+    again_->set_obstacle(results_->differs() ? QString()
+                                             : tr("This is the calibration with the views ticked."));
 }
 
 void CalibrationDialog::show_outcome(const engine::Outcome& outcome) {
-  std::vector<std::pair<QString, QString>> rows;
-  if (outcome.status == engine::Status::done) {
-    const auto figure = [&](const char* name) {
-      const auto found = outcome.figures.find(name);
-      return found == outcome.figures.end() ? 0.0 : found->second;
-    };
-    rows = {{tr("Views used"), tr("%1 of %2 pairs")
-                                   .arg(figure("calibration_views") - figure("calibration_outliers"))
-                                   .arg(figure("calibration_pairs"))},
-            {tr("Error, both cameras"), pixels(outcome, "calibration_rms_px")},
-            {tr("Rows off, view left out"), pixels(outcome, "calibration_epipolar_left_out_px")},
-            {tr("Picture covered"), tr("%1 % left, %2 % right")
-                                        .arg(100.0 * figure("calibration_coverage_left"), 0, 'f', 0)
-                                        .arg(100.0 * figure("calibration_coverage_right"), 0, 'f', 0)},
-            {tr("Baseline"), tr("%1 mm").arg(figure("calibration_baseline_mm"), 0, 'f', 2)}};
-  }
-  figures_->set_rows(rows);
-  notes_->setText(notes_text(outcome.notes));
-  notes_->setVisible(!outcome.notes.empty());
+  if (outcome.status != engine::Status::done || !outcome.calibration) return;  // the button says why
+  const stereo::Calibration& made = outcome.calibration->calibration;
+  const stereo::BoardViews& views = *outcome.calibration->views;
+  const auto used =
+      std::count_if(made.views.begin(), made.views.end(), [](const auto& view) { return view.used; });
+  figures_->set_rows({{tr("Views used"), tr("%1 of %2 pairs").arg(used).arg(views.pairs())},
+                      {tr("Error, both cameras"), pixels(made.rms)},
+                      {tr("Rows off, view left out"), pixels(made.epipolar_left_out)},
+                      {tr("Picture covered"), tr("%1 % left, %2 % right")
+                                                  .arg(100.0 * made.left_coverage, 0, 'f', 0)
+                                                  .arg(100.0 * made.right_coverage, 0, 'f', 0)},
+                      {tr("Baseline"), tr("%1 mm").arg(1e3 * made.rig.baseline(), 0, 'f', 2)}});
+  QStringList lines;
+  if (!outcome.notes.empty()) lines << notes_text(outcome.notes);
+  QStringList without;
+  for (const std::string& name : views.not_found()) without << QString::fromStdString(name);
+  if (!without.isEmpty())
+    lines << tr("The board was not found in both pictures of: %1.").arg(without.join(QStringLiteral(", ")));
+  notes_->setText(lines.join(QLatin1Char('\n')));
+  notes_->setVisible(!lines.isEmpty());
+  const bool first = !results_->sheet();
+  results_->set_sheet(outcome.calibration);
+  if (first) adjustSize();
 }
 
 }  // namespace glisson::ui

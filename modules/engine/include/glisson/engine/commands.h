@@ -100,11 +100,20 @@ struct SetCalibration {
   std::filesystem::path path;
 };
 /// Calibrates the laparoscope from pairs of pictures of a board (stereo::picture_pairs: a folder; or with
-/// `right` two folders or patterns). Outliers are notes, "calibration.outlier NAME".
+/// `right` two folders or patterns). Outliers are notes: "calibration.outlier NAME" was dropped,
+/// "calibration.proposed NAME" was not. The outcome has the whole report.
 struct CalibrateRig {
   std::filesystem::path left, right;
   stereo::Board board;
   stereo::CalibrateOptions options;
+  /// The boards of these pictures, where an earlier outcome has them: they are not looked for again.
+  std::shared_ptr<const stereo::BoardViews> found = {};
+};
+/// How a calibration was made and how far to trust it.
+struct CalibrationSheet {
+  std::shared_ptr<const stereo::BoardViews> views;
+  stereo::Calibration calibration;
+  Picture coverage;  ///< stereo::coverage_picture
 };
 /// A stereo pair of picture files; `mask` may be empty.
 struct LoadStereoPair {

@@ -23,9 +23,10 @@ using CommandId = std::uint64_t;
 /// What a command made of a state.
 struct Applied {
   CaseState state;
-  Figures figures;                       ///< flat, units in the names
-  std::vector<std::string> notes;        ///< codes with values, for people to be told
-  std::vector<DicomSeries> series = {};  ///< of ListSeries
+  Figures figures;                                           ///< flat, units in the names
+  std::vector<std::string> notes;                            ///< codes with values, for people to be told
+  std::vector<DicomSeries> series = {};                      ///< of ListSeries
+  std::shared_ptr<const CalibrationSheet> calibration = {};  ///< of CalibrateRig
   /// The state brings its own stamps (a case that was opened).
   bool keeps_stamps = false;
 };
@@ -68,7 +69,8 @@ struct Outcome {
   std::string error;  ///< one sentence with the remedy, when failed
   Figures figures;
   std::vector<std::string> notes;
-  std::vector<DicomSeries> series = {};  ///< of ListSeries
+  std::vector<DicomSeries> series = {};                      ///< of ListSeries
+  std::shared_ptr<const CalibrationSheet> calibration = {};  ///< of CalibrateRig
   double seconds = 0.0;
 };
 struct Progress {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "glisson/core/run_context.h"
 #include "glisson/geometry/camera.h"
@@ -13,15 +15,16 @@ struct CalibrateOptions {
   bool third_radial = false;           ///< k3 too; without many corners near the borders it is noise
   bool leave_one_out = true;           ///< calibrate again without each view (5 views and more)
   bool drop_outliers = false;          ///< leave out what is proposed, and calibrate again
+  std::vector<std::string> without;    ///< names of views that are left out from the beginning
   std::optional<StereoRig> reference;  ///< another calibration of the same scope, to compare with
 };
 
 /// How well one view fits. Errors in pixels of the pictures as taken; NaN: not computed.
 struct ViewReport {
   std::string name;
-  bool used = true;        ///< false: dropped as an outlier
+  bool used = true;        ///< false: dropped as an outlier, or left out as told
   bool outlier = false;    ///< proposed for removal: fits far worse than the others
-  double left_rms = 0.0;   ///< of the corners, reprojected
+  double left_rms = 0.0;   ///< of the corners, reprojected; of a view dropped: by the calibration before
   double right_rms = 0.0;  ///< the same
   double distance = 0.0;   ///< metres to the board's middle, left camera
   double tilt = 0.0;       ///< radians between the board's normal and the view
@@ -45,14 +48,17 @@ struct Calibration {
 
 /// Both cameras and their pose together, from the views of a board: Zhang's method for each camera, then all
 /// unknowns jointly by Levenberg-Marquardt (OpenCV's stereoCalibrate, intrinsics free).
-/// @throws InputError fewer than 3 views with a board (a wrong board size is recognised); left and right
-///   swapped; a baseline that no laparoscope has (the squares' size is wrong); all views parallel.
+/// @throws InputError fewer than 3 views with a board (a wrong board size is recognised) or without those
+///   left out; left and right swapped; a baseline that no laparoscope has (the squares' size is wrong); all
+///   views parallel.
 Cancellable<Calibration> calibrate(const BoardViews& views, const CalibrateOptions& options,
                                    const RunContext& context);
 
 /// rms of the difference of rows after rectification, pixels: how far corners lie from their epipolar lines.
 double epipolar_rms(const StereoRig& rig, const BoardView& view);
 
+/// Width of either picture in coverage_picture, and what lies between the two, pixels.
+inline constexpr int kCoverageWidth = 640, kCoverageGap = 8;
 /// Both pictures side by side, grey, with every corner used (outliers apart) and each board's outline: what
 /// no board has covered is extrapolated. Three channels.
 Picture coverage_picture(const BoardViews& views, const Calibration& calibration);

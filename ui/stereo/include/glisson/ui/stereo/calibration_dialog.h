@@ -5,6 +5,7 @@
 
 #include "glisson/ui/common/figures_table.h"
 #include "glisson/ui/common/task_button.h"
+#include "glisson/ui/stereo/calibration_results.h"
 
 class QComboBox;
 class QDoubleSpinBox;
@@ -23,9 +24,14 @@ class CalibrationDialog : public QDialog {
   /// What the dialog asks for now.
   engine::CalibrateRig command() const;
   TaskButton& task() { return *run_; }
+  /// Calibrates again, with the views that are ticked.
+  TaskButton& again() { return *again_; }
 
  private:
+  QLayout* make_form(EngineBridge& engine);
   void choose_folder();
+  /// Something else is asked for: what was found is not its.
+  void change_request();
   void show_state();
   void show_outcome(const engine::Outcome& outcome);
 
@@ -36,6 +42,8 @@ class CalibrationDialog : public QDialog {
   QDoubleSpinBox* square_;
   QDoubleSpinBox* marker_;
   TaskButton* run_;
+  TaskButton* again_;
+  CalibrationResults* results_;
   FiguresTable* figures_;
   QLabel* notes_;
 };

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From a CT to a model on the command line: import, edit, model.
+#include <QtTest>
+
+#include <cmath>
+
+#include "glisson/geometry/mesh_io.h"
+#include "glisson/geometry/topology.h"
+#include "glisson/patient/label_map.h"
+#include "glisson/volume/io.h"
+#include "program.h"
+
+using namespace glisson;
+using test::ball;
+using test::Ran;
+using test::write_text;
+namespace fs = std::filesystem;
+
+class PatientCommandsTest : public QObject, private test::Program {
+  Q_OBJECT
+ private slots:
+  void init() { make_folder(); }
+  void cleanup() { remove_folder(); }
+
+  void LabelsOfAnotherGridAreRefusedAndTheCaseStands();
+  void ACaseOfAnotherVersionIsRefused();
+  void SeveralLargeComponentsAreRefused();
+  void AModelComesFromAListOfSurfacesAndItsTreesAreEdited();
+  void EditsAreStepsOfTheCaseAndCanBeUndone();
+  void ABadScriptOfEditsLeavesTheCase();
+
+ private:
+  /// A case a.glisson with an empty CT of 40 x 40 x 30 voxels of 2 mm.
+  void import_small_ct() const;
+};
+
+void PatientCommandsTest::import_small_ct() const {
+  Image image;
+  image.grid.size = {40, 40, 30};
+  image.grid.spacing_mm = {2.0, 2.0, 2.0};
+  image.voxels = std::make_shared<const std::vector<std::int16_t>>(
+      std::vector<std::int16_t>(static_cast<std::size_t>(image.grid.voxel_count()), 70));
+  write_image(at("ct.nrrd"), image);
+  QCOMPARE(run({"import", "ct.nrrd", "--case", "a.glisson"}).code, 0);
+}
+
+void PatientCommandsTest::LabelsOfAnotherGridAreRefusedAndTheCaseStands() {
+  VolumeGrid grid;
+  grid.size = {24, 20, 16};
+  grid.spacing_mm = {4.0, 4.0, 4.0};
+  Image image;
+  image.grid = grid;
+  image.voxels = std::make_shared<const std::vector<std::int16_t>>(
+      static_cast<std::size_t>(grid.voxel_count()), std::int16_t{40});
+  write_image(at("ct.nrrd"), image);
+  QCOMPARE(run({"import", "ct.nrrd", "--case", "a.glisson"}).code, 0);
+  const std::string before = read_file(at("a.glisson/case.json"));
+  VolumeGrid other = grid;
+  other.size = {24, 20, 15};
+  LabelVolume labels(other);
+  labels.set({3, 3, 3}, structure::kParenchyma);
+  write_labels(at("labels.nrrd"), labels, {});
+  refused({"model", "--case", "a.glisson", "--labels", "labels.nrrd"}, "labels.nrrd");
+  QCOMPARE(read_file(at("a.glisson/case.json")), before);
+}
+
+void PatientCommandsTest::ACaseOfAnotherVersionIsRefused() {
+  write_tet_mesh(at("m.vtu"), ball(), LengthUnit::millimetre);
+  write_triangle_mesh(at("liver.vtp"), boundary_surface(ball()).mesh, LengthUnit::millimetre);
+  QCOMPARE(run({"model", "--surfaces", "liver.vtp", "--case", "a.glisson"}).code, 0);
+  QJsonObject json = figures("a.glisson/case.json");
+  json["version"] = 99;
+  const QByteArray later = QJsonDocument(json).toJson();
+  write_text(at("a.glisson/case.json"), later.toStdString());
+  refused({"register", "--model", "a.glisson", "--cloud", "c.ply", "--out", "r.vtu"}, "newer Glisson");
+  refused({"model", "--surfaces", "liver.vtp", "--case", "a.glisson"}, "newer Glisson");
+  QCOMPARE(read_file(at("a.glisson/case.json")), later.toStdString());
+}
+
+void PatientCommandsTest::SeveralLargeComponentsAreRefused() {
+  const TriangleMesh one = boundary_surface(ball()).mesh;
+  TriangleMesh two = one;
+  two.vertices.conservativeResize(2 * one.vertices.rows(), 3);
+  two.vertices.bottomRows(one.vertices.rows()) = one.vertices.rowwise() + Eigen::RowVector3d(0.25, 0.0, 0.0);
+  two.triangles.conservativeResize(2 * one.triangles.rows(), 3);
+  two.triangles.bottomRows(one.triangles.rows()) = one.triangles.array() + one.vertex_count();
+  write_triangle_mesh(at("two.vtp"), two, LengthUnit::millimetre);
+  refused({"model", "--surfaces", "two.vtp", "--case", "a.glisson"}, "pieces");
+}
+
+void PatientCommandsTest::AModelComesFromAListOfSurfacesAndItsTreesAreEdited() {
+  write_triangle_mesh(at("a.ply"), boundary_surface(ball()).mesh, LengthUnit::millimetre);
+  write_text(at("list.json"), R"({"structures": {"liver": "a.ply"}})");
+  QCOMPARE(run({"model", "--surfaces", "list.json", "--case", "a.glisson", "--edge", "25"}).code, 0);
+  refused({"model", "--surfaces", "list.json", "--case", "b.glisson", "--tree-edits", "none.json"},
+          "none.json");
+  write_text(at("edits.json"), R"({"edits": [{"edit": "prune", "at": [0, 0, 0]}]})");
+  // A bare liver has no vessel to prune.
+  refused({"model", "--surfaces", "list.json", "--case", "b.glisson", "--tree-edits", "edits.json"},
+          "edit 1 (prune)");
+}
+
+void PatientCommandsTest::EditsAreStepsOfTheCaseAndCanBeUndone() {
+  import_small_ct();
+  write_text(at("edits.json"), R"({"edits": [
+    {"tool": "paint", "label": "parenchyma", "brush": "ball", "radius_mm": 20, "path_mm": [[40, 40, 30]]},
+    {"tool": "paint", "label": "lesion_1", "brush": "ball", "radius_mm": 8, "path_mm": [[40, 40, 30]]}]})");
+  Ran ran = run({"edit", "--case", "a.glisson", "--script", "edits.json", "--labels-out", "labels.nii.gz",
+                 "--review", "lesion_1=approved"});
+  QVERIFY2(ran.code == 0, qPrintable(ran.error));
+  const double voxel = 8.0, ball = 4.0 / 3.0 * 3.14159265;
+  std::vector<long> counts = read_labels(at("labels.nii.gz")).voxels.histogram();
+  QVERIFY(std::abs(voxel * static_cast<double>(counts[structure::kFirstLesion]) - ball * 512) <
+          0.1 * ball * 512);
+  QVERIFY(std::abs(voxel * static_cast<double>(counts[structure::kParenchyma]) - ball * (8000 - 512)) <
+          0.05 * ball * 8000);
+  QCOMPARE(read_labels(at("a.glisson/labels.seg.nrrd")).infos.back().status, std::string("completed"));
+  ran = run({"edit", "--case", "a.glisson", "--undo", "1", "--labels-out", "labels.nii.gz"});
+  QVERIFY2(ran.code == 0, qPrintable(ran.error));
+  counts = read_labels(at("labels.nii.gz")).voxels.histogram();
+  QCOMPARE(counts.size(), std::size_t{structure::kParenchyma + 1});
+  // With the labels against themselves the figures are those of an expert who agrees.
+  ran = run({"edit", "--case", "a.glisson", "--redo", "1", "--truth", "labels.nii.gz", "--json", "f.json"});
+  QVERIFY2(ran.code == 0, qPrintable(ran.error));
+  QCOMPARE(figures("f.json")["dice_liver"].toDouble(), 1.0);
+  QVERIFY(run({"edit", "--case", "a.glisson", "--undo", "9"}).error.contains("no step to undo"));
+}
+
+void PatientCommandsTest::ABadScriptOfEditsLeavesTheCase() {
+  import_small_ct();
+  write_text(at("edits.json"), R"({"edits": [
+    {"tool": "paint", "label": "parenchyma", "brush": "ball", "radius_mm": 9, "path_mm": [[40, 40, 30]]},
+    {"tool": "paint", "label": "parenchyma", "brush": "ball", "radius_mm": -8, "path_mm": [[40, 40, 30]]}]})");
+  const std::string before = read_file(at("a.glisson/case.json"));
+  const Ran ran = run({"edit", "--case", "a.glisson", "--script", "edits.json"});
+  QCOMPARE(ran.code, 1);
+  QVERIFY2(ran.error.contains("edit 2") && ran.error.contains("radius"), qPrintable(ran.error));
+  QCOMPARE(read_file(at("a.glisson/case.json")), before);
+  QCOMPARE(run({"edit", "--case", "a.glisson"}).code, 2);
+  QCOMPARE(run({"edit", "--case", "a.glisson", "--review", "spleen=approved"}).code, 2);
+}
+
+QTEST_GUILESS_MAIN(PatientCommandsTest)
+#include "patient_commands_test.moc"

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A model in the theatre on the command line: register, track, simulate.
+#include <QtTest>
+
+#include <cmath>
+
+#include "glisson/geometry/distance.h"
+#include "glisson/geometry/mesh_io.h"
+#include "glisson/geometry/topology.h"
+#include "glisson/patient/labelled_cloud.h"
+#include "glisson/stereo/calibration_io.h"
+#include "glisson/stereo/picture_io.h"
+#include "program.h"
+
+using namespace glisson;
+using test::ball;
+using test::bent;
+using test::Ran;
+using test::rig;
+using test::write_text;
+namespace fs = std::filesystem;
+
+class TheatreCommandsTest : public QObject, private test::Program {
+  Q_OBJECT
+ private slots:
+  void init() { make_folder(); }
+  void cleanup() { remove_folder(); }
+
+  void ACloudWithNanIsRefused();
+  void AMeshDamagedOnItsWayIsRefusedInOneSentence();
+  void AMeshWithInvertedTetrahedraIsRefused();
+  void ALiverOfAHundredMetresIsRefusedWithTheUnit();
+  void ACloudInAnotherUnitIsRefusedWithTheUnit();
+  void AVideoThatEndsEarlyIsRecognised();
+  void RegisterFindsAKnownDeformationAndKeepsTheNodeOrder();
+  void ASurfaceComesBackAsThatSurface();
+  void TrackWritesOneMeshACloud();
+  void SimulateWritesItsSteps();
+};
+
+void TheatreCommandsTest::ACloudWithNanIsRefused() {
+  write_tet_mesh(at("m.vtu"), ball(), LengthUnit::millimetre);
+  write_text(at("c.ply"),
+             "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float "
+             "z\nend_header\n1 2 3\n1 nan 3\n");
+  refused({"register", "--model", "m.vtu", "--cloud", "c.ply", "--out", "r.vtu"}, "c.ply");
+}
+
+void TheatreCommandsTest::AMeshDamagedOnItsWayIsRefusedInOneSentence() {
+  write_tet_mesh(at("m.vtu"), ball(), LengthUnit::millimetre);
+  std::string content = read_file(at("m.vtu"));
+  const std::size_t type = content.find("Float64");
+  QVERIFY(type != std::string::npos);
+  content.replace(type, 7, "Flout64");  // VTK has much to say on that
+  write_text(at("m.vtu"), content);
+  refused({"register", "--model", "m.vtu", "--cloud", "c.ply", "--out", "r.vtu"}, "m.vtu");
+}
+
+void TheatreCommandsTest::AMeshWithInvertedTetrahedraIsRefused() {
+  TetMesh mesh = ball(2);
+  std::string vtk = "# vtk DataFile Version 3.0\nmesh\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS " +
+                    std::to_string(mesh.vertex_count()) + " double\n";
+  for (int i = 0; i < mesh.vertex_count(); ++i)
+    vtk += std::to_string(1e3 * mesh.vertices(i, 0)) + " " + std::to_string(1e3 * mesh.vertices(i, 1)) + " " +
+           std::to_string(1e3 * mesh.vertices(i, 2)) + "\n";
+  std::swap(mesh.tetrahedra(3, 0), mesh.tetrahedra(3, 1));
+  vtk += "CELLS " + std::to_string(mesh.tetrahedron_count()) + " " +
+         std::to_string(5 * mesh.tetrahedron_count()) + "\n";
+  for (int t = 0; t < mesh.tetrahedron_count(); ++t) {
+    vtk += "4";
+    for (int k = 0; k < 4; ++k) vtk += " " + std::to_string(mesh.tetrahedra(t, k));
+    vtk += "\n";
+  }
+  vtk += "CELL_TYPES " + std::to_string(mesh.tetrahedron_count()) + "\n";
+  for (int t = 0; t < mesh.tetrahedron_count(); ++t) vtk += "10\n";
+  write_text(at("m.vtk"), vtk);
+  refused({"register", "--model", "m.vtk", "--cloud", "c.ply", "--out", "r.vtu"}, "tetrahedron 3");
+}
+
+void TheatreCommandsTest::ALiverOfAHundredMetresIsRefusedWithTheUnit() {
+  write_tet_mesh(at("m.vtu"), ball(), LengthUnit::millimetre);
+  refused({"register", "--model", "m.vtu", "--unit", "m", "--cloud", "c.ply", "--out", "r.vtu"}, "mm");
+}
+
+void TheatreCommandsTest::ACloudInAnotherUnitIsRefusedWithTheUnit() {
+  write_tet_mesh(at("m.vtu"), ball(), LengthUnit::millimetre);
+  LabelledCloud cloud;
+  cloud.points = sample_surface(boundary_surface(ball()).mesh, 100, 4);
+  write_cloud(at("c.ply"), cloud);
+  refused({"register", "--model", "m.vtu", "--cloud", "c.ply", "--cloud-unit", "m", "--out", "r.vtu"},
+          "Read it in mm");
+  write_cloud(at("c.ply"), cloud, LengthUnit::metre);
+  refused({"register", "--model", "m.vtu", "--cloud", "c.ply", "--out", "r.vtu"}, "Read it in m.");
+}
+
+void TheatreCommandsTest::AVideoThatEndsEarlyIsRecognised() {
+  const TetMesh mesh = ball();
+  write_tet_mesh(at("m.vtu"), mesh, LengthUnit::millimetre);
+  TetMesh placed = mesh;
+  placed.vertices.rowwise() += Eigen::RowVector3d(0.0, 0.0, 0.15);
+  write_tet_mesh(at("start.vtu"), placed, LengthUnit::millimetre);
+  stereo::write_calibration(at("c.yaml"), rig());
+  {
+    stereo::VideoWriter writer(at("whole.mkv"), 640, 240, 30.0);
+    Picture picture{640, 240, 3, nullptr};
+    for (int i = 0; i < 60; ++i) {
+      auto bytes = std::make_shared<std::vector<std::uint8_t>>(640UL * 240 * 3);
+      for (std::size_t b = 0; b < bytes->size(); ++b)
+        (*bytes)[b] =
+            static_cast<std::uint8_t>((b * 2654435761UL + static_cast<std::size_t>(i) * 40503UL) >> 13);
+      picture.bytes = bytes;
+      writer.write(picture);
+    }
+    writer.close();
+  }
+  const std::string whole = read_file(at("whole.mkv"));
+  write_text(at("cut.mkv"), whole.substr(0, whole.size() * 3 / 5));
+  fs::remove(at("whole.mkv"));
+  refused({"track", "--model", "m.vtu", "--start", "start.vtu", "--video", "cut.mkv", "--calibration",
+           "c.yaml", "--out", "tracked"},
+          "cut.mkv");
+}
+
+void TheatreCommandsTest::RegisterFindsAKnownDeformationAndKeepsTheNodeOrder() {
+  const TetMesh mesh = ball();
+  write_tet_mesh(at("m.vtu"), mesh, LengthUnit::millimetre);
+  const Points truth = bent(mesh.vertices, 0.012);
+  write_node_list(at("truth.xyz"), truth, LengthUnit::millimetre);
+  TriangleMesh deformed = boundary_surface(mesh).mesh;
+  deformed.vertices = bent(deformed.vertices, 0.012);
+  LabelledCloud cloud;
+  cloud.points = sample_surface(deformed, 900, 4);
+  write_cloud(at("c.ply"), cloud);
+  const Ran ran = run({"register", "--model", "m.vtu", "--cloud", "c.ply", "--rigid", "none", "--homogeneous",
+                       "--truth", "truth.xyz", "--out", "r.vtu", "--json", "r.json"});
+  QVERIFY2(ran.code == 0, qPrintable(ran.error));
+  const QJsonObject json = figures("r.json");
+  for (const char* key : {"tre_volume_mean_mm", "tre_volume_max_mm", "tre_surface_mean_mm",
+                          "tre_target_mean_mm", "displacement_mean_mm", "seconds"})
+    QVERIFY2(json.contains(key), key);
+  QVERIFY(json["tre_target_mean_mm"].isNull());  // no lesions: unknown, not zero
+  const double before = 1e3 * point_errors(mesh.vertices, truth).mean;
+  QVERIFY2(
+      json["tre_volume_mean_mm"].toDouble() < 0.4 * before,
+      qPrintable(QString::number(json["tre_volume_mean_mm"].toDouble()) + " of " + QString::number(before)));
+  const TetFile result = read_tet_file(at("r.vtu"), LengthUnit::millimetre);
+  QVERIFY(result.mesh.tetrahedra == mesh.tetrahedra);
+  const double error = 1e3 * point_errors(result.mesh.vertices, truth).mean;
+  QVERIFY(std::abs(error - json["tre_volume_mean_mm"].toDouble()) < 1e-3);
+  QVERIFY(result.field_data.at("cloud_from_model").isApprox(Eigen::MatrixXd::Identity(4, 4)));
+}
+
+void TheatreCommandsTest::ASurfaceComesBackAsThatSurface() {
+  const TriangleMesh surface = boundary_surface(ball(8)).mesh;
+  write_triangle_mesh(at("s.vtp"), surface, LengthUnit::millimetre);
+  TriangleMesh deformed = surface;
+  deformed.vertices = bent(surface.vertices, 0.010);
+  LabelledCloud cloud;
+  cloud.points = sample_surface(deformed, 900, 4);
+  write_cloud(at("c.ply"), cloud);
+  const Ran ran = run({"register", "--model", "s.vtp", "--vertices", "300", "--cloud", "c.ply", "--rigid",
+                       "none", "--out", "r.vtp"});
+  QVERIFY2(ran.code == 0, qPrintable(ran.error));
+  const TriangleMesh back = read_triangle_mesh(at("r.vtp"), LengthUnit::millimetre);
+  QVERIFY(back.triangles == surface.triangles);
+  QVERIFY(point_errors(back.vertices, deformed.vertices).mean <
+          0.6 * point_errors(surface.vertices, deformed.vertices).mean);
+}
+
+void TheatreCommandsTest::TrackWritesOneMeshACloud() {
+  const TetMesh mesh = ball();
+  write_tet_mesh(at("m.vtu"), mesh, LengthUnit::millimetre);
+  for (int frame = 3; frame < 6; ++frame) {
+    TriangleMesh surface = boundary_surface(mesh).mesh;
+    surface.vertices = bent(surface.vertices, 0.002 * (frame - 2));
+    LabelledCloud cloud;
+    cloud.points = sample_surface(surface, 600, static_cast<unsigned>(frame));
+    const std::string number = "0" + std::to_string(frame);
+    write_cloud(at(("cloud_" + number + ".ply").c_str()), cloud);
+    write_node_list(at(("truth_" + number + ".xyz").c_str()), bent(mesh.vertices, 0.002 * (frame - 2)),
+                    LengthUnit::millimetre);
+  }
+  const Ran ran =
+      run({"track", "--model", "m.vtu", "--start", "m.vtu", "--clouds", "cloud_%02d.ply", "--homogeneous",
+           "--truth", "truth_%02d.xyz", "--out", "tracked", "--json", "tracked/t.json"});
+  QVERIFY2(ran.code == 0, qPrintable(ran.error));
+  QCOMPARE(ran.error, QString());
+  for (const char* name :
+       {"tracked/registered_03.vtu", "tracked/registered_04.vtu", "tracked/registered_05.vtu"})
+    QVERIFY2(fs::exists(at(name)), name);
+  const QJsonObject json = figures("tracked/t.json");
+  QCOMPARE(json["frames"].toInt(), 3);
+  for (const char* key : {"frames_late", "frame_p50_ms", "frame_p99_ms", "tre_volume_mean_mm"})
+    QVERIFY2(json.contains(key), key);
+  double sum = 0.0;
+  for (const char* frame : {"frame_03", "frame_04", "frame_05"}) {
+    const QJsonValue error = json[frame + QString("_tre_volume_mean_mm")];
+    QVERIFY2(error.isDouble(), frame);
+    sum += error.toDouble();
+  }
+  QVERIFY(std::abs(sum / 3.0 - json["tre_volume_mean_mm"].toDouble()) < 1e-9);
+  QVERIFY(json["tre_target_max_mm"].isNull());  // no lesions: unknown, not zero
+  const double moved = 1e3 * point_errors(bent(mesh.vertices, 0.004), mesh.vertices).mean;
+  QVERIFY2(std::abs(json["displacement_mean_mm"].toDouble() - moved) < 0.5 * moved,
+           qPrintable(QString::number(json["displacement_mean_mm"].toDouble())));
+  QVERIFY(json["tre_volume_mean_mm"].toDouble() < json["tre_frozen_mean_mm"].toDouble());
+}
+
+void TheatreCommandsTest::SimulateWritesItsSteps() {
+  const TetMesh mesh = ball();
+  write_tet_mesh(at("m.vtu"), mesh, LengthUnit::millimetre);
+  write_text(at("load.json"),
+             "{\"gravity\": {\"change\": [0, 0, -9.81]}, \"fixed\": {\"nodes\": [0, 1, 2, 3, 4, 5, 6]}}");
+  const Ran ran = run({"simulate", "--model", "m.vtu", "--load", "load.json", "--steps", "5", "--out",
+                       "steps", "--json", "s.json"});
+  QVERIFY2(ran.code == 0, qPrintable(ran.error));
+  QVERIFY(fs::exists(at("steps")));
+  QVERIFY(figures("s.json").contains("displacement_max_mm"));
+  refused({"simulate", "--model", "m.vtu", "--load", "nothing.json", "--steps", "5", "--out", "other"},
+          "nothing.json");
+}
+
+QTEST_GUILESS_MAIN(TheatreCommandsTest)
+#include "theatre_commands_test.moc"
