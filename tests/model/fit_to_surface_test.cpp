@@ -4,6 +4,7 @@
 #include <QtTest>
 #include <random>
 
+#include "fill_dents.h"
 #include "glisson/core/error.h"
 #include "glisson/geometry/distance.h"
 #include "glisson/geometry/topology.h"
@@ -45,9 +46,14 @@ class FitToSurfaceTest : public QObject {
   void VolumeIsMadeUpForWithinTheOffset();
   void SubdomainGetsItsVolume();
   void FarMovesStopBeforeACellTurnsOver();
+  void NodesThatCellsHoldBackGetRoom();
+  void ADentIsFilledByWhatWasTakenOut();
+  void AGrooveOfTheBodyIsNotFilled();
   void MeshWithoutASurfaceIsRefused();
 
  private:
+  /// The ball without one cell that has a face on its boundary and a node inside.
+  TetMesh dented() const;
   TetMesh mesh_;
 };
 
@@ -107,6 +113,71 @@ void FitToSurfaceTest::FarMovesStopBeforeACellTurnsOver() {
   model::fit_to_surface(mesh, {&small, volume(small), {}}, 10.0);
   check_tetrahedra(mesh, "mesh");
   QVERIFY(dihedral_angles(mesh).col(0).minCoeff() >= 10.0 - 1e-9);
+}
+
+void FitToSurfaceTest::NodesThatCellsHoldBackGetRoom() {
+  // A fifth of the boundary 8 mm inside, and inner nodes beside their places: some straight ways out would
+  // flatten cells (without room one node stays 1 mm inside).
+  TetMesh mesh = mesh_;
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> off(-8e-3, 8e-3);
+  std::vector<char> boundary(static_cast<std::size_t>(mesh.vertex_count()), 0);
+  for (const int node : boundary_surface(mesh).node_of_vertex) boundary[static_cast<std::size_t>(node)] = 1;
+  for (int node = 0; node < mesh.vertex_count(); ++node) {
+    const Eigen::RowVector3d before = mesh.vertices.row(node);
+    if (boundary[static_cast<std::size_t>(node)]) {
+      if (node % 5 == 0) mesh.vertices.row(node) -= 8e-3 * before.normalized();
+    } else {
+      for (int k = 0; k < 3; ++k) mesh.vertices(node, k) += off(random);
+    }
+    if (tetrahedron_volumes(mesh).minCoeff() <= 0.0) mesh.vertices.row(node) = before;
+  }
+  model::fit_to_surface(mesh, {&kBall, volume(kBall), {}}, 10.0);
+  check_tetrahedra(mesh, "mesh");
+  const auto off_ball = summarise(distances_to_surface(boundary_surface(mesh).mesh.vertices, kBall));
+  QVERIFY2(off_ball.maximum < 0.16e-3, qPrintable(QString::number(1e3 * off_ball.maximum)));
+}
+
+TetMesh FitToSurfaceTest::dented() const {
+  std::vector<char> boundary(static_cast<std::size_t>(mesh_.vertex_count()), 0);
+  for (const int node : boundary_surface(mesh_).node_of_vertex) boundary[static_cast<std::size_t>(node)] = 1;
+  TetMesh mesh = mesh_;
+  for (int t = 0; t < mesh_.tetrahedron_count(); ++t) {
+    int on = 0;
+    for (int k = 0; k < 4; ++k) on += boundary[static_cast<std::size_t>(mesh_.tetrahedra(t, k))];
+    if (on != 3) continue;
+    const Eigen::Index last = mesh.tetrahedra.rows() - 1;
+    mesh.tetrahedra.row(t) = mesh_.tetrahedra.row(last);
+    mesh.tetrahedra.conservativeResize(last, 4);
+    mesh.labels.pop_back();
+    if (boundary_surface(mesh).mesh.triangle_count() == boundary_surface(mesh_).mesh.triangle_count() + 2)
+      return mesh;  // one face less, three more
+    mesh = mesh_;
+  }
+  return mesh;
+}
+
+void FitToSurfaceTest::ADentIsFilledByWhatWasTakenOut() {
+  TetMesh mesh = dented();
+  QCOMPARE(mesh.tetrahedron_count(), mesh_.tetrahedron_count() - 1);
+  const ClosestPointTree tree(kBall);
+  const Points normals = triangle_normals(kBall);
+  QCOMPARE(model::fill_dents(mesh, tree, normals, 7, 10.0), 1);
+  QCOMPARE(mesh.tetrahedron_count(), mesh_.tetrahedron_count());
+  QCOMPARE(mesh.labels.back(), 7);
+  check_tetrahedra(mesh, "mesh");
+  QVERIFY(is_closed(boundary_surface(mesh).mesh));
+  QVERIFY(std::abs(volume(mesh) - volume(mesh_)) < 1e-12);
+  // A whole mesh has none; and a cell with such an angle is not put in.
+  QCOMPARE(model::fill_dents(mesh, tree, normals, 7, 10.0), 0);
+  mesh = dented();
+  QCOMPARE(model::fill_dents(mesh, tree, normals, 7, 80.0), 0);
+}
+
+void FitToSurfaceTest::AGrooveOfTheBodyIsNotFilled() {
+  TetMesh mesh = dented();
+  const TriangleMesh body = boundary_surface(mesh).mesh;
+  QCOMPARE(model::fill_dents(mesh, ClosestPointTree(body), triangle_normals(body), 1, 10.0), 0);
 }
 
 void FitToSurfaceTest::MeshWithoutASurfaceIsRefused() {

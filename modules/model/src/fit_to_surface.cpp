@@ -7,24 +7,29 @@
 #include <cmath>
 #include <numbers>
 
+#include "fill_dents.h"
 #include "glisson/core/error.h"
 #include "glisson/geometry/topology.h"
+#include "worst_angle.h"
 
 namespace glisson::model {
 namespace {
 
 constexpr int kSurfacePasses = 8, kInclusionPasses = 12;
-constexpr double kMostOffset = 0.15e-3;     // metres that boundary nodes may stand out for the volume's sake
+constexpr double kMostOffset = 0.15e-3;  // metres that boundary nodes may stand out for the volume's sake
+constexpr double kStuck = 0.1e-3;        // metres beside where it belongs
+constexpr int kRoomPasses = 6, kDentRounds = 4;
 constexpr double kEnough = 1e-6;            // metres: nearer is there
 constexpr double kVolumeTolerance = 0.002;  // of a sub-domain
 
 class Fitter {
  public:
-  Fitter(TetMesh& mesh, const FitTargets& targets, double least_dihedral_deg)
+  Fitter(TetMesh& mesh, const FitTargets& targets, const ClosestPointTree& tree, const Points& normals,
+         double least_dihedral_deg)
       : mesh_(mesh),
         targets_(targets),
-        tree_(*targets.surface),
-        normals_(triangle_normals(*targets.surface)),
+        tree_(tree),
+        normals_(normals),
         most_cosine_(std::cos(least_dihedral_deg * std::numbers::pi / 180.0)),
         cells_(static_cast<std::size_t>(mesh.vertex_count())),
         on_boundary_(static_cast<std::size_t>(mesh.vertex_count()), 0) {
@@ -34,11 +39,15 @@ class Fitter {
     for (const int node : boundary_) on_boundary_[static_cast<std::size_t>(node)] = 1;
   }
 
-  void run() {
+  void to_surface() {
     for (int pass = 0; pass < kSurfacePasses; ++pass) {
       fit_boundary(0.0);
       for (const FitTargets::Inclusion& inclusion : targets_.inclusions) fit_inclusion(inclusion);
     }
+    free_stuck();
+  }
+
+  void to_volume() {
     double offset = 0.0;
     for (int pass = 0; pass < kSurfacePasses; ++pass) {
       const double missing = targets_.volume - volume(mesh_);
@@ -56,6 +65,95 @@ class Fitter {
       const ClosestPoint closest = tree_.closest(p);
       move(node, closest.point + offset * normals_.row(closest.triangle).transpose() - p);
     }
+  }
+
+  /// Nodes that a cell beside them holds back: the nodes around make room, as far as their own cells can bear
+  /// it.
+  void free_stuck() {
+    for (int pass = 0; pass < kSurfacePasses; ++pass) {
+      int advanced = 0;
+      for (const int node : boundary_)
+        if (step_to_surface(node).norm() > kStuck) advanced += advance(node);
+      if (advanced == 0) return;
+    }
+  }
+
+  Eigen::Vector3d step_to_surface(int node) const {
+    const Eigen::Vector3d p = mesh_.vertex(node);
+    return tree_.closest(p).point - p;
+  }
+
+  /// As far towards the surface as the nodes around can make room for.
+  bool advance(int node) {
+    const Eigen::Vector3d from = mesh_.vertex(node), step = step_to_surface(node);
+    const double allowed = std::max(most_cosine_, worst_around(node));
+    std::vector<int> around = neighbours_that_may_move(node);
+    std::vector<Eigen::Vector3d> places;
+    for (const int other : around) places.push_back(mesh_.vertex(other));
+    for (const double share : {1.0, 0.6, 0.3, 0.15}) {
+      mesh_.vertices.row(node) = (from + share * step).transpose();
+      for (int pass = 0; pass < kRoomPasses && worst_around(node) > allowed; ++pass)
+        for (const int other : around) make_room(other, node);
+      if (worst_around(node) <= allowed) return true;
+      for (std::size_t i = 0; i < around.size(); ++i) mesh_.vertices.row(around[i]) = places[i].transpose();
+    }
+    mesh_.vertices.row(node) = from.transpose();
+    return false;
+  }
+
+  /// Not those on the skin of a sub-domain: its volume has been fitted.
+  std::vector<int> neighbours_that_may_move(int node) const {
+    std::vector<int> around;
+    for (const int cell : cells_[static_cast<std::size_t>(node)])
+      for (int k = 0; k < 4; ++k) {
+        const int other = mesh_.tetrahedra(cell, k);
+        const auto& cells = cells_[static_cast<std::size_t>(other)];
+        const int label = mesh_.labels[static_cast<std::size_t>(cells.front())];
+        const bool skin = std::any_of(cells.begin(), cells.end(), [&](int one) {
+          return mesh_.labels[static_cast<std::size_t>(one)] != label;
+        });
+        if (other != node && !skin) around.push_back(other);
+      }
+    std::sort(around.begin(), around.end());
+    around.erase(std::unique(around.begin(), around.end()), around.end());
+    return around;
+  }
+
+  /// Moves a node to where the cells around `centre` are better; its other cells must bear it. A node of the
+  /// boundary keeps its distance to the surface.
+  void make_room(int node, int centre) {
+    const auto& cells = cells_[static_cast<std::size_t>(node)];
+    const auto worst_beside = [&] {
+      double worst = -1.0;
+      for (const int cell : cells)
+        if (!has(cell, centre)) worst = std::max(worst, worst_of(cell));
+      return worst;
+    };
+    const double allowed = std::max(most_cosine_, worst_beside());
+    const bool boundary = on_boundary_[static_cast<std::size_t>(node)] != 0;
+    const double scale = (mesh_.vertex(node) - mesh_.vertex(centre)).norm();
+    const double off = boundary ? step_to_surface(node).norm() : 0.0;
+    double best = worst_around(centre);
+    for (const double length : {0.2, 0.05})
+      for (int direction = 0; direction < 6; ++direction) {
+        const Eigen::Vector3d from = mesh_.vertex(node);
+        Eigen::Vector3d to = from;
+        to[direction / 2] += (direction % 2 == 0 ? length : -length) * scale;
+        if (boundary && off < kStuck) to = tree_.closest(to).point;
+        mesh_.vertices.row(node) = to.transpose();
+        const double worst = worst_around(centre);
+        const bool farther = boundary && step_to_surface(node).norm() > std::max(off, kEnough);
+        if (!farther && worst < best && worst_beside() <= allowed)
+          best = worst;
+        else
+          mesh_.vertices.row(node) = from.transpose();
+      }
+  }
+
+  bool has(int cell, int node) const {
+    for (int k = 0; k < 4; ++k)
+      if (mesh_.tetrahedra(cell, k) == node) return true;
+    return false;
   }
 
   /// One step of all nodes between the sub-domain and the rest along the normals.
@@ -101,32 +199,28 @@ class Fitter {
 
   /// Cosine of a cell's smallest dihedral angle; 2 when it is flat or inside out.
   double worst_of(int cell) const {
-    std::array<Eigen::Vector3d, 4> p;
-    for (int k = 0; k < 4; ++k) p[static_cast<std::size_t>(k)] = mesh_.vertex(mesh_.tetrahedra(cell, k));
-    if ((p[1] - p[0]).cross(p[2] - p[0]).dot(p[3] - p[0]) <= 0.0) return 2.0;
-    static constexpr int kFaces[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
-    std::array<Eigen::Vector3d, 4> n;
-    for (std::size_t f = 0; f < 4; ++f) {
-      const auto [a, b, c] = kFaces[f];
-      n[f] = (p[static_cast<std::size_t>(b)] - p[static_cast<std::size_t>(a)])
-                 .cross(p[static_cast<std::size_t>(c)] - p[static_cast<std::size_t>(a)])
-                 .normalized();
-    }
-    double worst = -1.0;
-    for (std::size_t f = 0; f < 4; ++f)
-      for (std::size_t g = f + 1; g < 4; ++g) worst = std::max(worst, -n[f].dot(n[g]));
-    return worst;
+    return worst_cosine({mesh_.vertex(mesh_.tetrahedra(cell, 0)), mesh_.vertex(mesh_.tetrahedra(cell, 1)),
+                         mesh_.vertex(mesh_.tetrahedra(cell, 2)), mesh_.vertex(mesh_.tetrahedra(cell, 3))});
   }
 
   TetMesh& mesh_;
   const FitTargets& targets_;
-  ClosestPointTree tree_;
-  Points normals_;
+  const ClosestPointTree& tree_;
+  const Points& normals_;
   double most_cosine_;
   std::vector<std::vector<int>> cells_;  ///< around each node
   std::vector<int> boundary_;
   std::vector<char> on_boundary_;
 };
+
+/// Of what is no sub-domain to be fitted.
+int body_label(const TetMesh& mesh, const FitTargets& targets) {
+  for (const int label : mesh.labels)
+    if (std::none_of(targets.inclusions.begin(), targets.inclusions.end(),
+                     [&](const FitTargets::Inclusion& one) { return one.label == label; }))
+      return label;
+  return mesh.labels.front();
+}
 
 }  // namespace
 
@@ -134,7 +228,15 @@ void fit_to_surface(TetMesh& mesh, const FitTargets& targets, double least_dihed
   require(targets.surface != nullptr && targets.surface->triangle_count() > 0,
           "a mesh is fitted to a surface");
   require(targets.volume > 0.0, "a mesh is fitted to a volume");
-  if (mesh.tetrahedron_count() > 0) Fitter(mesh, targets, least_dihedral_deg).run();
+  if (mesh.tetrahedron_count() == 0) return;
+  const ClosestPointTree tree(*targets.surface);
+  const Points normals = triangle_normals(*targets.surface);
+  const int body = body_label(mesh, targets);
+  for (int round = 0; round < kDentRounds; ++round) {
+    Fitter(mesh, targets, tree, normals, least_dihedral_deg).to_surface();
+    if (fill_dents(mesh, tree, normals, body, least_dihedral_deg) == 0) break;
+  }
+  Fitter(mesh, targets, tree, normals, least_dihedral_deg).to_volume();
 }
 
 }  // namespace glisson::model

@@ -20,10 +20,11 @@ struct FitTargets {
   std::vector<Inclusion> inclusions;  ///< sub-domains of the mesh
 };
 
-/// Moves nodes of a finished mesh, never its topology, and no node so far that a cell gets a dihedral angle
-/// below `least_dihedral_deg` (or a worse one than it had):
+/// Moves nodes of a finished mesh, none so far that a cell gets a dihedral angle below `least_dihedral_deg`
+/// (or a worse one than it had):
 /// - boundary nodes go onto the surface: the repair of the boundary leaves some of the former inner nodes
-///   there, and smoothing others beside it;
+///   there, and smoothing others beside it; where a cell would get flat, the nodes around make room;
+/// - dents that remain are filled with cells of the body's label (fill_dents.h), the only change of topology;
 /// - and out of it by at most 0.15 mm, as far as the volume asks for: flat triangles cut a round body short;
 /// - the nodes around a sub-domain go out (or in) until it has its volume.
 /// @pre positively oriented tetrahedra.
