@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The way from a CT to a model, stage by stage as engine commands, on the real CT (folder GLISSON_DATA, else
-// ../shared/data, with the clicks of tests/data) and on the synthetic patient. One run of each stage: it
-// takes seconds. What holds on another machine is each stage's share of the whole, printed at the end.
+// The way from a CT to a model that can be computed with, stage by stage as engine commands, on the real CT
+// (folder GLISSON_DATA, else ../shared/data, with the clicks of tests/data) and on the synthetic patient. One
+// run of each stage: it takes seconds. The parts of the model's stage are columns of its line (s_...). What
+// holds on another machine is each stage's share of the whole, printed at the end.
 #include <benchmark/benchmark.h>
 
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <utility>
 
 #include "data_folder.h"
 #include "glisson/core/files.h"
 #include "glisson/engine/script.h"
+#include "glisson/fem/composite_model.h"
 #include "glisson/insilico/operator.h"
 #include "glisson/insilico/patient.h"
 
@@ -30,21 +34,42 @@ fs::path clicks_folder() {
   return fs::path(source != nullptr ? source : ".") / "tests/data";
 }
 
+/// Seconds from each progress code to the next, by code.
+class Clock {
+ public:
+  RunContext context() {
+    return {[this](double, std::string_view code) { tick(std::string(code)); }, nullptr, 1};
+  }
+  void tick(const std::string& code) {
+    const auto now = std::chrono::steady_clock::now();
+    if (!code_.empty()) seconds_[code_] += std::chrono::duration<double>(now - since_).count();
+    code_ = code;
+    since_ = now;
+  }
+  /// All since the last time.
+  std::map<std::string, double> take() {
+    tick({});
+    return std::exchange(seconds_, {});
+  }
+
+ private:
+  std::string code_;
+  std::chrono::steady_clock::time_point since_;
+  std::map<std::string, double> seconds_;
+};
+
 /// One patient on its way; the stages are measured one after another.
 class Way {
  public:
-  explicit Way(Input input) : input_(std::move(input)), script_(RunContext()) {}
+  explicit Way(Input input) : input_(std::move(input)), script_(clock_.context()) {}
 
   void import(benchmark::State& state) { run(state, engine::ImportImage{input_.image}); }
-  void segment(benchmark::State& state) {
+  void liver(benchmark::State& state) {
     script_.run(engine::SetSeeds{segmentation::read_seeds(input_.seeds)});
-    run(state, engine::Segment{});
+    segment(state, {true, false, false, false, false, false});
   }
-  void vessels_again(benchmark::State& state) {
-    engine::Segment command;
-    command.options.structures = {false, true, true, false, false, false};
-    run(state, command);
-  }
+  void vessels(benchmark::State& state) { segment(state, {false, true, true, true, false, false}); }
+  void lesions(benchmark::State& state) { segment(state, {false, false, false, false, true, true}); }
   /// A stroke of 10 mm radius over 30 mm in the middle of the liver.
   void stroke(benchmark::State& state) {
     segmentation::Paint paint;
@@ -61,26 +86,50 @@ class Way {
     run(state, engine::EditLabels{{segmentation::Smooth{structure::kParenchyma}, {}}});
     script_.run(engine::UndoLabels{});
   }
-  void model(benchmark::State& state) { run(state, engine::BuildModel{}); }
+  void model(benchmark::State& state) {
+    clock_.take();
+    run(state, engine::BuildModel{});
+    std::map<std::string, double> parts;
+    for (const auto& [code, seconds] : clock_.take()) {
+      if (!code.starts_with("model.")) continue;
+      // "model.mesh.lloyd" counts for "mesh"
+      parts["s_" + code.substr(6, code.find('.', 6) - 6)] += seconds;
+    }
+    for (const auto& [part, seconds] : parts) state.counters[part] = seconds;
+  }
+  /// Vessels and capsule to the tetrahedra, stiffness of each structure.
+  void binding(benchmark::State& state) {
+    const PatientModel& model = script_.state().model->model;
+    for ([[maybe_unused]] auto _ : state)
+      benchmark::DoNotOptimize(
+          std::make_unique<fem::CompositeModel>(model.mesh, model.vessels, fem::CompositeOptions()));
+  }
   void save(benchmark::State& state) { run(state, engine::SaveCase{folder_.path() / "patient.glisson"}); }
   void open(benchmark::State& state) { run(state, engine::OpenCase{folder_.path() / "patient.glisson"}); }
 
  private:
+  void segment(benchmark::State& state, const segmentation::Structures& structures) {
+    engine::Segment command;
+    command.options.structures = structures;
+    run(state, command);
+  }
   void run(benchmark::State& state, const engine::Command& command) {
     for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(script_.run(command));
   }
 
   Input input_;
   TemporaryFolder folder_;
+  Clock clock_;
   engine::Script script_;
 };
 
 void add_stages(const std::string& patient, const std::shared_ptr<Way>& way) {
   using Stage = void (Way::*)(benchmark::State&);
   const std::pair<const char*, Stage> stages[] = {
-      {"import", &Way::import},      {"segment", &Way::segment}, {"vessels_again", &Way::vessels_again},
-      {"stroke_10mm", &Way::stroke}, {"undo", &Way::undo},       {"smooth_liver", &Way::smooth},
-      {"model", &Way::model},        {"save", &Way::save},       {"open", &Way::open}};
+      {"import", &Way::import},       {"liver", &Way::liver},        {"vessels", &Way::vessels},
+      {"lesions", &Way::lesions},     {"stroke_10mm", &Way::stroke}, {"undo", &Way::undo},
+      {"smooth_liver", &Way::smooth}, {"model", &Way::model},        {"binding", &Way::binding},
+      {"save", &Way::save},           {"open", &Way::open}};
   for (const auto& [name, stage] : stages)
     benchmark::RegisterBenchmark((patient + "/" + name).c_str(),
                                  [way, stage = stage](benchmark::State& state) { ((*way).*stage)(state); })
