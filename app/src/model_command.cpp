@@ -31,6 +31,10 @@ int run_model(const QStringList& given) {
   arguments.option("vessel-refinement",
                    Cli::tr("Edge length in and next to vessels over that elsewhere, 0.2 to 1."), "RATIO",
                    options.mesh.vessel_refinement);
+  arguments.option("beams",
+                   Cli::tr("Beams of all vessels together, about: where they have more, the thinnest and "
+                           "shortest side branches are left out, vessels of 4 mm across and more stay."),
+                   "N", options.target_beams);
   arguments.option("tree-edits", Cli::tr("What is changed in the vessel trees (JSON, LPS mm)."), "FILE");
   arguments.option("truth",
                    Cli::tr("A fine surface of the liver: adds the distances. Read after everything else."),
@@ -41,6 +45,7 @@ int run_model(const QStringList& given) {
   if (arguments.has("edge")) options.mesh.edge_mm = arguments.number("edge", 1.0, 100.0);
   options.mesh.lesion_refinement = arguments.number("lesion-refinement", 0.1, 1.0);
   options.mesh.vessel_refinement = arguments.number("vessel-refinement", 0.2, 1.0);
+  options.target_beams = arguments.integer("beams", 1, 100000);
   if (arguments.has("mesh-out")) arguments.output_file("mesh-out", {".vtu", ".vtk"});
   arguments.require_existing("truth");
   const std::vector<model::TreeEdit> edits = arguments.has("tree-edits")

@@ -73,6 +73,7 @@ class SkeletonTest : public QObject {
   void BendsHaveMoreNodes();
   void BeamRadiiAreTheTubes();
   void PruningTakesTheThinnestLeaf();
+  void OfBranchesAsThinTheShorterGoesFirst();
   void MaskWithoutMarginIsRefused();
   void RootOutsideIsRefused();
   void ImpossibleBeamLengthsAreRefused();
@@ -336,14 +337,23 @@ void SkeletonTest::PruningTakesTheThinnestLeaf() {
   const auto paths = model::skeleton(vessel, {voxel_at(vessel, a)}, {}).front();
   model::FittedTree tree(vessel, grid_of(vessel.mask), paths, 2);
   QCOMPARE(tree.branch_count(), 3);
-  QVERIFY(tree.thinnest_mm() < 2.2);
-  tree.prune_thinnest();
+  QVERIFY(tree.next_to_prune().radius_mm < 2.2);
+  tree.prune(tree.next_to_prune());
   QCOMPARE(tree.branch_count(), 2);
   const VesselTree beams = tree.sample({});
   QVERIFY(beams.nodes.col(0).maxCoeff() < 40e-3);  // the thin one went to x = 60
-  tree.prune_thinnest();
-  QCOMPARE(tree.prune_thinnest(), 0.0);
+  tree.prune(tree.next_to_prune());
   QCOMPARE(tree.branch_count(), 1);
+  QCOMPARE(tree.next_to_prune().branch, -1);  // the trunk stays
+  QVERIFY_EXCEPTION_THROWN(tree.prune({}), PreconditionError);
+}
+
+void SkeletonTest::OfBranchesAsThinTheShorterGoesFirst() {
+  using Leaf = model::FittedTree::Leaf;
+  const Leaf none, thin{1, 1.05, 40.0}, short_one{2, 1.20, 10.0}, thick{3, 1.9, 5.0};
+  QVERIFY(short_one.before(thin) && !thin.before(short_one));
+  QVERIFY(thin.before(thick) && !thick.before(thin));
+  QVERIFY(thick.before(none) && !none.before(thick) && !none.before(none));
 }
 
 void SkeletonTest::MaskWithoutMarginIsRefused() {

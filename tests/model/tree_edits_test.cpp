@@ -193,12 +193,14 @@ void TreeEditsTest::JoinIsUndoneByReplayingWithoutIt() {
   const model::BuiltModel both = model::with_tree_edits(built, {prune, join});
   QCOMPARE(both.model.vessels.size(), std::size_t{1});
   QCOMPARE(both.report.notes,
-           (std::vector<std::string>{"liver.pieces_dropped 1 ml 0.2", "vessels.beams 20"}));
+           (std::vector<std::string>{"liver.pieces_dropped 1 ml 0.2",
+                                     "vessels.pruned_by_hand portal_vein mm 30 tips 1", "vessels.beams 20"}));
   const model::BuiltModel one = model::with_tree_edits(both, {prune});
   QCOMPARE(one.model.vessels.size(), std::size_t{2});
   QVERIFY(std::abs(length_mm(one.model.vessels[0]) - 70) < 1e-9);
   const model::BuiltModel none = model::with_tree_edits(one, {});
   QVERIFY(none.tree_edits.empty() && none.trees_as_built.empty());
+  QCOMPARE(none.report.notes.size(), std::size_t{2});
   QVERIFY(none.model.vessels[0].nodes == built.model.vessels[0].nodes);
   QVERIFY(none.model.vessels[0].beams == built.model.vessels[0].beams);
 }

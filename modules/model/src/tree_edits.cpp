@@ -286,16 +286,29 @@ std::vector<VesselTree> edited_trees(std::vector<VesselTree> trees, const std::v
 BuiltModel with_tree_edits(const BuiltModel& built, std::vector<TreeEdit> edits) {
   const std::vector<VesselTree>& base = built.tree_edits.empty() ? built.model.vessels : built.trees_as_built;
   BuiltModel result = built;
-  result.model.vessels = edited_trees(base, edits);
+  std::vector<std::string> cuts;
+  std::vector<VesselTree> trees = base;
+  for (std::size_t i = 0; i < edits.size(); ++i) {
+    const Complaint complaint{i, edits[i].kind};
+    if (edits[i].kind == TreeEdit::Kind::prune) {
+      const TreeSummary cut = tree_summary(pruning(trees, edits[i].at, complaint).part);
+      cuts.push_back("vessels.pruned_by_hand " + structure_name(cut.structure) + " mm " +
+                     shown(1e3 * cut.length) + " tips " + std::to_string(cut.tips));
+    }
+    apply(trees, edits[i], complaint);
+  }
+  result.model.vessels = std::move(trees);
   result.trees_as_built = edits.empty() ? std::vector<VesselTree>() : base;
   result.tree_edits = std::move(edits);
   std::vector<std::string>& notes = result.report.notes;
   notes.erase(std::remove_if(notes.begin(), notes.end(),
                              [](const std::string& note) {
                                return note.rfind("vessels.beams ", 0) == 0 ||
+                                      note.rfind("vessels.pruned_by_hand ", 0) == 0 ||
                                       note.rfind("vessels.nodes_outside_mesh ", 0) == 0;
                              }),
               notes.end());
+  notes.insert(notes.end(), cuts.begin(), cuts.end());
   count_vessel_nodes(result.model, notes);
   return result;
 }

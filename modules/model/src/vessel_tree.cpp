@@ -17,6 +17,7 @@ constexpr double kLeastSamples = 12, kSampleMm = 0.5;  // a curve, and their spa
 constexpr double kToleranceInVoxels = 0.5;             // how far a curve may pass from the smoothed path
 constexpr double kLeastBendMm = 5.0;                   // over which a bend is measured, to either side
 constexpr double kMostSmoothing = 3.0;                 // millimetres to either side
+constexpr double kRadiusStepMm = 0.25;                 // radii that differ by less are as good as the same
 
 /// Linear interpolation in a table over ascending stations.
 template <class T>
@@ -202,32 +203,32 @@ void FittedTree::measure_radius(const VesselVoxels& vessel, const SkeletonPath& 
   branch.mean_radius = std::accumulate(smooth.begin(), smooth.end(), 0.0) / static_cast<double>(count);
 }
 
-int FittedTree::thinnest_leaf() const {
+bool FittedTree::Leaf::before(const Leaf& other) const {
+  if (branch < 0 || other.branch < 0) return other.branch < 0 && branch >= 0;
+  const auto step = [](double radius) { return std::floor(radius / kRadiusStepMm); };
+  return step(radius_mm) != step(other.radius_mm) ? step(radius_mm) < step(other.radius_mm)
+                                                  : length_mm < other.length_mm;
+}
+
+FittedTree::Leaf FittedTree::next_to_prune() const {
   std::vector<char> bears(branches_.size(), 0);
   for (const Branch& branch : branches_)
     if (branch.parent >= 0) bears[static_cast<std::size_t>(branch.parent)] = 1;
-  int thinnest = -1;
-  for (std::size_t b = 1; b < branches_.size(); ++b)
-    if (!bears[b] && (thinnest < 0 ||
-                      branches_[b].mean_radius < branches_[static_cast<std::size_t>(thinnest)].mean_radius))
-      thinnest = static_cast<int>(b);
-  return thinnest;
+  Leaf next;
+  for (std::size_t b = 1; b < branches_.size(); ++b) {
+    if (bears[b]) continue;
+    const Leaf leaf{static_cast<int>(b), branches_[b].mean_radius, branches_[b].length()};
+    if (leaf.before(next)) next = leaf;
+  }
+  return next;
 }
 
-double FittedTree::thinnest_mm() const {
-  const int leaf = thinnest_leaf();
-  return leaf < 0 ? std::numeric_limits<double>::infinity()
-                  : branches_[static_cast<std::size_t>(leaf)].mean_radius;
-}
-
-double FittedTree::prune_thinnest() {
-  const int leaf = thinnest_leaf();
-  if (leaf < 0) return 0.0;
-  const double length = branches_[static_cast<std::size_t>(leaf)].length();
-  branches_.erase(branches_.begin() + leaf);
+void FittedTree::prune(const Leaf& leaf) {
+  require(leaf.branch > 0 && leaf.branch < static_cast<int>(branches_.size()),
+          "a leaf of this tree is pruned");
+  branches_.erase(branches_.begin() + leaf.branch);
   for (Branch& branch : branches_)
-    if (branch.parent > leaf) --branch.parent;
-  return length;
+    if (branch.parent > leaf.branch) --branch.parent;
 }
 
 double FittedTree::length_mm() const {

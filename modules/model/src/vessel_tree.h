@@ -25,11 +25,16 @@ class FittedTree {
   VesselTree sample(const Sampling& sampling) const;
 
   int branch_count() const { return static_cast<int>(branches_.size()); }
-  /// Takes out the thinnest branch that bears no other. Returns its length (mm), 0 when only the trunk is
-  /// left.
-  double prune_thinnest();
-  /// Mean radius (mm) of the branch that prune_thinnest would take; infinite when there is none.
-  double thinnest_mm() const;
+  /// A branch that bears no other.
+  struct Leaf {
+    int branch = -1;  ///< none: only the trunk is left
+    double radius_mm = 0.0, length_mm = 0.0;
+    /// Whether it goes first: the thinner one, of two about as thin (a quarter of a millimetre) the shorter.
+    bool before(const Leaf& other) const;
+  };
+  Leaf next_to_prune() const;
+  /// @pre `leaf` is of this tree as it is.
+  void prune(const Leaf& leaf);
   double length_mm() const;
   /// Largest distance between the curves and the smoothed paths that they were fitted to, either way; at most
   /// tolerance_mm().
@@ -52,7 +57,6 @@ class FittedTree {
   Branch fit(const VesselVoxels& vessel, const SkeletonPath& path) const;
   static void measure_radius(const VesselVoxels& vessel, const SkeletonPath& path, Branch& branch);
   static void measure_curvature(Branch& branch);
-  int thinnest_leaf() const;
   /// Where nodes must stand on a branch: its ends and the forks of its children, near ones joined.
   std::vector<double> fixed_stations(std::size_t branch, double shortest_mm) const;
 

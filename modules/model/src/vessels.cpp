@@ -17,8 +17,9 @@ constexpr double kFarthestRootMm = 20.0;   // a root point farther from its vess
 constexpr double kNearSurfaceMm = 8.0, kNearCavaMm = 15.0;
 constexpr float kFavour = 1.4F;  // how much thicker an unfavoured end must be
 constexpr double kShortestSpacingMm = 4.0, kLongestSpacingMm = 20.0;
-constexpr double kMostTurn = 1.2;    // radians that a beam may span where beams are short
-constexpr double kMostBeams = 1.15;  // of the target, before branches are pruned
+constexpr double kMostTurn = 1.2;      // radians that a beam may span where beams are short
+constexpr double kMostBeams = 1.15;    // of the target, before branches are pruned
+constexpr double kKeptRadiusMm = 2.0;  // what is as thick stays, however many beams it takes
 
 /// One piece of a vessel on a grid of its own, with a margin.
 struct Piece {
@@ -131,8 +132,8 @@ std::size_t beam_count(const std::vector<FittedTree>& trees, const FittedTree::S
   return count;
 }
 
-/// The beam length that gives about the wanted number; branches go, thinnest first, where even long beams are
-/// too many.
+/// The beam length that gives about the wanted number; branches go, thinnest and of those shortest first,
+/// where even long beams are too many.
 std::vector<VesselTree> sampled(std::vector<FittedTree> trees, int target, std::vector<std::string>& notes) {
   FittedTree::Sampling sampling;
   sampling.longest_mm = kLongestSpacingMm;
@@ -140,18 +141,21 @@ std::vector<VesselTree> sampled(std::vector<FittedTree> trees, int target, std::
   // Better a coarser bend than a branch less.
   while (sampling.turn < kMostTurn && beam_count(trees, sampling) > most) sampling.turn *= 1.25;
   int pruned = 0;
-  double pruned_mm = 0.0;
+  double pruned_mm = 0.0, thickest_mm = 0.0;
   while (beam_count(trees, sampling) > most) {
-    const auto thinnest = std::min_element(
+    const auto next = std::min_element(
         trees.begin(), trees.end(),
-        [](const FittedTree& a, const FittedTree& b) { return a.thinnest_mm() < b.thinnest_mm(); });
-    const double length = thinnest == trees.end() ? 0.0 : thinnest->prune_thinnest();
-    if (length == 0.0) break;
-    pruned_mm += length;
+        [](const FittedTree& a, const FittedTree& b) { return a.next_to_prune().before(b.next_to_prune()); });
+    const FittedTree::Leaf leaf = next == trees.end() ? FittedTree::Leaf() : next->next_to_prune();
+    if (leaf.branch < 0 || leaf.radius_mm >= kKeptRadiusMm) break;
+    next->prune(leaf);
+    pruned_mm += leaf.length_mm;
+    thickest_mm = std::max(thickest_mm, leaf.radius_mm);
     ++pruned;
   }
   if (pruned > 0)
     notes.push_back("vessels.branches_pruned " + std::to_string(pruned) + " mm " + shown(pruned_mm));
+  if (pruned > 0) notes.push_back("vessels.pruned_radius_mm " + shown(thickest_mm));
   double shortest = kShortestSpacingMm, longest = kLongestSpacingMm;
   for (int pass = 0; pass < 12; ++pass) {
     sampling.longest_mm = 0.5 * (shortest + longest);
