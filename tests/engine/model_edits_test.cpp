@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a person does to a model: edits its trees, and says that it is right.
+#include "glisson/engine/unapproved.h"
 #include "runners.h"
 #include "trial_patient.h"
 
@@ -32,6 +33,7 @@ class ModelEditsTest : public QObject {
   void AnImpossibleEditLeavesTheModel();
   void AnotherModelIsNotChecked_data() { test::both_runners(); }
   void AnotherModelIsNotChecked();
+  void LabelsThatNobodyApprovedAreNamed();
   void WithoutAModelThereIsNothingToEditOrCheck();
 };
 
@@ -84,6 +86,31 @@ void ModelEditsTest::AnotherModelIsNotChecked() {
   engine.wait(engine.post(CheckModel{{true}}));
   engine.wait(engine.post(ImportMesh{}));
   QVERIFY(!is_model_checked(engine.snapshot()->state));
+}
+
+void ModelEditsTest::LabelsThatNobodyApprovedAreNamed() {
+  CaseState state;
+  QVERIFY(unapproved_labels(state).empty());
+  VolumeGrid grid;
+  grid.size = {8, 8, 8};
+  LabelMap labels{LabelVolume(grid), {}};
+  const std::vector<Label> present = {structure::kParenchyma, structure::kPortalVein,
+                                      structure::kHepaticVeins, structure::kFirstOther,
+                                      structure::kFirstLesion};
+  for (std::size_t i = 0; i < present.size(); ++i) labels.voxels.set({static_cast<int>(i), 1, 1}, present[i]);
+  state.labels = std::make_shared<const LabelMap>(labels);
+  state.review = std::make_shared<const Review>(Review{{structure::kParenchyma, ReviewState::approved},
+                                                       {structure::kPortalVein, ReviewState::to_review},
+                                                       {structure::kVenaCava, ReviewState::in_progress}});
+  const std::map<ReviewState, std::vector<Label>> wanted = {
+      {ReviewState::not_started, {structure::kHepaticVeins, structure::kFirstLesion}},
+      {ReviewState::to_review, {structure::kPortalVein}}};
+  QVERIFY(unapproved_labels(state) == wanted);  // models hold nothing of the other
+  state.statistics = std::make_shared<const segmentation::LabelStatistics>(labels, nullptr);
+  QVERIFY(unapproved_labels(state) == wanted);
+  QCOMPARE(unapproved_notes(state),
+           (std::vector<std::string>{"label.not_started hepatic_veins", "label.not_started lesion_1",
+                                     "label.to_review portal_vein"}));
 }
 
 void ModelEditsTest::WithoutAModelThereIsNothingToEditOrCheck() {

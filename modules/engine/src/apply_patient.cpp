@@ -5,6 +5,7 @@
 
 #include "apply_parts.h"
 #include "glisson/core/error.h"
+#include "glisson/engine/unapproved.h"
 #include "glisson/geometry/mesh_io.h"
 #include "glisson/model/quality.h"
 #include "glisson/model/tree_edits.h"
@@ -80,7 +81,10 @@ Cancellable<Applied> apply_one(const CaseState& state, const BuildModel& command
   require_part(state, Part::labels, "Segment the CT or import labels first");
   auto built = model::build_from_labels(*state.labels, command.options, context);
   if (!built) return {};
-  return with_model(state, std::move(*built));
+  Applied applied = with_model(state, std::move(*built));
+  // Not in the model's own notes: a label may be approved later.
+  for (std::string& note : unapproved_notes(state)) applied.notes.push_back(std::move(note));
+  return applied;
 }
 
 Cancellable<Applied> apply_one(const CaseState& state, const ImportSurfaces& command,
