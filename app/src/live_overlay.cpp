@@ -17,10 +17,13 @@ const engine::CaseState& drawable(const engine::CaseState& state) {
 }  // namespace
 
 OverlayDrawer::OverlayDrawer(const engine::CaseState& state)
-    : painter_(engine::effective_model(drawable(state)), state.rig->left) {}
+    : painter_(engine::effective_model(drawable(state)), state.rig->left),
+      model_unchecked_(!engine::is_model_checked(state)) {}
 
 Picture OverlayDrawer::draw(const StereoFrame& frame, const OverlayFrame& overlay) {
-  return painter_.paint(frame.left, overlay);
+  scene::OverlayStatus status;
+  status.model_unchecked = model_unchecked_;
+  return painter_.paint(frame.left, overlay, status);
 }
 
 OverlayRecorder::OverlayRecorder(const engine::CaseState& state, const std::filesystem::path& path,

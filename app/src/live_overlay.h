@@ -23,6 +23,7 @@ class OverlayDrawer {
 
  private:
   scene::OverlayPainter painter_;
+  bool model_unchecked_;
 };
 
 /// Records drawn frames as a video of the left camera. Without close() nothing remains.

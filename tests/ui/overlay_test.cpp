@@ -74,7 +74,8 @@ class OverlayTest : public QObject {
   void VesselsFadeWithDepthBelowTheSurface();
   void StructuresLeftOutHideNothing();
   void NothingIsDrawnUnlessValid();
-  void ADoubtfulRegistrationIsSaidInThePicture();
+  void ADoubtIsSaidInThePicture_data();
+  void ADoubtIsSaidInThePicture();
   void InvalidFramesSayWhyAndCarryABorder();
   void TheReasonFitsIntoASmallPicture();
   void SamePictureFromTheSameInput();
@@ -200,13 +201,25 @@ void OverlayTest::NothingIsDrawnUnlessValid() {
   }
 }
 
-void OverlayTest::ADoubtfulRegistrationIsSaidInThePicture() {
+void OverlayTest::ADoubtIsSaidInThePicture_data() {
+  QTest::addColumn<bool>("registration");
+  QTest::addColumn<bool>("model");
+  QTest::newRow("registration") << true << false;
+  QTest::newRow("model that nobody checked") << false << true;
+  QTest::newRow("both") << true << true;
+}
+
+void OverlayTest::ADoubtIsSaidInThePicture() {
   const Camera camera = laparoscope();
   scene::OverlayPainter painter(box_patient(), camera);
   OverlayFrame overlay = at(bent(box_patient().mesh.vertices, {0.0, 0.0, 0.13}));
   const Picture certain = painter.paint(grey_frame(camera), overlay);
-  overlay.doubtful = true;
-  const Picture doubtful = painter.paint(grey_frame(camera), overlay);
+  QFETCH(bool, registration);
+  QFETCH(bool, model);
+  overlay.doubtful = registration;
+  scene::OverlayStatus status;
+  status.model_unchecked = model;
+  const Picture doubtful = painter.paint(grey_frame(camera), overlay, status);
   int changed = 0, amber = 0;
   for (int v = 0; v < camera.height; ++v)
     for (int u = 0; u < camera.width; ++u) {

@@ -91,6 +91,11 @@ void GuidancePanel::build_registration() {
       add_section(tr("1. Initial registration"),
                   tr("Rigid start from the labelled features; then the shape that simulated operations on "
                      "this liver make most probable, drawn to the points."));
+  unchecked_ = new QLabel(tr("Nobody has checked this model (Model, Quality). The picture says so."), this);
+  unchecked_->setObjectName(QStringLiteral("model_unchecked"));
+  unchecked_->setWordWrap(true);
+  unchecked_->setProperty("role", "warning");
+  box->addWidget(unchecked_);
   register_ = new TaskButton(
       engine(), tr("Register"), [] { return engine::Command(engine::Register{}); }, this);
   register_->setObjectName(QStringLiteral("register"));
@@ -190,6 +195,7 @@ OverlayJob GuidancePanel::make_job() {
   job.margin = margin_;
   job.rig = now.rig;
   job.style = style_;
+  job.model_unchecked = now.model && !engine::is_model_checked(now);
   return job;
 }
 
@@ -197,6 +203,7 @@ void GuidancePanel::show_case() {
   const engine::CaseState& now = engine().state();
   const bool tracking = engine().snapshot()->tracking;
   register_->set_obstacle(registration_obstacle());
+  unchecked_->setVisible(now.model && !engine::is_model_checked(now));
   if (now.registration) {
     const Registration& r = *now.registration;
     registration_figures_->set_rows(
@@ -243,6 +250,7 @@ void GuidancePanel::show_registered() {
     job.overlay.validity = current ? Validity::valid : Validity::stale;
     job.overlay.nodes_in_camera = now.registration->nodes_in_camera;
     job.overlay.residual = now.registration->residual;
+    job.overlay.doubtful = !now.registration->doubts.empty();
   }
   worker_.submit(std::move(job));
 }

@@ -37,7 +37,7 @@ struct OverlayWorker::Studio {
       rig = job.rig;
     }
     painter->set_style(job.style);
-    return painter->paint(job.frame, job.overlay, {age, job.frames_per_second});
+    return painter->paint(job.frame, job.overlay, {age, job.frames_per_second, job.model_unchecked});
   }
 
   /// A frame of the file stands for its own moment of the video, so that the recording runs as fast as what

@@ -41,6 +41,7 @@ class Overlay {
   static QString rate(double per_second) { return tr("%1 fps").arg(per_second, 0, 'f', 1); }
   static QString residual(double metres) { return tr("residual %1 mm").arg(1e3 * metres, 0, 'f', 1); }
   static QString doubtful() { return tr("Registration in doubt"); }
+  static QString unchecked() { return tr("Model not checked"); }
   static QString research() { return tr("Research software: not for clinical use"); }
   static QString structure(Label label) {
     if (label == structure::kPortalVein) return tr("Portal vein");
@@ -179,8 +180,11 @@ Picture annotate(const Picture& picture, const OverlayFrame& overlay, const Anno
   if (valid) {
     if (style.anterior_margin) draw_margin(painter, layout, annotations.margin);
     if (style.legend) draw_legend(painter, layout, annotations.structures);
-    if (overlay.doubtful)
-      draw_text(painter, layout, Overlay::doubtful(), layout.font(true), kAmber,
+    QStringList doubts;
+    if (overlay.doubtful) doubts << Overlay::doubtful();
+    if (status.model_unchecked) doubts << Overlay::unchecked();
+    if (!doubts.isEmpty())
+      draw_text(painter, layout, doubts.join(QStringLiteral("  ·  ")), layout.font(true), kAmber,
                 Qt::AlignRight | Qt::AlignTop);
   } else {
     draw_invalid(painter, layout, overlay.validity);

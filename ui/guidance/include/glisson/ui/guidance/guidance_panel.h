@@ -65,6 +65,7 @@ class GuidancePanel : public Panel {
   TaskButton* register_ = nullptr;
   FiguresTable* registration_figures_ = nullptr;
   QLabel* doubts_ = nullptr;
+  QLabel* unchecked_ = nullptr;  ///< says that nobody has checked the model
   TaskButton* track_ = nullptr;
   QPushButton* stop_ = nullptr;
   QPushButton* record_ = nullptr;

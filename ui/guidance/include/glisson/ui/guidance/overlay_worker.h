@@ -29,6 +29,7 @@ struct OverlayJob {
   std::optional<std::chrono::steady_clock::time_point> taken;
   scene::OverlayStyle style;
   double frames_per_second = 0.0;  ///< of the live view, to be shown
+  bool model_unchecked = false;    ///< nobody has said that the model is right
   double source_rate = 30.0;       ///< frames a second of the video, for the recording
 };
 

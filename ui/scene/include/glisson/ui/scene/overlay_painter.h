@@ -28,6 +28,7 @@ struct OverlayStyle {
 struct OverlayStatus {
   double age_seconds = 0.0;        ///< since the picture was taken; 0: not live, not shown
   double frames_per_second = 0.0;  ///< of the live view; 0: not shown
+  bool model_unchecked = false;    ///< nobody has said that the model is right: said in the picture
 };
 
 /// Draws the deformed model into a frame of the laparoscope: vessels in their structures' colours, fading
