@@ -7,12 +7,15 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QSpinBox>
 #include <QtTest>
 
 #include <vtkActorCollection.h>
 #include <vtkRenderer.h>
 
 #include "fake_operation.h"
+#include "glisson/engine/unapproved.h"
+#include "glisson/ui/common/texts.h"
 #include "glisson/ui/model/quality_sheet.h"
 #include "glisson/ui/model/tree_editor.h"
 #include "glisson/ui/shell/main_window.h"
@@ -30,10 +33,12 @@ class ModelPanelTest : public QObject {
   void cleanup();
   void TheSheetSaysWhatStandsOut();
   void TheCheckIsKeptUntilAnotherModel();
+  void LabelsThatNobodyApprovedAreNamed();
   void FlattestElementsAreShownAndPutAway();
   void SizeIsGivenByVerticesOrEdges();
   void AnEntranceIsMovedByAClickAndUndone();
   void APrunedTreeComesBackAndGoesAgain();
+  void WhatAClickWouldCutIsToldBefore();
   void AnImpossibleJoinSaysWhy();
   void EscapeAndAnotherPanelPutTheToolAway();
   void AClickBesideTheVesselsTurnsTheCamera();
@@ -81,7 +86,8 @@ void ModelPanelTest::init() {
   options.apply = [fake = options.apply](const engine::CaseState& now, const engine::Command& command,
                                          const RunContext& context) {
     const bool real = std::holds_alternative<engine::EditTrees>(command) ||
-                      std::holds_alternative<engine::CheckModel>(command);
+                      std::holds_alternative<engine::CheckModel>(command) ||
+                      std::holds_alternative<engine::SetReview>(command);
     return real ? engine::apply(now, command, context) : fake(now, command, context);
   };
   window_ = std::make_unique<MainWindow>(std::move(options));
@@ -116,8 +122,12 @@ void ModelPanelTest::TheSheetSaysWhatStandsOut() {
 
 void ModelPanelTest::TheCheckIsKeptUntilAnotherModel() {
   QVERIFY(!sheet().checked_box()->isChecked());
+  // The operation's panel warns as long as nobody has checked it.
+  const auto* warning = window_->findChild<QLabel*>(QStringLiteral("model_unchecked"));
+  QVERIFY(warning != nullptr && !warning->isHidden());
   press(sheet().checked_box());
   QVERIFY(engine::is_model_checked(state()));
+  QTRY_VERIFY(warning->isHidden());
   QVERIFY(sheet().checked_box()->isChecked());
   press(sheet().checked_box());
   QVERIFY(!engine::is_model_checked(state()));
@@ -126,6 +136,25 @@ void ModelPanelTest::TheCheckIsKeptUntilAnotherModel() {
   QVERIFY(settle());
   QTRY_VERIFY(!sheet().checked_box()->isChecked());
   QVERIFY(!engine::is_model_checked(state()));
+}
+
+void ModelPanelTest::LabelsThatNobodyApprovedAreNamed() {
+  const auto* line = window_->findChild<QLabel*>(QStringLiteral("model_review"));
+  QVERIFY(line->isVisible());
+  const auto unapproved = engine::unapproved_labels(state());
+  const std::vector<Label> labels = unapproved.at(ReviewState::not_started);
+  QVERIFY(!labels.empty());
+  const QString name = ui::structure_text(labels.front());
+  QVERIFY(line->text().contains(QStringLiteral("nobody has reviewed: ") + name));
+  QVERIFY(text("model_summary").contains(QStringLiteral("nobody has reviewed: ") + name));
+  window_->engine().post(engine::SetReview{labels.front(), ReviewState::to_review});
+  QVERIFY(settle());
+  QTRY_VERIFY(line->text().contains(QStringLiteral("still to be reviewed: ") + name));
+  QVERIFY(text("model_summary").contains(QStringLiteral("still to be reviewed: ") + name));
+  for (const Label label : labels) window_->engine().post(engine::SetReview{label, ReviewState::approved});
+  QVERIFY(settle());
+  QTRY_VERIFY(!line->isVisible());
+  QVERIFY(!text("model_summary").contains(QStringLiteral("review")));
 }
 
 void ModelPanelTest::FlattestElementsAreShownAndPutAway() {
@@ -146,6 +175,10 @@ void ModelPanelTest::SizeIsGivenByVerticesOrEdges() {
   QVERIFY(!edge->isVisible());
   by->setCurrentIndex(1);
   QVERIFY(edge->isVisible());
+  // Beams are asked for where vessels are wanted.
+  auto* beams = window_->findChild<QSpinBox*>(QStringLiteral("model_beams"));
+  QCOMPARE(beams->value(), model::ModelOptions{}.target_beams);
+  QVERIFY(beams->isEnabled());
 }
 
 void ModelPanelTest::AnEntranceIsMovedByAClickAndUndone() {
@@ -177,6 +210,26 @@ void ModelPanelTest::APrunedTreeComesBackAndGoesAgain() {
   window_->engine().post(engine::BuildModel{});
   QVERIFY(settle());
   QTRY_VERIFY(!editor().undo_button()->isEnabled() && !editor().redo_button()->isEnabled());
+}
+
+void ModelPanelTest::WhatAClickWouldCutIsToldBefore() {
+  press(editor().tool_button(Kind::prune));
+  const int drawn = actors();
+  const Eigen::Vector3d p = operation_->model.vessels[0].nodes.row(2).transpose();
+  const auto at = view().patient().view_point(p, view().aspect());
+  const auto point_at = [&](const QPointF& place) {
+    QMouseEvent move(QEvent::MouseMove, place, view().mapToGlobal(place), Qt::NoButton, Qt::NoButton,
+                     Qt::NoModifier);
+    QCoreApplication::sendEvent(&view(), &move);
+  };
+  point_at({at->x() * view().width(), at->y() * view().height()});
+  QVERIFY(text("tree_message").contains(QStringLiteral("takes the whole tree: Portal vein")));
+  QVERIFY(text("tree_message").contains(QStringLiteral("tips: 1")));
+  QCOMPARE(actors(), drawn + 1);  // and marked
+  QCOMPARE(trees().size(), std::size_t{2});
+  point_at({view().width() / 2.0, 12.0});
+  QVERIFY(!text("tree_message").contains(QStringLiteral("Portal vein")));
+  QCOMPARE(actors(), drawn);
 }
 
 void ModelPanelTest::AnImpossibleJoinSaysWhy() {

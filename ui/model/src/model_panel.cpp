@@ -35,7 +35,13 @@ ModelPanel::ModelPanel(EngineBridge& engine, LinkedViews& views, QWidget* parent
   build_trial();
   build_look();
   // One hand in the 3D view at a time.
-  connect(trees_, &TreeEditor::began, this, [this] { trial_->end(); });
+  connect(trees_, &TreeEditor::began, this, [this] {
+    trial_->end();
+    quality_->leave();
+  });
+  connect(quality_->worst_box(), &QCheckBox::toggled, this, [this](bool on) {
+    if (on) trees_->leave();
+  });
   connect(trial_->button(), &QPushButton::toggled, this, [this](bool on) {
     if (on) trees_->leave();
   });
@@ -84,7 +90,22 @@ void ModelPanel::build_options() {
   vessels_ = new QCheckBox(tr("Portal and hepatic vessels stiffen the model"), this);
   vessels_->setChecked(true);
   form->addRow(vessels_);
+  beams_ = new QSpinBox(this);
+  beams_->setObjectName(QStringLiteral("model_beams"));
+  beams_->setRange(20, 2000);
+  beams_->setSingleStep(20);
+  beams_->setValue(model::ModelOptions{}.target_beams);
+  beams_->setToolTip(
+      tr("Where the vessels have more, the thinnest and shortest side branches are left out; entrances and "
+         "vessels of 4 mm across and more stay. More beams compute more slowly."));
+  form->addRow(tr("Vessel beams, about"), beams_);
+  connect(vessels_, &QCheckBox::toggled, beams_, &QWidget::setEnabled);
   build->addLayout(form);
+  review_ = new QLabel(this);
+  review_->setObjectName(QStringLiteral("model_review"));
+  review_->setWordWrap(true);
+  review_->setProperty("role", "warning");
+  build->addWidget(review_);
   run_ = new TaskButton(
       engine(), tr("Build model"), [this] { return engine::Command(command()); }, this);
   run_->setObjectName(QStringLiteral("build_model"));
@@ -184,6 +205,7 @@ engine::BuildModel ModelPanel::command() const {
   if (fine_lesions_->isChecked()) command.options.mesh.lesion_refinement = kFiner;
   if (fine_vessels_->isChecked()) command.options.mesh.vessel_refinement = kFiner;
   command.options.vessels = vessels_->isChecked();
+  command.options.target_beams = beams_->value();
   return command;
 }
 
@@ -198,6 +220,9 @@ void ModelPanel::import_surfaces(const QString& path) {
 void ModelPanel::show_case() {
   const engine::CaseState& now = engine().state();
   run_->set_obstacle(now.labels ? QString() : tr("Segment the CT or import labels first."));
+  const QStringList unapproved = unapproved_lines(now);
+  review_->setText(unapproved.join(QLatin1Char('\n')));
+  review_->setVisible(!unapproved.isEmpty());
   if (now.model == shown_ && shown_) return;
   shown_ = now.model;
   look_->setVisible(shown_ != nullptr);

@@ -2,12 +2,14 @@
 #include "glisson/ui/model/quality_sheet.h"
 
 #include <QCheckBox>
+#include <QCoreApplication>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <cmath>
 #include <map>
 
+#include "glisson/engine/unapproved.h"
 #include "glisson/ui/common/panel.h"
 #include "glisson/ui/common/texts.h"
 
@@ -19,7 +21,41 @@ constexpr double kFlatDeg = 10.0;
 // Beyond these a figure is worth a look before the model is trusted.
 constexpr double kVolumeToLookAt = 0.05, kDistanceToLookAtMm = 0.5, kGapToLookAtMm = 10.0;
 
+/// Whether the case's model was built from its labels, and not from surfaces.
+bool is_from_labels(const engine::CaseState& state) {
+  return state.stamp(engine::Part::model).made_from.count(engine::Part::labels) > 0;
+}
+
+/// Sentences of unapproved_lines() for translators.
+class Review {
+  Q_DECLARE_TR_FUNCTIONS(Review)
+ public:
+  static QString line(ReviewState state, const QString& names) {
+    switch (state) {
+      case ReviewState::not_started:
+        return tr("Labels that nobody has reviewed: %1.").arg(names);
+      case ReviewState::in_progress:
+        return tr("Labels under review: %1.").arg(names);
+      case ReviewState::to_review:
+        return tr("Labels still to be reviewed: %1.").arg(names);
+      case ReviewState::approved:
+        break;
+    }
+    return {};
+  }
+};
+
 }  // namespace
+
+QStringList unapproved_lines(const engine::CaseState& state) {
+  QStringList lines;
+  for (const auto& [review, labels] : engine::unapproved_labels(state)) {
+    QStringList names;
+    for (const Label label : labels) names << structure_text(label);
+    lines << Review::line(review, names.join(QStringLiteral(", ")));
+  }
+  return lines;
+}
 
 QualitySheet::QualitySheet(EngineBridge& engine, LinkedViews& views, QWidget* parent)
     : QWidget(parent), engine_(engine), views_(views) {
@@ -60,8 +96,10 @@ void QualitySheet::show_case() {
     const QSignalBlocker quiet(checked_);
     checked_->setChecked(engine::is_model_checked(now));
   }
-  if (now.model == shown_ && (shown_ || !summary_->text().isEmpty())) return;
+  QStringList unapproved = now.model && is_from_labels(now) ? unapproved_lines(now) : QStringList();
+  if (now.model == shown_ && unapproved == unapproved_ && (shown_ || !summary_->text().isEmpty())) return;
   shown_ = now.model;
+  unapproved_ = std::move(unapproved);
   for (QWidget* part : std::initializer_list<QWidget*>{checked_, angles_, worst_})
     part->setVisible(shown_ != nullptr);
   notes_->setVisible(shown_ && !shown_->report.notes.empty());
@@ -83,7 +121,7 @@ void QualitySheet::show_case() {
 }
 
 QStringList QualitySheet::findings() const {
-  QStringList found;
+  QStringList found = unapproved_;
   const model::MeshQuality& q = shown_->report.quality;
   if (q.min_dihedral_deg < kFlatDeg)
     found << tr("Flat elements: the smallest angle is %1°. Build anew with another number of vertices.")

@@ -8,10 +8,13 @@
 #include <QPushButton>
 #include <QShortcut>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 
+#include "glisson/model/quality.h"
 #include "glisson/ui/common/panel.h"
 #include "glisson/ui/common/texts.h"
+#include "glisson/ui/scene/model_surfaces.h"
 
 namespace glisson::ui {
 namespace {
@@ -20,6 +23,7 @@ using Kind = model::TreeEdit::Kind;
 
 constexpr double kReachPx = 14.0;  // from the pointer to a centreline's node
 constexpr double kSeeThrough = 0.3;
+constexpr double kCutWidth = 1.5e-3;  // metres, radius at least of what is shown to go
 
 }  // namespace
 
@@ -99,7 +103,9 @@ void TreeEditor::choose(std::optional<Kind> tool) {
       scene.set_opacity(vessel, is_on() ? kSeeThrough : 1.0);
     is_on() ? views_.volume().installEventFilter(this) : views_.volume().removeEventFilter(this);
     is_on() ? views_.volume().setCursor(Qt::PointingHandCursor) : views_.volume().unsetCursor();
+    views_.volume().setMouseTracking(is_on());
   }
+  if (was_on || is_on()) scene.set_highlight({});
   views_.volume().update();
   show_message(instruction());
   if (is_on() && !was_on) emit began();
@@ -113,7 +119,7 @@ QString TreeEditor::instruction() const {
           "Click the place on a centreline where its tree is to enter. White balls are the entrances "
           "now. Esc ends.");
     case Kind::prune:
-      return tr("Click the branch that is to go, on its centreline. Esc ends.");
+      return tr("Point at the branch that is to go: what a click cuts off is marked. Esc ends.");
     case Kind::join:
       break;
   }
@@ -172,32 +178,81 @@ std::optional<Eigen::Vector3d> TreeEditor::node_at(const QPointF& at) const {
   return best;
 }
 
+std::optional<Eigen::Vector3d> TreeEditor::centreline_at(const QPointF& at) const {
+  const RenderView& view = views_.volume();
+  const auto on_screen = [&](const Eigen::Vector3d& p) -> std::optional<Eigen::Vector2d> {
+    const auto place = views_.volume().patient().view_point(p, view.aspect());
+    if (!place) return std::nullopt;
+    return Eigen::Vector2d(place->x() * view.width(), place->y() * view.height());
+  };
+  const Eigen::Vector2d pointer(at.x(), at.y());
+  std::optional<Eigen::Vector3d> best;
+  double least = kReachPx;
+  for (const VesselTree& tree : shown_->model.vessels)
+    for (const auto& [from, to] : tree.beams) {
+      const Eigen::Vector3d a = tree.nodes.row(from).transpose(), b = tree.nodes.row(to).transpose();
+      const auto p = on_screen(a), q = on_screen(b);
+      if (!p || !q) continue;
+      const Eigen::Vector2d along = *q - *p;
+      const double squared = along.squaredNorm();
+      const double share = squared > 0.0 ? std::clamp((pointer - *p).dot(along) / squared, 0.0, 1.0) : 0.0;
+      const double far = (*p + share * along - pointer).norm();
+      if (far >= least) continue;
+      least = far;
+      best = a + share * (b - a);
+    }
+  return best;
+}
+
+void TreeEditor::show_cut(const std::optional<Eigen::Vector3d>& place) {
+  if (!place) {
+    views_.volume().patient().set_highlight({});
+    show_message(instruction());
+  } else {
+    model::Pruning cut = model::pruning_at(shown_->model.vessels, *place);
+    const model::TreeSummary summary = model::tree_summary(cut.part);
+    for (double& radius : cut.part.radii) radius = std::max(kCutWidth, radius);
+    views_.volume().patient().set_highlight(scene::tube_mesh(cut.part));
+    const QString what = tr("%1, %2 mm, tips: %3.")
+                             .arg(structure_text(summary.structure))
+                             .arg(1e3 * summary.length, 0, 'f', 0)
+                             .arg(summary.tips);
+    show_message(cut.whole_tree ? tr("A click here takes the whole tree: %1").arg(what)
+                                : tr("A click here cuts off: %1").arg(what));
+  }
+  views_.volume().update();
+}
+
 bool TreeEditor::eventFilter(QObject* watched, QEvent* event) {
   const auto* mouse = dynamic_cast<QMouseEvent*>(event);
   if (watched != &views_.volume() || mouse == nullptr || !tool_ || !shown_)
     return QWidget::eventFilter(watched, event);
+  const bool prunes = *tool_ == Kind::prune;
+  if (event->type() == QEvent::MouseMove && mouse->buttons() == Qt::NoButton && prunes && !posted_)
+    show_cut(centreline_at(mouse->position()));
   if (event->type() != QEvent::MouseButtonPress || mouse->button() != Qt::LeftButton) return false;
-  const auto node = node_at(mouse->position());
-  if (!node) return false;  // the camera turns
-  if (!posted_) click(*node);
+  const auto place = prunes ? centreline_at(mouse->position()) : node_at(mouse->position());
+  if (!place) return false;  // the camera turns
+  if (!posted_) click(*place);
   return true;
 }
 
-void TreeEditor::click(const Eigen::Vector3d& node) {
-  model::TreeEdit edit{*tool_, node};
+void TreeEditor::click(const Eigen::Vector3d& place) {
+  model::TreeEdit edit{*tool_, place};
   if (*tool_ == Kind::join) {
     if (!first_) {
-      first_ = node;
-      views_.volume().patient().set_pull(scene::PatientScene::Pull{node, node});
+      first_ = place;
+      views_.volume().patient().set_pull(scene::PatientScene::Pull{place, place});
       views_.volume().update();
       show_message(instruction());
       return;
     }
     edit.at = *first_;
-    edit.to = node;
+    edit.to = place;
     first_.reset();
     views_.volume().patient().set_pull(std::nullopt);
   }
+  views_.volume().patient().set_highlight({});
   undone_.clear();
   std::vector<model::TreeEdit> edits = shown_->tree_edits;
   edits.push_back(edit);

@@ -11,6 +11,7 @@
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
+class QLabel;
 class QSpinBox;
 class QVBoxLayout;
 
@@ -38,6 +39,8 @@ class ModelPanel : public Panel {
   QSpinBox* vertices_ = nullptr;
   QDoubleSpinBox* edge_ = nullptr;
   QCheckBox *vessels_ = nullptr, *fine_lesions_ = nullptr, *fine_vessels_ = nullptr;
+  QSpinBox* beams_ = nullptr;
+  QLabel* review_ = nullptr;  ///< which labels nobody has approved
   TaskButton* run_ = nullptr;
   QualitySheet* quality_ = nullptr;
   QWidget* trees_section_ = nullptr;

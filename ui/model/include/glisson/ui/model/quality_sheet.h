@@ -11,6 +11,10 @@ class QLabel;
 
 namespace glisson::ui {
 
+/// Names the labels that models are built from and that nobody has approved, a line for each review state;
+/// empty: there are none.
+QStringList unapproved_lines(const engine::CaseState& state);
+
 /// What a person reads before trusting a model: what stands out, the figures, the angles; the worst elements
 /// in three dimensions; and the person's word that it is right.
 class QualitySheet : public QWidget {
@@ -40,6 +44,7 @@ class QualitySheet : public QWidget {
   QLabel* notes_;
   QCheckBox* checked_;
   std::shared_ptr<const model::BuiltModel> shown_;
+  QStringList unapproved_;  ///< of the labels that the model was built from
 };
 
 }  // namespace glisson::ui

@@ -18,7 +18,7 @@ class QShortcut;
 namespace glisson::ui {
 
 /// Entrances are moved, branches pruned and trees joined by clicks on the centrelines in the 3D view. Every
-/// click is one edit that can be undone.
+/// click is one edit that can be undone. What a click would prune is shown while the pointer is over it.
 class TreeEditor : public QWidget {
   Q_OBJECT
  public:
@@ -45,7 +45,11 @@ class TreeEditor : public QWidget {
   void take(const engine::Outcome& outcome);
   /// The tree's node under a place in the view, CT frame; empty: none is near.
   std::optional<Eigen::Vector3d> node_at(const QPointF& at) const;
-  void click(const Eigen::Vector3d& node);
+  /// The place on a centreline under a place in the view, CT frame; empty: none is near.
+  std::optional<Eigen::Vector3d> centreline_at(const QPointF& at) const;
+  void click(const Eigen::Vector3d& place);
+  /// Shows and says what a click there would prune; empty: nothing.
+  void show_cut(const std::optional<Eigen::Vector3d>& place);
   void post(std::vector<model::TreeEdit> edits);
   QString instruction() const;
 
