@@ -38,9 +38,6 @@ LinkedViews::LinkedViews(EngineBridge& engine, ViewState& state, DrawableSource&
     connect(view, &SliceView::hovered, this, &LinkedViews::probe);
     connect(view, &SliceView::left_view, this, [this] { probe(state_.crosshair()); });
     connect(view, &SliceView::slice_changed, this, [this, plane] { show_slice(plane); });
-    connect(view, &SliceView::labels_redrawn, this, [this] {
-      if (!late_->isActive()) late_->start();
-    });
   }
   auto* layout = new QGridLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -81,13 +78,21 @@ void LinkedViews::connect_labels() {
   late_->setInterval(kLate);
   connect(late_, &QTimer::timeout, this, [this] {
     for (const scene::Plane plane : kPlanes) show_slice(plane);
+    show_labels();
   });
   label_surfaces_ = new LabelSurfaceSource(this);
   label_actors_ = std::make_unique<scene::LabelActors>(volume_->patient().renderer());
   connect(label_surfaces_, &LabelSurfaceSource::changed, this, &LinkedViews::show_label_surfaces);
-  for (const auto signal : {&ViewState::volume_changed, &ViewState::labels_changed,
-                            &ViewState::overlays_changed, &ViewState::shows_labels_changed})
+  for (const auto signal :
+       {&ViewState::volume_changed, &ViewState::overlays_changed, &ViewState::shows_labels_changed})
     connect(&state_, signal, this, &LinkedViews::show_labels);
+  connect(&state_, &ViewState::labels_changed, this, [this] {
+    // Each change puts it off: nothing in three dimensions is made or drawn between two moments of a stroke.
+    if (label_actors_->actor_count() > 0)
+      late_->start();
+    else
+      show_labels();
+  });
   connect(&engine_, &EngineBridge::evolving_changed, this,
           [this] { state_.set_evolving(engine_.snapshot()->evolving); });
   connect(&state_, &ViewState::style_changed, this, [this] {
@@ -119,6 +124,7 @@ void LinkedViews::show_label_surfaces() {
     slices_toggle_->setChecked(false);
     volume_->patient().look_from(scene::ViewFrom::anterior);
   }
+  volume_->update();
   show_model();
 }
 
@@ -188,8 +194,11 @@ void LinkedViews::show_case() {
   }
   const bool was_empty = scene_is_empty_;
   scene_is_empty_ = !now.model && !now.image;
-  if (was_empty && !scene_is_empty_) volume_->patient().look_from(scene::ViewFrom::anterior);
-  show_model();
+  if (was_empty != scene_is_empty_) {
+    if (was_empty) volume_->patient().look_from(scene::ViewFrom::anterior);
+    volume_->update();
+  }
+  show_model();  // which draws only what is new: this is called for every stretch of a stroke
 }
 
 void LinkedViews::set_landmarks(const Landmarks& landmarks) {
@@ -211,6 +220,7 @@ void LinkedViews::show_model() {
       slices_toggle_->setChecked(false);  // the liver would hide in them
       patient.look_from(scene::ViewFrom::anterior);
     }
+    volume_->update();
   }
   const bool making_labels =
       labels_instead && label_surfaces_->is_making() && label_actors_->actor_count() == 0;
@@ -218,7 +228,6 @@ void LinkedViews::show_model() {
                     : making_labels                                ? tr("Preparing the surfaces…")
                     : !labels_instead && drawables_.is_preparing() ? tr("Preparing the model for drawing…")
                                                                    : QString());
-  volume_->update();
 }
 
 void LinkedViews::show_slice(scene::Plane plane) {

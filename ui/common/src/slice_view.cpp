@@ -114,10 +114,7 @@ void SliceView::refresh_slice() {
       shown_ = {};
     else
       redraw(drawn);
-    if (whole || moved)
-      emit slice_changed();
-    else
-      emit labels_redrawn();
+    if (whole || moved) emit slice_changed();
   }
   update();
 }

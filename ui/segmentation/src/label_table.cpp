@@ -102,7 +102,7 @@ void LabelTable::set_rows(const std::vector<LabelRow>& rows) {
       item->setIcon(review, review_icon(row.review));
     item->setData(name, Qt::UserRole, static_cast<unsigned>(row.label));
     const QString text = structure_text(row.label);
-    item->setText(name, is_lesion(row.label) && empty ? tr("%1 (new)").arg(text) : text);
+    item->setText(name, is_lesion(row.label) && empty ? QStringLiteral("+ %1").arg(text) : text);
     item->setToolTip(name, text);
     item->setForeground(name, empty ? QColor(0x8d, 0x9a, 0xa3) : QColor(0xe4, 0xe9, 0xec));
     item->setData(review, Qt::UserRole, static_cast<int>(row.review));

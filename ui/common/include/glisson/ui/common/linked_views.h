@@ -65,7 +65,7 @@ class LinkedViews : public QWidget {
   QLabel* label_ = nullptr;
   LabelSurfaceSource* label_surfaces_ = nullptr;
   std::unique_ptr<scene::LabelActors> label_actors_;
-  QTimer* late_ = nullptr;  ///< the slices in three dimensions follow a stroke at leisure
+  QTimer* late_ = nullptr;  ///< three dimensions follow a stroke at leisure: the hand looks at the slice
   std::shared_ptr<const scene::DrawableModel> shown_model_;
   std::shared_ptr<const scene::DrawableModel> faced_model_;  ///< that the camera was last turned to
   Landmarks landmarks_;

@@ -33,10 +33,8 @@ class SliceView : public QWidget {
   /// The pointer is over this place of the patient.
   void hovered(const glisson::Point<glisson::CtFrame>& p);
   void left_view();
-  /// Another slice, or how it is drawn.
+  /// Another slice, or how it is drawn; not where only its labels are others.
   void slice_changed();
-  /// The same slice with other labels.
-  void labels_redrawn();
 
  protected:
   void paintEvent(QPaintEvent* event) override;
