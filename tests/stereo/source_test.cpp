@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/stereo/source.h"
 
+#include <sys/stat.h>
+
 #include <QtTest>
 #include <cmath>
+#include <fstream>
 #include <random>
+#include <thread>
 
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
@@ -222,8 +226,72 @@ class SourceTest : public QObject {
     QVERIFY_THROWS_EXCEPTION(InputError, read_source(folder_.path() / "bad.json"));
   }
 
+  /// No camera is needed: a pipe is as live as one for OpenCV. It cannot be wound back, has no length, and
+  /// ends in the middle of a frame when what writes into it goes away.
+  void ALiveSourceGivesItsFramesUntilItIsUnplugged() {
+    constexpr int kFrames = 40;
+    film("whole.mkv", 128, 48, kFrames, [](int i, int x, int y) { return shade(x / 64, i, x % 64, y); });
+    const std::string content = read_file(at("whole.mkv"));
+    QCOMPARE(::mkfifo(at("camera").c_str(), 0600), 0);
+    std::jthread camera([&] {
+      std::ofstream pipe(at("camera"), std::ios::binary);
+      pipe.write(content.data(), static_cast<std::streamsize>(content.size() * 3 / 5));
+    });
+    StereoVideo video("device:" + at("camera"));
+    QCOMPARE(video.width(), 64);
+    QCOMPARE(video.frame_count(), 0);  // live: nobody knows
+    int frames = 0;
+    double before = -1.0;
+    for (StereoFrame frame; video.read(frame); ++frames) {
+      QCOMPARE(frame.index, frames);
+      QVERIFY(frame.seconds > before && (frames > 0 || frame.seconds == 0.0));
+      before = frame.seconds;
+      if (frame.index == 3) {
+        QVERIFY(difference(frame.left, view_of(0, 3)) < 6.0);
+        QVERIFY(difference(frame.right, view_of(1, 3)) < 6.0);
+      }
+    }
+    QVERIFY2(frames > 5 && frames < kFrames, std::to_string(frames).c_str());
+    StereoFrame frame;
+    QVERIFY(!video.read(frame));  // and stays unplugged
+  }
+
+  void TwoDevicesHaveOneClock() {
+    // Numbered pictures, opened by OpenCV as a device is.
+    for (int i = 0; i < 4; ++i) write_picture(at("still-0" + std::to_string(i) + ".png"), view_of(0, i));
+    DeviceStream first(at("still-%02d.png"));
+    DeviceStream second(at("still-%02d.png"));
+    QVERIFY(first.live && first.frames == 0);
+    for (int i = 0; i < 4; ++i) {
+      QVERIFY(first.grab() && second.grab());
+      const double left = first.seconds;
+      QVERIFY(second.seconds >= left);  // it was grabbed later
+      cv::Mat picture;
+      QVERIFY(second.retrieve(picture) && picture.cols == 64);
+    }
+    QVERIFY(!first.grab());
+  }
+
+  void OneOfTwoDevicesUnpluggedIsTheEnd() {
+    for (int i = 0; i < 6; ++i) {
+      if (i < 3) write_picture(at("one-0" + std::to_string(i) + ".png"), view_of(0, i));
+      write_picture(at("other-0" + std::to_string(i) + ".png"), view_of(1, i));
+    }
+    SourceOptions options;
+    options.left = "device:" + at("one-%02d.png");
+    options.right = "device:" + at("other-%02d.png");
+    options.layout = Layout::separate;
+    options.largest_skew = 1.0;  // these come as fast as they are read
+    StereoVideo video(options);
+    int frames = 0;
+    for (StereoFrame frame; video.read(frame); ++frames)
+      QVERIFY(difference(frame.left, view_of(0, frames)) < 1.0);
+    QCOMPARE(frames, 3);
+  }
+
   void AbsentDevicesAndOddSizesAreRefused() {
     QVERIFY_THROWS_EXCEPTION(InputError, StereoVideo("device:97"));
+    QVERIFY_THROWS_EXCEPTION(InputError, StereoVideo("device:"));
     QVERIFY_THROWS_EXCEPTION(InputError, StereoVideo("device:front"));
     film("odd.mkv", 66, 50, 1, [](int i, int x, int y) { return shade(0, i, x, y); });
     SourceOptions options;

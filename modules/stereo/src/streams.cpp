@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "streams.h"
 
+#include <chrono>
 #include <cmath>
 #include <system_error>
 
@@ -67,11 +68,15 @@ int FileStream::count_frames() {
   return count;
 }
 
-DeviceStream::DeviceStream(int number) {
-  name = "device:" + std::to_string(number);
+DeviceStream::DeviceStream(const std::string& device) {
+  name = "device:" + device;
+  live = true;
+  const bool is_number = device.size() <= 3 && device.find_first_not_of("0123456789") == std::string::npos;
   bool opened = false;
   try {
-    opened = capture_.open(number, cv::CAP_ANY);
+    opened = is_number ? capture_.open(std::stoi(device), cv::CAP_ANY) : capture_.open(device, cv::CAP_ANY);
+    // What waits in a driver's queue is old.
+    if (opened) capture_.set(cv::CAP_PROP_BUFFERSIZE, 1);
   } catch (const cv::Exception&) {
     opened = false;
   }
@@ -90,7 +95,8 @@ bool DeviceStream::grab() {
   } catch (const cv::Exception&) {
     return false;
   }
-  seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  // Not since this device was opened: two that are opened one after the other would never meet.
+  seconds = std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
   return true;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <chrono>
 #include <filesystem>
 #include <opencv2/core.hpp>
 #include <opencv2/videoio.hpp>
@@ -24,6 +23,7 @@ class Stream {
   int frames = 0;        ///< as the container says; 0: it does not
   double rate = 0.0;     ///< per second
   double seconds = 0.0;  ///< of what was grabbed last
+  bool live = false;     ///< `seconds` is the time at which it came
 };
 
 /// A video file.
@@ -44,18 +44,19 @@ class FileStream : public Stream {
   int taken_ = 0;
 };
 
-/// A camera, through whatever OpenCV has for it.
+/// A camera, through whatever OpenCV has for it. Live: it has no length, cannot be wound back, ends when it
+/// is unplugged, and its times are those at which pictures came, by one clock for all devices.
 class DeviceStream : public Stream {
  public:
-  /// @throws InputError it cannot be opened.
-  explicit DeviceStream(int number);
+  /// @param device a camera's number, or what OpenCV opens by name: a node as /dev/video2, a pipeline of
+  ///   GStreamer. @throws InputError it cannot be opened.
+  explicit DeviceStream(const std::string& device);
   bool grab() override;
   bool retrieve(cv::Mat& image) override;
   void rewind() override {}  // what is live has no beginning
 
  private:
   cv::VideoCapture capture_;
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
 /// Whether two times belong to one pair, and if not, which of them is to be passed over.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <optional>
+#include <string_view>
 #include <system_error>
 
 #include "glisson/core/error.h"
@@ -17,19 +19,20 @@ namespace {
 constexpr int kRoundedFrames = 1;
 /// Without a pair for so long, two sources are not of one operation, or not of one moment.
 constexpr double kLongestSearch = 2.0;
+constexpr std::string_view kDevice = "device:";
 
 std::string size_text(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
 
 std::unique_ptr<Stream> open_stream(const std::string& source) {
-  constexpr std::string_view kDevice = "device:";
   if (!source.starts_with(kDevice)) return std::make_unique<FileStream>(source);
-  const std::string number = source.substr(kDevice.size());
-  if (number.empty() || number.size() > 3 || number.find_first_not_of("0123456789") != std::string::npos)
+  const std::string device = source.substr(kDevice.size());
+  if (device.empty())
     throw InputError(source, "", "is no device", "Write device: and its number, as device:0");
-  return std::make_unique<DeviceStream>(std::stoi(number));
+  return std::make_unique<DeviceStream>(device);
 }
 
 bool holds_pictures(const std::string& source) {
+  if (source.starts_with(kDevice)) return false;
   std::error_code failure;
   return fs::is_directory(source, failure) || source.find('*') != std::string::npos ||
          source.find('?') != std::string::npos;
@@ -42,6 +45,8 @@ class Views {
   /// @return false at the end.
   virtual bool read(cv::Mat& left, cv::Mat& right) = 0;
   virtual void rewind() = 0;
+  /// When what was read last came, of a live source.
+  virtual std::optional<double> came() const { return std::nullopt; }
 
   int width = 0, height = 0, frames = 0, skipped = 0;  ///< of one view
   double rate = 0.0;
@@ -95,6 +100,9 @@ class OneStream : public Views {
     stream_->rewind();
     read_ = 0;
   }
+  std::optional<double> came() const override {
+    return stream_->live ? std::optional(stream_->seconds) : std::nullopt;
+  }
 
  private:
   std::unique_ptr<Stream> stream_;
@@ -135,7 +143,8 @@ class TwoStreams : public Views {
         has_right = take(*right_, taken_right_);
       if (std::max(left_->seconds, right_->seconds) - begin > kLongestSearch) refuse_skew();
     }
-    if (has_left != has_right && skipped == 0) {
+    // One camera of two that was unplugged is the end, not a file that breaks off.
+    if (has_left != has_right && skipped == 0 && !left_->live && !right_->live) {
       const Stream& broken = has_left ? *right_ : *left_;
       broken_off(broken.name, has_left ? taken_right_ : taken_left_, std::max(left_->frames, right_->frames));
     }
@@ -149,6 +158,9 @@ class TwoStreams : public Views {
     right_->rewind();
     taken_left_ = taken_right_ = 0;
   }
+  std::optional<double> came() const override {
+    return left_->live ? std::optional(left_->seconds) : std::nullopt;
+  }
 
  private:
   static bool take(Stream& stream, int& taken) {
@@ -158,6 +170,7 @@ class TwoStreams : public Views {
   }
   bool retrieve(cv::Mat& left, cv::Mat& right) {
     const bool has_left = left_->retrieve(left), has_right = right_->retrieve(right);
+    if ((!has_left && left_->live) || (!has_right && right_->live)) return false;
     if (!has_left) broken_off(left_->name, taken_left_ - 1, left_->frames);
     if (!has_right) broken_off(right_->name, taken_right_ - 1, right_->frames);
     return true;
@@ -236,6 +249,7 @@ struct StereoVideo::Impl {
   std::unique_ptr<Views> views;
   cv::Rect part;  ///< of each view that is given out
   int next = 0;
+  std::optional<double> first;  ///< when a live source's first frame came
 
   explicit Impl(const SourceOptions& given) : options(given), views(open_views(given)) {
     const Crop& crop = options.crop;
@@ -273,13 +287,17 @@ bool StereoVideo::read(StereoFrame& frame) {
   frame.left = impl_->finished(left);
   frame.right = impl_->finished(right);
   frame.index = impl_->next++;
-  frame.seconds = frame.index / impl_->views->rate;
+  // What is live comes when it comes: frames that were dropped show in the times.
+  const std::optional<double> came = impl_->views->came();
+  if (came && !impl_->first) impl_->first = came;
+  frame.seconds = came ? *came - *impl_->first : frame.index / impl_->views->rate;
   return true;
 }
 
 void StereoVideo::rewind() {
   impl_->views->rewind();
   impl_->next = 0;
+  impl_->first.reset();
 }
 
 }  // namespace glisson::stereo

@@ -27,7 +27,7 @@ struct Crop {
 /// Where stereo frames come from: see StereoVideo in picture_io.h, the reader of them all.
 struct SourceOptions {
   /// A video file; a folder of picture pairs, or one side's pictures (see picture_pairs.h); a live device
-  /// ("device:0").
+  /// ("device:0", or what OpenCV opens by name: "device:/dev/video2", "device:" and a GStreamer pipeline).
   std::string left;
   std::string right;  ///< the other side's; empty unless the layout is separate
   Layout layout = Layout::side_by_side;
