@@ -37,6 +37,8 @@ class StereoLabellingTest : public QObject {
   void DraggedCornerTakesPointsAwayAndUndoBringsThemBack();
   void DeleteRemovesAndRedoRemovesAgain();
   void HintSaysWhatAClickDoes();
+  void WheelEnlargesAboutThePointerAndClicksStayTrue();
+  void KeyboardReachesEverythingByAName();
   void RegionsOfAnotherFrameAreSaid();
   void cleanupTestCase() { window_.reset(); }
 
@@ -178,7 +180,7 @@ void StereoLabellingTest::CloudHoldsEveryLabelWhereItWasClicked() {
     if (pixel.y() < 310 && !near_notch) QVERIFY(cloud.feature(i) == Feature::surface);
   }
   const auto* legend = window_->findChild<QLabel*>(QStringLiteral("cloud_legend"));
-  QVERIFY(legend->isVisible());
+  QVERIFY(legend->isVisible() && legend->text().contains(QStringLiteral("points per cm²")));
   for (const auto& [feature, count] : counts())
     QVERIFY(legend->text().contains(QStringLiteral("%1: %2").arg(ui::feature_name(feature)).arg(count)));
 }
@@ -237,6 +239,71 @@ void StereoLabellingTest::HintSaysWhatAClickDoes() {
   QVERIFY(hint->text().contains(QStringLiteral("begins here")));
   QVERIFY(left.cursor().shape() == Qt::CrossCursor);
   key(Qt::Key_Escape);
+}
+
+void StereoLabellingTest::WheelEnlargesAboutThePointerAndClicksStayTrue() {
+  ui::RegionEditor& left = editor(Side::left);
+  const Eigen::Vector2d pixel(500.0, 320.0);
+  const QPointF place = left.widget_point(pixel);
+  const auto wheel = [&](int notches) {
+    QWheelEvent event(place, left.mapToGlobal(place), {}, {0, 120 * notches}, Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(&left, &event);
+  };
+  const double before = left.widget_point({510.0, 320.0}).x() - place.x();
+  wheel(5);
+  QVERIFY((left.pixel_at(place) - pixel).norm() < 1e-6);  // what is under the pointer stays there
+  QVERIFY(std::abs((left.widget_point({510.0, 320.0}).x() - left.widget_point(pixel).x()) / before -
+                   std::pow(1.25, 5)) < 1e-6);
+  const std::size_t regions = state().regions->regions.size();
+  push("region_1");
+  for (const auto& [x, y] : {std::pair(490.0, 310.0), {510.0, 310.0}, {510.0, 330.0}, {490.0, 310.0}})
+    click(Side::left, x, y);
+  QVERIFY(settle());
+  QCOMPARE(state().regions->regions.size(), regions + 1);
+  // A pixel of the screen is a third of one of the picture now.
+  QVERIFY((state().regions->regions.back().polygon[1] - Eigen::Vector2d(510.0, 310.0)).norm() < 0.7);
+  key(Qt::Key_Escape);
+  wheel(-9);
+  QVERIFY(std::abs(left.widget_point({510.0, 320.0}).x() - left.widget_point(pixel).x() - before) < 1e-6);
+  QVERIFY((left.widget_point(pixel) - place).manhattanLength() < 1e-6);  // fits again
+  key(Qt::Key_Z, Qt::ControlModifier);
+  QVERIFY(settle());
+  QCOMPARE(state().regions->regions.size(), regions);
+}
+
+void StereoLabellingTest::KeyboardReachesEverythingByAName() {
+  // Whatever a tab reaches has a name for a screen reader.
+  QStringList met;
+  for (const QWidget* now : panel().findChildren<QWidget*>()) {
+    if (!now->isVisible() || (now->focusPolicy() & Qt::TabFocus) == 0 || now->focusProxy() != nullptr)
+      continue;
+    if (now->objectName().startsWith(QStringLiteral("qt_"))) continue;  // a spin box's own line
+    const auto* button = qobject_cast<const QAbstractButton*>(now);
+    QVERIFY2(
+        !now->accessibleName().isEmpty() || (button != nullptr && button->text().size() > 1),
+        qPrintable(now->objectName() + QLatin1Char(' ') + QLatin1String(now->metaObject()->className())));
+    met << now->objectName();
+  }
+  for (const char* name :
+       {"region_1", "region_2", "region_3", "region_curve", "region_list", "method", "features"})
+    QVERIFY2(met.contains(QString::fromLatin1(name)), name);
+  for (const char* name : {"show_epipolar", "show_missing", "show_loupe"}) {
+    auto* toggle = window_->findChild<QToolButton*>(QString::fromLatin1(name));
+    QVERIFY(toggle->focusPolicy() == Qt::TabFocus && !toggle->toolTip().isEmpty());
+  }
+  // Ctrl+Y does again what Ctrl+Z undid.
+  editor(Side::left).setFocus();
+  const std::size_t regions = state().regions->regions.size();
+  key(Qt::Key_Z, Qt::ControlModifier);
+  QVERIFY(settle());
+  const std::size_t undone = panel().stereo_view().drawing().regions().size();
+  QVERIFY(panel().stereo_view().drawing().can_redo());
+  key(Qt::Key_Y, Qt::ControlModifier);
+  QVERIFY(settle());
+  QVERIFY(!panel().stereo_view().drawing().can_redo() ||
+          undone != panel().stereo_view().drawing().regions().size());
+  QCOMPARE(state().regions->regions.size(), regions);
 }
 
 void StereoLabellingTest::RegionsOfAnotherFrameAreSaid() {

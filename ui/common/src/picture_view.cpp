@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/common/picture_view.h"
 
+#include <QMouseEvent>
 #include <QPainter>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
 
 #include "glisson/ui/scene/picture_image.h"
 
@@ -12,6 +16,10 @@ PictureView::PictureView(const QString& title, QWidget* parent) : QWidget(parent
 }
 
 void PictureView::set_picture(const Picture& picture) {
+  if (picture.width != picture_.width || picture.height != picture_.height) {
+    zoom_ = 1.0;
+    moved_ = {};
+  }
   picture_ = picture;
   image_ = scene::view_as_image(picture_);
   update();
@@ -24,10 +32,14 @@ void PictureView::set_hint(const QString& hint) {
 
 QRectF PictureView::picture_area() const {
   if (picture_.empty()) return {};
-  const double scale = std::min(static_cast<double>(width()) / picture_.width,
-                                static_cast<double>(height()) / picture_.height);
+  const double scale = zoom_ * std::min(static_cast<double>(width()) / picture_.width,
+                                        static_cast<double>(height()) / picture_.height);
   const QSizeF size(scale * picture_.width, scale * picture_.height);
-  return {QPointF(0.5 * (width() - size.width()), 0.5 * (height() - size.height())), size};
+  // Where the widget has become larger than the picture, that stays in the middle.
+  const double most_x = std::max(0.0, 0.5 * (size.width() - width()));
+  const double most_y = std::max(0.0, 0.5 * (size.height() - height()));
+  const QPointF moved(std::clamp(moved_.x(), -most_x, most_x), std::clamp(moved_.y(), -most_y, most_y));
+  return {moved + QPointF(0.5 * (width() - size.width()), 0.5 * (height() - size.height())), size};
 }
 
 QPointF PictureView::widget_point(const Eigen::Vector2d& pixel) const {
@@ -40,6 +52,33 @@ Eigen::Vector2d PictureView::pixel_at(const QPointF& widget) const {
   const QRectF area = picture_area();
   return {(widget.x() - area.left()) / area.width() * picture_.width - 0.5,
           (widget.y() - area.top()) / area.height() * picture_.height - 0.5};
+}
+
+void PictureView::place(const Eigen::Vector2d& pixel, const QPointF& widget) {
+  moved_ += widget - widget_point(pixel);
+  moved_ = picture_area().center() - QRectF(rect()).center();  // no further than it goes
+  update();
+  emit zoomed();
+}
+
+void PictureView::wheelEvent(QWheelEvent* event) {
+  if (!zoomable_ || picture_.empty()) return QWidget::wheelEvent(event);
+  constexpr double kStep = 1.25, kNotch = 120.0, kMost = 16.0;
+  const Eigen::Vector2d pixel = pixel_at(event->position());
+  zoom_ = std::clamp(zoom_ * std::pow(kStep, event->angleDelta().y() / kNotch), 1.0, kMost);
+  moved_ = picture_area().center() - QRectF(rect()).center();
+  place(pixel, event->position());
+  event->accept();
+}
+
+void PictureView::mousePressEvent(QMouseEvent* event) {
+  if (event->button() == Qt::MiddleButton) pressed_ = event->position();
+}
+
+void PictureView::mouseMoveEvent(QMouseEvent* event) {
+  if (!zoomable_ || picture_.empty() || !(event->buttons() & Qt::MiddleButton)) return;
+  place(pixel_at(pressed_), event->position());
+  pressed_ = event->position();
 }
 
 void PictureView::paintEvent(QPaintEvent*) {

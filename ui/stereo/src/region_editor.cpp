@@ -48,6 +48,8 @@ Qt::CursorShape cursor_of(Click click) {
 RegionEditor::RegionEditor(stereo::Side side, const QString& title, RegionDrawing& drawing, QWidget* parent)
     : PictureView(title, parent), side_(side), drawing_(drawing) {
   setFocusPolicy(Qt::StrongFocus);
+  set_zoomable(true);
+  setAccessibleName(title);
 }
 
 void RegionEditor::set_dots(std::vector<Eigen::Vector2d> dots, std::vector<Feature> features) {
@@ -101,6 +103,7 @@ void RegionEditor::tell(bool edited) {
 }
 
 void RegionEditor::mousePressEvent(QMouseEvent* event) {
+  PictureView::mousePressEvent(event);
   if (picture().empty()) return;
   pointer_ = event->position();
   const RegionDrawing::Place place = place_at(event->position());
@@ -116,6 +119,7 @@ void RegionEditor::mouseDoubleClickEvent(QMouseEvent* event) {
 }
 
 void RegionEditor::mouseMoveEvent(QMouseEvent* event) {
+  PictureView::mouseMoveEvent(event);
   if (picture().empty()) return;
   pointer_ = event->position();
   drawing_.move(place_at(event->position()));
@@ -137,7 +141,9 @@ void RegionEditor::leaveEvent(QEvent* event) {
 
 void RegionEditor::keyPressEvent(QKeyEvent* event) {
   if (event->matches(QKeySequence::Undo)) return tell(drawing_.undo());
-  if (event->matches(QKeySequence::Redo)) return tell(drawing_.redo());
+  // On Linux Qt knows Ctrl+Shift+Z only.
+  const bool ctrl_y = event->key() == Qt::Key_Y && event->modifiers() == Qt::ControlModifier;
+  if (ctrl_y || event->matches(QKeySequence::Redo)) return tell(drawing_.redo());
   switch (event->key()) {
     case Qt::Key_Backspace:
       drawing_.take_back();

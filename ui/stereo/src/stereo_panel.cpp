@@ -84,6 +84,7 @@ void StereoPanel::build_input() {
   fill_source_menu(sources);
   pictures->setMenu(sources);
   pictures->setObjectName(QStringLiteral("open_pictures"));
+  QWidget::setTabOrder(pictures, calibration);
   source_ = make_explanation({}, this);
   grid->addWidget(pictures, 0, 0);
   grid->addWidget(source_, 0, 1);
@@ -94,6 +95,7 @@ void StereoPanel::build_input() {
   frame_ = new QSpinBox(this);
   frame_->setRange(0, 999999);
   frame_->setPrefix(tr("Frame "));
+  frame_->setAccessibleName(tr("Frame of the video"));
   load_frame_ = new QPushButton(tr("Take this frame"), this);
   row->addWidget(frame_, 1);
   row->addWidget(load_frame_);
@@ -126,6 +128,7 @@ void StereoPanel::build_regions() {
   list_ = new QListWidget(this);
   list_->setFixedHeight(84);
   list_->setObjectName(QStringLiteral("region_list"));
+  list_->setAccessibleName(tr("Regions"));
   box->addWidget(list_);
   connect(list_, &QListWidget::currentRowChanged, this, [this](int row) {
     view_->drawing().select(row < 0 ? std::nullopt : std::optional(static_cast<std::size_t>(row)));
@@ -149,9 +152,11 @@ void StereoPanel::build_regions() {
   undo_ = add_button(QStringLiteral("↶"), QStringLiteral("undo_region"),
                      [](RegionDrawing& d) { return d.undo(); });
   undo_->setToolTip(tr("Undo (Ctrl+Z)"));
+  undo_->setAccessibleName(tr("Undo"));
   redo_ = add_button(QStringLiteral("↷"), QStringLiteral("redo_region"),
                      [](RegionDrawing& d) { return d.redo(); });
   redo_->setToolTip(tr("Redo (Ctrl+Shift+Z)"));
+  redo_->setAccessibleName(tr("Redo"));
   remove_ = add_button(tr("Remove"), QStringLiteral("remove_region"),
                        [](RegionDrawing& d) { return d.remove_selected(); });
   clear_ =
@@ -164,6 +169,7 @@ void StereoPanel::build_reconstruction() {
   auto* row = new QHBoxLayout;
   method_ = new QComboBox(this);
   method_->setObjectName(QStringLiteral("method"));
+  method_->setAccessibleName(tr("Method"));
   method_->setToolTip(
       tr("Features are the paper's way. Dense covers what lies between them. Automatic becomes dense where "
          "features leave less than %1 points per cm².")
@@ -173,6 +179,7 @@ void StereoPanel::build_reconstruction() {
   method_->addItem(tr("Dense"), static_cast<int>(stereo::Method::dense));
   kind_ = new QComboBox(this);
   kind_->setObjectName(QStringLiteral("features"));
+  kind_->setAccessibleName(tr("Kind of features"));
   kind_->setToolTip(tr("Kind of features that are looked for in both pictures"));
   kind_->addItem(QStringLiteral("SURF"), static_cast<int>(stereo::Features::surf));
   kind_->addItem(QStringLiteral("SIFT"), static_cast<int>(stereo::Features::sift));
@@ -271,7 +278,7 @@ void StereoPanel::show_case() {
   run_->set_obstacle(obstacle());
   show_drawing();
   view_->set_cloud(now.cloud, engine().snapshot()->stage(engine::Part::cloud) == engine::StageState::stale,
-                   now.points ? &now.points->density : nullptr);
+                   now.points);
   show_figures();
 }
 

@@ -128,7 +128,7 @@ QToolButton* StereoView::add_toggle(QWidget* bar, const QString& text, const QSt
   button->setToolTip(tip);
   button->setCheckable(true);
   button->setChecked(on);
-  button->setFocusPolicy(Qt::NoFocus);  // the keyboard stays with the pictures
+  button->setFocusPolicy(Qt::TabFocus);  // a click leaves the keyboard with the pictures
   button->setObjectName(name);
   bar->layout()->addWidget(button);
   return button;
@@ -186,6 +186,7 @@ void StereoView::follow(RegionEditor& editor) {
     show_guide();
     hint_->setText(hint());
   });
+  connect(&editor, &RegionEditor::zoomed, this, [this] { hint_->setText(hint()); });
   connect(&editor, &RegionEditor::pointed, this, [this, &editor] {
     if (!epipolar_->isChecked()) return;
     pinned_ = pinned_ ? std::nullopt : std::optional(editor.place_at(*editor.pointer()));
@@ -220,10 +221,11 @@ void StereoView::set_pair(std::shared_ptr<const engine::StereoInput> frame,
 }
 
 void StereoView::set_cloud(std::shared_ptr<const LabelledCloud> cloud, bool stale,
-                           const stereo::DensityMap* density) {
+                           std::shared_ptr<const engine::PairPoints> points) {
   const bool first = !shown_ && cloud;
   const bool changed = shown_ != cloud;
   shown_ = std::move(cloud);
+  pair_points_ = std::move(points);
   stale_ = stale;
   if (changed) {
     cloud_->set_hint(shown_ ? QString() : tr("No points yet"));
@@ -231,7 +233,8 @@ void StereoView::set_cloud(std::shared_ptr<const LabelledCloud> cloud, bool stal
     if (first) cloud_->patient().look_from(scene::ViewFrom::camera);
     cloud_->update();
     show_points();
-    missing_ = density != nullptr && density->columns > 0 ? picture_of(*density) : QImage();
+    missing_ =
+        pair_points_ && pair_points_->density.columns > 0 ? picture_of(pair_points_->density) : QImage();
     lacking_->setEnabled(!missing_.isNull());
     show_veil();
   }
@@ -296,6 +299,8 @@ void StereoView::show_legend() {
     lines << QStringLiteral("<span style='color:%1'>●</span> %2: %3")
                  .arg(scene::colour_of(feature).name(), feature_name(feature).toHtmlEscaped())
                  .arg(count);
+  if (pair_points_ && pair_points_->area_cm2 > 0.0)
+    lines << tr("%1 points per cm²").arg(pair_points_->density_per_cm2, 0, 'f', 1);
   if (stale_) lines << QStringLiteral("<i>%1</i>").arg(tr("Out of date: reconstruct again").toHtmlEscaped());
   legend_->setText(lines.join(QStringLiteral("<br>")));
   legend_->adjustSize();
@@ -309,7 +314,9 @@ QString StereoView::hint() const {
     if (drawing_.tool())
       return tr("Click around the %1 in either picture.")
           .arg(feature_name(drawing_.tool()->feature).toLower());
-    return tr("Choose a feature on the right to label it.");
+    return tr(
+        "Choose a feature on the right to label it. The wheel enlarges a picture, the middle button "
+        "moves it.");
   }
   switch (drawing_.click_at(under_->place_at(*under_->pointer()))) {
     case Click::begin:

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <QImage>
+#include <QPointF>
 #include <QWidget>
 
 #include "glisson/patient/picture.h"
@@ -19,13 +20,22 @@ class PictureView : public QWidget {
   const Picture& picture() const { return picture_; }
   /// Shown while there is no picture.
   void set_hint(const QString& hint);
+  /// Whether the wheel enlarges it about the pointer (up to 16 times), and the middle button moves it.
+  void set_zoomable(bool zoomable) { zoomable_ = zoomable; }
   QPointF widget_point(const Eigen::Vector2d& pixel) const;
   Eigen::Vector2d pixel_at(const QPointF& widget) const;
   QSize sizeHint() const override { return {480, 270}; }
   QSize minimumSizeHint() const override { return {160, 90}; }
 
+ signals:
+  /// The same pixels are elsewhere now.
+  void zoomed();
+
  protected:
   void paintEvent(QPaintEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
   /// The picture alone, where it lies in the widget. @pre there is one.
   void draw_picture(QPainter& painter) const;
   /// Draws on top of the picture, in widget coordinates.
@@ -33,10 +43,16 @@ class PictureView : public QWidget {
 
  private:
   QRectF picture_area() const;
+  /// Shows `pixel` at a place of the widget, as far as the picture still fills it.
+  void place(const Eigen::Vector2d& pixel, const QPointF& widget);
 
   Picture picture_;
   QImage image_;
   QString title_, hint_;
+  bool zoomable_ = false;
+  double zoom_ = 1.0;  ///< 1: as large as it fits
+  QPointF moved_;      ///< of the enlarged picture's middle from the widget's
+  QPointF pressed_;    ///< where the middle button was last
 };
 
 }  // namespace glisson::ui

@@ -30,8 +30,10 @@ class StereoView : public QWidget {
   /// @param frame, rig may be null.
   void set_pair(std::shared_ptr<const engine::StereoInput> frame, std::shared_ptr<const StereoRig> rig);
   /// @param stale it was made of something that has changed since.
-  /// @param density where its points are missing; null: not known.
-  void set_cloud(std::shared_ptr<const LabelledCloud> cloud, bool stale, const stereo::DensityMap* density);
+  /// @param points of the pair that it is part of: its density, and where points are missing; null: not
+  /// known.
+  void set_cloud(std::shared_ptr<const LabelledCloud> cloud, bool stale,
+                 std::shared_ptr<const engine::PairPoints> points);
   /// Once the drawing was changed from outside.
   void refresh();
   /// What a click would do, in words.
@@ -67,6 +69,7 @@ class StereoView : public QWidget {
   std::shared_ptr<const engine::StereoInput> frame_;
   std::shared_ptr<const StereoRig> rig_;
   std::shared_ptr<const LabelledCloud> shown_;
+  std::shared_ptr<const engine::PairPoints> pair_points_;
   bool stale_ = false;
   QImage missing_;  ///< over the left picture; null: not known
   /// Epipolar lines stay at a place that was clicked.
