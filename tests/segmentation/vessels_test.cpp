@@ -32,8 +32,11 @@ struct Phantom {
   Image image;
   LabelMap liver;  // of parenchyma alone
   std::vector<Tube> portal, hepatic;
+  /// A kidney that the liver lies against; a branch of the hepatic veins ends beside it.
+  static constexpr double kKidney = 13.0, kCortex = 5.0;  // mm: radius and thickness
+  Eigen::Vector3d kidney{100, 30, 38};
 
-  explicit Phantom(unsigned seed) {
+  explicit Phantom(unsigned seed, double vessel_hu = 190.0, bool with_kidney = false) {
     portal = {{{54, 48, 2}, {54, 48, 40}, 5.0},
               {{54, 48, 40}, {25, 48, 62}, 4.0},
               {{54, 48, 40}, {85, 48, 60}, 3.0}};
@@ -52,10 +55,19 @@ struct Phantom {
       for (int j = 0; j < grid.size.y(); ++j)
         for (int i = 0; i < grid.size.x(); ++i) {
           const Eigen::Vector3d p = Eigen::Vector3d(i, j, k).cwiseProduct(grid.spacing_mm);
-          const bool in = (p.array() > 8.0).all() && p.x() < 98 && p.y() < 84 && p.z() < 88;
+          const double inside_kidney = with_kidney ? kKidney - (p - kidney).norm() : -1e9;
+          const bool in =
+              (p.array() > 8.0).all() && p.x() < 98 && p.y() < 84 && p.z() < 88 && inside_kidney < 0.0;
           const double depth = std::max(depth_in(portal, p), depth_in(hepatic, p));
           const double vessel = 1.0 / (1.0 + std::exp(-depth / 0.4));
-          const double hu = (in ? 110.0 : -90.0) * (1.0 - vessel) + 190.0 * vessel + noise(random);
+          const double cortex =
+              1.0 / (1.0 + std::exp(-std::min(inside_kidney, kCortex - inside_kidney) / 0.8));
+          const double organ = (in                    ? 110.0
+                                : inside_kidney > 0.0 ? 120.0
+                                                      : -90.0) *
+                                   (1.0 - vessel) +
+                               vessel_hu * vessel;
+          const double hu = organ * (1.0 - cortex) + 270.0 * cortex + noise(random);
           voxels.push_back(static_cast<std::int16_t>(std::lround(hu)));
           labels.push_back(in ? structure::kParenchyma : structure::kBackground);
         }
@@ -143,6 +155,8 @@ class VesselsTest : public QObject {
   void CancelledCutGivesNothing();
   void TreesThatTouchAreKeptApart();
   void AKeptTreeIsNotEntered();
+  void DimVesselsLetNoNoiseIn();
+  void TheRimOfAKidneyIsNoVein();
 };
 
 void VesselsTest::CutIsAsCheapAsTheCheapestOfAll() {
@@ -244,6 +258,48 @@ void VesselsTest::AKeptTreeIsNotEntered() {
   const Counts portal =
       compare(p, labels, p.portal, p.hepatic, structure::kPortalVein, structure::kHepaticVeins);
   QVERIFY2(portal.dice() > 0.8, qPrintable(QString::number(portal.dice())));
+}
+
+void VesselsTest::DimVesselsLetNoNoiseIn() {
+  // Twice the noise of what is left of it at 1 mm: a third of the contrast is within it.
+  const Phantom p(1, 124.0);
+  Seeds seeds;
+  seeds.portal_vein = p.at({{54, 49, 14}});
+  seeds.hepatic_veins = p.at({{55, 30, 84}});
+  const LabelMap labels = p.found(seeds, p.liver).labels;
+  const Counts portal =
+      compare(p, labels, p.portal, p.hepatic, structure::kPortalVein, structure::kHepaticVeins);
+  const Counts hepatic =
+      compare(p, labels, p.hepatic, p.portal, structure::kHepaticVeins, structure::kPortalVein);
+  qInfo("portal %ld right, %ld extra; hepatic %ld right, %ld extra", portal.right, portal.extra,
+        hepatic.right, hepatic.extra);
+  QVERIFY(portal.right > 1000 && hepatic.right > 1000);
+  QVERIFY2(5 * portal.extra < portal.right, qPrintable(QString::number(portal.extra)));
+  QVERIFY2(5 * hepatic.extra < hepatic.right, qPrintable(QString::number(hepatic.extra)));
+}
+
+void VesselsTest::TheRimOfAKidneyIsNoVein() {
+  const Phantom p(1, 190.0, true);
+  Seeds seeds;
+  seeds.portal_vein = p.at({{54, 49, 14}});
+  seeds.hepatic_veins = p.at({{55, 30, 84}});
+  const LabelMap labels = p.found(seeds, p.liver).labels;
+  long rim = 0;
+  const VolumeGrid& grid = p.image.grid;
+  for (int k = 0; k < grid.size.z(); ++k)
+    for (int j = 0; j < grid.size.y(); ++j)
+      for (int i = 0; i < grid.size.x(); ++i) {
+        const Eigen::Vector3d x = Eigen::Vector3d(i, j, k).cwiseProduct(grid.spacing_mm);
+        const bool beside = std::abs((x - p.kidney).norm() - Phantom::kKidney) < 3.0;
+        const Label l = labels.voxels.at({i, j, k});
+        const bool is_vessel = l == structure::kHepaticVeins || l == structure::kPortalVein;
+        if (beside && depth_in(p.hepatic, x) < -2.0 && is_vessel) ++rim;
+      }
+  qInfo("%ld voxels of the kidney's rim", rim);
+  QVERIFY2(rim < 20, qPrintable(QString::number(rim)));
+  const Counts hepatic =
+      compare(p, labels, p.hepatic, p.portal, structure::kHepaticVeins, structure::kPortalVein);
+  QVERIFY2(hepatic.dice() > 0.8, qPrintable(QString::number(hepatic.dice())));
 }
 
 QTEST_APPLESS_MAIN(VesselsTest)

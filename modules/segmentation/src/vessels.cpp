@@ -10,12 +10,15 @@
 namespace glisson::segmentation {
 namespace {
 
-constexpr double kOutside = 10.0;      // mm that a vessel is followed outside the liver
-constexpr double kThickest = 9.0;      // mm: the radius from which on something bright is no liver vessel
+constexpr double kOutside = 10.0;  // mm that a vessel is followed outside the liver
+constexpr double kThickest = 9.0;  // mm: the radius from which on something bright is no liver vessel
+constexpr double kBodyRim = 3.0;   // mm around what is brighter than any vessel in which it shines through
 constexpr double kSmallestTree = 0.2;  // ml below which a piece is noise
 /// Brightness of candidates in the liver, of tubular ones, and outside; 0 parenchyma, 1 the clicked vessels.
-constexpr double kBright = 0.35, kDim = 0.2, kBrightOutside = 0.6, kTooBright = 1.6;
-constexpr double kTubular = 0.08;                           // of the same contrast
+constexpr double kBright = 0.35, kDim = 0.2, kBrightOutside = 0.6, kTooBright = 1.6, kBodyInside = 2.0;
+constexpr double kTubular = 0.08;  // of the same contrast
+/// And never less than this many sigmas of the parenchyma: a click on a dim vein must not let noise in.
+constexpr double kNoiseBright = 3.4, kNoiseDim = 1.9, kNoiseTubular = 0.75;
 constexpr std::array<double, 3> kScales = {1.2, 2.0, 3.2};  // mm
 
 /// Second derivatives by central differences at an inner voxel.
@@ -58,6 +61,18 @@ void remove_thick(const Mask& bright, Mask& candidates) {
   const Mask thick = dilated(eroded(bright, kThickest), kThickest + 2.0);
   for (std::size_t i = 0; i < candidates.voxels.size(); ++i)
     if (thick.voxels[i] != 0) candidates.voxels[i] = 0;
+}
+
+/// Removes the rims of what is brighter than the clicked vessels (cortex of a kidney, heart, rib, aorta):
+/// blurred, a rim is as bright as a vein. Thin arteries have none that matters, and of the liver's own
+/// vessels one tree may be much the brighter.
+void remove_rims(const Mask& liver, const std::vector<float>& brightness, Mask& candidates) {
+  Mask body(candidates.size, candidates.spacing_mm);
+  for (std::size_t i = 0; i < body.voxels.size(); ++i)
+    body.voxels[i] = brightness[i] >= static_cast<float>(liver.voxels[i] == 0 ? kTooBright : kBodyInside);
+  const Mask rim = dilated(opened(body, 1.0), kBodyRim);
+  for (std::size_t i = 0; i < rim.voxels.size(); ++i)
+    if (rim.voxels[i] != 0) candidates.voxels[i] = 0;
 }
 
 /// The nearest candidate to each click, within a few mm: clicks are not exact.
@@ -137,22 +152,26 @@ Cancellable<Vessels> find_vessels(const Field& ct, const Mask& liver, const Mask
       tubeness(ct, region, std::vector<double>(kScales.begin(), kScales.end()), context.part(0.0, 0.6));
   if (!tubes) return std::nullopt;
 
-  const double contrast = vessel_contrast(ct, seeds, parenchyma);
+  const double contrast = vessel_contrast(ct, seeds, parenchyma), noise = parenchyma.sigma / contrast;
+  const double least_bright = std::max(kBright, kNoiseBright * noise);
+  const double least_dim = std::max(kDim, kNoiseDim * noise);
+  const double least_tubular = std::max(kTubular, kNoiseTubular * noise);
   Mask candidates = ct.empty_mask(), everything_bright = candidates;
   std::vector<float> brightness(ct.values.size(), 0.0F);
   for (std::size_t i = 0; i < candidates.voxels.size(); ++i) {
     const double bright = (ct.values[i] - parenchyma.mean) / contrast;
     everything_bright.voxels[i] = bright > kBrightOutside;
+    brightness[i] = static_cast<float>(bright);
     if (region.voxels[i] == 0) continue;
     const double tube = (*tubes)[i] / contrast;
     // Thick vessels are bright without looking like tubes; thin ones look like tubes but are dimmed by blur.
     // Outside the liver, where other bright things lie, only what is as bright as the clicks counts.
     const bool in = liver.voxels[i] != 0;
-    candidates.voxels[i] = in ? (bright > kBright || (bright > kDim && tube > kTubular))
+    candidates.voxels[i] = in ? (bright > least_bright || (bright > least_dim && tube > least_tubular))
                               : (bright > kBrightOutside && bright < kTooBright);
-    brightness[i] = static_cast<float>(bright);
   }
   remove_thick(everything_bright, candidates);
+  remove_rims(liver, brightness, candidates);
   if (context.cancelled()) return std::nullopt;
   context.progress(0.7, "segmentation.trees");
 

@@ -21,7 +21,10 @@ struct Board {
   int corners() const { return columns * rows; }
   bool charuco() const { return !dictionary.empty(); }
   /// Corner `id` (row by row), metres, z = 0.
-  Eigen::Vector3d corner(int id) const { return {id % columns * square, id / columns * square, 0.0}; }
+  Eigen::Vector3d corner(int id) const {
+    const int row = id / columns;
+    return {(id - row * columns) * square, row * square, 0.0};
+  }
   /// @throws InputError naming what is out of range, or a dictionary that OpenCV does not know.
   void validate() const;
 };
