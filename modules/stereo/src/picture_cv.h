@@ -15,5 +15,7 @@ Picture to_picture(const cv::Mat& image);
 cv::Mat one_field(const cv::Mat& image, int first);
 /// One channel, 8 bit.
 cv::Mat grey(const Picture& picture);
+/// The same, CV_32F, not rounded: matches are refined to hundredths of a pixel.
+cv::Mat grey_float(const Picture& picture);
 
 }  // namespace glisson::stereo

@@ -39,6 +39,13 @@ cv::Mat grey(const Picture& picture) {
   return result;
 }
 
+cv::Mat grey_float(const Picture& picture) {
+  cv::Mat result;
+  view(picture).convertTo(result, CV_32F);
+  if (picture.channels == 3) cv::cvtColor(result, result, cv::COLOR_BGR2GRAY);
+  return result;
+}
+
 Picture read_picture(const std::filesystem::path& path) {
   const std::string content = read_file(path);
   cv::Mat image;

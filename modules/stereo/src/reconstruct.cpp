@@ -22,7 +22,6 @@ namespace glisson::stereo {
 namespace {
 
 constexpr int kFewestPoints = 10;
-constexpr int kNeighbours = 24;        // of the moving least squares
 constexpr double kLargestSigma = 0.5;  // pixels: less certain matches carry no depth
 constexpr double kSamePoint = 2.0;     // pixels
 constexpr double kBandRows = 2.0;      // of epipolar_px, before refinement
@@ -55,9 +54,9 @@ void check_inputs(const Picture& left, const Picture& right, const StereoRig& ri
 struct Pair {
   const StereoRig& rig;
   Rectification rectification;
-  cv::Mat left, right;                ///< grey, as taken
-  cv::Mat left_highlights;            ///< as taken
-  cv::Mat usable_left, usable_right;  ///< as taken
+  cv::Mat left, right;                        ///< grey, as taken
+  cv::Mat left_highlights, right_highlights;  ///< as taken
+  cv::Mat usable_left, usable_right;          ///< as taken
   MatchLimits limits;
 };
 
@@ -94,10 +93,11 @@ void keep_circle(const Picture& picture, cv::Mat& usable) {
 
 Pair prepare(const Picture& left, const Picture& right, const StereoRig& rig, const Picture& mask,
              const ReconstructOptions& options) {
-  Pair pair{rig, Rectification(rig), grey(left), grey(right), highlights(left), {}, {}, {}};
+  Pair pair{rig, Rectification(rig), grey(left), grey(right), highlights(left), highlights(right), {}, {},
+            {}};
   pair.usable_left = pair.left_highlights == 0;
   if (!mask.empty()) pair.usable_left.setTo(0, grey(mask) == 0);
-  pair.usable_right = highlights(right) == 0;
+  pair.usable_right = pair.right_highlights == 0;
   if (options.find_circle && mask.empty()) {
     keep_circle(left, pair.usable_left);
     keep_circle(right, pair.usable_right);
@@ -215,12 +215,17 @@ cv::Mat shifted(const cv::Mat& image, double rows) {
   return result;
 }
 
+cv::Mat eight_bit(const cv::Mat& image) {
+  cv::Mat result;
+  image.convertTo(result, CV_8U);
+  return result;
+}
+
 /// A point that passed every gate.
 struct Candidate {
   Match match;
   Eigen::Vector2d pixel;  ///< in the left picture as taken
   Eigen::Vector3d point;
-  double sigma = 0.0;
   Feature feature = Feature::surface;
 };
 
@@ -251,7 +256,6 @@ std::vector<Candidate> triangulated(const Pair& pair, const std::vector<Match>& 
     if ((pair.rig.left.project(c.point) - *left).norm() > options.reprojection_px ||
         (pair.rig.right.project(in_right) - *right).norm() > options.reprojection_px)
       continue;
-    c.sigma = c.match.sigma * rectification.depth_per_pixel(c.match.left, d);
     if (!regions.regions.empty()) {
       const auto feature = shown_by(regions, c.pixel, *right);
       if (!feature) continue;
@@ -308,37 +312,37 @@ double area_cm2(const Pair& pair, const LabelledCloud& cloud, const std::vector<
   return 1e4 * area;
 }
 
-Reconstructed assemble(const Pair& pair, const std::vector<Candidate>& candidates, const Picture& mask,
-                       const Regions& regions, const ReconstructOptions& options, ReconstructReport report) {
-  std::vector<Eigen::Vector2d> places;
-  std::vector<Eigen::Vector3d> points;
-  std::vector<double> sigma;
+Reconstructed assemble(const Pair& pair, double reach, const std::vector<Candidate>& candidates,
+                       const Picture& mask, const Regions& regions, const ReconstructOptions& options,
+                       ReconstructReport report) {
+  const Rectification& rectification = pair.rectification;
+  std::vector<Match> matches;
   double rows = 0.0, row_spread = 0.0;
   for (const Candidate& c : candidates) {
-    places.push_back(c.match.left);
-    points.push_back(c.point);
-    sigma.push_back(c.sigma);
+    matches.push_back(c.match);
     rows += std::pow(c.match.left.y() - c.match.right.y(), 2);
     row_spread += std::pow(c.match.right.y() - c.match.left.y() - report.row_offset_px, 2);
   }
   const double row_sigma = std::sqrt(row_spread / static_cast<double>(candidates.size()));
-  const auto surface = fit_surface(points, sigma, nearest_in_picture(places, kNeighbours), options.smooth);
+  const Surface surface = fit_surface(rectification, matches, reach, options.smooth);
+  const double scale = std::max(1.0, surface.misfit);
+  report.misfit = surface.misfit;
   Reconstructed result;
   LabelledCloud& cloud = result.cloud;
-  const auto n = static_cast<Eigen::Index>(surface.size());
+  const auto n = static_cast<Eigen::Index>(candidates.size());
   cloud.points.resize(n, 3);
   cloud.normals.resize(n, 3);
   for (Eigen::Index i = 0; i < n; ++i) {
-    const SurfacePoint& p = surface[static_cast<std::size_t>(i)];
-    cloud.points.row(i) = p.point.transpose();
-    cloud.normals.row(i) = p.normal.transpose();
-    cloud.sigma.push_back(p.sigma);
+    const SurfacePoint& p = surface.points[static_cast<std::size_t>(i)];
     const Candidate& c = candidates[static_cast<std::size_t>(i)];
+    cloud.points.row(i) = rectification.triangulate(c.match.left, c.match.right.y(), p.disparity).transpose();
+    cloud.normals.row(i) = p.normal.transpose();
+    cloud.sigma.push_back(p.sigma * rectification.depth_per_pixel(c.match.left, p.disparity));
     cloud.features.push_back(c.feature);
     // The left end is where the match was asked for; what the rows disagree by, halved, is all it may be off.
-    result.covariance.push_back(
-        pair.rectification.covariance(c.match.left, pair.rectification.disparity(c.match.left, c.match.right),
-                                      0.0, 0.5 * row_sigma, c.match.sigma));
+    result.covariance.push_back(rectification.covariance(c.match.left,
+                                                         rectification.disparity(c.match.left, c.match.right),
+                                                         0.0, 0.5 * row_sigma, scale * c.match.sigma));
   }
   report.points = cloud.size();
   report.epipolar_rms_px = std::sqrt(rows / static_cast<double>(n));
@@ -376,10 +380,11 @@ Cancellable<Reconstructed> reconstruct(const Picture& left, const Picture& right
   const std::vector<Match> features = match_features(pair, options, report);
   if (context.cancelled()) return std::nullopt;
   context.progress(0.2, "stereo.match");
-  const cv::Mat rectified_left = pair.rectification.warp(Side::left, pair.left);
-  const cv::Mat rectified_right = pair.rectification.warp(Side::right, pair.right);
-  const cv::Mat excluded = pair.rectification.warp(Side::left, pair.left_highlights) > 127;
-  const Refiner refiner(pair.rectification, rectified_left, rectified_right, excluded, options.patch);
+  const cv::Mat rectified_left = pair.rectification.warp(Side::left, grey_float(left));
+  const cv::Mat rectified_right = pair.rectification.warp(Side::right, grey_float(right));
+  const Refiner refiner(pair.rectification, rectified_left, rectified_right,
+                        pair.rectification.warp(Side::left, pair.left_highlights) > 127,
+                        pair.rectification.warp(Side::right, pair.right_highlights) > 127, options.patch);
   report.row_offset_px = row_offset(refiner, features);
   std::optional<Reconstructed> result;
   const auto finish = [&](const std::vector<Match>& matches, Method method) {
@@ -391,15 +396,17 @@ Cancellable<Reconstructed> reconstruct(const Picture& left, const Picture& right
     context.progress(0.8, "stereo.surface");
     const std::vector<Candidate> candidates = triangulated(pair, precise, regions, options);
     report.points = static_cast<int>(candidates.size());
-    if (report.points >= kFewestPoints) result = assemble(pair, candidates, mask, regions, options, report);
+    if (report.points >= kFewestPoints)
+      result = assemble(pair, refiner.reach(), candidates, mask, regions, options, report);
   };
   if (options.method != Method::dense) finish(features, Method::sparse);
   if (context.cancelled()) return std::nullopt;
   const bool thin = !result || result->report.density_per_cm2 < options.least_density_per_cm2;
   if (options.method == Method::dense || (options.method == Method::automatic && thin)) {
     const cv::Mat usable = pair.rectification.warp(Side::left, pair.usable_left) > 127;
-    finish(dense_matches(pair.rectification, rectified_left, shifted(rectified_right, report.row_offset_px),
-                         usable, narrowed(pair, features), options.points_per_cm2),
+    finish(dense_matches(pair.rectification, eight_bit(rectified_left),
+                         eight_bit(shifted(rectified_right, report.row_offset_px)), usable,
+                         narrowed(pair, features), options.points_per_cm2),
            Method::dense);
   }
   if (context.cancelled()) return std::nullopt;

@@ -4,6 +4,8 @@
 #include <Eigen/Geometry>
 #include <opencv2/imgproc.hpp>
 
+#include "sampling.h"
+
 namespace glisson::stereo {
 namespace {
 
@@ -61,6 +63,16 @@ std::optional<Eigen::Vector2d> Rectification::unrectify(Side side, const Eigen::
 }
 
 cv::Mat Rectification::warp(Side side, const cv::Mat& image) const {
+  if (image.type() == CV_32F) {
+    cv::Mat result = cv::Mat::zeros(height(), width(), CV_32F);
+    for (int row = 0; row < result.rows; ++row)
+      for (int column = 0; column < result.cols; ++column) {
+        const auto pixel = unrectify(side, {column, row});
+        if (pixel && inside_cubic(image, pixel->x(), pixel->y()))
+          result.at<float>(row, column) = sample_cubic(image, pixel->x(), pixel->y());
+      }
+    return result;
+  }
   cv::Mat map(height(), width(), CV_32FC2);
   for (int row = 0; row < map.rows; ++row)
     for (int column = 0; column < map.cols; ++column) {
@@ -93,6 +105,15 @@ Eigen::Matrix3d Rectification::covariance(const Eigen::Vector2d& left, double di
   jacobian = rectified_from_[0].transpose() * jacobian;
   return jacobian * Eigen::Vector3d(column * column, row * row, sigma * sigma).asDiagonal() *
          jacobian.transpose();
+}
+
+Eigen::Vector3d Rectification::normal(const Eigen::Vector2d& left, double disparity,
+                                      const Eigen::Vector2d& slope) const {
+  const Eigen::Vector2d from_centre = left - centre_[0];
+  const Eigen::Vector3d plane(focal_ * slope.x(), focal_ * slope.y(), disparity - slope.dot(from_centre));
+  const Eigen::Vector3d ray = (from_centre / focal_).homogeneous().normalized();
+  const Eigen::Vector3d normal = -plane.normalized();
+  return rectified_from_[0].transpose() * (normal.dot(ray) < 0.0 ? normal : Eigen::Vector3d(-ray));
 }
 
 double Rectification::depth_per_pixel(const Eigen::Vector2d& left, double disparity) const {

@@ -20,7 +20,8 @@ class Rectification {
   std::optional<Eigen::Vector2d> rectify(Side side, const Eigen::Vector2d& pixel) const;
   /// A rectified pixel to one as taken; empty for the same reason.
   std::optional<Eigen::Vector2d> unrectify(Side side, const Eigen::Vector2d& rectified) const;
-  /// The picture that the virtual camera would take; black where it sees nothing.
+  /// The picture that the virtual camera would take; black where it sees nothing. One channel; CV_32F is
+  /// sampled exactly, 8 bit (masks) to a 32nd of a pixel, as OpenCV does.
   cv::Mat warp(Side side, const cv::Mat& image) const;
 
   /// d = f B / Z, whatever the principal points.
@@ -42,6 +43,13 @@ class Rectification {
   /// in the left picture; @param sigma of the disparity; pixels.
   Eigen::Matrix3d covariance(const Eigen::Vector2d& left, double disparity, double column, double row,
                              double sigma) const;
+
+  /// Towards the camera, unit, left camera's frame, where the disparity changes by `slope` a pixel: a plane
+  /// a X + b Y + c Z = f B has the disparity (a x + b y) / f + c. Facing the camera where that is no surface.
+  Eigen::Vector3d normal(const Eigen::Vector2d& left, double disparity, const Eigen::Vector2d& slope) const;
+  /// Standard deviation of the disparity's second-order coefficients, 1 / pixel, before anything is seen: a
+  /// liver's edge has a radius of some 5 mm.
+  double bend_prior() const { return baseline_ / (2.0 * focal_ * 5e-3); }
 
   double focal() const { return focal_; }
   double depth_at(double disparity) const { return focal_ * baseline_ / disparity; }

@@ -2,89 +2,101 @@
 #include "refine.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <opencv2/imgproc.hpp>
+
+#include "sampling.h"
 
 namespace glisson::stereo {
 namespace {
 
-using Vector6 = Eigen::Matrix<double, 6, 1>;
-using Matrix6 = Eigen::Matrix<double, 6, 6>;
+enum Unknown { kDisparity, kSlopeX, kSlopeY, kRow, kGain, kOffset, kBendXX, kBendXY, kBendYY, kUnknowns };
+using Vector = Eigen::Matrix<double, kUnknowns, 1>;
+using Matrix = Eigen::Matrix<double, kUnknowns, kUnknowns>;
 
 // Standard deviations before anything is seen: slope of the disparity (a surface at 60 degrees to the view),
-// rows (calibration), gain and offset (vignetting of two lenses).
+// rows (calibration), gain and offset (vignetting of two lenses). How the surface bends:
+// Rectification::bend_prior().
 constexpr double kSlopePrior = 0.12, kRowPrior = 0.7, kGainPrior = 0.3, kOffsetPrior = 40.0;
-// Residuals of neighbouring pixels are alike (sensor, warp and blur mix them): fewer are independent than are
-// counted. Measured on rendered pairs of known depth: see the module's README.
-constexpr double kCorrelation = 1.4;
-constexpr double kLeastNoise = 1.0;        // grey levels
+constexpr double kLeastNoise = 0.3;        // grey levels: what eight bits leave
 constexpr double kLeastCorrelation = 0.7;  // of the patches
-constexpr double kSigmaFloor = 0.03;       // pixels: interpolation
+constexpr double kSigmaFloor = 0.01;       // pixels: interpolation
+constexpr double kBlur = 0.7;              // pixels: takes what interpolates badly
+// Residuals of neighbouring pixels are alike as if white noise had been blurred by so much (the blur above,
+// the warp, the patch's affine sampling), pixels.
+constexpr double kAlike = 1.0;
+constexpr double kTukey = 4.7;  // of the residuals' deviation: light, not tissue
 
-/// Bilinear. @pre inside the image by a pixel.
-float sample(const cv::Mat& image, double x, double y) {
-  const int x0 = static_cast<int>(x), y0 = static_cast<int>(y);
-  const auto fx = static_cast<float>(x - x0), fy = static_cast<float>(y - y0);
-  const float* upper = image.ptr<float>(y0) + x0;
-  const float* lower = image.ptr<float>(y0 + 1) + x0;
-  const float top = upper[0] + fx * (upper[1] - upper[0]);
-  return top + fy * (lower[0] + fx * (lower[1] - lower[0]) - top);
-}
-
-bool inside(const cv::Mat& image, double x, double y) {
-  return x >= 1.0 && y >= 1.0 && x < image.cols - 2.0 && y < image.rows - 2.0;
+double median_of(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
 }
 
 }  // namespace
 
 struct Refiner::Patch {
-  Eigen::Vector2d centre;
+  Eigen::Vector2i centre;
   std::vector<Eigen::Vector2d> offsets;
-  std::vector<double> values, weights;
+  std::vector<double> values, weights, dx, dy;  ///< dx, dy: gradient of the left picture
 };
 
 struct Refiner::State {
-  double disparity = 0.0, slope_x = 0.0, slope_y = 0.0, row = 0.0, gain = 1.0, offset = 0.0;
+  Vector unknowns = Vector::Unit(kGain);
   double expected_row = 0.0;
-  double sigma = 1.0, correlation = 0.0;
+  double scale = 0.0;        ///< deviation of the residuals, robust; 0: not known yet
+  double correlation = 0.0;  ///< of the patches
+  // Of the last step, for sigma():
+  Eigen::LDLT<Matrix> factor;
+  Vector prior = Vector::Zero();
+  double noise = 0.0;
+  std::vector<Vector> rows;
+  std::vector<double> weights;
 };
 
 Refiner::Refiner(const Rectification& rectification, const cv::Mat& left, const cv::Mat& right,
-                 const cv::Mat& excluded, int half_width)
-    : rectification_(rectification), excluded_(excluded), half_width_(half_width) {
-  // The same slight blur on both: bilinear interpolation of sharp pixels is biased.
-  constexpr double kBlur = 0.7;
+                 const cv::Mat& excluded_left, const cv::Mat& excluded_right, int half_width)
+    : rectification_(rectification),
+      excluded_left_(excluded_left),
+      excluded_right_(excluded_right),
+      half_width_(half_width) {
   left.convertTo(left_, CV_32F);
   right.convertTo(right_, CV_32F);
   cv::GaussianBlur(left_, left_, cv::Size(), kBlur);
   cv::GaussianBlur(right_, right_, cv::Size(), kBlur);
   const cv::Mat kernel = (cv::Mat_<float>(1, 3) << -0.5F, 0.0F, 0.5F);
-  cv::filter2D(right_, right_dx_, CV_32F, kernel);
-  cv::filter2D(right_, right_dy_, CV_32F, kernel.t());
+  cv::filter2D(left_, left_dx_, CV_32F, kernel);
+  cv::filter2D(left_, left_dy_, CV_32F, kernel.t());
 }
 
+double Refiner::reach() const { return 0.6 * half_width_; }
+
 bool Refiner::sample_left(const Eigen::Vector2d& centre, Patch& patch) const {
-  patch.centre = centre;
-  const double spread = 0.6 * half_width_;
+  patch.centre = {static_cast<int>(std::lround(centre.x())), static_cast<int>(std::lround(centre.y()))};
+  const double spread = reach();
   int excluded = 0;
   for (int y = -half_width_; y <= half_width_; ++y)
     for (int x = -half_width_; x <= half_width_; ++x) {
-      const double px = centre.x() + x, py = centre.y() + y;
-      if (!inside(left_, px, py)) return false;
-      if (excluded_.at<std::uint8_t>(static_cast<int>(std::lround(py)), static_cast<int>(std::lround(px)))) {
+      const int px = patch.centre.x() + x, py = patch.centre.y() + y;
+      if (px < 0 || py < 0 || px >= left_.cols || py >= left_.rows) return false;
+      if (excluded_left_.at<std::uint8_t>(py, px)) {
         ++excluded;
         continue;
       }
       patch.offsets.emplace_back(x, y);
-      patch.values.push_back(sample(left_, px, py));
+      patch.values.push_back(left_.at<float>(py, px));
+      patch.dx.push_back(left_dx_.at<float>(py, px));
+      patch.dy.push_back(left_dy_.at<float>(py, px));
       patch.weights.push_back(std::exp(-(x * x + y * y) / (2.0 * spread * spread)));
     }
   return 2 * excluded < (2 * half_width_ + 1) * (2 * half_width_ + 1);
 }
 
 /// The whole-pixel shift around the start with the least difference, light removed.
-double Refiner::search(const Patch& patch, const Match& start, double row) const {
+double Refiner::search(const Patch& patch, double disparity, double row) const {
   constexpr int kReach = 3;
-  const double disparity = rectification_.disparity(start.left, start.right);
   double best = disparity, best_score = -2.0;
   for (int shift = -kReach; shift <= kReach; ++shift) {
     double n = 0, sl = 0, sr = 0, sll = 0, srr = 0, slr = 0;
@@ -92,8 +104,9 @@ double Refiner::search(const Patch& patch, const Match& start, double row) const
       const double x =
           rectification_.right_column(patch.centre.x(), disparity + shift) + patch.offsets[k].x();
       const double y = patch.centre.y() + row + patch.offsets[k].y();
-      if (!inside(right_, x, y)) continue;
-      const double l = patch.values[k], r = sample(right_, x, y), w = patch.weights[k];
+      if (!inside_cubic(right_, x, y)) continue;
+      const double l = patch.values[k], w = patch.weights[k],
+                   r = right_.at<float>(static_cast<int>(std::lround(y)), static_cast<int>(std::lround(x)));
       n += w, sl += w * l, sr += w * r, sll += w * l * l, srr += w * r * r, slr += w * l * r;
     }
     if (n <= 0.0) continue;
@@ -106,70 +119,101 @@ double Refiner::search(const Patch& patch, const Match& start, double row) const
 
 /// One step. @return the change of the disparity; empty when the patch leaves the image.
 std::optional<double> Refiner::iterate(const Patch& patch, State& s) const {
-  Matrix6 normal = Matrix6::Zero(), spread = Matrix6::Zero();
-  Vector6 right_side = Vector6::Zero();
-  double n = 0, sum = 0, sl = 0, sr = 0, sll = 0, srr = 0, slr = 0;
-  for (std::size_t k = 0; k < patch.offsets.size(); ++k) {
-    const Eigen::Vector2d& o = patch.offsets[k];
-    const double x = rectification_.right_column(patch.centre.x(), s.disparity) + o.x() - s.slope_x * o.x() -
-                     s.slope_y * o.y();
-    const double y = patch.centre.y() + s.row + o.y();
-    if (!inside(right_, x, y)) return std::nullopt;
-    const double r = sample(right_, x, y), gx = s.gain * sample(right_dx_, x, y),
-                 gy = s.gain * sample(right_dy_, x, y), w = patch.weights[k], l = patch.values[k];
-    const double residual = l - (s.gain * r + s.offset);
-    Vector6 j;
-    j << -gx, -gx * o.x(), -gx * o.y(), gy, r, 1.0;
-    normal.noalias() += w * j * j.transpose();
-    spread.noalias() += w * w * j * j.transpose();
-    right_side += w * residual * j;
+  const Vector& u = s.unknowns;
+  const std::size_t count = patch.offsets.size();
+  Matrix normal = Matrix::Zero();
+  Vector right_side = Vector::Zero();
+  s.rows.resize(count);
+  s.weights.resize(count);
+  std::vector<double> sizes(count);
+  double n = 0, sum = 0, sl = 0, sr = 0, sll = 0, srr = 0, slr = 0, all = 0, shown = 0;
+  const double column = rectification_.right_column(patch.centre.x(), u[kDisparity]);
+  for (std::size_t k = 0; k < count; ++k) {
+    const double ox = patch.offsets[k].x(), oy = patch.offsets[k].y();
+    const double change = u[kSlopeX] * ox + u[kSlopeY] * oy + u[kBendXX] * ox * ox + u[kBendXY] * ox * oy +
+                          u[kBendYY] * oy * oy;
+    const double x = column + ox - change, y = patch.centre.y() + u[kRow] + oy;
+    if (!inside_cubic(right_, x, y)) return std::nullopt;
+    const double r = sample_cubic(right_, x, y), l = patch.values[k];
+    const double residual = l - (u[kGain] * r + u[kOffset]);
+    sizes[k] = std::abs(residual);
+    // The right picture's gradient, times the gain, by the left one's: between pixels, interpolation mixes
+    // the noise of values and of gradients, which would draw matches to certain fractions of a pixel.
+    const double along = 1.0 - u[kSlopeX] - 2.0 * u[kBendXX] * ox - u[kBendXY] * oy,
+                 across = u[kSlopeY] + u[kBendXY] * ox + 2.0 * u[kBendYY] * oy;
+    const double gx = patch.dx[k] / along, gy = patch.dy[k] + across * gx;
+    s.rows[k] << -gx, -gx * ox, -gx * oy, gy, l, 1.0, -gx * ox * ox, -gx * ox * oy, -gx * oy * oy;
+    const bool hidden = excluded_right_.at<std::uint8_t>(static_cast<int>(std::lround(y)),
+                                                         static_cast<int>(std::lround(x))) != 0;
+    all += patch.weights[k];
+    if (!hidden) shown += patch.weights[k];
+    const double t = s.scale > 0.0 ? residual / (kTukey * s.scale) : 0.0;
+    const double w = hidden || std::abs(t) >= 1.0 ? 0.0 : patch.weights[k] * (1.0 - t * t) * (1.0 - t * t);
+    s.weights[k] = w;
+    normal.noalias() += w * s.rows[k] * s.rows[k].transpose();
+    right_side += w * residual * s.rows[k];
     sum += w * residual * residual;
     n += w, sl += w * l, sr += w * r, sll += w * l * l, srr += w * r * r, slr += w * l * r;
   }
-  const double noise = std::max(kLeastNoise * kLeastNoise, sum / n);
-  Vector6 prior;
-  prior << 1e-9, noise / (kSlopePrior * kSlopePrior), noise / (kSlopePrior * kSlopePrior),
-      noise / (kRowPrior * kRowPrior), noise / (kGainPrior * kGainPrior),
-      noise / (kOffsetPrior * kOffsetPrior);
-  Vector6 held;
-  held << 0.0, s.slope_x, s.slope_y, s.row - s.expected_row, s.gain - 1.0, s.offset;
-  normal.diagonal() += prior;
-  const Eigen::LDLT<Matrix6> factor(normal);
-  const Vector6 step = factor.solve(right_side - prior.cwiseProduct(held));
+  if (2.0 * shown < all || !(n > 0.0)) return std::nullopt;
+  s.noise = std::max(kLeastNoise * kLeastNoise, sum / n);
+  s.scale = std::max(kLeastNoise, 1.4826 * median_of(std::move(sizes)));
+  const double bend = rectification_.bend_prior();
+  Vector deviations;
+  deviations << 1e5, kSlopePrior, kSlopePrior, kRowPrior, kGainPrior, kOffsetPrior, bend, bend, bend;
+  s.prior = s.noise * deviations.cwiseAbs2().cwiseInverse();
+  Vector held = u;
+  held[kDisparity] = 0.0;
+  held[kRow] -= s.expected_row;
+  held[kGain] -= 1.0;
+  normal.diagonal() += s.prior;
+  s.factor.compute(normal);
+  const Vector step = s.factor.solve(right_side - s.prior.cwiseProduct(held));
   if (!step.allFinite()) return std::nullopt;
-  s.disparity += step[0];
-  s.slope_x += step[1];
-  s.slope_y += step[2];
-  s.row += step[3];
-  s.gain += step[4];
-  s.offset += step[5];
-  const Vector6 column = factor.solve(Vector6::Unit(0));
-  s.sigma = std::sqrt(kCorrelation * kCorrelation * noise * column.dot(spread * column) +
-                      kSigmaFloor * kSigmaFloor);
+  s.unknowns += step;
   const double variance = (sll - sl * sl / n) * (srr - sr * sr / n);
   s.correlation = variance > 0.0 ? (slr - sl * sr / n) / std::sqrt(variance) : 0.0;
-  return step[0];
+  return step[kDisparity];
+}
+
+/// Of the disparity, pixels: each pixel's influence on it, times the noise that the residuals show; and what
+/// the priors leave open.
+double Refiner::sigma(const Patch& patch, const State& s) const {
+  const Vector first = s.factor.solve(Vector::Unit(kDisparity));
+  const int room = static_cast<int>(std::ceil(4.0 * kAlike)), side = 2 * (half_width_ + room) + 1;
+  cv::Mat influence = cv::Mat::zeros(side, side, CV_32F);
+  for (std::size_t k = 0; k < s.rows.size(); ++k)
+    influence.at<float>(static_cast<int>(patch.offsets[k].y()) + half_width_ + room,
+                        static_cast<int>(patch.offsets[k].x()) + half_width_ + room) =
+        static_cast<float>(s.weights[k] * s.rows[k].dot(first));
+  // White noise blurred to the same variance: the influence blurred likewise and divided by the blur's norm.
+  cv::GaussianBlur(influence, influence, cv::Size(), kAlike, kAlike, cv::BORDER_CONSTANT);
+  const double seen = influence.dot(influence) * 4.0 * std::numbers::pi * kAlike * kAlike;
+  const double open = s.prior.tail<kUnknowns - 1>().dot(first.tail<kUnknowns - 1>().cwiseAbs2());
+  return std::sqrt(s.noise * (seen + open) + kSigmaFloor * kSigmaFloor);
 }
 
 std::optional<Match> Refiner::refine(const Match& start, double row) const {
+  constexpr int kPasses = 30;
+  constexpr double kFarthest = 2.0, kSteepest = 0.5, kSettled = 0.005;
   Patch patch;
   if (!sample_left(start.left, patch)) return std::nullopt;
+  const Eigen::Vector2d centre = patch.centre.cast<double>();
   State state;
-  const double first = search(patch, start, row);
-  state.disparity = first;
-  state.row = state.expected_row = row;
-  for (int pass = 0; pass < 30; ++pass) {
+  Vector& u = state.unknowns;
+  const double first = search(patch, rectification_.disparity(start.left, start.right), row);
+  u[kDisparity] = first;
+  u[kRow] = state.expected_row = row;
+  for (int pass = 0; pass < kPasses; ++pass) {
     const auto change = iterate(patch, state);
-    if (!change || std::abs(state.disparity - first) > 2.0 || std::abs(state.slope_x) > 0.5 ||
-        std::abs(state.slope_y) > 0.5)
+    if (!change || std::abs(u[kDisparity] - first) > kFarthest || std::abs(u[kSlopeX]) > kSteepest ||
+        std::abs(u[kSlopeY]) > kSteepest)
       return std::nullopt;
-    if (std::abs(*change) > 0.01) continue;
+    if (std::abs(*change) > kSettled) continue;
     if (state.correlation < kLeastCorrelation) return std::nullopt;
-    Match refined = start;
-    refined.right = {rectification_.right_column(start.left.x(), state.disparity),
-                     start.left.y() + state.row};
-    refined.sigma = state.sigma;
-    return refined;
+    return Match{centre,
+                 {rectification_.right_column(centre.x(), u[kDisparity]), centre.y() + u[kRow]},
+                 sigma(patch, state)};
   }
   return std::nullopt;
 }

@@ -51,124 +51,119 @@ std::pair<double, double> plane_at_origin(const std::vector<Eigen::Vector3d>& sa
   return {plane[0], deviation};
 }
 
-/// The local surface of one point: w(u, v) over the plane through `origin` with axes e1, e2, normal.
-struct LocalSurface {
-  Eigen::Vector3d origin, e1, e2, normal;
-  Eigen::Matrix<double, 6, 1> c = Eigen::Matrix<double, 6, 1>::Zero();  ///< 1 u v uu uv vv
-  double sigma = 0.0;                                                   ///< of the value at the centre
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-  double height(double u, double v) const {
-    return c[0] + c[1] * u + c[2] * v + c[3] * u * u + c[4] * u * v + c[5] * v * v;
-  }
-  Eigen::Vector3d normal_at(double u, double v) const {
-    const double du = c[1] + 2.0 * c[3] * u + c[4] * v, dv = c[2] + c[4] * u + 2.0 * c[5] * v;
-    return (normal - du * e1 - dv * e2).normalized();
-  }
-};
-
+/// Matches around one, itself first, nearest first.
 struct Samples {
-  std::vector<Eigen::Vector3d> points;
-  std::vector<double> sigma, weights;  ///< weights: distance only
+  std::vector<Eigen::Vector2d> offsets;  ///< in the left picture, pixels
+  std::vector<double> disparities, sigma;
 };
 
-LocalSurface plane_of(const Samples& s, const std::vector<double>& weights) {
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  double total = 0.0;
-  for (std::size_t k = 0; k < s.points.size(); ++k) mean += weights[k] * s.points[k], total += weights[k];
-  mean /= total;
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  for (std::size_t k = 0; k < s.points.size(); ++k)
-    covariance += weights[k] * (s.points[k] - mean) * (s.points[k] - mean).transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(covariance);
-  LocalSurface surface;
-  surface.origin = mean;
-  surface.normal = axes.eigenvectors().col(0);
-  // Where noise along the ray outweighs the patch's extent, principal axes mean nothing: face the camera.
-  if (std::abs(surface.normal.dot(mean.normalized())) < 0.17) surface.normal = mean.normalized();
-  if (surface.normal.dot(mean) > 0.0) surface.normal = -surface.normal;
-  surface.e1 = surface.normal.unitOrthogonal();
-  surface.e2 = surface.normal.cross(surface.e1);
-  return surface;
-}
+/// The local surface: the disparity as a quadratic of the place in the left picture.
+struct LocalSurface {
+  double disparity = 0.0, sigma = 0.0;              ///< at the match itself
+  Eigen::Vector2d slope = Eigen::Vector2d::Zero();  ///< of the disparity
+  double residual = 0.0, residual_sigma = 0.0;      ///< of the match itself
+};
 
-void fit_quadratic(LocalSurface& surface, const Samples& s, const std::vector<double>& weights, double radius,
-                   const Eigen::Vector3d& centre) {
-  using Matrix6 = Eigen::Matrix<double, 6, 6>;
-  using Vector6 = Eigen::Matrix<double, 6, 1>;
-  Matrix6 normal = Matrix6::Zero();
-  Vector6 right = Vector6::Zero();
-  double total = 0.0, noise = 0.0;
-  std::vector<Vector6> rows;
-  for (std::size_t k = 0; k < s.points.size(); ++k) {
-    const Eigen::Vector3d d = s.points[k] - surface.origin;
-    const double u = d.dot(surface.e1) / radius, v = d.dot(surface.e2) / radius;
-    rows.push_back((Vector6() << 1.0, u, v, u * u, u * v, v * v).finished());
-    normal.noalias() += weights[k] * rows.back() * rows.back().transpose();
-    right += weights[k] * d.dot(surface.normal) * rows.back();
-    total += weights[k];
-    noise += weights[k] * s.sigma[k] * s.sigma[k];
-  }
-  noise /= total;
-  // Curvature is held near zero by what organs have (radius of 30 mm): with few neighbours a plane remains.
-  const double bend = radius * radius / 0.06;
-  for (int k = 3; k < 6; ++k) normal(k, k) += noise / (bend * bend);
-  normal.diagonal().array() += 1e-9 * total;
-  const Eigen::LDLT<Matrix6> factor(normal);
-  surface.c = factor.solve(right);
-  const Eigen::Vector3d d = centre - surface.origin;
-  const double u = d.dot(surface.e1) / radius, v = d.dot(surface.e2) / radius;
-  const Vector6 at = factor.solve((Vector6() << 1.0, u, v, u * u, u * v, v * v).finished());
-  double variance = 0.0;
-  for (std::size_t k = 0; k < s.points.size(); ++k) {
-    const double influence = weights[k] * at.dot(rows[k]) * s.sigma[k];
-    variance += influence * influence;
-  }
-  surface.sigma = std::sqrt(variance);
-  const double r = radius;
-  surface.c[1] /= r, surface.c[2] /= r;
-  surface.c.tail<3>() /= r * r;
-}
+class LocalFit {
+ public:
+  /// @param reach pixels: errors at a distance are alike by exp(-(distance / reach)^2 / 4).
+  /// @param bend standard deviation of the quadratic's coefficients before anything is seen, 1 / pixel.
+  LocalFit(const Samples& samples, double reach, double bend)
+      : samples_(samples), reach_(reach), bend_(bend) {}
 
-/// Plane, quadratic, and weights again without what lies off it.
-LocalSurface fit(const Samples& s, double radius, const Eigen::Vector3d& centre) {
-  std::vector<double> weights = s.weights;
-  LocalSurface surface;
-  for (int pass = 0; pass < 3; ++pass) {
-    surface = plane_of(s, weights);
-    fit_quadratic(surface, s, weights, radius, centre);
-    std::vector<double> residuals;
-    for (const Eigen::Vector3d& p : s.points) {
-      const Eigen::Vector3d d = p - surface.origin;
-      residuals.push_back(
-          std::abs(d.dot(surface.normal) - surface.height(d.dot(surface.e1), d.dot(surface.e2))));
+  /// Through the first `count` samples.
+  LocalSurface through(std::size_t count) const {
+    double radius = 1.0;
+    for (std::size_t k = 1; k < count; ++k) radius = std::max(radius, kWidth * samples_.offsets[k].norm());
+    std::vector<double> distance_weights, robust(count, 1.0);
+    std::vector<Vector6> rows;
+    for (std::size_t k = 0; k < count; ++k) {
+      const Eigen::Vector2d o = samples_.offsets[k] / radius;
+      rows.push_back(
+          (Vector6() << 1.0, o.x(), o.y(), o.x() * o.x(), o.x() * o.y(), o.y() * o.y()).finished());
+      distance_weights.push_back(std::exp(-o.squaredNorm()) / (samples_.sigma[k] * samples_.sigma[k]));
     }
-    for (std::size_t k = 0; k < weights.size(); ++k)
-      weights[k] = s.weights[k] * std::max(1e-6, tukey(residuals[k] / (4.7 * s.sigma[k] + 1e-4)));
+    const double looseness = 1.0 / std::pow(bend_ * radius * radius, 2);
+    const Vector6 prior = (Vector6() << 1e-9, 1e-4, 1e-4, looseness, looseness, looseness).finished();
+    Eigen::LDLT<Matrix6> factor;
+    Vector6 c = Vector6::Zero();
+    std::vector<double> weights(count);
+    for (int pass = 0; pass < kPasses; ++pass) {
+      Matrix6 normal = prior.asDiagonal();
+      Vector6 right = Vector6::Zero();
+      for (std::size_t k = 0; k < count; ++k) {
+        weights[k] = distance_weights[k] * robust[k];
+        normal.noalias() += weights[k] * rows[k] * rows[k].transpose();
+        right += weights[k] * samples_.disparities[k] * rows[k];
+      }
+      factor.compute(normal);
+      c = factor.solve(right);
+      for (std::size_t k = 0; k < count; ++k)
+        robust[k] = std::max(1e-6, tukey((samples_.disparities[k] - rows[k].dot(c)) /
+                                         (kTukey * (samples_.sigma[k] + kSlack))));
+    }
+    LocalSurface surface;
+    surface.disparity = c[0];
+    surface.slope = Eigen::Vector2d(c[1], c[2]) / radius;
+    surface.residual = samples_.disparities[0] - c[0];
+    propagate(surface, factor.solve(Vector6::Unit(0)), rows, weights, prior);
+    return surface;
   }
-  return surface;
-}
 
-SurfacePoint onto(const LocalSurface& surface, const Eigen::Vector3d& point, double sigma, bool move) {
-  const Eigen::Vector3d ray = point.normalized();
-  double t = point.norm();
-  const double start = t;
-  Eigen::Vector3d normal = surface.normal;
-  for (int pass = 0; pass < 4; ++pass) {
-    const Eigen::Vector3d d = t * ray - surface.origin;
-    const double u = d.dot(surface.e1), v = d.dot(surface.e2);
-    normal = surface.normal_at(u, v);
-    const double slope = ray.dot(normal);
-    if (std::abs(slope) < 0.1) break;
-    // Height above the surface along its axis, turned into the distance along the ray.
-    t -= (d.dot(surface.normal) - surface.height(u, v)) * surface.normal.dot(normal) / slope;
+ private:
+  static constexpr double kWidth = 0.7;  ///< of the weights, in the farthest neighbour's distance
+  static constexpr double kTukey = 4.7, kSlack = 0.02;  ///< pixels
+  static constexpr int kPasses = 3;
+
+  void propagate(LocalSurface& surface, const Vector6& first, const std::vector<Vector6>& rows,
+                 const std::vector<double>& weights, const Vector6& prior) const {
+    std::vector<double> influence;
+    for (std::size_t k = 0; k < rows.size(); ++k) influence.push_back(weights[k] * first.dot(rows[k]));
+    const auto variance = [&] {
+      double sum = 0.0;
+      for (std::size_t j = 0; j < influence.size(); ++j)
+        for (std::size_t k = 0; k < influence.size(); ++k)
+          sum +=
+              influence[j] * influence[k] * samples_.sigma[j] * samples_.sigma[k] *
+              std::exp(-(samples_.offsets[j] - samples_.offsets[k]).squaredNorm() / (4.0 * reach_ * reach_));
+      return std::max(0.0, sum);
+    };
+    // What the curvature may be beside what is seen.
+    const double bent = first.tail<3>().cwiseAbs2().dot(prior.tail<3>());
+    surface.sigma = std::sqrt(variance() + bent);
+    influence[0] -= 1.0;
+    surface.residual_sigma = std::sqrt(variance() + bent);
   }
-  SurfacePoint result;
-  const bool trusted = std::abs(t - start) < 6.0 * sigma + 1e-3;
-  result.point = move && trusted ? Eigen::Vector3d(t * ray) : point;
-  result.normal = normal.dot(ray) > 0.0 ? Eigen::Vector3d(-normal) : normal;
-  result.sigma =
-      move && trusted ? std::min(sigma, surface.sigma / std::max(0.2, std::abs(normal.dot(ray)))) : sigma;
-  return result;
+
+  const Samples& samples_;
+  double reach_, bend_;
+};
+
+/// The widest neighbourhood whose fit agrees with all narrower ones (intersection of confidence intervals;
+/// Katkovnik 1999): across an edge, or where the surface bends more than a quadratic, fewer are taken.
+LocalSurface widest_that_agrees(const LocalFit& fit, const Samples& samples) {
+  constexpr std::size_t kSizes[] = {9, 13, 18, 25};
+  constexpr double kConfidence = 0.5;  // measured: more smooths edges away, less leaves the noise
+  double low = samples.disparities[0] - kConfidence * samples.sigma[0],
+         high = samples.disparities[0] + kConfidence * samples.sigma[0];
+  LocalSurface best;
+  best.disparity = samples.disparities[0];
+  best.sigma = samples.sigma[0];
+  bool first = true;
+  for (const std::size_t size : kSizes) {
+    if (size > samples.offsets.size() && !first) break;
+    const LocalSurface surface = fit.through(std::min(size, samples.offsets.size()));
+    if (first) best.slope = surface.slope;  // a normal there must be
+    first = false;
+    low = std::max(low, surface.disparity - kConfidence * surface.sigma);
+    high = std::min(high, surface.disparity + kConfidence * surface.sigma);
+    if (low > high) break;
+    best = surface;
+  }
+  return best;
 }
 
 }  // namespace
@@ -239,36 +234,48 @@ std::vector<bool> agreeing(const Rectification& rectification, const std::vector
   return kept;
 }
 
-std::vector<SurfacePoint> fit_surface(const std::vector<Eigen::Vector3d>& points,
-                                      const std::vector<double>& sigma,
-                                      const std::vector<std::vector<int>>& neighbours, bool move) {
-  std::vector<SurfacePoint> result(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
+Surface fit_surface(const Rectification& rectification, const std::vector<Match>& matches, double reach,
+                    bool move) {
+  constexpr int kNeighbours = 24;
+  constexpr std::size_t kFewest = 6, kCheck = 9;
+  std::vector<Eigen::Vector2d> places;
+  places.reserve(matches.size());
+  for (const Match& m : matches) places.push_back(m.left);
+  const auto neighbours = nearest_in_picture(places, kNeighbours);
+  const auto samples_of = [&](std::size_t i, double scale) {
     Samples samples;
-    samples.points.push_back(points[i]);
-    samples.sigma.push_back(sigma[i]);
-    std::vector<double> distances;
-    // Across the view only: depth is where the noise is.
-    const Eigen::Vector3d ray = points[i].normalized();
-    for (const int j : neighbours[i]) {
-      const Eigen::Vector3d& p = points[static_cast<std::size_t>(j)];
-      samples.points.push_back(p);
-      samples.sigma.push_back(sigma[static_cast<std::size_t>(j)]);
-      distances.push_back((p * (points[i].dot(ray) / p.dot(ray)) - points[i]).norm());
-    }
-    if (distances.size() < 5) {
-      result[i] = {points[i], -ray, sigma[i]};
-      continue;
-    }
-    const double radius = std::max(1e-4, 0.7 * *std::max_element(distances.begin(), distances.end()));
-    const auto weigh = [&](double distance, double deviation) {
-      const double mean = 0.5 * (deviation + sigma[i]);
-      return std::exp(-distance * distance / (radius * radius)) * std::pow(sigma[i] / mean, 2.0);
+    const auto add = [&](std::size_t j) {
+      samples.offsets.push_back(matches[j].left - matches[i].left);
+      samples.disparities.push_back(rectification.disparity(matches[j].left, matches[j].right));
+      samples.sigma.push_back(scale * matches[j].sigma);
     };
-    samples.weights.push_back(1.0);
-    for (std::size_t k = 0; k < distances.size(); ++k)
-      samples.weights.push_back(weigh(distances[k], samples.sigma[k + 1]));
-    result[i] = onto(fit(samples, radius, points[i]), points[i], sigma[i], move);
+    add(i);
+    for (const int j : neighbours[i]) add(static_cast<std::size_t>(j));
+    return samples;
+  };
+  const double bend = rectification.bend_prior();
+  Surface result;
+  std::vector<double> squares;
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    const Samples samples = samples_of(i, 1.0);
+    if (samples.offsets.size() < kCheck) continue;
+    const LocalSurface surface = LocalFit(samples, reach, bend).through(kCheck);
+    squares.push_back(std::pow(surface.residual / surface.residual_sigma, 2));
+  }
+  if (squares.size() >= 30) result.misfit = std::sqrt(median(squares) / 0.4549);
+  const double scale = std::max(1.0, result.misfit);
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    const Samples samples = samples_of(i, scale);
+    LocalSurface surface;
+    surface.disparity = samples.disparities[0];
+    surface.sigma = samples.sigma[0];
+    if (samples.offsets.size() >= kFewest) {
+      const LocalSurface found = widest_that_agrees(LocalFit(samples, reach, bend), samples);
+      surface.slope = found.slope;
+      if (move && found.disparity > 0.0) surface.disparity = found.disparity, surface.sigma = found.sigma;
+    }
+    result.points.push_back({surface.disparity, surface.sigma,
+                             rectification.normal(matches[i].left, surface.disparity, surface.slope)});
   }
   return result;
 }

@@ -16,18 +16,25 @@ std::vector<std::vector<int>> nearest_in_picture(const std::vector<Eigen::Vector
 /// half a pixel), and what has nobody near.
 std::vector<bool> agreeing(const Rectification& rectification, const std::vector<Match>& matches);
 
-/// A point with its surface.
+/// A match with its surface.
 struct SurfacePoint {
-  Eigen::Vector3d point, normal;
-  double sigma = 0.0;
+  double disparity = 0.0, sigma = 0.0;  ///< pixels
+  Eigen::Vector3d normal;               ///< left camera's frame, unit, towards the camera
 };
-/// Moving least squares (Levin 2003; Alexa et al. 2003): a plane through the neighbours by weighted principal
-/// axes, a quadratic over it by weighted least squares, the point moved along its own ray onto it (noise of
-/// triangulation lies along the ray; the pixel that the operator labelled stays). Tukey weights keep
-/// neighbours across a step in depth out.
-/// @param sigma along each ray, metres. @param move false: only normals are taken from the fit.
-std::vector<SurfacePoint> fit_surface(const std::vector<Eigen::Vector3d>& points,
-                                      const std::vector<double>& sigma,
-                                      const std::vector<std::vector<int>>& neighbours, bool move);
+struct Surface {
+  std::vector<SurfacePoint> points;
+  /// How far matches lie off their neighbours' surface, over what their sigmas let expect: 1 where those are
+  /// right. Where it is more, sigmas are raised by it.
+  double misfit = 1.0;
+};
+/// Moving least squares (Levin 2003) over the rectified left picture: a quadratic of the disparity through
+/// the neighbours. The disparity is what is measured, is linear over a plane, and all of its error lies along
+/// the ray; the pixel that the operator labelled stays. Tukey weights and neighbourhoods that end where the
+/// surface does keep steps in depth.
+/// @param reach standard deviation of the patches' weights, pixels: patches overlap, and errors within a
+///   distance are alike by exp(-(distance / reach)^2 / 4), which enters the sigmas.
+/// @param move false: only normals and misfit are taken from the fit.
+Surface fit_surface(const Rectification& rectification, const std::vector<Match>& matches, double reach,
+                    bool move);
 
 }  // namespace glisson::stereo

@@ -47,6 +47,9 @@ struct ReconstructReport {
       0.0;  ///< median by which rectified right rows exceed left ones: the calibration's error
   double epipolar_rms_px = 0.0;  ///< of the points kept: what calibration and refinement leave
   double sigma_median = 0.0;     ///< metres, along the ray
+  /// How far points lie off their neighbours' surface over what noise lets expect (1: as expected). Where it
+  /// is more than 1, cloud.sigma and the covariances are raised by it.
+  double misfit = 1.0;
 };
 
 struct Reconstructed {
