@@ -405,10 +405,6 @@
         <translation>%1: getrennte Bäume im Modell: %2.</translation>
     </message>
     <message>
-        <source>Short side branches left out of the vessel model: %1 (%3 mm together).</source>
-        <translation>Kurze Seitenäste, die im Gefäßmodell fehlen: %1 (zusammen %3 mm).</translation>
-    </message>
-    <message>
         <source>Beams that stiffen the model along the vessels: %1.</source>
         <translation>Balken, die das Modell entlang der Gefäße versteifen: %1.</translation>
     </message>
@@ -556,6 +552,42 @@
         <source>The view %1 fits far worse than the others and was left out.</source>
         <translation>Die Ansicht %1 passt weit schlechter als die anderen und wurde ausgelassen.</translation>
     </message>
+    <message>
+        <source>Thin side branches left out of the vessel model: %1 (%3 mm together).</source>
+        <translation>Dünne Seitenäste, die im Gefäßmodell weggelassen sind: %1 (zusammen %3 mm).</translation>
+    </message>
+    <message>
+        <source>The thickest of them has a radius of %1 mm.</source>
+        <translation>Der dickste davon hat einen Radius von %1 mm.</translation>
+    </message>
+    <message>
+        <source>%1: cut off by hand: %3 mm, tips: %5.</source>
+        <translation>%1: von Hand abgeschnitten: %3 mm, Enden: %5.</translation>
+    </message>
+    <message>
+        <source>%1: the label has not been reviewed.</source>
+        <translation>%1: Das Label ist nicht geprüft.</translation>
+    </message>
+    <message>
+        <source>%1: the label&apos;s review is in progress.</source>
+        <translation>%1: Die Prüfung des Labels läuft noch.</translation>
+    </message>
+    <message>
+        <source>%1: the label is still to be reviewed.</source>
+        <translation>%1: Das Label ist noch zu prüfen.</translation>
+    </message>
+    <message>
+        <source>The view %1 fits far worse than the others: calibrate again without it.</source>
+        <translation>Die Ansicht %1 passt viel schlechter als die anderen: kalibrieren Sie neu ohne sie.</translation>
+    </message>
+    <message>
+        <source>The case was opened without its cloud of points: reconstruct the surface or import the cloud again. Saved now, the case loses what is left of it. (%*)</source>
+        <translation>Der Fall wurde ohne seine Punktwolke geöffnet: rekonstruieren Sie die Oberfläche neu oder importieren Sie die Wolke noch einmal. Wird der Fall jetzt gespeichert, geht verloren, was von ihr übrig ist. (%*)</translation>
+    </message>
+    <message>
+        <source>The case was opened without the points of the whole stereo pair: reconstruct the surface again before regions are changed. Saved now, the case loses what is left of them. (%*)</source>
+        <translation>Der Fall wurde ohne die Punkte des ganzen Stereopaars geöffnet: rekonstruieren Sie die Oberfläche neu, bevor Bereiche geändert werden. Wird der Fall jetzt gespeichert, geht verloren, was von ihnen übrig ist. (%*)</translation>
+    </message>
 </context>
 <context>
     <name>Overlay</name>
@@ -630,6 +662,25 @@
     <message>
         <source>Lesion</source>
         <translation>Läsion</translation>
+    </message>
+    <message>
+        <source>Model not checked</source>
+        <translation>Modell nicht geprüft</translation>
+    </message>
+</context>
+<context>
+    <name>Review</name>
+    <message>
+        <source>Labels that nobody has reviewed: %1.</source>
+        <translation>Labels, die niemand geprüft hat: %1.</translation>
+    </message>
+    <message>
+        <source>Labels under review: %1.</source>
+        <translation>Labels in Prüfung: %1.</translation>
+    </message>
+    <message>
+        <source>Labels still to be reviewed: %1.</source>
+        <translation>Labels, die noch zu prüfen sind: %1.</translation>
     </message>
 </context>
 <context>
@@ -1837,6 +1888,10 @@
         <source>What is changed in the vessel trees (JSON, LPS mm).</source>
         <translation>Was an den Gefäßbäumen geändert wird (JSON, LPS mm).</translation>
     </message>
+    <message>
+        <source>Beams of all vessels together, about: where they have more, the thinnest and shortest side branches are left out, vessels of 4 mm across and more stay.</source>
+        <translation>Balken aller Gefäße zusammen, ungefähr: haben sie mehr, werden die dünnsten und kürzesten Seitenäste weggelassen, Gefäße ab 4 mm Durchmesser bleiben.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AngleHistogram</name>
@@ -2052,6 +2107,80 @@
     <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Calibrate with the views ticked</source>
+        <translation>Mit den angekreuzten Ansichten kalibrieren</translation>
+    </message>
+    <message>
+        <source>This is the calibration with the views ticked.</source>
+        <translation>Dies ist die Kalibrierung mit den angekreuzten Ansichten.</translation>
+    </message>
+    <message>
+        <source>The board was not found in both pictures of: %1.</source>
+        <translation>Die Tafel wurde nicht in beiden Bildern gefunden von: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::CalibrationResults</name>
+    <message>
+        <source>Views of the board</source>
+        <translation>Ansichten der Tafel</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Left, px</source>
+        <translation>Links, px</translation>
+    </message>
+    <message>
+        <source>Right, px</source>
+        <translation>Rechts, px</translation>
+    </message>
+    <message>
+        <source>Rows off, px</source>
+        <translation>Zeilen, px</translation>
+    </message>
+    <message>
+        <source>Distance, mm</source>
+        <translation>Abstand, mm</translation>
+    </message>
+    <message>
+        <source>Tilt, °</source>
+        <translation>Neigung, °</translation>
+    </message>
+    <message>
+        <source>Error of the corners in the left picture, rms</source>
+        <translation>Fehler der Ecken im linken Bild, RMS</translation>
+    </message>
+    <message>
+        <source>Error of the corners in the right picture, rms</source>
+        <translation>Fehler der Ecken im rechten Bild, RMS</translation>
+    </message>
+    <message>
+        <source>How far the view&apos;s rows disagree by a calibration that has not seen it, rms</source>
+        <translation>Wie weit die Zeilen der Ansicht nach einer Kalibrierung auseinanderliegen, die sie nicht gesehen hat, RMS</translation>
+    </message>
+    <message>
+        <source>Views that fit far worse than the others come without a tick. Untick what is blurred or was moved.</source>
+        <translation>Ansichten, die viel schlechter passen als die anderen, sind nicht angekreuzt. Nehmen Sie das Kreuz weg, wo etwas unscharf ist oder bewegt wurde.</translation>
+    </message>
+    <message>
+        <source>Fits far worse than the others: proposed for removal</source>
+        <translation>Passt viel schlechter als die anderen: zum Weglassen vorgeschlagen</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::CoverageView</name>
+    <message>
+        <source>Covered by boards, left and right</source>
+        <translation>Von Tafeln bedeckt, links und rechts</translation>
+    </message>
+    <message>
+        <source>Shaded: where a board lay. What no board has covered is extrapolated. Blue: views used, orange: proposed for removal or left out. The chosen view is brought out.</source>
+        <translation>Schattiert: wo eine Tafel lag. Was keine Tafel bedeckt hat, ist extrapoliert. Blau: verwendete Ansichten, orange: zum Weglassen vorgeschlagen oder weggelassen. Die gewählte Ansicht ist hervorgehoben.</translation>
     </message>
 </context>
 <context>
@@ -2359,6 +2488,10 @@
         <source>Rigid start from the labelled features; then the shape that simulated operations on this liver make most probable, drawn to the points.</source>
         <translation>Starrer Start aus den markierten Merkmalen; dann die Form, die simulierte Operationen an dieser Leber am wahrscheinlichsten machen, zu den Punkten gezogen.</translation>
     </message>
+    <message>
+        <source>Nobody has checked this model (Model, Quality). The picture says so.</source>
+        <translation>Niemand hat dieses Modell geprüft (Modell, Qualität). Das Bild sagt es.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::ImageImport</name>
@@ -2411,10 +2544,6 @@
     <message>
         <source>Longest diameter of a lesion</source>
         <translation>Längster Durchmesser einer Läsion</translation>
-    </message>
-    <message>
-        <source>%1 (new)</source>
-        <translation>%1 (neu)</translation>
     </message>
     <message>
         <source>%1: click to change</source>
@@ -2828,6 +2957,14 @@
         <source>The centrelines that stiffen the model. Each tree is held where it enters.</source>
         <translation>Die Mittellinien, die das Modell versteifen. Jeder Baum ist gehalten, wo er eintritt.</translation>
     </message>
+    <message>
+        <source>Where the vessels have more, the thinnest and shortest side branches are left out; entrances and vessels of 4 mm across and more stay. More beams compute more slowly.</source>
+        <translation>Haben die Gefäße mehr, werden die dünnsten und kürzesten Seitenäste weggelassen; Eintritte und Gefäße ab 4 mm Durchmesser bleiben. Mehr Balken rechnen langsamer.</translation>
+    </message>
+    <message>
+        <source>Vessel beams, about</source>
+        <translation>Gefäßbalken, etwa</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::Panel</name>
@@ -2952,6 +3089,73 @@
     </message>
 </context>
 <context>
+    <name>glisson::ui::RegionBox</name>
+    <message>
+        <source>Region</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>Draw box</source>
+        <translation>Kasten ziehen</translation>
+    </message>
+    <message>
+        <source>Drag a rectangle in a slice, then its edges in the others. Only what lies in the box is looked at and found anew; the labels outside stay.</source>
+        <translation>Ziehen Sie ein Rechteck in einer Schicht, dann seine Kanten in den anderen. Nur was im Kasten liegt, wird betrachtet und neu gefunden; die Labels außerhalb bleiben.</translation>
+    </message>
+    <message>
+        <source>Whole CT</source>
+        <translation>Ganzes CT</translation>
+    </message>
+    <message>
+        <source>No box: everywhere</source>
+        <translation>Kein Kasten: überall</translation>
+    </message>
+    <message>
+        <source>R to L</source>
+        <translation>R nach L</translation>
+    </message>
+    <message>
+        <source>A to P</source>
+        <translation>A nach P</translation>
+    </message>
+    <message>
+        <source>I to S</source>
+        <translation>I nach S</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>LPS: to the patient&apos;s left, to posterior and upwards is positive</source>
+        <translation>LPS: nach links vom Patienten, nach hinten und nach oben ist positiv</translation>
+    </message>
+    <message>
+        <source>Resolution at which the liver&apos;s surface evolves. Finer is slower.</source>
+        <translation>Auflösung, in der die Leberoberfläche wächst. Feiner ist langsamer.</translation>
+    </message>
+    <message>
+        <source>The CT&apos;s own</source>
+        <translation>Wie das CT</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Auflösung</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 mm</source>
+        <translation>%1 × %2 × %3 mm</translation>
+    </message>
+    <message>
+        <source>%1: too fine for so large a box if the liver fills it. At most 50 million voxels.</source>
+        <translation>%1: zu fein für einen so großen Kasten, wenn ihn die Leber füllt. Höchstens 50 Millionen Voxel.</translation>
+    </message>
+    <message>
+        <source>%1: up to %2 GB of memory</source>
+        <translation>%1: bis zu %2 GB Speicher</translation>
+    </message>
+</context>
+<context>
     <name>glisson::ui::SeedBox</name>
     <message>
         <source>Not liver</source>
@@ -3014,18 +3218,6 @@
         <translation>Neu suchen</translation>
     </message>
     <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source>Resolution at which the liver&apos;s surface evolves. Finer is slower.</source>
-        <translation>Auflösung, in der die Leberoberfläche wächst. Feiner ist langsamer.</translation>
-    </message>
-    <message>
-        <source>Resolution</source>
-        <translation>Auflösung</translation>
-    </message>
-    <message>
         <source>Segment</source>
         <translation>Segmentieren</translation>
     </message>
@@ -3040,6 +3232,34 @@
     <message>
         <source>There is no liver yet: find everything first.</source>
         <translation>Es gibt noch keine Leber: zuerst alles suchen.</translation>
+    </message>
+    <message>
+        <source>Liver</source>
+        <translation>Leber</translation>
+    </message>
+    <message>
+        <source>Portal vein</source>
+        <translation>Pfortader</translation>
+    </message>
+    <message>
+        <source>Hepatic veins</source>
+        <translation>Lebervenen</translation>
+    </message>
+    <message>
+        <source>Vena cava</source>
+        <translation>Vena cava</translation>
+    </message>
+    <message>
+        <source>Gallbladder</source>
+        <translation>Gallenblase</translation>
+    </message>
+    <message>
+        <source>The box is too small.</source>
+        <translation>Der Kasten ist zu klein.</translation>
+    </message>
+    <message>
+        <source>Place a seed in the liver inside the box.</source>
+        <translation>Setzen Sie einen Saatpunkt in der Leber innerhalb des Kastens.</translation>
     </message>
 </context>
 <context>
@@ -3496,6 +3716,26 @@
         <source>Number of the video device</source>
         <translation>Nummer des Videogeräts</translation>
     </message>
+    <message>
+        <source>Frame of the video</source>
+        <translation>Bild des Videos</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>Kind of features</source>
+        <translation>Art der Merkmale</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::StereoView</name>
@@ -3622,6 +3862,14 @@
     <message>
         <source>Click: selects this region. Right click: removes it.</source>
         <translation>Klick: wählt diesen Bereich. Rechtsklick: entfernt ihn.</translation>
+    </message>
+    <message>
+        <source>%1 points per cm²</source>
+        <translation>%1 Punkte je cm²</translation>
+    </message>
+    <message>
+        <source>Choose a feature on the right to label it. The wheel enlarges a picture, the middle button moves it.</source>
+        <translation>Wählen Sie rechts ein Merkmal, um es zu beschriften. Das Rad vergrößert ein Bild, die mittlere Taste verschiebt es.</translation>
     </message>
 </context>
 <context>
@@ -3928,16 +4176,28 @@
         <translation>Die Stelle einer Mittellinie anklicken, an der ihr Baum eintreten soll. Weiße Kugeln sind die jetzigen Eintritte. Esc beendet.</translation>
     </message>
     <message>
-        <source>Click the branch that is to go, on its centreline. Esc ends.</source>
-        <translation>Den Ast, der weg soll, auf seiner Mittellinie anklicken. Esc beendet.</translation>
-    </message>
-    <message>
         <source>Now click the other tree, where it is to hang on.</source>
         <translation>Nun den anderen Baum anklicken, wo er hängen soll.</translation>
     </message>
     <message>
         <source>Click the tree that stays, then the one that is to hang on it. Esc ends.</source>
         <translation>Den Baum anklicken, der bleibt, dann den, der an ihm hängen soll. Esc beendet.</translation>
+    </message>
+    <message>
+        <source>Point at the branch that is to go: what a click cuts off is marked. Esc ends.</source>
+        <translation>Zeigen Sie auf den Ast, der weg soll: was ein Klick abschneidet, ist markiert. Esc beendet.</translation>
+    </message>
+    <message>
+        <source>%1, %2 mm, tips: %3.</source>
+        <translation>%1, %2 mm, Enden: %3.</translation>
+    </message>
+    <message>
+        <source>A click here takes the whole tree: %1</source>
+        <translation>Ein Klick hier nimmt den ganzen Baum: %1</translation>
+    </message>
+    <message>
+        <source>A click here cuts off: %1</source>
+        <translation>Ein Klick hier schneidet ab: %1</translation>
     </message>
 </context>
 <context>

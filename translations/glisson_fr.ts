@@ -405,10 +405,6 @@
         <translation>%1 : arbres séparés dans le modèle : %2.</translation>
     </message>
     <message>
-        <source>Short side branches left out of the vessel model: %1 (%3 mm together).</source>
-        <translation>Courtes branches écartées du modèle des vaisseaux : %1 (%3 mm en tout).</translation>
-    </message>
-    <message>
         <source>Beams that stiffen the model along the vessels: %1.</source>
         <translation>Poutres qui raidissent le modèle le long des vaisseaux : %1.</translation>
     </message>
@@ -556,6 +552,42 @@
         <source>The view %1 fits far worse than the others and was left out.</source>
         <translation>La vue %1 s&apos;ajuste bien moins que les autres et a été laissée de côté.</translation>
     </message>
+    <message>
+        <source>Thin side branches left out of the vessel model: %1 (%3 mm together).</source>
+        <translation>Fines branches latérales laissées hors du modèle vasculaire : %1 (%3 mm en tout).</translation>
+    </message>
+    <message>
+        <source>The thickest of them has a radius of %1 mm.</source>
+        <translation>La plus épaisse a un rayon de %1 mm.</translation>
+    </message>
+    <message>
+        <source>%1: cut off by hand: %3 mm, tips: %5.</source>
+        <translation>%1 : coupé à la main : %3 mm, extrémités : %5.</translation>
+    </message>
+    <message>
+        <source>%1: the label has not been reviewed.</source>
+        <translation>%1 : le label n’a pas été vérifié.</translation>
+    </message>
+    <message>
+        <source>%1: the label&apos;s review is in progress.</source>
+        <translation>%1 : la vérification du label est en cours.</translation>
+    </message>
+    <message>
+        <source>%1: the label is still to be reviewed.</source>
+        <translation>%1 : le label reste à vérifier.</translation>
+    </message>
+    <message>
+        <source>The view %1 fits far worse than the others: calibrate again without it.</source>
+        <translation>La vue %1 s’ajuste bien moins que les autres : recommencez l’étalonnage sans elle.</translation>
+    </message>
+    <message>
+        <source>The case was opened without its cloud of points: reconstruct the surface or import the cloud again. Saved now, the case loses what is left of it. (%*)</source>
+        <translation>Le cas a été ouvert sans son nuage de points : reconstruisez la surface ou importez de nouveau le nuage. Enregistré maintenant, le cas perd ce qu’il en reste. (%*)</translation>
+    </message>
+    <message>
+        <source>The case was opened without the points of the whole stereo pair: reconstruct the surface again before regions are changed. Saved now, the case loses what is left of them. (%*)</source>
+        <translation>Le cas a été ouvert sans les points de la paire stéréo entière : reconstruisez la surface avant de modifier des régions. Enregistré maintenant, le cas perd ce qu’il en reste. (%*)</translation>
+    </message>
 </context>
 <context>
     <name>Overlay</name>
@@ -630,6 +662,25 @@
     <message>
         <source>Lesion</source>
         <translation>Lésion</translation>
+    </message>
+    <message>
+        <source>Model not checked</source>
+        <translation>Modèle non vérifié</translation>
+    </message>
+</context>
+<context>
+    <name>Review</name>
+    <message>
+        <source>Labels that nobody has reviewed: %1.</source>
+        <translation>Labels que personne n’a vérifiés : %1.</translation>
+    </message>
+    <message>
+        <source>Labels under review: %1.</source>
+        <translation>Labels en cours de vérification : %1.</translation>
+    </message>
+    <message>
+        <source>Labels still to be reviewed: %1.</source>
+        <translation>Labels restant à vérifier : %1.</translation>
     </message>
 </context>
 <context>
@@ -1837,6 +1888,10 @@
         <source>What is changed in the vessel trees (JSON, LPS mm).</source>
         <translation>Ce qui est changé dans les arbres vasculaires (JSON, LPS mm).</translation>
     </message>
+    <message>
+        <source>Beams of all vessels together, about: where they have more, the thinnest and shortest side branches are left out, vessels of 4 mm across and more stay.</source>
+        <translation>Poutres de tous les vaisseaux ensemble, environ : au-delà, les branches latérales les plus fines et les plus courtes sont omises, les vaisseaux de 4 mm de diamètre et plus restent.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AngleHistogram</name>
@@ -2052,6 +2107,80 @@
     <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Calibrate with the views ticked</source>
+        <translation>Étalonner avec les vues cochées</translation>
+    </message>
+    <message>
+        <source>This is the calibration with the views ticked.</source>
+        <translation>Ceci est l’étalonnage avec les vues cochées.</translation>
+    </message>
+    <message>
+        <source>The board was not found in both pictures of: %1.</source>
+        <translation>La mire n’a pas été trouvée dans les deux images de : %1.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::CalibrationResults</name>
+    <message>
+        <source>Views of the board</source>
+        <translation>Vues de la mire</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vue</translation>
+    </message>
+    <message>
+        <source>Left, px</source>
+        <translation>Gauche, px</translation>
+    </message>
+    <message>
+        <source>Right, px</source>
+        <translation>Droite, px</translation>
+    </message>
+    <message>
+        <source>Rows off, px</source>
+        <translation>Lignes, px</translation>
+    </message>
+    <message>
+        <source>Distance, mm</source>
+        <translation>Distance, mm</translation>
+    </message>
+    <message>
+        <source>Tilt, °</source>
+        <translation>Inclinaison, °</translation>
+    </message>
+    <message>
+        <source>Error of the corners in the left picture, rms</source>
+        <translation>Erreur des coins dans l’image gauche, RMS</translation>
+    </message>
+    <message>
+        <source>Error of the corners in the right picture, rms</source>
+        <translation>Erreur des coins dans l’image droite, RMS</translation>
+    </message>
+    <message>
+        <source>How far the view&apos;s rows disagree by a calibration that has not seen it, rms</source>
+        <translation>Écart des lignes de la vue selon un étalonnage qui ne l’a pas vue, RMS</translation>
+    </message>
+    <message>
+        <source>Views that fit far worse than the others come without a tick. Untick what is blurred or was moved.</source>
+        <translation>Les vues qui s’ajustent bien moins que les autres ne sont pas cochées. Décochez ce qui est flou ou a bougé.</translation>
+    </message>
+    <message>
+        <source>Fits far worse than the others: proposed for removal</source>
+        <translation>S’ajuste bien moins que les autres : retrait proposé</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::CoverageView</name>
+    <message>
+        <source>Covered by boards, left and right</source>
+        <translation>Couvert par des mires, à gauche et à droite</translation>
+    </message>
+    <message>
+        <source>Shaded: where a board lay. What no board has covered is extrapolated. Blue: views used, orange: proposed for removal or left out. The chosen view is brought out.</source>
+        <translation>Ombré : là où se trouvait une mire. Ce qu’aucune mire n’a couvert est extrapolé. Bleu : vues utilisées, orange : retrait proposé ou vues omises. La vue choisie est mise en évidence.</translation>
     </message>
 </context>
 <context>
@@ -2359,6 +2488,10 @@
         <source>Rigid start from the labelled features; then the shape that simulated operations on this liver make most probable, drawn to the points.</source>
         <translation>Départ rigide à partir des traits marqués ; puis la forme que des opérations simulées sur ce foie rendent la plus probable, tirée vers les points.</translation>
     </message>
+    <message>
+        <source>Nobody has checked this model (Model, Quality). The picture says so.</source>
+        <translation>Personne n’a vérifié ce modèle (Modèle, Qualité). L’image le dit.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::ImageImport</name>
@@ -2411,10 +2544,6 @@
     <message>
         <source>Longest diameter of a lesion</source>
         <translation>Plus long diamètre d&apos;une lésion</translation>
-    </message>
-    <message>
-        <source>%1 (new)</source>
-        <translation>%1 (nouvelle)</translation>
     </message>
     <message>
         <source>%1: click to change</source>
@@ -2828,6 +2957,14 @@
         <source>The centrelines that stiffen the model. Each tree is held where it enters.</source>
         <translation>Les lignes centrales qui raidissent le modèle. Chaque arbre est tenu là où il entre.</translation>
     </message>
+    <message>
+        <source>Where the vessels have more, the thinnest and shortest side branches are left out; entrances and vessels of 4 mm across and more stay. More beams compute more slowly.</source>
+        <translation>Au-delà, les branches latérales les plus fines et les plus courtes sont omises ; les entrées et les vaisseaux de 4 mm de diamètre et plus restent. Plus il y a de poutres, plus le calcul est lent.</translation>
+    </message>
+    <message>
+        <source>Vessel beams, about</source>
+        <translation>Poutres, environ</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::Panel</name>
@@ -2952,6 +3089,73 @@
     </message>
 </context>
 <context>
+    <name>glisson::ui::RegionBox</name>
+    <message>
+        <source>Region</source>
+        <translation>Région</translation>
+    </message>
+    <message>
+        <source>Draw box</source>
+        <translation>Tracer la boîte</translation>
+    </message>
+    <message>
+        <source>Drag a rectangle in a slice, then its edges in the others. Only what lies in the box is looked at and found anew; the labels outside stay.</source>
+        <translation>Tracez un rectangle dans une coupe, puis ses bords dans les autres. Seul ce qui est dans la boîte est examiné et retrouvé ; les labels à l’extérieur restent.</translation>
+    </message>
+    <message>
+        <source>Whole CT</source>
+        <translation>Tout le CT</translation>
+    </message>
+    <message>
+        <source>No box: everywhere</source>
+        <translation>Pas de boîte : partout</translation>
+    </message>
+    <message>
+        <source>R to L</source>
+        <translation>R à L</translation>
+    </message>
+    <message>
+        <source>A to P</source>
+        <translation>A à P</translation>
+    </message>
+    <message>
+        <source>I to S</source>
+        <translation>I à S</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>LPS: to the patient&apos;s left, to posterior and upwards is positive</source>
+        <translation>LPS : vers la gauche du patient, l’arrière et le haut, c’est positif</translation>
+    </message>
+    <message>
+        <source>Resolution at which the liver&apos;s surface evolves. Finer is slower.</source>
+        <translation>Résolution à laquelle évolue la surface du foie. Plus fine, plus lente.</translation>
+    </message>
+    <message>
+        <source>The CT&apos;s own</source>
+        <translation>Celle du CT</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Résolution</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 mm</source>
+        <translation>%1 × %2 × %3 mm</translation>
+    </message>
+    <message>
+        <source>%1: too fine for so large a box if the liver fills it. At most 50 million voxels.</source>
+        <translation>%1 : trop fin pour une si grande boîte si le foie la remplit. 50 millions de voxels au plus.</translation>
+    </message>
+    <message>
+        <source>%1: up to %2 GB of memory</source>
+        <translation>%1 : jusqu’à %2 Go de mémoire</translation>
+    </message>
+</context>
+<context>
     <name>glisson::ui::SeedBox</name>
     <message>
         <source>Not liver</source>
@@ -3014,18 +3218,6 @@
         <translation>Rechercher</translation>
     </message>
     <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source>Resolution at which the liver&apos;s surface evolves. Finer is slower.</source>
-        <translation>Résolution à laquelle évolue la surface du foie. Plus fine, plus lente.</translation>
-    </message>
-    <message>
-        <source>Resolution</source>
-        <translation>Résolution</translation>
-    </message>
-    <message>
         <source>Segment</source>
         <translation>Segmenter</translation>
     </message>
@@ -3040,6 +3232,34 @@
     <message>
         <source>There is no liver yet: find everything first.</source>
         <translation>Il n&apos;y a pas encore de foie : recherchez d&apos;abord tout.</translation>
+    </message>
+    <message>
+        <source>Liver</source>
+        <translation>Foie</translation>
+    </message>
+    <message>
+        <source>Portal vein</source>
+        <translation>Veine porte</translation>
+    </message>
+    <message>
+        <source>Hepatic veins</source>
+        <translation>Veines hépatiques</translation>
+    </message>
+    <message>
+        <source>Vena cava</source>
+        <translation>Veine cave</translation>
+    </message>
+    <message>
+        <source>Gallbladder</source>
+        <translation>Vésicule biliaire</translation>
+    </message>
+    <message>
+        <source>The box is too small.</source>
+        <translation>La boîte est trop petite.</translation>
+    </message>
+    <message>
+        <source>Place a seed in the liver inside the box.</source>
+        <translation>Placez un germe dans le foie, dans la boîte.</translation>
     </message>
 </context>
 <context>
@@ -3496,6 +3716,26 @@
         <source>Number of the video device</source>
         <translation>Numéro de l’appareil vidéo</translation>
     </message>
+    <message>
+        <source>Frame of the video</source>
+        <translation>Image de la vidéo</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rétablir</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Méthode</translation>
+    </message>
+    <message>
+        <source>Kind of features</source>
+        <translation>Type de points d’intérêt</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::StereoView</name>
@@ -3622,6 +3862,14 @@
     <message>
         <source>Click: selects this region. Right click: removes it.</source>
         <translation>Clic : sélectionne cette région. Clic droit : la supprime.</translation>
+    </message>
+    <message>
+        <source>%1 points per cm²</source>
+        <translation>%1 points par cm²</translation>
+    </message>
+    <message>
+        <source>Choose a feature on the right to label it. The wheel enlarges a picture, the middle button moves it.</source>
+        <translation>Choisissez à droite un élément à étiqueter. La molette agrandit une image, le bouton du milieu la déplace.</translation>
     </message>
 </context>
 <context>
@@ -3928,16 +4176,28 @@
         <translation>Cliquez l&apos;endroit d&apos;une ligne centrale où son arbre doit entrer. Les boules blanches sont les entrées actuelles. Échap termine.</translation>
     </message>
     <message>
-        <source>Click the branch that is to go, on its centreline. Esc ends.</source>
-        <translation>Cliquez la branche à retirer, sur sa ligne centrale. Échap termine.</translation>
-    </message>
-    <message>
         <source>Now click the other tree, where it is to hang on.</source>
         <translation>Cliquez maintenant l&apos;autre arbre, là où il doit être accroché.</translation>
     </message>
     <message>
         <source>Click the tree that stays, then the one that is to hang on it. Esc ends.</source>
         <translation>Cliquez l&apos;arbre qui reste, puis celui qui doit y être accroché. Échap termine.</translation>
+    </message>
+    <message>
+        <source>Point at the branch that is to go: what a click cuts off is marked. Esc ends.</source>
+        <translation>Pointez la branche à retirer : ce qu’un clic coupe est marqué. Échap termine.</translation>
+    </message>
+    <message>
+        <source>%1, %2 mm, tips: %3.</source>
+        <translation>%1, %2 mm, extrémités : %3.</translation>
+    </message>
+    <message>
+        <source>A click here takes the whole tree: %1</source>
+        <translation>Un clic ici retire tout l’arbre : %1</translation>
+    </message>
+    <message>
+        <source>A click here cuts off: %1</source>
+        <translation>Un clic ici coupe : %1</translation>
     </message>
 </context>
 <context>
