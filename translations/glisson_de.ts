@@ -2962,8 +2962,8 @@
         <translation>Haben die Gefäße mehr, werden die dünnsten und kürzesten Seitenäste weggelassen; Eintritte und Gefäße ab 4 mm Durchmesser bleiben. Mehr Balken rechnen langsamer.</translation>
     </message>
     <message>
-        <source>Vessel beams, about</source>
-        <translation>Gefäßbalken, etwa</translation>
+        <source>Beams</source>
+        <translation>Balken</translation>
     </message>
 </context>
 <context>

@@ -2962,8 +2962,8 @@
         <translation>Au-delà, les branches latérales les plus fines et les plus courtes sont omises ; les entrées et les vaisseaux de 4 mm de diamètre et plus restent. Plus il y a de poutres, plus le calcul est lent.</translation>
     </message>
     <message>
-        <source>Vessel beams, about</source>
-        <translation>Poutres, environ</translation>
+        <source>Beams</source>
+        <translation>Poutres</translation>
     </message>
 </context>
 <context>

@@ -98,7 +98,7 @@ void ModelPanel::build_options() {
   beams_->setToolTip(
       tr("Where the vessels have more, the thinnest and shortest side branches are left out; entrances and "
          "vessels of 4 mm across and more stay. More beams compute more slowly."));
-  form->addRow(tr("Vessel beams, about"), beams_);
+  form->addRow(tr("Beams"), beams_);
   connect(vessels_, &QCheckBox::toggled, beams_, &QWidget::setEnabled);
   build->addLayout(form);
   review_ = new QLabel(this);
