@@ -82,6 +82,13 @@ struct Phantom {
       points.row(n++) = (1e-3 * (image.grid.origin_mm + place)).transpose();
     return points;
   }
+  /// A click at the entrance of each tree.
+  Seeds roots() const {
+    Seeds seeds;
+    seeds.portal_vein = at({{54, 49, 14}});
+    seeds.hepatic_veins = at({{55, 30, 84}});
+    return seeds;
+  }
   Segmented found(const Seeds& seeds, const LabelMap& kept, bool with_hepatic = true) const {
     SegmentationOptions options;
     options.structures = {false, true, with_hepatic, false, false, false};
@@ -120,6 +127,12 @@ Counts compare(const Phantom& p, const LabelMap& found, const std::vector<Tube>&
         }
       }
   return counts;
+}
+
+/// Of the portal tree, and of the hepatic one.
+std::pair<Counts, Counts> compare(const Phantom& p, const LabelMap& found) {
+  return {compare(p, found, p.portal, p.hepatic, structure::kPortalVein, structure::kHepaticVeins),
+          compare(p, found, p.hepatic, p.portal, structure::kHepaticVeins, structure::kPortalVein)};
 }
 
 /// Cost of a parting of a small graph in two.
@@ -219,14 +232,8 @@ void VesselsTest::CancelledCutGivesNothing() {
 void VesselsTest::TreesThatTouchAreKeptApart() {
   for (const unsigned seed : {1U, 2U}) {
     const Phantom p(seed);
-    Seeds seeds;
-    seeds.portal_vein = p.at({{54, 49, 14}});
-    seeds.hepatic_veins = p.at({{55, 30, 84}});
-    const LabelMap labels = p.found(seeds, p.liver).labels;
-    const Counts portal =
-        compare(p, labels, p.portal, p.hepatic, structure::kPortalVein, structure::kHepaticVeins);
-    const Counts hepatic =
-        compare(p, labels, p.hepatic, p.portal, structure::kHepaticVeins, structure::kPortalVein);
+    const LabelMap labels = p.found(p.roots(), p.liver).labels;
+    const auto [portal, hepatic] = compare(p, labels);
     // A hundredth of each tree: the few voxels of the contact itself.
     qInfo("portal %ld wrong, %ld right; hepatic %ld wrong, %ld right", portal.wrong, portal.right,
           hepatic.wrong, hepatic.right);
@@ -249,28 +256,19 @@ void VesselsTest::AKeptTreeIsNotEntered() {
         if (depth_in(p.hepatic, x) > std::max(0.0, depth_in(p.portal, x)))
           edited.voxels.set({i, j, k}, structure::kHepaticVeins);
       }
-  Seeds seeds;
-  seeds.portal_vein = p.at({{54, 48, 14}});
-  seeds.hepatic_veins = p.at({{55, 30, 84}});  // not asked for: without effect
-  const LabelMap labels = p.found(seeds, edited, false).labels;
+  const LabelMap labels =
+      p.found(p.roots(), edited, false).labels;  // the hepatic root is not asked for: without effect
   const auto hepatic = [](Label label) { return label == structure::kHepaticVeins; };
   QVERIFY(labels.voxels.mask(hepatic) == edited.voxels.mask(hepatic));
-  const Counts portal =
-      compare(p, labels, p.portal, p.hepatic, structure::kPortalVein, structure::kHepaticVeins);
+  const Counts portal = compare(p, labels).first;
   QVERIFY2(portal.dice() > 0.8, qPrintable(QString::number(portal.dice())));
 }
 
 void VesselsTest::DimVesselsLetNoNoiseIn() {
   // Twice the noise of what is left of it at 1 mm: a third of the contrast is within it.
   const Phantom p(1, 124.0);
-  Seeds seeds;
-  seeds.portal_vein = p.at({{54, 49, 14}});
-  seeds.hepatic_veins = p.at({{55, 30, 84}});
-  const LabelMap labels = p.found(seeds, p.liver).labels;
-  const Counts portal =
-      compare(p, labels, p.portal, p.hepatic, structure::kPortalVein, structure::kHepaticVeins);
-  const Counts hepatic =
-      compare(p, labels, p.hepatic, p.portal, structure::kHepaticVeins, structure::kPortalVein);
+  const LabelMap labels = p.found(p.roots(), p.liver).labels;
+  const auto [portal, hepatic] = compare(p, labels);
   qInfo("portal %ld right, %ld extra; hepatic %ld right, %ld extra", portal.right, portal.extra,
         hepatic.right, hepatic.extra);
   QVERIFY(portal.right > 1000 && hepatic.right > 1000);
@@ -280,10 +278,7 @@ void VesselsTest::DimVesselsLetNoNoiseIn() {
 
 void VesselsTest::TheRimOfAKidneyIsNoVein() {
   const Phantom p(1, 190.0, true);
-  Seeds seeds;
-  seeds.portal_vein = p.at({{54, 49, 14}});
-  seeds.hepatic_veins = p.at({{55, 30, 84}});
-  const LabelMap labels = p.found(seeds, p.liver).labels;
+  const LabelMap labels = p.found(p.roots(), p.liver).labels;
   long rim = 0;
   const VolumeGrid& grid = p.image.grid;
   for (int k = 0; k < grid.size.z(); ++k)
@@ -297,8 +292,7 @@ void VesselsTest::TheRimOfAKidneyIsNoVein() {
       }
   qInfo("%ld voxels of the kidney's rim", rim);
   QVERIFY2(rim < 20, qPrintable(QString::number(rim)));
-  const Counts hepatic =
-      compare(p, labels, p.hepatic, p.portal, structure::kHepaticVeins, structure::kPortalVein);
+  const Counts hepatic = compare(p, labels).second;
   QVERIFY2(hepatic.dice() > 0.8, qPrintable(QString::number(hepatic.dice())));
 }
 

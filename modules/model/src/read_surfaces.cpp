@@ -213,7 +213,9 @@ std::vector<Source> sources_in_list(const fs::path& path, LengthUnit unit) {
     refuse(path, "structures", "there are none", remedy);
   const LengthUnit all = unit_of(document, unit, "unit");
   std::vector<Source> sources;
-  for (const auto& [name, entry] : document["structures"].items()) {
+  for (const auto& item : document["structures"].items()) {
+    const std::string& name = item.key();
+    const nlohmann::json& entry = item.value();
     const std::optional<Meaning> meaning = meaning_of(name);
     if (!meaning) refuse(path, name, "is no structure that is known", remedy);
     const auto add = [&](const nlohmann::json& one) {

@@ -164,6 +164,7 @@ std::vector<VesselTree> sampled(std::vector<FittedTree> trees, int target, std::
   }
   sampling.longest_mm = longest;
   std::vector<VesselTree> result;
+  result.reserve(trees.size());
   for (const FittedTree& tree : trees) result.push_back(tree.sample(sampling));
   return result;
 }

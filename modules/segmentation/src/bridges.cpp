@@ -56,7 +56,7 @@ Bridge bridge_of(const VolumeGrid& grid, const VoxelBox& box, const Contact& con
                  const std::vector<std::size_t>& patch) {
   const auto place = [&](std::size_t at) {
     const int n = static_cast<int>(at), nx = contact.touching.size.x(), ny = contact.touching.size.y();
-    return Eigen::Vector3d(n % nx, n / nx % ny, n / (nx * ny));
+    return Eigen::Vector3i(n % nx, n / nx % ny, n / (nx * ny)).cast<double>().eval();
   };
   Bridge bridge;
   Eigen::Vector3d middle(0, 0, 0);
