@@ -163,22 +163,6 @@ void tell_views(const stereo::Calibration& calibration) {
   }
 }
 
-void add_figures(Figures& figures, const stereo::Calibration& calibration) {
-  figures["calibration_views"] = static_cast<double>(calibration.views.size());
-  figures["calibration_outliers"] = static_cast<double>(std::count_if(
-      calibration.views.begin(), calibration.views.end(), [](const auto& view) { return view.outlier; }));
-  figures["calibration_rms_px"] = calibration.rms;
-  figures["calibration_rms_left_px"] = calibration.left_rms;
-  figures["calibration_rms_right_px"] = calibration.right_rms;
-  figures["calibration_focal_sigma_px"] = calibration.focal_sigma;
-  figures["calibration_baseline_mm"] = 1e3 * calibration.rig.baseline();
-  figures["calibration_coverage_left"] = calibration.left_coverage;
-  figures["calibration_coverage_right"] = calibration.right_coverage;
-  figures["calibration_epipolar_px"] = calibration.epipolar_rms;
-  figures["calibration_epipolar_left_out_px"] = calibration.epipolar_left_out;
-  figures["calibration_epipolar_reference_px"] = calibration.epipolar_reference;
-}
-
 /// A calibration of plain text is written as YAML.
 int convert(const Arguments& arguments, const fs::path& out) {
   Session session(arguments);
@@ -247,7 +231,7 @@ int run_calibrate(const QStringList& given) {
   const auto calibration = stereo::calibrate(views, options, session.context());
   if (!calibration) throw Interrupted();
   tell_views(*calibration);
-  add_figures(session.figures, *calibration);
+  session.figures.merge(stereo::calibration_figures(*calibration));
   stereo::write_calibration(out, calibration->rig);
   if (arguments.has("coverage"))
     stereo::write_picture(arguments.path("coverage"), stereo::coverage_picture(views, *calibration));

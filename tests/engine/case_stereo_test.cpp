@@ -92,6 +92,7 @@ void CaseStereoTest::PointsComeBackWithTheirPairAndHowTheyWereMade() {
   QVERIFY(is.whole->report.method == stereo::Method::sparse);
   QCOMPARE(is.whole->report.matches, was.whole->report.matches);
   QCOMPARE(is.whole->report.row_offset_px, was.whole->report.row_offset_px);
+  QCOMPARE(is.whole->report.misfit, was.whole->report.misfit);
   QCOMPARE(is.density_per_cm2, was.density_per_cm2);
   QCOMPARE(is.area_cm2, was.area_cm2);
   QCOMPARE(is.density.per_cm2, was.density.per_cm2);

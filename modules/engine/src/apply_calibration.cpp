@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The laparoscope's calibration from pictures of a board.
-#include <algorithm>
 
 #include "apply_parts.h"
 #include "glisson/stereo/picture_io.h"
@@ -11,20 +10,6 @@ namespace {
 
 constexpr double kFindShare = 0.7;  ///< of the time, for finding the boards
 constexpr int kFewestViews = 3;
-
-void add_figures(Figures& figures, const stereo::Calibration& calibration) {
-  figures["calibration_views"] = static_cast<double>(calibration.views.size());
-  figures["calibration_outliers"] = static_cast<double>(std::count_if(
-      calibration.views.begin(), calibration.views.end(), [](const auto& view) { return view.outlier; }));
-  figures["calibration_rms_px"] = calibration.rms;
-  figures["calibration_rms_left_px"] = calibration.left_rms;
-  figures["calibration_rms_right_px"] = calibration.right_rms;
-  figures["calibration_baseline_mm"] = 1e3 * calibration.rig.baseline();
-  figures["calibration_coverage_left"] = calibration.left_coverage;
-  figures["calibration_coverage_right"] = calibration.right_coverage;
-  figures["calibration_epipolar_px"] = calibration.epipolar_rms;
-  figures["calibration_epipolar_left_out_px"] = calibration.epipolar_left_out;
-}
 
 /// Null: cancelled.
 std::shared_ptr<const stereo::BoardViews> find_boards(const CalibrateRig& command,
@@ -52,7 +37,7 @@ Cancellable<Applied> apply_one(const CaseState& state, const CalibrateRig& comma
   if (!calibration) return {};
   Applied applied;
   applied.state = state;
-  add_figures(applied.figures, *calibration);
+  applied.figures = stereo::calibration_figures(*calibration);
   applied.figures["calibration_pairs"] = views->pairs();
   for (const stereo::ViewReport& view : calibration->views)
     if (view.outlier)

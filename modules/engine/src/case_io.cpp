@@ -19,6 +19,7 @@
 #include "glisson/geometry/mesh_io.h"
 #include "glisson/model/tree_edits.h"
 #include "glisson/stereo/calibration_io.h"
+#include "glisson/stereo/source.h"
 
 namespace glisson::engine {
 namespace fs = std::filesystem;
@@ -107,9 +108,6 @@ json registration_entry(const Registration& registration) {
 
 // ---- the case ----
 
-/// "device:0" is no file.
-bool is_device(const fs::path& video) { return video.string().starts_with("device:"); }
-
 /// Writes the files of every part that there is into `folder`, for a case that will stand at `path`.
 /// @return case.json, or nothing when cancelled.
 std::optional<json> write_parts(const fs::path& folder, const fs::path& path, const CaseState& state,
@@ -163,7 +161,7 @@ std::optional<json> write_parts(const fs::path& folder, const fs::path& path, co
   write(Part::video, [&] {
     const auto place = [&](const fs::path& video) {
       if (video.empty()) return std::string();
-      if (is_device(video)) return video.string();
+      if (stereo::is_device(video.string())) return video.string();
       const fs::path relative = fs::absolute(video).lexically_normal().lexically_relative(path);
       const bool beside = !relative.empty() && relative.begin() != relative.end() &&
                           std::next(relative.begin()) != relative.end() &&
@@ -252,8 +250,9 @@ void read_part(CaseState& state, Part part, const json& entry, const fs::path& f
     case Part::video: {
       const auto place = [&](const char* side) {
         const fs::path video = entry.at(side).get<std::string>();
-        return video.empty() || video.is_absolute() || is_device(video) ? video
-                                                                        : (folder / video).lexically_normal();
+        return video.empty() || video.is_absolute() || stereo::is_device(video.string())
+                   ? video
+                   : (folder / video).lexically_normal();
       };
       state.video = std::make_shared<const VideoSource>(VideoSource{place("left"), place("right")});
       break;

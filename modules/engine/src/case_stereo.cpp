@@ -141,7 +141,8 @@ json written(const stereo::ReconstructReport& r) {
           {"density_per_cm2", r.density_per_cm2},
           {"row_offset_px", r.row_offset_px},
           {"epipolar_rms_px", r.epipolar_rms_px},
-          {"sigma_median_m", r.sigma_median}};
+          {"sigma_median_m", r.sigma_median},
+          {"misfit", r.misfit}};
 }
 
 stereo::ReconstructReport read_report(const PointsFile& file) {
@@ -157,6 +158,7 @@ stereo::ReconstructReport read_report(const PointsFile& file) {
   r.row_offset_px = file.figure(group, "row_offset_px");
   r.epipolar_rms_px = file.figure(group, "epipolar_rms_px");
   r.sigma_median = file.figure(group, "sigma_median_m");
+  r.misfit = file.figure(group, "misfit");
   return r;
 }
 

@@ -339,4 +339,22 @@ Cancellable<Calibration> calibrate(const BoardViews& views, const CalibrateOptio
   return result;
 }
 
+Figures calibration_figures(const Calibration& calibration) {
+  Figures figures;
+  figures["calibration_views"] = static_cast<double>(calibration.views.size());
+  figures["calibration_outliers"] = static_cast<double>(std::count_if(
+      calibration.views.begin(), calibration.views.end(), [](const auto& view) { return view.outlier; }));
+  figures["calibration_rms_px"] = calibration.rms;
+  figures["calibration_rms_left_px"] = calibration.left_rms;
+  figures["calibration_rms_right_px"] = calibration.right_rms;
+  figures["calibration_focal_sigma_px"] = calibration.focal_sigma;
+  figures["calibration_baseline_mm"] = 1e3 * calibration.rig.baseline();
+  figures["calibration_coverage_left"] = calibration.left_coverage;
+  figures["calibration_coverage_right"] = calibration.right_coverage;
+  figures["calibration_epipolar_px"] = calibration.epipolar_rms;
+  figures["calibration_epipolar_left_out_px"] = calibration.epipolar_left_out;
+  figures["calibration_epipolar_reference_px"] = calibration.epipolar_reference;
+  return figures;
+}
+
 }  // namespace glisson::stereo

@@ -14,6 +14,8 @@ namespace glisson::stereo {
 namespace fs = std::filesystem;
 namespace {
 
+constexpr std::string_view kDevicePrefix = "device:";
+
 constexpr const char* kRemedy =
     "Expected {\"left\": \"scope.mkv\", \"layout\": \"side_by_side\" or \"top_bottom\" or "
     "\"row_interleaved\" or \"separate\", ...}";
@@ -38,7 +40,7 @@ class Fields {
     if (!json_.contains(key)) return {};
     if (!json_[key].is_string()) refuse(key, "is no text");
     const std::string text = json_[key].get<std::string>();
-    if (text.empty() || text.starts_with("device:") || fs::path(text).is_absolute()) return text;
+    if (text.empty() || is_device(text) || fs::path(text).is_absolute()) return text;
     return (folder_ / text).string();
   }
   bool flag(const char* key) const {
@@ -82,13 +84,24 @@ class Fields {
 
 }  // namespace
 
+bool is_device(std::string_view source) { return source.starts_with(kDevicePrefix); }
+
+std::string device_of(std::string_view source) {
+  require(is_device(source), "a device is named by its source");
+  return std::string(source.substr(kDevicePrefix.size()));
+}
+
+std::string device_source(std::string_view device) {
+  return std::string(kDevicePrefix) + std::string(device);
+}
+
 void SourceOptions::validate() const {
   const auto refuse = [&](const char* field, const std::string& problem, const char* remedy) {
     throw InputError(left.empty() ? "source" : left, field, problem, remedy);
   };
   if (left.empty()) refuse("left", "is empty", "Name a video, a folder of pictures or a device");
   if ((layout == Layout::separate) == right.empty() &&
-      !(right.empty() && !left.starts_with("device:") && fs::is_directory(left)))
+      !(right.empty() && !is_device(left) && fs::is_directory(left)))
     refuse("right", right.empty() ? "is missing" : "is one file too many for this layout",
            "Separate views have a left and a right source, others one");
   if (crop.x < 0 || crop.y < 0 || crop.width < 0 || crop.height < 0)

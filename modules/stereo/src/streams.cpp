@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "glisson/core/error.h"
+#include "glisson/stereo/source.h"
 
 namespace glisson::stereo {
 namespace fs = std::filesystem;
@@ -69,7 +70,7 @@ int FileStream::count_frames() {
 }
 
 DeviceStream::DeviceStream(const std::string& device) {
-  name = "device:" + device;
+  name = device_source(device);
   live = true;
   const bool is_number = device.size() <= 3 && device.find_first_not_of("0123456789") == std::string::npos;
   bool opened = false;

@@ -8,6 +8,7 @@
 #include "glisson/core/error.h"
 #include "glisson/stereo/picture_io.h"
 #include "glisson/stereo/picture_pairs.h"
+#include "glisson/stereo/source.h"
 #include "picture_cv.h"
 #include "streams.h"
 
@@ -19,20 +20,19 @@ namespace {
 constexpr int kRoundedFrames = 1;
 /// Without a pair for so long, two sources are not of one operation, or not of one moment.
 constexpr double kLongestSearch = 2.0;
-constexpr std::string_view kDevice = "device:";
 
 std::string size_text(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
 
 std::unique_ptr<Stream> open_stream(const std::string& source) {
-  if (!source.starts_with(kDevice)) return std::make_unique<FileStream>(source);
-  const std::string device = source.substr(kDevice.size());
+  if (!is_device(source)) return std::make_unique<FileStream>(source);
+  const std::string device = device_of(source);
   if (device.empty())
     throw InputError(source, "", "is no device", "Write device: and its number, as device:0");
   return std::make_unique<DeviceStream>(device);
 }
 
 bool holds_pictures(const std::string& source) {
-  if (source.starts_with(kDevice)) return false;
+  if (is_device(source)) return false;
   std::error_code failure;
   return fs::is_directory(source, failure) || source.find('*') != std::string::npos ||
          source.find('?') != std::string::npos;

@@ -7,6 +7,7 @@
 
 #include "glisson/core/error.h"
 #include "glisson/stereo/calibration_io.h"
+#include "glisson/stereo/source.h"
 #include "glisson/ui/stereo/calibration_dialog.h"
 #include "glisson/ui/stereo/source_dialog.h"
 #include "glisson/ui/stereo/stereo_panel.h"
@@ -100,7 +101,7 @@ void StereoPanel::open_device() {
   bool chosen = false;
   const int number =
       QInputDialog::getInt(this, tr("Live device"), tr("Number of the video device"), 0, 0, 63, 1, &chosen);
-  if (chosen) open_source({"device:" + std::to_string(number), {}});
+  if (chosen) open_source({stereo::device_source(std::to_string(number)), {}});
 }
 
 void StereoPanel::describe_source() {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "glisson/core/json_file.h"
 #include "glisson/core/run_context.h"
 #include "glisson/geometry/camera.h"
 #include "glisson/stereo/board.h"
@@ -53,6 +54,9 @@ struct Calibration {
 ///   views parallel.
 Cancellable<Calibration> calibrate(const BoardViews& views, const CalibrateOptions& options,
                                    const RunContext& context);
+
+/// What a calibration is judged by, keys "calibration_...", units in the names. NaN: not computed.
+Figures calibration_figures(const Calibration& calibration);
 
 /// rms of the difference of rows after rectification, pixels: how far corners lie from their epipolar lines.
 double epipolar_rms(const StereoRig& rig, const BoardView& view);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "glisson/geometry/camera.h"
 #include "glisson/patient/picture.h"
@@ -40,6 +41,12 @@ struct SourceOptions {
   /// @throws InputError naming the field.
   void validate() const;
 };
+
+/// Whether a source's name is that of a live device ("device:0"), not of a file.
+bool is_device(std::string_view source);
+/// The device in such a name ("0"), and the name for a device. @pre is_device(source).
+std::string device_of(std::string_view source);
+std::string device_source(std::string_view device);
 
 /// JSON {"left": "scope.mkv", "layout": "top_bottom", "deinterlace": true, "crop": [0, 4, 0, 532], ...};
 /// paths in it are relative to its folder. Wherever a stereo video can be named, such a file can.

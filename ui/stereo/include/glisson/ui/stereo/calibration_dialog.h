@@ -21,7 +21,7 @@ class CalibrationDialog : public QDialog {
  public:
   explicit CalibrationDialog(EngineBridge& engine, QWidget* parent = nullptr);
 
-  /// What the dialog asks for now.
+  /// What the dialog asks the engine for, as it is filled in.
   engine::CalibrateRig command() const;
   TaskButton& task() { return *run_; }
   /// Calibrates again, with the views that are ticked.
