@@ -6,7 +6,6 @@
 #include <QtTest>
 #include <cmath>
 #include <fstream>
-#include <random>
 #include <thread>
 
 #include "glisson/core/error.h"
@@ -333,48 +332,6 @@ class SourceTest : public QObject {
     }
     QVERIFY(refused);
     QVERIFY(count < 40);
-  }
-
-  void CircleIsFoundWhereItIsCutOff_data() {
-    QTest::addColumn<double>("x");
-    QTest::addColumn<double>("y");
-    QTest::addColumn<double>("radius");
-    QTest::newRow("whole") << 322.0 << 236.0 << 215.0;
-    QTest::newRow("cut above and below") << 310.0 << 250.0 << 290.0;
-  }
-  void CircleIsFoundWhereItIsCutOff() {
-    QFETCH(double, x);
-    QFETCH(double, y);
-    QFETCH(double, radius);
-    std::mt19937 random(3);  // NOLINT: the same noise on every run
-    std::normal_distribution<double> noise(0.0, 3.0);
-    const Picture picture = drawn(640, 480, 3, [&](int px, int py) {
-      const double r = std::hypot(px - x, py - y);
-      const double light = 90.0 + 60.0 * std::sin(0.03 * px) * std::cos(0.04 * py);
-      // A blurred rim, a dark vessel across, sensor noise outside.
-      const bool vessel = std::abs(px - 0.6 * py - 150.0) < 12.0;
-      return (vessel ? 8.0 : light) / (1.0 + std::exp((r - radius) / 1.5)) + 4.0 + noise(random);
-    });
-    const auto circle = find_scope_circle(picture);
-    QVERIFY(circle.has_value());
-    QVERIFY((circle->centre - Eigen::Vector2d(x, y)).norm() < 4.0);
-    QVERIFY(std::abs(circle->radius - radius) < 5.0);
-    const Picture mask = circle_mask(*circle, 640, 480);
-    for (int py = 0; py < 480; py += 7)
-      for (int px = 0; px < 640; px += 7) {
-        const double r = std::hypot(px - x, py - y);
-        const bool inside = (*mask.bytes)[static_cast<std::size_t>(py * 640 + px)] != 0;
-        if (r < radius - 12.0) QVERIFY(inside);
-        if (r > radius + 2.0) QVERIFY(!inside);
-      }
-  }
-
-  void FilledPicturesHaveNoCircle() {
-    QVERIFY(!find_scope_circle(view_of(0, 0, 640, 480)));
-    QVERIFY(!find_scope_circle(drawn(640, 480, 1, [](int, int) { return 3.0; })));
-    // Dark to the left of a straight edge.
-    QVERIFY(!find_scope_circle(drawn(640, 480, 1, [](int x, int) { return x < 200 ? 3.0 : 120.0; })));
-    QVERIFY_THROWS_EXCEPTION(PreconditionError, circle_mask({{5, 5}, 0.0}, 10, 10));
   }
 };
 

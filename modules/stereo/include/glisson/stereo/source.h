@@ -63,13 +63,15 @@ StereoRig cropped(const StereoRig& rig, const Crop& crop);
 /// two fields show it in two places.
 Picture deinterlaced(const Picture& picture);
 
-/// What the laparoscope shows: a disk before black.
+/// What the laparoscope shows: a disk before black; an ellipse where the pixels are not square.
 struct ScopeCircle {
   Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< pixels
-  double radius = 0.0;
+  double radius = 0.0;                               ///< along the rows, pixels
+  double aspect = 1.0;                               ///< of its radius along the columns to that
 };
-/// Finds the edge of the laparoscope's picture, by a robust circle through where rays from the middle leave
-/// the light. @return empty: the picture is filled, or what is dark is no disk's outside.
+/// Finds the edge of the laparoscope's picture, by a robust circle, or an ellipse along the axes, through
+/// where rays from the middle leave the light. Light is what exceeds the noise of the darkest corners.
+/// @return empty: the picture is filled; what is dark is no disk's outside; or the light fades without a rim.
 std::optional<ScopeCircle> find_scope_circle(const Picture& picture);
 /// One channel: 255 inside the circle less `margin_px` (its edge is blurred), 0 outside.
 Picture circle_mask(const ScopeCircle& circle, int width, int height, double margin_px = 4.0);
