@@ -106,7 +106,7 @@ void LinkedViews::connect_labels() {
 }
 
 std::shared_ptr<const LabelVolume> LinkedViews::labels_in_3d() const {
-  if (!state_.shows_labels()) return nullptr;
+  if (!state_.shows_labels() && engine_.state().model) return nullptr;
   if (state_.evolving()) return state_.evolving();
   if (!state_.labels()) return nullptr;
   return {state_.labels(), &state_.labels()->voxels};
@@ -188,8 +188,10 @@ void LinkedViews::show_case() {
   const engine::CaseState& now = engine_.state();
   state_.set_volume(now.image, now.labels);
   if (now.landmarks != taken_landmarks_ || now.model != taken_model_) {
+    const bool was_without_model = !taken_model_;
     taken_landmarks_ = now.landmarks;
     taken_model_ = now.model;
+    if (was_without_model != !now.model) label_surfaces_->set_labels(labels_in_3d());
     set_landmarks(now.model ? engine::effective_landmarks(now) : Landmarks{});
   }
   const bool was_empty = scene_is_empty_;

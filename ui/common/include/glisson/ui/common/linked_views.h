@@ -42,7 +42,8 @@ class LinkedViews : public QWidget {
 
  private:
   void connect_labels();
-  /// The labels whose surfaces stand in for the model; null: the model is shown.
+  /// The labels whose surfaces stand in for the model, where they are edited or while there is no model;
+  /// null: the model is shown.
   std::shared_ptr<const LabelVolume> labels_in_3d() const;
   void show_labels();
   void show_label_surfaces();
