@@ -8,13 +8,13 @@
 #include "commands.h"
 #include "glisson/geometry/mesh_io.h"
 #include "glisson/insilico/film.h"
+#include "glisson/stereo/board_series.h"
 #include "glisson/stereo/calibrate.h"
 #include "glisson/stereo/calibration_io.h"
 #include "glisson/stereo/density.h"
 #include "glisson/stereo/evaluate.h"
 #include "glisson/stereo/faults.h"
 #include "glisson/stereo/picture_io.h"
-#include "glisson/stereo/picture_pairs.h"
 
 namespace glisson::app {
 namespace fs = std::filesystem;
@@ -84,22 +84,23 @@ class ViewSource {
           "glisson calibrate: one of --pairs, --left with --right, and --video is needed. See 'glisson "
           "calibrate "
           "--help'.");
-    if (arguments_.has("video"))
-      from_video();
-    else
-      from(sides ? stereo::picture_pairs(arguments_.required_path("left"), arguments_.required_path("right"))
-                 : stereo::picture_pairs(arguments_.path("pairs")));
+    const auto told = [this](const std::string& name, stereo::BoardViews::Found found) { tell(name, found); };
+    const bool whole =
+        arguments_.has("video") ? from_video(told)
+        : sides
+            ? from(stereo::picture_pairs(arguments_.required_path("left"), arguments_.required_path("right")),
+                   told)
+            : from(stereo::picture_pairs(arguments_.path("pairs")), told);
+    if (!whole) throw Interrupted();
     views_.keep_most_different(arguments_.integer("most-views", 3, 200));
     return std::move(views_);
   }
 
  private:
-  void add(const std::string& name, const Picture& left, const Picture& right, double fraction) {
-    if (session_.context().cancelled()) throw Interrupted();
-    session_.context().progress(fraction, "calibrate.find_board");
+  void tell(const std::string& name, stereo::BoardViews::Found found) const {
     using Found = stereo::BoardViews::Found;
     const QString pair = QString::fromStdString(name);
-    switch (views_.add(name, left, right)) {
+    switch (found) {
       case Found::both:
         return;
       case Found::left_only:
@@ -111,23 +112,15 @@ class ViewSource {
     }
   }
 
-  void from(const stereo::PicturePairs& files) {
+  bool from(const stereo::PicturePairs& files, const stereo::BoardTold& told) {
     for (const fs::path& file : files.alone)
       say(Cli::tr("%1: has no partner").arg(QString::fromStdString(file.string())));
-    double done = 0.0;
-    for (const stereo::PicturePair& pair : files.pairs)
-      add(pair.name, stereo::read_picture(pair.left), stereo::read_picture(pair.right),
-          done++ / static_cast<double>(files.pairs.size()));
+    return stereo::add_pairs(views_, files.pairs, session_.context(), told);
   }
 
-  void from_video() {
-    constexpr int kLooks = 60;  // a second each
+  bool from_video(const stereo::BoardTold& told) {
     stereo::StereoVideo video(arguments_.path("video"), arguments_.path("video-right"));
-    const int step = std::max(1, video.frame_count() / kLooks);
-    for (StereoFrame frame; video.read(frame);)
-      if (frame.index % step == 0)
-        add("frame " + std::to_string(frame.index), frame.left, frame.right,
-            std::min(1.0, frame.index / std::max(1.0, 1.0 * video.frame_count())));
+    return stereo::add_frames(views_, video, session_.context(), told);
   }
 
   const Arguments& arguments_;
@@ -221,20 +214,19 @@ int run_calibrate(const QStringList& given) {
   arguments.require_existing("reference");
   if (arguments.has("text")) return convert(arguments, out);
   Session session(arguments);
-  const stereo::BoardViews views = ViewSource(arguments, session).find();
-  views.require(3);
-  stereo::CalibrateOptions options;
-  options.third_radial = arguments.has("k3");
-  options.drop_outliers = arguments.has("drop-outliers");
-  if (arguments.has("reference"))
-    options.reference = rig_from(arguments.path("reference"), views.width(), views.height());
-  const auto calibration = stereo::calibrate(views, options, session.context());
-  if (!calibration) throw Interrupted();
-  tell_views(*calibration);
-  session.figures.merge(stereo::calibration_figures(*calibration));
-  stereo::write_calibration(out, calibration->rig);
-  if (arguments.has("coverage"))
-    stereo::write_picture(arguments.path("coverage"), stereo::coverage_picture(views, *calibration));
+  engine::CalibrateRig command;
+  command.found = std::make_shared<const stereo::BoardViews>(ViewSource(arguments, session).find());
+  command.board = command.found->board();
+  command.options.third_radial = arguments.has("k3");
+  command.options.drop_outliers = arguments.has("drop-outliers");
+  if (arguments.has("reference") && command.found->pairs() > 0)
+    command.options.reference =
+        rig_from(arguments.path("reference"), command.found->width(), command.found->height());
+  const auto sheet = session.post(std::move(command)).calibration;
+  session.notes.clear();  // outliers: the table says them
+  tell_views(sheet->calibration);
+  stereo::write_calibration(out, sheet->calibration.rig);
+  if (arguments.has("coverage")) stereo::write_picture(arguments.path("coverage"), sheet->coverage);
   session.finish();
   return 0;
 }

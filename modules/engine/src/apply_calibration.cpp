@@ -2,8 +2,7 @@
 // The laparoscope's calibration from pictures of a board.
 
 #include "apply_parts.h"
-#include "glisson/stereo/picture_io.h"
-#include "glisson/stereo/picture_pairs.h"
+#include "glisson/stereo/board_series.h"
 
 namespace glisson::engine {
 namespace {
@@ -17,11 +16,7 @@ std::shared_ptr<const stereo::BoardViews> find_boards(const CalibrateRig& comman
   auto views = std::make_shared<stereo::BoardViews>(command.board);
   const auto pairs = command.right.empty() ? stereo::picture_pairs(command.left).pairs
                                            : stereo::picture_pairs(command.left, command.right).pairs;
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    if (context.cancelled()) return {};
-    context.progress(static_cast<double>(i) / static_cast<double>(pairs.size()), "calibrate.find_board");
-    views->add(pairs[i].name, stereo::read_picture(pairs[i].left), stereo::read_picture(pairs[i].right));
-  }
+  if (!stereo::add_pairs(*views, pairs, context)) return {};
   return views;
 }
 

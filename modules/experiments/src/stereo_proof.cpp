@@ -6,13 +6,13 @@
 #include <limits>
 
 #include "glisson/geometry/mesh_io.h"
+#include "glisson/stereo/board_series.h"
 #include "glisson/stereo/calibrate.h"
 #include "glisson/stereo/calibration_io.h"
 #include "glisson/stereo/density.h"
 #include "glisson/stereo/evaluate.h"
 #include "glisson/stereo/faults.h"
 #include "glisson/stereo/picture_io.h"
-#include "glisson/stereo/picture_pairs.h"
 #include "glisson/stereo/reconstruct.h"
 #include "stereo_theatre.h"
 
@@ -146,12 +146,7 @@ bool prove_chessboard(const fs::path& data, const fs::path& folder, StereoProof&
                       const RunContext& context) {
   stereo::BoardViews views{stereo::Board()};
   const auto pairs = stereo::picture_pairs(data).pairs;
-  double done = 0.0;
-  for (const stereo::PicturePair& pair : pairs) {
-    if (context.cancelled()) return false;
-    context.progress(0.8 * done++ / static_cast<double>(pairs.size()), "calibrate.find_board");
-    views.add(pair.name, stereo::read_picture(pair.left), stereo::read_picture(pair.right));
-  }
+  if (!stereo::add_pairs(views, pairs, context.part(0.0, 0.8))) return false;
   stereo::CalibrateOptions options;
   options.reference = stereo::read_text_calibration(data, views.width(), views.height());
   const auto calibration = stereo::calibrate(views, options, context.part(0.8, 1.0));

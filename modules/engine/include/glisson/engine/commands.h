@@ -106,7 +106,7 @@ struct CalibrateRig {
   std::filesystem::path left, right;
   stereo::Board board;
   stereo::CalibrateOptions options;
-  /// The boards of these pictures, where an earlier outcome has them: they are not looked for again.
+  /// The boards, where an earlier outcome or the caller (from a video) has them: they are not looked for.
   std::shared_ptr<const stereo::BoardViews> found = {};
 };
 /// How a calibration was made and how far to trust it.
@@ -132,7 +132,7 @@ struct SetRegions {
 };
 /// The points of the whole pair, then those in regions with their labels. Where only the regions have changed
 /// since the last time, the points are those of that time; with Method::automatic they become dense once the
-/// regions leave fewer of them than wanted.
+/// regions leave fewer of them than wanted (if dense ones are more), and stay so until another pair comes.
 struct Reconstruct {
   stereo::ReconstructOptions options;
 };

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/stereo/board_series.h"
+
+#include <algorithm>
+
+namespace glisson::stereo {
+namespace {
+
+constexpr const char* kStage = "calibrate.find_board";
+
+void add(BoardViews& views, const std::string& name, const Picture& left, const Picture& right,
+         const BoardTold& told) {
+  const BoardViews::Found found = views.add(name, left, right);
+  if (told) told(name, found);
+}
+
+}  // namespace
+
+bool add_pairs(BoardViews& views, const std::vector<PicturePair>& pairs, const RunContext& context,
+               const BoardTold& told) {
+  double done = 0.0;
+  for (const PicturePair& pair : pairs) {
+    if (context.cancelled()) return false;
+    context.progress(done++ / static_cast<double>(pairs.size()), kStage);
+    add(views, pair.name, read_picture(pair.left), read_picture(pair.right), told);
+  }
+  return true;
+}
+
+bool add_frames(BoardViews& views, StereoVideo& video, const RunContext& context, const BoardTold& told) {
+  constexpr int kLooks = 60;  // a second each
+  const int step = std::max(1, video.frame_count() / kLooks);
+  for (StereoFrame frame; video.read(frame);) {
+    if (frame.index % step != 0) continue;
+    if (context.cancelled()) return false;
+    context.progress(std::min(1.0, frame.index / std::max(1.0, 1.0 * video.frame_count())), kStage);
+    add(views, "frame " + std::to_string(frame.index), frame.left, frame.right, told);
+  }
+  return true;
+}
+
+}  // namespace glisson::stereo
