@@ -129,6 +129,13 @@ class ReconstructTest : public QObject {
     const Reconstructed result = run(plane_pair(), options);
     QVERIFY(result.report.method == Method::dense);
     QVERIFY(result.report.density_per_cm2 > 2.0);
+    // Dense ones that are no denser are no help.
+    options.method = Method::sparse;
+    const Reconstructed sparse = run(plane_pair(), options);
+    options.method = Method::automatic;
+    options.least_density_per_cm2 = 1.0001 * sparse.report.density_per_cm2;
+    options.points_per_cm2 = 0.5 * sparse.report.density_per_cm2;
+    QVERIFY(run(plane_pair(), options).report.method == Method::sparse);
   }
 
   void CovarianceOfTriangulationIsThatOfItsSamples() {

@@ -155,6 +155,18 @@ Cancellable<std::shared_ptr<const stereo::Reconstructed>> points_of(const CaseSt
   }
 }
 
+/// Dense ones, where the sparse ones are too few; null: the pair has too few of those, too.
+Cancellable<std::shared_ptr<const stereo::Reconstructed>> dense_points_of(const CaseState& state,
+                                                                          stereo::ReconstructOptions options,
+                                                                          const RunContext& context) {
+  options.method = stereo::Method::dense;
+  try {
+    return points_of(state, options, context);
+  } catch (const InputError&) {
+    return std::shared_ptr<const stereo::Reconstructed>();
+  }
+}
+
 /// What is wrong with the pair, as notes. Looked for where the points give cause to: it takes a second.
 std::vector<std::string> fault_notes(const CaseState& state, const PairPoints& points) {
   constexpr double kRowsOff = 3.0;  // pixels
@@ -199,11 +211,15 @@ Cancellable<Applied> apply_one(const CaseState& state, const Reconstruct& comman
   stereo::LabelledPart part = stereo::labelled_part((*whole)->cloud, *state.rig, state.frame->mask, regions);
   if (may_be_dense && (*whole)->report.method == stereo::Method::sparse &&
       part.density_per_cm2 < command.options.least_density_per_cm2) {
-    stereo::ReconstructOptions dense = command.options;
-    dense.method = stereo::Method::dense;
-    whole = points_of(state, dense, context.part(0.6, 1.0));
-    if (!whole) return {};
-    part = stereo::labelled_part((*whole)->cloud, *state.rig, state.frame->mask, regions);
+    // From here on this pair's points stay dense whatever its regions become: a switch there and back would
+    // exchange points under the operator's hand. The next pair is judged anew.
+    const auto dense = dense_points_of(state, command.options, context.part(0.6, 1.0));
+    if (!dense) return {};
+    if (*dense) {
+      stereo::LabelledPart denser =
+          stereo::labelled_part((*dense)->cloud, *state.rig, state.frame->mask, regions);
+      if (denser.density_per_cm2 > part.density_per_cm2) whole = dense, part = std::move(denser);
+    }
   }
   if (part.cloud.size() == 0)
     throw InputError("regions", "",

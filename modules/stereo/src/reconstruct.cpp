@@ -6,6 +6,7 @@
 #include <numeric>
 #include <opencv2/imgproc.hpp>
 #include <string>
+#include <utility>
 
 #include "dense.h"
 #include "feature_detector.h"
@@ -404,10 +405,13 @@ Cancellable<Reconstructed> reconstruct(const Picture& left, const Picture& right
   const bool thin = !result || result->report.density_per_cm2 < options.least_density_per_cm2;
   if (options.method == Method::dense || (options.method == Method::automatic && thin)) {
     const cv::Mat usable = pair.rectification.warp(Side::left, pair.usable_left) > 127;
+    const std::optional<Reconstructed> sparse = std::exchange(result, std::nullopt);
     finish(dense_matches(pair.rectification, eight_bit(rectified_left),
                          eight_bit(shifted(rectified_right, report.row_offset_px)), usable,
                          narrowed(pair, features), options.points_per_cm2),
            Method::dense);
+    if (sparse && (!result || result->report.density_per_cm2 <= sparse->report.density_per_cm2))
+      result = sparse;
   }
   if (context.cancelled()) return std::nullopt;
   if (!result)

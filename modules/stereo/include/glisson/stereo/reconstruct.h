@@ -12,7 +12,7 @@ namespace glisson::stereo {
 enum class Method {
   sparse,    ///< the paper's: features, matched
   dense,     ///< semi-global matching, sampled: covers what lies between features
-  automatic  ///< sparse; dense where that leaves the surface thinner than `least_density_per_cm2`
+  automatic  ///< sparse; dense where that is thinner than `least_density_per_cm2`, and dense is denser
 };
 /// SURF is the paper's. All go the same way afterwards.
 enum class Features { surf, sift, akaze };
