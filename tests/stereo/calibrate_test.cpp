@@ -121,6 +121,73 @@ class CalibrateTest : public QObject {
     QVERIFY(dropped.views.back().epipolar_left_out > 3.0);
   }
 
+  /// Among few views a wrong one bends the cameras: its own error is hardly larger than that of the others.
+  void OneWrongViewAmongSixIsNamed_data() {
+    QTest::addColumn<int>("bad");
+    QTest::addColumn<double>("down");
+    QTest::addColumn<double>("across");
+    QTest::addColumn<double>("blur");
+    QTest::newRow("none") << -1 << 0.0 << 0.0 << 0.0;
+    QTest::newRow("moved down between its pictures") << 0 << 4.0 << 0.0 << 0.0;
+    QTest::newRow("the same, another view") << 3 << 4.0 << 0.0 << 0.0;
+    QTest::newRow("moved across") << 2 << 0.0 << 4.0 << 0.0;
+    QTest::newRow("moved a little") << 5 << 2.0 << 0.0 << 0.0;
+    QTest::newRow("blurred") << 1 << 0.0 << 0.0 << 2.0;
+  }
+  void OneWrongViewAmongSixIsNamed() {
+    QFETCH(int, bad);
+    QFETCH(double, down);
+    QFETCH(double, across);
+    QFETCH(double, blur);
+    const StereoRig rig = rendered::rig();
+    const Board board = small_board();
+    const auto poses = rendered::board_poses(board, 0.12);
+    std::mt19937 random(7);  // NOLINT: the same noise on every run
+    std::normal_distribution<double> noise(0.0, blur);
+    BoardViews views(board);
+    for (int i = 0; i < 6; ++i) {
+      BoardView view =
+          rendered::board_view(rig, board, poses[static_cast<std::size_t>(2 * i)], kNoise, random);
+      if (i == bad) {
+        for (Eigen::Vector2d& p : view.right.pixels)
+          p += Eigen::Vector2d(across + noise(random), down + noise(random));
+      }
+      view.name = std::to_string(i);
+      views.add_corners(view, rig.left.width, rig.left.height);
+    }
+    const Calibration kept = calibrated(views);
+    for (int i = 0; i < 6; ++i) QCOMPARE(kept.views[static_cast<std::size_t>(i)].outlier, i == bad);
+    if (bad < 0) return;
+    CalibrateOptions options;
+    options.drop_outliers = true;
+    const Calibration dropped = calibrated(views, options);
+    for (int i = 0; i < 6; ++i) QCOMPARE(dropped.views[static_cast<std::size_t>(i)].used, i != bad);
+    QVERIFY(std::abs(dropped.rms / (std::sqrt(2.0) * kNoise) - 1.0) < 0.15);
+    QVERIFY(std::abs(dropped.rig.baseline() / rig.baseline() - 1.0) < 0.02);
+  }
+
+  void ViewWhoseCornersAreMixedUpIsNamed() {
+    const StereoRig rig = rendered::rig();
+    const Board board = small_board();
+    const auto poses = rendered::board_poses(board, 0.12);
+    std::mt19937 random(7);  // NOLINT: the same noise on every run
+    BoardViews views(board);
+    for (int i = 0; i < 6; ++i) {
+      BoardView view =
+          rendered::board_view(rig, board, poses[static_cast<std::size_t>(2 * i)], kNoise, random);
+      view.name = "shot " + std::to_string(i);
+      if (i == 4) std::rotate(view.left.pixels.begin(), view.left.pixels.begin() + 1, view.left.pixels.end());
+      views.add_corners(view, rig.left.width, rig.left.height);
+    }
+    const std::string said = complaint([&] { calibrated(views); });
+    QVERIFY2(said.find("shot 4") != std::string::npos, said.c_str());
+    CalibrateOptions options;
+    options.drop_outliers = true;
+    const Calibration dropped = calibrated(views, options);
+    for (int i = 0; i < 6; ++i) QCOMPARE(dropped.views[static_cast<std::size_t>(i)].used, i != 4);
+    QVERIFY(std::abs(dropped.rms / (std::sqrt(2.0) * kNoise) - 1.0) < 0.15);
+  }
+
   void SwappedCamerasAreRecognised() {
     const Board board = small_board();
     const BoardViews views = views_of(swapped(rendered::rig()), board, rendered::board_poses(board, 0.12));

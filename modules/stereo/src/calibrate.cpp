@@ -104,6 +104,18 @@ Joint refine(const Joint& start, const BoardPoints& points, const CalibrateOptio
   return joint;
 }
 
+/// rms of what is known.
+class Mean {
+ public:
+  void add(double value, double weight) {
+    if (std::isfinite(value)) sum_ += weight * value * value, weight_ += weight;
+  }
+  double rms() const { return weight_ > 0.0 ? std::sqrt(sum_ / weight_) : kUnknown; }
+
+ private:
+  double sum_ = 0.0, weight_ = 0.0;
+};
+
 double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
@@ -126,24 +138,80 @@ void propose(std::vector<ViewReport>& views) {
           std::hypot(view.left_rms, view.right_rms) / std::sqrt(2.0) > std::max(most, 1.5 * middle);
 }
 
+/// Where the board is in the left camera's frame.
+struct BoardPose {
+  cv::Mat turn, translation;  ///< Rodrigues vector; metres
+};
+/// @return empty: no pose fits.
+std::optional<BoardPose> pose_of(const BoardPoints& view, const Camera& camera) {
+  BoardPose pose;
+  if (!cv::solvePnP(view.board[0], view.left[0], to_cv(camera.matrix), to_cv(camera.distortion.transpose()),
+                    pose.turn, pose.translation))
+    return std::nullopt;
+  return pose;
+}
+
+/// @return whether there was one.
+bool drop_outliers(std::vector<ViewReport>& views) {
+  bool dropped = false;
+  for (ViewReport& view : views)
+    if (view.used && view.outlier) view.used = false, dropped = true;
+  return dropped;
+}
+
 /// @return the board's normal, towards the camera; zero where it has no pose.
 Eigen::Vector3d report_pose(ViewReport& report, const Board& board, const BoardView& view,
                             const Camera& camera) {
   BoardPoints points;
   points.add(board, view);
-  cv::Mat turn, rotation, translation;
-  if (!cv::solvePnP(points.board[0], points.left[0], to_cv(camera.matrix),
-                    to_cv(camera.distortion.transpose()), turn, translation))
-    return Eigen::Vector3d::Zero();
-  cv::Rodrigues(turn, rotation);
+  const auto pose = pose_of(points, camera);
+  if (!pose) return Eigen::Vector3d::Zero();
+  cv::Mat rotation;
+  cv::Rodrigues(pose->turn, rotation);
   Eigen::Matrix3d r;
   for (int i = 0; i < 9; ++i) r(i / 3, i % 3) = rotation.at<double>(i / 3, i % 3);
-  const Eigen::Vector3d t(translation.at<double>(0), translation.at<double>(1), translation.at<double>(2));
+  const Eigen::Vector3d t(pose->translation.at<double>(0), pose->translation.at<double>(1),
+                          pose->translation.at<double>(2));
   const Eigen::Vector3d middle =
       r * Eigen::Vector3d(0.5 * (board.columns - 1), 0.5 * (board.rows - 1), 0.0) * board.square + t;
   report.distance = middle.norm();
   report.tilt = std::acos(std::min(1.0, std::abs(r.col(2).dot(middle.normalized()))));
   return r.col(2).dot(middle) > 0.0 ? Eigen::Vector3d(-r.col(2)) : Eigen::Vector3d(r.col(2));
+}
+
+/// rms of a view's corners in both pictures by a calibration that may not have seen it: the board where the
+/// left picture puts it.
+double view_rms(const Board& board, const BoardView& view, const StereoRig& rig) {
+  BoardPoints points;
+  points.add(board, view);
+  const auto pose = pose_of(points, rig.left);
+  if (!pose) return kUnknown;
+  cv::Mat turn, translation, turn_between;
+  cv::Rodrigues(to_cv(rig.right_from_left.rotation), turn_between);
+  const cv::Mat between = to_cv(rig.right_from_left.translation);
+  cv::composeRT(pose->turn, pose->translation, turn_between, between, turn, translation);
+  Mean errors;
+  const auto add = [&](const cv::Mat& t, const cv::Mat& x, const Camera& camera,
+                       const std::vector<cv::Point2f>& seen) {
+    std::vector<cv::Point2f> expected;
+    cv::projectPoints(points.board[0], t, x, to_cv(camera.matrix), to_cv(camera.distortion.transpose()),
+                      expected);
+    for (std::size_t i = 0; i < seen.size(); ++i) errors.add(cv::norm(expected[i] - seen[i]), 1.0);
+  };
+  add(pose->turn, pose->translation, rig.left, points.left[0]);
+  add(turn, translation, rig.right, points.right[0]);
+  return errors.rms();
+}
+
+/// Fills in where each board was. @return the normals of those in use.
+std::vector<Eigen::Vector3d> report_poses(Calibration& result, const BoardViews& views) {
+  std::vector<Eigen::Vector3d> normals;
+  for (std::size_t i = 0; i < result.views.size(); ++i) {
+    const Eigen::Vector3d normal =
+        report_pose(result.views[i], views.board(), views.views()[i], result.rig.left);
+    if (result.views[i].used && normal.norm() > 0.5) normals.push_back(normal);
+  }
+  return normals;
 }
 
 /// Largest angle between the boards of two views, radians: parallel boards leave the focal length open.
@@ -154,27 +222,30 @@ double slant(const std::vector<Eigen::Vector3d>& normals) {
   return std::acos(std::max(-1.0, least));
 }
 
-void check_result(const Calibration& result, const std::vector<Eigen::Vector3d>& normals, double square) {
+/// What is wrong with the cameras that were found. Empty: nothing.
+std::optional<InputError> complaint_about(const Calibration& result,
+                                          const std::vector<Eigen::Vector3d>& normals, double square) {
   const double focal = result.rig.left.matrix(0, 0);
   constexpr double kLeastSlant = 0.17;  // 10 degrees
   if (!(result.focal_sigma < kLargestFocalSigma * focal) || slant(normals) < kLeastSlant)
-    throw InputError("board", "views",
-                     "leave the focal length open (" + number_text(focal) + " px, give or take " +
-                         number_text(result.focal_sigma) + "): all " + std::to_string(normals.size()) +
-                         " show the board at nearly one slant",
-                     "Tilt the board by 20 to 40 degrees, each time another way");
+    return InputError("board", "views",
+                      "leave the focal length open (" + number_text(focal) + " px, give or take " +
+                          number_text(result.focal_sigma) + "): all " + std::to_string(normals.size()) +
+                          " show the board at nearly one slant",
+                      "Tilt the board by 20 to 40 degrees, each time another way");
   const double x = right_in_left(result.rig).x();
   if (x < 0.0)
-    throw InputError("left and right pictures", "",
-                     "are swapped: the right camera would lie " + number_text(-1e3 * x) +
-                         " mm to the left of the left one",
-                     "Give the left camera's pictures as the left ones");
+    return InputError("left and right pictures", "",
+                      "are swapped: the right camera would lie " + number_text(-1e3 * x) +
+                          " mm to the left of the left one",
+                      "Give the left camera's pictures as the left ones");
   const double baseline = result.rig.baseline();
   if (baseline < kSmallestBaseline || baseline > kLargestBaseline)
-    throw InputError("board", "square",
-                     "of " + number_text(1e3 * square) + " mm gives a baseline of " +
-                         number_text(1e3 * baseline) + " mm, where a stereo laparoscope has 1 to 30 mm",
-                     "Measure the side of a square");
+    return InputError("board", "square",
+                      "of " + number_text(1e3 * square) + " mm gives a baseline of " +
+                          number_text(1e3 * baseline) + " mm, where a stereo laparoscope has 1 to 30 mm",
+                      "Measure the side of a square");
+  return std::nullopt;
 }
 
 /// Share of the picture that lies within a board's outline in any view.
@@ -193,35 +264,60 @@ double coverage(const BoardViews& views, const std::vector<ViewReport>& reports,
   return static_cast<double>(cv::countNonZero(covered)) / static_cast<double>(covered.total());
 }
 
-/// rms of what is known.
-class Mean {
- public:
-  void add(double value, double weight) {
-    if (std::isfinite(value)) sum_ += weight * value * value, weight_ += weight;
-  }
-  double rms() const { return weight_ > 0.0 ? std::sqrt(sum_ / weight_) : kUnknown; }
-
- private:
-  double sum_ = 0.0, weight_ = 0.0;
+/// What a calibration without one view says. NaN: not known.
+struct Without {
+  double rest = kUnknown;  ///< joint rms of the other views, pixels
+  double view = kUnknown;  ///< rms of the view that it has not seen
 };
 
-/// Where every view is judged by a calibration that has not seen it. @return false: cancelled.
-bool leave_each_out(const BoardViews& views, const CalibrateOptions& options, const Joint& joint,
-                    Calibration& result, const RunContext& context) {
+/// Judges every view by a calibration that has not seen it. @return one for each view; empty: cancelled.
+std::optional<std::vector<Without>> leave_each_out(const BoardViews& views, const CalibrateOptions& options,
+                                                   const Joint& joint, Calibration& result,
+                                                   const RunContext& context) {
   std::vector<bool> used;
-  for (const ViewReport& view : result.views) used.push_back(view.used);
-  if (std::count(used.begin(), used.end(), true) < kFewestToLeaveOut) return true;
+  for (ViewReport& view : result.views) {
+    used.push_back(view.used);
+    view.epipolar_left_out = kUnknown;
+  }
+  std::vector<Without> without(used.size());
+  if (std::count(used.begin(), used.end(), true) < kFewestToLeaveOut) return without;
   for (std::size_t i = 0; i < used.size(); ++i) {
-    if (context.cancelled()) return false;
+    if (context.cancelled()) return std::nullopt;
     context.progress(static_cast<double>(i) / static_cast<double>(used.size()), "calibrate.leave_out");
+    const BoardView& view = views.views()[i];
+    if (!used[i]) {  // was not seen by the calibration as it is
+      result.views[i].epipolar_left_out = epipolar_rms(result.rig, view);
+      continue;
+    }
     std::vector<bool> others = used;
     others[i] = false;
-    const BoardPoints points = points_of(views, others);
-    // A dropped view was not seen by the calibration as it is.
-    const StereoRig rig = used[i] ? refine(joint, points, options).rig(points.size) : result.rig;
-    result.views[i].epipolar_left_out = epipolar_rms(rig, views.views()[i]);
+    try {
+      const BoardPoints points = points_of(views, others);
+      const Joint left = refine(joint, points, options);
+      const StereoRig rig = left.rig(points.size);
+      result.views[i].epipolar_left_out = epipolar_rms(rig, view);
+      without[i] = {left.rms, view_rms(views.board(), view, rig)};
+    } catch (const cv::Exception&) {  // the others alone determine no cameras
+    }
   }
-  return true;
+  return without;
+}
+
+/// The view without which all others fit far better, and which then fits far worse than they: among few views
+/// a wrong one bends the cameras until its error is spread over all.
+void propose_by_others(std::vector<ViewReport>& views, const std::vector<Without>& without) {
+  constexpr double kBetter = 0.75, kWorse = 3.0, kNoise = 0.2;
+  std::vector<double> rests;
+  std::size_t best = 0;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    if (!std::isfinite(without[i].rest)) continue;
+    if (rests.empty() || without[i].rest < without[best].rest) best = i;
+    rests.push_back(without[i].rest);
+  }
+  if (rests.empty()) return;
+  const Without& one = without[best];
+  if (one.rest < kBetter * median(rests) && one.view > std::max(kWorse * one.rest, one.rest + kNoise))
+    views[best].outlier = true;
 }
 
 void summarise_epipolar(const BoardViews& views, const CalibrateOptions& options, Calibration& result) {
@@ -306,28 +402,34 @@ Cancellable<Calibration> calibrate(const BoardViews& views, const CalibrateOptio
   if (left < kFewestViews)
     throw InputError("board", "views", "are " + std::to_string(left) + " without those left out",
                      "Keep " + std::to_string(kFewestViews) + " or more");
-  std::optional<Joint> joint;
   try {
     constexpr int kMostPasses = 4;
     for (int pass = 0; pass < kMostPasses; ++pass) {
-      joint = calibrate_used(views, options, result, context.part(0.0, 0.4));
+      const bool may_drop = options.drop_outliers && pass + 1 < kMostPasses;
+      // Another pass may follow: half of what is left of the progress.
+      const double begun = 1.0 - std::pow(0.5, pass), end = may_drop ? 1.0 - std::pow(0.5, pass + 1) : 1.0;
+      const RunContext own = options.drop_outliers ? context.part(begun, end) : context;
+      const auto joint = calibrate_used(views, options, result, own.part(0.0, 0.4));
       if (!joint) return std::nullopt;
       propose(result.views);
-      bool dropped = false;
-      if (options.drop_outliers)
-        for (ViewReport& view : result.views)
-          if (view.used && view.outlier) view.used = false, dropped = true;
+      if (options.leave_one_out) {
+        const auto without = leave_each_out(views, options, *joint, result, own.part(0.4, 1.0));
+        if (!without) return std::nullopt;
+        propose_by_others(result.views, *without);
+      }
+      const bool dropped = may_drop && drop_outliers(result.views);
       if (!dropped) break;
     }
-    std::vector<Eigen::Vector3d> normals;
-    for (std::size_t i = 0; i < result.views.size(); ++i) {
-      const Eigen::Vector3d normal =
-          report_pose(result.views[i], views.board(), views.views()[i], result.rig.left);
-      if (result.views[i].used && normal.norm() > 0.5) normals.push_back(normal);
+    if (const auto complaint = complaint_about(result, report_poses(result, views), views.board().square)) {
+      for (const ViewReport& view : result.views)
+        if (view.used && view.outlier)
+          throw InputError("board", view.name,
+                           "does not fit the others, and " +
+                               (complaint->field().empty() ? complaint->file() : complaint->field()) + " " +
+                               complaint->problem(),
+                           "Leave that pair out");
+      throw InputError(*complaint);
     }
-    check_result(result, normals, views.board().square);
-    if (options.leave_one_out && !leave_each_out(views, options, *joint, result, context.part(0.4, 1.0)))
-      return std::nullopt;
   } catch (const cv::Exception& failure) {
     throw NumericalError("The views of the board do not determine the cameras (" + failure.err +
                          "). Take more views, tilted each time another way.");
