@@ -6,7 +6,9 @@
 
 #include "data_folder.h"
 #include "glisson/core/error.h"
+#include "glisson/core/files.h"
 #include "glisson/insilico/theatre.h"
+#include "glisson/stereo/picture_io.h"
 #include "theatre_patient.h"
 
 using namespace glisson;
@@ -41,6 +43,15 @@ const Film& film() {
     return result;
   }();
   return made;
+}
+
+Picture side_by_side(const StereoFrame& frame) {
+  const auto row = static_cast<std::ptrdiff_t>(3 * frame.left.width);
+  auto bytes = std::make_shared<std::vector<std::uint8_t>>();
+  for (int y = 0; y < frame.left.height; ++y)
+    for (const Picture* view : {&frame.left, &frame.right})
+      bytes->insert(bytes->end(), view->bytes->begin() + y * row, view->bytes->begin() + (y + 1) * row);
+  return {2 * frame.left.width, frame.left.height, 3, std::move(bytes)};
 }
 
 std::vector<FrameFault> faults_of(const std::vector<StereoFrame>& frames) {
@@ -135,6 +146,49 @@ class FaultsTest : public QObject {
     COMPARE_FAULTS(faults_of(frames), "");
     std::swap(frames[3], frames[4]);
     COMPARE_FAULTS(faults_of(frames), "4:out_of_order ");
+  }
+
+  /// As a recorder stores them: views side by side, with loss. Frames that were alike are not then.
+  void FaultsAreRecognisedInARecordedVideo_data() {
+    QTest::addColumn<int>("fault");
+    QTest::addColumn<QByteArray>("expected");
+    const char* const kExpected[] = {"", "5:black 6:black ", "7:left_lost ", "9:right_lost ",
+                                     "6:swapped 7:swapped 8:swapped "};
+    for (int i = 0; i < static_cast<int>(std::size(kExpected)); ++i)
+      QTest::newRow(i == 0 ? "sound" : kExpected[i]) << i << QByteArray(kExpected[i]);
+  }
+  void FaultsAreRecognisedInARecordedVideo() {
+    QFETCH(int, fault);
+    QFETCH(QByteArray, expected);
+    std::vector<StereoFrame> frames(film().frames.begin(), film().frames.begin() + 16);
+    const auto at = [&](int i) -> StereoFrame& { return frames[static_cast<std::size_t>(i)]; };
+    switch (fault) {
+      case 1:
+        for (const int i : {5, 6}) at(i).left = at(i).right = filled(at(0).left, 3);
+        break;
+      case 2:
+        at(7).left = filled(at(0).left, 0);
+        break;
+      case 3:
+        at(9).right = filled(at(0).right, 128);
+        break;
+      case 4:
+        for (const int i : {6, 7, 8}) std::swap(at(i).left, at(i).right);
+        break;
+      default:
+        break;
+    }
+    const TemporaryFolder folder;
+    const auto path = folder.path() / "operation.mkv";
+    VideoWriter writer(path, 2 * frames[0].left.width, frames[0].left.height, 30.0);
+    for (const StereoFrame& frame : frames) writer.write(side_by_side(frame));
+    writer.close();
+    StereoVideo video(path);
+    SequenceCheck check;
+    std::vector<FrameFault> found;
+    for (StereoFrame frame; video.read(frame);)
+      for (const FrameFault& one : check.push(frame)) found.push_back(one);
+    COMPARE_FAULTS(found, expected);
   }
 
   void SoundPairIsFoundSound() {

@@ -50,7 +50,8 @@ Picture read_picture(const std::filesystem::path& path) {
   const std::string content = read_file(path);
   cv::Mat image;
   bool whole = !content.empty();
-  // libjpeg fills what is missing with grey and reports success.
+  // libjpeg fills what is missing with grey and reports success; libpng complains on the terminal.
+  if (content.starts_with("\x89PNG")) whole = content.rfind("IEND") != std::string::npos;
   if (content.starts_with("\xFF\xD8")) whole = content.rfind("\xFF\xD9") != std::string::npos;
   if (whole) {
     const cv::Mat bytes(1, static_cast<int>(content.size()), CV_8U, const_cast<char*>(content.data()));
