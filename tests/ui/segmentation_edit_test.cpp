@@ -31,6 +31,7 @@ class SegmentationEditTest : public QObject, private SegmentationWindow {
   void EnterKeepsTheLargestIsland();
   void PaintingWithinIntensitiesSparesTheRest();
   void LevelTracingShowsWhatAClickTakes();
+  void BranchThatAClickWouldMoveIsShownBefore();
   void SurfacesFollowTheEdit();
   void TouchingTreesAreListedAndGoneTo();
   void MouseMeansWhatItMeantBesideTheTool();
@@ -289,6 +290,53 @@ void SegmentationEditTest::LevelTracingShowsWhatAClickTakes() {
   QVERIFY(move({0.01, 0.0445, 0}));
   QTest::keyClick(window_.get(), Qt::Key_P);
   QVERIFY(!shared.line());
+}
+
+void SegmentationEditTest::BranchThatAClickWouldMoveIsShownBefore() {
+  open_labels();
+  // A thinner branch of the portal vein; the trunk's end is the tree's root or a tip of it.
+  choose(structure::kPortalVein);
+  press("tool_paint");
+  find<QDoubleSpinBox>("brush_diameter")->setValue(5.0);
+  drag(slice(Plane::axial), {{0.0, -0.012, 0}, {0.0, 0.03, 0}});
+  QVERIFY(settle());
+  QTest::keyClick(window_.get(), Qt::Key_B);
+  ui::SliceView& axial = slice(Plane::axial);
+  const ui::ViewState& shared = window_->views().state();
+  const LabelVolume before = labels();
+  const long portal = count(structure::kPortalVein);
+  const QImage plain = axial.grab().toImage();
+  const auto point_at = [&](const Eigen::Vector3d& p) {
+    QTest::mouseMove(&axial, axial.widget_point(Point<CtFrame>(p)).toPoint());
+  };
+  const auto* told = find<QLabel>("edit_outcome");
+  point_at({0.0005, 0.015, 0});  // half-way along the branch
+  QTRY_VERIFY(shared.preview() && session().branch());
+  const LabelVolume shown = shared.preview()->voxels;
+  const QString text = told->text();
+  QVERIFY2(text.contains(QStringLiteral("Portal vein → Hepatic veins")), qPrintable(text));
+  QVERIFY(axial.grab().toImage() != plain);
+  QVERIFY(labels() == before);  // only shown
+  QCOMPARE(session().branch()->result.voxels_changed, shown.histogram()[structure::kHepaticVeins]);
+  // Beside the vessels nothing would move.
+  point_at({0.03, 0.012, 0});
+  QTRY_VERIFY(!shared.preview() && !session().branch());
+  QVERIFY(!told->isVisible());
+  // The click does what was shown.
+  point_at({0.0005, 0.015, 0});
+  QTRY_VERIFY(shared.preview());
+  QTest::mouseClick(&axial, Qt::LeftButton, {},
+                    axial.widget_point(Point<CtFrame>(0.0005, 0.015, 0)).toPoint());
+  QVERIFY(settle());
+  QVERIFY(labels() == shown);
+  QVERIFY(count(structure::kPortalVein) < portal && count(structure::kPortalVein) > portal / 2);
+  QVERIFY(!shared.preview());  // not at once the way back
+  // Another tool puts it away.
+  point_at({0.001, 0.02, 0});
+  QTRY_VERIFY(shared.preview());
+  QVERIFY(told->text().contains(QStringLiteral("Hepatic veins → Portal vein")));
+  QTest::keyClick(window_.get(), Qt::Key_P);
+  QVERIFY(!shared.preview() && !session().branch());
 }
 
 void SegmentationEditTest::SurfacesFollowTheEdit() {

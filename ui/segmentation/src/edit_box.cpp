@@ -290,6 +290,15 @@ void EditBox::show_state() {
     const long voxels = session_.voxels_to_change();
     text = voxels == 0 ? tr("Nothing would change.")
                        : tr("%1 ml would change.").arg(session_.ml_of(voxels), 0, 'f', 2);
+  } else if (const auto branch = session_.branch()) {
+    const QString from = structure_text(branch->edit.label);
+    const double ml = session_.ml_of(branch->result.voxels_changed);
+    text = !branch->problem.empty() ? QString::fromStdString(branch->problem)
+           : branch->edit.to == structure::kBackground
+               ? tr("A click here cuts %1 ml off: %2.").arg(ml, 0, 'f', 2).arg(from)
+               : tr("A click here moves %1 ml: %2 → %3.")
+                     .arg(ml, 0, 'f', 2)
+                     .arg(from, structure_text(branch->edit.to));
   } else {
     text = notes_text(session_.notes());
   }

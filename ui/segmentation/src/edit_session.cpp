@@ -2,6 +2,7 @@
 #include "glisson/ui/segmentation/edit_session.h"
 
 #include <QDateTime>
+#include <QGuiApplication>
 #include <QTimer>
 #include <algorithm>
 
@@ -37,6 +38,14 @@ EditSession::EditSession(EngineBridge& engine, ViewState& views, QObject* parent
       // Gestures are told apart for as long as a case's history lives.
       gestures_(static_cast<std::uint64_t>(QDateTime::currentMSecsSinceEpoch())) {
   traced_ = new LevelOutline(views, this);
+  branch_ = new BranchPreview(
+      views,
+      [this](const PointerPlace& place) { return edit_at(place, QGuiApplication::keyboardModifiers()); },
+      this);
+  connect(branch_, &BranchPreview::changed, this, [this] {
+    show_preview();
+    emit changed();
+  });
   soon_ = new QTimer(this);
   soon_->setSingleShot(true);
   soon_->setInterval(kRest);
@@ -77,14 +86,16 @@ void EditSession::set_settings(const EditSettings& settings) {
   settings_have_changed();
 }
 
-void EditSession::show_outline() {
+void EditSession::show_pointer() {
   const bool traces = active_ && tool_ == EditTool::level_tracing && obstacle() == EditObstacle::none;
   traced_->set_label(traces ? std::optional(settings_.label) : std::nullopt);
+  const bool moves = active_ && tool_ == EditTool::move_branch && obstacle() == EditObstacle::none;
+  branch_->set_case(moves ? engine_.state().image : nullptr, moves ? engine_.state().labels : nullptr);
 }
 
 void EditSession::settings_have_changed() {
   problem_.clear();
-  show_outline();
+  show_pointer();
   // Growing takes its time: it waits to be asked.
   if (active_ && is_previewed(tool_, settings_) && tool_ != EditTool::grow &&
       obstacle() == EditObstacle::none) {
@@ -101,7 +112,7 @@ void EditSession::set_active(bool on) {
   if (on == active_) return;
   if (!on) set_tool(EditTool::none);
   active_ = on;
-  show_outline();
+  show_pointer();
   emit changed();
 }
 
@@ -126,7 +137,7 @@ void EditSession::show_case() {
       for (const auto& [label, figures] : statistics->figures())
         if (label != structure::kBackground && figures.voxels > 0) present_.push_back(label);
   }
-  show_outline();
+  show_pointer();
   show_preview();
   emit changed();
 }
@@ -237,14 +248,18 @@ void EditSession::cut_volume(const VolumeLasso& lasso) {
   post_edit(volume_cut(settings_, lasso, lasso.keys.testFlag(Qt::ControlModifier)));
 }
 
-void EditSession::click(const SliceGesture& gesture) {
-  if (gesture.phase != SliceGesture::Phase::begin || obstacle() != EditObstacle::none) return;
+std::optional<segmentation::Edit> EditSession::edit_at(const PointerPlace& place,
+                                                       Qt::KeyboardModifiers keys) const {
   const Image& image = *engine_.state().image;
   const LabelVolume* labels = engine_.state().labels ? &engine_.state().labels->voxels : nullptr;
-  const Label clicked = scene::probe(image, labels, gesture.p).label;
-  const auto edit = click_edit(tool_, settings_, image.grid, gesture.slice.plane, gesture.p, clicked,
-                               gesture.keys.testFlag(Qt::ControlModifier));
-  if (edit) post_edit(*edit);
+  const Label clicked = scene::probe(image, labels, place.p).label;
+  return click_edit(tool_, settings_, image.grid, place.plane, place.p, clicked,
+                    keys.testFlag(Qt::ControlModifier));
+}
+
+void EditSession::click(const SliceGesture& gesture) {
+  if (gesture.phase != SliceGesture::Phase::begin || obstacle() != EditObstacle::none) return;
+  if (const auto edit = edit_at({gesture.slice.plane, gesture.p}, gesture.keys)) post_edit(*edit);
 }
 
 void EditSession::post_edit(const segmentation::Edit& edit) {
@@ -303,6 +318,8 @@ double EditSession::ml_of(long voxels) const {
 }
 
 void EditSession::show_preview() {
+  if (const auto& moved = branch_->shown(); moved && moved->result.voxels_changed > 0)
+    return views_.set_preview(std::shared_ptr<const LabelMap>(moved, &moved->result.labels));
   // The former one stays in sight while the settings move, until the next is there.
   const auto& preview = engine_.state().preview;
   const auto edit = preview ? whole() : std::nullopt;

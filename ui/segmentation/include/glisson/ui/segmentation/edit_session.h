@@ -8,6 +8,7 @@
 
 #include "glisson/ui/common/engine_bridge.h"
 #include "glisson/ui/common/view_state.h"
+#include "glisson/ui/segmentation/branch_preview.h"
 #include "glisson/ui/segmentation/edit_tools.h"
 #include "glisson/ui/segmentation/level_outline.h"
 
@@ -48,6 +49,8 @@ class EditSession : public QObject {
   bool shows_preview() const;
   long voxels_to_change() const;
   double ml_of(long voxels) const;
+  /// What a click at the pointer would move; null: nothing, or another tool is at hand.
+  const std::shared_ptr<const BranchPreview::Shown>& branch() const { return branch_->shown(); }
   /// A preview or an edit is being computed: its part that is done.
   std::optional<double> progress() const;
   /// Drops the line that is drawn, else what is computed or previewed, else the tool.
@@ -69,13 +72,15 @@ class EditSession : public QObject {
  private:
   std::optional<segmentation::Edit> whole() const;
   void show_hand();
-  void show_outline();
+  void show_pointer();
   void show_case();
   void show_preview();
   void hear(const SliceGesture& gesture);
   void drag_brush(const SliceGesture& gesture);
   void drag_lasso(const SliceGesture& gesture);
   void click(const SliceGesture& gesture);
+  /// What a click there is; empty: nothing. @pre there is an image
+  std::optional<segmentation::Edit> edit_at(const PointerPlace& place, Qt::KeyboardModifiers keys) const;
   void cut_volume(const VolumeLasso& lasso);
   /// Sends what was drawn since the last time.
   void send_stroke();
@@ -109,6 +114,7 @@ class EditSession : public QObject {
   std::vector<Eigen::Vector2d> outline_;  ///< of a lasso in a slice, pixels
 
   LevelOutline* traced_ = nullptr;
+  BranchPreview* branch_ = nullptr;
   QTimer* soon_ = nullptr;  ///< a preview follows the settings when they rest
   std::optional<engine::CommandId> previewing_, applying_;
   std::set<engine::CommandId> edits_;  ///< that are not done yet

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "glisson/segmentation/edit.h"
+#include "glisson/ui/common/newest_wins.h"
+#include "glisson/ui/common/view_state.h"
+
+namespace glisson::ui {
+
+/// What a click of the tool that moves branches would do where the pointer is, computed before it happens: on
+/// a thread of its own, on which the newest place wins.
+class BranchPreview : public QObject {
+  Q_OBJECT
+ public:
+  /// The edit that a click there would be; empty: a click there does nothing.
+  using EditAt = std::function<std::optional<segmentation::Edit>(const PointerPlace& place)>;
+  struct Shown {
+    segmentation::ReassignBranch edit;
+    segmentation::Edited result;  ///< empty labels where there is a problem
+    std::string problem;          ///< why the click could do nothing
+  };
+
+  /// @param edit_at is asked in the window's thread, while there are an image and labels.
+  BranchPreview(ViewState& views, EditAt edit_at, QObject* parent = nullptr);
+
+  /// Whose branches; null: nothing is shown. Other labels put away what is shown until the pointer moves.
+  void set_case(std::shared_ptr<const Image> image, std::shared_ptr<const LabelMap> labels);
+  /// Null: the pointer is over no branch, or it is not known yet what would move.
+  const std::shared_ptr<const Shown>& shown() const { return shown_; }
+
+ signals:
+  void changed();
+
+ private:
+  struct Order {
+    std::shared_ptr<const Image> image;
+    std::shared_ptr<const LabelMap> labels;
+    segmentation::Edit edit;
+  };
+  void follow();
+  /// On the thread.
+  void compute(const Order& order);
+  void show(std::shared_ptr<const Shown> shown);
+
+  ViewState& views_;
+  EditAt edit_at_;
+  std::shared_ptr<const Image> image_;
+  std::shared_ptr<const LabelMap> labels_;
+  std::optional<segmentation::Edit> wanted_;
+  std::shared_ptr<const Shown> shown_;
+  NewestWins<Order> computing_;  ///< last: its thread uses the others
+};
+
+}  // namespace glisson::ui

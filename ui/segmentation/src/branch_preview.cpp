@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/ui/segmentation/branch_preview.h"
+
+#include "glisson/core/error.h"
+
+namespace glisson::ui {
+
+BranchPreview::BranchPreview(ViewState& views, EditAt edit_at, QObject* parent)
+    : QObject(parent),
+      views_(views),
+      edit_at_(std::move(edit_at)),
+      computing_([this](const Order& order, const std::stop_token&) { compute(order); }) {
+  for (const auto signal : {&ViewState::pointer_changed, &ViewState::crosshair_changed})
+    connect(&views_, signal, this, &BranchPreview::follow);
+}
+
+void BranchPreview::set_case(std::shared_ptr<const Image> image, std::shared_ptr<const LabelMap> labels) {
+  const bool same = labels == labels_ && image == image_;
+  image_ = std::move(image);
+  labels_ = std::move(labels);
+  if (same) return follow();  // settings may have changed what a click does
+  wanted_.reset();
+  show(nullptr);
+}
+
+void BranchPreview::follow() {
+  const auto& pointer = views_.pointer();
+  const auto edit = image_ && labels_ && pointer ? edit_at_(*pointer) : std::nullopt;
+  if (edit == wanted_) return;
+  wanted_ = edit;
+  if (wanted_)
+    computing_.give({image_, labels_, *wanted_});
+  else
+    show(nullptr);
+}
+
+void BranchPreview::compute(const Order& order) {
+  Shown shown{std::get<segmentation::ReassignBranch>(order.edit.tool), {}, {}};
+  try {
+    if (auto edited = segmentation::apply_edit(*order.labels, *order.image, order.edit, RunContext()))
+      shown.result = std::move(*edited);
+  } catch (const Error& error) {
+    shown.problem = error.what();
+  }
+  QMetaObject::invokeMethod(
+      this,
+      [this, labels = order.labels, result = std::make_shared<const Shown>(std::move(shown))] {
+        // The labels may be others by now; and the pointer may have left the branches.
+        if (wanted_ && labels == labels_) show(result);
+      },
+      Qt::QueuedConnection);
+}
+
+void BranchPreview::show(std::shared_ptr<const Shown> shown) {
+  if (shown == shown_) return;
+  shown_ = std::move(shown);
+  emit changed();
+}
+
+}  // namespace glisson::ui
