@@ -71,6 +71,7 @@ class TreeEditsTest : public QObject {
   void AClickAtAForkTakesTheChildMeant();
   void ACutIsToldBeforeItIsMade();
   void JoinHangsOneTreeOnTheOther();
+  void JoiningAtTellsWhatAJoinHangsAndWhatForbidsIt();
   void JoinIsUndoneByReplayingWithoutIt();
   void EditsFollowOneAnother();
   void FarFromEveryVesselIsRefused();
@@ -179,6 +180,31 @@ void TreeEditsTest::JoinHangsOneTreeOnTheOther() {
   QVERIFY((trees[0].nodes.row(0).transpose() - mm(0, 0, 0)).norm() < 1e-12);
   for (const auto& [a, b] : trees[0].beams)
     QVERIFY((trees[0].nodes.row(a) - trees[0].nodes.row(b)).norm() < 10.5e-3);
+}
+
+void TreeEditsTest::JoiningAtTellsWhatAJoinHangsAndWhatForbidsIt() {
+  using Obstacle = model::Joining::Obstacle;
+  std::vector<VesselTree> trees{fork({0, 0, 0}), fork({90, 0, 0})};
+  const Eigen::Vector3d at = mm(30, 0, 40), to = mm(60, 0, 40);
+  const model::Joining told = model::joining_at(trees, at, to);
+  QVERIFY(told.obstacle == Obstacle::none);
+  QCOMPARE(told.stays, std::size_t{0});
+  QCOMPARE(told.hangs, std::size_t{1});
+  QVERIFY(std::abs(told.link - 0.030) < 1e-12);
+  // What was told is what is new in the joined tree, and no more.
+  const auto joined = model::edited_trees(trees, {{Kind::join, at, to}});
+  QCOMPARE(joined[0].nodes.rows(), trees[0].nodes.rows() + told.part.nodes.rows() - 1);
+  QCOMPARE(joined[0].beams.size(), trees[0].beams.size() + told.part.beams.size());
+  for (Eigen::Index i = 0; i < told.part.nodes.rows(); ++i)
+    QVERIFY((joined[0].nodes.rowwise() - told.part.nodes.row(i)).rowwise().norm().minCoeff() < 1e-15);
+  QVERIFY((told.part.nodes.row(0).transpose() - at).norm() < 1e-12);
+
+  QVERIFY(model::joining_at(trees, at, mm(-30, 0, 40)).obstacle == Obstacle::one_tree);
+  QVERIFY(model::joining_at(trees, mm(0, 0, 0), mm(90, 0, 0)).obstacle == Obstacle::too_far);
+  trees[1].structure = structure::kHepaticVeins;
+  const model::Joining other = model::joining_at(trees, at, to);
+  QVERIFY(other.obstacle == Obstacle::two_kinds && other.part.beams.empty());
+  QVERIFY_EXCEPTION_THROWN(model::joining_at(trees, at, mm(0, 200, 0)), InputError);
 }
 
 void TreeEditsTest::JoinIsUndoneByReplayingWithoutIt() {

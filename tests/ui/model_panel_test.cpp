@@ -33,12 +33,13 @@ class ModelPanelTest : public QObject {
   void cleanup();
   void TheSheetSaysWhatStandsOut();
   void TheCheckIsKeptUntilAnotherModel();
-  void LabelsThatNobodyApprovedAreNamed();
+  void LabelsThatNobodyApprovedAreNamedOnceWhereTheModelIsApproved();
   void FlattestElementsAreShownAndPutAway();
   void SizeIsGivenByVerticesOrEdges();
   void AnEntranceIsMovedByAClickAndUndone();
   void APrunedTreeComesBackAndGoesAgain();
   void WhatAClickWouldCutIsToldBefore();
+  void WhatAClickWouldJoinIsShownBefore();
   void AnImpossibleJoinSaysWhy();
   void EscapeAndAnotherPanelPutTheToolAway();
   void AClickBesideTheVesselsTurnsTheCamera();
@@ -66,6 +67,16 @@ class ModelPanelTest : public QObject {
                        static_cast<int>(at->y() * view().height()));
     QTest::mouseClick(&view(), Qt::LeftButton, {}, place);
     QVERIFY(settle());
+  }
+  void point_at(const QPointF& place) {
+    QMouseEvent move(QEvent::MouseMove, place, view().mapToGlobal(place), Qt::NoButton, Qt::NoButton,
+                     Qt::NoModifier);
+    QCoreApplication::sendEvent(&view(), &move);
+  }
+  void point_at(const Eigen::Vector3d& p) {
+    const auto at = view().patient().view_point(p, view().aspect());
+    QVERIFY(at.has_value());
+    point_at(QPointF(at->x() * view().width(), at->y() * view().height()));
   }
   Eigen::Vector3d entrance(std::size_t tree) {
     return trees().at(tree).nodes.row(trees().at(tree).root).transpose();
@@ -138,23 +149,33 @@ void ModelPanelTest::TheCheckIsKeptUntilAnotherModel() {
   QVERIFY(!engine::is_model_checked(state()));
 }
 
-void ModelPanelTest::LabelsThatNobodyApprovedAreNamed() {
+void ModelPanelTest::LabelsThatNobodyApprovedAreNamedOnceWhereTheModelIsApproved() {
   const auto* line = window_->findChild<QLabel*>(QStringLiteral("model_review"));
-  QVERIFY(line->isVisible());
+  const auto* before_building = window_->findChild<QLabel*>(QStringLiteral("build_review"));
   const auto unapproved = engine::unapproved_labels(state());
   const std::vector<Label> labels = unapproved.at(ReviewState::not_started);
   QVERIFY(!labels.empty());
   const QString name = ui::structure_text(labels.front());
-  QVERIFY(line->text().contains(QStringLiteral("nobody has reviewed: ") + name));
-  QVERIFY(text("model_summary").contains(QStringLiteral("nobody has reviewed: ") + name));
+  const QString sentence = QStringLiteral("nobody has reviewed: ") + name;
+  QVERIFY(line->isVisible() && line->text().contains(sentence));
+  const auto said = [&] {
+    int times = 0;
+    for (const QLabel* label : window_->findChildren<QLabel*>())
+      times += label->isVisible() && label->text().contains(sentence);
+    return times;
+  };
+  QCOMPARE(said(), 1);
+  // Between what is read and the box that approves.
+  QCOMPARE(line->parentWidget(), sheet().checked_box()->parentWidget());
+  const int gap = sheet().checked_box()->geometry().top() - line->geometry().bottom();
+  QVERIFY2(gap > 0 && gap < 20, qPrintable(QString::number(gap)));
   window_->engine().post(engine::SetReview{labels.front(), ReviewState::to_review});
   QVERIFY(settle());
   QTRY_VERIFY(line->text().contains(QStringLiteral("still to be reviewed: ") + name));
-  QVERIFY(text("model_summary").contains(QStringLiteral("still to be reviewed: ") + name));
   for (const Label label : labels) window_->engine().post(engine::SetReview{label, ReviewState::approved});
   QVERIFY(settle());
   QTRY_VERIFY(!line->isVisible());
-  QVERIFY(!text("model_summary").contains(QStringLiteral("review")));
+  QVERIFY(!before_building->isVisible());
 }
 
 void ModelPanelTest::FlattestElementsAreShownAndPutAway() {
@@ -215,20 +236,49 @@ void ModelPanelTest::APrunedTreeComesBackAndGoesAgain() {
 void ModelPanelTest::WhatAClickWouldCutIsToldBefore() {
   press(editor().tool_button(Kind::prune));
   const int drawn = actors();
-  const Eigen::Vector3d p = operation_->model.vessels[0].nodes.row(2).transpose();
-  const auto at = view().patient().view_point(p, view().aspect());
-  const auto point_at = [&](const QPointF& place) {
-    QMouseEvent move(QEvent::MouseMove, place, view().mapToGlobal(place), Qt::NoButton, Qt::NoButton,
-                     Qt::NoModifier);
-    QCoreApplication::sendEvent(&view(), &move);
-  };
-  point_at({at->x() * view().width(), at->y() * view().height()});
+  point_at(Eigen::Vector3d(operation_->model.vessels[0].nodes.row(2).transpose()));
   QVERIFY(text("tree_message").contains(QStringLiteral("takes the whole tree: Portal vein")));
   QVERIFY(text("tree_message").contains(QStringLiteral("tips: 1")));
   QCOMPARE(actors(), drawn + 1);  // and marked
   QCOMPARE(trees().size(), std::size_t{2});
-  point_at({view().width() / 2.0, 12.0});
+  point_at(QPointF(view().width() / 2.0, 12.0));
   QVERIFY(!text("tree_message").contains(QStringLiteral("Portal vein")));
+  QCOMPARE(actors(), drawn);
+}
+
+void ModelPanelTest::WhatAClickWouldJoinIsShownBefore() {
+  // A second tree of the portal vein, which begins 15 mm below the end of the first.
+  VesselTree other = operation_->model.vessels[0];
+  for (int i = 0; i < other.nodes.rows(); ++i)
+    other.nodes.row(i) = last_node(0).transpose() + Eigen::RowVector3d(-0.01 * i, 0.0, -0.015);
+  operation_->model.vessels.push_back(other);
+  window_->engine().post(engine::BuildModel{});
+  QVERIFY(settle());
+  QTRY_COMPARE(trees().size(), std::size_t{3});
+  press(editor().tool_button(Kind::join));
+  const int drawn = actors();
+  const auto end_of = [](const VesselTree& tree) {
+    return Eigen::Vector3d(tree.nodes.bottomRows(1).transpose());
+  };
+  const Eigen::Vector3d near_end = other.nodes.row(0).transpose();
+  point_at(end_of(trees()[0]));
+  QVERIFY(text("tree_message").contains(QStringLiteral("lets this tree stay: Portal vein")));
+  QCOMPARE(actors(), drawn + 1);  // marked
+  click_on(end_of(trees()[0]));
+  QCOMPARE(actors(), drawn + 2);  // the tree, and the place that was clicked
+  point_at(end_of(trees()[1]));
+  QVERIFY(text("tree_message").contains(QStringLiteral("this is Hepatic veins")));
+  QCOMPARE(actors(), drawn + 1);  // nothing would move
+  point_at(trees()[0].nodes.row(1).transpose());
+  QVERIFY(text("tree_message").contains(QStringLiteral("the tree that stays. Point at another")));
+  point_at(near_end);
+  QVERIFY2(text("tree_message")
+               .contains(QStringLiteral("hangs this on the tree that stays, 15 mm away: Portal vein")),
+           qPrintable(text("tree_message")));
+  QCOMPARE(actors(), drawn + 2);
+  QCOMPARE(trees().size(), std::size_t{3});  // still shown only
+  click_on(near_end);
+  QTRY_COMPARE(trees().size(), std::size_t{2});
   QCOMPARE(actors(), drawn);
 }
 

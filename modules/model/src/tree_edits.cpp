@@ -212,28 +212,78 @@ Pruning pruning(const std::vector<VesselTree>& trees, const Eigen::Vector3d& p, 
   return result;
 }
 
-VesselTree joined(const VesselTree& trunk, int at, const VesselTree& other, int to) {
+/// The other tree, from `to` outwards, at the end of a link from node `at` of the trunk, which is node 0.
+VesselTree hanging(const VesselTree& trunk, int at, const VesselTree& other, int to) {
   const VesselTree branch = from_root(other, to, [](int) { return true; });
   const Eigen::RowVector3d a = trunk.nodes.row(at), b = branch.nodes.row(0);
   const double length = (b - a).norm();
   const int between = length < kLeastJoin ? 0 : static_cast<int>(std::ceil(length / kBeamOfJoin)) - 1;
-  VesselTree result = trunk;
-  const auto count = static_cast<int>(trunk.radii.size());
-  result.nodes.conservativeResize(count + between + branch.nodes.rows(), 3);
-  int last = at;
+  const int offset = between + 1;
+  VesselTree part;
+  part.structure = trunk.structure;
+  part.root = 0;
+  part.nodes.resize(offset + branch.nodes.rows(), 3);
+  part.nodes.row(0) = a;
+  part.radii.push_back(trunk.radii[static_cast<std::size_t>(at)]);
   for (int k = 1; k <= between; ++k) {
     const double t = static_cast<double>(k) / (between + 1);
-    result.nodes.row(count + k - 1) = a + t * (b - a);
-    result.radii.push_back((1.0 - t) * trunk.radii[static_cast<std::size_t>(at)] + t * branch.radii[0]);
-    result.beams.push_back({last, count + k - 1});
-    last = count + k - 1;
+    part.nodes.row(k) = a + t * (b - a);
+    part.radii.push_back((1.0 - t) * part.radii[0] + t * branch.radii[0]);
+    part.beams.push_back({k - 1, k});
   }
-  const int offset = count + between;
-  result.nodes.bottomRows(branch.nodes.rows()) = branch.nodes;
-  result.radii.insert(result.radii.end(), branch.radii.begin(), branch.radii.end());
-  result.beams.push_back({last, offset});
-  for (const auto& [from, end] : branch.beams) result.beams.push_back({offset + from, offset + end});
+  part.nodes.bottomRows(branch.nodes.rows()) = branch.nodes;
+  part.radii.insert(part.radii.end(), branch.radii.begin(), branch.radii.end());
+  part.beams.push_back({between, offset});
+  for (const auto& [from, end] : branch.beams) part.beams.push_back({offset + from, offset + end});
+  return part;
+}
+
+/// The trunk with a part whose node 0 is the trunk's node `at`.
+VesselTree joined(const VesselTree& trunk, int at, const VesselTree& part) {
+  VesselTree result = trunk;
+  const auto count = static_cast<int>(trunk.radii.size());
+  const auto number = [&](int node) { return node == 0 ? at : count + node - 1; };
+  const Eigen::Index more = part.nodes.rows() - 1;
+  result.nodes.conservativeResize(count + more, 3);
+  result.nodes.bottomRows(more) = part.nodes.bottomRows(more);
+  result.radii.insert(result.radii.end(), part.radii.begin() + 1, part.radii.end());
+  for (const auto& [from, to] : part.beams) result.beams.push_back({number(from), number(to)});
   return from_root(result, result.root, [](int) { return true; });
+}
+
+Joining joining(const std::vector<VesselTree>& trees, const Place& at, const Place& to) {
+  Joining result;
+  result.stays = at.tree;
+  result.hangs = to.tree;
+  const VesselTree &tree = trees[at.tree], &other = trees[to.tree];
+  result.link = (tree.nodes.row(at.node) - other.nodes.row(to.node)).norm();
+  using Obstacle = Joining::Obstacle;
+  result.obstacle = to.tree == at.tree                  ? Obstacle::one_tree
+                    : other.structure != tree.structure ? Obstacle::two_kinds
+                    : result.link > kLongestJoin        ? Obstacle::too_far
+                                                        : Obstacle::none;
+  if (result.obstacle == Obstacle::none) result.part = hanging(tree, at.node, other, to.node);
+  return result;
+}
+
+void join(std::vector<VesselTree>& trees, const TreeEdit& edit, const Complaint& complaint) {
+  const Place at = nearest(trees, edit.at, complaint);
+  const Joining join = joining(trees, at, nearest(trees, edit.to, complaint));
+  VesselTree& tree = trees[join.stays];
+  switch (join.obstacle) {
+    case Joining::Obstacle::one_tree:
+      complaint.say("both places lie on one tree: a join would close a loop", "Point at two different trees");
+    case Joining::Obstacle::two_kinds:
+      complaint.say("one place lies on the " + structure_name(tree.structure) + ", the other on the " +
+                        structure_name(trees[join.hangs].structure),
+                    "Join trees of one kind");
+    case Joining::Obstacle::too_far:
+      complaint.say("the places lie " + shown(1e3 * join.link) + " mm apart", "Point at places within 60 mm");
+    case Joining::Obstacle::none:
+      break;
+  }
+  tree = joined(tree, at.node, join.part);
+  trees.erase(trees.begin() + static_cast<std::ptrdiff_t>(join.hangs));
 }
 
 void prune(std::vector<VesselTree>& trees, const Eigen::Vector3d& at, const Complaint& complaint) {
@@ -247,25 +297,9 @@ void prune(std::vector<VesselTree>& trees, const Eigen::Vector3d& at, const Comp
 
 void apply(std::vector<VesselTree>& trees, const TreeEdit& edit, const Complaint& complaint) {
   if (edit.kind == TreeEdit::Kind::prune) return prune(trees, edit.at, complaint);
+  if (edit.kind == TreeEdit::Kind::join) return join(trees, edit, complaint);
   const Place at = nearest(trees, edit.at, complaint);
-  VesselTree& tree = trees[at.tree];
-  if (edit.kind == TreeEdit::Kind::set_root) {
-    tree = from_root(tree, at.node, [](int) { return true; });
-    return;
-  }
-  const Place to = nearest(trees, edit.to, complaint);
-  if (to.tree == at.tree)
-    complaint.say("both places lie on one tree: a join would close a loop", "Point at two different trees");
-  const VesselTree& other = trees[to.tree];
-  if (other.structure != tree.structure)
-    complaint.say("one place lies on the " + structure_name(tree.structure) + ", the other on the " +
-                      structure_name(other.structure),
-                  "Join trees of one kind");
-  const double apart = (tree.nodes.row(at.node) - other.nodes.row(to.node)).norm();
-  if (apart > kLongestJoin)
-    complaint.say("the places lie " + shown(1e3 * apart) + " mm apart", "Point at places within 60 mm");
-  tree = joined(tree, at.node, other, to.node);
-  trees.erase(trees.begin() + static_cast<std::ptrdiff_t>(to.tree));
+  trees[at.tree] = from_root(trees[at.tree], at.node, [](int) { return true; });
 }
 
 }  // namespace
@@ -276,6 +310,12 @@ std::string edit_code(TreeEdit::Kind kind) {
 
 Pruning pruning_at(const std::vector<VesselTree>& trees, const Eigen::Vector3d& at) {
   return pruning(trees, at, {0, TreeEdit::Kind::prune});
+}
+
+Joining joining_at(const std::vector<VesselTree>& trees, const Eigen::Vector3d& at,
+                   const Eigen::Vector3d& to) {
+  const Complaint complaint{0, TreeEdit::Kind::join};
+  return joining(trees, nearest(trees, at, complaint), nearest(trees, to, complaint));
 }
 
 std::vector<VesselTree> edited_trees(std::vector<VesselTree> trees, const std::vector<TreeEdit>& edits) {

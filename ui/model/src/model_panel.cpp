@@ -102,7 +102,7 @@ void ModelPanel::build_options() {
   connect(vessels_, &QCheckBox::toggled, beams_, &QWidget::setEnabled);
   build->addLayout(form);
   review_ = new QLabel(this);
-  review_->setObjectName(QStringLiteral("model_review"));
+  review_->setObjectName(QStringLiteral("build_review"));
   review_->setWordWrap(true);
   review_->setProperty("role", "warning");
   build->addWidget(review_);
@@ -220,7 +220,8 @@ void ModelPanel::import_surfaces(const QString& path) {
 void ModelPanel::show_case() {
   const engine::CaseState& now = engine().state();
   run_->set_obstacle(now.labels ? QString() : tr("Segment the CT or import labels first."));
-  const QStringList unapproved = unapproved_lines(now);
+  // Once there is a model of theirs, they are named where it is approved.
+  const QStringList unapproved = is_from_labels(now) ? QStringList() : unapproved_lines(now);
   review_->setText(unapproved.join(QLatin1Char('\n')));
   review_->setVisible(!unapproved.isEmpty());
   if (now.model == shown_ && shown_) return;

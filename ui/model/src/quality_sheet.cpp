@@ -21,11 +21,6 @@ constexpr double kFlatDeg = 10.0;
 // Beyond these a figure is worth a look before the model is trusted.
 constexpr double kVolumeToLookAt = 0.05, kDistanceToLookAtMm = 0.5, kGapToLookAtMm = 10.0;
 
-/// Whether the case's model was built from its labels, and not from surfaces.
-bool is_from_labels(const engine::CaseState& state) {
-  return state.stamp(engine::Part::model).made_from.count(engine::Part::labels) > 0;
-}
-
 /// Sentences of unapproved_lines() for translators.
 class Review {
   Q_DECLARE_TR_FUNCTIONS(Review)
@@ -46,6 +41,10 @@ class Review {
 };
 
 }  // namespace
+
+bool is_from_labels(const engine::CaseState& state) {
+  return state.model && state.stamp(engine::Part::model).made_from.count(engine::Part::labels) > 0;
+}
 
 QStringList unapproved_lines(const engine::CaseState& state) {
   QStringList lines;
@@ -76,6 +75,11 @@ QualitySheet::QualitySheet(EngineBridge& engine, LinkedViews& views, QWidget* pa
   layout->addWidget(worst_);
   structures_ = new FiguresTable(this);
   layout->addWidget(structures_);
+  review_ = new QLabel(this);
+  review_->setObjectName(QStringLiteral("model_review"));
+  review_->setWordWrap(true);
+  review_->setProperty("role", "warning");
+  layout->addWidget(review_);
   checked_ = new QCheckBox(tr("I have checked this model"), this);
   checked_->setObjectName(QStringLiteral("model_checked"));
   checked_->setToolTip(tr("Kept with the case. Another model, or an edit of its vessels, asks again."));
@@ -96,10 +100,11 @@ void QualitySheet::show_case() {
     const QSignalBlocker quiet(checked_);
     checked_->setChecked(engine::is_model_checked(now));
   }
-  QStringList unapproved = now.model && is_from_labels(now) ? unapproved_lines(now) : QStringList();
-  if (now.model == shown_ && unapproved == unapproved_ && (shown_ || !summary_->text().isEmpty())) return;
+  const QStringList unapproved = is_from_labels(now) ? unapproved_lines(now) : QStringList();
+  review_->setText(unapproved.join(QLatin1Char('\n')));
+  review_->setVisible(!unapproved.isEmpty());
+  if (now.model == shown_ && (shown_ || !summary_->text().isEmpty())) return;
   shown_ = now.model;
-  unapproved_ = std::move(unapproved);
   for (QWidget* part : std::initializer_list<QWidget*>{checked_, angles_, worst_})
     part->setVisible(shown_ != nullptr);
   notes_->setVisible(shown_ && !shown_->report.notes.empty());
@@ -121,7 +126,7 @@ void QualitySheet::show_case() {
 }
 
 QStringList QualitySheet::findings() const {
-  QStringList found = unapproved_;
+  QStringList found;
   const model::MeshQuality& q = shown_->report.quality;
   if (q.min_dihedral_deg < kFlatDeg)
     found << tr("Flat elements: the smallest angle is %1°. Build anew with another number of vertices.")

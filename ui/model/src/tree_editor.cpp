@@ -23,7 +23,7 @@ using Kind = model::TreeEdit::Kind;
 
 constexpr double kReachPx = 14.0;  // from the pointer to a centreline's node
 constexpr double kSeeThrough = 0.3;
-constexpr double kCutWidth = 1.5e-3;  // metres, radius at least of what is shown to go
+constexpr double kCutWidth = 1.5e-3;  // metres, radius at least of what is shown to go or to hang elsewhere
 
 }  // namespace
 
@@ -133,6 +133,10 @@ void TreeEditor::show_case() {
     // What was undone belongs to the trees as this editor left them.
     if (!now || !expected_ || now->tree_edits != *expected_) undone_.clear();
     expected_.reset();
+    if (first_) {  // it may lie on a tree that is no more
+      first_.reset();
+      views_.volume().patient().set_pull(std::nullopt);
+    }
   }
   shown_ = now;
   if (is_on() && (!shown_ || shown_->model.vessels.empty())) leave();
@@ -159,6 +163,14 @@ void TreeEditor::take(const engine::Outcome& outcome) {
     show_message(QString::fromStdString(outcome.error), true);
   }
   show_case();
+}
+
+QString TreeEditor::described(const VesselTree& tree) {
+  const model::TreeSummary summary = model::tree_summary(tree);
+  return tr("%1, %2 mm, tips: %3.")
+      .arg(structure_text(summary.structure))
+      .arg(1e3 * summary.length, 0, 'f', 0)
+      .arg(summary.tips);
 }
 
 std::optional<Eigen::Vector3d> TreeEditor::node_at(const QPointF& at) const {
@@ -204,23 +216,58 @@ std::optional<Eigen::Vector3d> TreeEditor::centreline_at(const QPointF& at) cons
   return best;
 }
 
+void TreeEditor::mark(VesselTree part) {
+  for (double& radius : part.radii) radius = std::max(kCutWidth, radius);
+  views_.volume().patient().set_highlight(part.beams.empty() ? TriangleMesh() : scene::tube_mesh(part));
+  views_.volume().update();
+}
+
 void TreeEditor::show_cut(const std::optional<Eigen::Vector3d>& place) {
   if (!place) {
-    views_.volume().patient().set_highlight({});
+    mark({});
     show_message(instruction());
-  } else {
-    model::Pruning cut = model::pruning_at(shown_->model.vessels, *place);
-    const model::TreeSummary summary = model::tree_summary(cut.part);
-    for (double& radius : cut.part.radii) radius = std::max(kCutWidth, radius);
-    views_.volume().patient().set_highlight(scene::tube_mesh(cut.part));
-    const QString what = tr("%1, %2 mm, tips: %3.")
-                             .arg(structure_text(summary.structure))
-                             .arg(1e3 * summary.length, 0, 'f', 0)
-                             .arg(summary.tips);
-    show_message(cut.whole_tree ? tr("A click here takes the whole tree: %1").arg(what)
-                                : tr("A click here cuts off: %1").arg(what));
+    return;
   }
-  views_.volume().update();
+  const model::Pruning cut = model::pruning_at(shown_->model.vessels, *place);
+  const QString what = described(cut.part);
+  show_message(cut.whole_tree ? tr("A click here takes the whole tree: %1").arg(what)
+                              : tr("A click here cuts off: %1").arg(what));
+  mark(cut.part);
+}
+
+void TreeEditor::show_join(const std::optional<Eigen::Vector3d>& place) {
+  if (!place) {
+    mark({});
+    show_message(instruction());
+    return;
+  }
+  const std::vector<VesselTree>& trees = shown_->model.vessels;
+  const model::Joining join = model::joining_at(trees, first_.value_or(*place), *place);
+  const VesselTree &stays = trees[join.stays], &hangs = trees[join.hangs];
+  if (!first_) {
+    show_message(tr("A click here lets this tree stay: %1").arg(described(stays)));
+    mark(stays);
+    return;
+  }
+  switch (join.obstacle) {
+    case model::Joining::Obstacle::none:
+      show_message(tr("A click here hangs this on the tree that stays, %1 mm away: %2")
+                       .arg(1e3 * join.link, 0, 'f', 0)
+                       .arg(described(hangs)));
+      break;
+    case model::Joining::Obstacle::one_tree:
+      show_message(tr("This is the tree that stays. Point at another one."));
+      break;
+    case model::Joining::Obstacle::two_kinds:
+      show_message(tr("Trees of one kind are joined: the one that stays is %1, this is %2.")
+                       .arg(structure_text(stays.structure), structure_text(hangs.structure)));
+      break;
+    case model::Joining::Obstacle::too_far:
+      show_message(
+          tr("%1 mm from the place that was clicked: too far to join.").arg(1e3 * join.link, 0, 'f', 0));
+      break;
+  }
+  mark(join.part);
 }
 
 bool TreeEditor::eventFilter(QObject* watched, QEvent* event) {
@@ -228,8 +275,10 @@ bool TreeEditor::eventFilter(QObject* watched, QEvent* event) {
   if (watched != &views_.volume() || mouse == nullptr || !tool_ || !shown_)
     return QWidget::eventFilter(watched, event);
   const bool prunes = *tool_ == Kind::prune;
-  if (event->type() == QEvent::MouseMove && mouse->buttons() == Qt::NoButton && prunes && !posted_)
-    show_cut(centreline_at(mouse->position()));
+  if (event->type() == QEvent::MouseMove && mouse->buttons() == Qt::NoButton && !posted_) {
+    if (prunes) show_cut(centreline_at(mouse->position()));
+    if (*tool_ == Kind::join) show_join(node_at(mouse->position()));
+  }
   if (event->type() != QEvent::MouseButtonPress || mouse->button() != Qt::LeftButton) return false;
   const auto place = prunes ? centreline_at(mouse->position()) : node_at(mouse->position());
   if (!place) return false;  // the camera turns

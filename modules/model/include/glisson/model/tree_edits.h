@@ -30,6 +30,20 @@ struct Pruning {
 /// @throws InputError no vessel within 20 mm.
 Pruning pruning_at(const std::vector<VesselTree>& trees, const Eigen::Vector3d& at);
 
+/// What an edit "join" hangs where.
+struct Joining {
+  enum class Obstacle { none, one_tree, two_kinds, too_far };
+  Obstacle obstacle = Obstacle::none;  ///< why it cannot be done
+  std::size_t stays = 0, hangs = 0;    ///< of the trees given
+  VesselTree part;  ///< what comes to hang there, from node 0 on the tree that stays; empty with an obstacle
+  double link = 0.0;  ///< metres between both places
+};
+/// What a join from a place of the tree that stays to one of the tree that is to hang there does (CT frame,
+/// metres; the nearest nodes count).
+/// @throws InputError no vessel within 20 mm of one of them.
+Joining joining_at(const std::vector<VesselTree>& trees, const Eigen::Vector3d& at,
+                   const Eigen::Vector3d& to);
+
 /// The trees after the edits, one after the other. Node 0 of a changed tree is its root.
 /// @throws InputError naming the edit by its number: no vessel within 20 mm; join: two places of one tree
 /// (that would close a loop), vessels of two kinds, or more than 60 mm apart.

@@ -15,6 +15,9 @@ namespace glisson::ui {
 /// empty: there are none.
 QStringList unapproved_lines(const engine::CaseState& state);
 
+/// Whether the case has a model and it was built from its labels, and not from surfaces.
+bool is_from_labels(const engine::CaseState& state);
+
 /// What a person reads before trusting a model: what stands out, the figures, the angles; the worst elements
 /// in three dimensions; and the person's word that it is right.
 class QualitySheet : public QWidget {
@@ -42,9 +45,9 @@ class QualitySheet : public QWidget {
   AngleHistogram* angles_;
   QCheckBox* worst_;
   QLabel* notes_;
+  QLabel* review_;  ///< the labels that nobody has approved, beside the box that approves the model
   QCheckBox* checked_;
   std::shared_ptr<const model::BuiltModel> shown_;
-  QStringList unapproved_;  ///< of the labels that the model was built from
 };
 
 }  // namespace glisson::ui

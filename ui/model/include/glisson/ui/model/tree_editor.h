@@ -18,7 +18,8 @@ class QShortcut;
 namespace glisson::ui {
 
 /// Entrances are moved, branches pruned and trees joined by clicks on the centrelines in the 3D view. Every
-/// click is one edit that can be undone. What a click would prune is shown while the pointer is over it.
+/// click is one edit that can be undone. What a click would prune, or hang on another tree, is shown while
+/// the pointer is over it.
 class TreeEditor : public QWidget {
   Q_OBJECT
  public:
@@ -50,6 +51,11 @@ class TreeEditor : public QWidget {
   void click(const Eigen::Vector3d& place);
   /// Shows and says what a click there would prune; empty: nothing.
   void show_cut(const std::optional<Eigen::Vector3d>& place);
+  /// Shows and says which tree a click there lets stay, or hangs on it; empty: nothing.
+  void show_join(const std::optional<Eigen::Vector3d>& place);
+  /// In 3D; an empty tree: nothing.
+  void mark(VesselTree part);
+  static QString described(const VesselTree& tree);
   void post(std::vector<model::TreeEdit> edits);
   QString instruction() const;
 
