@@ -316,7 +316,8 @@ void SegmentationEditTest::BranchThatAClickWouldMoveIsShownBefore() {
   const QString text = told->text();
   QVERIFY2(text.contains(QStringLiteral("Portal vein → Hepatic veins")), qPrintable(text));
   QVERIFY(axial.grab().toImage() != plain);
-  QVERIFY(labels() == before);  // only shown
+  QTRY_VERIFY(told->visibleRegion().boundingRect().height() == told->height());  // not scrolled away
+  QVERIFY(labels() == before);                                                   // only shown
   QCOMPARE(session().branch()->result.voxels_changed, shown.histogram()[structure::kHepaticVeins]);
   // Beside the vessels nothing would move.
   point_at({0.03, 0.012, 0});

@@ -59,7 +59,8 @@ EditBox::EditBox(EditSession& session, QWidget& page, QWidget* parent) : QWidget
 }
 
 void EditBox::add_below_settings(QWidget* widget) {
-  column_of(this)->insertWidget(column_of(this)->indexOf(confirmation_), widget);
+  // What an edit does is said above it: a long list would push it out of sight.
+  column_of(this)->insertWidget(column_of(this)->indexOf(outcome_) + 1, widget);
 }
 
 void EditBox::build_history() {

@@ -25,7 +25,7 @@ class EditBox : public QWidget {
   /// @param page the tools' keys work while it is in sight.
   EditBox(EditSession& session, QWidget& page, QWidget* parent = nullptr);
 
-  /// Puts a widget below the tool's settings.
+  /// Puts a widget below the tool's settings and what is said of its edit.
   void add_below_settings(QWidget* widget);
   QAction* undo_action() const { return undo_; }
   QAction* redo_action() const { return redo_; }
