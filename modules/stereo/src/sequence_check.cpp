@@ -3,6 +3,7 @@
 #include <cmath>
 #include <deque>
 #include <opencv2/imgproc.hpp>
+#include <optional>
 
 #include "glisson/stereo/faults.h"
 #include "picture_cv.h"
@@ -13,9 +14,8 @@ namespace {
 
 constexpr int kWidth = 96;
 // Grey levels of thumbnails. A sensor's noise of one level leaves some 0.1 there.
-constexpr double kSame = 0.03;
 constexpr double kMoves = 0.2;
-constexpr double kFrozenSeconds = 0.2;
+constexpr double kFrozenSeconds = 0.2 - 1e-3;  // containers round times to milliseconds
 
 bool without_content(const cv::Mat& view) {
   constexpr double kDark = 14.0, kBrightest = 40.0, kFlat = 2.0;
@@ -26,9 +26,71 @@ bool without_content(const cv::Mat& view) {
   return (mean[0] < kDark && brightest < kBrightest) || deviation[0] < kFlat;
 }
 
+/// Whether two views differ by no more than coding one picture twice: by less than a quarter of a thumbnail's
+/// pixel would shift them. That is 1/384 of the width, where 4 mm of baseline give 1/50 of it and more at 20
+/// cm, and converging cameras 1/60 between 8 and 12 cm. The level is what coarse coding leaves (mp4v at one
+/// bit a pixel: 0.75 grey levels).
+bool same_view(const cv::Mat& left, const cv::Mat& right) {
+  constexpr double kShift = 0.25, kCodingNoise = 1.0;
+  const double a_pixel = difference(left.colRange(1, left.cols), left.colRange(0, left.cols - 1));
+  return difference(left, right) < std::min(kShift * a_pixel, kCodingNoise);
+}
+
+/// Tells from the changes of one view, frame to frame, whether it stands. A sensor's noise and motion change
+/// each frame; a codec swallows part of it, and adds its own to a picture that came twice. So a view stands
+/// that changes far less than in any of its last few frames, and than coded noise does. The quietest of
+/// them, not their median: tissue and camera come to rest within some frames, and key frames change all.
+/// Where the codec swallows nearly all, it decides which frames change, and nothing is said.
+class ViewMotion {
+ public:
+  static constexpr double kStill = 0.3;
+  // Grey levels, means over all pixels.
+  static constexpr double kCoded = 0.3;      ///< what a sensor's noise of 2 leaves once coded
+  static constexpr double kSwallowed = 0.1;  ///< each tenth pixel by one level
+
+  /// @param change mean absolute difference of all pixels to the frame before, grey levels
+  bool stands(double change) {
+    if (change <= limit()) {
+      ++run_;
+      pending_.clear();
+      return true;
+    }
+    // A key frame codes a standing picture anew and the next ones mend that: no motion, unless it goes on.
+    if (run_ < kFreeze) run_ = 0;
+    const std::size_t doubtful = run_ >= kFreeze ? kMending : change < kDoubtful * quietest() ? 1 : 0;
+    pending_.push_back(change);
+    if (pending_.size() <= doubtful) return false;
+    run_ = 0;
+    for (const double moved : pending_) changes_.push_back(moved);
+    pending_.clear();
+    while (changes_.size() > kRemembered) changes_.pop_front();
+    return false;
+  }
+  /// Neither stands nor may be standing still, recoded.
+  bool moves() const { return run_ == 0; }
+
+ private:
+  static constexpr std::size_t kRemembered = 4;
+  static constexpr std::size_t kMending = 3;
+  static constexpr int kFreeze = 3;
+  static constexpr double kDoubtful = 0.5;
+
+  double limit() const {
+    if (changes_.size() < kRemembered) return 0.0;  // too early: only what is equal to the last bit
+    return quietest() > kSwallowed ? kStill * std::min(quietest(), kCoded) : -1.0;
+  }
+  double quietest() const {
+    return changes_.empty() ? 0.0 : *std::min_element(changes_.begin(), changes_.end());
+  }
+
+  std::deque<double> changes_;  ///< the last ones in motion
+  std::deque<double> pending_;  ///< not known yet to be motion
+  int run_ = 0;                 ///< frames that it stands
+};
+
 /// What is remembered of a frame.
 struct Seen {
-  cv::Mat left, right;
+  cv::Mat left, right;  ///< thumbnails
   int index = 0;
   double seconds = 0.0;
 };
@@ -39,10 +101,12 @@ double between(const Seen& a, const Seen& b) {
 
 }  // namespace
 
-cv::Mat thumbnail(const Picture& picture) {
+cv::Mat thumbnail(const Picture& picture) { return thumbnail(grey(picture)); }
+
+cv::Mat thumbnail(const cv::Mat& grey) {
   cv::Mat small, result;
-  const int height = std::max(1, kWidth * picture.height / std::max(1, picture.width));
-  cv::resize(grey(picture), small, cv::Size(kWidth, height), 0.0, 0.0, cv::INTER_AREA);
+  const int height = std::max(1, kWidth * grey.rows / std::max(1, grey.cols));
+  cv::resize(grey, small, cv::Size(kWidth, height), 0.0, 0.0, cv::INTER_AREA);
   small.convertTo(result, CV_32F);
   return result;
 }
@@ -56,13 +120,16 @@ std::vector<Fault> faults_of_views(const cv::Mat& left, const cv::Mat& right) {
   if (no_left && no_right) return {Fault::black};
   if (no_left) return {Fault::left_lost};
   if (no_right) return {Fault::right_lost};
-  if (difference(left, right) < kSame) return {Fault::one_view};
+  if (same_view(left, right)) return {Fault::one_view};
   return {};
 }
 
 struct SequenceCheck::Impl {
   std::deque<Seen> seen;      ///< the last three that were sound and new, newest last
   double still_since = -1.0;  ///< when both views stopped; negative: they move
+  cv::Mat left, right;        ///< the last sound frame, grey, all pixels
+  double seconds = 0.0;       ///< its time
+  ViewMotion left_motion, right_motion;
 
   /// Whether the frame before the last came too late: that one lies between it and its own predecessor, and
   /// the new frame goes on from the last but one.
@@ -82,6 +149,32 @@ struct SequenceCheck::Impl {
     const double across = difference(last.left, now.right) + difference(last.right, now.left);
     return across < 0.5 * straight && straight > 2.0 * kMoves;
   }
+
+  /// What does not go on, and remembers the frame.
+  std::optional<Fault> still(const cv::Mat& now_left, const cv::Mat& now_right, double now) {
+    const cv::Mat before_left = left, before_right = right;
+    const double before = seconds;
+    now_left.copyTo(left = cv::Mat());
+    now_right.copyTo(right = cv::Mat());
+    seconds = now;
+    if (before_left.empty()) return std::nullopt;
+    const double left_change = difference(before_left, left), right_change = difference(before_right, right);
+    const bool left_stands = left_motion.stands(left_change),
+               right_stands = right_motion.stands(right_change);
+    if (left_motion.moves() || right_motion.moves()) still_since = -1.0;
+    if (left_stands && right_stands) {
+      if (still_since < 0.0) still_since = before;
+      return now - still_since >= kFrozenSeconds ? Fault::frozen : Fault::duplicated;
+    }
+    if (left_stands && far_below(left_change, right_change)) return Fault::left_frozen;
+    if (right_stands && far_below(right_change, left_change)) return Fault::right_frozen;
+    return std::nullopt;
+  }
+
+  /// Whether one view stands while the other goes on.
+  static bool far_below(double standing, double other) {
+    return other > ViewMotion::kSwallowed && standing < ViewMotion::kStill * other;
+  }
 };
 
 SequenceCheck::SequenceCheck() : impl_(std::make_unique<Impl>()) {}
@@ -90,29 +183,19 @@ SequenceCheck::~SequenceCheck() = default;
 std::vector<FrameFault> SequenceCheck::push(const StereoFrame& frame) {
   std::vector<FrameFault> found;
   const auto say = [&](Fault fault, int index) { found.push_back({index, fault}); };
-  Seen now{thumbnail(frame.left), thumbnail(frame.right), frame.index, frame.seconds};
+  cv::Mat left = grey(frame.left), right = grey(frame.right);
+  Seen now{thumbnail(left), thumbnail(right), frame.index, frame.seconds};
   for (const Fault fault : faults_of_views(now.left, now.right)) say(fault, frame.index);
   if (!found.empty()) return found;
   auto& seen = impl_->seen;
   if (impl_->crossed(now)) {
     say(Fault::swapped, frame.index);
     std::swap(now.left, now.right);
+    std::swap(left, right);
   }
-  if (!seen.empty()) {
-    const bool left_still = difference(seen.back().left, now.left) < kSame;
-    const bool right_still = difference(seen.back().right, now.right) < kSame;
-    if (left_still && right_still) {
-      if (impl_->still_since < 0.0) impl_->still_since = seen.back().seconds;
-      const bool frozen = frame.seconds - impl_->still_since >= kFrozenSeconds;
-      say(frozen ? Fault::frozen : Fault::duplicated, frame.index);
-      return found;  // nothing new to remember
-    }
-    impl_->still_since = -1.0;
-    const double left_moves = difference(seen.back().left, now.left);
-    const double right_moves = difference(seen.back().right, now.right);
-    if (left_still && right_moves > kMoves) say(Fault::left_frozen, frame.index);
-    if (right_still && left_moves > kMoves) say(Fault::right_frozen, frame.index);
-  }
+  const std::optional<Fault> still = impl_->still(left, right, frame.seconds);
+  if (still) say(*still, frame.index);
+  if (still == Fault::duplicated || still == Fault::frozen) return found;  // nothing new to remember
   if (impl_->exchanged(now)) {
     say(Fault::out_of_order, seen.back().index);
     std::swap(seen[1], seen[2]);  // as they should have come

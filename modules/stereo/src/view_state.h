@@ -11,6 +11,7 @@ namespace glisson::stereo {
 
 /// A picture of 96 pixels' width, grey, 32-bit float: enough to see motion by, and noise nearly gone.
 cv::Mat thumbnail(const Picture& picture);
+cv::Mat thumbnail(const cv::Mat& grey);
 /// Mean of the absolute difference, grey levels.
 double difference(const cv::Mat& a, const cv::Mat& b);
 /// What two views of a moment tell without any other: black, lost, the same.

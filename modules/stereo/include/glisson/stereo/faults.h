@@ -16,12 +16,12 @@ enum class Fault {
   black,         ///< both views are dark
   left_lost,     ///< the left view is dark or without content, the right one is not
   right_lost,    ///< the reverse
-  one_view,      ///< both views are the same picture
+  one_view,      ///< both views are the same picture, but for what coding it twice changes
   swapped,       ///< left is right
   unrelated,     ///< the views show nothing in common
   other_scope,   ///< the views match each other, but not the calibration
   duplicated,    ///< the frame before, once more
-  frozen,        ///< for a fifth of a second nothing has changed, not even noise
+  frozen,        ///< for a fifth of a second nothing has changed, not even noise (but for a codec's)
   left_frozen,   ///< the left view stands while the right one moves: they show two moments
   right_frozen,  ///< the reverse
   out_of_order   ///< two frames have changed places
@@ -54,9 +54,11 @@ struct FrameFault {
   bool operator==(const FrameFault&) const = default;
 };
 
-/// Looks at frames one after another, at their thumbnails (under 3 ms a frame at 1920x1080): black, lost and
-/// same views, duplicates, freezes, changes of order. Swapping is recognised where it begins and ends, from
-/// the frame before; whether the first frame is swapped only check_pair() can tell.
+/// Looks at frames one after another (9 ms a frame at 1920x1080): black, lost and same views, duplicates,
+/// freezes, changes of order; in lossless and in lossy video. A view stands when it changes far less than in
+/// any of its last four changes, and less than a sensor's coded noise; of a scene where the codec leaves next
+/// to no change at all nothing is said. Swapping is recognised where it begins and ends, from the frame
+/// before; whether the first frame is swapped only check_pair() can tell.
 class SequenceCheck {
  public:
   SequenceCheck();
