@@ -50,6 +50,7 @@ void ViewState::set_label_opacity(double opacity) {
 }
 
 void ViewState::set_markers(std::vector<scene::Marker> markers) {
+  if (markers == markers_) return;
   markers_ = std::move(markers);
   emit markers_changed();
 }

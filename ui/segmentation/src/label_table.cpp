@@ -127,7 +127,6 @@ void LabelTable::set_rows(const std::vector<LabelRow>& rows) {
 void LabelTable::set_marks(const std::set<Label>& hidden, const std::set<Label>& locks) {
   hidden_ = hidden;
   locked_ = locks;
-  const QIcon eye = icon("eye"), closed = icon("eye_closed"), lock = icon("lock"), open = icon("lock_open");
   for (int i = 0; i < topLevelItemCount(); ++i) {
     QTreeWidgetItem* item = topLevelItem(i);
     const Label label = label_of(item);
@@ -135,9 +134,9 @@ void LabelTable::set_marks(const std::set<Label>& hidden, const std::set<Label>&
     const QVariant marks = (is_hidden ? 1 : 0) + (is_locked ? 2 : 0);
     if (item->data(shown, Qt::UserRole) == marks) continue;
     item->setData(shown, Qt::UserRole, marks);
-    item->setIcon(shown, is_hidden ? closed : eye);
+    item->setIcon(shown, icon(is_hidden ? "eye_closed" : "eye"));
     item->setToolTip(shown, is_hidden ? tr("Hidden: click to show") : tr("Shown: click to hide"));
-    item->setIcon(locked, is_locked ? lock : open);
+    item->setIcon(locked, icon(is_locked ? "lock" : "lock_open"));
     item->setToolTip(locked, is_locked ? tr("Locked: neither loses nor gains voxels. Click to unlock")
                                        : tr("Click to lock: it neither loses nor gains voxels"));
   }

@@ -264,7 +264,6 @@ void SeedBox::show_case() {
     seeds_ = taken_ ? *taken_ : segmentation::Seeds{};
     show_seeds();
   }
-  if (entries_.empty()) show_seeds();
   if (!engine_.state().labels) notes_->hide();
   show_buttons();
 }
@@ -308,7 +307,9 @@ void SeedBox::show_buttons() {
                               : seed_name(label));
     button->setEnabled(engine_.state().image != nullptr);
     button->show();
-    grid_->addWidget(button, cell / 2, cell % 2);
+    // Put where it is already it would have the whole window laid out and painted again.
+    const QLayoutItem* there = grid_->itemAtPosition(cell / 2, cell % 2);
+    if (there == nullptr || there->widget() != button) grid_->addWidget(button, cell / 2, cell % 2);
     ++cell;
   }
   for (const auto& [label, button] : buttons_)

@@ -22,6 +22,7 @@ struct Marker {
   Eigen::Vector3d p = Eigen::Vector3d::Zero();  ///< metres, the scene's frame
   Label structure = 0;                          ///< gives the colour
   double radius = 2.5e-3;                       ///< metres
+  bool operator==(const Marker&) const = default;
 };
 
 /// From where the patient is looked at.
