@@ -43,8 +43,10 @@ void SegmentationEditTest::StrokeIsOneStepThatIsUndoneAndRedone() {
   const std::size_t steps = session().history()->done();
   choose(structure::kHepaticVeins);
   press("tool_paint");
+  const QSignalSpy markers(&window_->views().state(), &ui::ViewState::markers_changed);
   drag(slice(Plane::axial), {{-0.03, 0.01, 0}, {-0.01, 0.012, 0}, {0.01, 0.01, 0}, {0.02, 0.02, 0}});
   QVERIFY(settle());
+  QVERIFY(markers.isEmpty());  // they would have the 3D view drawn anew for every stretch of a stroke
   for (const Eigen::Vector3d& p :
        {Eigen::Vector3d(-0.03, 0.01, 0), {-0.02, 0.011, 0}, {0.0, 0.011, 0}, {0.015, 0.015, 0}})
     QCOMPARE(at(p), structure::kHepaticVeins);
