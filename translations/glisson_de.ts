@@ -2273,6 +2273,14 @@
         <source>%1 ml would change.</source>
         <translation>%1 ml würden sich ändern.</translation>
     </message>
+    <message>
+        <source>A click here cuts %1 ml off: %2.</source>
+        <translation>Ein Klick hier schneidet %1 ml ab: %2.</translation>
+    </message>
+    <message>
+        <source>A click here moves %1 ml: %2 → %3.</source>
+        <translation>Ein Klick hier verschiebt %1 ml: %2 → %3.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::GuidancePanel</name>
@@ -4198,6 +4206,26 @@
     <message>
         <source>A click here cuts off: %1</source>
         <translation>Ein Klick hier schneidet ab: %1</translation>
+    </message>
+    <message>
+        <source>A click here lets this tree stay: %1</source>
+        <translation>Ein Klick hier lässt diesen Baum bestehen: %1</translation>
+    </message>
+    <message>
+        <source>A click here hangs this on the tree that stays, %1 mm away: %2</source>
+        <translation>Ein Klick hier hängt dies an den Baum, der bleibt, %1 mm entfernt: %2</translation>
+    </message>
+    <message>
+        <source>This is the tree that stays. Point at another one.</source>
+        <translation>Das ist der Baum, der bleibt. Zeigen Sie auf einen anderen.</translation>
+    </message>
+    <message>
+        <source>Trees of one kind are joined: the one that stays is %1, this is %2.</source>
+        <translation>Nur Bäume einer Art werden verbunden: Der, der bleibt, ist %1, dies ist %2.</translation>
+    </message>
+    <message>
+        <source>%1 mm from the place that was clicked: too far to join.</source>
+        <translation>%1 mm von der angeklickten Stelle: zu weit, um zu verbinden.</translation>
     </message>
 </context>
 <context>

@@ -2273,6 +2273,14 @@
         <source>%1 ml would change.</source>
         <translation>%1 ml changeraient.</translation>
     </message>
+    <message>
+        <source>A click here cuts %1 ml off: %2.</source>
+        <translation>Un clic ici retranche %1 ml : %2.</translation>
+    </message>
+    <message>
+        <source>A click here moves %1 ml: %2 → %3.</source>
+        <translation>Un clic ici déplace %1 ml : %2 → %3.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::GuidancePanel</name>
@@ -4198,6 +4206,26 @@
     <message>
         <source>A click here cuts off: %1</source>
         <translation>Un clic ici coupe : %1</translation>
+    </message>
+    <message>
+        <source>A click here lets this tree stay: %1</source>
+        <translation>Un clic ici garde cet arbre : %1</translation>
+    </message>
+    <message>
+        <source>A click here hangs this on the tree that stays, %1 mm away: %2</source>
+        <translation>Un clic ici rattache ceci à l’arbre gardé, à %1 mm : %2</translation>
+    </message>
+    <message>
+        <source>This is the tree that stays. Point at another one.</source>
+        <translation>C’est l’arbre gardé. Pointez-en un autre.</translation>
+    </message>
+    <message>
+        <source>Trees of one kind are joined: the one that stays is %1, this is %2.</source>
+        <translation>Seuls des arbres du même type se joignent : celui qui est gardé est %1, celui-ci %2.</translation>
+    </message>
+    <message>
+        <source>%1 mm from the place that was clicked: too far to join.</source>
+        <translation>À %1 mm de l’endroit cliqué : trop loin pour joindre.</translation>
     </message>
 </context>
 <context>
