@@ -108,7 +108,7 @@ void LabelTable::set_rows(const std::vector<LabelRow>& rows) {
     item->setData(review, Qt::UserRole, static_cast<int>(row.review));
     item->setToolTip(review, tr("%1: click to change").arg(review_text(row.review)));
     item->setText(volume,
-                  empty ? QString() : QString::number(row.figures.ml, 'f', row.figures.ml < 1000 ? 1 : 0));
+                  empty ? QString() : QString::number(row.figures.ml, 'f', row.figures.ml < 100 ? 1 : 0));
     item->setText(intensity, empty ? QString() : QString::number(qRound(row.figures.mean_hu)));
     item->setToolTip(
         intensity,
