@@ -31,7 +31,7 @@ function(glisson_ui)
 endfunction()
 
 function(glisson_test)
-  cmake_parse_arguments(ARG "DISPLAY;NO_PCH" "NAME;TIMEOUT" "SOURCES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ARG "DISPLAY;DRIVERS;NO_PCH" "NAME;TIMEOUT" "SOURCES;LIBRARIES" ${ARGN})
   string(REPLACE "/" "_" target "${ARG_NAME}_test")
   get_filename_component(stem "${ARG_NAME}" NAME)
   add_executable(${target} ${stem}_test.cpp ${ARG_SOURCES})
@@ -56,9 +56,9 @@ function(glisson_test)
     list(APPEND environment "UBSAN_OPTIONS=print_stacktrace=1" "QTEST_FUNCTION_TIMEOUT=3000000"
       "LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/packaging/sanitizers/lsan.supp:print_suppressions=0"
       "TSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/packaging/sanitizers/tsan.supp")
-    # Mesa's software driver leaves two small objects and is unloaded before leaks are counted, so that no suppression
-    # can name it.
-    if(ARG_DISPLAY)
+    # Mesa's software driver, and those of cameras, leave small objects and are unloaded before leaks are counted, so that
+    # no suppression can name them.
+    if(ARG_DISPLAY OR ARG_DRIVERS)
       list(APPEND environment "ASAN_OPTIONS=detect_leaks=0")
     endif()
   endif()
