@@ -154,8 +154,8 @@ struct SequenceCheck::Impl {
   std::optional<Fault> still(const cv::Mat& now_left, const cv::Mat& now_right, double now) {
     const cv::Mat before_left = left, before_right = right;
     const double before = seconds;
-    now_left.copyTo(left = cv::Mat());
-    now_right.copyTo(right = cv::Mat());
+    left = now_left;
+    right = now_right;
     seconds = now;
     if (before_left.empty()) return std::nullopt;
     const double left_change = difference(before_left, left), right_change = difference(before_right, right);

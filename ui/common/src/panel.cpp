@@ -40,6 +40,19 @@ QLabel* make_explanation(const QString& text, QWidget* parent) {
   return label;
 }
 
+QLabel* make_warning(QWidget* parent) {
+  auto* label = new QLabel(parent);
+  label->setProperty("role", "warning");
+  label->setWordWrap(true);
+  label->hide();
+  return label;
+}
+
+void show_warning(QLabel& warning, const QString& text) {
+  warning.setText(text);
+  warning.setVisible(!text.isEmpty());
+}
+
 QComboBox* make_narrow_combo(QWidget* parent) {
   constexpr int kLetters = 12;
   auto* box = new QComboBox(parent);

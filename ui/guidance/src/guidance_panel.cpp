@@ -91,10 +91,9 @@ void GuidancePanel::build_registration() {
       add_section(tr("1. Initial registration"),
                   tr("Rigid start from the labelled features; then the shape that simulated operations on "
                      "this liver make most probable, drawn to the points."));
-  unchecked_ = new QLabel(tr("Nobody has checked this model (Model, Quality). The picture says so."), this);
+  unchecked_ = make_warning(this);
+  unchecked_->setText(tr("Nobody has checked this model (Model, Quality). The picture says so."));
   unchecked_->setObjectName(QStringLiteral("model_unchecked"));
-  unchecked_->setWordWrap(true);
-  unchecked_->setProperty("role", "warning");
   box->addWidget(unchecked_);
   register_ = new TaskButton(
       engine(), tr("Register"), [] { return engine::Command(engine::Register{}); }, this);
@@ -102,10 +101,7 @@ void GuidancePanel::build_registration() {
   box->addWidget(register_);
   registration_figures_ = new FiguresTable(this);
   box->addWidget(registration_figures_);
-  doubts_ = new QLabel(this);
-  doubts_->setWordWrap(true);
-  doubts_->setProperty("role", "warning");
-  doubts_->hide();
+  doubts_ = make_warning(this);
   box->addWidget(doubts_);
 }
 
@@ -210,8 +206,7 @@ void GuidancePanel::show_case() {
         {{tr("Residual (not an accuracy)"), tr("%1 mm").arg(1e3 * r.residual, 0, 'f', 2)},
          {tr("Converged"), r.termination == Termination::converged ? tr("yes, %1 plateaus").arg(r.plateaus)
                                                                    : tr("no, %1 steps").arg(r.steps)}});
-    doubts_->setText(notes_text(r.doubts));
-    doubts_->setVisible(!r.doubts.empty());
+    show_warning(*doubts_, notes_text(r.doubts));
   } else {
     registration_figures_->clear();
     doubts_->hide();

@@ -101,10 +101,8 @@ void ModelPanel::build_options() {
   form->addRow(tr("Beams"), beams_);
   connect(vessels_, &QCheckBox::toggled, beams_, &QWidget::setEnabled);
   build->addLayout(form);
-  review_ = new QLabel(this);
+  review_ = make_warning(this);
   review_->setObjectName(QStringLiteral("build_review"));
-  review_->setWordWrap(true);
-  review_->setProperty("role", "warning");
   build->addWidget(review_);
   run_ = new TaskButton(
       engine(), tr("Build model"), [this] { return engine::Command(command()); }, this);
@@ -221,9 +219,7 @@ void ModelPanel::show_case() {
   const engine::CaseState& now = engine().state();
   run_->set_obstacle(now.labels ? QString() : tr("Segment the CT or import labels first."));
   // Once there is a model of theirs, they are named where it is approved.
-  const QStringList unapproved = is_from_labels(now) ? QStringList() : unapproved_lines(now);
-  review_->setText(unapproved.join(QLatin1Char('\n')));
-  review_->setVisible(!unapproved.isEmpty());
+  show_warning(*review_, is_from_labels(now) ? QString() : unapproved_text(now));
   if (now.model == shown_ && shown_) return;
   shown_ = now.model;
   look_->setVisible(shown_ != nullptr);

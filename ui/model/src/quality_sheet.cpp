@@ -21,7 +21,7 @@ constexpr double kFlatDeg = 10.0;
 // Beyond these a figure is worth a look before the model is trusted.
 constexpr double kVolumeToLookAt = 0.05, kDistanceToLookAtMm = 0.5, kGapToLookAtMm = 10.0;
 
-/// Sentences of unapproved_lines() for translators.
+/// Sentences of unapproved_text() for translators.
 class Review {
   Q_DECLARE_TR_FUNCTIONS(Review)
  public:
@@ -46,14 +46,14 @@ bool is_from_labels(const engine::CaseState& state) {
   return state.model && state.stamp(engine::Part::model).made_from.count(engine::Part::labels) > 0;
 }
 
-QStringList unapproved_lines(const engine::CaseState& state) {
+QString unapproved_text(const engine::CaseState& state) {
   QStringList lines;
   for (const auto& [review, labels] : engine::unapproved_labels(state)) {
     QStringList names;
     for (const Label label : labels) names << structure_text(label);
     lines << Review::line(review, names.join(QStringLiteral(", ")));
   }
-  return lines;
+  return lines.join(QLatin1Char('\n'));
 }
 
 QualitySheet::QualitySheet(EngineBridge& engine, LinkedViews& views, QWidget* parent)
@@ -75,10 +75,8 @@ QualitySheet::QualitySheet(EngineBridge& engine, LinkedViews& views, QWidget* pa
   layout->addWidget(worst_);
   structures_ = new FiguresTable(this);
   layout->addWidget(structures_);
-  review_ = new QLabel(this);
+  review_ = make_warning(this);
   review_->setObjectName(QStringLiteral("model_review"));
-  review_->setWordWrap(true);
-  review_->setProperty("role", "warning");
   layout->addWidget(review_);
   checked_ = new QCheckBox(tr("I have checked this model"), this);
   checked_->setObjectName(QStringLiteral("model_checked"));
@@ -100,9 +98,7 @@ void QualitySheet::show_case() {
     const QSignalBlocker quiet(checked_);
     checked_->setChecked(engine::is_model_checked(now));
   }
-  const QStringList unapproved = is_from_labels(now) ? unapproved_lines(now) : QStringList();
-  review_->setText(unapproved.join(QLatin1Char('\n')));
-  review_->setVisible(!unapproved.isEmpty());
+  show_warning(*review_, is_from_labels(now) ? unapproved_text(now) : QString());
   if (now.model == shown_ && (shown_ || !summary_->text().isEmpty())) return;
   shown_ = now.model;
   for (QWidget* part : std::initializer_list<QWidget*>{checked_, angles_, worst_})

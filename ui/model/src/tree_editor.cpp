@@ -222,27 +222,28 @@ void TreeEditor::mark(VesselTree part) {
   views_.volume().update();
 }
 
-void TreeEditor::show_cut(const std::optional<Eigen::Vector3d>& place) {
+void TreeEditor::hover(const std::optional<Eigen::Vector3d>& place) {
   if (!place) {
     mark({});
     show_message(instruction());
-    return;
+  } else if (*tool_ == Kind::prune) {
+    show_cut(*place);
+  } else {
+    show_join(*place);
   }
-  const model::Pruning cut = model::pruning_at(shown_->model.vessels, *place);
+}
+
+void TreeEditor::show_cut(const Eigen::Vector3d& place) {
+  const model::Pruning cut = model::pruning_at(shown_->model.vessels, place);
   const QString what = described(cut.part);
   show_message(cut.whole_tree ? tr("A click here takes the whole tree: %1").arg(what)
                               : tr("A click here cuts off: %1").arg(what));
   mark(cut.part);
 }
 
-void TreeEditor::show_join(const std::optional<Eigen::Vector3d>& place) {
-  if (!place) {
-    mark({});
-    show_message(instruction());
-    return;
-  }
+void TreeEditor::show_join(const Eigen::Vector3d& place) {
   const std::vector<VesselTree>& trees = shown_->model.vessels;
-  const model::Joining join = model::joining_at(trees, first_.value_or(*place), *place);
+  const model::Joining join = model::joining_at(trees, first_.value_or(place), place);
   const VesselTree &stays = trees[join.stays], &hangs = trees[join.hangs];
   if (!first_) {
     show_message(tr("A click here lets this tree stay: %1").arg(described(stays)));
@@ -274,13 +275,13 @@ bool TreeEditor::eventFilter(QObject* watched, QEvent* event) {
   const auto* mouse = dynamic_cast<QMouseEvent*>(event);
   if (watched != &views_.volume() || mouse == nullptr || !tool_ || !shown_)
     return QWidget::eventFilter(watched, event);
-  const bool prunes = *tool_ == Kind::prune;
-  if (event->type() == QEvent::MouseMove && mouse->buttons() == Qt::NoButton && !posted_) {
-    if (prunes) show_cut(centreline_at(mouse->position()));
-    if (*tool_ == Kind::join) show_join(node_at(mouse->position()));
-  }
+  const auto place_at = [&] {
+    return *tool_ == Kind::prune ? centreline_at(mouse->position()) : node_at(mouse->position());
+  };
+  const bool hovers = event->type() == QEvent::MouseMove && mouse->buttons() == Qt::NoButton;
+  if (hovers && !posted_ && *tool_ != Kind::set_root) hover(place_at());
   if (event->type() != QEvent::MouseButtonPress || mouse->button() != Qt::LeftButton) return false;
-  const auto place = prunes ? centreline_at(mouse->position()) : node_at(mouse->position());
+  const auto place = place_at();
   if (!place) return false;  // the camera turns
   if (!posted_) click(*place);
   return true;

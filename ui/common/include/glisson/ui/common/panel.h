@@ -61,6 +61,9 @@ void set_style_property(QWidget* widget, const char* name, const QVariant& value
 QIcon structure_icon(Label structure);
 /// A label for explanations: small, grey, wrapped.
 QLabel* make_explanation(const QString& text, QWidget* parent = nullptr);
+/// A label for what a person must see before going on: amber, wrapped, hidden while it is empty.
+QLabel* make_warning(QWidget* parent);
+void show_warning(QLabel& warning, const QString& text);
 /// A choice that fits its column: long texts are cut short in it and whole in its list.
 QComboBox* make_narrow_combo(QWidget* parent);
 

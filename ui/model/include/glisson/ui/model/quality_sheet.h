@@ -13,7 +13,7 @@ namespace glisson::ui {
 
 /// Names the labels that models are built from and that nobody has approved, a line for each review state;
 /// empty: there are none.
-QStringList unapproved_lines(const engine::CaseState& state);
+QString unapproved_text(const engine::CaseState& state);
 
 /// Whether the case has a model and it was built from its labels, and not from surfaces.
 bool is_from_labels(const engine::CaseState& state);

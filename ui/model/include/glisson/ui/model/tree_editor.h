@@ -49,10 +49,12 @@ class TreeEditor : public QWidget {
   /// The place on a centreline under a place in the view, CT frame; empty: none is near.
   std::optional<Eigen::Vector3d> centreline_at(const QPointF& at) const;
   void click(const Eigen::Vector3d& place);
-  /// Shows and says what a click there would prune; empty: nothing.
-  void show_cut(const std::optional<Eigen::Vector3d>& place);
-  /// Shows and says which tree a click there lets stay, or hangs on it; empty: nothing.
-  void show_join(const std::optional<Eigen::Vector3d>& place);
+  /// Shows and says what a click there would do; empty: nothing. @pre the tool prunes or joins
+  void hover(const std::optional<Eigen::Vector3d>& place);
+  /// What a click there would prune.
+  void show_cut(const Eigen::Vector3d& place);
+  /// Which tree a click there lets stay, or hangs on it.
+  void show_join(const Eigen::Vector3d& place);
   /// In 3D; an empty tree: nothing.
   void mark(VesselTree part);
   static QString described(const VesselTree& tree);
