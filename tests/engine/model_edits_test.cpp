@@ -9,13 +9,14 @@ using namespace glisson::engine;
 
 namespace {
 
-/// The real commands, on a patient that the import gives.
+/// The real commands of this test, on a patient that all others give.
 Engine::Options real_options(Runner runner) {
   Engine::Options options;
   options.runner = runner;
   options.apply = [](const CaseState& state, const Command& command, const RunContext& context) {
-    return std::holds_alternative<ImportMesh>(command) ? give_patient(state, command, context)
-                                                       : apply(state, command, context);
+    return std::holds_alternative<EditTrees>(command) || std::holds_alternative<CheckModel>(command)
+               ? apply(state, command, context)
+               : give_patient(state, command, context);
   };
   return options;
 }
@@ -29,6 +30,9 @@ class ModelEditsTest : public QObject {
  private slots:
   void EntrancesFollowTheEditsAndComeBack_data() { test::both_runners(); }
   void EntrancesFollowTheEditsAndComeBack();
+  void WhatAModelWasMadeOfOutlivesAnEdit_data() { test::both_runners(); }
+  void WhatAModelWasMadeOfOutlivesAnEdit();
+  void SeedsDoNotOutdateLabelsThatAHandHasChanged();
   void AnImpossibleEditLeavesTheModel_data() { test::both_runners(); }
   void AnImpossibleEditLeavesTheModel();
   void AnotherModelIsNotChecked_data() { test::both_runners(); }
@@ -57,6 +61,33 @@ void ModelEditsTest::EntrancesFollowTheEditsAndComeBack() {
   engine.wait(engine.post(EditTrees{}));
   QVERIFY(engine.snapshot()->state.model->model.vessels.at(0).nodes == built.nodes);
   QVERIFY(engine.snapshot()->state.model->tree_edits.empty());
+}
+
+void ModelEditsTest::WhatAModelWasMadeOfOutlivesAnEdit() {
+  QFETCH(Runner, runner);
+  Engine engine(real_options(runner));
+  engine.wait(engine.post(Segment{}));
+  engine.wait(engine.post(BuildModel{}));
+  const Points& nodes = engine.snapshot()->state.model->model.vessels.at(0).nodes;
+  const Outcome outcome = engine.wait(engine.post(EditTrees{{root_at(nodes.bottomRows(1).transpose())}}));
+  QCOMPARE(outcome.status, Status::done);
+  QCOMPARE(engine.snapshot()->stage(Part::model), StageState::current);
+  QVERIFY(engine.snapshot()->state.stamp(Part::model).made_from.contains(Part::labels));
+  engine.wait(engine.post(EditLabels{}));
+  QCOMPARE(engine.snapshot()->stage(Part::model), StageState::stale);
+  // Nor does an edit make a model current whose labels have gone on.
+  engine.wait(engine.post(EditTrees{}));
+  QCOMPARE(engine.snapshot()->stage(Part::model), StageState::stale);
+}
+
+void ModelEditsTest::SeedsDoNotOutdateLabelsThatAHandHasChanged() {
+  Engine engine(real_options(Runner::inline_));
+  engine.wait(engine.post(Segment{}));
+  engine.wait(engine.post(SetSeeds{}));
+  QCOMPARE(engine.snapshot()->stage(Part::labels), StageState::stale);
+  engine.wait(engine.post(EditLabels{}));
+  engine.wait(engine.post(SetSeeds{}));
+  QCOMPARE(engine.snapshot()->stage(Part::labels), StageState::current);
 }
 
 void ModelEditsTest::AnImpossibleEditLeavesTheModel() {

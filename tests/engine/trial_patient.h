@@ -33,6 +33,7 @@ inline Cancellable<Applied> give_patient(const CaseState& state, const Command& 
   applied.state = state;
   if (writes(command).has(Part::model)) applied.state.model = patient();
   if (writes(command).has(Part::landmarks)) applied.state.landmarks = std::make_shared<Landmarks>();
+  if (writes(command).has(Part::labels)) applied.state.labels = std::make_shared<LabelMap>();
   if (writes(command).has(Part::seeds)) applied.state.seeds = std::make_shared<segmentation::Seeds>();
   return applied;
 }

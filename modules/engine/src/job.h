@@ -40,15 +40,18 @@ struct Job {
 inline std::map<Part, std::uint64_t> made_from(Part part, const Command& command, const CaseState& base) {
   std::map<Part, std::uint64_t> inputs;
   if (part == Part::review) return inputs;  // a person's word, made from nothing
-  const Stamp& former = base.stamp(part);
+  if (reads(command).has(part)) {
+    // What is only changed stays as old as it was: an edit does not make labels of a former CT current, nor a
+    // model of former labels. But labels that a hand has changed no longer follow from seeds alone.
+    inputs = base.stamp(part).made_from;
+    inputs.erase(Part::seeds);
+  }
   for (int k = 0; k < kPartCount; ++k) {
     const Part input = static_cast<Part>(k);
     if (input == part || input == Part::review || input == Part::preview || !reads(command).has(input))
       continue;
-    // What is only changed stays as old as it was: an edit does not make labels of a former CT current.
-    const bool is_edited = reads(command).has(part) && former.made_from.contains(input);
     // An input that was not there counts too (revision 0): when it comes, this part is stale.
-    inputs[input] = is_edited ? former.made_from.at(input) : base.stamp(input).revision;
+    inputs.try_emplace(input, base.stamp(input).revision);
   }
   return inputs;
 }
