@@ -68,6 +68,8 @@ QLayout* CalibrationDialog::make_form(EngineBridge& engine) {
   folder_->setObjectName(QStringLiteral("board_folder"));
   folder_->setPlaceholderText(tr("folder of left and right pictures"));
   auto* choose = new QPushButton(tr("Choose…"), this);
+  choose->setObjectName(QStringLiteral("choose_boards"));
+  connect(choose, &QPushButton::clicked, this, &CalibrationDialog::choose_folder);
   row->addWidget(folder_, 1);
   row->addWidget(choose);
   form->addRow(tr("Pictures"), row);
