@@ -321,6 +321,21 @@ void SegmentationEditTest::BranchThatAClickWouldMoveIsShownBefore() {
   QTRY_VERIFY(told->visibleRegion().boundingRect().height() == told->height());  // not scrolled away
   QVERIFY(labels() == before);                                                   // only shown
   QCOMPARE(session().branch()->result.voxels_changed, shown.histogram()[structure::kHepaticVeins]);
+  // On the trunk that branch is not shown any longer, whether or not it is known what moves there.
+  Eigen::Vector3d trunk = Eigen::Vector3d::Zero();
+  for (int x = 0; x < before.grid().size.x(); ++x)
+    for (int y = 0; y < before.grid().size.y(); ++y) {
+      const Eigen::Vector3i v(x, y, before.grid().size.z() / 2);
+      if (before.at(v) == structure::kPortalVein && shown.at(v) == structure::kPortalVein)
+        trunk = before.grid().p_in_ct(v.cast<double>()).xyz;
+    }
+  std::vector<bool> shows;
+  const auto seen = connect(&session(), &ui::EditSession::changed, this,
+                            [&] { shows.push_back(session().branch() != nullptr); });
+  point_at(trunk);
+  QTRY_VERIFY(!shows.empty());
+  QVERIFY(!shows.front());
+  disconnect(seen);
   // Beside the vessels nothing would move.
   point_at({0.03, 0.012, 0});
   QTRY_VERIFY(!shared.preview() && !session().branch());

@@ -4,6 +4,18 @@
 #include "glisson/core/error.h"
 
 namespace glisson::ui {
+namespace {
+
+/// Whether that click would move the voxel that this one is on: along a branch little changes.
+bool moves_place_of(const BranchPreview::Shown& shown, const LabelMap& labels,
+                    const segmentation::ReassignBranch& click) {
+  if (!shown.problem.empty() || shown.edit.label != click.label || shown.edit.to != click.to) return false;
+  const VolumeGrid& grid = labels.voxels.grid();
+  const Eigen::Vector3i v = grid.index_of(Point<CtFrame>(click.p_in_ct)).array().round().matrix().cast<int>();
+  return grid.contains(v) && shown.result.labels.voxels.at(v) != labels.voxels.at(v);
+}
+
+}  // namespace
 
 BranchPreview::BranchPreview(ViewState& views, EditAt edit_at, QObject* parent)
     : QObject(parent),
@@ -28,9 +40,10 @@ void BranchPreview::follow() {
   const auto edit = image_ && labels_ && pointer ? edit_at_(*pointer) : std::nullopt;
   if (edit == wanted_) return;
   wanted_ = edit;
-  if (wanted_)
-    computing_.give({image_, labels_, *wanted_});
-  else
+  if (wanted_) computing_.give({image_, labels_, *wanted_});
+  // Until a click there is known, the one that is shown stands for it only where it moves the same branch.
+  if (shown_ &&
+      !(wanted_ && moves_place_of(*shown_, *labels_, std::get<segmentation::ReassignBranch>(wanted_->tool))))
     show(nullptr);
 }
 
