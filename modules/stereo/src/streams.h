@@ -9,9 +9,9 @@
 namespace glisson::stereo {
 
 /// Pictures one after another, with their times.
-class Stream {
+class PictureStream {
  public:
-  virtual ~Stream() = default;
+  virtual ~PictureStream() = default;
   /// Takes the next picture. @return false at the end. Times ascend.
   virtual bool grab() = 0;
   /// The picture that was taken. @return false: it is damaged.
@@ -27,7 +27,7 @@ class Stream {
 };
 
 /// A video file.
-class FileStream : public Stream {
+class FileStream : public PictureStream {
  public:
   /// @throws FileError, InputError.
   explicit FileStream(const std::filesystem::path& path);
@@ -46,7 +46,7 @@ class FileStream : public Stream {
 
 /// A camera, through whatever OpenCV has for it. Live: it has no length, cannot be wound back, ends when it
 /// is unplugged, and its times are those at which pictures came, by one clock for all devices.
-class DeviceStream : public Stream {
+class DeviceStream : public PictureStream {
  public:
   /// @param device a camera's number, or what OpenCV opens by name: a node as /dev/video2, a pipeline of
   ///   GStreamer. @throws InputError it cannot be opened.

@@ -23,7 +23,7 @@ constexpr double kLongestSearch = 2.0;
 
 std::string size_text(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
 
-std::unique_ptr<Stream> open_stream(const std::string& source) {
+std::unique_ptr<PictureStream> open_stream(const std::string& source) {
   if (!is_device(source)) return std::make_unique<FileStream>(source);
   const std::string device = device_of(source);
   if (device.empty())
@@ -62,7 +62,8 @@ class Views {
 /// Both views in each picture.
 class OneStream : public Views {
  public:
-  OneStream(std::unique_ptr<Stream> stream, Layout layout) : stream_(std::move(stream)), layout_(layout) {
+  OneStream(std::unique_ptr<PictureStream> stream, Layout layout)
+      : stream_(std::move(stream)), layout_(layout) {
     width = stream_->width;
     height = stream_->height;
     frames = stream_->frames;
@@ -105,7 +106,7 @@ class OneStream : public Views {
   }
 
  private:
-  std::unique_ptr<Stream> stream_;
+  std::unique_ptr<PictureStream> stream_;
   Layout layout_;
   int read_ = 0;
 };
@@ -113,7 +114,7 @@ class OneStream : public Views {
 /// A view each, matched by their times.
 class TwoStreams : public Views {
  public:
-  TwoStreams(std::unique_ptr<Stream> left, std::unique_ptr<Stream> right, double largest_skew)
+  TwoStreams(std::unique_ptr<PictureStream> left, std::unique_ptr<PictureStream> right, double largest_skew)
       : left_(std::move(left)), right_(std::move(right)), largest_skew_(largest_skew) {
     if (left_->width != right_->width || left_->height != right_->height)
       throw InputError(right_->name, "",
@@ -145,7 +146,7 @@ class TwoStreams : public Views {
     }
     // One camera of two that was unplugged is the end, not a file that breaks off.
     if (has_left != has_right && skipped == 0 && !left_->live && !right_->live) {
-      const Stream& broken = has_left ? *right_ : *left_;
+      const PictureStream& broken = has_left ? *right_ : *left_;
       broken_off(broken.name, has_left ? taken_right_ : taken_left_, std::max(left_->frames, right_->frames));
     }
     for (const auto& [stream, taken] : {std::pair(left_.get(), taken_left_), {right_.get(), taken_right_}})
@@ -163,7 +164,7 @@ class TwoStreams : public Views {
   }
 
  private:
-  static bool take(Stream& stream, int& taken) {
+  static bool take(PictureStream& stream, int& taken) {
     if (!stream.grab()) return false;
     ++taken;
     return true;
@@ -183,7 +184,7 @@ class TwoStreams : public Views {
                      "Record both views at once, from one trigger");
   }
 
-  std::unique_ptr<Stream> left_, right_;
+  std::unique_ptr<PictureStream> left_, right_;
   double largest_skew_;
   int taken_left_ = 0, taken_right_ = 0;
 };

@@ -194,7 +194,7 @@ void EditSession::drag_brush(const SliceGesture& gesture) {
     finish_stroke();
     if (obstacle() != EditObstacle::none) return;
     problem_.clear();
-    stroke_.emplace();
+    stroke_ = Stroke();
     stroke_->gesture = ++gestures_;
     stroke_->plane = gesture.slice.plane;
     stroke_->invert = gesture.keys.testFlag(Qt::ControlModifier);
