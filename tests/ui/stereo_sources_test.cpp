@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScreen>
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTreeWidget>
@@ -93,6 +94,8 @@ class StereoSourcesTest : public QObject {
     ask_for(dialog, pictures);
     QVERIFY(dialog.task().button()->isEnabled());
     QVERIFY(!dialog.again().isVisible());
+    const QRect screen = dialog.screen()->availableGeometry();
+    dialog.move(screen.right() - dialog.width() - 10, screen.top() + 10);
     QSignalSpy done(&dialog.task(), &ui::TaskButton::done);
     QTest::mouseClick(dialog.task().button(), Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(done.count(), 1, 120000);
@@ -105,6 +108,7 @@ class StereoSourcesTest : public QObject {
     QString shown;
     for (const QLabel* label : dialog.findChildren<QLabel*>()) shown += label->text() + QLatin1Char('\n');
     QVERIFY(shown.contains(QStringLiteral("9 of 9 pairs")));
+    QTRY_VERIFY(screen.contains(dialog.frameGeometry()));                          // it has grown
     QVERIFY(dialog.again().isVisible() && !dialog.again().button()->isEnabled());  // all views are ticked
     QVERIFY(!child<ui::CoverageView>(dialog, "calibration_coverage").picture().empty());
     QCOMPARE(child<QTreeWidget>(dialog, "calibration_views").topLevelItemCount(), 9);

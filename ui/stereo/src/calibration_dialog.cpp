@@ -10,6 +10,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScreen>
 #include <QSpinBox>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -24,6 +25,16 @@ namespace {
 constexpr double kMillimetre = 1e-3;
 
 constexpr int kFormWidth = 400;
+
+/// A dialog that has grown is brought back over its window, and wholly onto the screen.
+void centre_on_screen(QWidget& dialog) {
+  const QRect room = dialog.screen()->availableGeometry();
+  QRect place = dialog.frameGeometry();
+  place.moveCenter(dialog.parentWidget() ? dialog.parentWidget()->window()->frameGeometry().center()
+                                         : room.center());
+  dialog.move(std::clamp(place.left(), room.left(), std::max(room.left(), room.right() - place.width())),
+              std::clamp(place.top(), room.top(), std::max(room.top(), room.bottom() - place.height())));
+}
 
 QString pixels(double value) {
   return std::isfinite(value) ? CalibrationDialog::tr("%1 px").arg(value, 0, 'f', 2) : QStringLiteral("–");
@@ -186,7 +197,9 @@ void CalibrationDialog::show_outcome(const engine::Outcome& outcome) {
   notes_->setVisible(!lines.isEmpty());
   const bool first = !results_->sheet();
   results_->set_sheet(outcome.calibration);
-  if (first) adjustSize();
+  if (!first) return;
+  adjustSize();
+  centre_on_screen(*this);
 }
 
 }  // namespace glisson::ui
