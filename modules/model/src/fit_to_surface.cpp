@@ -89,6 +89,7 @@ class Fitter {
     const double allowed = std::max(most_cosine_, worst_around(node));
     std::vector<int> around = neighbours_that_may_move(node);
     std::vector<Eigen::Vector3d> places;
+    places.reserve(around.size());
     for (const int other : around) places.push_back(mesh_.vertex(other));
     for (const double share : {1.0, 0.6, 0.3, 0.15}) {
       mesh_.vertices.row(node) = (from + share * step).transpose();
@@ -225,8 +226,8 @@ int body_label(const TetMesh& mesh, const FitTargets& targets) {
 }  // namespace
 
 void fit_to_surface(TetMesh& mesh, const FitTargets& targets, double least_dihedral_deg) {
-  require(targets.surface != nullptr && targets.surface->triangle_count() > 0,
-          "a mesh is fitted to a surface");
+  if (targets.surface == nullptr || targets.surface->triangle_count() == 0)
+    throw PreconditionError("a mesh is fitted to a surface");
   require(targets.volume > 0.0, "a mesh is fitted to a volume");
   if (mesh.tetrahedron_count() == 0) return;
   const ClosestPointTree tree(*targets.surface);

@@ -224,7 +224,7 @@ void read(Entry& e, Scissors& t) {
       outline.data(), static_cast<Eigen::Index>(outline.size() / 2), 2);
   if (!e.has("slab")) return;
   Entry slab = e.object("slab");
-  t.slab.emplace();
+  t.slab = Scissors::Slab();
   t.slab->normal = Eigen::Vector3d(slab.row(slab.at("normal"), "normal", 3).data());
   t.slab->offset = slab.metres("offset_mm");
   t.slab->half_thickness = slab.metres("half_thickness_mm");

@@ -102,9 +102,8 @@ class Pieces {
   Eigen::Vector3d place_of(std::size_t at) const {
     const auto nx = static_cast<std::size_t>(shells_.grid.size.x()),
                slice = nx * static_cast<std::size_t>(shells_.grid.size.y());
-    return shells_.box.low.cast<double>() + Eigen::Vector3d(static_cast<double>(at % nx),
-                                                            static_cast<double>((at % slice) / nx),
-                                                            static_cast<double>(at / slice));
+    const Eigen::Matrix<std::size_t, 3, 1> v(at % nx, at % slice / nx, at / slice);
+    return shells_.box.low.cast<double>() + v.cast<double>();
   }
   Shells& shells_;
   const std::vector<float>& distance_;

@@ -292,6 +292,7 @@ void BoardViews::keep_most_different(int most) {
   }
   std::sort(kept.begin(), kept.end());
   std::vector<BoardView> views;
+  views.reserve(kept.size());
   for (const std::size_t i : kept) views.push_back(std::move(views_[i]));
   views_ = std::move(views);
 }

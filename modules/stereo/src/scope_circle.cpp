@@ -187,6 +187,7 @@ std::optional<ScopeCircle> best_through(const std::vector<Eigen::Vector2d>& poin
 /// Widest angle between neighbours, seen from the centre.
 double widest_gap(const ScopeCircle& circle, const std::vector<Eigen::Vector2d>& points) {
   std::vector<double> angles;
+  angles.reserve(points.size());
   for (const Eigen::Vector2d& p : points)
     angles.push_back(std::atan2(p.y() - circle.centre.y(), p.x() - circle.centre.x()));
   std::sort(angles.begin(), angles.end());
