@@ -1986,6 +1986,10 @@
         <source>points: %1</source>
         <translation>Punkte: %1</translation>
     </message>
+    <message>
+        <source>points of the model: %1, the next click replaces them</source>
+        <translation>Punkte des Modells: %1, der nächste Klick ersetzt sie</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::BridgeList</name>
@@ -2500,6 +2504,30 @@
         <source>Nobody has checked this model (Model, Quality). The picture says so.</source>
         <translation>Niemand hat dieses Modell geprüft (Modell, Qualität). Das Bild sagt es.</translation>
     </message>
+    <message>
+        <source>The labels are out of date: segment or import them again (Segmentation).</source>
+        <translation>Die Labels sind veraltet: erneut segmentieren oder importieren (Segmentierung).</translation>
+    </message>
+    <message>
+        <source>The model is out of date: build it again (Model).</source>
+        <translation>Das Modell ist veraltet: neu erstellen (Modell).</translation>
+    </message>
+    <message>
+        <source>The landmarks are those of another model: look at them and accept them (Landmarks).</source>
+        <translation>Die Landmarken gehören zu einem anderen Modell: ansehen und annehmen (Landmarken).</translation>
+    </message>
+    <message>
+        <source>The frame is of a former video: take one of the present video (Stereo).</source>
+        <translation>Das Bild stammt aus einem früheren Video: eines des jetzigen nehmen (Stereo).</translation>
+    </message>
+    <message>
+        <source>The regions are those of another frame: draw them again or clear them (Stereo).</source>
+        <translation>Die Regionen gehören zu einem anderen Bild: neu zeichnen oder löschen (Stereo).</translation>
+    </message>
+    <message>
+        <source>The points are out of date: reconstruct the surface again (Stereo).</source>
+        <translation>Die Punkte sind veraltet: Oberfläche erneut rekonstruieren (Stereo).</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::ImageImport</name>
@@ -2837,6 +2865,30 @@
     <message>
         <source>Labels (*.seg.nrrd *.nii.gz *.nrrd *.mha)</source>
         <translation>Labels (*.seg.nrrd *.nii.gz *.nrrd *.mha)</translation>
+    </message>
+    <message>
+        <source>Open a CT</source>
+        <translation>CT öffnen</translation>
+    </message>
+    <message>
+        <source>Is this CT of another patient, or another one of the patient who is open?</source>
+        <translation>Ist dieses CT von einem anderen Patienten oder ein weiteres des geöffneten?</translation>
+    </message>
+    <message>
+        <source>A new case loses the changes of this one, which are not saved. The same patient&apos;s case keeps everything, marked out of date.</source>
+        <translation>Ein neuer Fall verwirft die nicht gespeicherten Änderungen an diesem. Beim selben Patienten bleibt alles, als veraltet markiert.</translation>
+    </message>
+    <message>
+        <source>The same patient&apos;s case keeps everything, marked out of date.</source>
+        <translation>Beim selben Patienten bleibt alles, als veraltet markiert.</translation>
+    </message>
+    <message>
+        <source>New case</source>
+        <translation>Neuer Fall</translation>
+    </message>
+    <message>
+        <source>Same patient</source>
+        <translation>Derselbe Patient</translation>
     </message>
 </context>
 <context>
@@ -3743,6 +3795,10 @@
     <message>
         <source>Kind of features</source>
         <translation>Art der Merkmale</translation>
+    </message>
+    <message>
+        <source>The calibration is for pictures of %1 × %2, these are %3 × %4: load the one for them.</source>
+        <translation>Die Kalibrierung gilt für Bilder von %1 × %2, diese haben %3 × %4: die passende laden.</translation>
     </message>
 </context>
 <context>

@@ -1986,6 +1986,10 @@
         <source>points: %1</source>
         <translation>points : %1</translation>
     </message>
+    <message>
+        <source>points of the model: %1, the next click replaces them</source>
+        <translation>points du modèle : %1, le prochain clic les remplace</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::BridgeList</name>
@@ -2500,6 +2504,30 @@
         <source>Nobody has checked this model (Model, Quality). The picture says so.</source>
         <translation>Personne n’a vérifié ce modèle (Modèle, Qualité). L’image le dit.</translation>
     </message>
+    <message>
+        <source>The labels are out of date: segment or import them again (Segmentation).</source>
+        <translation>Les étiquettes sont périmées : segmentez ou importez-les de nouveau (Segmentation).</translation>
+    </message>
+    <message>
+        <source>The model is out of date: build it again (Model).</source>
+        <translation>Le modèle est périmé : reconstruisez-le (Modèle).</translation>
+    </message>
+    <message>
+        <source>The landmarks are those of another model: look at them and accept them (Landmarks).</source>
+        <translation>Les repères sont ceux d’un autre modèle : vérifiez-les et acceptez-les (Repères).</translation>
+    </message>
+    <message>
+        <source>The frame is of a former video: take one of the present video (Stereo).</source>
+        <translation>L’image vient d’une vidéo précédente : prenez-en une de la vidéo actuelle (Stéréo).</translation>
+    </message>
+    <message>
+        <source>The regions are those of another frame: draw them again or clear them (Stereo).</source>
+        <translation>Les régions sont celles d’une autre image : redessinez-les ou effacez-les (Stéréo).</translation>
+    </message>
+    <message>
+        <source>The points are out of date: reconstruct the surface again (Stereo).</source>
+        <translation>Les points sont périmés : reconstruisez la surface (Stéréo).</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::ImageImport</name>
@@ -2837,6 +2865,30 @@
     <message>
         <source>Labels (*.seg.nrrd *.nii.gz *.nrrd *.mha)</source>
         <translation>Étiquettes (*.seg.nrrd *.nii.gz *.nrrd *.mha)</translation>
+    </message>
+    <message>
+        <source>Open a CT</source>
+        <translation>Ouvrir un scanner</translation>
+    </message>
+    <message>
+        <source>Is this CT of another patient, or another one of the patient who is open?</source>
+        <translation>Ce scanner est-il d’un autre patient, ou un autre du patient ouvert ?</translation>
+    </message>
+    <message>
+        <source>A new case loses the changes of this one, which are not saved. The same patient&apos;s case keeps everything, marked out of date.</source>
+        <translation>Un nouveau cas perd les modifications non enregistrées de celui-ci. Pour le même patient, tout reste, marqué périmé.</translation>
+    </message>
+    <message>
+        <source>The same patient&apos;s case keeps everything, marked out of date.</source>
+        <translation>Pour le même patient, tout reste, marqué périmé.</translation>
+    </message>
+    <message>
+        <source>New case</source>
+        <translation>Nouveau cas</translation>
+    </message>
+    <message>
+        <source>Same patient</source>
+        <translation>Même patient</translation>
     </message>
 </context>
 <context>
@@ -3743,6 +3795,10 @@
     <message>
         <source>Kind of features</source>
         <translation>Type de points d’intérêt</translation>
+    </message>
+    <message>
+        <source>The calibration is for pictures of %1 × %2, these are %3 × %4: load the one for them.</source>
+        <translation>L’étalonnage vaut pour des images de %1 × %2, celles-ci ont %3 × %4 : chargez celui qui convient.</translation>
     </message>
 </context>
 <context>

@@ -276,9 +276,10 @@ int run_track(const QStringList& given) {
                                         ++done / static_cast<double>(clouds.size())));
     record.finish();
   } else {
-    session.post(engine::SetCalibration{arguments.required_path("calibration")});
+    const fs::path calibration = arguments.required_path("calibration");
     session.post(engine::SetVideo{arguments.path("video"), arguments.path("video-right")});
-    session.post(engine::LoadVideoFrame{0});
+    session.post(engine::LoadVideoFrame{0, arguments.path("mask")});
+    session.post(engine::SetCalibration{calibration});  // last: its size and its crop are the video's
     session.post(command);
     TrackRecord record(session, argument, arguments, out.path(), 5);
     stereo::StereoVideo video(arguments.path("video"), arguments.path("video-right"));

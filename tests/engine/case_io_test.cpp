@@ -101,6 +101,7 @@ class CaseIoTest : public QObject {
   void ACancelledSaveLeavesTheOldCase();
   void RefusesWhatIsNotACase();
   void RefusesANewerFormat();
+  void ARegistrationOfAFormerModelIsLeftOut();
   void NamesTheMalformedPart();
   void LandmarksNameTheirMistakes();
   void ARegistrationOfAnotherModelIsRefused();
@@ -255,6 +256,20 @@ void CaseIoTest::RefusesANewerFormat() {
                         R"({"format": "glisson-case", "version": 99, "parts": {}})");
   QVERIFY(error_of([&] { open_case(folder.path() / "a.glisson", RunContext()); }).find("newer Glisson") !=
           std::string::npos);
+}
+
+void CaseIoTest::ARegistrationOfAFormerModelIsLeftOut() {
+  const TemporaryFolder folder;
+  for (const Eigen::Index nodes : {3, 9}) {  // fewer than the model has now, and more
+    CaseState state = small_case();
+    auto former = std::make_shared<Registration>(*state.registration);
+    former->nodes_in_camera = Points::Random(nodes, 3);
+    state.registration = former;
+    const fs::path path = folder.path() / (std::to_string(nodes) + ".glisson");
+    QVERIFY(save_case(path, state, RunContext()));
+    const auto back = open_case(path, RunContext());
+    QVERIFY(back && back->model && back->cloud && !back->registration);
+  }
 }
 
 void CaseIoTest::NamesTheMalformedPart() {

@@ -89,6 +89,12 @@ class LabelsTest : public QObject {
   void StepsReviewAndFiguresComeBackWithTheCase();
   void SlicersStatusIsKnownAndKept();
   void EditsGoOnWhileAModelIsBuiltWhichIsStaleThen();
+  void AnEditThatChangesNothingOutdatesNothing_data() { both_runners(); }
+  void AnEditThatChangesNothingOutdatesNothing();
+  void ReviewComesWithTheLabelsThatItIsOf();
+  void ANewCaseKeepsNothingOfTheFormerOne_data() { both_runners(); }
+  void ANewCaseKeepsNothingOfTheFormerOne();
+  void WhatIsSavedIsTheCaseAsItWasWhenTheSaveBegan();
   void NothingToUndoOrToDrawOnIsSaid();
   void TheContourIsSeenWhileItEvolvesAndIsGoneThen_data() { both_runners(); }
   void TheContourIsSeenWhileItEvolvesAndIsGoneThen();
@@ -288,6 +294,88 @@ void LabelsTest::EditsGoOnWhileAModelIsBuiltWhichIsStaleThen() {
   QCOMPARE(engine->wait(build).status, Status::done);
   QCOMPARE(engine->snapshot()->stage(Part::model), StageState::stale);
   QCOMPARE(voxels(*engine, structure::kParenchyma), after);  // the model's commit did not undo the edit
+}
+
+void LabelsTest::AnEditThatChangesNothingOutdatesNothing() {
+  QFETCH(Runner, runner);
+  const CaseFolder files;
+  const auto engine = engine_of(runner, files);
+  const Edit liver = ball({40, 36, 42}, 10);
+  QCOMPARE(done(*engine, EditLabels{liver}).status, Status::done);
+  const auto before = engine->snapshot()->state;
+  const Outcome outcome = done(*engine, EditLabels{liver});
+  QCOMPARE(outcome.status, Status::done);
+  QCOMPARE(outcome.figures.at("voxels_changed"), 0.0);
+  const auto& after = engine->snapshot()->state;
+  QVERIFY(after.labels == before.labels && after.history == before.history);
+  QCOMPARE(after.stamp(Part::labels).revision, before.stamp(Part::labels).revision);
+}
+
+void LabelsTest::ReviewComesWithTheLabelsThatItIsOf() {
+  const CaseFolder files;
+  LabelFile file;
+  file.voxels = LabelVolume(small_grid());
+  for (int i = 5; i < 20; ++i) {
+    file.voxels.set({i, 9, 9}, 1);
+    file.voxels.set({i, 12, 9}, 6);
+    file.voxels.set({i, 15, 9}, 7);
+  }
+  const auto info = [](Label code, const char* name, const char* status) {
+    LabelInfo made;
+    made.code = code;
+    made.name = name;
+    made.status = status;
+    return made;
+  };
+  file.infos = {info(1, "spleen", "completed"), info(6, "left", "completed"), info(7, "right", "inprogress")};
+  write_labels(files.path() / "other.seg.nrrd", file.voxels, file.infos);
+  const auto engine = engine_of(Runner::inline_, files);
+  // Code 1 is Glisson's parenchyma, but here it is a spleen, which is dropped.
+  const ImportLabels import{files.path() / "other.seg.nrrd",
+                            {{6, structure::kParenchyma}, {7, structure::kParenchyma}}};
+  const Outcome outcome = done(*engine, import);
+  QVERIFY2(outcome.status == Status::done, outcome.error.c_str());
+  QCOMPARE(voxels(*engine, structure::kParenchyma), 30L);
+  QVERIFY(*engine->snapshot()->state.review == (Review{{structure::kParenchyma, ReviewState::in_progress}}));
+}
+
+void LabelsTest::ANewCaseKeepsNothingOfTheFormerOne() {
+  QFETCH(Runner, runner);
+  const CaseFolder files;
+  const auto engine = engine_of(runner, files);
+  QCOMPARE(done(*engine, EditLabels{ball({40, 36, 42}, 10)}).status, Status::done);
+  QCOMPARE(done(*engine, SaveCase{files.path() / "former.glisson"}).status, Status::done);
+  QCOMPARE(done(*engine, ImportImage{files.path() / "ct.nrrd"}).status, Status::done);
+  QVERIFY(engine->snapshot()->state.labels && !engine->snapshot()->state.path.empty());
+  QCOMPARE(engine->snapshot()->stage(Part::labels), StageState::stale);
+  QCOMPARE(done(*engine, ImportImage{files.path() / "none.nrrd", {}, true}).status, Status::failed);
+  QVERIFY(engine->snapshot()->state.labels != nullptr);
+  QCOMPARE(done(*engine, ImportImage{files.path() / "ct.nrrd", {}, true}).status, Status::done);
+  const CaseState& now = engine->snapshot()->state;
+  QVERIFY(now.path.empty() && now.image && !now.labels && !now.history && !now.review);
+  QCOMPARE(done(*engine, SaveCase{}).status, Status::failed);  // not over the former patient
+}
+
+void LabelsTest::WhatIsSavedIsTheCaseAsItWasWhenTheSaveBegan() {
+  const CaseFolder files;
+  Gate gate;
+  const auto engine =
+      engine_of(Runner::threaded, files,
+                [&gate](const CaseState& state, const Command& command, const RunContext& context) {
+                  if (std::holds_alternative<SaveCase>(command)) gate.pass();
+                  return apply(state, command, context);
+                });
+  const Editions begun = editions(engine->snapshot()->state);
+  const CommandId save = engine->post(SaveCase{files.path() / "case.glisson"});
+  gate.wait_for_arrival();
+  QCOMPARE(done(*engine, EditLabels{ball({40, 36, 42}, 10)}).status, Status::done);
+  gate.open();
+  const Outcome outcome = engine->wait(save);
+  QCOMPARE(outcome.status, Status::done);
+  QVERIFY(outcome.saved == begun);
+  QVERIFY(outcome.saved != editions(engine->snapshot()->state));
+  const Outcome opened = done(*engine, OpenCase{files.path() / "case.glisson"});
+  QVERIFY(opened.saved == editions(engine->snapshot()->state));
 }
 
 void LabelsTest::NothingToUndoOrToDrawOnIsSaid() {

@@ -33,6 +33,8 @@ class ModelEditsTest : public QObject {
   void WhatAModelWasMadeOfOutlivesAnEdit_data() { test::both_runners(); }
   void WhatAModelWasMadeOfOutlivesAnEdit();
   void SeedsDoNotOutdateLabelsThatAHandHasChanged();
+  void WhatIsKeptOfLabelsStaysAsOldAsItWas();
+  void ACloudIsOfTheFrameAndTheScopeThatSawIt();
   void AnImpossibleEditLeavesTheModel_data() { test::both_runners(); }
   void AnImpossibleEditLeavesTheModel();
   void AnotherModelIsNotChecked_data() { test::both_runners(); }
@@ -88,6 +90,33 @@ void ModelEditsTest::SeedsDoNotOutdateLabelsThatAHandHasChanged() {
   engine.wait(engine.post(EditLabels{}));
   engine.wait(engine.post(SetSeeds{}));
   QCOMPARE(engine.snapshot()->stage(Part::labels), StageState::current);
+}
+
+void ModelEditsTest::WhatIsKeptOfLabelsStaysAsOldAsItWas() {
+  Engine engine(real_options(Runner::inline_));
+  engine.wait(engine.post(ImportImage{}));
+  engine.wait(engine.post(Segment{}));
+  QCOMPARE(engine.snapshot()->stage(Part::labels), StageState::current);
+  engine.wait(engine.post(ImportImage{}));
+  Segment gallbladder;
+  gallbladder.options.structures = {false, false, false, false, true, false};
+  QVERIFY(gallbladder.keeps_labels());
+  engine.wait(engine.post(gallbladder));
+  QCOMPARE(engine.snapshot()->stage(Part::labels), StageState::stale);  // the liver is the former CT's
+  engine.wait(engine.post(Segment{}));
+  QCOMPARE(engine.snapshot()->stage(Part::labels), StageState::current);
+}
+
+void ModelEditsTest::ACloudIsOfTheFrameAndTheScopeThatSawIt() {
+  for (const Command& next : {Command(LoadVideoFrame{}), Command(SetCalibration{})}) {
+    Engine engine(real_options(Runner::inline_));
+    for (const Command& command : {Command(ImportMesh{}), Command(SetCalibration{}),
+                                   Command(LoadStereoPair{}), Command(ImportCloud{}), Command(Register{})})
+      QCOMPARE(engine.wait(engine.post(command)).status, Status::done);
+    QCOMPARE(engine.snapshot()->stage(Part::registration), StageState::current);
+    engine.wait(engine.post(next));
+    QCOMPARE(engine.snapshot()->stage(Part::registration), StageState::stale);
+  }
 }
 
 void ModelEditsTest::AnImpossibleEditLeavesTheModel() {

@@ -34,6 +34,11 @@ inline Cancellable<Applied> give_patient(const CaseState& state, const Command& 
   if (writes(command).has(Part::model)) applied.state.model = patient();
   if (writes(command).has(Part::landmarks)) applied.state.landmarks = std::make_shared<Landmarks>();
   if (writes(command).has(Part::labels)) applied.state.labels = std::make_shared<LabelMap>();
+  if (writes(command).has(Part::image)) applied.state.image = std::make_shared<Image>();
+  if (writes(command).has(Part::rig)) applied.state.rig = std::make_shared<StereoRig>();
+  if (writes(command).has(Part::frame)) applied.state.frame = std::make_shared<StereoInput>();
+  if (writes(command).has(Part::cloud)) applied.state.cloud = std::make_shared<LabelledCloud>();
+  if (writes(command).has(Part::registration)) applied.state.registration = std::make_shared<Registration>();
   if (writes(command).has(Part::seeds)) applied.state.seeds = std::make_shared<segmentation::Seeds>();
   return applied;
 }

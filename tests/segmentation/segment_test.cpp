@@ -83,7 +83,9 @@ class SegmentTest : public QObject {
   void ProgressRunsFromStartToEnd();
   void TheContourIsShownWhileItMoves();
   void WhatIsKeptStaysVoxelByVoxel();
+  void ALesionWithoutSeedsStays();
   void ARegionLeavesTheRestAlone();
+  void ARegionOfATiltedVolumeLeavesTheRestAlone();
   void FinerVoxelsDoNotLoseTheBoundary();
   void SeedsComeBackFromTheirFile();
   void BadSeedFilesAreRefused_data();
@@ -235,6 +237,41 @@ void SegmentTest::WhatIsKeptStaysVoxelByVoxel() {
   QVERIFY(segment(p.image, seeds, options, RunContext(), &edited).value().labels.voxels == edited.voxels);
 }
 
+void SegmentTest::ALesionWithoutSeedsStays() {
+  const Phantom& p = phantom_;
+  constexpr Label first = structure::kFirstLesion, second = structure::kFirstLesion + 1;
+  // A hand painted the first lesion; the second is clicked.
+  LabelMap edited = found_.labels;
+  for (int k = 0; k < p.image.grid.size.z(); ++k)
+    for (int j = 0; j < p.image.grid.size.y(); ++j)
+      for (int i = 0; i < p.image.grid.size.x(); ++i)
+        if (edited.voxels.at({i, j, k}) == first) edited.voxels.set({i, j, k}, structure::kParenchyma);
+  for (int k = 32; k < 37; ++k)
+    for (int j = 29; j < 34; ++j)
+      for (int i = 38; i < 43; ++i) edited.voxels.set({i, j, k}, first);
+  const std::vector<std::uint8_t> painted = edited.voxels.mask([](Label label) { return label == first; });
+  Seeds seeds;
+  seeds.lesions = {Points(0, 3), points_at(p.image, {{50, 75, 60}})};
+  SegmentationOptions options;
+  options.structures = {false, false, false, false, false, true};
+  const auto lesions_are_right = [&](const Segmented& result) {
+    return mask_of(result, first) == painted && dice(mask_of(result, second), p.lesion) > 0.6;
+  };
+  const Segmented anew = segment(p.image, seeds, options, RunContext(), &edited).value();
+  QVERIFY(lesions_are_right(anew));
+  for (const std::string& note : anew.report.notes)
+    QVERIFY2(note.find("lesion") == std::string::npos, note.c_str());
+  // In a region only seeds that lie in it count.
+  seeds.lesions[0] = points_at(p.image, {{100, 62, 60}});
+  const VolumeGrid& grid = p.image.grid;
+  options.region =
+      Eigen::AlignedBox3d(grid.p_in_ct({2.0, 4.0, 3.0}).xyz, grid.p_in_ct({45.0, 60.0, 52.0}).xyz);
+  QVERIFY(lesions_are_right(segment(p.image, seeds, options, RunContext(), &edited).value()));
+  // With a seed in it the painted one is found anew, as before.
+  seeds.lesions[0] = points_at(p.image, {{80, 62, 75}});
+  QVERIFY(mask_of(segment(p.image, seeds, options, RunContext(), &edited).value(), first) != painted);
+}
+
 void SegmentTest::ARegionLeavesTheRestAlone() {
   const Phantom& p = phantom_;
   const VolumeGrid& grid = p.image.grid;
@@ -264,6 +301,41 @@ void SegmentTest::ARegionLeavesTheRestAlone() {
     QVERIFY(kept.voxels.brick_place(change.number).x() < 2);
 }
 
+void SegmentTest::ARegionOfATiltedVolumeLeavesTheRestAlone() {
+  Phantom p = phantom_;
+  VolumeGrid& grid = p.image.grid;
+  grid.direction = Eigen::AngleAxisd(0.35, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  const auto place = [&](const Eigen::Vector3d& mm) {
+    return Eigen::Vector3d(grid.p_in_ct(mm.cwiseQuotient(grid.spacing_mm)).xyz);
+  };
+  Seeds seeds;
+  seeds.liver.resize(2, 3);
+  seeds.liver.row(0) = place({62, 75, 75}).transpose();
+  seeds.liver.row(1) = place({80, 62, 45}).transpose();
+  // Around the liver, along the patient's axes; its box of voxels is larger.
+  const Eigen::Vector3d middle = place({62, 62, 60}), half(0.052, 0.046, 0.044);
+  SegmentationOptions options;
+  options.region = Eigen::AlignedBox3d(middle - half, middle + half);
+  const std::vector<Label> everywhere(static_cast<std::size_t>(grid.voxel_count()), structure::kParenchyma);
+  const LabelMap kept{LabelVolume(grid, everywhere), {}};
+  const Segmented result = segment(p.image, seeds, options, RunContext(), &kept).value();
+  std::vector<std::uint8_t> truth, found;
+  for (int k = 0; k < grid.size.z(); ++k)
+    for (int j = 0; j < grid.size.y(); ++j)
+      for (int i = 0; i < grid.size.x(); ++i) {
+        const Label label = result.labels.voxels.at({i, j, k});
+        const Eigen::Vector3i voxel(i, j, k);
+        if (options.region->exteriorDistance(grid.p_in_ct(voxel.cast<double>()).xyz) > 1e-6) {
+          QCOMPARE(label, structure::kParenchyma);
+          continue;
+        }
+        truth.push_back(p.liver[static_cast<std::size_t>(grid.offset(voxel))]);
+        found.push_back(label != 0 ? 1 : 0);
+      }
+  const double overlap = dice(truth, found);
+  QVERIFY2(overlap > 0.9, qPrintable(QString::number(overlap)));
+}
+
 void SegmentTest::FinerVoxelsDoNotLoseTheBoundary() {
   const Phantom& p = phantom_;
   SegmentationOptions options;
@@ -281,13 +353,15 @@ void SegmentTest::SeedsComeBackFromTheirFile() {
   const Phantom& p = phantom_;
   Seeds seeds = clicks_in(p.image);
   seeds.background = points_at(p.image, {{134, 62, 60}});
+  seeds.lesions.emplace_back();  // a lesion of this number was painted, not clicked
   seeds.lesions.push_back(points_at(p.image, {{1, 2, 3}, {4, 5, 6}}));
   write_seeds(folder.path() / "seeds.json", seeds);
   const Seeds back = read_seeds(folder.path() / "seeds.json");
   QVERIFY((back.liver - seeds.liver).cwiseAbs().maxCoeff() < 1e-12);
   QVERIFY((back.background - seeds.background).cwiseAbs().maxCoeff() < 1e-12);
-  QCOMPARE(back.lesions.size(), std::size_t(2));
-  QVERIFY((back.lesions[1] - seeds.lesions[1]).cwiseAbs().maxCoeff() < 1e-12);
+  QCOMPARE(back.lesions.size(), std::size_t(3));
+  QCOMPARE(back.lesions[1].rows(), Eigen::Index(0));
+  QVERIFY((back.lesions[2] - seeds.lesions[2]).cwiseAbs().maxCoeff() < 1e-12);
   QCOMPARE(back.vena_cava.rows(), Eigen::Index(0));
   QVERIFY(read_file(folder.path() / "seeds.json").find("-28") !=
           std::string::npos);  // millimetres, not metres

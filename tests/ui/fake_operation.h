@@ -114,6 +114,7 @@ class FakeOperation {
   bool change(engine::Applied& applied, const engine::ImportImage& command, const RunContext&) const {
     if (command.path.filename() == "broken.nii")
       throw InputError(command.path.string(), "header", "is cut off after 12 bytes", "Copy the file again");
+    if (command.new_case) applied.state = {};
     Image image = ct;
     image.description = command.series;
     applied.state.image = std::make_shared<const Image>(std::move(image));

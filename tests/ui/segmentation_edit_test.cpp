@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Edits a segmentation by mouse and keyboard, like a person at the window: what tools do in the views.
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QListWidget>
 #include <QToolButton>
+#include <array>
 
 #include "segmentation_window.h"
 
@@ -27,6 +29,7 @@ class SegmentationEditTest : public QObject, private SegmentationWindow {
   void LassoErasesWhatItEnclosesInItsSlice();
   void LassoInThreeDimensionsCutsThrough();
   void ThresholdIsPreviewedThenApplied();
+  void TypedEndOfARangeLeavesTheOther();
   void CancelledPreviewChangesNothing();
   void EnterKeepsTheLargestIsland();
   void PaintingWithinIntensitiesSparesTheRest();
@@ -186,6 +189,44 @@ void SegmentationEditTest::ThresholdIsPreviewedThenApplied() {
   QCOMPARE(count(structure::kGallbladder), would);
   QCOMPARE(at({0, -0.015, 0}), structure::kGallbladder);
   QVERIFY(!session().shows_preview());
+}
+
+void SegmentationEditTest::TypedEndOfARangeLeavesTheOther() {
+  using Range = std::array<double, 2>;
+  open_labels();
+  choose(structure::kGallbladder);  // empty so far
+  const auto type = [&](const char* name, const char* digits, Qt::Key key) {
+    auto* number = find<QDoubleSpinBox>(name);
+    number->setFocus();
+    number->selectAll();
+    QTest::keyClicks(number, QString::fromLatin1(digits));
+    QTest::keyClick(number, key);
+  };
+  const auto range = [&] { return Range{session().settings().low, session().settings().high}; };
+  QTest::keyClick(window_.get(), Qt::Key_T);
+  type("threshold_high", "250", Qt::Key_Tab);
+  QVERIFY((range() == Range{100.0, 250.0}));
+  type("threshold_low", "260", Qt::Key_Tab);  // the whole number does push
+  QVERIFY((range() == Range{260.0, 260.0}));
+  type("threshold_high", "90", Qt::Key_Tab);
+  QVERIFY((range() == Range{90.0, 90.0}));
+  // Enter applies what stands there, as it always does.
+  type("threshold_low", "100", Qt::Key_Tab);
+  type("threshold_high", "150", Qt::Key_Return);
+  QVERIFY(settle());
+  QVERIFY((range() == Range{100.0, 150.0}));
+  QCOMPARE(at({0, 0.02, 0}), structure::kGallbladder);   // 110 HU
+  QCOMPARE(at({0, -0.015, 0}), structure::kPortalVein);  // 170 HU
+  // The ends of the intensities that may be changed are typed alike.
+  find<QCheckBox>("editable_by_intensity")->setChecked(true);
+  const auto editable = [&] { return session().settings().region.intensity.value(); };
+  type("editable_high", "180", Qt::Key_Tab);
+  type("editable_low", "100", Qt::Key_Tab);
+  QVERIFY((editable() == Range{100.0, 180.0}));
+  type("editable_high", "160", Qt::Key_Tab);
+  QVERIFY((editable() == Range{100.0, 160.0}));
+  session().cancel();
+  QVERIFY(settle());
 }
 
 void SegmentationEditTest::CancelledPreviewChangesNothing() {

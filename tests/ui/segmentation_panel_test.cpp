@@ -2,6 +2,7 @@
 // The segmentation panel by mouse and keyboard: the list of labels, seeds and growth, the history.
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QListWidget>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -25,6 +26,8 @@ class SegmentationPanelTest : public QObject, private SegmentationWindow {
   void cleanup() { window_.reset(); }
   void LockedLabelIsNotTouched();
   void HiddenLabelLeavesTheViews();
+  void LabelThatToolsWorkOnHasItsRow();
+  void PaintedLesionIsNotTheOneThatIsClickedNext();
   void KeysChooseToolsAndEscLetsGo();
   void BoxDrawnInSlicesIsWhereGrowthWorks();
   void BoxIsMovedByItsEdgesTypedAndCleared();
@@ -80,6 +83,55 @@ void SegmentationPanelTest::HiddenLabelLeavesTheViews() {
   QVERIFY(*slice(Plane::axial).slice().bytes != *before.bytes);
   click_mark(structure::kParenchyma, ui::LabelTable::shown);
   QVERIFY(*slice(Plane::axial).slice().bytes == *before.bytes);
+}
+
+void SegmentationPanelTest::LabelThatToolsWorkOnHasItsRow() {
+  open_labels();
+  constexpr Label second = structure::kFirstLesion + 1, third = structure::kFirstLesion + 2;
+  const auto is_chosen = [&](Label label) {
+    return session().settings().label == label && table().currentItem() != nullptr &&
+           table().currentItem() == table().row_of(label);
+  };
+  choose(second);
+  press("tool_paint");
+  drag(slice(Plane::axial), {{-0.03, 0.01, 0}, {-0.02, 0.01, 0}});
+  QVERIFY(settle());
+  QVERIFY(count(second) > 0);
+  table().scrollToItem(table().row_of(third));
+  choose(third);
+  // The second lesion is the free one again, the third is still what the brush paints.
+  QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
+  QVERIFY(settle());
+  QCOMPARE(count(second), 0L);
+  QVERIFY(is_chosen(third));
+  table().scrollToItem(table().row_of(structure::kParenchyma));
+  choose(structure::kParenchyma);  // a click on any other row is heard
+  QVERIFY(is_chosen(structure::kParenchyma));
+  ui::EditSettings next = session().settings();
+  next.label = structure::kFirstOther;
+  session().set_settings(next);
+  QVERIFY(is_chosen(structure::kFirstOther));
+}
+
+void SegmentationPanelTest::PaintedLesionIsNotTheOneThatIsClickedNext() {
+  open_labels();  // with a lesion that has no seed
+  press("mode_seeds");
+  QVERIFY(!find<QPushButton>("seed_lesion_1")->isVisible());
+  press("seed_lesion_2");
+  QTest::mouseClick(&slice(Plane::axial), Qt::LeftButton, {},
+                    slice(Plane::axial).widget_point(Point<CtFrame>(-0.03, 0.01, 0)).toPoint());
+  QVERIFY(settle());
+  const auto seeds = [&] { return window_->engine().state().seeds; };
+  QCOMPARE(seeds()->lesions.size(), std::size_t{2});
+  QCOMPARE(seeds()->lesions[0].rows(), Eigen::Index{0});
+  QCOMPARE(seeds()->lesions[1].rows(), Eigen::Index{1});
+  QVERIFY(!find<QPushButton>("seed_lesion_1")->isVisible());
+  // A better seed gets the number of the one that was deleted for it.
+  find<QListWidget>("seed_list")->setCurrentRow(0);
+  press("delete_seeds");
+  QVERIFY(settle());
+  QVERIFY(seeds()->lesions.empty());
+  QVERIFY(find<QPushButton>("seed_lesion_2")->isVisible());
 }
 
 void SegmentationPanelTest::KeysChooseToolsAndEscLetsGo() {

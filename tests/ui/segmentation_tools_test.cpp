@@ -4,9 +4,11 @@
 #include <set>
 
 #include "glisson/core/error.h"
+#include "glisson/segmentation/history.h"
 #include "glisson/ui/segmentation/edit_texts.h"
-#include "glisson/ui/segmentation/edit_tools.h"
 #include "glisson/ui/segmentation/label_rows.h"
+#include "glisson/ui/segmentation/seed_book.h"
+#include "segmentation_strokes.h"
 
 namespace glisson {
 namespace {
@@ -19,15 +21,6 @@ using segmentation::Scissors;
 using ui::EditObstacle;
 using ui::EditSettings;
 using ui::EditTool;
-
-VolumeGrid permuted_grid() {
-  VolumeGrid grid;
-  grid.size = {40, 50, 60};
-  grid.spacing_mm = {2.5, 0.8, 0.7};
-  grid.origin_mm = {-10.0, 20.0, -30.0};
-  grid.direction << 0, 1, 0, 0, 0, -1, 1, 0, 0;  // i along z, j along x, k against y
-  return grid;
-}
 
 Points path_of(int count) {
   Points path(count, 3);
@@ -48,6 +41,8 @@ class SegmentationToolsTest : public QObject {
   void EveryToolHasItsOwnKeyAndName();
   void SlicesAreAcrossTheVoxelAxisOfTheirPlane();
   void BrushPaintsWhatIsChosenAndCtrlErases();
+  void DiscIsPaintedInEveryLayerOfATiltedVolume();
+  void DiscBetweenTwoLayersStaysInTheOneThatIsShown();
   void BrushGrowsAndShrinksByTheWheel();
   void SliceCutSeesTheSlicesPixels();
   void SliceCutIsOneLayerASlabOrEverything();
@@ -62,6 +57,7 @@ class SegmentationToolsTest : public QObject {
   void ToolsOfTheMouseHaveNoWholeEdit();
   void StepsAreNamedForPeople();
   void RowsShowUsualLabelsFirstAndAFreeLesion();
+  void LesionsThatAreSeededKeepTheirNumbers();
 };
 
 void SegmentationToolsTest::EveryToolHasItsOwnKeyAndName() {
@@ -92,7 +88,7 @@ void SegmentationToolsTest::BrushPaintsWhatIsChosenAndCtrlErases() {
   settings.brush_radius = 4e-3;
   const VolumeGrid grid = permuted_grid();
   const auto made = [&](EditTool tool, bool invert) {
-    return std::get<Paint>(ui::brush_edit(tool, settings, grid, Plane::coronal, path_of(3), invert).tool);
+    return std::get<Paint>(stroke(tool, settings, grid, Plane::coronal, path_of(3), invert).tool);
   };
   const Paint paint = made(EditTool::paint, false);
   QVERIFY(!paint.erase && paint.label == structure::kPortalVein && paint.radius == 4e-3);
@@ -113,6 +109,59 @@ void SegmentationToolsTest::BrushPaintsWhatIsChosenAndCtrlErases() {
   QVERIFY(made(EditTool::erase, false).brush == Paint::Brush::ball);
   QVERIFY(made(EditTool::erase, false).path == path_of(3));  // a ball is where it is
   QVERIFY_EXCEPTION_THROWN(made(EditTool::smooth, false), PreconditionError);
+}
+
+void SegmentationToolsTest::DiscIsPaintedInEveryLayerOfATiltedVolume() {
+  Image image;
+  image.grid = tilted_grid(10.0);
+  const VolumeGrid& grid = image.grid;
+  image.voxels = std::make_shared<const std::vector<std::int16_t>>(
+      static_cast<std::size_t>(grid.voxel_count()), std::int16_t{100});
+  EditSettings settings;
+  settings.brush_radius = 1e-3;
+  for (const int count : {2, 41}) {  // a fast hand and a slow one
+    const auto edits = strokes(EditTool::paint, settings, grid, Plane::axial, way_through(grid, count));
+    QCOMPARE(edits.size(), std::size_t{8});  // 40 mm sin 10 degrees
+    LabelMap labels{LabelVolume(grid), {}};
+    segmentation::History history;
+    for (const segmentation::Edit& edit : edits) {
+      const LabelMap before = labels;
+      labels = segmentation::apply_edit(before, image, edit, RunContext()).value().labels;
+      history = history.with(segmentation::step_name(edit), before, labels, 7);
+    }
+    // What was under the pointer, in whichever layer.
+    const Points places = way_through(grid, 401);
+    for (Eigen::Index n = 0; n < places.rows(); ++n) {
+      const Point<CtFrame> p(Eigen::Vector3d(places.row(n).transpose()));
+      const Eigen::Vector3i voxel = grid.index_of(p).array().round().cast<int>().matrix();
+      QCOMPARE(labels.voxels.at(voxel), structure::kParenchyma);
+    }
+    QCOMPARE(history.steps().size(), std::size_t{1});
+    QVERIFY(history.undo(labels).first.voxels == LabelVolume(grid));
+  }
+  Points outside = way_through(grid, 2);
+  outside.col(2).array() += 1.0;
+  QVERIFY(strokes(EditTool::paint, settings, grid, Plane::axial, outside).empty());
+  settings.ball = true;
+  QCOMPARE(strokes(EditTool::paint, settings, grid, Plane::axial, way_through(grid, 41)).size(),
+           std::size_t{1});
+}
+
+void SegmentationToolsTest::DiscBetweenTwoLayersStaysInTheOneThatIsShown() {
+  for (const double degrees : {1e-10, -1e-10}) {  // what is left of a rotation in a file's numbers
+    const VolumeGrid grid = tilted_grid(degrees);
+    const Points path = way_through(grid, 9);
+    const auto slice = scene::slice_geometry(grid, Plane::axial, grid.p_in_ct({19.5, 29.5, 24.5}));
+    const auto edits = ui::brush_edits(EditTool::paint, {}, grid, slice, path, false);
+    QCOMPARE(edits.size(), std::size_t{1});
+    const Paint paint = std::get<Paint>(edits[0].tool);
+    QCOMPARE(paint.path.rows(), path.rows());
+    const double shown = std::round(grid.index_of(slice.p_in_ct({0.0, 0.0})).z());
+    for (Eigen::Index n = 0; n < path.rows(); ++n) {
+      const Point<CtFrame> p(Eigen::Vector3d(paint.path.row(n).transpose()));
+      QVERIFY(std::abs(grid.index_of(p).z() - shown) < 1e-6);
+    }
+  }
 }
 
 void SegmentationToolsTest::BrushGrowsAndShrinksByTheWheel() {
@@ -282,8 +331,7 @@ void SegmentationToolsTest::RegionGoesWithEveryEdit() {
   settings.region.intensity = {100.0, 200.0};
   settings.region.locked = {structure::kPortalVein};
   const auto slice = scene::slice_geometry(grid, Plane::axial, grid.p_in_ct({20, 25, 30}));
-  QVERIFY(ui::brush_edit(EditTool::paint, settings, grid, Plane::axial, path_of(1), false).region ==
-          settings.region);
+  QVERIFY(stroke(EditTool::paint, settings, grid, Plane::axial, path_of(1)).region == settings.region);
   QVERIFY(ui::slice_cut(settings, grid, slice, {}, false).region == settings.region);
   QVERIFY(ui::volume_cut(settings, {}, false).region == settings.region);
   QVERIFY(ui::whole_edit(EditTool::smooth, settings, grid, {1}).region == settings.region);
@@ -331,9 +379,8 @@ void SegmentationToolsTest::StepsAreNamedForPeople() {
   // Every name that an edit gives itself is known.
   const VolumeGrid grid = permuted_grid();
   const auto slice = scene::slice_geometry(grid, Plane::axial, grid.p_in_ct({20, 25, 30}));
-  std::vector<segmentation::Edit> edits = {
-      ui::brush_edit(EditTool::paint, {}, grid, Plane::axial, path_of(1), false),
-      ui::brush_edit(EditTool::erase, {}, grid, Plane::axial, path_of(1), false)};
+  std::vector<segmentation::Edit> edits = {stroke(EditTool::paint, {}, grid, Plane::axial, path_of(1)),
+                                           stroke(EditTool::erase, {}, grid, Plane::axial, path_of(1))};
   for (const bool invert : {false, true}) {
     edits.push_back(*ui::click_edit(EditTool::level_tracing, {}, grid, Plane::axial, {}, 0, invert));
     edits.push_back(
@@ -368,6 +415,11 @@ void SegmentationToolsTest::RowsShowUsualLabelsFirstAndAFreeLesion() {
     return labels;
   };
   QVERIFY((labels_of(ui::label_rows(nullptr, nullptr)) == std::vector<Label>{1, 2, 3, 4, 6, 16}));
+  // And what is worked on, though nothing of it is there.
+  QVERIFY((labels_of(ui::label_rows(nullptr, nullptr, structure::kFirstOther)) ==
+           std::vector<Label>{1, 2, 3, 4, 6, 7, 16}));
+  QVERIFY((labels_of(ui::label_rows(nullptr, nullptr, structure::kFirstLesion)) ==
+           std::vector<Label>{1, 2, 3, 4, 6, 16}));
   Image image;
   image.grid.size = {8, 8, 8};
   image.voxels = std::make_shared<const std::vector<std::int16_t>>(512, std::int16_t{90});
@@ -384,6 +436,36 @@ void SegmentationToolsTest::RowsShowUsualLabelsFirstAndAFreeLesion() {
   QCOMPARE(rows[1].figures.voxels, 1L);
   QCOMPARE(rows[1].figures.mean_hu, 90.0);
   QCOMPARE(rows[6].figures.voxels, 0L);
+}
+
+void SegmentationToolsTest::LesionsThatAreSeededKeepTheirNumbers() {
+  VolumeGrid grid;
+  grid.size = {8, 8, 8};
+  LabelMap map{LabelVolume(grid), {}};
+  map.voxels.set({1, 1, 1}, structure::kFirstLesion);
+  const segmentation::LabelStatistics painted(map, nullptr);
+  segmentation::Seeds seeds;
+  const auto offered = [&](const segmentation::LabelStatistics* statistics) {
+    return ui::lesions_to_seed(seeds, statistics);
+  };
+  QVERIFY(offered(nullptr) == std::set<Label>{16});
+  QVERIFY(offered(&painted) == std::set<Label>{17});  // the first one was painted by a hand
+  ui::add_seed(seeds, 17, {0.0, 0.0, 0.01});
+  QCOMPARE(seeds.lesions.size(), std::size_t{2});
+  QCOMPARE(seeds.lesions[0].rows(), Eigen::Index{0});
+  QVERIFY((offered(&painted) == std::set<Label>{17, 18}));
+  QVERIFY((offered(nullptr) == std::set<Label>{16, 17}));
+  ui::add_seed(seeds, 16, {0.0, 0.01, 0.0});
+  ui::add_seed(seeds, 18, {0.01, 0.0, 0.0});
+  ui::remove_seed(seeds, {16, 0});
+  std::vector<Label> listed;
+  for (const ui::SeedEntry& entry : ui::list_seeds(seeds)) listed.push_back(entry.structure);
+  QVERIFY((listed == std::vector<Label>{17, 18}));
+  QCOMPARE(seeds.lesions[1](0, 2), 0.01);
+  ui::remove_seed(seeds, {17, 0});
+  QCOMPARE(seeds.lesions.size(), std::size_t{3});
+  ui::remove_seed(seeds, {18, 0});  // nothing behind it keeps a number
+  QVERIFY(seeds.lesions.empty());
 }
 
 }  // namespace glisson

@@ -48,7 +48,6 @@ class WindowTest : public QObject {
   void EveryPanelFitsItsColumnInEveryLanguage_data();
   void EveryPanelFitsItsColumnInEveryLanguage();
   void OpensWhatIsDropped();
-  void OneOfSeveralSeriesIsAskedFor();
   void ErrorsAreShownAndLeaveTheCase();
   void UnsavedChangesAreNotLostUnasked();
   void ClickMovesTheCrosshairInAllSlices();
@@ -184,31 +183,12 @@ void WindowTest::OpensWhatIsDropped() {
   QVERIFY(window_->engine().state().image != nullptr);
 }
 
-void WindowTest::OneOfSeveralSeriesIsAskedFor() {
-  const TemporaryFolder folder;
-  std::filesystem::create_directories(folder.path() / "one_series");
-  std::filesystem::create_directories(folder.path() / "two_series");
-  window_->open(folder.path() / "one_series");
-  QTRY_VERIFY(window_->engine().state().image != nullptr);
-  QVERIFY(window_->engine().state().image->description.empty());
-  QVERIFY(window_->findChild<QDialog*>(QStringLiteral("choose_series")) == nullptr);
-
-  window_->open(folder.path() / "two_series");
-  QTRY_VERIFY(window_->findChild<QDialog*>(QStringLiteral("choose_series")) != nullptr);
-  auto* dialog = window_->findChild<QDialog*>(QStringLiteral("choose_series"));
-  auto* list = dialog->findChild<QListWidget*>();
-  QCOMPARE(list->count(), 2);
-  QCOMPARE(list->currentRow(), 0);  // the one with the most slices
-  QVERIFY(list->item(1)->text().contains(QStringLiteral("arterial")));
-  list->setCurrentRow(1);
-  QTest::keyClick(dialog, Qt::Key_Return);
-  QTRY_COMPARE(window_->engine().state().image->description, std::string("1.2.4"));
-}
-
 void WindowTest::ErrorsAreShownAndLeaveTheCase() {
   open_ct();
   const auto before = window_->engine().state().image;
   window_->open("broken.nii");
+  QTest::mouseClick(window_->findChild<QPushButton*>(QStringLiteral("same_patient")), Qt::LeftButton);
+  QTRY_VERIFY(!window_->status_text().isEmpty());
   QVERIFY(settle());
   QVERIFY(window_->engine().state().image == before);
   QVERIFY(window_->status_text().contains(QStringLiteral("cut off after 12 bytes")));

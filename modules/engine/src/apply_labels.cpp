@@ -95,6 +95,20 @@ void require_editable(const CaseState& state) {
     require_same_grid(state.labels->voxels.grid(), state.image->grid, "the case's labels and its image");
 }
 
+/// What a file says of its labels, by the labels that they become.
+Review review_of(const LabelFile& file, const LabelCodes& codes) {
+  Review review;
+  for (const LabelInfo& info : file.infos) {
+    if (!codes.empty() && !codes.contains(info.code)) continue;  // it becomes background
+    const ReviewState state = review_state(info.status);
+    const auto [known, is_new] = review.emplace(codes.empty() ? info.code : codes.at(info.code), state);
+    // Of several that become one label, all have to be looked at.
+    if (!is_new) known->second = std::min(known->second, state);
+  }
+  std::erase_if(review, [](const auto& one) { return one.second == ReviewState::not_started; });
+  return review;
+}
+
 Applied stepped(const CaseState& state, bool back) {
   const segmentation::History history = history_of(state);
   if (!state.labels || !(back ? history.can_undo() : history.can_redo()))
@@ -121,10 +135,7 @@ Cancellable<Applied> apply_one(const CaseState& state, const ImportLabels& comma
   applied.state = state;
   LabelMap labels = command.codes.empty() ? LabelMap{file.voxels, file.infos}
                                           : recode(file, command.codes, command.path.string());
-  Review review;
-  for (const LabelInfo& info : file.infos)
-    if (const ReviewState known = review_state(info.status); known != ReviewState::not_started)
-      review[command.codes.contains(info.code) ? command.codes.at(info.code) : info.code] = known;
+  const Review review = review_of(file, command.codes);
   replace_labels(applied.state, std::move(labels), {"import_labels", 0, 0.0});
   put_review(applied.state, review);
   report_labels(applied.state, applied.figures);
@@ -144,9 +155,8 @@ Cancellable<Applied> apply_one(const CaseState& state, const Segment& command, c
   require_part(state, Part::image, "Import a CT first");
   require_part(state, Part::seeds, "Click seeds in the liver first, or give --seeds FILE");
   const segmentation::SegmentationOptions& options = command.options;
-  const bool keeps = options.region || !(options.structures == segmentation::Structures{});
   auto segmented = segmentation::segment(*state.image, *state.seeds, options, context,
-                                         keeps ? state.labels.get() : nullptr, command.show);
+                                         command.keeps_labels() ? state.labels.get() : nullptr, command.show);
   if (!segmented) return {};
   Applied applied;
   applied.state = state;
@@ -174,6 +184,11 @@ Cancellable<Applied> apply_one(const CaseState& state, const EditLabels& command
   applied.state = state;
   applied.figures["voxels_changed"] = static_cast<double>(edited->voxels_changed);
   applied.notes = edited->notes;
+  if (edited->voxels_changed == 0) {
+    // The labels stay the same edition: a model made of them is not out of date.
+    applied.state.preview = nullptr;
+    return applied;
+  }
   const std::set<Label> touched = step_to(applied.state, before, std::move(edited->labels),
                                           segmentation::step_name(command.edit), command.gesture);
   put_review(applied.state, review_after(review_of(state), touched));

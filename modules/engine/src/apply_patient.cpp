@@ -51,7 +51,7 @@ Cancellable<Applied> apply_one(const CaseState& state, const ImportImage& comman
   auto image = read_image(command.path, context, command.series);
   if (!image) return {};
   Applied applied;
-  applied.state = state;
+  if (!command.new_case) applied.state = state;
   for (int k = 0; k < 3; ++k) {
     const std::string axis(1, static_cast<char>('i' + k));
     applied.figures["image_size_" + axis] = image->grid.size[k];
@@ -130,7 +130,9 @@ Cancellable<Applied> apply_one(const CaseState& state, const SetLandmarks& comma
   require_part(state, Part::model, "Build or import a model first: landmarks lie on its surface");
   Applied applied;
   applied.state = state;
-  applied.state.landmarks = std::make_shared<const Landmarks>(command.landmarks);
+  // None at all is as if nobody had said anything: a part that holds nothing could not be saved.
+  const bool none = command.landmarks.empty() && command.landmarks.vena_cava.rows() == 0;
+  applied.state.landmarks = none ? nullptr : std::make_shared<const Landmarks>(command.landmarks);
   return applied;
 }
 

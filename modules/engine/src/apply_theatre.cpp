@@ -12,6 +12,7 @@
 #include "glisson/stereo/faults.h"
 #include "glisson/stereo/labelling.h"
 #include "glisson/stereo/picture_io.h"
+#include "glisson/stereo/source.h"
 
 namespace glisson::engine {
 namespace {
@@ -46,15 +47,24 @@ void require_rig_fits(const CaseState& state) {
                    "Use the calibration of this scope at this resolution");
 }
 
-Cancellable<Applied> with_frame(const CaseState& state, StereoInput input) {
+/// @param mask the file that the mask was read from, where there is one.
+Cancellable<Applied> with_frame(const CaseState& state, StereoInput input,
+                                const std::filesystem::path& mask) {
   if (input.frame.left.width != input.frame.right.width ||
       input.frame.left.height != input.frame.right.height)
     throw InputError("stereo pair", "size", "left and right pictures differ in size",
                      "Give two pictures of one moment of one scope");
+  if (!input.mask.empty() &&
+      (input.mask.width != input.frame.left.width || input.mask.height != input.frame.left.height))
+    throw InputError(mask.string(), "size",
+                     "is " + std::to_string(input.mask.width) + "x" + std::to_string(input.mask.height) +
+                         ", the left picture " + std::to_string(input.frame.left.width) + "x" +
+                         std::to_string(input.frame.left.height),
+                     "Give the mask of this left picture");
   Applied applied;
   applied.state = state;
+  // A calibration of another size is told where the two are used: either may be the one that comes next.
   applied.state.frame = std::make_shared<const StereoInput>(std::move(input));
-  require_rig_fits(applied.state);
   return applied;
 }
 
@@ -75,16 +85,43 @@ Cancellable<std::shared_ptr<const SimulatedOperations>> operations_of(
 
 }  // namespace
 
+namespace {
+
+/// How the case's pictures were cut out of a video's views; empty: they were not.
+struct Cut {
+  int whole_width = 0, whole_height = 0;  ///< of a view
+  stereo::Crop crop;
+};
+std::optional<Cut> cut_of(const CaseState& state) {
+  if (!state.video || !state.video->right.empty() || state.video->left.extension() != ".json") return {};
+  const stereo::SourceOptions source = stereo::read_source(state.video->left);
+  if (!source.crop.any()) return {};
+  const stereo::StereoVideo video(source);
+  if (state.frame &&
+      (state.frame->frame.left.width != video.width() || state.frame->frame.left.height != video.height()))
+    return {};  // the pair is another one
+  return Cut{video.whole_width(), video.whole_height(), source.crop};
+}
+
+}  // namespace
+
 Cancellable<Applied> apply_one(const CaseState& state, const SetCalibration& command, const RunContext&) {
   const bool plain_text = std::filesystem::is_directory(command.path);
   // Plain text files do not tell the pictures' size.
   if (plain_text) require_part(state, Part::frame, "Load a stereo pair first: its size is needed");
+  const auto cut = cut_of(state);
+  StereoRig rig;
+  if (plain_text)
+    rig = stereo::read_text_calibration(command.path, cut ? cut->whole_width : state.frame->frame.left.width,
+                                        cut ? cut->whole_height : state.frame->frame.left.height);
+  else
+    rig = stereo::read_calibration(command.path);
+  // Scopes are calibrated on whole views.
+  if (cut && rig.left.width == cut->whole_width && rig.left.height == cut->whole_height)
+    rig = stereo::cropped(rig, cut->crop);
   Applied applied;
   applied.state = state;
-  applied.state.rig = std::make_shared<const StereoRig>(
-      plain_text ? stereo::read_text_calibration(command.path, state.frame->frame.left.width,
-                                                 state.frame->frame.left.height)
-                 : stereo::read_calibration(command.path));
+  applied.state.rig = std::make_shared<const StereoRig>(std::move(rig));
   return applied;
 }
 
@@ -93,7 +130,7 @@ Cancellable<Applied> apply_one(const CaseState& state, const LoadStereoPair& com
   input.frame.left = stereo::read_picture(command.left);
   input.frame.right = stereo::read_picture(command.right);
   if (!command.mask.empty()) input.mask = stereo::read_picture(command.mask);
-  return with_frame(state, std::move(input));
+  return with_frame(state, std::move(input), command.mask);
 }
 
 Cancellable<Applied> apply_one(const CaseState& state, const SetVideo& command, const RunContext&) {
@@ -111,6 +148,7 @@ Cancellable<Applied> apply_one(const CaseState& state, const LoadVideoFrame& com
   require_part(state, Part::video, "Open a stereo video first");
   stereo::StereoVideo video(state.video->left, state.video->right);
   StereoInput input;
+  if (!command.mask.empty()) input.mask = stereo::read_picture(command.mask);
   for (int i = 0; i <= command.index; ++i) {
     if (context.cancelled()) return {};
     if (!video.read(input.frame))
@@ -118,7 +156,7 @@ Cancellable<Applied> apply_one(const CaseState& state, const LoadVideoFrame& com
                        "the video has only " + std::to_string(i) + " frames", "Choose an earlier frame");
     context.progress(static_cast<double>(i + 1) / (command.index + 1), "video.seek");
   }
-  return with_frame(state, std::move(input));
+  return with_frame(state, std::move(input), command.mask);
 }
 
 Cancellable<Applied> apply_one(const CaseState& state, const SetRegions& command, const RunContext&) {
@@ -356,9 +394,16 @@ Cancellable<Applied> apply_one(const CaseState& state, const ImportRegistration&
 std::unique_ptr<Follower> make_follower(const CaseState& state, const StartTracking& command) {
   require_part(state, Part::model, "Build or import a model first");
   require_part(state, Part::registration, "Register the model first");
-  if (stage_state(state, Part::registration) == StageState::stale)
+  if (stage_state(state, Part::registration) == StageState::stale) {
+    // Registered again on what is out of date itself, it would stay so.
+    for (const Part input : {Part::model, Part::landmarks, Part::cloud})
+      if (stage_state(state, input) == StageState::stale)
+        throw InputError("case", std::string(part_code(input)),
+                         "is stale: something that it was made from has changed",
+                         "Make it anew, then register again");
     throw InputError("case", "registration", "is stale: something that it was made from has changed",
                      "Register again");
+  }
   if (command.source == StartTracking::Source::frames) {
     require_part(state, Part::rig, "Load the laparoscope's calibration first");
     require_part(state, Part::frame, "Load the stereo pair that was registered first");

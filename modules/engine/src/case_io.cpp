@@ -108,6 +108,13 @@ json registration_entry(const Registration& registration) {
 
 // ---- the case ----
 
+/// Whether the registration is of the case's model: one of a former model has other nodes, is of no use any
+/// more, and is not written.
+bool is_of_its_model(const CaseState& state) {
+  return state.registration && state.model &&
+         state.registration->nodes_in_camera.rows() == state.model->model.mesh.vertex_count();
+}
+
 /// Writes the files of every part that there is into `folder`, for a case that will stand at `path`.
 /// @return case.json, or nothing when cancelled.
 std::optional<json> write_parts(const fs::path& folder, const fs::path& path, const CaseState& state,
@@ -178,8 +185,7 @@ std::optional<json> write_parts(const fs::path& folder, const fs::path& path, co
     if (state.points) write_points(folder, state, *state.points);
     return json{{"has_points", state.points != nullptr}};
   });
-  // A registration is that of its model: without one there is nothing to write it on.
-  if (state.model)
+  if (is_of_its_model(state))
     write(Part::registration, [&] {
       write_registration(folder / "registration.vtu", state.model->model, *state.registration, kUnit);
       return registration_entry(*state.registration);
@@ -313,7 +319,7 @@ void verify(const fs::path& folder, const CaseState& state) {
   for (int i = 0; same && i < kPartCount; ++i) {
     const Part part = static_cast<Part>(i);
     if (part != Part::live && part != Part::preview)
-      same = read->has(part) == state.has(part) || (part == Part::registration && !state.model);
+      same = read->has(part) == (part == Part::registration ? is_of_its_model(state) : state.has(part));
   }
   if (same && state.image)
     same = *read->image->voxels == *state.image->voxels && read->image->grid.same_as(state.image->grid);
@@ -330,7 +336,7 @@ void verify(const fs::path& folder, const CaseState& state) {
     same = close(read->cloud->points, state.cloud->points) &&
            (read->points != nullptr) == (state.points != nullptr) &&
            (!state.points || same_points(*read->points, *state.points));
-  if (same && state.registration && state.model)
+  if (same && is_of_its_model(state))
     same = close(read->registration->nodes_in_camera, state.registration->nodes_in_camera);
   if (!same)
     throw FileError(folder.string() +

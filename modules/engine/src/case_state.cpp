@@ -86,6 +86,16 @@ std::vector<LabelInfo> reviewed_infos(const CaseState& state) {
   return infos;
 }
 
+Editions editions(const CaseState& state) {
+  Editions all{};
+  for (int i = 0; i < kPartCount; ++i) {
+    const Part part = static_cast<Part>(i);
+    if (part != Part::live && part != Part::preview)
+      all[static_cast<std::size_t>(i)] = state.stamp(part).revision;
+  }
+  return all;
+}
+
 StageState stage_state(const CaseState& state, Part part) {
   if (!state.has(part)) return StageState::absent;
   for (const auto& [input, revision] : state.stamp(part).made_from)

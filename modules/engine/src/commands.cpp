@@ -13,7 +13,9 @@ struct Traits {
 };
 
 // One overload a command: a new command does not compile until it says what it touches.
-Traits traits(const ImportImage&) { return {"import_image", {}, {Part::image}}; }
+Traits traits(const ImportImage& command) {
+  return {"import_image", {}, command.new_case ? Parts::all() : Parts{Part::image}};
+}
 Traits traits(const ListSeries&) { return {"list_series", {}, {}}; }
 constexpr Parts kEdited = {Part::labels, Part::review, Part::preview};
 constexpr Parts kEditReads = {Part::image, Part::labels, Part::review, Part::preview};
@@ -29,7 +31,11 @@ Traits traits(const UndoLabels&) { return {"undo_labels", kEditReads, kEdited, t
 Traits traits(const RedoLabels&) { return {"redo_labels", kEditReads, kEdited, true}; }
 Traits traits(const SetReview&) { return {"set_review", {}, {Part::review}, true}; }
 Traits traits(const SetSeeds&) { return {"set_seeds", {}, {Part::seeds}, true}; }
-Traits traits(const Segment&) { return {"segment", {Part::image, Part::seeds}, kEdited}; }
+Traits traits(const Segment& command) {
+  // What is kept of the labels stays as old as it was.
+  if (command.keeps_labels()) return {"segment", {Part::image, Part::seeds, Part::labels}, kEdited};
+  return {"segment", {Part::image, Part::seeds}, kEdited};
+}
 Traits traits(const BuildModel&) { return {"build_model", {Part::labels}, {Part::model}}; }
 Traits traits(const ImportSurfaces&) { return {"import_surfaces", {}, {Part::model}}; }
 Traits traits(const ImportMesh&) { return {"import_mesh", {}, {Part::model}}; }
@@ -45,7 +51,8 @@ Traits traits(const SetRegions&) { return {"set_regions", {Part::frame}, {Part::
 Traits traits(const Reconstruct&) {
   return {"reconstruct", {Part::rig, Part::frame, Part::regions}, {Part::cloud}};
 }
-Traits traits(const ImportCloud&) { return {"import_cloud", {}, {Part::cloud}}; }
+// It was seen by the camera, and in the frame, of the case: with others it is not to be drawn.
+Traits traits(const ImportCloud&) { return {"import_cloud", {Part::rig, Part::frame}, {Part::cloud}}; }
 Traits traits(const Register&) {
   return {"register", {Part::model, Part::landmarks, Part::cloud}, {Part::registration}};
 }

@@ -176,6 +176,8 @@ struct Engine::Impl {
       settle_tracking(job->command);
       settle_trial(job->command, base);
       commit(*job, base, std::move(*applied));
+      if (std::holds_alternative<SaveCase>(job->command)) outcome.saved = editions(base);
+      if (std::holds_alternative<OpenCase>(job->command)) outcome.saved = editions(current->state);
     } else if (std::holds_alternative<StartTracking>(job->command)) {
       stop_following();
     } else if (std::holds_alternative<StartTrial>(job->command)) {
@@ -232,7 +234,7 @@ struct Engine::Impl {
   void settle_tracking(const Command& command) {
     if (std::holds_alternative<StartTracking>(command)) {
       set_tracking(true);
-    } else if (std::holds_alternative<StopTracking>(command) || std::holds_alternative<OpenCase>(command)) {
+    } else if (std::holds_alternative<StopTracking>(command) || writes(command) == Parts::all()) {
       stop_following();
     }
   }

@@ -116,6 +116,26 @@ std::vector<Eigen::Vector3i> voxels_of(const VolumeGrid& image, const Field& fie
   return voxels;
 }
 
+bool is_anew(const Structures& anew, const Seeds& seeds, Label label) {
+  switch (label) {
+    case structure::kParenchyma:
+      return anew.liver;
+    case structure::kPortalVein:
+      return anew.portal_vein;
+    case structure::kHepaticVeins:
+      return anew.hepatic_veins;
+    case structure::kVenaCava:
+      return anew.vena_cava;
+    case structure::kGallbladder:
+      return anew.gallbladder;
+    default:
+      break;
+  }
+  if (!is_lesion(label) || !anew.lesions) return false;
+  const auto lesion = static_cast<std::size_t>(label - structure::kFirstLesion);
+  return lesion < seeds.lesions.size() && seeds.lesions[lesion].rows() > 0;
+}
+
 void unite(Mask& mask, const Mask& more) {
   for (std::size_t i = 0; i < mask.voxels.size(); ++i)
     mask.voxels[i] = mask.voxels[i] != 0 || more.voxels[i] != 0;
@@ -150,7 +170,7 @@ Cancellable<Bodies> find_bodies(const Image& image, const Seeds& seeds, double s
   }
   bodies.gallbladder = anew.gallbladder ? grow_body(ct, places(seeds.gallbladder), bodies.parenchyma)
                                         : known([](Label label) { return label == structure::kGallbladder; });
-  Mask tumours = anew.lesions ? ct.empty_mask() : known(is_lesion);
+  Mask tumours = known([&](Label label) { return is_lesion(label) && !is_anew(anew, seeds, label); });
   if (anew.lesions)
     for (const Points& lesion : seeds.lesions) {
       bodies.lesions.push_back(grow_body(ct, places(lesion), bodies.parenchyma));

@@ -9,6 +9,9 @@ namespace glisson::segmentation {
 /// The nearest voxel of the field to each point; kept inside.
 std::vector<Eigen::Vector3i> voxels_of(const VolumeGrid& image, const Field& field, const Points& points);
 
+/// Whether a label is found anew: its structure is, and a lesion has a point of its own.
+bool is_anew(const Structures& anew, const Seeds& seeds, Label label);
+
 /// Adds the voxels of `more`. @pre one grid.
 void unite(Mask& mask, const Mask& more);
 
@@ -18,7 +21,7 @@ struct Bodies {
   Tissue parenchyma;
   Field grid;  ///< of the masks, without values
   Mask liver, cava, gallbladder;
-  std::vector<Mask> lesions;  ///< found anew, one for each group of seeds
+  std::vector<Mask> lesions;  ///< found anew, one for each list of seeds; empty where the list is
 };
 
 /// @param anew what is found; the rest is taken from `kept`, which may be null when all is found.

@@ -63,6 +63,15 @@ VoxelBox box_of(const VolumeGrid& grid, const std::optional<Eigen::AlignedBox3d>
   return box;
 }
 
+/// Whether a voxel's centre lies in the region: of a volume that is askew in the patient, the region's box of
+/// voxels holds others, too.
+bool is_in(const std::optional<Eigen::AlignedBox3d>& region, const VolumeGrid& grid,
+           const Eigen::Vector3i& voxel) {
+  constexpr double kRounding = 1e-9;  // metres
+  return !region ||
+         region->squaredExteriorDistance(grid.p_in_ct(voxel.cast<double>()).xyz) <= kRounding * kRounding;
+}
+
 VolumeGrid part_of(const VolumeGrid& grid, const VoxelBox& box) {
   VolumeGrid part = grid;
   part.size = box.size();
@@ -94,12 +103,13 @@ LabelMap part_of(const LabelMap& labels, const VoxelBox& box) {
   return {LabelVolume(part_of(labels.voxels.grid(), box), dense), labels.infos};
 }
 
-Seeds part_of(const Seeds& seeds, const VolumeGrid& part) {
+Seeds part_of(const Seeds& seeds, const VolumeGrid& part, const std::optional<Eigen::AlignedBox3d>& region) {
   const auto inside = [&](const Points& points) {
     std::vector<Eigen::Index> rows;
     for (Eigen::Index n = 0; n < points.rows(); ++n) {
       const Eigen::Vector3d index = part.index_of(Point<CtFrame>(Eigen::Vector3d(points.row(n).transpose())));
-      if (part.contains(index.array().round().matrix().cast<int>())) rows.push_back(n);
+      const Eigen::Vector3i voxel = index.array().round().matrix().cast<int>();
+      if (part.contains(voxel) && is_in(region, part, voxel)) rows.push_back(n);
     }
     return Points(points(rows, Eigen::all));
   };
@@ -122,25 +132,8 @@ Structures found_anew(const Structures& asked, const Seeds& seeds) {
   return anew;
 }
 
-bool is_anew(const Structures& anew, Label label) {
-  switch (label) {
-    case structure::kParenchyma:
-      return anew.liver;
-    case structure::kPortalVein:
-      return anew.portal_vein;
-    case structure::kHepaticVeins:
-      return anew.hepatic_veins;
-    case structure::kVenaCava:
-      return anew.vena_cava;
-    case structure::kGallbladder:
-      return anew.gallbladder;
-    default:
-      return is_lesion(label) && anew.lesions;
-  }
-}
-
 /// The kept labels, without what is found anew. A kept liver is whole again where vessels or lesions were.
-Painting prepared(const Image& image, const Structures& anew, const LabelMap* kept) {
+Painting prepared(const Image& image, const Seeds& seeds, const Structures& anew, const LabelMap* kept) {
   const auto count = static_cast<std::size_t>(image.grid.voxel_count());
   Painting painting{image.grid, std::vector<Label>(count, 0), std::vector<std::uint8_t>(count, 0)};
   if (kept == nullptr) return painting;
@@ -149,7 +142,7 @@ Painting prepared(const Image& image, const Structures& anew, const LabelMap* ke
       anew.liver ? std::vector<std::uint8_t>(count, 0) : inside_liver(*kept);
   for (std::size_t i = 0; i < count; ++i) {
     Label& label = painting.labels[i];
-    if (label != 0 && is_anew(anew, label)) label = liver[i] != 0 ? structure::kParenchyma : Label{0};
+    if (label != 0 && is_anew(anew, seeds, label)) label = liver[i] != 0 ? structure::kParenchyma : Label{0};
     painting.held[i] = label != 0 && label != structure::kParenchyma;
   }
   return painting;
@@ -182,7 +175,7 @@ Cancellable<FoundVessels> find_trees(const Image& image, const Seeds& seeds, con
   if (kept != nullptr)
     barred = sampled(image.grid, kept->voxels.mask([&](Label label) {
       return label != 0 && label != structure::kParenchyma && label != structure::kVenaCava &&
-             !is_anew(anew, label);
+             !is_anew(anew, seeds, label);
     }),
                      fine);
   auto trees = find_vessels(fine, transferred(bodies.liver_phi, fine),
@@ -223,17 +216,20 @@ double ml_of(const LabelVolume& labels, Label label) {
 }
 
 /// The painting put in its place in the whole image; bricks in which nothing changed are shared with `kept`.
-LabelMap placed(const Painting& painting, const VoxelBox& box, const VolumeGrid& grid, const LabelMap* kept) {
+LabelMap placed(const Painting& painting, const VoxelBox& box,
+                const std::optional<Eigen::AlignedBox3d>& region, const VolumeGrid& grid,
+                const LabelMap* kept) {
   LabelMap result;
   if (kept != nullptr) result = *kept;
-  if (box.size() == grid.size && kept == nullptr) {
+  if (!region && kept == nullptr) {
     result.voxels = LabelVolume(grid, painting.labels);
   } else {
     if (kept == nullptr) result.voxels = LabelVolume(grid);
     std::size_t at = 0;
     for (int k = box.low.z(); k < box.high.z(); ++k)
       for (int j = box.low.y(); j < box.high.y(); ++j)
-        for (int i = box.low.x(); i < box.high.x(); ++i) result.voxels.set({i, j, k}, painting.labels[at++]);
+        for (int i = box.low.x(); i < box.high.x(); ++i, ++at)
+          if (is_in(region, grid, {i, j, k})) result.voxels.set({i, j, k}, painting.labels[at]);
   }
   const std::vector<LabelInfo> known = std::move(result.infos);
   result.infos.clear();
@@ -269,7 +265,8 @@ void note_doubts(const Seeds& seeds, SegmentationReport& report) {
   if (seeds.hepatic_veins.rows() > 0 && report.hepatic_ml == 0.0)
     report.notes.emplace_back("hepatic_veins.not_found");
   for (std::size_t n = 0; n < report.lesion_ml.size(); ++n)
-    if (report.lesion_ml[n] == 0.0) report.notes.push_back("lesion_" + std::to_string(n + 1) + ".not_found");
+    if (seeds.lesions[n].rows() > 0 && report.lesion_ml[n] == 0.0)
+      report.notes.push_back("lesion_" + std::to_string(n + 1) + ".not_found");
 }
 
 }  // namespace
@@ -287,7 +284,7 @@ Cancellable<Segmented> segment(const Image& whole, const Seeds& all_seeds, const
   if (all_kept != nullptr) require_same_grid(all_kept->voxels.grid(), whole.grid, "labels that are kept");
   const VoxelBox box = box_of(whole.grid, options.region);
   const Image image = part_of(whole, box);
-  const Seeds seeds = part_of(all_seeds, image.grid);
+  const Seeds seeds = part_of(all_seeds, image.grid, options.region);
   const std::optional<LabelMap> kept_part =
       all_kept != nullptr ? std::optional(part_of(*all_kept, box)) : std::nullopt;
   const LabelMap* kept = kept_part ? &*kept_part : nullptr;
@@ -313,10 +310,10 @@ Cancellable<Segmented> segment(const Image& whole, const Seeds& all_seeds, const
   if (!vessels) return std::nullopt;
   context.progress(0.95, "segmentation.finish");
 
-  Painting painting = prepared(image, anew, kept);
+  Painting painting = prepared(image, seeds, anew, kept);
   paint_all(*bodies, *vessels, anew, painting);
   Segmented result;
-  result.labels = placed(painting, box, whole.grid, all_kept);
+  result.labels = placed(painting, box, options.region, whole.grid, all_kept);
   result.report = report_of(result.labels, seeds);
   note_doubts(seeds, result.report);
   context.progress(1.0, "segmentation.finish");

@@ -10,6 +10,7 @@
 
 #include "glisson/core/error.h"
 #include "picture_cv.h"
+#include "size_text.h"
 
 namespace glisson::stereo {
 namespace {
@@ -41,8 +42,6 @@ std::optional<int> dictionary_of(const std::string& name) {
     if (name == known) return code;
   return std::nullopt;
 }
-
-std::string size_text(int a, int b) { return std::to_string(a) + "x" + std::to_string(b); }
 
 std::optional<BoardCorners> find_chessboard(const cv::Mat& image, const Board& board) {
   // Equalising helps pictures of poor light and spoils some of good light: both are tried.

@@ -10,6 +10,7 @@
 #include "highlights.h"
 #include "picture_cv.h"
 #include "rectification.h"
+#include "size_text.h"
 #include "view_state.h"
 
 namespace glisson::stereo {
@@ -167,7 +168,9 @@ bool PairCheck::has(Fault fault) const {
 PairCheck check_pair(const Picture& left, const Picture& right, const StereoRig& rig) {
   for (const auto& [picture, camera] : {std::pair(&left, &rig.left), {&right, &rig.right}})
     if (picture->empty() || picture->width != camera->width || picture->height != camera->height)
-      throw InputError("stereo pair", "size", "is not that of the calibration",
+      throw InputError("stereo pair", "size",
+                       size_text(picture->width, picture->height) + " is not that of the calibration, " +
+                           size_text(camera->width, camera->height),
                        "Use the calibration of this laparoscope at this image size");
   PairCheck check;
   check.faults = faults_of_views(thumbnail(left), thumbnail(right));

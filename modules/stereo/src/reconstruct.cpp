@@ -17,6 +17,7 @@
 #include "picture_cv.h"
 #include "rectification.h"
 #include "refine.h"
+#include "size_text.h"
 #include "surface_fit.h"
 
 namespace glisson::stereo {
@@ -26,8 +27,6 @@ constexpr int kFewestPoints = 10;
 constexpr double kLargestSigma = 0.5;  // pixels: less certain matches carry no depth
 constexpr double kSamePoint = 2.0;     // pixels
 constexpr double kBandRows = 2.0;      // of epipolar_px, before refinement
-
-std::string size_text(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
 
 void check_inputs(const Picture& left, const Picture& right, const StereoRig& rig, const Picture& mask) {
   const auto check = [&](const char* name, const Picture& picture, const Camera& camera) {

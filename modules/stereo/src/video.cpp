@@ -10,6 +10,7 @@
 #include "glisson/stereo/picture_pairs.h"
 #include "glisson/stereo/source.h"
 #include "picture_cv.h"
+#include "size_text.h"
 #include "streams.h"
 
 namespace glisson::stereo {
@@ -20,8 +21,6 @@ namespace {
 constexpr int kRoundedFrames = 1;
 /// Without a pair for so long, two sources are not of one operation, or not of one moment.
 constexpr double kLongestSearch = 2.0;
-
-std::string size_text(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
 
 std::unique_ptr<PictureStream> open_stream(const std::string& source) {
   if (!is_device(source)) return std::make_unique<FileStream>(source);
@@ -144,10 +143,13 @@ class TwoStreams : public Views {
         has_right = take(*right_, taken_right_);
       if (std::max(left_->seconds, right_->seconds) - begin > kLongestSearch) refuse_skew();
     }
-    // One camera of two that was unplugged is the end, not a file that breaks off.
+    // One camera of two that was unplugged is the end, not a file that breaks off. Nor is one of two
+    // recorders that was stopped a moment before the other.
     if (has_left != has_right && skipped == 0 && !left_->live && !right_->live) {
       const PictureStream& broken = has_left ? *right_ : *left_;
-      broken_off(broken.name, has_left ? taken_right_ : taken_left_, std::max(left_->frames, right_->frames));
+      const int taken = has_left ? taken_right_ : taken_left_,
+                longest = std::max(left_->frames, right_->frames);
+      if (taken + kRoundedFrames < longest) broken_off(broken.name, taken, longest);
     }
     for (const auto& [stream, taken] : {std::pair(left_.get(), taken_left_), {right_.get(), taken_right_}})
       if (!has_left && !has_right && taken + kRoundedFrames < stream->frames)
@@ -277,6 +279,8 @@ StereoVideo::~StereoVideo() = default;
 
 int StereoVideo::width() const { return impl_->part.width; }
 int StereoVideo::height() const { return impl_->part.height; }
+int StereoVideo::whole_width() const { return impl_->views->width; }
+int StereoVideo::whole_height() const { return impl_->views->height; }
 double StereoVideo::frames_per_second() const { return impl_->views->rate; }
 int StereoVideo::frame_count() const { return impl_->views->frames; }
 int StereoVideo::skipped() const { return impl_->views->skipped; }

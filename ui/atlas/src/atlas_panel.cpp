@@ -49,7 +49,9 @@ AtlasPanel::AtlasPanel(EngineBridge& engine, LinkedViews& views, QWidget* parent
   connect(&views_.volume(), &RenderView::clicked, this, &AtlasPanel::place);
   connect(&this->engine(), &EngineBridge::case_changed, this, &AtlasPanel::show_case);
   connect(&this->engine(), &EngineBridge::finished, this, [this](const engine::Outcome& outcome) {
-    if (storing_.erase(outcome.id) > 0 && storing_.empty()) show_case();
+    if (storing_.erase(outcome.id) == 0 || !storing_.empty()) return;
+    model_.reset();  // what is shown is what the case has now, even where nothing has changed there
+    show_case();
   });
   auto* escape = new QShortcut(Qt::Key_Escape, this);
   connect(escape, &QShortcut::activated, this, [this] { choose(Tool::none); });
@@ -84,8 +86,11 @@ QPushButton* AtlasPanel::add_tool(const QString& heading, const QString& explana
     list.conservativeResize(list.rows() - 1, 3);
     store();
   });
-  connect(clear, &QPushButton::clicked, this, [this, points] {
+  connect(clear, &QPushButton::clicked, this, [this, points, tool] {
     (landmarks_.*points).resize(0, 3);
+    // Those that the model brought come back where nobody has placed any: the next click takes their place.
+    const auto model = engine().state().model;
+    if (model && (model->model.landmarks.*points).rows() > 0) begin_anew_.insert(tool);
     store();
   });
   return place;
@@ -110,6 +115,7 @@ void AtlasPanel::place(double x, double y) {
   const auto p = views_.surface_point(x, y);
   if (!p) return;
   Points& list = tool_ == Tool::notch ? landmarks_.umbilical_notch : landmarks_.vena_cava;
+  if (begin_anew_.erase(tool_) > 0) list.resize(0, 3);
   list.conservativeResize(list.rows() + 1, 3);
   list.row(list.rows() - 1) = p->transpose();
   store();
@@ -123,6 +129,7 @@ void AtlasPanel::store() {
 void AtlasPanel::show_case() {
   const engine::CaseState& now = engine().state();
   const bool changed = now.landmarks != taken_ || now.model != model_;
+  if (model_ && now.model != model_) begin_anew_.clear();
   if (storing_.empty() && changed) {
     taken_ = now.landmarks;
     model_ = now.model;
@@ -138,11 +145,14 @@ void AtlasPanel::show_landmarks() {
   margin_->setText(landmarks_.anterior_margin.rows() > 1
                        ? tr("%1 mm long").arg(length_mm(landmarks_.anterior_margin), 0, 'f', 0)
                        : tr("not found"));
-  const auto placed = [](const Points& points) {
-    return points.rows() == 0 ? tr("not placed") : tr("points: %1").arg(points.rows());
+  const auto placed = [this](const Points& points, Tool tool) {
+    if (points.rows() == 0) return tr("not placed");
+    return begin_anew_.contains(tool)
+               ? tr("points of the model: %1, the next click replaces them").arg(points.rows())
+               : tr("points: %1").arg(points.rows());
   };
-  notch_->setText(placed(landmarks_.umbilical_notch));
-  cava_->setText(placed(landmarks_.vena_cava));
+  notch_->setText(placed(landmarks_.umbilical_notch, Tool::notch));
+  cava_->setText(placed(landmarks_.vena_cava, Tool::vena_cava));
   emit landmarks_shown();
   if (ready) views_.set_landmarks(landmarks_);
 }

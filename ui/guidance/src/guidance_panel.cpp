@@ -32,10 +32,7 @@ GuidancePanel::GuidancePanel(EngineBridge& engine, DrawableSource& drawables, QW
   build_tracking();
   build_look();
   connect(&worker_, &OverlayWorker::painted, this, &GuidancePanel::show_painted);
-  connect(&worker_, &OverlayWorker::failed, this, [this](const QString& message) {
-    banner_->setText(message);
-    banner_->show();
-  });
+  connect(&worker_, &OverlayWorker::failed, this, &GuidancePanel::show_failed);
   connect(
       &worker_, &OverlayWorker::recording_ended, this,
       [this](const QString& path, int frames, const QString& error) {
@@ -45,15 +42,16 @@ GuidancePanel::GuidancePanel(EngineBridge& engine, DrawableSource& drawables, QW
         show_buttons();
       });
   connect(&feed_, &VideoFeed::ended, this, [this] {
+    if (!is_playing()) return;
     repeat_now_ = repeat_->isChecked();
     stop_tracking(tr("The video has ended. Last picture, not live."));
   });
-  connect(&feed_, &VideoFeed::failed, this, &GuidancePanel::stop_tracking);
+  connect(&feed_, &VideoFeed::failed, this, [this](const QString& message) {
+    if (is_playing()) stop_tracking(message);
+  });
   connect(&this->engine(), &EngineBridge::case_changed, this, &GuidancePanel::show_case);
   connect(&this->engine(), &EngineBridge::live_changed, this, &GuidancePanel::show_live);
-  connect(&drawables_, &DrawableSource::changed, this, [this] {
-    if (!this->engine().snapshot()->tracking) show_registered();
-  });
+  connect(&drawables_, &DrawableSource::changed, this, &GuidancePanel::redraw);
   connect(&freshness_, &QTimer::timeout, this, &GuidancePanel::show_freshness);
   freshness_.start(100);
   watch(engine::Part::registration, {"register", "import_registration"});
@@ -131,6 +129,7 @@ void GuidancePanel::build_tracking() {
   connect(track_, &TaskButton::done, this, [this](const engine::Outcome& outcome) {
     const engine::CaseState& now = engine().state();
     if (outcome.status != engine::Status::done || !now.video || !now.frame) return;
+    if (!engine().snapshot()->tracking) return;  // ended already, as by another case
     unfreeze();
     painted_at_.clear();
     since_painted_.invalidate();
@@ -161,7 +160,7 @@ void GuidancePanel::build_look() {
     ++cell;
     connect(check, &QCheckBox::toggled, this, [this, shown = member](bool on) {
       style_.*shown = on;
-      if (!engine().snapshot()->tracking) show_registered();
+      redraw();
     });
   }
   box->addLayout(grid);
@@ -173,7 +172,7 @@ void GuidancePanel::build_look() {
   box->addLayout(form);
   connect(opacity, &QSlider::valueChanged, this, [this](int value) {
     style_.opacity = value / 100.0;
-    if (!engine().snapshot()->tracking) show_registered();
+    redraw();
   });
 }
 
@@ -215,11 +214,15 @@ void GuidancePanel::show_case() {
     feed_.stop();
     if (is_recording_) worker_.stop_recording();
   }
+  if (tracking && !was_tracking_) ++generation_;  // what is still being painted is not live
   was_tracking_ = tracking;
-  const bool outdated = now.registration != frozen_registration_ ||
+  const bool outdated = !now.frame || now.registration != frozen_registration_ ||
                         engine().snapshot()->stage(engine::Part::registration) != engine::StageState::current;
   if (is_frozen_ && outdated) unfreeze();
-  if (!tracking && !is_frozen_) show_registered();
+  if (!tracking && !is_frozen_) {
+    ++generation_;  // what is still being painted is of the case as it was, or of another one
+    show_registered();
+  }
   show_buttons();
   if (!tracking && repeat_now_) {
     repeat_now_ = false;
@@ -229,13 +232,43 @@ void GuidancePanel::show_case() {
 
 void GuidancePanel::unfreeze() {
   is_frozen_ = false;
+  repeat_now_ = false;
+  frozen_why_.clear();
   frozen_registration_.reset();
+}
+
+void GuidancePanel::put_away() {
+  job_.reset();
+  picture_->set_picture({});
+  live_line_->clear();
+  set_style_property(live_line_, "fresh", {});
+  live_figures_->clear();
   banner_->hide();
+}
+
+void GuidancePanel::submit(OverlayJob job) {
+  job.generation = generation_;
+  job_ = job;
+  worker_.submit(std::move(job));
+}
+
+void GuidancePanel::redraw() {
+  if (!is_frozen_) {
+    if (!engine().snapshot()->tracking) show_registered();
+    return;
+  }
+  if (!job_) return;
+  OverlayJob job = *job_;
+  job.style = style_;
+  if (drawables_.drawable()) job.model = drawables_.drawable();
+  job.taken.reset();  // it is not live any more
+  job.frames_per_second = 0.0;
+  submit(std::move(job));
 }
 
 void GuidancePanel::show_registered() {
   const engine::CaseState& now = engine().state();
-  if (!now.frame) return;
+  if (!now.frame) return put_away();
   OverlayJob job = make_job();
   job.frame = now.frame->frame.left;
   job.overlay.index = now.frame->frame.index;
@@ -247,12 +280,12 @@ void GuidancePanel::show_registered() {
     job.overlay.residual = now.registration->residual;
     job.overlay.doubtful = !now.registration->doubts.empty();
   }
-  worker_.submit(std::move(job));
+  submit(std::move(job));
 }
 
 void GuidancePanel::show_live() {
   const engine::CaseState& now = engine().state();
-  if (!now.live || !engine().snapshot()->tracking) return;
+  if (!now.live || now.live->frame.left.empty() || !engine().snapshot()->tracking) return;
   OverlayJob job = make_job();
   job.frame = now.live->frame.left;
   job.overlay = now.live->overlay;
@@ -264,27 +297,47 @@ void GuidancePanel::show_live() {
     job.frames_per_second =
         1e3 * static_cast<double>(painted_at_.size() - 1) /
         static_cast<double>(std::max<qint64>(1, painted_at_.back() - painted_at_.front()));
-  worker_.submit(std::move(job));
+  submit(std::move(job));
 }
 
-void GuidancePanel::show_painted(const Picture& picture, const OverlayFrame& overlay, double age,
-                                 double draw) {
+void GuidancePanel::show_painted(const Picture& picture, const OverlayFrame& overlay, double age, double draw,
+                                 int generation) {
+  if (generation != generation_) return;
   picture_->set_picture(picture);
   ++pictures_shown_;
   last_age_ = age;
   shown_index_ = overlay.index;
   since_painted_.start();
   shown_validity_ = overlay.validity;
-  const engine::Snapshot& now = *engine().snapshot();
-  if (is_frozen_) return;  // the last live pictures may still come in
-  if (!now.tracking || !now.state.live) {
-    live_line_->setText(overlay.validity == Validity::valid
-                            ? tr("Registered frame %1, not live").arg(overlay.index)
-                            : tr("Frame %1, not live").arg(overlay.index));
-    set_style_property(live_line_, "fresh", overlay.validity == Validity::valid);
-    live_figures_->clear();
+  if (is_frozen_) {  // the last live pictures may still come in
+    banner_->setText(frozen_why_);
     return;
   }
+  const engine::Snapshot& now = *engine().snapshot();
+  if (!now.tracking || !now.state.live) return show_still(overlay);
+  show_live_figures(overlay, draw);
+  show_freshness();
+}
+
+void GuidancePanel::show_failed(const QString& message, int generation) {
+  if (generation != generation_) return;
+  // What is on the screen is of the case as it was, unless it says that it is a former picture.
+  if (!is_frozen_ && !engine().snapshot()->tracking) put_away();
+  banner_->setText(is_frozen_ ? frozen_why_ + QLatin1Char('\n') + message : message);
+  banner_->show();
+}
+
+void GuidancePanel::show_still(const OverlayFrame& overlay) {
+  const bool valid = overlay.validity == Validity::valid;
+  live_line_->setText(valid ? tr("Registered frame %1, not live").arg(overlay.index)
+                            : tr("Frame %1, not live").arg(overlay.index));
+  set_style_property(live_line_, "fresh", valid);
+  live_figures_->clear();
+  banner_->hide();
+}
+
+void GuidancePanel::show_live_figures(const OverlayFrame& overlay, double draw) {
+  const engine::LiveState& live = *engine().state().live;
   painted_at_.push_back(clock_.elapsed());
   while (painted_at_.back() - painted_at_.front() > kRateWindow) painted_at_.pop_front();
   const auto ms = [](double value) { return tr("%1 ms").arg(value, 0, 'f', 0); };
@@ -295,9 +348,7 @@ void GuidancePanel::show_painted(const Picture& picture, const OverlayFrame& ove
        {tr("Residual (not an accuracy)"), tr("%1 mm").arg(1e3 * overlay.residual, 0, 'f', 2)},
        {tr("Tracking and mechanics"), ms(overlay.milliseconds)},
        {tr("Drawing"), ms(1e3 * draw)},
-       {tr("Frames late / dropped"),
-        tr("%1 / %2").arg(now.state.live->frames_late).arg(now.state.live->frames_dropped)}});
-  show_freshness();
+       {tr("Frames late / dropped"), tr("%1 / %2").arg(live.frames_late).arg(live.frames_dropped)}});
 }
 
 void GuidancePanel::show_freshness() {
@@ -334,11 +385,14 @@ void GuidancePanel::show_buttons() {
   set_style_property(record_, "role", is_recording_ ? "recording" : "");
 }
 
+bool GuidancePanel::is_playing() const { return engine().snapshot()->tracking && !is_frozen_; }
+
 void GuidancePanel::stop_tracking(const QString& why) {
   feed_.stop();
   if (is_recording_) worker_.stop_recording();
   if (engine().snapshot()->tracking) engine().post(engine::StopTracking{});
   is_frozen_ = true;
+  frozen_why_ = why;
   frozen_registration_ = engine().state().registration;
   banner_->setText(why);
   banner_->show();
@@ -365,18 +419,41 @@ void GuidancePanel::record_to(const QString& path) {
   show_buttons();
 }
 
+QString GuidancePanel::outdated_input() const {
+  using engine::Part;
+  const engine::Snapshot& now = *engine().snapshot();
+  const auto stale = [&](Part part) { return now.stage(part) == engine::StageState::stale; };
+  // Made again of such an input, the part would be out of date as before.
+  const auto stale_input = [&](Part part, Part input) {
+    return stale(input) && now.state.stamp(part).made_from.contains(input);
+  };
+  if (stale_input(Part::model, Part::labels))
+    return tr("The labels are out of date: segment or import them again (Segmentation).");
+  if (stale(Part::model)) return tr("The model is out of date: build it again (Model).");
+  if (stale(Part::landmarks))
+    return tr("The landmarks are those of another model: look at them and accept them (Landmarks).");
+  if (!stale(Part::cloud)) return {};
+  if (stale_input(Part::cloud, Part::frame))
+    return tr("The frame is of a former video: take one of the present video (Stereo).");
+  if (stale_input(Part::cloud, Part::regions))
+    return tr("The regions are those of another frame: draw them again or clear them (Stereo).");
+  return tr("The points are out of date: reconstruct the surface again (Stereo).");
+}
+
 QString GuidancePanel::registration_obstacle() const {
   const engine::CaseState& now = engine().state();
   if (!now.model) return tr("Build a model first.");
   if (!now.cloud) return tr("Reconstruct the surface first (Stereo).");
-  return {};
+  return outdated_input();
 }
 
 QString GuidancePanel::tracking_obstacle() const {
   const engine::CaseState& now = engine().state();
   if (!now.registration) return tr("Register first.");
-  if (engine().snapshot()->stage(engine::Part::registration) == engine::StageState::stale)
-    return tr("The registration is out of date: register again.");
+  if (engine().snapshot()->stage(engine::Part::registration) == engine::StageState::stale) {
+    const QString first = registration_obstacle();
+    return first.isEmpty() ? tr("The registration is out of date: register again.") : first;
+  }
   if (!now.video) return tr("The case has no stereo video (Stereo, Video…).");
   if (!now.frame || !now.rig) return tr("The registered frame or the calibration is missing.");
   return {};

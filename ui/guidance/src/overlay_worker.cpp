@@ -144,12 +144,12 @@ void OverlayWorker::run(const std::stop_token& stop) {
     };
     try {
       const Picture picture = studio.paint(*job, job->taken ? seconds_since(*job->taken) : 0.0);
-      emit painted(picture, job->overlay, job->taken ? seconds_since(*job->taken) : 0.0,
-                   seconds_since(begin));
+      emit painted(picture, job->overlay, job->taken ? seconds_since(*job->taken) : 0.0, seconds_since(begin),
+                   job->generation);
       if (job->taken) studio.record(picture, *job);
     } catch (const std::exception& problem) {
       const QString message = QString::fromUtf8(problem.what());
-      emit failed(message);
+      emit failed(message, job->generation);
       end_recording(message);
     }
   }

@@ -18,6 +18,10 @@ VideoFeed::~VideoFeed() { stop(); }
 
 void VideoFeed::start(const engine::VideoSource& source, int first) {
   stop();
+  {
+    const std::lock_guard lock(mutex_);
+    sent_.clear();  // this playing has the same indices, at other times
+  }
   thread_ = std::jthread([this, source, first](const std::stop_token& token) { play(token, source, first); });
 }
 

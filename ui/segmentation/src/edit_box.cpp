@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/segmentation/edit_box.h"
 
+#include <QAbstractSpinBox>
 #include <QAction>
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -14,6 +16,7 @@
 #include <QShortcut>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <cmath>
 
 #include "glisson/ui/common/panel.h"
 #include "glisson/ui/common/texts.h"
@@ -54,6 +57,7 @@ EditBox::EditBox(EditSession& session, QWidget& page, QWidget* parent) : QWidget
   connect(&session_, &EditSession::settings_changed, this, &EditBox::show_tool);
   connect(&session_, &EditSession::settings_changed, this, &EditBox::show_region);
   connect(&session_, &EditSession::changed, this, &EditBox::show_state);
+  connect(&session_, &EditSession::settings_wanted, this, &EditBox::take_typed);
   show_tool();
   show_region();
 }
@@ -182,6 +186,7 @@ void EditBox::build_region() {
     (*box)->setDecimals(0);
     (*box)->setSingleStep(5.0);
     (*box)->setSuffix(tr(" HU"));
+    (*box)->setKeyboardTracking(false);  // the ends push each other: not by the first digit of a number
     row->addWidget(*box, 1);
   }
   low_->setObjectName(QStringLiteral("editable_low"));
@@ -213,6 +218,11 @@ void EditBox::build_region() {
           [this, set_range](double value) { set_range(value, std::max(value, high_->value())); });
   connect(high_, &QDoubleSpinBox::valueChanged, this,
           [this, set_range](double value) { set_range(std::min(value, low_->value()), value); });
+}
+
+void EditBox::take_typed() {
+  auto* number = qobject_cast<QAbstractSpinBox*>(QApplication::focusWidget());
+  if (number != nullptr && isAncestorOf(number)) number->interpretText();
 }
 
 void EditBox::show_tool() {
@@ -251,9 +261,12 @@ void EditBox::show_region() {
   area_->setCurrentIndex(area_->findData(static_cast<int>(region.area) + label));
   by_intensity_->setChecked(region.intensity.has_value());
   intensities_->setVisible(region.intensity.has_value());
+  const auto put = [](QDoubleSpinBox* box, double value) {
+    if (std::abs(box->value() - value) > 0.5) box->setValue(value);  // who types is not interrupted
+  };
   if (region.intensity) {
-    low_->setValue((*region.intensity)[0]);
-    high_->setValue((*region.intensity)[1]);
+    put(low_, (*region.intensity)[0]);
+    put(high_, (*region.intensity)[1]);
   }
 }
 

@@ -196,10 +196,16 @@ void EditSession::drag_brush(const SliceGesture& gesture) {
     problem_.clear();
     stroke_ = Stroke();
     stroke_->gesture = ++gestures_;
-    stroke_->plane = gesture.slice.plane;
+    stroke_->slice = gesture.slice;
     stroke_->invert = gesture.keys.testFlag(Qt::ControlModifier);
   }
   if (!stroke_) return;
+  if (gesture.slice.origin != stroke_->slice.origin) {
+    // The wheel turned to another slice in the middle of the drag: nothing was drawn in those between.
+    send_stroke();
+    stroke_->path.clear();
+    stroke_->slice = gesture.slice;
+  }
   if (stroke_->path.empty() || stroke_->path.back() != gesture.p.xyz) {
     stroke_->path.push_back(gesture.p.xyz);
     stroke_->has_news = true;
@@ -207,20 +213,22 @@ void EditSession::drag_brush(const SliceGesture& gesture) {
   stroke_->ended = gesture.phase == SliceGesture::Phase::end;
   // While the engine is at the last piece the next one grows: a slow machine draws in larger pieces, but
   // never falls behind the hand.
-  if (!stroke_->sent) send_stroke();
+  if (stroke_->sent.empty()) send_stroke();
 }
 
 void EditSession::send_stroke() {
   if (stroke_->has_news) {
-    const segmentation::Edit edit = brush_edit(tool_, settings_, engine_.state().image->grid, stroke_->plane,
-                                               points_of(stroke_->path), stroke_->invert);
-    stroke_->sent = engine_.post(engine::EditLabels{edit, stroke_->gesture});
-    edits_.insert(*stroke_->sent);
+    for (const segmentation::Edit& edit :
+         brush_edits(tool_, settings_, engine_.state().image->grid, stroke_->slice, points_of(stroke_->path),
+                     stroke_->invert)) {
+      const engine::CommandId id = engine_.post(engine::EditLabels{edit, stroke_->gesture});
+      stroke_->sent.insert(id);
+      edits_.insert(id);
+    }
     stroke_->path = {stroke_->path.back()};
     stroke_->has_news = false;
-  } else if (stroke_->ended) {
-    stroke_.reset();
   }
+  if (stroke_->ended && stroke_->sent.empty()) stroke_.reset();
 }
 
 void EditSession::finish_stroke() {
@@ -244,6 +252,7 @@ void EditSession::drag_lasso(const SliceGesture& gesture) {
 
 void EditSession::cut_volume(const VolumeLasso& lasso) {
   if (!active_ || tool_ != EditTool::scissors || !engine_.state().image) return;
+  emit settings_wanted();  // unlike a slice the 3D view does not take the keyboard from a number
   if (!encloses(lasso.outline, 1e-3) || obstacle() != EditObstacle::none) return;
   post_edit(volume_cut(settings_, lasso, lasso.keys.testFlag(Qt::ControlModifier)));
 }
@@ -286,6 +295,7 @@ void EditSession::preview() {
 }
 
 void EditSession::apply() {
+  emit settings_wanted();
   soon_->stop();
   const auto edit = whole();
   if (!edit || applying_) return;
@@ -362,11 +372,10 @@ void EditSession::take(const engine::Outcome& outcome) {
   if (preview) previewing_.reset();
   if ((edit || preview) && outcome.status == engine::Status::failed) problem_ = outcome.error;
   if ((edit || preview) && outcome.status == engine::Status::done) notes_ = outcome.notes;
-  if (stroke_ && outcome.id == stroke_->sent) {
-    stroke_->sent.reset();
+  if (stroke_ && stroke_->sent.erase(outcome.id) > 0) {
     if (outcome.status == engine::Status::failed)
       stroke_.reset();  // every further piece would fail alike
-    else
+    else if (stroke_->sent.empty())
       send_stroke();
   }
   if (edit || preview || in_history) emit changed();

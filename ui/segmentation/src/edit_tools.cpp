@@ -58,11 +58,72 @@ bool has(const std::vector<Label>& labels, Label label) {
   return std::find(labels.begin(), labels.end(), label) != labels.end();
 }
 
-/// The same place in the closest layer of voxels, as slices show it.
-Point<CtFrame> in_layer(const VolumeGrid& grid, int axis, const Point<CtFrame>& p) {
-  Eigen::Vector3d index = grid.index_of(p);
-  index[axis] = std::round(index[axis]);
-  return grid.p_in_ct(index);
+/// Which layer of voxels a slice shows at a place.
+class ShownLayers {
+ public:
+  ShownLayers(const VolumeGrid& grid, const scene::SliceGeometry& slice)
+      : axis_(voxel_axis_across(grid, slice.plane)),
+        first_(std::round(grid.index_of(slice.p_in_ct({0.0, 0.0}))[axis_])) {}
+
+  /// The voxel axis across the layers.
+  int axis() const { return axis_; }
+  /// @param index fractional voxel indices of the place. A slice along the layers is drawn from that of its
+  ///   first pixel: where it lies between two, places rounded one by one would follow the last digits of the
+  ///   volume's directions into either.
+  double at(const Eigen::Vector3d& index) const {
+    constexpr double kStray = 4e-3;  // voxels: more than the drawing takes for along the layers
+    const double depth = index[axis_];
+    return std::abs(depth - first_) <= 0.5 + kStray ? first_ : std::round(depth);
+  }
+
+ private:
+  int axis_;
+  double first_;
+};
+
+/// A stretch of a stroke that runs in one layer of voxels.
+struct Stretch {
+  int layer = 0;
+  std::vector<Eigen::Vector3d> indices;  ///< fractional voxel indices
+};
+
+/// A stroke cut where the layer changes that the slice shows, as it does in a volume that is askew in the
+/// patient. Both sides have the place of the cut, so that there is no gap; what runs outside the volume is
+/// left out.
+std::vector<Stretch> stretches_of(const VolumeGrid& grid, const ShownLayers& layers, const Points& path) {
+  const int axis = layers.axis(), count = grid.size[axis];
+  std::vector<Stretch> stretches;
+  Eigen::Vector3d former = Eigen::Vector3d::Zero();
+  for (Eigen::Index i = 0; i < path.rows(); ++i) {
+    const Eigen::Vector3d index = grid.index_of(Point<CtFrame>(Eigen::Vector3d(path.row(i).transpose())));
+    const int layer = static_cast<int>(std::clamp(layers.at(index), -1.0, static_cast<double>(count)));
+    if (stretches.empty()) stretches.push_back(Stretch{layer, {}});
+    while (stretches.back().layer != layer) {
+      const int way = layer > stretches.back().layer ? 1 : -1;
+      const double border = stretches.back().layer + 0.5 * way;
+      const double t = std::clamp((border - former[axis]) / (index[axis] - former[axis]), 0.0, 1.0);
+      const Eigen::Vector3d cut = former + t * (index - former);
+      stretches.back().indices.push_back(cut);
+      Stretch next{stretches.back().layer + way, {}};
+      next.indices.push_back(cut);
+      stretches.push_back(std::move(next));
+    }
+    stretches.back().indices.push_back(index);
+    former = index;
+  }
+  std::erase_if(stretches, [&](const Stretch& s) { return s.layer < 0 || s.layer >= count; });
+  return stretches;
+}
+
+/// The stretch in the middle of its layer.
+Points path_of(const VolumeGrid& grid, int axis, const Stretch& stretch) {
+  Points path(static_cast<Eigen::Index>(stretch.indices.size()), 3);
+  for (std::size_t n = 0; n < stretch.indices.size(); ++n) {
+    Eigen::Vector3d index = stretch.indices[n];
+    index[axis] = stretch.layer;
+    path.row(static_cast<Eigen::Index>(n)) = grid.p_in_ct(index).xyz.transpose();
+  }
+  return path;
 }
 
 Scissors cut_of(const EditSettings& settings, bool invert) {
@@ -141,22 +202,29 @@ int voxel_axis_across(const VolumeGrid& grid, scene::Plane plane) {
   return static_cast<int>(axis);
 }
 
-Edit brush_edit(EditTool tool, const EditSettings& settings, const VolumeGrid& grid, scene::Plane plane,
-                const Points& path, bool invert) {
+std::vector<Edit> brush_edits(EditTool tool, const EditSettings& settings, const VolumeGrid& grid,
+                              const scene::SliceGeometry& slice, const Points& path, bool invert) {
   require(tool == EditTool::paint || tool == EditTool::erase, "a brush paints or erases");
+  require(path.allFinite(), "a stroke runs through places");
   Paint paint;
   paint.erase = (tool == EditTool::erase) != invert;
   paint.label = paint.erase && settings.erase_any ? structure::kBackground : settings.label;
   paint.brush = settings.ball ? Paint::Brush::ball : Paint::Brush::disc;
   paint.radius = settings.brush_radius;
-  paint.normal_axis = voxel_axis_across(grid, plane);
-  paint.path = path;
+  const ShownLayers layers(grid, slice);
+  paint.normal_axis = layers.axis();
+  std::vector<Edit> edits;
+  if (settings.ball) {
+    paint.path = path;
+    edits.push_back(Edit{paint, settings.region});
+    return edits;
+  }
   // A disc lies in the layer of voxels that the slice shows, also where the slice is between two.
-  if (!settings.ball)
-    for (Eigen::Index i = 0; i < path.rows(); ++i)
-      paint.path.row(i) =
-          in_layer(grid, paint.normal_axis, Point<CtFrame>(path.row(i).transpose())).xyz.transpose();
-  return {paint, settings.region};
+  for (const Stretch& stretch : stretches_of(grid, layers, path)) {
+    paint.path = path_of(grid, layers.axis(), stretch);
+    edits.push_back(Edit{paint, settings.region});
+  }
+  return edits;
 }
 
 Edit slice_cut(const EditSettings& settings, const VolumeGrid& grid, const scene::SliceGeometry& slice,
@@ -166,13 +234,13 @@ Edit slice_cut(const EditSettings& settings, const VolumeGrid& grid, const scene
   cut.outline = outline;
   if (settings.depth != CutDepth::through) {
     // The layer of voxels that the slice shows.
-    const int axis = voxel_axis_across(grid, slice.plane);
-    const Point<CtFrame> middle =
-        in_layer(grid, axis, slice.p_in_ct({0.5 * slice.width, 0.5 * slice.height}));
+    const ShownLayers layers(grid, slice);
+    Eigen::Vector3d middle = grid.index_of(slice.p_in_ct({0.5 * slice.width, 0.5 * slice.height}));
+    middle[layers.axis()] = layers.at(middle);
     Scissors::Slab slab;
     slab.normal = slice.right.cross(slice.down).normalized();
-    slab.offset = slab.normal.dot(middle.xyz);
-    const double layer = 0.5e-3 * grid.spacing_mm[axis];
+    slab.offset = slab.normal.dot(grid.p_in_ct(middle).xyz);
+    const double layer = 0.5e-3 * grid.spacing_mm[layers.axis()];
     slab.half_thickness = settings.depth == CutDepth::slice ? layer : std::max(layer, 0.5 * settings.slab);
     cut.slab = slab;
   }

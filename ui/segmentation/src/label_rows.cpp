@@ -5,7 +5,8 @@
 
 namespace glisson::ui {
 
-std::vector<LabelRow> label_rows(const segmentation::LabelStatistics* statistics, const Review* review) {
+std::vector<LabelRow> label_rows(const segmentation::LabelStatistics* statistics, const Review* review,
+                                 Label worked_on) {
   const auto figures_of = [&](Label label) {
     if (statistics != nullptr)
       if (const auto found = statistics->figures().find(label); found != statistics->figures().end())
@@ -20,6 +21,7 @@ std::vector<LabelRow> label_rows(const segmentation::LabelStatistics* statistics
   int free = structure::kFirstLesion;
   while (free <= structure::kLastLesion && labels.count(static_cast<Label>(free)) > 0) ++free;
   if (free <= structure::kLastLesion) labels.insert(static_cast<Label>(free));
+  if (worked_on != structure::kBackground) labels.insert(worked_on);
   std::vector<LabelRow> rows;
   for (const Label label : labels) {
     LabelRow row{label, figures_of(label), ReviewState::not_started};

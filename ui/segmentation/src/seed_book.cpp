@@ -53,10 +53,9 @@ std::vector<SeedEntry> list_seeds(const segmentation::Seeds& seeds) {
 }
 
 void add_seed(segmentation::Seeds& seeds, Label structure, const Eigen::Vector3d& p_in_ct) {
-  if (is_lesion(structure) &&
-      static_cast<std::size_t>(structure - structure::kFirstLesion) >= seeds.lesions.size()) {
-    seeds.lesions.emplace_back();
-    structure = static_cast<Label>(structure::kFirstLesion + seeds.lesions.size() - 1);
+  if (is_lesion(structure)) {
+    const auto lists = static_cast<std::size_t>(structure - structure::kFirstLesion) + 1;
+    if (seeds.lesions.size() < lists) seeds.lesions.resize(lists);
   }
   Points* points = points_of(seeds, structure);
   require(points != nullptr,
@@ -72,14 +71,28 @@ void remove_seed(segmentation::Seeds& seeds, const SeedEntry& entry) {
   const Points tail = points->bottomRows(after);
   points->conservativeResize(points->rows() - 1, 3);
   points->bottomRows(after) = tail;
-  if (is_lesion(entry.structure) && points->rows() == 0)
-    seeds.lesions.erase(seeds.lesions.begin() + (entry.structure - structure::kFirstLesion));
+  while (!seeds.lesions.empty() && seeds.lesions.back().rows() == 0) seeds.lesions.pop_back();
 }
 
 int count_seeds(const segmentation::Seeds& seeds, Label structure) {
   segmentation::Seeds copy = seeds;
   const Points* points = points_of(copy, structure);
   return points == nullptr ? 0 : static_cast<int>(points->rows());
+}
+
+std::set<Label> lesions_to_seed(const segmentation::Seeds& seeds,
+                                const segmentation::LabelStatistics* statistics) {
+  std::set<Label> offered;
+  for (std::size_t i = 0; i < seeds.lesions.size(); ++i)
+    if (seeds.lesions[i].rows() > 0) offered.insert(static_cast<Label>(structure::kFirstLesion + i));
+  std::set<Label> taken = offered;
+  if (statistics != nullptr)
+    for (const auto& [label, figures] : statistics->figures())
+      if (figures.voxels > 0) taken.insert(label);
+  int free = structure::kFirstLesion;
+  while (free <= structure::kLastLesion && taken.count(static_cast<Label>(free)) > 0) ++free;
+  if (free <= structure::kLastLesion) offered.insert(static_cast<Label>(free));
+  return offered;
 }
 
 }  // namespace glisson::ui

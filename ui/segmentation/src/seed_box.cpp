@@ -26,15 +26,6 @@ QString seed_name(Label label) {
   return label == structure::kBackground ? SeedBox::tr("Not liver") : structure_text(label);
 }
 
-/// The structures that can be seeded, with as many lesions as there are and one more.
-std::vector<Label> choices(const segmentation::Seeds& seeds) {
-  std::vector<Label> labels = {structure::kParenchyma, structure::kPortalVein,  structure::kHepaticVeins,
-                               structure::kVenaCava,   structure::kGallbladder, structure::kBackground};
-  for (std::size_t i = 0; i <= seeds.lesions.size(); ++i)
-    labels.push_back(static_cast<Label>(structure::kFirstLesion + i));
-  return labels;
-}
-
 /// What growth can find anew, as people ask for it; all else stays as a hand left it.
 struct Find {
   QString text;
@@ -139,6 +130,7 @@ void SeedBox::load_seeds() {
   if (path.isEmpty()) return;
   try {
     seeds_ = segmentation::read_seeds(path.toStdString());
+    known_lesions_.clear();
     store();
   } catch (const Error& error) {
     QMessageBox::warning(this, tr("Load seeds"), QString::fromStdString(error.what()));
@@ -244,7 +236,7 @@ void SeedBox::remove_selected() {
   std::vector<SeedEntry> gone;
   for (const QListWidgetItem* item : list_->selectedItems())
     gone.push_back(entries_[static_cast<std::size_t>(list_->row(item))]);
-  // From behind, so that rows and lesions that move up do not shift what is still to go.
+  // From behind, so that rows that move up do not shift what is still to go.
   std::sort(gone.begin(), gone.end(), [](const SeedEntry& a, const SeedEntry& b) {
     return std::pair(a.structure, a.row) > std::pair(b.structure, b.row);
   });
@@ -258,6 +250,10 @@ void SeedBox::store() {
 }
 
 void SeedBox::show_case() {
+  if (engine_.state().image != image_) {
+    image_ = engine_.state().image;
+    known_lesions_.clear();
+  }
   // While own edits are on their way the box is ahead of the case.
   if (storing_.empty() && engine_.state().seeds != taken_) {
     taken_ = engine_.state().seeds;
@@ -270,6 +266,8 @@ void SeedBox::show_case() {
 
 void SeedBox::show_seeds() {
   entries_ = list_seeds(seeds_);
+  for (const SeedEntry& entry : entries_)
+    if (is_lesion(entry.structure)) known_lesions_.insert(entry.structure);
   const int chosen = list_->currentRow();
   {
     const QSignalBlocker quiet(list_);
@@ -288,8 +286,18 @@ void SeedBox::show_seeds() {
   show_buttons();
 }
 
+std::vector<Label> SeedBox::choices() const {
+  std::vector<Label> labels = {structure::kParenchyma, structure::kPortalVein,  structure::kHepaticVeins,
+                               structure::kVenaCava,   structure::kGallbladder, structure::kBackground};
+  std::set<Label> lesions = lesions_to_seed(seeds_, engine_.state().statistics.get());
+  lesions.insert(known_lesions_.begin(), known_lesions_.end());
+  if (structure_ && is_lesion(*structure_)) lesions.insert(*structure_);
+  labels.insert(labels.end(), lesions.begin(), lesions.end());
+  return labels;
+}
+
 void SeedBox::show_buttons() {
-  const std::vector<Label> labels = choices(seeds_);
+  const std::vector<Label> labels = choices();
   int cell = 0;
   for (const Label label : labels) {
     QPushButton*& button = buttons_[label];

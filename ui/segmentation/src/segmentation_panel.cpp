@@ -181,13 +181,19 @@ void SegmentationPanel::show_case() {
       table_->topLevelItemCount() == 0) {
     shown_statistics_ = now.statistics;
     shown_review_ = now.review;
-    table_->set_rows(label_rows(now.statistics.get(), now.review.get()));
+    show_rows();
   }
   show_label();
 }
 
+void SegmentationPanel::show_rows() {
+  table_->set_rows(label_rows(shown_statistics_.get(), shown_review_.get(), session_->settings().label));
+}
+
 void SegmentationPanel::show_label() {
   const Label label = session_->settings().label;
+  // What the tools work on is never another label than the row that is chosen.
+  if (table_->row_of(label) == nullptr) show_rows();
   table_->choose(label);
   const auto& statistics = engine().state().statistics;
   const bool counted =

@@ -84,8 +84,8 @@ void ToolPages::change(const std::function<void(EditSettings&)>& how) {
   session_.set_settings(next);
 }
 
-void ToolPages::add_number(QFormLayout* form, const QString& name, const char* object, const Range& range,
-                           const Get& get, const Set& set) {
+QDoubleSpinBox* ToolPages::add_number(QFormLayout* form, const QString& name, const char* object,
+                                      const Range& range, const Get& get, const Set& set) {
   auto* box = new QDoubleSpinBox(this);
   box->setObjectName(QLatin1String(object));
   box->setRange(range.low, range.high);
@@ -99,6 +99,7 @@ void ToolPages::add_number(QFormLayout* form, const QString& name, const char* o
     const QSignalBlocker quiet(box);
     if (std::abs(box->value() - get(settings)) > 1e-9) box->setValue(get(settings));
   });
+  return box;
 }
 
 void ToolPages::add_choice(QFormLayout* form, const QString& name, const char* object,
@@ -197,17 +198,20 @@ void ToolPages::build_threshold() {
   QFormLayout* form = add_page({EditTool::threshold});
   const auto [low, set_low] = member(&EditSettings::low);
   const auto [high, set_high] = member(&EditSettings::high);
-  // The ends push each other, so that the range is never empty.
+  // The ends push each other, so that the range is never empty. Whole numbers do: the first digit of one that
+  // is being typed would push the other end away.
   add_number(form, tr("From"), "threshold_low", {-2000.0, 5000.0, 5.0, 0, tr(" HU")}, low,
              [](EditSettings& settings, double value) {
                settings.low = value;
                settings.high = std::max(settings.high, value);
-             });
+             })
+      ->setKeyboardTracking(false);
   add_number(form, tr("To"), "threshold_high", {-2000.0, 5000.0, 5.0, 0, tr(" HU")}, high,
              [](EditSettings& settings, double value) {
                settings.high = value;
                settings.low = std::min(settings.low, value);
-             });
+             })
+      ->setKeyboardTracking(false);
   const auto [replace, set_replace] = member(&EditSettings::replace);
   add_check(form, tr("Forget what the label had before"), "threshold_replace", replace, set_replace);
   auto* mask = new QPushButton(tr("Use the range for painting"), this);

@@ -33,13 +33,14 @@ ImageImport::ImageImport(EngineBridge& engine, QWidget* window)
   connect(&engine_, &EngineBridge::finished, this, &ImageImport::take);
 }
 
-void ImageImport::start(const std::filesystem::path& path) {
+void ImageImport::start(const std::filesystem::path& path, bool new_case) {
   path_ = path;
+  new_case_ = new_case;
   listing_.reset();
   if (may_hold_series(path))
     listing_ = engine_.post(engine::ListSeries{path});
   else
-    engine_.post(engine::ImportImage{path});
+    engine_.post(engine::ImportImage{path, {}, new_case_});
 }
 
 void ImageImport::take(const engine::Outcome& outcome) {
@@ -49,7 +50,7 @@ void ImageImport::take(const engine::Outcome& outcome) {
   if (outcome.series.size() > 1)
     ask(outcome.series);
   else
-    engine_.post(engine::ImportImage{path_});
+    engine_.post(engine::ImportImage{path_, {}, new_case_});
 }
 
 void ImageImport::ask(const std::vector<DicomSeries>& series) {
@@ -79,7 +80,8 @@ void ImageImport::ask(const std::vector<DicomSeries>& series) {
   connect(list, &QListWidget::itemDoubleClicked, dialog, &QDialog::accept);
   connect(dialog, &QDialog::accepted, this, [this, list, series] {
     if (list->currentRow() >= 0)
-      engine_.post(engine::ImportImage{path_, series[static_cast<std::size_t>(list->currentRow())].uid});
+      engine_.post(
+          engine::ImportImage{path_, series[static_cast<std::size_t>(list->currentRow())].uid, new_case_});
   });
   dialog->resize(560, 320);
   dialog->open();  // does not stop the window

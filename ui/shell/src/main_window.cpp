@@ -9,10 +9,12 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPushButton>
 #include <QScreen>
 #include <QScrollArea>
 #include <QStackedWidget>
 #include <QStatusBar>
+#include <utility>
 
 #include "glisson/ui/atlas/atlas_panel.h"
 #include "glisson/ui/common/texts.h"
@@ -67,7 +69,7 @@ MainWindow::MainWindow(engine::Engine::Options options, QWidget* parent)
   connect(steps_, &StepBar::chosen, this, &MainWindow::show_step);
   connect(&engine_, &EngineBridge::case_changed, this, &MainWindow::show_case);
   connect(&engine_, &EngineBridge::finished, this, &MainWindow::show_outcome);
-  saved_revision_ = engine_.snapshot()->revision;
+  saved_ = engine::editions(engine_.state());
   show_step(segmentation);
   show_case();
 }
@@ -130,9 +132,10 @@ void MainWindow::build_menu() {
 void MainWindow::open(const std::filesystem::path& path) {
   if (const auto command = command_to_open(path)) {
     if (std::holds_alternative<engine::OpenCase>(*command)) return replace_case(path);
-    if (std::holds_alternative<engine::ImportImage>(*command)) return import_->start(path);
+    if (std::holds_alternative<engine::ImportImage>(*command)) return import_image(path);
+    if (const auto* video = std::get_if<engine::SetVideo>(&*command))
+      return qobject_cast<StereoPanel*>(panels_[stereo])->open_source(*video);
     engine_.post(*command);
-    if (std::holds_alternative<engine::SetVideo>(*command)) engine_.post(engine::LoadVideoFrame{0});
     return;
   }
   show_problem(tr("%1 is nothing that Glisson opens. Give a folder of DICOM slices, a volume (NIfTI, NRRD, "
@@ -157,6 +160,28 @@ void MainWindow::replace_case(const std::filesystem::path& path) {
   box->open();  // does not stop the window
 }
 
+void MainWindow::import_image(const std::filesystem::path& path) {
+  const engine::CaseState& now = engine_.state();
+  if (!now.image && !now.labels && !now.model && !now.cloud) return import_->start(path, false);
+  auto* box = new QMessageBox(QMessageBox::Question, tr("Open a CT"),
+                              tr("Is this CT of another patient, or another one of the patient who is open?"),
+                              QMessageBox::Cancel, this);
+  box->setObjectName(QStringLiteral("whose_image"));
+  box->setInformativeText(isWindowModified()
+                              ? tr("A new case loses the changes of this one, which are not saved. The same "
+                                   "patient's case keeps everything, marked out of date.")
+                              : tr("The same patient's case keeps everything, marked out of date."));
+  auto* another = box->addButton(tr("New case"), QMessageBox::AcceptRole);
+  another->setObjectName(QStringLiteral("new_case"));
+  auto* same = box->addButton(tr("Same patient"), QMessageBox::ActionRole);
+  same->setObjectName(QStringLiteral("same_patient"));
+  box->setDefaultButton(QMessageBox::Cancel);
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  connect(another, &QPushButton::clicked, this, [this, path] { import_->start(path, true); });
+  connect(same, &QPushButton::clicked, this, [this, path] { import_->start(path, false); });
+  box->open();  // does not stop the window
+}
+
 void MainWindow::show_problem(const QString& sentence) {
   auto* box = new QMessageBox(QMessageBox::Warning, tr("Glisson"), sentence, QMessageBox::Ok, this);
   box->setAttribute(Qt::WA_DeleteOnClose);
@@ -170,14 +195,14 @@ void MainWindow::open_case() {
 
 void MainWindow::open_dicom() {
   const QString path = QFileDialog::getExistingDirectory(this, tr("Open a folder of DICOM slices"));
-  if (!path.isEmpty()) import_->start(path.toStdString());
+  if (!path.isEmpty()) import_image(path.toStdString());
 }
 
 void MainWindow::open_volume() {
   const QString path = QFileDialog::getOpenFileName(
       this, tr("Open a volume"), {},
       tr("Volumes (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.tar.gz *.tgz)"));
-  if (!path.isEmpty()) import_->start(path.toStdString());
+  if (!path.isEmpty()) import_image(path.toStdString());
 }
 
 bool MainWindow::save() {
@@ -230,20 +255,21 @@ void MainWindow::show_case() {
   save_->setEnabled(!name.isEmpty());
   save_as_->setEnabled(!name.isEmpty());
   export_labels_->setEnabled(now.labels != nullptr);
-  setWindowModified(!name.isEmpty() && engine_.snapshot()->revision != saved_revision_);
+  setWindowModified(!name.isEmpty() && engine::editions(now) != saved_);
   show_middle();
 }
 
 void MainWindow::show_outcome(const engine::Outcome& outcome) {
   const bool is_save = outcome.command == "save_case";
-  if (outcome.status == engine::Status::done && (is_save || outcome.command == "open_case")) {
-    saved_revision_ = engine_.snapshot()->revision;
-    setWindowModified(false);
-    if (is_save && close_after_save_) close();
+  const bool closes = is_save && std::exchange(close_after_save_, false);
+  if (outcome.saved) {
+    // The case may have gone on while it was being saved.
+    saved_ = *outcome.saved;
+    show_case();
+    if (closes) close();  // and asks again where it has
     if (!outcome.notes.empty()) show_problem(notes_text(outcome.notes));
   }
   if (outcome.status != engine::Status::failed) return;
-  if (is_save) close_after_save_ = false;
   // A panel's own button shows its own error; what came from the menu or a drop has no other place.
   const bool from_menu = is_save || outcome.command.starts_with("open_") ||
                          outcome.command.starts_with("import_") || outcome.command.starts_with("export_") ||
@@ -256,7 +282,7 @@ void MainWindow::show_outcome(const engine::Outcome& outcome) {
 QString MainWindow::status_text() const { return status_->text(); }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!isWindowModified() || close_after_save_) return event->accept();
+  if (!isWindowModified()) return event->accept();
   const auto answer = QMessageBox::question(this, tr("Close"), tr("The case has changes that are not saved."),
                                             QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
   if (answer == QMessageBox::Discard) return event->accept();

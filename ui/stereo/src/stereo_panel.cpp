@@ -19,6 +19,8 @@
 namespace glisson::ui {
 namespace {
 
+constexpr int kMostFrames = 999999;  ///< of a video whose number is not known
+
 QIcon feature_icon(Feature feature) {
   QPixmap pixmap(12, 12);
   pixmap.fill(scene::colour_of(feature));
@@ -48,21 +50,34 @@ StereoPanel::StereoPanel(EngineBridge& engine, QWidget* parent)
   connect(view_, &StereoView::regions_edited, this, &StereoPanel::store);
   connect(view_, &StereoView::drawing_changed, this, &StereoPanel::show_drawing);
   connect(&this->engine(), &EngineBridge::case_changed, this, &StereoPanel::show_case);
-  connect(&this->engine(), &EngineBridge::finished, this, [this](const engine::Outcome& outcome) {
-    if (storing_.erase(outcome.id) > 0 && storing_.empty()) {
-      show_case();
-      if (outcome.status == engine::Status::done) label();
-    }
-    if (outcome.command == "set_video" && outcome.status == engine::Status::done)
-      if (const auto frames = outcome.figures.find("video_frames"); frames != outcome.figures.end())
-        frame_->setMaximum(frames->second >= 1.0 ? static_cast<int>(frames->second) - 1 : 999999);
-  });
+  connect(&this->engine(), &EngineBridge::finished, this, &StereoPanel::take_outcome);
   watch(engine::Part::cloud, {"reconstruct", "import_cloud"});
   show_case();
 }
 
 StereoPanel::~StereoPanel() {
   if (view_ && view_->parent() == nullptr) delete view_;  // nobody hosted it
+}
+
+void StereoPanel::take_outcome(const engine::Outcome& outcome) {
+  const bool done = outcome.status == engine::Status::done;
+  if (storing_.erase(outcome.id) > 0 && storing_.empty()) {
+    // Regions that were refused are not the case's: those are drawn again.
+    if (!done) {
+      view_->drawing().set_regions({});
+      taken_.reset();
+      faults_ = QString::fromStdString(outcome.error);
+    }
+    show_case();
+    if (done) label();
+  }
+  if (outcome.command == "set_video" && done)
+    if (const auto frames = outcome.figures.find("video_frames"); frames != outcome.figures.end())
+      frame_->setMaximum(frames->second >= 1.0 ? static_cast<int>(frames->second) - 1 : kMostFrames);
+  if (opening_ == outcome.id) {
+    opening_.reset();
+    if (done) engine().post(engine::LoadVideoFrame{0});
+  }
 }
 
 void StereoPanel::build_input() {
@@ -93,7 +108,7 @@ void StereoPanel::build_input() {
   box->addLayout(grid);
   auto* row = new QHBoxLayout;
   frame_ = new QSpinBox(this);
-  frame_->setRange(0, 999999);
+  frame_->setRange(0, kMostFrames);
   frame_->setPrefix(tr("Frame "));
   frame_->setAccessibleName(tr("Frame of the video"));
   load_frame_ = new QPushButton(tr("Take this frame"), this);
@@ -232,6 +247,8 @@ void StereoPanel::choose(const std::optional<RegionDrawing::Tool>& tool) {
 void StereoPanel::store() {
   stereo::Regions regions;
   regions.frame = shown_frame_ ? shown_frame_->frame.index : 0;
+  // Of the frame that was drawn on, whichever the case has when its turn comes.
+  regions.identity = identity_;
   regions.regions = view_->drawing().regions();
   storing_.insert(engine().post(engine::SetRegions{regions}));
   show_drawing();
@@ -251,12 +268,18 @@ void StereoPanel::label() {
 
 void StereoPanel::show_case() {
   const engine::CaseState& now = engine().state();
+  if (now.video != shown_video_) {
+    shown_video_ = now.video;
+    frame_->setMaximum(kMostFrames);  // how many it has is told when it is opened here
+  }
   if (now.frame != shown_frame_) {
     shown_frame_ = now.frame;
+    identity_ =
+        now.frame ? stereo::frame_identity(now.frame->frame.left, now.frame->frame.right) : std::string();
     faults_.clear();
     if (now.frame) frame_->setValue(now.frame->frame.index);
   }
-  view_->set_pair(now.frame, now.rig);
+  view_->set_pair(now.frame, rig_fits() ? now.rig : nullptr);
   if (storing_.empty() && now.regions != taken_) {
     taken_ = now.regions;
     view_->drawing().set_regions(taken_ ? taken_->regions : RegionDrawing::Regions());
@@ -325,7 +348,19 @@ QString StereoPanel::obstacle() const {
   const engine::CaseState& now = engine().state();
   if (!now.rig) return tr("Load the laparoscope's calibration first.");
   if (!now.frame) return tr("Load a stereo pair or a video frame first.");
+  if (!rig_fits())
+    return tr("The calibration is for pictures of %1 × %2, these are %3 × %4: load the one for them.")
+        .arg(now.rig->left.width)
+        .arg(now.rig->left.height)
+        .arg(now.frame->frame.left.width)
+        .arg(now.frame->frame.left.height);
   return {};
+}
+
+bool StereoPanel::rig_fits() const {
+  const engine::CaseState& now = engine().state();
+  return now.rig && (!now.frame || (now.frame->frame.left.width == now.rig->left.width &&
+                                    now.frame->frame.left.height == now.rig->left.height));
 }
 
 }  // namespace glisson::ui

@@ -73,8 +73,7 @@ void StereoPanel::open_pair() {
 }
 
 void StereoPanel::open_source(const engine::SetVideo& source) {
-  engine().post(source);
-  engine().post(engine::LoadVideoFrame{0});
+  opening_ = engine().post(source);  // its first frame follows where it can be opened
 }
 
 void StereoPanel::open_video() {

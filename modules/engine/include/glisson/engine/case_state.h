@@ -81,6 +81,9 @@ struct Stamp {
   std::map<Part, std::uint64_t> made_from;
 };
 
+/// Revisions of the parts that a case keeps on the disk; 0 for the live view and the preview.
+using Editions = std::array<std::uint64_t, kPartCount>;
+
 /// A stereo pair as it was taken, with what may be used of it.
 struct StereoInput {
   StereoFrame frame;
@@ -172,6 +175,8 @@ struct CaseState {
 
 /// What the labels are called, with how far a person has come with each. @pre state.labels
 std::vector<LabelInfo> reviewed_infos(const CaseState& state);
+
+Editions editions(const CaseState& state);
 
 enum class StageState { absent, current, stale };
 /// A part is stale when anything that it was made from has changed since, or is itself stale.

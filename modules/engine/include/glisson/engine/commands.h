@@ -27,6 +27,7 @@ namespace glisson::engine {
 struct ImportImage {
   std::filesystem::path path;
   std::string series = {};  ///< UID or number, where there are several
+  bool new_case = false;    ///< of another patient: nothing of the case stays, nor where it lay
 };
 /// Says in its outcome which DICOM series a folder or an archive holds. Changes no part.
 struct ListSeries {
@@ -68,6 +69,8 @@ struct Segment {
   segmentation::SegmentationOptions options;
   /// Sees the liver's contour on its way; the engine puts its own in place (see Snapshot::evolving).
   segmentation::ShowLiver show = {};
+
+  bool keeps_labels() const { return options.region || !(options.structures == segmentation::Structures{}); }
 };
 struct BuildModel {
   model::ModelOptions options;
@@ -126,6 +129,7 @@ struct SetVideo {
 /// The frame `index` of the case's video, to be labelled and registered.
 struct LoadVideoFrame {
   int index = 0;
+  std::filesystem::path mask = {};  ///< may be empty
 };
 struct SetRegions {
   stereo::Regions regions;

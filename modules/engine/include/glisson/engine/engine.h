@@ -71,6 +71,8 @@ struct Outcome {
   std::vector<std::string> notes;
   std::vector<DicomSeries> series = {};                      ///< of ListSeries
   std::shared_ptr<const CalibrationSheet> calibration = {};  ///< of CalibrateRig
+  /// What stands on the disk after SaveCase or OpenCase: the case may have gone on while it was being saved.
+  std::optional<Editions> saved = {};
   double seconds = 0.0;
 };
 struct Progress {

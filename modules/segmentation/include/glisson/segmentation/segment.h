@@ -19,14 +19,14 @@ namespace glisson::segmentation {
 struct Seeds {
   Points liver;
   Points portal_vein, hepatic_veins, vena_cava, gallbladder;
-  std::vector<Points> lesions;
-  Points background;  ///< "not liver": optional
+  std::vector<Points> lesions;  ///< a list for each, in the order of their labels; it may be empty
+  Points background;            ///< "not liver": optional
 };
 Seeds read_seeds(const std::filesystem::path& path);
 void write_seeds(const std::filesystem::path& path, const Seeds& seeds);
 
 /// What is found anew. A structure that is not, or that has no seeds, stays as the labels given to segment()
-/// have it.
+/// have it; so does a single lesion without seeds.
 struct Structures {
   bool liver = true, portal_vein = true, hepatic_veins = true, vena_cava = true, gallbladder = true,
        lesions = true;  ///< liver: its parenchyma

@@ -28,6 +28,8 @@ class StereoVideo {
   ~StereoVideo();
   int width() const;  ///< of one view, as it is given out
   int height() const;
+  int whole_width() const;  ///< of one view before it is cropped
+  int whole_height() const;
   double frames_per_second() const;
   /// As the container says; may be more than can be read; 0: it does not say.
   int frame_count() const;

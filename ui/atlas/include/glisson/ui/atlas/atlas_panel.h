@@ -38,7 +38,8 @@ class AtlasPanel : public Panel {
 
   LinkedViews& views_;
   Tool tool_ = Tool::none;
-  Landmarks landmarks_;  ///< effective ones, as on the screen
+  std::set<Tool> begin_anew_;  ///< the next point of these takes the place of the model's own
+  Landmarks landmarks_;        ///< effective ones, as on the screen
   std::shared_ptr<const Landmarks> taken_;
   std::shared_ptr<const model::BuiltModel> model_;
   std::set<engine::CommandId> storing_;

@@ -5,6 +5,7 @@
 #include <QPointer>
 #include <QTimer>
 #include <deque>
+#include <optional>
 
 #include "glisson/ui/common/drawable_source.h"
 #include "glisson/ui/common/figures_table.h"
@@ -43,14 +44,28 @@ class GuidancePanel : public Panel {
   void show_case();
   void show_live();
   void show_registered();
-  void show_painted(const Picture& picture, const OverlayFrame& overlay, double age, double draw);
+  /// Draws what is on the screen once more, in the present style. Live, the next picture has it anyway.
+  void redraw();
+  /// Nothing is shown: neither a picture nor what was said of it.
+  void put_away();
+  void submit(OverlayJob job);
+  void show_painted(const Picture& picture, const OverlayFrame& overlay, double age, double draw,
+                    int generation);
+  void show_failed(const QString& message, int generation);
+  void show_still(const OverlayFrame& overlay);
+  void show_live_figures(const OverlayFrame& overlay, double draw);
   void show_freshness();
   void show_buttons();
-  /// Lets go of the last live picture.
+  /// Lets go of the last live picture. Its banner stays until something else is shown.
   void unfreeze();
+  /// Whether what the feed says concerns the tracking that is on.
+  bool is_playing() const;
   void stop_tracking(const QString& why);
   void toggle_recording();
   OverlayJob make_job();
+  /// The step to do first: what a registration would be made of is out of date itself, and so would that be
+  /// at once. Empty: nothing is.
+  QString outdated_input() const;
   QString registration_obstacle() const;
   QString tracking_obstacle() const;
 
@@ -84,7 +99,10 @@ class GuidancePanel : public Panel {
   bool repeat_now_ = false;
   /// Tracking has ended, and its last picture stays, marked, as long as its registration is the case's.
   bool is_frozen_ = false;
+  QString frozen_why_;  ///< said above it
   std::shared_ptr<const Registration> frozen_registration_;
+  std::optional<OverlayJob> job_;  ///< the last one
+  int generation_ = 0;             ///< pictures of former ones are not shown any more
   Validity shown_validity_ = Validity::not_started;
   std::shared_ptr<const Points> margin_;
   std::shared_ptr<const model::BuiltModel> model_source_;

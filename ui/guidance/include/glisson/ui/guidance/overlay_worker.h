@@ -31,6 +31,8 @@ struct OverlayJob {
   double frames_per_second = 0.0;  ///< of the live view, to be shown
   bool model_unchecked = false;    ///< nobody has said that the model is right
   double source_rate = 30.0;       ///< frames a second of the video, for the recording
+  /// Handed back with what became of the job, so that one that is not wanted any more is known.
+  int generation = 0;
 };
 
 /// Draws overlays, and records them, on a thread of its own, so that neither the window nor the engine waits
@@ -51,8 +53,8 @@ class OverlayWorker : public QObject {
  signals:
   /// @param age_seconds from the camera to the end of drawing; 0 when not live.
   void painted(const glisson::Picture& picture, const glisson::OverlayFrame& overlay, double age_seconds,
-               double draw_seconds);
-  void failed(const QString& message);
+               double draw_seconds, int generation);
+  void failed(const QString& message, int generation);
   /// @param error empty: all is well.
   void recording_ended(const QString& path, int frames, const QString& error);
 

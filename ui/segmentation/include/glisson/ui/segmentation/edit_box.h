@@ -35,6 +35,8 @@ class EditBox : public QWidget {
   void build_tools(QWidget& page);
   void build_confirmation(QWidget& page);
   void build_region();
+  /// The number that is being typed, if one is, counts as entered.
+  void take_typed();
   void show_tool();
   void show_state();
   void show_region();

@@ -64,6 +64,8 @@ class EditSession : public QObject {
   const std::vector<std::string>& notes() const { return notes_; }
 
  signals:
+  /// An edit is about to be made: a number that is still being typed is meant for it.
+  void settings_wanted();
   void tool_changed();
   void settings_changed();
   /// Labels, history, preview, progress or problem.
@@ -102,11 +104,11 @@ class EditSession : public QObject {
 
   struct Stroke {
     std::uint64_t gesture = 0;
-    scene::Plane plane = scene::Plane::axial;
+    scene::SliceGeometry slice;  ///< that the path is drawn in
     bool invert = false;
     std::vector<Eigen::Vector3d> path;  ///< from the last point that was sent
     bool has_news = false;
-    std::optional<engine::CommandId> sent;  ///< that is not done yet
+    std::set<engine::CommandId> sent;  ///< that are not done yet
     bool ended = false;
   };
   std::optional<Stroke> stroke_;

@@ -97,9 +97,12 @@ double brush_after(double radius, double notches);
 /// The voxel axis across slices of a plane.
 int voxel_axis_across(const VolumeGrid& grid, scene::Plane plane);
 
-/// One stretch of a stroke. @param tool paint or erase; `invert` makes one of the other.
-segmentation::Edit brush_edit(EditTool tool, const EditSettings& settings, const VolumeGrid& grid,
-                              scene::Plane plane, const Points& path, bool invert);
+/// One stretch of a stroke: of a disc an edit for each layer of voxels that the slice shows along it, several
+/// only where the volume's layers are askew to the slice. None: it lies outside the volume. They are one
+/// gesture. @param tool paint or erase; `invert` makes one of the other. @pre the path is finite
+std::vector<segmentation::Edit> brush_edits(EditTool tool, const EditSettings& settings,
+                                            const VolumeGrid& grid, const scene::SliceGeometry& slice,
+                                            const Points& path, bool invert);
 /// A lasso in a slice, its corners in pixels of the slice. @param invert fills what would be erased.
 segmentation::Edit slice_cut(const EditSettings& settings, const VolumeGrid& grid,
                              const scene::SliceGeometry& slice,

@@ -15,8 +15,10 @@ struct LabelRow {
   ReviewState review = ReviewState::not_started;
 };
 
-/// The liver, its vessels and neighbours, even while they are empty; every other label that has voxels; and
-/// the first lesion that is free, to be marked. @param statistics, review may be null.
-std::vector<LabelRow> label_rows(const segmentation::LabelStatistics* statistics, const Review* review);
+/// The liver, its vessels and neighbours, even while they are empty; every other label that has voxels; the
+/// first lesion that is free, to be marked; and the label that is worked on, whatever became of its voxels.
+/// @param statistics, review may be null. @param worked_on background: none.
+std::vector<LabelRow> label_rows(const segmentation::LabelStatistics* statistics, const Review* review,
+                                 Label worked_on = structure::kBackground);
 
 }  // namespace glisson::ui

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <set>
 #include <vector>
 
 #include "glisson/geometry/mesh.h"
 #include "glisson/segmentation/segment.h"
+#include "glisson/segmentation/statistics.h"
 #include "glisson/volume/label_volume.h"
 
 namespace glisson::ui {
@@ -19,11 +21,17 @@ struct SeedEntry {
 
 /// All seeds, liver first, in the order of their structures.
 std::vector<SeedEntry> list_seeds(const segmentation::Seeds& seeds);
-/// Appends one. A lesion beyond the last one makes a new lesion. @throws PreconditionError for a structure
-/// that has no seeds.
+/// Appends one. Lesions keep their numbers: those before a new one that have no seeds are empty lists.
+/// @throws PreconditionError for a structure that has no seeds.
 void add_seed(segmentation::Seeds& seeds, Label structure, const Eigen::Vector3d& p_in_ct);
-/// Takes one away; a lesion that loses its last seed goes, and those behind it move up.
+/// Takes one away. A lesion that loses its last seed leaves an empty list, unless it is the last lesion: the
+/// numbers of the others are those of their labels.
 void remove_seed(segmentation::Seeds& seeds, const SeedEntry& entry);
 int count_seeds(const segmentation::Seeds& seeds, Label structure);
+
+/// Lesions that have seeds, and the first number that is free among them and among the labels that have
+/// voxels: what a hand has painted is not the lesion that is clicked next. @param statistics may be null.
+std::set<Label> lesions_to_seed(const segmentation::Seeds& seeds,
+                                const segmentation::LabelStatistics* statistics);
 
 }  // namespace glisson::ui

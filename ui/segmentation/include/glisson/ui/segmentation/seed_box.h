@@ -50,6 +50,8 @@ class SeedBox : public QWidget {
   void build_growth();
   void load_seeds();
   void save_seeds();
+  /// The structures that can be seeded.
+  std::vector<Label> choices() const;
   void show_case();
   void show_seeds();
   void show_buttons();
@@ -66,6 +68,9 @@ class SeedBox : public QWidget {
   segmentation::Seeds seeds_;
   std::shared_ptr<const segmentation::Seeds> taken_;
   std::set<engine::CommandId> storing_;
+  std::shared_ptr<const Image> image_;
+  /// That have had seeds here: who deletes a seed to set a better one finds the lesion's number again.
+  std::set<Label> known_lesions_;
   bool active_ = false;
   std::optional<Label> structure_;
   std::vector<SeedEntry> entries_;

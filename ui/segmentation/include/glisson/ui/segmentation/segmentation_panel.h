@@ -39,6 +39,7 @@ class SegmentationPanel : public Panel {
   void build_modes();
   void build_labels();
   void show_case();
+  void show_rows();
   void show_label();
   void toggle(std::set<Label>& labels, Label label);
   void take_marks();

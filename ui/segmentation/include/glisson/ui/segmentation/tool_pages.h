@@ -9,6 +9,7 @@
 #include "glisson/ui/segmentation/edit_session.h"
 
 class QComboBox;
+class QDoubleSpinBox;
 class QFormLayout;
 
 namespace glisson::ui {
@@ -29,8 +30,8 @@ class ToolPages : public QWidget {
   };
 
   QFormLayout* add_page(const std::vector<EditTool>& tools);
-  void add_number(QFormLayout* form, const QString& name, const char* object, const Range& range,
-                  const Get& get, const Set& set);
+  QDoubleSpinBox* add_number(QFormLayout* form, const QString& name, const char* object, const Range& range,
+                             const Get& get, const Set& set);
   void add_choice(QFormLayout* form, const QString& name, const char* object, const QStringList& choices,
                   const Get& get, const Set& set);
   void add_check(QFormLayout* form, const QString& text, const char* object, const Get& get, const Set& set);

@@ -16,7 +16,8 @@ class ImageImport : public QObject {
   /// @param window what the question belongs to.
   ImageImport(EngineBridge& engine, QWidget* window);
 
-  void start(const std::filesystem::path& path);
+  /// @param new_case it is of another patient: nothing of the open case stays.
+  void start(const std::filesystem::path& path, bool new_case);
 
  private:
   void take(const engine::Outcome& outcome);
@@ -25,6 +26,7 @@ class ImageImport : public QObject {
   EngineBridge& engine_;
   QWidget* window_;
   std::filesystem::path path_;
+  bool new_case_ = false;
   std::optional<engine::CommandId> listing_;
 };
 

@@ -52,6 +52,8 @@ class MainWindow : public QMainWindow {
   void add_panel(Panel* panel, const QString& icon);
   void open_case();
   /// Asks first when the present one has changes.
+  /// Asks whose it is, where a case is open.
+  void import_image(const std::filesystem::path& path);
   void replace_case(const std::filesystem::path& path);
   void open_dicom();
   void open_volume();
@@ -78,7 +80,7 @@ class MainWindow : public QMainWindow {
   QAction* export_labels_ = nullptr;
   std::vector<Panel*> panels_;
   int step_ = 0;
-  std::uint64_t saved_revision_ = 0;
+  engine::Editions saved_{};  ///< what stands on the disk
   bool close_after_save_ = false;
 };
 

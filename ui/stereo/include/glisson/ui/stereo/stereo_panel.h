@@ -32,6 +32,8 @@ class StereoPanel : public Panel {
   QWidget* view() override { return view_; }
   void deactivate() override;
   StereoView& stereo_view() { return *view_; }
+  /// From now on the case's video is this one, and its first frame the pair.
+  void open_source(const engine::SetVideo& source);
 
  private:
   void build_input();
@@ -48,7 +50,7 @@ class StereoPanel : public Panel {
   void open_folder();
   void open_device();
   void describe_source();
-  void open_source(const engine::SetVideo& source);
+  void take_outcome(const engine::Outcome& outcome);
   void choose(const std::optional<RegionDrawing::Tool>& tool);
   void store();
   /// Labels the points anew, where they are of this pair: regions have changed.
@@ -59,6 +61,7 @@ class StereoPanel : public Panel {
   void show_region_list();
   void show_figures();
   QString obstacle() const;
+  bool rig_fits() const;
 
   QPointer<StereoView> view_;  ///< belongs to whoever hosts it
   QLabel* calibration_ = nullptr;
@@ -78,10 +81,13 @@ class StereoPanel : public Panel {
   FiguresTable* figures_ = nullptr;
   QLabel* warnings_ = nullptr;
   std::set<engine::CommandId> storing_;
+  std::optional<engine::CommandId> opening_;         ///< a source whose first frame is wanted
   std::optional<stereo::ReconstructOptions> again_;  ///< what the points were made with that are labelled
   QString faults_;            ///< what the last reconstruction found wrong with the pair
   bool label_again_ = false;  ///< regions changed while points were labelled
   std::shared_ptr<const engine::StereoInput> shown_frame_;
+  std::string identity_;  ///< of that frame
+  std::shared_ptr<const engine::VideoSource> shown_video_;
   std::shared_ptr<const stereo::Regions> taken_;
 };
 

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is the case's stays the case's: while it is saved, when another CT or video comes, when a frame loads.
+#include <QDialog>
+#include <QListWidget>
+#include <QMessageBox>
+#include <QPointer>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTimer>
+#include <QtTest>
+
+#include "fake_operation.h"
+#include "glisson/core/files.h"
+#include "glisson/stereo/regions.h"
+#include "glisson/ui/shell/main_window.h"
+#include "glisson/ui/stereo/stereo_panel.h"
+#include "run_in_window.h"
+
+namespace glisson {
+
+using engine::Part;
+using ui::MainWindow;
+
+class CaseKeepingTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void init();
+  void cleanup();
+  void WhatIsDoneWhileTheCaseIsSavedIsNotSaved();
+  void ACancelledSaveDoesNotCloseTheWindowLater();
+  void OneOfSeveralSeriesIsAskedFor();
+  void AnotherCtIsAskedWhoseItIs();
+  void AVideoThatCannotBeOpenedLeavesTheFrame();
+  void RegionsAreOfTheFrameThatWasDrawnOn();
+
+ private:
+  ui::EngineBridge& engine() { return window_->engine(); }
+  bool settle() {
+    return QTest::qWaitFor([this] { return engine().tasks().empty(); }, 20000);
+  }
+  bool open_and_save() {
+    window_->open("ct.nii");
+    if (!settle()) return false;
+    engine().post(engine::SaveCase{folder_->path() / "patient.glisson"});
+    return settle() && QTest::qWaitFor([this] { return !window_->isWindowModified(); });
+  }
+  /// Closes the window and answers its question. @return whether it asked.
+  bool close_and_answer(QMessageBox::StandardButton answer) {
+    bool asked = false;
+    QTimer answers;
+    connect(&answers, &QTimer::timeout, this, [&] {
+      auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      if (question == nullptr) return;
+      asked = true;
+      answers.stop();
+      question->button(answer)->click();
+    });
+    answers.start(10);
+    window_->close();
+    return asked;
+  }
+
+  std::unique_ptr<TemporaryFolder> folder_;
+  std::unique_ptr<FakeOperation> operation_;
+  std::atomic<bool> save_waits_{false};
+  std::unique_ptr<MainWindow> window_;
+};
+
+void CaseKeepingTest::init() {
+  folder_ = std::make_unique<TemporaryFolder>();
+  operation_ = std::make_unique<FakeOperation>();
+  make_box_operation(*operation_);
+  save_waits_ = false;
+  engine::Engine::Options options = operation_->options();
+  options.apply = [this, fake = options.apply](const engine::CaseState& state, const engine::Command& command,
+                                               const RunContext& context) -> Cancellable<engine::Applied> {
+    if (std::holds_alternative<engine::SaveCase>(command))
+      while (save_waits_) {
+        if (context.cancelled()) return {};
+        std::this_thread::yield();
+      }
+    const auto* video = std::get_if<engine::SetVideo>(&command);
+    if (video && video->left.filename() == "broken.mkv")
+      throw InputError(video->left.string(), "", "is no video", "Give another");
+    return fake(state, command, context);
+  };
+  window_ = std::make_unique<MainWindow>(options);
+  window_->resize(1280, 800);
+  window_->show();
+  QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+}
+
+void CaseKeepingTest::cleanup() {
+  save_waits_ = false;
+  window_.reset();
+  operation_.reset();
+  folder_.reset();
+}
+
+void CaseKeepingTest::WhatIsDoneWhileTheCaseIsSavedIsNotSaved() {
+  QVERIFY(open_and_save());
+  save_waits_ = true;
+  QSignalSpy ended(&engine(), &ui::EngineBridge::finished);
+  engine().post(engine::SaveCase{});
+  engine().post(engine::SetSeeds{});
+  QTRY_COMPARE(ended.count(), 1);  // the seeds do not wait
+  save_waits_ = false;
+  QTRY_COMPARE(ended.count(), 2);
+  QVERIFY(settle());
+  QVERIFY(window_->isWindowModified());
+  engine().post(engine::SaveCase{});
+  QTRY_COMPARE(ended.count(), 3);
+  QTRY_VERIFY(!window_->isWindowModified());
+}
+
+void CaseKeepingTest::ACancelledSaveDoesNotCloseTheWindowLater() {
+  QVERIFY(open_and_save());
+  engine().post(engine::SetSeeds{});
+  QVERIFY(settle());
+  save_waits_ = true;
+  QVERIFY(close_and_answer(QMessageBox::Save));
+  QTRY_VERIFY(!engine().tasks().empty());
+  engine().cancel(engine().tasks().front().id);
+  QVERIFY(settle());
+  QVERIFY(window_->isVisible() && window_->isWindowModified());
+  save_waits_ = false;
+  engine().post(engine::SaveCase{});  // a save of its own does not close
+  QVERIFY(settle());
+  QTRY_VERIFY(!window_->isWindowModified());
+  QVERIFY(window_->isVisible());
+  engine().post(engine::SetSeeds{});
+  QVERIFY(settle());
+  QVERIFY(close_and_answer(QMessageBox::Cancel));  // asks again
+  QVERIFY(window_->isVisible());
+  QVERIFY(close_and_answer(QMessageBox::Save));
+  QTRY_VERIFY(!window_->isVisible());
+}
+
+void CaseKeepingTest::OneOfSeveralSeriesIsAskedFor() {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path() / "one_series");
+  std::filesystem::create_directories(folder.path() / "two_series");
+  window_->open(folder.path() / "one_series");
+  QTRY_VERIFY(window_->engine().state().image != nullptr);
+  QVERIFY(window_->engine().state().image->description.empty());
+  QVERIFY(window_->findChild<QDialog*>(QStringLiteral("choose_series")) == nullptr);
+
+  window_->open(folder.path() / "two_series");
+  QTest::mouseClick(window_->findChild<QPushButton*>(QStringLiteral("same_patient")), Qt::LeftButton);
+  QTRY_VERIFY(window_->findChild<QDialog*>(QStringLiteral("choose_series")) != nullptr);
+  auto* dialog = window_->findChild<QDialog*>(QStringLiteral("choose_series"));
+  auto* list = dialog->findChild<QListWidget*>();
+  QCOMPARE(list->count(), 2);
+  QCOMPARE(list->currentRow(), 0);  // the one with the most slices
+  QVERIFY(list->item(1)->text().contains(QStringLiteral("arterial")));
+  list->setCurrentRow(1);
+  QTest::keyClick(dialog, Qt::Key_Return);
+  QTRY_COMPARE(window_->engine().state().image->description, std::string("1.2.4"));
+}
+
+void CaseKeepingTest::AnotherCtIsAskedWhoseItIs() {
+  QVERIFY(open_and_save());
+  engine().post(engine::SetSeeds{});
+  QVERIFY(settle());
+  const auto open_and_answer = [this](const char* answer) {
+    const auto before = engine().state().image;
+    window_->open("other.nii");
+    const QPointer<QMessageBox> question = window_->findChild<QMessageBox*>(QStringLiteral("whose_image"));
+    if (!question || !question->isVisible() || !engine().tasks().empty()) return false;
+    QTest::mouseClick(answer == nullptr ? question->button(QMessageBox::Cancel)
+                                        : window_->findChild<QAbstractButton*>(QLatin1String(answer)),
+                      Qt::LeftButton);
+    if (!QTest::qWaitFor([&] { return question.isNull(); }) || !settle()) return false;
+    return QTest::qWaitFor([&] { return (engine().state().image != before) == (answer != nullptr); });
+  };
+  QVERIFY(open_and_answer(nullptr));
+  QVERIFY(open_and_answer("same_patient"));
+  QVERIFY(engine().state().seeds && !engine().state().path.empty());
+  QVERIFY(open_and_answer("new_case"));
+  QVERIFY(!engine().state().seeds && engine().state().path.empty());
+  QVERIFY(window_->isWindowModified());
+}
+
+void CaseKeepingTest::AVideoThatCannotBeOpenedLeavesTheFrame() {
+  auto* panel = window_->findChild<ui::StereoPanel*>();
+  panel->open_source({folder_->path() / "scope.mkv", {}});
+  QTRY_VERIFY(engine().state().frame != nullptr);
+  QCOMPARE(engine().state().frame->frame.index, 0);
+  engine().post(engine::LoadVideoFrame{7});
+  QTRY_COMPARE(engine().state().frame->frame.index, 7);
+  const auto frame = engine().state().frame;
+  QSignalSpy ended(&engine(), &ui::EngineBridge::finished);
+  window_->open(folder_->path() / "broken.mkv");
+  QTRY_COMPARE(ended.count(), 1);
+  QVERIFY(settle());
+  QTest::qWait(50);
+  QCOMPARE(ended.count(), 1);
+  QVERIFY(engine().state().frame == frame);
+}
+
+void CaseKeepingTest::RegionsAreOfTheFrameThatWasDrawnOn() {
+  auto* panel = window_->findChild<ui::StereoPanel*>();
+  window_->show_step(MainWindow::stereo);
+  panel->open_source({folder_->path() / "scope.mkv", {}});
+  QTRY_VERIFY(engine().state().frame != nullptr);
+  stereo::Region region;
+  region.polygon = {{20, 20}, {80, 20}, {50, 70}};
+  stereo::Regions drawn;
+  drawn.regions = {region};
+  engine().post(engine::SetRegions{drawn});
+  auto* clear = panel->findChild<QPushButton*>(QStringLiteral("clear_regions"));
+  QTRY_VERIFY(clear->isEnabled());
+  QTest::mouseClick(clear, Qt::LeftButton);
+  QTRY_VERIFY(engine().state().regions && engine().state().regions->regions.empty());
+  const StereoFrame& frame = engine().state().frame->frame;
+  QCOMPARE(engine().state().regions->identity, stereo::frame_identity(frame.left, frame.right));
+}
+
+}  // namespace glisson
+
+int main(int argc, char** argv) { return glisson::run_in_window<glisson::CaseKeepingTest>(argc, argv); }
+#include "case_keeping_test.moc"

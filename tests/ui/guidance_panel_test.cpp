@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the guidance panel shows and says is of the case that is open, and of now.
+#include <QCheckBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QtTest>
+#include <algorithm>
+#include <atomic>
+#include <utility>
+
+#include "fake_operation.h"
+#include "glisson/core/files.h"
+#include "glisson/stereo/picture_io.h"
+#include "glisson/ui/common/task_button.h"
+#include "glisson/ui/guidance/guidance_panel.h"
+#include "glisson/ui/guidance/video_feed.h"
+#include "glisson/ui/shell/main_window.h"
+#include "run_in_window.h"
+
+namespace glisson {
+
+using engine::Part;
+using engine::StageState;
+using ui::MainWindow;
+
+class GuidancePanelTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void init();
+  void cleanup();
+  void EveryPlayingKnowsWhenItsFramesWereSent();
+  void NothingOfTheFormerCaseStays();
+  void NothingOfTheFormerLiveViewStays();
+  void LastPictureStaysUntilAnotherCaseWhateverItsStyle();
+  void ErrorGoesWithItsCause();
+  void ObstaclesNameTheStepThatHelps();
+
+ private:
+  /// FakeOperation opens no cases: here every one holds a CT and nothing else.
+  engine::Engine::Options with_other_case() const {
+    engine::Engine::Options options = operation_->options();
+    options.apply = [apply = options.apply, ct = std::make_shared<const Image>(operation_->ct)](
+                        const engine::CaseState& state, const engine::Command& command,
+                        const RunContext& context) -> Cancellable<engine::Applied> {
+      if (!std::holds_alternative<engine::OpenCase>(command)) return apply(state, command, context);
+      engine::Applied applied;
+      applied.state.image = ct;
+      applied.state.stamp(Part::image).revision = 1;
+      applied.keeps_stamps = true;
+      return applied;
+    };
+    return options;
+  }
+  void post(engine::Command command) {
+    window_->engine().post(std::move(command));
+    QVERIFY(QTest::qWaitFor([this] { return window_->engine().tasks().empty(); }, 20000));
+  }
+  void reach_registration(int frames) {
+    operation_->film(folder_->path() / "scope.mkv", frames);
+    post(engine::ImportImage{"ct.nii"});
+    post(engine::SetSeeds{});
+    post(engine::Segment{});
+    post(engine::BuildModel{});
+    post(engine::SetLandmarks{operation_->model.landmarks});
+    post(engine::SetCalibration{"scope.yml"});
+    post(engine::SetVideo{operation_->video, {}});
+    post(engine::LoadVideoFrame{2});
+    post(engine::SetRegions{});
+    post(engine::Reconstruct{});
+    post(engine::Register{});
+    QCOMPARE(window_->engine().snapshot()->stage(Part::registration), StageState::current);
+    window_->show_step(MainWindow::guidance);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->drawables().drawable() != nullptr, 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(said().contains(QStringLiteral("Registered frame 2, not live")), 20000);
+  }
+
+  ui::GuidancePanel& panel() const { return *window_->findChild<ui::GuidancePanel*>(); }
+  const Picture& picture() const { return panel().picture().picture(); }
+  bool is_tracking() const { return window_->engine().snapshot()->tracking; }
+  ui::TaskButton* task(const char* name) const {
+    return window_->findChild<ui::TaskButton*>(QString::fromLatin1(name));
+  }
+  void press(const char* name) const { QTest::mouseClick(task(name)->button(), Qt::LeftButton); }
+  QCheckBox* lesions() const {
+    const QList<QCheckBox*> boxes = panel().findChildren<QCheckBox*>();
+    const auto box = std::find_if(boxes.begin(), boxes.end(), [](const QCheckBox* one) {
+      return one->text() == QStringLiteral("Lesions");
+    });
+    return box == boxes.end() ? nullptr : *box;
+  }
+
+  static QString words_on(const QWidget& widget) {
+    QStringList words;
+    for (const QLabel* label : widget.findChildren<QLabel*>())
+      if (!label->isHidden() && !label->text().isEmpty()) words << label->text();
+    return words.join(QLatin1Char('\n'));
+  }
+  /// Above and below the picture.
+  QString said() const { return words_on(*panel().view()); }
+  /// Under the button; empty: it can be pressed.
+  QString obstacle(const char* name) const {
+    const QString words = words_on(*task(name));
+    return task(name)->button()->isEnabled() ? QString() : words;
+  }
+  bool is_blank() const {
+    for (const QLabel* label : panel().view()->findChildren<QLabel*>())
+      if (label->property("fresh").isValid()) return false;
+    const bool has_live_figures = words_on(panel()).contains(QStringLiteral("Drawing"));
+    return picture().empty() && said().isEmpty() && !has_live_figures;
+  }
+  /// Also of what was on its way nothing comes.
+  bool stays_blank() const {
+    return !QTest::qWaitFor([this] { return !is_blank(); }, 500);
+  }
+  /// No picture is on its way any more.
+  bool rests() const {
+    int shown = -1;
+    QElapsedTimer since;
+    return QTest::qWaitFor(
+        [&] {
+          if (std::exchange(shown, panel().pictures_shown()) != panel().pictures_shown()) since.start();
+          return since.elapsed() > 500;
+        },
+        20000);
+  }
+  /// The next one, after the lesions were switched on or off. Empty: none came.
+  Picture picture_with_other_style() const {
+    const int before = panel().pictures_shown();
+    lesions()->click();
+    const bool came = QTest::qWaitFor([&] { return panel().pictures_shown() > before; }, 20000);
+    return came ? picture() : Picture{};
+  }
+
+  std::unique_ptr<TemporaryFolder> folder_;
+  std::unique_ptr<FakeOperation> operation_;
+  std::unique_ptr<MainWindow> window_;
+};
+
+void GuidancePanelTest::init() {
+  folder_ = std::make_unique<TemporaryFolder>();
+  operation_ = std::make_unique<FakeOperation>();
+  make_box_operation(*operation_);
+  window_ = std::make_unique<MainWindow>(with_other_case());
+  window_->resize(1280, 800);
+  window_->show();
+  QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+}
+
+void GuidancePanelTest::cleanup() {
+  window_.reset();
+  operation_.reset();
+  folder_.reset();
+}
+
+void GuidancePanelTest::EveryPlayingKnowsWhenItsFramesWereSent() {
+  using Clock = ui::VideoFeed::Clock;
+  constexpr int kFrames = 130;  // more than a feed remembers
+  const std::filesystem::path file = folder_->path() / "fast.mkv";
+  stereo::VideoWriter writer(file, 64, 32, 250.0);
+  for (int i = 0; i < kFrames; ++i) writer.write(FakeOperation::picture(64, 32, i));
+  writer.close();
+
+  std::atomic<Clock::rep> begun{0};
+  std::atomic<int> sent{0}, unknown{0};
+  int ended = 0;
+  QObject listener;
+  std::unique_ptr<ui::VideoFeed> feed;
+  feed = std::make_unique<ui::VideoFeed>([&](const StereoFrame& frame) {
+    const auto at = feed->sent_at(frame.index);
+    if (!at || at->time_since_epoch().count() < begun.load()) ++unknown;
+    ++sent;
+  });
+  connect(feed.get(), &ui::VideoFeed::ended, &listener, [&ended] { ++ended; });
+  for (int playing = 1; playing <= 2; ++playing) {
+    begun = Clock::now().time_since_epoch().count();
+    feed->start(engine::VideoSource{file, {}}, 0);
+    QTRY_COMPARE_WITH_TIMEOUT(ended, playing, 20000);
+    QCOMPARE(sent.load(), playing * kFrames);
+    QCOMPARE(unknown.load(), 0);
+  }
+}
+
+void GuidancePanelTest::NothingOfTheFormerCaseStays() {
+  reach_registration(10);
+  QVERIFY(!is_blank());
+  lesions()->click();  // a picture is on its way when the other case comes
+  post(engine::OpenCase{"other.glisson"});
+  QVERIFY(window_->engine().state().frame == nullptr);
+  QVERIFY2(is_blank(), qPrintable(said()));
+  QVERIFY2(stays_blank(), qPrintable(said()));
+}
+
+void GuidancePanelTest::NothingOfTheFormerLiveViewStays() {
+  reach_registration(120);
+  press("start_tracking");
+  QTRY_VERIFY_WITH_TIMEOUT(said().contains(QStringLiteral("LIVE")), 20000);
+  post(engine::OpenCase{"other.glisson"});
+  QVERIFY(!is_tracking());
+  QVERIFY2(is_blank(), qPrintable(said()));
+  QVERIFY2(stays_blank(), qPrintable(said()));
+}
+
+void GuidancePanelTest::LastPictureStaysUntilAnotherCaseWhateverItsStyle() {
+  reach_registration(12);
+  QVERIFY(rests());
+  const Picture registered = picture();
+  press("start_tracking");
+  const auto is_marked = [this] { return said().contains(QStringLiteral("Last picture, not live")); };
+  QTRY_VERIFY_WITH_TIMEOUT(is_marked() && !is_tracking(), 20000);
+  QVERIFY(rests());
+  const Picture without = picture_with_other_style();
+  QVERIFY(!without.empty());
+  QVERIFY(is_marked());
+  const Picture with = picture_with_other_style();
+  QVERIFY(!with.empty());
+  QVERIFY(is_marked());
+  QVERIFY(*with.bytes != *without.bytes);
+  QVERIFY2(*with.bytes != *registered.bytes, "it is still the last one, not the registered frame");
+  post(engine::OpenCase{"other.glisson"});
+  QVERIFY2(is_blank(), qPrintable(said()));
+}
+
+void GuidancePanelTest::ErrorGoesWithItsCause() {
+  reach_registration(10);
+  const int width = operation_->rig.left.width;
+  operation_->rig.left.width = 2 * width;
+  post(engine::SetCalibration{"of_another_scope.yml"});
+  const auto is_refused = [this] { return said().contains(QStringLiteral("Use the calibration")); };
+  QTRY_VERIFY_WITH_TIMEOUT(is_refused(), 20000);
+  QVERIFY(picture().empty());  // nor does the picture that was drawn with the former one stay
+  operation_->rig.left.width = width;
+  post(engine::SetCalibration{"scope.yml"});
+  QTRY_VERIFY_WITH_TIMEOUT(!picture().empty(), 20000);
+  QVERIFY2(!is_refused(), qPrintable(said()));
+}
+
+void GuidancePanelTest::ObstaclesNameTheStepThatHelps() {
+  reach_registration(10);
+  // The same for registering and for tracking.
+  const auto refusal = [this] {
+    const QString first = obstacle("register"), second = obstacle("start_tracking");
+    return first == second ? first : first + QStringLiteral(" / ") + second;
+  };
+  const auto only_registering_is_left = [this] {
+    return task("register")->button()->isEnabled() &&
+           obstacle("start_tracking") == QStringLiteral("The registration is out of date: register again.");
+  };
+  const auto can_track = [this] { return task("start_tracking")->button()->isEnabled(); };
+  QVERIFY(can_track());
+
+  post(engine::SetSeeds{});
+  QCOMPARE(refusal(),
+           QStringLiteral("The labels are out of date: segment or import them again (Segmentation)."));
+  post(engine::Segment{});
+  QCOMPARE(refusal(), QStringLiteral("The model is out of date: build it again (Model)."));
+  post(engine::BuildModel{});
+  QCOMPARE(
+      refusal(),
+      QStringLiteral("The landmarks are those of another model: look at them and accept them (Landmarks)."));
+  post(engine::SetLandmarks{operation_->model.landmarks});
+  QVERIFY(only_registering_is_left());
+  post(engine::Register{});
+  QVERIFY(can_track());
+
+  post(engine::SetVideo{operation_->video, {}});
+  QCOMPARE(refusal(),
+           QStringLiteral("The frame is of a former video: take one of the present video (Stereo)."));
+  post(engine::LoadVideoFrame{3});
+  QCOMPARE(refusal(),
+           QStringLiteral("The regions are those of another frame: draw them again or clear them (Stereo)."));
+  post(engine::SetRegions{});
+  QCOMPARE(refusal(), QStringLiteral("The points are out of date: reconstruct the surface again (Stereo)."));
+  post(engine::Reconstruct{});
+  QVERIFY(only_registering_is_left());
+  post(engine::Register{});
+  QVERIFY(can_track());
+}
+
+}  // namespace glisson
+
+int main(int argc, char** argv) { return glisson::run_in_window<glisson::GuidancePanelTest>(argc, argv); }
+#include "guidance_panel_test.moc"
