@@ -113,6 +113,13 @@ void TheatreCommandsTest::AVideoThatEndsEarlyIsRecognised() {
     }
     writer.close();
   }
+  const QStringList track = {"track",     "--model",       "m.vtu",  "--start", "start.vtu", "--video",
+                             "whole.mkv", "--calibration", "c.yaml", "--out",   "tracked"};
+  refused(track + QStringList{"--mask", "none.png"}, "none.png");
+  stereo::write_picture(
+      at("small.png"),
+      {160, 120, 1, std::make_shared<std::vector<std::uint8_t>>(19200UL, std::uint8_t{255})});
+  refused(track + QStringList{"--mask", "small.png"}, "160x120");
   const std::string whole = read_file(at("whole.mkv"));
   write_text(at("cut.mkv"), whole.substr(0, whole.size() * 3 / 5));
   fs::remove(at("whole.mkv"));

@@ -14,6 +14,7 @@
 #include "glisson/stereo/calibration_io.h"
 #include "glisson/stereo/labelling.h"
 #include "glisson/stereo/picture_io.h"
+#include "glisson/stereo/source.h"
 
 using namespace glisson;
 using namespace glisson::engine;
@@ -33,6 +34,8 @@ class CaseStereoTest : public QObject {
   void PointsOfOtherPicturesAreRefused();
   void ALostCloudLeavesTheRestAndASaveKeepsIt();
   void ADiskThatFillsUpLeavesTheOldPoints();
+  void ACalibrationOfWholeViewsFitsACroppedSource();
+  void PairAndCalibrationOfAnotherSizeComeInEitherOrder();
 
  private:
   static stereo::Region square(Feature feature, double x, double y, double side) {
@@ -146,6 +149,54 @@ void CaseStereoTest::PointsOfAFormerPairStayThoseOfAFormerPair() {
     QCOMPARE(stage_state(*read, Part::cloud), StageState::stale);
     QVERIFY(save_case(path, *read, RunContext()));
   }
+}
+
+void CaseStereoTest::ACalibrationOfWholeViewsFitsACroppedSource() {
+  const StereoRig whole = rendered::rig();
+  const int width = whole.left.width, height = whole.left.height;
+  {
+    stereo::VideoWriter writer(folder_.path() / "film.mkv", 2 * width, height, 30.0);
+    const auto grey =
+        std::make_shared<std::vector<std::uint8_t>>(static_cast<std::size_t>(6 * width * height), 90);
+    writer.write({2 * width, height, 3, grey});
+    writer.close();
+  }
+  stereo::SourceOptions source;
+  source.left = "film.mkv";
+  source.crop = {40, 20, 320, 400};
+  stereo::write_source(folder_.path() / "cropped.json", source);
+  fs::create_directories(folder_.path() / "text");
+  stereo::write_text_calibration(folder_.path() / "text", whole);
+  for (const char* calibration : {"scope.yaml", "text"}) {
+    const auto maker = engine();
+    const CaseState state = after(*maker, {SetVideo{folder_.path() / "cropped.json", {}}, LoadVideoFrame{0},
+                                           SetCalibration{folder_.path() / calibration}});
+    QCOMPARE(state.frame->frame.left.width, 320);
+    QCOMPARE(state.rig->left.width, 320);
+    QCOMPARE(state.rig->right.height, 400);
+    QVERIFY(std::abs(state.rig->left.matrix(0, 2) - (whole.left.matrix(0, 2) - 40.0)) < 1e-3);
+    QVERIFY(std::abs(state.rig->right.matrix(1, 2) - (whole.right.matrix(1, 2) - 20.0)) < 1e-3);
+  }
+}
+
+void CaseStereoTest::PairAndCalibrationOfAnotherSizeComeInEitherOrder() {
+  const auto grey = [this](const char* name, std::uint8_t value) {
+    const fs::path path = folder_.path() / name;
+    stereo::write_picture(path, {160, 120, 3, std::make_shared<std::vector<std::uint8_t>>(57600UL, value)});
+    return path;
+  };
+  const LoadStereoPair small{grey("small_left.png", 80), grey("small_right.png", 90), {}};
+  const auto maker = engine();
+  after(*maker, {SetCalibration{folder_.path() / "scope.yaml"}, small});
+  const Outcome outcome = maker->wait(maker->post(Reconstruct{}));
+  QCOMPARE(outcome.status, Status::failed);
+  QVERIFY2(outcome.error.find("160x120") != std::string::npos, outcome.error.c_str());
+  // A mask is of its picture.
+  LoadStereoPair masked = small;
+  masked.mask = folder_.path() / "left.png";
+  const Outcome other = maker->wait(maker->post(masked));
+  QCOMPARE(other.status, Status::failed);
+  QVERIFY2(other.error.find("left.png") != std::string::npos, other.error.c_str());
 }
 
 void CaseStereoTest::ACaseOfBeforeHasACloudOnly() {

@@ -103,6 +103,20 @@ class SourceTest : public QObject {
     }
   }
 
+  void ARecorderThatStoppedAMomentBeforeTheOtherIsTheEnd() {
+    for (int view = 0; view < 2; ++view)
+      film(view == 0 ? "longer.mkv" : "shorter.mkv", 64, 48, view == 0 ? 5 : 4,
+           [=](int i, int x, int y) { return shade(view, i, x, y); });
+    for (const auto& [left, right] :
+         {std::pair("longer.mkv", "shorter.mkv"), {"shorter.mkv", "longer.mkv"}}) {
+      StereoVideo video(at(left), at(right));
+      StereoFrame frame;
+      int count = 0;
+      while (video.read(frame)) ++count;
+      QCOMPARE(count, 4);
+    }
+  }
+
   void InterleavedRowsAreTakenApart() {
     fs::create_directories(folder_.path() / "rows");
     film("rows.mkv", 64, 48, 3, [](int i, int x, int y) { return shade(y % 2, i, x, y); });

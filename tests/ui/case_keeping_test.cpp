@@ -6,6 +6,7 @@
 #include <QPointer>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QSpinBox>
 #include <QTimer>
 #include <QtTest>
 
@@ -82,7 +83,9 @@ void CaseKeepingTest::init() {
     const auto* video = std::get_if<engine::SetVideo>(&command);
     if (video && video->left.filename() == "broken.mkv")
       throw InputError(video->left.string(), "", "is no video", "Give another");
-    return fake(state, command, context);
+    auto applied = fake(state, command, context);
+    if (video && applied) applied->figures["video_frames"] = 10.0;
+    return applied;
   };
   window_ = std::make_unique<MainWindow>(options);
   window_->resize(1280, 800);
@@ -188,6 +191,8 @@ void CaseKeepingTest::AVideoThatCannotBeOpenedLeavesTheFrame() {
   QCOMPARE(engine().state().frame->frame.index, 0);
   engine().post(engine::LoadVideoFrame{7});
   QTRY_COMPARE(engine().state().frame->frame.index, 7);
+  const auto* number = panel->findChild<QSpinBox*>();
+  QTRY_COMPARE(number->maximum(), 9);
   const auto frame = engine().state().frame;
   QSignalSpy ended(&engine(), &ui::EngineBridge::finished);
   window_->open(folder_->path() / "broken.mkv");
@@ -196,6 +201,9 @@ void CaseKeepingTest::AVideoThatCannotBeOpenedLeavesTheFrame() {
   QTest::qWait(50);
   QCOMPARE(ended.count(), 1);
   QVERIFY(engine().state().frame == frame);
+  engine().post(engine::ImportImage{"other.nii", {}, true});
+  QTRY_VERIFY(!engine().state().video);
+  QVERIFY(number->maximum() > 1000);  // how many frames the next video has is not known
 }
 
 void CaseKeepingTest::RegionsAreOfTheFrameThatWasDrawnOn() {
