@@ -1892,6 +1892,14 @@
         <source>Beams of all vessels together, about: where they have more, the thinnest and shortest side branches are left out, vessels of 4 mm across and more stay.</source>
         <translation>Balken aller Gefäße zusammen, ungefähr: haben sie mehr, werden die dünnsten und kürzesten Seitenäste weggelassen, Gefäße ab 4 mm Durchmesser bleiben.</translation>
     </message>
+    <message>
+        <source>real CT: least dihedral angle of the fine model, degrees</source>
+        <translation>echtes CT: kleinster Flächenwinkel des feinen Modells, Grad</translation>
+    </message>
+    <message>
+        <source>real CT: volume error of lesions above 1 ml, largest</source>
+        <translation>echtes CT: größter Volumenfehler der Läsionen über 1 ml</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AngleHistogram</name>

@@ -1892,6 +1892,14 @@
         <source>Beams of all vessels together, about: where they have more, the thinnest and shortest side branches are left out, vessels of 4 mm across and more stay.</source>
         <translation>Poutres de tous les vaisseaux ensemble, environ : au-delà, les branches latérales les plus fines et les plus courtes sont omises, les vaisseaux de 4 mm de diamètre et plus restent.</translation>
     </message>
+    <message>
+        <source>real CT: least dihedral angle of the fine model, degrees</source>
+        <translation>scanner réel : plus petit angle dièdre du modèle fin, degrés</translation>
+    </message>
+    <message>
+        <source>real CT: volume error of lesions above 1 ml, largest</source>
+        <translation>scanner réel : plus grande erreur de volume des lésions de plus de 1 ml</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AngleHistogram</name>

@@ -47,6 +47,8 @@ class FitToSurfaceTest : public QObject {
   void SubdomainGetsItsVolume();
   void FarMovesStopBeforeACellTurnsOver();
   void NodesThatCellsHoldBackGetRoom();
+  void SliversOfTheMesherAreMended_data();
+  void SliversOfTheMesherAreMended();
   void ADentIsFilledByWhatWasTakenOut();
   void AGrooveOfTheBodyIsNotFilled();
   void MeshWithoutASurfaceIsRefused();
@@ -155,6 +157,35 @@ TetMesh FitToSurfaceTest::dented() const {
     mesh = mesh_;
   }
   return mesh;
+}
+
+void FitToSurfaceTest::SliversOfTheMesherAreMended_data() {
+  QTest::addColumn<bool>("inside");
+  QTest::newRow("a node inside") << true;
+  QTest::newRow("a node of the boundary") << false;
+}
+
+void FitToSurfaceTest::SliversOfTheMesherAreMended() {
+  QFETCH(bool, inside);
+  TetMesh mesh = mesh_;
+  model::fit_to_surface(mesh, {&kBall, volume(kBall), {}}, 10.0);
+  const std::vector<int> skin = boundary_surface(mesh).node_of_vertex;
+  // Pressed towards the opposite face of one of its cells until that is nearly flat.
+  for (int t = 0; t < mesh.tetrahedron_count(); ++t) {
+    const int node = mesh.tetrahedra(t, 0);
+    if ((std::find(skin.begin(), skin.end(), node) == skin.end()) != inside) continue;
+    const Eigen::RowVector3d face = (mesh.vertex(mesh.tetrahedra(t, 1)) + mesh.vertex(mesh.tetrahedra(t, 2)) +
+                                     mesh.vertex(mesh.tetrahedra(t, 3)))
+                                        .transpose() /
+                                    3.0;
+    mesh.vertices.row(node) += 0.93 * (face - mesh.vertices.row(node));
+    break;
+  }
+  QVERIFY(dihedral_angles(mesh).col(0).minCoeff() < 6.0);
+  model::fit_to_surface(mesh, {&kBall, volume(kBall), {}}, 10.0);
+  const double least = dihedral_angles(mesh).col(0).minCoeff();
+  QVERIFY2(least >= 10.0, qPrintable(QString::number(least)));
+  QVERIFY2(mean_off(mesh) < 0.25e-3, qPrintable(QString::number(1e3 * mean_off(mesh))));
 }
 
 void FitToSurfaceTest::ADentIsFilledByWhatWasTakenOut() {

@@ -18,7 +18,7 @@ namespace {
 constexpr int kSurfacePasses = 8, kInclusionPasses = 12;
 constexpr double kMostOffset = 0.15e-3;  // metres that boundary nodes may stand out for the volume's sake
 constexpr double kStuck = 0.1e-3;        // metres beside where it belongs
-constexpr int kRoomPasses = 6, kDentRounds = 4;
+constexpr int kRoomPasses = 6, kDentRounds = 4, kSliverPasses = 12;
 constexpr double kEnough = 1e-6;            // metres: nearer is there
 constexpr double kVolumeTolerance = 0.002;  // of a sub-domain
 
@@ -45,6 +45,19 @@ class Fitter {
       for (const FitTargets::Inclusion& inclusion : targets_.inclusions) fit_inclusion(inclusion);
     }
     free_stuck();
+  }
+
+  /// Cells flatter than allowed that the mesher has left: their nodes move to where the flattest cell around
+  /// each is least flat (Freitag and Ollivier-Gooch, Tetrahedral mesh improvement using swapping and
+  /// smoothing, 1997: smoothing of the worst angle).
+  void mend_slivers() {
+    for (int pass = 0; pass < kSliverPasses; ++pass) {
+      bool moved = false;
+      for (int cell = 0; cell < mesh_.tetrahedron_count(); ++cell)
+        for (int k = 0; k < 4 && worst_of(cell) > most_cosine_; ++k)
+          moved |= flatten_least(mesh_.tetrahedra(cell, k));
+      if (!moved) return;
+    }
   }
 
   void to_volume() {
@@ -100,6 +113,31 @@ class Fitter {
     }
     mesh_.vertices.row(node) = from.transpose();
     return false;
+  }
+
+  /// Pattern search. A node of the boundary stays on the surface. @return whether it has moved.
+  bool flatten_least(int node) {
+    const Eigen::Vector3d begin = mesh_.vertex(node);
+    const bool boundary = on_boundary_[static_cast<std::size_t>(node)] != 0;
+    const int beside = mesh_.tetrahedra(cells_[static_cast<std::size_t>(node)].front(), 0) == node ? 1 : 0;
+    const double scale =
+        (mesh_.vertex(mesh_.tetrahedra(cells_[static_cast<std::size_t>(node)].front(), beside)) - begin)
+            .norm();
+    double best = worst_around(node);
+    for (const double length : {0.2, 0.1, 0.05, 0.02, 0.01})
+      for (int direction = 0; direction < 6; ++direction) {
+        const Eigen::Vector3d from = mesh_.vertex(node);
+        Eigen::Vector3d to = from;
+        to[direction / 2] += (direction % 2 == 0 ? length : -length) * scale;
+        if (boundary) to = tree_.closest(to).point;
+        mesh_.vertices.row(node) = to.transpose();
+        const double worst = worst_around(node);
+        if (worst < best)
+          best = worst;
+        else
+          mesh_.vertices.row(node) = from.transpose();
+      }
+    return mesh_.vertex(node) != begin;
   }
 
   /// Not those on the skin of a sub-domain: its volume has been fitted.
@@ -237,6 +275,7 @@ void fit_to_surface(TetMesh& mesh, const FitTargets& targets, double least_dihed
     Fitter(mesh, targets, tree, normals, least_dihedral_deg).to_surface();
     if (fill_dents(mesh, tree, normals, body, least_dihedral_deg) == 0) break;
   }
+  Fitter(mesh, targets, tree, normals, least_dihedral_deg).mend_slivers();
   Fitter(mesh, targets, tree, normals, least_dihedral_deg).to_volume();
 }
 
