@@ -58,6 +58,7 @@ class WindowTest : public QObject {
   void CancelLeavesTheCaseAsItWas();
   void EditMakesLaterStepsStale();
   void NotchIsPlacedOnTheSurface();
+  void TheFirstClickAfterClearReplacesTheModelsOwn();
   void LandmarksAreDrawnWithTheModelOnly();
   void RegionIsClickedClosedDraggedAndTakenBack();
   void LiveViewPlaysShowsAgeAndRecords();
@@ -344,6 +345,24 @@ void WindowTest::NotchIsPlacedOnTheSurface() {
   QVERIFY(stored != nullptr);
   QCOMPARE(stored->umbilical_notch.rows(), before + 1);
   QVERIFY((stored->umbilical_notch.bottomRows(1).transpose() - wanted).norm() < 2e-3);  // a pixel or so
+}
+
+void WindowTest::TheFirstClickAfterClearReplacesTheModelsOwn() {
+  operation_->model.landmarks.umbilical_notch = Points::Constant(3, 3, 0.02);
+  reach_model();
+  window_->show_step(MainWindow::atlas);
+  QTRY_VERIFY(window_->views().surface_point(0.5, 0.5).has_value());
+  auto* panel = window_->findChild<ui::AtlasPanel*>();
+  QTest::mouseClick(panel->findChild<QPushButton*>(QStringLiteral("clear_landmarks")), Qt::LeftButton);
+  QVERIFY(settle());
+  QTRY_COMPARE(panel->landmarks().umbilical_notch.rows(), 3);  // what the registration would use
+  QTest::mouseClick(panel->findChild<QPushButton*>(QStringLiteral("place_notch")), Qt::LeftButton);
+  ui::RenderView& view = window_->views().volume();
+  for (const int points : {1, 2}) {
+    QTest::mouseClick(&view, Qt::LeftButton, {}, view.rect().center());
+    QVERIFY(settle());
+    QTRY_COMPARE(window_->engine().state().landmarks->umbilical_notch.rows(), points);
+  }
 }
 
 void WindowTest::LandmarksAreDrawnWithTheModelOnly() {

@@ -63,6 +63,7 @@ QPushButton* AtlasPanel::add_tool(const QString& heading, const QString& explana
                                   Points Landmarks::*points, Tool tool) {
   QVBoxLayout* box = add_section(heading, explanation);
   state = new QLabel(this);
+  state->setWordWrap(true);
   box->addWidget(state);
   auto* row = new QHBoxLayout;
   auto* place = new QPushButton(tr("Place by clicking"), this);
