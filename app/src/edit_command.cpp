@@ -43,8 +43,8 @@ int run_edit(const QStringList& given) {
   std::vector<engine::SetReview> reviews;
   for (const QString& text : arguments.value("review").split(',', Qt::SkipEmptyParts))
     reviews.push_back(review_from(text));
-  std::vector<segmentation::Edit> edits;
-  if (arguments.has("script")) edits = segmentation::read_edits(arguments.path("script"));
+  std::vector<editing::Edit> edits;
+  if (arguments.has("script")) edits = editing::read_edits(arguments.path("script"));
   if (edits.empty() && undone == 0 && redone == 0 && reviews.empty())
     throw UsageError(Cli::tr("Nothing to do: give --script, --undo, --redo or --review.").toStdString());
   const LabelOutput output(arguments);
@@ -53,7 +53,7 @@ int run_edit(const QStringList& given) {
   for (int n = 0; n < undone; ++n) session.post(engine::UndoLabels{});
   for (int n = 0; n < redone; ++n) session.post(engine::RedoLabels{});
   double changed = 0.0;
-  for (const segmentation::Edit& edit : edits) {
+  for (const editing::Edit& edit : edits) {
     session.post(engine::EditLabels{edit});
     changed += session.figures["voxels_changed"];
   }

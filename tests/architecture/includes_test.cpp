@@ -36,17 +36,19 @@ const std::map<std::string, std::set<std::string>>& allowed() {
     rooms["fem"] = vocabulary;
     rooms["model"] = vocabulary;
     rooms["segmentation"] = vocabulary;
+    rooms["editing"] = vocabulary;
     rooms["stereo"] = vocabulary;
     // The theatre's truth is a finite-element mesh, and its operator writes the stages' own input files.
-    rooms["insilico"] = on({"fem", "model", "segmentation", "stereo"});
+    rooms["insilico"] = on({"fem", "model", "segmentation", "editing", "stereo"});
     rooms["registration"] = on({"fem"});
     rooms["atlas"] = on({"fem", "registration"});
     rooms["guidance"] = on({"fem", "registration", "stereo"});
-    rooms["engine"] = on({"fem", "model", "segmentation", "stereo", "registration", "atlas", "guidance"});
-    rooms["experiments"] = on({"fem", "model", "segmentation", "stereo", "registration", "atlas", "guidance",
-                               "insilico", "engine"});
-    const std::set<std::string> below_ui =
-        on({"fem", "model", "segmentation", "stereo", "registration", "atlas", "guidance", "engine"});
+    rooms["engine"] =
+        on({"fem", "model", "segmentation", "editing", "stereo", "registration", "atlas", "guidance"});
+    rooms["experiments"] = on({"fem", "model", "segmentation", "editing", "stereo", "registration", "atlas",
+                               "guidance", "insilico", "engine"});
+    const std::set<std::string> below_ui = on(
+        {"fem", "model", "segmentation", "editing", "stereo", "registration", "atlas", "guidance", "engine"});
     rooms["ui/scene"] = below_ui;
     rooms["ui/common"] = below_ui;
     rooms["ui/common"].insert("ui/scene");

@@ -72,9 +72,9 @@ class Way {
   void lesions(benchmark::State& state) { segment(state, {false, false, false, false, true, true}); }
   /// A stroke of 10 mm radius over 30 mm in the middle of the liver.
   void stroke(benchmark::State& state) {
-    segmentation::Paint paint;
+    editing::Paint paint;
     paint.label = structure::kFirstOther;
-    paint.brush = segmentation::Paint::Brush::ball;
+    paint.brush = editing::Paint::Brush::ball;
     paint.radius = 10e-3;
     paint.path.resize(2, 3);
     paint.path.row(0) = script_.state().seeds->liver.row(0);
@@ -83,7 +83,7 @@ class Way {
   }
   void undo(benchmark::State& state) { run(state, engine::UndoLabels{}); }
   void smooth(benchmark::State& state) {
-    run(state, engine::EditLabels{{segmentation::Smooth{structure::kParenchyma}, {}}});
+    run(state, engine::EditLabels{{editing::Smooth{structure::kParenchyma}, {}}});
     script_.run(engine::UndoLabels{});
   }
   void model(benchmark::State& state) {

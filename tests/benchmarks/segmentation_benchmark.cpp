@@ -12,13 +12,13 @@
 #include <utility>
 #include <vector>
 
-#include "glisson/segmentation/edit.h"
+#include "glisson/editing/edit.h"
 #include "large_scene.h"
 
 namespace {
 
 using namespace glisson;
-using namespace glisson::segmentation;
+using namespace glisson::editing;
 using namespace glisson::bench;
 
 /// The labels with little of the liver drawn: what growing and interpolating start from.

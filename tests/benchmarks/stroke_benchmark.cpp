@@ -146,8 +146,7 @@ int main(int argc, char** argv) {
   window.show_step(ui::MainWindow::segmentation);
   ui::EditSession& session = window.findChild<ui::SegmentationPanel*>()->session();
   Hand hand(window);
-  const auto measure = [&](const char* what, bool ball, double radius,
-                           segmentation::EditableRegion::Area area) {
+  const auto measure = [&](const char* what, bool ball, double radius, editing::EditableRegion::Area area) {
     ui::EditSettings settings = session.settings();
     settings.label = kDrawn;
     settings.ball = ball;
@@ -165,7 +164,7 @@ int main(int argc, char** argv) {
     }
     report(what, all);
   };
-  using Area = segmentation::EditableRegion::Area;
+  using Area = editing::EditableRegion::Area;
   measure("(first strokes: everything is cold)", false, 5e-3, Area::everywhere);
   std::printf("%-40s %8s %8s %8s\n", "from the event to the slice, ms", "median", "95 %", "most");
   measure("disc, 10 mm", false, 5e-3, Area::everywhere);

@@ -10,7 +10,7 @@
 
 using namespace glisson;
 using namespace glisson::engine;
-using segmentation::Edit;
+using editing::Edit;
 using test::both_runners;
 using test::Gate;
 
@@ -49,16 +49,16 @@ std::unique_ptr<Engine> engine_of(Runner runner, const CaseFolder& files, Apply 
 }
 
 Edit ball(const Eigen::Vector3d& centre_mm, double radius_mm, Label label = structure::kParenchyma) {
-  segmentation::Paint paint;
+  editing::Paint paint;
   paint.label = label;
-  paint.brush = segmentation::Paint::Brush::ball;
+  paint.brush = editing::Paint::Brush::ball;
   paint.radius = 1e-3 * radius_mm;
   paint.path = 1e-3 * centre_mm.transpose();
   return {paint, {}};
 }
 
 Edit grown(double by_mm, Label label = structure::kParenchyma) {
-  return {segmentation::Margin{label, 1e-3 * by_mm}, {}};
+  return {editing::Margin{label, 1e-3 * by_mm}, {}};
 }
 
 long voxels(const Engine& engine, Label label) {

@@ -4,14 +4,15 @@
 
 #include "data_folder.h"
 #include "glisson/core/files.h"
+#include "glisson/editing/bridges.h"
 #include "glisson/insilico/operator.h"
 #include "glisson/insilico/patient.h"
-#include "glisson/segmentation/bridges.h"
 #include "glisson/segmentation/connections.h"
 #include "glisson/segmentation/segment.h"
 #include "glisson/volume/morphology.h"
 
 using namespace glisson;
+using namespace glisson::editing;
 using namespace glisson::segmentation;
 namespace fs = std::filesystem;
 

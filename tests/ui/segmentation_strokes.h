@@ -38,15 +38,15 @@ inline Points way_through(const VolumeGrid& grid, int count) {
 }
 
 /// Drawn in the slice that its first point lies in.
-inline std::vector<segmentation::Edit> strokes(ui::EditTool tool, const ui::EditSettings& settings,
-                                               const VolumeGrid& grid, scene::Plane plane, const Points& path,
-                                               bool invert = false) {
+inline std::vector<editing::Edit> strokes(ui::EditTool tool, const ui::EditSettings& settings,
+                                          const VolumeGrid& grid, scene::Plane plane, const Points& path,
+                                          bool invert = false) {
   const Point<CtFrame> start(Eigen::Vector3d(path.row(0).transpose()));
   return ui::brush_edits(tool, settings, grid, scene::slice_geometry(grid, plane, start), path, invert);
 }
 
-inline segmentation::Edit stroke(ui::EditTool tool, const ui::EditSettings& settings, const VolumeGrid& grid,
-                                 scene::Plane plane, const Points& path, bool invert = false) {
+inline editing::Edit stroke(ui::EditTool tool, const ui::EditSettings& settings, const VolumeGrid& grid,
+                            scene::Plane plane, const Points& path, bool invert = false) {
   return strokes(tool, settings, grid, plane, path, invert).at(0);
 }
 

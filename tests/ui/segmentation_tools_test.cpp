@@ -4,7 +4,7 @@
 #include <set>
 
 #include "glisson/core/error.h"
-#include "glisson/segmentation/history.h"
+#include "glisson/editing/history.h"
 #include "glisson/ui/segmentation/edit_texts.h"
 #include "glisson/ui/segmentation/label_rows.h"
 #include "glisson/ui/segmentation/seed_book.h"
@@ -13,11 +13,11 @@
 namespace glisson {
 namespace {
 
+using editing::Islands;
+using editing::Logical;
+using editing::Paint;
+using editing::Scissors;
 using scene::Plane;
-using segmentation::Islands;
-using segmentation::Logical;
-using segmentation::Paint;
-using segmentation::Scissors;
 using ui::EditObstacle;
 using ui::EditSettings;
 using ui::EditTool;
@@ -123,11 +123,11 @@ void SegmentationToolsTest::DiscIsPaintedInEveryLayerOfATiltedVolume() {
     const auto edits = strokes(EditTool::paint, settings, grid, Plane::axial, way_through(grid, count));
     QCOMPARE(edits.size(), std::size_t{8});  // 40 mm sin 10 degrees
     LabelMap labels{LabelVolume(grid), {}};
-    segmentation::History history;
-    for (const segmentation::Edit& edit : edits) {
+    editing::History history;
+    for (const editing::Edit& edit : edits) {
       const LabelMap before = labels;
-      labels = segmentation::apply_edit(before, image, edit, RunContext()).value().labels;
-      history = history.with(segmentation::step_name(edit), before, labels, 7);
+      labels = editing::apply_edit(before, image, edit, RunContext()).value().labels;
+      history = history.with(editing::step_name(edit), before, labels, 7);
     }
     // What was under the pointer, in whichever layer.
     const Points places = way_through(grid, 401);
@@ -253,7 +253,7 @@ void SegmentationToolsTest::ClicksCarryThePlace() {
   EditSettings settings;
   settings.label = structure::kFirstLesion;
   const auto traced = ui::click_edit(EditTool::level_tracing, settings, grid, Plane::axial, p, 0, true);
-  const auto& tracing = std::get<segmentation::LevelTracing>(traced->tool);
+  const auto& tracing = std::get<editing::LevelTracing>(traced->tool);
   QVERIFY(tracing.p_in_ct == p.xyz && tracing.label == structure::kFirstLesion && tracing.erase);
   QCOMPARE(tracing.normal_axis, 0);
   settings.islands = Islands::Operation::remove_clicked;
@@ -273,7 +273,7 @@ void SegmentationToolsTest::BranchGoesToTheOtherTree() {
     return ui::click_edit(EditTool::move_branch, settings, grid, Plane::axial, {}, clicked, invert);
   };
   const auto to = [&](Label clicked, bool invert) {
-    return std::get<segmentation::ReassignBranch>(branch(clicked, invert)->tool);
+    return std::get<editing::ReassignBranch>(branch(clicked, invert)->tool);
   };
   QCOMPARE(to(structure::kPortalVein, false).to, structure::kHepaticVeins);
   QCOMPARE(to(structure::kPortalVein, false).label, structure::kPortalVein);
@@ -297,15 +297,15 @@ void SegmentationToolsTest::WholeToolsTakeTheirSettings() {
   settings.logical = Logical::Operation::subtract;
   settings.other = structure::kGallbladder;
   const auto made = [&](EditTool tool) { return ui::whole_edit(tool, settings, grid, {1, 2}).tool; };
-  QVERIFY((std::get<segmentation::Threshold>(made(EditTool::threshold)) ==
-           segmentation::Threshold{structure::kVenaCava, 120, 240, true}));
-  QCOMPARE(std::get<segmentation::Margin>(made(EditTool::margin)).distance, -2e-3);
-  QCOMPARE(std::get<segmentation::InterpolateSlices>(made(EditTool::interpolate)).normal_axis, 1);
+  QVERIFY((std::get<editing::Threshold>(made(EditTool::threshold)) ==
+           editing::Threshold{structure::kVenaCava, 120, 240, true}));
+  QCOMPARE(std::get<editing::Margin>(made(EditTool::margin)).distance, -2e-3);
+  QCOMPARE(std::get<editing::InterpolateSlices>(made(EditTool::interpolate)).normal_axis, 1);
   QCOMPARE(std::get<Logical>(made(EditTool::logical)).other, structure::kGallbladder);
   settings.logical = Logical::Operation::clear;
   QCOMPARE(std::get<Logical>(made(EditTool::logical)).other, structure::kBackground);
-  QCOMPARE(std::get<segmentation::Smooth>(made(EditTool::smooth)).radius, settings.smooth_radius);
-  QVERIFY(!std::get<segmentation::FillHoles>(made(EditTool::fill_holes)).in_slices);
+  QCOMPARE(std::get<editing::Smooth>(made(EditTool::smooth)).radius, settings.smooth_radius);
+  QVERIFY(!std::get<editing::FillHoles>(made(EditTool::fill_holes)).in_slices);
   QCOMPARE(std::get<Islands>(made(EditTool::islands)).operation, Islands::Operation::keep_largest);
 }
 
@@ -316,7 +316,7 @@ void SegmentationToolsTest::GrowLeavesOutWhatIsLockedOrOther() {
   const std::vector<Label> present = {structure::kParenchyma,   structure::kPortalVein,
                                       structure::kHepaticVeins, structure::kVenaCava,
                                       structure::kFirstOther,   structure::kFirstLesion};
-  const auto grow = std::get<segmentation::GrowFromSeeds>(
+  const auto grow = std::get<editing::GrowFromSeeds>(
       ui::whole_edit(EditTool::grow, settings, permuted_grid(), present).tool);
   QVERIFY((grow.labels ==
            std::vector<Label>{structure::kParenchyma, structure::kPortalVein, structure::kFirstLesion}));
@@ -326,7 +326,7 @@ void SegmentationToolsTest::GrowLeavesOutWhatIsLockedOrOther() {
 void SegmentationToolsTest::RegionGoesWithEveryEdit() {
   const VolumeGrid grid = permuted_grid();
   EditSettings settings;
-  settings.region.area = segmentation::EditableRegion::Area::inside_label;
+  settings.region.area = editing::EditableRegion::Area::inside_label;
   settings.region.label = structure::kParenchyma;
   settings.region.intensity = {100.0, 200.0};
   settings.region.locked = {structure::kPortalVein};
@@ -379,8 +379,8 @@ void SegmentationToolsTest::StepsAreNamedForPeople() {
   // Every name that an edit gives itself is known.
   const VolumeGrid grid = permuted_grid();
   const auto slice = scene::slice_geometry(grid, Plane::axial, grid.p_in_ct({20, 25, 30}));
-  std::vector<segmentation::Edit> edits = {stroke(EditTool::paint, {}, grid, Plane::axial, path_of(1)),
-                                           stroke(EditTool::erase, {}, grid, Plane::axial, path_of(1))};
+  std::vector<editing::Edit> edits = {stroke(EditTool::paint, {}, grid, Plane::axial, path_of(1)),
+                                      stroke(EditTool::erase, {}, grid, Plane::axial, path_of(1))};
   for (const bool invert : {false, true}) {
     edits.push_back(*ui::click_edit(EditTool::level_tracing, {}, grid, Plane::axial, {}, 0, invert));
     edits.push_back(
@@ -393,7 +393,7 @@ void SegmentationToolsTest::StepsAreNamedForPeople() {
     EditSettings settings;
     settings.cut = static_cast<Scissors::Operation>(k % 3);
     edits.push_back(ui::slice_cut(settings, grid, slice, {}, false));
-    settings.smooth = static_cast<segmentation::Smooth::Method>(k % 4);
+    settings.smooth = static_cast<editing::Smooth::Method>(k % 4);
     edits.push_back(ui::whole_edit(EditTool::smooth, settings, grid, {}));
     settings.logical = static_cast<Logical::Operation>(k);
     edits.push_back(ui::whole_edit(EditTool::logical, settings, grid, {}));
@@ -402,8 +402,8 @@ void SegmentationToolsTest::StepsAreNamedForPeople() {
   for (const EditTool tool :
        {EditTool::threshold, EditTool::grow, EditTool::fill_holes, EditTool::interpolate})
     edits.push_back(ui::whole_edit(tool, {}, grid, {1, 2}));
-  for (const segmentation::Edit& edit : edits) {
-    const segmentation::StepName name = segmentation::step_name(edit);
+  for (const editing::Edit& edit : edits) {
+    const editing::StepName name = editing::step_name(edit);
     QVERIFY2(ui::knows_step(name.code), name.code.c_str());
   }
 }

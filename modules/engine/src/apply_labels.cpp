@@ -44,8 +44,8 @@ LabelMap labels_of(const CaseState& state) {
   return none;
 }
 
-segmentation::History history_of(const CaseState& state) {
-  return state.history ? *state.history : segmentation::History();
+editing::History history_of(const CaseState& state) {
+  return state.history ? *state.history : editing::History();
 }
 
 void put_review(CaseState& state, const Review& review) {
@@ -53,34 +53,34 @@ void put_review(CaseState& state, const Review& review) {
 }
 
 /// Puts labels in place, with their figures; the preview was of others.
-void put_labels(CaseState& state, LabelMap labels, segmentation::History history) {
+void put_labels(CaseState& state, LabelMap labels, editing::History history) {
   const bool measurable = state.image && state.image->grid.same_as(labels.voxels.grid());
   state.statistics = std::make_shared<const segmentation::LabelStatistics>(
       labels, measurable ? state.image.get() : nullptr, state.statistics.get());
   state.labels = std::make_shared<const LabelMap>(std::move(labels));
-  state.history = std::make_shared<const segmentation::History>(std::move(history));
+  state.history = std::make_shared<const editing::History>(std::move(history));
   state.preview = nullptr;
 }
 
 /// Puts the labels in place that a step made of `before`. @return those of which a voxel came or went.
 std::set<Label> step_to(CaseState& state, const LabelMap& before, LabelMap labels,
-                        const segmentation::StepName& name, std::uint64_t gesture = 0) {
+                        const editing::StepName& name, std::uint64_t gesture = 0) {
   LabelChanges changes = labels.voxels.changes_since(before.voxels);
   std::set<Label> touched = labels_touched(changes);
-  segmentation::History history =
+  editing::History history =
       history_of(state).with({name, std::move(changes), before.infos, labels.infos, gesture});
   put_labels(state, std::move(labels), std::move(history));
   return touched;
 }
 
 /// Labels that a whole step made anew. @return as step_to().
-std::set<Label> replace_labels(CaseState& state, LabelMap labels, const segmentation::StepName& name) {
+std::set<Label> replace_labels(CaseState& state, LabelMap labels, const editing::StepName& name) {
   const VolumeGrid& grid = labels.voxels.grid();
   if (state.labels && state.labels->voxels.grid().same_as(grid))
     return step_to(state, LabelMap(*state.labels), std::move(labels), name);  // a copy: its bricks are shared
   // Steps on another grid lead nowhere, nor is there a way back to no labels at all.
   std::set<Label> touched = labels_touched(labels.voxels.changes_since(LabelVolume(grid)));
-  put_labels(state, std::move(labels), segmentation::History());
+  put_labels(state, std::move(labels), editing::History());
   return touched;
 }
 
@@ -110,13 +110,13 @@ Review review_of(const LabelFile& file, const LabelCodes& codes) {
 }
 
 Applied stepped(const CaseState& state, bool back) {
-  const segmentation::History history = history_of(state);
+  const editing::History history = history_of(state);
   if (!state.labels || !(back ? history.can_undo() : history.can_redo()))
     throw InputError("labels", "history", back ? "there is no step to undo" : "there is no step to redo",
                      back ? "Edit the labels first" : "Only what was undone last can be redone");
   Applied applied;
   applied.state = state;
-  const segmentation::History::Step& step = back ? history.undo_step() : history.redo_step();
+  const editing::History::Step& step = back ? history.undo_step() : history.redo_step();
   put_review(applied.state, review_after(review_of(state), labels_touched(step.changes)));
   auto [labels, then] = back ? history.undo(*state.labels) : history.redo(*state.labels);
   put_labels(applied.state, std::move(labels), std::move(then));
@@ -174,11 +174,11 @@ Cancellable<Applied> apply_one(const CaseState& state, const Segment& command, c
 Cancellable<Applied> apply_one(const CaseState& state, const EditLabels& command, const RunContext& context) {
   require_editable(state);
   const LabelMap before = labels_of(state);
-  std::optional<segmentation::Edited> edited;
+  std::optional<editing::Edited> edited;
   if (state.preview && state.preview->base == state.labels && state.preview->edit == command.edit)
     edited = state.preview->result;
   else
-    edited = segmentation::apply_edit(before, *state.image, command.edit, context);
+    edited = editing::apply_edit(before, *state.image, command.edit, context);
   if (!edited) return {};
   Applied applied;
   applied.state = state;
@@ -190,7 +190,7 @@ Cancellable<Applied> apply_one(const CaseState& state, const EditLabels& command
     return applied;
   }
   const std::set<Label> touched = step_to(applied.state, before, std::move(edited->labels),
-                                          segmentation::step_name(command.edit), command.gesture);
+                                          editing::step_name(command.edit), command.gesture);
   put_review(applied.state, review_after(review_of(state), touched));
   return applied;
 }
@@ -202,7 +202,7 @@ Cancellable<Applied> apply_one(const CaseState& state, const PreviewEdit& comman
   applied.state.preview = nullptr;
   if (!command.edit) return applied;
   require_editable(state);
-  auto edited = segmentation::apply_edit(labels_of(state), *state.image, *command.edit, context);
+  auto edited = editing::apply_edit(labels_of(state), *state.image, *command.edit, context);
   if (!edited) return {};
   applied.figures["voxels_changed"] = static_cast<double>(edited->voxels_changed);
   applied.notes = edited->notes;

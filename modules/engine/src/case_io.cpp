@@ -148,7 +148,7 @@ std::optional<json> write_parts(const fs::path& folder, const fs::path& path, co
     write_labels(folder / "labels.seg.nrrd", state.labels->voxels, reviewed_infos(state));
     if (state.history && !state.history->steps().empty()) {
       fs::create_directory(folder / "history");
-      segmentation::write_history(folder / "history", *state.history);
+      editing::write_history(folder / "history", *state.history);
     }
     return json::object();
   });
@@ -227,8 +227,8 @@ void read_part(CaseState& state, Part part, const json& entry, const fs::path& f
       state.labels =
           std::make_shared<const LabelMap>(LabelMap{std::move(file.voxels), std::move(file.infos)});
       if (fs::exists(folder / "history"))
-        state.history = std::make_shared<const segmentation::History>(
-            segmentation::read_history(folder / "history", state.labels->voxels));
+        state.history = std::make_shared<const editing::History>(
+            editing::read_history(folder / "history", state.labels->voxels));
       const bool measurable = state.image && state.image->grid.same_as(state.labels->voxels.grid());
       state.statistics = std::make_shared<const segmentation::LabelStatistics>(
           *state.labels, measurable ? state.image.get() : nullptr);

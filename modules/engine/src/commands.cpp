@@ -22,7 +22,7 @@ constexpr Parts kEditReads = {Part::image, Part::labels, Part::review, Part::pre
 Traits traits(const ImportLabels&) { return {"import_labels", {Part::image}, kEdited}; }
 Traits traits(const ExportLabels&) { return {"export_labels", {Part::labels, Part::review}, {}}; }
 Traits traits(const EditLabels& command) {
-  return {"edit_labels", kEditReads, kEdited, segmentation::is_local(command.edit.tool)};
+  return {"edit_labels", kEditReads, kEdited, editing::is_local(command.edit.tool)};
 }
 Traits traits(const PreviewEdit& command) {
   return {"preview_edit", {Part::image, Part::labels}, {Part::preview}, !command.edit};

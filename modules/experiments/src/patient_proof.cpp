@@ -51,11 +51,11 @@ class PatientWay {
   void edit_vessels(const LabelMap& truth, int strokes, std::uint64_t seed) {
     insilico::OperatorOptions hand;
     hand.seed = seed;
-    segmentation::write_edits(folder_ / "strokes.json",
-                              insilico::draw_vessel_strokes(*state().labels, truth, strokes, hand));
-    const auto edits = segmentation::read_edits(folder_ / "strokes.json");
+    editing::write_edits(folder_ / "strokes.json",
+                         insilico::draw_vessel_strokes(*state().labels, truth, strokes, hand));
+    const auto edits = editing::read_edits(folder_ / "strokes.json");
     double seconds = 0.0;
-    for (const segmentation::Edit& edit : edits) {
+    for (const editing::Edit& edit : edits) {
       post(engine::EditLabels{edit}, "stroke");
       seconds += proof_.figures[name_ + "_seconds_stroke"];
     }

@@ -228,10 +228,10 @@ Stroke best_stroke(const Sheet& sheet) {
   return best;
 }
 
-segmentation::Edit drawn(const Sheet& sheet, const Stroke& stroke, double tremor_mm, Hand& hand) {
-  segmentation::Paint paint;
+editing::Edit drawn(const Sheet& sheet, const Stroke& stroke, double tremor_mm, Hand& hand) {
+  editing::Paint paint;
   paint.label = stroke.mistake.painted();
-  paint.brush = segmentation::Paint::Brush::ball;
+  paint.brush = editing::Paint::Brush::ball;
   paint.radius = 1e-3 * stroke.radius_mm;
   paint.normal_axis = stroke.axis;
   std::vector<Eigen::Vector3d> places;
@@ -244,9 +244,9 @@ segmentation::Edit drawn(const Sheet& sheet, const Stroke& stroke, double tremor
   for (std::size_t n = 0; n < places.size(); ++n)
     paint.path.row(static_cast<Eigen::Index>(n)) =
         (places[n] + 1e-3 * tremor_mm * hand.tremor3()).transpose();
-  segmentation::EditableRegion region;
+  editing::EditableRegion region;
   if (!stroke.mistake.missing) {
-    region.area = segmentation::EditableRegion::Area::inside_label;
+    region.area = editing::EditableRegion::Area::inside_label;
     region.label = stroke.mistake.label;
   }
   return {paint, region};
@@ -254,14 +254,14 @@ segmentation::Edit drawn(const Sheet& sheet, const Stroke& stroke, double tremor
 
 }  // namespace
 
-std::vector<segmentation::Edit> draw_vessel_strokes(const LabelMap& labels, const LabelMap& truth, int count,
-                                                    const OperatorOptions& options) {
+std::vector<editing::Edit> draw_vessel_strokes(const LabelMap& labels, const LabelMap& truth, int count,
+                                               const OperatorOptions& options) {
   options.validate();
   require(count >= 0, "a number of strokes is not negative");
   require(labels.voxels.grid().same_as(truth.voxels.grid()), "labels and their truth have one grid");
   Sheet sheet = sheet_of(labels, truth);
   Hand hand(options.seed + 3);
-  std::vector<segmentation::Edit> edits;
+  std::vector<editing::Edit> edits;
   while (static_cast<int>(edits.size()) < count) {
     const Stroke stroke = best_stroke(sheet);
     if (stroke.worth == 0) break;

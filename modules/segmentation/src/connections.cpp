@@ -6,7 +6,7 @@
 #include <map>
 
 #include "glisson/core/error.h"
-#include "shells.h"
+#include "glisson/volume/shells.h"
 
 namespace glisson::segmentation {
 namespace {

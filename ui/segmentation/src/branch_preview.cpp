@@ -8,7 +8,7 @@ namespace {
 
 /// Whether that click would move the voxel that this one is on: along a branch little changes.
 bool moves_place_of(const BranchPreview::Shown& shown, const LabelMap& labels,
-                    const segmentation::ReassignBranch& click) {
+                    const editing::ReassignBranch& click) {
   if (!shown.problem.empty() || shown.edit.label != click.label || shown.edit.to != click.to) return false;
   const VolumeGrid& grid = labels.voxels.grid();
   const Eigen::Vector3i v = grid.index_of(Point<CtFrame>(click.p_in_ct)).array().round().matrix().cast<int>();
@@ -43,14 +43,14 @@ void BranchPreview::follow() {
   if (wanted_) computing_.give({image_, labels_, *wanted_});
   // Until a click there is known, the one that is shown stands for it only where it moves the same branch.
   if (shown_ &&
-      !(wanted_ && moves_place_of(*shown_, *labels_, std::get<segmentation::ReassignBranch>(wanted_->tool))))
+      !(wanted_ && moves_place_of(*shown_, *labels_, std::get<editing::ReassignBranch>(wanted_->tool))))
     show(nullptr);
 }
 
 void BranchPreview::compute(const Order& order) {
-  Shown shown{std::get<segmentation::ReassignBranch>(order.edit.tool), {}, {}};
+  Shown shown{std::get<editing::ReassignBranch>(order.edit.tool), {}, {}};
   try {
-    if (auto edited = segmentation::apply_edit(*order.labels, *order.image, order.edit, RunContext()))
+    if (auto edited = editing::apply_edit(*order.labels, *order.image, order.edit, RunContext()))
       shown.result = std::move(*edited);
   } catch (const Error& error) {
     shown.problem = error.what();

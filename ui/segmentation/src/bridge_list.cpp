@@ -61,11 +61,11 @@ void BridgeList::accept(const std::shared_ptr<const LabelMap>& of, const Found& 
   if (of != wanted_) return;  // newer labels are being looked at
   list_->clear();
   places_.clear();
-  for (const segmentation::Bridge& bridge : found.bridges) {
+  for (const editing::Bridge& bridge : found.bridges) {
     list_->addItem(tr("The trees touch: %1 mm²").arg(bridge.contact_mm2, 0, 'f', 0));
     places_.push_back(bridge.p_in_ct);
   }
-  for (const segmentation::Joint& joint : found.joints) {
+  for (const editing::Joint& joint : found.joints) {
     list_->addItem(new QListWidgetItem(structure_icon(joint.tree), tr("A neck of %1 mm², %2 ml beyond it")
                                                                        .arg(joint.neck_mm2, 0, 'f', 0)
                                                                        .arg(joint.beyond_ml, 0, 'f', 1)));
@@ -85,7 +85,7 @@ void BridgeList::run(const std::stop_token& stop) {
       if (stop.stop_requested()) return;
       std::swap(order, order_);
     }
-    const Found found = {segmentation::find_bridges(*order), segmentation::find_joined(*order)};
+    const Found found = {editing::find_bridges(*order), editing::find_joined(*order)};
     QMetaObject::invokeMethod(
         this, [this, order, found] { accept(order, found); }, Qt::QueuedConnection);
   }

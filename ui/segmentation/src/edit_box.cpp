@@ -26,7 +26,7 @@
 namespace glisson::ui {
 namespace {
 
-using Area = segmentation::EditableRegion::Area;
+using Area = editing::EditableRegion::Area;
 
 constexpr int kToolsInRow = 7;
 
@@ -236,7 +236,7 @@ void EditBox::show_tool() {
 }
 
 void EditBox::show_region() {
-  const segmentation::EditableRegion& region = session_.settings().region;
+  const editing::EditableRegion& region = session_.settings().region;
   const QSignalBlocker quiet_area(area_), quiet_check(by_intensity_), quiet_low(low_), quiet_high(high_);
   std::vector<std::pair<int, QString>> areas = {
       {static_cast<int>(Area::everywhere), tr("Everywhere")},

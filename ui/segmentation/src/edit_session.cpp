@@ -218,9 +218,8 @@ void EditSession::drag_brush(const SliceGesture& gesture) {
 
 void EditSession::send_stroke() {
   if (stroke_->has_news) {
-    for (const segmentation::Edit& edit :
-         brush_edits(tool_, settings_, engine_.state().image->grid, stroke_->slice, points_of(stroke_->path),
-                     stroke_->invert)) {
+    for (const editing::Edit& edit : brush_edits(tool_, settings_, engine_.state().image->grid,
+                                                 stroke_->slice, points_of(stroke_->path), stroke_->invert)) {
       const engine::CommandId id = engine_.post(engine::EditLabels{edit, stroke_->gesture});
       stroke_->sent.insert(id);
       edits_.insert(id);
@@ -257,8 +256,8 @@ void EditSession::cut_volume(const VolumeLasso& lasso) {
   post_edit(volume_cut(settings_, lasso, lasso.keys.testFlag(Qt::ControlModifier)));
 }
 
-std::optional<segmentation::Edit> EditSession::edit_at(const PointerPlace& place,
-                                                       Qt::KeyboardModifiers keys) const {
+std::optional<editing::Edit> EditSession::edit_at(const PointerPlace& place,
+                                                  Qt::KeyboardModifiers keys) const {
   const Image& image = *engine_.state().image;
   const LabelVolume* labels = engine_.state().labels ? &engine_.state().labels->voxels : nullptr;
   const Label clicked = scene::probe(image, labels, place.p).label;
@@ -271,7 +270,7 @@ void EditSession::click(const SliceGesture& gesture) {
   if (const auto edit = edit_at({gesture.slice.plane, gesture.p}, gesture.keys)) post_edit(*edit);
 }
 
-void EditSession::post_edit(const segmentation::Edit& edit) {
+void EditSession::post_edit(const editing::Edit& edit) {
   problem_.clear();
   notes_.clear();
   applying_ = engine_.post(engine::EditLabels{edit, 0});
@@ -279,7 +278,7 @@ void EditSession::post_edit(const segmentation::Edit& edit) {
   emit changed();
 }
 
-std::optional<segmentation::Edit> EditSession::whole() const {
+std::optional<editing::Edit> EditSession::whole() const {
   if (!is_previewed(tool_, settings_) || obstacle() != EditObstacle::none) return std::nullopt;
   return whole_edit(tool_, settings_, engine_.state().image->grid, present_);
 }

@@ -72,7 +72,7 @@ class EditTexts {
       case EditTool::fill_holes:
         return tr("Closes what the label encloses.");
       case EditTool::smooth:
-        return settings.smooth == segmentation::Smooth::Method::joint
+        return settings.smooth == editing::Smooth::Method::joint
                    ? tr("All labels at once, without gaps between them.")
                    : tr("Evens the label's surface.");
       case EditTool::margin:
@@ -171,7 +171,7 @@ QString review_text(ReviewState state) { return EditTexts::review(state); }
 
 bool knows_step(const std::string& code) { return EditTexts::steps().contains(QString::fromStdString(code)); }
 
-QString step_text(const segmentation::StepName& step) {
+QString step_text(const editing::StepName& step) {
   QStringList parts = {EditTexts::steps().value(QString::fromStdString(step.code), readable_code(step.code))};
   // A brush is known by its diameter, all else by its radius or distance.
   const bool brush = step.code == "paint" || step.code == "erase";

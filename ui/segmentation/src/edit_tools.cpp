@@ -9,11 +9,11 @@
 namespace glisson::ui {
 namespace {
 
-using segmentation::Edit;
-using segmentation::Islands;
-using segmentation::Logical;
-using segmentation::Paint;
-using segmentation::Scissors;
+using editing::Edit;
+using editing::Islands;
+using editing::Logical;
+using editing::Paint;
+using editing::Scissors;
 
 struct ToolName {
   const char* code;
@@ -258,7 +258,7 @@ std::optional<Edit> click_edit(EditTool tool, const EditSettings& settings, cons
                                scene::Plane plane, const Point<CtFrame>& p, Label clicked, bool invert) {
   switch (tool) {
     case EditTool::level_tracing:
-      return Edit{segmentation::LevelTracing{settings.label, invert, voxel_axis_across(grid, plane), p.xyz},
+      return Edit{editing::LevelTracing{settings.label, invert, voxel_axis_across(grid, plane), p.xyz},
                   settings.region};
     case EditTool::islands: {
       Islands islands{settings.label, settings.islands, settings.smallest_ml, p.xyz};
@@ -272,7 +272,7 @@ std::optional<Edit> click_edit(EditTool tool, const EditSettings& settings, cons
       const bool portal = clicked == structure::kPortalVein;
       if (!portal && clicked != structure::kHepaticVeins) return std::nullopt;
       const Label other = portal ? structure::kHepaticVeins : structure::kPortalVein;
-      return Edit{segmentation::ReassignBranch{
+      return Edit{editing::ReassignBranch{
                       clicked, settings.cut_branch_off != invert ? structure::kBackground : other, p.xyz},
                   settings.region};
     }
@@ -283,12 +283,12 @@ std::optional<Edit> click_edit(EditTool tool, const EditSettings& settings, cons
 
 Edit whole_edit(EditTool tool, const EditSettings& settings, const VolumeGrid& grid,
                 const std::vector<Label>& present) {
-  const auto with = [&](segmentation::Tool made) { return Edit{std::move(made), settings.region}; };
+  const auto with = [&](editing::Tool made) { return Edit{std::move(made), settings.region}; };
   switch (tool) {
     case EditTool::threshold:
-      return with(segmentation::Threshold{settings.label, settings.low, settings.high, settings.replace});
+      return with(editing::Threshold{settings.label, settings.low, settings.high, settings.replace});
     case EditTool::grow: {
-      segmentation::GrowFromSeeds grow{growing(settings, present), settings.reach, {}};
+      editing::GrowFromSeeds grow{growing(settings, present), settings.reach, {}};
       for (const Label label : present)
         if (is_other(label)) grow.rivals.push_back(label);
       return with(grow);
@@ -296,13 +296,13 @@ Edit whole_edit(EditTool tool, const EditSettings& settings, const VolumeGrid& g
     case EditTool::islands:
       return with(Islands{settings.label, settings.islands, settings.smallest_ml, Eigen::Vector3d::Zero()});
     case EditTool::fill_holes:
-      return with(segmentation::FillHoles{settings.label, settings.holes_in_slices});
+      return with(editing::FillHoles{settings.label, settings.holes_in_slices});
     case EditTool::smooth:
-      return with(segmentation::Smooth{settings.label, settings.smooth, settings.smooth_radius});
+      return with(editing::Smooth{settings.label, settings.smooth, settings.smooth_radius});
     case EditTool::margin:
-      return with(segmentation::Margin{settings.label, settings.shrink ? -settings.margin : settings.margin});
+      return with(editing::Margin{settings.label, settings.shrink ? -settings.margin : settings.margin});
     case EditTool::interpolate:
-      return with(segmentation::InterpolateSlices{settings.label, voxel_axis_across(grid, settings.between)});
+      return with(editing::InterpolateSlices{settings.label, voxel_axis_across(grid, settings.between)});
     case EditTool::logical: {
       const bool alone = settings.logical == Logical::Operation::invert ||
                          settings.logical == Logical::Operation::clear ||
@@ -315,7 +315,7 @@ Edit whole_edit(EditTool tool, const EditSettings& settings, const VolumeGrid& g
 }
 
 EditObstacle obstacle_of(EditTool tool, const EditSettings& settings, const std::vector<Label>& present) {
-  const bool joint = tool == EditTool::smooth && settings.smooth == segmentation::Smooth::Method::joint;
+  const bool joint = tool == EditTool::smooth && settings.smooth == editing::Smooth::Method::joint;
   const bool own = !joint && tool != EditTool::grow && tool != EditTool::move_branch;
   if (own && has(settings.region.locked, settings.label)) return EditObstacle::label_locked;
   const bool empty = !has(present, settings.label);

@@ -31,7 +31,7 @@ void LevelOutline::follow() {
 
 void LevelOutline::trace(const Order& order) {
   const VolumeGrid& grid = order.image->grid;
-  const segmentation::TracedLevel level =
+  const editing::TracedLevel level =
       tracer_.trace(*order.image, voxel_axis_across(grid, order.place.plane), order.place.p);
   auto line =
       std::make_shared<const SliceLine>(SliceLine{order.place, level.outline, order.label, level.open});

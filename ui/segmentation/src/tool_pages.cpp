@@ -18,10 +18,10 @@
 namespace glisson::ui {
 namespace {
 
-using segmentation::Islands;
-using segmentation::Logical;
-using segmentation::Scissors;
-using segmentation::Smooth;
+using editing::Islands;
+using editing::Logical;
+using editing::Scissors;
+using editing::Smooth;
 
 constexpr double kMm = 1e3;  ///< millimetres in a metre
 /// The brush's slider is logarithmic: a vessel's width and a lobe's are both a small move away.

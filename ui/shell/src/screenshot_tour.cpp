@@ -99,7 +99,7 @@ void ScreenshotTour::show_threshold() {
   settings.label = structure::kHepaticVeins;
   settings.low = 140.0;
   settings.high = 220.0;
-  settings.region.area = segmentation::EditableRegion::Area::inside_liver;
+  settings.region.area = editing::EditableRegion::Area::inside_liver;
   session.set_settings(settings);
   session.set_tool(EditTool::threshold);
 }

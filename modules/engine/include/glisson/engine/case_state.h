@@ -10,6 +10,8 @@
 #include <string>
 #include <string_view>
 
+#include "glisson/editing/edit.h"
+#include "glisson/editing/history.h"
 #include "glisson/geometry/camera.h"
 #include "glisson/model/build.h"
 #include "glisson/patient/label_map.h"
@@ -18,8 +20,6 @@
 #include "glisson/patient/picture.h"
 #include "glisson/patient/registration.h"
 #include "glisson/registration/operation_prior.h"
-#include "glisson/segmentation/edit.h"
-#include "glisson/segmentation/history.h"
 #include "glisson/segmentation/segment.h"
 #include "glisson/segmentation/statistics.h"
 #include "glisson/stereo/density.h"
@@ -106,9 +106,9 @@ struct LiveState {
 
 /// What an edit would make of the labels.
 struct EditPreview {
-  segmentation::Edit edit;
+  editing::Edit edit;
   std::shared_ptr<const LabelMap> base;  ///< the labels that it was made of; null: there were none
-  segmentation::Edited result;
+  editing::Edited result;
 };
 
 /// What a person said of the model after looking at it.
@@ -157,7 +157,7 @@ struct CaseState {
   std::shared_ptr<const Registration> registration;
   std::shared_ptr<const LiveState> live;
   /// Come with the labels: their steps, and their figures on the image.
-  std::shared_ptr<const segmentation::History> history;
+  std::shared_ptr<const editing::History> history;
   std::shared_ptr<const segmentation::LabelStatistics> statistics;
   std::shared_ptr<const PairPoints> points;               ///< comes with a reconstructed cloud
   std::shared_ptr<const SimulatedOperations> operations;  ///< comes with a registration; not in the files

@@ -43,16 +43,16 @@ struct ImportLabels {
 struct ExportLabels {
   std::filesystem::path path;
 };
-/// One edit of the labels. Done at once where its tool is local (see segmentation::is_local); with the result
+/// One edit of the labels. Done at once where its tool is local (see editing::is_local); with the result
 /// of the preview where that is of the same edit.
 struct EditLabels {
-  segmentation::Edit edit;
+  editing::Edit edit;
   /// Edits of one gesture (not 0), as the pieces of a stroke, are one step of the history.
   std::uint64_t gesture = 0;
 };
 /// What an edit would do, as the part `preview`; empty: it goes.
 struct PreviewEdit {
-  std::optional<segmentation::Edit> edit;
+  std::optional<editing::Edit> edit;
 };
 /// One step back or forth. @throws InputError when there is none.
 struct UndoLabels {};

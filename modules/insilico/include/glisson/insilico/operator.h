@@ -3,10 +3,10 @@
 
 #include <cstdint>
 
+#include "glisson/editing/edit.h"
 #include "glisson/insilico/theatre.h"
 #include "glisson/patient/label_map.h"
 #include "glisson/patient/patient_model.h"
-#include "glisson/segmentation/edit.h"
 #include "glisson/segmentation/segment.h"
 #include "glisson/stereo/regions.h"
 
@@ -31,8 +31,8 @@ segmentation::Seeds click_seeds(const LabelMap& truth, const OperatorOptions& op
 /// line in one slice each (2 mm between places, a third of the click noise), where most is missing or too
 /// much at that time.
 /// @pre one grid, count >= 0. @throws InputError when the truth holds no liver.
-std::vector<segmentation::Edit> draw_vessel_strokes(const LabelMap& labels, const LabelMap& truth, int count,
-                                                    const OperatorOptions& options);
+std::vector<editing::Edit> draw_vessel_strokes(const LabelMap& labels, const LabelMap& truth, int count,
+                                               const OperatorOptions& options);
 /// Notch and vena cava points, displaced by the noise; the margin as some fifteen clicks along it if asked
 /// for.
 Landmarks click_landmarks(const Landmarks& truth, const OperatorOptions& options);

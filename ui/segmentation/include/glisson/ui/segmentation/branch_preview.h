@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "glisson/segmentation/edit.h"
+#include "glisson/editing/edit.h"
 #include "glisson/ui/common/newest_wins.h"
 #include "glisson/ui/common/view_state.h"
 
@@ -19,11 +19,11 @@ class BranchPreview : public QObject {
   Q_OBJECT
  public:
   /// The edit that a click there would be; empty: a click there does nothing.
-  using EditAt = std::function<std::optional<segmentation::Edit>(const PointerPlace& place)>;
+  using EditAt = std::function<std::optional<editing::Edit>(const PointerPlace& place)>;
   struct Shown {
-    segmentation::ReassignBranch edit;
-    segmentation::Edited result;  ///< empty labels where there is a problem
-    std::string problem;          ///< why the click could do nothing
+    editing::ReassignBranch edit;
+    editing::Edited result;  ///< empty labels where there is a problem
+    std::string problem;     ///< why the click could do nothing
   };
 
   /// @param edit_at is asked in the window's thread, while there are an image and labels.
@@ -41,7 +41,7 @@ class BranchPreview : public QObject {
   struct Order {
     std::shared_ptr<const Image> image;
     std::shared_ptr<const LabelMap> labels;
-    segmentation::Edit edit;
+    editing::Edit edit;
   };
   void follow();
   /// On the thread.
@@ -52,7 +52,7 @@ class BranchPreview : public QObject {
   EditAt edit_at_;
   std::shared_ptr<const Image> image_;
   std::shared_ptr<const LabelMap> labels_;
-  std::optional<segmentation::Edit> wanted_;
+  std::optional<editing::Edit> wanted_;
   std::shared_ptr<const Shown> shown_;
   NewestWins<Order> computing_;  ///< last: its thread uses the others
 };

@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "glisson/segmentation/bridges.h"
+#include "glisson/editing/bridges.h"
 #include "glisson/ui/segmentation/edit_session.h"
 
 class QLabel;
@@ -25,8 +25,8 @@ class BridgeList : public QWidget {
   ~BridgeList() override;
 
   struct Found {
-    std::vector<segmentation::Bridge> bridges;
-    std::vector<segmentation::Joint> joints;
+    std::vector<editing::Bridge> bridges;
+    std::vector<editing::Joint> joints;
   };
 
  protected:

@@ -36,7 +36,7 @@ class EditSession : public QObject {
   EditObstacle obstacle() const;
 
   /// Of the case; null: there is none.
-  const std::shared_ptr<const segmentation::History>& history() const { return engine_.state().history; }
+  const std::shared_ptr<const editing::History>& history() const { return engine_.state().history; }
   bool can_undo() const;
   bool can_redo() const;
   void undo();
@@ -72,7 +72,7 @@ class EditSession : public QObject {
   void changed();
 
  private:
-  std::optional<segmentation::Edit> whole() const;
+  std::optional<editing::Edit> whole() const;
   void show_hand();
   void show_pointer();
   void show_case();
@@ -82,12 +82,12 @@ class EditSession : public QObject {
   void drag_lasso(const SliceGesture& gesture);
   void click(const SliceGesture& gesture);
   /// What a click there is; empty: nothing. @pre there is an image
-  std::optional<segmentation::Edit> edit_at(const PointerPlace& place, Qt::KeyboardModifiers keys) const;
+  std::optional<editing::Edit> edit_at(const PointerPlace& place, Qt::KeyboardModifiers keys) const;
   void cut_volume(const VolumeLasso& lasso);
   /// Sends what was drawn since the last time.
   void send_stroke();
   void finish_stroke();
-  void post_edit(const segmentation::Edit& edit);
+  void post_edit(const editing::Edit& edit);
   /// Steps that the history will have done once the engine has caught up, over those that it has.
   int steps_ahead() const;
   void take(const engine::Outcome& outcome);

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "glisson/segmentation/edit.h"
+#include "glisson/editing/edit.h"
 #include "glisson/ui/common/hand.h"
 #include "glisson/volume/grid.h"
 
 /// @file
-/// From a tool with its settings, and what the mouse did, to a segmentation::Edit. No widgets.
+/// From a tool with its settings, and what the mouse did, to a editing::Edit. No widgets.
 
 namespace glisson::ui {
 
@@ -46,7 +46,7 @@ enum class CutDepth { slice, slab, through };
 /// Settings of all tools; each keeps its own while another is used.
 struct EditSettings {
   Label label = structure::kParenchyma;  ///< that tools work on
-  segmentation::EditableRegion region;   ///< `locked` included
+  editing::EditableRegion region;        ///< `locked` included
 
   double brush_radius = 5e-3;  ///< metres
   bool ball = false;
@@ -55,7 +55,7 @@ struct EditSettings {
   double low = 100.0, high = 300.0;  ///< threshold, Hounsfield units
   bool replace = false;
 
-  segmentation::Scissors::Operation cut = segmentation::Scissors::Operation::erase_inside;
+  editing::Scissors::Operation cut = editing::Scissors::Operation::erase_inside;
   CutDepth depth = CutDepth::slice;
   double slab = 10e-3;   ///< metres, whole thickness
   bool cut_any = false;  ///< erase any label
@@ -63,12 +63,12 @@ struct EditSettings {
   double reach = 20e-3;              ///< grow, metres
   std::vector<Label> not_growing{};  ///< labels that stay as they are
 
-  segmentation::Islands::Operation islands = segmentation::Islands::Operation::keep_largest;
+  editing::Islands::Operation islands = editing::Islands::Operation::keep_largest;
   double smallest_ml = 1.0;
 
   bool holes_in_slices = false;
 
-  segmentation::Smooth::Method smooth = segmentation::Smooth::Method::median;
+  editing::Smooth::Method smooth = editing::Smooth::Method::median;
   double smooth_radius = 3e-3;
 
   bool shrink = false;
@@ -76,7 +76,7 @@ struct EditSettings {
 
   scene::Plane between = scene::Plane::axial;  ///< interpolate between slices of this plane
 
-  segmentation::Logical::Operation logical = segmentation::Logical::Operation::add;
+  editing::Logical::Operation logical = editing::Logical::Operation::add;
   Label other = structure::kPortalVein;
 
   bool cut_branch_off = false;  ///< else a branch goes to the other tree
@@ -100,24 +100,23 @@ int voxel_axis_across(const VolumeGrid& grid, scene::Plane plane);
 /// One stretch of a stroke: of a disc an edit for each layer of voxels that the slice shows along it, several
 /// only where the volume's layers are askew to the slice. None: it lies outside the volume. They are one
 /// gesture. @param tool paint or erase; `invert` makes one of the other. @pre the path is finite
-std::vector<segmentation::Edit> brush_edits(EditTool tool, const EditSettings& settings,
-                                            const VolumeGrid& grid, const scene::SliceGeometry& slice,
-                                            const Points& path, bool invert);
+std::vector<editing::Edit> brush_edits(EditTool tool, const EditSettings& settings, const VolumeGrid& grid,
+                                       const scene::SliceGeometry& slice, const Points& path, bool invert);
 /// A lasso in a slice, its corners in pixels of the slice. @param invert fills what would be erased.
-segmentation::Edit slice_cut(const EditSettings& settings, const VolumeGrid& grid,
-                             const scene::SliceGeometry& slice,
-                             const Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>& outline,
-                             bool invert);
+editing::Edit slice_cut(const EditSettings& settings, const VolumeGrid& grid,
+                        const scene::SliceGeometry& slice,
+                        const Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>& outline,
+                        bool invert);
 /// A lasso over the 3D view: as deep as the volume.
-segmentation::Edit volume_cut(const EditSettings& settings, const VolumeLasso& lasso, bool invert);
+editing::Edit volume_cut(const EditSettings& settings, const VolumeLasso& lasso, bool invert);
 /// A click of level tracing, islands or move branch. @param clicked label at the place. Empty: nothing can be
 /// done there (a branch is moved only of a portal or hepatic tree).
-std::optional<segmentation::Edit> click_edit(EditTool tool, const EditSettings& settings,
-                                             const VolumeGrid& grid, scene::Plane plane,
-                                             const Point<CtFrame>& p, Label clicked, bool invert);
+std::optional<editing::Edit> click_edit(EditTool tool, const EditSettings& settings, const VolumeGrid& grid,
+                                        scene::Plane plane, const Point<CtFrame>& p, Label clicked,
+                                        bool invert);
 /// A tool that is_previewed(). @param present labels that have voxels.
-segmentation::Edit whole_edit(EditTool tool, const EditSettings& settings, const VolumeGrid& grid,
-                              const std::vector<Label>& present);
+editing::Edit whole_edit(EditTool tool, const EditSettings& settings, const VolumeGrid& grid,
+                         const std::vector<Label>& present);
 
 /// Why a tool cannot be used now.
 enum class EditObstacle { none, no_volume, label_locked, label_empty, other_empty, same_label, one_label };

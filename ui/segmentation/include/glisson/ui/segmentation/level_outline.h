@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include "glisson/segmentation/level_tracing.h"
+#include "glisson/editing/level_tracing.h"
 #include "glisson/ui/common/newest_wins.h"
 #include "glisson/ui/common/view_state.h"
 
@@ -34,7 +34,7 @@ class LevelOutline : public QObject {
 
   ViewState& views_;
   std::optional<Label> label_;
-  segmentation::LevelTracer tracer_;  ///< the thread's
+  editing::LevelTracer tracer_;  ///< the thread's
   NewestWins<Order> tracing_;
 };
 

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "glisson/core/error.h"
+#include "glisson/core/json_file.h"
+#include "glisson/editing/history.h"
+
+namespace glisson::editing {
+namespace fs = std::filesystem;
+using nlohmann::json;
+namespace {
+
+using BrickPointer = std::shared_ptr<const LabelVolume::Brick>;
+
+constexpr const char* kRemedy = "Delete the folder 'history' of the case: only the undo steps are lost";
+/// Bricks stand in a volume of 16 x 16 x n bricks of their own, which any program can read.
+constexpr int kRow = 16;
+
+json info_entry(const LabelInfo& info) {
+  return {{"code", info.code},
+          {"name", info.name},
+          {"terminology", info.terminology},
+          {"colour", info.colour},
+          {"status", info.status}};
+}
+
+LabelInfo info_of(const json& entry) {
+  return {entry.at("code").get<Label>(), entry.at("name").get<std::string>(),
+          entry.at("terminology").get<std::string>(), entry.at("colour").get<std::array<double, 3>>(),
+          entry.at("status").get<std::string>()};
+}
+
+json info_entries(const std::vector<LabelInfo>& infos) {
+  json list = json::array();
+  for (const LabelInfo& info : infos) list.push_back(info_entry(info));
+  return list;
+}
+
+std::vector<LabelInfo> infos_of(const json& list) {
+  std::vector<LabelInfo> infos;
+  for (const json& entry : list) infos.push_back(info_of(entry));
+  return infos;
+}
+
+/// Numbers for bricks, each once, in the order in which they come; nothing is -1.
+class BrickBook {
+ public:
+  int number(const BrickPointer& brick) {
+    if (!brick) return -1;
+    const auto [place, is_new] = numbers_.emplace(brick.get(), static_cast<int>(bricks_.size()));
+    if (is_new) bricks_.push_back(brick);
+    return place->second;
+  }
+  LabelVolume volume() const {
+    VolumeGrid grid;
+    const int layers = (static_cast<int>(bricks_.size()) + kRow * kRow - 1) / (kRow * kRow);
+    grid.size = LabelVolume::kSide * Eigen::Vector3i(kRow, kRow, std::max(1, layers));
+    LabelVolume volume(grid);
+    for (std::size_t n = 0; n < bricks_.size(); ++n) volume.set_brick(n, bricks_[n]);
+    return volume;
+  }
+
+ private:
+  std::map<const LabelVolume::Brick*, int> numbers_;
+  std::vector<BrickPointer> bricks_;
+};
+
+json step_entry(const History::Step& step, BrickBook& book) {
+  json changes = json::array();
+  for (const LabelChange& change : step.changes)
+    changes.push_back({change.number, book.number(change.before), book.number(change.after)});
+  return {{"tool", step.name.code},
+          {"label", step.name.label},
+          {"size_mm", 1e3 * step.name.size},
+          {"bricks", changes},
+          {"infos_before", info_entries(step.infos_before)},
+          {"infos_after", info_entries(step.infos_after)}};
+}
+
+History::Step step_of(const json& entry, const LabelVolume& bricks, std::size_t brick_count,
+                      const std::string& file) {
+  const auto brick = [&](int number) -> BrickPointer {
+    if (number < 0) return nullptr;
+    if (static_cast<std::size_t>(number) >= bricks.brick_count())
+      throw InputError(file, "bricks", "brick " + std::to_string(number) + " is missing", kRemedy);
+    return bricks.brick(static_cast<std::size_t>(number));
+  };
+  History::Step step;
+  step.name = {entry.at("tool").get<std::string>(), entry.at("label").get<Label>(),
+               1e-3 * entry.at("size_mm").get<double>()};
+  for (const json& change : entry.at("bricks")) {
+    const auto number = change.at(0).get<std::size_t>();
+    if (number >= brick_count) throw InputError(file, "bricks", "belongs to labels of another size", kRemedy);
+    step.changes.push_back({number, brick(change.at(1).get<int>()), brick(change.at(2).get<int>())});
+  }
+  step.infos_before = infos_of(entry.at("infos_before"));
+  step.infos_after = infos_of(entry.at("infos_after"));
+  return step;
+}
+
+}  // namespace
+
+void write_history(const fs::path& folder, const History& history) {
+  BrickBook book;
+  json steps = json::array();
+  for (const auto& step : history.steps()) steps.push_back(step_entry(*step, book));
+  write_labels(folder / "bricks.nrrd", book.volume(), {});
+  write_json(folder / "steps.json", {{"done", history.done()}, {"steps", steps}});
+}
+
+History read_history(const fs::path& folder, const LabelVolume& labels) {
+  const std::string file = (folder / "steps.json").string();
+  const json document = read_json(folder / "steps.json");
+  const LabelVolume bricks = read_labels(folder / "bricks.nrrd").voxels;
+  try {
+    History history;
+    for (const json& entry : document.at("steps"))
+      history.steps_.push_back(
+          std::make_shared<const History::Step>(step_of(entry, bricks, labels.brick_count(), file)));
+    history.done_ = document.at("done").get<std::size_t>();
+    if (history.done_ > history.steps_.size())
+      throw InputError(file, "done", "counts more steps than there are", kRemedy);
+    // The step that would be undone first must have led to these labels.
+    if (history.can_undo()) {
+      LabelVolume last = labels;
+      last.apply(history.steps_[history.done_ - 1]->changes, false);
+      if (!(last == labels)) throw InputError(file, "steps", "do not lead to the case's labels", kRemedy);
+    }
+    return history;
+  } catch (const json::exception& failure) {
+    throw InputError(file, "", std::string("is malformed (") + failure.what() + ")", kRemedy);
+  }
+}
+
+}  // namespace glisson::editing

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <numeric>
+
+#include "edit_runs.h"
+#include "edit_shape.h"
+#include "edit_tools.h"
+#include "glisson/core/error.h"
+
+namespace glisson::editing {
+namespace {
+
+constexpr const char* kName = "islands";
+
+/// The labels that nobody has, for parts that are split off: lesions from lesions, others from the rest.
+std::vector<Label> free_labels(const Task& task, Label like) {
+  const bool lesions = is_lesion(like);
+  const int first = lesions ? structure::kFirstLesion : structure::kFirstOther;
+  const int last = lesions ? structure::kLastLesion : structure::kLastOther;
+  std::vector<bool> taken(structure::kLastLesion + 1U, false);
+  const std::vector<long> counts = task.labels.voxels.histogram();
+  for (std::size_t label = 0; label < std::min(counts.size(), taken.size()); ++label)
+    taken[label] = counts[label] > 0;
+  for (const Label locked : task.region.locked)
+    if (locked < taken.size()) taken[locked] = true;
+  std::vector<Label> free;
+  for (int label = first; label <= last; ++label)
+    if (!taken[static_cast<std::size_t>(label)]) free.push_back(static_cast<Label>(label));
+  return free;
+}
+
+/// Components by falling size; equal ones as they come in memory.
+std::vector<std::size_t> by_size(const Runs& islands) {
+  std::vector<std::size_t> order(islands.sizes().size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return islands.sizes()[a] > islands.sizes()[b]; });
+  return order;
+}
+
+std::size_t clicked_island(const Islands& tool, const Task& task, const Runs& islands, const VoxelBox& box) {
+  const Eigen::Vector3i v = voxel_at(task.grid(), tool.p_in_ct, kName);
+  const Label there = task.labels.voxels.at(v);
+  if (there != tool.label)
+    throw InputError(kName, "p_in_ct",
+                     "lies on " + structure_name(there) + ", not on " + structure_name(tool.label),
+                     "Click a part of " + structure_name(tool.label));
+  return islands.component_at(v - box.low);
+}
+
+/// What each component becomes.
+std::vector<Label> fates(const Islands& tool, Task& task, const Runs& islands, const VoxelBox& box) {
+  using Operation = Islands::Operation;
+  const std::size_t count = islands.sizes().size();
+  std::vector<Label> fate(count, tool.label);
+  const std::vector<std::size_t> order = by_size(islands);
+  switch (tool.operation) {
+    case Operation::keep_largest:
+      std::fill(fate.begin(), fate.end(), structure::kBackground);
+      if (count > 0) fate[order.front()] = tool.label;
+      break;
+    case Operation::remove_small:
+      for (std::size_t n = 0; n < count; ++n)
+        if (1e-3 * static_cast<double>(islands.sizes()[n]) * task.grid().voxel_volume_mm3() <
+            tool.smallest_ml)
+          fate[n] = structure::kBackground;
+      break;
+    case Operation::keep_clicked:
+      std::fill(fate.begin(), fate.end(), structure::kBackground);
+      fate[clicked_island(tool, task, islands, box)] = tool.label;
+      break;
+    case Operation::remove_clicked:
+      fate[clicked_island(tool, task, islands, box)] = structure::kBackground;
+      break;
+    case Operation::split: {
+      const std::vector<Label> free = free_labels(task, tool.label);
+      for (std::size_t n = 1; n < std::min(count, free.size() + 1); ++n) fate[order[n]] = free[n - 1];
+      if (count > free.size() + 1)
+        task.notes.push_back("islands_left:" + std::to_string(count - free.size() - 1));
+      break;
+    }
+  }
+  return fate;
+}
+
+}  // namespace
+
+Cancellable<Canvas> apply_tool(const Islands& tool, Task& task) {
+  using Operation = Islands::Operation;
+  const bool clicked =
+      tool.operation == Operation::keep_clicked || tool.operation == Operation::remove_clicked;
+  const VoxelBox box = box_of(task.labels.voxels, {tool.label});
+  Canvas canvas = task.canvas(box);
+  if (clicked)
+    voxel_at(task.grid(), tool.p_in_ct, kName);  // outside is refused even where nothing is labelled
+  if (box.empty() && !clicked) return canvas;
+  const Runs islands(box.empty() ? Mask() : mask_in(task.labels.voxels, box, {tool.label}), 1);
+  task.context.progress(0.5, "segmentation.edit");
+  if (task.context.cancelled()) return std::nullopt;
+  const std::vector<Label> fate = fates(tool, task, islands, box);
+  const auto ny = static_cast<std::size_t>(box.size().y());
+  std::vector<Eigen::Vector3i> lost;
+  std::size_t n = 0;
+  for (const Runs::Run& run : islands.runs()) {
+    if (++n % 4096 == 0 && task.context.cancelled()) return std::nullopt;
+    const Label becomes = fate[run.component];
+    if (becomes == tool.label) continue;
+    const int j = box.low.y() + static_cast<int>(run.row % ny),
+              k = box.low.z() + static_cast<int>(run.row / ny);
+    for (int i = run.first; becomes == structure::kBackground && i < run.end; ++i)
+      lost.emplace_back(box.low.x() + i, j, k);
+    if (becomes != structure::kBackground)
+      canvas.rewrite_row(j, k, box.low.x() + run.first, box.low.x() + run.end,
+                         [&](int, int, int, Label) { return becomes; });
+  }
+  if (!take_away(canvas, lost, tool.label, task.context.part(0.6, 1.0))) return std::nullopt;
+  return canvas;
+}
+
+Cancellable<Canvas> apply_tool(const FillHoles& tool, Task& task) {
+  const LabelSet shape = shape_of(tool.label);
+  const VoxelBox box = box_of(task.labels.voxels, shape);
+  Canvas canvas = task.canvas(box);
+  if (box.empty()) return canvas;
+  // Beyond the box there is nothing that could close a hole: its faces are the outside.
+  const Mask mask = mask_in(task.labels.voxels, box, shape);
+  task.context.progress(0.2, "segmentation.edit");
+  Mask filled = mask;
+  if (tool.in_slices) {
+    filled = slice_holes_filled(mask);
+  } else {
+    const Runs gaps(mask, 0);
+    std::vector<bool> holes = gaps.at_faces();
+    holes.flip();
+    gaps.write(holes, 1, filled);
+  }
+  task.context.progress(0.6, "segmentation.edit");
+  const Eigen::Vector3i low = box.low;
+  const bool done = canvas.rewrite(box, task.context.part(0.6, 1.0), [&](int i, int j, int k, Label old) {
+    const bool gains =
+        may_gain(tool.label, old) && filled.voxels[filled.offset(i - low.x(), j - low.y(), k - low.z())] != 0;
+    return gains ? tool.label : old;
+  });
+  if (!done) return std::nullopt;
+  return canvas;
+}
+
+}  // namespace glisson::editing
