@@ -11,13 +11,13 @@
 
 #include "dense.h"
 #include "feature_detector.h"
-#include "glisson/stereo/reconstruct.h"
 #include "matching.h"
 #include "picture_cv.h"
 #include "rectification.h"
 #include "refine.h"
 #include "rendered_pair.h"
 #include "surface_fit.h"
+#include "whole_pair.h"
 
 namespace {
 
@@ -169,7 +169,7 @@ void surface(benchmark::State& state) {
 
 void semi_global(benchmark::State& state) {
   const Bench& b = bench(width_of(state));
-  MatchLimits limits = b.limits;  // as reconstruct() narrows them by the features
+  MatchLimits limits = b.limits;  // as reconstruct_whole() narrows them by the features
   limits.least_disparity = b.rectification->disparity_at(0.14);
   limits.largest_disparity = b.rectification->disparity_at(0.08);
   std::size_t count = 0;
@@ -190,7 +190,7 @@ void whole(benchmark::State& state, Method method) {
   options.method = method;
   int points = 0;
   for ([[maybe_unused]] auto _ : state)
-    points = reconstruct(b.left, b.right, b.rig, {}, {}, options, RunContext())->cloud.size();
+    points = reconstruct_whole(b.left, b.right, b.rig, {}, options, RunContext())->cloud.size();
   state.counters["points"] = points;
 }
 void whole_sparse(benchmark::State& state) { whole(state, Method::sparse); }

@@ -129,8 +129,7 @@ void CaseStereoTest::OtherRegionsNeedNoOtherReconstructionAfterOpening() {
   again.options = before.points->options;
   const CaseState now = after(*opened, {SetRegions{regions}, again});
   QVERIFY(now.points->whole == before.points->whole);
-  const auto expected =
-      stereo::labelled_part(state_.points->whole->cloud, *state_.rig, state_.frame->mask, regions);
+  const auto expected = stereo::label(state_.points->whole->cloud, *state_.rig, state_.frame->mask, regions);
   QCOMPARE(now.cloud->size(), expected.cloud.size());
   QCOMPARE(now.cloud->features, expected.cloud.features);
 }

@@ -71,7 +71,7 @@ void ReconstructTest::initTestCase() {
   for (double y = 100.0; y < 300.0; y += 40.0)
     for (double x = 150.0; x < 450.0; x += 40.0) {
       const double density =
-          stereo::labelled_part(state.points->whole->cloud, *state.rig, {}, square(x, y)).density_per_cm2;
+          stereo::label(state.points->whole->cloud, *state.rig, {}, square(x, y)).density_per_cm2;
       if (density < thin_density_ && density > 0.0) thin_density_ = density, thin_ = square(x, y);
       if (density > thick) thick = density, thick_ = square(x, y);
     }

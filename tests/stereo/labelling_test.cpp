@@ -74,7 +74,7 @@ class LabellingTest : public QObject {
     regions.regions = {{Feature::surface, {{200, 150}, {440, 150}, {440, 330}, {200, 330}}},
                        {Feature::anterior_margin, {{200, 300}, {440, 300}}, false, 8.0},
                        {Feature::umbilical_notch, {{300, 280}, {360, 280}, {360, 320}, {300, 320}}}};
-    const LabelledPart part = labelled_part(whole, rig_, {}, regions);
+    const LabelledPart part = label(whole, rig_, {}, regions);
     QVERIFY(part.cloud.size() > 100 && part.cloud.size() < whole.size());
     std::map<Feature, int> counts;
     for (int i = 0; i < part.cloud.size(); ++i) {
@@ -104,8 +104,8 @@ class LabellingTest : public QObject {
       const Eigen::Vector3d p = 0.1 * rig_.left.ray(corner);
       corner = rig_.right.project((rig_.right_from_left * Point<CameraFrame>(p)).xyz);
     }
-    const LabelledPart a = labelled_part(whole, rig_, {}, {0, {}, {left}});
-    const LabelledPart b = labelled_part(whole, rig_, {}, {0, {}, {right}});
+    const LabelledPart a = label(whole, rig_, {}, {0, {}, {left}});
+    const LabelledPart b = label(whole, rig_, {}, {0, {}, {right}});
     // The outline's edges are straight in either picture, which bends them by parts of a pixel.
     QVERIFY(std::abs(a.cloud.size() - b.cloud.size()) <= 8);
     QVERIFY(std::abs(a.area_cm2 / b.area_cm2 - 1.0) < 0.05);
@@ -115,15 +115,15 @@ class LabellingTest : public QObject {
   void DensityIsThatOfTheGrid() {
     for (const double spacing : {1e-3, 2e-3}) {
       const LabelledPart part =
-          labelled_part(plane_of_points(spacing), rig_, {},
-                        {0, {}, {{Feature::surface, {{230, 160}, {410, 160}, {410, 320}, {230, 320}}}}});
+          label(plane_of_points(spacing), rig_, {},
+                {0, {}, {{Feature::surface, {{230, 160}, {410, 160}, {410, 320}, {230, 320}}}}});
       QVERIFY(std::abs(part.density_per_cm2 * spacing * spacing * 1e4 - 1.0) < 0.12);
     }
   }
 
   void WithoutRegionsEverythingIsSurface() {
     const LabelledCloud whole = plane_of_points(2e-3);
-    const LabelledPart part = labelled_part(whole, rig_, {}, {});
+    const LabelledPart part = label(whole, rig_, {}, {});
     QCOMPARE(part.cloud.size(), whole.size());
     QVERIFY(part.cloud.feature(0) == Feature::surface);
   }
@@ -131,9 +131,9 @@ class LabellingTest : public QObject {
   void RegionsBesideThePointsAreEmptyAndCloudsWithoutNormalsAreRefused() {
     LabelledCloud whole = plane_of_points(2e-3);
     const Regions corner{0, {}, {{Feature::surface, {{1, 1}, {9, 1}, {9, 9}}}}};
-    QCOMPARE(labelled_part(whole, rig_, {}, corner).cloud.size(), 0);
+    QCOMPARE(label(whole, rig_, {}, corner).cloud.size(), 0);
     whole.normals.resize(0, 3);
-    QVERIFY_THROWS_EXCEPTION(PreconditionError, labelled_part(whole, rig_, {}, corner));
+    QVERIFY_THROWS_EXCEPTION(PreconditionError, label(whole, rig_, {}, corner));
     QVERIFY_THROWS_EXCEPTION(PreconditionError, epipolar_line(rig_, Side::left, {1, 1}, 0.1, 0.1));
   }
 };

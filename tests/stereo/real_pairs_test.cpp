@@ -5,7 +5,7 @@
 #include "glisson/stereo/calibration_io.h"
 #include "glisson/stereo/evaluate.h"
 #include "glisson/stereo/picture_io.h"
-#include "glisson/stereo/reconstruct.h"
+#include "glisson/stereo/reconstruct_pair.h"
 #include "real_data.h"
 
 using namespace glisson;
@@ -60,8 +60,8 @@ Reconstructed run(const Real& real, Method method, bool masked = true) {
   ReconstructOptions options;
   options.method = method;
   options.points_per_cm2 = 40.0;
-  return *reconstruct(real.left, real.right, real.rig, masked ? real.mask : Picture{}, {}, options,
-                      RunContext());
+  const PairInput input{{real.left, real.right}, real.rig, masked ? real.mask : Picture{}, {}};
+  return *reconstruct_pair(input, options, RunContext())->whole;
 }
 
 }  // namespace

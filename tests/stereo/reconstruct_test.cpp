@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glisson/stereo/reconstruct.h"
+#include "glisson/stereo/reconstruct_pair.h"
 
 #include <QtTest>
 
@@ -24,9 +24,21 @@ const rendered::Pair& sphere_pair() {
   return pair;
 }
 
+PairInput input_of(const rendered::Pair& pair) { return {{pair.left, pair.right}, pair.rig, {}, {}}; }
+
+/// The whole pair's points.
 Reconstructed run(const rendered::Pair& pair, const ReconstructOptions& options = {},
-                  const Regions& regions = {}, const Picture& mask = {}) {
-  return *reconstruct(pair.left, pair.right, pair.rig, mask, regions, options, RunContext());
+                  const Picture& mask = {}) {
+  PairInput input = input_of(pair);
+  input.mask = mask;
+  return *reconstruct_pair(input, options, RunContext())->whole;
+}
+/// Those within regions.
+LabelledPart within(const rendered::Pair& pair, const Regions& regions,
+                    const ReconstructOptions& options = {}) {
+  PairInput input = input_of(pair);
+  input.regions = regions;
+  return reconstruct_pair(input, options, RunContext())->part;
 }
 
 Picture uniform(int width, int height, int channels, std::uint8_t value) {
@@ -219,7 +231,7 @@ class ReconstructTest : public QObject {
     regions.regions = {rectangle(Feature::surface, 150, 100, 500, 400),
                        rectangle(Feature::anterior_margin, 150, 300, 500, 400),
                        rectangle(Feature::umbilical_notch, 300, 330, 400, 400)};
-    const Reconstructed result = run(plane_pair(), {}, regions);
+    const LabelledPart result = within(plane_pair(), regions);
     int counts[4] = {0, 0, 0, 0};
     for (int i = 0; i < result.cloud.size(); ++i) {
       const Eigen::Vector2d pixel = plane_pair().rig.left.project(result.cloud.points.row(i).transpose());
@@ -248,18 +260,18 @@ class ReconstructTest : public QObject {
       const Eigen::Vector3d p = ray * (Eigen::Vector3d(0.0, 0.0, 0.1).dot(kTilted) / ray.dot(kTilted));
       vertex = rig.right.project((rig.right_from_left * Point<CameraFrame>(p)).xyz);
     }
-    const Reconstructed left = run(plane_pair(), {}, on_left), right = run(plane_pair(), {}, on_right);
+    const LabelledPart left = within(plane_pair(), on_left), right = within(plane_pair(), on_right);
     QVERIFY(left.cloud.size() > 100);
     QVERIFY(std::abs(left.cloud.size() - right.cloud.size()) <= left.cloud.size() / 25);
-    QVERIFY(std::abs(left.report.area_cm2 - right.report.area_cm2) < 0.06 * left.report.area_cm2);
+    QVERIFY(std::abs(left.area_cm2 - right.area_cm2) < 0.06 * left.area_cm2);
   }
 
   void RegionsOfAnotherFrameAreRefused() {
     Regions regions;
     regions.regions = {rectangle(Feature::surface, 150, 100, 500, 400)};
     regions.identity = frame_identity(plane_pair().left, plane_pair().right);
-    QVERIFY(run(plane_pair(), {}, regions).cloud.size() > 0);
-    QVERIFY_THROWS_EXCEPTION(InputError, run(sphere_pair(), {}, regions));
+    QVERIFY(within(plane_pair(), regions).cloud.size() > 0);
+    QVERIFY_THROWS_EXCEPTION(InputError, within(sphere_pair(), regions));
   }
 
   void MaskKeepsPointsOut() {
@@ -271,7 +283,7 @@ class ReconstructTest : public QObject {
     for (const Method method : {Method::sparse, Method::dense}) {
       ReconstructOptions options;
       options.method = method;
-      const Reconstructed result = run(plane_pair(), options, {}, mask);
+      const Reconstructed result = run(plane_pair(), options, mask);
       QVERIFY(result.cloud.size() > 50);
       for (int i = 0; i < result.cloud.size(); ++i) {
         const Eigen::Vector2d pixel = plane_pair().rig.left.project(result.cloud.points.row(i).transpose());
@@ -285,15 +297,15 @@ class ReconstructTest : public QObject {
     const rendered::Pair pair = rendered::pair(rendered::plane({0, 0, 0.1}, {0, 0, 1}));
     Regions regions;
     regions.regions = {rectangle(Feature::surface, 222, 143, 422, 343)};
-    const Reconstructed result = run(pair, {}, regions);
+    const LabelledPart result = within(pair, regions);
     const double expected = std::pow(200.0 / 701.0 * 10.0, 2);
-    QVERIFY2(std::abs(result.report.area_cm2 - expected) < 0.1 * expected,
-             QByteArray::number(result.report.area_cm2).constData());
-    QVERIFY(std::abs(result.report.density_per_cm2 * result.report.area_cm2 - result.report.points) < 1e-6);
+    QVERIFY2(std::abs(result.area_cm2 - expected) < 0.1 * expected,
+             QByteArray::number(result.area_cm2).constData());
+    QVERIFY(std::abs(result.density_per_cm2 * result.area_cm2 - result.cloud.size()) < 1e-6);
     ReconstructOptions options;
     options.method = Method::dense;
     options.points_per_cm2 = 20.0;
-    const double density = run(pair, options, regions).report.density_per_cm2;
+    const double density = within(pair, regions, options).density_per_cm2;
     QVERIFY2(density > 12.0 && density < 24.0, QByteArray::number(density).constData());
   }
 
@@ -339,7 +351,7 @@ class ReconstructTest : public QObject {
     const rendered::Pair& pair = plane_pair();
     const Picture small = uniform(320, 240, 3, 100);
     const auto attempt = [&](const Picture& l, const Picture& r, const Picture& mask) {
-      reconstruct(l, r, pair.rig, mask, {}, {}, RunContext());
+      reconstruct_pair({{l, r}, pair.rig, mask, {}}, {}, RunContext());
     };
     QVERIFY_THROWS_EXCEPTION(InputError, attempt(small, pair.right, {}));
     QVERIFY_THROWS_EXCEPTION(InputError, attempt(pair.left, small, {}));
@@ -350,7 +362,7 @@ class ReconstructTest : public QObject {
   void SwappedImagesAreRecognised() {
     for (const auto* pair : {&plane_pair(), &sphere_pair()}) {
       try {
-        reconstruct(pair->right, pair->left, pair->rig, {}, {}, {}, RunContext());
+        reconstruct_pair({{pair->right, pair->left}, pair->rig, {}, {}}, {}, RunContext());
         QFAIL("swapped images were taken");
       } catch (const InputError& error) {
         QVERIFY2(QString(error.what()).contains("swapped"), error.what());
@@ -362,14 +374,63 @@ class ReconstructTest : public QObject {
     const rendered::Pair& pair = plane_pair();
     const Picture copy{pair.left.width, pair.left.height, 3,
                        std::make_shared<std::vector<std::uint8_t>>(*pair.left.bytes)};
-    QVERIFY_THROWS_EXCEPTION(InputError, reconstruct(pair.left, copy, pair.rig, {}, {}, {}, RunContext()));
+    const PairInput twice{{pair.left, copy}, pair.rig, {}, {}};
+    QVERIFY_THROWS_EXCEPTION(InputError, reconstruct_pair(twice, {}, RunContext()));
+  }
+
+  void KnownPointsAreNotMadeAgain() {
+    ReconstructOptions options;
+    const PairInput input = input_of(plane_pair());
+    const auto first = reconstruct_pair(input, options, RunContext());
+    const auto again = reconstruct_pair(input, options, RunContext(), {options, first->whole});
+    QVERIFY(again->whole == first->whole);
+    QCOMPARE(again->frame_identity, frame_identity(plane_pair().left, plane_pair().right));
+    ReconstructOptions other = options;
+    other.ratio = 0.7;
+    QVERIFY(reconstruct_pair(input, other, RunContext(), {options, first->whole})->whole != first->whole);
+  }
+
+  void WithoutRegionsEverythingIsSurfaceAtTheWholesDensity() {
+    const auto made = reconstruct_pair(input_of(plane_pair()), {}, RunContext());
+    QVERIFY(made->part.cloud.points == made->whole->cloud.points);
+    QVERIFY(made->part.cloud.features == made->whole->cloud.features);
+    QCOMPARE(made->part.area_cm2, made->whole->report.area_cm2);
+    QCOMPARE(made->part.density_per_cm2, made->whole->report.density_per_cm2);
+    QVERIFY(made->density.area_cm2 > 0.0);
+    QVERIFY(made->faults.empty());
+  }
+
+  void RegionsThatAreThinMakeThePairDenseAndItStaysSo() {
+    ReconstructOptions options;
+    options.method = Method::automatic;
+    options.features = 250;
+    PairInput input = input_of(plane_pair());
+    input.regions.regions = {rectangle(Feature::surface, 200, 150, 450, 350)};
+    options.least_density_per_cm2 = 1.05 * within(plane_pair(), input.regions, options).density_per_cm2;
+    if (run(plane_pair(), options).report.method != Method::sparse)
+      QSKIP("the whole pair is thinner than the regions");
+    const auto dense = reconstruct_pair(input, options, RunContext());
+    QVERIFY(dense->whole->report.method == Method::dense);
+    input.regions.regions.clear();
+    const auto stays = reconstruct_pair(input, options, RunContext(), {options, dense->whole});
+    QVERIFY(stays->whole == dense->whole);
+  }
+
+  void AFaultOfThePairIsTheBetterAnswer() {
+    const Picture black = uniform(640, 480, 3, 0);
+    try {
+      reconstruct_pair({{plane_pair().left, black}, plane_pair().rig, {}, {}}, {}, RunContext());
+      QFAIL("a lost view was taken");
+    } catch (const InputError& error) {
+      QVERIFY2(QString(error.what()).contains("nothing in the right view"), error.what());
+    }
   }
 
   void PicturesWithoutTissueAreRefused() {
     const rendered::Pair& pair = plane_pair();
     const Picture black = uniform(640, 480, 3, 0);
     const auto attempt = [&](const Picture& l, const Picture& r, const Regions& regions) {
-      reconstruct(l, r, pair.rig, {}, regions, {}, RunContext());
+      reconstruct_pair({{l, r}, pair.rig, {}, regions}, {}, RunContext());
     };
     QVERIFY_THROWS_EXCEPTION(InputError, attempt(black, black, {}));
     QVERIFY_THROWS_EXCEPTION(InputError, attempt(pair.left, black, {}));
@@ -383,14 +444,14 @@ class ReconstructTest : public QObject {
     const auto cancel = std::make_shared<CancelFlag>();
     cancel->request();
     const rendered::Pair& pair = plane_pair();
-    QVERIFY(!reconstruct(pair.left, pair.right, pair.rig, {}, {}, {}, RunContext({}, cancel, 1)));
+    QVERIFY(!reconstruct_pair(input_of(pair), {}, RunContext({}, cancel, 1)));
     const auto later = std::make_shared<CancelFlag>();
     const RunContext context(
         [&](double fraction, std::string_view) {
           if (fraction > 0.5) later->request();
         },
         later, 1);
-    QVERIFY(!reconstruct(pair.left, pair.right, pair.rig, {}, {}, {}, context));
+    QVERIFY(!reconstruct_pair(input_of(pair), {}, context));
   }
 
   void OptionsOutOfRangeAreRefused() {

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From the pictures to the registration: calibration, frames, cloud, initial registration, and the follower.
-#include <algorithm>
-#include <cstdio>
-
 #include "apply_parts.h"
 #include "glisson/core/error.h"
 #include "glisson/engine/case_io.h"
 #include "glisson/geometry/distance.h"
-#include "glisson/geometry/mesh_io.h"
 #include "glisson/stereo/calibration_io.h"
 #include "glisson/stereo/faults.h"
-#include "glisson/stereo/labelling.h"
 #include "glisson/stereo/picture_io.h"
+#include "glisson/stereo/reconstruct_pair.h"
 #include "glisson/stereo/source.h"
 
 namespace glisson::engine {
@@ -36,31 +32,10 @@ class TrackerFollower : public Follower {
   int steps_per_cloud_;
 };
 
-void require_rig_fits(const CaseState& state) {
-  if (!state.rig || !state.frame) return;
-  const Picture& left = state.frame->frame.left;
-  if (left.width == state.rig->left.width && left.height == state.rig->left.height) return;
-  throw InputError("calibration", "image_width, image_height",
-                   "is for pictures of " + std::to_string(state.rig->left.width) + "x" +
-                       std::to_string(state.rig->left.height) + ", the pictures are " +
-                       std::to_string(left.width) + "x" + std::to_string(left.height),
-                   "Use the calibration of this scope at this resolution");
-}
-
 /// @param mask the file that the mask was read from, where there is one.
 Cancellable<Applied> with_frame(const CaseState& state, StereoInput input,
                                 const std::filesystem::path& mask) {
-  if (input.frame.left.width != input.frame.right.width ||
-      input.frame.left.height != input.frame.right.height)
-    throw InputError("stereo pair", "size", "left and right pictures differ in size",
-                     "Give two pictures of one moment of one scope");
-  if (!input.mask.empty() &&
-      (input.mask.width != input.frame.left.width || input.mask.height != input.frame.left.height))
-    throw InputError(mask.string(), "size",
-                     "is " + std::to_string(input.mask.width) + "x" + std::to_string(input.mask.height) +
-                         ", the left picture " + std::to_string(input.frame.left.width) + "x" +
-                         std::to_string(input.frame.left.height),
-                     "Give the mask of this left picture");
+  stereo::require_one_size(input.frame, input.mask, mask.string());
   Applied applied;
   applied.state = state;
   // A calibration of another size is told where the two are used: either may be the one that comes next.
@@ -68,57 +43,16 @@ Cancellable<Applied> with_frame(const CaseState& state, StereoInput input,
   return applied;
 }
 
-/// Simulated now, or for an earlier registration of the same model.
-Cancellable<std::shared_ptr<const SimulatedOperations>> operations_of(
-    const CaseState& state, const PatientModel& model, const registration::OperationOptions& options,
-    const RunContext& context) {
-  const auto& known = state.operations;
-  if (known && known->model == state.model && known->landmarks == state.landmarks &&
-      known->options == options)
-    return known;
-  auto prior = registration::simulate_operations(model, options, context);
-  if (!prior) return {};
-  return std::make_shared<const SimulatedOperations>(
-      SimulatedOperations{state.model, state.landmarks, options,
-                          std::make_shared<const registration::OperationPrior>(std::move(*prior))});
-}
-
-}  // namespace
-
-namespace {
-
-/// How the case's pictures were cut out of a video's views; empty: they were not.
-struct Cut {
-  int whole_width = 0, whole_height = 0;  ///< of a view
-  stereo::Crop crop;
-};
-std::optional<Cut> cut_of(const CaseState& state) {
-  if (!state.video || !state.video->right.empty() || state.video->left.extension() != ".json") return {};
-  const stereo::SourceOptions source = stereo::read_source(state.video->left);
-  if (!source.crop.any()) return {};
-  const stereo::StereoVideo video(source);
-  if (state.frame &&
-      (state.frame->frame.left.width != video.width() || state.frame->frame.left.height != video.height()))
-    return {};  // the pair is another one
-  return Cut{video.whole_width(), video.whole_height(), source.crop};
-}
-
 }  // namespace
 
 Cancellable<Applied> apply_one(const CaseState& state, const SetCalibration& command, const RunContext&) {
-  const bool plain_text = std::filesystem::is_directory(command.path);
-  // Plain text files do not tell the pictures' size.
-  if (plain_text) require_part(state, Part::frame, "Load a stereo pair first: its size is needed");
-  const auto cut = cut_of(state);
-  StereoRig rig;
-  if (plain_text)
-    rig = stereo::read_text_calibration(command.path, cut ? cut->whole_width : state.frame->frame.left.width,
-                                        cut ? cut->whole_height : state.frame->frame.left.height);
-  else
-    rig = stereo::read_calibration(command.path);
-  // Scopes are calibrated on whole views.
-  if (cut && rig.left.width == cut->whole_width && rig.left.height == cut->whole_height)
-    rig = stereo::cropped(rig, cut->crop);
+  if (stereo::is_text_calibration(command.path))
+    require_part(state, Part::frame, "Load a stereo pair first: its size is needed");
+  const int width = state.frame ? state.frame->frame.left.width : 0;
+  const int height = state.frame ? state.frame->frame.left.height : 0;
+  std::optional<stereo::Cut> cut;
+  if (state.video && state.video->right.empty()) cut = stereo::cut_of(state.video->left, width, height);
+  StereoRig rig = stereo::read_calibration_for(command.path, width, height, cut);
   Applied applied;
   applied.state = state;
   applied.state.rig = std::make_shared<const StereoRig>(std::move(rig));
@@ -173,60 +107,22 @@ Cancellable<Applied> apply_one(const CaseState& state, const SetRegions& command
 
 namespace {
 
-/// Reconstructed now, or for an earlier command on the same pair.
-Cancellable<std::shared_ptr<const stereo::Reconstructed>> points_of(const CaseState& state,
-                                                                    const stereo::ReconstructOptions& options,
-                                                                    const RunContext& context) {
+/// Points that an earlier command has made of the same pair.
+stereo::KnownPoints known_points(const CaseState& state) {
   const auto& known = state.points;
-  if (known && known->frame == state.frame && known->rig == state.rig && known->options == options)
-    return known->whole;
-  const StereoInput& input = *state.frame;
-  try {
-    auto made = stereo::reconstruct(input.frame.left, input.frame.right, *state.rig, input.mask, {}, options,
-                                    context);
-    if (!made) return {};
-    return std::make_shared<const stereo::Reconstructed>(std::move(*made));
-  } catch (const InputError&) {
-    // Where the pair itself is at fault, that is the better answer.
-    stereo::require_sound(stereo::check_pair(input.frame.left, input.frame.right, *state.rig));
-    throw;
-  }
+  if (!known || known->frame != state.frame || known->rig != state.rig) return {};
+  return {known->options, known->whole};
 }
 
-/// Dense ones, where the sparse ones are too few; null: the pair has too few of those, too.
-Cancellable<std::shared_ptr<const stereo::Reconstructed>> dense_points_of(const CaseState& state,
-                                                                          stereo::ReconstructOptions options,
-                                                                          const RunContext& context) {
-  options.method = stereo::Method::dense;
-  try {
-    return points_of(state, options, context);
-  } catch (const InputError&) {
-    return std::shared_ptr<const stereo::Reconstructed>();
-  }
-}
-
-/// What is wrong with the pair, as notes. Looked for where the points give cause to: it takes a second.
-std::vector<std::string> fault_notes(const CaseState& state, const PairPoints& points) {
-  constexpr double kRowsOff = 3.0;  // pixels
-  const bool suspicious = std::abs(points.whole->report.row_offset_px) > kRowsOff ||
-                          points.density_per_cm2 < points.options.least_density_per_cm2;
-  std::vector<std::string> notes;
-  if (!suspicious) return notes;
-  const StereoFrame& frame = state.frame->frame;
-  for (const stereo::Fault fault : stereo::check_pair(frame.left, frame.right, *state.rig).faults)
-    notes.push_back("stereo." + std::string(stereo::fault_code(fault)));
-  return notes;
-}
-
-void add_figures(Figures& figures, const PairPoints& points, const LabelledCloud& cloud) {
-  const stereo::ReconstructReport& report = points.whole->report;
+void add_figures(Figures& figures, const stereo::PairCloud& made) {
+  const stereo::ReconstructReport& report = made.whole->report;
   figures["cloud_features_left"] = report.features_left;
   figures["cloud_features_right"] = report.features_right;
   figures["cloud_matches"] = report.matches;
-  figures["cloud_points"] = cloud.size();
-  figures["cloud_area_cm2"] = points.area_cm2;
-  figures["cloud_density_per_cm2"] = points.density_per_cm2;
-  figures["cloud_covered_share"] = points.density.covered;
+  figures["cloud_points"] = made.part.cloud.size();
+  figures["cloud_area_cm2"] = made.part.area_cm2;
+  figures["cloud_density_per_cm2"] = made.part.density_per_cm2;
+  figures["cloud_covered_share"] = made.density.covered;
   figures["cloud_row_offset_px"] = report.row_offset_px;
   figures["cloud_epipolar_rms_px"] = report.epipolar_rms_px;
   figures["cloud_sigma_median_mm"] = 1e3 * report.sigma_median;
@@ -239,99 +135,51 @@ Cancellable<Applied> apply_one(const CaseState& state, const Reconstruct& comman
                                const RunContext& context) {
   require_part(state, Part::rig, "Load the laparoscope's calibration first");
   require_part(state, Part::frame, "Load a stereo pair first");
-  require_rig_fits(state);
-  const stereo::Regions regions = state.regions ? *state.regions : stereo::Regions{};
-  stereo::require_regions_of(regions, state.frame->frame.left, state.frame->frame.right);
-  const bool labels = !regions.regions.empty();
-  const bool may_be_dense = labels && command.options.method == stereo::Method::automatic;
-  auto whole = points_of(state, command.options, context.part(0.0, may_be_dense ? 0.6 : 1.0));
-  if (!whole) return {};
-  stereo::LabelledPart part = stereo::labelled_part((*whole)->cloud, *state.rig, state.frame->mask, regions);
-  if (may_be_dense && (*whole)->report.method == stereo::Method::sparse &&
-      part.density_per_cm2 < command.options.least_density_per_cm2) {
-    // From here on this pair's points stay dense whatever its regions become: a switch there and back would
-    // exchange points under the operator's hand. The next pair is judged anew.
-    const auto dense = dense_points_of(state, command.options, context.part(0.6, 1.0));
-    if (!dense) return {};
-    if (*dense) {
-      stereo::LabelledPart denser =
-          stereo::labelled_part((*dense)->cloud, *state.rig, state.frame->mask, regions);
-      if (denser.density_per_cm2 > part.density_per_cm2) whole = dense, part = std::move(denser);
-    }
-  }
-  if (part.cloud.size() == 0)
-    throw InputError("regions", "",
-                     "hold none of the pair's " + std::to_string((*whole)->cloud.size()) + " points",
-                     "Draw them where the liver is reconstructed, or reconstruct densely");
-  PairPoints points{state.frame,
-                    state.rig,
-                    command.options,
-                    *whole,
-                    part.area_cm2,
-                    part.density_per_cm2,
-                    stereo::density_map(part.cloud, state.rig->left, state.frame->mask, regions),
-                    stereo::frame_identity(state.frame->frame.left, state.frame->frame.right)};
-  if (!labels) {
-    points.area_cm2 = (*whole)->report.area_cm2;
-    points.density_per_cm2 = (*whole)->report.density_per_cm2;
-  }
+  const stereo::PairInput input{state.frame->frame, *state.rig, state.frame->mask,
+                                state.regions ? *state.regions : stereo::Regions{}};
+  auto made = stereo::reconstruct_pair(input, command.options, context, known_points(state));
+  if (!made) return {};
   Applied applied;
   applied.state = state;
-  add_figures(applied.figures, points, part.cloud);
-  applied.notes = fault_notes(state, points);
-  applied.state.cloud = std::make_shared<const LabelledCloud>(std::move(part.cloud));
-  applied.state.points = std::make_shared<const PairPoints>(std::move(points));
+  add_figures(applied.figures, *made);
+  for (const stereo::Fault fault : made->faults)
+    applied.notes.push_back("stereo." + std::string(stereo::fault_code(fault)));
+  applied.state.points = std::make_shared<const PairPoints>(
+      PairPoints{state.frame, state.rig, command.options, std::move(made->whole), made->part.area_cm2,
+                 made->part.density_per_cm2, std::move(made->density), std::move(made->frame_identity)});
+  applied.state.cloud = std::make_shared<const LabelledCloud>(std::move(made->part.cloud));
   return applied;
 }
-
-namespace {
-
-/// Half of a cloud's points lie within this of its middle, metres. Outliers do not count.
-double spread(const Points& points) {
-  const auto median = [](std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-  };
-  Eigen::RowVector3d centre;
-  for (int axis = 0; axis < 3; ++axis) {
-    const Eigen::VectorXd column = points.col(axis);
-    centre[axis] = median({column.begin(), column.end()});
-  }
-  const Eigen::VectorXd distances = (points.rowwise() - centre).rowwise().norm();
-  return median({distances.begin(), distances.end()});
-}
-
-/// A cloud shows some of a liver: from a few millimetres of it to all.
-void require_cloud_of_a_liver(const LabelledCloud& cloud, LengthUnit unit, const std::string& name) {
-  constexpr double kSmallest = 1e-3, kLargest = 0.3;
-  if (cloud.size() == 0) return;
-  const double found = spread(cloud.points);
-  if (found <= kLargest && (found >= kSmallest || cloud.size() < 10)) return;
-  std::string remedy = "Check what the file holds";
-  for (const LengthUnit other : {LengthUnit::metre, LengthUnit::centimetre, LengthUnit::millimetre}) {
-    const double read_so = found / metres_per(unit) * metres_per(other);
-    if (read_so <= kLargest && read_so >= kSmallest) remedy = std::string("Read it in ") + unit_code(other);
-  }
-  char problem[160];
-  std::snprintf(problem, sizeof problem,
-                "half of its points lie within %.3g m of its middle when read in %s, which is no liver",
-                found, unit_code(unit));
-  throw InputError(name, "size", problem, remedy);
-}
-
-}  // namespace
 
 Cancellable<Applied> apply_one(const CaseState& state, const ImportCloud& command, const RunContext&) {
   Applied applied;
   applied.state = state;
   auto cloud = std::make_shared<const LabelledCloud>(read_cloud(command.path, command.unit));
-  require_cloud_of_a_liver(*cloud, command.unit, command.path.string());
+  require_liver_sized(*cloud, command.unit, command.path.string());
   applied.state.cloud = std::move(cloud);
   applied.state.points = nullptr;
   applied.figures["cloud_points"] = applied.state.cloud->size();
   return applied;
 }
+
+namespace {
+
+/// Simulated now, or for an earlier registration of the same model.
+Cancellable<std::shared_ptr<const SimulatedOperations>> operations_of(
+    const CaseState& state, const PatientModel& model, const registration::OperationOptions& options,
+    const RunContext& context) {
+  const auto& known = state.operations;
+  if (known && known->model == state.model && known->landmarks == state.landmarks &&
+      known->options == options)
+    return known;
+  auto prior = registration::simulate_operations(model, options, context);
+  if (!prior) return {};
+  return std::make_shared<const SimulatedOperations>(
+      SimulatedOperations{state.model, state.landmarks, options,
+                          std::make_shared<const registration::OperationPrior>(std::move(*prior))});
+}
+
+}  // namespace
 
 Cancellable<Applied> apply_one(const CaseState& state, const Register& command, const RunContext& context) {
   require_part(state, Part::model, "Build or import a model first");
@@ -407,7 +255,7 @@ std::unique_ptr<Follower> make_follower(const CaseState& state, const StartTrack
   if (command.source == StartTracking::Source::frames) {
     require_part(state, Part::rig, "Load the laparoscope's calibration first");
     require_part(state, Part::frame, "Load the stereo pair that was registered first");
-    require_rig_fits(state);
+    stereo::require_rig_of(*state.rig, state.frame->frame.left);
   }
   return std::make_unique<TrackerFollower>(state, command);
 }

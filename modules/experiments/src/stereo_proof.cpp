@@ -13,7 +13,7 @@
 #include "glisson/stereo/evaluate.h"
 #include "glisson/stereo/faults.h"
 #include "glisson/stereo/picture_io.h"
-#include "glisson/stereo/reconstruct.h"
+#include "glisson/stereo/reconstruct_pair.h"
 #include "stereo_theatre.h"
 
 namespace glisson::experiments {
@@ -61,7 +61,9 @@ Cancellable<stereo::Reconstructed> reconstruct(const RealPair& pair, stereo::Met
   options.method = method;
   options.kind = kind;
   options.points_per_cm2 = 40.0;  // the region is small: that many for its statistics
-  return stereo::reconstruct(pair.left, pair.right, pair.rig, pair.mask, {}, options, context);
+  auto made = stereo::reconstruct_pair({{pair.left, pair.right}, pair.rig, pair.mask, {}}, options, context);
+  if (!made) return {};
+  return *made->whole;
 }
 
 /// Blue: too near; red: too far; white: right. Full colour at 2 mm.

@@ -9,7 +9,7 @@
 #include "glisson/insilico/patient.h"
 #include "glisson/insilico/theatre.h"
 #include "glisson/stereo/evaluate.h"
-#include "glisson/stereo/reconstruct.h"
+#include "glisson/stereo/reconstruct_pair.h"
 
 namespace glisson::experiments {
 namespace {
@@ -127,10 +127,10 @@ bool prove_in_theatre(const StereoProofOptions& options, const std::filesystem::
           {"dense", stereo::Method::dense}}) {
       stereo::ReconstructOptions reconstruction;
       reconstruction.method = method;
-      const auto made = stereo::reconstruct(left, right, scene->rig, liver_mask(*scene), {}, reconstruction,
-                                            context.quiet());
+      const auto made = stereo::reconstruct_pair({{left, right}, scene->rig, liver_mask(*scene), {}},
+                                                 reconstruction, context.quiet());
       if (!made) return false;
-      add_row(trial, name, *scene, *made, proof, csv);
+      add_row(trial, name, *scene, *made->whole, proof, csv);
     }
   }
   add_normalised(proof);

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/patient/labelled_cloud.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
+#include "glisson/geometry/mesh_io.h"
 #include "glisson/geometry/ply_file.h"
 
 namespace glisson {
@@ -106,6 +108,22 @@ LabelledCloud cloud_of(const std::string& file, const PlyElement& vertex, double
   return cloud;
 }
 
+/// Half of a cloud's points lie within this of its middle, metres. Outliers do not count.
+double spread(const Points& points) {
+  const auto median = [](std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+  };
+  Eigen::RowVector3d centre;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Eigen::VectorXd column = points.col(axis);
+    centre[axis] = median({column.begin(), column.end()});
+  }
+  const Eigen::VectorXd distances = (points.rowwise() - centre).rowwise().norm();
+  return median({distances.begin(), distances.end()});
+}
+
 }  // namespace
 
 LabelledCloud read_cloud(const std::filesystem::path& path, LengthUnit unit) {
@@ -140,6 +158,23 @@ void write_cloud(const std::filesystem::path& path, const LabelledCloud& cloud, 
     if (!cloud.sigma.empty()) append_little_endian(text, static_cast<float>(scale * cloud.sigma[i]));
   }
   write_file_atomically(path, text);
+}
+
+void require_liver_sized(const LabelledCloud& cloud, LengthUnit unit, const std::string& name) {
+  constexpr double kSmallest = 1e-3, kLargest = 0.3;
+  if (cloud.size() == 0) return;
+  const double found = spread(cloud.points);
+  if (found <= kLargest && (found >= kSmallest || cloud.size() < 10)) return;
+  std::string remedy = "Check what the file holds";
+  for (const LengthUnit other : {LengthUnit::metre, LengthUnit::centimetre, LengthUnit::millimetre}) {
+    const double read_so = found / metres_per(unit) * metres_per(other);
+    if (read_so <= kLargest && read_so >= kSmallest) remedy = std::string("Read it in ") + unit_code(other);
+  }
+  char problem[160];
+  std::snprintf(problem, sizeof problem,
+                "half of its points lie within %.3g m of its middle when read in %s, which is no liver",
+                found, unit_code(unit));
+  throw InputError(name, "size", problem, remedy);
 }
 
 }  // namespace glisson

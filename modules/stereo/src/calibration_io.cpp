@@ -173,4 +173,15 @@ void write_calibration(const std::filesystem::path& path, const StereoRig& rig) 
   write_file_atomically(path, storage.releaseAndGetString());
 }
 
+bool is_text_calibration(const std::filesystem::path& path) { return std::filesystem::is_directory(path); }
+
+StereoRig read_calibration_for(const std::filesystem::path& path, int width, int height,
+                               const std::optional<Cut>& cut) {
+  if (cut) width = cut->whole_width, height = cut->whole_height;
+  const StereoRig rig =
+      is_text_calibration(path) ? read_text_calibration(path, width, height) : read_calibration(path);
+  const bool of_whole = cut && rig.left.width == width && rig.left.height == height;
+  return of_whole ? cropped(rig, cut->crop) : rig;
+}
+
 }  // namespace glisson::stereo

@@ -72,8 +72,8 @@ double area_cm2(const LabelledCloud& whole, const std::vector<Seen>& places, con
 
 }  // namespace
 
-LabelledPart labelled_part(const LabelledCloud& whole, const StereoRig& rig, const Picture& mask,
-                           const Regions& regions) {
+LabelledPart label(const LabelledCloud& whole, const StereoRig& rig, const Picture& mask,
+                   const Regions& regions) {
   require(whole.normals.rows() == whole.points.rows(), "a normal for each point");
   LabelledPart part;
   std::vector<Seen> places;

@@ -185,6 +185,26 @@ PairCheck check_pair(const Picture& left, const Picture& right, const StereoRig&
   return check;
 }
 
+void require_rig_of(const StereoRig& rig, const Picture& left) {
+  if (left.width == rig.left.width && left.height == rig.left.height) return;
+  throw InputError("calibration", "image_width, image_height",
+                   "is for pictures of " + size_text(rig.left.width, rig.left.height) +
+                       ", the pictures are " + size_text(left.width, left.height),
+                   "Use the calibration of this scope at this resolution");
+}
+
+void require_one_size(const StereoFrame& frame, const Picture& mask, const std::string& mask_name) {
+  const Picture &left = frame.left, &right = frame.right;
+  if (left.width != right.width || left.height != right.height)
+    throw InputError("stereo pair", "size", "left and right pictures differ in size",
+                     "Give two pictures of one moment of one scope");
+  if (!mask.empty() && (mask.width != left.width || mask.height != left.height))
+    throw InputError(mask_name, "size",
+                     "is " + size_text(mask.width, mask.height) + ", the left picture " +
+                         size_text(left.width, left.height),
+                     "Give the mask of this left picture");
+}
+
 void require_sound(const PairCheck& check) {
   const auto refuse = [](const char* problem, const char* remedy) {
     throw InputError("stereo pair", "", problem, remedy);

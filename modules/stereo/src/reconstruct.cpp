@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glisson/stereo/reconstruct.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -19,6 +17,7 @@
 #include "refine.h"
 #include "size_text.h"
 #include "surface_fit.h"
+#include "whole_pair.h"
 
 namespace glisson::stereo {
 namespace {
@@ -226,19 +225,10 @@ struct Candidate {
   Match match;
   Eigen::Vector2d pixel;  ///< in the left picture as taken
   Eigen::Vector3d point;
-  Feature feature = Feature::surface;
 };
 
-/// What a point shows whose pixels are given, by regions on either picture.
-std::optional<Feature> shown_by(const Regions& regions, const Eigen::Vector2d& left,
-                                const Eigen::Vector2d& right) {
-  const auto by_left = feature_at(regions, Side::left, left);
-  const auto by_right = feature_at(regions, Side::right, right);
-  return by_left && by_right ? std::max(by_left, by_right) : by_left ? by_left : by_right;
-}
-
 std::vector<Candidate> triangulated(const Pair& pair, const std::vector<Match>& matches,
-                                    const Regions& regions, const ReconstructOptions& options) {
+                                    const ReconstructOptions& options) {
   const Rectification& rectification = pair.rectification;
   const std::vector<bool> agrees = agreeing(rectification, matches);
   std::vector<Candidate> candidates;
@@ -256,29 +246,15 @@ std::vector<Candidate> triangulated(const Pair& pair, const std::vector<Match>& 
     if ((pair.rig.left.project(c.point) - *left).norm() > options.reprojection_px ||
         (pair.rig.right.project(in_right) - *right).norm() > options.reprojection_px)
       continue;
-    if (!regions.regions.empty()) {
-      const auto feature = shown_by(regions, c.pixel, *right);
-      if (!feature) continue;
-      c.feature = *feature;
-    }
     candidates.push_back(c);
   }
   return candidates;
 }
 
-/// Whether a pixel of the left picture lies in a region of either, at the depth of a point next to it.
-bool in_regions(const Pair& pair, const Regions& regions, const Eigen::Vector2d& pixel, const Candidate& at) {
-  if (feature_at(regions, Side::left, pixel)) return true;
-  const auto moved = pair.rectification.rectify(Side::left, pixel);
-  if (!moved) return false;
-  const auto right = pair.rectification.unrectify(Side::right, *moved + at.match.right - at.match.left);
-  return right && feature_at(regions, Side::right, *right);
-}
-
-/// The area that the points stand for: cells of the left picture that may show points (mask, regions; without
-/// either, those near a point), each at the depth and slant of its closest point.
+/// The area that the points stand for: cells of the left picture that may show points (the mask's; without
+/// one, those near a point), each at the depth and slant of its closest point.
 double area_cm2(const Pair& pair, const LabelledCloud& cloud, const std::vector<Candidate>& candidates,
-                const Picture& mask, const Regions& regions) {
+                const Picture& mask) {
   constexpr int kCell = 8;
   std::vector<Eigen::Vector2d> pixels;
   pixels.reserve(candidates.size());
@@ -290,7 +266,6 @@ double area_cm2(const Pair& pair, const LabelledCloud& cloud, const std::vector<
   std::nth_element(spacing.begin(), spacing.begin() + static_cast<std::ptrdiff_t>(spacing.size() / 2),
                    spacing.end());
   const double near = std::max(1.5 * kCell, 3.0 * spacing[spacing.size() / 2]);
-  const bool bounded = !mask.empty() || !regions.regions.empty();
   const cv::Mat allowed = mask.empty() ? cv::Mat() : cv::Mat(grey(mask) != 0);
   double area = 0.0;
   for (int y = kCell / 2; y < pair.left.rows; y += kCell)
@@ -302,8 +277,7 @@ double area_cm2(const Pair& pair, const LabelledCloud& cloud, const std::vector<
         const double d = (pixels[i] - Eigen::Vector2d(x, y)).squaredNorm();
         if (d < distance) distance = d, best = i;
       }
-      if (!bounded && distance > near * near) continue;
-      if (!regions.regions.empty() && !in_regions(pair, regions, {x, y}, candidates[best])) continue;
+      if (mask.empty() && distance > near * near) continue;
       const Eigen::Vector3d p = cloud.points.row(static_cast<Eigen::Index>(best)).transpose();
       const Eigen::Vector3d n = cloud.normals.row(static_cast<Eigen::Index>(best)).transpose();
       const double side = kCell * p.z() / pair.rectification.focal();
@@ -313,8 +287,7 @@ double area_cm2(const Pair& pair, const LabelledCloud& cloud, const std::vector<
 }
 
 Reconstructed assemble(const Pair& pair, double reach, const std::vector<Candidate>& candidates,
-                       const Picture& mask, const Regions& regions, const ReconstructOptions& options,
-                       ReconstructReport report) {
+                       const Picture& mask, const ReconstructOptions& options, ReconstructReport report) {
   const Rectification& rectification = pair.rectification;
   std::vector<Match> matches;
   double rows = 0.0, row_spread = 0.0;
@@ -338,7 +311,7 @@ Reconstructed assemble(const Pair& pair, double reach, const std::vector<Candida
     cloud.points.row(i) = rectification.triangulate(c.match.left, c.match.right.y(), p.disparity).transpose();
     cloud.normals.row(i) = p.normal.transpose();
     cloud.sigma.push_back(p.sigma * rectification.depth_per_pixel(c.match.left, p.disparity));
-    cloud.features.push_back(c.feature);
+    cloud.features.push_back(Feature::surface);
     // The left end is where the match was asked for; what the rows disagree by, halved, is all it may be off.
     result.covariance.push_back(rectification.covariance(c.match.left,
                                                          rectification.disparity(c.match.left, c.match.right),
@@ -349,7 +322,7 @@ Reconstructed assemble(const Pair& pair, double reach, const std::vector<Candida
   std::vector<double> sorted = cloud.sigma;
   std::nth_element(sorted.begin(), sorted.begin() + n / 2, sorted.end());
   report.sigma_median = sorted[static_cast<std::size_t>(n / 2)];
-  report.area_cm2 = area_cm2(pair, cloud, candidates, mask, regions);
+  report.area_cm2 = area_cm2(pair, cloud, candidates, mask);
   report.density_per_cm2 = report.area_cm2 > 0.0 ? report.points / report.area_cm2 : 0.0;
   result.report = report;
   return result;
@@ -367,12 +340,11 @@ void ReconstructOptions::validate() const {
   require(patch >= 3 && patch <= 50, "patch is from 3 to 50 pixels");
 }
 
-Cancellable<Reconstructed> reconstruct(const Picture& left, const Picture& right, const StereoRig& rig,
-                                       const Picture& mask, const Regions& regions,
-                                       const ReconstructOptions& options, const RunContext& context) {
+Cancellable<Reconstructed> reconstruct_whole(const Picture& left, const Picture& right, const StereoRig& rig,
+                                             const Picture& mask, const ReconstructOptions& options,
+                                             const RunContext& context) {
   options.validate();
   check_inputs(left, right, rig, mask);
-  require_regions_of(regions, left, right);
   if (context.cancelled()) return std::nullopt;
   context.progress(0.0, "stereo.detect");
   const Pair pair = prepare(left, right, rig, mask, options);
@@ -394,10 +366,10 @@ Cancellable<Reconstructed> reconstruct(const Picture& left, const Picture& right
         refined(pair, refiner, matches, report.row_offset_px, options, context);
     if (context.cancelled()) return;
     context.progress(0.8, "stereo.surface");
-    const std::vector<Candidate> candidates = triangulated(pair, precise, regions, options);
+    const std::vector<Candidate> candidates = triangulated(pair, precise, options);
     report.points = static_cast<int>(candidates.size());
     if (report.points >= kFewestPoints)
-      result = assemble(pair, refiner.reach(), candidates, mask, regions, options, report);
+      result = assemble(pair, refiner.reach(), candidates, mask, options, report);
   };
   if (options.method != Method::dense) finish(features, Method::sparse);
   if (context.cancelled()) return std::nullopt;
@@ -419,8 +391,8 @@ Cancellable<Reconstructed> reconstruct(const Picture& left, const Picture& right
                          std::to_string(report.features_left) + " and " +
                          std::to_string(report.features_right) + " features, " +
                          std::to_string(report.matches) + " matches), too few for a surface",
-                     "Check that both images show the same tissue sharply and lit, that mask and regions lie "
-                     "on it, and that the calibration is of this laparoscope");
+                     "Check that both images show the same tissue sharply and lit, that a mask lies on "
+                     "it, and that the calibration is of this laparoscope");
   context.progress(1.0, "stereo.done");
   return result;
 }

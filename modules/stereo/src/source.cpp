@@ -7,6 +7,7 @@
 
 #include "glisson/core/error.h"
 #include "glisson/core/json_file.h"
+#include "glisson/stereo/picture_io.h"
 #include "picture_cv.h"
 #include "rig_check.h"
 
@@ -141,6 +142,16 @@ void write_source(const fs::path& path, const SourceOptions& options) {
   for (const auto& [name, layout] : kLayouts)
     if (layout == options.layout) document["layout"] = name;
   write_json(path, document);
+}
+
+std::optional<Cut> cut_of(const fs::path& video, int width, int height) {
+  if (video.extension() != ".json") return {};
+  const SourceOptions source = read_source(video);
+  if (!source.crop.any()) return {};
+  const StereoVideo views(source);
+  const bool known = width > 0 && height > 0;
+  if (known && (width != views.width() || height != views.height())) return {};
+  return Cut{views.whole_width(), views.whole_height(), source.crop};
 }
 
 StereoRig cropped(const StereoRig& rig, const Crop& crop) {

@@ -36,4 +36,10 @@ LabelledCloud read_cloud(const std::filesystem::path& path, LengthUnit unit = Le
 void write_cloud(const std::filesystem::path& path, const LabelledCloud& cloud,
                  LengthUnit unit = LengthUnit::millimetre);
 
+/// A cloud shows some of a liver: from a few millimetres of it to all.
+/// @param unit, name that it was read in and from, for the message.
+/// @throws InputError half of its points lie within less than a millimetre (of ten points and more) or more
+///   than 0.3 m of its middle; says in which unit to read it instead.
+void require_liver_sized(const LabelledCloud& cloud, LengthUnit unit, const std::string& name);
+
 }  // namespace glisson

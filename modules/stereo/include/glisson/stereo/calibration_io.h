@@ -2,9 +2,11 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "glisson/core/units.h"
 #include "glisson/geometry/camera.h"
+#include "glisson/stereo/source.h"
 
 namespace glisson::stereo {
 
@@ -27,6 +29,16 @@ void write_calibration(const std::filesystem::path& path, const StereoRig& rig);
 ///   read_calibration() refuses.
 StereoRig read_text_calibration(const std::filesystem::path& folder, int width, int height,
                                 LengthUnit unit = LengthUnit::millimetre);
+/// Whether a calibration is one of plain text (a folder), which does not tell the pictures' size.
+bool is_text_calibration(const std::filesystem::path& path);
+/// The calibration of pictures, from a file of read_calibration() or a folder of read_text_calibration().
+/// Scopes are calibrated on whole views: where the pictures were cut out of them, so is what is of their
+/// size.
+/// @param width, height of the pictures, pixels; 0: not known. @param cut how they were cut; empty: they were
+/// not.
+/// @throws as those two and cropped().
+StereoRig read_calibration_for(const std::filesystem::path& path, int width, int height,
+                               const std::optional<Cut>& cut);
 /// Writes calib.{left,right}.{intrinsics,distortion}.txt and calib.l2r.txt, millimetres, into an existing
 /// folder.
 void write_text_calibration(const std::filesystem::path& folder, const StereoRig& rig);

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -46,6 +47,12 @@ PairCheck check_pair(const Picture& left, const Picture& right, const StereoRig&
 
 /// @throws InputError with a sentence on the first fault of a pair that makes reconstruction pointless.
 void require_sound(const PairCheck& check);
+
+/// @throws InputError the calibration is for pictures of another size than the left one.
+void require_rig_of(const StereoRig& rig, const Picture& left);
+/// @param mask may be empty. @param mask_name of it in the message.
+/// @throws InputError left and right differ in size, or the mask is not of the left one's.
+void require_one_size(const StereoFrame& frame, const Picture& mask, const std::string& mask_name);
 
 /// A fault at a frame.
 struct FrameFault {

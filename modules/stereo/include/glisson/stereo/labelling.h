@@ -20,11 +20,11 @@ struct LabelledPart {
 
 /// Gives each point of a cloud the feature of the region of either picture in which it is seen (notch over
 /// margin over surface) and drops those in none: so other regions need no other reconstruction. About 0.1 s.
-/// @param whole left camera's frame, metres, with normals: reconstructed without regions.
+/// @param whole left camera's frame, metres, with normals: Reconstructed::cloud.
 /// @param mask empty, or one byte a pixel of the left image: bounds the area.
 /// @param regions without any, everything is kept as surface; the area is 0 then.
 /// @return an empty cloud where no point lies in a region. @pre a normal for each point.
-LabelledPart labelled_part(const LabelledCloud& whole, const StereoRig& rig, const Picture& mask,
-                           const Regions& regions);
+LabelledPart label(const LabelledCloud& whole, const StereoRig& rig, const Picture& mask,
+                   const Regions& regions);
 
 }  // namespace glisson::stereo

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "glisson/core/run_context.h"
-#include "glisson/geometry/camera.h"
+#include <Eigen/Core>
+#include <vector>
+
 #include "glisson/patient/labelled_cloud.h"
-#include "glisson/patient/picture.h"
-#include "glisson/stereo/regions.h"
+
+/// @file
+/// How the points of a stereo pair are asked for, and what is told of them. The door: reconstruct_pair.h.
 
 namespace glisson::stereo {
 
@@ -41,7 +43,7 @@ struct ReconstructReport {
   int features_left = 0, features_right = 0;
   int matches = 0;  ///< before refinement and gates
   int points = 0;
-  double area_cm2 = 0.0;         ///< of the surface that the points stand for (mask, regions)
+  double area_cm2 = 0.0;         ///< of the surface that the points stand for (within the mask)
   double density_per_cm2 = 0.0;  ///< points / area
   double row_offset_px =
       0.0;  ///< median by which rectified right rows exceed left ones: the calibration's error
@@ -52,23 +54,13 @@ struct ReconstructReport {
   double misfit = 1.0;
 };
 
+/// The points of a whole pair.
 struct Reconstructed {
-  LabelledCloud cloud;
+  LabelledCloud cloud;  ///< left camera's frame, metres, with normals and sigma; all surface
   /// Of each point as triangulated (before moving least squares, which lowers the part along the ray to
   /// cloud.sigma), metres^2, left camera: from what the refinement and the rows leave, in first order.
   std::vector<Eigen::Matrix3d> covariance;
   ReconstructReport report;
 };
-
-/// Stereo pair to labelled cloud: features, ratio and cross check, refinement of each match to a fraction of
-/// a pixel, epipolar gate, triangulation, reprojection gate, rejection of outliers, moving least squares with
-/// normals. With regions only what lies in one is kept. Deterministic.
-/// @param mask empty, or one byte a pixel of the left image: non-zero is to be used.
-/// @throws InputError images of another size than the calibration's, mask of another size, regions of another
-///   frame, left and right swapped or one picture twice, fewer than ten points.
-/// @throws PreconditionError options out of range.
-Cancellable<Reconstructed> reconstruct(const Picture& left, const Picture& right, const StereoRig& rig,
-                                       const Picture& mask, const Regions& regions,
-                                       const ReconstructOptions& options, const RunContext& context);
 
 }  // namespace glisson::stereo

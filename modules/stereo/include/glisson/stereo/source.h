@@ -55,6 +55,17 @@ SourceOptions read_source(const std::filesystem::path& path);
 /// Atomic. Paths are written as they are.
 void write_source(const std::filesystem::path& path, const SourceOptions& options);
 
+/// How pictures were cut out of a source's views.
+struct Cut {
+  int whole_width = 0, whole_height = 0;  ///< of a view, pixels
+  Crop crop;
+};
+/// How a video's views are cut. Empty: `video` is no source's file (JSON), it cuts nothing, or gives pictures
+/// of another size.
+/// @param width, height of the pictures in question, pixels; 0: not known.
+/// @throws as read_source() and StereoVideo.
+std::optional<Cut> cut_of(const std::filesystem::path& video, int width, int height);
+
 /// The calibration of the cropped pictures. @throws InputError a crop that leaves nothing, or no principal
 /// point.
 StereoRig cropped(const StereoRig& rig, const Crop& crop);
