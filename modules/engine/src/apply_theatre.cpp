@@ -3,7 +3,6 @@
 #include "apply_parts.h"
 #include "glisson/core/error.h"
 #include "glisson/engine/case_io.h"
-#include "glisson/geometry/distance.h"
 #include "glisson/stereo/calibration_io.h"
 #include "glisson/stereo/faults.h"
 #include "glisson/stereo/picture_io.h"
@@ -164,19 +163,27 @@ Cancellable<Applied> apply_one(const CaseState& state, const ImportCloud& comman
 
 namespace {
 
-/// Simulated now, or for an earlier registration of the same model.
-Cancellable<std::shared_ptr<const SimulatedOperations>> operations_of(
-    const CaseState& state, const PatientModel& model, const registration::OperationOptions& options,
-    const RunContext& context) {
+/// Operations that an earlier registration has simulated on the same model.
+registration::KnownOperations known_operations(const CaseState& state) {
   const auto& known = state.operations;
-  if (known && known->model == state.model && known->landmarks == state.landmarks &&
-      known->options == options)
-    return known;
-  auto prior = registration::simulate_operations(model, options, context);
-  if (!prior) return {};
-  return std::make_shared<const SimulatedOperations>(
-      SimulatedOperations{state.model, state.landmarks, options,
-                          std::make_shared<const registration::OperationPrior>(std::move(*prior))});
+  if (!known || known->model != state.model || known->landmarks != state.landmarks) return {};
+  return {known->options, known->prior};
+}
+
+void add_figures(Figures& figures, const registration::Registered& made) {
+  const Registration& registration = made.registration;
+  if (made.rigid_residual) figures["rigid_residual_mm"] = 1e3 * *made.rigid_residual;
+  if (made.operations) {
+    figures["operations_simulated"] = made.operations->operations;
+    figures["operations_motion_mean_mm"] = 1e3 * made.operations->mean_motion;
+  }
+  figures["displacement_mean_mm"] = 1e3 * made.displacement.mean;
+  figures["displacement_max_mm"] = 1e3 * made.displacement.maximum;
+  figures["registration_residual_mm"] = 1e3 * registration.residual;
+  figures["registration_seen_share"] = registration.seen_share;
+  figures["registration_steps"] = registration.steps;
+  figures["registration_plateaus"] = registration.plateaus;
+  figures["registration_converged"] = registration.termination == Termination::converged ? 1.0 : 0.0;
 }
 
 }  // namespace
@@ -184,49 +191,17 @@ Cancellable<std::shared_ptr<const SimulatedOperations>> operations_of(
 Cancellable<Applied> apply_one(const CaseState& state, const Register& command, const RunContext& context) {
   require_part(state, Part::model, "Build or import a model first");
   require_part(state, Part::cloud, "Reconstruct or import a cloud first");
-  const PatientModel model = effective_model(state);
+  const registration::KnownOperations known = known_operations(state);
+  auto made = registration::register_model(effective_model(state), *state.cloud, command, context, known);
+  if (!made) return {};
   Applied applied;
   applied.state = state;
-  CameraFromCt start = command.start == Register::Start::given ? command.given : CameraFromCt{};
-  std::vector<std::string> doubts;
-  std::vector<CameraFromCt> other_starts;
-  double begun = 0.0;  ///< share of the work that is done
-  if (command.start == Register::Start::automatic) {
-    auto rigid = registration::align_rigid(model, *state.cloud, command.rigid, context.part(0.0, 0.2));
-    if (!rigid) return {};
-    start = rigid->camera_from_ct;
-    doubts = rigid->doubts;
-    other_starts = rigid->alternatives;
-    begun = 0.2;
-    applied.figures["rigid_residual_mm"] = 1e3 * rigid->residual;
-  }
-  registration::ElasticOptions elastic = command.elastic;
-  if (command.operations && !elastic.prior && elastic.fixed_nodes.empty() &&
-      registration::can_simulate_operations(model)) {
-    auto operations = operations_of(state, model, command.operation, context.part(begun, 0.7));
-    if (!operations) return {};
-    begun = 0.7;
-    applied.state.operations = *operations;
-    elastic.prior = (*operations)->prior;
-    applied.figures["operations_simulated"] = elastic.prior->operations;
-    applied.figures["operations_motion_mean_mm"] = 1e3 * elastic.prior->mean_motion;
-    elastic.other_starts = other_starts;
-  }
-  auto registered =
-      registration::register_elastic(model, *state.cloud, start, elastic, context.part(begun, 1.0));
-  if (!registered) return {};
-  registered->doubts.insert(registered->doubts.begin(), doubts.begin(), doubts.end());
-  const Points rigid_nodes = registered->camera_from_ct.apply(model.mesh.vertices);
-  const DistanceSummary moved = point_errors(registered->nodes_in_camera, rigid_nodes);
-  applied.figures["displacement_mean_mm"] = 1e3 * moved.mean;
-  applied.figures["displacement_max_mm"] = 1e3 * moved.maximum;
-  applied.figures["registration_residual_mm"] = 1e3 * registered->residual;
-  applied.figures["registration_seen_share"] = registered->seen_share;
-  applied.figures["registration_steps"] = registered->steps;
-  applied.figures["registration_plateaus"] = registered->plateaus;
-  applied.figures["registration_converged"] = registered->termination == Termination::converged ? 1.0 : 0.0;
-  applied.notes = registered->doubts;
-  applied.state.registration = std::make_shared<const Registration>(std::move(*registered));
+  add_figures(applied.figures, *made);
+  applied.notes = made->registration.doubts;
+  if (made->operations && made->operations != known.prior)
+    applied.state.operations = std::make_shared<const SimulatedOperations>(
+        SimulatedOperations{state.model, state.landmarks, command.operation, std::move(made->operations)});
+  applied.state.registration = std::make_shared<const Registration>(std::move(made->registration));
   return applied;
 }
 

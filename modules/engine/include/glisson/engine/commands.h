@@ -14,7 +14,7 @@
 #include "glisson/fem/loads_io.h"
 #include "glisson/fem/simulate.h"
 #include "glisson/guidance/tracker.h"
-#include "glisson/registration/register.h"
+#include "glisson/registration/register_model.h"
 #include "glisson/stereo/calibrate.h"
 
 /// @file
@@ -144,18 +144,8 @@ struct ImportCloud {
   std::filesystem::path path;
   LengthUnit unit = LengthUnit::millimetre;
 };
-/// Rigid start, then elastic.
-struct Register {
-  enum class Start { automatic, none, given };
-  Start start = Start::automatic;
-  CameraFromCt given;  ///< for Start::given
-  registration::RigidOptions rigid;
-  registration::ElasticOptions elastic;
-  /// Operations are simulated first, where the vena cava is known and no node is fixed, and tell which shapes
-  /// are probable (registration::simulate_operations); false: the paper's method.
-  bool operations = true;
-  registration::OperationOptions operation;
-};
+/// registration::register_model.
+struct Register : registration::RegisterOptions {};
 /// A registration that was made before (registered.vtu), as the start of tracking.
 struct ImportRegistration {
   std::filesystem::path path;

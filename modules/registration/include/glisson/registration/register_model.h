@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "glisson/core/run_context.h"
+#include "glisson/geometry/distance.h"
+#include "glisson/patient/labelled_cloud.h"
+#include "glisson/patient/patient_model.h"
+#include "glisson/patient/registration.h"
+#include "glisson/registration/operation_prior.h"
+#include "glisson/registration/register.h"
+
+namespace glisson::registration {
+
+/// Rigid start, then elastic.
+struct RegisterOptions {
+  enum class Start {
+    automatic,  ///< align_rigid
+    none,       ///< the model is in the camera's frame already
+    given
+  };
+  Start start = Start::automatic;
+  CameraFromCt given;  ///< for Start::given
+  RigidOptions rigid;  ///< for Start::automatic
+  ElasticOptions elastic;
+  /// Operations are simulated first, where the vena cava is known and no node is fixed, and tell which shapes
+  /// are probable (simulate_operations); false: the paper's method. A prior in `elastic` is taken instead.
+  bool operations = true;
+  OperationOptions operation;
+  /// What is used of them. @throws InputError naming the option.
+  void validate() const;
+};
+
+/// Operations that are simulated already.
+struct KnownOperations {
+  OperationOptions options;                     ///< that they were simulated with
+  std::shared_ptr<const OperationPrior> prior;  ///< of the same model; null: none
+};
+
+/// A model registered from the start.
+struct Registered {
+  Registration registration;             ///< with the rigid start's doubts before its own
+  std::optional<double> rigid_residual;  ///< metres; empty: the start was not sought
+  /// Those that the registration rests on, known or new; null: none were needed or possible.
+  std::shared_ptr<const OperationPrior> operations;
+  DistanceSummary displacement;  ///< of the nodes, from where the rigid part alone puts them, metres
+};
+
+/// Brings a model to what the camera sees: rigid start, the shapes that operations make probable, the most
+/// probable of them from each start that fits, elastic. Where operations cannot be simulated on the model,
+/// elasticity alone decides. The same seed gives the same bits.
+/// @param known taken where its options are those of `options`; operations are not simulated again.
+/// @throws InputError as align_rigid, simulate_operations, register_elastic; NumericalError as
+///   simulate_operations.
+Cancellable<Registered> register_model(const PatientModel& model, const LabelledCloud& cloud,
+                                       const RegisterOptions& options, const RunContext& context,
+                                       const KnownOperations& known = {});
+
+}  // namespace glisson::registration

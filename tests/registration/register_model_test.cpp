@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What one door decides of a registration: where it starts, and what it rests on.
+#include "glisson/registration/register_model.h"
+
+#include <QtTest>
+
+#include "glisson/core/error.h"
+#include "phantom.h"
+
+using namespace glisson;
+using namespace glisson::registration;
+
+namespace {
+
+RegisterOptions brief() {
+  RegisterOptions options;
+  options.start = RegisterOptions::Start::given;
+  options.given = phantom::view();
+  options.elastic.max_steps = 30;
+  options.operation.operations = 40;
+  options.operation.gravity = 1.0;
+  options.operation.gas_pa = 80.0;
+  options.operation.bed_m = 0.005;
+  return options;
+}
+
+}  // namespace
+
+class RegisterModelTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void RestsOnSimulatedOperations();
+  void KnownOperationsAreTakenWhereTheyAreThoseAskedFor();
+  void WithoutOperationsItIsElasticityFromTheStart();
+  void AHeldNodeOrAPriorOfTheCallersLeavesNoneToSimulate();
+  void AutomaticStartIsTheRigidOne();
+  void OptionsThatAreUsedAreChecked();
+  void CancelGivesNothing();
+
+ private:
+  Registered registered(const RegisterOptions& options, const KnownOperations& known = {}) const {
+    return register_model(model_, cloud_, options, RunContext(), known).value();
+  }
+
+  PatientModel model_ = phantom::model(6, 5, 3);
+  LabelledCloud cloud_ =
+      phantom::patch(model_, phantom::view().apply(phantom::model(6, 5, 3).mesh.vertices), {});
+};
+
+void RegisterModelTest::RestsOnSimulatedOperations() {
+  const Registered made = registered(brief());
+  QVERIFY(made.operations && made.operations->operations >= 30);
+  QVERIFY(!made.rigid_residual);
+  QVERIFY(made.displacement.count == model_.mesh.vertex_count());
+  QVERIFY(made.displacement.mean <= made.displacement.maximum);
+}
+
+void RegisterModelTest::KnownOperationsAreTakenWhereTheyAreThoseAskedFor() {
+  const RegisterOptions options = brief();
+  const Registered first = registered(options);
+  const Registered again = registered(options, {options.operation, first.operations});
+  QVERIFY(again.operations == first.operations);
+  QVERIFY(again.registration.nodes_in_camera == first.registration.nodes_in_camera);
+  RegisterOptions harder = options;
+  harder.operation.gas_pa *= 1.5;
+  QVERIFY(registered(harder, {options.operation, first.operations}).operations != first.operations);
+}
+
+void RegisterModelTest::WithoutOperationsItIsElasticityFromTheStart() {
+  RegisterOptions options = brief();
+  options.operations = false;
+  const Registered made = registered(options);
+  QVERIFY(!made.operations);
+  const auto alone = register_elastic(model_, cloud_, options.given, options.elastic, RunContext());
+  QVERIFY(made.registration.nodes_in_camera == alone->nodes_in_camera);
+  QVERIFY(made.registration.doubts == alone->doubts);
+}
+
+void RegisterModelTest::AHeldNodeOrAPriorOfTheCallersLeavesNoneToSimulate() {
+  RegisterOptions held = brief();
+  held.elastic.fixed_nodes = {0};
+  QVERIFY(!registered(held).operations);
+  RegisterOptions given = brief();
+  given.elastic.prior = registered(brief()).operations;
+  QVERIFY(!registered(given).operations);
+  PatientModel unknown = model_;
+  unknown.landmarks.vena_cava.resize(0, 3);
+  if (!can_simulate_operations(unknown))
+    QVERIFY(!register_model(unknown, cloud_, brief(), RunContext())->operations);
+}
+
+void RegisterModelTest::AutomaticStartIsTheRigidOne() {
+  RegisterOptions options = brief();
+  options.start = RegisterOptions::Start::automatic;
+  options.operations = false;
+  options.rigid.starts = 40;
+  const Registered made = registered(options);
+  const auto start = align_rigid(model_, cloud_, options.rigid, RunContext());
+  QCOMPARE(made.rigid_residual.value(), start->residual);
+  QVERIFY(made.registration.camera_from_ct.translation == start->camera_from_ct.translation);
+  // Its doubts come first.
+  QVERIFY(made.registration.doubts.size() >= start->doubts.size());
+  QVERIFY(std::equal(start->doubts.begin(), start->doubts.end(), made.registration.doubts.begin()));
+}
+
+void RegisterModelTest::OptionsThatAreUsedAreChecked() {
+  RegisterOptions options = brief();
+  options.operation.operations = 1;
+  QVERIFY_EXCEPTION_THROWN(registered(options), InputError);
+  options.operations = false;
+  options.rigid.starts = 0;
+  options.validate();  // neither is used
+  options.start = RegisterOptions::Start::automatic;
+  QVERIFY_EXCEPTION_THROWN(registered(options), InputError);
+  options = brief();
+  options.elastic.max_steps = 0;
+  QVERIFY_EXCEPTION_THROWN(registered(options), InputError);
+}
+
+void RegisterModelTest::CancelGivesNothing() {
+  const auto cancel = std::make_shared<CancelFlag>();
+  cancel->request();
+  for (const auto start : {RegisterOptions::Start::given, RegisterOptions::Start::automatic})
+    for (const bool operations : {true, false}) {
+      RegisterOptions options = brief();
+      options.start = start;
+      options.operations = operations;
+      QVERIFY(!register_model(model_, cloud_, options, RunContext({}, cancel, 1)));
+    }
+}
+
+QTEST_APPLESS_MAIN(RegisterModelTest)
+#include "register_model_test.moc"
