@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "glisson/core/files.h"
+#include "glisson/core/statistics.h"
 #include "glisson/insilico/patient.h"
 #include "glisson/insilico/theatre.h"
 #include "glisson/stereo/evaluate.h"
@@ -99,8 +100,7 @@ void add_normalised(StereoProof& proof) {
   for (const auto& [key, value] : proof.figures)
     if (key.starts_with("theatre_") && key.ends_with("_normalised")) values.push_back(value);
   if (values.empty()) return;
-  std::sort(values.begin(), values.end());
-  proof.figures["theatre_normalised_median"] = values[values.size() / 2];
+  proof.figures["theatre_normalised_median"] = upper_median(std::move(values));
 }
 
 }  // namespace

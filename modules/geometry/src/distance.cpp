@@ -7,6 +7,7 @@
 #include <random>
 
 #include "glisson/core/error.h"
+#include "glisson/core/statistics.h"
 #include "glisson/geometry/closest_point_tree.h"
 
 namespace glisson {
@@ -19,14 +20,8 @@ DistanceSummary summarise(std::vector<double> distances) {
   const double n = static_cast<double>(distances.size());
   summary.mean = std::accumulate(distances.begin(), distances.end(), 0.0) / n;
   summary.rms = std::sqrt(std::inner_product(distances.begin(), distances.end(), distances.begin(), 0.0) / n);
-  const auto at = [&](double share) {
-    const double position = share * (n - 1.0);
-    const auto below = static_cast<std::size_t>(position);
-    const std::size_t above = std::min(below + 1, distances.size() - 1);
-    return distances[below] + (position - static_cast<double>(below)) * (distances[above] - distances[below]);
-  };
-  summary.median = at(0.5);
-  summary.percentile_95 = at(0.95);
+  summary.median = interpolated_percentile(distances, 0.5);
+  summary.percentile_95 = interpolated_percentile(distances, 0.95);
   summary.maximum = distances.back();
   return summary;
 }

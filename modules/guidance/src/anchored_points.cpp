@@ -5,17 +5,12 @@
 #include <array>
 #include <cmath>
 
+#include "glisson/core/statistics.h"
+
 namespace glisson::guidance {
 namespace {
 
 constexpr std::size_t kNeighbours = 9;
-
-double median(std::vector<double>& values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 }  // namespace
 
@@ -94,13 +89,13 @@ std::vector<char> consistent(const std::vector<FollowedPoint>& points,
     for (int axis = 0; axis < 3; ++axis) {
       values.clear();
       for (std::size_t k = 0; k < count; ++k) values.push_back(gaps[near[k].second][axis]);
-      middle[axis] = median(values);
+      middle[axis] = upper_median(values);
     }
     const Eigen::Vector3d d = gaps[i] - middle;
     difference[i] = std::sqrt(std::max(0.0, d.dot(points[i].information * d)));
   }
-  values = difference;
-  const double limit = std::max(floor, deviations * 1.4826 * median(values));
+  const double usual = difference.empty() ? 0.0 : upper_median(difference);
+  const double limit = std::max(floor, deviations * kDeviationPerMad * usual);
   std::vector<char> result(n);
   for (std::size_t i = 0; i < n; ++i) result[i] = difference[i] <= limit;
   return result;

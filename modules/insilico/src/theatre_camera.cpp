@@ -9,6 +9,7 @@
 
 #include "glisson/core/error.h"
 #include "glisson/core/random.h"
+#include "glisson/core/statistics.h"
 #include "glisson/insilico/ray_caster.h"
 #include "tissue_noise.h"
 
@@ -51,9 +52,7 @@ class Scout {
     for (int pass = 0; pass < 4; ++pass) {
       measure(camera_from_ct, depths, seen_area);
       if (depths.size() < rays_.directions.size() / 10) return {};
-      const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
-      std::nth_element(depths.begin(), middle, depths.end());
-      const double miss = distance - *middle;
+      const double miss = distance - upper_median(depths);
       camera_from_ct.translation.z() += miss;
       if (pass > 0 && std::abs(miss) < 1e-3) break;
     }

@@ -10,6 +10,8 @@
 
 #include "rows.h"
 
+#include "glisson/core/statistics.h"
+
 namespace glisson::insilico {
 namespace {
 
@@ -190,10 +192,9 @@ void Painter::expose(const RayCaster& caster, const PaintedSurface& liver, const
   for (std::size_t i = 0; i < depth.size(); ++i)
     if (depth[i] > 0.0F) red.push_back(seen[3 * i]);
   if (red.empty()) return;
-  const auto middle = red.begin() + static_cast<std::ptrdiff_t>(red.size() / 2);
-  std::nth_element(red.begin(), middle, red.end());
+  const float middle = upper_median(std::move(red));
   // develop(exposure * median) = level
-  exposure_ = -std::log(1.0F - std::pow(kLiverLevel, 1.0F / kGamma)) / std::max(*middle, 1e-6F);
+  exposure_ = -std::log(1.0F - std::pow(kLiverLevel, 1.0F / kGamma)) / std::max(middle, 1e-6F);
 }
 
 Picture Painter::picture(Eye eye, int frame, const RayCaster& caster, const PaintedSurface& liver,

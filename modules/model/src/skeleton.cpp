@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "glisson/core/error.h"
+#include "glisson/core/statistics.h"
 
 namespace glisson::model {
 
@@ -331,9 +332,7 @@ class Extraction {
       if (length > parent_radius) radii.push_back(vessel_.radius_mm[path.voxels[i]]);
     }
     if (radii.empty()) return false;
-    std::nth_element(radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2),
-                     radii.end());
-    const double own_radius = radii[radii.size() / 2];
+    const double own_radius = upper_median(std::move(radii));
     return length - parent_radius >=
            std::max(options_.least_protrusion_mm, options_.least_protrusion_over_radius * own_radius);
   }

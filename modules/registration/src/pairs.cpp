@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "glisson/core/error.h"
+#include "glisson/core/statistics.h"
 
 namespace glisson::registration {
 namespace {
@@ -65,13 +66,6 @@ std::vector<std::vector<int>> nearest_neighbours(const Points& points, int count
   return neighbours;
 }
 
-double median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// A_i: the disc that reaches the k-th neighbour holds k points. Holes and borders would count for what was
 /// not seen, so no point stands for more than three times the median.
 void weigh_surface(PreparedCloud& prepared, double reference_area) {
@@ -84,7 +78,7 @@ void weigh_surface(PreparedCloud& prepared, double reference_area) {
     areas[i] = std::numbers::pi * reach / static_cast<double>(neighbours.size());
     if (prepared.cloud.feature(static_cast<int>(i)) == Feature::surface) of_surface.push_back(areas[i]);
   }
-  const double most = 3.0 * median(of_surface);
+  const double most = of_surface.empty() ? 0.0 : 3.0 * upper_median(of_surface);
   for (std::size_t i = 0; i < areas.size(); ++i)
     if (prepared.cloud.feature(static_cast<int>(i)) == Feature::surface)
       prepared.weight[i] = std::min(areas[i], most) / reference_area;
@@ -142,10 +136,11 @@ void reject_outliers(const PreparedCloud& cloud, const PairOptions& options, std
       if (pairs[static_cast<std::size_t>(j)].feature == pairs[i].feature)
         around.push_back(pairs[static_cast<std::size_t>(j)].on_model.distance);
     if (around.size() < 4) continue;
-    deviation[i] = std::abs(pairs[i].on_model.distance - median(around));
+    deviation[i] = std::abs(pairs[i].on_model.distance - upper_median(around));
     sizes.push_back(deviation[i]);
   }
-  const double limit = std::max(options.outlier_floor, options.outlier_deviations * 1.4826 * median(sizes));
+  const double usual = sizes.empty() ? 0.0 : upper_median(sizes);
+  const double limit = std::max(options.outlier_floor, options.outlier_deviations * kDeviationPerMad * usual);
   for (std::size_t i = 0; i < pairs.size(); ++i)
     if (deviation[i] > limit) pairs[i].kept = false;
 }

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "glisson/core/error.h"
+#include "glisson/core/statistics.h"
 #include "glisson/registration/pairs.h"
 #include "glisson/registration/register.h"
 
@@ -153,9 +154,7 @@ class Aligner {
     const auto kept = static_cast<std::size_t>(
         std::ceil((1.0 - options_.outlier_share) * static_cast<double>(distances.size())));
     if (kept >= distances.size()) return;
-    std::nth_element(distances.begin(), distances.begin() + static_cast<std::ptrdiff_t>(kept),
-                     distances.end());
-    const double limit = distances[kept];
+    const double limit = at_rank(std::move(distances), kept);
     std::erase_if(matches,
                   [&](const Match& m) { return m.feature == Feature::surface && m.distance > limit; });
   }

@@ -6,6 +6,7 @@
 #include <queue>
 
 #include "glisson/core/error.h"
+#include "glisson/core/statistics.h"
 #include "level_set.h"
 #include "painting.h"
 
@@ -33,17 +34,12 @@ constexpr double kPartialVolume = 3.0;     // mm beyond liver-like tissue
 constexpr double kAttraction = 1.5;        // mm
 constexpr double kEdgeScale = 6.0;         // HU/mm at which an edge halves the edge map
 
-float median_of(std::vector<float>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 Tissue robust_tissue(std::vector<float>& values, double low_sigma, double high_sigma) {
   Tissue tissue;
-  tissue.mean = median_of(values);
-  for (float& v : values) v = std::abs(v - static_cast<float>(tissue.mean));
-  tissue.sigma = std::clamp(1.4826 * median_of(values), low_sigma, high_sigma);
+  const float middle = upper_median(values);
+  tissue.mean = middle;
+  tissue.sigma = std::clamp(kDeviationPerMad * median_absolute_deviation(std::move(values), middle),
+                            low_sigma, high_sigma);
   return tissue;
 }
 

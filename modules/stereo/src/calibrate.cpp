@@ -8,6 +8,7 @@
 
 #include "camera_cv.h"
 #include "glisson/core/error.h"
+#include "glisson/core/statistics.h"
 #include "rectification.h"
 #include "rig_check.h"
 
@@ -116,22 +117,16 @@ class Mean {
   double sum_ = 0.0, weight_ = 0.0;
 };
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// Views that fit far worse than the others. A few tenths of a pixel are corners' noise, whatever the others.
 void propose(std::vector<ViewReport>& views) {
   constexpr double kDeviations = 5.0, kNoise = 0.2;
-  std::vector<double> errors, misses;
+  std::vector<double> errors;
   for (const ViewReport& view : views)
     if (view.used) errors.push_back(std::hypot(view.left_rms, view.right_rms) / std::sqrt(2.0));
   if (static_cast<int>(errors.size()) < kFewestToLeaveOut) return;
-  const double middle = median(errors);
-  for (const double error : errors) misses.push_back(std::abs(error - middle));
-  const double most = middle + std::max(kNoise, kDeviations * 1.4826 * median(misses));
+  const double middle = upper_median(errors);
+  const double scatter = median_absolute_deviation(errors, middle);
+  const double most = middle + std::max(kNoise, kDeviations * kDeviationPerMad * scatter);
   for (ViewReport& view : views)
     if (view.used)
       view.outlier =
@@ -316,7 +311,7 @@ void propose_by_others(std::vector<ViewReport>& views, const std::vector<Without
   }
   if (rests.empty()) return;
   const Without& one = without[best];
-  if (one.rest < kBetter * median(rests) && one.view > std::max(kWorse * one.rest, one.rest + kNoise))
+  if (one.rest < kBetter * upper_median(rests) && one.view > std::max(kWorse * one.rest, one.rest + kNoise))
     views[best].outlier = true;
 }
 

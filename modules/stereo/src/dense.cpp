@@ -6,6 +6,8 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "glisson/core/statistics.h"
+
 namespace glisson::stereo {
 namespace {
 
@@ -54,8 +56,7 @@ double median_of_valid(const cv::Mat& values) {
     for (int x = 0; x < values.cols; x += 2)
       if (values.at<float>(y, x) == values.at<float>(y, x)) valid.push_back(values.at<float>(y, x));
   if (valid.empty()) return std::numeric_limits<double>::quiet_NaN();
-  std::nth_element(valid.begin(), valid.begin() + static_cast<std::ptrdiff_t>(valid.size() / 2), valid.end());
-  return valid[valid.size() / 2];
+  return upper_median(std::move(valid));
 }
 
 }  // namespace

@@ -5,21 +5,14 @@
 #include <cmath>
 
 #include "glisson/core/error.h"
+#include "glisson/core/statistics.h"
 #include "glisson/geometry/closest_point_tree.h"
 
 namespace glisson::stereo {
 namespace {
 
-double median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// @param signed_errors NaN: no truth.
 CloudErrors summary(const LabelledCloud& cloud, const std::vector<double>& signed_errors) {
-  constexpr double kMedianOfChiSquare = 0.4549;
   CloudErrors errors;
   std::vector<double> known, unsigned_errors, ratios;
   for (std::size_t i = 0; i < signed_errors.size(); ++i) {
@@ -34,11 +27,11 @@ CloudErrors summary(const LabelledCloud& cloud, const std::vector<double>& signe
       ratios.push_back(error * error / (cloud.sigma[i] * cloud.sigma[i]));
   }
   errors.distance = summarise(unsigned_errors);
-  errors.bias = median(known);
+  errors.bias = known.empty() ? 0.0 : upper_median(known);
   for (double& error : known) error = std::abs(error - errors.bias);
   errors.unbiased = summarise(known);
   errors.errors = signed_errors;
-  errors.normalised = median(ratios) / kMedianOfChiSquare;
+  errors.normalised = ratios.empty() ? 0.0 : upper_median(ratios) / kMedianOfChiSquare;
   return errors;
 }
 

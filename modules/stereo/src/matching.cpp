@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "glisson/core/statistics.h"
+
 namespace glisson::stereo {
 namespace {
 
@@ -99,9 +101,7 @@ Fit fit_of(const Rectification& rectification, const std::vector<Match>& matches
   Fit fit;
   fit.plausible = static_cast<int>(rows.size());
   if (rows.empty()) return fit;
-  const auto middle = rows.begin() + static_cast<std::ptrdiff_t>(rows.size() / 2);
-  std::nth_element(rows.begin(), middle, rows.end());
-  fit.rows = *middle;
+  fit.rows = upper_median(std::move(rows));
   return fit;
 }
 

@@ -6,6 +6,7 @@
 
 #include "feature_detector.h"
 #include "glisson/core/error.h"
+#include "glisson/core/statistics.h"
 #include "glisson/stereo/faults.h"
 #include "highlights.h"
 #include "picture_cv.h"
@@ -111,9 +112,7 @@ Geometry geometry_of(const std::vector<FeaturePair>& matches, const Rectificatio
     plausible += d > rectification.disparity_at(kFar) && d < rectification.disparity_at(kNear);
   }
   if (rows.empty()) return {HUGE_VAL, 0.0};
-  const auto middle = rows.begin() + static_cast<std::ptrdiff_t>(rows.size() / 2);
-  std::nth_element(rows.begin(), middle, rows.end());
-  return {*middle, plausible / static_cast<double>(rows.size())};
+  return {upper_median(rows), plausible / static_cast<double>(rows.size())};
 }
 
 void judge(PairCheck& check, const std::vector<FeaturePair>& matches, const StereoRig& rig) {

@@ -9,6 +9,8 @@
 
 #include "sampling.h"
 
+#include "glisson/core/statistics.h"
+
 namespace glisson::stereo {
 namespace {
 
@@ -28,12 +30,6 @@ constexpr double kBlur = 0.7;              // pixels: takes what interpolates ba
 // the warp, the patch's affine sampling), pixels.
 constexpr double kAlike = 1.0;
 constexpr double kTukey = 4.7;  // of the residuals' deviation: light, not tissue
-
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 }  // namespace
 
@@ -157,7 +153,7 @@ std::optional<double> Refiner::iterate(const Patch& patch, State& s) const {
   }
   if (2.0 * shown < all || !(n > 0.0)) return std::nullopt;
   s.noise = std::max(kLeastNoise * kLeastNoise, sum / n);
-  s.scale = std::max(kLeastNoise, 1.4826 * median_of(std::move(sizes)));
+  s.scale = std::max(kLeastNoise, kDeviationPerMad * upper_median(std::move(sizes)));
   const double bend = rectification_.bend_prior();
   Vector deviations;
   deviations << 1e5, kSlopePrior, kSlopePrior, kRowPrior, kGainPrior, kOffsetPrior, bend, bend, bend;

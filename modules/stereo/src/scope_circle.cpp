@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "glisson/core/error.h"
+#include "glisson/core/statistics.h"
 #include "glisson/stereo/source.h"
 #include "picture_cv.h"
 
@@ -22,13 +23,6 @@ constexpr double kLeastOutside = 0.01;  // of the picture
 constexpr double kWidestGap = M_PI;  // between neighbouring rays on the circle: less is no more than an arc
 constexpr double kLeastAspect = 0.45, kLargestAspect = 2.2;  // views squeezed to half their width or height
 constexpr double kRounder = 1.15;  // an ellipse must explain so many times the rays of a circle
-
-double percentile(std::vector<std::uint8_t>& values, double share) {
-  const auto at =
-      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
 
 std::vector<std::uint8_t> values_in(const cv::Mat& image, const cv::Rect& rect) {
   std::vector<std::uint8_t> values;
@@ -51,12 +45,13 @@ std::optional<double> dark_level(const cv::Mat& image) {
        {cv::Point(x, y), cv::Point(w - x - size.width, y), cv::Point(x, h - y - size.height),
         cv::Point(w - x - size.width, h - y - size.height)}) {
     std::vector<std::uint8_t> values = values_in(image, cv::Rect(corner, size));
-    const double middle = percentile(values, 0.5);
-    levels.push_back(middle + std::max(kLeastAbove, kDeviations * (percentile(values, 0.95) - middle)));
+    const double middle = lower_percentile(values, 0.5);
+    levels.push_back(
+        middle + std::max(kLeastAbove, kDeviations * (lower_percentile(std::move(values), 0.95) - middle)));
   }
   std::sort(levels.begin(), levels.end());
-  std::vector<std::uint8_t> lit = values_in(image, {w / 4, h / 4, w / 2, h / 2});
-  if (levels[1] > std::min(kLightest, kDarker * percentile(lit, 0.5))) return std::nullopt;
+  const std::vector<std::uint8_t> lit = values_in(image, {w / 4, h / 4, w / 2, h / 2});
+  if (levels[1] > std::min(kLightest, kDarker * lower_percentile(lit, 0.5))) return std::nullopt;
   return levels[1];
 }
 

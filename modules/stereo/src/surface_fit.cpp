@@ -5,14 +5,10 @@
 #include <algorithm>
 #include <numeric>
 
+#include "glisson/core/statistics.h"
+
 namespace glisson::stereo {
 namespace {
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 double tukey(double x) {
   const double t = 1.0 - x * x;
@@ -36,7 +32,7 @@ std::pair<double, double> plane_at_origin(const std::vector<Eigen::Vector3d>& sa
       std::vector<double> values;
       values.reserve(samples.size());
       for (const auto& s : samples) values.push_back(s.z());
-      plane = Eigen::Vector3d(median(values), 0.0, 0.0);
+      plane = Eigen::Vector3d(upper_median(std::move(values)), 0.0, 0.0);
     } else {
       plane = normal.ldlt().solve(right);
     }
@@ -44,7 +40,7 @@ std::pair<double, double> plane_at_origin(const std::vector<Eigen::Vector3d>& sa
     residuals.reserve(samples.size());
     for (const auto& s : samples)
       residuals.push_back(std::abs(s.z() - plane.dot(Eigen::Vector3d(1.0, s.x(), s.y()))));
-    deviation = 1.4826 * median(residuals);
+    deviation = kDeviationPerMad * upper_median(residuals);
     for (std::size_t k = 0; k < samples.size(); ++k)
       weights[static_cast<Eigen::Index>(k)] = tukey(residuals[k] / (4.7 * std::max(deviation, 0.1)));
   }
@@ -262,7 +258,7 @@ Surface fit_surface(const Rectification& rectification, const std::vector<Match>
     const LocalSurface surface = LocalFit(samples, reach, bend).through(kCheck);
     squares.push_back(std::pow(surface.residual / surface.residual_sigma, 2));
   }
-  if (squares.size() >= 30) result.misfit = std::sqrt(median(squares) / 0.4549);
+  if (squares.size() >= 30) result.misfit = std::sqrt(upper_median(std::move(squares)) / kMedianOfChiSquare);
   const double scale = std::max(1.0, result.misfit);
   for (std::size_t i = 0; i < matches.size(); ++i) {
     const Samples samples = samples_of(i, scale);

@@ -18,6 +18,7 @@
 
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
+#include "glisson/core/statistics.h"
 #include "raw_volume.h"
 
 namespace glisson::reader {
@@ -241,10 +242,7 @@ void order_and_check(const Request& request, std::vector<Slice>& slices, double&
                    [](const Slice& a, const Slice& b) { return a.along_mm < b.along_mm; });
   std::vector<double> gaps;
   for (std::size_t i = 1; i < slices.size(); ++i) gaps.push_back(slices[i].along_mm - slices[i - 1].along_mm);
-  std::vector<double> sorted = gaps;
-  std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2),
-                   sorted.end());
-  const double usual = sorted[sorted.size() / 2];
+  const double usual = upper_median(gaps);
   for (std::size_t i = 0; i < gaps.size(); ++i) {
     std::ostringstream where;
     where << "between " << slices[i].path.filename().string() << " and "

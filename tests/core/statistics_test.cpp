@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/core/statistics.h"
+
+#include <QtTest>
+
+using namespace glisson;
+
+class StatisticsTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void MedianIsAValueOfTheList();
+  void ConventionsDifferOnlyBetweenTwoValues();
+  void OrderDoesNotMatter();
+  void DeviationIgnoresOutliers();
+  void EmptyListsAreRefused();
+  void SharesOutsideZeroToOneAreRefused();
+  void RanksOutsideTheListAreRefused();
+};
+
+void StatisticsTest::MedianIsAValueOfTheList() {
+  QCOMPARE(upper_median(std::vector{3.0, 1.0, 2.0}), 2.0);
+  QCOMPARE(upper_median(std::vector{4.0, 1.0, 3.0, 2.0}), 3.0);
+  QCOMPARE(upper_median(std::vector{7.0F}), 7.0F);
+}
+
+void StatisticsTest::ConventionsDifferOnlyBetweenTwoValues() {
+  const std::vector<double> even = {1.0, 2.0, 4.0, 8.0}, odd = {1.0, 2.0, 4.0};
+  QCOMPARE(lower_percentile(even, 0.5), 2.0);
+  QCOMPARE(interpolated_percentile(even, 0.5), 3.0);
+  QCOMPARE(upper_percentile(even, 0.5), 4.0);
+  QCOMPARE(lower_percentile(odd, 0.5), 2.0);
+  QCOMPARE(interpolated_percentile(odd, 0.5), 2.0);
+  QCOMPARE(upper_percentile(odd, 0.5), 2.0);
+  for (const double share : {0.0, 1.0}) {
+    QCOMPARE(lower_percentile(even, share), interpolated_percentile(even, share));
+    QCOMPARE(upper_percentile(even, share), interpolated_percentile(even, share));
+  }
+}
+
+void StatisticsTest::OrderDoesNotMatter() {
+  std::vector<double> values = {1.0, 2.0, 3.0, 4.0, 5.0};
+  do {
+    QCOMPARE(upper_median(values), 3.0);
+    QCOMPARE(at_rank(values, 1), 2.0);
+    QCOMPARE(upper_percentile(values, 0.6), 4.0);
+    QCOMPARE(lower_percentile(values, 0.6), 3.0);
+  } while (std::next_permutation(values.begin(), values.end()));
+}
+
+void StatisticsTest::DeviationIgnoresOutliers() {
+  QCOMPARE(median_absolute_deviation(std::vector{-1.0, 0.0, 1.0, 2.0, 1e9}, 1.0), 1.0);
+  QCOMPARE(median_absolute_deviation(std::vector{-3.0F, 3.0F, 3.0F}, 0.0F), 3.0F);
+}
+
+void StatisticsTest::EmptyListsAreRefused() {
+  const std::vector<double> none;
+  QVERIFY_EXCEPTION_THROWN(upper_median(none), PreconditionError);
+  QVERIFY_EXCEPTION_THROWN(median_absolute_deviation(none, 0.0), PreconditionError);
+  QVERIFY_EXCEPTION_THROWN(lower_percentile(none, 0.5), PreconditionError);
+  QVERIFY_EXCEPTION_THROWN(upper_percentile(none, 0.5), PreconditionError);
+  QVERIFY_EXCEPTION_THROWN(interpolated_percentile(none, 0.5), PreconditionError);
+}
+
+void StatisticsTest::SharesOutsideZeroToOneAreRefused() {
+  const std::vector<double> values = {1.0, 2.0};
+  for (const double share : {-0.1, 1.1, std::nan("")}) {
+    QVERIFY_EXCEPTION_THROWN(lower_percentile(values, share), PreconditionError);
+    QVERIFY_EXCEPTION_THROWN(upper_percentile(values, share), PreconditionError);
+    QVERIFY_EXCEPTION_THROWN(interpolated_percentile(values, share), PreconditionError);
+  }
+}
+
+void StatisticsTest::RanksOutsideTheListAreRefused() {
+  QVERIFY_EXCEPTION_THROWN(at_rank(std::vector{1.0, 2.0}, 2), PreconditionError);
+}
+
+QTEST_APPLESS_MAIN(StatisticsTest)
+#include "statistics_test.moc"
