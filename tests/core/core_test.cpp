@@ -34,7 +34,6 @@ std::size_t entries(const fs::path& folder) {
 class CoreTest : public QObject {
   Q_OBJECT
  private slots:
-  void MillimetresAndMetresConvertBothWays();
   void UnitsOfFiles();
   void InputErrorIsOneSentenceInOrder();
   void RequireThrowsOnlyWhenBroken();
@@ -60,14 +59,6 @@ class CoreTest : public QObject {
   void JsonSurvivesTheFile();
   void FiguresThatAreNotFiniteAreNullAndCountsAreWhole();
 };
-
-void CoreTest::MillimetresAndMetresConvertBothWays() {
-  const Metres length = Millimetres(12.5);
-  QVERIFY(std::abs(length.value() - 0.0125) < 1e-18);
-  const Millimetres back = length;
-  QVERIFY(std::abs(back.value() - 12.5) < 1e-12);
-  static_assert(!std::is_convertible_v<double, Metres> && !std::is_convertible_v<double, Millimetres>);
-}
 
 void CoreTest::UnitsOfFiles() {
   QCOMPARE(metres_per(LengthUnit::millimetre), 1e-3);
