@@ -49,7 +49,7 @@ Points equilibrium(const PatientModel& model, const TrialPull& pull, const Trial
   fem::StaticOptions newton;
   newton.tolerance = 1e-10;
   const auto solved = fem::solve_static(composite, model.mesh.vertices, loads, newton, RunContext());
-  return solved && solved->converged ? solved->positions : Points();
+  return solved && solved->converged() ? solved->positions : Points();
 }
 
 /// Steps until nothing moves any more, or the trial has ended.

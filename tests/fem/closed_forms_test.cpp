@@ -146,7 +146,7 @@ class ClosedFormsTest : public QObject {
       loads.gravity_change = {0.0, 0.0, kG};
       const auto solution = solve_static(
           model, start, [&](const Points&) { return loads; }, held, RunContext());
-      QVERIFY(solution && solution->converged);
+      QVERIFY(solution && solution->converged());
       double wrong = 0.0, size = 0.0;
       for (int i = 0; i < mesh.vertex_count(); ++i) {
         const Eigen::Vector3d u = exact(mesh.vertex(i));
@@ -269,7 +269,7 @@ class ClosedFormsTest : public QObject {
       }
       const auto solution = solve_static(
           model, mesh.vertices, [&](const Points&) { return loads; }, held, RunContext());
-      QVERIFY(solution && solution->converged);
+      QVERIFY(solution && solution->converged());
       double tip = 0.0;
       for (const int node : end)
         tip += (mesh.vertices(node, 2) - solution->positions(node, 2)) / static_cast<double>(end.size());

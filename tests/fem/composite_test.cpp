@@ -159,7 +159,7 @@ class CompositeTest : public QObject {
     const auto solution = solve_static(
         *model, model->mesh().vertices, [&](const Points&) { return loads; }, held, RunContext());
     QVERIFY(solution.has_value());
-    QVERIFY2(solution->converged, qPrintable(QString::number(solution->residual)));
+    QVERIFY2(solution->converged(), qPrintable(QString::number(solution->residual)));
     qInfo("static: %d iterations, residual %.1e", solution->iterations, solution->residual);
     const Points& rest = model->mesh().vertices;
     const double moved = (solution->positions - rest).rowwise().norm().maxCoeff();

@@ -131,7 +131,7 @@ class LiverTest : public QObject {
     held.fixed_nodes = held_nodes(mesh_);
     const auto solution = solve_static(
         *model_, mesh_.vertices, [&](const Points&) { return loads; }, held, RunContext());
-    QVERIFY(solution && solution->converged);
+    QVERIFY(solution && solution->converged());
     const Eigen::VectorXd moved = (solution->positions - mesh_.vertices).rowwise().norm();
     TetMesh there = mesh_;
     there.vertices = solution->positions;

@@ -144,7 +144,7 @@ class ModelTest : public QObject {
     held.tolerance = 1e-4;
     const auto solution = solve_static(
         model, start, [&](const Points&) { return loads; }, held, RunContext());
-    QVERIFY(solution && solution->converged);
+    QVERIFY(solution && solution->converged());
     const double ratio = pull_at(model, solution->positions, 0.08) / (mixture * strain);
     QVERIFY2(ratio > 1.0 && ratio < 1.08, qPrintable(QString::number(ratio)));
   }
@@ -264,7 +264,7 @@ class ModelTest : public QObject {
       if ((mesh.vertex(i) - Eigen::Vector3d(0.03, 0.075, 0.05)).norm() < 0.03) held.fixed_nodes.push_back(i);
     const auto solution = solve_static(
         model, mesh.vertices, [&](const Points&) { return loads; }, held, RunContext());
-    QVERIFY(solution && solution->converged);
+    QVERIFY(solution && solution->converged());
     Points left =
         model.internal_force(solution->positions) + external_force(model, loads, solution->positions);
     for (const int node : held.fixed_nodes) left.row(node).setZero();

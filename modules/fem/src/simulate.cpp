@@ -60,7 +60,7 @@ Cancellable<SimulationResult> simulate_static(
   describe(model, solution->positions, record);
   record.force_residual = force_residual(model, load, solution->positions, 0.0, true);
   if (on_step) on_step(record, solution->positions);
-  return SimulationResult{{record}, std::move(solution->positions), solution->converged};
+  return SimulationResult{{record}, std::move(solution->positions), solution->converged()};
 }
 
 }  // namespace

@@ -48,14 +48,16 @@ class StaticSolve {
       judge_exact(residual.norm());
       summary.residual = residual.norm() / reference(summary.positions);
       context.progress(progress(summary.residual), "fem.static");
+      summary.termination = Termination::diverged;
       if (!std::isfinite(summary.residual)) return summary;
       if (summary.residual <= options_.tolerance) {
-        summary.converged = true;
-        break;
+        summary.termination = Termination::converged;
+        return summary;
       }
       const Eigen::VectorXd direction = solve(summary.positions, loads, residual);
-      if (!line_search(summary.positions, direction, residual, energy, loads)) break;
+      if (!line_search(summary.positions, direction, residual, energy, loads)) return summary;
     }
+    summary.termination = Termination::step_limit;
     return summary;
   }
 

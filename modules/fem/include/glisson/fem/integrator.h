@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "glisson/core/run_context.h"
+#include "glisson/core/termination.h"
 #include "glisson/fem/composite_model.h"
 
 namespace glisson::fem {
@@ -70,9 +71,10 @@ struct StaticOptions {
 };
 struct StaticSummary {
   Points positions;
-  bool converged = false;
+  Termination termination = Termination::step_limit;
   int iterations = 0;
-  double residual = 0.0;
+  double residual = 0.0;  ///< as StaticOptions::tolerance
+  bool converged() const { return termination == Termination::converged; }
 };
 /// Newton with line search on the energy, from `start`. `loads` is asked again at every iterate.
 /// @throws NumericalError when nothing holds the model (no fixed node, no attached load with a tangent).

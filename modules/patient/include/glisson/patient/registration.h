@@ -4,12 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "glisson/core/termination.h"
 #include "glisson/geometry/mesh.h"
 #include "glisson/geometry/rigid.h"
 
 namespace glisson {
-
-enum class Termination { converged, step_limit, diverged };
 
 /// A model brought to what the camera sees.
 struct Registration {
