@@ -1,0 +1,17 @@
+# The rooms of a floor (modules, ui), from the ground up, as tests/architecture/house.txt has them.
+set(GLISSON_HOUSE "${CMAKE_CURRENT_LIST_DIR}/../../tests/architecture/house.txt")
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${GLISSON_HOUSE}")
+
+function(glisson_rooms floor result)
+  file(STRINGS "${GLISSON_HOUSE}" lines REGEX "^[a-z/]+ *:")
+  set(rooms "")
+  foreach(line IN LISTS lines)
+    string(REGEX REPLACE " *:.*" "" room "${line}")
+    if(floor STREQUAL "modules" AND NOT room MATCHES "^(ui/.*|app)$")
+      list(APPEND rooms "${room}")
+    elseif(room MATCHES "^${floor}/(.*)$")
+      list(APPEND rooms "${CMAKE_MATCH_1}")
+    endif()
+  endforeach()
+  set(${result} "${rooms}" PARENT_SCOPE)
+endfunction()

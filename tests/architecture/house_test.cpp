@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The plan of the house (house.txt) is what stands on the disk: no room more, no room less.
+#include "house.h"
+
+#include <QtTest>
+
+using namespace glisson::house;
+namespace fs = std::filesystem;
+
+namespace {
+
+template <class Value>
+Rooms names_of(const std::map<std::string, Value>& by_room) {
+  Rooms names;
+  for (const auto& [room, value] : by_room) names.insert(room);
+  return names;
+}
+
+/// What is in one of the two only, a sentence each.
+std::string differences(const Rooms& planned, const Rooms& built) {
+  std::string found;
+  for (const std::string& room : planned)
+    if (!built.contains(room)) found += room + " is in the plan and not on the disk\n";
+  for (const std::string& room : built)
+    if (!planned.contains(room)) found += room + " is on the disk and not in the plan\n";
+  return found;
+}
+
+Rooms folders_in(const fs::path& folder) {
+  Rooms names;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.is_directory() && !fs::is_empty(entry)) names.insert(entry.path().filename().string());
+  return names;
+}
+
+Plan plan_of(const std::string& text) {
+  std::istringstream stream(text);
+  return read_plan(stream);
+}
+
+}  // namespace
+
+class HouseTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void TheHouseIsFound();
+  void PlanAndDiskAreOne();
+  void DifferencesAreFoundBothWays();
+  void EveryRoomIsBuilt();
+  void TestsMirrorTheRooms();
+  void MillimetresAreNamedWhereThePlanSaysSo();
+  void ListsStandForTheirRooms();
+  void BrokenPlansAreRefused();
+};
+
+void HouseTest::TheHouseIsFound() {
+  QVERIFY2(fs::exists(source_root() / "modules/core"), "GLISSON_SOURCE_DIR must name the checkout");
+  QVERIFY(rooms_on_disk().size() >= 4);
+}
+
+void HouseTest::PlanAndDiskAreOne() {
+  const std::string found = differences(names_of(plan().sees), names_of(rooms_on_disk()));
+  QVERIFY2(found.empty(), found.c_str());
+}
+
+void HouseTest::DifferencesAreFoundBothWays() {
+  QVERIFY(differences({"core", "app"}, {"core", "app"}).empty());
+  QCOMPARE(differences({"core", "atlas"}, {"core"}),
+           std::string("atlas is in the plan and not on the disk\n"));
+  QCOMPARE(differences({"core"}, {"core", "app"}), std::string("app is on the disk and not in the plan\n"));
+}
+
+void HouseTest::EveryRoomIsBuilt() {
+  for (const auto& [room, sees] : plan().sees) {
+    const fs::path folder = source_root() / (is_module(room) ? "modules/" + room : room);
+    QVERIFY2(fs::exists(folder / "CMakeLists.txt"), room.c_str());
+    QVERIFY2(!is_module(room) || fs::exists(folder / "README.md"), room.c_str());
+  }
+}
+
+void HouseTest::TestsMirrorTheRooms() {
+  Rooms expected = {"app", "ui", "architecture", "benchmarks", "data", "support"};
+  for (const auto& [room, sees] : plan().sees)
+    if (is_module(room)) expected.insert(room);
+  const std::string found = differences(expected, folders_in(source_root() / "tests"));
+  QVERIFY2(found.empty(), ("of tests/:\n" + found).c_str());
+}
+
+void HouseTest::MillimetresAreNamedWhereThePlanSaysSo() {
+  static const std::regex kName("\\b[a-z][a-z0-9_]*_mm[23]?\\b");
+  Rooms found;
+  for (const auto& [room, headers] : public_headers())
+    for (const fs::path& header : headers)
+      if (std::regex_search(code_of(header), kName)) found.insert(room);
+  const std::string offences = differences(plan().millimetres, found);
+  QVERIFY2(offences.empty(), ("rooms with names in _mm:\n" + offences).c_str());
+}
+
+void HouseTest::ListsStandForTheirRooms() {
+  const Plan plan =
+      plan_of("core :\nvolume : core  # voxels\n\nBOTH = core volume\nfem : BOTH\nmillimetres = volume\n");
+  QCOMPARE(plan.sees.size(), std::size_t{3});
+  QVERIFY(plan.sees.at("core").empty());
+  QVERIFY((plan.sees.at("fem") == Rooms{"core", "volume"}));
+  QVERIFY(plan.millimetres == Rooms{"volume"});
+}
+
+void HouseTest::BrokenPlansAreRefused() {
+  const auto complaint = [](const std::string& text) {
+    try {
+      plan_of(text);
+    } catch (const std::runtime_error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  QCOMPARE(complaint("core :\nfem : core atlas\n"), std::string("line 2: atlas is not above"));
+  QCOMPARE(complaint("fem : model\nmodel : fem\n"), std::string("line 1: model is not above"));
+  QCOMPARE(complaint("core :\ncore :\n"), std::string("line 2: core is there twice"));
+  QCOMPARE(complaint("core volume\n"), std::string("line 1: is neither 'ROOM : ...' nor 'LIST = ...'"));
+}
+
+QTEST_APPLESS_MAIN(HouseTest)
+#include "house_test.moc"
