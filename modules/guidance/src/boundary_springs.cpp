@@ -23,8 +23,8 @@ Eigen::Vector3d place(const std::array<int, 4>& nodes, const std::array<double, 
 
 }  // namespace
 
-BoundarySprings::BoundarySprings(const PatientModel& model, const Points& start, double young_modulus,
-                                 double length, double tether) {
+BoundarySprings::BoundarySprings(const PatientModel& model, const Points& start_in_camera,
+                                 double young_modulus, double length, double tether) {
   if (young_modulus <= 0.0) return;
   const auto in_series = [&](double radius) {
     const double structure = young_modulus * wall_section(radius) / length;
@@ -34,19 +34,19 @@ BoundarySprings::BoundarySprings(const PatientModel& model, const Points& start,
   if (cava.rows() > 0) {
     // All its points together are one tube.
     const double each = in_series(kCavaRadius) / static_cast<double>(cava.rows());
-    attach(model, cava, std::vector<double>(static_cast<std::size_t>(cava.rows()), each), start);
+    attach(model, cava, std::vector<double>(static_cast<std::size_t>(cava.rows()), each), start_in_camera);
   }
   for (const VesselTree& tree : model.vessels) {
     if (tree.root < 0 || tree.root >= tree.nodes.rows()) continue;
     attach(model, tree.nodes.row(tree.root), {in_series(tree.radii[static_cast<std::size_t>(tree.root)])},
-           start);
+           start_in_camera);
   }
 }
 
-void BoundarySprings::attach(const PatientModel& model, const Points& places,
-                             const std::vector<double>& stiffness, const Points& start) {
-  const Binding binding = bind_points(model.mesh, places);
-  for (Eigen::Index i = 0; i < places.rows(); ++i) {
+void BoundarySprings::attach(const PatientModel& model, const Points& places_in_ct,
+                             const std::vector<double>& stiffness, const Points& start_in_camera) {
+  const Binding binding = bind_points(model.mesh, places_in_ct);
+  for (Eigen::Index i = 0; i < places_in_ct.rows(); ++i) {
     Spring spring{};
     for (std::size_t k = 0; k < 4; ++k) {
       const auto column = static_cast<Eigen::Index>(k);
@@ -54,17 +54,17 @@ void BoundarySprings::attach(const PatientModel& model, const Points& places,
       spring.weights[k] = binding.weights(i, column);
     }
     spring.stiffness = stiffness[static_cast<std::size_t>(i)];
-    spring.anchor = place(spring.nodes, spring.weights, start);
+    spring.anchor = place(spring.nodes, spring.weights, start_in_camera);
     springs_.push_back(spring);
   }
 }
 
-void BoundarySprings::add(const Points& nodes, std::vector<fem::AttachedLoad>& loads) const {
+void BoundarySprings::add(const Points& nodes_in_camera, std::vector<fem::AttachedLoad>& loads) const {
   for (const Spring& spring : springs_) {
     fem::AttachedLoad load;
     load.nodes = spring.nodes;
     load.weights = spring.weights;
-    load.force = spring.stiffness * (spring.anchor - place(spring.nodes, spring.weights, nodes));
+    load.force = spring.stiffness * (spring.anchor - place(spring.nodes, spring.weights, nodes_in_camera));
     load.tangent = spring.stiffness * Eigen::Matrix3d::Identity();
     loads.push_back(load);
   }

@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "glisson/core/frames.h"
+
 /// @file
 /// Meshes as plain values. Coordinates are metres; the frame is said by whoever owns the mesh (a
 /// PatientModel's is the CT). Indices are 0-based rows.
@@ -12,6 +14,10 @@ namespace glisson {
 
 /// N x 3, one point a row, metres.
 using Points = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
+/// Points whose declaration says their frame (CtFrame, CameraFrame). The same type: it is said to the reader,
+/// the compiler does not check it.
+template <class Frame>
+using PointsIn = Points;
 /// N x 3 vertex indices, counter-clockwise seen from outside.
 using Triangles = Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>;
 /// N x 4 vertex indices, positively oriented: det(b - a, c - a, d - a) > 0.

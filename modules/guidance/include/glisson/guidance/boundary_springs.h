@@ -12,13 +12,13 @@ namespace glisson::guidance {
 /// the vessel trees, springs of k = E A / L between a place of the model and where the registration put it.
 class BoundarySprings {
  public:
-  /// @param start nodes where the registration put them, camera frame.
+  /// @param start_in_camera nodes where the registration put them.
   /// @param young_modulus of the structures, Pa; 0: no springs. @param length of what holds, metres.
   /// @param tether N/m a structure, of what it hangs on.
-  BoundarySprings(const PatientModel& model, const Points& start, double young_modulus, double length,
-                  double tether);
+  BoundarySprings(const PatientModel& model, const Points& start_in_camera, double young_modulus,
+                  double length, double tether);
 
-  void add(const Points& nodes, std::vector<fem::AttachedLoad>& loads) const;
+  void add(const Points& nodes_in_camera, std::vector<fem::AttachedLoad>& loads) const;
   int count() const { return static_cast<int>(springs_.size()); }
 
  private:
@@ -28,8 +28,8 @@ class BoundarySprings {
     double stiffness;
     Eigen::Vector3d anchor;
   };
-  void attach(const PatientModel& model, const Points& places, const std::vector<double>& stiffness,
-              const Points& start);
+  void attach(const PatientModel& model, const Points& places_in_ct, const std::vector<double>& stiffness,
+              const Points& start_in_camera);
 
   std::vector<Spring> springs_;
 };

@@ -110,7 +110,7 @@ class Theatre {
   /// Where any points of the CT-frame liver are in a frame (left camera's frame, metres), carried by the
   /// truth's mesh (for nodes of another mesh). Points outside the mesh move with the tetrahedron next to
   /// them.
-  Points carry(const Points& points_in_ct, int frame) const;
+  PointsIn<CameraFrame> carry(const Points& points_in_ct, int frame) const;
   /// The carried fine surface of a frame, left camera's frame.
   TriangleMesh surface(int frame) const;
   /// Which of the points (left camera's frame) the left camera sees in a frame.

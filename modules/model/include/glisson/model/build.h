@@ -66,7 +66,7 @@ struct ModelOptions {
   bool arteries = false;  ///< trees of arteries too
   /// Where trees enter, one point a tree if given (CT, metres); otherwise the thickest end near the hilum or
   /// the cava.
-  Points portal_root, hepatic_root;
+  PointsIn<CtFrame> portal_root, hepatic_root;
   void validate() const;
 };
 

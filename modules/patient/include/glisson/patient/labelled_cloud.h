@@ -17,8 +17,8 @@ enum class Feature : std::uint8_t { surface = 1, anterior_margin = 2, umbilical_
 /// What the stereo laparoscope sees of the liver: points in the left camera's frame (as calibrated, not
 /// rectified), metres. Optional arrays are empty or as long as the points.
 struct LabelledCloud {
-  Points points;
-  Points normals;                 ///< unit, towards the camera
+  PointsIn<CameraFrame> points;
+  PointsIn<CameraFrame> normals;  ///< unit, towards the camera
   std::vector<Feature> features;  ///< empty: all surface
   std::vector<double> sigma;      ///< standard deviation along the ray, metres
 

@@ -14,7 +14,7 @@ namespace glisson {
 /// Centrelines of one vessel tree, sampled to the 6-DoF nodes of its beams. CT frame, metres.
 struct VesselTree {
   Label structure = 0;  ///< structure::kPortalVein, kHepaticVeins or kArtery
-  Points nodes;
+  PointsIn<CtFrame> nodes;
   std::vector<double> radii;              ///< outer radius at each node, metres
   std::vector<std::array<int, 2>> beams;  ///< node indices, from the root outwards
   int root = -1;                          ///< the entrance: where the tree comes into the liver
@@ -29,9 +29,9 @@ struct NamedSurface {
 
 /// Anatomical landmarks on the liver. CT frame, metres. Empty members are unknown, not at the origin.
 struct Landmarks {
-  Points anterior_margin;  ///< ordered polyline along the ridge
-  Points umbilical_notch;  ///< one point or a few
-  Points vena_cava;        ///< points of the surface attached to it
+  PointsIn<CtFrame> anterior_margin;  ///< ordered polyline along the ridge
+  PointsIn<CtFrame> umbilical_notch;  ///< one point or a few
+  PointsIn<CtFrame> vena_cava;        ///< points of the surface attached to it
   bool empty() const { return anterior_margin.rows() == 0 && umbilical_notch.rows() == 0; }
 };
 

@@ -31,7 +31,7 @@ struct CloudOptions {
 PreparedCloud prepare_cloud(const LabelledCloud& cloud, const CloudOptions& options);
 
 /// Unit normals from the neighbours' plane (principal components), turned towards the camera (the origin).
-Points estimate_normals(const PreparedCloud& cloud);
+PointsIn<CameraFrame> estimate_normals(const PreparedCloud& cloud);
 
 /// A point of the cloud and where on the model it is thought to be.
 struct Pair {
