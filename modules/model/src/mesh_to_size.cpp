@@ -16,14 +16,14 @@ namespace {
 constexpr double kTolerance = 0.10;  // of the number of nodes
 constexpr double kSearchTolerance = 0.04;
 constexpr int kSearchPasses = 10;
-// Perturbation gives up at the first sliver that it cannot better, at half of all meshes with lesions.
-// Another start is as good as another mesh: each pair of size and smoothing is one.
+// Perturbation gives up at the first sliver that it cannot better, which happens in about half of all meshes
+// with lesions. Then the next pair of edge length and number of smoothing passes is tried.
 constexpr std::array<int, 4> kPasses = {20, 5, 10, 2};
 constexpr std::array<double, 3> kSizes = {1.0, 1.015, 0.985};
 constexpr double kMostVertices = 200000;
 constexpr std::size_t kAttempts = kPasses.size() * kSizes.size();
-constexpr double kMeanEdgeOverSize = 1.0;   // measured: see README
-constexpr double kMeanEdgeOverRoot = 1.32;  // of the volume a node
+/// Mean edge of a finished mesh over the cube root of its volume a node; measured on livers.
+constexpr double kMeanEdgeOverRoot = 1.32;
 constexpr double kEdgesAcrossLesion = 0.7;  // edge length over a lesion's diameter, at most
 
 /// A lesion gets elements that can show it, however small it is against the others.
