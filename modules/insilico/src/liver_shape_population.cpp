@@ -27,8 +27,8 @@ ShapeParameters draw_shape(std::uint64_t seed) {
   s.bladder_x = dice.between(-58, -38);
   s.bladder_length = dice.between(50, 70);
   s.cava_radius = dice.between(10.5, 12.5);
-  // Volume grows a little slower than the cube of the half axes (the visceral surface stays); three steps
-  // suffice.
+  // The visceral surface does not grow with the half axes, so the volume grows more slowly than their cube:
+  // a few corrections are needed.
   for (int step = 0; step < 6; ++step) {
     const double now = liver_volume_ml(LiverShape(s), 6.0);
     s.size *= std::cbrt(s.volume_ml / now);
