@@ -2295,94 +2295,38 @@
     </message>
 </context>
 <context>
-    <name>glisson::ui::GuidancePanel</name>
+    <name>glisson::ui::RegistrationModel</name>
     <message>
-        <source>Guidance</source>
-        <translation>Navigation</translation>
+        <source>Build a model first.</source>
+        <translation>Zuerst ein Modell bauen.</translation>
     </message>
     <message>
-        <source>The model brought to what the laparoscope sees, and kept there.</source>
-        <translation>Das Modell, zu dem gebracht, was das Laparoskop sieht, und dort gehalten.</translation>
+        <source>Reconstruct the surface first (Stereo).</source>
+        <translation>Zuerst die Oberfläche rekonstruieren (Stereo).</translation>
     </message>
     <message>
-        <source>Frames recorded: %1, in %2</source>
-        <translation>Aufgenommene Bilder: %1, in %2</translation>
+        <source>The labels are out of date: segment or import them again (Segmentation).</source>
+        <translation>Die Labels sind veraltet: erneut segmentieren oder importieren (Segmentierung).</translation>
     </message>
     <message>
-        <source>The video has ended. Last picture, not live.</source>
-        <translation>Das Video ist zu Ende. Letztes Bild, nicht live.</translation>
+        <source>The model is out of date: build it again (Model).</source>
+        <translation>Das Modell ist veraltet: neu erstellen (Modell).</translation>
     </message>
     <message>
-        <source>Register the model to a frame of the laparoscope; the augmented picture appears here.</source>
-        <translation>Das Modell zu einem Bild des Laparoskops registrieren; hier erscheint dann das Bild mit der Einblendung.</translation>
+        <source>The landmarks are those of another model: look at them and accept them (Landmarks).</source>
+        <translation>Die Landmarken gehören zu einem anderen Modell: ansehen und annehmen (Landmarken).</translation>
     </message>
     <message>
-        <source>1. Initial registration</source>
-        <translation>1. Erste Registrierung</translation>
+        <source>The frame is of a former video: take one of the present video (Stereo).</source>
+        <translation>Das Bild stammt aus einem früheren Video: eines des jetzigen nehmen (Stereo).</translation>
     </message>
     <message>
-        <source>Register</source>
-        <translation>Registrieren</translation>
+        <source>The regions are those of another frame: draw them again or clear them (Stereo).</source>
+        <translation>Die Regionen gehören zu einem anderen Bild: neu zeichnen oder löschen (Stereo).</translation>
     </message>
     <message>
-        <source>2. Live tracking</source>
-        <translation>2. Live-Verfolgung</translation>
-    </message>
-    <message>
-        <source>Plays the case&apos;s stereo video as a live laparoscope.</source>
-        <translation>Spielt das Stereovideo des Falls wie ein Laparoskop ab.</translation>
-    </message>
-    <message>
-        <source>Start tracking</source>
-        <translation>Verfolgung starten</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>Stopp</translation>
-    </message>
-    <message>
-        <source>Record…</source>
-        <translation>Aufnehmen…</translation>
-    </message>
-    <message>
-        <source>Repeat the video</source>
-        <translation>Video wiederholen</translation>
-    </message>
-    <message>
-        <source>At its end, track again from the registered frame.</source>
-        <translation>Am Ende wieder ab dem registrierten Bild verfolgen.</translation>
-    </message>
-    <message>
-        <source>Tracking was stopped. Last picture, not live.</source>
-        <translation>Die Verfolgung wurde beendet. Letztes Bild, nicht live.</translation>
-    </message>
-    <message>
-        <source>Overlay</source>
-        <translation>Einblendung</translation>
-    </message>
-    <message>
-        <source>Portal vein</source>
-        <translation>Pfortader</translation>
-    </message>
-    <message>
-        <source>Hepatic veins</source>
-        <translation>Lebervenen</translation>
-    </message>
-    <message>
-        <source>Lesions</source>
-        <translation>Läsionen</translation>
-    </message>
-    <message>
-        <source>Liver outline</source>
-        <translation>Leberumriss</translation>
-    </message>
-    <message>
-        <source>Anterior margin</source>
-        <translation>Vorderrand</translation>
-    </message>
-    <message>
-        <source>Vessel opacity</source>
-        <translation>Deckkraft der Gefäße</translation>
+        <source>The points are out of date: reconstruct the surface again (Stereo).</source>
+        <translation>Die Punkte sind veraltet: Oberfläche erneut rekonstruieren (Stereo).</translation>
     </message>
     <message>
         <source>Residual (not an accuracy)</source>
@@ -2403,6 +2347,104 @@
     <message>
         <source>no, %1 steps</source>
         <translation>nein, %1 Schritte</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::RegistrationBox</name>
+    <message>
+        <source>Nobody has checked this model (Model, Quality). The picture says so.</source>
+        <translation>Niemand hat dieses Modell geprüft (Modell, Qualität). Das Bild sagt es.</translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation>Registrieren</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::PlaybackModel</name>
+    <message>
+        <source>Tracking is running.</source>
+        <translation>Die Verfolgung läuft.</translation>
+    </message>
+    <message>
+        <source>The video has ended. Last picture, not live.</source>
+        <translation>Das Video ist zu Ende. Letztes Bild, nicht live.</translation>
+    </message>
+    <message>
+        <source>Register first.</source>
+        <translation>Zuerst registrieren.</translation>
+    </message>
+    <message>
+        <source>The registration is out of date: register again.</source>
+        <translation>Die Registrierung ist veraltet: neu registrieren.</translation>
+    </message>
+    <message>
+        <source>The case has no stereo video (Stereo, Video…).</source>
+        <translation>Der Fall hat kein Stereovideo (Stereo, Video…).</translation>
+    </message>
+    <message>
+        <source>The registered frame or the calibration is missing.</source>
+        <translation>Das registrierte Bild oder die Kalibrierung fehlt.</translation>
+    </message>
+    <message>
+        <source>Tracking was stopped. Last picture, not live.</source>
+        <translation>Die Verfolgung wurde beendet. Letztes Bild, nicht live.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::PlaybackBox</name>
+    <message>
+        <source>Start tracking</source>
+        <translation>Verfolgung starten</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>Repeat the video</source>
+        <translation>Video wiederholen</translation>
+    </message>
+    <message>
+        <source>At its end, track again from the registered frame.</source>
+        <translation>Am Ende wieder ab dem registrierten Bild verfolgen.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::RecordingModel</name>
+    <message>
+        <source>Frames recorded: %1, in %2</source>
+        <translation>Aufgenommene Bilder: %1, in %2</translation>
+    </message>
+    <message>
+        <source>Recording to %1</source>
+        <translation>Aufnahme in %1</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::RecordingBox</name>
+    <message>
+        <source>Stop recording</source>
+        <translation>Aufnahme beenden</translation>
+    </message>
+    <message>
+        <source>Record…</source>
+        <translation>Aufnehmen…</translation>
+    </message>
+    <message>
+        <source>Record the live view</source>
+        <translation>Live-Ansicht aufnehmen</translation>
+    </message>
+    <message>
+        <source>Video (*.mkv)</source>
+        <translation>Video (*.mkv)</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::LiveViewModel</name>
+    <message>
+        <source>Not live</source>
+        <translation>Nicht live</translation>
     </message>
     <message>
         <source>Registered frame %1, not live</source>
@@ -2427,6 +2469,14 @@
     <message>
         <source>Pairs</source>
         <translation>Paare</translation>
+    </message>
+    <message>
+        <source>Residual (not an accuracy)</source>
+        <translation>Restabstand (keine Genauigkeit)</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>Tracking and mechanics</source>
@@ -2456,85 +2506,70 @@
         <source>The overlay is being prepared: the picture shows none yet.</source>
         <translation>Die Einblendung wird vorbereitet: Das Bild zeigt noch keine.</translation>
     </message>
+</context>
+<context>
+    <name>glisson::ui::LiveView</name>
     <message>
-        <source>Tracking is running.</source>
-        <translation>Die Verfolgung läuft.</translation>
+        <source>Register the model to a frame of the laparoscope; the augmented picture appears here.</source>
+        <translation>Das Modell zu einem Bild des Laparoskops registrieren; hier erscheint dann das Bild mit der Einblendung.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::LookBox</name>
+    <message>
+        <source>Portal vein</source>
+        <translation>Pfortader</translation>
     </message>
     <message>
-        <source>Stop recording</source>
-        <translation>Aufnahme beenden</translation>
+        <source>Hepatic veins</source>
+        <translation>Lebervenen</translation>
     </message>
     <message>
-        <source>Not live</source>
-        <translation>Nicht live</translation>
+        <source>Lesions</source>
+        <translation>Läsionen</translation>
     </message>
     <message>
-        <source>Record the live view</source>
-        <translation>Live-Ansicht aufnehmen</translation>
+        <source>Liver outline</source>
+        <translation>Leberumriss</translation>
     </message>
     <message>
-        <source>Video (*.mkv)</source>
-        <translation>Video (*.mkv)</translation>
+        <source>Anterior margin</source>
+        <translation>Vorderrand</translation>
     </message>
     <message>
-        <source>Recording to %1</source>
-        <translation>Aufnahme in %1</translation>
+        <source>Vessel opacity</source>
+        <translation>Deckkraft der Gefäße</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::GuidancePanel</name>
+    <message>
+        <source>Guidance</source>
+        <translation>Navigation</translation>
     </message>
     <message>
-        <source>Build a model first.</source>
-        <translation>Zuerst ein Modell bauen.</translation>
+        <source>The model brought to what the laparoscope sees, and kept there.</source>
+        <translation>Das Modell, zu dem gebracht, was das Laparoskop sieht, und dort gehalten.</translation>
     </message>
     <message>
-        <source>Reconstruct the surface first (Stereo).</source>
-        <translation>Zuerst die Oberfläche rekonstruieren (Stereo).</translation>
-    </message>
-    <message>
-        <source>Register first.</source>
-        <translation>Zuerst registrieren.</translation>
-    </message>
-    <message>
-        <source>The registration is out of date: register again.</source>
-        <translation>Die Registrierung ist veraltet: neu registrieren.</translation>
-    </message>
-    <message>
-        <source>The case has no stereo video (Stereo, Video…).</source>
-        <translation>Der Fall hat kein Stereovideo (Stereo, Video…).</translation>
-    </message>
-    <message>
-        <source>The registered frame or the calibration is missing.</source>
-        <translation>Das registrierte Bild oder die Kalibrierung fehlt.</translation>
+        <source>1. Initial registration</source>
+        <translation>1. Erste Registrierung</translation>
     </message>
     <message>
         <source>Rigid start from the labelled features; then the shape that simulated operations on this liver make most probable, drawn to the points.</source>
         <translation>Starrer Start aus den markierten Merkmalen; dann die Form, die simulierte Operationen an dieser Leber am wahrscheinlichsten machen, zu den Punkten gezogen.</translation>
     </message>
     <message>
-        <source>Nobody has checked this model (Model, Quality). The picture says so.</source>
-        <translation>Niemand hat dieses Modell geprüft (Modell, Qualität). Das Bild sagt es.</translation>
+        <source>2. Live tracking</source>
+        <translation>2. Live-Verfolgung</translation>
     </message>
     <message>
-        <source>The labels are out of date: segment or import them again (Segmentation).</source>
-        <translation>Die Labels sind veraltet: erneut segmentieren oder importieren (Segmentierung).</translation>
+        <source>Plays the case&apos;s stereo video as a live laparoscope.</source>
+        <translation>Spielt das Stereovideo des Falls wie ein Laparoskop ab.</translation>
     </message>
     <message>
-        <source>The model is out of date: build it again (Model).</source>
-        <translation>Das Modell ist veraltet: neu erstellen (Modell).</translation>
-    </message>
-    <message>
-        <source>The landmarks are those of another model: look at them and accept them (Landmarks).</source>
-        <translation>Die Landmarken gehören zu einem anderen Modell: ansehen und annehmen (Landmarken).</translation>
-    </message>
-    <message>
-        <source>The frame is of a former video: take one of the present video (Stereo).</source>
-        <translation>Das Bild stammt aus einem früheren Video: eines des jetzigen nehmen (Stereo).</translation>
-    </message>
-    <message>
-        <source>The regions are those of another frame: draw them again or clear them (Stereo).</source>
-        <translation>Die Regionen gehören zu einem anderen Bild: neu zeichnen oder löschen (Stereo).</translation>
-    </message>
-    <message>
-        <source>The points are out of date: reconstruct the surface again (Stereo).</source>
-        <translation>Die Punkte sind veraltet: Oberfläche erneut rekonstruieren (Stereo).</translation>
+        <source>Overlay</source>
+        <translation>Einblendung</translation>
     </message>
 </context>
 <context>

@@ -2295,94 +2295,38 @@
     </message>
 </context>
 <context>
-    <name>glisson::ui::GuidancePanel</name>
+    <name>glisson::ui::RegistrationModel</name>
     <message>
-        <source>Guidance</source>
-        <translation>Guidage</translation>
+        <source>Build a model first.</source>
+        <translation>Construisez d&apos;abord un modèle.</translation>
     </message>
     <message>
-        <source>The model brought to what the laparoscope sees, and kept there.</source>
-        <translation>Le modèle amené à ce que voit le laparoscope, et maintenu là.</translation>
+        <source>Reconstruct the surface first (Stereo).</source>
+        <translation>Reconstruisez d&apos;abord la surface (Stéréo).</translation>
     </message>
     <message>
-        <source>Frames recorded: %1, in %2</source>
-        <translation>Images enregistrées : %1, dans %2</translation>
+        <source>The labels are out of date: segment or import them again (Segmentation).</source>
+        <translation>Les étiquettes sont périmées : segmentez ou importez-les de nouveau (Segmentation).</translation>
     </message>
     <message>
-        <source>The video has ended. Last picture, not live.</source>
-        <translation>La vidéo est finie. Dernière image, pas en direct.</translation>
+        <source>The model is out of date: build it again (Model).</source>
+        <translation>Le modèle est périmé : reconstruisez-le (Modèle).</translation>
     </message>
     <message>
-        <source>Register the model to a frame of the laparoscope; the augmented picture appears here.</source>
-        <translation>Recalez le modèle sur une image du laparoscope ; l&apos;image augmentée apparaît ici.</translation>
+        <source>The landmarks are those of another model: look at them and accept them (Landmarks).</source>
+        <translation>Les repères sont ceux d’un autre modèle : vérifiez-les et acceptez-les (Repères).</translation>
     </message>
     <message>
-        <source>1. Initial registration</source>
-        <translation>1. Recalage initial</translation>
+        <source>The frame is of a former video: take one of the present video (Stereo).</source>
+        <translation>L’image vient d’une vidéo précédente : prenez-en une de la vidéo actuelle (Stéréo).</translation>
     </message>
     <message>
-        <source>Register</source>
-        <translation>Recaler</translation>
+        <source>The regions are those of another frame: draw them again or clear them (Stereo).</source>
+        <translation>Les régions sont celles d’une autre image : redessinez-les ou effacez-les (Stéréo).</translation>
     </message>
     <message>
-        <source>2. Live tracking</source>
-        <translation>2. Suivi en direct</translation>
-    </message>
-    <message>
-        <source>Plays the case&apos;s stereo video as a live laparoscope.</source>
-        <translation>Joue la vidéo stéréo du cas comme un laparoscope.</translation>
-    </message>
-    <message>
-        <source>Start tracking</source>
-        <translation>Démarrer le suivi</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>Arrêter</translation>
-    </message>
-    <message>
-        <source>Record…</source>
-        <translation>Enregistrer…</translation>
-    </message>
-    <message>
-        <source>Repeat the video</source>
-        <translation>Répéter la vidéo</translation>
-    </message>
-    <message>
-        <source>At its end, track again from the registered frame.</source>
-        <translation>À la fin, suivre de nouveau depuis l&apos;image recalée.</translation>
-    </message>
-    <message>
-        <source>Tracking was stopped. Last picture, not live.</source>
-        <translation>Le suivi a été arrêté. Dernière image, pas en direct.</translation>
-    </message>
-    <message>
-        <source>Overlay</source>
-        <translation>Superposition</translation>
-    </message>
-    <message>
-        <source>Portal vein</source>
-        <translation>Veine porte</translation>
-    </message>
-    <message>
-        <source>Hepatic veins</source>
-        <translation>Veines hépatiques</translation>
-    </message>
-    <message>
-        <source>Lesions</source>
-        <translation>Lésions</translation>
-    </message>
-    <message>
-        <source>Liver outline</source>
-        <translation>Contour du foie</translation>
-    </message>
-    <message>
-        <source>Anterior margin</source>
-        <translation>Bord antérieur</translation>
-    </message>
-    <message>
-        <source>Vessel opacity</source>
-        <translation>Opacité des vaisseaux</translation>
+        <source>The points are out of date: reconstruct the surface again (Stereo).</source>
+        <translation>Les points sont périmés : reconstruisez la surface (Stéréo).</translation>
     </message>
     <message>
         <source>Residual (not an accuracy)</source>
@@ -2403,6 +2347,104 @@
     <message>
         <source>no, %1 steps</source>
         <translation>non, %1 pas</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::RegistrationBox</name>
+    <message>
+        <source>Nobody has checked this model (Model, Quality). The picture says so.</source>
+        <translation>Personne n’a vérifié ce modèle (Modèle, Qualité). L’image le dit.</translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation>Recaler</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::PlaybackModel</name>
+    <message>
+        <source>Tracking is running.</source>
+        <translation>Le suivi est en cours.</translation>
+    </message>
+    <message>
+        <source>The video has ended. Last picture, not live.</source>
+        <translation>La vidéo est finie. Dernière image, pas en direct.</translation>
+    </message>
+    <message>
+        <source>Register first.</source>
+        <translation>Recalez d&apos;abord.</translation>
+    </message>
+    <message>
+        <source>The registration is out of date: register again.</source>
+        <translation>Le recalage est périmé : recalez de nouveau.</translation>
+    </message>
+    <message>
+        <source>The case has no stereo video (Stereo, Video…).</source>
+        <translation>Le cas n&apos;a pas de vidéo stéréo (Stéréo, Vidéo…).</translation>
+    </message>
+    <message>
+        <source>The registered frame or the calibration is missing.</source>
+        <translation>Il manque l&apos;image recalée ou l&apos;étalonnage.</translation>
+    </message>
+    <message>
+        <source>Tracking was stopped. Last picture, not live.</source>
+        <translation>Le suivi a été arrêté. Dernière image, pas en direct.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::PlaybackBox</name>
+    <message>
+        <source>Start tracking</source>
+        <translation>Démarrer le suivi</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêter</translation>
+    </message>
+    <message>
+        <source>Repeat the video</source>
+        <translation>Répéter la vidéo</translation>
+    </message>
+    <message>
+        <source>At its end, track again from the registered frame.</source>
+        <translation>À la fin, suivre de nouveau depuis l&apos;image recalée.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::RecordingModel</name>
+    <message>
+        <source>Frames recorded: %1, in %2</source>
+        <translation>Images enregistrées : %1, dans %2</translation>
+    </message>
+    <message>
+        <source>Recording to %1</source>
+        <translation>Enregistrement dans %1</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::RecordingBox</name>
+    <message>
+        <source>Stop recording</source>
+        <translation>Arrêter l&apos;enregistrement</translation>
+    </message>
+    <message>
+        <source>Record…</source>
+        <translation>Enregistrer…</translation>
+    </message>
+    <message>
+        <source>Record the live view</source>
+        <translation>Enregistrer la vue en direct</translation>
+    </message>
+    <message>
+        <source>Video (*.mkv)</source>
+        <translation>Vidéo (*.mkv)</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::LiveViewModel</name>
+    <message>
+        <source>Not live</source>
+        <translation>Pas en direct</translation>
     </message>
     <message>
         <source>Registered frame %1, not live</source>
@@ -2427,6 +2469,14 @@
     <message>
         <source>Pairs</source>
         <translation>Paires</translation>
+    </message>
+    <message>
+        <source>Residual (not an accuracy)</source>
+        <translation>Résidu (pas une précision)</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>Tracking and mechanics</source>
@@ -2456,85 +2506,70 @@
         <source>The overlay is being prepared: the picture shows none yet.</source>
         <translation>La superposition est en préparation : l&apos;image n&apos;en montre pas encore.</translation>
     </message>
+</context>
+<context>
+    <name>glisson::ui::LiveView</name>
     <message>
-        <source>Tracking is running.</source>
-        <translation>Le suivi est en cours.</translation>
+        <source>Register the model to a frame of the laparoscope; the augmented picture appears here.</source>
+        <translation>Recalez le modèle sur une image du laparoscope ; l&apos;image augmentée apparaît ici.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::LookBox</name>
+    <message>
+        <source>Portal vein</source>
+        <translation>Veine porte</translation>
     </message>
     <message>
-        <source>Stop recording</source>
-        <translation>Arrêter l&apos;enregistrement</translation>
+        <source>Hepatic veins</source>
+        <translation>Veines hépatiques</translation>
     </message>
     <message>
-        <source>Not live</source>
-        <translation>Pas en direct</translation>
+        <source>Lesions</source>
+        <translation>Lésions</translation>
     </message>
     <message>
-        <source>Record the live view</source>
-        <translation>Enregistrer la vue en direct</translation>
+        <source>Liver outline</source>
+        <translation>Contour du foie</translation>
     </message>
     <message>
-        <source>Video (*.mkv)</source>
-        <translation>Vidéo (*.mkv)</translation>
+        <source>Anterior margin</source>
+        <translation>Bord antérieur</translation>
     </message>
     <message>
-        <source>Recording to %1</source>
-        <translation>Enregistrement dans %1</translation>
+        <source>Vessel opacity</source>
+        <translation>Opacité des vaisseaux</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::GuidancePanel</name>
+    <message>
+        <source>Guidance</source>
+        <translation>Guidage</translation>
     </message>
     <message>
-        <source>Build a model first.</source>
-        <translation>Construisez d&apos;abord un modèle.</translation>
+        <source>The model brought to what the laparoscope sees, and kept there.</source>
+        <translation>Le modèle amené à ce que voit le laparoscope, et maintenu là.</translation>
     </message>
     <message>
-        <source>Reconstruct the surface first (Stereo).</source>
-        <translation>Reconstruisez d&apos;abord la surface (Stéréo).</translation>
-    </message>
-    <message>
-        <source>Register first.</source>
-        <translation>Recalez d&apos;abord.</translation>
-    </message>
-    <message>
-        <source>The registration is out of date: register again.</source>
-        <translation>Le recalage est périmé : recalez de nouveau.</translation>
-    </message>
-    <message>
-        <source>The case has no stereo video (Stereo, Video…).</source>
-        <translation>Le cas n&apos;a pas de vidéo stéréo (Stéréo, Vidéo…).</translation>
-    </message>
-    <message>
-        <source>The registered frame or the calibration is missing.</source>
-        <translation>Il manque l&apos;image recalée ou l&apos;étalonnage.</translation>
+        <source>1. Initial registration</source>
+        <translation>1. Recalage initial</translation>
     </message>
     <message>
         <source>Rigid start from the labelled features; then the shape that simulated operations on this liver make most probable, drawn to the points.</source>
         <translation>Départ rigide à partir des traits marqués ; puis la forme que des opérations simulées sur ce foie rendent la plus probable, tirée vers les points.</translation>
     </message>
     <message>
-        <source>Nobody has checked this model (Model, Quality). The picture says so.</source>
-        <translation>Personne n’a vérifié ce modèle (Modèle, Qualité). L’image le dit.</translation>
+        <source>2. Live tracking</source>
+        <translation>2. Suivi en direct</translation>
     </message>
     <message>
-        <source>The labels are out of date: segment or import them again (Segmentation).</source>
-        <translation>Les étiquettes sont périmées : segmentez ou importez-les de nouveau (Segmentation).</translation>
+        <source>Plays the case&apos;s stereo video as a live laparoscope.</source>
+        <translation>Joue la vidéo stéréo du cas comme un laparoscope.</translation>
     </message>
     <message>
-        <source>The model is out of date: build it again (Model).</source>
-        <translation>Le modèle est périmé : reconstruisez-le (Modèle).</translation>
-    </message>
-    <message>
-        <source>The landmarks are those of another model: look at them and accept them (Landmarks).</source>
-        <translation>Les repères sont ceux d’un autre modèle : vérifiez-les et acceptez-les (Repères).</translation>
-    </message>
-    <message>
-        <source>The frame is of a former video: take one of the present video (Stereo).</source>
-        <translation>L’image vient d’une vidéo précédente : prenez-en une de la vidéo actuelle (Stéréo).</translation>
-    </message>
-    <message>
-        <source>The regions are those of another frame: draw them again or clear them (Stereo).</source>
-        <translation>Les régions sont celles d’une autre image : redessinez-les ou effacez-les (Stéréo).</translation>
-    </message>
-    <message>
-        <source>The points are out of date: reconstruct the surface again (Stereo).</source>
-        <translation>Les points sont périmés : reconstruisez la surface (Stéréo).</translation>
+        <source>Overlay</source>
+        <translation>Superposition</translation>
     </message>
 </context>
 <context>

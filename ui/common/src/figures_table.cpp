@@ -14,7 +14,7 @@ FiguresTable::FiguresTable(QWidget* parent) : QWidget(parent), grid_(new QGridLa
   setVisible(false);
 }
 
-void FiguresTable::set_rows(const std::vector<std::pair<QString, QString>>& rows) {
+void FiguresTable::set_rows(const FigureRows& rows) {
   // Labels stay: live figures change many times a second and must not flicker.
   while (rows_.size() > rows.size()) {
     delete rows_.back().first;

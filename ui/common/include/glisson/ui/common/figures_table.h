@@ -10,12 +10,15 @@ class QLabel;
 
 namespace glisson::ui {
 
+/// Names and values.
+using FigureRows = std::vector<std::pair<QString, QString>>;
+
 /// Names and values of a stage's result, two columns.
 class FiguresTable : public QWidget {
   Q_OBJECT
  public:
   explicit FiguresTable(QWidget* parent = nullptr);
-  void set_rows(const std::vector<std::pair<QString, QString>>& rows);
+  void set_rows(const FigureRows& rows);
   void clear() { set_rows({}); }
 
  private:

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Each box of the guidance panel alone: its widgets say what its model's properties say.
+#include <QCheckBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QtTest>
+
+#include "fake_operation.h"
+#include "glisson/core/files.h"
+#include "glisson/ui/common/task_button.h"
+#include "glisson/ui/guidance/playback_box.h"
+#include "glisson/ui/guidance/recording_box.h"
+#include "glisson/ui/guidance/registration_box.h"
+#include "run_in_window.h"
+
+namespace glisson {
+
+using engine::Part;
+using ui::EngineBridge;
+
+class GuidanceBoxesTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void init();
+  void cleanup();
+  void CouplingShowsNowAndAtEveryChange();
+  void RegistrationSaysWhatItNeeds();
+  void RegistrationShowsItsFiguresAndDoubts();
+  void PlaybackSaysWhatItNeeds();
+  void PlaybackFreezesWhenItIsStopped();
+  void FrozenPictureGoesWithItsRegistration();
+  void PlaybackRepeatsOnlyWhenItShould_data();
+  void PlaybackRepeatsOnlyWhenItShould();
+  void RecordingIsOfferedWhileThereIsSomethingToRecord();
+  void RecordingEndsWithThePlaying();
+  void RecordingThatFailsSaysWhy();
+
+ private:
+  void post(engine::Command command) {
+    engine_->post(std::move(command));
+    QVERIFY(QTest::qWaitFor([this] { return engine_->tasks().empty(); }, 20000));
+  }
+  void reach_cloud(int frames) {
+    operation_->film(folder_->path() / "scope.mkv", frames);
+    post(engine::ImportImage{"ct.nii"});
+    post(engine::SetSeeds{});
+    post(engine::Segment{});
+    post(engine::BuildModel{});
+    post(engine::SetCalibration{"scope.yml"});
+    post(engine::SetVideo{operation_->video, {}});
+    post(engine::LoadVideoFrame{2});
+    post(engine::Reconstruct{});
+  }
+  void reach_registration(int frames) {
+    reach_cloud(frames);
+    post(engine::Register{});
+    QCOMPARE(engine_->snapshot()->stage(Part::registration), engine::StageState::current);
+  }
+  static QString words_on(const QWidget& widget) {
+    QStringList words;
+    for (const QLabel* label : widget.findChildren<QLabel*>())
+      if (!label->isHidden() && !label->text().isEmpty()) words << label->text();
+    return words.join(QLatin1Char('\n'));
+  }
+  static ui::TaskButton* task(const QWidget& box, const char* name) {
+    return box.findChild<ui::TaskButton*>(QString::fromLatin1(name));
+  }
+  static QPushButton* button(const QWidget& box, const char* name) {
+    return box.findChild<QPushButton*>(QString::fromLatin1(name));
+  }
+  /// A live picture of the worker's own.
+  static ui::OverlayJob live_job(int index) {
+    ui::OverlayJob job;
+    job.frame = FakeOperation::picture(64, 32, index);
+    job.overlay.index = index;
+    job.overlay.seconds = index / 30.0;
+    job.taken = std::chrono::steady_clock::now();
+    return job;
+  }
+
+  std::unique_ptr<TemporaryFolder> folder_;
+  std::unique_ptr<FakeOperation> operation_;
+  std::unique_ptr<EngineBridge> engine_;
+};
+
+void GuidanceBoxesTest::init() {
+  folder_ = std::make_unique<TemporaryFolder>();
+  operation_ = std::make_unique<FakeOperation>();
+  make_box_operation(*operation_);
+  engine_ = std::make_unique<EngineBridge>(operation_->options());
+}
+
+void GuidanceBoxesTest::cleanup() {
+  engine_.reset();
+  operation_.reset();
+  folder_.reset();
+}
+
+void GuidanceBoxesTest::CouplingShowsNowAndAtEveryChange() {
+  QProperty<int> first{1};
+  QProperty<int> twice;
+  twice.setBinding([&first] { return 2 * first; });
+  std::vector<int> shown;
+  {
+    ui::Couplings couplings;
+    couplings.add(twice, [&shown](int value) { shown.push_back(value); });
+    first = 2;
+    first = 2;
+    first = 3;
+  }
+  first = 4;
+  QCOMPARE(shown, (std::vector<int>{2, 4, 6}));
+}
+
+void GuidanceBoxesTest::RegistrationSaysWhatItNeeds() {
+  ui::RegistrationModel model(*engine_);
+  const ui::RegistrationBox box(*engine_, model);
+  QVERIFY(words_on(box).contains(QStringLiteral("Build a model first.")));
+  QVERIFY(!task(box, "register")->button()->isEnabled());
+  post(engine::ImportImage{"ct.nii"});
+  post(engine::SetSeeds{});
+  post(engine::Segment{});
+  post(engine::BuildModel{});
+  QVERIFY(words_on(box).contains(QStringLiteral("Reconstruct the surface first (Stereo).")));
+  reach_cloud(4);
+  QVERIFY(task(box, "register")->button()->isEnabled());
+  post(engine::SetSeeds{});
+  QVERIFY(words_on(box).contains(QStringLiteral("The labels are out of date")));
+  QVERIFY(!task(box, "register")->button()->isEnabled());
+}
+
+void GuidanceBoxesTest::RegistrationShowsItsFiguresAndDoubts() {
+  ui::RegistrationModel model(*engine_);
+  const ui::RegistrationBox box(*engine_, model);
+  const auto* doubts = box.findChild<QLabel*>(QStringLiteral("registration_doubts"));
+  QVERIFY(doubts->isHidden());
+  reach_registration(4);
+  QVERIFY(words_on(box).contains(QStringLiteral("1.10 mm")));
+  QVERIFY(words_on(box).contains(QStringLiteral("yes, 11 plateaus")));
+  QVERIFY(!doubts->isHidden() && !doubts->text().isEmpty());
+  QVERIFY(!box.findChild<QLabel*>(QStringLiteral("model_unchecked"))->isHidden());
+}
+
+void GuidanceBoxesTest::PlaybackSaysWhatItNeeds() {
+  ui::PlaybackModel model(*engine_);
+  const ui::PlaybackBox box(*engine_, model);
+  QVERIFY(words_on(box).contains(QStringLiteral("Register first.")));
+  reach_registration(200);
+  QVERIFY(task(box, "start_tracking")->button()->isEnabled());
+  QVERIFY(!button(box, "stop_tracking")->isEnabled());
+  task(box, "start_tracking")->trigger();
+  QTRY_VERIFY(model.is_tracking);
+  QVERIFY(words_on(box).contains(QStringLiteral("Tracking is running.")));
+  QVERIFY(button(box, "stop_tracking")->isEnabled());
+}
+
+void GuidanceBoxesTest::PlaybackFreezesWhenItIsStopped() {
+  ui::PlaybackModel model(*engine_);
+  const ui::PlaybackBox box(*engine_, model);
+  reach_registration(200);
+  task(box, "start_tracking")->trigger();
+  QTRY_VERIFY(model.is_playing);
+  button(box, "stop_tracking")->click();
+  QVERIFY(model.is_frozen && !model.is_playing);
+  QVERIFY(model.frozen_why.value().contains(QStringLiteral("Last picture, not live")));
+  QTRY_VERIFY(!model.is_tracking);
+  QVERIFY(model.is_frozen);
+  QVERIFY(task(box, "start_tracking")->button()->isEnabled());
+}
+
+void GuidanceBoxesTest::FrozenPictureGoesWithItsRegistration() {
+  ui::PlaybackModel model(*engine_);
+  const ui::PlaybackBox box(*engine_, model);
+  reach_registration(200);
+  task(box, "start_tracking")->trigger();
+  QTRY_VERIFY(model.is_playing);
+  model.stop();
+  QTRY_VERIFY(!model.is_tracking);
+  post(engine::Register{});
+  QVERIFY(!model.is_frozen);
+}
+
+void GuidanceBoxesTest::PlaybackRepeatsOnlyWhenItShould_data() {
+  QTest::addColumn<bool>("repeats");
+  QTest::newRow("once") << false;
+  QTest::newRow("again") << true;
+}
+
+void GuidanceBoxesTest::PlaybackRepeatsOnlyWhenItShould() {
+  QFETCH(bool, repeats);
+  ui::PlaybackModel model(*engine_);
+  const ui::PlaybackBox box(*engine_, model);
+  reach_registration(8);
+  box.findChild<QCheckBox*>()->setChecked(repeats);
+  QCOMPARE(model.repeats.value(), repeats);
+  QSignalSpy begun(&model, &ui::PlaybackModel::begun);
+  task(box, "start_tracking")->trigger();
+  QTRY_VERIFY_WITH_TIMEOUT(begun.count() >= (repeats ? 3 : 1), 20000);
+  if (repeats) return;
+  QTRY_VERIFY(model.is_frozen && !model.is_tracking);
+  QVERIFY(model.frozen_why.value().contains(QStringLiteral("The video has ended")));
+  QVERIFY(!QTest::qWaitFor([&] { return begun.count() > 1; }, 300));
+}
+
+void GuidanceBoxesTest::RecordingIsOfferedWhileThereIsSomethingToRecord() {
+  ui::OverlayWorker worker;
+  ui::PlaybackModel playback(*engine_);
+  ui::RecordingModel model(worker, playback);
+  const ui::RecordingBox box(model);
+  QVERIFY(!box.button()->isEnabled());
+  QCOMPARE(box.button()->text(), QStringLiteral("Record…"));
+  playback.is_tracking = true;
+  QVERIFY(box.button()->isEnabled());
+  model.start(QString::fromStdString((folder_->path() / "live.mkv").string()));
+  QCOMPARE(box.button()->text(), QStringLiteral("Stop recording"));
+  QVERIFY(words_on(box).startsWith(QStringLiteral("Recording to")));
+  int painted = 0;
+  connect(&worker, &ui::OverlayWorker::painted, this, [&painted] { ++painted; });
+  worker.submit(live_job(0));
+  QTRY_COMPARE(painted, 1);
+  box.button()->click();
+  QTRY_VERIFY(!model.is_recording);
+  QVERIFY2(words_on(box).startsWith(QStringLiteral("Frames recorded: 1")), qPrintable(words_on(box)));
+}
+
+void GuidanceBoxesTest::RecordingEndsWithThePlaying() {
+  ui::OverlayWorker worker;
+  ui::PlaybackModel playback(*engine_);
+  ui::RecordingModel model(worker, playback);
+  model.start(QString::fromStdString((folder_->path() / "early.mkv").string()));
+  QVERIFY(model.is_recording && model.is_offered);  // asked for before the playing begins
+  playback.is_tracking = true;
+  QVERIFY(!QTest::qWaitFor([&] { return !model.is_recording; }, 100));
+  playback.is_frozen = true;
+  QTRY_VERIFY(!model.is_recording);
+  QCOMPARE(model.tone.value(), QStringLiteral("good"));
+}
+
+void GuidanceBoxesTest::RecordingThatFailsSaysWhy() {
+  ui::OverlayWorker worker;
+  ui::PlaybackModel playback(*engine_);
+  ui::RecordingModel model(worker, playback);
+  const ui::RecordingBox box(model);
+  model.start(QString::fromStdString((folder_->path() / "no_such_folder" / "live.mkv").string()));
+  worker.submit(live_job(0));
+  QTRY_VERIFY(!model.is_recording);
+  QCOMPARE(model.tone.value(), QStringLiteral("error"));
+  QVERIFY(!words_on(box).isEmpty());
+}
+
+}  // namespace glisson
+
+int main(int argc, char** argv) { return glisson::run_in_window<glisson::GuidanceBoxesTest>(argc, argv); }
+#include "guidance_boxes_test.moc"

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QProperty>
+#include <QTimer>
+#include <QVariant>
+#include <deque>
+#include <optional>
+
+#include "glisson/ui/common/couplings.h"
+#include "glisson/ui/common/drawable_source.h"
+#include "glisson/ui/common/figures_table.h"
+#include "glisson/ui/guidance/overlay_worker.h"
+#include "glisson/ui/guidance/playback_model.h"
+
+namespace glisson::ui {
+
+/// Which picture is to be drawn, and what is said of the one on the screen: live, frozen, of the registered
+/// frame, or none. Nothing of a former case or a former playing is ever shown as of the present one.
+class LiveViewModel : public QObject {
+  Q_OBJECT
+ public:
+  /// All outlive this.
+  LiveViewModel(EngineBridge& engine, DrawableSource& drawables, PlaybackModel& playback,
+                OverlayWorker& worker, QObject* parent = nullptr);
+
+  const scene::OverlayStyle& style() const { return style_; }
+  void set_style(const scene::OverlayStyle& style);
+  /// Augmented pictures shown so far.
+  int pictures_shown() const { return pictures_shown_; }
+
+  // For widgets to read.
+  QProperty<QString> banner;      ///< above the picture; empty: none
+  QProperty<QString> line;        ///< below it
+  QProperty<QVariant> is_fresh;   ///< whether it shows where things are now; invalid: there is no picture
+  QProperty<FigureRows> figures;  ///< of the live picture
+
+ signals:
+  /// @param picture empty: none.
+  void picture_changed(const glisson::Picture& picture);
+
+ private:
+  void read_case();
+  void show_live();
+  void show_registered();
+  void show_frozen();
+  /// Draws what is on the screen once more, in the present style. Live, the next picture has it anyway.
+  void redraw();
+  /// Nothing is shown: neither a picture nor what was said of it.
+  void put_away();
+  void submit(OverlayJob job);
+  OverlayJob make_job();
+  void show_painted(const Picture& picture, const OverlayFrame& overlay, double age, double draw,
+                    int generation);
+  void show_failed(const QString& message, int generation);
+  void show_still(const OverlayFrame& overlay);
+  void show_live_figures(const OverlayFrame& overlay, double draw);
+  void show_freshness();
+  /// Live pictures a second; 0: unknown yet.
+  double rate() const;
+
+  EngineBridge& engine_;
+  DrawableSource& drawables_;
+  PlaybackModel& playback_;
+  OverlayWorker& worker_;
+  Couplings couplings_;
+  scene::OverlayStyle style_;
+  QTimer freshness_;
+  QElapsedTimer clock_, since_painted_;
+  std::deque<qint64> painted_at_;  ///< milliseconds
+  double last_age_ = 0.0;
+  int shown_index_ = 0;  ///< of the frame on the screen, which may be older than the engine's
+  int pictures_shown_ = 0;
+  bool was_tracking_ = false;
+  std::optional<OverlayJob> job_;  ///< the last one
+  int generation_ = 0;             ///< pictures of former ones are not shown any more
+  Validity shown_validity_ = Validity::not_started;
+  std::shared_ptr<const Points> margin_;
+  std::shared_ptr<const model::BuiltModel> model_source_;
+  std::shared_ptr<const Landmarks> landmarks_source_;
+};
+
+}  // namespace glisson::ui

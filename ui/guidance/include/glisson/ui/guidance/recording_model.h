@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QProperty>
+
+#include "glisson/ui/common/couplings.h"
+#include "glisson/ui/guidance/overlay_worker.h"
+#include "glisson/ui/guidance/playback_model.h"
+
+namespace glisson::ui {
+
+/// Records the live view. It may be asked for before the playing begins; it ends with the playing.
+class RecordingModel : public QObject {
+  Q_OBJECT
+ public:
+  RecordingModel(OverlayWorker& worker, PlaybackModel& playback, QObject* parent = nullptr);
+
+  void start(const QString& path);
+  /// The file is closed; `said` tells how that went.
+  void stop();
+
+  // For widgets to read.
+  QProperty<bool> is_recording{false};
+  QProperty<bool> is_offered;  ///< starting, or stopping, makes sense
+  QProperty<QString> said;
+  QProperty<QString> tone;  ///< of what is said, as the style sheet names it: good, warning, error
+
+ private:
+  void say(const QString& text, const QString& how);
+
+  OverlayWorker& worker_;
+  Couplings couplings_;
+};
+
+}  // namespace glisson::ui

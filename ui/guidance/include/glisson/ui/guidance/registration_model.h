@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QProperty>
+
+#include "glisson/ui/common/engine_bridge.h"
+#include "glisson/ui/common/figures_table.h"
+
+namespace glisson::ui {
+
+/// What there is to say of the case's registration, and what it still needs. Widgets read the properties.
+class RegistrationModel : public QObject {
+  Q_OBJECT
+ public:
+  explicit RegistrationModel(EngineBridge& engine, QObject* parent = nullptr);
+
+  /// The step to do before a registration; empty: it can be made. All texts of requirements are here.
+  static QString requirement(const engine::Snapshot& now);
+
+  QProperty<QString> obstacle;    ///< requirement() of the present case
+  QProperty<bool> is_unchecked;   ///< nobody has said that the model is right
+  QProperty<FigureRows> figures;  ///< of the registration; none: there is no registration
+  QProperty<QString> doubts;      ///< a line each
+
+ private:
+  void read_case();
+
+  EngineBridge& engine_;
+};
+
+}  // namespace glisson::ui

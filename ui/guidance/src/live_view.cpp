@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/ui/guidance/live_view.h"
+
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include "glisson/ui/common/panel.h"
+
+namespace glisson::ui {
+
+LiveView::LiveView(LiveViewModel& model, QWidget* parent)
+    : QWidget(parent), picture_(new PictureView({}, this)) {
+  setObjectName(QStringLiteral("guidance_view"));
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  auto* banner = new QLabel(this);
+  banner->setProperty("role", "banner");
+  banner->setWordWrap(true);
+  layout->addWidget(banner);
+  picture_->set_hint(
+      tr("Register the model to a frame of the laparoscope; the augmented picture appears here."));
+  layout->addWidget(picture_, 1);
+  auto* line = new QLabel(this);
+  line->setProperty("role", "probe");
+  line->setContentsMargins(10, 4, 10, 4);
+  layout->addWidget(line);
+
+  connect(&model, &LiveViewModel::picture_changed, picture_, &PictureView::set_picture);
+  couplings_.add(model.banner, [banner](const QString& text) { show_warning(*banner, text); });
+  couplings_.add(model.line, [line](const QString& text) { line->setText(text); });
+  couplings_.add(model.is_fresh, [line](const QVariant& is) { set_style_property(line, "fresh", is); });
+}
+
+}  // namespace glisson::ui

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/ui/guidance/live_view_model.h"
+
+#include <algorithm>
+
+namespace glisson::ui {
+namespace {
+
+constexpr double kFreshSeconds = 0.5;  ///< a live picture that is older is marked
+constexpr qint64 kRateWindow = 2000;   ///< milliseconds over which the frame rate is counted
+
+}  // namespace
+
+LiveViewModel::LiveViewModel(EngineBridge& engine, DrawableSource& drawables, PlaybackModel& playback,
+                             OverlayWorker& worker, QObject* parent)
+    : QObject(parent), engine_(engine), drawables_(drawables), playback_(playback), worker_(worker) {
+  clock_.start();
+  connect(&worker_, &OverlayWorker::painted, this, &LiveViewModel::show_painted);
+  connect(&worker_, &OverlayWorker::failed, this, &LiveViewModel::show_failed);
+  connect(&playback_, &PlaybackModel::case_read, this, &LiveViewModel::read_case);
+  connect(&playback_, &PlaybackModel::begun, this, [this] {
+    painted_at_.clear();
+    since_painted_.invalidate();
+  });
+  couplings_.add(playback_.frozen_why, [this](const QString& why) {
+    if (!why.isEmpty()) show_frozen();
+  });
+  connect(&engine_, &EngineBridge::live_changed, this, &LiveViewModel::show_live);
+  connect(&drawables_, &DrawableSource::changed, this, &LiveViewModel::redraw);
+  connect(&freshness_, &QTimer::timeout, this, &LiveViewModel::show_freshness);
+  freshness_.start(100);
+  read_case();
+}
+
+void LiveViewModel::set_style(const scene::OverlayStyle& style) {
+  style_ = style;
+  redraw();
+}
+
+OverlayJob LiveViewModel::make_job() {
+  const engine::CaseState& now = engine_.state();
+  // One object as long as nothing changes: the painter binds the margin once for it.
+  if (now.model != model_source_ || now.landmarks != landmarks_source_) {
+    model_source_ = now.model;
+    landmarks_source_ = now.landmarks;
+    margin_ = now.model ? std::make_shared<const Points>(engine::effective_landmarks(now).anterior_margin)
+                        : nullptr;
+  }
+  OverlayJob job;
+  job.model = drawables_.drawable();
+  job.margin = margin_;
+  job.rig = now.rig;
+  job.style = style_;
+  job.model_unchecked = now.model && !engine::is_model_checked(now);
+  return job;
+}
+
+void LiveViewModel::read_case() {
+  const bool tracking = playback_.is_tracking;
+  // What is still being painted is not live, or of the case as it was, or of another one.
+  const bool is_still = !tracking && !playback_.is_frozen;
+  if ((tracking && !was_tracking_) || is_still) ++generation_;
+  was_tracking_ = tracking;
+  if (is_still) show_registered();
+}
+
+void LiveViewModel::put_away() {
+  job_.reset();
+  emit picture_changed({});
+  line = QString();
+  is_fresh = QVariant();
+  figures = FigureRows();
+  banner = QString();
+}
+
+void LiveViewModel::submit(OverlayJob job) {
+  job.generation = generation_;
+  job_ = job;
+  worker_.submit(std::move(job));
+}
+
+void LiveViewModel::redraw() {
+  if (!playback_.is_frozen) {
+    if (!engine_.snapshot()->tracking) show_registered();
+    return;
+  }
+  if (!job_) return;
+  OverlayJob job = *job_;
+  job.style = style_;
+  if (drawables_.drawable()) job.model = drawables_.drawable();
+  job.taken.reset();  // it is not live any more
+  job.frames_per_second = 0.0;
+  submit(std::move(job));
+}
+
+void LiveViewModel::show_registered() {
+  const engine::CaseState& now = engine_.state();
+  if (!now.frame) return put_away();
+  OverlayJob job = make_job();
+  job.frame = now.frame->frame.left;
+  job.overlay.index = now.frame->frame.index;
+  if (now.registration) {
+    const bool current = engine_.snapshot()->stage(engine::Part::registration) == engine::StageState::current;
+    job.overlay.validity = current ? Validity::valid : Validity::stale;
+    job.overlay.nodes_in_camera = now.registration->nodes_in_camera;
+    job.overlay.residual = now.registration->residual;
+    job.overlay.doubtful = !now.registration->doubts.empty();
+  }
+  submit(std::move(job));
+}
+
+void LiveViewModel::show_live() {
+  const engine::CaseState& now = engine_.state();
+  if (!now.live || now.live->frame.left.empty() || !engine_.snapshot()->tracking) return;
+  OverlayJob job = make_job();
+  job.frame = now.live->frame.left;
+  job.overlay = now.live->overlay;
+  if (engine_.snapshot()->stage(engine::Part::live) == engine::StageState::stale)
+    job.overlay.validity = Validity::stale;
+  job.taken = playback_.feed().sent_at(now.live->frame.index);
+  job.source_rate = playback_.feed().frames_per_second();
+  job.frames_per_second = rate();
+  submit(std::move(job));
+}
+
+void LiveViewModel::show_frozen() {
+  banner = playback_.frozen_why.value();
+  line = tr("Not live");
+  is_fresh = QVariant(false);
+}
+
+void LiveViewModel::show_painted(const Picture& picture, const OverlayFrame& overlay, double age, double draw,
+                                 int generation) {
+  if (generation != generation_) return;
+  emit picture_changed(picture);
+  ++pictures_shown_;
+  last_age_ = age;
+  shown_index_ = overlay.index;
+  since_painted_.start();
+  shown_validity_ = overlay.validity;
+  if (playback_.is_frozen) {  // the last live pictures may still come in
+    banner = playback_.frozen_why.value();
+    return;
+  }
+  const engine::Snapshot& now = *engine_.snapshot();
+  if (!now.tracking || !now.state.live) return show_still(overlay);
+  show_live_figures(overlay, draw);
+  show_freshness();
+}
+
+void LiveViewModel::show_failed(const QString& message, int generation) {
+  if (generation != generation_) return;
+  // What is on the screen is of the case as it was, unless it says that it is a former picture.
+  if (!playback_.is_frozen && !engine_.snapshot()->tracking) put_away();
+  banner = playback_.is_frozen ? playback_.frozen_why.value() + QLatin1Char('\n') + message : message;
+}
+
+void LiveViewModel::show_still(const OverlayFrame& overlay) {
+  const bool valid = overlay.validity == Validity::valid;
+  line = valid ? tr("Registered frame %1, not live").arg(overlay.index)
+               : tr("Frame %1, not live").arg(overlay.index);
+  is_fresh = QVariant(valid);
+  figures = FigureRows();
+  banner = QString();
+}
+
+void LiveViewModel::show_live_figures(const OverlayFrame& overlay, double draw) {
+  const engine::LiveState& live = *engine_.state().live;
+  painted_at_.push_back(clock_.elapsed());
+  while (painted_at_.back() - painted_at_.front() > kRateWindow) painted_at_.pop_front();
+  const auto ms = [](double value) { return tr("%1 ms").arg(value, 0, 'f', 0); };
+  figures =
+      FigureRows{{tr("Tracked points, left / right"),
+                  tr("%1 / %2").arg(overlay.tracked_left).arg(overlay.tracked_right)},
+                 {tr("Pairs"), QString::number(overlay.pairs)},
+                 {tr("Residual (not an accuracy)"), tr("%1 mm").arg(1e3 * overlay.residual, 0, 'f', 2)},
+                 {tr("Tracking and mechanics"), ms(overlay.milliseconds)},
+                 {tr("Drawing"), ms(1e3 * draw)},
+                 {tr("Frames late / dropped"), tr("%1 / %2").arg(live.frames_late).arg(live.frames_dropped)}};
+}
+
+double LiveViewModel::rate() const {
+  if (painted_at_.size() < 2) return 0.0;
+  const auto span = std::max<qint64>(1, painted_at_.back() - painted_at_.front());
+  return 1e3 * static_cast<double>(painted_at_.size() - 1) / static_cast<double>(span);
+}
+
+void LiveViewModel::show_freshness() {
+  if (playback_.is_frozen || !engine_.snapshot()->tracking || !engine_.state().live ||
+      !since_painted_.isValid())
+    return;
+  const double age = last_age_ + static_cast<double>(since_painted_.elapsed()) / 1e3;
+  QString text = tr("LIVE   frame %1   age %2 ms   %3 frames/s")
+                     .arg(shown_index_)
+                     .arg(1e3 * age, 0, 'f', 0)
+                     .arg(rate(), 0, 'f', 1);
+  const bool valid = shown_validity_ == Validity::valid;
+  if (!valid)
+    text += tr("   NO OVERLAY: %1").arg(QString::fromStdString(scene::validity_text(shown_validity_)));
+  line = text;
+  const bool old = age > kFreshSeconds, preparing = drawables_.is_preparing();
+  is_fresh = QVariant(valid && age < kFreshSeconds && !preparing);
+  if (old)
+    banner =
+        tr("The picture is %1 s old: the overlay does not show where things are now.").arg(age, 0, 'f', 1);
+  else
+    banner = preparing ? tr("The overlay is being prepared: the picture shows none yet.") : QString();
+}
+
+}  // namespace glisson::ui

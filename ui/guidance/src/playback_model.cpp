@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/ui/guidance/playback_model.h"
+
+#include <utility>
+
+#include "glisson/ui/guidance/registration_model.h"
+
+namespace glisson::ui {
+
+PlaybackModel::PlaybackModel(EngineBridge& engine, QObject* parent)
+    : QObject(parent),
+      engine_(engine),
+      feed_([&engine](StereoFrame frame) { engine.submit_frame(std::move(frame)); }) {
+  is_playing.setBinding([this] { return is_tracking && !is_frozen; });
+  obstacle.setBinding([this] { return is_tracking ? tr("Tracking is running.") : requirement_.value(); });
+  connect(&feed_, &VideoFeed::ended, this, [this] {
+    if (!is_playing) return;
+    starts_again_ = repeats;
+    freeze(tr("The video has ended. Last picture, not live."));
+  });
+  connect(&feed_, &VideoFeed::failed, this, [this](const QString& message) {
+    if (is_playing) freeze(message);
+  });
+  connect(&engine_, &EngineBridge::case_changed, this, &PlaybackModel::read_case);
+  read_case();
+}
+
+QString PlaybackModel::requirement(const engine::Snapshot& now) {
+  const engine::CaseState& state = now.state;
+  if (!state.registration) return tr("Register first.");
+  if (now.stage(engine::Part::registration) == engine::StageState::stale) {
+    const QString first = RegistrationModel::requirement(now);
+    return first.isEmpty() ? tr("The registration is out of date: register again.") : first;
+  }
+  if (!state.video) return tr("The case has no stereo video (Stereo, Video…).");
+  if (!state.frame || !state.rig) return tr("The registered frame or the calibration is missing.");
+  return {};
+}
+
+void PlaybackModel::begin(const engine::Outcome& outcome) {
+  const engine::CaseState& now = engine_.state();
+  if (outcome.status != engine::Status::done || !now.video || !now.frame) return;
+  if (!engine_.snapshot()->tracking) return;  // ended already, as by another case
+  unfreeze();
+  emit begun();
+  feed_.start(*now.video, now.frame->frame.index + 1);
+}
+
+void PlaybackModel::stop() {
+  starts_again_ = false;
+  freeze(tr("Tracking was stopped. Last picture, not live."));
+}
+
+void PlaybackModel::freeze(const QString& why) {
+  feed_.stop();
+  if (engine_.snapshot()->tracking) engine_.post(engine::StopTracking{});
+  frozen_registration_ = engine_.state().registration;
+  frozen_why = why;
+  is_frozen = true;
+}
+
+void PlaybackModel::unfreeze() {
+  starts_again_ = false;
+  is_frozen = false;
+  frozen_why = QString();
+  frozen_registration_.reset();
+}
+
+void PlaybackModel::read_case() {
+  const engine::Snapshot& now = *engine_.snapshot();
+  requirement_ = requirement(now);
+  if (is_tracking && !now.tracking) feed_.stop();
+  const bool outdated = !now.state.frame || now.state.registration != frozen_registration_ ||
+                        now.stage(engine::Part::registration) != engine::StageState::current;
+  if (is_frozen && outdated) unfreeze();
+  is_tracking = now.tracking;
+  emit case_read();
+  if (!now.tracking && std::exchange(starts_again_, false)) emit start_wanted();
+}
+
+}  // namespace glisson::ui

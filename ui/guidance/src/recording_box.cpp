@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/ui/guidance/recording_box.h"
+
+#include <QFileDialog>
+#include <QLabel>
+#include <QPushButton>
+
+#include "box_layout.h"
+#include "glisson/ui/common/panel.h"
+
+namespace glisson::ui {
+
+RecordingBox::RecordingBox(RecordingModel& model, QWidget* parent)
+    : QWidget(parent), model_(model), button_(new QPushButton(this)) {
+  button_->setObjectName(QStringLiteral("record"));
+  auto* said = new QLabel(this);
+  said->setObjectName(QStringLiteral("recording_said"));
+  said->setWordWrap(true);
+  make_box_layout(this)->addWidget(said);
+
+  connect(button_, &QPushButton::clicked, this, &RecordingBox::toggle);
+  couplings_.add(model_.is_offered, [this](bool is) { button_->setEnabled(is); });
+  couplings_.add(model_.is_recording, [this](bool is) {
+    button_->setText(is ? tr("Stop recording") : tr("Record…"));
+    set_style_property(button_, "role", is ? "recording" : "");
+  });
+  couplings_.add(model_.said, [said](const QString& text) { said->setText(text); });
+  couplings_.add(model_.tone, [said](const QString& tone) { set_style_property(said, "role", tone); });
+}
+
+void RecordingBox::toggle() {
+  if (model_.is_recording) return model_.stop();
+  const QString path = QFileDialog::getSaveFileName(this, tr("Record the live view"),
+                                                    QStringLiteral("overlay.mkv"), tr("Video (*.mkv)"));
+  if (!path.isEmpty()) model_.start(path);
+}
+
+}  // namespace glisson::ui
