@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "case_argument.h"
 
+#include "glisson/engine/commands/open_case.h"
+#include "glisson/engine/commands/save_case.h"
+
 namespace glisson::app {
 
 void declare_case(Arguments& arguments) {

@@ -197,7 +197,7 @@ Session::Session(const Arguments& arguments)
       begin_(std::chrono::steady_clock::now()) {}
 
 engine::Outcome Session::post(engine::Command command) {
-  command_ = engine::command_code(command);
+  command_ = command.code();
   auto outcome = script_.run(std::move(command));
   if (!outcome) throw Interrupted();
   clear_progress();

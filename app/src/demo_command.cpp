@@ -4,6 +4,9 @@
 
 #include "cli.h"
 #include "commands.h"
+#include "glisson/engine/parts/image.h"
+#include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/model.h"
 #include "glisson/experiments/demo.h"
 #include "glisson/ui/scene/offscreen_renderer.h"
 #include "glisson/ui/scene/patient_scene.h"
@@ -26,9 +29,11 @@ Picture draw_model(const engine::CaseState& state) {
 
 Picture draw_slice(const engine::CaseState& state) {
   // Through the liver's middle, so that the liver is what one sees.
-  const Point<CtFrame> middle(centroid(state.model->model.surface.mesh));
-  const scene::SliceGeometry geometry = scene::slice_geometry(state.image->grid, scene::Plane::axial, middle);
-  return scene::slice_picture(*state.image, state.labels ? &state.labels->voxels : nullptr, geometry, {});
+  const Point<CtFrame> middle(centroid(state[part::model]->model.surface.mesh));
+  const scene::SliceGeometry geometry =
+      scene::slice_geometry(state[part::image]->grid, scene::Plane::axial, middle);
+  return scene::slice_picture(*state[part::image],
+                              state[part::labels] ? &state[part::labels]->voxels : nullptr, geometry, {});
 }
 
 /// Makes the drawer when the first frame comes, and again only for another model.
@@ -39,9 +44,9 @@ std::function<Picture(const engine::CaseState&, const StereoFrame&, const Overla
   };
   return [kept = std::make_shared<Kept>()](const engine::CaseState& state, const StereoFrame& frame,
                                            const OverlayFrame& overlay) {
-    if (kept->model != state.model) {
+    if (kept->model != state[part::model]) {
       kept->drawer = std::make_unique<OverlayDrawer>(state);
-      kept->model = state.model;
+      kept->model = state[part::model];
     }
     return kept->drawer->draw(frame, overlay);
   };

@@ -5,6 +5,11 @@
 #include "commands.h"
 #include "label_output.h"
 
+#include "glisson/engine/commands/edit_labels.h"
+#include "glisson/engine/commands/redo_labels.h"
+#include "glisson/engine/commands/set_review.h"
+#include "glisson/engine/commands/undo_labels.h"
+
 namespace glisson::app {
 namespace {
 

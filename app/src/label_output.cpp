@@ -2,6 +2,8 @@
 #include "label_output.h"
 
 #include "case_argument.h"
+#include "glisson/engine/parts/labels.h"
+#include "glisson/engine/review.h"
 #include "glisson/segmentation/evaluate.h"
 
 namespace glisson::app {
@@ -20,7 +22,7 @@ LabelOutput::LabelOutput(const Arguments& arguments) : arguments_(arguments) {
 }
 
 void LabelOutput::finish(Session& session) const {
-  const LabelMap& labels = *session.state().labels;
+  const LabelMap& labels = *session.state()[part::labels];
   if (arguments_.has("truth")) {
     const std::filesystem::path path = arguments_.path("truth");
     const LabelFile file = read_labels(path);

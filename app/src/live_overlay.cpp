@@ -3,12 +3,20 @@
 
 #include <chrono>
 
+#include "glisson/engine/commands/start_tracking.h"
+#include "glisson/engine/parts/check.h"
+#include "glisson/engine/parts/frame.h"
+#include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/rig.h"
+#include "glisson/engine/parts/video.h"
+
 namespace glisson::app {
 namespace {
 
 const engine::CaseState& drawable(const engine::CaseState& state) {
-  if (!state.model) throw InputError("case", "model", "there is none to draw", "Run 'glisson model' first");
-  if (!state.rig)
+  if (!state[part::model])
+    throw InputError("case", "model", "there is none to draw", "Run 'glisson model' first");
+  if (!state[part::rig])
     throw InputError("case", "calibration", "there is none, so nothing can be drawn in its place",
                      "Load the laparoscope's calibration");
   return state;
@@ -17,7 +25,7 @@ const engine::CaseState& drawable(const engine::CaseState& state) {
 }  // namespace
 
 OverlayDrawer::OverlayDrawer(const engine::CaseState& state)
-    : painter_(engine::effective_model(drawable(state)), state.rig->left),
+    : painter_(engine::effective_model(drawable(state)), state[part::rig]->left),
       model_unchecked_(!engine::is_model_checked(state)) {}
 
 Picture OverlayDrawer::draw(const StereoFrame& frame, const OverlayFrame& overlay) {
@@ -28,7 +36,8 @@ Picture OverlayDrawer::draw(const StereoFrame& frame, const OverlayFrame& overla
 
 OverlayRecorder::OverlayRecorder(const engine::CaseState& state, const std::filesystem::path& path,
                                  double frames_per_second)
-    : drawer_(state), writer_(path, state.rig->left.width, state.rig->left.height, frames_per_second) {}
+    : drawer_(state),
+      writer_(path, state[part::rig]->left.width, state[part::rig]->left.height, frames_per_second) {}
 
 double OverlayRecorder::add(const StereoFrame& frame, const OverlayFrame& overlay) {
   const auto begin = std::chrono::steady_clock::now();
@@ -44,15 +53,15 @@ void OverlayRecorder::close() { writer_.close(); }
 void follow_video(Session& session, const guidance::TrackerOptions& options, int last,
                   const std::function<void(const StereoFrame&, const OverlayFrame&)>& frame) {
   const engine::CaseState& state = session.state();
-  if (!state.video)
+  if (!state[part::video])
     throw InputError("case", "video", "there is none", "Open the operation's stereo video first");
-  if (!state.frame)
+  if (!state[part::frame])
     throw InputError("case", "frame", "no frame was registered", "Register a frame of the video first");
   engine::StartTracking start;
   start.options = options;
-  const int first = state.frame->frame.index;
+  const int first = state[part::frame]->frame.index;
   session.post(start);
-  stereo::StereoVideo video(session.state().video->left, session.state().video->right);
+  stereo::StereoVideo video(session.state()[part::video]->left, session.state()[part::video]->right);
   const int end = last >= 0 ? last + 1 : video.frame_count();
   for (StereoFrame next; video.read(next);) {
     if (next.index < first) continue;

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "cli.h"
+#include "glisson/guidance/tracker.h"
 #include "glisson/stereo/picture_io.h"
 #include "glisson/ui/scene/overlay_painter.h"
 

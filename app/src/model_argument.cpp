@@ -3,6 +3,12 @@
 
 #include "glisson/core/files.h"
 #include "glisson/engine/case_io.h"
+#include "glisson/engine/commands/import_mesh.h"
+#include "glisson/engine/commands/import_surfaces.h"
+#include "glisson/engine/commands/open_case.h"
+#include "glisson/engine/commands/set_landmarks.h"
+#include "glisson/engine/parts/landmarks.h"
+#include "glisson/engine/parts/model.h"
 #include "glisson/fem/materials.h"
 #include "glisson/geometry/mesh_io.h"
 
@@ -34,7 +40,7 @@ ModelArgument load_model(const Arguments& arguments, Session& session) {
     argument.path = argument.path.parent_path();
   if (is_folder && (fs::exists(argument.path / "case.json") || argument.path.extension() == ".glisson")) {
     session.post(engine::OpenCase{argument.path});
-    if (!session.state().model)
+    if (!session.state()[part::model])
       throw InputError(argument.path.string(), "model", "the case has none yet",
                        "Run 'glisson model --case CASE' first");
   } else if (!is_folder && is_tetrahedral(argument.path)) {
@@ -52,7 +58,7 @@ ModelArgument load_model(const Arguments& arguments, Session& session) {
 
 void write_deformed(const fs::path& path, const ModelArgument& argument, const Session& session,
                     const Registration& registration) {
-  const PatientModel& model = session.state().model->model;
+  const PatientModel& model = session.state()[part::model]->model;
   if (!argument.surface) {
     engine::write_registration(path, model, registration, argument.unit);
     return;
@@ -94,7 +100,7 @@ fem::CompositeOptions materials(const Arguments& arguments) {
 registration::ElasticOptions elastic_options(const Arguments& arguments, const Session& session) {
   PatientModel model = engine::effective_model(session.state());
   // A mesh without vessels came as a file; the margin that was detected on it says nothing of its material.
-  if (model.vessels.empty() && !session.state().landmarks) model.landmarks = {};
+  if (model.vessels.empty() && !session.state()[part::landmarks]) model.landmarks = {};
   registration::ElasticOptions options = registration::options_for(model);
   for (const char* name : {"materials", "homogeneous", "young", "poisson"})
     if (arguments.has(name)) options.materials = materials(arguments);
@@ -103,7 +109,7 @@ registration::ElasticOptions elastic_options(const Arguments& arguments, const S
 
 std::vector<int> fixed_nodes(const Arguments& arguments, const Session& session) {
   if (!arguments.has("fixed")) return {};
-  return read_node_numbers(arguments.path("fixed"), session.state().model->model.mesh.vertex_count());
+  return read_node_numbers(arguments.path("fixed"), session.state()[part::model]->model.mesh.vertex_count());
 }
 
 }  // namespace glisson::app

@@ -6,6 +6,8 @@
 
 #include "cli.h"
 
+#include "glisson/registration/register.h"
+
 /// @file
 /// "M" of the command line: a case, a tetrahedral mesh, or a closed surface.
 

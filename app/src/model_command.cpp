@@ -4,6 +4,11 @@
 #include "cli.h"
 #include "commands.h"
 #include "glisson/engine/case_io.h"
+#include "glisson/engine/commands/build_model.h"
+#include "glisson/engine/commands/edit_trees.h"
+#include "glisson/engine/commands/import_labels.h"
+#include "glisson/engine/commands/import_surfaces.h"
+#include "glisson/engine/parts/model.h"
 #include "glisson/geometry/distance.h"
 #include "glisson/geometry/mesh_io.h"
 #include "glisson/model/tree_edits.h"
@@ -61,7 +66,7 @@ int run_model(const QStringList& given) {
     session.post(engine::BuildModel{options});
   }
   if (!edits.empty()) session.post(engine::EditTrees{edits});
-  const PatientModel& model = session.state().model->model;
+  const PatientModel& model = session.state()[part::model]->model;
   if (arguments.has("truth")) {
     const SurfaceDistance distance = surface_distance(
         model.surface.mesh, read_triangle_mesh(arguments.path("truth"), arguments.unit("unit")));

@@ -5,6 +5,10 @@
 #include "commands.h"
 #include "label_output.h"
 
+#include "glisson/engine/commands/import_image.h"
+#include "glisson/engine/commands/segment.h"
+#include "glisson/engine/commands/set_seeds.h"
+
 namespace glisson::app {
 namespace fs = std::filesystem;
 namespace {

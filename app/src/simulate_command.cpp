@@ -3,6 +3,8 @@
 #include "commands.h"
 #include "model_argument.h"
 
+#include "glisson/engine/commands/simulate.h"
+
 namespace glisson::app {
 namespace {
 

@@ -6,6 +6,15 @@
 
 #include "cli.h"
 #include "commands.h"
+#include "glisson/engine/commands/calibrate_rig.h"
+#include "glisson/engine/commands/load_stereo_pair.h"
+#include "glisson/engine/commands/reconstruct.h"
+#include "glisson/engine/commands/set_calibration.h"
+#include "glisson/engine/commands/set_regions.h"
+#include "glisson/engine/parts/cloud.h"
+#include "glisson/engine/parts/frame.h"
+#include "glisson/engine/parts/regions.h"
+#include "glisson/engine/parts/rig.h"
 #include "glisson/geometry/mesh_io.h"
 #include "glisson/insilico/film.h"
 #include "glisson/stereo/board_series.h"
@@ -24,13 +33,13 @@ namespace {
 stereo::CloudErrors cloud_truth(const Arguments& arguments, const engine::CaseState& state) {
   const fs::path path = arguments.path("truth");
   if (path.extension() != ".pfm")
-    return stereo::cloud_errors(*state.cloud, read_triangle_mesh(path, arguments.unit("unit")));
+    return stereo::cloud_errors(*state[part::cloud], read_triangle_mesh(path, arguments.unit("unit")));
   int width = 0, height = 0;
   const std::vector<float> depth = insilico::read_depth(path, width, height);
-  if (width != state.rig->left.width || height != state.rig->left.height)
+  if (width != state[part::rig]->left.width || height != state[part::rig]->left.height)
     throw InputError(path.string(), "size", "is not that of the pictures",
                      "Give the depth map of the left picture");
-  return stereo::cloud_errors(*state.cloud, state.rig->left, depth);
+  return stereo::cloud_errors(*state[part::cloud], state[part::rig]->left, depth);
 }
 
 stereo::Method method_of(const Arguments& arguments) {
@@ -222,7 +231,7 @@ int run_calibrate(const QStringList& given) {
   if (arguments.has("reference") && command.found->pairs() > 0)
     command.options.reference =
         rig_from(arguments.path("reference"), command.found->width(), command.found->height());
-  const auto sheet = session.post(std::move(command)).calibration;
+  const auto sheet = session.post(std::move(command)).result.as<engine::CalibrationSheet>();
   session.notes.clear();  // outliers: the table says them
   tell_views(sheet->calibration);
   stereo::write_calibration(out, sheet->calibration.rig);
@@ -271,9 +280,9 @@ int run_reconstruct(const QStringList& given) {
   if (!plain_text) session.post(calibration);
   session.post(pair);
   if (plain_text) session.post(calibration);
-  const engine::StereoInput& input = *session.state().frame;
+  const engine::StereoInput& input = *session.state()[part::frame];
   const stereo::PairCheck check =
-      stereo::check_pair(input.frame.left, input.frame.right, *session.state().rig);
+      stereo::check_pair(input.frame.left, input.frame.right, *session.state()[part::rig]);
   stereo::require_sound(check);
   session.figures["pair_matches"] = check.matches;
   session.figures["pair_rows_px"] = check.rows_px;
@@ -283,7 +292,7 @@ int run_reconstruct(const QStringList& given) {
   command.options.method = arguments.has("dense") ? stereo::Method::dense : method_of(arguments);
   command.options.kind = features_of(arguments);
   session.post(command);
-  const LabelledCloud& cloud = *session.state().cloud;
+  const LabelledCloud& cloud = *session.state()[part::cloud];
   if (arguments.has("truth")) {
     const stereo::CloudErrors errors = cloud_truth(arguments, session.state());
     session.figures["cloud_error_median_mm"] = 1e3 * errors.distance.median;
@@ -293,9 +302,9 @@ int run_reconstruct(const QStringList& given) {
     session.figures["cloud_points_without_truth"] = errors.without_truth;
   }
   const stereo::Regions none;
-  const auto& regions = session.state().regions;
+  const auto& regions = session.state()[part::regions];
   const stereo::DensityMap density =
-      stereo::density_map(cloud, session.state().rig->left, input.mask, regions ? *regions : none);
+      stereo::density_map(cloud, session.state()[part::rig]->left, input.mask, regions ? *regions : none);
   session.figures["cloud_area_cm2"] = density.area_cm2;
   session.figures["cloud_covered_share"] = density.covered;
   if (arguments.has("density"))

@@ -10,6 +10,15 @@
 #include "commands.h"
 #include "glisson/core/files.h"
 #include "glisson/engine/case_io.h"
+#include "glisson/engine/commands/import_cloud.h"
+#include "glisson/engine/commands/import_registration.h"
+#include "glisson/engine/commands/load_video_frame.h"
+#include "glisson/engine/commands/register.h"
+#include "glisson/engine/commands/set_calibration.h"
+#include "glisson/engine/commands/set_video.h"
+#include "glisson/engine/commands/start_tracking.h"
+#include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/registration.h"
 #include "glisson/experiments/evaluate.h"
 #include "glisson/geometry/distance.h"
 #include "glisson/stereo/picture_io.h"
@@ -96,7 +105,7 @@ class TrackRecord {
     late_ += overlay.milliseconds > 1e3 / 30.0;
     valid_ += overlay.validity == Validity::valid;
     if (overlay.nodes_in_camera.rows() == 0) return;
-    Registration registration = *session_.state().registration;
+    Registration registration = *session_.state()[part::registration];
     registration.nodes_in_camera = overlay.nodes_in_camera;
     const QString name = QString("registered_%1.vtu").arg(number, digits_, 10, QChar('0'));
     const bool is_surface = argument_.surface.has_value();
@@ -105,7 +114,7 @@ class TrackRecord {
                    argument_, session_, registration);
     displacement_ +=
         point_errors(overlay.nodes_in_camera,
-                     registration.camera_from_ct.apply(session_.state().model->model.mesh.vertices))
+                     registration.camera_from_ct.apply(session_.state()[part::model]->model.mesh.vertices))
             .mean;
     ++placed_;
     compare(number, overlay.nodes_in_camera);
@@ -133,10 +142,10 @@ class TrackRecord {
     const fs::path path = numbered(arguments_.value("truth"), number).toStdString();
     if (!fs::exists(path)) return;  // truth may be given for some frames only
     const Points truth = read_true_nodes(path, argument_.unit);
-    const PatientModel& model = session_.state().model->model;
+    const PatientModel& model = session_.state()[part::model]->model;
     Figures errors = experiments::target_errors(model, nodes, truth, path.string());
     errors["tre_frozen_mean_mm"] =
-        1e3 * point_errors(session_.state().registration->nodes_in_camera, truth).mean;
+        1e3 * point_errors(session_.state()[part::registration]->nodes_in_camera, truth).mean;
     const QString frame = QString("frame_%1_tre_volume_mean_mm").arg(number, digits_, 10, QChar('0'));
     session_.figures[frame.toStdString()] = errors["tre_volume_mean_mm"];
     for (const auto& [key, value] : errors) {
@@ -211,9 +220,9 @@ int run_register(const QStringList& given) {
     command.given = CameraFromCt::from_matrix(read_rigid(arguments.path("rigid"), argument.unit));
   }
   session.post(command);
-  const Registration& registration = *session.state().registration;
+  const Registration& registration = *session.state()[part::registration];
   if (arguments.has("truth")) {
-    const PatientModel& model = session.state().model->model;
+    const PatientModel& model = session.state()[part::model]->model;
     const Points truth = read_true_nodes(arguments.path("truth"), argument.unit);
     append(session.figures, experiments::target_errors(model, registration.nodes_in_camera, truth,
                                                        arguments.path("truth").string()));

@@ -2,6 +2,9 @@
 // What can be looked at: render, overlay.
 #include "cli.h"
 #include "commands.h"
+#include "glisson/engine/commands/open_case.h"
+#include "glisson/engine/parts/frame.h"
+#include "glisson/engine/parts/video.h"
 #include "glisson/stereo/picture_io.h"
 #include "live_overlay.h"
 
@@ -49,13 +52,14 @@ int run_overlay(const QStringList& given) {
   const std::filesystem::path out = arguments.output_file("out", {".mkv"});
   Session session(arguments);
   session.post(engine::OpenCase{arguments.required_path("case")});
-  if (!session.state().video)
+  if (!session.state()[part::video])
     throw InputError(arguments.path("case").string(), "video", "there is none",
                      "Open the operation's stereo video first");
   const double rate =
-      stereo::StereoVideo(session.state().video->left, session.state().video->right).frames_per_second();
+      stereo::StereoVideo(session.state()[part::video]->left, session.state()[part::video]->right)
+          .frames_per_second();
   OverlayRecorder recorder(session.state(), out, rate);
-  const int first = session.state().frame ? session.state().frame->frame.index : 0;
+  const int first = session.state()[part::frame] ? session.state()[part::frame]->frame.index : 0;
   const int last = arguments.has("frames") ? first + arguments.integer("frames", 1, 10000000) - 1 : -1;
   double frames = 0.0, late = 0.0, valid = 0.0, drawing = 0.0;
   follow_video(session, {}, last, [&](const StereoFrame& frame, const OverlayFrame& overlay) {

@@ -14,6 +14,16 @@
 
 #include "data_folder.h"
 #include "glisson/core/files.h"
+#include "glisson/engine/commands/build_model.h"
+#include "glisson/engine/commands/edit_labels.h"
+#include "glisson/engine/commands/import_image.h"
+#include "glisson/engine/commands/open_case.h"
+#include "glisson/engine/commands/save_case.h"
+#include "glisson/engine/commands/segment.h"
+#include "glisson/engine/commands/set_seeds.h"
+#include "glisson/engine/commands/undo_labels.h"
+#include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/seeds.h"
 #include "glisson/engine/script.h"
 #include "glisson/fem/composite_model.h"
 #include "glisson/insilico/operator.h"
@@ -77,7 +87,7 @@ class Way {
     paint.brush = editing::Paint::Brush::ball;
     paint.radius = 10e-3;
     paint.path.resize(2, 3);
-    paint.path.row(0) = script_.state().seeds->liver.row(0);
+    paint.path.row(0) = script_.state()[part::seeds]->liver.row(0);
     paint.path.row(1) = paint.path.row(0) + Eigen::RowVector3d(30e-3, 0, 0);
     run(state, engine::EditLabels{{paint, {}}});
   }
@@ -99,7 +109,7 @@ class Way {
   }
   /// Vessels and capsule to the tetrahedra, stiffness of each structure.
   void binding(benchmark::State& state) {
-    const PatientModel& model = script_.state().model->model;
+    const PatientModel& model = script_.state()[part::model]->model;
     for ([[maybe_unused]] auto _ : state)
       benchmark::DoNotOptimize(
           std::make_unique<fem::CompositeModel>(model.mesh, model.vessels, fem::CompositeOptions()));

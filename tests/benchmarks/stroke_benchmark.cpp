@@ -12,6 +12,10 @@
 #include <cstdio>
 #include <deque>
 
+#include "glisson/engine/commands/import_image.h"
+#include "glisson/engine/commands/import_labels.h"
+#include "glisson/engine/parts/image.h"
+#include "glisson/engine/parts/labels.h"
 #include "glisson/ui/segmentation/segmentation_panel.h"
 #include "glisson/ui/shell/main_window.h"
 #include "glisson/ui/shell/run_window.h"
@@ -26,13 +30,13 @@ constexpr Label kDrawn = structure::kHepaticVeins;  ///< has no voxel on the way
 
 /// Opens the scene from memory where a file would be read.
 Cancellable<engine::Applied> from_memory(const engine::CaseState& state, const engine::Command& command,
-                                         const RunContext& context) {
+                                         const RunContext& context, const engine::Services&) {
   engine::Applied applied;
   applied.state = state;
-  if (std::holds_alternative<engine::ImportImage>(command))
-    applied.state.image = std::make_shared<const Image>(bench::scene().image);
-  else if (std::holds_alternative<engine::ImportLabels>(command))
-    applied.state.labels = std::make_shared<const LabelMap>(bench::scene().labels);
+  if ((command.as<engine::ImportImage>() != nullptr))
+    applied.state[part::image] = std::make_shared<const Image>(bench::scene().image);
+  else if ((command.as<engine::ImportLabels>() != nullptr))
+    applied.state[part::labels] = std::make_shared<const LabelMap>(bench::scene().labels);
   else
     return engine::apply(state, command, context);
   return applied;
@@ -142,7 +146,7 @@ int main(int argc, char** argv) {
   window.engine().post(engine::ImportLabels{});
   wait_until([&] { return window.windowHandle() != nullptr && window.windowHandle()->isExposed(); });
   settle();
-  if (!window.engine().state().labels) return 1;
+  if (!window.engine().state()[part::labels]) return 1;
   window.show_step(ui::MainWindow::segmentation);
   ui::EditSession& session = window.findChild<ui::SegmentationPanel*>()->session();
   Hand hand(window);

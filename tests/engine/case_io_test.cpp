@@ -13,6 +13,14 @@
 #include "full_disk.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
+#include "glisson/engine/parts/check.h"
+#include "glisson/engine/parts/cloud.h"
+#include "glisson/engine/parts/image.h"
+#include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/landmarks.h"
+#include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/registration.h"
+#include "glisson/engine/parts/video.h"
 
 using namespace glisson;
 using namespace glisson::engine;
@@ -32,13 +40,13 @@ CaseState small_case(double scale = 1.0) {
   auto image = std::make_shared<Image>();
   image->grid = grid;
   image->voxels = voxels;
-  state.image = image;
+  state[part::image] = image;
   auto labels = std::make_shared<LabelMap>();
   labels->voxels = LabelVolume(grid);
   for (int i = 4; i < 12; ++i) labels->voxels.set({i, 5, 6}, structure::kParenchyma);
   labels->infos.push_back(
       {structure::kParenchyma, "parenchyma", "", structure_colour(structure::kParenchyma)});
-  state.labels = labels;
+  state[part::labels] = labels;
   auto built = std::make_shared<model::BuiltModel>();
   built->model.mesh.vertices.resize(5, 3);
   built->model.mesh.vertices << 0, 0, 0, 0.2, 0, 0, 0, 0.2, 0, 0, 0, 0.2, 0.2, 0.2, 0.2;
@@ -61,28 +69,28 @@ CaseState small_case(double scale = 1.0) {
   // As a person left the trees: what was built had a longer one.
   built->trees_as_built = built->model.vessels;
   built->tree_edits = {{model::TreeEdit::Kind::prune, {0.02, 0.02, 0.02}}};
-  state.model = built;
-  state.check = std::make_shared<const ModelCheck>(ModelCheck{true});
+  state[part::model] = built;
+  state[part::check] = std::make_shared<const ModelCheck>(ModelCheck{true});
   auto landmarks = std::make_shared<Landmarks>();
   landmarks->umbilical_notch = built->model.mesh.vertices.topRows(1);
-  state.landmarks = landmarks;
+  state[part::landmarks] = landmarks;
   auto cloud = std::make_shared<LabelledCloud>();
   cloud->points = built->model.mesh.vertices;
   cloud->features = {Feature::surface, Feature::surface, Feature::anterior_margin, Feature::surface,
                      Feature::umbilical_notch};
-  state.cloud = cloud;
+  state[part::cloud] = cloud;
   auto registration = std::make_shared<Registration>();
   registration->camera_from_ct.translation = {0.0, 0.0, 0.1};
   registration->nodes_in_camera = registration->camera_from_ct.apply(built->model.mesh.vertices);
   registration->termination = Termination::converged;
   registration->steps = 12;
   registration->doubts = {"few_margin_points"};
-  state.registration = registration;
+  state[part::registration] = registration;
   std::uint64_t revision = 0;
-  for (int i = 0; i < kPartCount; ++i)
-    if (state.has(static_cast<Part>(i))) state.stamp(static_cast<Part>(i)).revision = ++revision;
-  state.stamp(Part::model).made_from[Part::labels] = state.stamp(Part::labels).revision;
-  state.stamp(Part::check).made_from[Part::model] = state.stamp(Part::model).revision;
+  for (const Part part : all_parts())
+    if (state.has(part)) state.stamp(part).revision = ++revision;
+  state.stamp(part::model).made_from[part::labels] = state.stamp(part::labels).revision;
+  state.stamp(part::check).made_from[part::model] = state.stamp(part::model).revision;
   return state;
 }
 
@@ -113,34 +121,35 @@ void CaseIoTest::ACaseComesBackAsItWas() {
   QVERIFY(save_case(folder.path() / "a.glisson", state, RunContext()));
   const auto read = open_case(folder.path() / "a.glisson", RunContext());
   QVERIFY(read.has_value());
-  for (int i = 0; i < kPartCount; ++i)
-    QCOMPARE(read->has(static_cast<Part>(i)), state.has(static_cast<Part>(i)));
-  QCOMPARE(*read->image->voxels, *state.image->voxels);
-  QVERIFY(read->labels->voxels == state.labels->voxels);
-  QVERIFY((read->model->model.mesh.vertices - state.model->model.mesh.vertices).norm() < 1e-9);
-  QCOMPARE(read->model->model.mesh.labels, state.model->model.mesh.labels);
-  QCOMPARE(read->model->model.vessels.size(), std::size_t{1});
-  QCOMPARE(read->model->model.vessels[0].beams, state.model->model.vessels[0].beams);
-  QVERIFY(std::abs(read->model->model.vessels[0].radii[2] - 0.003) < 1e-12);
-  QCOMPARE(read->cloud->features, state.cloud->features);
-  QCOMPARE(read->registration->doubts, state.registration->doubts);
-  QVERIFY((read->registration->camera_from_ct.translation - Eigen::Vector3d(0, 0, 0.1)).norm() < 1e-9);
-  QCOMPARE(stage_state(*read, Part::model), StageState::current);
-  QCOMPARE(read->stamp(Part::model).made_from, state.stamp(Part::model).made_from);
+  for (const Part part : all_parts()) QCOMPARE(read->has(part), state.has(part));
+  QCOMPARE(*(*read)[part::image]->voxels, *state[part::image]->voxels);
+  QVERIFY((*read)[part::labels]->voxels == state[part::labels]->voxels);
+  QVERIFY(((*read)[part::model]->model.mesh.vertices - state[part::model]->model.mesh.vertices).norm() <
+          1e-9);
+  QCOMPARE((*read)[part::model]->model.mesh.labels, state[part::model]->model.mesh.labels);
+  QCOMPARE((*read)[part::model]->model.vessels.size(), std::size_t{1});
+  QCOMPARE((*read)[part::model]->model.vessels[0].beams, state[part::model]->model.vessels[0].beams);
+  QVERIFY(std::abs((*read)[part::model]->model.vessels[0].radii[2] - 0.003) < 1e-12);
+  QCOMPARE((*read)[part::cloud]->features, state[part::cloud]->features);
+  QCOMPARE((*read)[part::registration]->doubts, state[part::registration]->doubts);
+  QVERIFY(((*read)[part::registration]->camera_from_ct.translation - Eigen::Vector3d(0, 0, 0.1)).norm() <
+          1e-9);
+  QCOMPARE(stage_state(*read, part::model), StageState::current);
+  QCOMPARE(read->stamp(part::model).made_from, state.stamp(part::model).made_from);
   QVERIFY(is_model_checked(*read));
-  const auto& [kind, at, to] = read->model->tree_edits.at(0);
+  const auto& [kind, at, to] = (*read)[part::model]->tree_edits.at(0);
   QVERIFY(kind == model::TreeEdit::Kind::prune && (at - Eigen::Vector3d(0.02, 0.02, 0.02)).norm() < 1e-9);
-  QCOMPARE(read->model->trees_as_built.at(0).beams, state.model->trees_as_built.at(0).beams);
+  QCOMPARE((*read)[part::model]->trees_as_built.at(0).beams, state[part::model]->trees_as_built.at(0).beams);
 }
 
 void CaseIoTest::ALiveDeviceIsNoFile() {
   const TemporaryFolder folder;
   CaseState state = small_case();
-  state.video = std::make_shared<VideoSource>(VideoSource{"device:0", "device:1"});
+  state[part::video] = std::make_shared<VideoSource>(VideoSource{"device:0", "device:1"});
   QVERIFY(save_case(folder.path() / "a.glisson", state, RunContext()));
   const auto read = open_case(folder.path() / "a.glisson", RunContext());
-  QCOMPARE(read->video->left.string(), std::string("device:0"));
-  QCOMPARE(read->video->right.string(), std::string("device:1"));
+  QCOMPARE((*read)[part::video]->left.string(), std::string("device:0"));
+  QCOMPARE((*read)[part::video]->right.string(), std::string("device:1"));
 }
 
 void CaseIoTest::SavingAgainReplacesTheCase() {
@@ -148,11 +157,11 @@ void CaseIoTest::SavingAgainReplacesTheCase() {
   const fs::path path = folder.path() / "a.glisson";
   QVERIFY(save_case(path, small_case(1.0), RunContext()));
   CaseState without_image = small_case(2.0);
-  without_image.image = nullptr;
+  without_image[part::image] = nullptr;
   QVERIFY(save_case(path, without_image, RunContext()));
   const auto read = open_case(path, RunContext());
-  QVERIFY(!read->image);
-  QVERIFY(std::abs(read->model->model.mesh.vertices(1, 0) - 0.4) < 1e-9);
+  QVERIFY(!(*read)[part::image]);
+  QVERIFY(std::abs((*read)[part::model]->model.mesh.vertices(1, 0) - 0.4) < 1e-9);
   int entries = 0;
   for ([[maybe_unused]] const auto& entry : fs::directory_iterator(folder.path())) ++entries;
   QCOMPARE(entries, 1);  // nothing was left beside it
@@ -187,13 +196,13 @@ void CaseIoTest::ASaveKilledAtAnyMomentLeavesTheOldCaseOrTheNewOne() {
     completed = WIFEXITED(status) && WEXITSTATUS(status) == 0;
     QVERIFY(completed || WIFSIGNALED(status));
     const auto read = open_case(path, RunContext());
-    const double edge = read->model->model.mesh.vertices(1, 0);
+    const double edge = (*read)[part::model]->model.mesh.vertices(1, 0);
     QVERIFY(std::abs(edge - 0.2) < 1e-9 || std::abs(edge - 0.4) < 1e-9);
     survivors += std::abs(edge - 0.2) < 1e-9;
   }
   QVERIFY(completed);
   QVERIFY(survivors >= 3);  // it was really killed on the way
-  QVERIFY(std::abs(open_case(path, RunContext())->model->model.mesh.vertices(1, 0) - 0.4) < 1e-9);
+  QVERIFY(std::abs((*open_case(path, RunContext()))[part::model]->model.mesh.vertices(1, 0) - 0.4) < 1e-9);
 }
 
 void CaseIoTest::ADiskThatFillsUpLeavesTheOldCase() {
@@ -218,7 +227,9 @@ void CaseIoTest::ADiskThatFillsUpLeavesTheOldCase() {
     QCOMPARE(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 1L);
   }
   const auto back = open_case(path, RunContext());
-  QVERIFY((back->model->model.mesh.vertices - small_case().model->model.mesh.vertices).norm() < 1e-9);
+  QVERIFY(
+      ((*back)[part::model]->model.mesh.vertices - small_case()[part::model]->model.mesh.vertices).norm() <
+      1e-9);
 }
 
 void CaseIoTest::ACancelledSaveLeavesTheOldCase() {
@@ -232,7 +243,7 @@ void CaseIoTest::ACancelledSaveLeavesTheOldCase() {
       },
       cancel, 1);
   QVERIFY(!save_case(path, small_case(2.0), context));
-  QVERIFY(std::abs(open_case(path, RunContext())->model->model.mesh.vertices(1, 0) - 0.2) < 1e-9);
+  QVERIFY(std::abs((*open_case(path, RunContext()))[part::model]->model.mesh.vertices(1, 0) - 0.2) < 1e-9);
 }
 
 void CaseIoTest::RefusesWhatIsNotACase() {
@@ -262,13 +273,13 @@ void CaseIoTest::ARegistrationOfAFormerModelIsLeftOut() {
   const TemporaryFolder folder;
   for (const Eigen::Index nodes : {3, 9}) {  // fewer than the model has now, and more
     CaseState state = small_case();
-    auto former = std::make_shared<Registration>(*state.registration);
+    auto former = std::make_shared<Registration>(*state[part::registration]);
     former->nodes_in_camera = Points::Random(nodes, 3);
-    state.registration = former;
+    state[part::registration] = former;
     const fs::path path = folder.path() / (std::to_string(nodes) + ".glisson");
     QVERIFY(save_case(path, state, RunContext()));
     const auto back = open_case(path, RunContext());
-    QVERIFY(back && back->model && back->cloud && !back->registration);
+    QVERIFY(back && (*back)[part::model] && (*back)[part::cloud] && !(*back)[part::registration]);
   }
 }
 
@@ -299,16 +310,16 @@ void CaseIoTest::LandmarksNameTheirMistakes() {
 void CaseIoTest::ARegistrationOfAnotherModelIsRefused() {
   const TemporaryFolder folder;
   const CaseState state = small_case();
-  write_registration(folder.path() / "r.vtu", state.model->model, *state.registration,
+  write_registration(folder.path() / "r.vtu", state[part::model]->model, *state[part::registration],
                      LengthUnit::millimetre);
-  PatientModel other = state.model->model;
+  PatientModel other = state[part::model]->model;
   other.mesh.tetrahedra.row(0).swap(other.mesh.tetrahedra.row(1));
   QVERIFY(error_of([&] {
             read_registration(folder.path() / "r.vtu", other, LengthUnit::millimetre);
           }).find("is not this model's") != std::string::npos);
   const Registration same =
-      read_registration(folder.path() / "r.vtu", state.model->model, LengthUnit::millimetre);
-  QVERIFY((same.nodes_in_camera - state.registration->nodes_in_camera).norm() < 1e-9);
+      read_registration(folder.path() / "r.vtu", state[part::model]->model, LengthUnit::millimetre);
+  QVERIFY((same.nodes_in_camera - state[part::registration]->nodes_in_camera).norm() < 1e-9);
 }
 
 QTEST_APPLESS_MAIN(CaseIoTest)

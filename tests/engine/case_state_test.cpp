@@ -6,7 +6,28 @@
 #include <string_view>
 
 #include "glisson/core/error.h"
-#include "glisson/engine/commands.h"
+#include "glisson/engine/commands/build_model.h"
+#include "glisson/engine/commands/open_case.h"
+#include "glisson/engine/commands/reconstruct.h"
+#include "glisson/engine/commands/register.h"
+#include "glisson/engine/commands/save_case.h"
+#include "glisson/engine/commands/set_regions.h"
+#include "glisson/engine/commands/set_seeds.h"
+#include "glisson/engine/parts/check.h"
+#include "glisson/engine/parts/cloud.h"
+#include "glisson/engine/parts/frame.h"
+#include "glisson/engine/parts/image.h"
+#include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/landmarks.h"
+#include "glisson/engine/parts/live.h"
+#include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/preview.h"
+#include "glisson/engine/parts/regions.h"
+#include "glisson/engine/parts/registration.h"
+#include "glisson/engine/parts/review.h"
+#include "glisson/engine/parts/rig.h"
+#include "glisson/engine/parts/seeds.h"
+#include "glisson/engine/parts/video.h"
 
 using namespace glisson;
 using namespace glisson::engine;
@@ -24,56 +45,55 @@ class CaseStateTest : public QObject {
 
 void CaseStateTest::EveryPartCanBeTakenAndTold() {
   CaseState full;
-  full.image = std::make_shared<Image>();
-  full.seeds = std::make_shared<segmentation::Seeds>();
-  full.labels = std::make_shared<LabelMap>();
-  full.review = std::make_shared<Review>();
-  full.preview = std::make_shared<EditPreview>();
-  full.model = std::make_shared<model::BuiltModel>();
-  full.check = std::make_shared<ModelCheck>();
-  full.landmarks = std::make_shared<Landmarks>();
-  full.rig = std::make_shared<StereoRig>();
-  full.video = std::make_shared<VideoSource>();
-  full.frame = std::make_shared<StereoInput>();
-  full.regions = std::make_shared<stereo::Regions>();
-  full.cloud = std::make_shared<LabelledCloud>();
-  full.registration = std::make_shared<Registration>();
-  full.live = std::make_shared<LiveState>();
+  full[part::image] = std::make_shared<Image>();
+  full[part::seeds] = std::make_shared<segmentation::Seeds>();
+  full[part::labels] = std::make_shared<LabelMap>();
+  full[part::review] = std::make_shared<Review>();
+  full[part::preview] = std::make_shared<EditPreview>();
+  full[part::model] = std::make_shared<model::BuiltModel>();
+  full[part::check] = std::make_shared<ModelCheck>();
+  full[part::landmarks] = std::make_shared<Landmarks>();
+  full[part::rig] = std::make_shared<StereoRig>();
+  full[part::video] = std::make_shared<VideoSource>();
+  full[part::frame] = std::make_shared<StereoInput>();
+  full[part::regions] = std::make_shared<stereo::Regions>();
+  full[part::cloud] = std::make_shared<LabelledCloud>();
+  full[part::registration] = std::make_shared<Registration>();
+  full[part::live] = std::make_shared<LiveState>();
   std::set<std::string_view> codes;
-  for (int i = 0; i < kPartCount; ++i) {
-    const Part part = static_cast<Part>(i);
-    QVERIFY(full.has(part));
+  for (const Part part : all_parts()) {
+    QVERIFY2(full.has(part), std::string(part.code()).c_str());
     CaseState one;
     QVERIFY(!one.has(part));
     one.take(part, full);
     QVERIFY(one.has(part) && one.shares(part, full));
-    for (int k = 0; k < kPartCount; ++k) QCOMPARE(one.has(static_cast<Part>(k)), k == i);
-    codes.insert(part_code(part));
+    for (const Part other : all_parts()) QCOMPARE(one.has(other), other == part);
+    codes.insert(part.code());
   }
-  QCOMPARE(static_cast<int>(codes.size()), kPartCount);
+  QCOMPARE(codes.size(), all_parts().size());
 }
 
 void CaseStateTest::APartIsStaleWhenAnInputChanges() {
   CaseState state;
-  QCOMPARE(stage_state(state, Part::labels), StageState::absent);
-  state.image = std::make_shared<Image>();
-  state.stamp(Part::image).revision = 3;
-  state.labels = std::make_shared<LabelMap>();
-  state.stamp(Part::labels) = {4, {{Part::image, 3}}};
-  QCOMPARE(stage_state(state, Part::labels), StageState::current);
-  state.stamp(Part::image).revision = 5;
-  QCOMPARE(stage_state(state, Part::labels), StageState::stale);
+  QCOMPARE(stage_state(state, part::labels), StageState::absent);
+  state[part::image] = std::make_shared<Image>();
+  state.stamp(part::image).revision = 3;
+  state[part::labels] = std::make_shared<LabelMap>();
+  state.stamp(part::labels) = {4, {{part::image, 3}}};
+  QCOMPARE(stage_state(state, part::labels), StageState::current);
+  state.stamp(part::image).revision = 5;
+  QCOMPARE(stage_state(state, part::labels), StageState::stale);
 }
 
 void CaseStateTest::StalenessIsHandedOn() {
   CaseState state;
-  state.image = std::make_shared<Image>();
-  state.labels = std::make_shared<LabelMap>();
-  state.model = std::make_shared<model::BuiltModel>();
-  state.stamp(Part::image).revision = 9;
-  state.stamp(Part::labels) = {4, {{Part::image, 3}}};
-  state.stamp(Part::model) = {5, {{Part::labels, 4}}};
-  QCOMPARE(stage_state(state, Part::model), StageState::stale);
+  state[part::image] = std::make_shared<Image>();
+  state[part::labels] = std::make_shared<LabelMap>();
+  state[part::model] = std::make_shared<model::BuiltModel>();
+  state.stamp(part::image).revision = 9;
+  state.stamp(part::labels) = {4, {{part::image, 3}}};
+  state.stamp(part::model) = {5, {{part::labels, 4}}};
+  QCOMPARE(stage_state(state, part::model), StageState::stale);
 }
 
 void CaseStateTest::LandmarksOfAPersonReplaceTheModels() {
@@ -81,11 +101,11 @@ void CaseStateTest::LandmarksOfAPersonReplaceTheModels() {
   auto built = std::make_shared<model::BuiltModel>();
   built->model.landmarks.anterior_margin = Points::Constant(3, 3, 1.0);
   built->model.landmarks.vena_cava = Points::Constant(2, 3, 2.0);
-  state.model = built;
+  state[part::model] = built;
   auto placed = std::make_shared<Landmarks>();
   placed->umbilical_notch = Points::Constant(1, 3, 3.0);
   placed->vena_cava = Points::Constant(4, 3, 4.0);
-  state.landmarks = placed;
+  state[part::landmarks] = placed;
   const Landmarks landmarks = effective_model(state).landmarks;
   QCOMPARE(landmarks.anterior_margin.rows(), Eigen::Index{3});
   QCOMPARE(landmarks.umbilical_notch.rows(), Eigen::Index{1});
@@ -97,11 +117,13 @@ void CaseStateTest::LandmarksNeedAModel() {
 }
 
 void CaseStateTest::NoTwoCommandsThatTouchTheSamePartAreIndependent() {
-  QVERIFY(writes(BuildModel{}).meets(reads(Register{})));
-  QVERIFY(writes(SetRegions{}).meets(reads(Reconstruct{})));
-  QVERIFY(writes(OpenCase{}) == Parts::all());
-  QVERIFY(!writes(SetSeeds{}).meets(reads(BuildModel{}) | writes(BuildModel{})));
-  QVERIFY(!reads(SaveCase{}).has(Part::live));
+  QVERIFY(Command(BuildModel{}).traits().writes.meets(Command(Register{}).traits().reads));
+  QVERIFY(Command(SetRegions{}).traits().writes.meets(Command(Reconstruct{}).traits().reads));
+  QVERIFY(Command(OpenCase{}).traits().writes == Parts::all());
+  QVERIFY(!Command(SetSeeds{})
+               .traits()
+               .writes.meets(Command(BuildModel{}).traits().reads | Command(BuildModel{}).traits().writes));
+  QVERIFY(!Command(SaveCase{}).traits().reads.has(part::live));
 }
 
 QTEST_APPLESS_MAIN(CaseStateTest)

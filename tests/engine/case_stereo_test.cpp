@@ -10,7 +10,20 @@
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/engine/case_io.h"
+#include "glisson/engine/commands/import_cloud.h"
+#include "glisson/engine/commands/load_stereo_pair.h"
+#include "glisson/engine/commands/load_video_frame.h"
+#include "glisson/engine/commands/open_case.h"
+#include "glisson/engine/commands/reconstruct.h"
+#include "glisson/engine/commands/save_case.h"
+#include "glisson/engine/commands/set_calibration.h"
+#include "glisson/engine/commands/set_regions.h"
+#include "glisson/engine/commands/set_video.h"
 #include "glisson/engine/engine.h"
+#include "glisson/engine/parts/cloud.h"
+#include "glisson/engine/parts/frame.h"
+#include "glisson/engine/parts/regions.h"
+#include "glisson/engine/parts/rig.h"
 #include "glisson/stereo/calibration_io.h"
 #include "glisson/stereo/labelling.h"
 #include "glisson/stereo/picture_io.h"
@@ -82,15 +95,17 @@ void CaseStereoTest::initTestCase() {
   state_ = after(*maker, {SetCalibration{folder_.path() / "scope.yaml"},
                           LoadStereoPair{folder_.path() / "left.png", folder_.path() / "right.png", {}},
                           SetRegions{regions}, reconstruct, SaveCase{saved()}});
-  QVERIFY(state_.points->whole->cloud.size() > 2 * state_.cloud->size());  // the pair's, not the regions'
+  QVERIFY(state_[part::points]->whole->cloud.size() >
+          2 * state_[part::cloud]->size());  // the pair's, not the regions'
 }
 
 void CaseStereoTest::PointsComeBackWithTheirPairAndHowTheyWereMade() {
   const auto read = open_case(saved(), RunContext());
-  QVERIFY(read->points);
-  const PairPoints &was = *state_.points, &is = *read->points;
-  QVERIFY(is.frame == read->frame && is.rig == read->rig);
-  QCOMPARE(is.frame_identity, stereo::frame_identity(read->frame->frame.left, read->frame->frame.right));
+  QVERIFY((*read)[part::points]);
+  const PairPoints &was = *state_[part::points], &is = *(*read)[part::points];
+  QVERIFY(is.frame == (*read)[part::frame] && is.rig == (*read)[part::rig]);
+  QCOMPARE(is.frame_identity,
+           stereo::frame_identity((*read)[part::frame]->frame.left, (*read)[part::frame]->frame.right));
   QVERIFY(is.options == was.options);
   QVERIFY(is.whole->report.method == stereo::Method::sparse);
   QCOMPARE(is.whole->report.matches, was.whole->report.matches);
@@ -111,13 +126,13 @@ void CaseStereoTest::PointsComeBackWithTheirPairAndHowTheyWereMade() {
     QVERIFY((is.whole->covariance[i] - was.whole->covariance[i]).norm() <
             1e-12 * was.whole->covariance[i].norm());
   // The labelled part, and the regions that it came from.
-  QCOMPARE(read->cloud->features, state_.cloud->features);
-  QVERIFY(std::count(read->cloud->features.begin(), read->cloud->features.end(), Feature::anterior_margin) >
-          5);
-  QCOMPARE(read->cloud->sigma.size(), state_.cloud->sigma.size());
-  QCOMPARE(read->regions->identity, state_.regions->identity);
-  QCOMPARE(read->regions->regions.size(), std::size_t{2});
-  QCOMPARE(stage_state(*read, Part::cloud), StageState::current);
+  QCOMPARE((*read)[part::cloud]->features, state_[part::cloud]->features);
+  QVERIFY(std::count((*read)[part::cloud]->features.begin(), (*read)[part::cloud]->features.end(),
+                     Feature::anterior_margin) > 5);
+  QCOMPARE((*read)[part::cloud]->sigma.size(), state_[part::cloud]->sigma.size());
+  QCOMPARE((*read)[part::regions]->identity, state_[part::regions]->identity);
+  QCOMPARE((*read)[part::regions]->regions.size(), std::size_t{2});
+  QCOMPARE(stage_state(*read, part::cloud), StageState::current);
 }
 
 void CaseStereoTest::OtherRegionsNeedNoOtherReconstructionAfterOpening() {
@@ -126,12 +141,13 @@ void CaseStereoTest::OtherRegionsNeedNoOtherReconstructionAfterOpening() {
   stereo::Regions regions;
   regions.regions = {square(Feature::umbilical_notch, 250, 200, 120)};
   Reconstruct again;
-  again.options = before.points->options;
+  again.options = before[part::points]->options;
   const CaseState now = after(*opened, {SetRegions{regions}, again});
-  QVERIFY(now.points->whole == before.points->whole);
-  const auto expected = stereo::label(state_.points->whole->cloud, *state_.rig, state_.frame->mask, regions);
-  QCOMPARE(now.cloud->size(), expected.cloud.size());
-  QCOMPARE(now.cloud->features, expected.cloud.features);
+  QVERIFY(now[part::points]->whole == before[part::points]->whole);
+  const auto expected = stereo::label(state_[part::points]->whole->cloud, *state_[part::rig],
+                                      state_[part::frame]->mask, regions);
+  QCOMPARE(now[part::cloud]->size(), expected.cloud.size());
+  QCOMPARE(now[part::cloud]->features, expected.cloud.features);
 }
 
 void CaseStereoTest::PointsOfAFormerPairStayThoseOfAFormerPair() {
@@ -142,10 +158,10 @@ void CaseStereoTest::PointsOfAFormerPairStayThoseOfAFormerPair() {
          SaveCase{path}});
   for (int round = 0; round < 2; ++round) {  // opened and saved once more they are still the same
     const auto read = open_case(path, RunContext());
-    QVERIFY(read->points && !read->points->frame);
-    QVERIFY(read->points->rig == read->rig);
-    QCOMPARE(read->points->frame_identity, state_.points->frame_identity);
-    QCOMPARE(stage_state(*read, Part::cloud), StageState::stale);
+    QVERIFY((*read)[part::points] && !(*read)[part::points]->frame);
+    QVERIFY((*read)[part::points]->rig == (*read)[part::rig]);
+    QCOMPARE((*read)[part::points]->frame_identity, state_[part::points]->frame_identity);
+    QCOMPARE(stage_state(*read, part::cloud), StageState::stale);
     QVERIFY(save_case(path, *read, RunContext()));
   }
 }
@@ -170,11 +186,11 @@ void CaseStereoTest::ACalibrationOfWholeViewsFitsACroppedSource() {
     const auto maker = engine();
     const CaseState state = after(*maker, {SetVideo{folder_.path() / "cropped.json", {}}, LoadVideoFrame{0},
                                            SetCalibration{folder_.path() / calibration}});
-    QCOMPARE(state.frame->frame.left.width, 320);
-    QCOMPARE(state.rig->left.width, 320);
-    QCOMPARE(state.rig->right.height, 400);
-    QVERIFY(std::abs(state.rig->left.matrix(0, 2) - (whole.left.matrix(0, 2) - 40.0)) < 1e-3);
-    QVERIFY(std::abs(state.rig->right.matrix(1, 2) - (whole.right.matrix(1, 2) - 20.0)) < 1e-3);
+    QCOMPARE(state[part::frame]->frame.left.width, 320);
+    QCOMPARE(state[part::rig]->left.width, 320);
+    QCOMPARE(state[part::rig]->right.height, 400);
+    QVERIFY(std::abs(state[part::rig]->left.matrix(0, 2) - (whole.left.matrix(0, 2) - 40.0)) < 1e-3);
+    QVERIFY(std::abs(state[part::rig]->right.matrix(1, 2) - (whole.right.matrix(1, 2) - 20.0)) < 1e-3);
   }
 }
 
@@ -208,17 +224,17 @@ void CaseStereoTest::ACaseOfBeforeHasACloudOnly() {
   write_file_atomically(path / "case.json", text);
   std::vector<std::string> lost;
   const auto read = open_case(path, RunContext(), &lost);
-  QVERIFY(lost.empty() && read->cloud && !read->points);
-  QCOMPARE(read->cloud->size(), state_.cloud->size());
+  QVERIFY(lost.empty() && (*read)[part::cloud] && !(*read)[part::points]);
+  QCOMPARE((*read)[part::cloud]->size(), state_[part::cloud]->size());
 }
 
 void CaseStereoTest::AnImportedCloudHasNoPoints() {
-  write_cloud(folder_.path() / "cloud.ply", *state_.cloud);
+  write_cloud(folder_.path() / "cloud.ply", *state_[part::cloud]);
   const fs::path path = folder_.path() / "imported.glisson";
   const auto maker = engine();
   after(*maker, {OpenCase{saved()}, ImportCloud{folder_.path() / "cloud.ply"}, SaveCase{path}});
   const auto read = open_case(path, RunContext());
-  QVERIFY(read->cloud && !read->points);
+  QVERIFY((*read)[part::cloud] && !(*read)[part::points]);
   QVERIFY(!fs::exists(path / "points"));
 }
 
@@ -270,8 +286,8 @@ void CaseStereoTest::WhatIsWrongWithThePointsIsNamedAndTheRestIsThere() {
   const auto read = open_case(path, RunContext(), &lost);
   QCOMPARE(lost.size(), std::size_t{1});
   QCOMPARE(lost[0], "case.points_lost " + thrown);
-  QVERIFY(!read->points && read->rig && read->frame && read->regions);
-  QCOMPARE(read->cloud->features, state_.cloud->features);
+  QVERIFY(!(*read)[part::points] && (*read)[part::rig] && (*read)[part::frame] && (*read)[part::regions]);
+  QCOMPARE((*read)[part::cloud]->features, state_[part::cloud]->features);
 }
 
 void CaseStereoTest::PointsOfOtherPicturesAreRefused() {
@@ -291,21 +307,22 @@ void CaseStereoTest::ALostCloudLeavesTheRestAndASaveKeepsIt() {
   QVERIFY(outcome.notes[0].starts_with("case.cloud_lost ") &&
           outcome.notes[0].find("cloud.ply") != std::string::npos);
   const CaseState state = opened->snapshot()->state;
-  QVERIFY(!state.cloud && !state.points && state.frame && state.rig && state.regions);
+  QVERIFY(!state[part::cloud] && !state[part::points] && state[part::frame] && state[part::rig] &&
+          state[part::regions]);
   Reconstruct again;
-  again.options = state_.points->options;
+  again.options = state_[part::points]->options;
   const CaseState now = after(*opened, {again, SaveCase{}});
-  QCOMPARE(now.cloud->features, state_.cloud->features);  // made again as it was
-  QVERIFY(open_case(path, RunContext())->points);
+  QCOMPARE(now[part::cloud]->features, state_[part::cloud]->features);  // made again as it was
+  QVERIFY((*open_case(path, RunContext()))[part::points]);
 }
 
 void CaseStereoTest::ADiskThatFillsUpLeavesTheOldPoints() {
   const fs::path path = copy();
   const std::string before = read_file(path / "points/points.json");
   CaseState next = state_;
-  auto points = std::make_shared<PairPoints>(*state_.points);
+  auto points = std::make_shared<PairPoints>(*state_[part::points]);
   points->density_per_cm2 = 77.0;
-  next.points = points;
+  next[part::points] = points;
   for (const auto bytes :
        {fs::file_size(path / "points/points.json") - 1, fs::file_size(path / "points/whole.ply") - 1}) {
     const auto refused = [&] {
@@ -316,7 +333,7 @@ void CaseStereoTest::ADiskThatFillsUpLeavesTheOldPoints() {
     QCOMPARE(read_file(path / "points/points.json"), before);
   }
   QVERIFY(save_case(path, next, RunContext()));
-  QCOMPARE(open_case(path, RunContext())->points->density_per_cm2, 77.0);
+  QCOMPARE((*open_case(path, RunContext()))[part::points]->density_per_cm2, 77.0);
 }
 
 QTEST_APPLESS_MAIN(CaseStereoTest)

@@ -12,6 +12,24 @@
 
 #include "gate.h"
 #include "glisson/core/error.h"
+#include "glisson/engine/commands/build_model.h"
+#include "glisson/engine/commands/import_cloud.h"
+#include "glisson/engine/commands/import_image.h"
+#include "glisson/engine/commands/import_labels.h"
+#include "glisson/engine/commands/register.h"
+#include "glisson/engine/commands/segment.h"
+#include "glisson/engine/commands/set_landmarks.h"
+#include "glisson/engine/commands/set_seeds.h"
+#include "glisson/engine/commands/start_tracking.h"
+#include "glisson/engine/commands/stop_tracking.h"
+#include "glisson/engine/parts/cloud.h"
+#include "glisson/engine/parts/image.h"
+#include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/landmarks.h"
+#include "glisson/engine/parts/live.h"
+#include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/registration.h"
+#include "glisson/engine/parts/seeds.h"
 #include "runners.h"
 
 using namespace glisson;
@@ -22,19 +40,20 @@ using test::Gate;
 namespace {
 
 /// A stand-in for the modules: every command writes fresh values into the parts that it says it writes.
-Cancellable<Applied> write_parts(const CaseState& state, const Command& command, const RunContext& context) {
+Cancellable<Applied> write_parts(const CaseState& state, const Command& command, const RunContext& context,
+                                 const Services&) {
   context.progress(0.5, "half");
   if (context.cancelled()) return {};
   Applied applied;
   applied.state = state;
-  const Parts parts = writes(command);
-  if (parts.has(Part::image)) applied.state.image = std::make_shared<Image>();
-  if (parts.has(Part::seeds)) applied.state.seeds = std::make_shared<segmentation::Seeds>();
-  if (parts.has(Part::labels)) applied.state.labels = std::make_shared<LabelMap>();
-  if (parts.has(Part::model)) applied.state.model = std::make_shared<model::BuiltModel>();
-  if (parts.has(Part::landmarks)) applied.state.landmarks = std::make_shared<Landmarks>();
-  if (parts.has(Part::cloud)) applied.state.cloud = std::make_shared<LabelledCloud>();
-  if (parts.has(Part::registration)) applied.state.registration = std::make_shared<Registration>();
+  const Parts parts = command.traits().writes;
+  if (parts.has(part::image)) applied.state[part::image] = std::make_shared<Image>();
+  if (parts.has(part::seeds)) applied.state[part::seeds] = std::make_shared<segmentation::Seeds>();
+  if (parts.has(part::labels)) applied.state[part::labels] = std::make_shared<LabelMap>();
+  if (parts.has(part::model)) applied.state[part::model] = std::make_shared<model::BuiltModel>();
+  if (parts.has(part::landmarks)) applied.state[part::landmarks] = std::make_shared<Landmarks>();
+  if (parts.has(part::cloud)) applied.state[part::cloud] = std::make_shared<LabelledCloud>();
+  if (parts.has(part::registration)) applied.state[part::registration] = std::make_shared<Registration>();
   applied.figures["answer"] = 42.0;
   return applied;
 }
@@ -68,9 +87,10 @@ Engine::Options options(Runner runner) {
 template <class T>
 Engine::Options gated(const std::shared_ptr<Gate>& gate) {
   Engine::Options made = options(Runner::threaded);
-  made.apply = [gate](const CaseState& state, const Command& command, const RunContext& context) {
-    if (std::holds_alternative<T>(command)) gate->pass();
-    return write_parts(state, command, context);
+  made.apply = [gate](const CaseState& state, const Command& command, const RunContext& context,
+                      const Services& services) {
+    if ((command.as<T>() != nullptr)) gate->pass();
+    return write_parts(state, command, context, services);
   };
   return made;
 }
@@ -122,13 +142,13 @@ class EngineTest : public QObject {
 void EngineTest::ADoneCommandIsInTheSnapshot() {
   QFETCH(Runner, runner);
   Engine engine(options(runner));
-  QCOMPARE(engine.snapshot()->stage(Part::image), StageState::absent);
+  QCOMPARE(engine.snapshot()->stage(part::image), StageState::absent);
   const Outcome outcome = engine.wait(engine.post(ImportImage{"somewhere"}));
   QCOMPARE(outcome.status, Status::done);
   QCOMPARE(outcome.command, std::string("import_image"));
   QCOMPARE(outcome.figures.at("answer"), 42.0);
   const auto snapshot = engine.snapshot();
-  QCOMPARE(snapshot->stage(Part::image), StageState::current);
+  QCOMPARE(snapshot->stage(part::image), StageState::current);
   QCOMPARE(snapshot->cause, std::string("import_image"));
   QVERIFY(snapshot->revision > 0);
 }
@@ -136,11 +156,11 @@ void EngineTest::ADoneCommandIsInTheSnapshot() {
 void EngineTest::AFailureLeavesTheCaseAsItWas() {
   QFETCH(Runner, runner);
   Engine::Options made = options(runner);
-  made.apply = [](const CaseState& state, const Command& command,
-                  const RunContext& context) -> Cancellable<Applied> {
-    if (std::holds_alternative<Segment>(command))
+  made.apply = [](const CaseState& state, const Command& command, const RunContext& context,
+                  const Services& services) -> Cancellable<Applied> {
+    if ((command.as<Segment>() != nullptr))
       throw InputError("seeds.json", "liver", "there are none", "Click some");
-    return write_parts(state, command, context);
+    return write_parts(state, command, context, services);
   };
   Engine engine(std::move(made));
   engine.wait(engine.post(ImportImage{}));
@@ -149,15 +169,14 @@ void EngineTest::AFailureLeavesTheCaseAsItWas() {
   QCOMPARE(outcome.status, Status::failed);
   QCOMPARE(outcome.error, std::string("seeds.json: liver: there are none. Click some."));
   QCOMPARE(engine.snapshot()->revision, before->revision);
-  QVERIFY(engine.snapshot()->state.shares(Part::image, before->state));
+  QVERIFY(engine.snapshot()->state.shares(part::image, before->state));
 }
 
 void EngineTest::AnUnexpectedExceptionIsAFailureToo() {
   QFETCH(Runner, runner);
   Engine::Options made = options(runner);
-  made.apply = [](const CaseState&, const Command&, const RunContext&) -> Cancellable<Applied> {
-    throw std::bad_alloc();
-  };
+  made.apply = [](const CaseState&, const Command&, const RunContext&,
+                  const Services&) -> Cancellable<Applied> { throw std::bad_alloc(); };
   Engine engine(std::move(made));
   const Outcome outcome = engine.wait(engine.post(ImportImage{}));
   QCOMPARE(outcome.status, Status::failed);
@@ -188,17 +207,17 @@ void EngineTest::CancelFromWithinProgressLeavesTheCaseAsItWas() {
   Engine* self = nullptr;
   std::atomic<CommandId> posted{0};
   // Ids are given in order, so the first one is known before post() returns; inline it has to be.
-  made.apply = [&](const CaseState& state, const Command& command,
-                   const RunContext& context) -> Cancellable<Applied> {
+  made.apply = [&](const CaseState& state, const Command& command, const RunContext& context,
+                   const Services& services) -> Cancellable<Applied> {
     self->cancel(1);
-    return write_parts(state, command, context);
+    return write_parts(state, command, context, services);
   };
   Engine engine(std::move(made));
   self = &engine;
   posted = engine.post(ImportImage{});
   QCOMPARE(posted.load(), CommandId{1});
   QCOMPARE(engine.wait(1).status, Status::cancelled);
-  QCOMPARE(engine.snapshot()->stage(Part::image), StageState::absent);
+  QCOMPARE(engine.snapshot()->stage(part::image), StageState::absent);
 }
 
 void EngineTest::AnEditMarksOnlyWhatFollowsFromIt() {
@@ -210,17 +229,17 @@ void EngineTest::AnEditMarksOnlyWhatFollowsFromIt() {
   engine.post(BuildModel{});
   engine.post(ImportCloud{});
   engine.wait(engine.post(Register{}));
-  QCOMPARE(engine.snapshot()->stage(Part::registration), StageState::current);
+  QCOMPARE(engine.snapshot()->stage(part::registration), StageState::current);
   // A label edit leaves the cloud alone, and marks model and registration.
   engine.wait(engine.post(ImportLabels{}));
   const auto snapshot = engine.snapshot();
-  QCOMPARE(snapshot->stage(Part::labels), StageState::current);
-  QCOMPARE(snapshot->stage(Part::model), StageState::stale);
-  QCOMPARE(snapshot->stage(Part::registration), StageState::stale);
-  QCOMPARE(snapshot->stage(Part::cloud), StageState::current);
+  QCOMPARE(snapshot->stage(part::labels), StageState::current);
+  QCOMPARE(snapshot->stage(part::model), StageState::stale);
+  QCOMPARE(snapshot->stage(part::registration), StageState::stale);
+  QCOMPARE(snapshot->stage(part::cloud), StageState::current);
   engine.post(BuildModel{});
   engine.wait(engine.post(Register{}));
-  QCOMPARE(engine.snapshot()->stage(Part::registration), StageState::current);
+  QCOMPARE(engine.snapshot()->stage(part::registration), StageState::current);
 }
 
 void EngineTest::FramesAreIgnoredUnlessTracking() {
@@ -228,18 +247,18 @@ void EngineTest::FramesAreIgnoredUnlessTracking() {
   Engine engine(options(runner));
   engine.submit_frame(numbered(1));
   engine.wait_for_frames();
-  QVERIFY(engine.snapshot()->state.live == nullptr);
+  QVERIFY(engine.snapshot()->state[part::live] == nullptr);
   engine.wait(engine.post(StartTracking{}));
   QVERIFY(engine.snapshot()->tracking);
   engine.submit_frame(numbered(2));
   engine.wait_for_frames();
-  QCOMPARE(engine.snapshot()->state.live->overlay.index, 2);
-  QCOMPARE(engine.snapshot()->state.live->frames, 1);
+  QCOMPARE(engine.snapshot()->state[part::live]->overlay.index, 2);
+  QCOMPARE(engine.snapshot()->state[part::live]->frames, 1);
   engine.wait(engine.post(StopTracking{}));
   QVERIFY(!engine.snapshot()->tracking);
   engine.submit_frame(numbered(3));
   engine.wait_for_frames();
-  QVERIFY(engine.snapshot()->state.live == nullptr);
+  QVERIFY(engine.snapshot()->state[part::live] == nullptr);
 }
 
 void EngineTest::AStaleOverlayIsNeverValid() {
@@ -252,12 +271,12 @@ void EngineTest::AStaleOverlayIsNeverValid() {
   engine.wait(engine.post(StartTracking{}));
   engine.submit_frame(numbered(1));
   engine.wait_for_frames();
-  QCOMPARE(engine.snapshot()->state.live->overlay.validity, Validity::valid);
+  QCOMPARE(engine.snapshot()->state[part::live]->overlay.validity, Validity::valid);
   engine.wait(engine.post(ImportCloud{}));
-  QCOMPARE(engine.snapshot()->stage(Part::live), StageState::stale);
+  QCOMPARE(engine.snapshot()->stage(part::live), StageState::stale);
   engine.submit_frame(numbered(2));
   engine.wait_for_frames();
-  QCOMPARE(engine.snapshot()->state.live->overlay.validity, Validity::stale);
+  QCOMPARE(engine.snapshot()->state[part::live]->overlay.validity, Validity::stale);
 }
 
 void EngineTest::AFollowerThatThrowsGivesAnInvalidFrame() {
@@ -271,7 +290,7 @@ void EngineTest::AFollowerThatThrowsGivesAnInvalidFrame() {
   engine.wait(engine.post(StartTracking{}));
   engine.submit_frame(numbered(7));
   engine.wait_for_frames();
-  const auto live = engine.snapshot()->state.live;
+  const auto live = engine.snapshot()->state[part::live];
   QCOMPARE(live->overlay.validity, Validity::mechanics_failed);
   QCOMPARE(live->overlay.index, 7);
   QCOMPARE(live->overlay.nodes_in_camera.rows(), Eigen::Index{0});
@@ -282,10 +301,10 @@ void EngineTest::SnapshotsAreImmutable() {
   Engine engine(options(runner));
   engine.wait(engine.post(ImportImage{}));
   const auto kept = engine.snapshot();
-  const auto image = kept->state.image;
+  const auto image = kept->state[part::image];
   engine.wait(engine.post(ImportImage{}));
-  QCOMPARE(kept->state.image, image);
-  QVERIFY(engine.snapshot()->state.image != image);
+  QCOMPARE(kept->state[part::image], image);
+  QVERIFY(engine.snapshot()->state[part::image] != image);
 }
 
 void EngineTest::WaitingForAnUnknownCommandIsRefused() {
@@ -297,10 +316,11 @@ void EngineTest::ACancelBeforeTheStartIsNotLost() {
   auto gate = std::make_shared<Gate>();
   Engine::Options made = options(Runner::threaded);
   std::atomic<int> segmentations{0};
-  made.apply = [&](const CaseState& state, const Command& command, const RunContext& context) {
-    if (std::holds_alternative<ImportImage>(command)) gate->pass();
-    segmentations += std::holds_alternative<Segment>(command);
-    return write_parts(state, command, context);
+  made.apply = [&](const CaseState& state, const Command& command, const RunContext& context,
+                   const Services& services) {
+    if ((command.as<ImportImage>() != nullptr)) gate->pass();
+    segmentations += (command.as<Segment>() != nullptr);
+    return write_parts(state, command, context, services);
   };
   Engine engine(std::move(made));
   engine.post(ImportImage{});
@@ -321,15 +341,16 @@ void EngineTest::ACancelDuringTheWorkIsNotLost() {
   engine.cancel(id);
   gate->open();
   QCOMPARE(engine.wait(id).status, Status::cancelled);
-  QCOMPARE(engine.snapshot()->stage(Part::image), StageState::absent);
+  QCOMPARE(engine.snapshot()->stage(part::image), StageState::absent);
 }
 
 void EngineTest::ACancelThatComesBeforeTheCommitWins() {
   // The algorithm has looked at its context for the last time and finishes; the cancel comes after that.
   auto gate = std::make_shared<Gate>();
   Engine::Options made = options(Runner::threaded);
-  made.apply = [&](const CaseState& state, const Command& command, const RunContext& context) {
-    auto applied = write_parts(state, command, context);
+  made.apply = [&](const CaseState& state, const Command& command, const RunContext& context,
+                   const Services& services) {
+    auto applied = write_parts(state, command, context, services);
     gate->pass();
     return applied;
   };
@@ -339,7 +360,7 @@ void EngineTest::ACancelThatComesBeforeTheCommitWins() {
   engine.cancel(id);
   gate->open();
   QCOMPARE(engine.wait(id).status, Status::cancelled);
-  QCOMPARE(engine.snapshot()->stage(Part::image), StageState::absent);
+  QCOMPARE(engine.snapshot()->stage(part::image), StageState::absent);
 }
 
 void EngineTest::EditsOvertakeWorkThatTheyDoNotTouch() {
@@ -352,8 +373,8 @@ void EngineTest::EditsOvertakeWorkThatTheyDoNotTouch() {
   gate->open();
   QCOMPARE(engine.wait(work).status, Status::done);
   const auto snapshot = engine.snapshot();
-  QCOMPARE(snapshot->stage(Part::image), StageState::current);
-  QCOMPARE(snapshot->stage(Part::seeds), StageState::current);  // the image's commit did not undo the edit
+  QCOMPARE(snapshot->stage(part::image), StageState::current);
+  QCOMPARE(snapshot->stage(part::seeds), StageState::current);  // the image's commit did not undo the edit
 }
 
 void EngineTest::EditsWaitForWorkThatTheyTouch() {
@@ -361,13 +382,14 @@ void EngineTest::EditsWaitForWorkThatTheyTouch() {
   std::mutex mutex;
   std::vector<std::string> order;
   Engine::Options made = options(Runner::threaded);
-  made.apply = [&](const CaseState& state, const Command& command, const RunContext& context) {
-    if (std::holds_alternative<BuildModel>(command)) gate->pass();
+  made.apply = [&](const CaseState& state, const Command& command, const RunContext& context,
+                   const Services& services) {
+    if ((command.as<BuildModel>() != nullptr)) gate->pass();
     {
       const std::scoped_lock lock(mutex);
-      order.emplace_back(command_code(command));
+      order.emplace_back(command.code());
     }
-    return write_parts(state, command, context);
+    return write_parts(state, command, context, services);
   };
   Engine engine(std::move(made));
   engine.post(BuildModel{});
@@ -392,7 +414,7 @@ void EngineTest::NewestFrameWins() {
   for (int i = 1; i <= 5; ++i) engine.submit_frame(numbered(i));
   gate->open();
   engine.wait_for_frames();
-  const auto live = engine.snapshot()->state.live;
+  const auto live = engine.snapshot()->state[part::live];
   QCOMPARE(live->overlay.index, 5);
   QCOMPARE(live->frames, 2);
   QCOMPARE(live->frames_dropped, 4);
@@ -406,10 +428,10 @@ void EngineTest::LiveFramesGoOnBesideLongWork() {
   gate->wait_for_arrival();
   engine.submit_frame(numbered(3));
   engine.wait_for_frames();
-  QCOMPARE(engine.snapshot()->state.live->overlay.index, 3);
+  QCOMPARE(engine.snapshot()->state[part::live]->overlay.index, 3);
   gate->open();
   QCOMPARE(engine.wait(work).status, Status::done);
-  QCOMPARE(engine.snapshot()->state.live->overlay.index, 3);
+  QCOMPARE(engine.snapshot()->state[part::live]->overlay.index, 3);
 }
 
 void EngineTest::TheDestructorCancelsAndJoins() {
@@ -417,8 +439,8 @@ void EngineTest::TheDestructorCancelsAndJoins() {
   std::atomic<bool> told{false};
   {
     Engine::Options made = options(Runner::threaded);
-    made.apply = [&, gate](const CaseState&, const Command&,
-                           const RunContext& context) -> Cancellable<Applied> {
+    made.apply = [&, gate](const CaseState&, const Command&, const RunContext& context,
+                           const Services&) -> Cancellable<Applied> {
       gate->open();
       gate->pass();
       while (!context.cancelled()) std::this_thread::yield();

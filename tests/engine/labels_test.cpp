@@ -5,7 +5,24 @@
 #include "gate.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
+#include "glisson/engine/commands/build_model.h"
+#include "glisson/engine/commands/edit_labels.h"
+#include "glisson/engine/commands/export_labels.h"
+#include "glisson/engine/commands/import_image.h"
+#include "glisson/engine/commands/import_labels.h"
+#include "glisson/engine/commands/open_case.h"
+#include "glisson/engine/commands/preview_edit.h"
+#include "glisson/engine/commands/redo_labels.h"
+#include "glisson/engine/commands/save_case.h"
+#include "glisson/engine/commands/segment.h"
+#include "glisson/engine/commands/set_review.h"
+#include "glisson/engine/commands/undo_labels.h"
 #include "glisson/engine/engine.h"
+#include "glisson/engine/parts/image.h"
+#include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/preview.h"
+#include "glisson/engine/parts/review.h"
 #include "runners.h"
 
 using namespace glisson;
@@ -24,9 +41,9 @@ VolumeGrid small_grid() {
 }
 
 /// A case with an image, written as files: engines read it as a person's would be.
-class CaseFolder {
+class CtFolder {
  public:
-  CaseFolder() {
+  CtFolder() {
     Image image;
     image.grid = small_grid();
     std::vector<std::int16_t> voxels(static_cast<std::size_t>(image.grid.voxel_count()), 60);
@@ -39,7 +56,7 @@ class CaseFolder {
   TemporaryFolder folder_;
 };
 
-std::unique_ptr<Engine> engine_of(Runner runner, const CaseFolder& files, Apply apply = engine::apply) {
+std::unique_ptr<Engine> engine_of(Runner runner, const CtFolder& files, Apply apply = engine::apply) {
   Engine::Options options;
   options.runner = runner;
   options.apply = std::move(apply);
@@ -62,7 +79,7 @@ Edit grown(double by_mm, Label label = structure::kParenchyma) {
 }
 
 long voxels(const Engine& engine, Label label) {
-  const auto& figures = engine.snapshot()->state.statistics->figures();
+  const auto& figures = engine.snapshot()->state[part::statistics]->figures();
   return figures.contains(label) ? figures.at(label).voxels : 0;
 }
 
@@ -102,74 +119,74 @@ class LabelsTest : public QObject {
 
 void LabelsTest::AnEditIsAStepThatCanBeUndoneAndRedone() {
   QFETCH(Runner, runner);
-  const CaseFolder files;
+  const CtFolder files;
   const auto engine = engine_of(runner, files);
   QCOMPARE(done(*engine, EditLabels{ball({40, 36, 42}, 10)}).status, Status::done);
   const long painted = voxels(*engine, structure::kParenchyma);
   QVERIFY(painted > 200);
   QCOMPARE(done(*engine, EditLabels{ball({40, 36, 42}, 5, structure::kPortalVein)}).status, Status::done);
   QVERIFY(voxels(*engine, structure::kParenchyma) < painted);
-  QCOMPARE(engine->snapshot()->state.history->undo_name().label, structure::kPortalVein);
+  QCOMPARE(engine->snapshot()->state[part::history]->undo_name().label, structure::kPortalVein);
   QCOMPARE(done(*engine, UndoLabels{}).status, Status::done);
   QCOMPARE(voxels(*engine, structure::kParenchyma), painted);
   QCOMPARE(voxels(*engine, structure::kPortalVein), 0L);
   QCOMPARE(done(*engine, UndoLabels{}).status, Status::done);
   QCOMPARE(voxels(*engine, structure::kParenchyma), 0L);
-  QVERIFY(engine->snapshot()->state.labels->infos.empty());
+  QVERIFY(engine->snapshot()->state[part::labels]->infos.empty());
   QCOMPARE(done(*engine, RedoLabels{}).status, Status::done);
   QCOMPARE(voxels(*engine, structure::kParenchyma), painted);
 }
 
 void LabelsTest::ThePiecesOfAStrokeAreOneStep() {
   QFETCH(Runner, runner);
-  const CaseFolder files;
+  const CtFolder files;
   const auto engine = engine_of(runner, files);
   for (int n = 0; n < 10; ++n) done(*engine, EditLabels{ball({20.0 + 4.0 * n, 36, 42}, 6), 3});
-  QCOMPARE(engine->snapshot()->state.history->steps().size(), std::size_t{1});
+  QCOMPARE(engine->snapshot()->state[part::history]->steps().size(), std::size_t{1});
   done(*engine, UndoLabels{});
   QCOMPARE(voxels(*engine, structure::kParenchyma), 0L);
 }
 
 void LabelsTest::APreviewChangesNothingAndConfirmingItGivesThatResult() {
   QFETCH(Runner, runner);
-  const CaseFolder files;
+  const CtFolder files;
   const auto engine = engine_of(runner, files);
   done(*engine, EditLabels{ball({40, 36, 42}, 10)});
-  const auto before = engine->snapshot()->state.labels;
+  const auto before = engine->snapshot()->state[part::labels];
   QCOMPARE(done(*engine, PreviewEdit{grown(4.0)}).status, Status::done);
   auto snapshot = engine->snapshot();
-  QCOMPARE(snapshot->state.labels, before);
-  QVERIFY(snapshot->state.preview->result.voxels_changed > 100);
-  QCOMPARE(snapshot->stage(Part::preview), StageState::current);
-  const LabelVolume promised = snapshot->state.preview->result.labels.voxels;
+  QCOMPARE(snapshot->state[part::labels], before);
+  QVERIFY(snapshot->state[part::preview]->result.voxels_changed > 100);
+  QCOMPARE(snapshot->stage(part::preview), StageState::current);
+  const LabelVolume promised = snapshot->state[part::preview]->result.labels.voxels;
   done(*engine, EditLabels{grown(4.0)});
   snapshot = engine->snapshot();
-  QVERIFY(snapshot->state.labels->voxels == promised);
+  QVERIFY(snapshot->state[part::labels]->voxels == promised);
   // It is that very result, not another computation of it.
-  QCOMPARE(snapshot->state.labels->voxels.bricks_differing_from(promised), 0);
-  QVERIFY(!snapshot->state.preview);
+  QCOMPARE(snapshot->state[part::labels]->voxels.bricks_differing_from(promised), 0);
+  QVERIFY(!snapshot->state[part::preview]);
   // A preview that nobody wants goes and leaves nothing.
   done(*engine, PreviewEdit{grown(4.0)});
   done(*engine, PreviewEdit{});
-  QVERIFY(!engine->snapshot()->state.preview);
-  QCOMPARE(engine->snapshot()->state.labels, snapshot->state.labels);
+  QVERIFY(!engine->snapshot()->state[part::preview]);
+  QCOMPARE(engine->snapshot()->state[part::labels], snapshot->state[part::labels]);
 }
 
 void LabelsTest::AnEditMakesThePreviewGo() {
   QFETCH(Runner, runner);
-  const CaseFolder files;
+  const CtFolder files;
   const auto engine = engine_of(runner, files);
   done(*engine, EditLabels{ball({40, 36, 42}, 10)});
   done(*engine, PreviewEdit{grown(4.0)});
   done(*engine, EditLabels{ball({20, 20, 42}, 4)});
-  QVERIFY(!engine->snapshot()->state.preview);
+  QVERIFY(!engine->snapshot()->state[part::preview]);
 }
 
 void LabelsTest::WhatWasApprovedAndIsTouchedMustBeLookedAtAgain() {
   QFETCH(Runner, runner);
-  const CaseFolder files;
+  const CtFolder files;
   const auto engine = engine_of(runner, files);
-  const auto review = [&](Label label) { return engine->snapshot()->state.review->at(label); };
+  const auto review = [&](Label label) { return engine->snapshot()->state[part::review]->at(label); };
   done(*engine, EditLabels{ball({40, 36, 42}, 10)});
   QCOMPARE(review(structure::kParenchyma), ReviewState::in_progress);
   done(*engine, SetReview{structure::kParenchyma, ReviewState::approved});
@@ -183,7 +200,7 @@ void LabelsTest::WhatWasApprovedAndIsTouchedMustBeLookedAtAgain() {
 
 void LabelsTest::AFailedEditLeavesEverythingAsItWas() {
   QFETCH(Runner, runner);
-  const CaseFolder files;
+  const CtFolder files;
   const auto engine = engine_of(runner, files);
   done(*engine, EditLabels{ball({40, 36, 42}, 10)});
   const auto before = engine->snapshot();
@@ -194,32 +211,33 @@ void LabelsTest::AFailedEditLeavesEverythingAsItWas() {
 }
 
 void LabelsTest::ReviewMakesNothingStaleAndEditsDo() {
-  const CaseFolder files;
+  const CtFolder files;
   const auto engine = engine_of(
-      Runner::inline_, files, [](const CaseState& state, const Command& command, const RunContext& context) {
-        if (!std::holds_alternative<BuildModel>(command)) return engine::apply(state, command, context);
+      Runner::inline_, files,
+      [](const CaseState& state, const Command& command, const RunContext& context, const Services&) {
+        if (!(command.as<BuildModel>() != nullptr)) return engine::apply(state, command, context);
         Applied applied{state, {}, {}};
-        applied.state.model = std::make_shared<model::BuiltModel>();
+        applied.state[part::model] = std::make_shared<model::BuiltModel>();
         return Cancellable<Applied>(std::move(applied));
       });
   done(*engine, EditLabels{ball({40, 36, 42}, 10)});
   done(*engine, BuildModel{});
   done(*engine, SetReview{structure::kParenchyma, ReviewState::approved});
   done(*engine, PreviewEdit{grown(2.0)});
-  QCOMPARE(engine->snapshot()->stage(Part::model), StageState::current);
-  QCOMPARE(engine->snapshot()->stage(Part::labels), StageState::current);
+  QCOMPARE(engine->snapshot()->stage(part::model), StageState::current);
+  QCOMPARE(engine->snapshot()->stage(part::labels), StageState::current);
   done(*engine, EditLabels{ball({20, 20, 42}, 4)});
-  QCOMPARE(engine->snapshot()->stage(Part::model), StageState::stale);
-  QCOMPARE(engine->snapshot()->stage(Part::review), StageState::current);
+  QCOMPARE(engine->snapshot()->stage(part::model), StageState::stale);
+  QCOMPARE(engine->snapshot()->stage(part::review), StageState::current);
   // Labels that were drawn on a CT which is no longer there are old, however much one draws on them.
   done(*engine, ImportImage{files.path() / "ct.nrrd"});
-  QCOMPARE(engine->snapshot()->stage(Part::labels), StageState::stale);
+  QCOMPARE(engine->snapshot()->stage(part::labels), StageState::stale);
   done(*engine, EditLabels{ball({20, 20, 42}, 5)});
-  QCOMPARE(engine->snapshot()->stage(Part::labels), StageState::stale);
+  QCOMPARE(engine->snapshot()->stage(part::labels), StageState::stale);
 }
 
 void LabelsTest::StepsReviewAndFiguresComeBackWithTheCase() {
-  const CaseFolder files;
+  const CtFolder files;
   const auto engine = engine_of(Runner::inline_, files);
   done(*engine, EditLabels{ball({40, 36, 42}, 10)});
   done(*engine, EditLabels{ball({40, 36, 42}, 5, structure::kPortalVein)});
@@ -233,10 +251,10 @@ void LabelsTest::StepsReviewAndFiguresComeBackWithTheCase() {
   const Outcome opened = done(*other, OpenCase{files.path() / "a.glisson"});
   QVERIFY2(opened.status == Status::done, opened.error.c_str());
   const auto snapshot = other->snapshot();
-  QVERIFY(snapshot->state.labels->voxels == engine->snapshot()->state.labels->voxels);
-  QCOMPARE(snapshot->state.review->at(structure::kParenchyma), ReviewState::approved);
+  QVERIFY(snapshot->state[part::labels]->voxels == engine->snapshot()->state[part::labels]->voxels);
+  QCOMPARE(snapshot->state[part::review]->at(structure::kParenchyma), ReviewState::approved);
   QCOMPARE(voxels(*other, structure::kParenchyma), painted);
-  QVERIFY(snapshot->state.history->can_undo() && snapshot->state.history->can_redo());
+  QVERIFY(snapshot->state[part::history]->can_undo() && snapshot->state[part::history]->can_redo());
   done(*other, RedoLabels{});
   QVERIFY(voxels(*other, structure::kPortalVein) > 0);
   done(*other, UndoLabels{});
@@ -245,7 +263,7 @@ void LabelsTest::StepsReviewAndFiguresComeBackWithTheCase() {
 }
 
 void LabelsTest::SlicersStatusIsKnownAndKept() {
-  const CaseFolder files;
+  const CtFolder files;
   LabelMap labels;
   labels.voxels = LabelVolume(small_grid());
   labels.voxels.set({10, 10, 10}, structure::kParenchyma);
@@ -256,8 +274,8 @@ void LabelsTest::SlicersStatusIsKnownAndKept() {
   write_labels(files.path() / "labels.seg.nrrd", labels.voxels, {liver, lesion});
   const auto engine = engine_of(Runner::inline_, files);
   done(*engine, ImportLabels{files.path() / "labels.seg.nrrd", {}});
-  QCOMPARE(engine->snapshot()->state.review->at(structure::kParenchyma), ReviewState::approved);
-  QCOMPARE(engine->snapshot()->state.review->at(structure::kFirstLesion), ReviewState::to_review);
+  QCOMPARE(engine->snapshot()->state[part::review]->at(structure::kParenchyma), ReviewState::approved);
+  QCOMPARE(engine->snapshot()->state[part::review]->at(structure::kFirstLesion), ReviewState::to_review);
   done(*engine, SaveCase{files.path() / "a.glisson"});
   const LabelFile written = read_labels(files.path() / "a.glisson" / "labels.seg.nrrd");
   QCOMPARE(written.infos.size(), std::size_t{2});
@@ -271,18 +289,17 @@ void LabelsTest::SlicersStatusIsKnownAndKept() {
 }
 
 void LabelsTest::EditsGoOnWhileAModelIsBuiltWhichIsStaleThen() {
-  const CaseFolder files;
+  const CtFolder files;
   auto gate = std::make_shared<Gate>();
-  const auto engine =
-      engine_of(Runner::threaded, files,
-                [gate](const CaseState& state, const Command& command, const RunContext& context) {
-                  if (!std::holds_alternative<BuildModel>(command))
-                    return engine::apply(state, command, context);
-                  gate->pass();
-                  Applied applied{state, {}, {}};
-                  applied.state.model = std::make_shared<model::BuiltModel>();
-                  return Cancellable<Applied>(std::move(applied));
-                });
+  const auto engine = engine_of(
+      Runner::threaded, files,
+      [gate](const CaseState& state, const Command& command, const RunContext& context, const Services&) {
+        if (!(command.as<BuildModel>() != nullptr)) return engine::apply(state, command, context);
+        gate->pass();
+        Applied applied{state, {}, {}};
+        applied.state[part::model] = std::make_shared<model::BuiltModel>();
+        return Cancellable<Applied>(std::move(applied));
+      });
   done(*engine, EditLabels{ball({40, 36, 42}, 10)});
   const CommandId build = engine->post(BuildModel{});
   gate->wait_for_arrival();
@@ -292,13 +309,13 @@ void LabelsTest::EditsGoOnWhileAModelIsBuiltWhichIsStaleThen() {
   const long after = voxels(*engine, structure::kParenchyma);
   gate->open();
   QCOMPARE(engine->wait(build).status, Status::done);
-  QCOMPARE(engine->snapshot()->stage(Part::model), StageState::stale);
+  QCOMPARE(engine->snapshot()->stage(part::model), StageState::stale);
   QCOMPARE(voxels(*engine, structure::kParenchyma), after);  // the model's commit did not undo the edit
 }
 
 void LabelsTest::AnEditThatChangesNothingOutdatesNothing() {
   QFETCH(Runner, runner);
-  const CaseFolder files;
+  const CtFolder files;
   const auto engine = engine_of(runner, files);
   const Edit liver = ball({40, 36, 42}, 10);
   QCOMPARE(done(*engine, EditLabels{liver}).status, Status::done);
@@ -307,12 +324,12 @@ void LabelsTest::AnEditThatChangesNothingOutdatesNothing() {
   QCOMPARE(outcome.status, Status::done);
   QCOMPARE(outcome.figures.at("voxels_changed"), 0.0);
   const auto& after = engine->snapshot()->state;
-  QVERIFY(after.labels == before.labels && after.history == before.history);
-  QCOMPARE(after.stamp(Part::labels).revision, before.stamp(Part::labels).revision);
+  QVERIFY(after[part::labels] == before[part::labels] && after[part::history] == before[part::history]);
+  QCOMPARE(after.stamp(part::labels).revision, before.stamp(part::labels).revision);
 }
 
 void LabelsTest::ReviewComesWithTheLabelsThatItIsOf() {
-  const CaseFolder files;
+  const CtFolder files;
   LabelFile file;
   file.voxels = LabelVolume(small_grid());
   for (int i = 5; i < 20; ++i) {
@@ -336,35 +353,37 @@ void LabelsTest::ReviewComesWithTheLabelsThatItIsOf() {
   const Outcome outcome = done(*engine, import);
   QVERIFY2(outcome.status == Status::done, outcome.error.c_str());
   QCOMPARE(voxels(*engine, structure::kParenchyma), 30L);
-  QVERIFY(*engine->snapshot()->state.review == (Review{{structure::kParenchyma, ReviewState::in_progress}}));
+  QVERIFY(*engine->snapshot()->state[part::review] ==
+          (Review{{structure::kParenchyma, ReviewState::in_progress}}));
 }
 
 void LabelsTest::ANewCaseKeepsNothingOfTheFormerOne() {
   QFETCH(Runner, runner);
-  const CaseFolder files;
+  const CtFolder files;
   const auto engine = engine_of(runner, files);
   QCOMPARE(done(*engine, EditLabels{ball({40, 36, 42}, 10)}).status, Status::done);
   QCOMPARE(done(*engine, SaveCase{files.path() / "former.glisson"}).status, Status::done);
   QCOMPARE(done(*engine, ImportImage{files.path() / "ct.nrrd"}).status, Status::done);
-  QVERIFY(engine->snapshot()->state.labels && !engine->snapshot()->state.path.empty());
-  QCOMPARE(engine->snapshot()->stage(Part::labels), StageState::stale);
+  QVERIFY(engine->snapshot()->state[part::labels] && !engine->snapshot()->state.path.empty());
+  QCOMPARE(engine->snapshot()->stage(part::labels), StageState::stale);
   QCOMPARE(done(*engine, ImportImage{files.path() / "none.nrrd", {}, true}).status, Status::failed);
-  QVERIFY(engine->snapshot()->state.labels != nullptr);
+  QVERIFY(engine->snapshot()->state[part::labels] != nullptr);
   QCOMPARE(done(*engine, ImportImage{files.path() / "ct.nrrd", {}, true}).status, Status::done);
   const CaseState& now = engine->snapshot()->state;
-  QVERIFY(now.path.empty() && now.image && !now.labels && !now.history && !now.review);
+  QVERIFY(now.path.empty() && now[part::image] && !now[part::labels] && !now[part::history] &&
+          !now[part::review]);
   QCOMPARE(done(*engine, SaveCase{}).status, Status::failed);  // not over the former patient
 }
 
 void LabelsTest::WhatIsSavedIsTheCaseAsItWasWhenTheSaveBegan() {
-  const CaseFolder files;
+  const CtFolder files;
   Gate gate;
-  const auto engine =
-      engine_of(Runner::threaded, files,
-                [&gate](const CaseState& state, const Command& command, const RunContext& context) {
-                  if (std::holds_alternative<SaveCase>(command)) gate.pass();
-                  return apply(state, command, context);
-                });
+  const auto engine = engine_of(
+      Runner::threaded, files,
+      [&gate](const CaseState& state, const Command& command, const RunContext& context, const Services&) {
+        if ((command.as<SaveCase>() != nullptr)) gate.pass();
+        return apply(state, command, context);
+      });
   const Editions begun = editions(engine->snapshot()->state);
   const CommandId save = engine->post(SaveCase{files.path() / "case.glisson"});
   gate.wait_for_arrival();
@@ -372,10 +391,10 @@ void LabelsTest::WhatIsSavedIsTheCaseAsItWasWhenTheSaveBegan() {
   gate.open();
   const Outcome outcome = engine->wait(save);
   QCOMPARE(outcome.status, Status::done);
-  QVERIFY(outcome.saved == begun);
-  QVERIFY(outcome.saved != editions(engine->snapshot()->state));
+  QVERIFY(outcome.result.as<CaseOnDisk>()->editions == begun);
+  QVERIFY(outcome.result.as<CaseOnDisk>()->editions != editions(engine->snapshot()->state));
   const Outcome opened = done(*engine, OpenCase{files.path() / "case.glisson"});
-  QVERIFY(opened.saved == editions(engine->snapshot()->state));
+  QVERIFY(opened.result.as<CaseOnDisk>()->editions == editions(engine->snapshot()->state));
 }
 
 void LabelsTest::NothingToUndoOrToDrawOnIsSaid() {
@@ -390,21 +409,22 @@ void LabelsTest::NothingToUndoOrToDrawOnIsSaid() {
 
 void LabelsTest::TheContourIsSeenWhileItEvolvesAndIsGoneThen() {
   QFETCH(Runner, runner);
-  const CaseFolder files;
+  const CtFolder files;
   Engine* running = nullptr;
   std::vector<long> seen;
-  const auto engine = engine_of(
-      runner, files, [&](const CaseState& state, const Command& command, const RunContext& context) {
-        const auto* segment = std::get_if<Segment>(&command);
-        if (segment == nullptr) return engine::apply(state, command, context);
-        LabelVolume liver(state.image->grid);
-        for (int n = 0; n < 3; ++n) {
-          liver.set({n, 0, 0}, 1);
-          segment->show(liver);
-          seen.push_back(running->snapshot()->evolving->histogram()[1]);
-        }
-        return Cancellable<Applied>();  // cancelled
-      });
+  const auto engine = engine_of(runner, files,
+                                [&](const CaseState& state, const Command& command, const RunContext& context,
+                                    const Services& services) {
+                                  if (command.as<Segment>() == nullptr)
+                                    return engine::apply(state, command, context);
+                                  LabelVolume liver(state[part::image]->grid);
+                                  for (int n = 0; n < 3; ++n) {
+                                    liver.set({n, 0, 0}, 1);
+                                    services.show_evolving(liver);
+                                    seen.push_back(running->snapshot()->evolving->histogram()[1]);
+                                  }
+                                  return Cancellable<Applied>();  // cancelled
+                                });
   running = engine.get();
   QCOMPARE(done(*engine, Segment{}).status, Status::cancelled);
   QCOMPARE(seen, (std::vector<long>{1, 2, 3}));

@@ -9,6 +9,11 @@
 
 #include "complaint.h"
 #include "glisson/core/error.h"
+#include "glisson/engine/commands/import_mesh.h"
+#include "glisson/engine/commands/start_trial.h"
+#include "glisson/engine/commands/stop_trial.h"
+#include "glisson/engine/parts/landmarks.h"
+#include "glisson/engine/parts/model.h"
 #include "glisson/fem/integrator.h"
 #include "glisson/guidance/boundary_springs.h"
 #include "runners.h"
@@ -101,7 +106,7 @@ void LoadTrialTest::AHeldPullEndsInTheStaticSolution() {
   StartTrial command;
   command.options.fast_from = fast_from;
   engine.wait(engine.post(command));
-  const PatientModel& model = engine.snapshot()->state.model->model;
+  const PatientModel& model = engine.snapshot()->state[part::model]->model;
   const TrialPull pull = corner_pull(model);
   const auto held = settle(engine, pull);
   QVERIFY(held != nullptr);
@@ -130,7 +135,7 @@ void LoadTrialTest::ThePullIsNoStrongerThanItsLimit() {
   StartTrial command;
   command.options.pull_limit = 2.0;
   engine.wait(engine.post(command));
-  const PatientModel& model = engine.snapshot()->state.model->model;
+  const PatientModel& model = engine.snapshot()->state[part::model]->model;
   TrialPull pull = corner_pull(model);
   pull.target += Eigen::Vector3d(0.05, -0.2, 0.1);
   const auto held = settle(engine, pull);
@@ -146,7 +151,7 @@ void LoadTrialTest::AReleasedOrganReturnsToRest() {
   QFETCH(Runner, runner);
   Engine engine(options(runner));
   start(engine);
-  const auto held = settle(engine, corner_pull(engine.snapshot()->state.model->model));
+  const auto held = settle(engine, corner_pull(engine.snapshot()->state[part::model]->model));
   QVERIFY(held && held->nodes.rows() > 0);
   const auto released = settle(engine, std::nullopt);
   QVERIFY(released != nullptr);
@@ -164,15 +169,15 @@ void LoadTrialTest::ATrialChangesNothingOfTheCase() {
   engine.wait(engine.post(ImportMesh{}));
   const auto before = engine.snapshot();
   engine.wait(engine.post(StartTrial{}));
-  engine.submit_pull(corner_pull(before->state.model->model));
+  engine.submit_pull(corner_pull(before->state[part::model]->model));
   engine.wait_for_trial();
   QVERIFY(engine.snapshot()->trial->nodes.rows() > 0);
   engine.wait(engine.post(StopTrial{}));
   const auto after = engine.snapshot();
   QCOMPARE(after->revision, before->revision);  // no reason to save
-  for (int i = 0; i < kPartCount; ++i) {
-    QVERIFY(after->state.shares(static_cast<Part>(i), before->state));
-    QCOMPARE(after->stages[static_cast<std::size_t>(i)], before->stages[static_cast<std::size_t>(i)]);
+  for (const Part part : all_parts()) {
+    QVERIFY(after->state.shares(part, before->state));
+    QCOMPARE(after->stage(part), before->stage(part));
   }
 }
 
@@ -183,7 +188,7 @@ void LoadTrialTest::ElementsInsideOutEndIt() {
   command.options.pull_stiffness = 1e4;
   command.options.pull_limit = 100.0;
   engine.wait(engine.post(command));
-  TrialPull pull = corner_pull(engine.snapshot()->state.model->model);
+  TrialPull pull = corner_pull(engine.snapshot()->state[part::model]->model);
   pull.target = {0.0, 0.1, 0.0};  // through the organ
   const auto trial = settle(engine, pull);
   QVERIFY(trial != nullptr);
@@ -200,17 +205,17 @@ void LoadTrialTest::AnOrganThatNothingHoldsIsRefused() {
   auto built = std::make_shared<model::BuiltModel>(*patient());
   built->model.landmarks = {};
   built->model.vessels.clear();
-  state.model = built;
+  state[part::model] = built;
   QVERIFY(complaint_of().find("Place the vena cava") != std::string::npos);
   // Two places do not keep it from turning, nor do three in a row.
   built->model.vessels = patient()->model.vessels;
   auto cava = std::make_shared<Landmarks>();
   cava->vena_cava = patient()->model.vessels[0].nodes.middleRows(2, 2);
-  state.landmarks = cava;
+  state[part::landmarks] = cava;
   QVERIFY(complaint_of().find("one line") != std::string::npos);
   built->model.vessels.clear();
   // Placing the vena cava where it is remedies both.
-  state.landmarks = std::make_shared<Landmarks>(patient()->model.landmarks);
+  state[part::landmarks] = std::make_shared<Landmarks>(patient()->model.landmarks);
   QVERIFY(make_load_trial(state, TrialOptions{}, RunContext()).has_value());
   built->model.mesh = {};
   QVERIFY(complaint_of().find("tetrahedra") != std::string::npos);

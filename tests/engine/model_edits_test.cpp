@@ -1,8 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a person does to a model: edits its trees, and says that it is right.
-#include "glisson/engine/unapproved.h"
+#include "glisson/engine/review.h"
 #include "runners.h"
 #include "trial_patient.h"
+
+#include "glisson/engine/commands/build_model.h"
+#include "glisson/engine/commands/check_model.h"
+#include "glisson/engine/commands/edit_labels.h"
+#include "glisson/engine/commands/edit_trees.h"
+#include "glisson/engine/commands/import_cloud.h"
+#include "glisson/engine/commands/import_image.h"
+#include "glisson/engine/commands/import_mesh.h"
+#include "glisson/engine/commands/load_stereo_pair.h"
+#include "glisson/engine/commands/load_video_frame.h"
+#include "glisson/engine/commands/register.h"
+#include "glisson/engine/commands/segment.h"
+#include "glisson/engine/commands/set_calibration.h"
+#include "glisson/engine/commands/set_seeds.h"
+#include "glisson/engine/parts/check.h"
+#include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/registration.h"
+#include "glisson/engine/parts/review.h"
 
 using namespace glisson;
 using namespace glisson::engine;
@@ -13,10 +32,11 @@ namespace {
 Engine::Options real_options(Runner runner) {
   Engine::Options options;
   options.runner = runner;
-  options.apply = [](const CaseState& state, const Command& command, const RunContext& context) {
-    return std::holds_alternative<EditTrees>(command) || std::holds_alternative<CheckModel>(command)
-               ? apply(state, command, context)
-               : give_patient(state, command, context);
+  options.apply = [](const CaseState& state, const Command& command, const RunContext& context,
+                     const Services& services) {
+    return (command.as<EditTrees>() != nullptr) || (command.as<CheckModel>() != nullptr)
+               ? apply(state, command, context, services)
+               : give_patient(state, command, context, services);
   };
   return options;
 }
@@ -47,9 +67,9 @@ void ModelEditsTest::EntrancesFollowTheEditsAndComeBack() {
   QFETCH(Runner, runner);
   Engine engine(real_options(runner));
   engine.wait(engine.post(ImportMesh{}));
-  const VesselTree built = engine.snapshot()->state.model->model.vessels.at(0);
+  const VesselTree built = engine.snapshot()->state[part::model]->model.vessels.at(0);
   const auto entrance = [&] {
-    const VesselTree& tree = engine.snapshot()->state.model->model.vessels.at(0);
+    const VesselTree& tree = engine.snapshot()->state[part::model]->model.vessels.at(0);
     return Eigen::Vector3d(tree.nodes.row(tree.root).transpose());
   };
   const Eigen::Vector3d far_end = built.nodes.bottomRows(1).transpose();
@@ -58,11 +78,11 @@ void ModelEditsTest::EntrancesFollowTheEditsAndComeBack() {
   QCOMPARE(outcome.status, Status::done);
   QCOMPARE(outcome.figures.at("model_beams"), static_cast<double>(built.beams.size()));
   QVERIFY((entrance() - far_end).norm() < 1e-12);
-  QCOMPARE(engine.snapshot()->state.model->tree_edits.size(), std::size_t{1});
-  QCOMPARE(engine.snapshot()->stage(Part::model), StageState::current);
+  QCOMPARE(engine.snapshot()->state[part::model]->tree_edits.size(), std::size_t{1});
+  QCOMPARE(engine.snapshot()->stage(part::model), StageState::current);
   engine.wait(engine.post(EditTrees{}));
-  QVERIFY(engine.snapshot()->state.model->model.vessels.at(0).nodes == built.nodes);
-  QVERIFY(engine.snapshot()->state.model->tree_edits.empty());
+  QVERIFY(engine.snapshot()->state[part::model]->model.vessels.at(0).nodes == built.nodes);
+  QVERIFY(engine.snapshot()->state[part::model]->tree_edits.empty());
 }
 
 void ModelEditsTest::WhatAModelWasMadeOfOutlivesAnEdit() {
@@ -70,41 +90,41 @@ void ModelEditsTest::WhatAModelWasMadeOfOutlivesAnEdit() {
   Engine engine(real_options(runner));
   engine.wait(engine.post(Segment{}));
   engine.wait(engine.post(BuildModel{}));
-  const Points& nodes = engine.snapshot()->state.model->model.vessels.at(0).nodes;
+  const Points& nodes = engine.snapshot()->state[part::model]->model.vessels.at(0).nodes;
   const Outcome outcome = engine.wait(engine.post(EditTrees{{root_at(nodes.bottomRows(1).transpose())}}));
   QCOMPARE(outcome.status, Status::done);
-  QCOMPARE(engine.snapshot()->stage(Part::model), StageState::current);
-  QVERIFY(engine.snapshot()->state.stamp(Part::model).made_from.contains(Part::labels));
+  QCOMPARE(engine.snapshot()->stage(part::model), StageState::current);
+  QVERIFY(engine.snapshot()->state.stamp(part::model).made_from.contains(part::labels));
   engine.wait(engine.post(EditLabels{}));
-  QCOMPARE(engine.snapshot()->stage(Part::model), StageState::stale);
+  QCOMPARE(engine.snapshot()->stage(part::model), StageState::stale);
   // Nor does an edit make a model current whose labels have gone on.
   engine.wait(engine.post(EditTrees{}));
-  QCOMPARE(engine.snapshot()->stage(Part::model), StageState::stale);
+  QCOMPARE(engine.snapshot()->stage(part::model), StageState::stale);
 }
 
 void ModelEditsTest::SeedsDoNotOutdateLabelsThatAHandHasChanged() {
   Engine engine(real_options(Runner::inline_));
   engine.wait(engine.post(Segment{}));
   engine.wait(engine.post(SetSeeds{}));
-  QCOMPARE(engine.snapshot()->stage(Part::labels), StageState::stale);
+  QCOMPARE(engine.snapshot()->stage(part::labels), StageState::stale);
   engine.wait(engine.post(EditLabels{}));
   engine.wait(engine.post(SetSeeds{}));
-  QCOMPARE(engine.snapshot()->stage(Part::labels), StageState::current);
+  QCOMPARE(engine.snapshot()->stage(part::labels), StageState::current);
 }
 
 void ModelEditsTest::WhatIsKeptOfLabelsStaysAsOldAsItWas() {
   Engine engine(real_options(Runner::inline_));
   engine.wait(engine.post(ImportImage{}));
   engine.wait(engine.post(Segment{}));
-  QCOMPARE(engine.snapshot()->stage(Part::labels), StageState::current);
+  QCOMPARE(engine.snapshot()->stage(part::labels), StageState::current);
   engine.wait(engine.post(ImportImage{}));
   Segment gallbladder;
   gallbladder.options.structures = {false, false, false, false, true, false};
   QVERIFY(gallbladder.keeps_labels());
   engine.wait(engine.post(gallbladder));
-  QCOMPARE(engine.snapshot()->stage(Part::labels), StageState::stale);  // the liver is the former CT's
+  QCOMPARE(engine.snapshot()->stage(part::labels), StageState::stale);  // the liver is the former CT's
   engine.wait(engine.post(Segment{}));
-  QCOMPARE(engine.snapshot()->stage(Part::labels), StageState::current);
+  QCOMPARE(engine.snapshot()->stage(part::labels), StageState::current);
 }
 
 void ModelEditsTest::ACloudIsOfTheFrameAndTheScopeThatSawIt() {
@@ -113,9 +133,9 @@ void ModelEditsTest::ACloudIsOfTheFrameAndTheScopeThatSawIt() {
     for (const Command& command : {Command(ImportMesh{}), Command(SetCalibration{}),
                                    Command(LoadStereoPair{}), Command(ImportCloud{}), Command(Register{})})
       QCOMPARE(engine.wait(engine.post(command)).status, Status::done);
-    QCOMPARE(engine.snapshot()->stage(Part::registration), StageState::current);
+    QCOMPARE(engine.snapshot()->stage(part::registration), StageState::current);
     engine.wait(engine.post(next));
-    QCOMPARE(engine.snapshot()->stage(Part::registration), StageState::stale);
+    QCOMPARE(engine.snapshot()->stage(part::registration), StageState::stale);
   }
 }
 
@@ -123,11 +143,11 @@ void ModelEditsTest::AnImpossibleEditLeavesTheModel() {
   QFETCH(Runner, runner);
   Engine engine(real_options(runner));
   engine.wait(engine.post(ImportMesh{}));
-  const auto before = engine.snapshot()->state.model;
+  const auto before = engine.snapshot()->state[part::model];
   const Outcome outcome = engine.wait(engine.post(EditTrees{{root_at({1.0, 1.0, 1.0})}}));
   QCOMPARE(outcome.status, Status::failed);
   QVERIFY(outcome.error.find("edit 1 (set_root)") != std::string::npos);
-  QVERIFY(engine.snapshot()->state.model == before);
+  QVERIFY(engine.snapshot()->state[part::model] == before);
 }
 
 void ModelEditsTest::AnotherModelIsNotChecked() {
@@ -140,7 +160,7 @@ void ModelEditsTest::AnotherModelIsNotChecked() {
   engine.wait(engine.post(CheckModel{{false}}));
   QVERIFY(!is_model_checked(engine.snapshot()->state));
   engine.wait(engine.post(CheckModel{{true}}));
-  const Points& nodes = engine.snapshot()->state.model->model.vessels.at(0).nodes;
+  const Points& nodes = engine.snapshot()->state[part::model]->model.vessels.at(0).nodes;
   engine.wait(engine.post(EditTrees{{root_at(nodes.bottomRows(1).transpose())}}));
   QVERIFY(!is_model_checked(engine.snapshot()->state));
   engine.wait(engine.post(CheckModel{{true}}));
@@ -158,15 +178,16 @@ void ModelEditsTest::LabelsThatNobodyApprovedAreNamed() {
                                       structure::kHepaticVeins, structure::kFirstOther,
                                       structure::kFirstLesion};
   for (std::size_t i = 0; i < present.size(); ++i) labels.voxels.set({static_cast<int>(i), 1, 1}, present[i]);
-  state.labels = std::make_shared<const LabelMap>(labels);
-  state.review = std::make_shared<const Review>(Review{{structure::kParenchyma, ReviewState::approved},
-                                                       {structure::kPortalVein, ReviewState::to_review},
-                                                       {structure::kVenaCava, ReviewState::in_progress}});
+  state[part::labels] = std::make_shared<const LabelMap>(labels);
+  state[part::review] =
+      std::make_shared<const Review>(Review{{structure::kParenchyma, ReviewState::approved},
+                                            {structure::kPortalVein, ReviewState::to_review},
+                                            {structure::kVenaCava, ReviewState::in_progress}});
   const std::map<ReviewState, std::vector<Label>> wanted = {
       {ReviewState::not_started, {structure::kHepaticVeins, structure::kFirstLesion}},
       {ReviewState::to_review, {structure::kPortalVein}}};
   QVERIFY(unapproved_labels(state) == wanted);  // models hold nothing of the other
-  state.statistics = std::make_shared<const segmentation::LabelStatistics>(labels, nullptr);
+  state[part::statistics] = std::make_shared<const segmentation::LabelStatistics>(labels, nullptr);
   QVERIFY(unapproved_labels(state) == wanted);
   QCOMPARE(unapproved_notes(state),
            (std::vector<std::string>{"label.not_started hepatic_veins", "label.not_started lesion_1",

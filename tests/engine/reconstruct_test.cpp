@@ -4,7 +4,13 @@
 
 #include "../stereo/rendered_pair.h"
 #include "glisson/core/files.h"
+#include "glisson/engine/commands/load_stereo_pair.h"
+#include "glisson/engine/commands/reconstruct.h"
+#include "glisson/engine/commands/set_calibration.h"
+#include "glisson/engine/commands/set_regions.h"
 #include "glisson/engine/engine.h"
+#include "glisson/engine/parts/cloud.h"
+#include "glisson/engine/parts/rig.h"
 #include "glisson/stereo/calibration_io.h"
 #include "glisson/stereo/labelling.h"
 #include "glisson/stereo/picture_io.h"
@@ -48,7 +54,7 @@ class ReconstructTest : public QObject {
     return after(engine, command);
   }
   static bool dense(const CaseState& state) {
-    return state.points->whole->report.method == stereo::Method::dense;
+    return state[part::points]->whole->report.method == stereo::Method::dense;
   }
 
   static constexpr double kSide = 80.0;
@@ -71,11 +77,12 @@ void ReconstructTest::initTestCase() {
   for (double y = 100.0; y < 300.0; y += 40.0)
     for (double x = 150.0; x < 450.0; x += 40.0) {
       const double density =
-          stereo::label(state.points->whole->cloud, *state.rig, {}, square(x, y)).density_per_cm2;
+          stereo::label(state[part::points]->whole->cloud, *state[part::rig], {}, square(x, y))
+              .density_per_cm2;
       if (density < thin_density_ && density > 0.0) thin_density_ = density, thin_ = square(x, y);
       if (density > thick) thick = density, thick_ = square(x, y);
     }
-  const double whole = state.points->whole->report.density_per_cm2;
+  const double whole = state[part::points]->whole->report.density_per_cm2;
   QVERIFY2(thin_density_ < 0.8 * whole && whole <= thick,
            qPrintable(QString("%1 %2 %3").arg(thin_density_).arg(whole).arg(thick)));
   automatic_.options.method = stereo::Method::automatic;
@@ -88,11 +95,11 @@ void ReconstructTest::APairBecomesDenseOnceItsRegionsAreThinAndStaysSo() {
   QVERIFY(!dense(before));
   const CaseState switched = labelled(*scope, thin_, automatic_);
   QVERIFY(dense(switched));
-  QVERIFY(switched.points->density_per_cm2 > 2.0 * thin_density_);
+  QVERIFY(switched[part::points]->density_per_cm2 > 2.0 * thin_density_);
   // To and fro between the two: the points are not exchanged again, nor made again.
   for (const stereo::Regions& regions : {thick_, thin_, thick_}) {
     const CaseState now = labelled(*scope, regions, automatic_);
-    QVERIFY(now.points->whole == switched.points->whole);
+    QVERIFY(now[part::points]->whole == switched[part::points]->whole);
   }
 }
 
@@ -109,7 +116,7 @@ void ReconstructTest::WhoChoosesSparseGetsSparse() {
   sparse.options.method = stereo::Method::sparse;
   const CaseState state = labelled(*scope, thin_, sparse);
   QVERIFY(!dense(state));
-  QCOMPARE(state.points->density_per_cm2, thin_density_);
+  QCOMPARE(state[part::points]->density_per_cm2, thin_density_);
 }
 
 QTEST_APPLESS_MAIN(ReconstructTest)

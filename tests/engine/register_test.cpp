@@ -2,7 +2,12 @@
 #include <QtTest>
 
 #include "../registration/phantom.h"
+#include "glisson/engine/commands/register.h"
 #include "glisson/engine/engine.h"
+#include "glisson/engine/parts/cloud.h"
+#include "glisson/engine/parts/landmarks.h"
+#include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/registration.h"
 
 using namespace glisson;
 using namespace glisson::engine;
@@ -14,9 +19,9 @@ CaseState before_registration() {
   CaseState state;
   auto built = std::make_shared<model::BuiltModel>();
   built->model = phantom::model(6, 5, 3);
-  state.model = built;
-  state.landmarks = std::make_shared<const Landmarks>(phantom::landmarks());
-  state.cloud = std::make_shared<const LabelledCloud>(
+  state[part::model] = built;
+  state[part::landmarks] = std::make_shared<const Landmarks>(phantom::landmarks());
+  state[part::cloud] = std::make_shared<const LabelledCloud>(
       phantom::patch(built->model, phantom::view().apply(built->model.mesh.vertices), {}));
   return state;
 }
@@ -48,27 +53,27 @@ class RegisterTest : public QObject {
 
 void RegisterTest::OperationsAreSimulatedOnceForAModel() {
   const CaseState first = registered(before_registration(), few_operations());
-  QVERIFY(first.operations != nullptr);
+  QVERIFY(first[part::operations] != nullptr);
   const CaseState again = registered(first, few_operations());
-  QVERIFY(again.operations == first.operations);
-  QVERIFY(again.registration->nodes_in_camera == first.registration->nodes_in_camera);
+  QVERIFY(again[part::operations] == first[part::operations]);
+  QVERIFY(again[part::registration]->nodes_in_camera == first[part::registration]->nodes_in_camera);
 
   CaseState marked = first;
-  marked.landmarks = std::make_shared<const Landmarks>(*first.landmarks);
-  QVERIFY(registered(marked, few_operations()).operations != first.operations);
+  marked[part::landmarks] = std::make_shared<const Landmarks>(*first[part::landmarks]);
+  QVERIFY(registered(marked, few_operations())[part::operations] != first[part::operations]);
   CaseState rebuilt = first;
-  rebuilt.model = std::make_shared<const model::BuiltModel>(*first.model);
-  QVERIFY(registered(rebuilt, few_operations()).operations != first.operations);
+  rebuilt[part::model] = std::make_shared<const model::BuiltModel>(*first[part::model]);
+  QVERIFY(registered(rebuilt, few_operations())[part::operations] != first[part::operations]);
   Register harder = few_operations();
   harder.operation.gas_pa *= 1.5;
-  QVERIFY(registered(first, harder).operations != first.operations);
+  QVERIFY(registered(first, harder)[part::operations] != first[part::operations]);
 }
 
 void RegisterTest::OperationsGoWithTheRegistration() {
   const CaseState done = registered(before_registration(), few_operations());
   CaseState state = before_registration();
-  state.take(Part::registration, done);
-  QVERIFY(state.operations == done.operations);
+  state.take(part::registration, done);
+  QVERIFY(state[part::operations] == done[part::operations]);
 }
 
 void RegisterTest::ProgressNeverGoesBack() {

@@ -7,6 +7,9 @@
 #include <string>
 
 #include "glisson/core/files.h"
+#include "glisson/engine/commands/import_mesh.h"
+#include "glisson/engine/commands/simulate.h"
+#include "glisson/engine/parts/model.h"
 #include "glisson/geometry/mesh_io.h"
 #include "trial_patient.h"
 
@@ -22,16 +25,17 @@ class SimulateTest : public QObject {
 void SimulateTest::WrittenStepsHoldDisplacementAndVonMisesStress() {
   const TemporaryFolder folder;
   Engine::Options made = options(Runner::inline_);
-  made.apply = [](const CaseState& state, const Command& command, const RunContext& context) {
-    return std::holds_alternative<Simulate>(command) ? engine::apply(state, command, context)
-                                                     : give_patient(state, command, context);
+  made.apply = [](const CaseState& state, const Command& command, const RunContext& context,
+                  const Services& services) {
+    return (command.as<Simulate>() != nullptr) ? engine::apply(state, command, context, services)
+                                               : give_patient(state, command, context, services);
   };
   Engine engine(std::move(made));
   engine.wait(engine.post(ImportMesh{}));
   const auto before = engine.snapshot();
   Simulate command;
   command.load.gravity_change = {0.0, 9.81, 0.0};
-  command.load.fixed_nodes = fem_test::nodes_at(before->state.model->model.mesh, 0, 0.0);
+  command.load.fixed_nodes = fem_test::nodes_at(before->state[part::model]->model.mesh, 0, 0.0);
   command.options.steps = 5;
   command.every = 2;
   command.folder = folder.path();
@@ -44,7 +48,7 @@ void SimulateTest::WrittenStepsHoldDisplacementAndVonMisesStress() {
   QVERIFY(
       (files == std::set<std::string>{"step_00002.vtu", "step_00004.vtu", "step_00005.vtu", "steps.csv"}));
 
-  const PatientModel& model = before->state.model->model;
+  const PatientModel& model = before->state[part::model]->model;
   const fem::CompositeModel composite(model.mesh, model.vessels, {});
   double peak = 0.0;
   for (const char* name : {"step_00002.vtu", "step_00004.vtu", "step_00005.vtu"}) {

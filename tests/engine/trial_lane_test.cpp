@@ -9,6 +9,13 @@
 
 #include "gate.h"
 #include "glisson/core/error.h"
+#include "glisson/engine/commands/build_model.h"
+#include "glisson/engine/commands/import_mesh.h"
+#include "glisson/engine/commands/set_landmarks.h"
+#include "glisson/engine/commands/set_seeds.h"
+#include "glisson/engine/commands/start_trial.h"
+#include "glisson/engine/commands/stop_trial.h"
+#include "glisson/engine/parts/model.h"
 #include "runners.h"
 #include "trial_patient.h"
 
@@ -227,9 +234,10 @@ void TrialLaneTest::AStopIsNotOvertakenByItsStart() {
   // start.
   auto gate = std::make_shared<Gate>();
   Engine::Options made = puppet(Runner::threaded);
-  made.apply = [gate](const CaseState& state, const Command& command, const RunContext& context) {
-    if (std::holds_alternative<BuildModel>(command)) gate->pass();
-    return give_patient(state, command, context);
+  made.apply = [gate](const CaseState& state, const Command& command, const RunContext& context,
+                      const Services& services) {
+    if ((command.as<BuildModel>() != nullptr)) gate->pass();
+    return give_patient(state, command, context, services);
   };
   Engine engine(std::move(made));
   engine.post(BuildModel{});
@@ -245,7 +253,7 @@ void TrialLaneTest::AStopIsNotOvertakenByItsStart() {
 void TrialLaneTest::EditsGoOnBesideIt() {
   Engine engine(options(Runner::threaded));
   start(engine);
-  engine.submit_pull(corner_pull(engine.snapshot()->state.model->model));
+  engine.submit_pull(corner_pull(engine.snapshot()->state[part::model]->model));
   for (int i = 0; i < 20; ++i) QCOMPARE(engine.wait(engine.post(SetSeeds{})).status, Status::done);
   engine.wait_for_trial();
   QVERIFY(engine.snapshot()->trial->nodes.rows() > 0);

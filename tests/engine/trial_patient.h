@@ -6,7 +6,18 @@
 #include <memory>
 
 #include "../fem/block_mesh.h"
+#include "glisson/engine/commands/import_mesh.h"
+#include "glisson/engine/commands/start_trial.h"
 #include "glisson/engine/engine.h"
+#include "glisson/engine/parts/cloud.h"
+#include "glisson/engine/parts/frame.h"
+#include "glisson/engine/parts/image.h"
+#include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/landmarks.h"
+#include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/registration.h"
+#include "glisson/engine/parts/rig.h"
+#include "glisson/engine/parts/seeds.h"
 
 /// @file
 /// A patient on whom loads are tried, and an engine that gives it.
@@ -28,18 +39,23 @@ inline std::shared_ptr<const model::BuiltModel> patient() {
 }
 
 /// The engine's only other command here gives it that patient; whatever it writes is new.
-inline Cancellable<Applied> give_patient(const CaseState& state, const Command& command, const RunContext&) {
+inline Cancellable<Applied> give_patient(const CaseState& state, const Command& command, const RunContext&,
+                                         const Services&) {
   Applied applied;
   applied.state = state;
-  if (writes(command).has(Part::model)) applied.state.model = patient();
-  if (writes(command).has(Part::landmarks)) applied.state.landmarks = std::make_shared<Landmarks>();
-  if (writes(command).has(Part::labels)) applied.state.labels = std::make_shared<LabelMap>();
-  if (writes(command).has(Part::image)) applied.state.image = std::make_shared<Image>();
-  if (writes(command).has(Part::rig)) applied.state.rig = std::make_shared<StereoRig>();
-  if (writes(command).has(Part::frame)) applied.state.frame = std::make_shared<StereoInput>();
-  if (writes(command).has(Part::cloud)) applied.state.cloud = std::make_shared<LabelledCloud>();
-  if (writes(command).has(Part::registration)) applied.state.registration = std::make_shared<Registration>();
-  if (writes(command).has(Part::seeds)) applied.state.seeds = std::make_shared<segmentation::Seeds>();
+  if (command.traits().writes.has(part::model)) applied.state[part::model] = patient();
+  if (command.traits().writes.has(part::landmarks))
+    applied.state[part::landmarks] = std::make_shared<Landmarks>();
+  if (command.traits().writes.has(part::labels)) applied.state[part::labels] = std::make_shared<LabelMap>();
+  if (command.traits().writes.has(part::image)) applied.state[part::image] = std::make_shared<Image>();
+  if (command.traits().writes.has(part::rig)) applied.state[part::rig] = std::make_shared<StereoRig>();
+  if (command.traits().writes.has(part::frame)) applied.state[part::frame] = std::make_shared<StereoInput>();
+  if (command.traits().writes.has(part::cloud))
+    applied.state[part::cloud] = std::make_shared<LabelledCloud>();
+  if (command.traits().writes.has(part::registration))
+    applied.state[part::registration] = std::make_shared<Registration>();
+  if (command.traits().writes.has(part::seeds))
+    applied.state[part::seeds] = std::make_shared<segmentation::Seeds>();
   return applied;
 }
 

@@ -8,6 +8,8 @@
 
 #include "glisson/core/files.h"
 #include "glisson/engine/case_io.h"
+#include "glisson/engine/parts/registration.h"
+#include "glisson/engine/parts/video.h"
 
 using namespace glisson;
 namespace fs = std::filesystem;
@@ -70,9 +72,9 @@ void DemoTest::FromCtToTrackedVideo() {
   QVERIFY(figures.at("cloud_error_median_mm") < 2.0);
   QCOMPARE(figures.at("frames"), 8.0);
   const auto opened = engine::open_case(result->case_folder, RunContext());
-  QVERIFY(opened && opened->registration && opened->video);
-  QVERIFY(fs::exists(opened->video->left));
-  QCOMPARE(engine::stage_state(*opened, engine::Part::registration), engine::StageState::current);
+  QVERIFY(opened && (*opened)[part::registration] && (*opened)[part::video]);
+  QVERIFY(fs::exists((*opened)[part::video]->left));
+  QCOMPARE(engine::stage_state(*opened, part::registration), engine::StageState::current);
 }
 
 void DemoTest::ACancelIsAStatusNotAnError() {

@@ -12,6 +12,17 @@
 
 #include "fake_operation.h"
 #include "glisson/core/files.h"
+#include "glisson/engine/commands/import_image.h"
+#include "glisson/engine/commands/load_video_frame.h"
+#include "glisson/engine/commands/save_case.h"
+#include "glisson/engine/commands/set_regions.h"
+#include "glisson/engine/commands/set_seeds.h"
+#include "glisson/engine/commands/set_video.h"
+#include "glisson/engine/parts/frame.h"
+#include "glisson/engine/parts/image.h"
+#include "glisson/engine/parts/regions.h"
+#include "glisson/engine/parts/seeds.h"
+#include "glisson/engine/parts/video.h"
 #include "glisson/stereo/regions.h"
 #include "glisson/ui/shell/main_window.h"
 #include "glisson/ui/stereo/stereo_panel.h"
@@ -73,17 +84,19 @@ void CaseKeepingTest::init() {
   make_box_operation(*operation_);
   save_waits_ = false;
   engine::Engine::Options options = operation_->options();
-  options.apply = [this, fake = options.apply](const engine::CaseState& state, const engine::Command& command,
-                                               const RunContext& context) -> Cancellable<engine::Applied> {
-    if (std::holds_alternative<engine::SaveCase>(command))
+  options.apply = [this, fake = options.apply](
+                      const engine::CaseState& state, const engine::Command& command,
+                      const RunContext& context,
+                      const engine::Services& services) -> Cancellable<engine::Applied> {
+    if (command.as<engine::SaveCase>() != nullptr)
       while (save_waits_) {
         if (context.cancelled()) return {};
         std::this_thread::yield();
       }
-    const auto* video = std::get_if<engine::SetVideo>(&command);
+    const auto* video = command.as<engine::SetVideo>();
     if (video && video->left.filename() == "broken.mkv")
       throw InputError(video->left.string(), "", "is no video", "Give another");
-    auto applied = fake(state, command, context);
+    auto applied = fake(state, command, context, services);
     if (video && applied) applied->figures["video_frames"] = 10.0;
     return applied;
   };
@@ -144,8 +157,8 @@ void CaseKeepingTest::OneOfSeveralSeriesIsAskedFor() {
   std::filesystem::create_directories(folder.path() / "one_series");
   std::filesystem::create_directories(folder.path() / "two_series");
   window_->open(folder.path() / "one_series");
-  QTRY_VERIFY(window_->engine().state().image != nullptr);
-  QVERIFY(window_->engine().state().image->description.empty());
+  QTRY_VERIFY(window_->engine().state()[part::image] != nullptr);
+  QVERIFY(window_->engine().state()[part::image]->description.empty());
   QVERIFY(window_->findChild<QDialog*>(QStringLiteral("choose_series")) == nullptr);
 
   window_->open(folder.path() / "two_series");
@@ -158,7 +171,7 @@ void CaseKeepingTest::OneOfSeveralSeriesIsAskedFor() {
   QVERIFY(list->item(1)->text().contains(QStringLiteral("arterial")));
   list->setCurrentRow(1);
   QTest::keyClick(dialog, Qt::Key_Return);
-  QTRY_COMPARE(window_->engine().state().image->description, std::string("1.2.4"));
+  QTRY_COMPARE(window_->engine().state()[part::image]->description, std::string("1.2.4"));
 }
 
 void CaseKeepingTest::AnotherCtIsAskedWhoseItIs() {
@@ -166,7 +179,7 @@ void CaseKeepingTest::AnotherCtIsAskedWhoseItIs() {
   engine().post(engine::SetSeeds{});
   QVERIFY(settle());
   const auto open_and_answer = [this](const char* answer) {
-    const auto before = engine().state().image;
+    const auto before = engine().state()[part::image];
     window_->open("other.nii");
     const QPointer<QMessageBox> question = window_->findChild<QMessageBox*>(QStringLiteral("whose_image"));
     if (!question || !question->isVisible() || !engine().tasks().empty()) return false;
@@ -174,35 +187,35 @@ void CaseKeepingTest::AnotherCtIsAskedWhoseItIs() {
                                         : window_->findChild<QAbstractButton*>(QLatin1String(answer)),
                       Qt::LeftButton);
     if (!QTest::qWaitFor([&] { return question.isNull(); }) || !settle()) return false;
-    return QTest::qWaitFor([&] { return (engine().state().image != before) == (answer != nullptr); });
+    return QTest::qWaitFor([&] { return (engine().state()[part::image] != before) == (answer != nullptr); });
   };
   QVERIFY(open_and_answer(nullptr));
   QVERIFY(open_and_answer("same_patient"));
-  QVERIFY(engine().state().seeds && !engine().state().path.empty());
+  QVERIFY(engine().state()[part::seeds] && !engine().state().path.empty());
   QVERIFY(open_and_answer("new_case"));
-  QVERIFY(!engine().state().seeds && engine().state().path.empty());
+  QVERIFY(!engine().state()[part::seeds] && engine().state().path.empty());
   QVERIFY(window_->isWindowModified());
 }
 
 void CaseKeepingTest::AVideoThatCannotBeOpenedLeavesTheFrame() {
   auto* panel = window_->findChild<ui::StereoPanel*>();
   panel->open_source({folder_->path() / "scope.mkv", {}});
-  QTRY_VERIFY(engine().state().frame != nullptr);
-  QCOMPARE(engine().state().frame->frame.index, 0);
+  QTRY_VERIFY(engine().state()[part::frame] != nullptr);
+  QCOMPARE(engine().state()[part::frame]->frame.index, 0);
   engine().post(engine::LoadVideoFrame{7});
-  QTRY_COMPARE(engine().state().frame->frame.index, 7);
+  QTRY_COMPARE(engine().state()[part::frame]->frame.index, 7);
   const auto* number = panel->findChild<QSpinBox*>();
   QTRY_COMPARE(number->maximum(), 9);
-  const auto frame = engine().state().frame;
+  const auto frame = engine().state()[part::frame];
   QSignalSpy ended(&engine(), &ui::EngineBridge::finished);
   window_->open(folder_->path() / "broken.mkv");
   QTRY_COMPARE(ended.count(), 1);
   QVERIFY(settle());
   QTest::qWait(50);
   QCOMPARE(ended.count(), 1);
-  QVERIFY(engine().state().frame == frame);
+  QVERIFY(engine().state()[part::frame] == frame);
   engine().post(engine::ImportImage{"other.nii", {}, true});
-  QTRY_VERIFY(!engine().state().video);
+  QTRY_VERIFY(!engine().state()[part::video]);
   QVERIFY(number->maximum() > 1000);  // how many frames the next video has is not known
 }
 
@@ -210,7 +223,7 @@ void CaseKeepingTest::RegionsAreOfTheFrameThatWasDrawnOn() {
   auto* panel = window_->findChild<ui::StereoPanel*>();
   window_->show_step(MainWindow::stereo);
   panel->open_source({folder_->path() / "scope.mkv", {}});
-  QTRY_VERIFY(engine().state().frame != nullptr);
+  QTRY_VERIFY(engine().state()[part::frame] != nullptr);
   stereo::Region region;
   region.polygon = {{20, 20}, {80, 20}, {50, 70}};
   stereo::Regions drawn;
@@ -219,9 +232,9 @@ void CaseKeepingTest::RegionsAreOfTheFrameThatWasDrawnOn() {
   auto* clear = panel->findChild<QPushButton*>(QStringLiteral("clear_regions"));
   QTRY_VERIFY(clear->isEnabled());
   QTest::mouseClick(clear, Qt::LeftButton);
-  QTRY_VERIFY(engine().state().regions && engine().state().regions->regions.empty());
-  const StereoFrame& frame = engine().state().frame->frame;
-  QCOMPARE(engine().state().regions->identity, stereo::frame_identity(frame.left, frame.right));
+  QTRY_VERIFY(engine().state()[part::regions] && engine().state()[part::regions]->regions.empty());
+  const StereoFrame& frame = engine().state()[part::frame]->frame;
+  QCOMPARE(engine().state()[part::regions]->identity, stereo::frame_identity(frame.left, frame.right));
 }
 
 }  // namespace glisson

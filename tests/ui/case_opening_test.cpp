@@ -14,8 +14,8 @@ class CaseOpeningTest : public QObject {
 
 void CaseOpeningTest::PathsAreTakenForWhatTheyAre() {
   const auto code = [](const std::filesystem::path& path) {
-    const auto command = ui::command_to_open(path);
-    return command ? std::string(engine::command_code(*command)) : std::string();
+    const auto opening = ui::opening_of(path);
+    return opening ? std::string(opening->command.code()) : std::string();
   };
   const TemporaryFolder folder;
   const std::filesystem::path root = folder.path();

@@ -8,7 +8,33 @@
 #include "box_patient.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
+#include "glisson/engine/commands/build_model.h"
+#include "glisson/engine/commands/import_image.h"
+#include "glisson/engine/commands/list_series.h"
+#include "glisson/engine/commands/load_video_frame.h"
+#include "glisson/engine/commands/open_case.h"
+#include "glisson/engine/commands/reconstruct.h"
+#include "glisson/engine/commands/register.h"
+#include "glisson/engine/commands/save_case.h"
+#include "glisson/engine/commands/segment.h"
+#include "glisson/engine/commands/set_calibration.h"
+#include "glisson/engine/commands/set_landmarks.h"
+#include "glisson/engine/commands/set_regions.h"
+#include "glisson/engine/commands/set_seeds.h"
+#include "glisson/engine/commands/set_video.h"
+#include "glisson/engine/commands/start_tracking.h"
 #include "glisson/engine/engine.h"
+#include "glisson/engine/parts/cloud.h"
+#include "glisson/engine/parts/frame.h"
+#include "glisson/engine/parts/image.h"
+#include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/landmarks.h"
+#include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/regions.h"
+#include "glisson/engine/parts/registration.h"
+#include "glisson/engine/parts/rig.h"
+#include "glisson/engine/parts/seeds.h"
+#include "glisson/engine/parts/video.h"
 #include "glisson/stereo/calibration_io.h"
 #include "glisson/stereo/picture_io.h"
 
@@ -30,9 +56,10 @@ class FakeOperation {
   engine::Engine::Options options() {
     engine::Engine::Options options;
     options.apply = [this](const engine::CaseState& state, const engine::Command& command,
-                           const RunContext& context) { return apply(state, command, context); };
+                           const RunContext& context,
+                           const engine::Services&) { return apply(state, command, context); };
     options.make_follower = [this](const engine::CaseState& state, const engine::StartTracking&) {
-      return std::make_unique<Breathing>(state.registration->nodes_in_camera);
+      return std::make_unique<Breathing>(state[part::registration]->nodes_in_camera);
     };
     return options;
   }
@@ -100,39 +127,51 @@ class FakeOperation {
 
   Cancellable<engine::Applied> apply(const engine::CaseState& state, const engine::Command& command,
                                      const RunContext& context) {
-    engine::Applied applied;
-    applied.state = state;
-    const bool ok = std::visit([&](const auto& one) { return change(applied, one, context); }, command);
-    if (!ok) return {};
+    engine::Applied applied{state};
+    const auto done =
+        try_change<engine::ImportImage, engine::ListSeries, engine::SetSeeds, engine::Segment,
+                   engine::BuildModel, engine::SetLandmarks, engine::SetCalibration, engine::SetVideo,
+                   engine::LoadVideoFrame, engine::SetRegions, engine::Reconstruct, engine::Register,
+                   engine::SaveCase>(applied, command, context);
+    if (!done) throw InputError("test", "", "this command is not part of the fake operation", "Use another");
+    if (!*done) return {};
     return applied;
   }
 
-  template <class Other>
-  bool change(engine::Applied&, const Other&, const RunContext&) const {
-    throw InputError("test", "", "this command is not part of the fake operation", "Use another");
+  /// Empty: it is none of these. False: cancelled.
+  template <class... C>
+  std::optional<bool> try_change(engine::Applied& applied, const engine::Command& command,
+                                 const RunContext& context) const {
+    std::optional<bool> done;
+    const auto attempt = [&](const auto* one) {
+      if (one != nullptr) done = change(applied, *one, context);
+    };
+    (attempt(command.as<C>()), ...);
+    return done;
   }
+
   bool change(engine::Applied& applied, const engine::ImportImage& command, const RunContext&) const {
     if (command.path.filename() == "broken.nii")
       throw InputError(command.path.string(), "header", "is cut off after 12 bytes", "Copy the file again");
     if (command.new_case) applied.state = {};
     Image image = ct;
     image.description = command.series;
-    applied.state.image = std::make_shared<const Image>(std::move(image));
+    applied.state[part::image] = std::make_shared<const Image>(std::move(image));
     return true;
   }
   bool change(engine::Applied& applied, const engine::ListSeries& command, const RunContext&) const {
-    applied.series = {{"1.2.3", "2", "portal venous", "CT", 129}};
-    if (command.path.filename() == "two_series")
-      applied.series.push_back({"1.2.4", "3", "arterial", "CT", 90});
+    std::vector<DicomSeries> series = {{"1.2.3", "2", "portal venous", "CT", 129}};
+    if (command.path.filename() == "two_series") series.push_back({"1.2.4", "3", "arterial", "CT", 90});
+    applied.result = std::make_shared<const engine::ListSeries::Result>(std::move(series));
     return true;
   }
   bool change(engine::Applied& applied, const engine::SetSeeds& command, const RunContext&) const {
-    applied.state.seeds = std::make_shared<const segmentation::Seeds>(command.seeds);
+    applied.state[part::seeds] = std::make_shared<const segmentation::Seeds>(command.seeds);
     return true;
   }
   bool change(engine::Applied& applied, const engine::Segment&, const RunContext& context) const {
     if (!work(context, "segment.liver")) return false;
-    applied.state.labels = std::make_shared<const LabelMap>(labels);
+    applied.state[part::labels] = std::make_shared<const LabelMap>(labels);
     applied.figures = {{"liver_ml", 1523.4}, {"portal_ml", 24.2}, {"hepatic_ml", 31.9}};
     return true;
   }
@@ -147,19 +186,19 @@ class FakeOperation {
     built.report.quality.volume_error = -0.011;
     built.report.quality.vertices_to_fine_mean_mm = 0.21;
     built.report.quality.fine_to_mesh_max_mm = 4.4;
-    applied.state.model = std::make_shared<const model::BuiltModel>(std::move(built));
+    applied.state[part::model] = std::make_shared<const model::BuiltModel>(std::move(built));
     return true;
   }
   bool change(engine::Applied& applied, const engine::SetLandmarks& command, const RunContext&) const {
-    applied.state.landmarks = std::make_shared<const Landmarks>(command.landmarks);
+    applied.state[part::landmarks] = std::make_shared<const Landmarks>(command.landmarks);
     return true;
   }
   bool change(engine::Applied& applied, const engine::SetCalibration&, const RunContext&) const {
-    applied.state.rig = std::make_shared<const StereoRig>(rig);
+    applied.state[part::rig] = std::make_shared<const StereoRig>(rig);
     return true;
   }
   bool change(engine::Applied& applied, const engine::SetVideo&, const RunContext&) const {
-    applied.state.video = std::make_shared<const engine::VideoSource>(engine::VideoSource{video, {}});
+    applied.state[part::video] = std::make_shared<const engine::VideoSource>(engine::VideoSource{video, {}});
     return true;
   }
   bool change(engine::Applied& applied, const engine::LoadVideoFrame& command, const RunContext&) const {
@@ -167,11 +206,11 @@ class FakeOperation {
     input.frame.left = picture(rig.left.width, rig.left.height, command.index);
     input.frame.right = input.frame.left;
     input.frame.index = command.index;
-    applied.state.frame = std::make_shared<const engine::StereoInput>(std::move(input));
+    applied.state[part::frame] = std::make_shared<const engine::StereoInput>(std::move(input));
     return true;
   }
   bool change(engine::Applied& applied, const engine::SetRegions& command, const RunContext&) const {
-    applied.state.regions = std::make_shared<const stereo::Regions>(command.regions);
+    applied.state[part::regions] = std::make_shared<const stereo::Regions>(command.regions);
     return true;
   }
   bool change(engine::Applied& applied, const engine::Reconstruct&, const RunContext& context) const {
@@ -185,7 +224,7 @@ class FakeOperation {
       if (skin(i, 2) < middle) cloud.points.row(kept++) = skin.row(i);
     cloud.points.conservativeResize(kept, 3);
     applied.figures = {{"cloud_points", static_cast<double>(kept)}, {"cloud_density_per_cm2", 2.4}};
-    applied.state.cloud = std::make_shared<const LabelledCloud>(std::move(cloud));
+    applied.state[part::cloud] = std::make_shared<const LabelledCloud>(std::move(cloud));
     return true;
   }
   bool change(engine::Applied& applied, const engine::Register&, const RunContext& context) const {
@@ -197,11 +236,13 @@ class FakeOperation {
     registration.plateaus = 11;
     registration.residual = 1.1e-3;
     registration.doubts = {"few_margin_points"};
-    applied.state.registration = std::make_shared<const Registration>(std::move(registration));
+    applied.state[part::registration] = std::make_shared<const Registration>(std::move(registration));
     return true;
   }
   bool change(engine::Applied& applied, const engine::SaveCase& command, const RunContext&) const {
     if (!command.path.empty()) applied.state.path = command.path;
+    applied.result =
+        std::make_shared<const engine::CaseOnDisk>(engine::CaseOnDisk{engine::editions(applied.state)});
     return true;
   }
 };

@@ -8,6 +8,16 @@
 
 #include "fake_operation.h"
 #include "glisson/core/files.h"
+#include "glisson/engine/commands/build_model.h"
+#include "glisson/engine/commands/import_image.h"
+#include "glisson/engine/commands/load_video_frame.h"
+#include "glisson/engine/commands/reconstruct.h"
+#include "glisson/engine/commands/register.h"
+#include "glisson/engine/commands/segment.h"
+#include "glisson/engine/commands/set_calibration.h"
+#include "glisson/engine/commands/set_seeds.h"
+#include "glisson/engine/commands/set_video.h"
+#include "glisson/engine/parts/registration.h"
 #include "glisson/ui/common/task_button.h"
 #include "glisson/ui/guidance/playback_box.h"
 #include "glisson/ui/guidance/recording_box.h"
@@ -55,7 +65,7 @@ class GuidanceBoxesTest : public QObject {
   void reach_registration(int frames) {
     reach_cloud(frames);
     post(engine::Register{});
-    QCOMPARE(engine_->snapshot()->stage(Part::registration), engine::StageState::current);
+    QCOMPARE(engine_->snapshot()->stage(part::registration), engine::StageState::current);
   }
   static QString words_on(const QWidget& widget) {
     QStringList words;

@@ -10,6 +10,22 @@
 
 #include "fake_operation.h"
 #include "glisson/core/files.h"
+#include "glisson/engine/commands/build_model.h"
+#include "glisson/engine/commands/import_image.h"
+#include "glisson/engine/commands/load_video_frame.h"
+#include "glisson/engine/commands/open_case.h"
+#include "glisson/engine/commands/reconstruct.h"
+#include "glisson/engine/commands/register.h"
+#include "glisson/engine/commands/segment.h"
+#include "glisson/engine/commands/set_calibration.h"
+#include "glisson/engine/commands/set_landmarks.h"
+#include "glisson/engine/commands/set_regions.h"
+#include "glisson/engine/commands/set_seeds.h"
+#include "glisson/engine/commands/set_video.h"
+#include "glisson/engine/parts/frame.h"
+#include "glisson/engine/parts/image.h"
+#include "glisson/engine/parts/registration.h"
+#include "glisson/engine/parts/video.h"
 #include "glisson/stereo/picture_io.h"
 #include "glisson/ui/common/task_button.h"
 #include "glisson/ui/guidance/guidance_panel.h"
@@ -41,11 +57,12 @@ class GuidancePanelTest : public QObject {
     engine::Engine::Options options = operation_->options();
     options.apply = [apply = options.apply, ct = std::make_shared<const Image>(operation_->ct)](
                         const engine::CaseState& state, const engine::Command& command,
-                        const RunContext& context) -> Cancellable<engine::Applied> {
-      if (!std::holds_alternative<engine::OpenCase>(command)) return apply(state, command, context);
+                        const RunContext& context,
+                        const engine::Services& services) -> Cancellable<engine::Applied> {
+      if (command.as<engine::OpenCase>() == nullptr) return apply(state, command, context, services);
       engine::Applied applied;
-      applied.state.image = ct;
-      applied.state.stamp(Part::image).revision = 1;
+      applied.state[part::image] = ct;
+      applied.state.stamp(part::image).revision = 1;
       applied.keeps_stamps = true;
       return applied;
     };
@@ -68,7 +85,7 @@ class GuidancePanelTest : public QObject {
     post(engine::SetRegions{});
     post(engine::Reconstruct{});
     post(engine::Register{});
-    QCOMPARE(window_->engine().snapshot()->stage(Part::registration), StageState::current);
+    QCOMPARE(window_->engine().snapshot()->stage(part::registration), StageState::current);
     window_->show_step(MainWindow::guidance);
     QTRY_VERIFY_WITH_TIMEOUT(window_->drawables().drawable() != nullptr, 20000);
     QTRY_VERIFY_WITH_TIMEOUT(said().contains(QStringLiteral("Registered frame 2, not live")), 20000);
@@ -185,7 +202,7 @@ void GuidancePanelTest::NothingOfTheFormerCaseStays() {
   QVERIFY(!is_blank());
   lesions()->click();  // a picture is on its way when the other case comes
   post(engine::OpenCase{"other.glisson"});
-  QVERIFY(window_->engine().state().frame == nullptr);
+  QVERIFY(window_->engine().state()[part::frame] == nullptr);
   QVERIFY2(is_blank(), qPrintable(said()));
   QVERIFY2(stays_blank(), qPrintable(said()));
 }

@@ -14,7 +14,16 @@
 #include <vtkRenderer.h>
 
 #include "fake_operation.h"
-#include "glisson/engine/unapproved.h"
+#include "glisson/engine/commands/build_model.h"
+#include "glisson/engine/commands/check_model.h"
+#include "glisson/engine/commands/edit_trees.h"
+#include "glisson/engine/commands/import_image.h"
+#include "glisson/engine/commands/segment.h"
+#include "glisson/engine/commands/set_review.h"
+#include "glisson/engine/commands/set_seeds.h"
+#include "glisson/engine/parts/check.h"
+#include "glisson/engine/parts/model.h"
+#include "glisson/engine/review.h"
 #include "glisson/ui/common/texts.h"
 #include "glisson/ui/model/quality_sheet.h"
 #include "glisson/ui/model/tree_editor.h"
@@ -49,7 +58,7 @@ class ModelPanelTest : public QObject {
     return QTest::qWaitFor([this] { return window_->engine().tasks().empty(); }, 20000);
   }
   const engine::CaseState& state() { return window_->engine().state(); }
-  const std::vector<VesselTree>& trees() { return state().model->model.vessels; }
+  const std::vector<VesselTree>& trees() { return state()[part::model]->model.vessels; }
   ui::RenderView& view() { return window_->views().volume(); }
   ui::TreeEditor& editor() { return *window_->findChild<ui::TreeEditor*>(); }
   ui::QualitySheet& sheet() { return *window_->findChild<ui::QualitySheet*>(); }
@@ -95,11 +104,11 @@ void ModelPanelTest::init() {
   operation_->model.vessels[1].nodes.col(2).array() += 0.018;  // not behind the other, seen from the front
   engine::Engine::Options options = operation_->options();
   options.apply = [fake = options.apply](const engine::CaseState& now, const engine::Command& command,
-                                         const RunContext& context) {
-    const bool real = std::holds_alternative<engine::EditTrees>(command) ||
-                      std::holds_alternative<engine::CheckModel>(command) ||
-                      std::holds_alternative<engine::SetReview>(command);
-    return real ? engine::apply(now, command, context) : fake(now, command, context);
+                                         const RunContext& context, const engine::Services& services) {
+    const bool real = command.as<engine::EditTrees>() != nullptr ||
+                      command.as<engine::CheckModel>() != nullptr ||
+                      command.as<engine::SetReview>() != nullptr;
+    return real ? engine::apply(now, command, context, services) : fake(now, command, context, services);
   };
   window_ = std::make_unique<MainWindow>(std::move(options));
   window_->resize(1280, 800);

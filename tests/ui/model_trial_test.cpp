@@ -9,6 +9,10 @@
 #include <Eigen/Geometry>
 
 #include "fake_operation.h"
+#include "glisson/engine/commands/build_model.h"
+#include "glisson/engine/commands/import_image.h"
+#include "glisson/engine/commands/segment.h"
+#include "glisson/engine/commands/set_seeds.h"
 #include "glisson/geometry/rigid.h"
 #include "glisson/ui/model/load_trial_box.h"
 #include "glisson/ui/shell/main_window.h"
@@ -146,8 +150,7 @@ void ModelTrialTest::DraggedLiverFollowsAndReturns() {
   // It was a trial.
   const auto after = window_->engine().snapshot();
   QCOMPARE(after->revision, before->revision);
-  for (int i = 0; i < engine::kPartCount; ++i)
-    QVERIFY(after->state.shares(static_cast<engine::Part>(i), before->state));
+  for (const engine::Part part : engine::all_parts()) QVERIFY(after->state.shares(part, before->state));
 }
 
 void ModelTrialTest::PressBesideTheLiverTurnsTheCamera() {

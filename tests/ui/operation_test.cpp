@@ -12,6 +12,18 @@
 #include <QtTest>
 
 #include "glisson/core/files.h"
+#include "glisson/engine/commands/save_case.h"
+#include "glisson/engine/parts/cloud.h"
+#include "glisson/engine/parts/frame.h"
+#include "glisson/engine/parts/image.h"
+#include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/landmarks.h"
+#include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/regions.h"
+#include "glisson/engine/parts/registration.h"
+#include "glisson/engine/parts/rig.h"
+#include "glisson/engine/parts/seeds.h"
+#include "glisson/engine/parts/video.h"
 #include "glisson/insilico/film.h"
 #include "glisson/insilico/operator.h"
 #include "glisson/insilico/patient.h"
@@ -144,7 +156,7 @@ void OperationTest::drop(const std::filesystem::path& path) {
 void OperationTest::CtIsDropped() {
   drop(folder_.path() / "ct.nrrd");
   QVERIFY(settle());
-  QVERIFY2(state().image != nullptr, qPrintable(window_->status_text()));
+  QVERIFY2(state()[part::image] != nullptr, qPrintable(window_->status_text()));
   QVERIFY(window_->views().isVisible());
 }
 
@@ -158,8 +170,8 @@ void OperationTest::SeedsAreClicked() {
     click(scene::Plane::axial, p);
   }
   QVERIFY(settle());
-  QVERIFY(state().seeds != nullptr);
-  const auto clicked = ui::list_seeds(*state().seeds), wanted = ui::list_seeds(seeds_);
+  QVERIFY(state()[part::seeds] != nullptr);
+  const auto clicked = ui::list_seeds(*state()[part::seeds]), wanted = ui::list_seeds(seeds_);
   QCOMPARE(clicked.size(), wanted.size());
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     QCOMPARE(clicked[i].structure, wanted[i].structure);
@@ -171,8 +183,8 @@ void OperationTest::SegmentationGrows() {
   press("segment");
   QTRY_VERIFY(window_->findChild<ui::TaskButton*>(QStringLiteral("segment"))->cancel_button()->isVisible());
   QVERIFY(settle());
-  QVERIFY2(state().labels != nullptr, qPrintable(window_->status_text()));
-  const std::vector<long> voxels = state().labels->voxels.histogram();
+  QVERIFY2(state()[part::labels] != nullptr, qPrintable(window_->status_text()));
+  const std::vector<long> voxels = state()[part::labels]->voxels.histogram();
   const double liver_ml = 1e-3 * 18.75 * static_cast<double>(voxels[structure::kParenchyma]);
   QVERIFY2(liver_ml > 1000.0 && liver_ml < 2000.0, qPrintable(QString::number(liver_ml)));
 }
@@ -181,7 +193,7 @@ void OperationTest::ModelIsBuilt() {
   go_to(MainWindow::model);
   press("build_model");
   QVERIFY(settle());
-  QVERIFY2(state().model != nullptr, qPrintable(window_->status_text()));
+  QVERIFY2(state()[part::model] != nullptr, qPrintable(window_->status_text()));
   QVERIFY(QTest::qWaitFor([this] { return window_->drawables().drawable() != nullptr; }, 60000));
 }
 
@@ -209,11 +221,11 @@ void OperationTest::LandmarksAreClicked() {
   QVERIFY(settle());
   push(QStringLiteral("accept_landmarks"));
   QVERIFY(settle());
-  QCOMPARE(stage(Part::landmarks), StageState::current);
-  QVERIFY(state().landmarks->umbilical_notch.rows() >= 1);
-  const Eigen::RowVector3d notch = state().landmarks->umbilical_notch.row(0);
+  QCOMPARE(stage(part::landmarks), StageState::current);
+  QVERIFY(state()[part::landmarks]->umbilical_notch.rows() >= 1);
+  const Eigen::RowVector3d notch = state()[part::landmarks]->umbilical_notch.row(0);
   QVERIFY((notch - landmarks_.umbilical_notch.row(0)).norm() < 0.02);
-  QVERIFY(state().landmarks->vena_cava.rows() >= 1);
+  QVERIFY(state()[part::landmarks]->vena_cava.rows() >= 1);
 }
 
 void OperationTest::ScopeIsDroppedAndRegionsAreClicked() {
@@ -221,7 +233,7 @@ void OperationTest::ScopeIsDroppedAndRegionsAreClicked() {
   drop(folder_.path() / "calibration.yaml");
   drop(folder_.path() / "stereo.mkv");
   QVERIFY(settle());
-  QVERIFY2(state().rig && state().frame, qPrintable(window_->status_text()));
+  QVERIFY2(state()[part::rig] && state()[part::frame], qPrintable(window_->status_text()));
   auto* panel = window_->findChild<ui::StereoPanel*>();
   ui::RegionEditor& editor = panel->stereo_view().editor(stereo::Side::left);
   QTRY_VERIFY(editor.isVisible() && !editor.picture().empty());
@@ -233,24 +245,25 @@ void OperationTest::ScopeIsDroppedAndRegionsAreClicked() {
     QTest::keyClick(&editor, Qt::Key_Escape);
   }
   QVERIFY(settle());
-  QVERIFY(state().regions != nullptr);
-  QCOMPARE(state().regions->regions.size(), regions_.regions.size());
+  QVERIFY(state()[part::regions] != nullptr);
+  QCOMPARE(state()[part::regions]->regions.size(), regions_.regions.size());
 }
 
 void OperationTest::SurfaceIsReconstructed() {
   press("reconstruct");
   QVERIFY(settle());
-  QVERIFY2(state().cloud != nullptr, qPrintable(window_->status_text()));
-  QVERIFY(state().cloud->size() > 200);
+  QVERIFY2(state()[part::cloud] != nullptr, qPrintable(window_->status_text()));
+  QVERIFY(state()[part::cloud]->size() > 200);
 }
 
 void OperationTest::ModelIsRegistered() {
   go_to(MainWindow::guidance);
   press("register");
   QVERIFY(settle());
-  QVERIFY2(state().registration != nullptr, qPrintable(window_->status_text()));
-  const Points truth = theatre_->carry(state().model->model.mesh.vertices, 0);
-  const double error_mm = 1e3 * (state().registration->nodes_in_camera - truth).rowwise().norm().mean();
+  QVERIFY2(state()[part::registration] != nullptr, qPrintable(window_->status_text()));
+  const Points truth = theatre_->carry(state()[part::model]->model.mesh.vertices, 0);
+  const double error_mm =
+      1e3 * (state()[part::registration]->nodes_in_camera - truth).rowwise().norm().mean();
   qInfo("mean error of the registration by mouse: %.1f mm", error_mm);
   QVERIFY(error_mm < 20.0);  // the organ moved 22 mm; what is reached is the experiments' to tell
   for (int step = 0; step < 5; ++step) QCOMPARE(window_->panel(step).step_state(), ui::StepState::done);
@@ -283,7 +296,7 @@ void OperationTest::CaseIsSavedAndOpenedAgain() {
   drop(path);
   QVERIFY(settle());
   for (int step = 0; step < 5; ++step) QCOMPARE(window_->panel(step).step_state(), ui::StepState::done);
-  QVERIFY(state().registration && state().video);
+  QVERIFY(state()[part::registration] && state()[part::video]);
 }
 
 void OperationTest::LaterStepsGoStaleAndTheOverlayGoes() {

@@ -10,6 +10,8 @@
 
 #include "segmentation_window.h"
 
+#include "glisson/engine/parts/preview.h"
+
 namespace glisson {
 
 using scene::Plane;
@@ -236,10 +238,10 @@ void SegmentationEditTest::CancelledPreviewChangesNothing() {
   choose(structure::kParenchyma);
   QTest::keyClick(window_.get(), Qt::Key_M);
   QTRY_VERIFY(session().shows_preview());
-  QVERIFY(window_->engine().state().preview != nullptr);
+  QVERIFY(window_->engine().state()[part::preview] != nullptr);
   QTest::keyClick(window_.get(), Qt::Key_Escape);
   QVERIFY(settle());
-  QTRY_VERIFY(window_->engine().state().preview == nullptr);
+  QTRY_VERIFY(window_->engine().state()[part::preview] == nullptr);
   QCOMPARE(session().tool(), EditTool::margin);  // the tool stays in the hand
   QVERIFY(labels() == before);
   QCOMPARE(session().history()->done(), steps);

@@ -9,6 +9,10 @@
 #include <QToolButton>
 #include <QTranslator>
 
+#include "glisson/engine/commands/save_case.h"
+#include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/review.h"
+#include "glisson/engine/parts/seeds.h"
 #include "glisson/ui/common/task_button.h"
 #include "glisson/ui/scene/slice_drawing.h"
 #include "segmentation_window.h"
@@ -48,7 +52,7 @@ class SegmentationPanelTest : public QObject, private SegmentationWindow {
       QTest::mouseClick(&slice(Plane::axial), Qt::LeftButton, {},
                         slice(Plane::axial).widget_point(Point<CtFrame>(p)).toPoint());
     QVERIFY(settle());
-    QCOMPARE(window_->engine().state().seeds->liver.rows(), 3);
+    QCOMPARE(window_->engine().state()[part::seeds]->liver.rows(), 3);
     QTest::keyClick(window_.get(), Qt::Key_Escape);
   }
   void grow() {
@@ -121,7 +125,7 @@ void SegmentationPanelTest::PaintedLesionIsNotTheOneThatIsClickedNext() {
   QTest::mouseClick(&slice(Plane::axial), Qt::LeftButton, {},
                     slice(Plane::axial).widget_point(Point<CtFrame>(-0.03, 0.01, 0)).toPoint());
   QVERIFY(settle());
-  const auto seeds = [&] { return window_->engine().state().seeds; };
+  const auto seeds = [&] { return window_->engine().state()[part::seeds]; };
   QCOMPARE(seeds()->lesions.size(), std::size_t{2});
   QCOMPARE(seeds()->lesions[0].rows(), Eigen::Index{0});
   QCOMPARE(seeds()->lesions[1].rows(), Eigen::Index{1});
@@ -157,7 +161,7 @@ void SegmentationPanelTest::KeysChooseToolsAndEscLetsGo() {
   QTest::mouseClick(&slice(Plane::axial), Qt::LeftButton, {}, slice(Plane::axial).rect().center());
   QVERIFY(settle());
   QVERIFY(labels() == before);
-  QCOMPARE(window_->engine().state().seeds->portal_vein.rows(), 1);
+  QCOMPARE(window_->engine().state()[part::seeds]->portal_vein.rows(), 1);
 }
 
 void SegmentationPanelTest::BoxDrawnInSlicesIsWhereGrowthWorks() {
@@ -180,7 +184,7 @@ void SegmentationPanelTest::BoxDrawnInSlicesIsWhereGrowthWorks() {
   QCOMPARE(shared().hand(), ui::Hand::crosshair);
   QVERIFY(shared().box().has_value());
   grow();
-  QVERIFY(window_->engine().state().labels != nullptr);
+  QVERIFY(window_->engine().state()[part::labels] != nullptr);
   QCOMPARE(at({-0.03, 0.01, 0}), structure::kParenchyma);
   const Eigen::AlignedBox3d box = *shared().box();
   long inside = 0;
@@ -308,7 +312,7 @@ void SegmentationPanelTest::ContourIsDrawnWhileItEvolvesAndGoneWhenCancelled() {
   QVERIFY(settle());
   QVERIFY(!shared().evolving());
   QVERIFY(!window_->engine().snapshot()->evolving);
-  QVERIFY(window_->engine().state().labels == nullptr);
+  QVERIFY(window_->engine().state()[part::labels] == nullptr);
   QCOMPARE(slice(Plane::axial).grab().toImage(), before);
 }
 
@@ -332,12 +336,12 @@ void SegmentationPanelTest::ApprovalIsTakenBackByAnEdit() {
   choose(structure::kPortalVein);
   press("approve_label");
   QVERIFY(settle());
-  QCOMPARE(window_->engine().state().review->at(structure::kPortalVein), ReviewState::approved);
+  QCOMPARE(window_->engine().state()[part::review]->at(structure::kPortalVein), ReviewState::approved);
   QVERIFY(!find<QPushButton>("approve_label")->isEnabled());
   press("tool_paint");
   drag(slice(Plane::axial), {{-0.02, 0.02, 0}, {0.0, 0.02, 0}});
   QVERIFY(settle());
-  QCOMPARE(window_->engine().state().review->at(structure::kPortalVein), ReviewState::to_review);
+  QCOMPARE(window_->engine().state()[part::review]->at(structure::kPortalVein), ReviewState::to_review);
   QVERIFY(find<QPushButton>("approve_label")->isEnabled());
 }
 
@@ -383,7 +387,7 @@ void SegmentationPanelTest::WholePathByHandIsSavedWithItsHistory() {
                       slice(Plane::axial).widget_point(Point<CtFrame>(x, -0.015, 0)).toPoint());
   QVERIFY(settle());
   grow();
-  QVERIFY2(window_->engine().state().labels != nullptr, qPrintable(window_->status_text()));
+  QVERIFY2(window_->engine().state()[part::labels] != nullptr, qPrintable(window_->status_text()));
   QCOMPARE(at({0.0, 0.02, 0}), structure::kParenchyma);
   const LabelVolume grown = labels();
 
@@ -410,7 +414,7 @@ void SegmentationPanelTest::WholePathByHandIsSavedWithItsHistory() {
   window_->open(path);
   QVERIFY(settle());
   QVERIFY(labels() == edited);
-  QCOMPARE(window_->engine().state().review->at(structure::kParenchyma), ReviewState::approved);
+  QCOMPARE(window_->engine().state()[part::review]->at(structure::kParenchyma), ReviewState::approved);
   press("mode_edit");
   QVERIFY(find<QToolButton>("undo")->text().contains(QStringLiteral("Scissors: erase inside, Liver")));
   for (int step = 0; step < 2; ++step) QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);

@@ -5,6 +5,9 @@
 #include <QtTest>
 
 #include "glisson/core/files.h"
+#include "glisson/engine/commands/import_labels.h"
+#include "glisson/engine/parts/image.h"
+#include "glisson/engine/parts/labels.h"
 #include "glisson/ui/segmentation/label_table.h"
 #include "glisson/ui/segmentation/segmentation_panel.h"
 #include "glisson/ui/shell/main_window.h"
@@ -70,7 +73,7 @@ class SegmentationWindow {
   ui::EditSession& session() { return panel().session(); }
   ui::SliceView& slice(scene::Plane plane) { return window_->views().slice(plane); }
   ui::LabelTable& table() { return *find<ui::LabelTable>("label_table"); }
-  const LabelVolume& labels() { return window_->engine().state().labels->voxels; }
+  const LabelVolume& labels() { return window_->engine().state()[part::labels]->voxels; }
   long count(Label label) {
     const auto all = labels().histogram();
     return label < all.size() ? all[label] : 0;
@@ -114,7 +117,7 @@ class SegmentationWindow {
   void open_ct() {
     window_->open(folder_->path() / "ct.nrrd");
     QVERIFY(settle());
-    QVERIFY(window_->engine().state().image != nullptr);
+    QVERIFY(window_->engine().state()[part::image] != nullptr);
     window_->views().slice(scene::Plane::axial);
     QTest::mouseClick(&slice(scene::Plane::axial), Qt::LeftButton, {},
                       slice(scene::Plane::axial).widget_point(Point<CtFrame>(0.001, 0.001, 0.0)).toPoint());
@@ -124,7 +127,7 @@ class SegmentationWindow {
     open_ct();
     window_->engine().post(engine::ImportLabels{folder_->path() / "labels.seg.nrrd", {}});
     QVERIFY(settle());
-    QVERIFY(window_->engine().state().labels != nullptr);
+    QVERIFY(window_->engine().state()[part::labels] != nullptr);
     press("mode_edit");
   }
 

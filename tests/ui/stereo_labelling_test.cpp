@@ -11,6 +11,11 @@
 
 #include "../stereo/rendered_pair.h"
 #include "glisson/core/files.h"
+#include "glisson/engine/commands/load_stereo_pair.h"
+#include "glisson/engine/parts/cloud.h"
+#include "glisson/engine/parts/frame.h"
+#include "glisson/engine/parts/regions.h"
+#include "glisson/engine/parts/rig.h"
 #include "glisson/stereo/calibration_io.h"
 #include "glisson/stereo/picture_io.h"
 #include "glisson/ui/common/task_button.h"
@@ -70,7 +75,7 @@ class StereoLabellingTest : public QObject {
   }
   std::map<Feature, int> counts() {
     std::map<Feature, int> counts;
-    for (int i = 0; i < state().cloud->size(); ++i) ++counts[state().cloud->feature(i)];
+    for (int i = 0; i < state()[part::cloud]->size(); ++i) ++counts[state()[part::cloud]->feature(i)];
     return counts;
   }
 
@@ -100,13 +105,13 @@ void StereoLabellingTest::PairIsLoadedAndReconstructed() {
   window_->engine().post(
       engine::LoadStereoPair{folder_.path() / "left.png", folder_.path() / "right.png", {}});
   QVERIFY(settle());
-  QVERIFY(state().frame && state().rig);
+  QVERIFY(state()[part::frame] && state()[part::rig]);
   QTRY_VERIFY(run->button()->isEnabled());
   QTest::mouseClick(run->button(), Qt::LeftButton);
   QVERIFY(settle());
-  QVERIFY2(state().cloud && state().points, qPrintable(window_->status_text()));
-  whole_ = state().points->whole;
-  QVERIFY(state().cloud->size() > 100);
+  QVERIFY2(state()[part::cloud] && state()[part::points], qPrintable(window_->status_text()));
+  whole_ = state()[part::points]->whole;
+  QVERIFY(state()[part::cloud]->size() > 100);
   QCOMPARE(counts().size(), std::size_t{1});  // nothing was labelled
 }
 
@@ -133,14 +138,14 @@ void StereoLabellingTest::ClosingARegionLabelsTheSamePoints() {
   QCOMPARE(panel().stereo_view().drawing().unfinished()->polygon.size(), std::size_t{2});
   click(Side::left, 470, 380);
   click(Side::left, 170, 370);
-  QVERIFY(!state().regions);  // an open outline is nobody's business
+  QVERIFY(!state()[part::regions]);  // an open outline is nobody's business
   click(Side::left, 162, 122);
   QVERIFY(settle());
-  QTRY_COMPARE(window_->engine().snapshot()->stage(Part::cloud), StageState::current);
-  QCOMPARE(state().regions->regions.size(), std::size_t{1});
-  QVERIFY(state().points->whole == whole_);
-  QVERIFY(state().cloud->size() < whole_->cloud.size());
-  QVERIFY(state().points->area_cm2 > 1.0 && state().points->density_per_cm2 > 0.7);
+  QTRY_COMPARE(window_->engine().snapshot()->stage(part::cloud), StageState::current);
+  QCOMPARE(state()[part::regions]->regions.size(), std::size_t{1});
+  QVERIFY(state()[part::points]->whole == whole_);
+  QVERIFY(state()[part::cloud]->size() < whole_->cloud.size());
+  QVERIFY(state()[part::points]->area_cm2 > 1.0 && state()[part::points]->density_per_cm2 > 0.7);
 }
 
 void StereoLabellingTest::MarginIsALineAndTheNotchIsClickedOnTheRightPicture() {
@@ -157,9 +162,9 @@ void StereoLabellingTest::MarginIsALineAndTheNotchIsClickedOnTheRightPicture() {
   }
   QTest::keyClick(&editor(Side::right), Qt::Key_Return);
   QVERIFY(settle());
-  QCOMPARE(state().regions->regions.size(), std::size_t{3});
-  QVERIFY(!state().regions->regions[1].closed);
-  QVERIFY(state().regions->regions[2].side == Side::right);
+  QCOMPARE(state()[part::regions]->regions.size(), std::size_t{3});
+  QVERIFY(!state()[part::regions]->regions[1].closed);
+  QVERIFY(state()[part::regions]->regions[2].side == Side::right);
   QCOMPARE(window_->findChild<QListWidget*>(QStringLiteral("region_list"))->count(), 3);
   key(Qt::Key_Escape);
   QVERIFY(!panel().stereo_view().drawing().tool());
@@ -169,7 +174,7 @@ void StereoLabellingTest::MarginIsALineAndTheNotchIsClickedOnTheRightPicture() {
 void StereoLabellingTest::CloudHoldsEveryLabelWhereItWasClicked() {
   QVERIFY(settle());
   QTRY_COMPARE(counts().size(), std::size_t{3});
-  const LabelledCloud& cloud = *state().cloud;
+  const LabelledCloud& cloud = *state()[part::cloud];
   for (int i = 0; i < cloud.size(); ++i) {
     const Eigen::Vector2d pixel = pair_.rig.left.project(cloud.points.row(i).transpose());
     // A pixel's room at the borders: clicks are rounded to the screen's, which are larger.
@@ -186,7 +191,7 @@ void StereoLabellingTest::CloudHoldsEveryLabelWhereItWasClicked() {
 }
 
 void StereoLabellingTest::DraggedCornerTakesPointsAwayAndUndoBringsThemBack() {
-  const int before = state().cloud->size();
+  const int before = state()[part::cloud]->size();
   ui::RegionEditor& left = editor(Side::left);
   const QPoint from = left.widget_point({160, 120}).toPoint(), to = left.widget_point({380, 300}).toPoint();
   QTest::mousePress(&left, Qt::LeftButton, {}, from);
@@ -195,12 +200,12 @@ void StereoLabellingTest::DraggedCornerTakesPointsAwayAndUndoBringsThemBack() {
   QCoreApplication::sendEvent(&left, &move);
   QTest::mouseRelease(&left, Qt::LeftButton, {}, to);
   QVERIFY(settle());
-  QTRY_VERIFY(state().cloud->size() < before);
-  QVERIFY((state().regions->regions[0].polygon[0] - Eigen::Vector2d(380, 300)).norm() < 2.0);
+  QTRY_VERIFY(state()[part::cloud]->size() < before);
+  QVERIFY((state()[part::regions]->regions[0].polygon[0] - Eigen::Vector2d(380, 300)).norm() < 2.0);
   key(Qt::Key_Z, Qt::ControlModifier);
   QVERIFY(settle());
-  QTRY_COMPARE(state().cloud->size(), before);
-  QVERIFY(state().points->whole == whole_);
+  QTRY_COMPARE(state()[part::cloud]->size(), before);
+  QVERIFY(state()[part::points]->whole == whole_);
 }
 
 void StereoLabellingTest::DeleteRemovesAndRedoRemovesAgain() {
@@ -255,21 +260,21 @@ void StereoLabellingTest::WheelEnlargesAboutThePointerAndClicksStayTrue() {
   QVERIFY((left.pixel_at(place) - pixel).norm() < 1e-6);  // what is under the pointer stays there
   QVERIFY(std::abs((left.widget_point({510.0, 320.0}).x() - left.widget_point(pixel).x()) / before -
                    std::pow(1.25, 5)) < 1e-6);
-  const std::size_t regions = state().regions->regions.size();
+  const std::size_t regions = state()[part::regions]->regions.size();
   push("region_1");
   for (const auto& [x, y] : {std::pair(490.0, 310.0), {510.0, 310.0}, {510.0, 330.0}, {490.0, 310.0}})
     click(Side::left, x, y);
   QVERIFY(settle());
-  QCOMPARE(state().regions->regions.size(), regions + 1);
+  QCOMPARE(state()[part::regions]->regions.size(), regions + 1);
   // A pixel of the screen is a third of one of the picture now.
-  QVERIFY((state().regions->regions.back().polygon[1] - Eigen::Vector2d(510.0, 310.0)).norm() < 0.7);
+  QVERIFY((state()[part::regions]->regions.back().polygon[1] - Eigen::Vector2d(510.0, 310.0)).norm() < 0.7);
   key(Qt::Key_Escape);
   wheel(-9);
   QVERIFY(std::abs(left.widget_point({510.0, 320.0}).x() - left.widget_point(pixel).x() - before) < 1e-6);
   QVERIFY((left.widget_point(pixel) - place).manhattanLength() < 1e-6);  // fits again
   key(Qt::Key_Z, Qt::ControlModifier);
   QVERIFY(settle());
-  QCOMPARE(state().regions->regions.size(), regions);
+  QCOMPARE(state()[part::regions]->regions.size(), regions);
 }
 
 void StereoLabellingTest::KeyboardReachesEverythingByAName() {
@@ -294,7 +299,7 @@ void StereoLabellingTest::KeyboardReachesEverythingByAName() {
   }
   // Ctrl+Y does again what Ctrl+Z undid.
   editor(Side::left).setFocus();
-  const std::size_t regions = state().regions->regions.size();
+  const std::size_t regions = state()[part::regions]->regions.size();
   key(Qt::Key_Z, Qt::ControlModifier);
   QVERIFY(settle());
   const std::size_t undone = panel().stereo_view().drawing().regions().size();
@@ -303,7 +308,7 @@ void StereoLabellingTest::KeyboardReachesEverythingByAName() {
   QVERIFY(settle());
   QVERIFY(!panel().stereo_view().drawing().can_redo() ||
           undone != panel().stereo_view().drawing().regions().size());
-  QCOMPARE(state().regions->regions.size(), regions);
+  QCOMPARE(state()[part::regions]->regions.size(), regions);
 }
 
 void StereoLabellingTest::RegionsOfAnotherFrameAreSaid() {
@@ -318,7 +323,7 @@ void StereoLabellingTest::RegionsOfAnotherFrameAreSaid() {
   push("clear_regions");
   QVERIFY(settle());
   QTRY_VERIFY(!warning->isVisible());
-  QVERIFY(state().regions->regions.empty());
+  QVERIFY(state()[part::regions]->regions.empty());
 }
 
 }  // namespace glisson

@@ -15,6 +15,8 @@
 #include "../stereo/rendered_board.h"
 #include "../stereo/rendered_pair.h"
 #include "glisson/core/files.h"
+#include "glisson/engine/commands/calibrate_rig.h"
+#include "glisson/engine/parts/rig.h"
 #include "glisson/stereo/picture_io.h"
 #include "glisson/ui/stereo/calibration_dialog.h"
 #include "glisson/ui/stereo/source_dialog.h"
@@ -101,10 +103,10 @@ class StereoSourcesTest : public QObject {
     QTRY_COMPARE_WITH_TIMEOUT(done.count(), 1, 120000);
     const auto outcome = done[0][0].value<engine::Outcome>();
     QVERIFY2(outcome.status == engine::Status::done, outcome.error.c_str());
-    QVERIFY(engine.state().rig != nullptr);
-    const double focal = engine.state().rig->left.matrix(0, 0);
+    QVERIFY(engine.state()[part::rig] != nullptr);
+    const double focal = engine.state()[part::rig]->left.matrix(0, 0);
     QVERIFY(std::abs(focal / rig.left.matrix(0, 0) - 1.0) < 0.02);
-    QVERIFY(std::abs(engine.state().rig->baseline() / rig.baseline() - 1.0) < 0.02);
+    QVERIFY(std::abs(engine.state()[part::rig]->baseline() / rig.baseline() - 1.0) < 0.02);
     QString shown;
     for (const QLabel* label : dialog.findChildren<QLabel*>()) shown += label->text() + QLatin1Char('\n');
     QVERIFY(shown.contains(QStringLiteral("9 of 9 pairs")));
@@ -129,12 +131,13 @@ class StereoSourcesTest : public QObject {
     QTRY_COMPARE_WITH_TIMEOUT(done.count(), 1, 120000);
     const auto first = done[0][0].value<engine::Outcome>();
     QVERIFY2(first.status == engine::Status::done, first.error.c_str());
+    const auto first_sheet = first.result.as<engine::CalibrationSheet>();
     auto& table = child<QTreeWidget>(dialog, "calibration_views");
     auto& results = *dialog.findChild<ui::CalibrationResults*>();
     QVERIFY(table.topLevelItem(kMoved)->checkState(0) == Qt::Unchecked);
     QCOMPARE(results.unticked().size(), std::size_t{1});
     QVERIFY(results.differs());
-    QVERIFY(first.calibration->calibration.views[kMoved].used);  // proposed, not dropped
+    QVERIFY(first_sheet->calibration.views[kMoved].used);  // proposed, not dropped
     QVERIFY(table.topLevelItem(kMoved)->text(ui::CalibrationResults::left).toDouble() > 0.7);
     // A row brings its board out in the picture.
     auto& coverage = child<ui::CoverageView>(dialog, "calibration_coverage");
@@ -148,17 +151,18 @@ class StereoSourcesTest : public QObject {
     QTRY_COMPARE_WITH_TIMEOUT(again.count(), 1, 120000);
     const auto second = again[0][0].value<engine::Outcome>();
     QVERIFY2(second.status == engine::Status::done, second.error.c_str());
-    QVERIFY(second.calibration->views == first.calibration->views);  // not looked for again
-    QVERIFY(!second.calibration->calibration.views[kMoved].used);
-    QVERIFY(second.calibration->calibration.rms < 0.5 * first.calibration->calibration.rms);
-    const double wrong = engine.state().rig->baseline() / rendered::rig().baseline() - 1.0;
+    const auto second_sheet = second.result.as<engine::CalibrationSheet>();
+    QVERIFY(second_sheet->views == first_sheet->views);  // not looked for again
+    QVERIFY(!second_sheet->calibration.views[kMoved].used);
+    QVERIFY(second_sheet->calibration.rms < 0.5 * first_sheet->calibration.rms);
+    const double wrong = engine.state()[part::rig]->baseline() / rendered::rig().baseline() - 1.0;
     QVERIFY2(std::abs(wrong) < 0.02, qPrintable(QString::number(wrong)));
     QVERIFY(!dialog.again().button()->isEnabled() && !results.differs());
     QCOMPARE(table.topLevelItem(kMoved)->text(ui::CalibrationResults::left), QStringLiteral("–"));
     QVERIFY(table.topLevelItem(kMoved)->text(ui::CalibrationResults::rows).toDouble() > 0.7);
 
     // Too few views are refused, and the calibration stays.
-    const auto rig = engine.state().rig;
+    const auto rig = engine.state()[part::rig];
     for (int i = 2; i < table.topLevelItemCount(); ++i)
       table.topLevelItem(i)->setCheckState(0, Qt::Unchecked);
     QTest::mouseClick(dialog.again().button(), Qt::LeftButton);
@@ -166,7 +170,7 @@ class StereoSourcesTest : public QObject {
     const auto third = again[1][0].value<engine::Outcome>();
     QVERIFY(third.status == engine::Status::failed);
     QVERIFY2(third.error.find("Keep 3") != std::string::npos, third.error.c_str());
-    QVERIFY(engine.state().rig == rig);
+    QVERIFY(engine.state()[part::rig] == rig);
     QVERIFY(dialog.again().button()->isEnabled());  // with other ticks
   }
 
@@ -184,7 +188,7 @@ class StereoSourcesTest : public QObject {
     QVERIFY(outcome.status == engine::Status::failed);
     QVERIFY2(outcome.error.find("is seen") != std::string::npos, outcome.error.c_str());
     QVERIFY2(outcome.error.find("9x6") != std::string::npos, outcome.error.c_str());
-    QVERIFY(engine.state().rig == nullptr);
+    QVERIFY(engine.state()[part::rig] == nullptr);
   }
 };
 

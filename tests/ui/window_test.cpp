@@ -23,6 +23,23 @@
 
 #include "fake_operation.h"
 #include "glisson/core/files.h"
+#include "glisson/engine/commands/build_model.h"
+#include "glisson/engine/commands/load_video_frame.h"
+#include "glisson/engine/commands/reconstruct.h"
+#include "glisson/engine/commands/register.h"
+#include "glisson/engine/commands/segment.h"
+#include "glisson/engine/commands/set_calibration.h"
+#include "glisson/engine/commands/set_landmarks.h"
+#include "glisson/engine/commands/set_regions.h"
+#include "glisson/engine/commands/set_seeds.h"
+#include "glisson/engine/commands/set_video.h"
+#include "glisson/engine/parts/cloud.h"
+#include "glisson/engine/parts/image.h"
+#include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/landmarks.h"
+#include "glisson/engine/parts/regions.h"
+#include "glisson/engine/parts/registration.h"
+#include "glisson/engine/parts/seeds.h"
 #include "glisson/ui/atlas/atlas_panel.h"
 #include "glisson/ui/common/task_button.h"
 #include "glisson/ui/guidance/guidance_panel.h"
@@ -80,7 +97,7 @@ class WindowTest : public QObject {
   void open_ct() {
     window_->open("ct.nii");
     QVERIFY(settle());
-    QVERIFY(window_->engine().state().image != nullptr);
+    QVERIFY(window_->engine().state()[part::image] != nullptr);
   }
   void reach_model() {
     open_ct();
@@ -101,7 +118,7 @@ class WindowTest : public QObject {
     window_->engine().post(engine::Reconstruct{});
     window_->engine().post(engine::Register{});
     QVERIFY(settle());
-    QCOMPARE(stage(Part::registration), StageState::current);
+    QCOMPARE(stage(part::registration), StageState::current);
   }
 
   std::unique_ptr<TemporaryFolder> folder_;
@@ -181,17 +198,17 @@ void WindowTest::OpensWhatIsDropped() {
   QDropEvent drop(QPointF(300, 300), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
   QCoreApplication::sendEvent(window_.get(), &drop);
   QVERIFY(settle());
-  QVERIFY(window_->engine().state().image != nullptr);
+  QVERIFY(window_->engine().state()[part::image] != nullptr);
 }
 
 void WindowTest::ErrorsAreShownAndLeaveTheCase() {
   open_ct();
-  const auto before = window_->engine().state().image;
+  const auto before = window_->engine().state()[part::image];
   window_->open("broken.nii");
   QTest::mouseClick(window_->findChild<QPushButton*>(QStringLiteral("same_patient")), Qt::LeftButton);
   QTRY_VERIFY(!window_->status_text().isEmpty());
   QVERIFY(settle());
-  QVERIFY(window_->engine().state().image == before);
+  QVERIFY(window_->engine().state()[part::image] == before);
   QVERIFY(window_->status_text().contains(QStringLiteral("cut off after 12 bytes")));
   QVERIFY(window_->status_text().contains(QStringLiteral("Copy the file again")));
 }
@@ -199,7 +216,7 @@ void WindowTest::ErrorsAreShownAndLeaveTheCase() {
 void WindowTest::UnsavedChangesAreNotLostUnasked() {
   open_ct();
   QVERIFY(window_->isWindowModified());
-  const auto before = window_->engine().state().image;
+  const auto before = window_->engine().state()[part::image];
   for (const auto answer : {QMessageBox::Cancel, QMessageBox::Discard}) {
     window_->open(folder_->path() / "other.glisson" / "case.json");
     const QPointer<QMessageBox> question = window_->findChild<QMessageBox*>();
@@ -209,7 +226,8 @@ void WindowTest::UnsavedChangesAreNotLostUnasked() {
     QTest::mouseClick(question->button(answer), Qt::LeftButton);
     QTRY_VERIFY(question.isNull());
     QVERIFY(settle());
-    if (answer == QMessageBox::Cancel) QVERIFY(ended.isEmpty() && window_->engine().state().image == before);
+    if (answer == QMessageBox::Cancel)
+      QVERIFY(ended.isEmpty() && window_->engine().state()[part::image] == before);
     if (answer == QMessageBox::Discard) QTRY_COMPARE(ended.count(), 1);
   }
 }
@@ -270,7 +288,7 @@ void WindowTest::SeedsAreClickedListedAndDeleted() {
   QTest::mouseClick(panel->findChild<QPushButton*>(QStringLiteral("seed_lesion_1")), Qt::LeftButton);
   click(slice(scene::Plane::axial), Point<CtFrame>(0.03, 0.0, z));
   QVERIFY(settle());
-  const auto& stored = window_->engine().state().seeds;
+  const auto& stored = window_->engine().state()[part::seeds];
   QVERIFY(stored != nullptr);
   QCOMPARE(stored->liver.rows(), 2);
   QVERIFY(std::abs(stored->liver(0, 0) + 0.03) < 1e-3 && std::abs(stored->liver(0, 1) - 0.01) < 1e-3);
@@ -280,13 +298,13 @@ void WindowTest::SeedsAreClickedListedAndDeleted() {
   list->setCurrentRow(0);
   QTest::mouseClick(panel->findChild<QPushButton*>(QStringLiteral("delete_seeds")), Qt::LeftButton);
   QVERIFY(settle());
-  QCOMPARE(window_->engine().state().seeds->liver.rows(), 1);
-  QVERIFY(std::abs(window_->engine().state().seeds->liver(0, 0) - 0.02) < 1e-3);
+  QCOMPARE(window_->engine().state()[part::seeds]->liver.rows(), 1);
+  QVERIFY(std::abs(window_->engine().state()[part::seeds]->liver(0, 0) - 0.02) < 1e-3);
   QTest::mouseClick(panel->findChild<QPushButton*>(QStringLiteral("seed_lesion_1")),
                     Qt::LeftButton);                               // ends placing
   click(slice(scene::Plane::axial), Point<CtFrame>(0.0, 0.0, z));  // only the crosshair now
   QVERIFY(settle());
-  QCOMPARE(window_->engine().state().seeds->liver.rows(), 1);
+  QCOMPARE(window_->engine().state()[part::seeds]->liver.rows(), 1);
 }
 
 void WindowTest::CancelLeavesTheCaseAsItWas() {
@@ -303,12 +321,12 @@ void WindowTest::CancelLeavesTheCaseAsItWas() {
   window_->show_step(MainWindow::segmentation);
   QTest::mouseClick(task("segment")->cancel_button(), Qt::LeftButton);
   QVERIFY(settle());
-  QVERIFY(window_->engine().state().labels == nullptr);
+  QVERIFY(window_->engine().state()[part::labels] == nullptr);
   QCOMPARE(window_->panel(MainWindow::segmentation).step_state(), ui::StepState::waiting);
   operation_->hold = false;
   press("segment");
   QVERIFY(settle());
-  QVERIFY(window_->engine().state().labels != nullptr);
+  QVERIFY(window_->engine().state()[part::labels] != nullptr);
 }
 
 void WindowTest::EditMakesLaterStepsStale() {
@@ -341,7 +359,7 @@ void WindowTest::NotchIsPlacedOnTheSurface() {
       &view, Qt::LeftButton, {},
       QPoint(static_cast<int>(place->x() * view.width()), static_cast<int>(place->y() * view.height())));
   QVERIFY(settle());
-  const auto& stored = window_->engine().state().landmarks;
+  const auto& stored = window_->engine().state()[part::landmarks];
   QVERIFY(stored != nullptr);
   QCOMPARE(stored->umbilical_notch.rows(), before + 1);
   QVERIFY((stored->umbilical_notch.bottomRows(1).transpose() - wanted).norm() < 2e-3);  // a pixel or so
@@ -361,7 +379,7 @@ void WindowTest::TheFirstClickAfterClearReplacesTheModelsOwn() {
   for (const int points : {1, 2}) {
     QTest::mouseClick(&view, Qt::LeftButton, {}, view.rect().center());
     QVERIFY(settle());
-    QTRY_COMPARE(window_->engine().state().landmarks->umbilical_notch.rows(), points);
+    QTRY_COMPARE(window_->engine().state()[part::landmarks]->umbilical_notch.rows(), points);
   }
 }
 
@@ -412,13 +430,13 @@ void WindowTest::RegionIsClickedClosedDraggedAndTakenBack() {
   QTest::mouseClick(&editor, Qt::LeftButton, {}, at(180, 120));
   QTest::mouseClick(&editor, Qt::LeftButton, {}, at(100, 50));
   QVERIFY(settle());
-  const auto& regions = window_->engine().state().regions;
+  const auto& regions = window_->engine().state()[part::regions];
   QVERIFY(regions != nullptr);
   QCOMPARE(regions->regions.size(), std::size_t{1});
   QCOMPARE(regions->regions[0].feature, Feature::anterior_margin);
   QCOMPARE(regions->regions[0].polygon.size(), std::size_t{3});
   QVERIFY((regions->regions[0].polygon[1] - Eigen::Vector2d(200, 60)).norm() < 1.0);
-  QCOMPARE(stage(Part::cloud), StageState::stale);  // the cloud was made without it
+  QCOMPARE(stage(part::cloud), StageState::stale);  // the cloud was made without it
   QTest::keyClick(&editor, Qt::Key_Escape);
   QTest::mousePress(&editor, Qt::LeftButton, {}, at(200, 60));
   QMouseEvent move(QEvent::MouseMove, QPointF(at(230, 70)), editor.mapToGlobal(QPointF(at(230, 70))),
@@ -426,10 +444,12 @@ void WindowTest::RegionIsClickedClosedDraggedAndTakenBack() {
   QCoreApplication::sendEvent(&editor, &move);
   QTest::mouseRelease(&editor, Qt::LeftButton, {}, at(230, 70));
   QVERIFY(settle());
-  QVERIFY((window_->engine().state().regions->regions[0].polygon[1] - Eigen::Vector2d(230, 70)).norm() < 1.0);
+  QVERIFY(
+      (window_->engine().state()[part::regions]->regions[0].polygon[1] - Eigen::Vector2d(230, 70)).norm() <
+      1.0);
   QTest::mouseClick(&editor, Qt::RightButton, {}, at(170, 75));
   QVERIFY(settle());
-  QVERIFY(window_->engine().state().regions->regions.empty());
+  QVERIFY(window_->engine().state()[part::regions]->regions.empty());
 }
 
 void WindowTest::LiveViewPlaysShowsAgeAndRecords() {
@@ -477,7 +497,7 @@ void WindowTest::WholePathByMouse() {
   go_to(MainWindow::atlas);
   QTest::mouseClick(window_->findChild<QPushButton*>(QStringLiteral("accept_landmarks")), Qt::LeftButton);
   QVERIFY(settle());
-  QCOMPARE(stage(Part::landmarks), StageState::current);
+  QCOMPARE(stage(part::landmarks), StageState::current);
   go_to(MainWindow::stereo);
   operation_->film(folder_->path() / "scope.mkv", 10);
   window_->open("/scope/calibration.yml");  // as a drop of the file

@@ -155,6 +155,11 @@ Points points_from_json(const json& array, const std::string& file, const std::s
   return points;
 }
 
+bool same_points(const Points& a, const Points& b) {
+  constexpr double kMicrometre = 1e-6;
+  return a.rows() == b.rows() && (a.rows() == 0 || (a - b).cwiseAbs().maxCoeff() < kMicrometre);
+}
+
 Landmarks read_landmarks(const fs::path& path) {
   const json document = read_json(path);
   const std::string file = path.string();

@@ -22,4 +22,8 @@ nlohmann::json points_to_json(const Points& points);
 /// @throws InputError naming file and field.
 Points points_from_json(const nlohmann::json& array, const std::string& file, const std::string& field);
 
+/// Whether two sets of points are the same but for what millimetres in text or floats round: a micrometre is
+/// lost to nobody.
+bool same_points(const Points& a, const Points& b);
+
 }  // namespace glisson::engine

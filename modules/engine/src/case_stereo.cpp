@@ -9,7 +9,7 @@
 
 #include "glisson/core/error.h"
 #include "glisson/core/json_file.h"
-#include "glisson/stereo/picture_io.h"
+#include "glisson/engine/parts/rig.h"
 
 namespace glisson::engine {
 namespace fs = std::filesystem;
@@ -213,24 +213,6 @@ bool close(double a, double b) { return std::abs(a - b) <= 1e-6 * std::max(1.0, 
 
 }  // namespace
 
-json write_frame(const fs::path& folder, const StereoInput& input) {
-  fs::create_directory(folder / "frame");
-  stereo::write_picture(folder / "frame/left.png", input.frame.left);
-  stereo::write_picture(folder / "frame/right.png", input.frame.right);
-  if (!input.mask.empty()) stereo::write_picture(folder / "frame/mask.png", input.mask);
-  return {{"index", input.frame.index}, {"seconds", input.frame.seconds}};
-}
-
-StereoInput read_frame(const fs::path& folder, const json& entry) {
-  StereoInput input;
-  input.frame.left = stereo::read_picture(folder / "frame/left.png");
-  input.frame.right = stereo::read_picture(folder / "frame/right.png");
-  if (fs::exists(folder / "frame/mask.png")) input.mask = stereo::read_picture(folder / "frame/mask.png");
-  input.frame.index = entry.at("index");
-  input.frame.seconds = entry.at("seconds");
-  return input;
-}
-
 void write_points(const fs::path& folder, const CaseState& state, const PairPoints& points) {
   require(points.whole != nullptr && points.whole->cloud.size() > 0, "points that are saved have a cloud");
   fs::create_directory(folder / "points");
@@ -238,8 +220,8 @@ void write_points(const fs::path& folder, const CaseState& state, const PairPoin
   write_json(folder / "points/points.json",
              {{"frame_identity", points.frame_identity},
               // Points of a former pair or calibration are shown, but not labelled anew.
-              {"of_the_frame", points.frame == state.frame && state.frame != nullptr},
-              {"of_the_calibration", points.rig == state.rig && state.rig != nullptr},
+              {"of_the_frame", points.frame == state[part::frame] && state[part::frame] != nullptr},
+              {"of_the_calibration", points.rig == state[part::rig] && state[part::rig] != nullptr},
               {"options", written(points.options)},
               {"report", written(points.whole->report)},
               {"area_cm2", points.area_cm2},
@@ -253,16 +235,16 @@ std::shared_ptr<const PairPoints> read_points(const fs::path& folder, const Case
   PairPoints points;
   points.frame_identity = file.get<std::string>("", "frame_identity");
   if (file.get<bool>("", "of_the_frame")) {
-    if (!state.frame)
+    if (!state[part::frame])
       file.refuse("of_the_frame", "says that they are of the case's pictures, there are none");
-    const StereoFrame& frame = state.frame->frame;
+    const StereoFrame& frame = state[part::frame]->frame;
     const std::string identity = stereo::frame_identity(frame.left, frame.right);
     if (identity != points.frame_identity)
       file.refuse("frame_identity",
                   "is " + points.frame_identity + ", that of the case's pictures " + identity);
-    points.frame = state.frame;
+    points.frame = state[part::frame];
   }
-  if (file.get<bool>("", "of_the_calibration")) points.rig = state.rig;
+  if (file.get<bool>("", "of_the_calibration")) points.rig = state[part::rig];
   points.options = read_options(file);
   points.area_cm2 = file.number("", "area_cm2");
   points.density_per_cm2 = file.number("", "density_per_cm2");
@@ -277,7 +259,7 @@ std::shared_ptr<const PairPoints> read_points(const fs::path& folder, const Case
   return std::make_shared<const PairPoints>(std::move(points));
 }
 
-bool same_points(const PairPoints& a, const PairPoints& b) {
+bool same_pair_points(const PairPoints& a, const PairPoints& b) {
   const LabelledCloud &p = a.whole->cloud, &q = b.whole->cloud;
   if (p.size() != q.size() || p.normals.rows() != q.normals.rows() || p.sigma.size() != q.sigma.size() ||
       a.whole->covariance.size() != b.whole->covariance.size())

@@ -12,6 +12,8 @@
 #include <utility>
 
 #include "glisson/core/error.h"
+#include "glisson/engine/obstacle.h"
+#include "glisson/engine/parts/live.h"
 #include "job.h"
 #include "trial_lane.h"
 
@@ -23,7 +25,7 @@ constexpr std::size_t kOutcomesKept = 1024;
 
 }  // namespace
 
-struct Engine::Impl {
+struct Engine::Impl final : LiveLanes {
   explicit Impl(Options given)
       : options(std::move(given)), current(std::make_shared<Snapshot>()), trial(options.trial_seconds) {}
 
@@ -41,12 +43,13 @@ struct Engine::Impl {
   std::deque<Event> events;
   bool wake_sent = false;
   std::map<CommandId, Outcome> outcomes;
+  CommandId evolving_of = 0;       // the command whose contour is shown; 0: none
   std::optional<LiveInput> frame;  // newest wins
   bool following = false;          // a frame is being followed just now
   LiveState live;                  // counters since tracking began
   TrialLane trial;                 // its mechanics are touched by the edits lane only
 
-  std::unique_ptr<Follower> follower;  // touched by the edits lane only
+  std::shared_ptr<Follower> follower;  // touched by the edits lane only
   std::jthread edits_thread, work_thread;
 
   void wake(std::unique_lock<std::mutex>& lock) {
@@ -63,8 +66,8 @@ struct Engine::Impl {
     snapshot->revision = ++revision;
     snapshot->cause = std::move(cause);
     snapshot->state = std::move(state);
-    for (int i = 0; i < kPartCount; ++i)
-      snapshot->stages[static_cast<std::size_t>(i)] = stage_state(snapshot->state, static_cast<Part>(i));
+    for (const Part part : all_parts())
+      if (snapshot->state.has(part)) snapshot->stages[part] = stage_state(snapshot->state, part);
     snapshot->tracking = current->tracking;
     snapshot->evolving = current->evolving;
     if (trial.fits(snapshot->state))
@@ -87,7 +90,7 @@ struct Engine::Impl {
   std::shared_ptr<Job> take_ready(Lane lane) {
     for (std::size_t i = 0; i < waiting.size(); ++i) {
       const std::shared_ptr<Job> job = waiting[i];
-      if (job->lane() != lane) continue;
+      if (job->traits().lane != lane) continue;
       const auto blocks = [&](const std::shared_ptr<Job>& other) { return job->conflicts_with(*other); };
       const auto delays = [&](const std::shared_ptr<Job>& other) { return job->must_wait_for(*other); };
       const auto before = waiting.begin() + static_cast<std::ptrdiff_t>(i);
@@ -101,7 +104,7 @@ struct Engine::Impl {
   }
 
   void report_progress(const Job& job, double fraction, std::string_view stage) {
-    Progress progress{job.id, std::string(command_code(job.command)), fraction, std::string(stage)};
+    Progress progress{job.id, std::string(job.command.code()), fraction, std::string(stage)};
     if (options.runner == Runner::inline_ && options.progress) options.progress(progress);
     std::unique_lock lock(mutex);
     const auto same = std::find_if(events.rbegin(), events.rend(), [&](const Event& event) {
@@ -117,26 +120,23 @@ struct Engine::Impl {
 
   /// Takes over what a command made. Only the parts that it writes; the rest may have moved on meanwhile.
   void commit(const Job& job, const CaseState& base, Applied&& applied) {
-    if (writes(job.command) == Parts{} && applied.state.path == base.path) return;  // nothing has changed
+    const CommandTraits& traits = job.traits();
+    if (traits.writes.empty() && applied.state.path == base.path) return;  // nothing has changed
     CaseState state = current->state;
     state.path = applied.state.path != base.path ? applied.state.path : state.path;
     if (applied.keeps_stamps) {
-      for (int i = 0; i < kPartCount; ++i) {
-        const Part part = static_cast<Part>(i);
-        revision = std::max(revision, applied.state.stamp(part).revision);
-      }
+      for (const Part part : all_parts()) revision = std::max(revision, applied.state.stamp(part).revision);
       state = std::move(applied.state);
     } else {
-      for (int i = 0; i < kPartCount; ++i) {
-        const Part part = static_cast<Part>(i);
-        if (!writes(job.command).has(part) || applied.state.shares(part, base)) continue;
+      for (const Part part : all_parts()) {
+        if (!traits.writes.has(part) || applied.state.shares(part, base)) continue;
         state.take(part, applied.state);
         Stamp stamp;
-        if (state.has(part)) stamp = {++revision, made_from(part, job.command, base)};
+        if (state.has(part)) stamp = {++revision, made_from(part, traits, base)};
         state.stamp(part) = stamp;
       }
     }
-    publish(std::move(state), std::string(command_code(job.command)));
+    publish(std::move(state), std::string(job.command.code()));
   }
 
   /// Everything of a command from start to outcome. Called without the lock, on the lane's thread.
@@ -146,16 +146,14 @@ struct Engine::Impl {
       const std::scoped_lock lock(mutex);
       base = current->state;
     }
-    Outcome outcome;
-    outcome.id = job->id;
-    outcome.command = command_code(job->command);
+    Outcome outcome = outcome_of(*job);
     const auto begin = std::chrono::steady_clock::now();
     std::optional<Applied> applied;
     const RunContext context(
         [this, &job](double fraction, std::string_view stage) { report_progress(*job, fraction, stage); },
         job->cancel, options.seed);
     try {
-      if (!job->cancel->requested()) applied = perform(base, job->command, context);
+      if (!job->cancel->requested()) applied = perform(base, *job, context);
       if (!applied) outcome.status = Status::cancelled;
     } catch (const Error& failure) {
       outcome.status = Status::failed;
@@ -166,86 +164,78 @@ struct Engine::Impl {
           outcome.command + ": stopped unexpectedly (" + failure.what() + "). The case is as it was.";
     }
     std::unique_lock lock(mutex);
-    if (std::holds_alternative<Segment>(job->command)) put_evolving(nullptr);
+    if (evolving_of == job->id) put_evolving(0, nullptr);
     if (outcome.status == Status::done && job->cancel->requested()) outcome.status = Status::cancelled;
     if (outcome.status == Status::done) {
       outcome.figures = std::move(applied->figures);
       outcome.notes = std::move(applied->notes);
-      outcome.series = std::move(applied->series);
-      outcome.calibration = std::move(applied->calibration);
-      settle_tracking(job->command);
-      settle_trial(job->command, base);
+      outcome.result = std::move(applied->result);
+      settle_live(job->traits(), *applied);
       commit(*job, base, std::move(*applied));
-      if (std::holds_alternative<SaveCase>(job->command)) outcome.saved = editions(base);
-      if (std::holds_alternative<OpenCase>(job->command)) outcome.saved = editions(current->state);
-    } else if (std::holds_alternative<StartTracking>(job->command)) {
-      stop_following();
-    } else if (std::holds_alternative<StartTrial>(job->command)) {
-      stop_trial();
+    } else {
+      end_live(job->traits().live);
     }
     outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     std::erase(running, job);
     finish(lock, std::move(outcome));
   }
 
-  Cancellable<Applied> perform(const CaseState& base, const Command& command, const RunContext& context) {
-    if (const auto* start = std::get_if<StartTracking>(&command)) {
-      follower = options.make_follower(base, *start);
-      Applied applied;
-      applied.state = base;
-      applied.state.live = std::make_shared<LiveState>();
-      return applied;
-    }
-    if (std::holds_alternative<StopTracking>(command)) {
-      follower.reset();
-      Applied applied;
-      applied.state = base;
-      applied.state.live = nullptr;
-      return applied;
-    }
-    if (const auto* start = std::get_if<StartTrial>(&command)) {
-      auto mechanics = options.make_trial(base, start->options, context);
-      if (!mechanics) return {};
-      trial.set_mechanics(std::move(*mechanics));
-      return Applied{base, {}, {}};
-    }
-    if (std::holds_alternative<StopTrial>(command)) {
-      trial.set_mechanics(nullptr);
-      return Applied{base, {}, {}};
-    }
-    if (const auto* segment = std::get_if<Segment>(&command)) {
-      Segment seen = *segment;
-      seen.show = [this](const LabelVolume& liver) { show_evolving(std::make_shared<LabelVolume>(liver)); };
-      return options.apply(base, seen, context);
-    }
-    return options.apply(base, command, context);
+  static Outcome outcome_of(const Job& job) {
+    Outcome outcome;
+    outcome.id = job.id;
+    outcome.command = job.command.code();
+    outcome.traits = job.traits();
+    return outcome;
+  }
+
+  Cancellable<Applied> perform(const CaseState& base, const Job& job, const RunContext& context) {
+    const Services services{options.make_follower, options.make_trial,
+                            [this, id = job.id](const LabelVolume& liver) { show_evolving(id, liver); }};
+    return job.traits().live == LiveLane::none ? options.apply(base, job.command, context, services)
+                                               : job.command.apply(base, context, services);
   }
 
   /// Called without the lock, on the work's thread.
-  void show_evolving(std::shared_ptr<const LabelVolume> liver) {
+  void show_evolving(CommandId id, const LabelVolume& liver) {
+    auto shown = std::make_shared<const LabelVolume>(liver);
     std::unique_lock lock(mutex);
-    put_evolving(std::move(liver));
+    put_evolving(id, std::move(shown));
     wake(lock);
   }
-  void put_evolving(std::shared_ptr<const LabelVolume> liver) {
+  void put_evolving(CommandId id, std::shared_ptr<const LabelVolume> liver) {
+    evolving_of = id;
     amend([&](Snapshot& now) { now.evolving = std::move(liver); });
   }
 
-  void settle_tracking(const Command& command) {
-    if (std::holds_alternative<StartTracking>(command)) {
-      set_tracking(true);
-    } else if (std::holds_alternative<StopTracking>(command) || writes(command) == Parts::all()) {
-      stop_following();
-    }
+  /// What a command that is done makes of what goes on live. Another case is not followed.
+  void settle_live(const CommandTraits& traits, const Applied& applied) {
+    if (traits.replaces_case()) stop_following();
+    if (applied.live) applied.live(*this);
   }
-  void settle_trial(const Command& command, const CaseState& base) {
-    if (std::holds_alternative<StartTrial>(command)) {
-      trial.begin(base);
-      show_trial(std::make_shared<TrialState>());
-    } else if (std::holds_alternative<StopTrial>(command)) {
-      stop_trial();
-    }
+  void end_live(LiveLane lane) {
+    if (lane == LiveLane::tracking) stop_following();
+    if (lane == LiveLane::trial) stop_trial();
   }
+
+  // LiveLanes; with the lock, on the edits' thread.
+  void begin_tracking(std::shared_ptr<Follower> made) override {
+    follower = std::move(made);
+    set_tracking(true);
+  }
+  void end_tracking() override {
+    follower.reset();
+    stop_following();
+  }
+  void begin_trial(std::shared_ptr<LoadTrial> mechanics, const CaseState& made_from) override {
+    trial.set_mechanics(std::move(mechanics));
+    trial.begin(made_from);
+    show_trial(std::make_shared<TrialState>());
+  }
+  void end_trial() override {
+    trial.set_mechanics(nullptr);
+    stop_trial();
+  }
+
   void stop_trial() {
     trial.end();
     show_trial(nullptr);
@@ -303,13 +293,13 @@ struct Engine::Impl {
     lock.lock();
     following = false;
     if (current->tracking) {
-      if (stage_state(current->state, Part::live) == StageState::stale) overlay.validity = Validity::stale;
+      if (stage_state(current->state, part::live) == StageState::stale) overlay.validity = Validity::stale;
       ++live.frames;
       live.frames_late += overlay.milliseconds > 1e3 * options.frame_seconds;
       live.overlay = std::move(overlay);
       if (const auto* pictures = std::get_if<StereoFrame>(&taken)) live.frame = *pictures;
       CaseState state = current->state;
-      state.live = std::make_shared<LiveState>(live);
+      state[part::live] = std::make_shared<const LiveState>(live);
       publish(std::move(state), "frame");
     }
     finished.notify_all();
@@ -372,6 +362,14 @@ struct Engine::Impl {
   }
 };
 
+Services plain_services() { return {make_follower, make_load_trial, {}}; }
+
+Cancellable<Applied> apply(const CaseState& state, const Command& command, const RunContext& context,
+                           const Services& services) {
+  if (const auto first = obstacle(state, command)) throw error_of(*first);
+  return command.apply(state, context, services);
+}
+
 Engine::Engine(Options options) : impl_(std::make_unique<Impl>(std::move(options))) {
   if (impl_->options.runner == Runner::inline_) return;
   impl_->edits_thread = std::jthread([this] { impl_->serve_edits(); });
@@ -391,9 +389,7 @@ Engine::~Engine() {
 }
 
 CommandId Engine::post(Command command) {
-  auto job = std::make_shared<Job>();
-  job->command = std::move(command);
-  job->cancel = std::make_shared<CancelFlag>();
+  const auto job = std::make_shared<Job>(Job{0, std::move(command), std::make_shared<CancelFlag>()});
   {
     const std::scoped_lock lock(impl_->mutex);
     job->id = impl_->next_id++;
@@ -413,9 +409,7 @@ void Engine::cancel(CommandId id) {
   const auto waits = std::find_if(impl_->waiting.begin(), impl_->waiting.end(),
                                   [&](const auto& job) { return job->id == id; });
   if (waits == impl_->waiting.end()) return;
-  Outcome outcome;
-  outcome.id = id;
-  outcome.command = command_code((*waits)->command);
+  Outcome outcome = Impl::outcome_of(**waits);
   outcome.status = Status::cancelled;
   impl_->waiting.erase(waits);
   impl_->finish(lock, std::move(outcome));

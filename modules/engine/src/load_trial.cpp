@@ -6,8 +6,9 @@
 #include <chrono>
 #include <vector>
 
-#include "apply_parts.h"
 #include "glisson/core/error.h"
+#include "glisson/engine/obstacle.h"
+#include "glisson/engine/parts/model.h"
 #include "glisson/fem/integrator.h"
 #include "glisson/guidance/boundary_springs.h"
 
@@ -185,7 +186,7 @@ void TrialOptions::validate() const {
 
 Cancellable<std::unique_ptr<LoadTrial>> make_load_trial(const CaseState& state, const TrialOptions& options,
                                                         const RunContext& context) {
-  require_part(state, Part::model, "Build or import a model first");
+  if (const auto first = obstacle(state, {part::model})) throw error_of(*first);
   options.validate();
   const PatientModel model = effective_model(state);
   if (model.mesh.tetrahedron_count() == 0)

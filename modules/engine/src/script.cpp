@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "glisson/core/error.h"
+#include "glisson/engine/parts/live.h"
 
 namespace glisson::engine {
 
@@ -34,7 +35,7 @@ Cancellable<OverlayFrame> Script::follow(LiveInput input) {
   if (context_.cancelled()) return {};
   engine_->submit_frame(std::move(input));
   snapshot_ = engine_->snapshot();
-  return snapshot_->state.live->overlay;
+  return snapshot_->state[part::live]->overlay;
 }
 
 }  // namespace glisson::engine

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "glisson/core/error.h"
+#include "glisson/engine/parts/landmarks.h"
+#include "glisson/engine/parts/model.h"
 
 namespace glisson::engine {
 
@@ -18,8 +20,8 @@ void TrialLane::begin(const CaseState& made_from) {
   pull_.reset();
   recent_.clear();
   steps_ = 0;
-  model_ = made_from.model;
-  landmarks_ = made_from.landmarks;
+  model_ = made_from[part::model];
+  landmarks_ = made_from[part::landmarks];
 }
 
 void TrialLane::end() {
@@ -30,7 +32,7 @@ void TrialLane::end() {
 }
 
 bool TrialLane::fits(const CaseState& state) const {
-  return !on_ || (state.model == model_ && state.landmarks == landmarks_);
+  return !on_ || (state[part::model] == model_ && state[part::landmarks] == landmarks_);
 }
 
 void TrialLane::submit(std::optional<TrialPull> pull) {

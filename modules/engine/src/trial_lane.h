@@ -9,6 +9,8 @@
 #include <optional>
 
 #include "glisson/engine/load_trial.h"
+#include "glisson/model/build.h"
+#include "glisson/patient/patient_model.h"
 
 namespace glisson::engine {
 
@@ -21,7 +23,7 @@ class TrialLane {
   explicit TrialLane(double pace_seconds);
 
   /// The mechanics of the next trial (null: none). The steps' thread, without the lock.
-  void set_mechanics(std::unique_ptr<LoadTrial> mechanics) { mechanics_ = std::move(mechanics); }
+  void set_mechanics(std::shared_ptr<LoadTrial> mechanics) { mechanics_ = std::move(mechanics); }
 
   // With the lock:
   void begin(const CaseState& made_from);
@@ -43,7 +45,7 @@ class TrialLane {
   void count(TrialState& state, Clock::time_point started);
 
   Clock::duration pace_;
-  std::unique_ptr<LoadTrial> mechanics_;
+  std::shared_ptr<LoadTrial> mechanics_;
   bool on_ = false, awake_ = false;
   std::uint64_t submitted_ = 0, shown_ = 0;  ///< pulls: so many came, so many are (or were) in a step
   std::optional<TrialPull> pull_;

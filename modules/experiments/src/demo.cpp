@@ -10,6 +10,31 @@
 #include "demo_report.h"
 #include "glisson/core/error.h"
 #include "glisson/engine/case_io.h"
+#include "glisson/engine/commands/build_model.h"
+#include "glisson/engine/commands/import_cloud.h"
+#include "glisson/engine/commands/import_image.h"
+#include "glisson/engine/commands/import_labels.h"
+#include "glisson/engine/commands/import_surfaces.h"
+#include "glisson/engine/commands/load_video_frame.h"
+#include "glisson/engine/commands/open_case.h"
+#include "glisson/engine/commands/reconstruct.h"
+#include "glisson/engine/commands/register.h"
+#include "glisson/engine/commands/save_case.h"
+#include "glisson/engine/commands/segment.h"
+#include "glisson/engine/commands/set_calibration.h"
+#include "glisson/engine/commands/set_landmarks.h"
+#include "glisson/engine/commands/set_regions.h"
+#include "glisson/engine/commands/set_seeds.h"
+#include "glisson/engine/commands/set_video.h"
+#include "glisson/engine/commands/start_tracking.h"
+#include "glisson/engine/commands/stop_tracking.h"
+#include "glisson/engine/parts/cloud.h"
+#include "glisson/engine/parts/frame.h"
+#include "glisson/engine/parts/image.h"
+#include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/registration.h"
+#include "glisson/engine/parts/video.h"
 #include "glisson/experiments/evaluate.h"
 #include "glisson/geometry/distance.h"
 #include "glisson/geometry/mesh_io.h"
@@ -61,7 +86,7 @@ class DemoRun {
 
  private:
   void post(engine::Command command) {
-    script_.report_to(progress_.begin(std::string(engine::command_code(command))));
+    script_.report_to(progress_.begin(std::string(command.code())));
     const auto outcome = script_.run(std::move(command));
     if (!outcome) throw Cancelled();
     for (const auto& [key, value] : outcome->figures) result_.figures[key] = value;
@@ -74,7 +99,7 @@ class DemoRun {
     return std::move(*value);
   }
   const engine::CaseState& state() const { return script_.state(); }
-  const PatientModel& model() const { return state().model->model; }
+  const PatientModel& model() const { return state()[part::model]->model; }
 
   // ---- the patient ----
 
@@ -86,7 +111,7 @@ class DemoRun {
         return make_synthetic_patient(model_options);
       case DemoInput::open_case:
         post(engine::OpenCase{options_.patient});
-        if (!state().model) post(engine::BuildModel{model_options});
+        if (!state()[part::model]) post(engine::BuildModel{model_options});
         break;
       case DemoInput::labels:
         post(engine::ImportLabels{options_.patient, options_.codes});
@@ -112,7 +137,7 @@ class DemoRun {
     post(engine::SetSeeds{segmentation::read_seeds(folder_ / "operator/seeds.json")});
     post(engine::Segment{});
     result_.figures["segmentation_dice_liver"] =
-        segmentation::dice(inside_liver(*state().labels), inside_liver(patient.truth));
+        segmentation::dice(inside_liver(*state()[part::labels]), inside_liver(patient.truth));
     post(engine::BuildModel{model_options});
     theatre_patient_.surfaces = std::move(patient.surfaces);
     theatre_patient_.vessels = std::move(patient.trees);
@@ -151,7 +176,7 @@ class DemoRun {
 
   void compare_registration(const std::string& prefix) {
     for (const auto& [key, value] :
-         target_errors(model(), state().registration->nodes_in_camera, truth_, "theatre"))
+         target_errors(model(), state()[part::registration]->nodes_in_camera, truth_, "theatre"))
       result_.figures[prefix + key] = value;
     const char* const kept[] = {"displacement_mean_mm", "registration_residual_mm", "seconds_register",
                                 "registration_steps", "cloud_points"};
@@ -178,7 +203,7 @@ class DemoRun {
     post(engine::SetRegions{stereo::read_regions(folder_ / "operator/regions.json")});
     post(engine::Reconstruct{});
     const DistanceSummary errors =
-        summarise(distances_to_surface(state().cloud->points, theatre_->surface(0)));
+        summarise(distances_to_surface(state()[part::cloud]->points, theatre_->surface(0)));
     result_.figures["cloud_error_median_mm"] = 1e3 * errors.median;
     result_.figures["cloud_error_p95_mm"] = 1e3 * errors.percentile_95;
     post(engine::Register{});
@@ -189,9 +214,9 @@ class DemoRun {
 
   void track() {
     post(engine::StartTracking{});
-    const Points frozen = state().registration->nodes_in_camera;
+    const Points frozen = state()[part::registration]->nodes_in_camera;
     const Points truly_there = theatre_->carry(model().mesh.vertices, 0);
-    stereo::StereoVideo video(state().video->left, state().video->right);
+    stereo::StereoVideo video(state()[part::video]->left, state()[part::video]->right);
     std::unique_ptr<stereo::VideoWriter> overlay_video;
     if (pictures_.overlay)
       overlay_video = std::make_unique<stereo::VideoWriter>(folder_ / "overlay.mkv", video.width(),
@@ -263,9 +288,9 @@ class DemoRun {
   }
 
   void finish() {
-    if (pictures_.slice && state().image) keep_picture("slice", pictures_.slice(state()));
+    if (pictures_.slice && state()[part::image]) keep_picture("slice", pictures_.slice(state()));
     if (pictures_.model) keep_picture("model", pictures_.model(state()));
-    keep_picture("left", state().frame->frame.left);
+    keep_picture("left", state()[part::frame]->frame.left);
     result_.case_folder = folder_ / "patient.glisson";
     post(engine::SaveCase{result_.case_folder});
     result_.report = folder_ / "report.html";

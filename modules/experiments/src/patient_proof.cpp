@@ -4,6 +4,15 @@
 #include <cmath>
 
 #include "glisson/core/error.h"
+#include "glisson/engine/commands/build_model.h"
+#include "glisson/engine/commands/edit_labels.h"
+#include "glisson/engine/commands/import_image.h"
+#include "glisson/engine/commands/import_labels.h"
+#include "glisson/engine/commands/save_case.h"
+#include "glisson/engine/commands/segment.h"
+#include "glisson/engine/commands/set_seeds.h"
+#include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/model.h"
 #include "glisson/engine/script.h"
 #include "glisson/experiments/evaluate_trees.h"
 #include "glisson/insilico/operator.h"
@@ -41,7 +50,7 @@ class PatientWay {
   }
   void set(const std::string& key, double value) { proof_.figures[name_ + "_" + key] = value; }
   void compare(const LabelMap& truth, const std::string& stage = {}) {
-    for (const auto& [key, value] : segmentation::compare_labels(*state().labels, truth))
+    for (const auto& [key, value] : segmentation::compare_labels(*state()[part::labels], truth))
       if (stage.empty() || key.starts_with("dice_")) set((stage.empty() ? "" : stage + "_") + key, value);
   }
   const engine::CaseState& state() const { return script_.state(); }
@@ -52,7 +61,7 @@ class PatientWay {
     insilico::OperatorOptions hand;
     hand.seed = seed;
     editing::write_edits(folder_ / "strokes.json",
-                         insilico::draw_vessel_strokes(*state().labels, truth, strokes, hand));
+                         insilico::draw_vessel_strokes(*state()[part::labels], truth, strokes, hand));
     const auto edits = editing::read_edits(folder_ / "strokes.json");
     double seconds = 0.0;
     for (const editing::Edit& edit : edits) {
@@ -77,7 +86,7 @@ class PatientWay {
     double mean = 0.0;
     int thick = 0, found = 0, loops = 0;
     for (const VesselTree& tree : patient.trees) {
-      const TreeScore score = score_tree(tree, state().model->model.vessels, voxel, in_liver);
+      const TreeScore score = score_tree(tree, state()[part::model]->model.vessels, voxel, in_liver);
       mean += score.mean / static_cast<double>(patient.trees.size());
       thick += score.thick;
       found += score.thick_found;

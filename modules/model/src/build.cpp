@@ -169,4 +169,20 @@ Cancellable<BuiltModel> build_from_surfaces(const SurfaceSet& surfaces, const Mo
   return build(surfaces, options, context);
 }
 
+BuiltModel build_from_mesh(TetMesh mesh) {
+  BuiltModel built;
+  built.model.mesh = std::move(mesh);
+  built.model.surface = boundary_surface(built.model.mesh);
+  built.model.surfaces.push_back(
+      {structure::kParenchyma, structure_name(structure::kParenchyma), built.model.surface.mesh});
+  built.model.landmarks.anterior_margin =
+      detect_anterior_margin(built.model.surface.mesh, Eigen::Vector3d::Zero());
+  const Eigen::MatrixX2d angles = dihedral_angles(built.model.mesh);
+  built.report.quality.vertices = built.model.mesh.vertex_count();
+  built.report.quality.tetrahedra = built.model.mesh.tetrahedron_count();
+  built.report.quality.min_dihedral_deg = angles.col(0).minCoeff();
+  built.report.quality.max_dihedral_deg = angles.col(1).maxCoeff();
+  return built;
+}
+
 }  // namespace glisson::model

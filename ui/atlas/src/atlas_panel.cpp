@@ -7,6 +7,12 @@
 #include <QShortcut>
 #include <QVBoxLayout>
 
+#include "glisson/engine/commands/set_landmarks.h"
+#include "glisson/engine/obstacle.h"
+#include "glisson/engine/parts/landmarks.h"
+#include "glisson/engine/parts/model.h"
+#include "glisson/ui/common/texts.h"
+
 namespace glisson::ui {
 namespace {
 
@@ -26,7 +32,7 @@ AtlasPanel::AtlasPanel(EngineBridge& engine, LinkedViews& views, QWidget* parent
             parent),
       views_(views) {
   setObjectName(QStringLiteral("atlas_panel"));
-  obstacle_ = make_explanation(tr("Build a model first."), this);
+  obstacle_ = make_explanation({}, this);
   content()->addWidget(obstacle_);
   QVBoxLayout* margin =
       add_section(tr("Anterior margin"), tr("The sharp lower edge, found on the model (white line)."));
@@ -55,7 +61,7 @@ AtlasPanel::AtlasPanel(EngineBridge& engine, LinkedViews& views, QWidget* parent
   });
   auto* escape = new QShortcut(Qt::Key_Escape, this);
   connect(escape, &QShortcut::activated, this, [this] { choose(Tool::none); });
-  watch(engine::Part::landmarks, {"set_landmarks"});
+  watch(part::landmarks);
   show_case();
 }
 
@@ -90,7 +96,7 @@ QPushButton* AtlasPanel::add_tool(const QString& heading, const QString& explana
   connect(clear, &QPushButton::clicked, this, [this, points, tool] {
     (landmarks_.*points).resize(0, 3);
     // Those that the model brought come back where nobody has placed any: the next click takes their place.
-    const auto model = engine().state().model;
+    const auto model = engine().state()[part::model];
     if (model && (model->model.landmarks.*points).rows() > 0) begin_anew_.insert(tool);
     store();
   });
@@ -129,18 +135,20 @@ void AtlasPanel::store() {
 
 void AtlasPanel::show_case() {
   const engine::CaseState& now = engine().state();
-  const bool changed = now.landmarks != taken_ || now.model != model_;
-  if (model_ && now.model != model_) begin_anew_.clear();
+  const bool changed = now[part::landmarks] != taken_ || now[part::model] != model_;
+  if (model_ && now[part::model] != model_) begin_anew_.clear();
   if (storing_.empty() && changed) {
-    taken_ = now.landmarks;
-    model_ = now.model;
-    landmarks_ = now.model ? engine::effective_landmarks(now) : Landmarks{};
+    taken_ = now[part::landmarks];
+    model_ = now[part::model];
+    landmarks_ = now[part::model] ? engine::effective_landmarks(now) : Landmarks{};
   }
   show_landmarks();
 }
 
 void AtlasPanel::show_landmarks() {
-  const bool ready = engine().state().model != nullptr;
+  const auto first = engine::obstacle(engine().state(), engine::SetLandmarks{});
+  const bool ready = !first;
+  obstacle_->setText(obstacle_text(first));
   obstacle_->setVisible(!ready);
   for (QPushButton* button : {place_notch_, place_cava_, accept_}) button->setEnabled(ready);
   margin_->setText(landmarks_.anterior_margin.rows() > 1

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/common/drawable_source.h"
 
+#include "glisson/engine/parts/model.h"
+
 namespace glisson::ui {
 
 DrawableSource::DrawableSource(EngineBridge& engine, QObject* parent)
@@ -17,7 +19,7 @@ DrawableSource::DrawableSource(EngineBridge& engine, QObject* parent)
 }
 
 void DrawableSource::show_case() {
-  const auto& model = engine_.state().model;
+  const auto& model = engine_.state()[part::model];
   if (model == wanted_) return;
   wanted_ = model;
   const bool had = drawable_ != nullptr;

@@ -3,15 +3,16 @@
 
 #include <algorithm>
 
+#include "glisson/engine/parts/live.h"
+
 namespace glisson::ui {
 namespace {
 
 /// Whether anything but the live picture differs.
 bool case_differs(const engine::Snapshot& a, const engine::Snapshot& b) {
   if (a.tracking != b.tracking || a.state.path != b.state.path) return true;
-  for (int i = 0; i < engine::kPartCount; ++i) {
-    const auto part = static_cast<engine::Part>(i);
-    if (part == engine::Part::live) continue;
+  for (const engine::Part part : engine::all_parts()) {
+    if (part.type().spec().is_live) continue;
     if (!a.state.shares(part, b.state) || a.stage(part) != b.stage(part)) return true;
   }
   return false;
@@ -36,7 +37,7 @@ EngineBridge::~EngineBridge() {
 
 engine::CommandId EngineBridge::post(engine::Command command) {
   Task task;
-  task.command = engine::command_code(command);
+  task.traits = command.traits();
   task.id = engine_->post(std::move(command));
   tasks_.push_back(task);
   emit tasks_changed();
@@ -60,7 +61,7 @@ void EngineBridge::deliver() {
   const std::vector<engine::Event> events = engine_->take_events();
   snapshot_ = engine_->snapshot();
   if (case_differs(*previous, *snapshot_)) emit case_changed();
-  if (previous->state.live != snapshot_->state.live) emit live_changed();
+  if (previous->state[part::live] != snapshot_->state[part::live]) emit live_changed();
   if (previous->trial != snapshot_->trial) emit trial_changed();
   if (previous->evolving != snapshot_->evolving) emit evolving_changed();
   for (const engine::Event& event : events) take(event);

@@ -7,6 +7,10 @@
 #include <QToolButton>
 #include <tuple>
 
+#include "glisson/engine/parts/image.h"
+#include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/landmarks.h"
+#include "glisson/engine/parts/model.h"
 #include "glisson/ui/common/panel.h"
 #include "glisson/ui/common/texts.h"
 
@@ -106,7 +110,7 @@ void LinkedViews::connect_labels() {
 }
 
 std::shared_ptr<const LabelVolume> LinkedViews::labels_in_3d() const {
-  if (!state_.shows_labels() && engine_.state().model) return nullptr;
+  if (!state_.shows_labels() && engine_.state()[part::model]) return nullptr;
   if (state_.evolving()) return state_.evolving();
   if (!state_.labels()) return nullptr;
   return {state_.labels(), &state_.labels()->voxels};
@@ -186,16 +190,16 @@ QWidget* LinkedViews::make_volume_pane() {
 
 void LinkedViews::show_case() {
   const engine::CaseState& now = engine_.state();
-  state_.set_volume(now.image, now.labels);
-  if (now.landmarks != taken_landmarks_ || now.model != taken_model_) {
+  state_.set_volume(now[part::image], now[part::labels]);
+  if (now[part::landmarks] != taken_landmarks_ || now[part::model] != taken_model_) {
     const bool was_without_model = !taken_model_;
-    taken_landmarks_ = now.landmarks;
-    taken_model_ = now.model;
-    if (was_without_model != !now.model) label_surfaces_->set_labels(labels_in_3d());
-    set_landmarks(now.model ? engine::effective_landmarks(now) : Landmarks{});
+    taken_landmarks_ = now[part::landmarks];
+    taken_model_ = now[part::model];
+    if (was_without_model != !now[part::model]) label_surfaces_->set_labels(labels_in_3d());
+    set_landmarks(now[part::model] ? engine::effective_landmarks(now) : Landmarks{});
   }
   const bool was_empty = scene_is_empty_;
-  scene_is_empty_ = !now.model && !now.image;
+  scene_is_empty_ = !now[part::model] && !now[part::image];
   if (was_empty != scene_is_empty_) {
     if (was_empty) volume_->patient().look_from(scene::ViewFrom::anterior);
     volume_->update();

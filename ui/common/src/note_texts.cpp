@@ -4,6 +4,7 @@
 #include <QRegularExpression>
 #include <cmath>
 
+#include "glisson/patient/label_map.h"
 #include "glisson/ui/common/texts.h"
 
 namespace glisson::ui {

@@ -96,9 +96,8 @@ QVBoxLayout* Panel::add_section(const QString& heading, const QString& explanati
   return box;
 }
 
-void Panel::watch(engine::Part part, const std::vector<std::string>& commands) {
+void Panel::watch(engine::Part part) {
   part_ = part;
-  commands_ = commands;
   update_step_state();
 }
 
@@ -106,7 +105,7 @@ void Panel::update_step_state() {
   if (!part_) return;
   const engine::StageState stage = engine_.snapshot()->stage(*part_);
   const bool running = std::any_of(engine_.tasks().begin(), engine_.tasks().end(), [&](const Task& task) {
-    return std::find(commands_.begin(), commands_.end(), task.command) != commands_.end();
+    return task.traits.writes.has(*part_) && task.traits.notice != engine::Notice::quiet;
   });
   const StepState now = running                               ? StepState::running
                         : stage == engine::StageState::absent ? StepState::waiting

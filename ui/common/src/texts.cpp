@@ -4,6 +4,8 @@
 #include <QCoreApplication>
 #include <QHash>
 
+#include "glisson/patient/label_map.h"
+
 namespace glisson::ui {
 namespace {
 

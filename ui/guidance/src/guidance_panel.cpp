@@ -4,6 +4,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "glisson/engine/parts/registration.h"
 #include "glisson/ui/guidance/look_box.h"
 #include "glisson/ui/guidance/playback_box.h"
 #include "glisson/ui/guidance/recording_box.h"
@@ -35,7 +36,7 @@ GuidancePanel::GuidancePanel(EngineBridge& engine, DrawableSource& drawables, QW
   live->addWidget(figures);
   couplings_.add(live_.figures, [figures](const FigureRows& rows) { figures->set_rows(rows); });
   add_section(tr("Overlay"))->addWidget(new LookBox(live_, this));
-  watch(engine::Part::registration, {"register", "import_registration"});
+  watch(part::registration);
 }
 
 GuidancePanel::~GuidancePanel() {

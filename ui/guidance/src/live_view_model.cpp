@@ -3,6 +3,14 @@
 
 #include <algorithm>
 
+#include "glisson/engine/parts/check.h"
+#include "glisson/engine/parts/frame.h"
+#include "glisson/engine/parts/landmarks.h"
+#include "glisson/engine/parts/live.h"
+#include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/registration.h"
+#include "glisson/engine/parts/rig.h"
+
 namespace glisson::ui {
 namespace {
 
@@ -40,18 +48,19 @@ void LiveViewModel::set_style(const scene::OverlayStyle& style) {
 OverlayJob LiveViewModel::make_job() {
   const engine::CaseState& now = engine_.state();
   // One object as long as nothing changes: the painter binds the margin once for it.
-  if (now.model != model_source_ || now.landmarks != landmarks_source_) {
-    model_source_ = now.model;
-    landmarks_source_ = now.landmarks;
-    margin_ = now.model ? std::make_shared<const Points>(engine::effective_landmarks(now).anterior_margin)
-                        : nullptr;
+  if (now[part::model] != model_source_ || now[part::landmarks] != landmarks_source_) {
+    model_source_ = now[part::model];
+    landmarks_source_ = now[part::landmarks];
+    margin_ = now[part::model]
+                  ? std::make_shared<const Points>(engine::effective_landmarks(now).anterior_margin)
+                  : nullptr;
   }
   OverlayJob job;
   job.model = drawables_.drawable();
   job.margin = margin_;
-  job.rig = now.rig;
+  job.rig = now[part::rig];
   job.style = style_;
-  job.model_unchecked = now.model && !engine::is_model_checked(now);
+  job.model_unchecked = now[part::model] && !engine::is_model_checked(now);
   return job;
 }
 
@@ -95,29 +104,29 @@ void LiveViewModel::redraw() {
 
 void LiveViewModel::show_registered() {
   const engine::CaseState& now = engine_.state();
-  if (!now.frame) return put_away();
+  if (!now[part::frame]) return put_away();
   OverlayJob job = make_job();
-  job.frame = now.frame->frame.left;
-  job.overlay.index = now.frame->frame.index;
-  if (now.registration) {
-    const bool current = engine_.snapshot()->stage(engine::Part::registration) == engine::StageState::current;
+  job.frame = now[part::frame]->frame.left;
+  job.overlay.index = now[part::frame]->frame.index;
+  if (now[part::registration]) {
+    const bool current = engine_.snapshot()->stage(part::registration) == engine::StageState::current;
     job.overlay.validity = current ? Validity::valid : Validity::stale;
-    job.overlay.nodes_in_camera = now.registration->nodes_in_camera;
-    job.overlay.residual = now.registration->residual;
-    job.overlay.doubtful = !now.registration->doubts.empty();
+    job.overlay.nodes_in_camera = now[part::registration]->nodes_in_camera;
+    job.overlay.residual = now[part::registration]->residual;
+    job.overlay.doubtful = !now[part::registration]->doubts.empty();
   }
   submit(std::move(job));
 }
 
 void LiveViewModel::show_live() {
   const engine::CaseState& now = engine_.state();
-  if (!now.live || now.live->frame.left.empty() || !engine_.snapshot()->tracking) return;
+  if (!now[part::live] || now[part::live]->frame.left.empty() || !engine_.snapshot()->tracking) return;
   OverlayJob job = make_job();
-  job.frame = now.live->frame.left;
-  job.overlay = now.live->overlay;
-  if (engine_.snapshot()->stage(engine::Part::live) == engine::StageState::stale)
+  job.frame = now[part::live]->frame.left;
+  job.overlay = now[part::live]->overlay;
+  if (engine_.snapshot()->stage(part::live) == engine::StageState::stale)
     job.overlay.validity = Validity::stale;
-  job.taken = playback_.feed().sent_at(now.live->frame.index);
+  job.taken = playback_.feed().sent_at(now[part::live]->frame.index);
   job.source_rate = playback_.feed().frames_per_second();
   job.frames_per_second = rate();
   submit(std::move(job));
@@ -143,7 +152,7 @@ void LiveViewModel::show_painted(const Picture& picture, const OverlayFrame& ove
     return;
   }
   const engine::Snapshot& now = *engine_.snapshot();
-  if (!now.tracking || !now.state.live) return show_still(overlay);
+  if (!now.tracking || !now.state[part::live]) return show_still(overlay);
   show_live_figures(overlay, draw);
   show_freshness();
 }
@@ -165,7 +174,7 @@ void LiveViewModel::show_still(const OverlayFrame& overlay) {
 }
 
 void LiveViewModel::show_live_figures(const OverlayFrame& overlay, double draw) {
-  const engine::LiveState& live = *engine_.state().live;
+  const engine::LiveState& live = *engine_.state()[part::live];
   painted_at_.push_back(clock_.elapsed());
   while (painted_at_.back() - painted_at_.front() > kRateWindow) painted_at_.pop_front();
   const auto ms = [](double value) { return tr("%1 ms").arg(value, 0, 'f', 0); };
@@ -186,7 +195,7 @@ double LiveViewModel::rate() const {
 }
 
 void LiveViewModel::show_freshness() {
-  if (playback_.is_frozen || !engine_.snapshot()->tracking || !engine_.state().live ||
+  if (playback_.is_frozen || !engine_.snapshot()->tracking || !engine_.state()[part::live] ||
       !since_painted_.isValid())
     return;
   const double age = last_age_ + static_cast<double>(since_painted_.elapsed()) / 1e3;

@@ -6,6 +6,7 @@
 #include <QPushButton>
 
 #include "box_layout.h"
+#include "glisson/engine/commands/start_tracking.h"
 #include "glisson/ui/common/task_button.h"
 
 namespace glisson::ui {

@@ -3,7 +3,12 @@
 
 #include <utility>
 
-#include "glisson/ui/guidance/registration_model.h"
+#include "glisson/engine/commands/start_tracking.h"
+#include "glisson/engine/commands/stop_tracking.h"
+#include "glisson/engine/parts/frame.h"
+#include "glisson/engine/parts/registration.h"
+#include "glisson/engine/parts/video.h"
+#include "glisson/ui/common/texts.h"
 
 namespace glisson::ui {
 
@@ -26,24 +31,18 @@ PlaybackModel::PlaybackModel(EngineBridge& engine, QObject* parent)
 }
 
 QString PlaybackModel::requirement(const engine::Snapshot& now) {
-  const engine::CaseState& state = now.state;
-  if (!state.registration) return tr("Register first.");
-  if (now.stage(engine::Part::registration) == engine::StageState::stale) {
-    const QString first = RegistrationModel::requirement(now);
-    return first.isEmpty() ? tr("The registration is out of date: register again.") : first;
-  }
-  if (!state.video) return tr("The case has no stereo video (Stereo, Video…).");
-  if (!state.frame || !state.rig) return tr("The registered frame or the calibration is missing.");
-  return {};
+  if (const auto first = engine::obstacle(now, engine::StartTracking{})) return obstacle_text(first);
+  // What is followed in the window comes from the case's video.
+  return obstacle_text(engine::obstacle(now.state, {part::video}));
 }
 
 void PlaybackModel::begin(const engine::Outcome& outcome) {
   const engine::CaseState& now = engine_.state();
-  if (outcome.status != engine::Status::done || !now.video || !now.frame) return;
+  if (outcome.status != engine::Status::done || !now[part::video] || !now[part::frame]) return;
   if (!engine_.snapshot()->tracking) return;  // ended already, as by another case
   unfreeze();
   emit begun();
-  feed_.start(*now.video, now.frame->frame.index + 1);
+  feed_.start(*now[part::video], now[part::frame]->frame.index + 1);
 }
 
 void PlaybackModel::stop() {
@@ -54,7 +53,7 @@ void PlaybackModel::stop() {
 void PlaybackModel::freeze(const QString& why) {
   feed_.stop();
   if (engine_.snapshot()->tracking) engine_.post(engine::StopTracking{});
-  frozen_registration_ = engine_.state().registration;
+  frozen_registration_ = engine_.state()[part::registration];
   frozen_why = why;
   is_frozen = true;
 }
@@ -70,8 +69,8 @@ void PlaybackModel::read_case() {
   const engine::Snapshot& now = *engine_.snapshot();
   requirement_ = requirement(now);
   if (is_tracking && !now.tracking) feed_.stop();
-  const bool outdated = !now.state.frame || now.state.registration != frozen_registration_ ||
-                        now.stage(engine::Part::registration) != engine::StageState::current;
+  const bool outdated = !now.state[part::frame] || now.state[part::registration] != frozen_registration_ ||
+                        now.stage(part::registration) != engine::StageState::current;
   if (is_frozen && outdated) unfreeze();
   is_tracking = now.tracking;
   emit case_read();

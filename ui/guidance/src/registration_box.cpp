@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 
 #include "box_layout.h"
+#include "glisson/engine/commands/register.h"
 #include "glisson/ui/common/panel.h"
 #include "glisson/ui/common/task_button.h"
 

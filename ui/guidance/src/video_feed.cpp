@@ -2,6 +2,7 @@
 #include "glisson/ui/guidance/video_feed.h"
 
 #include "glisson/core/error.h"
+#include "glisson/engine/parts/video.h"
 #include "glisson/stereo/picture_io.h"
 
 namespace glisson::ui {

@@ -9,6 +9,8 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "glisson/engine/commands/start_trial.h"
+#include "glisson/engine/commands/stop_trial.h"
 #include "glisson/ui/common/panel.h"
 
 namespace glisson::ui {

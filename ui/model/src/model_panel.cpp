@@ -13,6 +13,11 @@
 #include <QSlider>
 #include <QSpinBox>
 
+#include "glisson/engine/commands/build_model.h"
+#include "glisson/engine/commands/import_surfaces.h"
+#include "glisson/engine/obstacle.h"
+#include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/model.h"
 #include "glisson/ui/common/texts.h"
 #include "glisson/ui/scene/model_surfaces.h"
 
@@ -46,7 +51,7 @@ ModelPanel::ModelPanel(EngineBridge& engine, LinkedViews& views, QWidget* parent
     if (on) trees_->leave();
   });
   connect(&this->engine(), &EngineBridge::case_changed, this, &ModelPanel::show_case);
-  watch(engine::Part::model, {"build_model", "import_surfaces", "import_mesh", "edit_trees"});
+  watch(part::model);
   show_case();
 }
 
@@ -217,11 +222,11 @@ void ModelPanel::import_surfaces(const QString& path) {
 
 void ModelPanel::show_case() {
   const engine::CaseState& now = engine().state();
-  run_->set_obstacle(now.labels ? QString() : tr("Segment the CT or import labels first."));
+  run_->set_obstacle(obstacle_text(engine::obstacle(now, command())));
   // Once there is a model of theirs, they are named where it is approved.
   show_warning(*review_, is_from_labels(now) ? QString() : unapproved_text(now));
-  if (now.model == shown_ && shown_) return;
-  shown_ = now.model;
+  if (now[part::model] == shown_ && shown_) return;
+  shown_ = now[part::model];
   look_->setVisible(shown_ != nullptr);
   trial_section_->setVisible(shown_ != nullptr);
   if (!shown_) trial_->end();

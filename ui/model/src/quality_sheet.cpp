@@ -9,7 +9,11 @@
 #include <cmath>
 #include <map>
 
-#include "glisson/engine/unapproved.h"
+#include "glisson/engine/commands/check_model.h"
+#include "glisson/engine/parts/check.h"
+#include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/model.h"
+#include "glisson/engine/review.h"
 #include "glisson/ui/common/panel.h"
 #include "glisson/ui/common/texts.h"
 
@@ -43,7 +47,7 @@ class Review {
 }  // namespace
 
 bool is_from_labels(const engine::CaseState& state) {
-  return state.model && state.stamp(engine::Part::model).made_from.count(engine::Part::labels) > 0;
+  return state[part::model] && state.stamp(part::model).made_from.count(part::labels) > 0;
 }
 
 QString unapproved_text(const engine::CaseState& state) {
@@ -99,8 +103,8 @@ void QualitySheet::show_case() {
     checked_->setChecked(engine::is_model_checked(now));
   }
   show_warning(*review_, is_from_labels(now) ? unapproved_text(now) : QString());
-  if (now.model == shown_ && (shown_ || !summary_->text().isEmpty())) return;
-  shown_ = now.model;
+  if (now[part::model] == shown_ && (shown_ || !summary_->text().isEmpty())) return;
+  shown_ = now[part::model];
   for (QWidget* part : std::initializer_list<QWidget*>{checked_, angles_, worst_})
     part->setVisible(shown_ != nullptr);
   notes_->setVisible(shown_ && !shown_->report.notes.empty());

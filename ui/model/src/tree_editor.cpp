@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "glisson/engine/commands/edit_trees.h"
+#include "glisson/engine/parts/model.h"
 #include "glisson/model/quality.h"
 #include "glisson/ui/common/panel.h"
 #include "glisson/ui/common/texts.h"
@@ -128,7 +130,7 @@ QString TreeEditor::instruction() const {
 }
 
 void TreeEditor::show_case() {
-  const auto now = engine_.state().model;
+  const auto now = engine_.state()[part::model];
   if (now != shown_) {
     // What was undone belongs to the trees as this editor left them.
     if (!now || !expected_ || now->tree_edits != *expected_) undone_.clear();

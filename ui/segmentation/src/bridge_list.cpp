@@ -5,6 +5,7 @@
 #include <QListWidget>
 #include <QVBoxLayout>
 
+#include "glisson/engine/parts/labels.h"
 #include "glisson/ui/common/panel.h"
 #include "glisson/ui/common/texts.h"
 
@@ -45,7 +46,7 @@ void BridgeList::showEvent(QShowEvent* event) {
 }
 
 void BridgeList::order() {
-  const auto& labels = engine_.state().labels;
+  const auto& labels = engine_.state()[part::labels];
   if (!isVisible() || labels == wanted_) return;
   wanted_ = labels;
   state_->setText(labels ? tr("Looking for places where the trees touch…") : QString());

@@ -7,6 +7,14 @@
 #include <algorithm>
 
 #include "glisson/core/error.h"
+#include "glisson/engine/commands/edit_labels.h"
+#include "glisson/engine/commands/preview_edit.h"
+#include "glisson/engine/commands/redo_labels.h"
+#include "glisson/engine/commands/set_review.h"
+#include "glisson/engine/commands/undo_labels.h"
+#include "glisson/engine/parts/image.h"
+#include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/preview.h"
 
 namespace glisson::ui {
 namespace {
@@ -90,7 +98,8 @@ void EditSession::show_pointer() {
   const bool traces = active_ && tool_ == EditTool::level_tracing && obstacle() == EditObstacle::none;
   traced_->set_label(traces ? std::optional(settings_.label) : std::nullopt);
   const bool moves = active_ && tool_ == EditTool::move_branch && obstacle() == EditObstacle::none;
-  branch_->set_case(moves ? engine_.state().image : nullptr, moves ? engine_.state().labels : nullptr);
+  branch_->set_case(moves ? engine_.state()[part::image] : nullptr,
+                    moves ? engine_.state()[part::labels] : nullptr);
 }
 
 void EditSession::settings_have_changed() {
@@ -124,16 +133,16 @@ void EditSession::show_hand() {
 }
 
 EditObstacle EditSession::obstacle() const {
-  if (!engine_.state().image) return EditObstacle::no_volume;
+  if (!engine_.state()[part::image]) return EditObstacle::no_volume;
   return obstacle_of(tool_, settings_, present_);
 }
 
 void EditSession::show_case() {
-  const auto& labels = engine_.state().labels;
+  const auto& labels = engine_.state()[part::labels];
   if (labels != listed_) {
     listed_ = labels;
     present_.clear();
-    if (const auto& statistics = engine_.state().statistics)
+    if (const auto& statistics = engine_.state()[part::statistics])
       for (const auto& [label, figures] : statistics->figures())
         if (label != structure::kBackground && figures.voxels > 0) present_.push_back(label);
   }
@@ -142,15 +151,17 @@ void EditSession::show_case() {
   emit changed();
 }
 
-int EditSession::steps_ahead() const { return static_cast<int>(edits_.size()) + redos_ - undos_; }
+int EditSession::steps_ahead() const {
+  return static_cast<int>(edits_.size()) + static_cast<int>(redos_.size()) - static_cast<int>(undos_.size());
+}
 
 bool EditSession::can_undo() const {
-  const auto& history = engine_.state().history;
+  const auto& history = engine_.state()[part::history];
   return (history ? static_cast<int>(history->done()) : 0) + steps_ahead() > 0;
 }
 
 bool EditSession::can_redo() const {
-  const auto& history = engine_.state().history;
+  const auto& history = engine_.state()[part::history];
   return history && edits_.empty() &&
          static_cast<int>(history->done()) + steps_ahead() < static_cast<int>(history->steps().size());
 }
@@ -159,20 +170,18 @@ void EditSession::undo() {
   finish_stroke();  // what was drawn is undone, not left behind
   problem_.clear();
   if (!can_undo()) return;
-  ++undos_;
-  engine_.post(engine::UndoLabels{});
+  undos_.insert(engine_.post(engine::UndoLabels{}));
 }
 
 void EditSession::redo() {
   finish_stroke();
   problem_.clear();
   if (!can_redo()) return;
-  ++redos_;
-  engine_.post(engine::RedoLabels{});
+  redos_.insert(engine_.post(engine::RedoLabels{}));
 }
 
 void EditSession::hear(const SliceGesture& gesture) {
-  if (!active_ || !engine_.state().image) return;
+  if (!active_ || !engine_.state()[part::image]) return;
   switch (hand_of(tool_, settings_)) {
     case Hand::brush:
       drag_brush(gesture);
@@ -218,7 +227,7 @@ void EditSession::drag_brush(const SliceGesture& gesture) {
 
 void EditSession::send_stroke() {
   if (stroke_->has_news) {
-    for (const editing::Edit& edit : brush_edits(tool_, settings_, engine_.state().image->grid,
+    for (const editing::Edit& edit : brush_edits(tool_, settings_, engine_.state()[part::image]->grid,
                                                  stroke_->slice, points_of(stroke_->path), stroke_->invert)) {
       const engine::CommandId id = engine_.post(engine::EditLabels{edit, stroke_->gesture});
       stroke_->sent.insert(id);
@@ -245,12 +254,12 @@ void EditSession::drag_lasso(const SliceGesture& gesture) {
     outline.row(static_cast<Eigen::Index>(i)) = outline_[i].transpose();
   outline_.clear();
   if (!encloses(outline, 1.0) || obstacle() != EditObstacle::none) return;
-  post_edit(slice_cut(settings_, engine_.state().image->grid, gesture.slice, outline,
+  post_edit(slice_cut(settings_, engine_.state()[part::image]->grid, gesture.slice, outline,
                       gesture.keys.testFlag(Qt::ControlModifier)));
 }
 
 void EditSession::cut_volume(const VolumeLasso& lasso) {
-  if (!active_ || tool_ != EditTool::scissors || !engine_.state().image) return;
+  if (!active_ || tool_ != EditTool::scissors || !engine_.state()[part::image]) return;
   emit settings_wanted();  // unlike a slice the 3D view does not take the keyboard from a number
   if (!encloses(lasso.outline, 1e-3) || obstacle() != EditObstacle::none) return;
   post_edit(volume_cut(settings_, lasso, lasso.keys.testFlag(Qt::ControlModifier)));
@@ -258,8 +267,9 @@ void EditSession::cut_volume(const VolumeLasso& lasso) {
 
 std::optional<editing::Edit> EditSession::edit_at(const PointerPlace& place,
                                                   Qt::KeyboardModifiers keys) const {
-  const Image& image = *engine_.state().image;
-  const LabelVolume* labels = engine_.state().labels ? &engine_.state().labels->voxels : nullptr;
+  const Image& image = *engine_.state()[part::image];
+  const LabelVolume* labels =
+      engine_.state()[part::labels] ? &engine_.state()[part::labels]->voxels : nullptr;
   const Label clicked = scene::probe(image, labels, place.p).label;
   return click_edit(tool_, settings_, image.grid, place.plane, place.p, clicked,
                     keys.testFlag(Qt::ControlModifier));
@@ -280,7 +290,7 @@ void EditSession::post_edit(const editing::Edit& edit) {
 
 std::optional<editing::Edit> EditSession::whole() const {
   if (!is_previewed(tool_, settings_) || obstacle() != EditObstacle::none) return std::nullopt;
-  return whole_edit(tool_, settings_, engine_.state().image->grid, present_);
+  return whole_edit(tool_, settings_, engine_.state()[part::image]->grid, present_);
 }
 
 void EditSession::preview() {
@@ -306,23 +316,23 @@ void EditSession::drop_preview() {
   soon_->stop();
   if (previewing_) engine_.cancel(*previewing_);
   previewing_.reset();
-  if (engine_.state().preview) engine_.post(engine::PreviewEdit{});
+  if (engine_.state()[part::preview]) engine_.post(engine::PreviewEdit{});
   views_.set_preview(nullptr);
 }
 
 bool EditSession::shows_preview() const {
-  const auto& preview = engine_.state().preview;
+  const auto& preview = engine_.state()[part::preview];
   const auto edit = preview ? whole() : std::nullopt;
   return edit && preview->edit == *edit;
 }
 
 long EditSession::voxels_to_change() const {
-  return shows_preview() ? engine_.state().preview->result.voxels_changed : 0;
+  return shows_preview() ? engine_.state()[part::preview]->result.voxels_changed : 0;
 }
 
 double EditSession::ml_of(long voxels) const {
-  return engine_.state().image
-             ? 1e-3 * engine_.state().image->grid.voxel_volume_mm3() * static_cast<double>(voxels)
+  return engine_.state()[part::image]
+             ? 1e-3 * engine_.state()[part::image]->grid.voxel_volume_mm3() * static_cast<double>(voxels)
              : 0.0;
 }
 
@@ -330,7 +340,7 @@ void EditSession::show_preview() {
   if (const auto& moved = branch_->shown(); moved && moved->result.voxels_changed > 0)
     return views_.set_preview(std::shared_ptr<const LabelMap>(moved, &moved->result.labels));
   // The former one stays in sight while the settings move, until the next is there.
-  const auto& preview = engine_.state().preview;
+  const auto& preview = engine_.state()[part::preview];
   const auto edit = preview ? whole() : std::nullopt;
   const bool same_tool = edit && edit->tool.index() == preview->edit.tool.index();
   views_.set_preview(same_tool ? std::shared_ptr<const LabelMap>(preview, &preview->result.labels) : nullptr);
@@ -364,9 +374,7 @@ void EditSession::set_review(Label label, ReviewState state) {
 
 void EditSession::take(const engine::Outcome& outcome) {
   const bool edit = edits_.erase(outcome.id) > 0, preview = outcome.id == previewing_;
-  if (outcome.command == "undo_labels") --undos_;
-  if (outcome.command == "redo_labels") --redos_;
-  const bool in_history = outcome.command == "undo_labels" || outcome.command == "redo_labels";
+  const bool in_history = undos_.erase(outcome.id) + redos_.erase(outcome.id) > 0;
   if (outcome.id == applying_) applying_.reset();
   if (preview) previewing_.reset();
   if ((edit || preview) && outcome.status == engine::Status::failed) problem_ = outcome.error;

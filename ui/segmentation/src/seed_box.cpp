@@ -13,6 +13,12 @@
 #include <QVBoxLayout>
 
 #include "glisson/core/error.h"
+#include "glisson/engine/commands/segment.h"
+#include "glisson/engine/commands/set_seeds.h"
+#include "glisson/engine/obstacle.h"
+#include "glisson/engine/parts/image.h"
+#include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/seeds.h"
 #include "glisson/ui/common/panel.h"
 #include "glisson/ui/common/texts.h"
 #include "glisson/ui/segmentation/region_box.h"
@@ -70,7 +76,9 @@ SeedBox::SeedBox(EngineBridge& engine, ViewState& views, QWidget* parent)
   connect(&engine_, &EngineBridge::case_changed, this, &SeedBox::show_case);
   connect(&engine_, &EngineBridge::finished, this, [this](const engine::Outcome& outcome) {
     if (storing_.erase(outcome.id) > 0 && storing_.empty()) show_case();
-    if (outcome.status != engine::Status::done || outcome.command != "segment") return;
+  });
+  connect(run_, &TaskButton::done, this, [this](const engine::Outcome& outcome) {
+    if (outcome.status != engine::Status::done) return;
     notes_->setText(notes_text(outcome.notes));
     notes_->setVisible(!outcome.notes.empty());
   });
@@ -250,17 +258,17 @@ void SeedBox::store() {
 }
 
 void SeedBox::show_case() {
-  if (engine_.state().image != image_) {
-    image_ = engine_.state().image;
+  if (engine_.state()[part::image] != image_) {
+    image_ = engine_.state()[part::image];
     known_lesions_.clear();
   }
   // While own edits are on their way the box is ahead of the case.
-  if (storing_.empty() && engine_.state().seeds != taken_) {
-    taken_ = engine_.state().seeds;
+  if (storing_.empty() && engine_.state()[part::seeds] != taken_) {
+    taken_ = engine_.state()[part::seeds];
     seeds_ = taken_ ? *taken_ : segmentation::Seeds{};
     show_seeds();
   }
-  if (!engine_.state().labels) notes_->hide();
+  if (!engine_.state()[part::labels]) notes_->hide();
   show_buttons();
 }
 
@@ -289,7 +297,7 @@ void SeedBox::show_seeds() {
 std::vector<Label> SeedBox::choices() const {
   std::vector<Label> labels = {structure::kParenchyma, structure::kPortalVein,  structure::kHepaticVeins,
                                structure::kVenaCava,   structure::kGallbladder, structure::kBackground};
-  std::set<Label> lesions = lesions_to_seed(seeds_, engine_.state().statistics.get());
+  std::set<Label> lesions = lesions_to_seed(seeds_, engine_.state()[part::statistics].get());
   lesions.insert(known_lesions_.begin(), known_lesions_.end());
   if (structure_ && is_lesion(*structure_)) lesions.insert(*structure_);
   labels.insert(labels.end(), lesions.begin(), lesions.end());
@@ -313,7 +321,7 @@ void SeedBox::show_buttons() {
     const int count = count_seeds(seeds_, label);
     button->setText(count > 0 ? QStringLiteral("%1 (%2)").arg(seed_name(label)).arg(count)
                               : seed_name(label));
-    button->setEnabled(engine_.state().image != nullptr);
+    button->setEnabled(engine_.state()[part::image] != nullptr);
     button->show();
     // Put where it is already it would have the whole window laid out and painted again.
     const QLayoutItem* there = grid_->itemAtPosition(cell / 2, cell % 2);
@@ -335,13 +343,13 @@ void SeedBox::show_markers() {
 }
 
 QString SeedBox::obstacle() const {
-  const auto& image = engine_.state().image;
-  if (!image) return tr("Open a CT first.");
+  const auto& image = engine_.state()[part::image];
+  if (const auto first = engine::obstacle(engine_.state(), {part::image})) return obstacle_text(first);
   const auto& region = region_->region();
   if (region && (1e3 * region->sizes().array() < kLeastVoxels * image->grid.spacing_mm.maxCoeff()).any())
     return tr("The box is too small.");
   if (!structures().liver)
-    return engine_.state().labels ? QString() : tr("There is no liver yet: find everything first.");
+    return engine_.state()[part::labels] ? QString() : tr("There is no liver yet: find everything first.");
   if (seeds_.liver.rows() == 0) return tr("Place at least one seed in the liver.");
   const auto rows = seeds_.liver.rowwise();
   if (region && std::none_of(rows.begin(), rows.end(),

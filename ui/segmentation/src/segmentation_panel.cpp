@@ -13,6 +13,9 @@
 #include <QSlider>
 #include <QVBoxLayout>
 
+#include "glisson/engine/commands/import_labels.h"
+#include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/review.h"
 #include "glisson/ui/common/texts.h"
 #include "glisson/ui/segmentation/bridge_list.h"
 #include "glisson/ui/segmentation/edit_box.h"
@@ -49,7 +52,7 @@ SegmentationPanel::SegmentationPanel(EngineBridge& engine, ViewState& views, QWi
   connect(&this->engine(), &EngineBridge::case_changed, this, &SegmentationPanel::show_case);
   // Undo is the labels', even while a number has the keyboard.
   for (QAbstractSpinBox* number : findChildren<QAbstractSpinBox*>()) number->installEventFilter(this);
-  watch(engine::Part::labels, {"segment", "import_labels"});
+  watch(part::labels);
   show_case();
 }
 
@@ -177,10 +180,10 @@ QList<QAction*> SegmentationPanel::history_actions() const {
 
 void SegmentationPanel::show_case() {
   const engine::CaseState& now = engine().state();
-  if (now.statistics != shown_statistics_ || now.review != shown_review_ ||
+  if (now[part::statistics] != shown_statistics_ || now[part::review] != shown_review_ ||
       table_->topLevelItemCount() == 0) {
-    shown_statistics_ = now.statistics;
-    shown_review_ = now.review;
+    shown_statistics_ = now[part::statistics];
+    shown_review_ = now[part::review];
     show_rows();
   }
   show_label();
@@ -195,10 +198,10 @@ void SegmentationPanel::show_label() {
   // What the tools work on is never another label than the row that is chosen.
   if (table_->row_of(label) == nullptr) show_rows();
   table_->choose(label);
-  const auto& statistics = engine().state().statistics;
+  const auto& statistics = engine().state()[part::statistics];
   const bool counted =
       statistics && statistics->figures().count(label) > 0 && statistics->figures().at(label).voxels > 0;
-  const auto& review = engine().state().review;
+  const auto& review = engine().state()[part::review];
   const bool approved = review && review->count(label) > 0 && review->at(label) == ReviewState::approved;
   approve_->setEnabled(counted && !approved);
   approve_->setText(approved ? tr("Approved") : tr("Approve"));

@@ -1,6 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/shell/case_opening.h"
 #include "glisson/core/files.h"
+#include "glisson/engine/commands/import_cloud.h"
+#include "glisson/engine/commands/import_image.h"
+#include "glisson/engine/commands/import_labels.h"
+#include "glisson/engine/commands/import_mesh.h"
+#include "glisson/engine/commands/import_surfaces.h"
+#include "glisson/engine/commands/open_case.h"
+#include "glisson/engine/commands/set_calibration.h"
+#include "glisson/engine/commands/set_video.h"
 
 #include <algorithm>
 #include <array>
@@ -27,25 +35,32 @@ bool holds_surfaces(const fs::path& folder) {
 
 }  // namespace
 
-std::optional<engine::Command> command_to_open(const fs::path& given) {
+std::optional<Opening> opening_of(const fs::path& given) {
   // "case.glisson/" and "case.glisson" are the same folder.
   const fs::path path = given.has_filename() ? given : given.parent_path();
   const std::string name = lower_name(path);
+  using Way = Opening::Way;
+  const auto plain = [&](engine::Command command) { return Opening{Way::plain, path, std::move(command)}; };
+  const auto a_case = [](const fs::path& folder) {
+    return Opening{Way::replace_case, folder, engine::OpenCase{folder}};
+  };
+  const Opening image{Way::import_image, path, engine::ImportImage{path}};
   std::error_code problem;
   if (fs::is_directory(path, problem)) {
-    if (name.ends_with(".glisson")) return engine::OpenCase{path};
-    if (holds_surfaces(path)) return engine::ImportSurfaces{path, LengthUnit::millimetre, {}};
-    return engine::ImportImage{path};
+    if (name.ends_with(".glisson")) return a_case(path);
+    if (holds_surfaces(path)) return plain(engine::ImportSurfaces{path, LengthUnit::millimetre, {}});
+    return image;
   }
-  if (name == "case.json") return engine::OpenCase{path.parent_path()};
-  if (ends_with_any(name, {".seg.nrrd"})) return engine::ImportLabels{path, {}};
+  if (name == "case.json") return a_case(path.parent_path());
+  if (ends_with_any(name, {".seg.nrrd"})) return plain(engine::ImportLabels{path, {}});
   if (ends_with_any(name, {".nii", ".nii.gz", ".nrrd", ".nhdr", ".mha", ".mhd", ".vti", ".tar.gz", ".tgz"}))
-    return engine::ImportImage{path};
-  if (is_surface(name)) return engine::ImportSurfaces{path, LengthUnit::millimetre, {}};
-  if (ends_with_any(name, {".vtu", ".msh"})) return engine::ImportMesh{path, LengthUnit::millimetre};
-  if (ends_with_any(name, {".yml", ".yaml"})) return engine::SetCalibration{path};
-  if (ends_with_any(name, {".ply"})) return engine::ImportCloud{path, LengthUnit::millimetre};
-  if (ends_with_any(name, {".mkv", ".mp4", ".avi", ".mov"})) return engine::SetVideo{path, {}};
+    return image;
+  if (is_surface(name)) return plain(engine::ImportSurfaces{path, LengthUnit::millimetre, {}});
+  if (ends_with_any(name, {".vtu", ".msh"})) return plain(engine::ImportMesh{path, LengthUnit::millimetre});
+  if (ends_with_any(name, {".yml", ".yaml"})) return plain(engine::SetCalibration{path});
+  if (ends_with_any(name, {".ply"})) return plain(engine::ImportCloud{path, LengthUnit::millimetre});
+  if (ends_with_any(name, {".mkv", ".mp4", ".avi", ".mov"}))
+    return Opening{Way::open_video, path, engine::SetVideo{path, {}}};
   return std::nullopt;
 }
 

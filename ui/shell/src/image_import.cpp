@@ -8,6 +8,9 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "glisson/engine/commands/import_image.h"
+#include "glisson/engine/commands/list_series.h"
+
 namespace glisson::ui {
 namespace {
 
@@ -47,8 +50,9 @@ void ImageImport::take(const engine::Outcome& outcome) {
   if (listing_ != outcome.id) return;
   listing_.reset();
   if (outcome.status != engine::Status::done) return;
-  if (outcome.series.size() > 1)
-    ask(outcome.series);
+  const auto series = outcome.result.as<engine::ListSeries::Result>();
+  if (series && series->size() > 1)
+    ask(*series);
   else
     engine_.post(engine::ImportImage{path_, {}, new_case_});
 }

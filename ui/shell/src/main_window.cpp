@@ -16,6 +16,15 @@
 #include <QStatusBar>
 #include <utility>
 
+#include "glisson/engine/commands/export_labels.h"
+#include "glisson/engine/commands/import_image.h"
+#include "glisson/engine/commands/open_case.h"
+#include "glisson/engine/commands/save_case.h"
+#include "glisson/engine/commands/set_video.h"
+#include "glisson/engine/parts/cloud.h"
+#include "glisson/engine/parts/image.h"
+#include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/model.h"
 #include "glisson/ui/atlas/atlas_panel.h"
 #include "glisson/ui/common/texts.h"
 #include "glisson/ui/guidance/guidance_panel.h"
@@ -130,13 +139,18 @@ void MainWindow::build_menu() {
 }
 
 void MainWindow::open(const std::filesystem::path& path) {
-  if (const auto command = command_to_open(path)) {
-    if (std::holds_alternative<engine::OpenCase>(*command)) return replace_case(path);
-    if (std::holds_alternative<engine::ImportImage>(*command)) return import_image(path);
-    if (const auto* video = std::get_if<engine::SetVideo>(&*command))
-      return qobject_cast<StereoPanel*>(panels_[stereo])->open_source(*video);
-    engine_.post(*command);
-    return;
+  if (const auto opening = opening_of(path)) {
+    switch (opening->way) {
+      case Opening::Way::replace_case:
+        return replace_case(opening->path);
+      case Opening::Way::import_image:
+        return import_image(opening->path);
+      case Opening::Way::open_video:
+        return qobject_cast<StereoPanel*>(panels_[stereo])->open_source({opening->path, {}});
+      case Opening::Way::plain:
+        engine_.post(opening->command);
+        return;
+    }
   }
   show_problem(tr("%1 is nothing that Glisson opens. Give a folder of DICOM slices, a volume (NIfTI, NRRD, "
                   "MetaImage) or a case (NAME.glisson).")
@@ -144,7 +158,7 @@ void MainWindow::open(const std::filesystem::path& path) {
 }
 
 void MainWindow::replace_case(const std::filesystem::path& path) {
-  const engine::OpenCase command{path.filename() == "case.json" ? path.parent_path() : path};
+  const engine::OpenCase command{path};
   if (!isWindowModified()) {
     engine_.post(command);
     return;
@@ -162,7 +176,8 @@ void MainWindow::replace_case(const std::filesystem::path& path) {
 
 void MainWindow::import_image(const std::filesystem::path& path) {
   const engine::CaseState& now = engine_.state();
-  if (!now.image && !now.labels && !now.model && !now.cloud) return import_->start(path, false);
+  if (!now[part::image] && !now[part::labels] && !now[part::model] && !now[part::cloud])
+    return import_->start(path, false);
   auto* box = new QMessageBox(QMessageBox::Question, tr("Open a CT"),
                               tr("Is this CT of another patient, or another one of the patient who is open?"),
                               QMessageBox::Cancel, this);
@@ -205,19 +220,16 @@ void MainWindow::open_volume() {
   if (!path.isEmpty()) import_image(path.toStdString());
 }
 
-bool MainWindow::save() {
-  if (engine_.state().path.empty()) return save_as();
-  engine_.post(engine::SaveCase{});
-  return true;
+std::optional<engine::CommandId> MainWindow::save() {
+  return engine_.state().path.empty() ? save_as() : engine_.post(engine::SaveCase{});
 }
 
-bool MainWindow::save_as() {
+std::optional<engine::CommandId> MainWindow::save_as() {
   QString path = QFileDialog::getSaveFileName(this, tr("Save the case as a folder"),
                                               QStringLiteral("patient.glisson"), tr("Cases (*.glisson)"));
-  if (path.isEmpty()) return false;
+  if (path.isEmpty()) return {};
   if (!path.endsWith(QStringLiteral(".glisson"))) path += QStringLiteral(".glisson");
-  engine_.post(engine::SaveCase{path.toStdString()});
-  return true;
+  return engine_.post(engine::SaveCase{path.toStdString()});
 }
 
 void MainWindow::export_labels() {
@@ -241,7 +253,7 @@ void MainWindow::show_middle() {
   const engine::CaseState& now = engine_.state();
   if (own != nullptr)
     middle_->setCurrentWidget(own);
-  else if (now.image || now.labels || now.model)
+  else if (now[part::image] || now[part::labels] || now[part::model])
     middle_->setCurrentWidget(views_);
   else
     middle_->setCurrentWidget(welcome_);
@@ -249,33 +261,30 @@ void MainWindow::show_middle() {
 
 void MainWindow::show_case() {
   const engine::CaseState& now = engine_.state();
-  const QString name = now.path.empty() ? (now.image || now.model ? tr("unsaved case") : QString())
-                                        : QString::fromStdString(now.path.filename().string());
+  const QString name = now.path.empty()
+                           ? (now[part::image] || now[part::model] ? tr("unsaved case") : QString())
+                           : QString::fromStdString(now.path.filename().string());
   setWindowTitle(name.isEmpty() ? tr("Glisson") : tr("%1[*] – Glisson").arg(name));
   save_->setEnabled(!name.isEmpty());
   save_as_->setEnabled(!name.isEmpty());
-  export_labels_->setEnabled(now.labels != nullptr);
+  export_labels_->setEnabled(!engine::obstacle(now, engine::ExportLabels{}));
   setWindowModified(!name.isEmpty() && engine::editions(now) != saved_);
   show_middle();
 }
 
 void MainWindow::show_outcome(const engine::Outcome& outcome) {
-  const bool is_save = outcome.command == "save_case";
-  const bool closes = is_save && std::exchange(close_after_save_, false);
-  if (outcome.saved) {
+  const bool closes = outcome.id == closing_save_;
+  if (closes) closing_save_.reset();
+  if (const auto on_disk = outcome.result.as<engine::CaseOnDisk>()) {
     // The case may have gone on while it was being saved.
-    saved_ = *outcome.saved;
+    saved_ = on_disk->editions;
     show_case();
     if (closes) close();  // and asks again where it has
     if (!outcome.notes.empty()) show_problem(notes_text(outcome.notes));
   }
   if (outcome.status != engine::Status::failed) return;
   // A panel's own button shows its own error; what came from the menu or a drop has no other place.
-  const bool from_menu = is_save || outcome.command.starts_with("open_") ||
-                         outcome.command.starts_with("import_") || outcome.command.starts_with("export_") ||
-                         outcome.command == "list_series" || outcome.command.starts_with("load_") ||
-                         outcome.command == "set_calibration" || outcome.command == "set_video";
-  if (!from_menu) return;
+  if (outcome.traits.notice != engine::Notice::files) return;
   show_problem(QString::fromStdString(outcome.error));
 }
 
@@ -287,12 +296,12 @@ void MainWindow::closeEvent(QCloseEvent* event) {
                                             QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
   if (answer == QMessageBox::Discard) return event->accept();
   event->ignore();
-  if (answer == QMessageBox::Save) close_after_save_ = save();  // closes when the outcome comes
+  if (answer == QMessageBox::Save) closing_save_ = save();  // closes when the outcome comes
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
   for (const QUrl& url : event->mimeData()->urls())
-    if (url.isLocalFile() && command_to_open(url.toLocalFile().toStdString()))
+    if (url.isLocalFile() && opening_of(url.toLocalFile().toStdString()))
       return event->acceptProposedAction();
 }
 

@@ -9,6 +9,10 @@
 #include <QTimer>
 #include <array>
 
+#include "glisson/engine/parts/image.h"
+#include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/registration.h"
+#include "glisson/engine/parts/video.h"
 #include "glisson/ui/common/task_button.h"
 #include "glisson/ui/guidance/guidance_panel.h"
 #include "glisson/ui/scene/picture_image.h"
@@ -70,7 +74,7 @@ void ScreenshotTour::start() {
   const auto begin_when_idle = [this] {
     if (started_ || !window_.engine().tasks().empty() || window_.drawables().is_preparing()) return;
     started_ = true;
-    stop_ = window_.engine().state().image || window_.engine().state().model ? 1 : 0;
+    stop_ = window_.engine().state()[part::image] || window_.engine().state()[part::model] ? 1 : 0;
     QTimer::singleShot(kSettle, this, &ScreenshotTour::visit);
   };
   connect(&window_.engine(), &EngineBridge::tasks_changed, this, begin_when_idle);
@@ -126,7 +130,7 @@ void ScreenshotTour::visit() {
     return shoot_when([this] { return window_.findChild<SegmentationPanel*>()->session().shows_preview(); });
   }
   const engine::CaseState& now = window_.engine().state();
-  const bool live = stop.step == MainWindow::guidance && now.registration && now.video;
+  const bool live = stop.step == MainWindow::guidance && now[part::registration] && now[part::video];
   if (!live) {
     QTimer::singleShot(kSettle, this, &ScreenshotTour::shoot);
     return;

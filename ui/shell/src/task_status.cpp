@@ -13,11 +13,8 @@ namespace glisson::ui {
 namespace {
 
 /// Small edits pass too quickly to be announced.
-bool is_worth_telling(const std::string& command) {
-  return command != "set_seeds" && command != "edit_labels" && command != "preview_edit" &&
-         command != "undo_labels" && command != "redo_labels" && command != "set_review" &&
-         command != "set_landmarks" && command != "set_regions" && command != "start_tracking" &&
-         command != "stop_tracking";
+bool is_worth_telling(const engine::CommandTraits& command) {
+  return command.notice != engine::Notice::quiet;
 }
 
 }  // namespace
@@ -52,7 +49,7 @@ QString TaskStatus::text() const { return text_->text(); }
 void TaskStatus::show_tasks() {
   const Task* running = nullptr;
   for (const Task& task : engine_.tasks())
-    if (is_worth_telling(task.command) && (running == nullptr || running->stage.empty())) running = &task;
+    if (is_worth_telling(task.traits) && (running == nullptr || running->stage.empty())) running = &task;
   bar_->setVisible(running != nullptr);
   cancel_->setVisible(running != nullptr);
   if (running == nullptr) return;
@@ -60,14 +57,14 @@ void TaskStatus::show_tasks() {
   bar_->setValue(static_cast<int>(1000 * running->fraction));
   set_style_property(text_, "role", "");
   text_->setText(running->stage.empty()
-                     ? command_text(running->command)
-                     : tr("%1: %2").arg(command_text(running->command), stage_text(running->stage)));
+                     ? command_text(running->traits.code)
+                     : tr("%1: %2").arg(command_text(running->traits.code), stage_text(running->stage)));
 }
 
 void TaskStatus::show_outcome(const engine::Outcome& outcome) {
   switch (outcome.status) {
     case engine::Status::done:
-      if (!is_worth_telling(outcome.command)) return;
+      if (!is_worth_telling(outcome.traits)) return;
       set_style_property(text_, "role", "");
       text_->setText(
           tr("%1: done in %2 s").arg(command_text(outcome.command)).arg(outcome.seconds, 0, 'f', 1));

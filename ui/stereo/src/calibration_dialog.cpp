@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "glisson/engine/commands/calibrate_rig.h"
 #include "glisson/ui/common/panel.h"
 #include "glisson/ui/common/texts.h"
 
@@ -175,9 +176,10 @@ void CalibrationDialog::show_state() {
 }
 
 void CalibrationDialog::show_outcome(const engine::Outcome& outcome) {
-  if (outcome.status != engine::Status::done || !outcome.calibration) return;  // the button says why
-  const stereo::Calibration& made = outcome.calibration->calibration;
-  const stereo::BoardViews& views = *outcome.calibration->views;
+  const auto sheet = outcome.result.as<engine::CalibrationSheet>();
+  if (outcome.status != engine::Status::done || !sheet) return;  // the button says why
+  const stereo::Calibration& made = sheet->calibration;
+  const stereo::BoardViews& views = *sheet->views;
   const auto used =
       std::count_if(made.views.begin(), made.views.end(), [](const auto& view) { return view.used; });
   figures_->set_rows({{tr("Views used"), tr("%1 of %2 pairs").arg(used).arg(views.pairs())},
@@ -196,7 +198,7 @@ void CalibrationDialog::show_outcome(const engine::Outcome& outcome) {
   notes_->setText(lines.join(QLatin1Char('\n')));
   notes_->setVisible(!lines.isEmpty());
   const bool first = !results_->sheet();
-  results_->set_sheet(outcome.calibration);
+  results_->set_sheet(sheet);
   if (!first) return;
   adjustSize();
   centre_on_screen(*this);

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "glisson/engine/commands/calibrate_rig.h"
 #include "glisson/ui/common/panel.h"
 
 namespace glisson::ui {

@@ -5,6 +5,10 @@
 #include <QStringList>
 #include <cmath>
 
+#include "glisson/engine/parts/cloud.h"
+#include "glisson/engine/parts/regions.h"
+#include "glisson/engine/parts/registration.h"
+
 namespace glisson::ui {
 namespace {
 
@@ -61,20 +65,20 @@ class CloudFigures {
 
 std::vector<std::pair<QString, QString>> cloud_figures(const engine::CaseState& state) {
   CloudFigures::Rows rows;
-  if (state.cloud) CloudFigures::add_cloud(rows, *state.cloud);
-  if (state.cloud && state.points) CloudFigures::add_points(rows, *state.points);
+  if (state[part::cloud]) CloudFigures::add_cloud(rows, *state[part::cloud]);
+  if (state[part::cloud] && state[part::points]) CloudFigures::add_points(rows, *state[part::points]);
   // Known once the model lies on the cloud.
-  if (state.cloud && state.registration && state.registration->seen_share > 0.0 &&
-      engine::stage_state(state, engine::Part::registration) == engine::StageState::current)
-    CloudFigures::add_registration(rows, *state.registration);
+  if (state[part::cloud] && state[part::registration] && state[part::registration]->seen_share > 0.0 &&
+      engine::stage_state(state, part::registration) == engine::StageState::current)
+    CloudFigures::add_registration(rows, *state[part::registration]);
   return rows;
 }
 
 QString cloud_warning(const engine::CaseState& state) {
-  if (state.regions && !state.regions->regions.empty() &&
-      engine::stage_state(state, engine::Part::regions) == engine::StageState::stale)
+  if (state[part::regions] && !state[part::regions]->regions.empty() &&
+      engine::stage_state(state, part::regions) == engine::StageState::stale)
     return CloudFigures::of_another_frame();
-  return state.points ? CloudFigures::warning(*state.points) : QString();
+  return state[part::points] ? CloudFigures::warning(*state[part::points]) : QString();
 }
 
 }  // namespace glisson::ui

@@ -12,6 +12,15 @@
 #include <QSpinBox>
 #include <algorithm>
 
+#include "glisson/engine/commands/load_video_frame.h"
+#include "glisson/engine/commands/reconstruct.h"
+#include "glisson/engine/commands/set_regions.h"
+#include "glisson/engine/obstacle.h"
+#include "glisson/engine/parts/cloud.h"
+#include "glisson/engine/parts/frame.h"
+#include "glisson/engine/parts/regions.h"
+#include "glisson/engine/parts/rig.h"
+#include "glisson/engine/parts/video.h"
 #include "glisson/ui/common/texts.h"
 #include "glisson/ui/scene/colours.h"
 #include "glisson/ui/stereo/cloud_figures.h"
@@ -51,7 +60,7 @@ StereoPanel::StereoPanel(EngineBridge& engine, QWidget* parent)
   connect(view_, &StereoView::drawing_changed, this, &StereoPanel::show_drawing);
   connect(&this->engine(), &EngineBridge::case_changed, this, &StereoPanel::show_case);
   connect(&this->engine(), &EngineBridge::finished, this, &StereoPanel::take_outcome);
-  watch(engine::Part::cloud, {"reconstruct", "import_cloud"});
+  watch(part::cloud);
   show_case();
 }
 
@@ -71,7 +80,7 @@ void StereoPanel::take_outcome(const engine::Outcome& outcome) {
     show_case();
     if (done) label();
   }
-  if (outcome.command == "set_video" && done)
+  if (done)
     if (const auto frames = outcome.figures.find("video_frames"); frames != outcome.figures.end())
       frame_->setMaximum(frames->second >= 1.0 ? static_cast<int>(frames->second) - 1 : kMostFrames);
   if (opening_ == outcome.id) {
@@ -256,52 +265,57 @@ void StereoPanel::store() {
 
 void StereoPanel::label() {
   const engine::CaseState& now = engine().state();
-  if (!now.points || now.points->frame != now.frame || now.points->rig != now.rig) return;
+  if (!now[part::points] || now[part::points]->frame != now[part::frame] ||
+      now[part::points]->rig != now[part::rig])
+    return;
   if (run_->is_running()) {
     label_again_ = true;
     return;
   }
-  again_ = now.points->options;
+  again_ = now[part::points]->options;
   run_->trigger();
   again_.reset();
 }
 
 void StereoPanel::show_case() {
   const engine::CaseState& now = engine().state();
-  if (now.video != shown_video_) {
-    shown_video_ = now.video;
+  if (now[part::video] != shown_video_) {
+    shown_video_ = now[part::video];
     frame_->setMaximum(kMostFrames);  // how many it has is told when it is opened here
   }
-  if (now.frame != shown_frame_) {
-    shown_frame_ = now.frame;
-    identity_ =
-        now.frame ? stereo::frame_identity(now.frame->frame.left, now.frame->frame.right) : std::string();
+  if (now[part::frame] != shown_frame_) {
+    shown_frame_ = now[part::frame];
+    identity_ = now[part::frame]
+                    ? stereo::frame_identity(now[part::frame]->frame.left, now[part::frame]->frame.right)
+                    : std::string();
     faults_.clear();
-    if (now.frame) frame_->setValue(now.frame->frame.index);
+    if (now[part::frame]) frame_->setValue(now[part::frame]->frame.index);
   }
-  view_->set_pair(now.frame, rig_fits() ? now.rig : nullptr);
-  if (storing_.empty() && now.regions != taken_) {
-    taken_ = now.regions;
+  view_->set_pair(now[part::frame], rig_fits() ? now[part::rig] : nullptr);
+  if (storing_.empty() && now[part::regions] != taken_) {
+    taken_ = now[part::regions];
     view_->drawing().set_regions(taken_ ? taken_->regions : RegionDrawing::Regions());
     view_->refresh();
   }
-  calibration_->setText(now.rig ? tr("%1 × %2, baseline %3 mm")
-                                      .arg(now.rig->left.width)
-                                      .arg(now.rig->left.height)
-                                      .arg(1e3 * now.rig->baseline(), 0, 'f', 1)
-                                : tr("none"));
+  calibration_->setText(now[part::rig] ? tr("%1 × %2, baseline %3 mm")
+                                             .arg(now[part::rig]->left.width)
+                                             .arg(now[part::rig]->left.height)
+                                             .arg(1e3 * now[part::rig]->baseline(), 0, 'f', 1)
+                                       : tr("none"));
   source_->setText(
-      now.video ? tr("Video: %1").arg(QString::fromStdString(now.video->left.filename().string()))
-      : now.frame
-          ? tr("Stereo pair, %1 × %2").arg(now.frame->frame.left.width).arg(now.frame->frame.left.height)
-          : tr("none"));
-  save_calibration_->setEnabled(now.rig != nullptr);
-  frame_->setEnabled(now.video != nullptr);
-  load_frame_->setEnabled(now.video != nullptr);
+      now[part::video]
+          ? tr("Video: %1").arg(QString::fromStdString(now[part::video]->left.filename().string()))
+      : now[part::frame] ? tr("Stereo pair, %1 × %2")
+                               .arg(now[part::frame]->frame.left.width)
+                               .arg(now[part::frame]->frame.left.height)
+                         : tr("none"));
+  save_calibration_->setEnabled(now[part::rig] != nullptr);
+  frame_->setEnabled(now[part::video] != nullptr);
+  load_frame_->setEnabled(now[part::video] != nullptr);
   run_->set_obstacle(obstacle());
   show_drawing();
-  view_->set_cloud(now.cloud, engine().snapshot()->stage(engine::Part::cloud) == engine::StageState::stale,
-                   now.points);
+  view_->set_cloud(now[part::cloud], engine().snapshot()->stage(part::cloud) == engine::StageState::stale,
+                   now[part::points]);
   show_figures();
 }
 
@@ -346,21 +360,21 @@ void StereoPanel::show_region_list() {
 
 QString StereoPanel::obstacle() const {
   const engine::CaseState& now = engine().state();
-  if (!now.rig) return tr("Load the laparoscope's calibration first.");
-  if (!now.frame) return tr("Load a stereo pair or a video frame first.");
+  if (const auto first = engine::obstacle(now, engine::Reconstruct{})) return obstacle_text(first);
   if (!rig_fits())
     return tr("The calibration is for pictures of %1 × %2, these are %3 × %4: load the one for them.")
-        .arg(now.rig->left.width)
-        .arg(now.rig->left.height)
-        .arg(now.frame->frame.left.width)
-        .arg(now.frame->frame.left.height);
+        .arg(now[part::rig]->left.width)
+        .arg(now[part::rig]->left.height)
+        .arg(now[part::frame]->frame.left.width)
+        .arg(now[part::frame]->frame.left.height);
   return {};
 }
 
 bool StereoPanel::rig_fits() const {
   const engine::CaseState& now = engine().state();
-  return now.rig && (!now.frame || (now.frame->frame.left.width == now.rig->left.width &&
-                                    now.frame->frame.left.height == now.rig->left.height));
+  return now[part::rig] &&
+         (!now[part::frame] || (now[part::frame]->frame.left.width == now[part::rig]->left.width &&
+                                now[part::frame]->frame.left.height == now[part::rig]->left.height));
 }
 
 }  // namespace glisson::ui

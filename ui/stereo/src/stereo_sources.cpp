@@ -6,6 +6,10 @@
 #include <QMessageBox>
 
 #include "glisson/core/error.h"
+#include "glisson/engine/commands/load_stereo_pair.h"
+#include "glisson/engine/commands/set_calibration.h"
+#include "glisson/engine/commands/set_video.h"
+#include "glisson/engine/parts/rig.h"
 #include "glisson/stereo/calibration_io.h"
 #include "glisson/stereo/source.h"
 #include "glisson/ui/stereo/calibration_dialog.h"
@@ -49,7 +53,7 @@ void StereoPanel::calibrate_from_boards() {
 }
 
 void StereoPanel::save_calibration() {
-  const auto rig = engine().state().rig;
+  const auto rig = engine().state()[part::rig];
   QString path = QFileDialog::getSaveFileName(
       this, tr("Save the calibration"), QStringLiteral("calibration.yaml"), tr("OpenCV YAML (*.yml *.yaml)"));
   if (path.isEmpty() || !rig) return;

@@ -10,6 +10,8 @@
 #include <QVBoxLayout>
 #include <map>
 
+#include "glisson/engine/parts/cloud.h"
+#include "glisson/engine/parts/frame.h"
 #include "glisson/stereo/density.h"
 #include "glisson/stereo/epipolar.h"
 #include "glisson/stereo/source.h"

@@ -8,6 +8,8 @@
 #include "glisson/core/run_context.h"
 #include "glisson/core/units.h"
 #include "glisson/engine/case_state.h"
+#include "glisson/patient/patient_model.h"
+#include "glisson/patient/registration.h"
 
 namespace glisson::engine {
 

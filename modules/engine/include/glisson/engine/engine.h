@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,52 +13,19 @@
 #include "glisson/core/json_file.h"
 #include "glisson/core/run_context.h"
 #include "glisson/engine/case_state.h"
-#include "glisson/engine/commands.h"
+#include "glisson/engine/command.h"
+#include "glisson/engine/live.h"
 #include "glisson/engine/load_trial.h"
-#include "glisson/volume/io.h"
 
 namespace glisson::engine {
 
 using CommandId = std::uint64_t;
 
-/// What a command made of a state.
-struct Applied {
-  CaseState state;
-  Figures figures;                                           ///< flat, units in the names
-  std::vector<std::string> notes;                            ///< codes with values, for people to be told
-  std::vector<DicomSeries> series = {};                      ///< of ListSeries
-  std::shared_ptr<const CalibrationSheet> calibration = {};  ///< of CalibrateRig
-  /// The state brings its own stamps (a case that was opened).
-  bool keeps_stamps = false;
-};
-/// Pure but for files: reads `state`, never changes it. Empty: cancelled. Throws Error.
-using Apply = std::function<Cancellable<Applied>(const CaseState&, const Command&, const RunContext&)>;
-/// The real thing: each command by its module.
-Cancellable<Applied> apply(const CaseState& state, const Command& command, const RunContext& context);
-
-/// A cloud with its place in time.
-struct IndexedCloud {
-  LabelledCloud cloud;
-  int index = 0;
-  double seconds = 0.0;
-};
-
-/// One moment of the operation for the live lane: pictures, or a cloud that somebody else made of them.
-using LiveInput = std::variant<StereoFrame, IndexedCloud>;
-
-/// Follows frames. Used by the live lane only.
-class Follower {
- public:
-  virtual ~Follower() = default;
-  virtual OverlayFrame follow(const LiveInput& input) = 0;
-};
-/// Makes a follower from the state. @throws Error when a part is missing or stale.
-using MakeFollower = std::function<std::unique_ptr<Follower>(const CaseState&, const StartTracking&)>;
-std::unique_ptr<Follower> make_follower(const CaseState& state, const StartTracking& command);
-
-/// Makes the mechanics of a load trial. @throws Error when a part is missing. Empty: cancelled.
-using MakeTrial = std::function<Cancellable<std::unique_ptr<LoadTrial>>(const CaseState&, const TrialOptions&,
-                                                                        const RunContext&)>;
+/// Does a command that nothing stands in the way of. @throws InputError the obstacle.
+using Apply =
+    std::function<Cancellable<Applied>(const CaseState&, const Command&, const RunContext&, const Services&)>;
+Cancellable<Applied> apply(const CaseState& state, const Command& command, const RunContext& context,
+                           const Services& services = plain_services());
 
 enum class Status { done, cancelled, failed };
 
@@ -69,10 +37,9 @@ struct Outcome {
   std::string error;  ///< one sentence with the remedy, when failed
   Figures figures;
   std::vector<std::string> notes;
-  std::vector<DicomSeries> series = {};                      ///< of ListSeries
-  std::shared_ptr<const CalibrationSheet> calibration = {};  ///< of CalibrateRig
-  /// What stands on the disk after SaveCase or OpenCase: the case may have gone on while it was being saved.
-  std::optional<Editions> saved = {};
+  Result result = {};  ///< of a command that has one
+  /// Of the command, with its parts and how far it concerns the person.
+  CommandTraits traits = {};
   double seconds = 0.0;
 };
 struct Progress {
@@ -88,8 +55,11 @@ struct Snapshot {
   std::uint64_t revision = 0;
   std::string cause;  ///< code of the command that led to it; "frame" for the live lane
   CaseState state;
-  std::array<StageState, kPartCount> stages{};
-  StageState stage(Part part) const { return stages[static_cast<std::size_t>(part)]; }
+  std::map<Part, StageState> stages;  ///< of every part that is not absent
+  StageState stage(Part part) const {
+    const auto known = stages.find(part);
+    return known == stages.end() ? StageState::absent : known->second;
+  }
   bool tracking = false;
   /// Of the load trial that is on, or that has ended by itself; null: none. Not a part of the case, and no
   /// reason for another revision.
@@ -108,6 +78,7 @@ class Engine {
   struct Options {
     Runner runner = Runner::threaded;
     std::uint64_t seed = 1;
+    /// Stands in for the modules. Commands about what goes on live are made of the next two instead.
     Apply apply = engine::apply;
     MakeFollower make_follower = engine::make_follower;
     MakeTrial make_trial = engine::make_load_trial;

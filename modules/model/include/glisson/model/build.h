@@ -93,6 +93,10 @@ SurfaceSet read_surfaces(const std::filesystem::path& path, LengthUnit unit);
 Cancellable<BuiltModel> build_from_surfaces(const SurfaceSet& surfaces, const ModelOptions& options,
                                             const RunContext& context);
 
+/// A mesh that somebody else made, as it is: node order and all; its surface is the organ's, without vessels
+/// or lesions, its margin where the ridge is.
+BuiltModel build_from_mesh(TetMesh mesh);
+
 /// A closed surface, meshed (one sub-domain). Used by `register` on a bare surface and by the theatre.
 Cancellable<TetMesh> mesh_surface(const TriangleMesh& surface, const MeshOptions& options,
                                   const RunContext& context);

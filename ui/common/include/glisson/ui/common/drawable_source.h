@@ -4,6 +4,7 @@
 #include <QObject>
 #include <memory>
 
+#include "glisson/model/build.h"
 #include "glisson/ui/common/engine_bridge.h"
 #include "glisson/ui/common/newest_wins.h"
 #include "glisson/ui/scene/drawable_model.h"

@@ -13,7 +13,7 @@ namespace glisson::ui {
 /// A command that waits or runs.
 struct Task {
   engine::CommandId id = 0;
-  std::string command;  ///< code
+  engine::CommandTraits traits;  ///< of the command
   double fraction = 0.0;
   std::string stage;  ///< code; empty while it waits
 };

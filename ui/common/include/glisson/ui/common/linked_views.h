@@ -5,6 +5,8 @@
 #include <array>
 #include <memory>
 
+#include "glisson/model/build.h"
+#include "glisson/patient/patient_model.h"
 #include "glisson/ui/common/drawable_source.h"
 #include "glisson/ui/common/engine_bridge.h"
 #include "glisson/ui/common/label_surface_source.h"

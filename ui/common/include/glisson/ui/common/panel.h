@@ -39,8 +39,9 @@ class Panel : public QWidget {
   QVBoxLayout* content() const { return content_; }
   /// A heading with a line of explanation (may be empty) above what follows.
   QVBoxLayout* add_section(const QString& heading, const QString& explanation = {});
-  /// @param commands codes of the commands that make this step `running`.
-  void watch(engine::Part part, const std::vector<std::string>& commands);
+  /// The part that this step makes: its state is the step's, which is `running` while a command that writes
+  /// the part waits or runs.
+  void watch(engine::Part part);
   EngineBridge& engine() const { return engine_; }
 
  private:
@@ -51,7 +52,6 @@ class Panel : public QWidget {
   QVBoxLayout* content_;
   QLabel* chip_;
   std::optional<engine::Part> part_;
-  std::vector<std::string> commands_;
   StepState step_state_ = StepState::waiting;
 };
 

@@ -2,11 +2,14 @@
 #pragma once
 
 #include <QString>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "glisson/engine/case_state.h"
+#include "glisson/engine/obstacle.h"
+#include "glisson/volume/label_volume.h"
 
 namespace glisson::ui {
 
@@ -21,5 +24,7 @@ QString notes_text(const std::vector<std::string>& notes);
 QString readable_code(std::string_view code);
 QString structure_text(Label label);
 QString stage_state_text(engine::StageState state);
+/// What stands in the way of a command, and what to do first; empty where nothing does.
+QString obstacle_text(const std::optional<engine::Obstacle>& obstacle);
 
 }  // namespace glisson::ui

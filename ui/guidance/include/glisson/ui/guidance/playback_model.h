@@ -17,8 +17,7 @@ class PlaybackModel : public QObject {
  public:
   explicit PlaybackModel(EngineBridge& engine, QObject* parent = nullptr);
 
-  /// The step to do before tracking; empty: it can start. All texts of requirements are here, and
-  /// RegistrationModel::requirement().
+  /// The step to do before tracking; empty: it can start.
   static QString requirement(const engine::Snapshot& now);
 
   /// The engine has begun to track, or has not: the video plays from the frame after the registered one.

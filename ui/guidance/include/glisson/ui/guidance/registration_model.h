@@ -15,10 +15,7 @@ class RegistrationModel : public QObject {
  public:
   explicit RegistrationModel(EngineBridge& engine, QObject* parent = nullptr);
 
-  /// The step to do before a registration; empty: it can be made. All texts of requirements are here.
-  static QString requirement(const engine::Snapshot& now);
-
-  QProperty<QString> obstacle;    ///< requirement() of the present case
+  QProperty<QString> obstacle;    ///< the step to do before a registration; empty: it can be made
   QProperty<bool> is_unchecked;   ///< nobody has said that the model is right
   QProperty<FigureRows> figures;  ///< of the registration; none: there is no registration
   QProperty<QString> doubts;      ///< a line each

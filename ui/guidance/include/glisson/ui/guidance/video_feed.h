@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "glisson/engine/case_state.h"
+#include "glisson/engine/parts/video.h"
 #include "glisson/patient/picture.h"
 
 namespace glisson::ui {

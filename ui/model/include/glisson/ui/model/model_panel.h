@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "glisson/engine/commands/build_model.h"
 #include "glisson/ui/common/linked_views.h"
 #include "glisson/ui/common/panel.h"
 #include "glisson/ui/common/task_button.h"

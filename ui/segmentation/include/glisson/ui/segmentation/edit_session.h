@@ -6,6 +6,7 @@
 #include <set>
 #include <vector>
 
+#include "glisson/engine/parts/labels.h"
 #include "glisson/ui/common/engine_bridge.h"
 #include "glisson/ui/common/view_state.h"
 #include "glisson/ui/segmentation/branch_preview.h"
@@ -36,7 +37,7 @@ class EditSession : public QObject {
   EditObstacle obstacle() const;
 
   /// Of the case; null: there is none.
-  const std::shared_ptr<const editing::History>& history() const { return engine_.state().history; }
+  const std::shared_ptr<const editing::History>& history() const { return engine_.state()[part::history]; }
   bool can_undo() const;
   bool can_redo() const;
   void undo();
@@ -119,8 +120,8 @@ class EditSession : public QObject {
   BranchPreview* branch_ = nullptr;
   QTimer* soon_ = nullptr;  ///< a preview follows the settings when they rest
   std::optional<engine::CommandId> previewing_, applying_;
-  std::set<engine::CommandId> edits_;  ///< that are not done yet
-  int undos_ = 0, redos_ = 0;          ///< the same
+  std::set<engine::CommandId> edits_;          ///< that are not done yet
+  std::set<engine::CommandId> undos_, redos_;  ///< the same
   std::string problem_;
   std::vector<std::string> notes_;
 };

@@ -58,8 +58,9 @@ class MainWindow : public QMainWindow {
   void open_dicom();
   void open_volume();
   void export_labels();
-  bool save();
-  bool save_as();
+  /// @return the command on its way; empty: no place was chosen.
+  std::optional<engine::CommandId> save();
+  std::optional<engine::CommandId> save_as();
   void show_case();
   void show_outcome(const engine::Outcome& outcome);
   void show_middle();
@@ -80,8 +81,8 @@ class MainWindow : public QMainWindow {
   QAction* export_labels_ = nullptr;
   std::vector<Panel*> panels_;
   int step_ = 0;
-  engine::Editions saved_{};  ///< what stands on the disk
-  bool close_after_save_ = false;
+  engine::Editions saved_{};                       ///< what stands on the disk
+  std::optional<engine::CommandId> closing_save_;  ///< after which the window closes
 };
 
 }  // namespace glisson::ui

@@ -3,6 +3,7 @@
 
 #include <QDialog>
 
+#include "glisson/engine/commands/calibrate_rig.h"
 #include "glisson/ui/common/figures_table.h"
 #include "glisson/ui/common/task_button.h"
 #include "glisson/ui/stereo/calibration_results.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "glisson/engine/commands.h"
+#include "glisson/engine/commands/calibrate_rig.h"
 #include "glisson/ui/common/picture_view.h"
 
 class QTreeWidget;

@@ -7,6 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "glisson/engine/commands/set_video.h"
+#include "glisson/engine/parts/frame.h"
+#include "glisson/engine/parts/video.h"
 #include "glisson/ui/common/figures_table.h"
 #include "glisson/ui/common/panel.h"
 #include "glisson/ui/common/task_button.h"

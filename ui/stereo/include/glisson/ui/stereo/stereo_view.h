@@ -7,6 +7,8 @@
 #include <memory>
 
 #include "glisson/engine/case_state.h"
+#include "glisson/engine/parts/cloud.h"
+#include "glisson/engine/parts/frame.h"
 #include "glisson/ui/common/render_view.h"
 #include "glisson/ui/stereo/region_editor.h"
 

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "glisson/engine/command.h"
+
+namespace glisson::engine {
+
+/// Reads a CT or MR (see read_image).
+struct ImportImage {
+  std::filesystem::path path;
+  std::string series = {};  ///< UID or number, where there are several
+  bool new_case = false;    ///< of another patient: nothing of the case stays, nor where it lay
+
+  CommandTraits traits() const;
+  Cancellable<Applied> apply(const CaseState& state, const RunContext& context) const;
+};
+
+}  // namespace glisson::engine

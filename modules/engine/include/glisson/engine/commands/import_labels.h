@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+
+#include "glisson/engine/command.h"
+#include "glisson/patient/label_map.h"
+
+namespace glisson::engine {
+
+/// Reads labels, recoded by `codes` (empty: Glisson's own codes).
+struct ImportLabels {
+  std::filesystem::path path;
+  LabelCodes codes;
+
+  CommandTraits traits() const;
+  Cancellable<Applied> apply(const CaseState& state, const RunContext& context) const;
+};
+
+}  // namespace glisson::engine

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "glisson/engine/command.h"
+#include "glisson/registration/register_model.h"
+
+namespace glisson::engine {
+
+/// Brings the model to the cloud (see registration::register_model).
+struct Register : registration::RegisterOptions {
+  CommandTraits traits() const;
+  Cancellable<Applied> apply(const CaseState& state, const RunContext& context) const;
+};
+
+}  // namespace glisson::engine

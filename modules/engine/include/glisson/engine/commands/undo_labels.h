@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "glisson/engine/command.h"
+
+namespace glisson::engine {
+
+/// One step of the labels back. @throws InputError when there is none.
+struct UndoLabels {
+  CommandTraits traits() const;
+  Cancellable<Applied> apply(const CaseState& state, const RunContext& context) const;
+};
+
+}  // namespace glisson::engine

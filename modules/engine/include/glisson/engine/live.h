@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <variant>
+
+#include "glisson/engine/case_state.h"
+#include "glisson/engine/load_trial.h"
+#include "glisson/patient/label_map.h"
+#include "glisson/patient/labelled_cloud.h"
+#include "glisson/patient/picture.h"
+#include "glisson/patient/registration.h"
+
+/// @file
+/// What lives beside the case: the follower of frames, the load trial, and what long work shows on its way.
+
+namespace glisson::engine {
+
+struct StartTracking;
+
+/// A cloud with its place in time.
+struct IndexedCloud {
+  LabelledCloud cloud;
+  int index = 0;
+  double seconds = 0.0;
+};
+
+/// One moment of the operation for the live lane: pictures, or a cloud that somebody else made of them.
+using LiveInput = std::variant<StereoFrame, IndexedCloud>;
+
+/// Follows frames. Used by the live lane only.
+class Follower {
+ public:
+  virtual ~Follower() = default;
+  virtual OverlayFrame follow(const LiveInput& input) = 0;
+};
+/// Makes a follower from the state. @throws Error when a part is missing or stale.
+using MakeFollower = std::function<std::unique_ptr<Follower>(const CaseState&, const StartTracking&)>;
+std::unique_ptr<Follower> make_follower(const CaseState& state, const StartTracking& command);
+
+/// Makes the mechanics of a load trial. @throws Error when a part is missing. Empty: cancelled.
+using MakeTrial = std::function<Cancellable<std::unique_ptr<LoadTrial>>(const CaseState&, const TrialOptions&,
+                                                                        const RunContext&)>;
+
+/// What a command may use of the engine besides the state and its context.
+struct Services {
+  MakeFollower make_follower;
+  MakeTrial make_trial;
+  /// Shows the liver's contour on its way (see Snapshot::evolving), until the command ends.
+  std::function<void(const LabelVolume&)> show_evolving;
+};
+/// Those of a command that is done outside of an engine: the real makers, and nobody looks.
+Services plain_services();
+
+/// What goes on live, as a command may change it. Called when the command is committed, never before.
+class LiveLanes {
+ public:
+  virtual ~LiveLanes() = default;
+  virtual void begin_tracking(std::shared_ptr<Follower> follower) = 0;
+  virtual void end_tracking() = 0;
+  /// @param made_from the state whose model is tried.
+  virtual void begin_trial(std::shared_ptr<LoadTrial> mechanics, const CaseState& made_from) = 0;
+  virtual void end_trial() = 0;
+};
+
+}  // namespace glisson::engine

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/engine/commands/build_model.h"
+
+#include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/model.h"
+#include "glisson/engine/review.h"
+#include "model_figures.h"
+
+namespace glisson::engine {
+
+CommandTraits BuildModel::traits() const {
+  return {.code = "build_model", .reads = {part::labels}, .writes = {part::model}, .needs = {part::labels}};
+}
+
+Cancellable<Applied> BuildModel::apply(const CaseState& state, const RunContext& context) const {
+  auto built = model::build_from_labels(*state[part::labels], options, context);
+  if (!built) return {};
+  Applied applied = with_model(state, std::move(*built));
+  // Not in the model's own notes: a label may be approved later.
+  for (std::string& note : unapproved_notes(state)) applied.notes.push_back(std::move(note));
+  return applied;
+}
+
+}  // namespace glisson::engine

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/engine/commands/calibrate_rig.h"
+
+#include "glisson/engine/parts/rig.h"
+#include "glisson/stereo/board_series.h"
+
+namespace glisson::engine {
+namespace {
+
+constexpr double kFindShare = 0.7;  ///< of the time, for finding the boards
+constexpr int kFewestViews = 3;
+
+/// Null: cancelled.
+std::shared_ptr<const stereo::BoardViews> find_boards(const CalibrateRig& command,
+                                                      const RunContext& context) {
+  auto views = std::make_shared<stereo::BoardViews>(command.board);
+  const auto pairs = command.right.empty() ? stereo::picture_pairs(command.left).pairs
+                                           : stereo::picture_pairs(command.left, command.right).pairs;
+  if (!stereo::add_pairs(*views, pairs, context)) return {};
+  return views;
+}
+
+}  // namespace
+
+CommandTraits CalibrateRig::traits() const { return {.code = "calibrate", .writes = {part::rig}}; }
+
+Cancellable<Applied> CalibrateRig::apply(const CaseState& state, const RunContext& context) const {
+  const auto views = found ? found : find_boards(*this, context.part(0.0, kFindShare));
+  if (!views) return {};
+  views->require(kFewestViews);
+  auto calibration = stereo::calibrate(*views, options, context.part(found ? 0.0 : kFindShare, 1.0));
+  if (!calibration) return {};
+  Applied applied{state};
+  applied.figures = stereo::calibration_figures(*calibration);
+  applied.figures["calibration_pairs"] = views->pairs();
+  for (const stereo::ViewReport& view : calibration->views)
+    if (view.outlier)
+      applied.notes.push_back((view.used ? "calibration.proposed " : "calibration.outlier ") + view.name);
+  applied.state[part::rig] = std::make_shared<const StereoRig>(calibration->rig);
+  CalibrationSheet sheet{views, std::move(*calibration), {}};
+  sheet.coverage = stereo::coverage_picture(*views, sheet.calibration);
+  applied.result = std::make_shared<const CalibrationSheet>(std::move(sheet));
+  return applied;
+}
+
+}  // namespace glisson::engine

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/engine/commands/import_image.h"
+
+#include "glisson/engine/parts/image.h"
+#include "glisson/volume/io.h"
+
+namespace glisson::engine {
+
+CommandTraits ImportImage::traits() const {
+  return {.code = "import_image",
+          .writes = new_case ? Parts::all() : Parts{part::image},
+          .notice = Notice::files};
+}
+
+Cancellable<Applied> ImportImage::apply(const CaseState& state, const RunContext& context) const {
+  auto image = read_image(path, context, series);
+  if (!image) return {};
+  Applied applied;
+  if (!new_case) applied.state = state;
+  for (int k = 0; k < 3; ++k) {
+    const std::string axis(1, static_cast<char>('i' + k));
+    applied.figures["image_size_" + axis] = image->grid.size[k];
+    applied.figures["image_spacing_" + axis + "_mm"] = image->grid.spacing_mm[k];
+  }
+  applied.state[part::image] = std::make_shared<const Image>(std::move(*image));
+  return applied;
+}
+
+}  // namespace glisson::engine

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/engine/commands/import_registration.h"
+
+#include "glisson/engine/case_io.h"
+#include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/registration.h"
+
+namespace glisson::engine {
+
+CommandTraits ImportRegistration::traits() const {
+  return {.code = "import_registration",
+          .reads = {part::model},
+          .writes = {part::registration},
+          .needs = {part::model},
+          .notice = Notice::files};
+}
+
+Cancellable<Applied> ImportRegistration::apply(const CaseState& state, const RunContext&) const {
+  Applied applied{state};
+  applied.state[part::registration] =
+      std::make_shared<const Registration>(read_registration(path, state[part::model]->model, unit));
+  return applied;
+}
+
+}  // namespace glisson::engine

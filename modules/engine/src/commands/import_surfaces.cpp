@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/engine/commands/import_surfaces.h"
+
+#include "glisson/engine/parts/model.h"
+#include "model_figures.h"
+
+namespace glisson::engine {
+
+CommandTraits ImportSurfaces::traits() const {
+  return {.code = "import_surfaces", .writes = {part::model}, .notice = Notice::files};
+}
+
+Cancellable<Applied> ImportSurfaces::apply(const CaseState& state, const RunContext& context) const {
+  const model::SurfaceSet surfaces = model::read_surfaces(path, unit);
+  auto built = model::build_from_surfaces(surfaces, options, context);
+  if (!built) return {};
+  return with_model(state, std::move(*built));
+}
+
+}  // namespace glisson::engine

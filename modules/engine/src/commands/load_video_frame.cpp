@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/engine/commands/load_video_frame.h"
+
+#include "glisson/core/error.h"
+#include "glisson/engine/parts/frame.h"
+#include "glisson/engine/parts/video.h"
+#include "glisson/stereo/picture_io.h"
+#include "glisson/stereo/source.h"
+#include "stereo_frame.h"
+
+namespace glisson::engine {
+
+CommandTraits LoadVideoFrame::traits() const {
+  return {.code = "load_video_frame",
+          .reads = {part::video},
+          .writes = {part::frame},
+          .needs = {part::video},
+          .notice = Notice::files};
+}
+
+Cancellable<Applied> LoadVideoFrame::apply(const CaseState& state, const RunContext& context) const {
+  const VideoSource& source = *state[part::video];
+  stereo::StereoVideo video(source.left, source.right);
+  StereoInput input;
+  if (!mask.empty()) input.mask = stereo::read_picture(mask);
+  for (int i = 0; i <= index; ++i) {
+    if (context.cancelled()) return {};
+    if (!video.read(input.frame))
+      throw InputError(source.left.string(), "frame " + std::to_string(index),
+                       "the video has only " + std::to_string(i) + " frames", "Choose an earlier frame");
+    context.progress(static_cast<double>(i + 1) / (index + 1), "video.seek");
+  }
+  return with_frame(state, std::move(input), mask);
+}
+
+}  // namespace glisson::engine

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/engine/commands/set_video.h"
+
+#include "glisson/engine/parts/video.h"
+#include "glisson/stereo/picture_io.h"
+
+namespace glisson::engine {
+
+CommandTraits SetVideo::traits() const {
+  return {.code = "set_video", .writes = {part::video}, .lane = Lane::edits, .notice = Notice::files};
+}
+
+Cancellable<Applied> SetVideo::apply(const CaseState& state, const RunContext&) const {
+  const stereo::StereoVideo video(left, right);  // refused here, not at the first frame
+  Applied applied{state};
+  applied.state[part::video] = std::make_shared<const VideoSource>(VideoSource{left, right});
+  applied.figures["video_frames"] = video.frame_count();
+  applied.figures["video_frames_per_second"] = video.frames_per_second();
+  return applied;
+}
+
+}  // namespace glisson::engine

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/engine/commands/start_tracking.h"
+
+#include "glisson/engine/parts/frame.h"
+#include "glisson/engine/parts/landmarks.h"
+#include "glisson/engine/parts/live.h"
+#include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/registration.h"
+#include "glisson/engine/parts/rig.h"
+
+namespace glisson::engine {
+
+CommandTraits StartTracking::traits() const {
+  CommandTraits traits{.code = "start_tracking",
+                       .reads = {part::model, part::landmarks, part::rig, part::frame, part::registration},
+                       .writes = {part::live},
+                       .needs = {part::registration, part::model},
+                       .current = {part::registration},
+                       .lane = Lane::edits,
+                       .notice = Notice::quiet,
+                       .live = LiveLane::tracking};
+  if (source == Source::frames) traits.needs.insert(traits.needs.end(), {part::rig, part::frame});
+  return traits;
+}
+
+Cancellable<Applied> StartTracking::apply(const CaseState& state, const RunContext&,
+                                          const Services& services) const {
+  const std::shared_ptr<Follower> follower = services.make_follower(state, *this);
+  Applied applied{state};
+  applied.state[part::live] = std::make_shared<const LiveState>();
+  applied.live = [follower](LiveLanes& lanes) { lanes.begin_tracking(follower); };
+  return applied;
+}
+
+}  // namespace glisson::engine

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "label_steps.h"
+
+#include <memory>
+#include <utility>
+
+#include "glisson/core/error.h"
+#include "glisson/engine/parts/image.h"
+#include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/preview.h"
+#include "glisson/engine/parts/review.h"
+
+namespace glisson::engine {
+namespace {
+
+/// Labels of which a voxel came or went.
+std::set<Label> labels_touched(const LabelChanges& changes) {
+  std::set<Label> touched;
+  std::pair<Label, Label> last{0, 0};
+  for (const LabelChange& change : changes)
+    for (std::size_t i = 0; i < LabelVolume::Brick().size(); ++i) {
+      const std::pair<Label, Label> now{change.before ? (*change.before)[i] : Label{0},
+                                        change.after ? (*change.after)[i] : Label{0}};
+      if (now.first == now.second || now == last) continue;
+      touched.insert({now.first, now.second});
+      last = now;
+    }
+  touched.erase(structure::kBackground);
+  return touched;
+}
+
+/// Whoever touches a label has begun with it; what was approved must be looked at again.
+Review review_after(const Review& review, const std::set<Label>& touched) {
+  Review next = review;
+  for (const Label label : touched) {
+    ReviewState& state = next[label];
+    if (state == ReviewState::not_started) state = ReviewState::in_progress;
+    if (state == ReviewState::approved) state = ReviewState::to_review;
+  }
+  return next;
+}
+
+editing::History history_or_none(const CaseState& state) {
+  return state[part::history] ? *state[part::history] : editing::History();
+}
+
+/// Puts labels in place, with their figures; the preview was of others.
+void put_labels(CaseState& state, LabelMap labels, editing::History history) {
+  const auto image = state[part::image];
+  const bool measurable = image && image->grid.same_as(labels.voxels.grid());
+  state[part::statistics] = std::make_shared<const segmentation::LabelStatistics>(
+      labels, measurable ? image.get() : nullptr, state[part::statistics].get());
+  state[part::labels] = std::make_shared<const LabelMap>(std::move(labels));
+  state[part::history] = std::make_shared<const editing::History>(std::move(history));
+  state[part::preview] = nullptr;
+}
+
+/// Puts the labels in place that a step made of `before`. @return those of which a voxel came or went.
+std::set<Label> step_to(CaseState& state, const LabelMap& before, LabelMap labels,
+                        const editing::StepName& name, std::uint64_t gesture = 0) {
+  LabelChanges changes = labels.voxels.changes_since(before.voxels);
+  std::set<Label> touched = labels_touched(changes);
+  editing::History history =
+      history_or_none(state).with({name, std::move(changes), before.infos, labels.infos, gesture});
+  put_labels(state, std::move(labels), std::move(history));
+  return touched;
+}
+
+}  // namespace
+
+Parts labels_and_review() { return {part::labels, part::review, part::preview}; }
+
+LabelMap labels_or_none(const CaseState& state) {
+  if (state[part::labels]) return *state[part::labels];
+  LabelMap none;
+  none.voxels = LabelVolume(state[part::image]->grid);
+  return none;
+}
+
+Review review_or_none(const CaseState& state) {
+  return state[part::review] ? *state[part::review] : Review{};
+}
+
+void require_labels_fit_image(const CaseState& state) {
+  if (state[part::labels])
+    require_same_grid(state[part::labels]->voxels.grid(), state[part::image]->grid,
+                      "the case's labels and its image");
+}
+
+void put_review(CaseState& state, const Review& review) {
+  if (review != review_or_none(state)) state[part::review] = std::make_shared<const Review>(review);
+}
+
+void put_edited_labels(CaseState& state, const LabelMap& before, LabelMap labels,
+                       const editing::StepName& name, std::uint64_t gesture) {
+  const Review review = review_or_none(state);
+  put_review(state, review_after(review, step_to(state, before, std::move(labels), name, gesture)));
+}
+
+std::set<Label> replace_labels(CaseState& state, LabelMap labels, const editing::StepName& name) {
+  const VolumeGrid& grid = labels.voxels.grid();
+  const auto former = state[part::labels];
+  if (former && former->voxels.grid().same_as(grid)) return step_to(state, *former, std::move(labels), name);
+  // Steps on another grid lead nowhere, nor is there a way back to no labels at all.
+  std::set<Label> touched = labels_touched(labels.voxels.changes_since(LabelVolume(grid)));
+  put_labels(state, std::move(labels), editing::History());
+  return touched;
+}
+
+void step_labels(CaseState& state, StepDirection direction) {
+  const bool back = direction == StepDirection::back;
+  const editing::History history = history_or_none(state);
+  const auto labels = state[part::labels];
+  if (!labels || !(back ? history.can_undo() : history.can_redo()))
+    throw InputError("labels", "history", back ? "there is no step to undo" : "there is no step to redo",
+                     back ? "Edit the labels first" : "Only what was undone last can be redone");
+  const editing::History::Step& step = back ? history.undo_step() : history.redo_step();
+  put_review(state, review_after(review_or_none(state), labels_touched(step.changes)));
+  auto [stepped, then] = back ? history.undo(*labels) : history.redo(*labels);
+  put_labels(state, std::move(stepped), std::move(then));
+}
+
+void report_labels(const CaseState& state, Figures& figures) {
+  for (const auto& [label, of] : state[part::statistics]->figures())
+    figures["label_" + structure_name(label) + "_ml"] = of.ml;
+}
+
+}  // namespace glisson::engine

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <set>
+
+#include "glisson/core/json_file.h"
+#include "glisson/editing/history.h"
+#include "glisson/engine/case_state.h"
+#include "glisson/patient/label_map.h"
+
+/// @file
+/// What every command about the labels does alike: labels go in with their history, their figures and the
+/// review of what they touched.
+
+namespace glisson::engine {
+
+/// What such a command writes, and reads besides the image.
+Parts labels_and_review();
+
+/// The case's labels; without any, empty ones on the image's grid. @pre the state has an image.
+LabelMap labels_or_none(const CaseState& state);
+Review review_or_none(const CaseState& state);
+/// @throws InputError when the case's labels lie on another grid than its image.
+void require_labels_fit_image(const CaseState& state);
+
+/// Stays the same edition when nothing changes.
+void put_review(CaseState& state, const Review& review);
+/// The labels that an edit made of `before`, as one step of the history. What it touched is to be looked at
+/// again.
+void put_edited_labels(CaseState& state, const LabelMap& before, LabelMap labels,
+                       const editing::StepName& name, std::uint64_t gesture);
+/// Labels that a whole step made anew. The review is the caller's. @return those of which a voxel changed.
+std::set<Label> replace_labels(CaseState& state, LabelMap labels, const editing::StepName& name);
+
+enum class StepDirection { back, forth };
+/// One step of the history. @throws InputError when there is none.
+void step_labels(CaseState& state, StepDirection direction);
+
+/// label_NAME_ml of each label.
+void report_labels(const CaseState& state, Figures& figures);
+
+}  // namespace glisson::engine

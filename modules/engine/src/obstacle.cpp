@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/engine/obstacle.h"
+
+#include <algorithm>
+#include <string>
+
+#include "glisson/engine/command.h"
+#include "glisson/engine/engine.h"
+
+namespace glisson::engine {
+namespace {
+
+bool is_stale(const CaseState& state, Part part) { return stage_state(state, part) == StageState::stale; }
+
+/// What of a part's inputs is missing, first in the stage graph's order.
+std::optional<Part> missing_input(const CaseState& state, Part part) {
+  const auto& inputs = part.type().spec().made_of;
+  const auto first =
+      std::find_if(inputs.begin(), inputs.end(), [&](Part input) { return !state.has(input); });
+  return first == inputs.end() ? std::nullopt : std::optional(*first);
+}
+
+/// Where a stale part's being out of date begins.
+Obstacle origin(const CaseState& state, Part part) {
+  const auto& made_from = state.stamp(part).made_from;
+  for (const Part input : all_parts())
+    if (input != part && made_from.contains(input) && is_stale(state, input)) return origin(state, input);
+  for (const Part input : all_parts()) {
+    const auto then = made_from.find(input);
+    if (then != made_from.end() && then->second != state.stamp(input).revision)
+      return {Obstacle::Kind::stale, part, input};
+  }
+  return {Obstacle::Kind::stale, part, std::nullopt};
+}
+
+}  // namespace
+
+std::optional<Obstacle> obstacle(const CaseState& state, const std::vector<Part>& needs,
+                                 const Parts& current) {
+  for (const Part part : needs)
+    if (!state.has(part)) return Obstacle{Obstacle::Kind::missing, part, missing_input(state, part)};
+  for (const Part part : all_parts())
+    if (current.has(part) && is_stale(state, part)) return origin(state, part);
+  return std::nullopt;
+}
+
+std::optional<Obstacle> obstacle(const CaseState& state, const Command& command) {
+  return obstacle(state, command.traits().needs, command.traits().current);
+}
+
+std::optional<Obstacle> obstacle(const Snapshot& snapshot, const Command& command) {
+  return obstacle(snapshot.state, command);
+}
+
+InputError error_of(const Obstacle& obstacle) {
+  const std::string code(obstacle.part.code());
+  const std::string remedy(obstacle.part.type().spec().remedy);
+  if (obstacle.kind == Obstacle::Kind::missing) return {"case", code, "there is none yet", remedy};
+  const std::string cause =
+      obstacle.input ? ": its " + std::string(obstacle.input->code()) + " changed since it was made" : "";
+  return {"case", code, "is out of date" + cause, "Make it anew"};
+}
+
+}  // namespace glisson::engine

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/engine/parts/frame.h"
+
+#include <nlohmann/json.hpp>
+
+#include "glisson/engine/parts/video.h"
+#include "glisson/stereo/picture_io.h"
+
+namespace glisson::engine {
+namespace {
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// frame/left.png, frame/right.png, frame/mask.png.
+json save(const CaseState& state, const CaseFolder& folder) {
+  const StereoInput& input = *state[part::frame];
+  fs::create_directory(folder.path / "frame");
+  stereo::write_picture(folder.path / "frame/left.png", input.frame.left);
+  stereo::write_picture(folder.path / "frame/right.png", input.frame.right);
+  if (!input.mask.empty()) stereo::write_picture(folder.path / "frame/mask.png", input.mask);
+  return {{"index", input.frame.index}, {"seconds", input.frame.seconds}};
+}
+
+void load(CaseState& state, const json& entry, const CaseFolder& folder) {
+  StereoInput input;
+  input.frame.left = stereo::read_picture(folder.path / "frame/left.png");
+  input.frame.right = stereo::read_picture(folder.path / "frame/right.png");
+  const fs::path mask = folder.path / "frame/mask.png";
+  if (fs::exists(mask)) input.mask = stereo::read_picture(mask);
+  input.frame.index = entry.at("index");
+  input.frame.seconds = entry.at("seconds");
+  state[part::frame] = std::make_shared<const StereoInput>(std::move(input));
+}
+
+}  // namespace
+
+const PartOf<StereoInput> part::frame{{.code = "frame",
+                                       .made_of = {part::video},
+                                       .remedy = "Load a stereo pair first",
+                                       .save = save,
+                                       .load = load}};
+
+}  // namespace glisson::engine

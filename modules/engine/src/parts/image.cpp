@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/engine/parts/image.h"
+
+#include <nlohmann/json.hpp>
+
+#include "glisson/volume/io.h"
+
+namespace glisson::engine {
+namespace {
+using nlohmann::json;
+
+json save(const CaseState& state, const CaseFolder& folder) {
+  const Image& image = *state[part::image];
+  write_image(folder.path / "image.nrrd", image);
+  return {{"modality", static_cast<int>(image.modality)}, {"description", image.description}};
+}
+
+void load(CaseState& state, const json& entry, const CaseFolder& folder) {
+  auto image = read_image(folder.path / "image.nrrd", folder.context);
+  if (!image) return;
+  image->modality = static_cast<Modality>(entry.at("modality").get<int>());
+  image->description = entry.at("description");
+  state[part::image] = std::make_shared<const Image>(std::move(*image));
+}
+
+bool same(const CaseState& written, const CaseState& read) {
+  const Image &a = *written[part::image], &b = *read[part::image];
+  return *a.voxels == *b.voxels && a.grid.same_as(b.grid);
+}
+
+}  // namespace
+
+const PartOf<Image> part::image{
+    {.code = "image", .remedy = "Import a CT first", .save = save, .load = load, .same = same}};
+
+}  // namespace glisson::engine

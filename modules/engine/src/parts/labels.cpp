@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/engine/parts/labels.h"
+
+#include <nlohmann/json.hpp>
+
+#include "glisson/engine/parts/image.h"
+#include "glisson/engine/parts/seeds.h"
+#include "glisson/engine/review.h"
+#include "glisson/volume/io.h"
+
+namespace glisson::engine {
+namespace {
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+bool has_steps(const CaseState& state) {
+  return state[part::history] && !state[part::history]->steps().empty();
+}
+
+json save(const CaseState& state, const CaseFolder& folder) {
+  write_labels(folder.path / "labels.seg.nrrd", state[part::labels]->voxels, reviewed_infos(state));
+  if (has_steps(state)) {
+    fs::create_directory(folder.path / "history");
+    editing::write_history(folder.path / "history", *state[part::history]);
+  }
+  return json::object();
+}
+
+void load(CaseState& state, const json&, const CaseFolder& folder) {
+  LabelFile file = read_labels(folder.path / "labels.seg.nrrd");
+  const auto labels =
+      std::make_shared<const LabelMap>(LabelMap{std::move(file.voxels), std::move(file.infos)});
+  state[part::labels] = labels;
+  if (fs::exists(folder.path / "history"))
+    state[part::history] = std::make_shared<const editing::History>(
+        editing::read_history(folder.path / "history", labels->voxels));
+  const auto& image = state[part::image];
+  const bool measurable = image && image->grid.same_as(labels->voxels.grid());
+  state[part::statistics] =
+      std::make_shared<const segmentation::LabelStatistics>(*labels, measurable ? image.get() : nullptr);
+}
+
+bool same(const CaseState& written, const CaseState& read) {
+  return read[part::labels]->voxels == written[part::labels]->voxels &&
+         (!has_steps(written) ||
+          (has_steps(read) && read[part::history]->steps().size() == written[part::history]->steps().size()));
+}
+
+}  // namespace
+
+const PartOf<editing::History> part::history{{.code = "history"}};
+const PartOf<segmentation::LabelStatistics> part::statistics{{.code = "statistics"}};
+const PartOf<LabelMap> part::labels{{.code = "labels",
+                                     .made_of = {part::image, part::seeds},
+                                     .remedy = "Segment the CT or import labels first",
+                                     .save = save,
+                                     .load = load,
+                                     .same = same,
+                                     .companions = {&part::history, &part::statistics},
+                                     // Labels that a hand has changed no longer follow from seeds alone.
+                                     .changed_frees_from = {part::seeds}}};
+
+}  // namespace glisson::engine

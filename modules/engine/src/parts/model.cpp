@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/engine/parts/model.h"
+
+#include <nlohmann/json.hpp>
+
+#include "case_files.h"
+#include "glisson/core/error.h"
+#include "glisson/engine/case_io.h"
+#include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/landmarks.h"
+#include "glisson/geometry/mesh_io.h"
+#include "glisson/model/tree_edits.h"
+
+namespace glisson::engine {
+namespace {
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr LengthUnit kUnit = LengthUnit::millimetre;
+
+json write_model(const fs::path& folder, const model::BuiltModel& built) {
+  fs::create_directory(folder / "model");
+  write_tet_mesh(folder / "model/mesh.vtu", built.model.mesh, kUnit);
+  write_vessels(folder / "model/vessels.vtp", built.model.vessels);
+  if (!built.tree_edits.empty()) {
+    write_vessels(folder / "model/vessels_as_built.vtp", built.trees_as_built);
+    model::write_tree_edits(folder / "model/tree_edits.json", built.tree_edits);
+  }
+  if (!built.model.landmarks.empty() || built.model.landmarks.vena_cava.rows() > 0)
+    write_landmarks(folder / "model/landmarks.json", built.model.landmarks);
+  json surfaces = json::array();
+  for (std::size_t i = 0; i < built.model.surfaces.size(); ++i) {
+    const NamedSurface& surface = built.model.surfaces[i];
+    const std::string name = "model/surface_" + std::to_string(i) + ".vtp";
+    write_triangle_mesh(folder / name, surface.mesh, kUnit);
+    surfaces.push_back({{"file", name}, {"structure", surface.structure}, {"name", surface.name}});
+  }
+  const model::MeshQuality& q = built.report.quality;
+  return {{"surfaces", surfaces},
+          {"notes", built.report.notes},
+          {"quality",
+           {{"vertices", q.vertices},
+            {"tetrahedra", q.tetrahedra},
+            {"min_dihedral_deg", q.min_dihedral_deg},
+            {"max_dihedral_deg", q.max_dihedral_deg},
+            {"volume_error", q.volume_error},
+            {"vertices_to_fine_mean_mm", q.vertices_to_fine_mean_mm},
+            {"mesh_to_fine_mean_mm", q.mesh_to_fine_mean_mm},
+            {"fine_to_mesh_mean_mm", q.fine_to_mesh_mean_mm},
+            {"fine_to_mesh_max_mm", q.fine_to_mesh_max_mm}}}};
+}
+
+model::BuiltModel read_model(const fs::path& folder, const json& entry) {
+  model::BuiltModel built;
+  built.model.mesh = read_tet_mesh(folder / "model/mesh.vtu", kUnit);
+  built.model.surface = boundary_surface(built.model.mesh);
+  built.model.vessels = read_vessels(folder / "model/vessels.vtp");
+  if (fs::exists(folder / "model/tree_edits.json")) {
+    built.tree_edits = model::read_tree_edits(folder / "model/tree_edits.json");
+    built.trees_as_built = read_vessels(folder / "model/vessels_as_built.vtp");
+  }
+  if (fs::exists(folder / "model/landmarks.json"))
+    built.model.landmarks = read_landmarks(folder / "model/landmarks.json");
+  for (const json& surface : entry.at("surfaces"))
+    built.model.surfaces.push_back(
+        {surface.at("structure").get<Label>(), surface.at("name").get<std::string>(),
+         read_triangle_mesh(folder / surface.at("file").get<std::string>(), kUnit)});
+  built.report.notes = entry.at("notes").get<std::vector<std::string>>();
+  model::MeshQuality& q = built.report.quality;
+  const json& sheet = entry.at("quality");
+  q.vertices = sheet.at("vertices");
+  q.tetrahedra = sheet.at("tetrahedra");
+  q.min_dihedral_deg = sheet.at("min_dihedral_deg");
+  q.max_dihedral_deg = sheet.at("max_dihedral_deg");
+  q.volume_error = sheet.at("volume_error");
+  q.vertices_to_fine_mean_mm = sheet.at("vertices_to_fine_mean_mm");
+  q.mesh_to_fine_mean_mm = sheet.at("mesh_to_fine_mean_mm");
+  q.fine_to_mesh_mean_mm = sheet.at("fine_to_mesh_mean_mm");
+  q.fine_to_mesh_max_mm = sheet.at("fine_to_mesh_max_mm");
+  return built;
+}
+
+bool same(const CaseState& written, const CaseState& read) {
+  const PatientModel &a = written[part::model]->model, &b = read[part::model]->model;
+  return same_points(a.mesh.vertices, b.mesh.vertices) && a.mesh.tetrahedra == b.mesh.tetrahedra &&
+         a.vessels.size() == b.vessels.size();
+}
+
+}  // namespace
+
+const PartOf<model::BuiltModel> part::model{
+    {.code = "model",
+     .made_of = {part::labels},
+     .remedy = "Build or import a model first",
+     .save = [](const CaseState& state,
+                const CaseFolder& folder) { return write_model(folder.path, *state[part::model]); },
+     .load =
+         [](CaseState& state, const json& entry, const CaseFolder& folder) {
+           state[part::model] = std::make_shared<const model::BuiltModel>(read_model(folder.path, entry));
+         },
+     .same = same}};
+
+Landmarks effective_landmarks(const CaseState& state) {
+  require(state[part::model] != nullptr, "landmarks belong to a model");
+  Landmarks landmarks = state[part::model]->model.landmarks;
+  if (const auto& placed = state[part::landmarks]) {
+    if (placed->anterior_margin.rows() > 0) landmarks.anterior_margin = placed->anterior_margin;
+    if (placed->umbilical_notch.rows() > 0) landmarks.umbilical_notch = placed->umbilical_notch;
+    if (placed->vena_cava.rows() > 0) landmarks.vena_cava = placed->vena_cava;
+  }
+  return landmarks;
+}
+
+PatientModel effective_model(const CaseState& state) {
+  PatientModel model = state[part::model]->model;
+  model.landmarks = effective_landmarks(state);
+  return model;
+}
+
+}  // namespace glisson::engine

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QCoreApplication>
+#include <QHash>
+
+#include "glisson/ui/common/texts.h"
+
+namespace glisson::ui {
+namespace {
+
+QString to_q(std::string_view text) {
+  return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+/// Context of these sentences for translators.
+class Obstacles {
+  Q_DECLARE_TR_FUNCTIONS(Obstacles)
+ public:
+  /// What to do first, by the part that is not there.
+  static QHash<QString, QString> missing() {
+    return {{"image", tr("Open a CT first.")},
+            {"seeds", tr("Place at least one seed in the liver.")},
+            {"labels", tr("Segment the CT or import labels first.")},
+            {"model", tr("Build a model first.")},
+            {"landmarks", tr("Place or accept the landmarks first.")},
+            {"rig", tr("Load the laparoscope's calibration first.")},
+            {"video", tr("The case has no stereo video (Stereo, Video…).")},
+            {"frame", tr("Load a stereo pair or a video frame first.")},
+            {"cloud", tr("Reconstruct the surface first (Stereo).")},
+            {"registration", tr("Register first.")}};
+  }
+  /// The same for one that is out of date.
+  static QHash<QString, QString> stale() {
+    return {
+        {"labels", tr("The labels are out of date: segment or import them again (Segmentation).")},
+        {"model", tr("The model is out of date: build it again (Model).")},
+        {"check", tr("The model is another one than was checked: look at it again (Model).")},
+        {"landmarks",
+         tr("The landmarks are those of another model: look at them and accept them (Landmarks).")},
+        {"frame", tr("The frame is of a former video: take one of the present video (Stereo).")},
+        {"regions", tr("The regions are those of another frame: draw them again or clear them (Stereo).")},
+        {"cloud", tr("The points are out of date: reconstruct the surface again (Stereo).")},
+        {"registration", tr("The registration is out of date: register again.")}};
+  }
+  /// A part that came after these sentences.
+  static QString other_missing() { return tr("There is no %1 yet."); }
+  static QString other_stale() { return tr("%1 is out of date: make it anew."); }
+};
+
+}  // namespace
+
+QString obstacle_text(const std::optional<engine::Obstacle>& obstacle) {
+  if (!obstacle) return {};
+  const QString part = to_q(obstacle->part.code());
+  if (obstacle->kind == engine::Obstacle::Kind::missing)
+    return Obstacles::missing().value(part, Obstacles::other_missing().arg(part));
+  return Obstacles::stale().value(part, Obstacles::other_stale().arg(part));
+}
+
+}  // namespace glisson::ui
