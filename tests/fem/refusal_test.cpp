@@ -75,6 +75,30 @@ class RefusalTest : public QObject {
     QVERIFY_EXCEPTION_THROWN(step.validate(), InputError);
   }
 
+  void UnusableStaticOptionsAreNamed() {
+    const auto refused = [](const std::function<void(StaticOptions&)>& change) {
+      StaticOptions options;
+      change(options);
+      return field_of([&] { options.validate(); });
+    };
+    QCOMPARE(refused([](StaticOptions&) {}), QString("none"));
+    QCOMPARE(refused([](StaticOptions& o) { o.max_iterations = 0; }), QString("max_iterations"));
+    QCOMPARE(refused([](StaticOptions& o) { o.tolerance = 0.0; }), QString("tolerance"));
+    QCOMPARE(refused([](StaticOptions& o) { o.tolerance = 1.0; }), QString("tolerance"));
+    QCOMPARE(refused([](StaticOptions& o) { o.tolerance = std::nan(""); }), QString("tolerance"));
+    QCOMPARE(refused([](StaticOptions& o) { o.fixed_nodes = {3, -1}; }), QString("fixed_nodes"));
+    QCOMPARE(refused([](StaticOptions& o) { o.threads = 3; }), QString("threads"));
+    // The solve looks at them, too.
+    const CompositeModel model(block_mesh({2, 2, 2}, {0.02, 0.02, 0.02}), {}, {});
+    StaticOptions none;
+    none.threads = 0;
+    QCOMPARE(field_of([&] {
+               (void)solve_static(
+                   model, model.mesh().vertices, [](const Points&) { return Loads(); }, none, RunContext());
+             }),
+             QString("threads"));
+  }
+
   void UnusableVesselsAreNamed() {
     const TetMesh mesh = block_mesh({2, 2, 2}, {0.02, 0.02, 0.02});
     const VesselTree good = straight_vessel({0.001, 0.01, 0.01}, {0.019, 0.01, 0.01}, 3, 0.001);

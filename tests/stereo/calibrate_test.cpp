@@ -4,6 +4,7 @@
 #include <QtTest>
 #include <opencv2/aruco/charuco.hpp>
 
+#include "complaint.h"
 #include "glisson/core/error.h"
 #include "glisson/stereo/calibration_io.h"
 #include "glisson/stereo/picture_io.h"
@@ -98,6 +99,32 @@ class CalibrateTest : public QObject {
     const Calibration found = calibrated(views_of(rig, board, rendered::board_poses(board, 0.12)), options);
     QVERIFY(std::abs(found.epipolar_reference - 3.0) < 0.2);
     for (const ViewReport& view : found.views) QVERIFY(view.epipolar_left_out < view.epipolar_reference);
+  }
+
+  void UnusableOptionsAreNamed() {
+    const auto refused = [](const std::function<void(CalibrateOptions&)>& change) {
+      CalibrateOptions options;
+      options.reference = rendered::rig();
+      change(options);
+      return QString::fromStdString(test::refused_field([&] { options.validate(); }));
+    };
+    QCOMPARE(refused([](CalibrateOptions&) {}), QString("none"));
+    QCOMPARE(refused([](CalibrateOptions& o) { o.without = {"frame 3", ""}; }), QString("without"));
+    QCOMPARE(refused([](CalibrateOptions& o) { o.reference->left.matrix(0, 0) = 0.0; }),
+             QString("reference"));
+    QCOMPARE(refused([](CalibrateOptions& o) { o.reference->right.matrix(0, 2) = -1.0; }),
+             QString("reference"));
+    QCOMPARE(refused([](CalibrateOptions& o) { o.reference->right_from_left.rotation *= 2.0; }),
+             QString("reference"));
+    QCOMPARE(refused([](CalibrateOptions& o) { o.reference->right_from_left.translation *= 100.0; }),
+             QString("reference"));
+    QCOMPARE(refused([](CalibrateOptions& o) { o.reference = swapped(*o.reference); }), QString("reference"));
+    // Calibrating looks at them, too.
+    CalibrateOptions unnamed;
+    unnamed.without = {""};
+    const Board board = small_board();
+    const BoardViews views = views_of(rendered::rig(), board, rendered::board_poses(board, 0.12));
+    QVERIFY_EXCEPTION_THROWN((void)calibrate(views, unnamed, RunContext()), InputError);
   }
 
   void ViewThatDoesNotFitIsProposedAndDropped() {

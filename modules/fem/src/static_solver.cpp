@@ -18,7 +18,7 @@ bool holds(const Loads& loads, const StaticOptions& options) {
   return false;
 }
 
-// Of the unsymmetric system: as exact as Newton's last steps ask for.
+/// Relative residual to which the unsymmetric system is solved: what Newton's last steps need.
 constexpr double kNewtonTolerance = 1e-5;
 constexpr int kNewtonIterations = 60;
 constexpr int kLongestPenalty = 24;
@@ -210,9 +210,19 @@ class StaticSolve {
 
 }  // namespace
 
+void StaticOptions::validate() const {
+  const OptionCheck demand("static options");
+  demand(max_iterations >= 1, "max_iterations", max_iterations, "Give one at least");
+  demand(tolerance > 0.0 && tolerance < 1.0, "tolerance", tolerance,
+         "Give a relative residual between 0 and 1");
+  for (const int node : fixed_nodes) demand(node >= 0, "fixed_nodes", node, "Give 0-based node numbers");
+  demand(threads == 1 || threads == 2, "threads", threads, "Give 1 or 2");
+}
+
 Cancellable<StaticSummary> solve_static(const CompositeModel& model, const Points& start,
                                         const std::function<Loads(const Points&)>& loads,
                                         const StaticOptions& options, const RunContext& context) {
+  options.validate();
   require(start.rows() == model.node_count(), "a start holds one row a node of the model");
   require(start.allFinite(), "a start is finite");
   return StaticSolve(model, loads, options).run(start, context);

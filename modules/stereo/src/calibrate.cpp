@@ -368,6 +368,23 @@ std::optional<Joint> calibrate_used(const BoardViews& views, const CalibrateOpti
 
 }  // namespace
 
+void CalibrateOptions::validate() const {
+  for (const std::string& name : without)
+    if (name.empty())
+      throw InputError("calibration options", "without", "holds a view without a name",
+                       "Name views as the report does");
+  if (!reference) return;
+  try {
+    check_camera("reference", "left camera", reference->left);
+    check_camera("reference", "right camera", reference->right);
+    (void)checked_rotation("reference", "R", reference->right_from_left.rotation);
+    check_rig("reference", *reference);
+  } catch (const InputError& failure) {
+    throw InputError("calibration options", "reference", failure.field() + " " + failure.problem(),
+                     failure.remedy());
+  }
+}
+
 double epipolar_rms(const StereoRig& rig, const BoardView& view) {
   const Rectification rectification(rig);
   Mean rows;
@@ -381,6 +398,7 @@ double epipolar_rms(const StereoRig& rig, const BoardView& view) {
 
 Cancellable<Calibration> calibrate(const BoardViews& views, const CalibrateOptions& options,
                                    const RunContext& context) {
+  options.validate();
   views.require(kFewestViews);
   Calibration result;
   for (const BoardView& view : views.views()) {

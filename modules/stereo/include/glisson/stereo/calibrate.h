@@ -18,6 +18,9 @@ struct CalibrateOptions {
   bool drop_outliers = false;          ///< leave out what is proposed, and calibrate again
   std::vector<std::string> without;    ///< names of views that are left out from the beginning
   std::optional<StereoRig> reference;  ///< another calibration of the same scope, to compare with
+
+  /// @throws InputError naming the option: a view without a name, a reference that is no laparoscope's.
+  void validate() const;
 };
 
 /// How well one view fits. Errors in pixels of the pictures as taken; NaN: not computed.
@@ -49,9 +52,9 @@ struct Calibration {
 
 /// Both cameras and their pose together, from the views of a board: Zhang's method for each camera, then all
 /// unknowns jointly by Levenberg-Marquardt (OpenCV's stereoCalibrate, intrinsics free).
-/// @throws InputError fewer than 3 views with a board (a wrong board size is recognised) or without those
-///   left out; left and right swapped; a baseline that no laparoscope has (the squares' size is wrong); all
-///   views parallel.
+/// @throws InputError options; fewer than 3 views with a board (a wrong board size is recognised) or without
+///   those left out; left and right swapped; a baseline that no laparoscope has (the squares' size is wrong);
+///   all views parallel.
 Cancellable<Calibration> calibrate(const BoardViews& views, const CalibrateOptions& options,
                                    const RunContext& context);
 
