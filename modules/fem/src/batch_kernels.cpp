@@ -19,7 +19,7 @@ GLISSON_INLINE void root(V& v) {
 
 GLISSON_INLINE void load(V& v, const double* source) { v = *reinterpret_cast<const V*>(source); }
 
-/// Lanes where Newton's iteration does not serve go to the general decomposition.
+/// The general decomposition, for lanes where Newton's iteration does not serve.
 __attribute__((noinline)) void general_rotation(const V* f, V* q, int lane) {
   Eigen::Matrix3d m;
   for (int c = 0; c < 3; ++c)

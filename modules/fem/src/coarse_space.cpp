@@ -12,9 +12,9 @@
 namespace glisson::fem {
 namespace {
 
-/// Smaller weights are left out: a lattice node that holds the organ by so little makes P^T A P singular.
+/// Smaller weights are left out: a lattice node with so little of the organ makes P^T A P nearly singular.
 constexpr double kLeastWeight = 0.02;
-/// Added to the diagonal, relatively, where lattice nodes are held by too few others all the same.
+/// Added to the diagonal, as a share of it, for lattice nodes that are hardly coupled all the same.
 constexpr double kShift = 1e-9;
 
 }  // namespace

@@ -17,8 +17,8 @@ struct Front {
   std::vector<int> place_in_parent;
 };
 
-/// The elimination tree of a pattern in postorder, its columns gathered into fronts; a front joins its
-/// parent where the zeros that this stores cost less time than the front's own overhead.
+/// The elimination tree of a pattern in postorder, its columns gathered into fronts. Joining a front to its
+/// parent stores zeros and saves a front: it is done where it saves time.
 std::vector<Front> build_fronts(const BlockPattern& pattern);
 
 /// About how many multiplications a front takes.
@@ -32,8 +32,8 @@ FrontGroups share_out(const std::vector<Front>& fronts);
 /// One group.
 FrontGroups in_one_go(const std::vector<Front>& fronts);
 
-/// Offsets for buffers of given sizes that live from their own turn to their parent's (inclusive), packed;
-/// each group has a space of its own.
+/// Where to put each front's buffer in one piece of memory. A buffer is needed from its own turn to its
+/// parent's (inclusive); places that are free again are used again. Each group has a space of its own.
 /// @param total receives the space needed.
 std::vector<std::size_t> plan_memory(const std::vector<Front>& fronts, const FrontGroups& groups,
                                      const std::vector<std::size_t>& sizes, std::size_t* total);

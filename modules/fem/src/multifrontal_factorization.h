@@ -15,9 +15,8 @@ namespace glisson::fem {
 /// is factorised in part, what remains is added to its parent. A fixed order of sums, whatever the threads.
 class MultifrontalFactorization : public Factorization {
  public:
-  /// @param threads 1, or 2: subtrees are shared out, and the rows of the fronts above them. Small matrices
-  /// are
-  ///   worked on by one all the same.
+  /// @param threads 1, or 2: each takes whole subtrees, and half of the rows of the fronts above them. A
+  ///   small matrix is worked on by one thread all the same.
   explicit MultifrontalFactorization(const BlockPattern& pattern, int threads = 1,
                                      const DenseKernels& kernels = dense_kernels());
   bool factorise(const std::vector<double>& values) override;

@@ -72,9 +72,9 @@ class StaticSolve {
     return system_.gather(model_.internal_force(x) + external_);
   }
 
-  /// Whether exact steps are worth it, two at a time: the first may raise the residual (a linear turn swells
-  /// stiff elements) and the second remove nearly all. Where they are not (far away), projected steps for a
-  /// while, longer each time.
+  /// Decides whether exact steps go on. They are judged two at a time: the first may raise the residual (a
+  /// linear turn swells stiff elements), the second then removes nearly all of it. Where a pair does not pay,
+  /// as far from the solution, projected steps follow for a while, longer each time.
   void judge_exact(double residual) {
     if (exact_steps_ == 0) before_exact_ = residual;
     if (exact_steps_ >= 2) {
@@ -94,8 +94,8 @@ class StaticSolve {
     return factorization_->factorise(system_.values());
   }
 
-  /// Newton's step with the exact derivative where it can be had (quadratic convergence at the end), else
-  /// with the projected one, which always descends.
+  /// Newton's step: with the exact derivative where its turn is (quadratic convergence at the end), else with
+  /// the projected one, which always descends.
   Eigen::VectorXd solve(const Points& x, const Loads& loads, const Eigen::VectorXd& residual) {
     const bool try_exact = patience_ == 0;
     if (!try_exact) --patience_;
@@ -125,7 +125,8 @@ class StaticSolve {
     return direction;
   }
 
-  /// Where even the projected matrix is singular (too few held nodes), a shift by mass until it factorises.
+  /// Factorises the projected matrix; where that is singular (too few held nodes), with a multiple of the
+  /// mass added.
   void factorise_projected(const Points& x, const Loads& loads) {
     bool done = factorise(x, loads, Tangent::projected);
     for (double shift = 1.0; !done; shift *= 10.0) {

@@ -7,8 +7,8 @@
 namespace glisson::fem {
 namespace {
 
-/// Lattice nodes for a number of mesh nodes. Measured: few make many iterations, many a dear factor; the
-/// minimum is flat.
+/// Lattice nodes for a number of mesh nodes. With few there are many iterations, with many the coarse factor
+/// costs much; the measured minimum is flat.
 int lattice_nodes(int nodes) { return std::max(8, static_cast<int>(5.0 * std::sqrt(nodes))); }
 
 using Quads = Eigen::Map<Eigen::Matrix<double, 4, Eigen::Dynamic>>;
@@ -94,7 +94,7 @@ TwoLevelSolver::Result TwoLevelSolver::solve(const Eigen::VectorXd& b, Eigen::Ve
   x = Eigen::Map<const Eigen::Matrix<double, 4, Eigen::Dynamic>>(x_.data(), 4, x_.size() / 4)
           .topRows<3>()
           .reshaped();
-  // The recurrence drifts; what is reported is the truth.
+  // The residual of the recurrence drifts: the one that is reported is computed from x.
   widen(b, r_);
   subtract(x_, r_);
   result.residual = size > 0.0 ? r_.norm() / size : r_.norm();

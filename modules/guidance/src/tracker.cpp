@@ -22,7 +22,8 @@ namespace {
 constexpr double kBindRadius = 8e-3;
 /// New points are looked for when this share is missing.
 constexpr double kMissing = 0.1;
-/// A gap may differ from its neighbours' by so much, metres across the line of sight, and so many MADs.
+/// A gap counts as consistent up to this difference from its neighbours' median: metres across the line of
+/// sight, or scaled MADs of all differences, whichever is more.
 constexpr double kConsistentFloor = 1.5e-3, kConsistentDeviations = 4.0;
 
 double mean_norm(const std::vector<Eigen::Vector3d>& vectors) {

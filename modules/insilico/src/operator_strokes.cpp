@@ -57,7 +57,7 @@ struct Mistake {
   bool is(Label now, Label truth) const {
     return missing ? truth == label && now != label : now == label && truth != label;
   }
-  /// What a brush over the voxel is worth.
+  /// By how many voxels a brush over this one mends the labels: 1, 0 or -1.
   int worth(Label now, Label truth) const {
     if (is(now, truth)) return 1;
     if (missing) return now == truth && now != label ? -1 : 0;

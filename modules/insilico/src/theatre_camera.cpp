@@ -162,8 +162,8 @@ CameraFromCt place_camera(const TriangleMesh& liver, const Points& margin, const
         camera_from_ct.rotation.row(1) = z.cross(left.normalized()).transpose();
         camera_from_ct.rotation =
             Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitZ()).toRotationMatrix() * camera_from_ct.rotation;
-        camera_from_ct.translation =
-            -(camera_from_ct.rotation * (target - 2.0 * distance * z));  // from afar, then nearer
+        // Far away at first: look() comes nearer.
+        camera_from_ct.translation = -(camera_from_ct.rotation * (target - 2.0 * distance * z));
         const View view = scout.look(camera_from_ct, distance);
         if (view.score > best.score) best = view;
       }

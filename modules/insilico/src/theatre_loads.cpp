@@ -39,9 +39,9 @@ double bell(double r) { return std::exp(-0.5 * r * r); }
 /// Stiffness of the bed beside the spine, N/m3.
 double bed(double sideways) { return kBed + (kSpine - kBed) * bell(sideways / kSpineHalfWidth); }
 
-/// Where the bed goes, per metre of its sinking: backwards and towards the feet beside the spine, more on the
-/// right, where kidney and colon make room. Both lobes bend around the spine, without a kink: far out the bed
-/// sinks no further.
+/// Displacement of the bed per metre of its sinking: beside the spine it goes backwards and towards the feet,
+/// more on the right, where kidney and colon make room. It levels off far out, so that both lobes bend around
+/// the spine without a kink.
 Eigen::Vector3d bed_gives_way(double sideways) {
   constexpr double kMost = 2.0;
   const double r = sideways / 0.09;

@@ -21,8 +21,7 @@ namespace {
 constexpr int kBreathStates = 4;          // inspiration 0, 1/3, 2/3, 1
 constexpr double kFirstPressure = 200.0;  // Pa, first try when it is ours to choose
 constexpr double kLargestPressure = 4000.0;
-// Of the residual force, relative to the load. A thousandth of some 20 N on springs of some 1000 N/m is 20
-// um.
+/// Of the residual force, relative to the load. (A thousandth of 20 N on springs of 1000 N/m is 20 um.)
 constexpr double kTolerance = 1e-4, kGoodEnough = 1e-3;
 constexpr double kSmallestVolumeRatio = 0.05;
 
@@ -110,7 +109,7 @@ Cancellable<Base> find_base(Solver& solver, const TheatreOptions& options, const
   for (int tries = 0; tries < 40; ++tries) {
     double next = pressure + step;
     if (given) next = std::min(next, options.pneumoperitoneum_pa);
-    // The search may come back down; its progress does not, and is not that of the solves inside.
+    // Progress is that of the search, not of the solves in it, and never goes back.
     done = std::max(done, std::min(0.95, given ? pressure / options.pneumoperitoneum_pa : reached / wanted));
     context.progress(done, "theatre.gas");
     auto outcome = solver.solve(best.positions, best.positions, deflated(next), context.quiet());
@@ -132,7 +131,7 @@ Cancellable<Base> find_base(Solver& solver, const TheatreOptions& options, const
       return best;
     if (given) continue;
     if (pressure >= kLargestPressure || !(slope > 0.0)) break;
-    // Secant; from above it comes back down.
+    // Secant; a step that went too far is taken back in part.
     step = std::clamp((1.02 * wanted - reached) / slope, -0.5 * pressure, 0.7 * pressure);
   }
   throw NumericalError(

@@ -29,7 +29,8 @@ class Fitter {
  private:
   Eigen::Vector3d point(int i) const { return points_[static_cast<std::size_t>(i)]; }
 
-  /// Unit vector from point `at` along the list, away from the end it is (or against the list at the last).
+  /// Unit vector at an end of the list, pointing into it: along the list at the first point, against it at
+  /// the last.
   Eigen::Vector3d direction(int at, int first, int last) const {
     const int step = at == last ? -1 : 1;
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();

@@ -6,9 +6,9 @@
 
 namespace glisson::model {
 
-/// Puts cells on boundary nodes that lie in dents: below the surface, where the refinement left out the cells
-/// above them (it takes a cell whose circumcentre is in the body, and that of a flat one under the surface,
-/// over a lesion, is not). The node is an inner one then, and the boundary stays a manifold.
+/// Fills dents of the boundary: nodes below the surface with no cells above them. The refinement keeps a cell
+/// if its circumcentre lies in the body; that of a flat cell between a lesion and the surface does not, so it
+/// is missing. Cells are put on such a node, which then is an inner one; the boundary stays a manifold.
 /// @param surface fine, normals outwards, of the body; `normals` of its triangles.
 /// @param label of the cells that are put in.
 /// @return how many nodes were covered. No cell with a dihedral angle below `least_dihedral_deg`, none that

@@ -136,7 +136,7 @@ class ManifoldBoundary {
     return pieces;
   }
 
-  /// One piece without cavities: the largest inside, and nothing outside that infinity does not reach.
+  /// Keeps the largest piece of the body, and fills cavities: outside cells that do not reach infinity.
   void keep_one_solid_piece() {
     std::vector<Cell> in, out;
     const Triangulation& triangulation = complex_.triangulation();

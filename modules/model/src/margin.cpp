@@ -14,8 +14,8 @@ namespace glisson::model {
 namespace {
 
 constexpr double kPatchRadius = 0.012;  // metres: over which the normals' spread is taken
-constexpr double kLongestEdge =
-    0.005;  // metres, mean: coarser meshes are subdivided (they stay the same surface)
+/// Meshes with a longer mean edge (metres) are subdivided; the surface stays the same.
+constexpr double kLongestEdge = 0.005;
 constexpr double kSeedDeviations = 1.5, kExtensionDeviations = 0.5;  // above the mean, of the whole mesh
 constexpr double kLeastSeed = 0.12;  // spread of two planes that meet at 123 degrees
 constexpr double kLeastExtension = 0.06;
@@ -241,7 +241,7 @@ Points detect_anterior_margin(const TriangleMesh& surface, const Eigen::Vector3d
   const Eigen::Vector3d wanted =
       inferior_anterior.norm() > 0.0 ? inferior_anterior.normalized().eval() : Eigen::Vector3d::Zero().eval();
   const auto neighbours = vertex_neighbours(mesh);
-  // Thresholds come from the whole mesh; only then what faces the wrong way is left out.
+  // What faces the wrong way is left out only now: the thresholds come from the whole mesh.
   int count = 0;
   if (wanted.norm() > 0.0)
     for (std::size_t v = 0; v < sharp.size(); ++v)

@@ -212,7 +212,8 @@ Pruning pruning(const std::vector<VesselTree>& trees, const Eigen::Vector3d& p, 
   return result;
 }
 
-/// The other tree, from `to` outwards, at the end of a link from node `at` of the trunk, which is node 0.
+/// What a join hangs on the trunk: node 0 is the trunk's node `at`, then comes the link, then the other tree
+/// from its node `to` outwards.
 VesselTree hanging(const VesselTree& trunk, int at, const VesselTree& other, int to) {
   const VesselTree branch = from_root(other, to, [](int) { return true; });
   const Eigen::RowVector3d a = trunk.nodes.row(at), b = branch.nodes.row(0);
@@ -238,7 +239,7 @@ VesselTree hanging(const VesselTree& trunk, int at, const VesselTree& other, int
   return part;
 }
 
-/// The trunk with a part whose node 0 is the trunk's node `at`.
+/// The trunk with such a part hung on its node `at`.
 VesselTree joined(const VesselTree& trunk, int at, const VesselTree& part) {
   VesselTree result = trunk;
   const auto count = static_cast<int>(trunk.radii.size());

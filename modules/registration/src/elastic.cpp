@@ -14,7 +14,7 @@ namespace {
 /// A stage that neither rests nor ends is left after so many steps: a limit cycle of the pairing.
 constexpr int kStageSteps = 80;
 
-/// Below a fifth of the surface the paper's error is over its 3 mm (Fig. 8), and ours up to centimetres far
+/// Where less of the surface is seen the paper's error exceeds 3 mm (Fig. 8), and ours may be centimetres far
 /// from what is seen (see the README).
 constexpr double kLittleSeen = 0.2;
 

@@ -27,7 +27,8 @@ constexpr double kReach = 0.09;
 
 /// One operation's loads, each in standard deviations.
 struct Draw {
-  static constexpr int kBedTerms = 9, kLoads = 6 + kBedTerms;  // those to which the answer is about linear
+  /// kLoads: of those to which the organ answers about linearly.
+  static constexpr int kBedTerms = 9, kLoads = 6 + kBedTerms;
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();
   double gas = 0.0, gas_slope = 0.0, lift = 0.0, contact = 0.0, tie = 0.0;
   std::array<double, kBedTerms> bed{};
@@ -88,11 +89,11 @@ class Operations {
     }
   }
 
-  /// The organ in one operation, laid back on its rest shape. No value: no equilibrium, or cancelled.
+  /// The organ in one operation, rigidly laid back on its rest shape. Empty: no equilibrium, or cancelled.
   std::optional<Points> run(const Draw& draw, const RunContext& context) const {
     fem::StaticOptions newton;
     newton.max_iterations = 40;
-    newton.threads = 1;  // two operations are simulated at a time
+    newton.threads = 1;       // two operations are simulated at a time
     newton.tolerance = 1e-3;  // 20 um on the springs that hold the organ
     const auto solved = fem::solve_static(
         composite_, rest_, [&](const Points& x) { return loads(draw, x); }, newton, context);

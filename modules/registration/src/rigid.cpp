@@ -83,7 +83,7 @@ class Aligner {
       pose = (twist * pose.inverse()).inverse();
       if (angle < 1e-5 && step.tail<3>().norm() < 1e-6) break;
     }
-    // Hundreds of products: back onto the rotations.
+    // After hundreds of products the matrix is no exact rotation any more.
     pose.rotation = Eigen::Quaterniond(pose.rotation).normalized().toRotationMatrix();
     return pose;
   }
@@ -129,7 +129,7 @@ class Aligner {
       m.distance = std::min(at.distance, kCap);
       if (m.feature == Feature::surface &&
           m.normal.dot(ct_from_camera.rotation * normals_.row(i).transpose()) < 0.0) {
-        m.usable = false;  // a surface seen from within
+        m.usable = false;  // the surface would be seen from within
         m.distance = kCap;
       }
       matches.push_back(m);

@@ -14,7 +14,8 @@ namespace {
 /// Squared standardised distance at which Cauchy's weight is a half: five standard deviations.
 constexpr double kTolerance = 25.0;
 constexpr double kLargestTurn = 0.3;  // rad an iteration
-// Rests: amplitudes in standard deviations, the pose in metres and radians times 0.1 m.
+/// The fit is at rest when a step changes less: amplitudes (standard deviations); pose (metres, and radians
+/// times 0.1 m).
 constexpr double kRestAmplitude = 2e-3, kRestPose = 2e-5;
 constexpr int kFewestIterations = 10;
 

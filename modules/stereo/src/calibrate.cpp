@@ -117,7 +117,8 @@ class Mean {
   double sum_ = 0.0, weight_ = 0.0;
 };
 
-/// Views that fit far worse than the others. A few tenths of a pixel are corners' noise, whatever the others.
+/// Proposes views for removal that fit far worse than the others; a few tenths of a pixel are the corners'
+/// noise and never enough.
 void propose(std::vector<ViewReport>& views) {
   constexpr double kDeviations = 5.0, kNoise = 0.2;
   std::vector<double> errors;

@@ -20,7 +20,7 @@ cv::Mat compute(const cv::Mat& first, const cv::Mat& second, int least, int coun
   constexpr int kBlock = 5;
   const auto matcher = cv::StereoSGBM::create(least, count, kBlock, 8 * kBlock * kBlock, 32 * kBlock * kBlock,
                                               -1, 31, 5, 100, 2, cv::StereoSGBM::MODE_SGBM_3WAY);
-  // Beyond the picture's border, where no disparity of the range fits, the matcher is blind: give it room.
+  // The matcher gives nothing near the border, where part of the disparities leaves the picture: widen it.
   const int room = std::max(0, least + count);
   cv::Mat a, b, raw, result;
   cv::copyMakeBorder(first, a, 0, 0, room, 0, cv::BORDER_REPLICATE);

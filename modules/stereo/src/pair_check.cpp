@@ -86,13 +86,13 @@ std::vector<FeaturePair> unguided_matches(const Picture& left, const Picture& ri
   }
   if (matches.size() < kFewestMatches) return {};
   cv::Mat inlier;
-  // Room for what distortion bends: no line is straight here.
+  // The tolerance leaves room for distortion: epipolar lines are curves here.
   cv::findFundamentalMat(a, b, cv::FM_RANSAC, 3.0 * std::max(1.0, left.width / 720.0), 0.999, inlier);
   if (inlier.empty()) return {};
   std::vector<FeaturePair> kept;
   for (std::size_t i = 0; i < matches.size(); ++i)
     if (inlier.at<std::uint8_t>(static_cast<int>(i)) != 0) kept.push_back(matches[i]);
-  // Chance alone lets some eighth fit any geometry.
+  // About an eighth of wrong matches fits any geometry by chance.
   return kept.size() * 3 > matches.size() ? kept : std::vector<FeaturePair>();
 }
 

@@ -9,8 +9,8 @@
 namespace glisson::stereo {
 namespace {
 
-/// Beyond a radius the polynomial of some calibrations turns back: two rays share a pixel there. Shortly
-/// before, pixels hardly tell rays apart.
+/// The radius up to which the distortion keeps rays apart. Beyond it the polynomial of some calibrations
+/// turns back, and two rays share a pixel.
 double one_to_one_limit(const Camera& camera) {
   constexpr double kLeastSlope = 0.2, kWidest = 4.0, kStep = 1e-3;
   const auto& d = camera.distortion;

@@ -18,18 +18,18 @@ enum Unknown { kDisparity, kSlopeX, kSlopeY, kRow, kGain, kOffset, kBendXX, kBen
 using Vector = Eigen::Matrix<double, kUnknowns, 1>;
 using Matrix = Eigen::Matrix<double, kUnknowns, kUnknowns>;
 
-// Standard deviations before anything is seen: slope of the disparity (a surface at 60 degrees to the view),
-// rows (calibration), gain and offset (vignetting of two lenses). How the surface bends:
+// Priors' standard deviations: slope of the disparity (a surface at 60 degrees to the view), difference of
+// rows (calibration), gain and offset of light (vignetting of two lenses). That of the bend is
 // Rectification::bend_prior().
 constexpr double kSlopePrior = 0.12, kRowPrior = 0.7, kGainPrior = 0.3, kOffsetPrior = 40.0;
 constexpr double kLeastNoise = 0.3;        // grey levels: what eight bits leave
 constexpr double kLeastCorrelation = 0.7;  // of the patches
 constexpr double kSigmaFloor = 0.01;       // pixels: interpolation
-constexpr double kBlur = 0.7;              // pixels: takes what interpolates badly
-// Residuals of neighbouring pixels are alike as if white noise had been blurred by so much (the blur above,
-// the warp, the patch's affine sampling), pixels.
+constexpr double kBlur = 0.7;              // pixels: removes what would be interpolated badly
+/// Neighbouring residuals are correlated like white noise blurred by so many pixels (by the blur above, the
+/// warp and the sampling of the patch).
 constexpr double kAlike = 1.0;
-constexpr double kTukey = 4.7;  // of the residuals' deviation: light, not tissue
+constexpr double kTukey = 4.7;  // of the residuals' deviation; beyond it is a highlight, no tissue
 
 }  // namespace
 

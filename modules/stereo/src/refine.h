@@ -24,10 +24,10 @@ class Refiner {
   Refiner(const Rectification& rectification, const cv::Mat& left, const cv::Mat& right,
           const cv::Mat& excluded_left, const cv::Mat& excluded_right, int half_width);
 
-  /// @param row what the right row exceeds the left one by where calibration is not perfect, pixels.
-  /// @return the refined match with its sigma, from what the residuals show of the noise; empty where it does
-  /// not converge, lies
-  ///   outside, or the patches differ (correlation below 0.7).
+  /// @param row by how much right rows exceed left ones, where the calibration is not perfect, pixels.
+  /// @return the refined match with its sigma, from the noise that the residuals show; empty where it does
+  /// not
+  ///   converge, lies outside, or the patches differ (correlation below 0.7).
   std::optional<Match> refine(const Match& start, double row) const;
   /// Standard deviation of the patch's weights, pixels: matches closer than that have their errors in common.
   double reach() const;

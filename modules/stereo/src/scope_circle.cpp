@@ -31,8 +31,8 @@ std::vector<std::uint8_t> values_in(const cv::Mat& image, const cv::Rect& rect) 
   return values;
 }
 
-/// The brightest that the sensor shows where no light falls: by the noise of the corners, the second darkest
-/// (one may lie in a shadow, two may be lit). Empty: they are too light for that.
+/// The highest grey level that still counts as dark, from the noise of the picture's corners: the second
+/// darkest of the four (one may lie in a shadow, two may be lit). Empty: the corners are too light.
 std::optional<double> dark_level(const cv::Mat& image) {
   constexpr double kInset = 0.02, kSide = 0.04;           // of width and height; the margin is often blank
   constexpr double kLeastAbove = 2.5, kDeviations = 3.0;  // grey levels; of the 95th percentile
@@ -71,8 +71,8 @@ double mean(const cv::Mat& image, const Eigen::Vector2d& p, const Eigen::Vector2
   return sum / kSamples;
 }
 
-/// Where the light of a ray has fallen to the half, that is above the dark up to `last`. Empty: it ends over
-/// a long way, not at once; where a lamp's light fades, there is no rim.
+/// Where along a ray the light falls to its half; `last` is the ray's last lit pixel. Empty: the light fades
+/// over a long way instead of ending at once, so that there is no rim.
 std::optional<Eigen::Vector2d> rim(const cv::Mat& image, Eigen::Vector2d last, const Eigen::Vector2d& step) {
   constexpr double kLeastDrop = 2.0;  // grey levels
   constexpr double kLeastOfLight = 0.5;

@@ -26,21 +26,21 @@ bool without_content(const cv::Mat& view) {
   return (mean[0] < kDark && brightest < kBrightest) || deviation[0] < kFlat;
 }
 
-/// Whether two views differ by no more than coding one picture twice: by less than a quarter of a thumbnail's
-/// pixel would shift them. That is 1/384 of the width, where 4 mm of baseline give 1/50 of it and more at 20
-/// cm, and converging cameras 1/60 between 8 and 12 cm. The level is what coarse coding leaves (mp4v at one
-/// bit a pixel: 0.75 grey levels).
+/// Whether two views are one picture, coded twice: they differ by less than a shift by a quarter of a
+/// thumbnail's pixel would make. That is 1/384 of the width, where 4 mm of baseline give 1/50 of it and more
+/// at 20 cm, and converging cameras 1/60 between 8 and 12 cm. The level is what coarse coding leaves (mp4v at
+/// one bit a pixel: 0.75 grey levels).
 bool same_view(const cv::Mat& left, const cv::Mat& right) {
   constexpr double kShift = 0.25, kCodingNoise = 1.0;
   const double a_pixel = difference(left.colRange(1, left.cols), left.colRange(0, left.cols - 1));
   return difference(left, right) < std::min(kShift * a_pixel, kCodingNoise);
 }
 
-/// Tells from the changes of one view, frame to frame, whether it stands. A sensor's noise and motion change
-/// each frame; a codec swallows part of it, and adds its own to a picture that came twice. So a view stands
-/// that changes far less than in any of its last few frames, and than coded noise does. The quietest of
-/// them, not their median: tissue and camera come to rest within some frames, and key frames change all.
-/// Where the codec swallows nearly all, it decides which frames change, and nothing is said.
+/// Tells from the changes of one view, frame to frame, whether it stands still. Noise and motion change every
+/// frame; a codec swallows part of that, and adds changes of its own to a picture that came twice. A view
+/// stands when it changes far less than in the quietest of its last few frames, and less than coded noise
+/// does. (The quietest and not the median: tissue and camera come to rest within some frames, and key frames
+/// change everything.) Where the codec swallows nearly all change, nothing can be said.
 class ViewMotion {
  public:
   static constexpr double kStill = 0.3;
@@ -66,7 +66,7 @@ class ViewMotion {
     while (changes_.size() > kRemembered) changes_.pop_front();
     return false;
   }
-  /// Neither stands nor may be standing still, recoded.
+  /// Surely in motion: it does not stand, nor may it be standing and coded anew.
   bool moves() const { return run_ == 0; }
 
  private:
@@ -131,8 +131,8 @@ struct SequenceCheck::Impl {
   double seconds = 0.0;       ///< its time
   ViewMotion left_motion, right_motion;
 
-  /// Whether the frame before the last came too late: that one lies between it and its own predecessor, and
-  /// the new frame goes on from the last but one.
+  /// Whether the last two frames came in the wrong order: the last lies between the two before it, and the
+  /// new frame goes on from the last but one.
   bool exchanged(const Seen& now) const {
     if (seen.size() < 3) return false;
     const Seen &a = seen[0], &b = seen[1], &c = seen[2];
@@ -140,8 +140,8 @@ struct SequenceCheck::Impl {
     return ac < 0.8 * ab && bn < 0.8 * cn && ab > 2.0 * kMoves && cn > 2.0 * kMoves;
   }
 
-  /// Each view goes on from the other's last. What is remembered was turned back: it holds in every swapped
-  /// frame.
+  /// Whether each view goes on from the other one's last picture. Swapped frames are remembered the right way
+  /// round, so that this holds in every one of them.
   bool crossed(const Seen& now) const {
     if (seen.empty()) return false;
     const Seen& last = seen.back();

@@ -76,7 +76,7 @@ DeviceStream::DeviceStream(const std::string& device) {
   bool opened = false;
   try {
     opened = is_number ? capture_.open(std::stoi(device), cv::CAP_ANY) : capture_.open(device, cv::CAP_ANY);
-    // What waits in a driver's queue is old.
+    // A long queue in the driver would hand out old frames.
     if (opened) capture_.set(cv::CAP_PROP_BUFFERSIZE, 1);
   } catch (const cv::Exception&) {
     opened = false;
@@ -96,7 +96,7 @@ bool DeviceStream::grab() {
   } catch (const cv::Exception&) {
     return false;
   }
-  // Not since this device was opened: two that are opened one after the other would never meet.
+  // One clock for all devices: times since each was opened would never meet.
   seconds = std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
   return true;
 }

@@ -22,7 +22,7 @@ void LabelSurfaceSource::set_labels(std::shared_ptr<const LabelVolume> labels) {
 void LabelSurfaceSource::accept(const std::shared_ptr<const LabelVolume>& of,
                                 const std::shared_ptr<const scene::LabelSurfaces>& made) {
   if (!wanted_) return;
-  // During a stroke newer labels always wait: what was made meanwhile is shown all the same.
+  // Shown even where newer labels wait: during a stroke they always do.
   surfaces_ = made;
   making_ = of != wanted_;
   emit changed();

@@ -91,7 +91,7 @@ void LinkedViews::connect_labels() {
        {&ViewState::volume_changed, &ViewState::overlays_changed, &ViewState::shows_labels_changed})
     connect(&state_, signal, this, &LinkedViews::show_labels);
   connect(&state_, &ViewState::labels_changed, this, [this] {
-    // Each change puts it off: nothing in three dimensions is made or drawn between two moments of a stroke.
+    // Each change restarts the delay: the 3D view is not drawn while a stroke goes on.
     if (label_actors_->actor_count() > 0)
       late_->start();
     else

@@ -240,7 +240,7 @@ void SliceView::paint_brush(QPainter& painter) const {
 
 void SliceView::paint_line(QPainter& painter) const {
   const SliceLine& line = *state_.line();
-  constexpr double kHere = 1e-6;  // metres: the place was taken from this very slice
+  constexpr double kHere = 1e-6;  // metres: a place within this of the slice was taken from it
   if (line.place.plane != plane_ || std::abs(slice_.distance_of(line.place.p)) > kHere) return;
   QPolygonF outline;
   outline.reserve(line.corners.rows());
@@ -365,7 +365,7 @@ void SliceView::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
-  if (state_.hand() != Hand::crosshair) {  // two quick dabs are two dabs
+  if (state_.hand() != Hand::crosshair) {  // with a tool, a double click is two clicks
     mousePressEvent(event);
     return;
   }
@@ -376,7 +376,7 @@ void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
 }
 
 bool SliceView::event(QEvent* event) {
-  // Nobody wants an explanation to pop up under the brush.
+  // No tooltip under the brush.
   if (event->type() == QEvent::ToolTip && state_.hand() != Hand::crosshair) return true;
   return QWidget::event(event);
 }
@@ -399,7 +399,8 @@ void SliceView::wheelEvent(QWheelEvent* event) {
     wheel_rest_ -= slices;
     step(slices);
   }
-  state_.set_pointer(PointerPlace{plane_, p_in_ct(event->position())});  // it rests, the slice does not
+  // The pointer has not moved, but lies over another slice now.
+  state_.set_pointer(PointerPlace{plane_, p_in_ct(event->position())});
   event->accept();
 }
 

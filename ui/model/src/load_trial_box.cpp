@@ -66,7 +66,7 @@ void LoadTrialBox::end(const QString& why, bool is_problem) {
   views_.volume().removeEventFilter(this);
   views_.volume().unsetCursor();
   pull_.reset();
-  // Whichever of the two comes in time: a start that still waits is not to begin later.
+  // Cancels a start that still waits, and stops one that runs: whichever applies.
   engine_.cancel(start_);
   engine_.post(engine::StopTrial{});
   const QSignalBlocker quiet(button_);

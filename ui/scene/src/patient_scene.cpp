@@ -61,7 +61,7 @@ void give_colour(vtkActor& actor, Feature feature) {
 }
 
 constexpr double kSkeletonRadius = 0.7e-3;  ///< metres
-constexpr double kFillView = 1.25;  ///< VTK fits the scene's sphere; a patient's liver is flatter than that
+constexpr double kFillView = 1.25;  ///< zoom after VTK has fitted the scene's sphere: a liver is flatter
 
 /// Towards which side of the patient a direction points: one letter, or two where it lies between sides.
 std::string side_letters(const Eigen::Vector3d& direction) {

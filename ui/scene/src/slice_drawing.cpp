@@ -63,7 +63,7 @@ QRect SliceDrawing::draw(const std::shared_ptr<const Image>& image,
   if (comparable) {
     const PixelBox other = pixels_that_may_differ(*now, *former, geometry);
     if (!other.empty()) sample_labels(*now, geometry, other, found_);
-    // A label's edge is drawn on both of its sides.
+    // An edge is drawn on both of its sides: it may change one pixel outside the box.
     if (same_greys && same_style(style, style_)) box = other.grown(1, geometry);
   } else if (same_place && now == nullptr && former == nullptr && same_style(style, style_)) {
     box = {};

@@ -27,7 +27,7 @@ struct VoxelWalk {
     right.cwiseAbs().maxCoeff(&across);
     down.cwiseAbs().maxCoeff(&along);
     fixed = 3 - across - along;
-    // Over the whole picture the other axes stay within a thousandth of a voxel.
+    // Whether the other axes stay within a thousandth of a voxel over the whole picture.
     const auto strays = [](Eigen::Vector3d step, int axis, int pixels) {
       step[axis] = 0.0;
       return pixels * step.cwiseAbs().maxCoeff() > 1e-3;
@@ -47,7 +47,7 @@ struct Between {
     // Half a voxel beyond the outermost centres still belongs to the volume.
     inside = index >= -0.5 && index <= size - 0.5;
     double x = std::clamp(index, 0.0, size - 1.0);
-    if (std::abs(x - std::round(x)) < 1e-6) x = std::round(x);  // on a voxel, but for rounding
+    if (std::abs(x - std::round(x)) < 1e-6) x = std::round(x);  // takes rounding away
     low = static_cast<int>(x);
     high = std::min(low + 1, size - 1);
     t = x - low;

@@ -24,7 +24,7 @@ bool same_regions(const RegionDrawing::Regions& a, const RegionDrawing::Regions&
 
 void RegionDrawing::set_tool(const std::optional<Tool>& tool) {
   if (tool_ && tool && tool_->feature == tool->feature && tool_->closed == tool->closed) {
-    tool_ = tool;  // only wider or narrower: the line goes on
+    tool_ = tool;  // the same tool, wider or narrower: the unfinished line stays
     if (unfinished_) unfinished_->half_width_px = tool->half_width_px;
     return;
   }
@@ -52,7 +52,7 @@ std::optional<RegionDrawing::Corner> RegionDrawing::corner_at(const Place& place
   double least = place.reach;
   for (std::size_t r = 0; r < regions_.size(); ++r)
     for (std::size_t c = 0; regions_[r].side == place.side && c < regions_[r].polygon.size(); ++c) {
-      // Of corners that lie on one another the selected region's is meant.
+      // Where corners coincide, the selected region's is taken.
       const double d = (regions_[r].polygon[c] - place.pixel).norm();
       if (d < least || (d == least && (!best || selected_ == r))) least = d, best = Corner{r, c};
     }
@@ -127,7 +127,7 @@ bool RegionDrawing::press(const Place& place) {
 }
 
 bool RegionDrawing::double_click(const Place& place) {
-  // Its first half has put a corner here already, unless the pointer has gone far since.
+  // The double click's first press has put a corner here already, unless the pointer has moved far since.
   if (unfinished_ && unfinished_->side == place.side && close_to(unfinished_->polygon.back(), place) &&
       unfinished_->polygon.size() >= unfinished_->fewest_vertices())
     return finish();

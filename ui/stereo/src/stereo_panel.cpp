@@ -71,7 +71,7 @@ StereoPanel::~StereoPanel() {
 void StereoPanel::take_outcome(const engine::Outcome& outcome) {
   const bool done = outcome.status == engine::Status::done;
   if (storing_.erase(outcome.id) > 0 && storing_.empty()) {
-    // Regions that were refused are not the case's: those are drawn again.
+    // The engine refused the regions: show again those that the case has.
     if (!done) {
       view_->drawing().set_regions({});
       taken_.reset();
@@ -256,7 +256,7 @@ void StereoPanel::choose(const std::optional<RegionDrawing::Tool>& tool) {
 void StereoPanel::store() {
   stereo::Regions regions;
   regions.frame = shown_frame_ ? shown_frame_->frame.index : 0;
-  // Of the frame that was drawn on, whichever the case has when its turn comes.
+  // The identity of the frame that was drawn on: the case may hold another one when the command runs.
   regions.identity = identity_;
   regions.regions = view_->drawing().regions();
   storing_.insert(engine().post(engine::SetRegions{regions}));

@@ -40,9 +40,9 @@ struct CompositeOptions {
   void validate() const;
 };
 
-/// Something that pulls at a point of the mesh, given by weights on up to four nodes: force + tangent *
-/// (displacement of the point from where the force was evaluated, negative). `tangent` is minus the force's
-/// derivative, symmetric, positive semi-definite; it enters the system matrix.
+/// A force on a point of the mesh, which is given by weights on up to four nodes. When the point moves by d
+/// from where the force was evaluated, the force is force - tangent * d to first order: `tangent` is minus
+/// its derivative, symmetric and positive semi-definite, and enters the system matrix.
 struct AttachedLoad {
   std::array<int, 4> nodes{-1, -1, -1, -1};  ///< -1: unused
   std::array<double, 4> weights{};
@@ -50,7 +50,7 @@ struct AttachedLoad {
   Eigen::Matrix3d tangent = Eigen::Matrix3d::Zero();  ///< N/m
 };
 
-/// A node that is put somewhere, among those that are fixed for the solver.
+/// Where a step puts one of the fixed nodes.
 struct PrescribedNode {
   int node = -1;
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< m
@@ -58,8 +58,8 @@ struct PrescribedNode {
 
 /// External loads of one step. All in the frame in which the node positions are.
 struct Loads {
-  Eigen::Vector3d gravity_change =
-      Eigen::Vector3d::Zero();          ///< g_new - g_supine, m/s2: the CT is in equilibrium
+  /// g_new - g_supine, m/s2: under g_supine the CT's shape is an equilibrium.
+  Eigen::Vector3d gravity_change = Eigen::Vector3d::Zero();
   double pressure = 0.0;                ///< Pa on the surface, along the inward normal, following it
   std::vector<int> pressure_triangles;  ///< of the boundary surface; empty: all
   std::vector<AttachedLoad> attached;

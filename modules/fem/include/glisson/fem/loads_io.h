@@ -31,20 +31,17 @@
 ///   posture: supine, prone, left_flank, right_flank (the side that is down), standing, none. "from" is
 ///   supine when left out: the CT is an equilibrium in that posture, so only the difference loads the model.
 /// - pressure: pascals along the inward normal, following the surface; on "triangles" (indices of the
-/// boundary
-///   surface) or a "region", else everywhere.
+///   boundary surface) or a "region", else everywhere.
 /// - forces: newtons at a "node" or at the mesh's point closest to "point_mm"; the direction does not turn.
 /// - springs: at a "node", a "point_mm" or all surface nodes of a "region" (which share the stiffness by
-/// area),
-///   towards "target_mm" (a node or point) or where they are at rest. Stiffness "newton_per_metre" or a
-///   "structure" that pulls along its length, k = E A / L.
+///   area), towards "target_mm" (a node or point) or where they are at rest. Stiffness "newton_per_metre" or
+///   a "structure" that pulls along its length, k = E A / L.
 /// - fixed: "nodes" and all nodes of a "region".
 /// - moved: "nodes" and all nodes of a "region" that are held like fixed ones, but displaced "by_mm".
 /// - region: a ball ("centre_mm", "radius_mm"), a box ("low_mm", "high_mm"), for pressure also a direction
 ///   ("normal", "angle_deg": triangles whose outward normal is within the angle). Given together, all hold.
-/// - ramp_s: the load grows linearly over this time (0: at once; springs' targets and moved nodes move from
-/// the
-///   rest position to their place). Static solves ignore it.
+/// - ramp_s: the load grows linearly over this time (0: at once). Springs' targets and moved nodes go from
+///   the rest position to their place meanwhile. Static solves ignore it.
 /// - comment: anything, for people.
 
 namespace glisson::fem {

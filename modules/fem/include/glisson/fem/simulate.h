@@ -41,8 +41,8 @@ struct SimulationRecord {
 struct SimulationResult {
   std::vector<SimulationRecord> records;
   Points positions;
-  bool converged =
-      true;  ///< static: whether the tolerance was reached; dynamic: whether every step succeeded
+  /// Static: whether the tolerance was reached. Dynamic: whether every step succeeded.
+  bool converged = true;
 };
 
 /// Runs a load on a model from its rest shape.

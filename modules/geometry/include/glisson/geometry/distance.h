@@ -21,8 +21,8 @@ std::vector<double> distances_to_surface(const Points& points, const TriangleMes
 /// Points spread evenly over a surface (area-weighted, stratified by triangle, seeded).
 Points sample_surface(const TriangleMesh& surface, int count, unsigned seed);
 
-/// Both directions, from `samples` points on each surface. The paper's "mean Hausdorff distance" is
-/// vertices_to_surface(model.vertices, fine).mean; see METHOD in the model module's README.
+/// Both directions, from `samples` points on each surface. (The paper's "mean Hausdorff distance" is another
+/// figure: the mean of distances_to_surface() from the mesh's boundary nodes to the fine surface.)
 struct SurfaceDistance {
   DistanceSummary forward;   ///< a to b
   DistanceSummary backward;  ///< b to a

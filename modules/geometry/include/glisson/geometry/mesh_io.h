@@ -30,7 +30,7 @@ struct TriangleFile {
   NamedArrays point_data, cell_data, field_data;
 };
 
-/// Whether a mesh file holds tetrahedra (.vtu, .vtk, .msh are looked into; surfaces formats never do).
+/// Whether a mesh file holds tetrahedra (.vtu, .vtk and .msh are looked into; formats of surfaces never do).
 /// @throws FileError missing; InputError unreadable or of no known format.
 bool is_tetrahedral(const std::filesystem::path& path);
 

@@ -15,7 +15,7 @@
 namespace glisson::guidance {
 
 struct TrackerOptions {
-  int points = 200;                  ///< followed per camera
+  int points = 200;                  ///< wanted; each is followed in both pictures
   double forward_backward_px = 1.0;  ///< gate on the disagreement
   double epipolar_px = 2.0;          ///< gate on how far a pair's rays pass by each other
   int window_px = 17, levels = 3;    ///< of Lucas-Kanade
@@ -25,12 +25,12 @@ struct TrackerOptions {
   double minimum_consistent_share = 0.5;
   double time_step = 1.0 / 30.0;
   int steps_per_frame = 1;
-  /// All points together pull like the patch that they show at eq. 14's k = point_stiffness * E per reference
-  /// area, metres.
+  /// Factor of eq. 14, metres: all points together pull as the visible surface would with a stiffness of
+  /// point_stiffness * E on each reference area, however many points there are.
   double point_stiffness = 1e-2;
-  /// Frames are followed by an organ that is free of stress in its registered shape: the forces that brought
-  /// it there (gas, neighbours), which no picture shows, stay on. Clouds are followed by the model's own rest
-  /// shape.
+  /// begin() takes the registered shape for the one at rest: what brought the organ there (gas, neighbours)
+  /// goes on holding it, and no picture shows it. Clouds that are followed without begin() keep the model's
+  /// own rest shape.
   bool hold_start = true;
   fem::CompositeOptions materials;
   double boundary_young_modulus = 20e6;  ///< vena cava, tree entrances, Pa; 0: none

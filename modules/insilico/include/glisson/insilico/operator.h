@@ -28,8 +28,8 @@ struct OperatorOptions {
 /// @throws InputError when the map holds no liver.
 segmentation::Seeds click_seeds(const LabelMap& truth, const OperatorOptions& options);
 /// How a person mends portal and hepatic veins in the liver: up to `count` strokes of a ball brush along a
-/// line in one slice each (2 mm between places, a third of the click noise), where most is missing or too
-/// much at that time.
+/// line in one slice each (2 mm between places, a third of the click noise), where most is wrong (missing, or
+/// too much) after the strokes before.
 /// @pre one grid, count >= 0. @throws InputError when the truth holds no liver.
 std::vector<editing::Edit> draw_vessel_strokes(const LabelMap& labels, const LabelMap& truth, int count,
                                                const OperatorOptions& options);

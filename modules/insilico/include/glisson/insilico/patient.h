@@ -11,12 +11,13 @@
 
 namespace glisson::insilico {
 
+/// What is varied of the synthetic patient.
 struct PatientOptions {
   std::uint64_t shape_seed = 1;               ///< one member of the population
   Eigen::Vector3d spacing_mm{1.5, 1.5, 2.0};  ///< of the CT
   double noise_hu = 12.0, blur_mm = 1.0;
-  double surface_spacing_mm =
-      1.5;  ///< samples of the surfaces; vessels and lesions are never coarser than 1 mm
+  /// Between the samples of the surfaces; vessels and lesions are never coarser than 1 mm.
+  double surface_spacing_mm = 1.5;
   /// @throws InputError naming the field that is out of its range.
   void validate() const;
 };
@@ -29,6 +30,8 @@ struct SyntheticPatient {
   Landmarks landmarks;
   std::vector<VesselTree> trees;  ///< centrelines with radii, portal and hepatic
 };
+/// Draws the patient and scans it. The same options give the same bits; some seconds for the default CT.
+/// @throws InputError options.
 Cancellable<SyntheticPatient> make_patient(const PatientOptions& options, const RunContext& context);
 
 }  // namespace glisson::insilico

@@ -82,9 +82,8 @@ struct Patch {
 class Theatre {
  public:
   /// @param patient surfaces (liver required), lesions, landmarks of any patient, CT frame. A missing margin
-  /// is
-  ///   detected, a missing notch is where that margin runs in deepest, a missing vena cava is the posterior
-  ///   superior medial surface.
+  ///   is detected, a missing notch is where that margin runs in deepest, a missing vena cava is the
+  ///   posterior superior medial surface.
   /// @throws InputError no closed liver surface; NumericalError no load moves it enough.
   static Cancellable<std::unique_ptr<Theatre>> build(const PatientModel& patient,
                                                      const TheatreOptions& options,
@@ -94,7 +93,7 @@ class Theatre {
   const TheatreOptions& options() const;
   const TheatreFigures& figures() const;
   const StereoRig& rig() const;
-  const CameraFromCt& camera_from_ct() const;  ///< the truth; the liver moves in the CT's frame besides
+  const CameraFromCt& camera_from_ct() const;  ///< the truth: where the camera stands; it does not move
   const TetMesh& mesh() const;                 ///< rest shape, CT frame
   const TriangleMesh& liver_surface() const;   ///< fine, closed, rest shape, CT frame: what is drawn
   const Landmarks& landmarks() const;          ///< the patient's, completed; CT frame, rest

@@ -12,6 +12,7 @@
 
 namespace glisson::model {
 
+/// What the mesh of a model should be like.
 struct MeshOptions {
   int target_vertices = 550;  ///< the paper's size; met within 10 %
   /// Mean edge length (mm) away from lesions and vessels, met within 15 %; then target_vertices does not
@@ -19,6 +20,7 @@ struct MeshOptions {
   double edge_mm = 0.0;
   double lesion_refinement = 1.0;  ///< edge length in lesions over that elsewhere, at most
   double vessel_refinement = 1.0;  ///< edge length in vessels and within 4 mm of them over that elsewhere
+  /// @throws InputError naming the option.
   void validate() const;
 };
 
@@ -27,8 +29,8 @@ struct MeshQuality {
   int vertices = 0, tetrahedra = 0;
   double min_dihedral_deg = 0.0, max_dihedral_deg = 0.0;
   double volume_error = 0.0;  ///< (mesh - labels) / labels
-  double vertices_to_fine_mean_mm =
-      0.0;  ///< mesh surface's vertices to the fine surface: the paper's measure
+  /// From the vertices of the mesh's surface to the fine surface: the paper's "mean Hausdorff distance".
+  double vertices_to_fine_mean_mm = 0.0;
   double mesh_to_fine_mean_mm = 0.0, fine_to_mesh_mean_mm = 0.0, fine_to_mesh_max_mm = 0.0;
 };
 

@@ -16,11 +16,11 @@ namespace glisson::model {
 /// "set_root", "prune", "join".
 std::string edit_code(TreeEdit::Kind kind);
 
-/// What an edit "prune" takes.
+/// What an edit "prune" would take away.
 struct Pruning {
-  std::size_t tree = 0;     ///< of those given
-  int first = -1;           ///< the node next to the root that goes; the tree's root: the whole tree goes
-  VesselTree part;          ///< what goes; node 0 is where it hangs on the tree, which stays
+  std::size_t tree = 0;     ///< index among the trees given
+  int first = -1;           ///< of the nodes that go the one next to the root; the root: the whole tree goes
+  VesselTree part;          ///< what goes. Its node 0 is where it hangs on the tree; that node stays
   bool whole_tree = false;  ///< the branch is the trunk, on which all hangs
 };
 /// What a click at `at` (CT frame, metres) prunes: the branch whose centreline is nearest, from its fork on,
@@ -30,16 +30,18 @@ struct Pruning {
 /// @throws InputError no vessel within 20 mm.
 Pruning pruning_at(const std::vector<VesselTree>& trees, const Eigen::Vector3d& at);
 
-/// What an edit "join" hangs where.
+/// What an edit "join" would do.
 struct Joining {
   enum class Obstacle { none, one_tree, two_kinds, too_far };
   Obstacle obstacle = Obstacle::none;  ///< why it cannot be done
-  std::size_t stays = 0, hangs = 0;    ///< of the trees given
-  VesselTree part;  ///< what comes to hang there, from node 0 on the tree that stays; empty with an obstacle
+  std::size_t stays = 0, hangs = 0;    ///< indices of the tree that stays and of the one that is hung on it
+  /// The tree that is hung on, with the link; its node 0 lies on the tree that stays. Empty with an obstacle.
+  VesselTree part;
   double link = 0.0;  ///< metres between both places
 };
-/// What a join from a place of the tree that stays to one of the tree that is to hang there does (CT frame,
-/// metres; the nearest nodes count).
+/// What a join would do.
+/// @param at a place of the tree that stays. @param to a place of the tree that is to hang there. CT frame,
+///   metres; the nearest nodes count.
 /// @throws InputError no vessel within 20 mm of one of them.
 Joining joining_at(const std::vector<VesselTree>& trees, const Eigen::Vector3d& at,
                    const Eigen::Vector3d& to);

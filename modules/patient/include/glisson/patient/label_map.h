@@ -31,9 +31,9 @@ inline constexpr Label kFirstLesion = 16;
 inline constexpr Label kLastLesion = 255;
 }  // namespace structure
 
-/// Whether the label is part of the liver's body: parenchyma, vessels in it and lesions. The vena cava,
-/// artery outside and gallbladder are not.
+/// kFirstLesion to kLastLesion.
 bool is_lesion(Label label);
+/// kFirstOther to kLastOther.
 bool is_other(Label label);
 /// Code for people and files: "parenchyma", "portal_vein", ..., "lesion_1". Not translated.
 std::string structure_name(Label label);
@@ -50,13 +50,13 @@ using LabelCodes = std::map<Label, Label>;
 /// Reads a JSON object {"6": "parenchyma", "10": "portal_vein", "451": "lesion_1"}. @throws InputError.
 LabelCodes read_label_codes(const std::filesystem::path& path);
 
-/// The segmented patient. Value type; copies share bricks.
+/// The segmented patient. Value type; copies share bricks. A vessel keeps its label outside the liver, too:
+/// which of its voxels lie inside is told by inside_liver().
 struct LabelMap {
   LabelVolume voxels;
   std::vector<LabelInfo> infos;  ///< names, colours, terminology of the labels present
-  /// Voxels of the portal tree outside the liver are portal vein all the same; whether a vessel voxel lies
-  /// inside the liver is decided by the filled liver: see inside_liver().
 };
+
 /// How far a person has come with a label.
 enum class ReviewState { not_started, in_progress, to_review, approved };
 /// Labels that are not in it are not_started.

@@ -19,7 +19,7 @@ struct DensityOptions {
 /// How densely a cloud covers what the left picture shows. Cells row by row.
 struct DensityMap {
   int columns = 0, rows = 0, cell = 8;
-  /// Points per cm2 of surface within the square centimetre around a cell; 0: none near; negative: nothing is
+  /// Points per cm2 in the square centimetre of surface around a cell; 0: none is near; negative: nothing is
   /// wanted there (outside mask and regions).
   std::vector<float> per_cm2;
   double least_per_cm2 = 0.7;

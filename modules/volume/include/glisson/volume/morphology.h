@@ -66,9 +66,9 @@ Mask closed(const Mask& mask, double radius_mm);
 std::vector<int> connected_components(const Mask& mask, std::vector<long>& sizes);
 /// The largest component (through faces).
 Mask largest_component(const Mask& mask);
-/// Sets what cannot be reached from the volume's edge through faces of background.
+/// Sets the background that cannot be reached from the volume's edge through faces.
 Mask holes_filled(const Mask& mask);
-/// Sets what is enclosed in at least one slice of the three axes.
+/// Sets the background that is enclosed within a slice, for the slices along each of the three axes.
 Mask slice_holes_filled(const Mask& mask);
 
 }  // namespace glisson

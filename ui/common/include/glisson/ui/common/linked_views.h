@@ -36,8 +36,8 @@ class LinkedViews : public QWidget {
   QString probe_line() const;
   /// The model's liver surface under a place in the 3D view, in the CT's frame.
   std::optional<Eigen::Vector3d> surface_point(double x, double y) const;
-  /// Draws these landmarks on the model, instead of the case's, until the case's change. CT frame, metres.
-  /// Where labels stand in for the model they wait until it is back.
+  /// Draws these landmarks on the model instead of the case's, until the case's change. CT frame, metres.
+  /// While labels are shown instead of the model, they wait until it is back.
   void set_landmarks(const Landmarks& landmarks);
   /// Of the labels, in three dimensions.
   const LabelSurfaceSource& label_surfaces() const { return *label_surfaces_; }
@@ -68,7 +68,7 @@ class LinkedViews : public QWidget {
   QLabel* label_ = nullptr;
   LabelSurfaceSource* label_surfaces_ = nullptr;
   std::unique_ptr<scene::LabelActors> label_actors_;
-  QTimer* late_ = nullptr;  ///< three dimensions follow a stroke at leisure: the hand looks at the slice
+  QTimer* late_ = nullptr;  ///< delays the 3D view during a stroke, so that the slice is drawn at once
   std::shared_ptr<const scene::DrawableModel> shown_model_;
   std::shared_ptr<const scene::DrawableModel> faced_model_;  ///< that the camera was last turned to
   Landmarks landmarks_;

@@ -53,7 +53,7 @@ class TreeEditor : public QWidget {
   void hover(const std::optional<Eigen::Vector3d>& place);
   /// What a click there would prune.
   void show_cut(const Eigen::Vector3d& place);
-  /// Which tree a click there lets stay, or hangs on it.
+  /// What a join there would do: which tree stays, or which one is hung on it.
   void show_join(const Eigen::Vector3d& place);
   /// In 3D; an empty tree: nothing.
   void mark(VesselTree part);
@@ -69,9 +69,9 @@ class TreeEditor : public QWidget {
   QShortcut* escape_;
   std::optional<model::TreeEdit::Kind> tool_;
   std::optional<Eigen::Vector3d> first_;  ///< of a join
-  std::vector<model::TreeEdit> undone_;   ///< the next to redo last
+  std::vector<model::TreeEdit> undone_;   ///< the last of them is redone first
   std::optional<engine::CommandId> posted_;
-  std::optional<std::vector<model::TreeEdit>> expected_;  ///< of the model that the post will make
+  std::optional<std::vector<model::TreeEdit>> expected_;  ///< edits of the model that the command will make
   std::shared_ptr<const model::BuiltModel> shown_;
 };
 

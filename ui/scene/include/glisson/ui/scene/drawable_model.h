@@ -8,8 +8,8 @@
 
 namespace glisson::scene {
 
-/// A vertex outside the model's mesh, where it is not known how things move: it is drawn as if the mesh's
-/// closest surface took it along, less and less with distance.
+/// A vertex outside the model's mesh, where the mechanics says nothing. It is drawn as if the closest surface
+/// of the mesh took it along, less with distance.
 struct OutsideVertex {
   int vertex = -1;
   int triangle = -1;  ///< of PatientModel::surface
@@ -37,8 +37,8 @@ struct DrawableModel {
 std::shared_ptr<const DrawableModel> make_drawable(std::shared_ptr<const PatientModel> model,
                                                    int triangles = 12000);
 
-/// Where a surface's vertices are when a load has moved the model's nodes to `at` (CT frame): what lies
-/// outside the mesh as OutsideVertex says, but the gallbladder goes along with its bed as a body.
+/// Where a surface's vertices are when a load has moved the model's nodes to `at` (CT frame). Vertices
+/// outside the mesh follow as OutsideVertex says; the gallbladder moves rigidly with its bed.
 /// @pre the surface is bound, `at` has one row a node.
 Points loaded_vertices(const PatientModel& model, const DrawableSurface& surface, const Points& at);
 

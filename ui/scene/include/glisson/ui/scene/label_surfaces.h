@@ -22,9 +22,9 @@ struct BlockSurface {
 
 /// The surfaces of all labels, for drawing: naive surface nets (Gibson 1998) on cells of about 1.6 mm for the
 /// liver and 0.8 mm for all else, relaxed within their cells. Kept by blocks of two bricks a side, so that
-/// after an edit only the blocks whose bricks changed, and their neighbours, are made again. The liver's is
-/// that of the whole organ, but spares where it borders on its own vessels and lesions. A value; copies share
-/// blocks.
+/// after an edit only the blocks whose bricks changed, and their neighbours, are made again. The liver's
+/// surface is that of the whole organ, without its borders to its own vessels and lesions. A value; copies
+/// share blocks.
 class LabelSurfaces {
  public:
   /// Which label, and which block: numbered with the first axis fastest.

@@ -52,8 +52,8 @@ class PatientScene {
   void set_model(const PatientModel& model);
   /// Puts the model's nodes somewhere (empty: at rest). @pre one row a node.
   void set_nodes(const Points& nodes);
-  /// The same for a load on the organ where it lies: neighbours, and vessels that run on outside the mesh, go
-  /// along where they are attached and stay where they are further away. CT frame.
+  /// The same for a load on the organ in its place (CT frame): neighbours, and vessels that run on outside
+  /// the mesh, follow near where they are attached and stay where they are further away.
   void set_loaded_nodes(const Points& nodes);
   int node_count() const;  ///< of the model; 0: there is none
   /// Replaces the model's own landmarks; CT frame, follow the nodes.

@@ -31,7 +31,7 @@ class CalibrationDialog : public QDialog {
  private:
   QLayout* make_form(EngineBridge& engine);
   void choose_folder();
-  /// Something else is asked for: what was found is not its.
+  /// The request has changed: what was found before does not belong to it.
   void change_request();
   void show_state();
   void show_outcome(const engine::Outcome& outcome);

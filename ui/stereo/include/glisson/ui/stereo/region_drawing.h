@@ -10,8 +10,8 @@
 namespace glisson::ui {
 
 /// Labelling a stereo pair by mouse and keyboard, without widgets: what a click would do, and what it does.
-/// With a tool clicks draw: regions touch, and who draws one does not want to move its neighbour's corners.
-/// Without one they select, drag corners and put new ones on an outline.
+/// With a tool, clicks draw and never move other corners (regions touch each other). Without one, they
+/// select, drag corners and put new ones on an outline.
 class RegionDrawing {
  public:
   using Regions = std::vector<stereo::Region>;
@@ -49,7 +49,7 @@ class RegionDrawing {
   const std::optional<Corner>& dragged() const { return dragged_; }
 
   Click click_at(const Place& place) const;
-  // Each says whether the finished regions have changed.
+  // The following say whether the finished regions have changed.
   bool press(const Place& place);
   bool double_click(const Place& place);
   /// Moves a dragged corner; the regions count as changed at release().

@@ -85,7 +85,7 @@ class StereoPanel : public Panel {
   QLabel* warnings_ = nullptr;
   std::set<engine::CommandId> storing_;
   std::optional<engine::CommandId> opening_;         ///< a source whose first frame is wanted
-  std::optional<stereo::ReconstructOptions> again_;  ///< what the points were made with that are labelled
+  std::optional<stereo::ReconstructOptions> again_;  ///< with which the points that are labelled were made
   QString faults_;            ///< what the last reconstruction found wrong with the pair
   bool label_again_ = false;  ///< regions changed while points were labelled
   std::shared_ptr<const engine::StereoInput> shown_frame_;
