@@ -115,7 +115,7 @@ class ElementsTest : public QObject {
   }
 
   void TetrahedronsForceIsThePapers() {
-    // R^T K0 (R x - x0) with K0 = V B^T D B in Voigt's notation, R = Q^T: eq. 3 as METHOD corrects it.
+    // R^T K0 (R x - x0) with K0 = V B^T D B in Voigt's notation, R = Q^T: eq. 3 as fem's README reads it.
     const Tetrahedron e = sample_tetrahedron();
     Eigen::Matrix<double, 6, 12> b = Eigen::Matrix<double, 6, 12>::Zero();
     for (int n = 0; n < 4; ++n) {

@@ -11,7 +11,7 @@ namespace glisson::fem {
 
 CholmodFactorization::CholmodFactorization(const BlockPattern& pattern) {
   cholmod_start(&common_);
-  // One order (the pattern's) for every solver, so that they differ in arithmetic alone.
+  // The pattern's own order, as for every solver, so that they differ in arithmetic alone.
   common_.nmethods = 1;
   common_.method[0].ordering = CHOLMOD_NATURAL;
   common_.postorder = true;

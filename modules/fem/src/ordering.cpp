@@ -73,7 +73,7 @@ std::vector<int> fill_reducing_order(const std::vector<std::vector<int>>& neighb
   }
   start[n] = at;
   graph->sorted = false;
-  // METIS seeds and draws from the C library's one generator: two analyses at once would stir each other's
+  // METIS draws from the C library's one random generator: two analyses at once would change each other's
   // order, and with it the last bits of every result.
   static std::mutex one_at_a_time;
   const std::lock_guard<std::mutex> lock(one_at_a_time);

@@ -41,7 +41,7 @@ void require_every_node_used(const TetMesh& mesh, const std::string& name) {
                      "Remove the vertices that the volume does not use");
 }
 
-/// Some programs order a tetrahedron's corners the other way round: all of them, then, not a few.
+/// Turns a mesh whose every tetrahedron is negative: some programs order the corners the other way round.
 void follow_our_orientation(TetMesh& mesh) {
   if (mesh.tetrahedron_count() > 0 && tetrahedron_volumes(mesh).maxCoeff() < 0.0) orient_tetrahedra(mesh);
 }

@@ -17,10 +17,9 @@ constexpr std::size_t kNeighbours = 9;
 bool AnchoredPoints::bind(const FollowedPoint& point, const registration::MovingSurface& surface,
                           double radius) {
   const ClosestPoint at = surface.closest(Feature::surface, point.p_in_camera);
-  // What faces away from the camera was not seen.
   if (at.triangle < 0 || at.distance > radius) return false;
   const Eigen::Vector3d normal = surface.normal(at);
-  if (normal.dot(point.p_in_camera) > 0.0) return false;
+  if (normal.dot(point.p_in_camera) > 0.0) return false;  // it faces away from the camera: not seen
   anchors_[point.id] = {at.triangle, at.barycentric, normal.dot(point.p_in_camera - at.point)};
   return true;
 }

@@ -150,7 +150,7 @@ stereo::Regions click_regions(const Theatre& theatre, int frame, const OperatorO
   stereo::Regions regions;
   regions.frame = frame;
   add_regions(inner, Feature::surface, 1, camera, options.click_noise_px, hand, regions);
-  // The features, where the liver is: what lies beyond the outline is not the liver's.
+  // Features are cut to the liver's outline.
   const cv::Mat close = shrunk(liver, 2.0 * scale);
   const cv::Mat margin = band(theatre, frame, theatre.landmarks().anterior_margin, kBandMm) & close;
   add_regions(margin, Feature::anterior_margin, 3, camera, 0.4 * options.click_noise_px, hand, regions);

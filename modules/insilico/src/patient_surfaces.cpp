@@ -73,7 +73,7 @@ TriangleMesh contour(const Vec& low, const Vec& high, double spacing,
                      const std::function<double(const Vec&)>& field) {
   const VolumeGrid grid = box_grid(low, high, spacing);
   std::vector<float> samples(static_cast<std::size_t>(grid.voxel_count()), 1.0F);
-  // Coarse blocks first; those that the slope keeps off the surface need no more than their sign.
+  // Coarse blocks first: where the field's slope excludes the surface from a block, its sign is enough.
   constexpr int kBlock = 6;
   const double half = 0.5 * kBlock * spacing * std::sqrt(3.0);
   for (int bk = 0; bk < grid.size.z(); bk += kBlock)

@@ -17,9 +17,9 @@ namespace {
 
 constexpr int kSurfacePasses = 8, kInclusionPasses = 12;
 constexpr double kMostOffset = 0.15e-3;  // metres that boundary nodes may stand out for the volume's sake
-constexpr double kStuck = 0.1e-3;        // metres beside where it belongs
+constexpr double kStuck = 0.1e-3;        // metres: a node farther from its place is stuck
 constexpr int kRoomPasses = 6, kDentRounds = 4, kSliverPasses = 12;
-constexpr double kEnough = 1e-6;            // metres: nearer is there
+constexpr double kEnough = 1e-6;            // metres: a node this near is in its place
 constexpr double kVolumeTolerance = 0.002;  // of a sub-domain
 
 class Fitter {
@@ -140,7 +140,7 @@ class Fitter {
     return mesh_.vertex(node) != begin;
   }
 
-  /// Not those on the skin of a sub-domain: its volume has been fitted.
+  /// Nodes on the skin of a sub-domain stay: its volume has been fitted.
   std::vector<int> neighbours_that_may_move(int node) const {
     std::vector<int> around;
     for (const int cell : cells_[static_cast<std::size_t>(node)])

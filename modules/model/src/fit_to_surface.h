@@ -22,10 +22,11 @@ struct FitTargets {
 
 /// Moves nodes of a finished mesh, none so far that a cell gets a dihedral angle below `least_dihedral_deg`
 /// (or a worse one than it had):
-/// - boundary nodes go onto the surface: the repair of the boundary leaves some of the former inner nodes
-///   there, and smoothing others beside it; where a cell would get flat, the nodes around make room;
+/// - boundary nodes go onto the surface. The repair of the boundary has left former inner nodes on it, and
+///   smoothing has moved others off the surface. Where a cell would get flat, the nodes around make room;
 /// - dents that remain are filled with cells of the body's label (fill_dents.h), the only change of topology;
-/// - and out of it by at most 0.15 mm, as far as the volume asks for: flat triangles cut a round body short;
+/// - boundary nodes go out of the surface by at most 0.15 mm, as far as the volume asks for, since flat
+///   triangles cut a round body short;
 /// - the nodes around a sub-domain go out (or in) until it has its volume.
 /// @pre positively oriented tetrahedra.
 void fit_to_surface(TetMesh& mesh, const FitTargets& targets, double least_dihedral_deg);

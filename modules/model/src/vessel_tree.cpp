@@ -13,7 +13,7 @@
 namespace glisson::model {
 namespace {
 
-constexpr double kLeastSamples = 12, kSampleMm = 0.5;  // a curve, and their spacing
+constexpr double kLeastSamples = 12, kSampleMm = 0.5;  // samples of a curve at least; their spacing
 constexpr double kToleranceInVoxels = 0.5;             // how far a curve may pass from the smoothed path
 constexpr double kLeastBendMm = 5.0;                   // over which a bend is measured, to either side
 constexpr double kMostSmoothing = 3.0;                 // millimetres to either side

@@ -219,7 +219,8 @@ double mean_distance(const std::vector<Pair>& pairs) {
 
 fem::AttachedLoad pair_load(const Pair& pair, const MovingSurface& surface, PenaltyForm form, double s,
                             double stiffness, double tangential) {
-  // Where the force does not vanish at contact its direction flips there: a tenth of a millimetre softens it.
+  // `clamped` and `printed` do not vanish at contact, where their direction flips: soften them over a tenth
+  // of a millimetre.
   constexpr double kSoftening = 1e-4;
   fem::AttachedLoad load;
   const Carrier carrier = surface.carrier(pair.on_model);

@@ -28,7 +28,7 @@ struct Rectified {
 Rectified rectify(const Rectification& rectification, Side side, std::vector<Keypoint> keypoints, int length);
 
 /// Descriptors compared only along the epipolar band; best of both directions (cross check) and clearly
-/// better than the second in the band (ratio). Disparities of any sign: who asks judges them.
+/// better than the second in the band (ratio). Disparities may have any sign: the caller judges them.
 std::vector<Match> match(const Rectified& left, const Rectified& right, const MatchLimits& limits);
 
 /// How well matches and calibration go together.

@@ -19,7 +19,7 @@ namespace {
 
 /// One frame less than a length that was computed from a rounded duration is still a whole video.
 constexpr int kRoundedFrames = 1;
-/// Without a pair for so long, two sources are not of one operation, or not of one moment.
+/// Seconds without a pair after which two sources are taken for different operations or moments.
 constexpr double kLongestSearch = 2.0;
 
 std::unique_ptr<PictureStream> open_stream(const std::string& source) {

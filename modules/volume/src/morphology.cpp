@@ -115,7 +115,7 @@ std::vector<float> squared_distance_to(const Mask& mask, std::uint8_t wanted) {
   return field;
 }
 
-/// Floods from `seed` through faces over the voxels that satisfy `open`; calls take(offset) once for each.
+/// Floods from `seed` through faces over voxels that satisfy `open`, and calls take(offset) once for each.
 template <class Open, class Take>
 void flood(const Eigen::Vector3i& size, std::size_t seed, std::vector<std::size_t>& stack, Open&& open,
            Take&& take) {

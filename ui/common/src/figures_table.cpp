@@ -15,7 +15,7 @@ FiguresTable::FiguresTable(QWidget* parent) : QWidget(parent), grid_(new QGridLa
 }
 
 void FiguresTable::set_rows(const FigureRows& rows) {
-  // Labels stay: live figures change many times a second and must not flicker.
+  // Labels are used again: live figures change many times a second and would flicker.
   while (rows_.size() > rows.size()) {
     delete rows_.back().first;
     delete rows_.back().second;

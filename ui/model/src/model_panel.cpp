@@ -24,7 +24,7 @@
 namespace glisson::ui {
 namespace {
 
-constexpr double kFiner = 0.5;  // edges over those elsewhere, where finer ones are asked for
+constexpr double kFiner = 0.5;  // edge length over that elsewhere, where finer elements are asked for
 
 }  // namespace
 

@@ -25,7 +25,7 @@ using Kind = model::TreeEdit::Kind;
 
 constexpr double kReachPx = 14.0;  // from the pointer to a centreline's node
 constexpr double kSeeThrough = 0.3;
-constexpr double kCutWidth = 1.5e-3;  // metres, radius at least of what is shown to go or to hang elsewhere
+constexpr double kCutWidth = 1.5e-3;  // metres: least radius with which a marked branch is drawn
 
 }  // namespace
 
@@ -132,10 +132,10 @@ QString TreeEditor::instruction() const {
 void TreeEditor::show_case() {
   const auto now = engine_.state()[part::model];
   if (now != shown_) {
-    // What was undone belongs to the trees as this editor left them.
+    // What was undone can be redone only on the trees as this editor left them.
     if (!now || !expected_ || now->tree_edits != *expected_) undone_.clear();
     expected_.reset();
-    if (first_) {  // it may lie on a tree that is no more
+    if (first_) {  // its tree may be gone
       first_.reset();
       views_.volume().patient().set_pull(std::nullopt);
     }

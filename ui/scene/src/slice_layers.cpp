@@ -184,7 +184,7 @@ void sample_labels(const LabelVolume& labels, const SliceGeometry& slice, const 
   }
   const Eigen::Vector3i &size = labels.grid().size, &bricks = labels.brick_counts();
   constexpr int kSide = LabelVolume::kSide;
-  /// Of a voxel's index along one axis: its brick's number and its place in the brick, both as summands.
+  /// What a voxel's index along one axis adds to its brick's number, and to its offset in the brick.
   struct Place {
     bool inside;
     std::size_t brick, voxel;

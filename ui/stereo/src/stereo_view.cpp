@@ -162,7 +162,7 @@ void StereoView::build_bar(QWidget* bar) {
   hint_->setObjectName(QStringLiteral("stereo_hint"));
   hint_->setContentsMargins(8, 0, 8, 3);
   hint_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  static_cast<QVBoxLayout*>(layout())->addWidget(hint_);  // below the bar: longer than what the bar leaves
+  static_cast<QVBoxLayout*>(layout())->addWidget(hint_);  // below the bar, which has no room for it
   row->addStretch(1);
   connect(epipolar_, &QToolButton::toggled, this, [this] {
     pinned_.reset();
