@@ -7,10 +7,10 @@
 
 #include "glisson/geometry/mesh.h"
 
-namespace glisson {
-
 /// @file
 /// How meshes hang together. Pure functions, safe from any thread; vertices and triangles are 0-based rows.
+
+namespace glisson {
 
 /// The boundary of a tetrahedral mesh.
 struct BoundarySurface {
