@@ -1597,8 +1597,20 @@
         <translation>NICHT ERFÜLLT</translation>
     </message>
     <message>
-        <source>%1 is not there: the real CT is left out.</source>
-        <translation>%1 ist nicht da: das echte CT wird ausgelassen.</translation>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
+    </message>
+    <message>
+        <source>Leave out what is measured in silico.</source>
+        <translation>Was in silico gemessen wird, auslassen.</translation>
+    </message>
+    <message>
+        <source>Folder for the page with the figures. In a checkout they go to packaging/figures, unless some could not be measured.</source>
+        <translation>Ordner für die Seite mit den Zahlen. In einem Checkout kommen sie nach packaging/figures, außer wenn einige nicht gemessen werden konnten.</translation>
+    </message>
+    <message>
+        <source>The figures were written to %1.</source>
+        <translation>Die Zahlen wurden nach %1 geschrieben.</translation>
     </message>
     <message>
         <source>Folder of the real data; what is not there is left out.</source>
@@ -1781,8 +1793,8 @@
         <translation>echte Schachbretter: Ansichten, die ausgelassen besser passen als nach der Vergleichskalibrierung</translation>
     </message>
     <message>
-        <source>real heart: rows, rms, pixels</source>
-        <translation>echtes Herz: Zeilen, RMS, Pixel</translation>
+        <source>silicone heart: rows, rms, pixels</source>
+        <translation>Silikonherz: Zeilen, RMS, Pixel</translation>
     </message>
     <message>
         <source>in silico: largest bias of any trial, mm</source>

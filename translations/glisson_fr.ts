@@ -1597,8 +1597,20 @@
         <translation>NON ATTEINT</translation>
     </message>
     <message>
-        <source>%1 is not there: the real CT is left out.</source>
-        <translation>%1 est absent : le scanner réel est laissé de côté.</translation>
+        <source>not measured</source>
+        <translation>non mesuré</translation>
+    </message>
+    <message>
+        <source>Leave out what is measured in silico.</source>
+        <translation>Omettre ce qui est mesuré in silico.</translation>
+    </message>
+    <message>
+        <source>Folder for the page with the figures. In a checkout they go to packaging/figures, unless some could not be measured.</source>
+        <translation>Dossier de la page des chiffres. Dans un dépôt de sources, ils vont dans packaging/figures, sauf si certains n’ont pas pu être mesurés.</translation>
+    </message>
+    <message>
+        <source>The figures were written to %1.</source>
+        <translation>Les chiffres ont été écrits dans %1.</translation>
     </message>
     <message>
         <source>Folder of the real data; what is not there is left out.</source>
@@ -1781,8 +1793,8 @@
         <translation>échiquiers réels : vues qui s&apos;ajustent mieux laissées de côté que par la référence</translation>
     </message>
     <message>
-        <source>real heart: rows, rms, pixels</source>
-        <translation>cœur réel : lignes, rms, pixels</translation>
+        <source>silicone heart: rows, rms, pixels</source>
+        <translation>cœur en silicone : lignes, RMS, pixels</translation>
     </message>
     <message>
         <source>in silico: largest bias of any trial, mm</source>

@@ -5,8 +5,8 @@
 #include <vector>
 
 /// @file
-/// The sub-commands. Each takes what follows its name and returns the exit code: 0 done, 1 failed, 2 wrong
-/// usage, 130 cancelled. Errors are thrown; main prints them.
+/// The sub-commands. Each takes what follows its name and returns the exit code: see exit_code.h.
+/// Errors are thrown; main prints them.
 
 namespace glisson::app {
 

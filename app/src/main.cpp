@@ -10,6 +10,7 @@
 
 #include "cli.h"
 #include "commands.h"
+#include "exit_code.h"
 #include "glisson/ui/scene/headless_gui.h"
 #include "glisson/ui/shell/language.h"
 
@@ -73,12 +74,12 @@ int main(int argc, char** argv) {
     return glisson::app::run(argc, argv);
   } catch (const glisson::app::UsageError& failure) {
     std::fprintf(stderr, "glisson: %s\n", failure.what());
-    return 2;
+    return glisson::app::kUsage;
   } catch (const glisson::app::Interrupted&) {
     std::fprintf(stderr, "\nglisson: cancelled; nothing was written.\n");
-    return 130;
+    return glisson::app::kCancelled;
   } catch (const std::exception& failure) {
     std::fprintf(stderr, "glisson: %s\n", failure.what());
-    return 1;
+    return glisson::app::kFailed;
   }
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The figures of the READMEs, measured again: one proof for each part of the way.
+// The figures of packaging/figures, measured again: one proof for each part of the way.
 #include "cli.h"
 #include "commands.h"
-#include "glisson/core/files.h"
+#include "exit_code.h"
+#include "glisson/experiments/aims.h"
 #include "glisson/experiments/patient_proof.h"
 #include "glisson/experiments/stereo_proof.h"
 
@@ -10,159 +11,100 @@ namespace glisson::app {
 namespace fs = std::filesystem;
 namespace {
 
-enum class Sense { at_least, at_most };
-
-/// A figure of a proof, what it is for people, and what it should be.
-struct Aim {
-  const char* key;
-  const char* what;  ///< to be translated
-  Sense sense;
-  double bound;
-  int decimals;
+struct Proof {
+  const char* name;
+  const char* title;
+  const char* introduction;
+  const std::vector<experiments::Aim>& (*aims)();
+  /// Fills figures and notes of the session, and what of the page comes from the run.
+  void (*run)(const Arguments&, Session&, const fs::path& folder, experiments::ProofPage& page);
 };
 
-constexpr Aim kPatientAims[] = {
-    {"real_dice_liver", QT_TRANSLATE_NOOP("cli", "real CT: Dice of the liver"), Sense::at_least, 0.93, 3},
-    {"real_dice_portal_vein_inside",
-     QT_TRANSLATE_NOOP("cli", "real CT: Dice of the portal vein in the liver"), Sense::at_least, 0.5, 3},
-    {"real_dice_hepatic_veins_inside",
-     QT_TRANSLATE_NOOP("cli", "real CT: Dice of the hepatic veins in the liver"), Sense::at_least, 0.5, 3},
-    {"real_edited_dice_portal_vein_inside",
-     QT_TRANSLATE_NOOP("cli", "real CT: portal vein after the strokes"), Sense::at_least, 0.5, 3},
-    {"real_edited_dice_hepatic_veins_inside",
-     QT_TRANSLATE_NOOP("cli", "real CT: hepatic veins after the strokes"), Sense::at_least, 0.5, 3},
-    {"real_model_vertices_to_fine_mean_mm",
-     QT_TRANSLATE_NOOP("cli", "real CT: vertices to the fine surface, mean, mm"), Sense::at_most, 0.25, 2},
-    {"real_model_min_dihedral_deg", QT_TRANSLATE_NOOP("cli", "real CT: least dihedral angle, degrees"),
-     Sense::at_least, 10.0, 1},
-    {"real_fine_model_tetrahedra", QT_TRANSLATE_NOOP("cli", "real CT: tetrahedra of the fine model"),
-     Sense::at_least, 9000.0, 0},
-    {"real_fine_model_min_dihedral_deg",
-     QT_TRANSLATE_NOOP("cli", "real CT: least dihedral angle of the fine model, degrees"), Sense::at_least,
-     10.0, 1},
-    {"real_model_lesion_volume_error_max",
-     QT_TRANSLATE_NOOP("cli", "real CT: volume error of lesions above 1 ml, largest"), Sense::at_most, 0.05,
-     3},
-    {"real_fine_model_volume_error_size", QT_TRANSLATE_NOOP("cli", "real CT: volume error of the fine model"),
-     Sense::at_most, 0.01, 4},
-    {"synthetic_dice_liver", QT_TRANSLATE_NOOP("cli", "in silico: Dice of the liver"), Sense::at_least, 0.96,
-     3},
-    {"synthetic_true_labels_centreline_mean_voxels",
-     QT_TRANSLATE_NOOP("cli", "in silico: centrelines to the true trees, mean, voxels"), Sense::at_most, 1.0,
-     2},
-    {"synthetic_true_labels_branches_found_share",
-     QT_TRANSLATE_NOOP("cli", "in silico: branches above 2 mm radius found"), Sense::at_least, 0.95, 3},
-    {"synthetic_true_labels_false_loops", QT_TRANSLATE_NOOP("cli", "in silico: false loops"), Sense::at_most,
-     0.0, 0},
-    {"synthetic_segmented_centreline_mean_voxels",
-     QT_TRANSLATE_NOOP("cli", "in silico, segmented by clicks: centrelines to the true trees, mean, voxels"),
-     Sense::at_most, 1.0, 2},
-    {"synthetic_model_vertices_to_fine_mean_mm",
-     QT_TRANSLATE_NOOP("cli", "in silico: vertices to the fine surface, mean, mm"), Sense::at_most, 0.25, 2},
-    {"synthetic_model_min_dihedral_deg", QT_TRANSLATE_NOOP("cli", "in silico: least dihedral angle, degrees"),
-     Sense::at_least, 10.0, 1},
-    {"synthetic_fine_model_volume_error_size",
-     QT_TRANSLATE_NOOP("cli", "in silico: volume error of the fine model"), Sense::at_most, 0.01, 4},
-};
-
-constexpr Aim kStereoAims[] = {
-    {"opencas_sparse_points", QT_TRANSLATE_NOOP("cli", "real liver, features: points"), Sense::at_least,
-     100.0, 0},
-    {"opencas_sparse_median_mm",
-     QT_TRANSLATE_NOOP("cli", "real liver, features: median to the CT surface, mm"), Sense::at_most, 0.65, 2},
-    {"opencas_sparse_within_3mm_share", QT_TRANSLATE_NOOP("cli", "real liver, features: share within 3 mm"),
-     Sense::at_least, 0.95, 3},
-    {"opencas_sparse_without_offset_median_mm",
-     QT_TRANSLATE_NOOP("cli", "real liver, features: median without the common offset, mm"), Sense::at_most,
-     0.5, 2},
-    {"opencas_dense_median_mm", QT_TRANSLATE_NOOP("cli", "real liver, dense: median to the CT surface, mm"),
-     Sense::at_most, 0.62, 2},
-    {"opencas_dense_covered_share",
-     QT_TRANSLATE_NOOP("cli", "real liver, dense: share of the region covered"), Sense::at_least, 0.95, 3},
-    {"opencas_dense_without_offset_median_mm",
-     QT_TRANSLATE_NOOP("cli", "real liver, dense: median without the common offset, mm"), Sense::at_most, 0.5,
-     2},
-    {"chessboard_rms_px", QT_TRANSLATE_NOOP("cli", "real chessboards: joint stereo rms, pixels"),
-     Sense::at_most, 0.65, 3},
-    {"chessboard_views_better_share",
-     QT_TRANSLATE_NOOP("cli", "real chessboards: views that fit better left out than by the reference"),
-     Sense::at_least, 1.0, 2},
-    {"heart_sparse_epipolar_rms_px", QT_TRANSLATE_NOOP("cli", "real heart: rows, rms, pixels"),
-     Sense::at_most, 0.8, 2},
-    {"theatre_largest_bias_mm", QT_TRANSLATE_NOOP("cli", "in silico: largest bias of any trial, mm"),
-     Sense::at_most, 0.1, 3},
-    {"theatre_normalised_median",
-     QT_TRANSLATE_NOOP("cli", "in silico: normalised error, median of the trials (1: sigma is right)"),
-     Sense::at_most, 1.5, 2},
-    {"theatre_normalised_median",
-     QT_TRANSLATE_NOOP("cli", "in silico: normalised error, median of the trials (1: sigma is right)"),
-     Sense::at_least, 0.5, 2},
-};
-
-/// One line for each aim whose figure there is: what, measured, aim, whether it is met.
-void say_aims(const std::vector<Aim>& aims, const Figures& figures) {
-  for (const Aim& aim : aims) {
-    const auto figure = figures.find(aim.key);
-    if (figure == figures.end()) continue;
-    const bool met = aim.sense == Sense::at_least ? figure->second >= aim.bound : figure->second <= aim.bound;
+/// One line for each aim: what, measured, aim, whether it is met.
+void say_aims(const std::vector<experiments::Aim>& aims, const Figures& figures) {
+  using experiments::Verdict;
+  for (const experiments::Aim& aim : aims) {
+    const Verdict found = experiments::verdict(aim, figures);
+    const QString value =
+        found == Verdict::not_measured ? QString() : QString::number(figures.at(aim.key), 'f', aim.decimals);
     say(QStringLiteral("%1  %2  (%3 %4)  %5")
-            .arg(Cli::tr(aim.what), -72)
-            .arg(figure->second, 9, 'f', aim.decimals)
-            .arg(aim.sense == Sense::at_least ? QStringLiteral("≥") : QStringLiteral("≤"))
+            .arg(Cli::tr(aim.what.c_str()), -72)
+            .arg(value, 9)
+            .arg(aim.sense == experiments::Aim::Sense::at_least ? QStringLiteral("≥") : QStringLiteral("≤"))
             .arg(aim.bound, 0, 'f', aim.decimals)
-            .arg(met ? Cli::tr("met") : Cli::tr("NOT MET")));
+            .arg(found == Verdict::met      ? Cli::tr("met")
+                 : found == Verdict::missed ? Cli::tr("NOT MET")
+                                            : Cli::tr("not measured")));
   }
 }
 
-/// A volume's error counts in both directions.
-void add_sizes(Figures& figures) {
-  Figures sizes;
-  for (const auto& [key, value] : figures)
-    if (key.ends_with("_volume_error")) sizes[key + "_size"] = std::abs(value);
-  figures.merge(sizes);
+void say_absent(const std::vector<std::string>& absent) {
+  for (const std::string& name : absent)
+    say(Cli::tr("%1 is not there and is left out.").arg(QString::fromStdString(name)));
 }
 
-void prove_patient(const Arguments& arguments, Session& session, const fs::path& folder) {
+void prove_patient(const Arguments& arguments, Session& session, const fs::path& folder,
+                   experiments::ProofPage& page) {
   experiments::PatientProofOptions options;
   options.seed = arguments.seed();
-  const fs::path real = arguments.path("data") / "ct_ircad1";
-  if (fs::exists(real)) {
-    options.real = real;
-    options.clicks = arguments.path("clicks");
-  } else {
-    say(Cli::tr("%1 is not there: the real CT is left out.").arg(QString::fromStdString(real.string())));
-  }
+  options.data = arguments.path("data");
+  options.clicks = arguments.path("clicks");
+  options.synthetic = !arguments.has("real-only");
   auto proof = experiments::prove_patient(options, folder, session.context());
   if (!proof) throw Interrupted();
-  add_sizes(proof->figures);
   session.figures.merge(proof->figures);
   session.notes = proof->notes;
+  page.absent = proof->absent;
 }
 
-void prove_stereo(const Arguments& arguments, Session& session, const fs::path& folder) {
+void prove_stereo(const Arguments& arguments, Session& session, const fs::path& folder,
+                  experiments::ProofPage& page) {
   experiments::StereoProofOptions options;
   options.seed = arguments.seed();
   options.data = arguments.path("data");
+  options.theatre = !arguments.has("real-only");
   auto proof = experiments::prove_stereo(options, folder, session.context());
   if (!proof) throw Interrupted();
-  for (const std::string& path : proof->absent)
-    say(Cli::tr("%1 is not there and is left out.").arg(QString::fromStdString(path)));
   for (const std::string& line : proof->table) say(QString::fromStdString(line));
   session.figures.merge(proof->figures);
+  page.absent = proof->absent;
+  page.table = proof->table;
 }
 
-struct Proof {
-  const char* name;
-  void (*run)(const Arguments&, Session&, const fs::path& folder);
-  std::vector<Aim> aims;
+constexpr Proof kProofs[] = {
+    {"patient", "From the CT to the model",
+     "3D-IRCADb-01 patient 1 (real CT) against its expert's labels, and the synthetic patient (in silico) "
+     "against its truth, both segmented by clicks; vessels edited by twenty simulated strokes.",
+     experiments::patient_aims, prove_patient},
+    {"stereo", "From the laparoscope's pictures to clouds",
+     "A pair of real liver tissue against its CT surface, pairs of a chessboard and of a silicone heart "
+     "(phantoms, real cameras), and pictures of the theatre (in silico), whose depth is known.",
+     experiments::stereo_aims, prove_stereo},
 };
 
-const std::vector<Proof>& proofs() {
-  static const std::vector<Proof> kProofs = {
-      {"patient", prove_patient, {std::begin(kPatientAims), std::end(kPatientAims)}},
-      {"stereo", prove_stereo, {std::begin(kStereoAims), std::end(kStereoAims)}},
-  };
-  return kProofs;
+/// Where the page goes: where the person says, else into the checkout that the program runs in. A page with
+/// gaps never takes the place of a whole one unasked. Empty: nowhere.
+fs::path figures_folder(const Arguments& arguments, experiments::Verdict verdict) {
+  if (arguments.has("figures")) return arguments.path("figures");
+  if (verdict == experiments::Verdict::not_measured) return {};
+  return experiments::figures_of_checkout(fs::current_path());
+}
+
+void write_page(const Arguments& arguments, const Proof& proof, experiments::ProofPage page,
+                const Figures& figures) {
+  page.title = proof.title;
+  page.introduction = proof.introduction;
+  page.aims = proof.aims();
+  page.figures = figures;
+  page.command = std::string("glisson prove ") + proof.name +
+                 (arguments.has("real-only") ? " --real-only" : "") + " --seed " +
+                 std::to_string(arguments.seed());
+  const fs::path folder = figures_folder(arguments, experiments::verdict(page.aims, figures));
+  if (folder.empty()) return;
+  fs::create_directories(folder);
+  const fs::path file = folder / (std::string(proof.name) + ".md");
+  experiments::write_page(file, page);
+  say(Cli::tr("The figures were written to %1.").arg(QString::fromStdString(file.string())));
 }
 
 }  // namespace
@@ -176,20 +118,30 @@ int run_prove(const QStringList& given) {
   arguments.option("data", Cli::tr("Folder of the real data; what is not there is left out."), "DIR",
                    "../shared/data");
   arguments.option("clicks", Cli::tr("Folder of the clicks on it."), "DIR", "tests/data");
+  arguments.flag("real-only", Cli::tr("Leave out what is measured in silico."));
+  arguments.option(
+      "figures",
+      Cli::tr("Folder for the page with the figures. In a checkout they go to packaging/figures, "
+              "unless some could not be measured."),
+      "DIR");
   arguments.option("out", Cli::tr("Folder for cases, scripts and pictures."), "DIR");
   if (!arguments.parse(given)) return 0;
   const QString name = arguments.positionals(1, 1).front();
-  const auto proof = std::find_if(proofs().begin(), proofs().end(),
+  const auto proof = std::find_if(std::begin(kProofs), std::end(kProofs),
                                   [&](const Proof& one) { return name == QLatin1String(one.name); });
-  if (proof == proofs().end())
+  if (proof == std::end(kProofs))
     throw UsageError(Cli::tr("%1: is no proof. See 'glisson prove --help'.").arg(name).toStdString());
   OutputFolder folder(arguments.required_path("out"));
+  if (arguments.has("figures")) fs::create_directories(arguments.path("figures"));
   Session session(arguments);
-  proof->run(arguments, session, folder.path());
+  experiments::ProofPage page;
+  proof->run(arguments, session, folder.path(), page);
   folder.commit();
   session.finish();
-  say_aims(proof->aims, session.figures);
-  return 0;
+  say_absent(page.absent);
+  say_aims(proof->aims(), session.figures);
+  write_page(arguments, *proof, std::move(page), session.figures);
+  return exit_code(experiments::verdict(proof->aims(), session.figures));
 }
 
 }  // namespace glisson::app

@@ -51,6 +51,7 @@ class StereoCommandsTest : public QObject, private test::Program {
   void CheckHoldsPairsAgainstTheCalibration();
   void CheckNamesWhatIsMissing();
   void ProofsRefuseWrongUsage();
+  void AProofWithoutItsDataIsNoSuccess();
   void ACancelledProofLeavesNothing();
   void ACalibrationOfAnotherSizeIsRefused();
   void SwappedCamerasAreRecognised();
@@ -307,6 +308,16 @@ void StereoCommandsTest::ProofsRefuseWrongUsage() {
   write_text(at("p"), "a file");
   refused({"prove", "stereo", "--out", "p"}, "is a file");
   refused({"prove", "stereo", "--out", "q", "--seed", "one"}, "--seed", 2);
+}
+
+void StereoCommandsTest::AProofWithoutItsDataIsNoSuccess() {
+  for (const char* proof : {"stereo", "patient"}) {
+    const Ran ran = run({"prove", proof, "--real-only", "--data", "none", "--out", "p", "--figures", "f"});
+    QVERIFY2(ran.code == 3, qPrintable(QString::number(ran.code) + ran.error + ran.out));
+    QVERIFY(ran.out.contains("not measured"));
+    const std::string page = read_file(at("f") / (std::string(proof) + ".md"));
+    QVERIFY(page.find("0 not met") != std::string::npos && page.find(" aims met, ") != std::string::npos);
+  }
 }
 
 void StereoCommandsTest::ACancelledProofLeavesNothing() {

@@ -112,22 +112,22 @@ class PatientWay {
   engine::Script script_;
 };
 
-void require_files(const PatientProofOptions& options) {
+void require_files(const fs::path& real, const PatientProofOptions& options) {
   for (const fs::path& file :
-       {options.real / "PATIENT_DICOM.tar.gz", options.real / "3Dircadb0101Labeled.vti",
+       {real / "PATIENT_DICOM.tar.gz", real / "3Dircadb0101Labeled.vti",
         options.clicks / "3dircadb1_seeds.json", options.clicks / "3dircadb1_codes.json"})
     if (!fs::exists(file))
       throw FileError(file.string() +
                       ": does not exist. Name the folders of the real patient and its clicks.");
 }
 
-void real_way(const PatientProofOptions& options, const fs::path& folder, PatientProof& proof,
-              const RunContext& context) {
+void real_way(const fs::path& real, const PatientProofOptions& options, const fs::path& folder,
+              PatientProof& proof, const RunContext& context) {
   PatientWay way("real", folder, proof, context);
-  way.post(engine::ImportImage{options.real / "PATIENT_DICOM.tar.gz"});
+  way.post(engine::ImportImage{real / "PATIENT_DICOM.tar.gz"});
   way.post(engine::SetSeeds{segmentation::read_seeds(options.clicks / "3dircadb1_seeds.json")});
   way.post(engine::Segment{});
-  const fs::path file = options.real / "3Dircadb0101Labeled.vti";
+  const fs::path file = real / "3Dircadb0101Labeled.vti";
   const LabelMap truth =
       recode(read_labels(file), read_label_codes(options.clicks / "3dircadb1_codes.json"), file.string());
   way.compare(truth);
@@ -165,20 +165,33 @@ void synthetic_way(const PatientProofOptions& options, const fs::path& folder, P
   way.compare_trees(*patient, "true_labels");
 }
 
+/// A volume's error counts in both directions.
+void add_sizes(Figures& figures) {
+  Figures sizes;
+  for (const auto& [key, value] : figures)
+    if (key.ends_with("_volume_error")) sizes[key + "_size"] = std::abs(value);
+  figures.merge(sizes);
+}
+
 }  // namespace
 
 Cancellable<PatientProof> prove_patient(const PatientProofOptions& options, const fs::path& folder,
                                         const RunContext& context) {
   PatientProof proof;
   try {
-    if (!options.real.empty()) {
-      require_files(options);
-      real_way(options, folder, proof, context.part(0.0, 0.6));
+    const fs::path real = options.data / "ct_ircad1";
+    if (fs::exists(real)) {
+      require_files(real, options);
+      real_way(real, options, folder, proof, context.part(0.0, 0.6));
+    } else {
+      proof.absent.push_back(real.filename().string());
     }
-    synthetic_way(options, folder, proof, context.part(options.real.empty() ? 0.0 : 0.6, 1.0));
+    if (options.synthetic)
+      synthetic_way(options, folder, proof, context.part(proof.absent.empty() ? 0.6 : 0.0, 1.0));
   } catch (const Cancelled&) {
     return {};
   }
+  add_sizes(proof.figures);
   return proof;
 }
 

@@ -199,7 +199,7 @@ Cancellable<StereoProof> prove_stereo(const StereoProofOptions& options, const f
   for (const auto& [name, prove] : kSets) {
     const fs::path data = options.data / name;
     if (options.data.empty() || !fs::exists(data))
-      proof.absent.push_back(data.string());
+      proof.absent.emplace_back(name);
     else if (!prove(data, folder, proof, context.part(done, done + 0.2)))
       return std::nullopt;
     done += 0.2;

@@ -7,6 +7,7 @@
 
 #include "glisson/core/json_file.h"
 #include "glisson/core/run_context.h"
+#include "glisson/experiments/aims.h"
 
 /// @file
 /// From the CT to the model, measured: on a real CT against an expert's labels, and on the synthetic patient
@@ -15,12 +16,13 @@
 namespace glisson::experiments {
 
 struct PatientProofOptions {
-  /// The folder with ct_ircad1 (PATIENT_DICOM.tar.gz, 3Dircadb0101Labeled.vti); empty: the synthetic patient
+  /// The folder with ct_ircad1 (PATIENT_DICOM.tar.gz, 3Dircadb0101Labeled.vti); absent: the synthetic patient
   /// only.
-  std::filesystem::path real;
+  std::filesystem::path data;
   /// Clicks and label codes of the real patient: 3dircadb1_seeds.json, 3dircadb1_codes.json.
   std::filesystem::path clicks;
-  int strokes = 20;  ///< of the scripted edit of the vessels
+  int strokes = 20;       ///< of the scripted edit of the vessels
+  bool synthetic = true;  ///< the patient in silico too
   std::uint64_t seed = 1;
 };
 
@@ -28,7 +30,10 @@ struct PatientProof {
   /// Keys begin with "real_" or "synthetic_": Dice coefficients, seconds of each stage, figures of the model.
   Figures figures;
   std::vector<std::string> notes;
+  std::vector<std::string> absent;  ///< real data that were left out
 };
+/// What prove_patient() is measured against.
+const std::vector<Aim>& patient_aims();
 
 /// Runs import, segmentation, the scripted edit and two models (the paper's size, and 10,000 tetrahedra) by
 /// engine commands that read files only; the expert's labels are read by the simulated hand that draws the

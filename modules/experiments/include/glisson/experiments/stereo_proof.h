@@ -7,6 +7,7 @@
 
 #include "glisson/core/json_file.h"
 #include "glisson/core/run_context.h"
+#include "glisson/experiments/aims.h"
 
 /// @file
 /// From the laparoscope's pictures to clouds, measured: on real pairs (CT surface, chessboards, a heart) and
@@ -27,6 +28,9 @@ struct StereoProof {
   std::vector<std::string> absent;  ///< sets of real data that were left out
   std::vector<std::string> table;   ///< the theatre's, a line each, the first its heads
 };
+
+/// What prove_stereo() is measured against.
+const std::vector<Aim>& stereo_aims();
 
 /// Leaves pictures of the error, of the density and of the calibration's coverage, and the theatre's table as
 /// CSV, in `folder`, which exists. The truth is read after everything else. Empty: cancelled. @throws Error.
