@@ -47,26 +47,22 @@ struct Rigid {
 
 using CameraFromCt = Rigid<CameraFrame, CtFrame>;
 
+/// A Rigid whose frames are not said.
+struct RigidMotion {
+  Eigen::Matrix3d rotation;
+  Eigen::Vector3d translation;
+};
+/// What fit_rigid() computes; compiled once.
+RigidMotion fit_rigid_motion(const Points& source, const Points& target, const Eigen::VectorXd& weights);
+
 /// The rotation (det = +1) and translation that carry `source` onto `target` best in the weighted
 /// least-squares sense (Arun 1987 with Umeyama's sign). Rows correspond; weights may be empty.
 /// @pre both have the same number of rows, three at least.
 template <class Target, class Source>
 Rigid<Target, Source> fit_rigid(const Points& source, const Points& target,
                                 const Eigen::VectorXd& weights = {}) {
-  const Eigen::VectorXd w =
-      weights.size() == source.rows() ? weights : Eigen::VectorXd::Ones(source.rows()).eval();
-  const double total = w.sum();
-  const Eigen::Vector3d source_mean = (w.transpose() * source).transpose() / total;
-  const Eigen::Vector3d target_mean = (w.transpose() * target).transpose() / total;
-  const Eigen::Matrix3d covariance = (target.rowwise() - target_mean.transpose()).transpose() *
-                                     w.asDiagonal() * (source.rowwise() - source_mean.transpose());
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Eigen::Matrix3d sign = Eigen::Matrix3d::Identity();
-  sign(2, 2) = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1.0 : 1.0;
-  Rigid<Target, Source> result;
-  result.rotation = svd.matrixU() * sign * svd.matrixV().transpose();
-  result.translation = target_mean - result.rotation * source_mean;
-  return result;
+  const RigidMotion motion = fit_rigid_motion(source, target, weights);
+  return {motion.rotation, motion.translation};
 }
 
 }  // namespace glisson
