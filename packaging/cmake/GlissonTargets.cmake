@@ -1,31 +1,43 @@
 # glisson_module(NAME fem SOURCES ... [PUBLIC ...] [PRIVATE ...] [NO_PCH])
 #   a static library glisson::fem with include root modules/fem/include.
-# glisson_ui(NAME shell ...) the same under ui/, with moc.
-# glisson_test(NAME fem/beam [SOURCES ...] [LIBRARIES ...] [DISPLAY])
-#   tests/fem/beam_test.cpp -> ctest "fem/beam". DISPLAY runs it under xvfb-run.
+# glisson_ui(NAME shell ... [NO_WIDGETS]) the same under ui/, with moc.
+# glisson_test(NAME fem/beam [SOURCES ...] [LIBRARIES ...] [DISPLAY] [NO_PCH])
+#   tests/fem/beam_test.cpp, which ends in #include "beam_test.moc" -> ctest "fem/beam". DISPLAY runs it under xvfb-run.
 
-function(_glisson_library prefix)
-  cmake_parse_arguments(ARG "NO_PCH" "NAME" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+# Every unit of a target reads what the owner of a precompiled header built.
+function(_glisson_reuse_pch target owner)
+  if(TARGET ${owner})
+    target_precompile_headers(${target} REUSE_FROM ${owner})
+  endif()
+endfunction()
+
+function(_glisson_library prefix pch)
+  cmake_parse_arguments(ARG "NO_PCH;NO_WIDGETS" "NAME" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   set(target glisson_${prefix}${ARG_NAME})
   list(TRANSFORM ARG_SOURCES PREPEND "src/" REGEX "^[^/]+$")
   add_library(${target} STATIC ${ARG_SOURCES})
   target_include_directories(${target} PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}/include"
                                        PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/src")
   target_link_libraries(${target} PUBLIC Eigen3::Eigen ${ARG_PUBLIC} PRIVATE glisson_flags ${ARG_PRIVATE})
-  if(GLISSON_PCH AND NOT ARG_NO_PCH AND TARGET glisson_pch)
-    target_precompile_headers(${target} REUSE_FROM glisson_pch)
+  if(NOT ARG_NO_PCH)
+    _glisson_reuse_pch(${target} ${pch})
   endif()
 endfunction()
 
 function(glisson_module)
   cmake_parse_arguments(MOD "" "NAME" "" ${ARGN})
-  _glisson_library("" ${ARGN})
+  _glisson_library("" glisson_pch ${ARGN})
   add_library(glisson::${MOD_NAME} ALIAS glisson_${MOD_NAME})
 endfunction()
 
 function(glisson_ui)
-  cmake_parse_arguments(MOD "" "NAME" "" ${ARGN})
-  _glisson_library("ui_" ${ARGN})
+  cmake_parse_arguments(MOD "NO_WIDGETS" "NAME" "" ${ARGN})
+  if(MOD_NO_WIDGETS)
+    _glisson_library("ui_" glisson_pch ${ARGN})
+  else()
+    _glisson_library("ui_" glisson_widgets_pch ${ARGN})
+    target_link_libraries(glisson_ui_${MOD_NAME} PUBLIC Qt6::Widgets)
+  endif()
   set_target_properties(glisson_ui_${MOD_NAME} PROPERTIES AUTOMOC ON)
   add_library(glisson::ui_${MOD_NAME} ALIAS glisson_ui_${MOD_NAME})
 endfunction()
@@ -34,11 +46,22 @@ function(glisson_test)
   cmake_parse_arguments(ARG "DISPLAY;DRIVERS;NO_PCH" "NAME;TIMEOUT" "SOURCES;LIBRARIES" ${ARGN})
   string(REPLACE "/" "_" target "${ARG_NAME}_test")
   get_filename_component(stem "${ARG_NAME}" NAME)
-  add_executable(${target} ${stem}_test.cpp ${ARG_SOURCES})
-  set_target_properties(${target} PROPERTIES AUTOMOC ON RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/tests")
-  target_link_libraries(${target} PRIVATE glisson_flags Eigen3::Eigen Qt6::Test ${ARG_LIBRARIES})
-  if(GLISSON_PCH AND NOT ARG_NO_PCH AND TARGET glisson_pch)
-    target_precompile_headers(${target} REUSE_FROM glisson_pch)
+  # A test holds its class itself, so moc has one file to read: automoc would add a unit and a scan to each program.
+  set(moc "${CMAKE_CURRENT_BINARY_DIR}/moc/${stem}_test.moc")
+  add_custom_command(OUTPUT "${moc}" DEPENDS "${stem}_test.cpp" VERBATIM
+    COMMAND Qt6::moc -o "${moc}" "${CMAKE_CURRENT_SOURCE_DIR}/${stem}_test.cpp")
+  add_executable(${target} ${stem}_test.cpp ${ARG_SOURCES} "${moc}")
+  set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/tests")
+  target_include_directories(${target} PRIVATE "${CMAKE_CURRENT_BINARY_DIR}/moc")
+  target_link_libraries(${target} PRIVATE glisson_test_flags ${ARG_LIBRARIES})
+  # Qt's own headers differ where its widgets are there: those of ui/ and app/ have a precompiled header of theirs.
+  set(pch glisson_test_pch)
+  if(ARG_NAME MATCHES "^(ui|app)/")
+    set(pch glisson_widgets_test_pch)
+    target_link_libraries(${target} PRIVATE Qt6::Widgets)
+  endif()
+  if(NOT ARG_NO_PCH)
+    _glisson_reuse_pch(${target} ${pch})
   endif()
   if(ARG_DISPLAY)
     find_program(GLISSON_XVFB_RUN xvfb-run REQUIRED)
@@ -65,12 +88,28 @@ function(glisson_test)
   set_tests_properties(${ARG_NAME} PROPERTIES TIMEOUT ${ARG_TIMEOUT} ENVIRONMENT "${environment}")
 endfunction()
 
-# The headers that nearly every unit reads. One target owns them, all others reuse what it built.
-if(GLISSON_PCH)
-  file(WRITE "${CMAKE_BINARY_DIR}/glisson_pch.cpp" "// owns the precompiled header\n")
-  add_library(glisson_pch OBJECT "${CMAKE_BINARY_DIR}/glisson_pch.cpp")
-  target_link_libraries(glisson_pch PRIVATE glisson_flags Eigen3::Eigen)
-  target_precompile_headers(glisson_pch PRIVATE <Eigen/Dense> <algorithm> <array> <cmath> <cstdint> <filesystem>
+# What tests are compiled with. Qt6::Test would define the folder of each test, and no two could share a header.
+add_library(glisson_test_flags INTERFACE)
+target_link_libraries(glisson_test_flags INTERFACE glisson_flags Eigen3::Eigen Qt6::Core $<LINK_ONLY:Qt6::Test>)
+target_include_directories(glisson_test_flags SYSTEM INTERFACE
+  $<TARGET_PROPERTY:Qt6::Test,INTERFACE_INCLUDE_DIRECTORIES>)
+target_compile_definitions(glisson_test_flags INTERFACE QT_TESTLIB_LIB)
+
+# The headers that nearly every unit reads, compiled once for modules, for what has widgets, and for the tests of each.
+function(_glisson_pch target)
+  cmake_parse_arguments(ARG "" "" "LIBRARIES;HEADERS" ${ARGN})
+  file(WRITE "${CMAKE_BINARY_DIR}/${target}.cpp" "// owns the precompiled header\n")
+  add_library(${target} OBJECT "${CMAKE_BINARY_DIR}/${target}.cpp")
+  target_link_libraries(${target} PRIVATE glisson_flags Eigen3::Eigen ${ARG_LIBRARIES})
+  target_precompile_headers(${target} PRIVATE <Eigen/Dense> <algorithm> <array> <cmath> <cstdint> <filesystem>
     <functional> <map> <memory> <optional> <random> <span> <string> <string_view> <unordered_map> <utility>
-    <variant> <vector>)
+    <variant> <vector> ${ARG_HEADERS})
+endfunction()
+if(GLISSON_PCH)
+  _glisson_pch(glisson_pch)
+  _glisson_pch(glisson_widgets_pch LIBRARIES Qt6::Widgets HEADERS <QtWidgets>)
+  if(GLISSON_TESTS)
+    _glisson_pch(glisson_test_pch LIBRARIES glisson_test_flags HEADERS <QtTest>)
+    _glisson_pch(glisson_widgets_test_pch LIBRARIES glisson_test_flags Qt6::Widgets HEADERS <QtWidgets> <QtTest>)
+  endif()
 endif()

@@ -90,7 +90,7 @@ class ElementsTest : public QObject {
       const PlanePolar p = plane_polar_decomposition(f);
       QVERIFY((p.rotation.transpose() * p.rotation - Eigen::Matrix2d::Identity()).norm() < 1e-12);
       QVERIFY((p.rotation * p.stretch - f).norm() <= 1e-12 * f.norm());
-      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(p.stretch);
+      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(p.stretch);
       QVERIFY(eigen.eigenvalues()[0] >= -1e-13);
     }
   }
@@ -175,9 +175,9 @@ class ElementsTest : public QObject {
       const Eigen::Matrix<double, 12, 12> numeric = numeric_tangent(e, law, f);
       QVERIFY2((exact - numeric).norm() < 1e-6 * numeric.norm(), qPrintable(QString::number(seed)));
       const Eigen::Matrix<double, 12, 12> projected = tangent(e, law, f, Tangent::projected);
-      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 12, 12>> eigen(projected);
+      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(projected);
       QVERIFY(eigen.eigenvalues()[0] > -1e-12 * eigen.eigenvalues()[11]);
-      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 12, 12>> difference(projected - exact);
+      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> difference(projected - exact);
       QVERIFY(difference.eigenvalues()[0] > -1e-9 * eigen.eigenvalues()[11]);
     }
     QVERIFY(inverted > 3);
@@ -206,8 +206,7 @@ class ElementsTest : public QObject {
         }
       const auto exact = tangent(e, f, Tangent::exact);
       QVERIFY2((exact - numeric).norm() < 1e-6 * numeric.norm(), qPrintable(QString::number(seed)));
-      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 9, 9>> eigen(
-          tangent(e, f, Tangent::projected));
+      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(tangent(e, f, Tangent::projected));
       QVERIFY(eigen.eigenvalues()[0] > -1e-12 * eigen.eigenvalues()[8]);
     }
   }

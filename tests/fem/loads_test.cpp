@@ -135,7 +135,7 @@ class LoadsTest : public QObject {
   }
 
   void ExamplesAreWhatTheReadmeSays() {
-    const QString folder = QFINDTESTDATA("../../resources/loads");
+    const QString folder = qEnvironmentVariable("GLISSON_SOURCE_DIR") + "/resources/loads";
     QVERIFY(!folder.isEmpty());
     const std::filesystem::path path = folder.toStdString();
     const LoadCase flank = read_load_case(path / "supine_to_left_flank.json");
