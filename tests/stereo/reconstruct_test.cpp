@@ -402,16 +402,28 @@ class ReconstructTest : public QObject {
 
   void RegionsThatAreThinMakeThePairDenseAndItStaysSo() {
     ReconstructOptions options;
-    options.method = Method::automatic;
     options.features = 250;
     PairInput input = input_of(plane_pair());
-    input.regions.regions = {rectangle(Feature::surface, 200, 150, 450, 350)};
-    options.least_density_per_cm2 = 1.05 * within(plane_pair(), input.regions, options).density_per_cm2;
-    if (run(plane_pair(), options).report.method != Method::sparse)
-      QSKIP("the whole pair is thinner than the regions");
+    const auto sparse = reconstruct_pair(input, options, RunContext());
+    const double whole = sparse->part.density_per_cm2;
+    double thin = whole;
+    Regions thin_regions;
+    for (double y = 100.0; y < 300.0; y += 40.0)
+      for (double x = 150.0; x < 450.0; x += 40.0) {
+        Regions square;
+        square.regions = {rectangle(Feature::surface, x, y, x + 80.0, y + 80.0)};
+        const double density = label(sparse->whole->cloud, input.rig, {}, square).density_per_cm2;
+        if (density > 0.0 && density < thin) thin = density, thin_regions = square;
+      }
+    QVERIFY(thin < 0.9 * whole);
+    options.method = Method::automatic;
+    options.least_density_per_cm2 = 0.5 * (thin + whole);
+    QVERIFY(reconstruct_pair(input, options, RunContext())->whole->report.method == Method::sparse);
+    input.regions = thin_regions;
     const auto dense = reconstruct_pair(input, options, RunContext());
     QVERIFY(dense->whole->report.method == Method::dense);
-    input.regions.regions.clear();
+    QVERIFY(dense->part.density_per_cm2 > thin);
+    input.regions = {};
     const auto stays = reconstruct_pair(input, options, RunContext(), {options, dense->whole});
     QVERIFY(stays->whole == dense->whole);
   }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/patient/labelled_cloud.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
+#include "glisson/core/statistics.h"
 #include "glisson/geometry/mesh_io.h"
 #include "glisson/geometry/ply_file.h"
 
@@ -110,18 +110,13 @@ LabelledCloud cloud_of(const std::string& file, const PlyElement& vertex, double
 
 /// Half of a cloud's points lie within this of its middle, metres. Outliers do not count.
 double spread(const Points& points) {
-  const auto median = [](std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-  };
   Eigen::RowVector3d centre;
   for (int axis = 0; axis < 3; ++axis) {
     const Eigen::VectorXd column = points.col(axis);
-    centre[axis] = median({column.begin(), column.end()});
+    centre[axis] = upper_median(std::vector<double>(column.begin(), column.end()));
   }
   const Eigen::VectorXd distances = (points.rowwise() - centre).rowwise().norm();
-  return median({distances.begin(), distances.end()});
+  return upper_median(std::vector<double>(distances.begin(), distances.end()));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "dense.h"
 #include "feature_detector.h"
 #include "glisson/core/error.h"
+#include "glisson/core/statistics.h"
 #include "glisson/stereo/source.h"
 #include "highlights.h"
 #include "matching.h"
@@ -169,9 +170,7 @@ double row_offset(const Refiner& refiner, const std::vector<Match>& matches) {
     if (const auto match = refiner.refine(matches[i], 0.0))
       rows.push_back(match->right.y() - match->left.y());
   if (rows.size() < kFewest) return 0.0;
-  const auto middle = rows.begin() + static_cast<std::ptrdiff_t>(rows.size() / 2);
-  std::nth_element(rows.begin(), middle, rows.end());
-  return *middle;
+  return upper_median(std::move(rows));
 }
 
 /// Refined matches through the epipolar and disparity gates, the best of each place.
@@ -263,9 +262,7 @@ double area_cm2(const Pair& pair, const LabelledCloud& cloud, const std::vector<
   const auto nearest = nearest_in_picture(pixels, 3);
   for (std::size_t i = 0; i < pixels.size(); ++i)
     spacing.push_back((pixels[static_cast<std::size_t>(nearest[i].back())] - pixels[i]).norm());
-  std::nth_element(spacing.begin(), spacing.begin() + static_cast<std::ptrdiff_t>(spacing.size() / 2),
-                   spacing.end());
-  const double near = std::max(1.5 * kCell, 3.0 * spacing[spacing.size() / 2]);
+  const double near = std::max(1.5 * kCell, 3.0 * upper_median(std::move(spacing)));
   const cv::Mat allowed = mask.empty() ? cv::Mat() : cv::Mat(grey(mask) != 0);
   double area = 0.0;
   for (int y = kCell / 2; y < pair.left.rows; y += kCell)
@@ -319,9 +316,7 @@ Reconstructed assemble(const Pair& pair, double reach, const std::vector<Candida
   }
   report.points = cloud.size();
   report.epipolar_rms_px = std::sqrt(rows / static_cast<double>(n));
-  std::vector<double> sorted = cloud.sigma;
-  std::nth_element(sorted.begin(), sorted.begin() + n / 2, sorted.end());
-  report.sigma_median = sorted[static_cast<std::size_t>(n / 2)];
+  report.sigma_median = upper_median(cloud.sigma);
   report.area_cm2 = area_cm2(pair, cloud, candidates, mask);
   report.density_per_cm2 = report.area_cm2 > 0.0 ? report.points / report.area_cm2 : 0.0;
   result.report = report;
