@@ -11,6 +11,7 @@
 #include "glisson/engine/parts/model.h"
 #include "glisson/fem/materials.h"
 #include "glisson/geometry/mesh_io.h"
+#include "glisson/registration/registration_files.h"
 
 namespace glisson::app {
 namespace fs = std::filesystem;
@@ -63,20 +64,7 @@ void write_deformed(const fs::path& path, const ModelArgument& argument, const S
     engine::write_registration(path, model, registration, argument.unit);
     return;
   }
-  TriangleFile file;
-  file.mesh = *argument.surface;
-  file.mesh.vertices = bind_points(model.mesh, argument.surface->vertices, false)
-                           .apply(model.mesh, registration.nodes_in_camera);
-  Eigen::Matrix4d matrix = registration.camera_from_ct.matrix();
-  matrix.topRightCorner<3, 1>() /= metres_per(argument.unit);
-  file.field_data["cloud_from_model"] = matrix;
-  write_triangle_mesh(path, file, argument.unit);
-}
-
-Points read_true_nodes(const fs::path& path, LengthUnit unit) {
-  const std::string extension = lower_extension(path);
-  if (extension == ".xyz" || extension == ".txt") return read_node_list(path, unit);
-  return is_tetrahedral(path) ? read_tet_mesh(path, unit).vertices : read_triangle_mesh(path, unit).vertices;
+  registration::write_carried_surface(path, *argument.surface, model, registration, argument.unit);
 }
 
 void declare_materials(Arguments& arguments) {
@@ -98,10 +86,8 @@ fem::CompositeOptions materials(const Arguments& arguments) {
 }
 
 registration::ElasticOptions elastic_options(const Arguments& arguments, const Session& session) {
-  PatientModel model = engine::effective_model(session.state());
-  // A mesh without vessels came as a file; the margin that was detected on it says nothing of its material.
-  if (model.vessels.empty() && !session.state()[part::landmarks]) model.landmarks = {};
-  registration::ElasticOptions options = registration::options_for(model);
+  registration::ElasticOptions options = registration::options_for(
+      engine::effective_model(session.state()), session.state()[part::landmarks] != nullptr);
   for (const char* name : {"materials", "homogeneous", "young", "poisson"})
     if (arguments.has(name)) options.materials = materials(arguments);
   return options;

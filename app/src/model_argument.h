@@ -30,8 +30,6 @@ ModelArgument load_model(const Arguments& arguments, Session& session);
 /// the surface deformed; in its unit, with `cloud_from_model` as field data.
 void write_deformed(const std::filesystem::path& path, const ModelArgument& argument, const Session& session,
                     const Registration& registration);
-/// True node positions: .xyz, or any mesh file with as many nodes. Metres.
-Points read_true_nodes(const std::filesystem::path& path, LengthUnit unit);
 
 /// Declares what the mechanics is made of: --materials, --homogeneous, --young, --poisson.
 void declare_materials(Arguments& arguments);

@@ -9,7 +9,7 @@
 #include "glisson/engine/commands/import_labels.h"
 #include "glisson/engine/commands/import_surfaces.h"
 #include "glisson/engine/parts/model.h"
-#include "glisson/geometry/distance.h"
+#include "glisson/experiments/evaluate.h"
 #include "glisson/geometry/mesh_io.h"
 #include "glisson/model/tree_edits.h"
 
@@ -67,13 +67,9 @@ int run_model(const QStringList& given) {
   }
   if (!edits.empty()) session.post(engine::EditTrees{edits});
   const PatientModel& model = session.state()[part::model]->model;
-  if (arguments.has("truth")) {
-    const SurfaceDistance distance = surface_distance(
-        model.surface.mesh, read_triangle_mesh(arguments.path("truth"), arguments.unit("unit")));
-    session.figures["surface_to_truth_mean_mm"] = 1e3 * distance.forward.mean;
-    session.figures["truth_to_surface_mean_mm"] = 1e3 * distance.backward.mean;
-    session.figures["truth_to_surface_max_mm"] = 1e3 * distance.backward.maximum;
-  }
+  if (arguments.has("truth"))
+    session.figures.merge(experiments::surface_figures(
+        model.surface.mesh, read_triangle_mesh(arguments.path("truth"), arguments.unit("unit"))));
   save_case(arguments, session);
   if (arguments.has("mesh-out"))
     write_tet_mesh(arguments.path("mesh-out"), model.mesh, LengthUnit::millimetre);

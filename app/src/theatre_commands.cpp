@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From the cloud to the registered, tracked model: register, track.
-#include <Eigen/LU>
 #include <QRegularExpression>
-#include <algorithm>
-#include <cmath>
-#include <sstream>
 
 #include "cli.h"
 #include "commands.h"
-#include "glisson/core/files.h"
-#include "glisson/engine/case_io.h"
 #include "glisson/engine/commands/import_cloud.h"
 #include "glisson/engine/commands/import_registration.h"
 #include "glisson/engine/commands/load_video_frame.h"
@@ -20,7 +14,8 @@
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/experiments/evaluate.h"
-#include "glisson/geometry/distance.h"
+#include "glisson/experiments/track_evaluation.h"
+#include "glisson/registration/registration_files.h"
 #include "glisson/stereo/picture_io.h"
 #include "model_argument.h"
 
@@ -28,24 +23,10 @@ namespace glisson::app {
 namespace fs = std::filesystem;
 namespace {
 
-Eigen::Matrix4d read_rigid(const fs::path& path, LengthUnit unit) {
-  const std::string content = read_file(path);
-  std::istringstream stream(content);
-  Eigen::Matrix4d matrix;
-  for (int i = 0; i < 16; ++i)
-    if (!(stream >> matrix(i / 4, i % 4)))
-      throw InputError(path.string(), "matrix", "is not 16 numbers",
-                       "Write a 4 x 4 matrix, cloud_from_model, row by row");
-  const Eigen::Matrix3d rotation = matrix.topLeftCorner<3, 3>();
-  if ((rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).norm() > 1e-3 ||
-      rotation.determinant() < 0.0)
-    throw InputError(path.string(), "matrix", "its upper left 3 x 3 block is not a rotation",
-                     "Take out scale and mirroring");
-  matrix.topRightCorner<3, 1>() *= metres_per(unit);
-  return matrix;
+/// Those that are there already are replaced.
+void append(Figures& figures, const Figures& more) {
+  for (const auto& [key, value] : more) figures[key] = value;
 }
-
-void append(Figures& figures, const Figures& more) { figures.insert(more.begin(), more.end()); }
 
 /// The files that a printf-like pattern ('cloud_%02d.ply') stands for, in order, with their numbers.
 std::vector<std::pair<int, fs::path>> expand(const QString& pattern) {
@@ -83,77 +64,49 @@ int digits_of(const QString& pattern) {
   return kNumber.match(pattern).captured(1).toInt();
 }
 
-double percentile(std::vector<double> values, double share) {
-  if (values.empty()) return std::nan("");
-  std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size() - 1)))];
-}
-
-/// Follows every input, writes one mesh each, and sums up errors and times.
+/// Where frames, or clouds, are followed and told of: one mesh each, and what the track comes to.
 class TrackRecord {
  public:
+  /// @param digits of the numbers in the meshes' names.
   TrackRecord(Session& session, const ModelArgument& argument, const Arguments& arguments, fs::path folder,
               int digits)
       : session_(session),
         argument_(argument),
         arguments_(arguments),
         folder_(std::move(folder)),
-        digits_(digits) {}
+        digits_(digits),
+        model_(session.state()[part::model]),
+        evaluation_(model_->model, *session.state()[part::registration], 30.0) {}
 
   void add(int number, const OverlayFrame& overlay) {
-    milliseconds_.push_back(overlay.milliseconds);
-    late_ += overlay.milliseconds > 1e3 / 30.0;
-    valid_ += overlay.validity == Validity::valid;
+    evaluation_.add(overlay);
     if (overlay.nodes_in_camera.rows() == 0) return;
     Registration registration = *session_.state()[part::registration];
     registration.nodes_in_camera = overlay.nodes_in_camera;
-    const QString name = QString("registered_%1.vtu").arg(number, digits_, 10, QChar('0'));
-    const bool is_surface = argument_.surface.has_value();
-    write_deformed(folder_ / (is_surface ? fs::path(name.toStdString()).replace_extension(".vtp")
-                                         : fs::path(name.toStdString())),
-                   argument_, session_, registration);
-    displacement_ +=
-        point_errors(overlay.nodes_in_camera,
-                     registration.camera_from_ct.apply(session_.state()[part::model]->model.mesh.vertices))
-            .mean;
-    ++placed_;
-    compare(number, overlay.nodes_in_camera);
+    const QString name = QString("registered_%1.%2")
+                             .arg(number, digits_, 10, QChar('0'))
+                             .arg(argument_.surface ? "vtp" : "vtu");
+    write_deformed(folder_ / name.toStdString(), argument_, session_, registration);
+    if (arguments_.has("truth")) compare(number, overlay);
   }
 
   void finish() {
-    Figures& figures = session_.figures;
-    figures["frames"] = static_cast<double>(milliseconds_.size());
-    figures["frames_late"] = late_;
-    figures["frames_valid"] = valid_;
-    figures["frame_p50_ms"] = percentile(milliseconds_, 0.5);
-    figures["frame_p99_ms"] = percentile(milliseconds_, 0.99);
-    figures["displacement_mean_mm"] = placed_ > 0 ? 1e3 * displacement_ / placed_ : std::nan("");
+    append(session_.figures, evaluation_.times().counts());
+    append(session_.figures, evaluation_.times().percentiles());
+    session_.figures["displacement_mean_mm"] = 1e3 * evaluation_.displacement();
     if (!arguments_.has("truth")) return;
-    for (auto& [key, value] : errors_) {
-      if (key.find("_max_") == std::string::npos) value /= compared_;
-      figures[key] = value;
-    }
-    figures["frames_compared"] = compared_;
+    append(session_.figures, evaluation_.errors());
+    session_.figures["frames_compared"] = evaluation_.compared();
   }
 
  private:
-  void compare(int number, const Points& nodes) {
-    if (!arguments_.has("truth")) return;
+  void compare(int number, const OverlayFrame& overlay) {
     const fs::path path = numbered(arguments_.value("truth"), number).toStdString();
     if (!fs::exists(path)) return;  // truth may be given for some frames only
-    const Points truth = read_true_nodes(path, argument_.unit);
-    const PatientModel& model = session_.state()[part::model]->model;
-    Figures errors = experiments::target_errors(model, nodes, truth, path.string());
-    errors["tre_frozen_mean_mm"] =
-        1e3 * point_errors(session_.state()[part::registration]->nodes_in_camera, truth).mean;
+    const Points truth = experiments::read_true_nodes(path, argument_.unit);
+    const Figures errors = evaluation_.compare(overlay, truth, path.string());
     const QString frame = QString("frame_%1_tre_volume_mean_mm").arg(number, digits_, 10, QChar('0'));
-    session_.figures[frame.toStdString()] = errors["tre_volume_mean_mm"];
-    for (const auto& [key, value] : errors) {
-      double& all = errors_.emplace(key, value).first->second;
-      if (compared_ == 0) continue;
-      all = key.find("_max_") == std::string::npos ? all + value : std::max(all, value);
-    }
-    ++compared_;
+    session_.figures[frame.toStdString()] = errors.at("tre_volume_mean_mm");
   }
 
   Session& session_;
@@ -161,10 +114,8 @@ class TrackRecord {
   const Arguments& arguments_;
   fs::path folder_;
   int digits_;
-  std::vector<double> milliseconds_;
-  int late_ = 0, valid_ = 0, placed_ = 0, compared_ = 0;
-  double displacement_ = 0.0;  ///< metres, summed over frames
-  Figures errors_;             ///< sums over the frames compared; of maxima, the largest
+  std::shared_ptr<const model::BuiltModel> model_;
+  experiments::TrackEvaluation evaluation_;
 };
 
 }  // namespace
@@ -217,13 +168,13 @@ int run_register(const QStringList& given) {
     command.start = engine::Register::Start::none;
   } else if (arguments.value("rigid") != "auto") {
     command.start = engine::Register::Start::given;
-    command.given = CameraFromCt::from_matrix(read_rigid(arguments.path("rigid"), argument.unit));
+    command.given = registration::read_start(arguments.path("rigid"), argument.unit);
   }
   session.post(command);
   const Registration& registration = *session.state()[part::registration];
   if (arguments.has("truth")) {
     const PatientModel& model = session.state()[part::model]->model;
-    const Points truth = read_true_nodes(arguments.path("truth"), argument.unit);
+    const Points truth = experiments::read_true_nodes(arguments.path("truth"), argument.unit);
     append(session.figures, experiments::target_errors(model, registration.nodes_in_camera, truth,
                                                        arguments.path("truth").string()));
     append(session.figures,

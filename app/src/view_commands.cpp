@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What can be looked at: render, overlay.
+#include <algorithm>
+
 #include "cli.h"
 #include "commands.h"
 #include "glisson/engine/commands/open_case.h"
 #include "glisson/engine/parts/frame.h"
 #include "glisson/engine/parts/video.h"
+#include "glisson/experiments/track_evaluation.h"
 #include "glisson/stereo/picture_io.h"
 #include "live_overlay.h"
 
@@ -61,18 +64,15 @@ int run_overlay(const QStringList& given) {
   OverlayRecorder recorder(session.state(), out, rate);
   const int first = session.state()[part::frame] ? session.state()[part::frame]->frame.index : 0;
   const int last = arguments.has("frames") ? first + arguments.integer("frames", 1, 10000000) - 1 : -1;
-  double frames = 0.0, late = 0.0, valid = 0.0, drawing = 0.0;
+  experiments::FrameTimes times(rate);
+  double drawing = 0.0;
   follow_video(session, {}, last, [&](const StereoFrame& frame, const OverlayFrame& overlay) {
     drawing += recorder.add(frame, overlay);
-    ++frames;
-    late += overlay.milliseconds > 1e3 / rate;
-    valid += overlay.validity == Validity::valid;
+    times.add(overlay);
   });
   recorder.close();
-  session.figures["frames"] = frames;
-  session.figures["frames_late"] = late;
-  session.figures["frames_valid"] = valid;
-  session.figures["draw_mean_ms"] = frames > 0.0 ? drawing / frames : 0.0;
+  session.figures.merge(times.counts());
+  session.figures["draw_mean_ms"] = drawing / std::max(1, times.frames());
   session.finish();
   return 0;
 }

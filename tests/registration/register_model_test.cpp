@@ -35,6 +35,7 @@ class RegisterModelTest : public QObject {
   void AHeldNodeOrAPriorOfTheCallersLeavesNoneToSimulate();
   void AutomaticStartIsTheRigidOne();
   void OptionsThatAreUsedAreChecked();
+  void ABareMeshIsTakenForHomogeneous();
   void CancelGivesNothing();
 
  private:
@@ -115,6 +116,18 @@ void RegisterModelTest::OptionsThatAreUsedAreChecked() {
   options = brief();
   options.elastic.max_steps = 0;
   QVERIFY_EXCEPTION_THROWN(registered(options), InputError);
+}
+
+void RegisterModelTest::ABareMeshIsTakenForHomogeneous() {
+  PatientModel model = model_;
+  model.vessels.clear();
+  QVERIFY(options_for(model).materials.with_capsule);
+  QVERIFY(!options_for(model, false).materials.with_capsule);  // its landmarks were only detected
+  model.landmarks = {};
+  QVERIFY(!options_for(model).materials.with_capsule);
+  QCOMPARE(options_for(model).final_stiffening, 1.0);
+  model.vessels.emplace_back();
+  QVERIFY(options_for(model, false).materials.with_capsule);
 }
 
 void RegisterModelTest::CancelGivesNothing() {

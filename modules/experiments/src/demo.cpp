@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 
 #include "demo_input.h"
 #include "demo_progress.h"
@@ -36,6 +35,7 @@
 #include "glisson/engine/parts/registration.h"
 #include "glisson/engine/parts/video.h"
 #include "glisson/experiments/evaluate.h"
+#include "glisson/experiments/track_evaluation.h"
 #include "glisson/geometry/distance.h"
 #include "glisson/geometry/mesh_io.h"
 #include "glisson/insilico/film.h"
@@ -214,70 +214,52 @@ class DemoRun {
 
   void track() {
     post(engine::StartTracking{});
-    const Points frozen = state()[part::registration]->nodes_in_camera;
-    const Points truly_there = theatre_->carry(model().mesh.vertices, 0);
     stereo::StereoVideo video(state()[part::video]->left, state()[part::video]->right);
+    TrackEvaluation evaluation(model(), *state()[part::registration], video.frames_per_second());
+    evaluation.set_true_start(theatre_->carry(model().mesh.vertices, 0));
     std::unique_ptr<stereo::VideoWriter> overlay_video;
     if (pictures_.overlay)
       overlay_video = std::make_unique<stereo::VideoWriter>(folder_ / "overlay.mkv", video.width(),
                                                             video.height(), video.frames_per_second());
-    std::vector<double> milliseconds;
-    double errors = 0.0, target_errors_sum = 0.0, frozen_errors = 0.0, drawing = 0.0;
-    double motion = 0.0, motion_errors = 0.0;
-    int valid = 0, late = 0, compared = 0;
+    double drawing = 0.0;
     const int frames = theatre_->frame_count();
     const RunContext progress = progress_.begin("track");
     for (StereoFrame frame; video.read(frame);) {
       const OverlayFrame overlay = take(script_.follow(frame));
-      milliseconds.push_back(overlay.milliseconds);
-      late += overlay.milliseconds > 1e3 / video.frames_per_second();
-      valid += overlay.validity == Validity::valid;
+      evaluation.add(overlay);
       const Points truth = theatre_->carry(model().mesh.vertices, frame.index);
-      if (overlay.nodes_in_camera.rows() == truth.rows()) {
-        const Figures now = target_errors(model(), overlay.nodes_in_camera, truth, "theatre");
-        errors += now.at("tre_volume_mean_mm");
-        target_errors_sum += now.at("tre_target_mean_mm");
-        frozen_errors += 1e3 * point_errors(frozen, truth).mean;
-        motion += 1e3 * point_errors(truly_there, truth).mean;
-        motion_errors += 1e3 * point_errors(overlay.nodes_in_camera - frozen, truth - truly_there).mean;
-        ++compared;
-      }
-      if (overlay_video) {
-        const auto begin = Clock::now();
-        const Picture drawn = pictures_.overlay(state(), frame, overlay);
-        drawing += 1e3 * seconds_since(begin);
-        overlay_video->write(drawn);
-        if (frame.index == 0 || frame.index == frames / 3 || frame.index == 2 * frames / 3)
-          keep_picture("overlay_" + std::to_string(frame.index), drawn);
-      }
+      if (overlay.nodes_in_camera.rows() == truth.rows()) evaluation.compare(overlay, truth, "theatre");
+      if (overlay_video) drawing += draw(*overlay_video, frame, overlay);
       progress.progress(static_cast<double>(frame.index + 1) / frames, "demo.track");
     }
     if (overlay_video) {
       overlay_video->close();
       result_.overlay_video = folder_ / "overlay.mkv";
-      result_.figures["draw_mean_ms"] = drawing / std::max<std::size_t>(1, milliseconds.size());
+      result_.figures["draw_mean_ms"] = drawing / std::max(1, evaluation.times().frames());
     }
     post(engine::StopTracking{});
-    Figures& figures = result_.figures;
-    figures["frames"] = static_cast<double>(milliseconds.size());
-    figures["frames_late"] = late;
-    figures["frames_valid"] = valid;
-    if (!milliseconds.empty()) {
-      std::sort(milliseconds.begin(), milliseconds.end());
-      const auto at = [&](double share) {
-        return milliseconds[static_cast<std::size_t>(
-            std::ceil(share * static_cast<double>(milliseconds.size() - 1)))];
-      };
-      figures["frame_p50_ms"] = at(0.5);
-      figures["frame_p99_ms"] = at(0.99);
-    }
-    if (compared > 0) {
-      figures["track_tre_volume_mean_mm"] = errors / compared;
-      figures["track_tre_target_mean_mm"] = target_errors_sum / compared;
-      figures["track_tre_frozen_mean_mm"] = frozen_errors / compared;
-      figures["track_motion_mean_mm"] = motion / compared;
-      figures["track_motion_error_mean_mm"] = motion_errors / compared;
-    }
+    add_track(evaluation);
+  }
+
+  /// @return milliseconds that drawing took.
+  double draw(stereo::VideoWriter& video, const StereoFrame& frame, const OverlayFrame& overlay) {
+    const auto begin = Clock::now();
+    const Picture drawn = pictures_.overlay(state(), frame, overlay);
+    const double milliseconds = 1e3 * seconds_since(begin);
+    video.write(drawn);
+    const int frames = theatre_->frame_count();
+    if (frame.index == 0 || frame.index == frames / 3 || frame.index == 2 * frames / 3)
+      keep_picture("overlay_" + std::to_string(frame.index), drawn);
+    return milliseconds;
+  }
+
+  void add_track(const TrackEvaluation& evaluation) {
+    for (const Figures& figures : {evaluation.times().counts(), evaluation.times().percentiles()})
+      for (const auto& [key, value] : figures) result_.figures[key] = value;
+    const Figures errors = evaluation.errors();
+    for (const char* key : {"tre_volume_mean_mm", "tre_target_mean_mm", "tre_frozen_mean_mm",
+                            "motion_mean_mm", "motion_error_mean_mm"})
+      if (errors.contains(key)) result_.figures[std::string("track_") + key] = errors.at(key);
   }
 
   // ---- what remains ----

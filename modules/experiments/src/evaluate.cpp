@@ -4,10 +4,15 @@
 #include <limits>
 
 #include "glisson/core/error.h"
+#include "glisson/core/files.h"
 #include "glisson/geometry/distance.h"
+#include "glisson/geometry/mesh_io.h"
 #include "glisson/geometry/rigid.h"
+#include "glisson/insilico/film.h"
+#include "glisson/stereo/evaluate.h"
 
 namespace glisson::experiments {
+namespace fs = std::filesystem;
 namespace {
 
 Points lesion_points(const PatientModel& model) {
@@ -23,6 +28,17 @@ void add_targets(Figures& figures, const Points& estimated, const Points& truth)
   const DistanceSummary errors = point_errors(estimated, truth);
   figures["tre_target_mean_mm"] = errors.count > 0 ? 1e3 * errors.mean : unknown;
   figures["tre_target_max_mm"] = errors.count > 0 ? 1e3 * errors.maximum : unknown;
+}
+
+stereo::CloudErrors cloud_errors(const LabelledCloud& cloud, const Camera& left, const fs::path& truth,
+                                 LengthUnit unit) {
+  if (truth.extension() != ".pfm") return stereo::cloud_errors(cloud, read_triangle_mesh(truth, unit));
+  int width = 0, height = 0;
+  const std::vector<float> depth = insilico::read_depth(truth, width, height);
+  if (width != left.width || height != left.height)
+    throw InputError(truth.string(), "size", "is not that of the pictures",
+                     "Give the depth map of the left picture");
+  return stereo::cloud_errors(cloud, left, depth);
 }
 
 }  // namespace
@@ -59,6 +75,29 @@ Figures lesion_errors(const PatientModel& model, const Points& estimated_nodes, 
   add_targets(figures, bind_points(model.mesh, lesion_points(model)).apply(model.mesh, estimated_nodes),
               true_centres);
   return figures;
+}
+
+Points read_true_nodes(const fs::path& path, LengthUnit unit) {
+  const std::string extension = lower_extension(path);
+  if (extension == ".xyz" || extension == ".txt") return read_node_list(path, unit);
+  return is_tetrahedral(path) ? read_tet_mesh(path, unit).vertices : read_triangle_mesh(path, unit).vertices;
+}
+
+Figures cloud_figures(const LabelledCloud& cloud, const Camera& left, const fs::path& truth,
+                      LengthUnit unit) {
+  const stereo::CloudErrors errors = cloud_errors(cloud, left, truth, unit);
+  return {{"cloud_error_median_mm", 1e3 * errors.distance.median},
+          {"cloud_error_mean_mm", 1e3 * errors.distance.mean},
+          {"cloud_error_p95_mm", 1e3 * errors.distance.percentile_95},
+          {"cloud_bias_mm", 1e3 * errors.bias},
+          {"cloud_points_without_truth", errors.without_truth}};
+}
+
+Figures surface_figures(const TriangleMesh& surface, const TriangleMesh& truth) {
+  const SurfaceDistance distance = surface_distance(surface, truth);
+  return {{"surface_to_truth_mean_mm", 1e3 * distance.forward.mean},
+          {"truth_to_surface_mean_mm", 1e3 * distance.backward.mean},
+          {"truth_to_surface_max_mm", 1e3 * distance.backward.maximum}};
 }
 
 }  // namespace glisson::experiments

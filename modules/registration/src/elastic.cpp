@@ -237,9 +237,9 @@ void ElasticOptions::validate() const {
   shape.validate();
 }
 
-ElasticOptions options_for(const PatientModel& model) {
+ElasticOptions options_for(const PatientModel& model, bool landmarks_are_placed) {
   ElasticOptions options;
-  if (model.vessels.empty() && model.landmarks.empty()) {
+  if (model.vessels.empty() && (model.landmarks.empty() || !landmarks_are_placed)) {
     options.materials.with_capsule = false;
     options.final_stiffening = 1.0;
     options.tangential = 1.0;

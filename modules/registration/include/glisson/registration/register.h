@@ -73,9 +73,10 @@ struct ElasticOptions {
   void validate() const;
 };
 
-/// The defaults for a model. One that is a bare mesh (no vessels, no landmarks) is taken for homogeneous: no
-/// capsule, and the paper's schedule without the final stiffening (see the README).
-ElasticOptions options_for(const PatientModel& model);
+/// The defaults for a model. One that is a bare mesh (no vessels, and no landmarks that a person placed; a
+/// margin that was detected on a mesh says nothing of its material) is taken for homogeneous: no capsule, and
+/// the paper's schedule without the final stiffening (see the README).
+ElasticOptions options_for(const PatientModel& model, bool landmarks_are_placed = true);
 
 /// Initial elastic registration (paper 2.2.3; eq. 14 and 15 as METHOD corrects them): label-restricted
 /// closest points, implicit Euler steps, plateaus of kinetic energy and mean residual, stop at max(r) + 1.

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/registration/registration_files.h"
+
+#include <Eigen/LU>
+#include <sstream>
+
+#include "glisson/core/error.h"
+#include "glisson/core/files.h"
+#include "glisson/geometry/mesh_io.h"
+
+namespace glisson::registration {
+namespace fs = std::filesystem;
+
+CameraFromCt read_start(const fs::path& path, LengthUnit unit) {
+  std::istringstream stream(read_file(path));
+  Eigen::Matrix4d matrix;
+  for (int i = 0; i < 16; ++i)
+    if (!(stream >> matrix(i / 4, i % 4)))
+      throw InputError(path.string(), "matrix", "is not 16 numbers",
+                       "Write a 4 x 4 matrix, cloud_from_model, row by row");
+  const Eigen::Matrix3d rotation = matrix.topLeftCorner<3, 3>();
+  if ((rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).norm() > 1e-3 ||
+      rotation.determinant() < 0.0)
+    throw InputError(path.string(), "matrix", "its upper left 3 x 3 block is not a rotation",
+                     "Take out scale and mirroring");
+  matrix.topRightCorner<3, 1>() *= metres_per(unit);
+  return CameraFromCt::from_matrix(matrix);
+}
+
+void write_carried_surface(const fs::path& path, const TriangleMesh& surface, const PatientModel& model,
+                           const Registration& registration, LengthUnit unit) {
+  TriangleFile file;
+  file.mesh = surface;
+  file.mesh.vertices =
+      bind_points(model.mesh, surface.vertices, false).apply(model.mesh, registration.nodes_in_camera);
+  Eigen::Matrix4d matrix = registration.camera_from_ct.matrix();
+  matrix.topRightCorner<3, 1>() /= metres_per(unit);
+  file.field_data["cloud_from_model"] = matrix;
+  write_triangle_mesh(path, file, unit);
+}
+
+}  // namespace glisson::registration
