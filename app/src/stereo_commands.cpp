@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From the laparoscope's pictures to its calibration and to labelled clouds: calibrate, reconstruct.
 #include <QRegularExpression>
-#include <algorithm>
 #include <cmath>
 
 #include "cli.h"
@@ -13,34 +12,18 @@
 #include "glisson/engine/commands/set_regions.h"
 #include "glisson/engine/parts/cloud.h"
 #include "glisson/engine/parts/frame.h"
-#include "glisson/engine/parts/regions.h"
 #include "glisson/engine/parts/rig.h"
-#include "glisson/geometry/mesh_io.h"
-#include "glisson/insilico/film.h"
+#include "glisson/experiments/evaluate.h"
 #include "glisson/stereo/board_series.h"
 #include "glisson/stereo/calibrate.h"
 #include "glisson/stereo/calibration_io.h"
 #include "glisson/stereo/density.h"
-#include "glisson/stereo/evaluate.h"
 #include "glisson/stereo/faults.h"
 #include "glisson/stereo/picture_io.h"
 
 namespace glisson::app {
 namespace fs = std::filesystem;
 namespace {
-
-/// The cloud against a surface in the camera's frame, or a depth map (.pfm, millimetres).
-stereo::CloudErrors cloud_truth(const Arguments& arguments, const engine::CaseState& state) {
-  const fs::path path = arguments.path("truth");
-  if (path.extension() != ".pfm")
-    return stereo::cloud_errors(*state[part::cloud], read_triangle_mesh(path, arguments.unit("unit")));
-  int width = 0, height = 0;
-  const std::vector<float> depth = insilico::read_depth(path, width, height);
-  if (width != state[part::rig]->left.width || height != state[part::rig]->left.height)
-    throw InputError(path.string(), "size", "is not that of the pictures",
-                     "Give the depth map of the left picture");
-  return stereo::cloud_errors(*state[part::cloud], state[part::rig]->left, depth);
-}
 
 stereo::Method method_of(const Arguments& arguments) {
   const QString code = arguments.value("method");
@@ -137,12 +120,6 @@ class ViewSource {
   stereo::BoardViews views_;
 };
 
-/// YAML, or a folder of plain text for pictures of this size.
-StereoRig rig_from(const fs::path& path, int width, int height) {
-  return fs::is_directory(path) ? stereo::read_text_calibration(path, width, height)
-                                : stereo::read_calibration(path);
-}
-
 void tell_views(const stereo::Calibration& calibration) {
   say(Cli::tr(
       "view, left px, right px, distance mm, tilt degrees, rows px by a calibration without it, rows px "
@@ -229,8 +206,8 @@ int run_calibrate(const QStringList& given) {
   command.options.third_radial = arguments.has("k3");
   command.options.drop_outliers = arguments.has("drop-outliers");
   if (arguments.has("reference") && command.found->pairs() > 0)
-    command.options.reference =
-        rig_from(arguments.path("reference"), command.found->width(), command.found->height());
+    command.options.reference = stereo::read_calibration_for(
+        arguments.path("reference"), command.found->width(), command.found->height(), {});
   const auto sheet = session.post(std::move(command)).result.as<engine::CalibrationSheet>();
   session.notes.clear();  // outliers: the table says them
   tell_views(sheet->calibration);
@@ -276,7 +253,7 @@ int run_reconstruct(const QStringList& given) {
   const engine::LoadStereoPair pair{arguments.required_path("left"), arguments.required_path("right"),
                                     arguments.path("mask")};
   // Plain text does not tell the pictures' size: they come first then.
-  const bool plain_text = fs::is_directory(calibration.path);
+  const bool plain_text = stereo::is_text_calibration(calibration.path);
   if (!plain_text) session.post(calibration);
   session.post(pair);
   if (plain_text) session.post(calibration);
@@ -293,20 +270,11 @@ int run_reconstruct(const QStringList& given) {
   command.options.kind = features_of(arguments);
   session.post(command);
   const LabelledCloud& cloud = *session.state()[part::cloud];
-  if (arguments.has("truth")) {
-    const stereo::CloudErrors errors = cloud_truth(arguments, session.state());
-    session.figures["cloud_error_median_mm"] = 1e3 * errors.distance.median;
-    session.figures["cloud_error_mean_mm"] = 1e3 * errors.distance.mean;
-    session.figures["cloud_error_p95_mm"] = 1e3 * errors.distance.percentile_95;
-    session.figures["cloud_bias_mm"] = 1e3 * errors.bias;
-    session.figures["cloud_points_without_truth"] = errors.without_truth;
-  }
-  const stereo::Regions none;
-  const auto& regions = session.state()[part::regions];
-  const stereo::DensityMap density =
-      stereo::density_map(cloud, session.state()[part::rig]->left, input.mask, regions ? *regions : none);
+  if (arguments.has("truth"))
+    session.figures.merge(experiments::cloud_figures(cloud, session.state()[part::rig]->left,
+                                                     arguments.path("truth"), arguments.unit("unit")));
+  const stereo::DensityMap& density = session.state()[part::points]->density;
   session.figures["cloud_area_cm2"] = density.area_cm2;
-  session.figures["cloud_covered_share"] = density.covered;
   if (arguments.has("density"))
     stereo::write_picture(arguments.path("density"), stereo::density_picture(density, input.frame.left));
   write_cloud(out, cloud, arguments.unit("unit"));
@@ -363,30 +331,21 @@ int run_check(const QStringList& given) {
   stereo::StereoVideo video(arguments.required_path("video"), arguments.path("video-right"));
   std::optional<StereoRig> rig;
   if (arguments.has("calibration"))
-    rig = rig_from(arguments.path("calibration"), video.width(), video.height());
-  const int every = arguments.integer("every", 1, 100000);
-  stereo::SequenceCheck sequence;
-  int frames = 0, faults = 0;
-  const auto tell = [&](int frame, stereo::Fault fault) {
-    say(Cli::tr("frame %1: %2").arg(frame).arg(fault_text(fault)));
-    session.figures["fault_" + std::string(stereo::fault_code(fault))] += 1.0;
-    ++faults;
+    rig = stereo::read_calibration_for(arguments.path("calibration"), video.width(), video.height(), {});
+  stereo::VideoCheckOptions options;
+  options.every = arguments.integer("every", 1, 100000);
+  const auto tell = [](const stereo::FrameFault& fault) {
+    say(Cli::tr("frame %1: %2").arg(fault.frame).arg(fault_text(fault.fault)));
   };
-  for (StereoFrame frame; video.read(frame); ++frames) {
-    if (session.context().cancelled()) throw Interrupted();
-    session.context().progress(std::min(1.0, frames / std::max(1.0, 1.0 * video.frame_count())),
-                               "check.frame");
-    const auto found = sequence.push(frame);
-    for (const stereo::FrameFault& fault : found) tell(fault.frame, fault.fault);
-    if (!rig || frames % every != 0 || !found.empty()) continue;
-    for (const stereo::Fault fault : stereo::check_pair(frame.left, frame.right, *rig).faults)
-      tell(frame.index, fault);
-  }
-  session.figures["frames"] = frames;
-  session.figures["frames_skipped"] = video.skipped();
-  session.figures["faults"] = faults;
+  const auto found = stereo::check_video(video, rig, options, session.context(), tell);
+  if (!found) throw Interrupted();
+  for (const stereo::FrameFault& fault : found->faults)
+    session.figures["fault_" + std::string(stereo::fault_code(fault.fault))] += 1.0;
+  session.figures["frames"] = found->frames;
+  session.figures["frames_skipped"] = found->skipped;
+  session.figures["faults"] = static_cast<double>(found->faults.size());
   session.finish();
-  return faults == 0 ? 0 : 1;
+  return found->faults.empty() ? 0 : 1;
 }
 
 }  // namespace glisson::app

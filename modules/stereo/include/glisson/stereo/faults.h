@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "glisson/core/run_context.h"
 #include "glisson/geometry/camera.h"
 #include "glisson/patient/picture.h"
 
 namespace glisson::stereo {
+
+class StereoVideo;
 
 /// What can be wrong with what comes from the laparoscope.
 enum class Fault {
@@ -77,5 +81,28 @@ class SequenceCheck {
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
+
+struct VideoCheckOptions {
+  int every = 30;  ///< each so many frames one is held against the calibration, if it is sound so far
+  /// @throws PreconditionError every below 1.
+  void validate() const;
+};
+
+/// What a whole video has.
+struct VideoFaults {
+  std::vector<FrameFault> faults;  ///< in the order in which they were found
+  int frames = 0;                  ///< read
+  int skipped = 0;                 ///< frames of either view that had no partner
+};
+/// Hears of a fault as soon as it is found.
+using FaultTold = std::function<void(const FrameFault&)>;
+
+/// Looks through a video from where it stands to its end: SequenceCheck at every frame, check_pair() at some
+/// of them. Progress "check.frame".
+/// @param rig of the video's pictures; empty: nothing is held against a calibration.
+/// @throws InputError as StereoVideo::read() and check_pair().
+Cancellable<VideoFaults> check_video(StereoVideo& video, const std::optional<StereoRig>& rig,
+                                     const VideoCheckOptions& options, const RunContext& context,
+                                     const FaultTold& told = {});
 
 }  // namespace glisson::stereo
