@@ -56,15 +56,16 @@ void TrackEvaluation::add(const OverlayFrame& overlay) {
   ++placed_;
 }
 
-Figures TrackEvaluation::compare(const OverlayFrame& overlay, const Points& true_nodes,
+Figures TrackEvaluation::compare(const OverlayFrame& overlay, const Points& true_nodes_in_camera,
                                  const std::string& name) {
   const Points& nodes = overlay.nodes_in_camera;
   require(nodes.rows() > 0, "a frame that is compared has positions");
-  Figures errors = target_errors(model_, nodes, true_nodes, name);
-  errors["tre_frozen_mean_mm"] = 1e3 * point_errors(frozen_, true_nodes).mean;
+  Figures errors = target_errors(model_, nodes, true_nodes_in_camera, name);
+  errors["tre_frozen_mean_mm"] = 1e3 * point_errors(frozen_, true_nodes_in_camera).mean;
   if (true_start_.rows() > 0) {
-    errors["motion_mean_mm"] = 1e3 * point_errors(true_start_, true_nodes).mean;
-    errors["motion_error_mean_mm"] = 1e3 * point_errors(nodes - frozen_, true_nodes - true_start_).mean;
+    errors["motion_mean_mm"] = 1e3 * point_errors(true_start_, true_nodes_in_camera).mean;
+    errors["motion_error_mean_mm"] =
+        1e3 * point_errors(nodes - frozen_, true_nodes_in_camera - true_start_).mean;
   }
   for (const auto& [key, value] : errors) {
     const auto [all, is_new] = sums_.emplace(key, value);
@@ -74,10 +75,10 @@ Figures TrackEvaluation::compare(const OverlayFrame& overlay, const Points& true
   return errors;
 }
 
-void TrackEvaluation::set_true_start(const Points& true_nodes) {
-  require(true_nodes.rows() == frozen_.rows(), "a true start has a position of each node");
+void TrackEvaluation::set_true_start(const Points& true_nodes_in_camera) {
+  require(true_nodes_in_camera.rows() == frozen_.rows(), "a true start has a position of each node");
   require(compared_ == 0, "the true start is set before the first comparison");
-  true_start_ = true_nodes;
+  true_start_ = true_nodes_in_camera;
 }
 
 double TrackEvaluation::displacement() const { return placed_ > 0 ? displacement_ / placed_ : kUnknown; }

@@ -43,10 +43,10 @@ class TrackEvaluation {
   /// Compares a frame that was added with its truth, camera frame, metres.
   /// @param name of the truth in the error. @return this frame's target_errors() and `tre_frozen_mean_mm`.
   /// @pre overlay.nodes_in_camera is not empty. @throws InputError as target_errors().
-  Figures compare(const OverlayFrame& overlay, const Points& true_nodes, const std::string& name);
+  Figures compare(const OverlayFrame& overlay, const Points& true_nodes_in_camera, const std::string& name);
   /// Where the nodes truly were when tracking began: from the next comparison on, errors() tells of motion
   /// too. @pre as many as the model has nodes; nothing was compared yet.
-  void set_true_start(const Points& true_nodes);
+  void set_true_start(const Points& true_nodes_in_camera);
 
   const FrameTimes& times() const { return times_; }
   int compared() const { return compared_; }
