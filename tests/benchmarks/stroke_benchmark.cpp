@@ -157,7 +157,7 @@ int main(int argc, char** argv) {
     settings.brush_radius = radius;
     settings.region.area = area;
     session.set_settings(settings);
-    session.set_tool(ui::EditTool::paint);
+    session.set_tool(ui::edit_tool("paint"));
     wait_until([&] { return !window.views().label_surfaces().is_making(); });
     std::vector<double> all;
     for (int n = 0; n < 2; ++n) {

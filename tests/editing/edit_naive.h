@@ -5,7 +5,9 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <random>
+#include <tuple>
 
 #include "glisson/editing/edit.h"
 
@@ -78,6 +80,19 @@ inline LabelMap small_anatomy(const VolumeGrid& grid, unsigned seed) {
   });
 }
 
+/// What `visit` says to the settings of a tool. @pre it is one of these.
+template <class Visit>
+auto of_settings(const Tool& tool, Visit&& visit) {
+  std::optional<decltype(visit(Paint()))> said;
+  const auto try_all = [&]<class... Settings>(std::tuple<Settings...>*) {
+    ((tool.get_if<Settings>() != nullptr ? (void)(said = visit(tool.as<Settings>())) : (void)0), ...);
+  };
+  using All = std::tuple<Paint, Threshold, Scissors, GrowFromSeeds, LevelTracing, Islands, FillHoles, Smooth,
+                         Margin, InterpolateSlices, Logical, ReassignBranch>;
+  try_all(static_cast<All*>(nullptr));
+  return said.value();
+}
+
 /// An edit on dense arrays.
 class Naive {
  public:
@@ -85,7 +100,7 @@ class Naive {
       : map_(labels), image_(image), grid_(image.grid), before_(labels.voxels.dense()) {}
 
   std::vector<Label> apply(const Edit& edit) const {
-    std::vector<Label> after = std::visit([&](const auto& tool) { return wanted(tool); }, edit.tool);
+    std::vector<Label> after = of_settings(edit.tool, [&](const auto& tool) { return wanted(tool); });
     for (std::size_t at = 0; at < after.size(); ++at)
       if (after[at] != before_[at] && !allowed(edit.region, at, after[at])) after[at] = before_[at];
     return after;

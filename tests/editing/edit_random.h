@@ -36,7 +36,7 @@ class RandomEdits {
     Edit edit{tool(), region()};
     // Locking what is edited is refused; see edit_script_test.
     std::erase_if(edit.region.locked, [&](Label label) {
-      return std::visit([&](const auto& t) { return names(t, label); }, edit.tool);
+      return of_settings(edit.tool, [&](const auto& t) { return names(t, label); });
     });
     return edit;
   }

@@ -125,12 +125,12 @@ void EditScriptTest::ScriptsOfPeopleMayLeaveDefaultsOut() {
     {"tool": "smooth", "method": "joint", "radius_mm": 2, "region": {"locked": ["artery"]}}]})");
   const std::vector<Edit> edits = read_edits(folder.path() / "a.json");
   QCOMPARE(edits.size(), std::size_t(4));
-  const auto& paint = std::get<Paint>(edits[0].tool);
+  const auto& paint = edits[0].tool.as<Paint>();
   QVERIFY(!paint.erase && paint.brush == Paint::Brush::ball);
   QCOMPARE(paint.radius, 3e-3);
   QCOMPARE(paint.path.row(1), Eigen::RowVector3d(0.004, 0.005, 0.006));
-  QCOMPARE(std::get<Islands>(edits[1].tool).label, Label{17});
-  QCOMPARE(std::get<GrowFromSeeds>(edits[2].tool).reach, GrowFromSeeds().reach);
+  QCOMPARE(edits[1].tool.as<Islands>().label, Label{17});
+  QCOMPARE(edits[2].tool.as<GrowFromSeeds>().reach, GrowFromSeeds().reach);
   QCOMPARE(edits[3].region.locked, std::vector<Label>{structure::kArtery});
 }
 

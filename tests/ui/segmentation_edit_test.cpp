@@ -15,6 +15,7 @@
 namespace glisson {
 
 using scene::Plane;
+using ui::edit_tool;
 using ui::EditTool;
 using ui::MainWindow;
 
@@ -242,11 +243,11 @@ void SegmentationEditTest::CancelledPreviewChangesNothing() {
   QTest::keyClick(window_.get(), Qt::Key_Escape);
   QVERIFY(settle());
   QTRY_VERIFY(window_->engine().state()[part::preview] == nullptr);
-  QCOMPARE(session().tool(), EditTool::margin);  // the tool stays in the hand
+  QCOMPARE(session().tool(), edit_tool("margin"));  // the tool stays in the hand
   QVERIFY(labels() == before);
   QCOMPARE(session().history()->done(), steps);
   QTest::keyClick(window_.get(), Qt::Key_Escape);
-  QCOMPARE(session().tool(), EditTool::none);
+  QCOMPARE(session().tool(), nullptr);
 }
 
 void SegmentationEditTest::EnterKeepsTheLargestIsland() {
@@ -271,7 +272,7 @@ void SegmentationEditTest::PaintingWithinIntensitiesSparesTheRest() {
   find<QDoubleSpinBox>("threshold_low")->setValue(150.0);
   find<QDoubleSpinBox>("threshold_high")->setValue(200.0);
   press("threshold_mask");
-  QCOMPARE(session().tool(), EditTool::paint);
+  QCOMPARE(session().tool(), edit_tool("paint"));
   drag(slice(Plane::axial), {{-0.01, -0.022, 0}, {0.01, -0.008, 0}});  // across the portal vein
   QVERIFY(settle());
   QVERIFY(count(structure::kHepaticVeins) > 0);

@@ -142,21 +142,20 @@ void SegmentationPanelTest::KeysChooseToolsAndEscLetsGo() {
   open_labels();
   press("mode_seeds");
   QVERIFY(!find<QToolButton>("tool_paint")->isVisible());
-  for (const EditTool tool : ui::kEditTools) {
-    QTest::keyClick(window_.get(), static_cast<Qt::Key>(ui::tool_key(tool)));
+  for (const EditTool tool : ui::edit_tools()) {
+    QTest::keyClick(window_.get(), static_cast<Qt::Key>(tool->key));
     QCOMPARE(session().tool(), tool);
-    QVERIFY(find<QToolButton>(("tool_" + ui::tool_code(tool)).c_str())->isChecked());
+    QVERIFY(find<QToolButton>(("tool_" + tool->code).c_str())->isChecked());
   }
   QVERIFY(find<QToolButton>("tool_paint")->isVisible());  // the tools came into sight
-  for (int i = 0; i < 3 && session().tool() != EditTool::none; ++i)
-    QTest::keyClick(window_.get(), Qt::Key_Escape);
-  QCOMPARE(session().tool(), EditTool::none);
+  for (int i = 0; i < 3 && session().tool() != nullptr; ++i) QTest::keyClick(window_.get(), Qt::Key_Escape);
+  QCOMPARE(session().tool(), nullptr);
   QVERIFY(settle());
   // Seeds and tools share the mouse: one lets go when the other is taken.
   QTest::keyClick(window_.get(), Qt::Key_P);
   press("mode_seeds");
   press("seed_portal_vein");
-  QCOMPARE(session().tool(), EditTool::none);
+  QCOMPARE(session().tool(), nullptr);
   const LabelVolume before = labels();
   QTest::mouseClick(&slice(Plane::axial), Qt::LeftButton, {}, slice(Plane::axial).rect().center());
   QVERIFY(settle());
@@ -362,11 +361,11 @@ void SegmentationPanelTest::EditPanelFitsItsColumnInEveryLanguage() {
   auto* column = qobject_cast<QScrollArea*>(panel().parentWidget()->parentWidget());
   QVERIFY(column != nullptr);
   const int room = column->width() - column->verticalScrollBar()->sizeHint().width();
-  for (const EditTool tool : ui::kEditTools) {
+  for (const EditTool tool : ui::edit_tools()) {
     session().set_tool(tool);
     QCoreApplication::processEvents();
     const QByteArray what = QStringLiteral("%1 needs %2 of %3 pixels")
-                                .arg(QString::fromStdString(ui::tool_code(tool)))
+                                .arg(QString::fromStdString(tool->code))
                                 .arg(panel().minimumSizeHint().width())
                                 .arg(room)
                                 .toUtf8();

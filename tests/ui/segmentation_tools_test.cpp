@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From a tool's settings and what the mouse did to an edit; and the rows of the list of labels.
+#include <QFile>
 #include <QtTest>
+#include <map>
 #include <set>
 
 #include "glisson/core/error.h"
@@ -18,6 +20,7 @@ using editing::Logical;
 using editing::Paint;
 using editing::Scissors;
 using scene::Plane;
+using ui::edit_tool;
 using ui::EditObstacle;
 using ui::EditSettings;
 using ui::EditTool;
@@ -56,6 +59,9 @@ class SegmentationToolsTest : public QObject {
   void ObstaclesAreNamed();
   void ToolsOfTheMouseHaveNoWholeEdit();
   void StepsAreNamedForPeople();
+  void EveryToolOfTheEditorHasAnIconAndNamesForItsSteps();
+  void PagesOfferWhatTheToolsTake();
+  void TheManualHasTheTable();
   void RowsShowUsualLabelsFirstAndAFreeLesion();
   void LesionsThatAreSeededKeepTheirNumbers();
 };
@@ -63,16 +69,16 @@ class SegmentationToolsTest : public QObject {
 void SegmentationToolsTest::EveryToolHasItsOwnKeyAndName() {
   std::set<char> keys;
   std::set<std::string> codes;
-  for (const EditTool tool : ui::kEditTools) {
-    keys.insert(ui::tool_key(tool));
-    codes.insert(ui::tool_code(tool));
+  for (const EditTool tool : ui::edit_tools()) {
+    keys.insert(tool->key);
+    codes.insert(tool->code);
     QVERIFY(!ui::tool_text(tool).isEmpty() && !ui::tool_hint(tool, {}).isEmpty());
   }
-  QCOMPARE(keys.size(), ui::kEditTools.size());
-  QCOMPARE(codes.size(), ui::kEditTools.size());
-  QCOMPARE(ui::tool_key(EditTool::paint), 'P');
-  QCOMPARE(ui::tool_key(EditTool::erase), 'E');
-  QCOMPARE(ui::tool_key(EditTool::scissors), 'X');
+  QCOMPARE(keys.size(), ui::edit_tools().size());
+  QCOMPARE(codes.size(), ui::edit_tools().size());
+  QCOMPARE(edit_tool("paint")->key, 'P');
+  QCOMPARE(edit_tool("erase")->key, 'E');
+  QCOMPARE(edit_tool("scissors")->key, 'X');
 }
 
 void SegmentationToolsTest::SlicesAreAcrossTheVoxelAxisOfTheirPlane() {
@@ -88,9 +94,9 @@ void SegmentationToolsTest::BrushPaintsWhatIsChosenAndCtrlErases() {
   settings.brush_radius = 4e-3;
   const VolumeGrid grid = permuted_grid();
   const auto made = [&](EditTool tool, bool invert) {
-    return std::get<Paint>(stroke(tool, settings, grid, Plane::coronal, path_of(3), invert).tool);
+    return stroke(tool, settings, grid, Plane::coronal, path_of(3), invert).tool.as<Paint>();
   };
-  const Paint paint = made(EditTool::paint, false);
+  const Paint paint = made(edit_tool("paint"), false);
   QVERIFY(!paint.erase && paint.label == structure::kPortalVein && paint.radius == 4e-3);
   QVERIFY(paint.brush == Paint::Brush::disc && paint.normal_axis == 2);
   for (Eigen::Index i = 0; i < 3; ++i) {  // along the drag, in the closest layer of voxels
@@ -99,16 +105,16 @@ void SegmentationToolsTest::BrushPaintsWhatIsChosenAndCtrlErases() {
     QVERIFY((got - wanted).head<2>().norm() < 1e-9);
     QVERIFY(std::abs(got[2] - std::round(wanted[2])) < 1e-9);
   }
-  QVERIFY(made(EditTool::paint, true).erase);
-  QVERIFY(made(EditTool::erase, false).erase);
-  QVERIFY(!made(EditTool::erase, true).erase);
+  QVERIFY(made(edit_tool("paint"), true).erase);
+  QVERIFY(made(edit_tool("erase"), false).erase);
+  QVERIFY(!made(edit_tool("erase"), true).erase);
   settings.erase_any = true;
   settings.ball = true;
-  QCOMPARE(made(EditTool::erase, false).label, structure::kBackground);
-  QCOMPARE(made(EditTool::erase, true).label, structure::kPortalVein);
-  QVERIFY(made(EditTool::erase, false).brush == Paint::Brush::ball);
-  QVERIFY(made(EditTool::erase, false).path == path_of(3));  // a ball is where it is
-  QVERIFY_EXCEPTION_THROWN(made(EditTool::smooth, false), PreconditionError);
+  QCOMPARE(made(edit_tool("erase"), false).label, structure::kBackground);
+  QCOMPARE(made(edit_tool("erase"), true).label, structure::kPortalVein);
+  QVERIFY(made(edit_tool("erase"), false).brush == Paint::Brush::ball);
+  QVERIFY(made(edit_tool("erase"), false).path == path_of(3));  // a ball is where it is
+  QVERIFY_EXCEPTION_THROWN(made(edit_tool("smooth"), false), PreconditionError);
 }
 
 void SegmentationToolsTest::DiscIsPaintedInEveryLayerOfATiltedVolume() {
@@ -120,7 +126,7 @@ void SegmentationToolsTest::DiscIsPaintedInEveryLayerOfATiltedVolume() {
   EditSettings settings;
   settings.brush_radius = 1e-3;
   for (const int count : {2, 41}) {  // a fast hand and a slow one
-    const auto edits = strokes(EditTool::paint, settings, grid, Plane::axial, way_through(grid, count));
+    const auto edits = strokes(edit_tool("paint"), settings, grid, Plane::axial, way_through(grid, count));
     QCOMPARE(edits.size(), std::size_t{8});  // 40 mm sin 10 degrees
     LabelMap labels{LabelVolume(grid), {}};
     editing::History history;
@@ -141,9 +147,9 @@ void SegmentationToolsTest::DiscIsPaintedInEveryLayerOfATiltedVolume() {
   }
   Points outside = way_through(grid, 2);
   outside.col(2).array() += 1.0;
-  QVERIFY(strokes(EditTool::paint, settings, grid, Plane::axial, outside).empty());
+  QVERIFY(strokes(edit_tool("paint"), settings, grid, Plane::axial, outside).empty());
   settings.ball = true;
-  QCOMPARE(strokes(EditTool::paint, settings, grid, Plane::axial, way_through(grid, 41)).size(),
+  QCOMPARE(strokes(edit_tool("paint"), settings, grid, Plane::axial, way_through(grid, 41)).size(),
            std::size_t{1});
 }
 
@@ -152,9 +158,9 @@ void SegmentationToolsTest::DiscBetweenTwoLayersStaysInTheOneThatIsShown() {
     const VolumeGrid grid = tilted_grid(degrees);
     const Points path = way_through(grid, 9);
     const auto slice = scene::slice_geometry(grid, Plane::axial, grid.p_in_ct({19.5, 29.5, 24.5}));
-    const auto edits = ui::brush_edits(EditTool::paint, {}, grid, slice, path, false);
+    const auto edits = ui::brush_edits(edit_tool("paint"), {}, grid, slice, path, false);
     QCOMPARE(edits.size(), std::size_t{1});
-    const Paint paint = std::get<Paint>(edits[0].tool);
+    const Paint paint = edits[0].tool.as<Paint>();
     QCOMPARE(paint.path.rows(), path.rows());
     const double shown = std::round(grid.index_of(slice.p_in_ct({0.0, 0.0})).z());
     for (Eigen::Index n = 0; n < path.rows(); ++n) {
@@ -186,7 +192,7 @@ void SegmentationToolsTest::SliceCutSeesTheSlicesPixels() {
     const auto slice = scene::slice_geometry(grid, plane, grid.p_in_ct({20, 25, 30}));
     Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor> outline(3, 2);
     outline << 3, 4, 20, 5, 8, 17;
-    const auto cut = std::get<Scissors>(ui::slice_cut({}, grid, slice, outline, false).tool);
+    const auto cut = ui::slice_cut({}, grid, slice, outline, false).tool.as<Scissors>();
     QVERIFY(cut.outline == outline);
     const Eigen::Vector2d pixel(7.25, 11.5);
     const Eigen::Vector3d off = 0.01 * slice.right.cross(slice.down).normalized();
@@ -202,7 +208,7 @@ void SegmentationToolsTest::SliceCutIsOneLayerASlabOrEverything() {
   outline << 0, 0, 30, 0, 0, 30;
   EditSettings settings;
   const auto depth_of = [&](double i) {
-    const auto cut = std::get<Scissors>(ui::slice_cut(settings, grid, slice, outline, false).tool);
+    const auto cut = ui::slice_cut(settings, grid, slice, outline, false).tool.as<Scissors>();
     if (!cut.slab) return true;
     const Eigen::Vector3d p = grid.p_in_ct({i, 25, 30}).xyz;
     return std::abs(cut.slab->normal.dot(p) - cut.slab->offset) <= cut.slab->half_thickness;
@@ -223,7 +229,7 @@ void SegmentationToolsTest::CtrlInvertsTheCut() {
   EditSettings settings;
   const auto operation = [&](Scissors::Operation cut, bool invert) {
     settings.cut = cut;
-    return std::get<Scissors>(ui::slice_cut(settings, grid, slice, {}, invert).tool).operation;
+    return ui::slice_cut(settings, grid, slice, {}, invert).tool.as<Scissors>().operation;
   };
   using Operation = Scissors::Operation;
   QCOMPARE(operation(Operation::erase_inside, false), Operation::erase_inside);
@@ -232,9 +238,8 @@ void SegmentationToolsTest::CtrlInvertsTheCut() {
   QCOMPARE(operation(Operation::erase_outside, true), Operation::erase_inside);
   settings.cut_any = true;
   settings.cut = Operation::erase_inside;
-  QCOMPARE(std::get<Scissors>(ui::slice_cut(settings, grid, slice, {}, false).tool).label,
-           structure::kBackground);
-  QCOMPARE(std::get<Scissors>(ui::slice_cut(settings, grid, slice, {}, true).tool).label,
+  QCOMPARE(ui::slice_cut(settings, grid, slice, {}, false).tool.as<Scissors>().label, structure::kBackground);
+  QCOMPARE(ui::slice_cut(settings, grid, slice, {}, true).tool.as<Scissors>().label,
            structure::kParenchyma);  // what is filled needs a label
 }
 
@@ -243,7 +248,7 @@ void SegmentationToolsTest::VolumeCutKeepsTheView() {
   lasso.view_from_ct.setRandom();
   lasso.outline.resize(4, 2);
   lasso.outline.setRandom();
-  const auto cut = std::get<Scissors>(ui::volume_cut({}, lasso, false).tool);
+  const auto cut = ui::volume_cut({}, lasso, false).tool.as<Scissors>();
   QVERIFY(cut.view_from_ct == lasso.view_from_ct && cut.outline == lasso.outline && !cut.slab);
 }
 
@@ -252,17 +257,17 @@ void SegmentationToolsTest::ClicksCarryThePlace() {
   const Point<CtFrame> p(0.01, 0.02, 0.03);
   EditSettings settings;
   settings.label = structure::kFirstLesion;
-  const auto traced = ui::click_edit(EditTool::level_tracing, settings, grid, Plane::axial, p, 0, true);
-  const auto& tracing = std::get<editing::LevelTracing>(traced->tool);
+  const auto traced = ui::click_edit(edit_tool("level_tracing"), settings, grid, Plane::axial, p, 0, true);
+  const auto& tracing = traced->tool.as<editing::LevelTracing>();
   QVERIFY(tracing.p_in_ct == p.xyz && tracing.label == structure::kFirstLesion && tracing.erase);
   QCOMPARE(tracing.normal_axis, 0);
   settings.islands = Islands::Operation::remove_clicked;
-  const auto clicked = ui::click_edit(EditTool::islands, settings, grid, Plane::axial, p, 0, false);
-  QVERIFY(std::get<Islands>(clicked->tool).p_in_ct == p.xyz);
-  QCOMPARE(std::get<Islands>(clicked->tool).operation, Islands::Operation::remove_clicked);
-  const auto opposite = ui::click_edit(EditTool::islands, settings, grid, Plane::axial, p, 0, true);
-  QCOMPARE(std::get<Islands>(opposite->tool).operation, Islands::Operation::keep_clicked);
-  QVERIFY_EXCEPTION_THROWN(ui::click_edit(EditTool::paint, settings, grid, Plane::axial, p, 0, false),
+  const auto clicked = ui::click_edit(edit_tool("islands"), settings, grid, Plane::axial, p, 0, false);
+  QVERIFY(clicked->tool.as<Islands>().p_in_ct == p.xyz);
+  QCOMPARE(clicked->tool.as<Islands>().operation, Islands::Operation::remove_clicked);
+  const auto opposite = ui::click_edit(edit_tool("islands"), settings, grid, Plane::axial, p, 0, true);
+  QCOMPARE(opposite->tool.as<Islands>().operation, Islands::Operation::keep_clicked);
+  QVERIFY_EXCEPTION_THROWN(ui::click_edit(edit_tool("paint"), settings, grid, Plane::axial, p, 0, false),
                            PreconditionError);
 }
 
@@ -270,10 +275,10 @@ void SegmentationToolsTest::BranchGoesToTheOtherTree() {
   const VolumeGrid grid = permuted_grid();
   EditSettings settings;
   const auto branch = [&](Label clicked, bool invert) {
-    return ui::click_edit(EditTool::move_branch, settings, grid, Plane::axial, {}, clicked, invert);
+    return ui::click_edit(edit_tool("move_branch"), settings, grid, Plane::axial, {}, clicked, invert);
   };
   const auto to = [&](Label clicked, bool invert) {
-    return std::get<editing::ReassignBranch>(branch(clicked, invert)->tool);
+    return branch(clicked, invert)->tool.as<editing::ReassignBranch>();
   };
   QCOMPARE(to(structure::kPortalVein, false).to, structure::kHepaticVeins);
   QCOMPARE(to(structure::kPortalVein, false).label, structure::kPortalVein);
@@ -297,16 +302,16 @@ void SegmentationToolsTest::WholeToolsTakeTheirSettings() {
   settings.logical = Logical::Operation::subtract;
   settings.other = structure::kGallbladder;
   const auto made = [&](EditTool tool) { return ui::whole_edit(tool, settings, grid, {1, 2}).tool; };
-  QVERIFY((std::get<editing::Threshold>(made(EditTool::threshold)) ==
+  QVERIFY((made(edit_tool("threshold")).as<editing::Threshold>() ==
            editing::Threshold{structure::kVenaCava, 120, 240, true}));
-  QCOMPARE(std::get<editing::Margin>(made(EditTool::margin)).distance, -2e-3);
-  QCOMPARE(std::get<editing::InterpolateSlices>(made(EditTool::interpolate)).normal_axis, 1);
-  QCOMPARE(std::get<Logical>(made(EditTool::logical)).other, structure::kGallbladder);
+  QCOMPARE(made(edit_tool("margin")).as<editing::Margin>().distance, -2e-3);
+  QCOMPARE(made(edit_tool("interpolate")).as<editing::InterpolateSlices>().normal_axis, 1);
+  QCOMPARE(made(edit_tool("logical")).as<Logical>().other, structure::kGallbladder);
   settings.logical = Logical::Operation::clear;
-  QCOMPARE(std::get<Logical>(made(EditTool::logical)).other, structure::kBackground);
-  QCOMPARE(std::get<editing::Smooth>(made(EditTool::smooth)).radius, settings.smooth_radius);
-  QVERIFY(!std::get<editing::FillHoles>(made(EditTool::fill_holes)).in_slices);
-  QCOMPARE(std::get<Islands>(made(EditTool::islands)).operation, Islands::Operation::keep_largest);
+  QCOMPARE(made(edit_tool("logical")).as<Logical>().other, structure::kBackground);
+  QCOMPARE(made(edit_tool("smooth")).as<editing::Smooth>().radius, settings.smooth_radius);
+  QVERIFY(!made(edit_tool("fill_holes")).as<editing::FillHoles>().in_slices);
+  QCOMPARE(made(edit_tool("islands")).as<Islands>().operation, Islands::Operation::keep_largest);
 }
 
 void SegmentationToolsTest::GrowLeavesOutWhatIsLockedOrOther() {
@@ -316,8 +321,8 @@ void SegmentationToolsTest::GrowLeavesOutWhatIsLockedOrOther() {
   const std::vector<Label> present = {structure::kParenchyma,   structure::kPortalVein,
                                       structure::kHepaticVeins, structure::kVenaCava,
                                       structure::kFirstOther,   structure::kFirstLesion};
-  const auto grow = std::get<editing::GrowFromSeeds>(
-      ui::whole_edit(EditTool::grow, settings, permuted_grid(), present).tool);
+  const auto grow =
+      ui::whole_edit(edit_tool("grow"), settings, permuted_grid(), present).tool.as<editing::GrowFromSeeds>();
   QVERIFY((grow.labels ==
            std::vector<Label>{structure::kParenchyma, structure::kPortalVein, structure::kFirstLesion}));
   QVERIFY(grow.rivals == std::vector<Label>{structure::kFirstOther});
@@ -331,26 +336,26 @@ void SegmentationToolsTest::RegionGoesWithEveryEdit() {
   settings.region.intensity = {100.0, 200.0};
   settings.region.locked = {structure::kPortalVein};
   const auto slice = scene::slice_geometry(grid, Plane::axial, grid.p_in_ct({20, 25, 30}));
-  QVERIFY(stroke(EditTool::paint, settings, grid, Plane::axial, path_of(1)).region == settings.region);
+  QVERIFY(stroke(edit_tool("paint"), settings, grid, Plane::axial, path_of(1)).region == settings.region);
   QVERIFY(ui::slice_cut(settings, grid, slice, {}, false).region == settings.region);
   QVERIFY(ui::volume_cut(settings, {}, false).region == settings.region);
-  QVERIFY(ui::whole_edit(EditTool::smooth, settings, grid, {1}).region == settings.region);
-  QVERIFY(ui::click_edit(EditTool::level_tracing, settings, grid, Plane::axial, {}, 0, false)->region ==
+  QVERIFY(ui::whole_edit(edit_tool("smooth"), settings, grid, {1}).region == settings.region);
+  QVERIFY(ui::click_edit(edit_tool("level_tracing"), settings, grid, Plane::axial, {}, 0, false)->region ==
           settings.region);
 }
 
 void SegmentationToolsTest::ObstaclesAreNamed() {
   EditSettings settings;
   const std::vector<Label> liver = {structure::kParenchyma};
-  QCOMPARE(ui::obstacle_of(EditTool::paint, settings, {}), EditObstacle::none);
-  QCOMPARE(ui::obstacle_of(EditTool::smooth, settings, {}), EditObstacle::label_empty);
-  QCOMPARE(ui::obstacle_of(EditTool::smooth, settings, liver), EditObstacle::none);
-  QCOMPARE(ui::obstacle_of(EditTool::grow, settings, liver), EditObstacle::one_label);
-  QCOMPARE(ui::obstacle_of(EditTool::logical, settings, liver), EditObstacle::other_empty);
+  QCOMPARE(ui::obstacle_of(edit_tool("paint"), settings, {}), EditObstacle::none);
+  QCOMPARE(ui::obstacle_of(edit_tool("smooth"), settings, {}), EditObstacle::label_empty);
+  QCOMPARE(ui::obstacle_of(edit_tool("smooth"), settings, liver), EditObstacle::none);
+  QCOMPARE(ui::obstacle_of(edit_tool("grow"), settings, liver), EditObstacle::one_label);
+  QCOMPARE(ui::obstacle_of(edit_tool("logical"), settings, liver), EditObstacle::other_empty);
   settings.other = settings.label;
-  QCOMPARE(ui::obstacle_of(EditTool::logical, settings, liver), EditObstacle::same_label);
+  QCOMPARE(ui::obstacle_of(edit_tool("logical"), settings, liver), EditObstacle::same_label);
   settings.region.locked = liver;
-  QCOMPARE(ui::obstacle_of(EditTool::paint, settings, liver), EditObstacle::label_locked);
+  QCOMPARE(ui::obstacle_of(edit_tool("paint"), settings, liver), EditObstacle::label_locked);
   for (const EditObstacle obstacle :
        {EditObstacle::no_volume, EditObstacle::label_locked, EditObstacle::label_empty,
         EditObstacle::other_empty, EditObstacle::same_label, EditObstacle::one_label})
@@ -360,14 +365,14 @@ void SegmentationToolsTest::ObstaclesAreNamed() {
 void SegmentationToolsTest::ToolsOfTheMouseHaveNoWholeEdit() {
   EditSettings settings;
   for (const EditTool tool :
-       {EditTool::paint, EditTool::scissors, EditTool::move_branch, EditTool::level_tracing}) {
+       {edit_tool("paint"), edit_tool("scissors"), edit_tool("move_branch"), edit_tool("level_tracing")}) {
     QVERIFY(!ui::is_previewed(tool, settings));
     QVERIFY_EXCEPTION_THROWN(ui::whole_edit(tool, settings, permuted_grid(), {1, 2}), PreconditionError);
   }
-  QVERIFY(ui::is_previewed(EditTool::islands, settings));
+  QVERIFY(ui::is_previewed(edit_tool("islands"), settings));
   settings.islands = Islands::Operation::keep_clicked;
-  QVERIFY(!ui::is_previewed(EditTool::islands, settings));
-  QVERIFY(!ui::is_previewed(EditTool::none, settings));
+  QVERIFY(!ui::is_previewed(edit_tool("islands"), settings));
+  QVERIFY(!ui::is_previewed(nullptr, settings));
 }
 
 void SegmentationToolsTest::StepsAreNamedForPeople() {
@@ -376,36 +381,56 @@ void SegmentationToolsTest::StepsAreNamedForPeople() {
   QCOMPARE(ui::step_text({"margin.grow", structure::kParenchyma, 2.5e-3}),
            QStringLiteral("Margin: grow, 2.5 mm, Liver"));
   QCOMPARE(ui::step_text({"segment", structure::kBackground, 0.0}), QStringLiteral("Segment"));
-  // Every name that an edit gives itself is known.
-  const VolumeGrid grid = permuted_grid();
-  const auto slice = scene::slice_geometry(grid, Plane::axial, grid.p_in_ct({20, 25, 30}));
-  std::vector<editing::Edit> edits = {stroke(EditTool::paint, {}, grid, Plane::axial, path_of(1)),
-                                      stroke(EditTool::erase, {}, grid, Plane::axial, path_of(1))};
-  for (const bool invert : {false, true}) {
-    edits.push_back(*ui::click_edit(EditTool::level_tracing, {}, grid, Plane::axial, {}, 0, invert));
-    edits.push_back(
-        *ui::click_edit(EditTool::move_branch, {}, grid, Plane::axial, {}, structure::kPortalVein, invert));
-    EditSettings settings;
-    settings.shrink = invert;
-    edits.push_back(ui::whole_edit(EditTool::margin, settings, grid, {}));
+}
+
+void SegmentationToolsTest::EveryToolOfTheEditorHasAnIconAndNamesForItsSteps() {
+  std::set<std::string> steps;
+  for (const EditTool tool : ui::edit_tools()) {
+    for (const ui::WindowTool::Step& step : tool->steps) QVERIFY2(steps.insert(step.code).second, step.code);
+    const std::string icon = "/resources/icons/tool_" + tool->code + ".svg";
+    QVERIFY2(QFile::exists(qEnvironmentVariable("GLISSON_SOURCE_DIR") + QString::fromStdString(icon)),
+             icon.c_str());
   }
-  for (int k = 0; k < 7; ++k) {
-    EditSettings settings;
-    settings.cut = static_cast<Scissors::Operation>(k % 3);
-    edits.push_back(ui::slice_cut(settings, grid, slice, {}, false));
-    settings.smooth = static_cast<editing::Smooth::Method>(k % 4);
-    edits.push_back(ui::whole_edit(EditTool::smooth, settings, grid, {}));
-    settings.logical = static_cast<Logical::Operation>(k);
-    edits.push_back(ui::whole_edit(EditTool::logical, settings, grid, {}));
-    edits.push_back({Islands{1, static_cast<Islands::Operation>(k % 5), 1.0, Eigen::Vector3d::Zero()}, {}});
+  for (const editing::ToolKind* kind : editing::tools())
+    for (const std::string& step : kind->steps()) {
+      QVERIFY2(ui::knows_step(step), step.c_str());
+      QCOMPARE(steps.erase(step), std::size_t(1));
+    }
+  QVERIFY2(steps.empty(), "a tool of the window names a step that no edit has");
+}
+
+void SegmentationToolsTest::PagesOfferWhatTheToolsTake() {
+  const std::map<std::string, std::pair<std::string, std::string>> fields = {
+      {"scissors_operation", {"scissors", "operation"}},
+      {"islands_operation", {"islands", "operation"}},
+      {"smooth_method", {"smooth", "method"}},
+      {"logical_operation", {"logical", "operation"}},
+      {"brush_shape", {"paint", "brush"}}};
+  std::size_t compared = 0;
+  for (const EditTool tool : ui::edit_tools()) {
+    QVERIFY(tool->page_of == nullptr || !edit_tool(tool->page_of)->page.empty());
+    for (const ui::PageField& field : tool->page) {
+      QVERIFY2(field.set != nullptr && *field.object != '\0', tool->code.c_str());
+      // What is set is what is shown.
+      EditSettings settings;
+      if (field.get) field.set(settings, field.get(settings));
+      QVERIFY2(!field.get || settings == EditSettings(), field.object);
+      const auto known = fields.find(field.object);
+      if (known == fields.end()) continue;
+      const auto [code, name] = known->second;
+      for (const editing::ToolField& each : editing::tool_called(code)->fields())
+        if (each.code == name) QCOMPARE(field.choices.size(), each.choices.size());
+      ++compared;
+    }
   }
-  for (const EditTool tool :
-       {EditTool::threshold, EditTool::grow, EditTool::fill_holes, EditTool::interpolate})
-    edits.push_back(ui::whole_edit(tool, {}, grid, {1, 2}));
-  for (const editing::Edit& edit : edits) {
-    const editing::StepName name = editing::step_name(edit);
-    QVERIFY2(ui::knows_step(name.code), name.code.c_str());
-  }
+  QCOMPARE(compared, fields.size());
+}
+
+void SegmentationToolsTest::TheManualHasTheTable() {
+  QFile manual(qEnvironmentVariable("GLISSON_SOURCE_DIR") + QStringLiteral("/packaging/manual/manual.md"));
+  QVERIFY(manual.open(QIODevice::ReadOnly));
+  QVERIFY2(manual.readAll().contains(QByteArray::fromStdString(ui::tool_table())),
+           ("packaging/manual/manual.md must hold, word for word:\n" + ui::tool_table()).c_str());
 }
 
 void SegmentationToolsTest::RowsShowUsualLabelsFirstAndAFreeLesion() {

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "edit_tools.h"
+#include "describe.h"
 
 namespace glisson::editing {
 namespace {
@@ -162,9 +162,7 @@ std::vector<std::uint8_t> free_voxels(const Mask& seeds, const std::vector<Label
   return free;
 }
 
-}  // namespace
-
-Cancellable<Canvas> apply_tool(const GrowFromSeeds& tool, Task& task) {
+Cancellable<Canvas> apply(const GrowFromSeeds& tool, Task& task) {
   LabelSet all, rivals;
   for (const Label label : tool.labels) all.insert(label);
   for (const Label label : tool.rivals) all.insert(label), rivals.insert(label);
@@ -201,5 +199,60 @@ Cancellable<Canvas> apply_tool(const GrowFromSeeds& tool, Task& task) {
   if (!done) return std::nullopt;
   return canvas;
 }
+
+void check_labels(const SettingsCheck& check, const GrowFromSeeds& t) {
+  LabelSet all;
+  int different = 0, growing = 0;
+  const auto count = [&](Label label, bool rival) {
+    if (all.contains(label)) return;
+    all.insert(label);
+    ++different;
+    growing += rival ? 0 : 1;
+  };
+  for (const Label label : t.rivals) {
+    if (label == structure::kBackground || label > structure::kLastLesion)
+      check.refuse("rivals", "name " + structure_name(label), "Choose structures that have voxels");
+    count(label, true);
+  }
+  for (const Label label : t.labels) {
+    check.target(label, "labels");
+    count(label, false);
+  }
+  if (growing == 0)
+    check.refuse("labels", "are none that may keep what they win", "Choose one or more to grow");
+  if (different < 2)
+    check.refuse("labels", "are fewer than two with the rivals", "Choose labels that compete");
+}
+
+/// The one label that seeds grow for; background when they are several.
+Label grown_label(const GrowFromSeeds& tool) {
+  Label only = structure::kBackground;
+  for (const Label label : tool.labels) {
+    if (std::find(tool.rivals.begin(), tool.rivals.end(), label) != tool.rivals.end()) continue;
+    if (only != structure::kBackground && only != label) return structure::kBackground;
+    only = label;
+  }
+  return only;
+}
+
+Description<GrowFromSeeds> description() {
+  return {"grow_from_seeds",
+          {labels_field("labels", &GrowFromSeeds::labels),
+           labels_field("rivals", &GrowFromSeeds::rivals).with_default().checked(check_labels),
+           length_field("reach_mm", &GrowFromSeeds::reach, kLargestReach).with_default()},
+          {"grow_from_seeds"},
+          [](const GrowFromSeeds& t) {
+            return StepName{"grow_from_seeds", grown_label(t), t.reach};
+          },
+          apply};
+}
+
+}  // namespace
+
+const ToolKind& GrowFromSeeds::kind() {
+  static const Described<GrowFromSeeds> kKind(description());
+  return kKind;
+}
+const ToolKind& grow_tool() { return GrowFromSeeds::kind(); }
 
 }  // namespace glisson::editing

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 
+#include "describe.h"
 #include "edit_shape.h"
-#include "edit_tools.h"
 
 namespace glisson::editing {
 namespace {
@@ -67,9 +67,7 @@ std::vector<int> drawn_slices(const Mask& mask, int axis) {
   return numbers;
 }
 
-}  // namespace
-
-Cancellable<Canvas> apply_tool(const InterpolateSlices& tool, Task& task) {
+Cancellable<Canvas> apply(const InterpolateSlices& tool, Task& task) {
   // A voxel about the shape: what is nearest to its inside lies there.
   const VoxelBox box = grown(box_of(task.labels.voxels, {tool.label}), task.grid(), 1e-3);
   Canvas canvas = task.canvas(box);
@@ -90,5 +88,23 @@ Cancellable<Canvas> apply_tool(const InterpolateSlices& tool, Task& task) {
   if (!between) task.notes.emplace_back("no_slices_between");
   return canvas;
 }
+
+Description<InterpolateSlices> description() {
+  return {"interpolate_slices",
+          {label_field("label", &InterpolateSlices::label), axis_field(&InterpolateSlices::normal_axis)},
+          {"interpolate_slices"},
+          [](const InterpolateSlices& t) {
+            return StepName{"interpolate_slices", t.label, 0.0};
+          },
+          apply};
+}
+
+}  // namespace
+
+const ToolKind& InterpolateSlices::kind() {
+  static const Described<InterpolateSlices> kKind(description());
+  return kKind;
+}
+const ToolKind& interpolate_tool() { return InterpolateSlices::kind(); }
 
 }  // namespace glisson::editing

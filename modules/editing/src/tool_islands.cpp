@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <numeric>
 
+#include "describe.h"
 #include "edit_runs.h"
 #include "edit_shape.h"
-#include "edit_tools.h"
 #include "glisson/core/error.h"
 
 namespace glisson::editing {
 namespace {
 
 constexpr const char* kName = "islands";
+
+using Operation = Islands::Operation;
+
+bool is_clicked(const Islands& tool) {
+  return tool.operation == Operation::keep_clicked || tool.operation == Operation::remove_clicked;
+}
 
 /// The labels that nobody has, for parts that are split off: lesions from lesions, others from the rest.
 std::vector<Label> free_labels(const Task& task, Label like) {
@@ -49,7 +55,6 @@ std::size_t clicked_island(const Islands& tool, const Task& task, const Runs& is
 
 /// What each component becomes.
 std::vector<Label> fates(const Islands& tool, Task& task, const Runs& islands, const VoxelBox& box) {
-  using Operation = Islands::Operation;
   const std::size_t count = islands.sizes().size();
   std::vector<Label> fate(count, tool.label);
   const std::vector<std::size_t> order = by_size(islands);
@@ -82,12 +87,8 @@ std::vector<Label> fates(const Islands& tool, Task& task, const Runs& islands, c
   return fate;
 }
 
-}  // namespace
-
-Cancellable<Canvas> apply_tool(const Islands& tool, Task& task) {
-  using Operation = Islands::Operation;
-  const bool clicked =
-      tool.operation == Operation::keep_clicked || tool.operation == Operation::remove_clicked;
+Cancellable<Canvas> apply(const Islands& tool, Task& task) {
+  const bool clicked = is_clicked(tool);
   const VoxelBox box = box_of(task.labels.voxels, {tool.label});
   Canvas canvas = task.canvas(box);
   if (clicked)
@@ -116,32 +117,44 @@ Cancellable<Canvas> apply_tool(const Islands& tool, Task& task) {
   return canvas;
 }
 
-Cancellable<Canvas> apply_tool(const FillHoles& tool, Task& task) {
-  const LabelSet shape = shape_of(tool.label);
-  const VoxelBox box = box_of(task.labels.voxels, shape);
-  Canvas canvas = task.canvas(box);
-  if (box.empty()) return canvas;
-  // Beyond the box there is nothing that could close a hole: its faces are the outside.
-  const Mask mask = mask_in(task.labels.voxels, box, shape);
-  task.context.progress(0.2, "segmentation.edit");
-  Mask filled = mask;
-  if (tool.in_slices) {
-    filled = slice_holes_filled(mask);
-  } else {
-    const Runs gaps(mask, 0);
-    std::vector<bool> holes = gaps.at_faces();
-    holes.flip();
-    gaps.write(holes, 1, filled);
-  }
-  task.context.progress(0.6, "segmentation.edit");
-  const Eigen::Vector3i low = box.low;
-  const bool done = canvas.rewrite(box, task.context.part(0.6, 1.0), [&](int i, int j, int k, Label old) {
-    const bool gains =
-        may_gain(tool.label, old) && filled.voxels[filled.offset(i - low.x(), j - low.y(), k - low.z())] != 0;
-    return gains ? tool.label : old;
-  });
-  if (!done) return std::nullopt;
-  return canvas;
+const Names<Operation>& operations() {
+  static const Names<Operation> kNames = {{"keep_largest", Operation::keep_largest},
+                                          {"remove_small", Operation::remove_small},
+                                          {"keep_clicked", Operation::keep_clicked},
+                                          {"remove_clicked", Operation::remove_clicked},
+                                          {"split", Operation::split}};
+  return kNames;
 }
+
+bool removes_small(const Islands& t) { return t.operation == Operation::remove_small; }
+
+void check_smallest(const SettingsCheck& check, const Islands& t) {
+  if (removes_small(t) && !(t.smallest_ml > 0.0 && t.smallest_ml <= 1e4))
+    check.refuse("smallest_ml", "is " + std::to_string(t.smallest_ml),
+                 "Choose more than 0 and at most 10000 ml");
+}
+
+Description<Islands> description() {
+  return {
+      kName,
+      {label_field("label", &Islands::label), choice_field("operation", &Islands::operation, operations()),
+       number_field("smallest_ml", &Islands::smallest_ml, "ml")
+           .needed("for `remove_small`", removes_small)
+           .checked(check_smallest),
+       point_field(&Islands::p_in_ct).needed("for `keep_clicked` and `remove_clicked`", is_clicked)},
+      steps_of(kName, operations()),
+      [](const Islands& t) {
+        return StepName{"islands." + name_of(operations(), t.operation), t.label, 0.0};
+      },
+      apply};
+}
+
+}  // namespace
+
+const ToolKind& Islands::kind() {
+  static const Described<Islands> kKind(description());
+  return kKind;
+}
+const ToolKind& islands_tool() { return Islands::kind(); }
 
 }  // namespace glisson::editing

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "describe.h"
 #include "edit_shape.h"
-#include "edit_tools.h"
 #include "level_region.h"
 
 namespace glisson::editing {
+namespace {
 
-Cancellable<Canvas> apply_tool(const LevelTracing& tool, Task& task) {
+Cancellable<Canvas> apply(const LevelTracing& tool, Task& task) {
   const VolumeGrid& grid = task.grid();
   const int axis = tool.normal_axis, u = axis == 0 ? 1 : 0, v = axis == 2 ? 1 : 2;
   const int number = voxel_at(grid, tool.p_in_ct, "level_tracing")[axis];
@@ -32,5 +33,27 @@ Cancellable<Canvas> apply_tool(const LevelTracing& tool, Task& task) {
   if (!done || !take_away(canvas, lost, tool.label, task.context.part(0.8, 1.0))) return std::nullopt;
   return canvas;
 }
+
+Description<LevelTracing> description() {
+  return {"level_tracing",
+          {label_field<LevelTracing>("label", &LevelTracing::label,
+                                     [](const LevelTracing& t) { return t.erase; }),
+           flag_field("erase", &LevelTracing::erase), axis_field(&LevelTracing::normal_axis),
+           point_field(&LevelTracing::p_in_ct)},
+          {"level_tracing", "level_tracing.erase"},
+          [](const LevelTracing& t) {
+            return StepName{t.erase ? "level_tracing.erase" : "level_tracing", t.label, 0.0};
+          },
+          apply,
+          [](const LevelTracing&) { return true; }};
+}
+
+}  // namespace
+
+const ToolKind& LevelTracing::kind() {
+  static const Described<LevelTracing> kKind(description());
+  return kKind;
+}
+const ToolKind& level_tracing_tool() { return LevelTracing::kind(); }
 
 }  // namespace glisson::editing

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 
+#include "describe.h"
 #include "edit_shape.h"
-#include "edit_tools.h"
 #include "glisson/core/error.h"
 
 namespace glisson::editing {
@@ -125,9 +125,7 @@ void for_each_voxel_on(const Eigen::Vector3d& from, const Eigen::Vector3d& to, V
     visit((from + (to - from) * (static_cast<double>(n) / steps)).array().round().matrix().cast<int>());
 }
 
-}  // namespace
-
-Cancellable<Canvas> apply_tool(const Paint& tool, Task& task) {
+Cancellable<Canvas> apply(const Paint& tool, Task& task) {
   const VolumeGrid& grid = task.grid();
   std::vector<Eigen::Vector3d> indices = indices_of(grid, tool.path);
   const bool disc = tool.brush == Paint::Brush::disc;
@@ -181,5 +179,54 @@ Cancellable<Canvas> apply_tool(const Paint& tool, Task& task) {
   }
   return canvas;
 }
+
+const Names<Paint::Brush>& brushes() {
+  static const Names<Paint::Brush> kNames = {{"disc", Paint::Brush::disc}, {"ball", Paint::Brush::ball}};
+  return kNames;
+}
+
+Field<Paint> path_field() {
+  constexpr const char *kCode = "path_mm", *kSetting = "path";
+  return {field_of(kCode, ToolField::Kind::path, "mm"),
+          [=](ScriptEntry& e, Paint& t) {
+            const std::vector<double> path = e.rows(kCode, 3);
+            t.path =
+                Eigen::Map<const Points>(path.data(), static_cast<Eigen::Index>(path.size() / 3), 3) / 1e3;
+          },
+          [=](nlohmann::json& json, const Paint& t) {
+            nlohmann::json path = nlohmann::json::array();
+            for (Eigen::Index n = 0; n < t.path.rows(); ++n)
+              path.push_back(in_mm(Eigen::Vector3d(t.path.row(n).transpose())));
+            json[kCode] = std::move(path);
+          },
+          [=](const SettingsCheck& check, const Paint& t) {
+            if (t.path.rows() == 0) check.refuse(kSetting, "has no point", "Give at least one");
+            for (Eigen::Index n = 0; n < t.path.rows(); ++n) check.point(t.path.row(n).transpose(), kSetting);
+          }};
+}
+
+Description<Paint> description() {
+  return {"paint",
+          {label_field<Paint>("label", &Paint::label, [](const Paint& t) { return t.erase; }),
+           flag_field("erase", &Paint::erase), choice_field("brush", &Paint::brush, brushes()),
+           length_field("radius_mm", &Paint::radius, kLargestBrush),
+           axis_field(&Paint::normal_axis)
+               .needed("for a disc", [](const Paint& t) { return t.brush == Paint::Brush::disc; }),
+           path_field()},
+          {"paint", "erase"},
+          [](const Paint& t) {
+            return StepName{t.erase ? "erase" : "paint", t.label, t.radius};
+          },
+          apply,
+          [](const Paint&) { return true; }};
+}
+
+}  // namespace
+
+const ToolKind& Paint::kind() {
+  static const Described<Paint> kKind(description());
+  return kKind;
+}
+const ToolKind& paint_tool() { return Paint::kind(); }
 
 }  // namespace glisson::editing

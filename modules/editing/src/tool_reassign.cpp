@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "describe.h"
 #include "edit_shape.h"
-#include "edit_tools.h"
 #include "glisson/core/error.h"
 #include "glisson/editing/bridges.h"
 
@@ -16,9 +16,7 @@ bool cut_off(Canvas& canvas, const LabelVolume& wanted, Label label, const RunCo
   return reshape(canvas, box, stays, label, context);
 }
 
-}  // namespace
-
-Cancellable<Canvas> apply_tool(const ReassignBranch& tool, Task& task) {
+Cancellable<Canvas> apply(const ReassignBranch& tool, Task& task) {
   constexpr const char* kName = "reassign_branch";
   voxel_at(task.grid(), tool.p_in_ct, kName);  // refuses a click beside the volume
   const LabelVolume& before = task.labels.voxels;
@@ -43,5 +41,32 @@ Cancellable<Canvas> apply_tool(const ReassignBranch& tool, Task& task) {
   }
   return canvas;
 }
+
+Description<ReassignBranch> description() {
+  return {"reassign_branch",
+          {label_field("label", &ReassignBranch::label),
+           label_field("to", &ReassignBranch::to)
+               .checked([](const SettingsCheck& check, const ReassignBranch& t) {
+                 check.target(t.to, "to", true);
+                 if (t.to == t.label)
+                   check.refuse("to", "is the label that the branch has", "Choose another one");
+               }),
+           point_field(&ReassignBranch::p_in_ct)},
+          {"reassign_branch", "reassign_branch.cut"},
+          [](const ReassignBranch& t) {
+            return StepName{t.to == structure::kBackground ? "reassign_branch.cut" : "reassign_branch",
+                            t.label, 0.0};
+          },
+          apply,
+          [](const ReassignBranch&) { return true; }};
+}
+
+}  // namespace
+
+const ToolKind& ReassignBranch::kind() {
+  static const Described<ReassignBranch> kKind(description());
+  return kKind;
+}
+const ToolKind& reassign_tool() { return ReassignBranch::kind(); }
 
 }  // namespace glisson::editing

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "describe.h"
 #include "edit_shape.h"
-#include "edit_tools.h"
 
 namespace glisson::editing {
 namespace {
@@ -105,9 +105,7 @@ bool beside_outline(const Cut& cut, const Outline& outline, const VoxelBox& part
   return outline.misses(low, high);
 }
 
-}  // namespace
-
-Cancellable<Canvas> apply_tool(const Scissors& tool, Task& task) {
+Cancellable<Canvas> apply(const Scissors& tool, Task& task) {
   using Operation = Scissors::Operation;
   const VoxelBox box = whole_box(task.grid());
   Canvas canvas = task.canvas(box);
@@ -142,5 +140,88 @@ Cancellable<Canvas> apply_tool(const Scissors& tool, Task& task) {
   if (!done || !take_away(canvas, lost, tool.label, task.context.part(0.8, 1.0))) return std::nullopt;
   return canvas;
 }
+
+using Operation = Scissors::Operation;
+
+const Names<Operation>& operations() {
+  static const Names<Operation> kNames = {{"fill_inside", Operation::fill_inside},
+                                          {"erase_inside", Operation::erase_inside},
+                                          {"erase_outside", Operation::erase_outside}};
+  return kNames;
+}
+
+void check_line(const SettingsCheck& check, const Scissors& t) {
+  if (t.outline.rows() < 3) check.refuse("outline", "has fewer than three points", "Draw around an area");
+  if (!t.outline.allFinite())
+    check.refuse("outline", "has a place that is not finite", "Draw it in the view");
+  if (!t.view_from_ct.allFinite() ||
+      Eigen::JacobiSVD<Eigen::MatrixXd>(t.view_from_ct).setThreshold(1e-12).rank() < 3)
+    check.refuse("view_from_ct", "shows no view of space", "Give the 3 x 4 matrix of the view");
+}
+
+void check_slab(const SettingsCheck& check, const Scissors& t) {
+  if (!t.slab) return;
+  if (!t.slab->normal.allFinite() || std::abs(t.slab->normal.norm() - 1.0) > 1e-6)
+    check.refuse("slab", "has a normal that is not of length 1", "Normalise it");
+  if (!std::isfinite(t.slab->offset)) check.refuse("slab", "has an offset that is not finite", "Give metres");
+  if (!(t.slab->half_thickness > 0.0))
+    check.refuse("slab", "is " + millimetres(2.0 * t.slab->half_thickness) + " thick",
+                 "Choose at least a slice's thickness");
+}
+
+Fields<Scissors::Slab> slab_fields() {
+  using Slab = Scissors::Slab;
+  Field<Slab> normal{field_of("normal", ToolField::Kind::point),
+                     [](ScriptEntry& e, Slab& s) { s.normal = Eigen::Vector3d(e.row("normal", 3).data()); },
+                     [](nlohmann::json& json, const Slab& s) {
+                       json["normal"] = {s.normal.x(), s.normal.y(), s.normal.z()};
+                     }};
+  return {std::move(normal), length_field("offset_mm", &Slab::offset),
+          length_field("half_thickness_mm", &Slab::half_thickness)};
+}
+
+Field<Scissors> slab_field() {
+  constexpr const char* kCode = "slab";
+  const Fields<Scissors::Slab> parts = slab_fields();
+  ToolField field = field_of(kCode, ToolField::Kind::object);
+  field.has_default = true;
+  field.parts = about(parts);
+  return {field,
+          [=](ScriptEntry& e, Scissors& t) {
+            if (!e.has(kCode)) return;
+            ScriptEntry slab = e.object(kCode);
+            t.slab = Scissors::Slab();
+            read_fields(parts, slab, *t.slab);
+            slab.finish();
+          },
+          [=](nlohmann::json& json, const Scissors& t) {
+            if (t.slab) json[kCode] = written(parts, *t.slab);
+          },
+          check_slab};
+}
+
+Description<Scissors> description() {
+  return {"scissors",
+          {label_field<Scissors>("label", &Scissors::label,
+                                 [](const Scissors& t) { return t.operation != Operation::fill_inside; }),
+           choice_field("operation", &Scissors::operation, operations()),
+           matrix_field("view_from_ct", &Scissors::view_from_ct).noted("3 x 4, of metres"),
+           matrix_field("outline", &Scissors::outline).noted("[u, v] in the view").checked(check_line),
+           slab_field()},
+          steps_of("scissors", operations()),
+          [](const Scissors& t) {
+            return StepName{"scissors." + name_of(operations(), t.operation), t.label, 0.0};
+          },
+          apply,
+          [](const Scissors& t) { return t.slab.has_value(); }};
+}
+
+}  // namespace
+
+const ToolKind& Scissors::kind() {
+  static const Described<Scissors> kKind(description());
+  return kKind;
+}
+const ToolKind& scissors_tool() { return Scissors::kind(); }
 
 }  // namespace glisson::editing

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 
+#include "describe.h"
 #include "edit_shape.h"
-#include "edit_tools.h"
 
 namespace glisson::editing {
 namespace {
@@ -194,9 +194,7 @@ Cancellable<Mask> majority(const Mask& mask, const VoxelBox& box, double radius_
   return result;
 }
 
-}  // namespace
-
-Cancellable<Canvas> apply_tool(const Smooth& tool, Task& task) {
+Cancellable<Canvas> apply(const Smooth& tool, Task& task) {
   if (tool.method == Smooth::Method::joint) return smooth_jointly(tool, task);
   const double radius_mm = 1e3 * tool.radius;
   const LabelSet shape = shape_of(tool.label);
@@ -220,20 +218,41 @@ Cancellable<Canvas> apply_tool(const Smooth& tool, Task& task) {
   return canvas;
 }
 
-Cancellable<Canvas> apply_tool(const Margin& tool, Task& task) {
-  const double distance_mm = 1e3 * std::abs(tool.distance);
-  const bool grow = tool.distance > 0.0;
-  // Vessels of the liver run on outside it: the parenchyma does not grow about those.
-  const LabelSet shape = grow && tool.label == structure::kParenchyma ? liver_tissue() : shape_of(tool.label);
-  const VoxelBox box =
-      grown(box_of(task.labels.voxels, shape), task.grid(), distance_mm + task.grid().spacing_mm.maxCoeff());
-  Canvas canvas = task.canvas(box);
-  if (box.empty()) return canvas;
-  Mask after = mask_in(task.labels.voxels, box, shape);
-  after = grow ? dilated(after, distance_mm) : eroded(after, distance_mm);
-  task.context.progress(0.8, "segmentation.edit");
-  if (!reshape(canvas, box, after, tool.label, task.context.part(0.8, 1.0))) return std::nullopt;
-  return canvas;
+using Method = Smooth::Method;
+
+const Names<Method>& methods() {
+  static const Names<Method> kNames = {{"median", Method::median},
+                                       {"closing", Method::closing},
+                                       {"opening", Method::opening},
+                                       {"joint", Method::joint}};
+  return kNames;
 }
+
+bool has_label(const Smooth& t) { return t.method != Method::joint; }
+
+Description<Smooth> description() {
+  return {"smooth",
+          {choice_field("method", &Smooth::method, methods()),
+           label_field("label", &Smooth::label)
+               .needed("but for `joint`", has_label)
+               .checked([](const SettingsCheck& check, const Smooth& t) {
+                 if (has_label(t)) check.target(t.label, "label");
+               }),
+           length_field("radius_mm", &Smooth::radius, kLargestSmooth)},
+          steps_of("smooth", methods()),
+          [](const Smooth& t) {
+            return StepName{"smooth." + name_of(methods(), t.method),
+                            has_label(t) ? t.label : structure::kBackground, t.radius};
+          },
+          apply};
+}
+
+}  // namespace
+
+const ToolKind& Smooth::kind() {
+  static const Described<Smooth> kKind(description());
+  return kKind;
+}
+const ToolKind& smooth_tool() { return Smooth::kind(); }
 
 }  // namespace glisson::editing

@@ -1,27 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edit_tools.h"
+#include <cmath>
+
+#include "describe.h"
 
 namespace glisson::editing {
 namespace {
 
-/// Where voxels can change at all, as the editable region says without a look at single voxels.
-VoxelBox reachable(const Task& task) {
-  using Area = EditableRegion::Area;
-  const VoxelBox whole = whole_box(task.grid());
-  switch (task.region.area) {
-    case Area::inside_label:
-      return box_of(task.labels.voxels, {task.region.label});
-    case Area::inside_liver:
-      // What the liver encloses is no larger than the liver.
-      return box_of(task.labels.voxels, liver_tissue());
-    default:
-      return whole;
-  }
-}
-
-}  // namespace
-
-Cancellable<Canvas> apply_tool(const Threshold& tool, Task& task) {
+Cancellable<Canvas> apply(const Threshold& tool, Task& task) {
   // What the label had before may lie anywhere and is judged by the region like the rest.
   const VoxelBox box = reachable(task);
   Canvas canvas = task.canvas(box);
@@ -36,47 +21,31 @@ Cancellable<Canvas> apply_tool(const Threshold& tool, Task& task) {
   return canvas;
 }
 
-Cancellable<Canvas> apply_tool(const Logical& tool, Task& task) {
-  using Operation = Logical::Operation;
-  const LabelVolume& labels = task.labels.voxels;
-  const Label mine = tool.label, other = tool.other;
-  VoxelBox box;
-  switch (tool.operation) {
-    case Operation::invert:
-    case Operation::fill:
-      box = reachable(task);
-      break;
-    case Operation::copy:
-      box = box_of(labels, {mine, other});
-      break;
-    case Operation::add:
-      box = box_of(labels, {other});
-      break;
-    default:
-      box = box_of(labels, {mine});
-  }
-  Canvas canvas = task.canvas(box);
-  const bool done = canvas.rewrite(box, task.context, [&](int, int, int, Label old) -> Label {
-    switch (tool.operation) {
-      case Operation::copy:
-        return old == other ? mine : old == mine ? structure::kBackground : old;
-      case Operation::add:
-        return old == other ? mine : old;
-      case Operation::subtract:
-        return old == mine && mine == other ? structure::kBackground : old;
-      case Operation::intersect:
-        return old == mine && mine != other ? structure::kBackground : old;
-      case Operation::invert:
-        return old == mine ? structure::kBackground : mine;
-      case Operation::clear:
-        return old == mine ? structure::kBackground : old;
-      case Operation::fill:
-        break;
-    }
-    return mine;
-  });
-  if (!done) return std::nullopt;
-  return canvas;
+/// The low end judges the range.
+void check_range(const SettingsCheck& check, const Threshold& t) {
+  if (!(t.low <= t.high) || !std::isfinite(t.low) || !std::isfinite(t.high))
+    check.refuse("low", "is " + std::to_string(t.low) + " with a high of " + std::to_string(t.high),
+                 "Choose a low that is not above the high");
 }
+
+Description<Threshold> description() {
+  return {"threshold",
+          {label_field("label", &Threshold::label),
+           number_field("low_hu", &Threshold::low, "HU").checked(check_range),
+           number_field("high_hu", &Threshold::high, "HU"), flag_field("replace", &Threshold::replace)},
+          {"threshold"},
+          [](const Threshold& t) {
+            return StepName{"threshold", t.label, 0.0};
+          },
+          apply};
+}
+
+}  // namespace
+
+const ToolKind& Threshold::kind() {
+  static const Described<Threshold> kKind(description());
+  return kKind;
+}
+const ToolKind& threshold_tool() { return Threshold::kind(); }
 
 }  // namespace glisson::editing

@@ -43,12 +43,12 @@ void BranchPreview::follow() {
   if (wanted_) computing_.give({image_, labels_, *wanted_});
   // Until a click there is known, the one that is shown stands for it only where it moves the same branch.
   if (shown_ &&
-      !(wanted_ && moves_place_of(*shown_, *labels_, std::get<editing::ReassignBranch>(wanted_->tool))))
+      !(wanted_ && moves_place_of(*shown_, *labels_, wanted_->tool.as<editing::ReassignBranch>())))
     show(nullptr);
 }
 
 void BranchPreview::compute(const Order& order) {
-  Shown shown{std::get<editing::ReassignBranch>(order.edit.tool), {}, {}};
+  Shown shown{order.edit.tool.as<editing::ReassignBranch>(), {}, {}};
   try {
     if (auto edited = editing::apply_edit(*order.labels, *order.image, order.edit, RunContext()))
       shown.result = std::move(*edited);

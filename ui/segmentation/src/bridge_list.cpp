@@ -29,8 +29,10 @@ BridgeList::BridgeList(EditSession& session, EngineBridge& engine, ViewState& vi
   connect(list_, &QListWidget::currentRowChanged, this, go);
   connect(list_, &QListWidget::itemClicked, this, [this, go] { go(list_->currentRow()); });
   connect(&engine_, &EngineBridge::case_changed, this, &BridgeList::order);
-  connect(&session, &EditSession::tool_changed, this,
-          [this, &session] { setVisible(session.tool() == EditTool::move_branch); });
+  connect(&session, &EditSession::tool_changed, this, [this, &session] {
+    const EditTool tool = session.tool();
+    setVisible(tool != nullptr && tool->at_pointer == WindowTool::AtPointer::branch);
+  });
   hide();
   thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }

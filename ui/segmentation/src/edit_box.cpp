@@ -97,19 +97,19 @@ void EditBox::build_tools(QWidget& page) {
   auto* grid = new QGridLayout;
   grid->setSpacing(4);
   int cell = 0;
-  for (const EditTool tool : kEditTools) {
+  for (const EditTool tool : edit_tools()) {
     auto* button = new QToolButton(this);
-    button->setObjectName(QStringLiteral("tool_%1").arg(QString::fromStdString(tool_code(tool))));
+    button->setObjectName(QStringLiteral("tool_%1").arg(QString::fromStdString(tool->code)));
     button->setProperty("role", "tool");
     button->setCheckable(true);
-    button->setIcon(icon("tool_" + tool_code(tool)));
+    button->setIcon(icon("tool_" + tool->code));
     button->setIconSize({22, 22});
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    const QString key(QLatin1Char(tool_key(tool)));
+    const QString key(QLatin1Char(tool->key));
     button->setToolTip(QStringLiteral("%1 (%2)").arg(tool_text(tool), key));
     button->setAccessibleName(tool_text(tool));
     const auto choose = [this, tool] {
-      session_.set_tool(session_.tool() == tool ? EditTool::none : tool);
+      session_.set_tool(session_.tool() == tool ? nullptr : tool);
       show_tool();  // a button that is pressed again goes up
     };
     connect(button, &QToolButton::clicked, this, choose);
@@ -228,7 +228,7 @@ void EditBox::take_typed() {
 void EditBox::show_tool() {
   for (const auto& [tool, button] : tools_) button->setChecked(tool == session_.tool());
   const EditTool tool = session_.tool();
-  tool_name_->setText(tool == EditTool::none
+  tool_name_->setText(tool == nullptr
                           ? tool_text(tool)
                           : tr("%1: %2").arg(tool_text(tool), structure_text(session_.settings().label)));
   hint_->setText(tool_hint(tool, session_.settings()));
@@ -294,7 +294,7 @@ void EditBox::show_state() {
   if (progress) progress_->setValue(static_cast<int>(1000 * *progress));
   QString text;
   const char* role = "muted";
-  if (session_.tool() != EditTool::none && obstacle != EditObstacle::none) {
+  if (session_.tool() != nullptr && obstacle != EditObstacle::none) {
     text = obstacle_text(obstacle);
     role = "warning";
   } else if (!session_.problem().empty()) {

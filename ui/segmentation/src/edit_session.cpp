@@ -89,15 +89,18 @@ void EditSession::set_settings(const EditSettings& settings) {
   if (settings == settings_) return;
   finish_stroke();
   settings_ = settings;
-  if (tool_ != EditTool::none) show_hand();  // else the views are somebody else's
+  if (tool_ != nullptr) show_hand();  // else the views are somebody else's
   emit settings_changed();
   settings_have_changed();
 }
 
 void EditSession::show_pointer() {
-  const bool traces = active_ && tool_ == EditTool::level_tracing && obstacle() == EditObstacle::none;
+  const auto shows = [&](WindowTool::AtPointer what) {
+    return active_ && tool_ != nullptr && tool_->at_pointer == what && obstacle() == EditObstacle::none;
+  };
+  const bool traces = shows(WindowTool::AtPointer::outline);
   traced_->set_label(traces ? std::optional(settings_.label) : std::nullopt);
-  const bool moves = active_ && tool_ == EditTool::move_branch && obstacle() == EditObstacle::none;
+  const bool moves = shows(WindowTool::AtPointer::branch);
   branch_->set_case(moves ? engine_.state()[part::image] : nullptr,
                     moves ? engine_.state()[part::labels] : nullptr);
 }
@@ -106,8 +109,7 @@ void EditSession::settings_have_changed() {
   problem_.clear();
   show_pointer();
   // Growing takes its time: it waits to be asked.
-  if (active_ && is_previewed(tool_, settings_) && tool_ != EditTool::grow &&
-      obstacle() == EditObstacle::none) {
+  if (active_ && is_previewed(tool_, settings_) && !tool_->is_slow && obstacle() == EditObstacle::none) {
     soon_->start();
   } else {
     soon_->stop();
@@ -119,7 +121,7 @@ void EditSession::settings_have_changed() {
 
 void EditSession::set_active(bool on) {
   if (on == active_) return;
-  if (!on) set_tool(EditTool::none);
+  if (!on) set_tool(nullptr);
   active_ = on;
   show_pointer();
   emit changed();
@@ -127,7 +129,7 @@ void EditSession::set_active(bool on) {
 
 void EditSession::show_hand() {
   views_.set_hand(hand_of(tool_, settings_));
-  const bool erases = tool_ == EditTool::erase;
+  const bool erases = tool_ != nullptr && tool_->erases;
   views_.set_brush(
       {settings_.brush_radius, settings_.ball, erases ? structure::kBackground : settings_.label});
 }
@@ -259,7 +261,7 @@ void EditSession::drag_lasso(const SliceGesture& gesture) {
 }
 
 void EditSession::cut_volume(const VolumeLasso& lasso) {
-  if (!active_ || tool_ != EditTool::scissors || !engine_.state()[part::image]) return;
+  if (!active_ || hand_of(tool_, settings_) != Hand::lasso || !engine_.state()[part::image]) return;
   emit settings_wanted();  // unlike a slice the 3D view does not take the keyboard from a number
   if (!encloses(lasso.outline, 1e-3) || obstacle() != EditObstacle::none) return;
   post_edit(volume_cut(settings_, lasso, lasso.keys.testFlag(Qt::ControlModifier)));
@@ -342,7 +344,7 @@ void EditSession::show_preview() {
   // The former one stays in sight while the settings move, until the next is there.
   const auto& preview = engine_.state()[part::preview];
   const auto edit = preview ? whole() : std::nullopt;
-  const bool same_tool = edit && edit->tool.index() == preview->edit.tool.index();
+  const bool same_tool = edit && &edit->tool.kind() == &preview->edit.tool.kind();
   views_.set_preview(same_tool ? std::shared_ptr<const LabelMap>(preview, &preview->result.labels) : nullptr);
 }
 
@@ -365,7 +367,7 @@ void EditSession::escape() {
     return;
   }
   if (applying_ || previewing_ || soon_->isActive() || shows_preview()) return cancel();
-  set_tool(EditTool::none);
+  set_tool(nullptr);
 }
 
 void EditSession::set_review(Label label, ReviewState state) {

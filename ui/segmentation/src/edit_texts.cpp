@@ -15,79 +15,9 @@ namespace {
 class EditTexts {
   Q_DECLARE_TR_FUNCTIONS(EditTexts)
  public:
-  static QString tool(EditTool tool) {
-    switch (tool) {
-      case EditTool::none:
-        break;
-      case EditTool::paint:
-        return tr("Paint");
-      case EditTool::erase:
-        return tr("Erase");
-      case EditTool::scissors:
-        return tr("Scissors");
-      case EditTool::threshold:
-        return tr("Threshold");
-      case EditTool::grow:
-        return tr("Grow from seeds");
-      case EditTool::level_tracing:
-        return tr("Level tracing");
-      case EditTool::islands:
-        return tr("Islands");
-      case EditTool::fill_holes:
-        return tr("Fill holes");
-      case EditTool::smooth:
-        return tr("Smooth");
-      case EditTool::margin:
-        return tr("Margin");
-      case EditTool::interpolate:
-        return tr("Interpolate between slices");
-      case EditTool::logical:
-        return tr("Logical");
-      case EditTool::move_branch:
-        return tr("Move branch");
-    }
-    return tr("No tool");
-  }
+  static QString tool(EditTool tool) { return tool == nullptr ? tr("No tool") : tr(tool->name); }
   static QString hint(EditTool tool, const EditSettings& settings) {
-    switch (tool) {
-      case EditTool::none:
-        return tr("Choose a label and a tool.");
-      case EditTool::paint:
-        return tr("Drag in a slice. Ctrl erases. Shift + wheel: size.");
-      case EditTool::erase:
-        return tr("Drag in a slice. Ctrl paints. Shift + wheel: size.");
-      case EditTool::scissors:
-        return tr("Draw around it, in a slice or in 3D. Ctrl fills instead of erasing, and the other way.");
-      case EditTool::threshold:
-        return tr("Everything between two intensities becomes the label.");
-      case EditTool::grow:
-        return tr(
-            "What is labelled grows into what is not, along like intensities. Paint a few strokes of each "
-            "label first.");
-      case EditTool::level_tracing:
-        return tr("Click where the region of like intensity ends. Ctrl erases.");
-      case EditTool::islands:
-        return islands_by_click(settings) ? tr("Click an island of the label. Ctrl does the opposite.")
-                                          : tr("Separate pieces of the label.");
-      case EditTool::fill_holes:
-        return tr("Closes what the label encloses.");
-      case EditTool::smooth:
-        return settings.smooth == editing::Smooth::Method::joint
-                   ? tr("All labels at once, without gaps between them.")
-                   : tr("Evens the label's surface.");
-      case EditTool::margin:
-        return tr("Grows or shrinks the label by a distance.");
-      case EditTool::interpolate:
-        return tr("Paint the label in some slices; those between are filled.");
-      case EditTool::logical:
-        return tr("Combines two labels.");
-      case EditTool::move_branch:
-        return tr(
-            "Click a vessel: what hangs on it beyond its thinnest place goes to the other tree. Ctrl does "
-            "the "
-            "other of the two.");
-    }
-    return {};
+    return tool == nullptr ? tr("Choose a label and a tool.") : tr(tool->hint(settings));
   }
   static QString obstacle(EditObstacle obstacle) {
     switch (obstacle) {
@@ -122,39 +52,10 @@ class EditTexts {
     return {};
   }
   static QHash<QString, QString> steps() {
-    return {{"paint", tr("Paint")},
-            {"erase", tr("Erase")},
-            {"threshold", tr("Threshold")},
-            {"scissors.fill_inside", tr("Scissors: fill inside")},
-            {"scissors.erase_inside", tr("Scissors: erase inside")},
-            {"scissors.erase_outside", tr("Scissors: erase outside")},
-            {"grow_from_seeds", tr("Grow from seeds")},
-            {"level_tracing", tr("Level tracing")},
-            {"level_tracing.erase", tr("Level tracing: erase")},
-            {"islands.keep_largest", tr("Islands: keep largest")},
-            {"islands.remove_small", tr("Islands: remove small")},
-            {"islands.keep_clicked", tr("Islands: keep clicked")},
-            {"islands.remove_clicked", tr("Islands: remove clicked")},
-            {"islands.split", tr("Islands: split")},
-            {"fill_holes", tr("Fill holes")},
-            {"smooth.median", tr("Smooth: median")},
-            {"smooth.closing", tr("Smooth: closing")},
-            {"smooth.opening", tr("Smooth: opening")},
-            {"smooth.joint", tr("Smooth: joint")},
-            {"margin.grow", tr("Margin: grow")},
-            {"margin.shrink", tr("Margin: shrink")},
-            {"interpolate_slices", tr("Interpolate between slices")},
-            {"logical.copy", tr("Logical: copy")},
-            {"logical.add", tr("Logical: add")},
-            {"logical.subtract", tr("Logical: subtract")},
-            {"logical.intersect", tr("Logical: intersect")},
-            {"logical.invert", tr("Logical: invert")},
-            {"logical.clear", tr("Logical: clear")},
-            {"logical.fill", tr("Logical: fill")},
-            {"reassign_branch", tr("Move branch")},
-            {"reassign_branch.cut", tr("Cut branch off")},
-            {"segment", tr("Segment")},
-            {"import_labels", tr("Import labels")}};
+    QHash<QString, QString> texts = {{"segment", tr("Segment")}, {"import_labels", tr("Import labels")}};
+    for (const EditTool tool : edit_tools())
+      for (const WindowTool::Step& step : tool->steps) texts.insert(step.code, tr(step.text));
+    return texts;
   }
   static QString millimetres(double metres) {
     const double tenths = std::round(1e4 * metres);

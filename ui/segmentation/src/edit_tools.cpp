@@ -10,53 +10,8 @@ namespace glisson::ui {
 namespace {
 
 using editing::Edit;
-using editing::Islands;
-using editing::Logical;
 using editing::Paint;
 using editing::Scissors;
-
-struct ToolName {
-  const char* code;
-  char key;
-};
-
-ToolName name_of(EditTool tool) {
-  switch (tool) {
-    case EditTool::none:
-      break;
-    case EditTool::paint:
-      return {"paint", 'P'};
-    case EditTool::erase:
-      return {"erase", 'E'};
-    case EditTool::scissors:
-      return {"scissors", 'X'};
-    case EditTool::threshold:
-      return {"threshold", 'T'};
-    case EditTool::grow:
-      return {"grow", 'G'};
-    case EditTool::level_tracing:
-      return {"level_tracing", 'L'};
-    case EditTool::islands:
-      return {"islands", 'I'};
-    case EditTool::fill_holes:
-      return {"fill_holes", 'F'};
-    case EditTool::smooth:
-      return {"smooth", 'S'};
-    case EditTool::margin:
-      return {"margin", 'M'};
-    case EditTool::interpolate:
-      return {"interpolate", 'N'};
-    case EditTool::logical:
-      return {"logical", 'O'};
-    case EditTool::move_branch:
-      return {"move_branch", 'B'};
-  }
-  return {"none", '\0'};
-}
-
-bool has(const std::vector<Label>& labels, Label label) {
-  return std::find(labels.begin(), labels.end(), label) != labels.end();
-}
 
 /// Which layer of voxels a slice shows at a place.
 class ShownLayers {
@@ -149,43 +104,14 @@ Eigen::Matrix<double, 3, 4> view_of(const scene::SliceGeometry& slice) {
   return view;
 }
 
-std::vector<Label> growing(const EditSettings& settings, const std::vector<Label>& present) {
-  std::vector<Label> labels;
-  for (const Label label : present)
-    if (!is_other(label) && !has(settings.not_growing, label) && !has(settings.region.locked, label))
-      labels.push_back(label);
-  return labels;
-}
-
 }  // namespace
 
-std::string tool_code(EditTool tool) { return name_of(tool).code; }
-char tool_key(EditTool tool) { return name_of(tool).key; }
-
-bool islands_by_click(const EditSettings& settings) {
-  return settings.islands == Islands::Operation::keep_clicked ||
-         settings.islands == Islands::Operation::remove_clicked;
-}
-
 Hand hand_of(EditTool tool, const EditSettings& settings) {
-  switch (tool) {
-    case EditTool::paint:
-    case EditTool::erase:
-      return Hand::brush;
-    case EditTool::scissors:
-      return Hand::lasso;
-    case EditTool::level_tracing:
-    case EditTool::move_branch:
-      return Hand::point;
-    case EditTool::islands:
-      return islands_by_click(settings) ? Hand::point : Hand::crosshair;
-    default:
-      return Hand::crosshair;
-  }
+  return tool == nullptr ? Hand::crosshair : tool->hand(settings);
 }
 
 bool is_previewed(EditTool tool, const EditSettings& settings) {
-  return tool != EditTool::none && hand_of(tool, settings) == Hand::crosshair;
+  return tool != nullptr && hand_of(tool, settings) == Hand::crosshair;
 }
 
 double brush_after(double radius, double notches) {
@@ -196,18 +122,12 @@ double brush_after(double radius, double notches) {
   return std::clamp(1e-4 * std::round(moved), kSmallestBrush, kLargestBrush);
 }
 
-int voxel_axis_across(const VolumeGrid& grid, scene::Plane plane) {
-  Eigen::Index axis = 0;
-  grid.direction.row(scene::normal_axis(plane)).cwiseAbs().maxCoeff(&axis);
-  return static_cast<int>(axis);
-}
-
 std::vector<Edit> brush_edits(EditTool tool, const EditSettings& settings, const VolumeGrid& grid,
                               const scene::SliceGeometry& slice, const Points& path, bool invert) {
-  require(tool == EditTool::paint || tool == EditTool::erase, "a brush paints or erases");
+  require(hand_of(tool, settings) == Hand::brush, "a brush paints or erases");
   require(path.allFinite(), "a stroke runs through places");
   Paint paint;
-  paint.erase = (tool == EditTool::erase) != invert;
+  paint.erase = tool->erases != invert;
   paint.label = paint.erase && settings.erase_any ? structure::kBackground : settings.label;
   paint.brush = settings.ball ? Paint::Brush::ball : Paint::Brush::disc;
   paint.radius = settings.brush_radius;
@@ -256,92 +176,22 @@ Edit volume_cut(const EditSettings& settings, const VolumeLasso& lasso, bool inv
 
 std::optional<Edit> click_edit(EditTool tool, const EditSettings& settings, const VolumeGrid& grid,
                                scene::Plane plane, const Point<CtFrame>& p, Label clicked, bool invert) {
-  switch (tool) {
-    case EditTool::level_tracing:
-      return Edit{editing::LevelTracing{settings.label, invert, voxel_axis_across(grid, plane), p.xyz},
-                  settings.region};
-    case EditTool::islands: {
-      Islands islands{settings.label, settings.islands, settings.smallest_ml, p.xyz};
-      if (invert)
-        islands.operation = settings.islands == Islands::Operation::keep_clicked
-                                ? Islands::Operation::remove_clicked
-                                : Islands::Operation::keep_clicked;
-      return Edit{islands, settings.region};
-    }
-    case EditTool::move_branch: {
-      const bool portal = clicked == structure::kPortalVein;
-      if (!portal && clicked != structure::kHepaticVeins) return std::nullopt;
-      const Label other = portal ? structure::kHepaticVeins : structure::kPortalVein;
-      return Edit{editing::ReassignBranch{
-                      clicked, settings.cut_branch_off != invert ? structure::kBackground : other, p.xyz},
-                  settings.region};
-    }
-    default:
-      throw PreconditionError("this tool does not work where it is clicked");
-  }
+  require(tool != nullptr && tool->click != nullptr, "this tool works where it is clicked");
+  auto made = tool->click(settings, {grid, plane, p, clicked, invert});
+  if (!made) return std::nullopt;
+  return Edit{std::move(*made), settings.region};
 }
 
 Edit whole_edit(EditTool tool, const EditSettings& settings, const VolumeGrid& grid,
                 const std::vector<Label>& present) {
-  const auto with = [&](editing::Tool made) { return Edit{std::move(made), settings.region}; };
-  switch (tool) {
-    case EditTool::threshold:
-      return with(editing::Threshold{settings.label, settings.low, settings.high, settings.replace});
-    case EditTool::grow: {
-      editing::GrowFromSeeds grow{growing(settings, present), settings.reach, {}};
-      for (const Label label : present)
-        if (is_other(label)) grow.rivals.push_back(label);
-      return with(grow);
-    }
-    case EditTool::islands:
-      return with(Islands{settings.label, settings.islands, settings.smallest_ml, Eigen::Vector3d::Zero()});
-    case EditTool::fill_holes:
-      return with(editing::FillHoles{settings.label, settings.holes_in_slices});
-    case EditTool::smooth:
-      return with(editing::Smooth{settings.label, settings.smooth, settings.smooth_radius});
-    case EditTool::margin:
-      return with(editing::Margin{settings.label, settings.shrink ? -settings.margin : settings.margin});
-    case EditTool::interpolate:
-      return with(editing::InterpolateSlices{settings.label, voxel_axis_across(grid, settings.between)});
-    case EditTool::logical: {
-      const bool alone = settings.logical == Logical::Operation::invert ||
-                         settings.logical == Logical::Operation::clear ||
-                         settings.logical == Logical::Operation::fill;
-      return with(Logical{settings.label, settings.logical, alone ? structure::kBackground : settings.other});
-    }
-    default:
-      throw PreconditionError("this tool works where the mouse is");
-  }
+  require(tool != nullptr && tool->whole != nullptr, "this tool works on the whole volume");
+  return {tool->whole(settings, {grid, present}), settings.region};
 }
 
 EditObstacle obstacle_of(EditTool tool, const EditSettings& settings, const std::vector<Label>& present) {
-  const bool joint = tool == EditTool::smooth && settings.smooth == editing::Smooth::Method::joint;
-  const bool own = !joint && tool != EditTool::grow && tool != EditTool::move_branch;
-  if (own && has(settings.region.locked, settings.label)) return EditObstacle::label_locked;
-  const bool empty = !has(present, settings.label);
-  switch (tool) {
-    case EditTool::islands:
-    case EditTool::fill_holes:
-    case EditTool::margin:
-    case EditTool::interpolate:
-      return empty ? EditObstacle::label_empty : EditObstacle::none;
-    case EditTool::smooth:
-      return empty && !joint ? EditObstacle::label_empty : EditObstacle::none;
-    case EditTool::grow:
-      return growing(settings, present).size() < 2 ? EditObstacle::one_label : EditObstacle::none;
-    case EditTool::logical: {
-      using Operation = Logical::Operation;
-      const Operation what = settings.logical;
-      if (what == Operation::invert || what == Operation::fill) return EditObstacle::none;
-      if (what == Operation::clear) return empty ? EditObstacle::label_empty : EditObstacle::none;
-      if (settings.other == settings.label) return EditObstacle::same_label;
-      if (!has(present, settings.other)) return EditObstacle::other_empty;
-      return empty && what != Operation::copy && what != Operation::add ? EditObstacle::label_empty
-                                                                        : EditObstacle::none;
-    }
-    default:
-      return EditObstacle::none;
-  }
+  const bool own = tool == nullptr || tool->works_on_label(settings);
+  if (own && is_among(settings.region.locked, settings.label)) return EditObstacle::label_locked;
+  return tool == nullptr ? EditObstacle::none : tool->obstacle(settings, present);
 }
 
 }  // namespace glisson::ui

@@ -42,9 +42,9 @@ SegmentationPanel::SegmentationPanel(EngineBridge& engine, ViewState& views, QWi
   connect(escape, &QShortcut::activated, this, [this] {
     if (!seeds_->escape()) session_->escape();
   });
-  connect(seeds_, &SeedBox::took_mouse, this, [this] { session_->set_tool(EditTool::none); });
+  connect(seeds_, &SeedBox::took_mouse, this, [this] { session_->set_tool(nullptr); });
   connect(session_, &EditSession::tool_changed, this, [this] {
-    if (session_->tool() == EditTool::none) return;
+    if (session_->tool() == nullptr) return;
     seeds_->let_go();
     show_editing(true);
   });
@@ -81,7 +81,7 @@ void SegmentationPanel::build_modes() {
   }
   content()->addLayout(row);
   connect(seeds_mode_, &QPushButton::clicked, this, [this] {
-    session_->set_tool(EditTool::none);
+    session_->set_tool(nullptr);
     show_editing(false);
   });
   connect(edit_mode_, &QPushButton::clicked, this, [this] {

@@ -89,7 +89,7 @@ void ScreenshotTour::show_brush() {
   settings.brush_radius = 7e-3;
   settings.ball = true;
   session.set_settings(settings);
-  session.set_tool(EditTool::paint);
+  session.set_tool(edit_tool("paint"));
   SliceView& axial = window_.views().slice(scene::Plane::axial);
   const QPointF middle(0.4 * axial.width(), 0.42 * axial.height());
   QMouseEvent move(QEvent::MouseMove, middle, axial.mapToGlobal(middle), Qt::NoButton, Qt::NoButton,
@@ -105,7 +105,7 @@ void ScreenshotTour::show_threshold() {
   settings.high = 220.0;
   settings.region.area = editing::EditableRegion::Area::inside_liver;
   session.set_settings(settings);
-  session.set_tool(EditTool::threshold);
+  session.set_tool(edit_tool("threshold"));
 }
 
 void ScreenshotTour::shoot_when(const std::function<bool()>& ready) {

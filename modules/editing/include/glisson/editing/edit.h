@@ -6,18 +6,19 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "glisson/core/run_context.h"
+#include "glisson/editing/tool.h"
 #include "glisson/geometry/mesh.h"
 #include "glisson/patient/label_map.h"
 #include "glisson/volume/image.h"
 #include "glisson/volume/morphology.h"
 
 /// @file
-/// What a hand does to labels, as values: each tool is a struct with its settings, and one pure function
-/// applies it. The window, scripts and tests use the same. Points are in the CT's frame; lengths are metres.
+/// What a hand does to labels, as values: each tool is a struct with its settings (its description stands in
+/// its own source, see tool.h), and one pure function applies it. The window, scripts and tests use the same.
+/// Points are in the CT's frame; lengths are metres.
 ///
 /// A voxel has one label, so what a tool gives to one label it takes from another. Paint, Threshold,
 /// Scissors, LevelTracing and Logical overwrite whatever the region lets them. The tools that reshape a label
@@ -56,6 +57,7 @@ struct EditableRegion {
 /// within the radius of the path, and those that the path runs through, however small the brush. The path may
 /// leave the volume.
 struct Paint {
+  static const ToolKind& kind();
   enum class Brush { disc, ball };
   Label label = structure::kParenchyma;
   /// Takes voxels of `label` away; with kBackground of any label. What a vessel or a lesion loses becomes
@@ -72,6 +74,7 @@ struct Paint {
 
 /// Everything between two intensities becomes `label`.
 struct Threshold {
+  static const ToolKind& kind();
   Label label = structure::kParenchyma;
   double low = 100.0, high = 300.0;  ///< Hounsfield units, inclusive
   bool replace = false;              ///< what `label` had before is lost
@@ -83,6 +86,7 @@ struct Threshold {
 /// Inside is what the line winds about, so that overlapping ends cut no hole; what is behind the viewer is
 /// outside.
 struct Scissors {
+  static const ToolKind& kind();
   enum class Operation { fill_inside, erase_inside, erase_outside };
   Label label = structure::kParenchyma;  ///< erasing with kBackground takes any label
   Operation operation = Operation::erase_inside;
@@ -106,6 +110,7 @@ struct Scissors {
 /// difference in intensity (a shortest-path form of GrowCut; Zhu 2014). A step costs the square of the
 /// difference of two neighbours in the image after a median of three along each axis, and 5 HU^2 for each mm.
 struct GrowFromSeeds {
+  static const ToolKind& kind();
   /// One or more that may grow, and with the rivals two or more; kBackground cannot be one.
   std::vector<Label> labels;
   double reach = 20e-3;  ///< no farther from a seed than this
@@ -119,6 +124,7 @@ struct GrowFromSeeds {
 /// the click in the slice smoothed by a binomial of five. Of the two sides of the line the one that does not
 /// reach the slice's edge, else the smaller one (note "level_tracing.open").
 struct LevelTracing {
+  static const ToolKind& kind();
   Label label = structure::kParenchyma;
   bool erase = false;
   int normal_axis = 2;
@@ -129,6 +135,7 @@ struct LevelTracing {
 
 /// Parts of a label that do not share a face.
 struct Islands {
+  static const ToolKind& kind();
   enum class Operation {
     keep_largest,
     remove_small,  ///< below `smallest_ml`
@@ -148,6 +155,7 @@ struct Islands {
 
 /// Background (see above) that the label encloses.
 struct FillHoles {
+  static const ToolKind& kind();
   Label label = structure::kParenchyma;
   bool in_slices = false;  ///< holes of one slice count, too (in any of the three axes)
 
@@ -155,6 +163,7 @@ struct FillHoles {
 };
 
 struct Smooth {
+  static const ToolKind& kind();
   enum class Method {
     median,   ///< majority in a ball (of its voxels inside the volume)
     closing,  ///< fills what a ball of the radius cannot enter
@@ -170,6 +179,7 @@ struct Smooth {
 
 /// Grows (positive) or shrinks (negative) by a distance between voxel centres.
 struct Margin {
+  static const ToolKind& kind();
   Label label = structure::kParenchyma;
   double distance = 3e-3;
 
@@ -178,6 +188,7 @@ struct Margin {
 
 /// Fills the slices between those where something is drawn (Raya and Udupa 1990: mean of signed distances).
 struct InterpolateSlices {
+  static const ToolKind& kind();
   Label label = structure::kParenchyma;
   int normal_axis = 2;
 
@@ -188,6 +199,7 @@ struct InterpolateSlices {
 /// another label changes nothing and intersecting with another leaves nothing; inverting and filling
 /// overwrite whatever the region lets them.
 struct Logical {
+  static const ToolKind& kind();
   enum class Operation { copy, add, subtract, intersect, invert, clear, fill };
   Label label = structure::kParenchyma;
   Operation operation = Operation::add;
@@ -199,6 +211,7 @@ struct Logical {
 /// What hangs on a tree beyond the thinnest place near a click, seen from the tree's root, goes to another
 /// label.
 struct ReassignBranch {
+  static const ToolKind& kind();
   Label label = structure::kPortalVein;  ///< that loses it
   /// kBackground: is cut off, and becomes parenchyma or background as what a reshaped label loses.
   Label to = structure::kHepaticVeins;
@@ -206,9 +219,6 @@ struct ReassignBranch {
 
   bool operator==(const ReassignBranch&) const = default;
 };
-
-using Tool = std::variant<Paint, Threshold, Scissors, GrowFromSeeds, LevelTracing, Islands, FillHoles, Smooth,
-                          Margin, InterpolateSlices, Logical, ReassignBranch>;
 
 struct Edit {
   Tool tool;
@@ -219,11 +229,7 @@ struct Edit {
 
 /// What a step is called in lists and on the undo button; texts are made of it in the window.
 struct StepName {
-  /// "paint", "erase", "threshold", "scissors.fill_inside" (erase_inside, erase_outside), "grow_from_seeds",
-  /// "level_tracing", "level_tracing.erase", "islands.keep_largest" (remove_small, keep_clicked,
-  /// remove_clicked, split), "fill_holes", "smooth.median" (closing, opening, joint), "margin.grow",
-  /// "margin.shrink", "interpolate_slices", "logical.copy" (add, subtract, intersect, invert, clear, fill),
-  /// "reassign_branch", "reassign_branch.cut"; "segment" is no edit.
+  /// One of ToolKind::steps(): "paint", "erase", "islands.keep_largest"; "segment" is no edit.
   std::string code;
   Label label = 0;    ///< that it was done to; kBackground: several
   double size = 0.0;  ///< radius, distance; metres; 0: has none
@@ -254,7 +260,8 @@ Cancellable<Edited> apply_edit(const LabelMap& labels, const Image& image, const
 /// 3, "path_mm": [[x, y, z], ...], "region": {"area": "inside_liver", "intensity_hu": [100, 250], "locked":
 /// ["lesion_1"]}}, ...]}; LPS millimetres. The manual lists the fields of each tool. @throws InputError
 /// naming the entry ("edit 3, radius_mm"), also for settings that apply_edit() would refuse.
-std::vector<Edit> read_edits(const std::filesystem::path& path);
+std::vector<Edit> read_edits(const std::filesystem::path& path,
+                             const std::vector<const ToolKind*>& kinds = tools());
 /// Atomic; reads back as written (lengths to the last bit but one).
 void write_edits(const std::filesystem::path& path, const std::vector<Edit>& edits);
 

@@ -97,7 +97,7 @@ class EditSession : public QObject {
 
   EngineBridge& engine_;
   ViewState& views_;
-  EditTool tool_ = EditTool::none;
+  EditTool tool_ = nullptr;
   EditSettings settings_;
   bool active_ = false;
   std::shared_ptr<const LabelMap> listed_;

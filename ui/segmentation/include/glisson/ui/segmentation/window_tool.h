@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "glisson/ui/segmentation/edit_settings.h"
+#include "glisson/volume/grid.h"
+
+/// @file
+/// What the window adds to a tool of the editor: one description for each, in a source of its own, from which
+/// button, key, page, texts, undo names and the manual's table follow. No widgets. Texts are for translators:
+/// `says` in context EditTexts, `page` in context glisson::ui::ToolPages.
+
+namespace glisson::ui {
+
+struct WindowTool;
+/// Null: no tool. Descriptions live as long as the program.
+using EditTool = const WindowTool*;
+
+/// A widget of a tool's page, coupled to the settings.
+struct PageField {
+  enum class Kind { number, slider, choice, check, label, button };
+  using Get = std::function<double(const EditSettings&)>;
+  using Set = std::function<void(EditSettings&, double)>;
+  struct Range {
+    double low = 0.0, high = 0.0, step = 1.0;
+    int decimals = 0;
+    std::string unit = {};  ///< "mm", "HU", "ml"
+  };
+
+  Kind kind = Kind::number;
+  const char* object = "";  ///< the widget's name
+  const char* text = "";
+  Get get = {};
+  Set set = {};  ///< of a button: what its click sets (its number is 0)
+  Range range = {};
+  std::vector<const char*> choices = {};  ///< by number
+  const char* tip = nullptr;
+  /// A number counts when it is entered, not with each of its digits.
+  bool whole_numbers = false;
+  /// The tool that a button's click chooses.
+  const char* then = nullptr;
+};
+
+/// A member of the settings as the number of a page's field.
+template <class Member>
+PageField coupled(Member EditSettings::*which, double factor = 1.0) {
+  PageField field;
+  field.get = [=](const EditSettings& s) { return factor * static_cast<double>(s.*which); };
+  field.set = [=](EditSettings& s, double value) {
+    if constexpr (std::is_same_v<Member, double>)
+      s.*which = value / factor;
+    else
+      s.*which = static_cast<Member>(static_cast<int>(value));
+  };
+  return field;
+}
+template <class Member>
+PageField number_box(const char* object, const char* text, const PageField::Range& range,
+                     Member EditSettings::*which, double factor = 1.0) {
+  PageField field = coupled(which, factor);
+  field.object = object;
+  field.text = text;
+  field.range = range;
+  return field;
+}
+template <class Member>
+PageField choice_box(const char* object, const char* text, std::vector<const char*> choices,
+                     Member EditSettings::*which) {
+  PageField field = coupled(which);
+  field.kind = PageField::Kind::choice;
+  field.object = object;
+  field.text = text;
+  field.choices = std::move(choices);
+  return field;
+}
+inline PageField check_box(const char* object, const char* text, bool EditSettings::*which) {
+  PageField field = coupled(which);
+  field.kind = PageField::Kind::check;
+  field.object = object;
+  field.text = text;
+  return field;
+}
+
+/// The range of a length whose unit and largest value are those of a tool's field in scripts.
+/// @throws PreconditionError there is no such tool or field, or its field is unlimited.
+PageField::Range range_of(std::string_view tool, std::string_view field, double low, double step,
+                          int decimals);
+
+/// Where a tool is clicked. @param clicked label at the place.
+struct ToolClick {
+  const VolumeGrid& grid;
+  scene::Plane plane;
+  Point<CtFrame> p;
+  Label clicked = 0;
+  bool invert = false;
+};
+/// What a tool works on that is applied to the whole volume. @param present labels that have voxels.
+struct WholeVolume {
+  const VolumeGrid& grid;
+  const std::vector<Label>& present;
+};
+
+struct WindowTool {
+  /// What shows at the pointer before it clicks.
+  enum class AtPointer { nothing, outline, branch };
+  struct Step {
+    const char* code;  ///< of editing::ToolKind::steps()
+    const char* text;
+  };
+
+  std::string code;         ///< for names of widgets and icons: "level_tracing"
+  char key;                 ///< chooses it
+  const char* name;         ///< for translators, like the hint and the steps
+  std::vector<Step> steps;  ///< names of what it did, for undo and redo
+  /// What to do with the mouse, in one line.
+  std::function<const char*(const EditSettings&)> hint;
+  /// What the manual says of it. Empty: its row is that of the tool before.
+  const char* manual;
+  std::vector<PageField> page = {};
+  /// The tool whose page it has; null: its own.
+  const char* page_of = nullptr;
+
+  /// What the mouse does while it is chosen.
+  std::function<Hand(const EditSettings&)> hand = [](const EditSettings&) { return Hand::crosshair; };
+  bool erases = false;  ///< a brush that takes away
+  AtPointer at_pointer = AtPointer::nothing;
+  /// Takes its time: its preview waits to be asked for.
+  bool is_slow = false;
+  /// Whether it works on the chosen label, which must not be locked then.
+  std::function<bool(const EditSettings&)> works_on_label = [](const EditSettings&) { return true; };
+  /// What else is missing.
+  std::function<EditObstacle(const EditSettings&, const std::vector<Label>& present)> obstacle =
+      [](const EditSettings&, const std::vector<Label>&) { return EditObstacle::none; };
+  /// What a click does; nothing: nothing there. Empty function: it is not clicked.
+  std::function<std::optional<editing::Tool>(const EditSettings&, const ToolClick&)> click = {};
+  /// What it does to the whole volume. Empty function: it works where the mouse is.
+  std::function<editing::Tool(const EditSettings&, const WholeVolume&)> whole = {};
+};
+
+/// All tools, in the order of their buttons and of the manual.
+const std::vector<EditTool>& edit_tools();
+/// @throws PreconditionError there is none.
+EditTool edit_tool(std::string_view code);
+/// The manual's table of the window's tools: name, key, what it does.
+std::string tool_table();
+
+/// The voxel axis across slices of a plane.
+int voxel_axis_across(const VolumeGrid& grid, scene::Plane plane);
+bool is_among(const std::vector<Label>& labels, Label label);
+/// The obstacle of tools that need something to work on.
+EditObstacle empty_label(const EditSettings& settings, const std::vector<Label>& present);
+
+}  // namespace glisson::ui

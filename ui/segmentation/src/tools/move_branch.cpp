@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QCoreApplication>
+
+#include "glisson/ui/segmentation/window_tool.h"
+
+namespace glisson::ui {
+
+const WindowTool& move_branch_window_tool() {
+  static const WindowTool kTool = [] {
+    WindowTool tool{"move_branch",
+                    'B',
+                    QT_TRANSLATE_NOOP("EditTexts", "Move branch"),
+                    {{"reassign_branch", QT_TRANSLATE_NOOP("EditTexts", "Move branch")},
+                     {"reassign_branch.cut", QT_TRANSLATE_NOOP("EditTexts", "Cut branch off")}},
+                    [](const EditSettings&) {
+                      return QT_TRANSLATE_NOOP("EditTexts",
+                                               "Click a vessel: what hangs on it beyond its thinnest place "
+                                               "goes to the other tree. Ctrl does the other of the two.");
+                    },
+                    "click a branch of the portal or hepatic tree: what hangs on it beyond its thinnest "
+                    "place goes to the other tree, or is cut off. What a click would move is hatched under "
+                    "the pointer and named below the buttons"};
+    tool.page = {choice_box("branch_goes", QT_TRANSLATE_NOOP("glisson::ui::ToolPages", "The branch"),
+                            {QT_TRANSLATE_NOOP("glisson::ui::ToolPages", "goes to the other tree"),
+                             QT_TRANSLATE_NOOP("glisson::ui::ToolPages", "is cut off")},
+                            &EditSettings::cut_branch_off)};
+    tool.hand = [](const EditSettings&) { return Hand::point; };
+    tool.at_pointer = WindowTool::AtPointer::branch;
+    tool.works_on_label = [](const EditSettings&) { return false; };
+    tool.click = [](const EditSettings& s, const ToolClick& at) -> std::optional<editing::Tool> {
+      const bool portal = at.clicked == structure::kPortalVein;
+      if (!portal && at.clicked != structure::kHepaticVeins) return std::nullopt;
+      const Label other = portal ? structure::kHepaticVeins : structure::kPortalVein;
+      const Label to = s.cut_branch_off != at.invert ? structure::kBackground : other;
+      return editing::ReassignBranch{at.clicked, to, at.p.xyz};
+    };
+    return tool;
+  }();
+  return kTool;
+}
+
+}  // namespace glisson::ui
