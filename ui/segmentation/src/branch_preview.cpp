@@ -17,11 +17,26 @@ bool moves_place_of(const BranchPreview::Shown& shown, const LabelMap& labels,
 
 }  // namespace
 
+Cancellable<BranchPreview::Shown> BranchPreview::compute(const Order& order, const RunContext& context) {
+  Shown shown{order.edit.tool.as<editing::ReassignBranch>(), {}, {}};
+  try {
+    auto edited = editing::apply_edit(*order.labels, *order.image, order.edit, context);
+    if (!edited) return std::nullopt;
+    shown.result = std::move(*edited);
+  } catch (const Error& error) {
+    shown.problem = error.what();
+  }
+  return shown;
+}
+
 BranchPreview::BranchPreview(ViewState& views, EditAt edit_at, QObject* parent)
     : QObject(parent),
       views_(views),
       edit_at_(std::move(edit_at)),
-      computing_([this](const Order& order, const std::stop_token&) { compute(order); }) {
+      computing_(this, compute, [this](const Order& order, const std::shared_ptr<const Shown>& result) {
+        // The labels may be others by now; and the pointer may have left the branches.
+        if (wanted_ && order.labels == labels_) show(result);
+      }) {
   for (const auto signal : {&ViewState::pointer_changed, &ViewState::crosshair_changed})
     connect(&views_, signal, this, &BranchPreview::follow);
 }
@@ -32,6 +47,7 @@ void BranchPreview::set_case(std::shared_ptr<const Image> image, std::shared_ptr
   labels_ = std::move(labels);
   if (same) return follow();  // settings may have changed what a click does
   wanted_.reset();
+  computing_.cancel();
   show(nullptr);
 }
 
@@ -40,28 +56,13 @@ void BranchPreview::follow() {
   const auto edit = image_ && labels_ && pointer ? edit_at_(*pointer) : std::nullopt;
   if (edit == wanted_) return;
   wanted_ = edit;
-  if (wanted_) computing_.give({image_, labels_, *wanted_});
+  if (wanted_)
+    computing_.give({image_, labels_, *wanted_});
+  else
+    computing_.cancel();
   // Until a click there is known, the one that is shown stands for it only where it moves the same branch.
-  if (shown_ &&
-      !(wanted_ && moves_place_of(*shown_, *labels_, wanted_->tool.as<editing::ReassignBranch>())))
+  if (shown_ && !(wanted_ && moves_place_of(*shown_, *labels_, wanted_->tool.as<editing::ReassignBranch>())))
     show(nullptr);
-}
-
-void BranchPreview::compute(const Order& order) {
-  Shown shown{order.edit.tool.as<editing::ReassignBranch>(), {}, {}};
-  try {
-    if (auto edited = editing::apply_edit(*order.labels, *order.image, order.edit, RunContext()))
-      shown.result = std::move(*edited);
-  } catch (const Error& error) {
-    shown.problem = error.what();
-  }
-  QMetaObject::invokeMethod(
-      this,
-      [this, labels = order.labels, result = std::make_shared<const Shown>(std::move(shown))] {
-        // The labels may be others by now; and the pointer may have left the branches.
-        if (wanted_ && labels == labels_) show(result);
-      },
-      Qt::QueuedConnection);
 }
 
 void BranchPreview::show(std::shared_ptr<const Shown> shown) {

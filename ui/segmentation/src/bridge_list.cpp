@@ -10,9 +10,24 @@
 #include "glisson/ui/common/texts.h"
 
 namespace glisson::ui {
+namespace {
+
+/// On the thread.
+Cancellable<BridgeList::Found> look(const std::shared_ptr<const LabelMap>& labels,
+                                    const RunContext& context) {
+  BridgeList::Found found{editing::find_bridges(*labels), {}};
+  if (context.cancelled()) return std::nullopt;
+  found.joints = editing::find_joined(*labels);
+  return found;
+}
+
+}  // namespace
 
 BridgeList::BridgeList(EditSession& session, EngineBridge& engine, ViewState& views, QWidget* parent)
-    : QWidget(parent), engine_(engine), views_(views) {
+    : QWidget(parent),
+      engine_(engine),
+      views_(views),
+      looking_(this, look, [this](const auto& of, const auto& found) { accept(of, *found); }) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(5);
@@ -34,12 +49,6 @@ BridgeList::BridgeList(EditSession& session, EngineBridge& engine, ViewState& vi
     setVisible(tool != nullptr && tool->at_pointer == WindowTool::AtPointer::branch);
   });
   hide();
-  thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
-}
-
-BridgeList::~BridgeList() {
-  thread_.request_stop();
-  thread_.join();
 }
 
 void BridgeList::showEvent(QShowEvent* event) {
@@ -52,12 +61,12 @@ void BridgeList::order() {
   if (!isVisible() || labels == wanted_) return;
   wanted_ = labels;
   state_->setText(labels ? tr("Looking for places where the trees touch…") : QString());
-  if (!labels) list_->clear();
-  {
-    const std::lock_guard lock(mutex_);
-    order_ = labels;
+  if (labels) {
+    looking_.give_instead(labels);
+  } else {
+    looking_.cancel();
+    list_->clear();
   }
-  wake_.notify_one();
 }
 
 void BridgeList::accept(const std::shared_ptr<const LabelMap>& of, const Found& found) {
@@ -77,21 +86,6 @@ void BridgeList::accept(const std::shared_ptr<const LabelMap>& of, const Found& 
   state_->setText(places_.empty()
                       ? tr("The trees touch nowhere, and no part hangs by a neck.")
                       : tr("Suspicious places. Click one to go there; cut where the branch is wrong."));
-}
-
-void BridgeList::run(const std::stop_token& stop) {
-  while (true) {
-    std::shared_ptr<const LabelMap> order;
-    {
-      std::unique_lock lock(mutex_);
-      wake_.wait(lock, stop, [this] { return order_ != nullptr; });
-      if (stop.stop_requested()) return;
-      std::swap(order, order_);
-    }
-    const Found found = {editing::find_bridges(*order), editing::find_joined(*order)};
-    QMetaObject::invokeMethod(
-        this, [this, order, found] { accept(order, found); }, Qt::QueuedConnection);
-  }
 }
 
 }  // namespace glisson::ui

@@ -8,7 +8,9 @@ namespace glisson::ui {
 LevelOutline::LevelOutline(ViewState& views, QObject* parent)
     : QObject(parent),
       views_(views),
-      tracing_([this](const Order& order, const std::stop_token&) { trace(order); }) {
+      tracing_(
+          this, [this](const Order& order, const RunContext&) { return trace(order); },
+          [this](const Order&, const std::shared_ptr<const SliceLine>& line) { accept(line); }) {
   for (const auto signal : {&ViewState::pointer_changed, &ViewState::crosshair_changed})
     connect(&views_, signal, this, &LevelOutline::follow);
 }
@@ -23,20 +25,19 @@ void LevelOutline::follow() {
   const auto& image = views_.image();
   const auto& pointer = views_.pointer();
   const bool traces = label_ && pointer && image && scene::probe(*image, nullptr, pointer->p).inside;
-  if (traces)
+  if (traces) {
     tracing_.give({image, *pointer, *label_});
-  else
+  } else {
+    tracing_.cancel();
     views_.set_line(nullptr);
+  }
 }
 
-void LevelOutline::trace(const Order& order) {
+SliceLine LevelOutline::trace(const Order& order) {
   const VolumeGrid& grid = order.image->grid;
   const editing::TracedLevel level =
       tracer_.trace(*order.image, voxel_axis_across(grid, order.place.plane), order.place.p);
-  auto line =
-      std::make_shared<const SliceLine>(SliceLine{order.place, level.outline, order.label, level.open});
-  QMetaObject::invokeMethod(
-      this, [this, line] { accept(line); }, Qt::QueuedConnection);
+  return {order.place, level.outline, order.label, level.open};
 }
 
 void LevelOutline::accept(const std::shared_ptr<const SliceLine>& line) {

@@ -8,13 +8,13 @@
 #include <string>
 
 #include "glisson/editing/edit.h"
-#include "glisson/ui/common/newest_wins.h"
+#include "glisson/ui/common/preview_service.h"
 #include "glisson/ui/common/view_state.h"
 
 namespace glisson::ui {
 
-/// What a click of the tool that moves branches would do where the pointer is, computed before it happens: on
-/// a thread of its own, on which the newest place wins.
+/// What a click of the tool that moves branches would do where the pointer is, computed before it happens,
+/// beside the window's thread.
 class BranchPreview : public QObject {
   Q_OBJECT
  public:
@@ -43,9 +43,9 @@ class BranchPreview : public QObject {
     std::shared_ptr<const LabelMap> labels;
     editing::Edit edit;
   };
-  void follow();
   /// On the thread.
-  void compute(const Order& order);
+  static Cancellable<Shown> compute(const Order& order, const RunContext& context);
+  void follow();
   void show(std::shared_ptr<const Shown> shown);
 
   ViewState& views_;
@@ -54,7 +54,7 @@ class BranchPreview : public QObject {
   std::shared_ptr<const LabelMap> labels_;
   std::optional<editing::Edit> wanted_;
   std::shared_ptr<const Shown> shown_;
-  NewestWins<Order> computing_;  ///< last: its thread uses the others
+  PreviewService<Order, Shown> computing_;
 };
 
 }  // namespace glisson::ui

@@ -2,13 +2,11 @@
 #pragma once
 
 #include <QWidget>
-#include <condition_variable>
 #include <memory>
-#include <mutex>
-#include <thread>
 #include <vector>
 
 #include "glisson/editing/bridges.h"
+#include "glisson/ui/common/preview_service.h"
 #include "glisson/ui/segmentation/edit_session.h"
 
 class QLabel;
@@ -22,7 +20,6 @@ class BridgeList : public QWidget {
   Q_OBJECT
  public:
   BridgeList(EditSession& session, EngineBridge& engine, ViewState& views, QWidget* parent = nullptr);
-  ~BridgeList() override;
 
   struct Found {
     std::vector<editing::Bridge> bridges;
@@ -35,7 +32,6 @@ class BridgeList : public QWidget {
  private:
   void order();
   void accept(const std::shared_ptr<const LabelMap>& of, const Found& found);
-  void run(const std::stop_token& stop);
 
   EngineBridge& engine_;
   ViewState& views_;
@@ -43,10 +39,7 @@ class BridgeList : public QWidget {
   QLabel* state_ = nullptr;
   std::vector<Point<CtFrame>> places_;
   std::shared_ptr<const LabelMap> wanted_;
-  std::mutex mutex_;
-  std::condition_variable_any wake_;
-  std::shared_ptr<const LabelMap> order_;  ///< newest wins
-  std::jthread thread_;
+  PreviewService<std::shared_ptr<const LabelMap>, Found> looking_;
 };
 
 }  // namespace glisson::ui

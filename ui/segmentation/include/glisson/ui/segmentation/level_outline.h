@@ -6,13 +6,13 @@
 #include <optional>
 
 #include "glisson/editing/level_tracing.h"
-#include "glisson/ui/common/newest_wins.h"
+#include "glisson/ui/common/preview_service.h"
 #include "glisson/ui/common/view_state.h"
 
 namespace glisson::ui {
 
-/// Draws at the pointer what level tracing would take there. Traced on a thread of its own: the newest place
-/// wins, so that the line never falls behind the hand.
+/// Draws at the pointer what level tracing would take there. Traced beside the window's thread: the line
+/// never falls behind the hand.
 class LevelOutline : public QObject {
   Q_OBJECT
  public:
@@ -29,13 +29,13 @@ class LevelOutline : public QObject {
   };
   void follow();
   /// On the thread.
-  void trace(const Order& order);
+  SliceLine trace(const Order& order);
   void accept(const std::shared_ptr<const SliceLine>& line);
 
   ViewState& views_;
   std::optional<Label> label_;
-  editing::LevelTracer tracer_;  ///< the thread's
-  NewestWins<Order> tracing_;
+  editing::LevelTracer tracer_;               ///< the thread's
+  PreviewService<Order, SliceLine> tracing_;  ///< last: its thread uses the tracer
 };
 
 }  // namespace glisson::ui
