@@ -11,27 +11,32 @@
 namespace glisson::fem {
 namespace {
 
-/// Free nodes that share an element, both ways, ascending.
-std::vector<std::vector<int>> neighbours_of(const CompositeModel::Impl& model,
-                                            const std::vector<int>& free_of_node, int free_count) {
-  std::vector<std::vector<int>> lists(static_cast<std::size_t>(free_count));
-  const auto couple = [&](int i, int j) {
-    const int a = free_of_node[static_cast<std::size_t>(i)], b = free_of_node[static_cast<std::size_t>(j)];
-    if (a >= 0 && b >= 0 && a != b) lists[static_cast<std::size_t>(a)].push_back(b);
-  };
+/// Nodes that share an element or a beam.
+std::vector<std::array<int, 2>> couplings_of(const CompositeModel::Impl& model) {
+  std::vector<std::array<int, 2>> couplings;
   for (const Tetrahedron& e : model.tetrahedra)
-    for (const int i : e.nodes)
-      for (const int j : e.nodes) couple(i, j);
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = 0; j < i; ++j) couplings.push_back({e.nodes[i], e.nodes[j]});
   for (const VesselBeam& beam : model.vessels.beams) {
     const auto nodes_of = [&](int bound) -> const std::array<int, 4>& {
       const int t = model.vessels.nodes[static_cast<std::size_t>(bound)].tetrahedron;
       return model.tetrahedra[static_cast<std::size_t>(t)].nodes;
     };
     for (const int i : nodes_of(beam.a))
-      for (const int j : nodes_of(beam.b)) {
-        couple(i, j);
-        couple(j, i);
-      }
+      for (const int j : nodes_of(beam.b)) couplings.push_back({i, j});
+  }
+  return couplings;
+}
+
+/// Free nodes that are coupled, both ways, ascending.
+std::vector<std::vector<int>> neighbours_of(const std::vector<std::array<int, 2>>& couplings,
+                                            const std::vector<int>& free_of_node, int free_count) {
+  std::vector<std::vector<int>> lists(static_cast<std::size_t>(free_count));
+  for (const auto& [i, j] : couplings) {
+    const int a = free_of_node[static_cast<std::size_t>(i)], b = free_of_node[static_cast<std::size_t>(j)];
+    if (a < 0 || b < 0 || a == b) continue;
+    lists[static_cast<std::size_t>(a)].push_back(b);
+    lists[static_cast<std::size_t>(b)].push_back(a);
   }
   for (auto& list : lists) {
     std::sort(list.begin(), list.end());
@@ -40,9 +45,10 @@ std::vector<std::vector<int>> neighbours_of(const CompositeModel::Impl& model,
   return lists;
 }
 
-BlockPattern make_pattern(const CompositeModel::Impl& model, const std::vector<int>& fixed_nodes,
-                          Ordering ordering) {
-  const int n = model.mesh.vertex_count();
+}  // namespace
+
+BlockPattern make_pattern(int n, const std::vector<std::array<int, 2>>& couplings,
+                          const std::vector<int>& fixed_nodes, Ordering ordering) {
   BlockPattern p;
   std::vector<int> free_of_node(static_cast<std::size_t>(n), 0), node_of_free;
   for (const int node : fixed_nodes) {
@@ -59,7 +65,7 @@ BlockPattern make_pattern(const CompositeModel::Impl& model, const std::vector<i
   if (node_of_free.empty())
     throw InputError("fixed_nodes", "", "fix every node of the mesh", "Leave some free to move");
   p.unknowns = static_cast<int>(node_of_free.size());
-  const auto neighbours = neighbours_of(model, free_of_node, p.unknowns);
+  const auto neighbours = neighbours_of(couplings, free_of_node, p.unknowns);
   const std::vector<int> order =
       ordering == Ordering::fill_reducing ? fill_reducing_order(neighbours) : breadth_first_order(neighbours);
   std::vector<int> unknown_of_free(order.size());
@@ -83,8 +89,6 @@ BlockPattern make_pattern(const CompositeModel::Impl& model, const std::vector<i
   return p;
 }
 
-}  // namespace
-
 int BlockPattern::find(int row, int column) const {
   const auto first = rows.begin() + column_start[static_cast<std::size_t>(column)];
   const auto last = rows.begin() + column_start[static_cast<std::size_t>(column) + 1];
@@ -94,7 +98,9 @@ int BlockPattern::find(int row, int column) const {
 
 BlockSystem::BlockSystem(const CompositeModel::Impl& model, const std::vector<int>& fixed_nodes,
                          const BatchKernels& kernels, Ordering ordering)
-    : model_(model), kernels_(kernels), pattern_(make_pattern(model, fixed_nodes, ordering)) {
+    : model_(model),
+      kernels_(kernels),
+      pattern_(make_pattern(model.mesh.vertex_count(), couplings_of(model), fixed_nodes, ordering)) {
   values_.assign(static_cast<std::size_t>(pattern_.block_count() + 1) * 9, 0.0);
   build_groups();
   build_couplings();

@@ -27,6 +27,11 @@ struct BlockPattern {
 /// What the unknowns' order is for: little fill in a factor, or neighbours side by side.
 enum class Ordering { fill_reducing, breadth_first };
 
+/// The pattern of nodes that are coupled: (i, j) of `couplings`, one way or both, fixed ones left out.
+/// @throws InputError for fixed nodes out of range or when all are fixed.
+BlockPattern make_pattern(int nodes, const std::vector<std::array<int, 2>>& couplings,
+                          const std::vector<int>& fixed_nodes, Ordering ordering);
+
 /// The system matrix of one model with given fixed nodes: its pattern (tetrahedra's edges, couplings by
 /// beams) and the places of every element's blocks in it, found once.
 class BlockSystem {

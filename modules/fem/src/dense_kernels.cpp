@@ -234,6 +234,92 @@ GLISSON_INLINE void backward(const double* panel, int stride, int columns, int r
   }
 }
 
+/// M rows of y (kSolveWidth numbers each) -= the sum over k of factor(m, k) times row k of x; the factors of
+/// row m begin at factors + m * step_m, step_k apart.
+template <int Bytes, int M>
+GLISSON_INLINE void subtract_rows(double* y, const double* x, const double* factors, long step_m, long step_k,
+                                  int depth) {
+  using V = typename Vector<Bytes>::type;
+  constexpr int kLanes = Bytes / 8, kVectors = Bytes == 64 ? 4 : 2, kPiece = kVectors * kLanes;
+  for (int piece = 0; piece < kSolveWidth; piece += kPiece) {
+    V sum[M][kVectors];
+#pragma GCC unroll 8
+    for (int m = 0; m < M; ++m)
+#pragma GCC unroll 8
+      for (int v = 0; v < kVectors; ++v)
+        sum[m][v] = *reinterpret_cast<const V*>(y + m * kSolveWidth + piece + v * kLanes);
+    const double *row = x + piece, *here = factors;
+    for (int k = 0; k < depth; ++k, row += kSolveWidth, here += step_k) {
+      V right[kVectors];
+#pragma GCC unroll 8
+      for (int v = 0; v < kVectors; ++v) right[v] = *reinterpret_cast<const V*>(row + v * kLanes);
+#pragma GCC unroll 8
+      for (int m = 0; m < M; ++m) {
+        const double factor = here[m * step_m];
+#pragma GCC unroll 8
+        for (int v = 0; v < kVectors; ++v) sum[m][v] -= right[v] * factor;
+      }
+    }
+#pragma GCC unroll 8
+    for (int m = 0; m < M; ++m)
+#pragma GCC unroll 8
+      for (int v = 0; v < kVectors; ++v)
+        *reinterpret_cast<V*>(y + m * kSolveWidth + piece + v * kLanes) = sum[m][v];
+  }
+}
+
+/// Rows from `first` to `last`, in sixes and threes: both are multiples of 3.
+template <int Bytes>
+GLISSON_INLINE void subtract_all_rows(double* y, int first, int last, const double* x, const double* factors,
+                                      long step_m, long step_k, int depth) {
+  constexpr int kMost = Bytes == 64 ? 6 : 3;
+  int i = first;
+  for (; i + kMost <= last; i += kMost)
+    subtract_rows<Bytes, kMost>(y + static_cast<long>(i) * kSolveWidth, x, factors + i * step_m, step_m,
+                                step_k, depth);
+  for (; i < last; i += 3)
+    subtract_rows<Bytes, 3>(y + static_cast<long>(i) * kSolveWidth, x, factors + i * step_m, step_m, step_k,
+                            depth);
+}
+
+template <int Bytes>
+GLISSON_INLINE void forward_many(const double* panel, int stride, int columns, int rows, double* y) {
+  for (int p = 0; p < columns; p += kPanel) {
+    const int n = std::min(kPanel, columns - p);
+    subtract_all_rows<Bytes>(y, p, p + n, y, panel, 1, stride, p);
+    for (int j = p; j < p + n; ++j) {
+      const double* column = panel + static_cast<long>(j) * stride;
+      double* yj = y + static_cast<long>(j) * kSolveWidth;
+      for (int l = p; l < j; ++l) {
+        const double factor = panel[static_cast<long>(l) * stride + j];
+        const double* yl = y + static_cast<long>(l) * kSolveWidth;
+        for (int c = 0; c < kSolveWidth; ++c) yj[c] -= yl[c] * factor;
+      }
+      for (int c = 0; c < kSolveWidth; ++c) yj[c] /= column[j];
+    }
+  }
+  subtract_all_rows<Bytes>(y, columns, columns + rows, y, panel, 1, stride, columns);
+}
+
+template <int Bytes>
+GLISSON_INLINE void backward_many(const double* panel, int stride, int columns, int rows, double* y) {
+  for (int p = (columns - 1) / kPanel * kPanel; p >= 0; p -= kPanel) {
+    const int n = std::min(kPanel, columns - p), end = p + n;
+    subtract_all_rows<Bytes>(y, p, end, y + static_cast<long>(end) * kSolveWidth, panel + end, stride, 1,
+                             columns + rows - end);
+    for (int j = end - 1; j >= p; --j) {
+      const double* column = panel + static_cast<long>(j) * stride;
+      double* yj = y + static_cast<long>(j) * kSolveWidth;
+      for (int l = end - 1; l > j; --l) {
+        const double factor = column[l];
+        const double* yl = y + static_cast<long>(l) * kSolveWidth;
+        for (int c = 0; c < kSolveWidth; ++c) yj[c] -= yl[c] * factor;
+      }
+      for (int c = 0; c < kSolveWidth; ++c) yj[c] /= column[j];
+    }
+  }
+}
+
 #define GLISSON_KERNELS(suffix, bytes, ...)                                                                \
   __VA_ARGS__ void update_block_##suffix(double* panel, int stride, int first, int width, int from,        \
                                          int to) {                                                         \
@@ -259,13 +345,18 @@ GLISSON_INLINE void backward(const double* panel, int stride, int columns, int r
                                      const double* x2) {                                                   \
     backward<bytes>(panel, stride, columns, rows, x1, x2);                                                 \
   }                                                                                                        \
-  constexpr DenseKernels kKernels_##suffix{update_block_##suffix,                                          \
-                                           factor_block_##suffix,                                          \
-                                           solve_block_##suffix,                                           \
-                                           subtract_product_##suffix,                                      \
-                                           forward_##suffix,                                               \
-                                           backward_##suffix,                                              \
-                                           #suffix};
+  __VA_ARGS__ void forward_many_##suffix(const double* panel, int stride, int columns, int rows,           \
+                                         double* y) {                                                      \
+    forward_many<bytes>(panel, stride, columns, rows, y);                                                  \
+  }                                                                                                        \
+  __VA_ARGS__ void backward_many_##suffix(const double* panel, int stride, int columns, int rows,          \
+                                          double* y) {                                                     \
+    backward_many<bytes>(panel, stride, columns, rows, y);                                                 \
+  }                                                                                                        \
+  constexpr DenseKernels kKernels_##suffix{                                                                \
+      update_block_##suffix,     factor_block_##suffix,  solve_block_##suffix,                             \
+      subtract_product_##suffix, forward_##suffix,       backward_##suffix,                                \
+      forward_many_##suffix,     backward_many_##suffix, #suffix};
 
 GLISSON_KERNELS(avx512, 64, __attribute__((target("avx512f"))))
 GLISSON_KERNELS(avx2, 32, __attribute__((target("avx2"))))

@@ -8,6 +8,9 @@ namespace glisson::fem {
 /// Columns of a panel that are factorised as one block.
 inline constexpr int kPanelBlock = 96;
 
+/// Right-hand sides that are solved for side by side.
+inline constexpr int kSolveWidth = 32;
+
 /// Dense kernels of a front, for the widest vectors that the machine has (AVX-512, AVX2, SSE2), chosen once
 /// at run time. No fused multiply-add and the same order of sums in all of them: the same bits on every
 /// machine.
@@ -33,6 +36,13 @@ struct DenseKernels {
   void (*forward)(const double* panel, int stride, int columns, int rows, double* x1, double* x2);
   /// x1 = L1^-T (x1 - L2^T x2).
   void (*backward)(const double* panel, int stride, int columns, int rows, double* x1, const double* x2);
+  // The same for kSolveWidth right-hand sides: y holds so many numbers a row, first those of the columns,
+  // then those of the rows below.
+
+  /// y1 = L1^-1 y1, y2 -= L2 y1.
+  void (*forward_many)(const double* panel, int stride, int columns, int rows, double* y);
+  /// y1 = L1^-T (y1 - L2^T y2).
+  void (*backward_many)(const double* panel, int stride, int columns, int rows, double* y);
   const char* name;
 };
 

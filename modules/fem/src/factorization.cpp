@@ -7,6 +7,15 @@
 
 namespace glisson::fem {
 
+void Factorization::solve_many(RightHandSides& b) {
+  Eigen::VectorXd column;
+  for (Eigen::Index k = 0; k < b.cols(); ++k) {
+    column = b.col(k);
+    solve(column);
+    b.col(k) = column;
+  }
+}
+
 std::unique_ptr<Factorization> make_factorization(LinearSolver solver, const BlockPattern& pattern,
                                                   int threads) {
   if (solver == LinearSolver::reference) return std::make_unique<CholmodFactorization>(pattern);

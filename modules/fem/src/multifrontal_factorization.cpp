@@ -215,4 +215,59 @@ void MultifrontalFactorization::solve(Eigen::VectorXd& x) {
                          [&] { backward(groups_[1], x, below_theirs_); });
 }
 
+void MultifrontalFactorization::solve_chunk(RightHandSides& b, Eigen::Index first,
+                                            std::vector<double>& buffer) {
+  const Eigen::Index width = std::min<Eigen::Index>(kSolveWidth, b.cols() - first);
+  const auto load = [&](int unknown, double* target) {
+    std::copy_n(b.data() + unknown * b.cols() + first, width, target);
+    std::fill(target + width, target + kSolveWidth, 0.0);
+  };
+  const auto store = [&](const double* source, int unknown) {
+    std::copy_n(source, width, b.data() + unknown * b.cols() + first);
+  };
+  std::vector<char> touched(fronts_.size(), 0);
+  for (std::size_t f = 0; f < fronts_.size(); ++f) {
+    const Layout& layout = layouts_[f];
+    const std::vector<int>& rows = fronts_[f].rows;
+    const int start = 3 * fronts_[f].first;
+    double* y = buffer.data();
+    for (int k = 0; k < layout.columns; ++k) load(start + k, y + k * kSolveWidth);
+    if (touched[f] == 0)
+      touched[f] =
+          std::any_of(y, y + layout.columns * kSolveWidth, [](double value) { return value != 0.0; });
+    if (touched[f] == 0) continue;
+    if (fronts_[f].parent >= 0) touched[static_cast<std::size_t>(fronts_[f].parent)] = 1;
+    double* below = y + layout.columns * kSolveWidth;
+    for (std::size_t r = 0; r < rows.size(); ++r)
+      for (int k = 0; k < 3; ++k)
+        load(3 * rows[r] + k, below + (3 * static_cast<std::ptrdiff_t>(r) + k) * kSolveWidth);
+    kernels_.forward_many(panels_.data() + layout.panel, layout.stride, layout.columns, layout.rows, y);
+    for (int k = 0; k < layout.columns; ++k) store(y + k * kSolveWidth, start + k);
+    for (std::size_t r = 0; r < rows.size(); ++r)
+      for (int k = 0; k < 3; ++k)
+        store(below + (3 * static_cast<std::ptrdiff_t>(r) + k) * kSolveWidth, 3 * rows[r] + k);
+  }
+  for (std::size_t f = fronts_.size(); f-- > 0;) {
+    const Layout& layout = layouts_[f];
+    const std::vector<int>& rows = fronts_[f].rows;
+    const int start = 3 * fronts_[f].first;
+    double* y = buffer.data();
+    double* below = y + layout.columns * kSolveWidth;
+    for (int k = 0; k < layout.columns; ++k) load(start + k, y + k * kSolveWidth);
+    for (std::size_t r = 0; r < rows.size(); ++r)
+      for (int k = 0; k < 3; ++k)
+        load(3 * rows[r] + k, below + (3 * static_cast<std::ptrdiff_t>(r) + k) * kSolveWidth);
+    kernels_.backward_many(panels_.data() + layout.panel, layout.stride, layout.columns, layout.rows, y);
+    for (int k = 0; k < layout.columns; ++k) store(y + k * kSolveWidth, start + k);
+  }
+}
+
+void MultifrontalFactorization::solve_many(RightHandSides& b) {
+  std::size_t tallest = 0;
+  for (const Layout& layout : layouts_)
+    tallest = std::max(tallest, static_cast<std::size_t>(layout.columns + layout.rows));
+  std::vector<double> buffer(tallest * kSolveWidth);
+  for (Eigen::Index first = 0; first < b.cols(); first += kSolveWidth) solve_chunk(b, first, buffer);
+}
+
 }  // namespace glisson::fem

@@ -21,6 +21,8 @@ class MultifrontalFactorization : public Factorization {
                                      const DenseKernels& kernels = dense_kernels());
   bool factorise(const std::vector<double>& values) override;
   void solve(Eigen::VectorXd& b) override;
+  /// By one thread, some columns at a time; subtrees whose right-hand sides are zero are left out.
+  void solve_many(RightHandSides& b) override;
   int threads() const { return companion_ ? 2 : 1; }
 
  private:
@@ -40,6 +42,7 @@ class MultifrontalFactorization : public Factorization {
   /// @return false: not positive definite.
   bool factor_panel(const Layout& layout, bool shared);
   void subtract_product(const Layout& layout, bool shared);
+  void solve_chunk(RightHandSides& b, Eigen::Index first, std::vector<double>& rows);
   void backward(const std::vector<int>& group, Eigen::VectorXd& x, std::vector<double>& below);
   /// Work on rows [from, to), multiples of 8, in two halves when it is `worth` it.
   template <class Work>
