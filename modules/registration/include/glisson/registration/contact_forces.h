@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "glisson/core/run_context.h"
+#include "glisson/fem/elastic_body.h"
+#include "glisson/patient/labelled_cloud.h"
+#include "glisson/patient/patient_model.h"
+#include "glisson/patient/registration.h"
+
+namespace glisson::registration {
+
+/// Where the organ is, from the forces that act on it: unknown forces on patches of the surface, few of which
+/// act (evidence.h), deform the body under an elastic law; closest points of the cloud say, along the
+/// surface's normal alone, what they do. The law, how far the supports give way and the noise are those under
+/// which the cloud is most probable. Lengths in metres; forces for a Young's modulus of 1 Pa.
+struct ContactForceOptions {
+  /// Laws that are tried; the most probable one is kept.
+  std::vector<fem::BodyMaterial> materials{{fem::BodyLaw::linear, 0.42},
+                                           {fem::BodyLaw::linear, 0.47},
+                                           {fem::BodyLaw::neo_hookean, 0.42},
+                                           {fem::BodyLaw::neo_hookean, 0.47}};
+  /// Standard deviations of the cloud across the surface, stage by stage. The stage under which the cloud is
+  /// most probable is the last: the noise is not known.
+  std::vector<double> sigmas{8e-3, 4e-3, 2e-3, 1e-3, 0.5e-3};
+  std::vector<int> fixed_nodes;  ///< stay where the start puts them
+  /// Where no node is fixed the pose is found, too, and springs to the ground stand for supports that nobody
+  /// knows: stiffness of each node's over (its volume times E / (0.1 m)^2). The most probable one is kept.
+  std::vector<double> grounds{0.01, 0.03, 0.1, 0.3};
+  double patch_spacing = 12.5e-3, patch_radius = 20e-3;
+  double patch_reach = 8e-3;  ///< of patches from what is seen
+  int iterations = 4;         ///< a stage, each with new closest points
+  double outlier_distance =
+      3e-3;                 ///< at which a point's weight is a half (Cauchy), or two sigmas if that is more
+  double max_step = 20e-3;  ///< of a node in an iteration
+  int most_points = 500;    ///< a larger cloud is thinned evenly
+  int threads = 2;          ///< 1 or 2: the same bits
+  /// @throws InputError naming the option.
+  void validate() const;
+};
+
+/// One law's fit.
+struct LawFit {
+  fem::BodyMaterial material;
+  double ground = 0.0;
+  double log_evidence = 0.0;  ///< of the last stage, ln; minus infinity: the mechanics failed
+  double sigma = 0.0;         ///< of the most probable stage, m
+  double residual = 0.0;      ///< mean distance of the cloud along the normals, m
+  Termination termination = Termination::diverged;  ///< converged: the last step was under 0.1 mm
+};
+
+/// A patch on which a force acts.
+struct ContactForce {
+  int node = -1;                                    ///< at its centre
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< N for E = 1 Pa, CT frame
+  double deviation = 0.0;                           ///< of each component, posterior, likewise
+};
+
+struct ContactForceFit {
+  CameraFromCt camera_from_ct;
+  Points nodes_in_camera;
+  std::vector<LawFit> laws;          ///< as tried
+  int chosen = -1;                   ///< of laws
+  std::vector<ContactForce> forces;  ///< of the chosen law, the strongest first
+  int patches = 0;                   ///< offered
+  /// Root mean square of each node's error that the posterior of forces and pose expects, m. It knows of the
+  /// noise and of forces where something is seen, not of forces elsewhere or of another law.
+  Eigen::VectorXd expected_error;
+  double residual = 0.0;  ///< mean distance along the normals, m
+  int iterations = 0;
+  Termination termination = Termination::diverged;
+};
+
+/// @param start where the model's rest shape is before the camera; stays where nodes are fixed.
+/// @throws InputError fewer than 10 points, not finite, options, mesh, fixed nodes out of range;
+/// NumericalError when no law has an equilibrium.
+Cancellable<ContactForceFit> fit_contact_forces(const PatientModel& model, const LabelledCloud& cloud,
+                                                const CameraFromCt& start, const ContactForceOptions& options,
+                                                const RunContext& context);
+
+}  // namespace glisson::registration

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+
+#include "force_patches.h"
+#include "glisson/registration/contact_forces.h"
+#include "glisson/registration/evidence.h"
+#include "glisson/registration/moving_surface.h"
+#include "glisson/registration/pairs.h"
+
+namespace glisson::registration {
+
+/// What all laws' fits of one cloud share. Read only.
+struct ForceProblem {
+  const PatientModel& model;
+  const ContactForceOptions& options;
+  PreparedCloud cloud;
+  MovingSurface surface;
+  fem::ElasticBody body;
+  ForceSurface force_surface;
+  CameraFromCt start;
+  bool free_pose;
+
+  ForceProblem(const PatientModel& model, const LabelledCloud& cloud, const CameraFromCt& start,
+               const ContactForceOptions& options);
+};
+
+/// Prototype F of the registration's study: one law, all stages.
+class ForceFitter {
+ public:
+  ForceFitter(const ForceProblem& problem, const fem::BodyMaterial& material, double ground);
+  /// @return false: cancelled. `advance` is called after each stage.
+  bool run(const RunContext& context, const std::function<void()>& advance);
+  /// With the forces and the expected error.
+  ContactForceFit result() const;
+  const LawFit& law() const { return best_.law; }
+
+ private:
+  struct State {
+    CameraFromCt pose;
+    Points x;  ///< CT frame
+    LawFit law;
+    std::vector<ForcePatch> patches;
+    Eigen::VectorXd amplitudes;
+    Eigen::VectorXd expected_error;
+    Eigen::VectorXd deviations;  ///< of the amplitudes
+  };
+  /// The cloud's closest points and what they say.
+  struct Rows {
+    std::vector<Carrier> carriers;
+    Points points, normals;  ///< on the model
+    Eigen::VectorXd gap, sigma;
+  };
+  Rows pair(double sigma);
+  double energy(const Points& x, Points* gradient) const;
+  void choose_patches(const Rows& rows);
+  Eigen::MatrixXd design(const Rows& rows) const;
+  bool stage(double sigma, const RunContext& context);
+  double step(const EvidencePosterior& found, const Points& relax, double energy_here);
+  void keep(const EvidencePosterior& found);
+
+  const ForceProblem& problem_;
+  fem::ElasticBody body_;
+  MovingSurface surface_;
+  Eigen::VectorXd springs_;
+  Eigen::Vector3d centre_;
+  State now_, best_;
+  fem::NodalColumns responses_;  ///< displacements for a unit of each patch's x, y, z
+  Eigen::VectorXd variances_;
+  int iterations_ = 0;
+};
+
+}  // namespace glisson::registration

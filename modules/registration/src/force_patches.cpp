@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "force_patches.h"
+
+#include <limits>
+
+namespace glisson::registration {
+
+/// Cosine between normals above which a patch goes on: not through a thin lobe to its other face.
+constexpr double kAlike = 0.2;
+
+ForceSurface::ForceSurface(const BoundarySurface& surface, const Points& rest,
+                           const std::vector<char>& fixed) {
+  TriangleMesh mesh = surface.mesh;
+  for (int v = 0; v < mesh.vertex_count(); ++v)
+    mesh.vertices.row(v) = rest.row(surface.node_of_vertex[static_cast<std::size_t>(v)]);
+  const Points normals = vertex_normals(mesh);
+  const Eigen::VectorXd areas = vertex_areas(mesh);
+  std::vector<int> kept;
+  for (int v = 0; v < mesh.vertex_count(); ++v)
+    if (const int node = surface.node_of_vertex[static_cast<std::size_t>(v)];
+        fixed[static_cast<std::size_t>(node)] == 0) {
+      nodes_.push_back(node);
+      kept.push_back(v);
+    }
+  positions_ = mesh.vertices(kept, Eigen::all);
+  normals_ = normals(kept, Eigen::all);
+  areas_ = areas(kept);
+}
+
+ForcePatch ForceSurface::patch(Eigen::Index centre, double radius) const {
+  ForcePatch patch;
+  patch.node = nodes_[static_cast<std::size_t>(centre)];
+  double sum = 0.0;
+  for (Eigen::Index i = 0; i < positions_.rows(); ++i) {
+    const double share = (positions_.row(i) - positions_.row(centre)).squaredNorm() / (radius * radius);
+    if (share >= 1.0 || !(normals_.row(i).dot(normals_.row(centre)) > kAlike)) continue;
+    patch.weights.emplace_back(nodes_[static_cast<std::size_t>(i)], (1.0 - share) * areas_[i]);
+    sum += patch.weights.back().second;
+  }
+  for (auto& [node, weight] : patch.weights) weight /= sum;
+  return patch;
+}
+
+std::vector<ForcePatch> ForceSurface::patches(const Points& seen, const PatchGrid& grid) const {
+  std::vector<Eigen::Index> candidates;
+  for (Eigen::Index i = 0; i < positions_.rows(); ++i)
+    if ((seen.rowwise() - positions_.row(i)).rowwise().squaredNorm().minCoeff() < grid.reach * grid.reach)
+      candidates.push_back(i);
+  std::vector<ForcePatch> patches;
+  if (candidates.empty()) return patches;
+  const Points open = positions_(candidates, Eigen::all);
+  Eigen::VectorXd distance = Eigen::VectorXd::Constant(open.rows(), std::numeric_limits<double>::infinity());
+  Eigen::Index next = 0;
+  (open.rowwise() - seen.colwise().mean()).rowwise().squaredNorm().minCoeff(&next);
+  do {
+    patches.push_back(patch(candidates[static_cast<std::size_t>(next)], grid.radius));
+    distance = distance.cwiseMin((open.rowwise() - open.row(next)).rowwise().squaredNorm());
+  } while (distance.maxCoeff(&next) > grid.spacing * grid.spacing);
+  return patches;
+}
+
+}  // namespace glisson::registration

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/registration/contact_forces.h"
+
+#include <QtTest>
+#include <chrono>
+#include <fstream>
+#include <random>
+
+#include "data_folder.h"
+#include "glisson/core/error.h"
+#include "glisson/geometry/mesh_io.h"
+#include "phantom.h"
+
+using namespace glisson;
+using namespace glisson::registration;
+
+namespace {
+
+/// A phantom held at the back and pulled at one place: its forces' equilibrium under the linear law.
+struct Pulled {
+  PatientModel model = phantom::model(10, 8, 6);
+  std::vector<int> fixed;
+  Points truth;
+  LabelledCloud cloud;
+
+  explicit Pulled(const Eigen::Vector3d& pull = {0.0, 0.004, 0.012}) {
+    model.landmarks = {};
+    for (int i = 0; i < model.mesh.vertex_count(); ++i)
+      if (model.mesh.vertices(i, 1) > 0.055) fixed.push_back(i);
+    fem::ElasticBody body(model.mesh, fixed);
+    body.set_material({fem::BodyLaw::linear, 0.45});
+    Points force = Points::Zero(body.node_count(), 3);
+    const Eigen::Vector3d at = phantom::shape(0.2, -0.3, 1.0);
+    for (const int node : model.surface.node_of_vertex)
+      if ((model.mesh.vertex(node) - at).norm() < 0.018) force.row(node) = pull.transpose();
+    body.factorise(body.rest(), {});
+    Points moved = body.solve(force);
+    moved *= 0.012 / moved.rowwise().norm().maxCoeff();
+    truth = body.rest() + moved;
+    see(truth);
+  }
+  /// Points of the dome.
+  void see(const Points& nodes) {
+    TriangleMesh now = model.surface.mesh;
+    for (int v = 0; v < now.vertex_count(); ++v)
+      now.vertices.row(v) = nodes.row(model.surface.node_of_vertex[static_cast<std::size_t>(v)]);
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> uniform(0.0, 1.0);
+    std::vector<Eigen::Vector3d> points;
+    const Points normals = triangle_normals(model.surface.mesh);
+    std::uniform_int_distribution<int> which(0, now.triangle_count() - 1);
+    while (points.size() < 300) {
+      const int t = which(random);
+      if (normals(t, 2) < 0.4) continue;
+      double a = uniform(random), b = uniform(random);
+      if (a + b > 1.0) a = 1.0 - a, b = 1.0 - b;
+      points.emplace_back((1.0 - a - b) * now.vertex(now.triangles(t, 0)) +
+                          a * now.vertex(now.triangles(t, 1)) + b * now.vertex(now.triangles(t, 2)));
+    }
+    cloud.points.resize(static_cast<Eigen::Index>(points.size()), 3);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      cloud.points.row(static_cast<Eigen::Index>(i)) = points[i].transpose();
+  }
+  ContactForceOptions options() const {
+    ContactForceOptions options;
+    options.fixed_nodes = fixed;
+    options.materials = {{fem::BodyLaw::linear, 0.45}, {fem::BodyLaw::neo_hookean, 0.47}};
+    return options;
+  }
+  ContactForceFit fit(const ContactForceOptions& options, const CameraFromCt& start = {}) const {
+    return *fit_contact_forces(model, cloud, start, options, RunContext());
+  }
+  double error(const ContactForceFit& fit) const {
+    return (fit.nodes_in_camera - truth).rowwise().norm().mean();
+  }
+  double motion() const { return (model.mesh.vertices - truth).rowwise().norm().mean(); }
+};
+
+}  // namespace
+
+class ContactForcesTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void FindsTheShapeTheLawAndThePlace() {
+    const Pulled pulled;
+    const ContactForceFit fit = pulled.fit(pulled.options());
+    QVERIFY2(pulled.error(fit) < 0.12 * pulled.motion(),
+             qPrintable(QString("%1 of %2 mm").arg(1e3 * pulled.error(fit)).arg(1e3 * pulled.motion())));
+    QVERIFY(fit.laws[static_cast<std::size_t>(fit.chosen)].material.law == fem::BodyLaw::linear);
+    QVERIFY(!fit.forces.empty() && static_cast<int>(fit.forces.size()) < fit.patches);
+    const Eigen::Vector3d at = phantom::shape(0.2, -0.3, 1.0);
+    QVERIFY((pulled.model.mesh.vertex(fit.forces.front().node) - at).norm() < 0.02);
+    for (const int node : pulled.fixed)
+      QVERIFY((fit.nodes_in_camera.row(node) - pulled.model.mesh.vertices.row(node)).norm() < 1e-12);
+  }
+
+  void OneThreadAndTwoGiveTheSameBits() {
+    const Pulled pulled;
+    ContactForceOptions options = pulled.options();
+    const ContactForceFit two = pulled.fit(options);
+    options.threads = 1;
+    const ContactForceFit one = pulled.fit(options);
+    QVERIFY((one.nodes_in_camera.array() == two.nodes_in_camera.array()).all());
+    QVERIFY((one.expected_error.array() == two.expected_error.array()).all());
+    for (std::size_t k = 0; k < one.laws.size(); ++k)
+      QVERIFY(one.laws[k].log_evidence == two.laws[k].log_evidence);
+  }
+
+  void AnotherFrameIsNoMatter() {
+    Pulled pulled;
+    const ContactForceFit plain = pulled.fit(pulled.options());
+    const CameraFromCt pose = phantom::view(0.7);
+    pulled.cloud.points = pose.apply(pulled.cloud.points);
+    const ContactForceFit posed = pulled.fit(pulled.options(), pose);
+    QVERIFY((posed.nodes_in_camera - pose.apply(plain.nodes_in_camera)).rowwise().norm().maxCoeff() < 1e-5);
+    // And both turned together, model and cloud.
+    PatientModel turned = pulled.model;
+    turned.mesh.vertices = pose.apply(turned.mesh.vertices);
+    turned.surface = boundary_surface(turned.mesh);
+    const auto fit = fit_contact_forces(turned, pulled.cloud, {}, pulled.options(), RunContext());
+    QVERIFY((fit->nodes_in_camera - pose.apply(plain.nodes_in_camera)).rowwise().norm().mean() < 2e-4);
+    QVERIFY(fit->chosen == plain.chosen);
+  }
+
+  void NumberingOfNodesIsNoMatter() {
+    const Pulled pulled;
+    const ContactForceFit plain = pulled.fit(pulled.options());
+    Pulled other = pulled;
+    const int n = pulled.model.mesh.vertex_count();
+    other.model.mesh.vertices = pulled.model.mesh.vertices.colwise().reverse();
+    other.model.mesh.tetrahedra = (n - 1 - pulled.model.mesh.tetrahedra.array()).matrix();
+    other.model.surface = boundary_surface(other.model.mesh);
+    for (int& node : other.fixed) node = n - 1 - node;
+    const ContactForceFit fit = other.fit(other.options());
+    const Points back = fit.nodes_in_camera.colwise().reverse();
+    QVERIFY((back - plain.nodes_in_camera).rowwise().norm().mean() < 2e-4);
+  }
+
+  void NothingFixedThePoseIsFoundToo() {
+    Pulled pulled;
+    CameraFromCt off;
+    off.rotation = Eigen::AngleAxisd(0.06, Eigen::Vector3d(1, 2, -1).normalized()).toRotationMatrix();
+    off.translation = Eigen::Vector3d(0.003, -0.004, 0.002);
+    ContactForceOptions options = pulled.options();
+    options.fixed_nodes.clear();
+    const ContactForceFit fit = pulled.fit(options, off);
+    const double before = (off.apply(pulled.model.mesh.vertices) - pulled.truth).rowwise().norm().mean();
+    QVERIFY2(pulled.error(fit) < 0.5 * before,
+             qPrintable(QString("%1 of %2 mm").arg(1e3 * pulled.error(fit)).arg(1e3 * before)));
+    QVERIFY(fit.laws.size() == options.materials.size() * options.grounds.size());
+  }
+
+  void ExpectedErrorGrowsAwayFromWhatIsSeen() {
+    const Pulled pulled;
+    const ContactForceFit fit = pulled.fit(pulled.options());
+    QVERIFY(fit.expected_error.allFinite() && fit.expected_error.minCoeff() >= 0.0);
+    for (const int node : pulled.fixed) QVERIFY(fit.expected_error[node] == 0.0);
+    QVERIFY(fit.expected_error.maxCoeff() > 0.0);
+  }
+
+  void CancelEndsIt() {
+    const Pulled pulled;
+    const auto flag = std::make_shared<CancelFlag>();
+    std::chrono::steady_clock::time_point asked;
+    const RunContext context(
+        [&](double, std::string_view) {
+          if (!flag->requested()) asked = std::chrono::steady_clock::now();
+          flag->request();
+        },
+        flag, 1);
+    QVERIFY(!fit_contact_forces(pulled.model, pulled.cloud, {}, pulled.options(), context));
+    QVERIFY(std::chrono::steady_clock::now() - asked < std::chrono::seconds(2));
+  }
+
+  void RefusesUnusableInput() {
+    const Pulled pulled;
+    const auto refused = [&](const auto& change) {
+      ContactForceOptions options = pulled.options();
+      change(options);
+      QVERIFY_EXCEPTION_THROWN(pulled.fit(options), InputError);
+    };
+    refused([](auto& o) { o.materials.clear(); });
+    refused([](auto& o) { o.materials.front().poisson_ratio = 0.5; });
+    refused([](auto& o) { o.sigmas.clear(); });
+    refused([](auto& o) { o.sigmas.front() = 0.0; });
+    refused([](auto& o) { o.grounds.clear(); });
+    refused([](auto& o) { o.grounds.front() = -1.0; });
+    refused([](auto& o) { o.patch_spacing = 0.0; });
+    refused([](auto& o) { o.patch_radius = 0.0; });
+    refused([](auto& o) { o.patch_reach = 0.0; });
+    refused([](auto& o) { o.iterations = 0; });
+    refused([](auto& o) { o.outlier_distance = 0.0; });
+    refused([](auto& o) { o.max_step = 0.0; });
+    refused([](auto& o) { o.most_points = 9; });
+    refused([](auto& o) { o.threads = 3; });
+    refused([](auto& o) { o.fixed_nodes = {-1}; });
+    Pulled few;
+    few.cloud.points.conservativeResize(9, 3);
+    QVERIFY_EXCEPTION_THROWN(few.fit(few.options()), InputError);
+    few.cloud.points = Points::Constant(20, 3, std::nan(""));
+    QVERIFY_EXCEPTION_THROWN(few.fit(few.options()), InputError);
+  }
+
+  void ForeignSequence() {
+    const std::filesystem::path folder = test::data_folder() / "elastic_sequence";
+    if (!std::filesystem::exists(folder)) QSKIP("elastic_sequence is not here (set GLISSON_DATA)");
+    PatientModel model;
+    model.mesh = read_tet_mesh(folder / "rest.vtk", LengthUnit::millimetre);
+    model.surface = boundary_surface(model.mesh);
+    ContactForceOptions options;
+    std::ifstream fixed(folder / "fixed_vertices.txt");
+    for (int node = 0; fixed >> node;) options.fixed_nodes.push_back(node);
+    const LabelledCloud cloud = read_cloud(folder / "cloud_00.ply");
+    std::ifstream file(folder / "truth_00.xyz");
+    Points truth(model.mesh.vertex_count(), 3);
+    for (double& value : truth.reshaped<Eigen::RowMajor>()) file >> value, value *= 1e-3;
+    const auto fit = fit_contact_forces(model, cloud, {}, options, RunContext());
+    const double error = 1e3 * (fit->nodes_in_camera - truth).rowwise().norm().mean();
+    QVERIFY2(error < 0.45, qPrintable(QString("%1 mm").arg(error)));
+    QVERIFY(fit->laws[static_cast<std::size_t>(fit->chosen)].material.law == fem::BodyLaw::linear);
+  }
+};
+
+QTEST_APPLESS_MAIN(ContactForcesTest)
+#include "contact_forces_test.moc"
