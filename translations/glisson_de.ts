@@ -469,6 +469,14 @@
         <translation>Zwei starre Lagen passen fast gleich gut; die bessere wurde genommen.</translation>
     </message>
     <message>
+        <source>Two elastic laws explain the points almost equally well, but place the organ differently; the better one was taken.</source>
+        <translation>Zwei Elastizitätsgesetze erklären die Punkte fast gleich gut, legen das Organ aber verschieden; das bessere wurde genommen.</translation>
+    </message>
+    <message>
+        <source>The search for contact forces ended before it had come to rest.</source>
+        <translation>Die Suche nach Kontaktkräften endete, bevor sie zur Ruhe kam.</translation>
+    </message>
+    <message>
         <source>Many points do not fit the model and were left aside.</source>
         <translation>Viele Punkte passen nicht zum Modell und blieben außer Betracht.</translation>
     </message>
@@ -892,6 +900,10 @@
     <message>
         <source>elastic deformation</source>
         <translation>elastische Verformung</translation>
+    </message>
+    <message>
+        <source>contact forces</source>
+        <translation>Kontaktkräfte</translation>
     </message>
     <message>
         <source>Background</source>
@@ -1367,6 +1379,10 @@
     <message>
         <source>Nodes that stay where the rigid start puts them (0-based numbers).</source>
         <translation>Knoten, die bleiben, wo der starre Start sie hinlegt (Nummern ab 0).</translation>
+    </message>
+    <message>
+        <source>How the shape is found: forces (few contact forces on the surface, elastic law by evidence), springs (the paper&apos;s) or automatic (forces for a bare mesh, springs for a patient&apos;s model).</source>
+        <translation>Wie die Form gefunden wird: forces (wenige Kontaktkräfte auf der Oberfläche, Elastizitätsgesetz nach Evidenz), springs (das Verfahren der Veröffentlichung) oder automatic (forces für ein bloßes Netz, springs für das Modell eines Patienten).</translation>
     </message>
     <message>
         <source>What is known of the deformation before the cloud is seen: operations (simulated on this model; needs the vena cava&apos;s landmark) or none (elasticity alone, the paper&apos;s method).</source>

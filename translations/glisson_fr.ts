@@ -469,6 +469,14 @@
         <translation>Deux positions rigides conviennent presque aussi bien ; la meilleure a été prise.</translation>
     </message>
     <message>
+        <source>Two elastic laws explain the points almost equally well, but place the organ differently; the better one was taken.</source>
+        <translation>Deux lois élastiques expliquent les points presque aussi bien, mais placent l'organe différemment ; la meilleure a été retenue.</translation>
+    </message>
+    <message>
+        <source>The search for contact forces ended before it had come to rest.</source>
+        <translation>La recherche des forces de contact s'est arrêtée avant d'arriver au repos.</translation>
+    </message>
+    <message>
         <source>Many points do not fit the model and were left aside.</source>
         <translation>Beaucoup de points ne correspondent pas au modèle et ont été laissés de côté.</translation>
     </message>
@@ -892,6 +900,10 @@
     <message>
         <source>elastic deformation</source>
         <translation>déformation élastique</translation>
+    </message>
+    <message>
+        <source>contact forces</source>
+        <translation>forces de contact</translation>
     </message>
     <message>
         <source>Background</source>
@@ -1367,6 +1379,10 @@
     <message>
         <source>Nodes that stay where the rigid start puts them (0-based numbers).</source>
         <translation>Nœuds qui restent où le départ rigide les met (numéros à partir de 0).</translation>
+    </message>
+    <message>
+        <source>How the shape is found: forces (few contact forces on the surface, elastic law by evidence), springs (the paper&apos;s) or automatic (forces for a bare mesh, springs for a patient&apos;s model).</source>
+        <translation>Comment la forme est trouvée : forces (quelques forces de contact à la surface, loi élastique selon l&apos;évidence), springs (celle de la publication) ou automatic (forces pour un maillage seul, springs pour le modèle d&apos;un patient).</translation>
     </message>
     <message>
         <source>What is known of the deformation before the cloud is seen: operations (simulated on this model; needs the vena cava&apos;s landmark) or none (elasticity alone, the paper&apos;s method).</source>

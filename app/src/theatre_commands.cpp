@@ -28,6 +28,13 @@ void append(Figures& figures, const Figures& more) {
   for (const auto& [key, value] : more) figures[key] = value;
 }
 
+registration::Method method_of(const QString& name) {
+  if (name == "automatic") return registration::Method::automatic;
+  if (name == "forces") return registration::Method::forces;
+  if (name == "springs") return registration::Method::springs;
+  throw UsageError("--method " + name.toStdString() + ": must be automatic, forces or springs.");
+}
+
 /// The files that a printf-like pattern ('cloud_%02d.ply') stands for, in order, with their numbers.
 std::vector<std::pair<int, fs::path>> expand(const QString& pattern) {
   static const QRegularExpression kNumber("%(0?)(\\d*)d");
@@ -140,6 +147,12 @@ int run_register(const QStringList& given) {
   arguments.option("fixed", Cli::tr("Nodes that stay where the rigid start puts them (0-based numbers)."),
                    "FILE");
   arguments.option(
+      "method",
+      Cli::tr("How the shape is found: forces (few contact forces on the surface, elastic law by "
+              "evidence), springs (the paper's) or automatic (forces for a bare mesh, springs "
+              "for a patient's model)."),
+      "automatic|forces|springs", "automatic");
+  arguments.option(
       "prior",
       Cli::tr("What is known of the deformation before the cloud is seen: operations (simulated on this "
               "model; needs the vena cava's landmark) or none (elasticity alone, the paper's method)."),
@@ -160,6 +173,7 @@ int run_register(const QStringList& given) {
   engine::Register command;
   command.elastic = elastic_options(arguments, session);
   command.elastic.fixed_nodes = fixed_nodes(arguments, session);
+  command.method = method_of(arguments.value("method"));
   const QString prior = arguments.value("prior");
   if (prior != "operations" && prior != "none")
     throw UsageError("--prior " + prior.toStdString() + ": must be operations or none.");

@@ -147,7 +147,8 @@ class ContactForcesTest : public QObject {
     const double before = (off.apply(pulled.model.mesh.vertices) - pulled.truth).rowwise().norm().mean();
     QVERIFY2(pulled.error(fit) < 0.5 * before,
              qPrintable(QString("%1 of %2 mm").arg(1e3 * pulled.error(fit)).arg(1e3 * before)));
-    QVERIFY(fit.laws.size() == options.materials.size() * options.grounds.size());
+    // Grounds under one law, the other laws with the best of them.
+    QVERIFY(fit.laws.size() == options.grounds.size() + options.materials.size() - 1);
   }
 
   void ExpectedErrorGrowsAwayFromWhatIsSeen() {

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cmath>
 #include <exception>
+#include <functional>
 #include <memory>
 #include <thread>
 
@@ -15,57 +16,81 @@ namespace glisson::registration {
 namespace {
 
 /// Fits that do not depend on each other, on one thread or two: each is one thread's from start to end, so
-/// that its bits are the same. @return false: cancelled.
+/// that its bits are the same.
 class Fits {
  public:
-  Fits(const ForceProblem& problem, const RunContext& context, double share_done, double share)
-      : problem_(problem), context_(context), from_(share_done), share_(share) {}
+  Fits(const ForceProblem& problem, const RunContext& context) : problem_(problem), context_(context) {}
 
-  bool run(const std::vector<std::pair<fem::BodyMaterial, double>>& tasks) {
-    for (const auto& [material, ground] : tasks)
-      fitters_.push_back(std::make_unique<ForceFitter>(problem_, material, ground));
-    std::exception_ptr error;
+  void add(const fem::BodyMaterial& material, double ground) {
+    fitters_.push_back(std::make_unique<ForceFitter>(problem_, material, ground));
+  }
+
+  /// Runs those added since. @param from, to share of the work, for the progress. @return false: cancelled.
+  bool run(double from, double to) {
+    first_ = next_ = done_;
+    stages_ = 0;
+    std::exception_ptr own, theirs;
     std::thread second;
-    if (problem_.options.threads > 1 && tasks.size() > 1)
-      second = std::thread([&] {
-        try {
-          work(false);
-        } catch (...) {
-          error = std::current_exception();
-        }
-      });
-    std::exception_ptr own;
-    try {
-      work(true);
-    } catch (...) {
-      own = std::current_exception();
-      next_ = fitters_.size();
-    }
+    if (problem_.options.threads > 1 && fitters_.size() - first_ > 1)
+      second = std::thread([&] { guarded([](double) {}, theirs); });
+    guarded([&](double share) { context_.progress(from + (to - from) * share, "registration.forces"); }, own);
     if (second.joinable()) second.join();
-    if (own) std::rethrow_exception(own);
-    if (error) std::rethrow_exception(error);
+    for (const auto& error : {own, theirs})
+      if (error) std::rethrow_exception(error);
+    done_ = fitters_.size();
     return !cancelled_;
   }
-  std::vector<std::unique_ptr<ForceFitter>>& all() { return fitters_; }
+
+  const ForceFitter& best() const { return *fitters_[best_index()]; }
+
+  /// The most probable law's, and what the others say of it.
+  ContactForceFit chosen() const {
+    ContactForceFit fit = best().result();
+    fit.chosen = static_cast<int>(best_index());
+    Eigen::VectorXd squares = Eigen::VectorXd::Zero(fit.expected_error.size());
+    double total = 0.0;
+    for (const auto& fitter : fitters_) {
+      fit.laws.push_back(fitter->law());
+      if (!std::isfinite(fitter->law().log_evidence)) continue;
+      const ContactForceFit other = fitter->result();
+      const Eigen::VectorXd away = (other.nodes_in_camera - fit.nodes_in_camera).rowwise().norm();
+      fit.laws.back().away = away.mean();
+      const double probability = std::exp(fitter->law().log_evidence - best().law().log_evidence);
+      squares += probability * (other.expected_error.cwiseAbs2() + away.cwiseAbs2());
+      total += probability;
+    }
+    fit.expected_error = (squares / total).cwiseSqrt();
+    return fit;
+  }
 
  private:
-  /// @param reports progress is told by one thread alone.
-  void work(bool reports) {
-    for (std::size_t k = next_++; k < fitters_.size(); k = next_++) {
-      const auto advance = [&] {
-        const int done = ++stages_;
-        const auto all = static_cast<double>(fitters_.size() * problem_.options.sigmas.size());
-        if (reports) context_.progress(from_ + share_ * std::min(1.0, done / all), "registration.forces");
-      };
-      if (!fitters_[k]->run(context_, advance)) cancelled_ = true;
-      if (cancelled_) return;
+  std::size_t best_index() const {
+    std::size_t best = 0;
+    for (std::size_t k = 1; k < done_; ++k)
+      if (fitters_[k]->law().log_evidence > fitters_[best]->law().log_evidence) best = k;
+    return best;
+  }
+
+  /// @param report progress is told by one thread alone.
+  void guarded(const std::function<void(double)>& report, std::exception_ptr& error) {
+    try {
+      for (std::size_t k = next_++; k < fitters_.size() && !cancelled_; k = next_++) {
+        const auto advance = [&] {
+          const auto all = static_cast<double>((fitters_.size() - first_) * problem_.options.sigmas.size());
+          report(std::min(1.0, ++stages_ / all));
+        };
+        if (!fitters_[k]->run(context_, advance)) cancelled_ = true;
+      }
+    } catch (...) {
+      error = std::current_exception();
+      next_ = fitters_.size();
     }
   }
 
   const ForceProblem& problem_;
   const RunContext& context_;
-  double from_, share_;
   std::vector<std::unique_ptr<ForceFitter>> fitters_;
+  std::size_t first_ = 0, done_ = 0;
   std::atomic<std::size_t> next_{0};
   std::atomic<int> stages_{0};
   std::atomic<bool> cancelled_{false};
@@ -100,20 +125,20 @@ Cancellable<ContactForceFit> fit_contact_forces(const PatientModel& model, const
                                                 const RunContext& context) {
   options.validate();
   const ForceProblem problem(model, cloud, start, options);
-  std::vector<std::pair<fem::BodyMaterial, double>> tasks;
+  Fits fits(problem, context);
+  double ground = 0.0;
+  if (problem.free_pose) {
+    const fem::BodyMaterial& material = options.materials.back();
+    for (const double one : options.grounds) fits.add(material, one);
+    if (!fits.run(0.0, 0.5)) return std::nullopt;
+    ground = fits.best().law().ground;
+  }
   for (const auto& material : options.materials)
-    for (const double ground : problem.free_pose ? options.grounds : std::vector<double>{0.0})
-      tasks.emplace_back(material, ground);
-  Fits fits(problem, context, 0.0, 1.0);
-  if (!fits.run(tasks)) return std::nullopt;
-  const auto best = std::max_element(fits.all().begin(), fits.all().end(), [](const auto& a, const auto& b) {
-    return a->law().log_evidence < b->law().log_evidence;
-  });
-  if (!std::isfinite((*best)->law().log_evidence))
+    if (!problem.free_pose || material != options.materials.back()) fits.add(material, ground);
+  if (!fits.run(problem.free_pose ? 0.5 : 0.0, 1.0)) return std::nullopt;
+  if (!std::isfinite(fits.best().law().log_evidence))
     throw NumericalError("No equilibrium under contact forces was found: the mesh may have flat elements.");
-  ContactForceFit fit = (*best)->result();
-  fit.chosen = static_cast<int>(best - fits.all().begin());
-  for (const auto& fitter : fits.all()) fit.laws.push_back(fitter->law());
+  ContactForceFit fit = fits.chosen();
   context.progress(1.0, "registration.forces");
   return fit;
 }

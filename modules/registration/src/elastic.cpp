@@ -14,10 +14,6 @@ namespace {
 /// A stage that neither rests nor ends is left after so many steps: a limit cycle of the pairing.
 constexpr int kStageSteps = 80;
 
-/// Where less of the surface is seen the paper's error exceeds 3 mm (Fig. 8), and ours may be centimetres far
-/// from what is seen (see the README).
-constexpr double kLittleSeen = 0.2;
-
 /// Watches for eq. 15's plateaus.
 class Plateau {
  public:
@@ -136,25 +132,11 @@ class ElasticRun {
     return true;
   }
 
-  /// What lies within 8 mm of a point of the cloud: at the least density that the paper needs (0.7 points per
-  /// cm2) the points of a patch are 12 mm apart.
-  double seen_share() const {
-    constexpr double kNear = 8e-3;
-    const TriangleMesh& mesh = surface_.mesh();
-    const Eigen::VectorXd areas = vertex_areas(mesh);
-    double seen = 0.0;
-    for (int v = 0; v < mesh.vertex_count(); ++v)
-      if ((cloud_.cloud.points.rowwise() - mesh.vertices.row(v)).rowwise().squaredNorm().minCoeff() <
-          kNear * kNear)
-        seen += areas[v];
-    return seen / areas.sum();
-  }
-
   Registration finish(Termination termination) {
     registration_.termination = termination;
     registration_.nodes_in_camera = integrator_.positions();
     registration_.residual = mean_distance(pairs_);
-    registration_.seen_share = seen_share();
+    registration_.seen_share = seen_share(surface_.mesh(), cloud_.cloud.points);
     int margin = 0, notch = 0, kept = 0;
     for (const Pair& pair : pairs_) {
       margin += pair.feature == Feature::anterior_margin;

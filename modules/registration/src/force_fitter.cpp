@@ -37,7 +37,7 @@ ForceProblem::ForceProblem(const PatientModel& m, const LabelledCloud& c, const 
       options(o),
       cloud(prepare_cloud(c, {3.9, o.most_points, 10})),
       surface(m, SurfaceDetail::fine),
-      body(m.mesh, o.fixed_nodes),
+      body(m.mesh, o.fixed_nodes, o.stiffness),
       force_surface(m.surface, m.mesh.vertices, fixed_of(body)),
       start(s),
       free_pose(o.fixed_nodes.empty()) {}
@@ -183,7 +183,10 @@ bool ForceFitter::stage(double sigma, const RunContext& context) {
   const double nothing = -std::numeric_limits<double>::infinity();
   now_.law.sigma = sigma;
   now_.law.log_evidence = nothing;
-  if (!body_.factorise(now_.x, springs_)) return true;
+  // The linear law's factor is the same everywhere.
+  if (!factorised_ || body_.material().law != fem::BodyLaw::linear)
+    factorised_ = body_.factorise(now_.x, springs_);
+  if (!factorised_) return true;
   EvidencePosterior found;
   double motion = 0.0;
   for (int iteration = 0; iteration < problem_.options.iterations; ++iteration) {
@@ -217,6 +220,7 @@ bool ForceFitter::stage(double sigma, const RunContext& context) {
     found = posterior(problem, variances_);
     now_.law.log_evidence = found.log_evidence;
     now_.law.residual = rows.gap.cwiseAbs().mean();
+    now_.outlier_share = (rows.sigma.array() > std::sqrt(2.0) * sigma).cast<double>().mean();
     motion = step(found, relax, energy_here);
     ++iterations_;
     if (!std::isfinite(motion) || !std::isfinite(found.log_evidence)) {
@@ -256,6 +260,8 @@ ContactForceFit ForceFitter::result() const {
   });
   fit.expected_error = best_.expected_error;
   fit.residual = best_.law.residual;
+  fit.outlier_share = best_.outlier_share;
+  fit.inverted = body_.inverted(best_.x);
   fit.iterations = iterations_;
   fit.termination = best_.law.termination;
   return fit;

@@ -26,7 +26,7 @@ struct ForceProblem {
                const ContactForceOptions& options);
 };
 
-/// Prototype F of the registration's study: one law, all stages.
+/// One law, all stages.
 class ForceFitter {
  public:
   ForceFitter(const ForceProblem& problem, const fem::BodyMaterial& material, double ground);
@@ -45,6 +45,7 @@ class ForceFitter {
     Eigen::VectorXd amplitudes;
     Eigen::VectorXd expected_error;
     Eigen::VectorXd deviations;  ///< of the amplitudes
+    double outlier_share = 0.0;
   };
   /// The cloud's closest points and what they say.
   struct Rows {
@@ -68,6 +69,7 @@ class ForceFitter {
   State now_, best_;
   fem::NodalColumns responses_;  ///< displacements for a unit of each patch's x, y, z
   Eigen::VectorXd variances_;
+  bool factorised_ = false;
   int iterations_ = 0;
 };
 

@@ -209,6 +209,16 @@ std::vector<Pair> find_pairs(const PreparedCloud& prepared, const MovingSurface&
   return pairs;
 }
 
+double seen_share(const TriangleMesh& surface, const Points& cloud) {
+  constexpr double kNear = 8e-3;
+  const Eigen::VectorXd areas = vertex_areas(surface);
+  double seen = 0.0;
+  for (int v = 0; v < surface.vertex_count(); ++v)
+    if ((cloud.rowwise() - surface.vertices.row(v)).rowwise().squaredNorm().minCoeff() < kNear * kNear)
+      seen += areas[v];
+  return seen / areas.sum();
+}
+
 double mean_distance(const std::vector<Pair>& pairs) {
   double sum = 0.0;
   int count = 0;

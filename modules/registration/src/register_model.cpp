@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/registration/register_model.h"
 
+#include <algorithm>
+#include <string>
 #include <utility>
 #include <vector>
+
+#include "glisson/registration/moving_surface.h"
+#include "glisson/registration/pairs.h"
 
 namespace glisson::registration {
 namespace {
@@ -17,9 +22,14 @@ Cancellable<RigidStart> start_of(const PatientModel& model, const LabelledCloud&
   return start;
 }
 
+bool by_forces(const PatientModel& model, const RegisterOptions& options) {
+  if (options.method != Method::automatic) return options.method == Method::forces;
+  return model.vessels.empty() && model.landmarks.vena_cava.rows() == 0 && !options.elastic.prior;
+}
+
 bool needs_operations(const PatientModel& model, const RegisterOptions& options) {
-  return options.operations && !options.elastic.prior && options.elastic.fixed_nodes.empty() &&
-         can_simulate_operations(model);
+  return !by_forces(model, options) && options.operations && !options.elastic.prior &&
+         options.elastic.fixed_nodes.empty() && can_simulate_operations(model);
 }
 
 Cancellable<std::shared_ptr<const OperationPrior>> operations_of(const PatientModel& model,
@@ -32,12 +42,63 @@ Cancellable<std::shared_ptr<const OperationPrior>> operations_of(const PatientMo
   return std::make_shared<const OperationPrior>(std::move(*prior));
 }
 
+/// How stiff each tetrahedron is, by its label, over the parenchyma.
+std::vector<double> stiffness_of(const TetMesh& mesh, const fem::CompositeOptions& materials) {
+  std::vector<double> stiffness;
+  for (const int label : mesh.labels) {
+    const auto found = materials.by_label.find(static_cast<Label>(label));
+    stiffness.push_back(found == materials.by_label.end()
+                            ? 1.0
+                            : found->second.young_modulus / materials.parenchyma.young_modulus);
+  }
+  return stiffness;
+}
+
+std::vector<std::string> doubts_of(const ContactForceFit& fit, double seen) {
+  constexpr double kRival = 5.0, kRivalDistance = 5e-3;
+  const LawFit& law = fit.laws[static_cast<std::size_t>(fit.chosen)];
+  std::vector<std::string> doubts;
+  if (seen < kLittleSeen) doubts.emplace_back("little_surface_seen");
+  if (fit.outlier_share > 0.2) doubts.emplace_back("many_outliers");
+  if (fit.residual > 5e-3) doubts.emplace_back("residual_large");
+  if (fit.inverted > 0 && law.material.law != fem::BodyLaw::linear) doubts.emplace_back("inverted_elements");
+  if (std::any_of(fit.laws.begin(), fit.laws.end(), [&](const LawFit& rival) {
+        return rival.log_evidence > law.log_evidence - kRival && rival.away > kRivalDistance;
+      }))
+    doubts.emplace_back("law_ambiguous");
+  if (fit.termination != Termination::converged) doubts.emplace_back("forces_not_at_rest");
+  return doubts;
+}
+
+Cancellable<Registration> register_by_forces(const PatientModel& model, const LabelledCloud& cloud,
+                                             const CameraFromCt& start, const RegisterOptions& options,
+                                             std::optional<ContactForceFit>& fit, const RunContext& context) {
+  ContactForceOptions forces = options.forces;
+  forces.fixed_nodes = options.elastic.fixed_nodes;
+  if (forces.stiffness.empty()) forces.stiffness = stiffness_of(model.mesh, options.elastic.materials);
+  fit = fit_contact_forces(model, cloud, start, forces, context);
+  if (!fit) return {};
+  Registration made;
+  made.camera_from_ct = fit->camera_from_ct;
+  made.nodes_in_camera = fit->nodes_in_camera;
+  made.termination = fit->termination;
+  made.steps = fit->iterations;
+  made.plateaus = static_cast<int>(forces.sigmas.size());
+  made.residual = fit->residual;
+  MovingSurface surface(model, SurfaceDetail::fine);
+  surface.move(fit->nodes_in_camera);
+  made.seen_share = seen_share(surface.mesh(), cloud.points);
+  made.doubts = doubts_of(*fit, made.seen_share);
+  return made;
+}
+
 }  // namespace
 
 void RegisterOptions::validate() const {
   if (start == Start::automatic) rigid.validate();
   if (operations) operation.validate();
   elastic.validate();
+  forces.validate();
 }
 
 Cancellable<Registered> register_model(const PatientModel& model, const LabelledCloud& cloud,
@@ -58,7 +119,11 @@ Cancellable<Registered> register_model(const PatientModel& model, const Labelled
     result.operations = elastic.prior = *prior;
     elastic.other_starts = std::move(start->alternatives);
   }
-  auto registered = register_elastic(model, cloud, start->camera_from_ct, elastic, context.part(done, 1.0));
+  const RunContext rest = context.part(done, 1.0);
+  auto registered =
+      by_forces(model, options)
+          ? register_by_forces(model, cloud, start->camera_from_ct, options, result.forces, rest)
+          : register_elastic(model, cloud, start->camera_from_ct, elastic, rest);
   if (!registered) return {};
   registered->doubts.insert(registered->doubts.begin(), start->doubts.begin(), start->doubts.end());
   result.displacement =

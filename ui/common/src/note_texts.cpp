@@ -73,6 +73,9 @@ class Notes {
                                    "and tumours may be centimetres off.")},
         {"shape_ambiguous", tr("Two different shapes of the organ explain the points almost equally well; "
                                "the better one was taken.")},
+        {"law_ambiguous", tr("Two elastic laws explain the points almost equally well, but place the organ "
+                             "differently; the better one was taken.")},
+        {"forces_not_at_rest", tr("The search for contact forces ended before it had come to rest.")},
         {"shape_unusual", tr("The organ would be bent as in hardly any simulated operation.")},
         {"rigid_ambiguous", tr("Two rigid positions fit almost equally well; the better one was taken.")},
         {"many_outliers", tr("Many points do not fit the model and were left aside.")},

@@ -88,6 +88,7 @@ class Texts {
             {"registration.operations", tr("simulated operations")},
             {"registration.shape", tr("most probable shape")},
             {"registration.elastic", tr("elastic deformation")},
+            {"registration.forces", tr("contact forces")},
             {"fem.step", tr("steps in time")},
             {"fem.static", tr("looking for the equilibrium")},
             {"calibrate.find_board", tr("looking for the board")},

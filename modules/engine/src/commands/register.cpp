@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/engine/commands/register.h"
 
+#include <algorithm>
+#include <cmath>
+#include <string>
+
 #include "glisson/engine/parts/cloud.h"
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/model.h"
@@ -16,7 +20,30 @@ registration::KnownOperations known_operations(const CaseState& state) {
   return {known->options, known->prior};
 }
 
+/// Law, evidence and forces: N for a Young's modulus of 1 kPa.
+void add_figures(Figures& figures, const registration::ContactForceFit& fit) {
+  for (const registration::LawFit& law : fit.laws) {
+    const std::string key = "forces_log_evidence_" + std::string(fem::body_law_code(law.material.law)) + "_" +
+                            std::to_string(std::lround(100.0 * law.material.poisson_ratio));
+    const auto [at, fresh] = figures.emplace(key, law.log_evidence);
+    if (!fresh) at->second = std::max(at->second, law.log_evidence);
+  }
+  const registration::LawFit& chosen = fit.laws[static_cast<std::size_t>(fit.chosen)];
+  figures["forces_law_" + std::string(fem::body_law_code(chosen.material.law))] = 1.0;
+  figures["forces_poisson_ratio"] = chosen.material.poisson_ratio;
+  figures["forces_ground"] = chosen.ground;
+  figures["forces_sigma_mm"] = 1e3 * chosen.sigma;
+  figures["forces_patches"] = fit.patches;
+  figures["forces_active"] = static_cast<double>(fit.forces.size());
+  double sum = 0.0;
+  for (const registration::ContactForce& force : fit.forces) sum += 1e3 * force.force.norm();
+  figures["forces_sum_n_per_kpa"] = sum;
+  figures["expected_error_mean_mm"] = 1e3 * fit.expected_error.mean();
+  figures["expected_error_max_mm"] = 1e3 * fit.expected_error.maxCoeff();
+}
+
 void add_figures(Figures& figures, const registration::Registered& made) {
+  if (made.forces) add_figures(figures, *made.forces);
   const Registration& registration = made.registration;
   if (made.rigid_residual) figures["rigid_residual_mm"] = 1e3 * *made.rigid_residual;
   if (made.operations) {

@@ -26,9 +26,11 @@ struct ContactForceOptions {
   /// Standard deviations of the cloud across the surface, stage by stage. The stage under which the cloud is
   /// most probable is the last: the noise is not known.
   std::vector<double> sigmas{8e-3, 4e-3, 2e-3, 1e-3, 0.5e-3};
-  std::vector<int> fixed_nodes;  ///< stay where the start puts them
+  std::vector<int> fixed_nodes;   ///< stay where the start puts them
+  std::vector<double> stiffness;  ///< of each tetrahedron relative to the others; empty: all alike
   /// Where no node is fixed the pose is found, too, and springs to the ground stand for supports that nobody
-  /// knows: stiffness of each node's over (its volume times E / (0.1 m)^2). The most probable one is kept.
+  /// knows: stiffness of each node's over (its volume times E / (0.1 m)^2). The most probable one under the
+  /// last of the laws is kept, and all laws are tried with it.
   std::vector<double> grounds{0.01, 0.03, 0.1, 0.3};
   double patch_spacing = 12.5e-3, patch_radius = 20e-3;
   double patch_reach = 8e-3;  ///< of patches from what is seen
@@ -49,6 +51,8 @@ struct LawFit {
   double log_evidence = 0.0;  ///< of the last stage, ln; minus infinity: the mechanics failed
   double sigma = 0.0;         ///< of the most probable stage, m
   double residual = 0.0;      ///< mean distance of the cloud along the normals, m
+  /// Mean distance of the nodes from where the chosen law puts them, m.
+  double away = 0.0;
   Termination termination = Termination::diverged;  ///< converged: the last step was under 0.1 mm
 };
 
@@ -66,10 +70,13 @@ struct ContactForceFit {
   int chosen = -1;                   ///< of laws
   std::vector<ContactForce> forces;  ///< of the chosen law, the strongest first
   int patches = 0;                   ///< offered
-  /// Root mean square of each node's error that the posterior of forces and pose expects, m. It knows of the
-  /// noise and of forces where something is seen, not of forces elsewhere or of another law.
+  /// Root mean square of each node's error that the posterior of forces and pose expects, m, with the spread
+  /// between laws, each as probable as the cloud makes it. It knows of the noise and of forces where
+  /// something is seen, not of forces elsewhere.
   Eigen::VectorXd expected_error;
-  double residual = 0.0;  ///< mean distance along the normals, m
+  double residual = 0.0;       ///< mean distance along the normals, m
+  double outlier_share = 0.0;  ///< of the points, those that weigh less than a half
+  int inverted = 0;            ///< tetrahedra
   int iterations = 0;
   Termination termination = Termination::diverged;
 };

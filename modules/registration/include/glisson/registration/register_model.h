@@ -9,13 +9,22 @@
 #include "glisson/patient/labelled_cloud.h"
 #include "glisson/patient/patient_model.h"
 #include "glisson/patient/registration.h"
+#include "glisson/registration/contact_forces.h"
 #include "glisson/registration/operation_prior.h"
 #include "glisson/registration/register.h"
 
 namespace glisson::registration {
 
+/// How the shape is found once there is a start.
+enum class Method {
+  automatic,  ///< forces for a bare mesh (no vessels, no vena cava), springs for a patient
+  forces,     ///< fit_contact_forces
+  springs     ///< register_elastic: the paper's, with operations before it where they are asked for
+};
+
 /// Rigid start, then elastic.
 struct RegisterOptions {
+  Method method = Method::automatic;
   enum class Start {
     automatic,  ///< align_rigid
     none,       ///< the model is in the camera's frame already
@@ -24,7 +33,9 @@ struct RegisterOptions {
   Start start = Start::automatic;
   CameraFromCt given;  ///< for Start::given
   RigidOptions rigid;  ///< for Start::automatic
-  ElasticOptions elastic;
+  ElasticOptions
+      elastic;  ///< of the springs; its fixed nodes and the lesions' stiffness hold for the forces, too
+  ContactForceOptions forces;
   /// Operations are simulated first, where the vena cava is known and no node is fixed, and tell which shapes
   /// are probable (simulate_operations); false: the paper's method. A prior in `elastic` is taken instead.
   bool operations = true;
@@ -41,8 +52,9 @@ struct KnownOperations {
 
 /// A model registered from the start.
 struct Registered {
-  Registration registration;             ///< with the rigid start's doubts before its own
-  std::optional<double> rigid_residual;  ///< metres; empty: the start was not sought
+  Registration registration;              ///< with the rigid start's doubts before its own
+  std::optional<ContactForceFit> forces;  ///< where these were the method
+  std::optional<double> rigid_residual;   ///< metres; empty: the start was not sought
   /// Those that the registration rests on, known or new; null: none were needed or possible.
   std::shared_ptr<const OperationPrior> operations;
   DistanceSummary displacement;  ///< of the nodes, from where the rigid part alone puts them, metres
@@ -50,7 +62,10 @@ struct Registered {
 
 /// Brings a model to what the camera sees: rigid start, the shapes that operations make probable, the most
 /// probable of them from each start that fits, elastic. Where operations cannot be simulated on the model,
-/// elasticity alone decides. The same seed gives the same bits.
+/// elasticity alone decides. The same seed gives the same bits. Doubts of the forces: little_surface_seen,
+/// many_outliers, residual_large, inverted_elements (not under the linear law, which knows of none),
+/// law_ambiguous (another law puts the nodes 5 mm away on average and is nearly as probable),
+/// forces_not_at_rest.
 /// @param known taken where its options are those of `options`; operations are not simulated again.
 /// @throws InputError as align_rigid, simulate_operations, register_elastic; NumericalError as
 ///   simulate_operations.
