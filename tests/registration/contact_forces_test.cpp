@@ -151,6 +151,30 @@ class ContactForcesTest : public QObject {
     QVERIFY(fit.laws.size() == options.grounds.size() + options.materials.size() - 1);
   }
 
+  void AShapeThatOperationsMakeIsFoundTogetherWithTheForces() {
+    Pulled pulled;
+    const Points& rest = pulled.model.mesh.vertices;
+    auto prior = std::make_shared<OperationPrior>();
+    prior->modes = Eigen::MatrixXd::Zero(rest.size(), 2);
+    for (Eigen::Index i = 0; i < rest.rows(); ++i) {
+      prior->modes(3 * i + 2, 0) = 0.6 * rest(i, 0) * rest(i, 0);
+      prior->modes(3 * i + 1, 1) = 0.4 * rest(i, 2) * rest(i, 0);
+    }
+    pulled.truth += prior->shape(rest, Eigen::Vector2d(1.8, -1.5)) - rest;
+    pulled.see(pulled.truth);
+    ContactForceOptions options = pulled.options();
+    options.fixed_nodes.clear();
+    options.grounds = {0.3};
+    const double without = pulled.error(pulled.fit(options));
+    options.prior = prior;
+    const ContactForceFit fit = pulled.fit(options);
+    QVERIFY(fit.amplitudes.size() == 2);
+    QVERIFY2(pulled.error(fit) < without,
+             qPrintable(QString("%1, without %2 mm").arg(1e3 * pulled.error(fit)).arg(1e3 * without)));
+    options.amplitudes = Eigen::VectorXd::Zero(3);
+    QVERIFY_EXCEPTION_THROWN(pulled.fit(options), PreconditionError);
+  }
+
   void ExpectedErrorGrowsAwayFromWhatIsSeen() {
     const Pulled pulled;
     const ContactForceFit fit = pulled.fit(pulled.options());

@@ -184,6 +184,30 @@ class DemoRun {
       if (result_.figures.contains(key)) result_.figures[prefix + key] = result_.figures[key];
   }
 
+  /// The same cloud by contact forces, on the same operations: its figures beside ours, nothing else of it.
+  void compare_forces(const std::string& prefix) {
+    registration::RegisterOptions options = engine::Register{};
+    options.method = registration::Method::forces;
+    registration::KnownOperations known;
+    if (state()[part::operations])
+      known = {state()[part::operations]->options, state()[part::operations]->prior};
+    const Clock::time_point begin = Clock::now();
+    const auto made = registration::register_model(engine::effective_model(state()), *state()[part::cloud],
+                                                   options, context_.quiet(), known);
+    if (!made) throw Cancelled{};
+    result_.figures[prefix + "forces_seconds"] = seconds_since(begin);
+    for (const auto& [key, value] :
+         target_errors(model(), made->registration.nodes_in_camera, truth_, "theatre"))
+      result_.figures[prefix + "forces_" + key] = value;
+    result_.figures[prefix + "forces_expected_error_mean_mm"] = 1e3 * made->forces->expected_error.mean();
+    result_.figures[prefix + "forces_residual_mm"] = 1e3 * made->registration.residual;
+    result_.figures[prefix + "forces_active"] = static_cast<double>(made->forces->forces.size());
+    const registration::LawFit& law = made->forces->laws[static_cast<std::size_t>(made->forces->chosen)];
+    result_.figures[prefix + "forces_sigma_mm"] = 1e3 * law.sigma;
+    result_.figures[prefix + "forces_ground"] = law.ground;
+    result_.figures[prefix + "forces_poisson_ratio"] = law.material.poisson_ratio;
+  }
+
   void register_patch() {
     insilico::PatchOptions patch;
     patch.share = options_.patch_share;
@@ -194,6 +218,7 @@ class DemoRun {
     post(engine::ImportCloud{folder_ / "operator/patch.ply"});
     post(engine::Register{});
     compare_registration("patch_");
+    compare_forces("patch_");
   }
 
   void register_pictures() {
@@ -208,6 +233,7 @@ class DemoRun {
     result_.figures["cloud_error_p95_mm"] = 1e3 * errors.percentile_95;
     post(engine::Register{});
     compare_registration("");
+    compare_forces("");
   }
 
   // ---- live ----

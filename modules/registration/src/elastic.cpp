@@ -166,34 +166,6 @@ class ElasticRun {
   int inverted_ = 0;
 };
 
-/// The best of the fits from all starts, and what makes it doubtful.
-Cancellable<ShapeFit> most_probable_shape(const PatientModel& model, const LabelledCloud& cloud,
-                                          const CameraFromCt& start, const ElasticOptions& options,
-                                          std::vector<std::string>& doubts, const RunContext& context) {
-  // A posterior e^4 times smaller is no rival; nor is a shape that is nearly the same.
-  constexpr double kRivalCost = 8.0, kRivalDistance = 10e-3, kUnusual = 4.0;
-  std::vector<CameraFromCt> starts = options.other_starts;
-  starts.insert(starts.begin(), start);
-  std::vector<ShapeFit> fits;
-  for (std::size_t k = 0; k < starts.size(); ++k) {
-    const double share = 1.0 / static_cast<double>(starts.size());
-    auto fit = fit_shape(model, *options.prior, cloud, starts[k], options.shape,
-                         context.part(share * static_cast<double>(k), share * static_cast<double>(k + 1)));
-    if (!fit) return std::nullopt;
-    fits.push_back(std::move(*fit));
-  }
-  const auto best = std::min_element(fits.begin(), fits.end(),
-                                     [](const ShapeFit& a, const ShapeFit& b) { return a.cost < b.cost; });
-  for (const ShapeFit& fit : fits)
-    if (fit.cost < best->cost + kRivalCost &&
-        (fit.nodes_in_camera - best->nodes_in_camera).rowwise().norm().mean() > kRivalDistance) {
-      doubts.emplace_back("shape_ambiguous");
-      break;
-    }
-  if (best->amplitudes.cwiseAbs().maxCoeff() > kUnusual) doubts.emplace_back("shape_unusual");
-  return *best;
-}
-
 }  // namespace
 
 void ElasticOptions::validate() const {
@@ -250,7 +222,10 @@ Cancellable<Registration> register_elastic(const PatientModel& model, const Labe
                        "Give 0-based node numbers of this mesh");
   if (!options.prior) return ElasticRun(model, model, cloud, start, options).run(context);
   std::vector<std::string> doubts;
-  const auto fit = most_probable_shape(model, cloud, start, options, doubts, context.part(0.0, 0.4));
+  std::vector<CameraFromCt> starts = options.other_starts;
+  starts.insert(starts.begin(), start);
+  const auto fit = fit_most_probable_shape(model, *options.prior, cloud, starts, options.shape, doubts,
+                                           context.part(0.0, 0.4));
   if (!fit) return std::nullopt;
   const PatientModel rest = moved_to(model, options.prior->shape(model.mesh.vertices, fit->amplitudes));
   auto registration =

@@ -16,6 +16,7 @@ constexpr double kPoseTranslation = 20e-3, kPoseTurn = 0.2;  ///< prior deviatio
 constexpr int kFirstUpdates = 12, kUpdates = 3;              ///< of the variances, an iteration
 constexpr double kAtRest = 0.1e-3;                           ///< m
 constexpr int kHalvings = 6;
+constexpr double kNoiseAtMost = 2.5e-3;  ///< m
 
 std::vector<char> fixed_of(const fem::ElasticBody& body) {
   std::vector<char> fixed;
@@ -40,11 +41,23 @@ ForceProblem::ForceProblem(const PatientModel& m, const LabelledCloud& c, const 
       body(m.mesh, o.fixed_nodes, o.stiffness),
       force_surface(m.surface, m.mesh.vertices, fixed_of(body)),
       start(s),
-      free_pose(o.fixed_nodes.empty()) {}
+      free_pose(o.fixed_nodes.empty()) {
+  if (!o.prior) return;
+  require(o.prior->modes.rows() == m.mesh.vertices.size(),
+          "a prior is used with the model that it was made from");
+  require(o.amplitudes.size() == 0 || o.amplitudes.size() == o.prior->modes.cols(),
+          "every mode of a prior has an amplitude");
+  modes = o.prior->modes;
+}
 
 ForceFitter::ForceFitter(const ForceProblem& problem, const fem::BodyMaterial& material, double ground)
     : problem_(problem), body_(problem.body), surface_(problem.surface) {
   body_.set_material(material);
+  if (problem.modes.cols() > 0) {
+    now_.modes = Eigen::VectorXd::Zero(problem.modes.cols());
+    if (problem.options.amplitudes.size() > 0) now_.modes = problem.options.amplitudes;
+    body_.set_rest(shape(now_.modes));
+  }
   if (ground > 0.0) springs_ = ground / (kGroundLength * kGroundLength) * body_.node_volumes();
   centre_ = body_.rest().colwise().mean().transpose();
   now_.pose = problem.start;
@@ -55,27 +68,20 @@ ForceFitter::ForceFitter(const ForceProblem& problem, const fem::BodyMaterial& m
   best_ = now_;
 }
 
-ForceFitter::Rows ForceFitter::pair(double sigma) {
+ForceRows ForceFitter::pair(double sigma) {
   surface_.move(now_.x);
-  const Points cloud = now_.pose.inverse().apply(problem_.cloud.cloud.points);
-  const Eigen::Index count = cloud.rows();
-  Rows rows;
-  rows.points.resize(count, 3);
-  rows.normals.resize(count, 3);
-  rows.gap.resize(count);
-  rows.sigma.resize(count);
-  const double half = std::max(problem_.options.outlier_distance, 2.0 * sigma);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const Eigen::Vector3d p = cloud.row(i).transpose();
-    const ClosestPoint at = surface_.closest(Feature::surface, p);
-    const Eigen::Vector3d n = surface_.normal(at);
-    rows.carriers.push_back(surface_.carrier(at));
-    rows.points.row(i) = at.point.transpose();
-    rows.normals.row(i) = n.transpose();
-    rows.gap[i] = n.dot(p - at.point);
-    rows.sigma[i] = sigma * std::sqrt(1.0 + at.distance * at.distance / (half * half));
-  }
-  return rows;
+  PreparedCloud cloud = problem_.cloud;
+  const CameraFromCt& pose = now_.pose;
+  cloud.cloud.points = pose.inverse().apply(cloud.cloud.points);
+  cloud.cloud.normals = cloud.cloud.normals * pose.rotation;
+  return find_rows(cloud, surface_, sigma, std::max(problem_.options.outlier_distance, 2.0 * sigma));
+}
+
+Points ForceFitter::shape(const Eigen::VectorXd& amplitudes) const {
+  Points shape = problem_.model.mesh.vertices;
+  if (amplitudes.size() > 0)
+    Eigen::Map<Eigen::VectorXd>(shape.data(), shape.size()) += problem_.modes * amplitudes;
+  return shape;
 }
 
 double ForceFitter::energy(const Points& x, Points* gradient) const {
@@ -87,47 +93,67 @@ double ForceFitter::energy(const Points& x, Points* gradient) const {
   return sum;
 }
 
-void ForceFitter::choose_patches(const Rows& rows) {
-  Points seen = Points::Zero(rows.points.rows(), 3);  // where they are on the body at rest
-  for (std::size_t i = 0; i < rows.carriers.size(); ++i)
+bool ForceFitter::choose_patches(const ForceRows& rows, const RunContext& context) {
+  Points seen = Points::Zero(rows.surface_count, 3);  // where the model's points are in the CT
+  for (Eigen::Index i = 0; i < rows.surface_count; ++i) {
+    const Carrier& carrier = rows.carriers[static_cast<std::size_t>(i)];
     for (std::size_t k = 0; k < 4; ++k)
-      if (rows.carriers[i].nodes[k] >= 0)
-        seen.row(static_cast<Eigen::Index>(i)) +=
-            rows.carriers[i].weights[k] * body_.rest().row(rows.carriers[i].nodes[k]);
+      if (carrier.nodes[k] >= 0)
+        seen.row(i) += carrier.weights[k] * problem_.model.mesh.vertices.row(carrier.nodes[k]);
+  }
   const ContactForceOptions& o = problem_.options;
   now_.patches = problem_.force_surface.patches(seen, {o.patch_spacing, o.patch_radius, o.patch_reach});
   responses_.setZero(3L * body_.node_count(), 3L * static_cast<Eigen::Index>(now_.patches.size()));
   for (std::size_t j = 0; j < now_.patches.size(); ++j)
     for (const auto& [node, weight] : now_.patches[j].weights)
       for (int c = 0; c < 3; ++c) responses_(3L * node + c, 3 * static_cast<Eigen::Index>(j) + c) = weight;
-  body_.solve(responses_);
+  constexpr Eigen::Index kAtOnce = 96;  // some 50 ms on 3000 nodes
+  for (Eigen::Index first = 0; first < responses_.cols(); first += kAtOnce) {
+    if (context.cancelled()) return false;
+    auto some = responses_.middleCols(first, std::min(kAtOnce, responses_.cols() - first));
+    fem::NodalColumns solved = some;
+    body_.solve(solved);
+    some = solved;
+  }
+  return true;
 }
 
-/// What a force on each patch does to each gap; where the pose is free, a twist, too.
-Eigen::MatrixXd ForceFitter::design(const Rows& rows) const {
-  const Eigen::Index columns = responses_.cols(), count = rows.gap.size();
-  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(count, columns + (problem_.free_pose ? 6 : 0));
-  Eigen::RowVectorXd row(columns);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const Carrier& carrier = rows.carriers[static_cast<std::size_t>(i)];
-    row.setZero();
-    for (std::size_t k = 0; k < 4; ++k)
-      if (carrier.nodes[k] >= 0)
-        for (int c = 0; c < 3; ++c)
-          row += (carrier.weights[k] * rows.normals(i, c)) * responses_.row(3L * carrier.nodes[k] + c);
-    a.row(i).head(columns) = row;
-    if (!problem_.free_pose) continue;
-    const Eigen::Vector3d n = rows.normals.row(i).transpose();
-    a.row(i).segment<3>(columns) = (rows.points.row(i).transpose() - centre_).cross(n).transpose();
-    a.row(i).tail<3>() = n.transpose();
-  }
+/// What a force on each patch does to each gap; then the modes and, where the pose is free, a twist.
+Eigen::MatrixXd ForceFitter::design(const ForceRows& rows) const {
+  const Eigen::Index columns = responses_.cols(), modes = now_.modes.size();
+  Eigen::MatrixXd a(rows.size(), columns + modes + (problem_.free_pose ? 6 : 0));
+  a.leftCols(columns) = rows.along(responses_);
+  if (modes > 0) a.middleCols(columns, modes) = rows.along(problem_.modes);
+  if (problem_.free_pose)
+    for (Eigen::Index i = 0; i < rows.size(); ++i) {
+      const Eigen::Vector3d n = rows.directions.row(i).transpose();
+      a.row(i).tail<6>().head<3>() = (rows.points.row(i).transpose() - centre_).cross(n).transpose();
+      a.row(i).tail<3>() = n.transpose();
+    }
   return a;
 }
 
-/// Moves the body to the equilibrium of the forces found, and the pose; shorter where the energy less the
-/// forces' work would rise. @return the largest motion of a node.
-double ForceFitter::step(const EvidencePosterior& found, const Points& relax, double energy_here) {
-  const Eigen::Index columns = responses_.cols();
+Eigen::VectorXd ForceFitter::fixed_variances() const {
+  Eigen::VectorXd variances = Eigen::VectorXd::Ones(now_.modes.size() + (problem_.free_pose ? 6 : 0));
+  if (problem_.free_pose)
+    variances.tail<6>() << Eigen::Vector3d::Constant(kPoseTurn * kPoseTurn),
+        Eigen::Vector3d::Constant(kPoseTranslation * kPoseTranslation);
+  return variances;
+}
+
+/// @param twist of the model about its centre: a rotation vector, a translation.
+void ForceFitter::turn_pose(const Eigen::VectorXd& twist) {
+  const Eigen::Matrix3d turn = turn_by(twist.head<3>());
+  const CameraFromCt& old = now_.pose;
+  const Eigen::Vector3d shift = centre_ - turn * centre_ + twist.tail<3>();
+  now_.pose = {Eigen::Quaterniond(old.rotation * turn).normalized().toRotationMatrix(),
+               old.rotation * shift + old.translation};
+}
+
+/// Moves the body to the equilibrium of the forces found, the modes and the pose; shorter where the energy
+/// less the forces' work would rise. @return the largest motion of a node.
+double ForceFitter::step(const EvidencePosterior& found, const Points& relax) {
+  const Eigen::Index columns = responses_.cols(), modes = now_.modes.size();
   Points forces = Points::Zero(body_.node_count(), 3);
   for (std::size_t j = 0; j < now_.patches.size(); ++j)
     for (const auto& [node, weight] : now_.patches[j].weights)
@@ -135,23 +161,25 @@ double ForceFitter::step(const EvidencePosterior& found, const Points& relax, do
   Points change(body_.node_count(), 3);
   Eigen::Map<Eigen::VectorXd>(change.data(), change.size()).noalias() = responses_ * found.mean.head(columns);
   change -= relax;
-  const double largest = change.cwiseAbs().maxCoeff();
+  const Eigen::VectorXd mode_change = found.mean.segment(columns, modes) - now_.modes;
+  Points together = change;
+  if (modes > 0) together += shape(mode_change) - problem_.model.mesh.vertices;
+  const double largest = together.cwiseAbs().maxCoeff();
   double share = std::min(1.0, problem_.options.max_step / std::max(largest, 1e-12));
-  const double merit = energy_here - forces.cwiseProduct(now_.x).sum();
+  const Points moved = now_.x - body_.rest();
   Points next;
-  for (int halving = 0; halving < kHalvings; ++halving, share *= 0.5) {
-    next = now_.x + share * change;
-    if (energy(next, nullptr) - forces.cwiseProduct(next).sum() <= merit + 1e-9 * std::abs(merit)) break;
+  for (int halving = 0; halving < kHalvings; ++halving) {
+    if (halving > 0) share *= 0.5;
+    if (modes > 0) body_.set_rest(shape(now_.modes + share * mode_change));
+    const double merit = energy(body_.rest() + moved, nullptr) - forces.cwiseProduct(moved).sum();
+    const Points further = moved + share * change;
+    next = body_.rest() + further;
+    if (energy(next, nullptr) - forces.cwiseProduct(further).sum() <= merit + 1e-9 * std::abs(merit)) break;
   }
   now_.x = next;
-  if (problem_.free_pose) {
-    const Eigen::Matrix3d turn = turn_by(share * found.mean.segment<3>(columns));
-    const CameraFromCt& old = now_.pose;
-    const Eigen::Vector3d shift = centre_ - turn * centre_ + share * found.mean.tail<3>();
-    now_.pose = {Eigen::Quaterniond(old.rotation * turn).normalized().toRotationMatrix(),
-                 old.rotation * shift + old.translation};
-  }
-  now_.amplitudes = found.mean;
+  now_.modes += share * mode_change;
+  if (problem_.free_pose) turn_pose(share * found.mean.tail<6>());
+  now_.amplitudes = found.mean.head(columns);
   return share * largest;
 }
 
@@ -165,6 +193,8 @@ void ForceFitter::keep(const EvidencePosterior& found) {
     if (now_.deviations[k] > 0.0) active.push_back(k);
   Eigen::MatrixXd spread = Eigen::MatrixXd::Zero(responses_.rows(), found.root.cols());
   if (!active.empty()) spread = responses_(Eigen::all, active) * found.root(active, Eigen::all);
+  const Eigen::Index modes = now_.modes.size();
+  if (modes > 0) spread += problem_.modes * found.root.middleRows(columns, modes);
   now_.expected_error.resize(body_.node_count());
   for (Eigen::Index i = 0; i < now_.expected_error.size(); ++i) {
     Eigen::MatrixXd of_node = spread.middleRows<3>(3 * i);
@@ -172,10 +202,11 @@ void ForceFitter::keep(const EvidencePosterior& found) {
       const Eigen::Vector3d arm = now_.x.row(i).transpose() - centre_;
       for (Eigen::Index k = 0; k < of_node.cols(); ++k)
         of_node.col(k) +=
-            Eigen::Vector3d(found.root.col(k).segment<3>(columns)).cross(arm) + found.root.col(k).tail<3>();
+            Eigen::Vector3d(found.root.col(k).tail<6>().head<3>()).cross(arm) + found.root.col(k).tail<3>();
     }
     now_.expected_error[i] = of_node.norm();
   }
+  now_.inverted = body_.inverted(now_.x);
   best_ = now_;
 }
 
@@ -183,45 +214,37 @@ bool ForceFitter::stage(double sigma, const RunContext& context) {
   const double nothing = -std::numeric_limits<double>::infinity();
   now_.law.sigma = sigma;
   now_.law.log_evidence = nothing;
-  // The linear law's factor is the same everywhere.
-  if (!factorised_ || body_.material().law != fem::BodyLaw::linear)
+  // The linear law's factor is the same wherever the body is, not whatever its rest shape.
+  if (!factorised_ || body_.material().law != fem::BodyLaw::linear || now_.modes.size() > 0)
     factorised_ = body_.factorise(now_.x, springs_);
   if (!factorised_) return true;
   EvidencePosterior found;
   double motion = 0.0;
   for (int iteration = 0; iteration < problem_.options.iterations; ++iteration) {
-    const Rows rows = pair(sigma);
-    if (iteration == 0) choose_patches(rows);
+    const ForceRows rows = pair(sigma);
     if (context.cancelled()) return false;
-    if (now_.patches.empty()) return true;
+    if (iteration == 0 && !choose_patches(rows, context)) return false;
+    if (now_.patches.empty() || rows.size() == 0) return true;
     Points gradient;
-    const double energy_here = energy(now_.x, &gradient);
+    energy(now_.x, &gradient);
     const Points relax = body_.solve(gradient);
-    Eigen::VectorXd y = rows.gap;
-    for (Eigen::Index i = 0; i < y.size(); ++i) {
-      const Carrier& carrier = rows.carriers[static_cast<std::size_t>(i)];
-      for (std::size_t k = 0; k < 4; ++k)
-        if (carrier.nodes[k] >= 0)
-          y[i] += carrier.weights[k] * rows.normals.row(i).dot(relax.row(carrier.nodes[k]));
-    }
+    // Forces and modes are found anew, not their changes: what they do now comes back into the gaps.
+    const Eigen::Index columns = responses_.cols(), modes = now_.modes.size();
     const Eigen::MatrixXd a = design(rows);
-    Eigen::VectorXd pose_variances;
-    if (problem_.free_pose) {
-      pose_variances.resize(6);
-      pose_variances << Eigen::Vector3d::Constant(kPoseTurn * kPoseTurn),
-          Eigen::Vector3d::Constant(kPoseTranslation * kPoseTranslation);
-    }
+    const Eigen::VectorXd y =
+        rows.gap + rows.along(Eigen::Map<const fem::NodalColumns>(relax.data(), relax.size(), 1)).col(0) +
+        a.middleCols(columns, modes) * now_.modes;
     const auto groups = static_cast<int>(now_.patches.size());
-    if (iteration == 0)
-      variances_.setConstant(groups, y.squaredNorm() / a.leftCols(3L * groups).squaredNorm());
-    const EvidenceProblem problem(a, y, rows.sigma, groups, 3, pose_variances);
+    if (iteration == 0) variances_.setConstant(groups, y.squaredNorm() / a.leftCols(columns).squaredNorm());
+    const EvidenceProblem problem(a, y, rows.sigma, groups, 3, fixed_variances());
     variances_ = maximise_evidence(problem, variances_, iteration == 0 ? kFirstUpdates : kUpdates);
     if (context.cancelled()) return false;
     found = posterior(problem, variances_);
     now_.law.log_evidence = found.log_evidence;
-    now_.law.residual = rows.gap.cwiseAbs().mean();
-    now_.outlier_share = (rows.sigma.array() > std::sqrt(2.0) * sigma).cast<double>().mean();
-    motion = step(found, relax, energy_here);
+    now_.law.residual = rows.gap.head(rows.surface_count).cwiseAbs().mean();
+    now_.outlier_share =
+        (rows.sigma.head(rows.surface_count).array() > std::sqrt(2.0) * sigma).cast<double>().mean();
+    motion = step(found, relax);
     ++iterations_;
     if (!std::isfinite(motion) || !std::isfinite(found.log_evidence)) {
       now_.law.log_evidence = nothing;
@@ -238,7 +261,8 @@ bool ForceFitter::run(const RunContext& context, const std::function<void()>& ad
   for (const double sigma : problem_.options.sigmas) {
     if (!stage(sigma, context)) return false;
     advance();
-    if (!std::isfinite(now_.law.log_evidence)) break;
+    // Below the noise the evidence falls, and goes on falling. Far from it a stage may be at fault.
+    if (sigma < kNoiseAtMost && now_.law.log_evidence < best_.law.log_evidence) break;
   }
   return true;
 }
@@ -260,8 +284,9 @@ ContactForceFit ForceFitter::result() const {
   });
   fit.expected_error = best_.expected_error;
   fit.residual = best_.law.residual;
+  fit.amplitudes = best_.modes;
   fit.outlier_share = best_.outlier_share;
-  fit.inverted = body_.inverted(best_.x);
+  fit.inverted = best_.inverted;
   fit.iterations = iterations_;
   fit.termination = best_.law.termination;
   return fit;

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "force_patches.h"
+#include "force_rows.h"
 #include "glisson/registration/contact_forces.h"
 #include "glisson/registration/evidence.h"
 #include "glisson/registration/moving_surface.h"
@@ -21,6 +22,7 @@ struct ForceProblem {
   ForceSurface force_surface;
   CameraFromCt start;
   bool free_pose;
+  fem::NodalColumns modes;  ///< of the prior; no columns: none
 
   ForceProblem(const PatientModel& model, const LabelledCloud& cloud, const CameraFromCt& start,
                const ContactForceOptions& options);
@@ -42,23 +44,24 @@ class ForceFitter {
     Points x;  ///< CT frame
     LawFit law;
     std::vector<ForcePatch> patches;
+    Eigen::VectorXd modes;  ///< their amplitudes, standard deviations
     Eigen::VectorXd amplitudes;
     Eigen::VectorXd expected_error;
     Eigen::VectorXd deviations;  ///< of the amplitudes
     double outlier_share = 0.0;
+    int inverted = 0;
   };
-  /// The cloud's closest points and what they say.
-  struct Rows {
-    std::vector<Carrier> carriers;
-    Points points, normals;  ///< on the model
-    Eigen::VectorXd gap, sigma;
-  };
-  Rows pair(double sigma);
+  ForceRows pair(double sigma);
   double energy(const Points& x, Points* gradient) const;
-  void choose_patches(const Rows& rows);
-  Eigen::MatrixXd design(const Rows& rows) const;
+  /// @return false: cancelled.
+  bool choose_patches(const ForceRows& rows, const RunContext& context);
+  Eigen::MatrixXd design(const ForceRows& rows) const;
+  Eigen::VectorXd fixed_variances() const;
+  /// The rest shape that amplitudes of the modes make.
+  Points shape(const Eigen::VectorXd& amplitudes) const;
   bool stage(double sigma, const RunContext& context);
-  double step(const EvidencePosterior& found, const Points& relax, double energy_here);
+  double step(const EvidencePosterior& found, const Points& relax);
+  void turn_pose(const Eigen::VectorXd& twist);
   void keep(const EvidencePosterior& found);
 
   const ForceProblem& problem_;

@@ -28,8 +28,8 @@ bool by_forces(const PatientModel& model, const RegisterOptions& options) {
 }
 
 bool needs_operations(const PatientModel& model, const RegisterOptions& options) {
-  return !by_forces(model, options) && options.operations && !options.elastic.prior &&
-         options.elastic.fixed_nodes.empty() && can_simulate_operations(model);
+  return options.operations && !options.elastic.prior && options.elastic.fixed_nodes.empty() &&
+         can_simulate_operations(model);
 }
 
 Cancellable<std::shared_ptr<const OperationPrior>> operations_of(const PatientModel& model,
@@ -70,13 +70,25 @@ std::vector<std::string> doubts_of(const ContactForceFit& fit, double seen) {
   return doubts;
 }
 
+/// @param elastic with the prior and the other starts, where operations are known.
 Cancellable<Registration> register_by_forces(const PatientModel& model, const LabelledCloud& cloud,
-                                             const CameraFromCt& start, const RegisterOptions& options,
-                                             std::optional<ContactForceFit>& fit, const RunContext& context) {
-  ContactForceOptions forces = options.forces;
-  forces.fixed_nodes = options.elastic.fixed_nodes;
-  if (forces.stiffness.empty()) forces.stiffness = stiffness_of(model.mesh, options.elastic.materials);
-  fit = fit_contact_forces(model, cloud, start, forces, context);
+                                             CameraFromCt start, const ElasticOptions& elastic,
+                                             ContactForceOptions forces, std::optional<ContactForceFit>& fit,
+                                             const RunContext& context) {
+  forces.fixed_nodes = elastic.fixed_nodes;
+  if (forces.stiffness.empty()) forces.stiffness = stiffness_of(model.mesh, elastic.materials);
+  std::vector<std::string> doubts;
+  if (elastic.prior) {
+    std::vector<CameraFromCt> starts = elastic.other_starts;
+    starts.insert(starts.begin(), start);
+    const auto shape = fit_most_probable_shape(model, *elastic.prior, cloud, starts, elastic.shape, doubts,
+                                               context.part(0.0, 0.4));
+    if (!shape) return {};
+    start = shape->camera_from_ct;
+    forces.prior = elastic.prior;
+    forces.amplitudes = shape->amplitudes;
+  }
+  fit = fit_contact_forces(model, cloud, start, forces, context.part(elastic.prior ? 0.4 : 0.0, 1.0));
   if (!fit) return {};
   Registration made;
   made.camera_from_ct = fit->camera_from_ct;
@@ -89,6 +101,7 @@ Cancellable<Registration> register_by_forces(const PatientModel& model, const La
   surface.move(fit->nodes_in_camera);
   made.seen_share = seen_share(surface.mesh(), cloud.points);
   made.doubts = doubts_of(*fit, made.seen_share);
+  made.doubts.insert(made.doubts.end(), doubts.begin(), doubts.end());
   return made;
 }
 
@@ -120,10 +133,10 @@ Cancellable<Registered> register_model(const PatientModel& model, const Labelled
     elastic.other_starts = std::move(start->alternatives);
   }
   const RunContext rest = context.part(done, 1.0);
-  auto registered =
-      by_forces(model, options)
-          ? register_by_forces(model, cloud, start->camera_from_ct, options, result.forces, rest)
-          : register_elastic(model, cloud, start->camera_from_ct, elastic, rest);
+  auto registered = by_forces(model, options)
+                        ? register_by_forces(model, cloud, start->camera_from_ct, elastic, options.forces,
+                                             result.forces, rest)
+                        : register_elastic(model, cloud, start->camera_from_ct, elastic, rest);
   if (!registered) return {};
   registered->doubts.insert(registered->doubts.begin(), start->doubts.begin(), start->doubts.end());
   result.displacement =

@@ -164,4 +164,32 @@ Cancellable<ShapeFit> fit_shape(const PatientModel& model, const OperationPrior&
   return fitter.run(context);
 }
 
+Cancellable<ShapeFit> fit_most_probable_shape(const PatientModel& model, const OperationPrior& prior,
+                                              const LabelledCloud& cloud,
+                                              const std::vector<CameraFromCt>& starts,
+                                              const ShapeFitOptions& options,
+                                              std::vector<std::string>& doubts, const RunContext& context) {
+  // A posterior e^4 times smaller is no rival; nor is a shape that is nearly the same.
+  constexpr double kRivalCost = 8.0, kRivalDistance = 10e-3, kUnusual = 4.0;
+  require(!starts.empty(), "a shape is fitted from one start at least");
+  std::vector<ShapeFit> fits;
+  for (std::size_t k = 0; k < starts.size(); ++k) {
+    const double share = 1.0 / static_cast<double>(starts.size());
+    auto fit = fit_shape(model, prior, cloud, starts[k], options,
+                         context.part(share * static_cast<double>(k), share * static_cast<double>(k + 1)));
+    if (!fit) return std::nullopt;
+    fits.push_back(std::move(*fit));
+  }
+  const auto best = std::min_element(fits.begin(), fits.end(),
+                                     [](const ShapeFit& a, const ShapeFit& b) { return a.cost < b.cost; });
+  for (const ShapeFit& fit : fits)
+    if (fit.cost < best->cost + kRivalCost &&
+        (fit.nodes_in_camera - best->nodes_in_camera).rowwise().norm().mean() > kRivalDistance) {
+      doubts.emplace_back("shape_ambiguous");
+      break;
+    }
+  if (best->amplitudes.cwiseAbs().maxCoeff() > kUnusual) doubts.emplace_back("shape_unusual");
+  return *best;
+}
+
 }  // namespace glisson::registration

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "glisson/patient/labelled_cloud.h"
 #include "glisson/patient/patient_model.h"
 #include "glisson/patient/registration.h"
+#include "glisson/registration/operation_prior.h"
 
 namespace glisson::registration {
 
@@ -32,6 +34,10 @@ struct ContactForceOptions {
   /// knows: stiffness of each node's over (its volume times E / (0.1 m)^2). The most probable one under the
   /// last of the laws is kept, and all laws are tried with it.
   std::vector<double> grounds{0.01, 0.03, 0.1, 0.3};
+  /// What operations do to this organ; null: not known. The body's shape without contact forces is then a
+  /// shape that the prior makes probable, found together with them: y ~ N(0, Sigma + A Gamma A^T + B B^T).
+  std::shared_ptr<const OperationPrior> prior;
+  Eigen::VectorXd amplitudes;  ///< of the prior's modes to start with; empty: none
   double patch_spacing = 12.5e-3, patch_radius = 20e-3;
   double patch_reach = 8e-3;  ///< of patches from what is seen
   int iterations = 4;         ///< a stage, each with new closest points
@@ -70,6 +76,7 @@ struct ContactForceFit {
   int chosen = -1;                   ///< of laws
   std::vector<ContactForce> forces;  ///< of the chosen law, the strongest first
   int patches = 0;                   ///< offered
+  Eigen::VectorXd amplitudes;        ///< of the prior's modes, standard deviations
   /// Root mean square of each node's error that the posterior of forces and pose expects, m, with the spread
   /// between laws, each as probable as the cloud makes it. It knows of the noise and of forces where
   /// something is seen, not of forces elsewhere.

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "force_rows.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace glisson::registration {
+namespace {
+
+constexpr double kSigmaMargin = 6e-3, kSigmaNotch = 3e-3;  // m
+/// Neighbouring margin points share the model's error: independent information in a reference spacing's
+/// point.
+constexpr double kMarginInformation = 0.2;
+
+/// A landmark that the model lacks is a part of the surface like any other.
+bool on_surface(const MovingSurface& surface, Feature feature) {
+  return feature == Feature::surface || !surface.has(feature);
+}
+
+void resize(ForceRows& rows, Eigen::Index count) {
+  rows.points.conservativeResize(count, 3);
+  rows.directions.conservativeResize(count, 3);
+  rows.gap.conservativeResize(count);
+  rows.sigma.conservativeResize(count);
+}
+
+void add_labelled(ForceRows& rows, const PreparedCloud& cloud, const MovingSurface& surface, double sigma) {
+  int notch_points = 0;
+  for (int i = 0; i < cloud.cloud.size(); ++i)
+    notch_points += cloud.cloud.feature(i) == Feature::umbilical_notch;
+  for (const Pair& pair : find_pairs(cloud, surface, {})) {
+    if (!pair.kept || on_surface(surface, pair.feature)) continue;
+    const bool notch = pair.feature == Feature::umbilical_notch;
+    const double information =
+        notch ? 1.0 / notch_points : kMarginInformation * cloud.weight[static_cast<std::size_t>(pair.point)];
+    const Eigen::Index first = rows.size();
+    resize(rows, first + 3);
+    for (int c = 0; c < 3; ++c) {
+      rows.carriers.push_back(surface.carrier(pair.on_model));
+      rows.points.row(first + c) = pair.on_model.point.transpose();
+      rows.directions.row(first + c) = Eigen::RowVector3d::Unit(c);
+      rows.gap[first + c] = pair.gap[c];
+      rows.sigma[first + c] = std::max(sigma, notch ? kSigmaNotch : kSigmaMargin) / std::sqrt(information);
+    }
+  }
+}
+
+}  // namespace
+
+Eigen::MatrixXd ForceRows::along(const fem::NodalColumns& columns) const {
+  Eigen::MatrixXd a(size(), columns.cols());
+  Eigen::RowVectorXd row(columns.cols());
+  for (Eigen::Index i = 0; i < size(); ++i) {
+    const Carrier& carrier = carriers[static_cast<std::size_t>(i)];
+    row.setZero();
+    for (std::size_t k = 0; k < 4; ++k)
+      if (carrier.nodes[k] >= 0)
+        for (int c = 0; c < 3; ++c)
+          row += (carrier.weights[k] * directions(i, c)) * columns.row(3L * carrier.nodes[k] + c);
+    a.row(i) = row;
+  }
+  return a;
+}
+
+ForceRows find_rows(const PreparedCloud& cloud, const MovingSurface& surface, double sigma, double half) {
+  ForceRows rows;
+  resize(rows, cloud.cloud.size());
+  bool labelled = false;
+  Eigen::Index next = 0;
+  for (int i = 0; i < cloud.cloud.size(); ++i) {
+    if (!on_surface(surface, cloud.cloud.feature(i))) {
+      labelled = true;
+      continue;
+    }
+    const Eigen::Vector3d p = cloud.cloud.points.row(i).transpose();
+    const ClosestPoint at = surface.closest(Feature::surface, p);
+    const Eigen::Vector3d n = surface.normal(at);
+    rows.carriers.push_back(surface.carrier(at));
+    rows.points.row(next) = at.point.transpose();
+    rows.directions.row(next) = n.transpose();
+    rows.gap[next] = n.dot(p - at.point);
+    rows.sigma[next] = sigma * std::sqrt(1.0 + at.distance * at.distance / (half * half));
+    ++next;
+  }
+  resize(rows, next);
+  rows.surface_count = next;
+  if (labelled) add_labelled(rows, cloud, surface, sigma);
+  return rows;
+}
+
+}  // namespace glisson::registration

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "glisson/fem/elastic_body.h"
+#include "glisson/registration/moving_surface.h"
+#include "glisson/registration/pairs.h"
+
+namespace glisson::registration {
+
+/// What the cloud says of where the organ is: one number a row, how far the model is from a point of the
+/// cloud along one direction.
+struct ForceRows {
+  std::vector<Carrier> carriers;   ///< what moves the model's point
+  Points points;                   ///< on the model
+  Points directions;               ///< unit
+  Eigen::VectorXd gap;             ///< from the model's point to the cloud's, m
+  Eigen::VectorXd sigma;           ///< standard deviation, m; larger for what lies apart (Cauchy)
+  Eigen::Index surface_count = 0;  ///< rows of surface points; they come first
+
+  Eigen::Index size() const { return gap.size(); }
+  /// How each row's model point moves along the row's direction with nodal vectors. Shape: size() x columns.
+  Eigen::MatrixXd along(const fem::NodalColumns& columns) const;
+};
+
+/// Surface points count along the normal alone, whatever the distance; margin points and the notch's centroid
+/// in all directions, restricted to their parts (deviations of 6 and 3 mm, not less than `sigma`).
+/// @param surface where the model is now, in the cloud's frame. @param sigma of surface points, m.
+/// @param half distance at which a surface point's weight is a half, m.
+ForceRows find_rows(const PreparedCloud& cloud, const MovingSurface& surface, double sigma, double half);
+
+}  // namespace glisson::registration
