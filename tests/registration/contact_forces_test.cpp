@@ -147,8 +147,9 @@ class ContactForcesTest : public QObject {
     const double before = (off.apply(pulled.model.mesh.vertices) - pulled.truth).rowwise().norm().mean();
     QVERIFY2(pulled.error(fit) < 0.5 * before,
              qPrintable(QString("%1 of %2 mm").arg(1e3 * pulled.error(fit)).arg(1e3 * before)));
-    // Grounds under one law, the other laws with the best of them.
-    QVERIFY(fit.laws.size() == options.grounds.size() + options.materials.size() - 1);
+    // Grounds under one law, the other laws with the best of them, then Poisson's ratios.
+    QVERIFY(fit.laws.size() ==
+            options.grounds.size() + options.materials.size() - 1 + options.poisson_ratios.size());
   }
 
   void AShapeThatOperationsMakeIsFoundTogetherWithTheForces() {
@@ -206,6 +207,7 @@ class ContactForcesTest : public QObject {
     };
     refused([](auto& o) { o.materials.clear(); });
     refused([](auto& o) { o.materials.front().poisson_ratio = 0.5; });
+    refused([](auto& o) { o.poisson_ratios = {0.6}; });
     refused([](auto& o) { o.sigmas.clear(); });
     refused([](auto& o) { o.sigmas.front() = 0.0; });
     refused([](auto& o) { o.grounds.clear(); });

@@ -30,7 +30,9 @@ struct Example {
   Eigen::VectorXd fixed = Eigen::Vector2d(0.5, 2.0);
   Eigen::VectorXd y;
   Example() {
-    for (const int group : {0, 2, 3}) truth.segment<kSize>(group * kSize).setZero();
+    for (int group = 0; group < kGroups; ++group)
+      truth.segment<kSize>(group * kSize) =
+          (group == 1 || group == 4 ? 1.0 : 0.0) * Eigen::Vector3d(1.0, -0.8, 1.5);
     y = a * truth + sigma.cwiseProduct(normal_matrix(kRows, 1, 4));
   }
   EvidenceProblem problem() const { return {a, y, sigma, kGroups, kSize, fixed}; }

@@ -25,6 +25,9 @@ class Fits {
     fitters_.push_back(std::make_unique<ForceFitter>(problem_, material, ground));
   }
 
+  /// The last one added begins where the most probable one has ended.
+  void begin_at_best() { fitters_.back()->begin_at(best()); }
+
   /// Runs those added since. @param from, to share of the work, for the progress. @return false: cancelled.
   bool run(double from, double to) {
     first_ = next_ = done_;
@@ -104,6 +107,8 @@ void ContactForceOptions::validate() const {
   for (const auto& material : materials)
     demand(material.poisson_ratio > -1.0 && material.poisson_ratio < 0.5, "poisson_ratio",
            material.poisson_ratio, "Give a number between -1 and 0.5");
+  for (const double ratio : poisson_ratios)
+    demand(ratio > -1.0 && ratio < 0.5, "poisson_ratios", ratio, "Give numbers between -1 and 0.5");
   demand(!sigmas.empty(), "sigmas", 0.0, "Give one stage at least");
   for (const double sigma : sigmas)
     demand(sigma > 0.0 && std::isfinite(sigma), "sigmas", sigma, "Give positive lengths in metres");
@@ -130,12 +135,19 @@ Cancellable<ContactForceFit> fit_contact_forces(const PatientModel& model, const
   if (problem.free_pose) {
     const fem::BodyMaterial& material = options.materials.back();
     for (const double one : options.grounds) fits.add(material, one);
-    if (!fits.run(0.0, 0.5)) return std::nullopt;
+    if (!fits.run(0.0, 0.4)) return std::nullopt;
     ground = fits.best().law().ground;
   }
   for (const auto& material : options.materials)
     if (!problem.free_pose || material != options.materials.back()) fits.add(material, ground);
-  if (!fits.run(problem.free_pose ? 0.5 : 0.0, 1.0)) return std::nullopt;
+  if (!fits.run(problem.free_pose ? 0.4 : 0.0, 0.7)) return std::nullopt;
+  const fem::BodyMaterial material = fits.best().law().material;
+  for (const double ratio : options.poisson_ratios)
+    if (ratio != material.poisson_ratio) {
+      fits.add({material.law, ratio}, ground);
+      fits.begin_at_best();
+    }
+  if (!fits.run(0.7, 1.0)) return std::nullopt;
   if (!std::isfinite(fits.best().law().log_evidence))
     throw NumericalError("No equilibrium under contact forces was found: the mesh may have flat elements.");
   ContactForceFit fit = fits.chosen();

@@ -11,8 +11,6 @@
 namespace glisson::registration {
 namespace {
 
-constexpr double kGone = 1e-9;  ///< variance over the largest
-
 /// I + G^1/2 (A^T Sigma^-1 A) G^1/2 of the columns whose variance is not zero, factorised.
 struct Whitened {
   std::vector<int> columns;  ///< of the problem
@@ -79,7 +77,8 @@ EvidencePosterior posterior(const EvidenceProblem& problem, const Eigen::VectorX
   return result;
 }
 
-Eigen::VectorXd maximise_evidence(const EvidenceProblem& problem, Eigen::VectorXd gamma, int updates) {
+Eigen::VectorXd maximise_evidence(const EvidenceProblem& problem, Eigen::VectorXd gamma, int updates,
+                                  double gone) {
   const int size = problem.group_size;
   for (int update = 0; update < updates; ++update) {
     const Whitened white(problem, problem.column_variances(gamma));
@@ -96,9 +95,9 @@ Eigen::VectorXd maximise_evidence(const EvidenceProblem& problem, Eigen::VectorX
       at += size;
       gamma[j] = length / std::sqrt(std::max(trace, 1e-300));
     }
-    const double gone = kGone * gamma.maxCoeff();
+    const double least = gone * gamma.maxCoeff();
     for (double& g : gamma)
-      if (!(g > gone)) g = 0.0;
+      if (!(g > least)) g = 0.0;
   }
   return gamma;
 }

@@ -15,6 +15,8 @@ constexpr double kGroundLength = 0.1;                        ///< m, in the unit
 constexpr double kPoseTranslation = 20e-3, kPoseTurn = 0.2;  ///< prior deviations of a stage's pose: m, rad
 constexpr int kFirstUpdates = 12, kUpdates = 3;              ///< of the variances, an iteration
 constexpr double kAtRest = 0.1e-3;                           ///< m
+constexpr double kGone = 1e-4;  ///< variance of a patch over the largest, below which nothing acts there
+constexpr double kActs = 0.02;  ///< force over the strongest, above which it is told
 constexpr int kHalvings = 6;
 constexpr double kNoiseAtMost = 2.5e-3;  ///< m
 
@@ -51,7 +53,10 @@ ForceProblem::ForceProblem(const PatientModel& m, const LabelledCloud& c, const 
 }
 
 ForceFitter::ForceFitter(const ForceProblem& problem, const fem::BodyMaterial& material, double ground)
-    : problem_(problem), body_(problem.body), surface_(problem.surface) {
+    : problem_(problem),
+      body_(problem.body),
+      surface_(problem.surface),
+      first_sigma_(std::numeric_limits<double>::infinity()) {
   body_.set_material(material);
   if (problem.modes.cols() > 0) {
     now_.modes = Eigen::VectorXd::Zero(problem.modes.cols());
@@ -66,6 +71,15 @@ ForceFitter::ForceFitter(const ForceProblem& problem, const fem::BodyMaterial& m
   now_.law.ground = ground;
   now_.law.log_evidence = -std::numeric_limits<double>::infinity();
   best_ = now_;
+}
+
+void ForceFitter::begin_at(const ForceFitter& other) {
+  if (!std::isfinite(other.best_.law.log_evidence)) return;
+  now_.pose = other.best_.pose;
+  now_.x = other.best_.x;
+  now_.modes = other.best_.modes;
+  if (now_.modes.size() > 0) body_.set_rest(shape(now_.modes));
+  first_sigma_ = 2.0 * other.best_.law.sigma;
 }
 
 ForceRows ForceFitter::pair(double sigma) {
@@ -237,7 +251,7 @@ bool ForceFitter::stage(double sigma, const RunContext& context) {
     const auto groups = static_cast<int>(now_.patches.size());
     if (iteration == 0) variances_.setConstant(groups, y.squaredNorm() / a.leftCols(columns).squaredNorm());
     const EvidenceProblem problem(a, y, rows.sigma, groups, 3, fixed_variances());
-    variances_ = maximise_evidence(problem, variances_, iteration == 0 ? kFirstUpdates : kUpdates);
+    variances_ = maximise_evidence(problem, variances_, iteration == 0 ? kFirstUpdates : kUpdates, kGone);
     if (context.cancelled()) return false;
     found = posterior(problem, variances_);
     now_.law.log_evidence = found.log_evidence;
@@ -259,6 +273,7 @@ bool ForceFitter::stage(double sigma, const RunContext& context) {
 
 bool ForceFitter::run(const RunContext& context, const std::function<void()>& advance) {
   for (const double sigma : problem_.options.sigmas) {
+    if (sigma > 1.01 * first_sigma_) continue;
     if (!stage(sigma, context)) return false;
     advance();
     // Below the noise the evidence falls, and goes on falling. Far from it a stage may be at fault.
@@ -272,10 +287,13 @@ ContactForceFit ForceFitter::result() const {
   fit.camera_from_ct = best_.pose;
   fit.nodes_in_camera = best_.pose.apply(best_.x);
   fit.patches = static_cast<int>(best_.patches.size());
+  double strongest = 0.0;
+  for (Eigen::Index at = 0; at < best_.amplitudes.size(); at += 3)
+    strongest = std::max(strongest, best_.amplitudes.segment<3>(at).norm());
   for (std::size_t j = 0; j < best_.patches.size(); ++j) {
     const auto at = 3 * static_cast<Eigen::Index>(j);
     const Eigen::Vector3d force = best_.amplitudes.segment<3>(at);
-    if (force.norm() > 0.0)
+    if (force.norm() > kActs * strongest)
       fit.forces.push_back(
           {best_.patches[j].node, force, best_.deviations.segment<3>(at).norm() / std::sqrt(3.0)});
   }

@@ -32,6 +32,8 @@ struct ForceProblem {
 class ForceFitter {
  public:
   ForceFitter(const ForceProblem& problem, const fem::BodyMaterial& material, double ground);
+  /// Begins where another fit of the same problem has ended, two stages before the end.
+  void begin_at(const ForceFitter& other);
   /// @return false: cancelled. `advance` is called after each stage.
   bool run(const RunContext& context, const std::function<void()>& advance);
   /// With the forces and the expected error.
@@ -73,6 +75,7 @@ class ForceFitter {
   fem::NodalColumns responses_;  ///< displacements for a unit of each patch's x, y, z
   Eigen::VectorXd variances_;
   bool factorised_ = false;
+  double first_sigma_;
   int iterations_ = 0;
 };
 

@@ -20,11 +20,10 @@ namespace glisson::registration {
 /// surface's normal alone, what they do. The law, how far the supports give way and the noise are those under
 /// which the cloud is most probable. Lengths in metres; forces for a Young's modulus of 1 Pa.
 struct ContactForceOptions {
-  /// Laws that are tried; the most probable one is kept.
-  std::vector<fem::BodyMaterial> materials{{fem::BodyLaw::linear, 0.42},
-                                           {fem::BodyLaw::linear, 0.47},
-                                           {fem::BodyLaw::neo_hookean, 0.42},
-                                           {fem::BodyLaw::neo_hookean, 0.47}};
+  /// Laws that are tried first.
+  std::vector<fem::BodyMaterial> materials{{fem::BodyLaw::linear, 0.45}, {fem::BodyLaw::neo_hookean, 0.45}};
+  /// That the most probable law is tried with after that; the most probable of all is kept.
+  std::vector<double> poisson_ratios{0.41, 0.48};
   /// Standard deviations of the cloud across the surface, stage by stage. The stage under which the cloud is
   /// most probable is the last: the noise is not known.
   std::vector<double> sigmas{8e-3, 4e-3, 2e-3, 1e-3, 0.5e-3};
@@ -74,7 +73,7 @@ struct ContactForceFit {
   Points nodes_in_camera;
   std::vector<LawFit> laws;          ///< as tried
   int chosen = -1;                   ///< of laws
-  std::vector<ContactForce> forces;  ///< of the chosen law, the strongest first
+  std::vector<ContactForce> forces;  ///< those over 2 % of the strongest, which comes first
   int patches = 0;                   ///< offered
   Eigen::VectorXd amplitudes;        ///< of the prior's modes, standard deviations
   /// Root mean square of each node's error that the posterior of forces and pose expects, m, with the spread
