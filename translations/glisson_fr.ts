@@ -470,11 +470,11 @@
     </message>
     <message>
         <source>Two elastic laws explain the points almost equally well, but place the organ differently; the better one was taken.</source>
-        <translation>Deux lois élastiques expliquent les points presque aussi bien, mais placent l'organe différemment ; la meilleure a été retenue.</translation>
+        <translation>Deux lois élastiques expliquent les points presque aussi bien, mais placent l&apos;organe différemment ; la meilleure a été retenue.</translation>
     </message>
     <message>
         <source>The search for contact forces ended before it had come to rest.</source>
-        <translation>La recherche des forces de contact s'est arrêtée avant d'arriver au repos.</translation>
+        <translation>La recherche des forces de contact s&apos;est arrêtée avant d&apos;arriver au repos.</translation>
     </message>
     <message>
         <source>Many points do not fit the model and were left aside.</source>
@@ -595,6 +595,89 @@
     <message>
         <source>The case was opened without the points of the whole stereo pair: reconstruct the surface again before regions are changed. Saved now, the case loses what is left of them. (%*)</source>
         <translation>Le cas a été ouvert sans les points de la paire stéréo entière : reconstruisez la surface avant de modifier des régions. Enregistré maintenant, le cas perd ce qu’il en reste. (%*)</translation>
+    </message>
+</context>
+<context>
+    <name>Obstacles</name>
+    <message>
+        <source>Open a CT first.</source>
+        <translation>Ouvrez d&apos;abord un scanner.</translation>
+    </message>
+    <message>
+        <source>Place at least one seed in the liver.</source>
+        <translation>Placez au moins un germe dans le foie.</translation>
+    </message>
+    <message>
+        <source>Segment the CT or import labels first.</source>
+        <translation>Segmentez d&apos;abord le scanner ou importez des étiquettes.</translation>
+    </message>
+    <message>
+        <source>Build a model first.</source>
+        <translation>Construisez d&apos;abord un modèle.</translation>
+    </message>
+    <message>
+        <source>Place or accept the landmarks first.</source>
+        <translation>Placez ou acceptez d’abord les repères.</translation>
+    </message>
+    <message>
+        <source>Load the laparoscope&apos;s calibration first.</source>
+        <translation>Chargez d&apos;abord l&apos;étalonnage du laparoscope.</translation>
+    </message>
+    <message>
+        <source>The case has no stereo video (Stereo, Video…).</source>
+        <translation>Le cas n&apos;a pas de vidéo stéréo (Stéréo, Vidéo…).</translation>
+    </message>
+    <message>
+        <source>Load a stereo pair or a video frame first.</source>
+        <translation>Chargez d&apos;abord une paire stéréo ou une image de vidéo.</translation>
+    </message>
+    <message>
+        <source>Reconstruct the surface first (Stereo).</source>
+        <translation>Reconstruisez d&apos;abord la surface (Stéréo).</translation>
+    </message>
+    <message>
+        <source>Register first.</source>
+        <translation>Recalez d&apos;abord.</translation>
+    </message>
+    <message>
+        <source>The labels are out of date: segment or import them again (Segmentation).</source>
+        <translation>Les étiquettes sont périmées : segmentez ou importez-les de nouveau (Segmentation).</translation>
+    </message>
+    <message>
+        <source>The model is out of date: build it again (Model).</source>
+        <translation>Le modèle est périmé : reconstruisez-le (Modèle).</translation>
+    </message>
+    <message>
+        <source>The model is another one than was checked: look at it again (Model).</source>
+        <translation>Le modèle n’est plus celui qui a été vérifié : regardez-le de nouveau (Modèle).</translation>
+    </message>
+    <message>
+        <source>The landmarks are those of another model: look at them and accept them (Landmarks).</source>
+        <translation>Les repères sont ceux d’un autre modèle : vérifiez-les et acceptez-les (Repères).</translation>
+    </message>
+    <message>
+        <source>The frame is of a former video: take one of the present video (Stereo).</source>
+        <translation>L’image vient d’une vidéo précédente : prenez-en une de la vidéo actuelle (Stéréo).</translation>
+    </message>
+    <message>
+        <source>The regions are those of another frame: draw them again or clear them (Stereo).</source>
+        <translation>Les régions sont celles d’une autre image : redessinez-les ou effacez-les (Stéréo).</translation>
+    </message>
+    <message>
+        <source>The points are out of date: reconstruct the surface again (Stereo).</source>
+        <translation>Les points sont périmés : reconstruisez la surface (Stéréo).</translation>
+    </message>
+    <message>
+        <source>The registration is out of date: register again.</source>
+        <translation>Le recalage est périmé : recalez de nouveau.</translation>
+    </message>
+    <message>
+        <source>There is no %1 yet.</source>
+        <translation>Pas encore là : %1.</translation>
+    </message>
+    <message>
+        <source>%1 is out of date: make it anew.</source>
+        <translation>Périmé : %1. À refaire.</translation>
     </message>
 </context>
 <context>
@@ -1955,10 +2038,6 @@
         <translation>Des traits que l&apos;on retrouve dans les images du laparoscope. Vérifiez-les sur la surface 3D et placez ce qui manque.</translation>
     </message>
     <message>
-        <source>Build a model first.</source>
-        <translation>Construisez d&apos;abord un modèle.</translation>
-    </message>
-    <message>
         <source>Anterior margin</source>
         <translation>Bord antérieur</translation>
     </message>
@@ -2323,253 +2402,6 @@
     </message>
 </context>
 <context>
-    <name>glisson::ui::RegistrationModel</name>
-    <message>
-        <source>Build a model first.</source>
-        <translation>Construisez d&apos;abord un modèle.</translation>
-    </message>
-    <message>
-        <source>Reconstruct the surface first (Stereo).</source>
-        <translation>Reconstruisez d&apos;abord la surface (Stéréo).</translation>
-    </message>
-    <message>
-        <source>The labels are out of date: segment or import them again (Segmentation).</source>
-        <translation>Les étiquettes sont périmées : segmentez ou importez-les de nouveau (Segmentation).</translation>
-    </message>
-    <message>
-        <source>The model is out of date: build it again (Model).</source>
-        <translation>Le modèle est périmé : reconstruisez-le (Modèle).</translation>
-    </message>
-    <message>
-        <source>The landmarks are those of another model: look at them and accept them (Landmarks).</source>
-        <translation>Les repères sont ceux d’un autre modèle : vérifiez-les et acceptez-les (Repères).</translation>
-    </message>
-    <message>
-        <source>The frame is of a former video: take one of the present video (Stereo).</source>
-        <translation>L’image vient d’une vidéo précédente : prenez-en une de la vidéo actuelle (Stéréo).</translation>
-    </message>
-    <message>
-        <source>The regions are those of another frame: draw them again or clear them (Stereo).</source>
-        <translation>Les régions sont celles d’une autre image : redessinez-les ou effacez-les (Stéréo).</translation>
-    </message>
-    <message>
-        <source>The points are out of date: reconstruct the surface again (Stereo).</source>
-        <translation>Les points sont périmés : reconstruisez la surface (Stéréo).</translation>
-    </message>
-    <message>
-        <source>Residual (not an accuracy)</source>
-        <translation>Résidu (pas une précision)</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>Converged</source>
-        <translation>Convergé</translation>
-    </message>
-    <message>
-        <source>yes, %1 plateaus</source>
-        <translation>oui, %1 paliers</translation>
-    </message>
-    <message>
-        <source>no, %1 steps</source>
-        <translation>non, %1 pas</translation>
-    </message>
-</context>
-<context>
-    <name>glisson::ui::RegistrationBox</name>
-    <message>
-        <source>Nobody has checked this model (Model, Quality). The picture says so.</source>
-        <translation>Personne n’a vérifié ce modèle (Modèle, Qualité). L’image le dit.</translation>
-    </message>
-    <message>
-        <source>Register</source>
-        <translation>Recaler</translation>
-    </message>
-</context>
-<context>
-    <name>glisson::ui::PlaybackModel</name>
-    <message>
-        <source>Tracking is running.</source>
-        <translation>Le suivi est en cours.</translation>
-    </message>
-    <message>
-        <source>The video has ended. Last picture, not live.</source>
-        <translation>La vidéo est finie. Dernière image, pas en direct.</translation>
-    </message>
-    <message>
-        <source>Register first.</source>
-        <translation>Recalez d&apos;abord.</translation>
-    </message>
-    <message>
-        <source>The registration is out of date: register again.</source>
-        <translation>Le recalage est périmé : recalez de nouveau.</translation>
-    </message>
-    <message>
-        <source>The case has no stereo video (Stereo, Video…).</source>
-        <translation>Le cas n&apos;a pas de vidéo stéréo (Stéréo, Vidéo…).</translation>
-    </message>
-    <message>
-        <source>The registered frame or the calibration is missing.</source>
-        <translation>Il manque l&apos;image recalée ou l&apos;étalonnage.</translation>
-    </message>
-    <message>
-        <source>Tracking was stopped. Last picture, not live.</source>
-        <translation>Le suivi a été arrêté. Dernière image, pas en direct.</translation>
-    </message>
-</context>
-<context>
-    <name>glisson::ui::PlaybackBox</name>
-    <message>
-        <source>Start tracking</source>
-        <translation>Démarrer le suivi</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>Arrêter</translation>
-    </message>
-    <message>
-        <source>Repeat the video</source>
-        <translation>Répéter la vidéo</translation>
-    </message>
-    <message>
-        <source>At its end, track again from the registered frame.</source>
-        <translation>À la fin, suivre de nouveau depuis l&apos;image recalée.</translation>
-    </message>
-</context>
-<context>
-    <name>glisson::ui::RecordingModel</name>
-    <message>
-        <source>Frames recorded: %1, in %2</source>
-        <translation>Images enregistrées : %1, dans %2</translation>
-    </message>
-    <message>
-        <source>Recording to %1</source>
-        <translation>Enregistrement dans %1</translation>
-    </message>
-</context>
-<context>
-    <name>glisson::ui::RecordingBox</name>
-    <message>
-        <source>Stop recording</source>
-        <translation>Arrêter l&apos;enregistrement</translation>
-    </message>
-    <message>
-        <source>Record…</source>
-        <translation>Enregistrer…</translation>
-    </message>
-    <message>
-        <source>Record the live view</source>
-        <translation>Enregistrer la vue en direct</translation>
-    </message>
-    <message>
-        <source>Video (*.mkv)</source>
-        <translation>Vidéo (*.mkv)</translation>
-    </message>
-</context>
-<context>
-    <name>glisson::ui::LiveViewModel</name>
-    <message>
-        <source>Not live</source>
-        <translation>Pas en direct</translation>
-    </message>
-    <message>
-        <source>Registered frame %1, not live</source>
-        <translation>Image recalée %1, pas en direct</translation>
-    </message>
-    <message>
-        <source>Frame %1, not live</source>
-        <translation>Image %1, pas en direct</translation>
-    </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
-    <message>
-        <source>Tracked points, left / right</source>
-        <translation>Points suivis, gauche / droite</translation>
-    </message>
-    <message>
-        <source>%1 / %2</source>
-        <translation>%1 / %2</translation>
-    </message>
-    <message>
-        <source>Pairs</source>
-        <translation>Paires</translation>
-    </message>
-    <message>
-        <source>Residual (not an accuracy)</source>
-        <translation>Résidu (pas une précision)</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>Tracking and mechanics</source>
-        <translation>Suivi et mécanique</translation>
-    </message>
-    <message>
-        <source>Drawing</source>
-        <translation>Dessin</translation>
-    </message>
-    <message>
-        <source>Frames late / dropped</source>
-        <translation>Images en retard / perdues</translation>
-    </message>
-    <message>
-        <source>LIVE   frame %1   age %2 ms   %3 frames/s</source>
-        <translation>DIRECT   image %1   âge %2 ms   %3 images/s</translation>
-    </message>
-    <message>
-        <source>   NO OVERLAY: %1</source>
-        <translation>   PAS DE SUPERPOSITION : %1</translation>
-    </message>
-    <message>
-        <source>The picture is %1 s old: the overlay does not show where things are now.</source>
-        <translation>L&apos;image a %1 s : la superposition ne montre pas où sont les choses maintenant.</translation>
-    </message>
-    <message>
-        <source>The overlay is being prepared: the picture shows none yet.</source>
-        <translation>La superposition est en préparation : l&apos;image n&apos;en montre pas encore.</translation>
-    </message>
-</context>
-<context>
-    <name>glisson::ui::LiveView</name>
-    <message>
-        <source>Register the model to a frame of the laparoscope; the augmented picture appears here.</source>
-        <translation>Recalez le modèle sur une image du laparoscope ; l&apos;image augmentée apparaît ici.</translation>
-    </message>
-</context>
-<context>
-    <name>glisson::ui::LookBox</name>
-    <message>
-        <source>Portal vein</source>
-        <translation>Veine porte</translation>
-    </message>
-    <message>
-        <source>Hepatic veins</source>
-        <translation>Veines hépatiques</translation>
-    </message>
-    <message>
-        <source>Lesions</source>
-        <translation>Lésions</translation>
-    </message>
-    <message>
-        <source>Liver outline</source>
-        <translation>Contour du foie</translation>
-    </message>
-    <message>
-        <source>Anterior margin</source>
-        <translation>Bord antérieur</translation>
-    </message>
-    <message>
-        <source>Vessel opacity</source>
-        <translation>Opacité des vaisseaux</translation>
-    </message>
-</context>
-<context>
     <name>glisson::ui::GuidancePanel</name>
     <message>
         <source>Guidance</source>
@@ -2769,6 +2601,80 @@
     </message>
 </context>
 <context>
+    <name>glisson::ui::LiveView</name>
+    <message>
+        <source>Register the model to a frame of the laparoscope; the augmented picture appears here.</source>
+        <translation>Recalez le modèle sur une image du laparoscope ; l&apos;image augmentée apparaît ici.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::LiveViewModel</name>
+    <message>
+        <source>Not live</source>
+        <translation>Pas en direct</translation>
+    </message>
+    <message>
+        <source>Registered frame %1, not live</source>
+        <translation>Image recalée %1, pas en direct</translation>
+    </message>
+    <message>
+        <source>Frame %1, not live</source>
+        <translation>Image %1, pas en direct</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Tracked points, left / right</source>
+        <translation>Points suivis, gauche / droite</translation>
+    </message>
+    <message>
+        <source>%1 / %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation>Paires</translation>
+    </message>
+    <message>
+        <source>Residual (not an accuracy)</source>
+        <translation>Résidu (pas une précision)</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Tracking and mechanics</source>
+        <translation>Suivi et mécanique</translation>
+    </message>
+    <message>
+        <source>Drawing</source>
+        <translation>Dessin</translation>
+    </message>
+    <message>
+        <source>Frames late / dropped</source>
+        <translation>Images en retard / perdues</translation>
+    </message>
+    <message>
+        <source>LIVE   frame %1   age %2 ms   %3 frames/s</source>
+        <translation>DIRECT   image %1   âge %2 ms   %3 images/s</translation>
+    </message>
+    <message>
+        <source>   NO OVERLAY: %1</source>
+        <translation>   PAS DE SUPERPOSITION : %1</translation>
+    </message>
+    <message>
+        <source>The picture is %1 s old: the overlay does not show where things are now.</source>
+        <translation>L&apos;image a %1 s : la superposition ne montre pas où sont les choses maintenant.</translation>
+    </message>
+    <message>
+        <source>The overlay is being prepared: the picture shows none yet.</source>
+        <translation>La superposition est en préparation : l&apos;image n&apos;en montre pas encore.</translation>
+    </message>
+</context>
+<context>
     <name>glisson::ui::LoadTrialBox</name>
     <message>
         <source>Try a load</source>
@@ -2809,6 +2715,33 @@
     <message>
         <source>Pull %1 N, organ moved by up to %2 mm</source>
         <translation>Traction %1 N, organe déplacé de %2 mm au plus</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::LookBox</name>
+    <message>
+        <source>Portal vein</source>
+        <translation>Veine porte</translation>
+    </message>
+    <message>
+        <source>Hepatic veins</source>
+        <translation>Veines hépatiques</translation>
+    </message>
+    <message>
+        <source>Lesions</source>
+        <translation>Lésions</translation>
+    </message>
+    <message>
+        <source>Liver outline</source>
+        <translation>Contour du foie</translation>
+    </message>
+    <message>
+        <source>Anterior margin</source>
+        <translation>Bord antérieur</translation>
+    </message>
+    <message>
+        <source>Vessel opacity</source>
+        <translation>Opacité des vaisseaux</translation>
     </message>
 </context>
 <context>
@@ -3005,10 +2938,6 @@
         <translation>Dossier de surfaces, nommées par structure</translation>
     </message>
     <message>
-        <source>Segment the CT or import labels first.</source>
-        <translation>Segmentez d&apos;abord le scanner ou importez des étiquettes.</translation>
-    </message>
-    <message>
         <source>Vertices</source>
         <translation>Sommets</translation>
     </message>
@@ -3102,6 +3031,40 @@
     <message>
         <source>Running</source>
         <translation>En cours</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::PlaybackBox</name>
+    <message>
+        <source>Start tracking</source>
+        <translation>Démarrer le suivi</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêter</translation>
+    </message>
+    <message>
+        <source>Repeat the video</source>
+        <translation>Répéter la vidéo</translation>
+    </message>
+    <message>
+        <source>At its end, track again from the registered frame.</source>
+        <translation>À la fin, suivre de nouveau depuis l&apos;image recalée.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::PlaybackModel</name>
+    <message>
+        <source>Tracking is running.</source>
+        <translation>Le suivi est en cours.</translation>
+    </message>
+    <message>
+        <source>The video has ended. Last picture, not live.</source>
+        <translation>La vidéo est finie. Dernière image, pas en direct.</translation>
+    </message>
+    <message>
+        <source>Tracking was stopped. Last picture, not live.</source>
+        <translation>Le suivi a été arrêté. Dernière image, pas en direct.</translation>
     </message>
 </context>
 <context>
@@ -3220,6 +3183,36 @@
     </message>
 </context>
 <context>
+    <name>glisson::ui::RecordingBox</name>
+    <message>
+        <source>Stop recording</source>
+        <translation>Arrêter l&apos;enregistrement</translation>
+    </message>
+    <message>
+        <source>Record…</source>
+        <translation>Enregistrer…</translation>
+    </message>
+    <message>
+        <source>Record the live view</source>
+        <translation>Enregistrer la vue en direct</translation>
+    </message>
+    <message>
+        <source>Video (*.mkv)</source>
+        <translation>Vidéo (*.mkv)</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::RecordingModel</name>
+    <message>
+        <source>Frames recorded: %1, in %2</source>
+        <translation>Images enregistrées : %1, dans %2</translation>
+    </message>
+    <message>
+        <source>Recording to %1</source>
+        <translation>Enregistrement dans %1</translation>
+    </message>
+</context>
+<context>
     <name>glisson::ui::RegionBox</name>
     <message>
         <source>Region</source>
@@ -3287,6 +3280,40 @@
     </message>
 </context>
 <context>
+    <name>glisson::ui::RegistrationBox</name>
+    <message>
+        <source>Nobody has checked this model (Model, Quality). The picture says so.</source>
+        <translation>Personne n’a vérifié ce modèle (Modèle, Qualité). L’image le dit.</translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation>Recaler</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::RegistrationModel</name>
+    <message>
+        <source>Residual (not an accuracy)</source>
+        <translation>Résidu (pas une précision)</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Converged</source>
+        <translation>Convergé</translation>
+    </message>
+    <message>
+        <source>yes, %1 plateaus</source>
+        <translation>oui, %1 paliers</translation>
+    </message>
+    <message>
+        <source>no, %1 steps</source>
+        <translation>non, %1 pas</translation>
+    </message>
+</context>
+<context>
     <name>glisson::ui::SeedBox</name>
     <message>
         <source>Not liver</source>
@@ -3351,10 +3378,6 @@
     <message>
         <source>Segment</source>
         <translation>Segmenter</translation>
-    </message>
-    <message>
-        <source>Open a CT first.</source>
-        <translation>Ouvrez d&apos;abord un scanner.</translation>
     </message>
     <message>
         <source>Place at least one seed in the liver.</source>
@@ -3674,14 +3697,6 @@
     <message>
         <source>Stereo pair, %1 × %2</source>
         <translation>Paire stéréo, %1 × %2</translation>
-    </message>
-    <message>
-        <source>Load the laparoscope&apos;s calibration first.</source>
-        <translation>Chargez d&apos;abord l&apos;étalonnage du laparoscope.</translation>
-    </message>
-    <message>
-        <source>Load a stereo pair or a video frame first.</source>
-        <translation>Chargez d&apos;abord une paire stéréo ou une image de vidéo.</translation>
     </message>
     <message>
         <source>left</source>
