@@ -176,7 +176,7 @@ class Puller {
     options.max_iterations = 60;
     const auto summary = solve_static(
         model_, start, [&](const Points&) { return loads; }, options, context_.quiet());
-    if (!summary || !summary->converged) return std::nullopt;
+    if (!summary || !summary->converged()) return std::nullopt;
     return summary->positions;
   }
 
