@@ -758,6 +758,30 @@
         <source>Model not checked</source>
         <translation>Modell nicht geprüft</translation>
     </message>
+    <message>
+        <source>the camera sees the organ elsewhere; register again</source>
+        <translation>die Kamera sieht das Organ woanders; neu registrieren</translation>
+    </message>
+    <message>
+        <source>the picture stands still; check the camera</source>
+        <translation>das Bild steht still; Kamera prüfen</translation>
+    </message>
+    <message>
+        <source>the two views do not show the same moment; check the cameras</source>
+        <translation>die beiden Ansichten zeigen nicht denselben Augenblick; Kameras prüfen</translation>
+    </message>
+    <message>
+        <source>part of the organ is covered</source>
+        <translation>ein Teil des Organs ist verdeckt</translation>
+    </message>
+    <message>
+        <source>the picture has lost light or contrast</source>
+        <translation>dem Bild fehlt Licht oder Kontrast</translation>
+    </message>
+    <message>
+        <source>Outline and lesions only: %1</source>
+        <translation>Nur Umriss und Läsionen: %1</translation>
+    </message>
 </context>
 <context>
     <name>Review</name>
@@ -1908,12 +1932,12 @@
         <translation>%1 ist nicht da und wird ausgelassen.</translation>
     </message>
     <message>
-        <source>Measures the figures of the READMEs again, against experts&apos; labels and known truths: patient (from the CT to the model), stereo (from pictures to clouds).</source>
-        <translation>Misst die Zahlen der READMEs noch einmal, an Labels von Experten und bekannten Wahrheiten: patient (vom CT zum Modell), stereo (von Bildern zu Punktwolken).</translation>
+        <source>Measures the figures of the READMEs again, against experts&apos; labels and known truths: patient (from the CT to the model), stereo (from pictures to clouds), live (what the overlay says of itself when something is wrong).</source>
+        <translation>Misst die Zahlen der READMEs noch einmal, an Labels von Experten und bekannten Wahrheiten: patient (vom CT zum Modell), stereo (von Bildern zu Punktwolken), live (was die Einblendung von sich sagt, wenn etwas nicht stimmt).</translation>
     </message>
     <message>
-        <source>Which: patient or stereo.</source>
-        <translation>Welche: patient oder stereo.</translation>
+        <source>Which: patient, stereo or live.</source>
+        <translation>Welche: patient, stereo oder live.</translation>
     </message>
     <message>
         <source>Picture of where there are enough points, and where they are missing.</source>
@@ -2010,6 +2034,18 @@
     <message>
         <source>real CT: volume error of lesions above 1 ml, largest</source>
         <translation>echtes CT: größter Volumenfehler der Läsionen über 1 ml</translation>
+    </message>
+    <message>
+        <source>live: frames over 10 mm that are not valid, share</source>
+        <translation>live: Anteil der Bilder über 10 mm, die nicht gültig sind</translation>
+    </message>
+    <message>
+        <source>live: frames under 3 mm without a fault that are valid, share</source>
+        <translation>live: Anteil der Bilder unter 3 mm ohne Fehler, die gültig sind</translation>
+    </message>
+    <message>
+        <source>live: longest time until an overlay goes, s</source>
+        <translation>live: längste Zeit, bis eine Einblendung verschwindet, s</translation>
     </message>
 </context>
 <context>
@@ -2399,6 +2435,257 @@
     <message>
         <source>A click here moves %1 ml: %2 → %3.</source>
         <translation>Ein Klick hier verschiebt %1 ml: %2 → %3.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::RegistrationModel</name>
+    <message>
+        <source>Build a model first.</source>
+        <translation>Zuerst ein Modell bauen.</translation>
+    </message>
+    <message>
+        <source>Reconstruct the surface first (Stereo).</source>
+        <translation>Zuerst die Oberfläche rekonstruieren (Stereo).</translation>
+    </message>
+    <message>
+        <source>The labels are out of date: segment or import them again (Segmentation).</source>
+        <translation>Die Labels sind veraltet: erneut segmentieren oder importieren (Segmentierung).</translation>
+    </message>
+    <message>
+        <source>The model is out of date: build it again (Model).</source>
+        <translation>Das Modell ist veraltet: neu erstellen (Modell).</translation>
+    </message>
+    <message>
+        <source>The landmarks are those of another model: look at them and accept them (Landmarks).</source>
+        <translation>Die Landmarken gehören zu einem anderen Modell: ansehen und annehmen (Landmarken).</translation>
+    </message>
+    <message>
+        <source>The frame is of a former video: take one of the present video (Stereo).</source>
+        <translation>Das Bild stammt aus einem früheren Video: eines des jetzigen nehmen (Stereo).</translation>
+    </message>
+    <message>
+        <source>The regions are those of another frame: draw them again or clear them (Stereo).</source>
+        <translation>Die Regionen gehören zu einem anderen Bild: neu zeichnen oder löschen (Stereo).</translation>
+    </message>
+    <message>
+        <source>The points are out of date: reconstruct the surface again (Stereo).</source>
+        <translation>Die Punkte sind veraltet: Oberfläche erneut rekonstruieren (Stereo).</translation>
+    </message>
+    <message>
+        <source>Residual (not an accuracy)</source>
+        <translation>Restabstand (keine Genauigkeit)</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Converged</source>
+        <translation>Konvergiert</translation>
+    </message>
+    <message>
+        <source>yes, %1 plateaus</source>
+        <translation>ja, %1 Stufen</translation>
+    </message>
+    <message>
+        <source>no, %1 steps</source>
+        <translation>nein, %1 Schritte</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::RegistrationBox</name>
+    <message>
+        <source>Nobody has checked this model (Model, Quality). The picture says so.</source>
+        <translation>Niemand hat dieses Modell geprüft (Modell, Qualität). Das Bild sagt es.</translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation>Registrieren</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::PlaybackModel</name>
+    <message>
+        <source>Tracking is running.</source>
+        <translation>Die Verfolgung läuft.</translation>
+    </message>
+    <message>
+        <source>The video has ended. Last picture, not live.</source>
+        <translation>Das Video ist zu Ende. Letztes Bild, nicht live.</translation>
+    </message>
+    <message>
+        <source>Register first.</source>
+        <translation>Zuerst registrieren.</translation>
+    </message>
+    <message>
+        <source>The registration is out of date: register again.</source>
+        <translation>Die Registrierung ist veraltet: neu registrieren.</translation>
+    </message>
+    <message>
+        <source>The case has no stereo video (Stereo, Video…).</source>
+        <translation>Der Fall hat kein Stereovideo (Stereo, Video…).</translation>
+    </message>
+    <message>
+        <source>The registered frame or the calibration is missing.</source>
+        <translation>Das registrierte Bild oder die Kalibrierung fehlt.</translation>
+    </message>
+    <message>
+        <source>Tracking was stopped. Last picture, not live.</source>
+        <translation>Die Verfolgung wurde beendet. Letztes Bild, nicht live.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::PlaybackBox</name>
+    <message>
+        <source>Start tracking</source>
+        <translation>Verfolgung starten</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>Repeat the video</source>
+        <translation>Video wiederholen</translation>
+    </message>
+    <message>
+        <source>At its end, track again from the registered frame.</source>
+        <translation>Am Ende wieder ab dem registrierten Bild verfolgen.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::RecordingModel</name>
+    <message>
+        <source>Frames recorded: %1, in %2</source>
+        <translation>Aufgenommene Bilder: %1, in %2</translation>
+    </message>
+    <message>
+        <source>Recording to %1</source>
+        <translation>Aufnahme in %1</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::RecordingBox</name>
+    <message>
+        <source>Stop recording</source>
+        <translation>Aufnahme beenden</translation>
+    </message>
+    <message>
+        <source>Record…</source>
+        <translation>Aufnehmen…</translation>
+    </message>
+    <message>
+        <source>Record the live view</source>
+        <translation>Live-Ansicht aufnehmen</translation>
+    </message>
+    <message>
+        <source>Video (*.mkv)</source>
+        <translation>Video (*.mkv)</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::LiveViewModel</name>
+    <message>
+        <source>Not live</source>
+        <translation>Nicht live</translation>
+    </message>
+    <message>
+        <source>Registered frame %1, not live</source>
+        <translation>Registriertes Bild %1, nicht live</translation>
+    </message>
+    <message>
+        <source>Frame %1, not live</source>
+        <translation>Bild %1, nicht live</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Tracked points, left / right</source>
+        <translation>Verfolgte Punkte, links / rechts</translation>
+    </message>
+    <message>
+        <source>%1 / %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation>Paare</translation>
+    </message>
+    <message>
+        <source>Residual (not an accuracy)</source>
+        <translation>Restabstand (keine Genauigkeit)</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Tracking and mechanics</source>
+        <translation>Verfolgung und Mechanik</translation>
+    </message>
+    <message>
+        <source>Drawing</source>
+        <translation>Zeichnen</translation>
+    </message>
+    <message>
+        <source>Frames late / dropped</source>
+        <translation>Bilder zu spät / ausgelassen</translation>
+    </message>
+    <message>
+        <source>LIVE   frame %1   age %2 ms   %3 frames/s</source>
+        <translation>LIVE   Bild %1   Alter %2 ms   %3 Bilder/s</translation>
+    </message>
+    <message>
+        <source>   NO OVERLAY: %1</source>
+        <translation>   KEINE EINBLENDUNG: %1</translation>
+    </message>
+    <message>
+        <source>The picture is %1 s old: the overlay does not show where things are now.</source>
+        <translation>Das Bild ist %1 s alt: Die Einblendung zeigt nicht, wo die Dinge jetzt sind.</translation>
+    </message>
+    <message>
+        <source>The overlay is being prepared: the picture shows none yet.</source>
+        <translation>Die Einblendung wird vorbereitet: Das Bild zeigt noch keine.</translation>
+    </message>
+    <message>
+        <source>   OUTLINE ONLY: %1</source>
+        <translation>   NUR UMRISS: %1</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::LiveView</name>
+    <message>
+        <source>Register the model to a frame of the laparoscope; the augmented picture appears here.</source>
+        <translation>Das Modell zu einem Bild des Laparoskops registrieren; hier erscheint dann das Bild mit der Einblendung.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::LookBox</name>
+    <message>
+        <source>Portal vein</source>
+        <translation>Pfortader</translation>
+    </message>
+    <message>
+        <source>Hepatic veins</source>
+        <translation>Lebervenen</translation>
+    </message>
+    <message>
+        <source>Lesions</source>
+        <translation>Läsionen</translation>
+    </message>
+    <message>
+        <source>Liver outline</source>
+        <translation>Leberumriss</translation>
+    </message>
+    <message>
+        <source>Anterior margin</source>
+        <translation>Vorderrand</translation>
+    </message>
+    <message>
+        <source>Vessel opacity</source>
+        <translation>Deckkraft der Gefäße</translation>
     </message>
 </context>
 <context>

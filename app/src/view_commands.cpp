@@ -33,6 +33,7 @@ int run_render(const QStringList& given) {
     if (frame.index != wanted) return;
     picture = OverlayDrawer(session.state()).draw(frame, overlay);
     session.texts["validity"] = validity_code(overlay.validity);
+    session.texts["level"] = level_code(overlay.level());
     session.figures["registration_residual_mm"] = 1e3 * overlay.residual;
   });
   if (picture.empty())

@@ -73,7 +73,8 @@ class OverlayTest : public QObject {
   void DeformedLesionAppearsWhereTheCameraProjectsIt();
   void VesselsFadeWithDepthBelowTheSurface();
   void StructuresLeftOutHideNothing();
-  void NothingIsDrawnUnlessValid();
+  void NothingIsDrawnWhenWithdrawn();
+  void DegradedIsTheOutlineAndTheReason();
   void ADoubtIsSaidInThePicture_data();
   void ADoubtIsSaidInThePicture();
   void InvalidFramesSayWhyAndCarryABorder();
@@ -180,7 +181,7 @@ void OverlayTest::StructuresLeftOutHideNothing() {
   QVERIFY(*all.paint(frame, at(nodes)).bytes != *one.paint(frame, at(nodes)).bytes);
 }
 
-void OverlayTest::NothingIsDrawnUnlessValid() {
+void OverlayTest::NothingIsDrawnWhenWithdrawn() {
   const Camera camera = laparoscope();
   const PatientModel model = box_patient();
   scene::OverlayStyle style;
@@ -191,13 +192,41 @@ void OverlayTest::NothingIsDrawnUnlessValid() {
   int valid = 0;
   centre_of_change(frame, painter.paint(frame, overlay), &valid);
   QVERIFY(valid > 5000);
-  for (const Validity why : {Validity::not_started, Validity::too_few_points, Validity::inconsistent_motion,
-                             Validity::residual_too_large, Validity::mechanics_failed, Validity::stale}) {
+  for (const Validity why : kValidities) {
+    if (level_of(why) != Level::withdrawn) continue;
     overlay.validity = why;
     const Picture picture = painter.paint(frame, overlay);
     for (int v = camera.height / 2; v < camera.height - 20; ++v)  // the reason stands in the upper half
       for (int u = 20; u < camera.width - 20; ++u)
         QCOMPARE((*picture.bytes)[static_cast<std::size_t>(3 * (v * camera.width + u))], std::uint8_t{90});
+  }
+}
+
+void OverlayTest::DegradedIsTheOutlineAndTheReason() {
+  const Camera camera = laparoscope();
+  const PatientModel model = box_patient();
+  scene::OverlayStyle style;
+  style.legend = style.status = false;
+  scene::OverlayPainter painter(model, camera, style);
+  const Picture frame = grey_frame(camera);
+  OverlayFrame overlay = at(bent(model.mesh.vertices, {0, 0, 0.13}));
+  const auto changed_below = [&](const Picture& picture) {  // the reason stands in the upper half
+    int changed = 0;
+    for (int v = camera.height / 2; v < camera.height - 20; ++v)
+      for (int u = 20; u < camera.width - 20; ++u)
+        changed += (*picture.bytes)[static_cast<std::size_t>(3 * (v * camera.width + u))] != 90;
+    return changed;
+  };
+  const int valid = changed_below(painter.paint(frame, overlay));
+  for (const Validity why : kValidities) {
+    if (level_of(why) != Level::degraded) continue;
+    overlay.validity = why;
+    const Picture picture = painter.paint(frame, overlay);
+    const int degraded = changed_below(picture);
+    QVERIFY2(degraded > 100 && degraded < valid, qPrintable(QString("%1 of %2").arg(degraded).arg(valid)));
+    const auto left_edge = static_cast<std::size_t>(3 * (camera.height / 2 * camera.width));
+    QVERIFY((*picture.bytes)[left_edge + 2] > 200 && (*picture.bytes)[left_edge + 1] > 130);  // amber
+    QVERIFY(scene::validity_text(why) != scene::validity_text(Validity::valid));
   }
 }
 
@@ -259,9 +288,8 @@ void OverlayTest::TheReasonFitsIntoASmallPicture() {
   const Camera camera = laparoscope(0.5);
   scene::OverlayPainter painter(box_patient(), camera, {});
   OverlayFrame overlay;
-  for (const Validity validity :
-       {Validity::not_started, Validity::too_few_points, Validity::inconsistent_motion,
-        Validity::residual_too_large, Validity::mechanics_failed, Validity::stale}) {
+  for (const Validity validity : kValidities) {
+    if (level_of(validity) != Level::withdrawn) continue;
     overlay.validity = validity;
     const Picture picture = painter.paint(grey_frame(camera), overlay);
     // Between the border and the words, left and right, the frame is what it was.

@@ -26,11 +26,16 @@ FrameTimes::FrameTimes(double frames_per_second) : frames_per_second_(frames_per
 void FrameTimes::add(const OverlayFrame& overlay) {
   milliseconds_.push_back(overlay.milliseconds);
   late_ += overlay.milliseconds > 1e3 / frames_per_second_;
-  valid_ += overlay.validity == Validity::valid;
+  valid_ += overlay.level() == Level::valid;
+  degraded_ += overlay.level() == Level::degraded;
 }
 
 Figures FrameTimes::counts() const {
-  return {{"frames", frames()}, {"frames_late", late_}, {"frames_valid", valid_}};
+  return {{"frames", frames()},
+          {"frames_late", late_},
+          {"frames_valid", valid_},
+          {"frames_degraded", degraded_},
+          {"frames_withdrawn", frames() - valid_ - degraded_}};
 }
 
 Figures FrameTimes::percentiles() const {

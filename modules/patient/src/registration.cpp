@@ -19,6 +19,34 @@ const char* validity_code(Validity validity) {
       return "mechanics_failed";
     case Validity::stale:
       return "stale";
+    case Validity::surface_apart:
+      return "surface_apart";
+    case Validity::picture_stands:
+      return "picture_stands";
+    case Validity::views_apart:
+      return "views_apart";
+    case Validity::partly_covered:
+      return "partly_covered";
+    case Validity::poor_picture:
+      return "poor_picture";
+  }
+  return "unknown";
+}
+
+Level level_of(Validity validity) {
+  if (validity == Validity::valid) return Level::valid;
+  const bool is_degraded = validity == Validity::partly_covered || validity == Validity::poor_picture;
+  return is_degraded ? Level::degraded : Level::withdrawn;
+}
+
+const char* level_code(Level level) {
+  switch (level) {
+    case Level::valid:
+      return "valid";
+    case Level::degraded:
+      return "degraded";
+    case Level::withdrawn:
+      return "withdrawn";
   }
   return "unknown";
 }

@@ -203,12 +203,13 @@ void LiveViewModel::show_freshness() {
                      .arg(shown_index_)
                      .arg(1e3 * age, 0, 'f', 0)
                      .arg(rate(), 0, 'f', 1);
-  const bool valid = shown_validity_ == Validity::valid;
-  if (!valid)
-    text += tr("   NO OVERLAY: %1").arg(QString::fromStdString(scene::validity_text(shown_validity_)));
+  const Level level = level_of(shown_validity_);
+  const QString why = QString::fromStdString(scene::validity_text(shown_validity_));
+  if (level == Level::withdrawn) text += tr("   NO OVERLAY: %1").arg(why);
+  if (level == Level::degraded) text += tr("   OUTLINE ONLY: %1").arg(why);
   line = text;
   const bool old = age > kFreshSeconds, preparing = drawables_.is_preparing();
-  is_fresh = QVariant(valid && age < kFreshSeconds && !preparing);
+  is_fresh = QVariant(level == Level::valid && age < kFreshSeconds && !preparing);
   if (old)
     banner =
         tr("The picture is %1 s old: the overlay does not show where things are now.").arg(age, 0, 'f', 1);

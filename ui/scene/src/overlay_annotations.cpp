@@ -32,10 +32,23 @@ class Overlay {
         return tr("the mechanical computation failed");
       case Validity::stale:
         return tr("an earlier step has changed since the registration");
+      case Validity::surface_apart:
+        return tr("the camera sees the organ elsewhere; register again");
+      case Validity::picture_stands:
+        return tr("the picture stands still; check the camera");
+      case Validity::views_apart:
+        return tr("the two views do not show the same moment; check the cameras");
+      case Validity::partly_covered:
+        return tr("part of the organ is covered");
+      case Validity::poor_picture:
+        return tr("the picture has lost light or contrast");
     }
     return {};
   }
-  static QString no_overlay(Validity validity) { return tr("No overlay: %1").arg(reason(validity)); }
+  static QString limit(Validity validity) {
+    const bool withdrawn = level_of(validity) == Level::withdrawn;
+    return (withdrawn ? tr("No overlay: %1") : tr("Outline and lesions only: %1")).arg(reason(validity));
+  }
   static QString frame(int index) { return tr("frame %1").arg(index); }
   static QString age(double seconds) { return tr("age %1 ms").arg(qRound(1e3 * seconds)); }
   static QString rate(double per_second) { return tr("%1 fps").arg(per_second, 0, 'f', 1); }
@@ -53,10 +66,10 @@ class Overlay {
 
 const QColor kAmber(255, 176, 0);
 
-/// Red where the method has lost the organ, amber where it waits or must be run again.
+/// Red where the method has lost the organ, amber where it waits, must be run again or knows less.
 QColor border_colour(Validity validity) {
   const bool waits = validity == Validity::not_started || validity == Validity::stale ||
-                     validity == Validity::too_few_points;
+                     validity == Validity::too_few_points || level_of(validity) == Level::degraded;
   return waits ? kAmber : QColor(229, 57, 53);
 }
 
@@ -146,7 +159,7 @@ void draw_margin(QPainter& painter, const Layout& layout, const std::vector<Eige
   painter.drawPath(path);
 }
 
-void draw_invalid(QPainter& painter, const Layout& layout, Validity validity) {
+void draw_limit(QPainter& painter, const Layout& layout, Validity validity) {
   const QColor colour = border_colour(validity);
   const int thickness = std::max(4, layout.size.height() / 90);
   painter.setBrush(Qt::NoBrush);
@@ -154,8 +167,9 @@ void draw_invalid(QPainter& painter, const Layout& layout, Validity validity) {
   painter.drawRect(QRectF(thickness / 2.0, thickness / 2.0, layout.size.width() - thickness,
                           layout.size.height() - thickness));
   const QFont font = layout.font(true, 1.25);
-  const QString text = Overlay::no_overlay(validity);
-  // Why there is no overlay must be read whole: in a narrow picture it takes several lines.
+  const QString text = Overlay::limit(validity);
+  // Why there is less than an overlay, or none, must be read whole: in a narrow picture it takes several
+  // lines.
   const QRect room(0, 0, layout.size.width() - 8 * layout.margin, layout.size.height());
   const QRect words = QFontMetrics(font).boundingRect(room, Qt::AlignCenter | Qt::TextWordWrap, text);
   QRect box(0, 0, words.width() + 4 * layout.margin, words.height() + 2 * layout.margin);
@@ -176,8 +190,8 @@ Picture annotate(const Picture& picture, const OverlayFrame& overlay, const Anno
   const Layout layout(image);
   QPainter painter(&image);
   painter.setRenderHint(QPainter::Antialiasing);
-  const bool valid = overlay.validity == Validity::valid;
-  if (valid) {
+  const bool drawn = overlay.level() != Level::withdrawn;
+  if (drawn) {
     if (style.anterior_margin) draw_margin(painter, layout, annotations.margin);
     if (style.legend) draw_legend(painter, layout, annotations.structures);
     QStringList doubts;
@@ -186,14 +200,13 @@ Picture annotate(const Picture& picture, const OverlayFrame& overlay, const Anno
     if (!doubts.isEmpty())
       draw_text(painter, layout, doubts.join(QStringLiteral("  ·  ")), layout.font(true), kAmber,
                 Qt::AlignRight | Qt::AlignTop);
-  } else {
-    draw_invalid(painter, layout, overlay.validity);
   }
+  if (overlay.level() != Level::valid) draw_limit(painter, layout, overlay.validity);
   if (style.status) {
     QStringList words{Overlay::frame(overlay.index)};
     if (status.age_seconds > 0.0) words << Overlay::age(status.age_seconds);
     if (status.frames_per_second > 0.0) words << Overlay::rate(status.frames_per_second);
-    if (valid) words << Overlay::residual(overlay.residual);
+    if (drawn) words << Overlay::residual(overlay.residual);
     draw_text(painter, layout, words.join(QStringLiteral("  ·  ")), layout.font(), QColor(225, 230, 233),
               Qt::AlignLeft | Qt::AlignTop);
     draw_text(painter, layout, Overlay::research(), layout.font(false, 0.8), QColor(190, 197, 202),

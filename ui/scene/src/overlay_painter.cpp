@@ -59,6 +59,17 @@ struct OverlayPainter::Impl {
   }
 };
 
+namespace {
+
+/// What is drawn while less is known: where the organ is, and the lesions in it.
+OverlayStyle outline_only(OverlayStyle style) {
+  style.portal_vein = style.hepatic_veins = style.arteries = style.anterior_margin = false;
+  style.outline = style.lesions = true;
+  return style;
+}
+
+}  // namespace
+
 OverlayPainter::OverlayPainter(const PatientModel& model, const Camera& camera, const OverlayStyle& style) {
   style.validate();
   require(model.mesh.tetrahedron_count() > 0, "an overlay follows a model that has a mesh");
@@ -89,15 +100,15 @@ Picture OverlayPainter::paint(const Picture& frame, const OverlayFrame& overlay,
                          " and the calibration's is " + std::to_string(camera.width) + " x " +
                          std::to_string(camera.height),
                      "Use the calibration that belongs to this laparoscope.");
-  if (overlay.validity != Validity::valid) return annotate(frame, overlay, {}, impl_->style, status);
+  if (overlay.level() == Level::withdrawn) return annotate(frame, overlay, {}, impl_->style, status);
+  const OverlayStyle style = overlay.level() == Level::degraded ? outline_only(impl_->style) : impl_->style;
   const auto begin = std::chrono::steady_clock::now();
-  const OverlayLayers layers =
-      draw_layers(*impl_->drawable, overlay.nodes_in_camera, impl_->raster, impl_->style);
-  const Picture blended = blend_layers(frame, layers, impl_->style);
+  const OverlayLayers layers = draw_layers(*impl_->drawable, overlay.nodes_in_camera, impl_->raster, style);
+  const Picture blended = blend_layers(frame, layers, style);
   OverlayStatus now = status;
   if (status.age_seconds > 0.0)  // a live picture grows older while it is drawn
     now.age_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  return annotate(blended, overlay, impl_->annotations(overlay.nodes_in_camera), impl_->style, now);
+  return annotate(blended, overlay, impl_->annotations(overlay.nodes_in_camera), style, now);
 }
 
 }  // namespace glisson::scene

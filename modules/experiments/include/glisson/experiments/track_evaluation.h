@@ -18,7 +18,7 @@ class FrameTimes {
   void add(const OverlayFrame& overlay);
 
   int frames() const { return static_cast<int>(milliseconds_.size()); }
-  /// `frames`, `frames_late`, `frames_valid`.
+  /// `frames`, `frames_late`, and of each level `frames_valid`, `frames_degraded`, `frames_withdrawn`.
   Figures counts() const;
   /// `frame_p50_ms`, `frame_p99_ms`; not a number without frames.
   Figures percentiles() const;
@@ -26,7 +26,7 @@ class FrameTimes {
  private:
   double frames_per_second_;
   std::vector<double> milliseconds_;
-  int late_ = 0, valid_ = 0;
+  int late_ = 0, valid_ = 0, degraded_ = 0;
 };
 
 /// Sums up a track: how many frames were followed in time, how far the model moved, and how far it was from

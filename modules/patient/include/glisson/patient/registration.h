@@ -27,7 +27,7 @@ struct Registration {
   std::vector<std::string> doubts;
 };
 
-/// Why no overlay may be drawn, or that it may.
+/// What is known of an overlay. All but `valid` are reasons why less than everything is drawn.
 enum class Validity {
   valid,
   not_started,
@@ -35,11 +35,49 @@ enum class Validity {
   inconsistent_motion,
   residual_too_large,
   mechanics_failed,
-  stale
+  stale,
+  // By evidence that is not the tracker's own:
+  surface_apart,   ///< stereo sees the organ elsewhere than the model predicts
+  picture_stands,  ///< the picture shows the same moment over and over
+  views_apart,     ///< the two views do not show one moment of one scene
+  partly_covered,  ///< a good part of where the organ should be shows something else, or nothing
+  poor_picture     ///< light or contrast is lost, as in smoke
 };
+inline constexpr Validity kValidities[] = {Validity::valid,
+                                           Validity::not_started,
+                                           Validity::too_few_points,
+                                           Validity::inconsistent_motion,
+                                           Validity::residual_too_large,
+                                           Validity::mechanics_failed,
+                                           Validity::stale,
+                                           Validity::surface_apart,
+                                           Validity::picture_stands,
+                                           Validity::views_apart,
+                                           Validity::partly_covered,
+                                           Validity::poor_picture};
 const char* validity_code(Validity validity);
 
-/// The model at one frame of the video. Only a valid one is drawn as current.
+/// How much is drawn: everything; the organ's outline and the lesions only, with the reason; nothing but the
+/// reason.
+enum class Level { valid, degraded, withdrawn };
+Level level_of(Validity validity);
+const char* level_code(Level level);
+
+/// What was measured to judge an overlay by, besides the tracker's own points. Standard deviations are what
+/// is expected of a right overlay.
+struct Evidence {
+  bool judged = false;      ///< false: too early, or there are no pictures
+  double supported = 0.0;   ///< share of the predicted organ's surface where fresh stereo sees it
+  double gap = 0.0;         ///< rms over regions of stereo's distance from that surface, standard deviations
+  double behind = 0.0;      ///< share of the predicted organ where stereo sees something farther away
+  double pull = 0.0;        ///< metres; rms motion of the organ that would reconcile it with stereo
+  double pull_sigma = 0.0;  ///< metres, standard deviation of that motion: what stereo cannot tell
+  double contrast = 1.0;    ///< of the picture, over its noise, as a share of what it was at the start
+  double motion = 0.0;      ///< of the picture in the last moments, standard deviations; about 1: it stands
+  double rows = 0.0;        ///< pixels by which the views have come apart across the epipolar lines
+};
+
+/// The model at one frame of the video. A withdrawn one is never drawn.
 struct OverlayFrame {
   int index = 0;
   double seconds = 0.0;
@@ -49,6 +87,8 @@ struct OverlayFrame {
   int tracked_left = 0, tracked_right = 0, pairs = 0;
   double residual = 0.0;      ///< metres, mean over the pairs
   double milliseconds = 0.0;  ///< tracking, correspondence and mechanics of this frame
+  Evidence evidence;          ///< the last one
+  Level level() const { return level_of(validity); }
 };
 
 }  // namespace glisson

@@ -34,9 +34,9 @@ struct OverlayStatus {
 /// Draws the deformed model into a frame of the laparoscope: vessels in their structures' colours, fading
 /// with depth below the liver's surface (hepatic veins hatched, so that colour is not the only cue), lesions
 /// with a contour, the liver's outline and anterior margin, through the camera's own matrix and lens. Fine
-/// surfaces are bound to the mesh once, here. A frame that is not valid is drawn without any overlay, with
-/// the reason and a coloured border. Needs no OpenGL. Not thread-safe. Text needs a QGuiApplication (see
-/// HeadlessGui).
+/// surfaces are bound to the mesh once, here. A withdrawn frame is drawn without any overlay, a degraded one
+/// with the outline and the lesions only, both with the reason and a coloured border. Needs no OpenGL. Not
+/// thread-safe. Text needs a QGuiApplication (see HeadlessGui).
 class OverlayPainter {
  public:
   /// @param model CT frame. @pre it has tetrahedra. @param camera the left one, as calibrated.
