@@ -113,6 +113,7 @@ class CaseIoTest : public QObject {
   void NamesTheMalformedPart();
   void LandmarksNameTheirMistakes();
   void ARegistrationOfAnotherModelIsRefused();
+  void ARegistrationsDoubtsTravelWithItsFile();
 };
 
 void CaseIoTest::ACaseComesBackAsItWas() {
@@ -320,6 +321,23 @@ void CaseIoTest::ARegistrationOfAnotherModelIsRefused() {
   const Registration same =
       read_registration(folder.path() / "r.vtu", state[part::model]->model, LengthUnit::millimetre);
   QVERIFY((same.nodes_in_camera - state[part::registration]->nodes_in_camera).norm() < 1e-9);
+}
+
+void CaseIoTest::ARegistrationsDoubtsTravelWithItsFile() {
+  const TemporaryFolder folder;
+  const CaseState state = small_case();
+  Registration doubted = *state.registration;
+  doubted.doubts = {"few_margin_points", "little_surface_seen"};
+  doubted.termination = Termination::step_limit;
+  doubted.residual = 2.5e-3;
+  doubted.seen_share = 0.125;
+  write_registration(folder.path() / "r.vtu", state.model->model, doubted, LengthUnit::millimetre);
+  const Registration read =
+      read_registration(folder.path() / "r.vtu", state.model->model, LengthUnit::millimetre);
+  QCOMPARE(read.doubts, doubted.doubts);
+  QVERIFY(read.termination == doubted.termination);
+  QCOMPARE(read.residual, doubted.residual);
+  QCOMPARE(read.seen_share, doubted.seen_share);
 }
 
 QTEST_APPLESS_MAIN(CaseIoTest)

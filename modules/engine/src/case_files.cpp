@@ -190,6 +190,37 @@ void write_landmarks(const fs::path& path, const Landmarks& landmarks) {
   write_json(path, document);
 }
 
+namespace {
+
+const std::string kDoubt = "doubt_";
+
+Eigen::MatrixXd number(double value) { return Eigen::MatrixXd::Constant(1, 1, value); }
+
+/// What the registration says of itself, so that it is not lost on the way: a doubt is a field of its own
+/// name.
+void write_report(const Registration& registration, NamedArrays& fields) {
+  fields["residual_mm"] = number(1e3 * registration.residual);
+  fields["seen_share"] = number(registration.seen_share);
+  fields["converged"] = number(registration.termination == Termination::converged ? 1.0 : 0.0);
+  for (const std::string& doubt : registration.doubts) fields[kDoubt + doubt] = number(1.0);
+}
+
+/// What other writers leave out keeps its default.
+void read_report(const NamedArrays& fields, Registration& registration) {
+  const auto value = [&](const char* name, double otherwise) {
+    const auto found = fields.find(name);
+    return found != fields.end() && found->second.size() == 1 ? found->second(0, 0) : otherwise;
+  };
+  registration.residual = 1e-3 * value("residual_mm", 0.0);
+  registration.seen_share = value("seen_share", 0.0);
+  registration.termination =
+      value("converged", 1.0) != 0.0 ? Termination::converged : Termination::step_limit;
+  for (const auto& [name, array] : fields)
+    if (name.starts_with(kDoubt)) registration.doubts.push_back(name.substr(kDoubt.size()));
+}
+
+}  // namespace
+
 void write_registration(const fs::path& path, const PatientModel& model, const Registration& registration,
                         LengthUnit unit) {
   TetFile file;
@@ -198,6 +229,7 @@ void write_registration(const fs::path& path, const PatientModel& model, const R
   Eigen::Matrix4d matrix = registration.camera_from_ct.matrix();
   matrix.topRightCorner<3, 1>() /= metres_per(unit);
   file.field_data["cloud_from_model"] = matrix;
+  write_report(registration, file.field_data);
   file.point_data[std::string("displacement_") + unit_code(unit)] =
       (registration.nodes_in_camera - registration.camera_from_ct.apply(model.mesh.vertices)) /
       metres_per(unit);
@@ -213,7 +245,7 @@ Registration read_registration(const fs::path& path, const PatientModel& model, 
                      "Give the file that 'glisson register' wrote for this model");
   Registration registration;
   registration.nodes_in_camera = file.mesh.vertices;
-  registration.termination = Termination::converged;
+  read_report(file.field_data, registration);
   const auto rigid = file.field_data.find("cloud_from_model");
   if (rigid != file.field_data.end() && rigid->second.size() == 16) {
     // Field data is a table of tuples: 4 x 4 as written, or one row of 16 from other writers.

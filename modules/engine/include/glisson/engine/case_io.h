@@ -37,7 +37,8 @@ Landmarks read_landmarks(const std::filesystem::path& path);
 void write_landmarks(const std::filesystem::path& path, const Landmarks& landmarks);
 
 /// The registered mesh: node order and units of the model, camera frame, field data `cloud_from_model` (4 x
-/// 4, the rigid part, translation in `unit`).
+/// 4, the rigid part, translation in `unit`), and what the registration says of itself: `residual_mm`,
+/// `seen_share`, `converged`, and `doubt_CODE` for each of its doubts.
 void write_registration(const std::filesystem::path& path, const PatientModel& model,
                         const Registration& registration, LengthUnit unit);
 /// @throws InputError when the mesh is not the model's (another number of nodes or other tetrahedra).
