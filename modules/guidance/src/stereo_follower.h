@@ -59,6 +59,8 @@ class StereoFollower {
   int replenish(const Expected& expected);
 
   const std::vector<FollowedPoint>& points() const { return points_; }
+  /// Those of the frame before the last follow().
+  const std::vector<FollowedPoint>& points_before() const { return before_; }
 
  private:
   struct Images;

@@ -13,6 +13,7 @@
 #include "glisson/guidance/boundary_springs.h"
 #include "glisson/registration/moving_surface.h"
 #include "glisson/registration/pairs.h"
+#include "judge.h"
 #include "stereo_follower.h"
 
 namespace glisson::guidance {
@@ -54,11 +55,13 @@ void TrackerOptions::validate() const {
   demand(boundary_tether > 0.0, "boundary_tether", boundary_tether, "Give a positive stiffness");
   materials.validate();
   cloud.validate();
+  judge.validate();
 }
 
 struct Tracker::Impl {
   Impl(const PatientModel& model, const Registration& start, const TrackerOptions& given)
       : options(checked(model, start, given)),
+        patient(model),
         composite(std::make_shared<fem::CompositeModel>(model.mesh, model.vessels, options.materials)),
         integrator(composite, integrator_options()),
         surface(model),
@@ -124,6 +127,10 @@ struct Tracker::Impl {
     camera = rig.left;
     seen = seen_area();
     replenish();
+    judge.reset();
+    if (!options.judge.enabled) return;
+    judge = std::make_unique<Judge>(patient, rig, mask, options.judge);
+    judge->begin(first, integrator.positions());
   }
 
   /// Of the model, in the left picture, square metres.
@@ -213,6 +220,8 @@ struct Tracker::Impl {
       }
     }
     overlay.nodes_in_camera = integrator.positions();
+    if (judge && overlay.validity == Validity::valid)
+      overlay.validity = judge->judge(frame, follower->points_before(), follower->points(), overlay);
     return overlay;
   }
 
@@ -253,6 +262,7 @@ struct Tracker::Impl {
   }
 
   TrackerOptions options;
+  PatientModel patient;
   std::shared_ptr<const fem::CompositeModel> composite;
   fem::Integrator integrator;
   registration::MovingSurface surface;
@@ -260,6 +270,7 @@ struct Tracker::Impl {
   PatientModel mechanics;  ///< mesh and vessels as they are in the CT
   std::optional<StereoFollower> follower;
   AnchoredPoints anchors;
+  std::unique_ptr<Judge> judge;  ///< none while clouds are followed
   Camera camera;
   bool doubtful = false;
   double seen = 0.0;  ///< area of the model in the picture, square metres

@@ -6,6 +6,7 @@
 #include "glisson/core/run_context.h"
 #include "glisson/fem/composite_model.h"
 #include "glisson/geometry/camera.h"
+#include "glisson/guidance/judge_options.h"
 #include "glisson/patient/labelled_cloud.h"
 #include "glisson/patient/patient_model.h"
 #include "glisson/patient/picture.h"
@@ -39,6 +40,7 @@ struct TrackerOptions {
   /// the paper. Why not: see the README.
   double boundary_tether = 5.0;
   std::vector<int> fixed_nodes;
+  JudgeOptions judge;                  ///< of pictures; clouds are judged by their residual alone
   registration::ElasticOptions cloud;  ///< for follow(cloud): form, s, surface stiffness, density
   void validate() const;
 };

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace glisson::guidance {
+
+/// From when the evidence speaks against an overlay. Limits are in standard deviations where there are any;
+/// a reason goes again below `relief` times its limit.
+struct JudgeOptions {
+  bool enabled = true;
+  int every = 6;     ///< frames between two fresh surfaces
+  int lag = 3;       ///< frames until one has been compared; it is waited for then, so that results repeat
+  double gap = 2.0;  ///< standard deviations, Evidence::gap
+  double behind = 0.06;          ///< share, Evidence::behind
+  double pull = 6e-3;            ///< metres, Evidence::pull, where it is ...
+  double pull_sigmas = 3.0;      ///< ... also so many of its standard deviations
+  double supported = 0.7;        ///< Evidence::supported, of what it was at the start: less is covered
+  double least_supported = 0.3;  ///< at the start: less cannot be judged
+  double contrast = 0.55;        ///< Evidence::contrast
+  double motion = 2.5;           ///< Evidence::motion: less is none
+  double rows = 0.35;            ///< pixels, Evidence::rows
+  double relief = 0.8;
+  /// @throws InputError naming the option.
+  void validate() const;
+};
+
+}  // namespace glisson::guidance

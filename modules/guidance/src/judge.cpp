@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "judge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <future>
+
+#include "alarm.h"
+#include "glisson/core/error.h"
+#include "motion_check.h"
+#include "picture_check.h"
+#include "surface_check.h"
+
+namespace glisson::guidance {
+namespace {
+
+constexpr int kFramesPerPicture = 3;  ///< contrast changes slowly
+
+}  // namespace
+
+void JudgeOptions::validate() const {
+  const OptionCheck demand("judge options");
+  demand(every >= 1, "every", every, "Give one at least");
+  demand(lag >= 0 && lag < every, "lag", lag, "Give fewer frames than lie between two checks");
+  demand(gap > 0.0, "gap", gap, "Give a positive number");
+  demand(behind > 0.0 && behind <= 1.0, "behind", behind, "Give a share");
+  demand(pull > 0.0, "pull", pull, "Give a positive length");
+  demand(pull_sigmas > 0.0, "pull_sigmas", pull_sigmas, "Give a positive number");
+  demand(supported >= 0.0 && supported <= 1.0, "supported", supported, "Give a share");
+  demand(least_supported >= 0.0 && least_supported <= 1.0, "least_supported", least_supported,
+         "Give a share");
+  demand(contrast >= 0.0 && contrast <= 1.0, "contrast", contrast, "Give a share");
+  demand(motion >= 0.0, "motion", motion, "Give a number from zero");
+  demand(rows > 0.0, "rows", rows, "Give a positive number of pixels");
+  demand(relief > 0.0 && relief <= 1.0, "relief", relief, "Give a share");
+}
+
+struct Judge::Impl {
+  Impl(const PatientModel& model, const StereoRig& given_rig, const Picture& mask, const JudgeOptions& given)
+      : options(given), rig(given_rig), surface(model, rig, mask) {
+    options.validate();
+  }
+  ~Impl() {
+    if (pending.valid()) pending.wait();  // it reads this
+  }
+
+  void begin(const StereoFrame& first, const Points& nodes) {
+    if (pending.valid()) pending.wait();
+    pending = {};
+    frames = 0;
+    motion = {};
+    first_signal = measure(first.left).signal();
+    take(surface.check(first.left, first.right, nodes));
+    first_supported = evidence.supported;
+    apart.set(apartness() >= 1.0);
+    covered.set(evidence.supported < options.least_supported);
+    for (Alarm* alarm : {&poor, &stands, &views}) alarm->set(false);
+    evidence.judged = true;
+  }
+
+  void take(const SurfaceEvidence& seen) {
+    evidence.supported = seen.supported;
+    evidence.gap = seen.gap;
+    evidence.behind = seen.behind;
+    evidence.pull = seen.pull;
+    evidence.pull_sigma = seen.pull_sigma;
+  }
+  /// 1 and more: stereo speaks against the overlay. The largest of what it may say.
+  double apartness() const {
+    const double significant = evidence.pull / (options.pull_sigmas * std::max(evidence.pull_sigma, 1e-6));
+    return std::max({evidence.gap / options.gap, evidence.behind / options.behind,
+                     std::min(evidence.pull / options.pull, significant)});
+  }
+  /// 1 and more: too much is covered.
+  double coverage() const {
+    const double enough = std::max(options.least_supported, options.supported * first_supported);
+    return (1.0 - evidence.supported) / (1.0 - std::min(enough, 0.99));
+  }
+
+  void look_at_surface(const StereoFrame& frame, const Points& nodes) {
+    if (frames % options.every == 0 && !pending.valid())
+      pending = std::async(std::launch::async,
+                           [this, frame, nodes] { return surface.check(frame.left, frame.right, nodes); });
+    if (frames % options.every == options.lag && pending.valid()) {
+      take(pending.get());
+      apart.push(apartness(), 1.0, options.relief);
+      covered.push(coverage(), 1.0, options.relief);
+    }
+  }
+  void look_at_pictures(const StereoFrame& frame) {
+    if (frames % kFramesPerPicture != 0) return;
+    evidence.contrast =
+        std::min(measure(frame.left).signal(), measure(frame.right).signal()) / std::max(first_signal, 1e-6);
+    poor.push(options.contrast / std::max(evidence.contrast, 1e-6), 1.0, options.relief);
+  }
+  void look_at_motion(const std::vector<FollowedPoint>& before, const std::vector<FollowedPoint>& now) {
+    motion.push(before, now, rig);
+    const double left = motion.motion_left(), right = motion.motion_right();
+    evidence.rows = motion.rows();
+    views.push(std::abs(evidence.rows) / options.rows, 1.0, options.relief);
+    if (left < 0.0 || right < 0.0) return;
+    evidence.motion = std::min(left, right);
+    stands.push(options.motion / std::max(evidence.motion, 1e-6), 1.0, options.relief);
+  }
+
+  Validity verdict() const {
+    if (views.stands()) return Validity::views_apart;
+    if (stands.stands()) return Validity::picture_stands;
+    if (apart.stands()) return Validity::surface_apart;
+    if (poor.stands()) return Validity::poor_picture;
+    return covered.stands() ? Validity::partly_covered : Validity::valid;
+  }
+
+  JudgeOptions options;
+  StereoRig rig;
+  SurfaceCheck surface;
+  MotionCheck motion;
+  Evidence evidence;
+  double first_supported = 0.0, first_signal = 0.0;
+  int frames = 0;
+  Alarm apart{2, 3}, covered{2, 3}, poor{3, 4}, stands{1, 6}, views{3, 10};
+  std::future<SurfaceEvidence> pending;
+};
+
+Judge::Judge(const PatientModel& model, const StereoRig& rig, const Picture& mask,
+             const JudgeOptions& options)
+    : impl_(std::make_unique<Impl>(model, rig, mask, options)) {}
+Judge::~Judge() = default;
+
+void Judge::begin(const StereoFrame& first, const Points& nodes_in_camera) {
+  impl_->begin(first, nodes_in_camera);
+}
+
+Validity Judge::judge(const StereoFrame& frame, const std::vector<FollowedPoint>& before,
+                      const std::vector<FollowedPoint>& now, OverlayFrame& overlay) {
+  ++impl_->frames;
+  impl_->look_at_surface(frame, overlay.nodes_in_camera);
+  impl_->look_at_pictures(frame);
+  impl_->look_at_motion(before, now);
+  overlay.evidence = impl_->evidence;
+  return impl_->verdict();
+}
+
+}  // namespace glisson::guidance

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "glisson/guidance/judge_options.h"
+#include "glisson/patient/patient_model.h"
+#include "glisson/patient/registration.h"
+#include "stereo_follower.h"
+
+namespace glisson::guidance {
+
+/// Judges overlays by evidence that is not the tracker's own: a fresh stereo surface several times a second,
+/// made beside the live loop; the pictures' contrast; whether they move, and together. The same frames give
+/// the same verdicts, however fast the machine is. Not thread-safe.
+class Judge {
+ public:
+  /// @param mask empty, or non-zero where tissue may be seen (left picture).
+  Judge(const PatientModel& model, const StereoRig& rig, const Picture& mask, const JudgeOptions& options);
+  ~Judge();
+
+  /// Looks at once at how the start fits its frame. @throws InputError pictures of another size.
+  void begin(const StereoFrame& first, const Points& nodes_in_camera);
+  /// @param before, now the points that were followed from the last frame into this one.
+  /// @param overlay one that the tracker takes for valid; its evidence is filled in.
+  /// @return what to say of it.
+  Validity judge(const StereoFrame& frame, const std::vector<FollowedPoint>& before,
+                 const std::vector<FollowedPoint>& now, OverlayFrame& overlay);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace glisson::guidance

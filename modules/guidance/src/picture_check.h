@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "glisson/patient/picture.h"
+
+namespace glisson::guidance {
+
+/// How much a picture shows, whatever it shows.
+struct PictureMeasures {
+  double brightness = 0.0;  ///< median grey level
+  double detail = 0.0;      ///< rms difference of the means of neighbouring blocks, grey levels
+  double noise = 0.0;       ///< standard deviation within blocks that no structure explains, grey levels
+  double signal() const;    ///< detail over noise
+};
+
+/// Measured on blocks of 4 x 4 pixels of the green channel (or of a grey picture), highlights left out. About
+/// a millisecond at 960 x 540. @pre not empty.
+PictureMeasures measure(const Picture& picture);
+
+}  // namespace glisson::guidance

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface_check.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "glisson/registration/moving_surface.h"
+#include "small_stereo.h"
+
+namespace glisson::guidance {
+namespace {
+
+constexpr int kWidth = 640, kStep = 10;      ///< of the reduced pictures, and of the grid there
+constexpr double kNear = 0.04, kFar = 0.30;  ///< metres
+/// What a right overlay may be off the surface besides stereo's own error, metres: what registration and
+/// coarse mechanics leave.
+constexpr double kModelSigma = 1.5e-3;
+constexpr double kSupported = 3.0;  ///< standard deviations
+constexpr double kApart = 8e-3;     ///< metres beyond those: something else is seen
+constexpr int kInside = 2;          ///< places of the grid from the outline: well inside
+constexpr int kRegions = 5;         ///< along each side of the picture
+constexpr std::size_t kLeastInRegion = 6;
+/// Of one region's median: its points' errors are alike (locking of the matcher, the mesh's chords).
+constexpr double kRegionStereoShare = 0.5;
+constexpr double kReach = 15e-3;  ///< metres; what lies farther off the model is not it
+constexpr int kFitSteps = 8;
+constexpr int kFitEvery = 2;  ///< place of the grid, along both axes: what lies between says the same
+/// Before anything is seen, the organ may be anywhere within so much: what stays unknown shows as pull_sigma.
+constexpr double kPriorShift = 0.03, kPriorTurn = 0.35;  ///< metres, radians
+/// Points of one region count as this many independent ones.
+constexpr double kIndependentInRegion = 2.0;
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// A rigid correction about a centre: turn then shift.
+struct Correction {
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero(), centre = Eigen::Vector3d::Zero();
+  Eigen::Vector3d apply(const Eigen::Vector3d& p) const { return centre + turn * (p - centre) + shift; }
+  Eigen::Vector3d undo(const Eigen::Vector3d& p) const {
+    return centre + turn.transpose() * (p - shift - centre);
+  }
+};
+
+/// One linear measurement: the organ at `at` should move by `distance` along `direction`.
+struct Wish {
+  Eigen::Vector3d at, direction;
+  double distance = 0.0, sigma = 1.0;
+};
+
+}  // namespace
+
+struct SurfaceCheck::Impl {
+  Impl(const PatientModel& model, const StereoRig& rig, const Picture& mask_of_left)
+      : surface(model, registration::SurfaceDetail::fine),
+        stereo(rig, kWidth, kStep, kNear, kFar),
+        mask(mask_of_left) {
+    allowed.resize(static_cast<std::size_t>(stereo.columns() * stereo.rows()));
+    for (int r = 0; r < stereo.rows(); ++r)
+      for (int c = 0; c < stereo.columns(); ++c)
+        allowed[index(c, r)] = is_allowed(stereo.pixel(c, r), rig.left);
+  }
+
+  std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row * stereo.columns() + column);
+  }
+  bool is_allowed(const Eigen::Vector2d& pixel, const Camera& camera) const {
+    if (!camera.sees(pixel)) return false;
+    if (mask.empty()) return true;
+    const auto x = static_cast<std::size_t>(std::lround(pixel.x())),
+               y = static_cast<std::size_t>(std::lround(pixel.y()));
+    const auto at = static_cast<std::size_t>(mask.channels) * (y * static_cast<std::size_t>(mask.width) + x);
+    return at < mask.bytes->size() && (*mask.bytes)[at] != 0;
+  }
+  int region(int column, int row) const {
+    return kRegions * (kRegions * row / stereo.rows()) + kRegions * column / stereo.columns();
+  }
+
+  /// Where the organ should be seen: distance along each ray, and its inclination.
+  void predict(const Points& nodes) {
+    surface.move(nodes);
+    const std::size_t n = allowed.size();
+    hit.assign(n, {});
+    depth.assign(n, 0.0);
+    inclination.assign(n, 0.0);
+    for (int r = 0; r < stereo.rows(); ++r)
+      for (int c = 0; c < stereo.columns(); ++c) {
+        const std::size_t i = index(c, r);
+        if (allowed[i] == 0) continue;
+        const Eigen::Vector3d& ray = stereo.ray(c, r);
+        hit[i] =
+            surface.first_hit(Eigen::Vector3d::Zero(), ray, 0.0, std::numeric_limits<double>::infinity());
+        if (hit[i].triangle < 0) continue;
+        depth[i] = hit[i].point.norm();
+        inclination[i] = std::abs(surface.normal(hit[i]).dot(ray));
+      }
+  }
+  /// Whether the organ is predicted here and all around.
+  bool is_inside(int column, int row) const {
+    for (int r = row - kInside; r <= row + kInside; ++r)
+      for (int c = column - kInside; c <= column + kInside; ++c) {
+        if (c < 0 || r < 0 || c >= stereo.columns() || r >= stereo.rows()) continue;
+        if (allowed[index(c, r)] != 0 && depth[index(c, r)] <= 0.0) return false;
+      }
+    return true;
+  }
+
+  void compare(const std::vector<SeenPoint>& points, SurfaceEvidence& evidence) {
+    for (const double z : depth) evidence.predicted += z > 0.0;
+    int inside = 0, inside_seen = 0, supported = 0, behind = 0, before = 0;
+    for (int r = 0; r < stereo.rows(); ++r)
+      for (int c = 0; c < stereo.columns(); ++c) inside += depth[index(c, r)] > 0.0 && is_inside(c, r);
+    std::map<int, std::vector<double>> gaps;
+    std::map<int, double> sigmas;
+    is_behind.assign(depth.size(), 0);
+    is_supported.assign(depth.size(), 0);
+    for (const SeenPoint& point : points) {
+      const std::size_t i = index(point.column, point.row);
+      if (depth[i] <= 0.0) continue;
+      ++evidence.seen;
+      const double along = point.p_in_camera.norm() - depth[i];
+      // Across the surface: on a slope, what is off along the ray is less off the surface.
+      const double slope = std::max(0.2, inclination[i]), gap = along * slope;
+      const double sigma = std::hypot(point.sigma * slope, kModelSigma);
+      const bool is_in = is_inside(point.column, point.row);
+      inside_seen += is_in;
+      if (std::abs(gap) < kSupported * sigma) {
+        ++supported;
+        is_supported[i] = 1;
+      } else if (is_in && gap > kSupported * sigma + kApart) {
+        ++behind;
+        is_behind[i] = 1;
+      } else if (is_in && gap < -kSupported * sigma - kApart) {
+        ++before;
+      }
+      if (std::abs(gap) > kSupported * sigma + kApart) continue;
+      const int group = region(point.column, point.row);
+      gaps[group].push_back(gap);
+      sigmas[group] += std::hypot(kRegionStereoShare * point.sigma * slope, kModelSigma);
+    }
+    if (evidence.predicted > 0) evidence.supported = supported / static_cast<double>(evidence.predicted);
+    if (inside > 0) {
+      evidence.behind = behind / static_cast<double>(inside);
+      evidence.before = before / static_cast<double>(inside);
+    }
+    double sum = 0.0;
+    int regions = 0;
+    for (const auto& [group, values] : gaps) {
+      if (values.size() < kLeastInRegion) continue;
+      sum += std::pow(median(values) * static_cast<double>(values.size()) / sigmas[group], 2);
+      ++regions;
+    }
+    evidence.gap = regions > 0 ? std::sqrt(sum / regions) : 0.0;
+  }
+
+  /// Where what stereo sees wants the organ to be.
+  void collect_wishes(const std::vector<SeenPoint>& points, const Correction& now,
+                      std::vector<Wish>& wishes) const {
+    wishes.clear();
+    std::map<int, int> count;
+    std::vector<int> group;
+    for (const SeenPoint& point : points) {
+      if (point.column % kFitEvery != 0 || point.row % kFitEvery != 0) continue;
+      const Eigen::Vector3d p = now.undo(point.p_in_camera);
+      const ClosestPoint at = surface.closest(Feature::surface, p);
+      if (at.triangle < 0 || at.distance > kReach) continue;
+      const Eigen::Vector3d normal = surface.normal(at);
+      const Eigen::Vector3d view = at.point.normalized();
+      if (normal.dot(view) > 0.2) continue;  // turned away: not what is seen
+      Wish wish;
+      wish.at = now.apply(at.point);
+      const Eigen::Vector3d gap = point.p_in_camera - wish.at;
+      // Beside the outline the way to the organ is across it.
+      const Eigen::Vector3d turned = now.turn * normal;
+      const bool is_beside = at.distance > 1e-4 && std::abs(turned.dot(gap)) < 0.7 * gap.norm();
+      wish.direction = is_beside ? Eigen::Vector3d(gap.normalized()) : turned;
+      wish.distance = wish.direction.dot(gap);
+      const double slope = std::abs(wish.direction.dot(point.p_in_camera.normalized()));
+      wish.sigma = std::hypot(point.sigma * slope, kModelSigma);
+      wishes.push_back(wish);
+      group.push_back(region(point.column, point.row));
+      ++count[group.back()];
+    }
+    add_free_space(now, wishes, group, count);
+    for (std::size_t i = 0; i < wishes.size(); ++i)
+      wishes[i].sigma *= std::sqrt(std::max(1.0, count[group[i]] / kIndependentInRegion));
+  }
+
+  /// Where the organ is predicted and stereo looks past it, it should move to where stereo sees it.
+  void add_free_space(const Correction& now, std::vector<Wish>& wishes, std::vector<int>& group,
+                      std::map<int, int>& count) const {
+    constexpr int kFarthest = 12;  // places of the grid
+    for (int r = 0; r < stereo.rows(); r += kFitEvery)
+      for (int c = 0; c < stereo.columns(); c += kFitEvery) {
+        const std::size_t i = index(c, r);
+        if (is_behind[i] == 0) continue;
+        int best = kFarthest * kFarthest + 1, best_c = -1, best_r = -1;
+        for (int y = std::max(0, r - kFarthest); y <= std::min(stereo.rows() - 1, r + kFarthest); ++y)
+          for (int x = std::max(0, c - kFarthest); x <= std::min(stereo.columns() - 1, c + kFarthest); ++x) {
+            const int d = (x - c) * (x - c) + (y - r) * (y - r);
+            if (d < best && is_supported[index(x, y)] != 0) {
+              best = d;
+              best_c = x;
+              best_r = y;
+            }
+          }
+        if (best_c < 0) continue;
+        Wish wish;
+        wish.at = now.apply(hit[i].point);
+        const Eigen::Vector3d to = depth[i] * stereo.ray(best_c, best_r) - wish.at;
+        if (to.norm() < 1e-4) continue;
+        wish.direction = to.normalized();
+        wish.distance = to.norm();
+        wish.sigma = 2.0 * kModelSigma;
+        wishes.push_back(wish);
+        group.push_back(region(c, r));
+        ++count[group.back()];
+      }
+  }
+
+  /// The small rigid motion of the organ that stereo asks for, with what it cannot tell.
+  void fit(const std::vector<SeenPoint>& points, SurfaceEvidence& evidence) const {
+    Correction now;
+    std::vector<Eigen::Vector3d> organ;
+    const TriangleMesh& mesh = surface.mesh();
+    const int every = std::max(1, mesh.vertex_count() / 300);
+    for (int v = 0; v < mesh.vertex_count(); v += every) organ.push_back(mesh.vertex(v));
+    for (const Eigen::Vector3d& p : organ) now.centre += p / static_cast<double>(organ.size());
+    Eigen::Matrix<double, 6, 1> prior;
+    prior << Eigen::Vector3d::Constant(1.0 / (kPriorShift * kPriorShift)),
+        Eigen::Vector3d::Constant(1.0 / (kPriorTurn * kPriorTurn));
+    Eigen::Matrix<double, 6, 6> information = prior.asDiagonal();
+    std::vector<Wish> wishes;
+    for (int step = 0; step < kFitSteps; ++step) {
+      collect_wishes(points, now, wishes);
+      information = prior.asDiagonal();
+      Eigen::Matrix<double, 6, 1> side;
+      side.setZero();
+      for (const Wish& wish : wishes) {
+        Eigen::Matrix<double, 6, 1> row;
+        row << wish.direction, (wish.at - now.centre - now.shift).cross(wish.direction);
+        const double weight = 1.0 / (wish.sigma * wish.sigma);
+        information += weight * row * row.transpose();
+        side += weight * wish.distance * row;
+      }
+      const Eigen::AngleAxisd so_far(now.turn);
+      Eigen::Matrix<double, 6, 1> place;
+      place << now.shift, so_far.angle() * so_far.axis();
+      side -= prior.asDiagonal() * place;
+      const Eigen::Matrix<double, 6, 1> change = information.ldlt().solve(side);
+      now.shift += change.head<3>();
+      const double angle = change.tail<3>().norm();
+      if (angle > 1e-9)
+        now.turn = Eigen::AngleAxisd(angle, change.tail<3>() / angle).toRotationMatrix() * now.turn;
+      if (change.head<3>().norm() < 2e-4 && angle < 2e-3) break;
+    }
+    const Eigen::Matrix<double, 6, 6> covariance = information.inverse();
+    double moved = 0.0, unknown = 0.0;
+    for (const Eigen::Vector3d& p : organ) {
+      moved += (now.apply(p) - p).squaredNorm();
+      Eigen::Matrix<double, 3, 6> reach;
+      const Eigen::Vector3d arm = now.apply(p) - now.centre - now.shift;
+      Eigen::Matrix3d cross;
+      cross << 0, arm.z(), -arm.y(), -arm.z(), 0, arm.x(), arm.y(), -arm.x(), 0;
+      reach << Eigen::Matrix3d::Identity(), cross;
+      unknown += (reach * covariance * reach.transpose()).trace();
+    }
+    evidence.pull = std::sqrt(moved / static_cast<double>(organ.size()));
+    evidence.pull_sigma = std::sqrt(unknown / static_cast<double>(organ.size()));
+  }
+
+  registration::MovingSurface surface;
+  SmallStereo stereo;
+  Picture mask;
+  std::vector<char> allowed, is_behind, is_supported;
+  std::vector<ClosestPoint> hit;
+  std::vector<double> depth, inclination;
+};
+
+SurfaceCheck::SurfaceCheck(const PatientModel& model, const StereoRig& rig, const Picture& mask)
+    : impl_(std::make_unique<Impl>(model, rig, mask)) {}
+SurfaceCheck::~SurfaceCheck() = default;
+
+SurfaceEvidence SurfaceCheck::check(const Picture& left, const Picture& right,
+                                    const Points& nodes_in_camera) {
+  SurfaceEvidence evidence;
+  const std::vector<SeenPoint> points = impl_->stereo.see(left, right);
+  impl_->predict(nodes_in_camera);
+  impl_->compare(points, evidence);
+  impl_->fit(points, evidence);
+  return evidence;
+}
+
+}  // namespace glisson::guidance

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "glisson/geometry/camera.h"
+#include "glisson/patient/patient_model.h"
+#include "glisson/patient/picture.h"
+
+namespace glisson::guidance {
+
+/// What a fresh stereo surface says of where the model is drawn.
+struct SurfaceEvidence {
+  int predicted = 0;       ///< places of the grid where the organ should be seen
+  int seen = 0;            ///< of these, with a depth by stereo
+  double supported = 0.0;  ///< share of the predicted ones where stereo sees the organ
+  double behind = 0.0;     ///< share of those, well inside the outline, where it sees something farther away
+  double before = 0.0;     ///< the same, nearer: covered
+  double gap = 0.0;        ///< rms over regions of the median distance, expected standard deviations
+  double pull = 0.0;       ///< metres; see Evidence
+  double pull_sigma = 0.0;
+};
+
+/// Compares the predicted surface with one that block matching makes of the pair alone: none of the tracked
+/// points, none of the former frames. The fine surface is used where the model has one. Not thread-safe.
+class SurfaceCheck {
+ public:
+  /// @param mask empty, or non-zero where tissue may be seen (left picture).
+  SurfaceCheck(const PatientModel& model, const StereoRig& rig, const Picture& mask);
+  ~SurfaceCheck();
+  /// @param nodes_in_camera the overlay's at this pair's moment. @throws InputError pictures of another size.
+  SurfaceEvidence check(const Picture& left, const Picture& right, const Points& nodes_in_camera);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace glisson::guidance

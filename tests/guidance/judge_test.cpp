@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Evidence that is not the tracker's own, and the verdicts on overlays.
+#include <QtTest>
+
+#include "alarm.h"
+#include "filmed_phantom.h"
+#include "glisson/core/error.h"
+#include "glisson/guidance/tracker.h"
+#include "motion_check.h"
+#include "picture_check.h"
+#include "surface_check.h"
+
+using namespace glisson;
+using namespace glisson::guidance;
+
+class JudgeTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void initTestCase();
+  void AlarmNeedsSeveralToRiseAndMoreToGo();
+  void SmokeAndDarknessLoseSignalAndNoiseIsNone();
+  void RowsStayWithBothViewsOfOneMoment();
+  void NoiseIsNoMotionAndBreathIs();
+  void StereoSupportsTheTrueSurface();
+  void StereoSpeaksAgainstAWrongSurface_data();
+  void StereoSpeaksAgainstAWrongSurface();
+  void WhatIsCoveredIsNotSupported();
+  void WrongStartIsWithdrawnAndTheRightOneIsNot();
+  void StandingPictureIsWithdrawn();
+  void VerdictsRepeat();
+  void UnusableOptionsAreRefused();
+
+ private:
+  TrackerOptions options() const {
+    TrackerOptions options;
+    options.points = 80;
+    options.boundary_young_modulus = 0.0;
+    return options;
+  }
+  Points moved(const Eigen::Vector3d& by) const { return nodes_.rowwise() + by.transpose(); }
+  /// A film of the body moving down by half a millimetre a frame.
+  StereoFrame frame(int k) const {
+    return phantom::film(model_, moved({0.0, 0.5e-3 * k, -0.2e-3 * k}), rig_, k);
+  }
+  static std::vector<FollowedPoint> grid(const StereoRig& rig) {
+    std::vector<FollowedPoint> points;
+    for (int i = 0; i < 200; ++i) {
+      FollowedPoint point;
+      point.id = i;
+      point.p_in_camera = {0.004 * (i % 20 - 10), 0.006 * (i / 20 - 5), 0.12};
+      point.left = rig.left.project(point.p_in_camera);
+      point.right = rig.right.project(rig.right_from_left.rotation * point.p_in_camera +
+                                      rig.right_from_left.translation);
+      points.push_back(point);
+    }
+    return points;
+  }
+
+  StereoRig rig_ = phantom::rig();
+  PatientModel model_ = phantom::model(8, 6, 3);
+  Points nodes_;
+  StereoFrame first_;
+};
+
+void JudgeTest::initTestCase() {
+  nodes_ = phantom::view().apply(model_.mesh.vertices);
+  first_ = phantom::film(model_, nodes_, rig_, 0);
+}
+
+void JudgeTest::AlarmNeedsSeveralToRiseAndMoreToGo() {
+  Alarm alarm(2, 3);
+  alarm.push(1.0, 1.0, 0.8);
+  QVERIFY(!alarm.stands());
+  alarm.push(0.5, 1.0, 0.8);
+  alarm.push(1.2, 1.0, 0.8);
+  QVERIFY(!alarm.stands());
+  alarm.push(1.2, 1.0, 0.8);
+  QVERIFY(alarm.stands());
+  for (const double value : {0.5, 0.5, 0.9, 0.5, 0.5}) {
+    alarm.push(value, 1.0, 0.8);
+    QVERIFY(alarm.stands());
+  }
+  alarm.push(0.5, 1.0, 0.8);
+  QVERIFY(!alarm.stands());
+}
+
+void JudgeTest::SmokeAndDarknessLoseSignalAndNoiseIsNone() {
+  const auto changed = [&](double gain, double offset, double noise) {
+    std::mt19937 random(5);
+    std::normal_distribution<double> normal(0.0, noise);
+    auto bytes = std::make_shared<std::vector<std::uint8_t>>(*first_.left.bytes);
+    for (auto& byte : *bytes)
+      byte = static_cast<std::uint8_t>(std::clamp(gain * byte + offset + normal(random), 0.0, 240.0));
+    Picture picture = first_.left;
+    picture.bytes = bytes;
+    return measure(picture);
+  };
+  const double clear = changed(1.0, 0.0, 2.0).signal();
+  QVERIFY(clear > 1.0);
+  QVERIFY(changed(0.4, 120.0, 2.0).signal() < 0.6 * clear);
+  QVERIFY(changed(0.15, 0.0, 2.0).signal() < 0.4 * clear);
+  QVERIFY(changed(0.0, 100.0, 4.0).signal() < 0.2);
+  QVERIFY(std::abs(changed(0.0, 100.0, 4.0).noise - 4.0) < 0.5);
+}
+
+void JudgeTest::RowsStayWithBothViewsOfOneMoment() {
+  MotionCheck check;
+  std::vector<FollowedPoint> before = grid(rig_), now = before;
+  for (int k = 0; k < 8; ++k) check.push(before, now, rig_);
+  QVERIFY(std::abs(check.rows()) < 1e-6);
+  for (FollowedPoint& point : now) point.right.y() += 0.5;  // the right view shows another moment
+  check.push(before, now, rig_);
+  QVERIFY2(std::abs(std::abs(check.rows()) - 0.5) < 0.05, qPrintable(QString::number(check.rows())));
+}
+
+void JudgeTest::NoiseIsNoMotionAndBreathIs() {
+  std::mt19937 random(9);
+  std::normal_distribution<double> noise(0.0, 0.05);
+  for (const double speed : {0.0, 0.1}) {
+    MotionCheck check;
+    std::vector<FollowedPoint> before = grid(rig_);
+    for (int k = 0; k < 14; ++k) {
+      std::vector<FollowedPoint> now = before;
+      for (FollowedPoint& point : now) {
+        const Eigen::Vector2d shift(noise(random), noise(random) + speed);
+        point.left += shift;
+        point.right += Eigen::Vector2d(noise(random), noise(random) + speed);
+      }
+      check.push(before, now, rig_);
+      before = now;
+    }
+    const double left = check.motion_left(), right = check.motion_right();
+    if (speed == 0.0)
+      QVERIFY2(left > 0.5 && left < 1.6 && right > 0.5 && right < 1.6, qPrintable(QString::number(left)));
+    else
+      QVERIFY2(left > 5.0 && right > 5.0, qPrintable(QString::number(left)));
+  }
+}
+
+void JudgeTest::StereoSupportsTheTrueSurface() {
+  SurfaceCheck check(model_, rig_, {});
+  const SurfaceEvidence evidence = check.check(first_.left, first_.right, nodes_);
+  QVERIFY(evidence.predicted > 200);
+  QVERIFY2(evidence.supported > 0.5, qPrintable(QString::number(evidence.supported)));
+  QVERIFY2(evidence.gap < 1.5, qPrintable(QString::number(evidence.gap)));
+  QVERIFY2(evidence.behind < 0.03, qPrintable(QString::number(evidence.behind)));
+}
+
+void JudgeTest::StereoSpeaksAgainstAWrongSurface_data() {
+  QTest::addColumn<double>("x");
+  QTest::addColumn<double>("z");
+  QTest::newRow("nearer by 15 mm") << 0.0 << -15e-3;
+  QTest::newRow("farther by 15 mm") << 0.0 << 15e-3;
+  QTest::newRow("aside by 25 mm") << 25e-3 << 0.0;
+}
+
+void JudgeTest::StereoSpeaksAgainstAWrongSurface() {
+  QFETCH(double, x);
+  QFETCH(double, z);
+  SurfaceCheck check(model_, rig_, {});
+  const SurfaceEvidence right = check.check(first_.left, first_.right, nodes_);
+  const SurfaceEvidence wrong = check.check(first_.left, first_.right, moved({x, 0.0, z}));
+  QVERIFY2(wrong.supported < 0.8 * right.supported,
+           qPrintable(QString("%1 after %2").arg(wrong.supported).arg(right.supported)));
+  QVERIFY2(wrong.gap > 1.5 * right.gap, qPrintable(QString("%1 after %2").arg(wrong.gap).arg(right.gap)));
+}
+
+void JudgeTest::WhatIsCoveredIsNotSupported() {
+  SurfaceCheck check(model_, rig_, {});
+  const double open = check.check(first_.left, first_.right, nodes_).supported;
+  StereoFrame covered = first_;
+  for (Picture* picture : {&covered.left, &covered.right}) {
+    auto bytes = std::make_shared<std::vector<std::uint8_t>>(*picture->bytes);
+    for (int y = 0; y < picture->height; ++y)
+      for (int x = picture->width / 2; x < picture->width; ++x)
+        (*bytes)[static_cast<std::size_t>(y * picture->width + x)] = 120;
+    picture->bytes = bytes;
+  }
+  QVERIFY(check.check(covered.left, covered.right, nodes_).supported < 0.75 * open);
+}
+
+void JudgeTest::WrongStartIsWithdrawnAndTheRightOneIsNot() {
+  for (const double off : {0.0, -20e-3}) {
+    Registration start;
+    start.nodes_in_camera = moved({0.0, 0.0, off});
+    start.camera_from_ct = phantom::view();
+    Tracker tracker(model_, start, options());
+    tracker.begin(rig_, first_, {});
+    for (int k = 1; k < 4; ++k) {
+      const OverlayFrame overlay = tracker.follow(frame(k));
+      QVERIFY(overlay.evidence.judged || overlay.validity != Validity::valid);
+      QVERIFY2((overlay.validity == Validity::valid) == (off == 0.0), validity_code(overlay.validity));
+    }
+  }
+}
+
+void JudgeTest::StandingPictureIsWithdrawn() {
+  Registration start;
+  start.nodes_in_camera = nodes_;
+  Tracker tracker(model_, start, options());
+  tracker.begin(rig_, first_, {});
+  OverlayFrame overlay;
+  for (int k = 1; k < 15; ++k) overlay = tracker.follow(first_);
+  QVERIFY2(overlay.validity == Validity::picture_stands, validity_code(overlay.validity));
+}
+
+void JudgeTest::VerdictsRepeat() {
+  std::vector<double> gaps;
+  for (int turn = 0; turn < 2; ++turn) {
+    Registration start;
+    start.nodes_in_camera = nodes_;
+    Tracker tracker(model_, start, options());
+    tracker.begin(rig_, first_, {});
+    OverlayFrame overlay;
+    for (int k = 1; k < 11; ++k) overlay = tracker.follow(frame(k));
+    QVERIFY(overlay.evidence.judged);
+    gaps.push_back(overlay.evidence.gap);
+  }
+  QCOMPARE(gaps[0], gaps[1]);
+}
+
+void JudgeTest::UnusableOptionsAreRefused() {
+  const auto refused = [](auto change) {
+    JudgeOptions options;
+    change(options);
+    QVERIFY_EXCEPTION_THROWN(options.validate(), InputError);
+  };
+  refused([](JudgeOptions& o) { o.every = 0; });
+  refused([](JudgeOptions& o) { o.lag = o.every; });
+  refused([](JudgeOptions& o) { o.gap = 0.0; });
+  refused([](JudgeOptions& o) { o.behind = 1.5; });
+  refused([](JudgeOptions& o) { o.pull = 0.0; });
+  refused([](JudgeOptions& o) { o.pull_sigmas = 0.0; });
+  refused([](JudgeOptions& o) { o.supported = -0.1; });
+  refused([](JudgeOptions& o) { o.least_supported = 2.0; });
+  refused([](JudgeOptions& o) { o.contrast = 2.0; });
+  refused([](JudgeOptions& o) { o.motion = -1.0; });
+  refused([](JudgeOptions& o) { o.rows = 0.0; });
+  refused([](JudgeOptions& o) { o.relief = 0.0; });
+}
+
+QTEST_APPLESS_MAIN(JudgeTest)
+#include "judge_test.moc"
