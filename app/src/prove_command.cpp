@@ -4,6 +4,7 @@
 #include "commands.h"
 #include "exit_code.h"
 #include "glisson/experiments/aims.h"
+#include "glisson/experiments/live_proof.h"
 #include "glisson/experiments/patient_proof.h"
 #include "glisson/experiments/stereo_proof.h"
 
@@ -71,6 +72,18 @@ void prove_stereo(const Arguments& arguments, Session& session, const fs::path& 
   page.table = proof->table;
 }
 
+/// --seed 1 measures on the default patients, another one on the patient of that seed alone.
+void prove_live(const Arguments& arguments, Session& session, const fs::path& folder,
+                experiments::ProofPage& page) {
+  experiments::LiveProofOptions options;
+  if (arguments.seed() != 1) options.seeds.assign(1, arguments.seed());
+  auto proof = experiments::prove_live(options, folder, session.context());
+  if (!proof) throw Interrupted();
+  for (const std::string& line : proof->table) say(QString::fromStdString(line));
+  session.figures.merge(proof->figures);
+  page.table = proof->table;
+}
+
 constexpr Proof kProofs[] = {
     {"patient", "From the CT to the model",
      "3D-IRCADb-01 patient 1 (real CT) against its expert's labels, and the synthetic patient (in silico) "
@@ -80,6 +93,11 @@ constexpr Proof kProofs[] = {
      "A pair of real liver tissue against its CT surface, pairs of a chessboard and of a silicone heart "
      "(phantoms, real cameras), and pictures of the theatre (in silico), whose depth is known.",
      experiments::stereo_aims, prove_stereo},
+    {"live", "What the live overlay says of itself when something is wrong",
+     "Wrong starts, and faults put into the frames of the theatre (in silico), on patients and films that no "
+     "limit was "
+     "set on.",
+     experiments::live_aims, prove_live},
 };
 
 /// Where the page goes: where the person says, else into the checkout that the program runs in. A page with
@@ -110,11 +128,12 @@ void write_page(const Arguments& arguments, const Proof& proof, experiments::Pro
 }  // namespace
 
 int run_prove(const QStringList& given) {
-  Arguments arguments(
-      "prove",
-      Cli::tr("Measures the figures of the READMEs again, against experts' labels and "
-              "known truths: patient (from the CT to the model), stereo (from pictures to clouds)."));
-  arguments.positional("PROOF", Cli::tr("Which: patient or stereo."));
+  Arguments arguments("prove",
+                      Cli::tr("Measures the figures of the READMEs again, against experts' labels and "
+                              "known truths: patient (from the CT to the model), stereo (from pictures to "
+                              "clouds), live (what the overlay says of itself when "
+                              "something is wrong)."));
+  arguments.positional("PROOF", Cli::tr("Which: patient, stereo or live."));
   arguments.option("data", Cli::tr("Folder of the real data; what is not there is left out."), "DIR",
                    "../shared/data");
   arguments.option("clicks", Cli::tr("Folder of the clicks on it."), "DIR", "tests/data");

@@ -326,14 +326,14 @@ void CaseIoTest::ARegistrationOfAnotherModelIsRefused() {
 void CaseIoTest::ARegistrationsDoubtsTravelWithItsFile() {
   const TemporaryFolder folder;
   const CaseState state = small_case();
-  Registration doubted = *state.registration;
+  Registration doubted = *state[part::registration];
   doubted.doubts = {"few_margin_points", "little_surface_seen"};
   doubted.termination = Termination::step_limit;
   doubted.residual = 2.5e-3;
   doubted.seen_share = 0.125;
-  write_registration(folder.path() / "r.vtu", state.model->model, doubted, LengthUnit::millimetre);
+  write_registration(folder.path() / "r.vtu", state[part::model]->model, doubted, LengthUnit::millimetre);
   const Registration read =
-      read_registration(folder.path() / "r.vtu", state.model->model, LengthUnit::millimetre);
+      read_registration(folder.path() / "r.vtu", state[part::model]->model, LengthUnit::millimetre);
   QCOMPARE(read.doubts, doubted.doubts);
   QVERIFY(read.termination == doubted.termination);
   QCOMPARE(read.residual, doubted.residual);

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "glisson/core/json_file.h"
+#include "glisson/core/run_context.h"
+#include "glisson/experiments/aims.h"
+
+/// @file
+/// What the live overlay says of itself when something is wrong, measured in the theatre, where the truth is
+/// known: wrong starts, and faults put into the frames.
+
+namespace glisson::experiments {
+
+struct LiveProofOptions {
+  /// Patients and theatres. Limits of guidance::JudgeOptions were set on others (101, 102).
+  std::vector<std::uint64_t> seeds{7, 8};
+  int frames = 120;  ///< of each run, 30 a second
+  int onset = 30;    ///< frame from which a fault of the frames is there
+  std::string only;  ///< runs whose name contains this; empty: all
+  /// @throws InputError naming the option.
+  void validate() const;
+};
+
+struct LiveProof {
+  /// Over all runs: share of the frames truly over 10 mm that are not valid, of those under 3 mm that are
+  /// valid (of all, and of those without a fault), seconds to the withdrawal, milliseconds of a frame.
+  Figures figures;
+  std::vector<std::string> table;  ///< a line each fault, the first its heads
+};
+
+/// Leaves `live.csv`, a line each frame with its error and evidence, and `live.txt`, the table, in `folder`,
+/// which exists. A frame's error is the largest over the lesions' centres. Empty: cancelled. @throws Error.
+Cancellable<LiveProof> prove_live(const LiveProofOptions& options, const std::filesystem::path& folder,
+                                  const RunContext& context);
+
+/// What its figures should be.
+const std::vector<Aim>& live_aims();
+
+}  // namespace glisson::experiments

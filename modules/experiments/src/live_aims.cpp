@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/experiments/live_proof.h"
+
+// lupdate looks for this word and collects the texts; here it leaves them as they are.
+#define QT_TRANSLATE_NOOP(context, text) text
+
+namespace glisson::experiments {
+
+const std::vector<Aim>& live_aims() {
+  using enum Aim::Sense;
+  using enum Evidence;
+  static const std::vector<Aim> kAims = {
+      {"live_far_hidden_share", QT_TRANSLATE_NOOP("cli", "live: frames over 10 mm that are not valid, share"),
+       in_silico, at_least, 0.99, 3},
+      {"live_near_sound_valid_share",
+       QT_TRANSLATE_NOOP("cli", "live: frames under 3 mm without a fault that are valid, share"), in_silico,
+       at_least, 0.95, 3},
+      {"live_latest_seconds", QT_TRANSLATE_NOOP("cli", "live: longest time until an overlay goes, s"),
+       in_silico, at_most, 0.5, 2},
+  };
+  return kAims;
+}
+
+}  // namespace glisson::experiments

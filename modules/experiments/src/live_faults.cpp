@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "live_faults.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <opencv2/imgproc.hpp>
+#include <random>
+
+namespace glisson::experiments {
+namespace {
+
+constexpr double kBarDepth = 0.06, kDrapeDepth = 0.08;  ///< metres before the camera
+constexpr double kDrapeSpeed = 2.0;                     ///< pixels a frame
+
+cv::Mat view_of(const Picture& picture) {
+  return {picture.height, picture.width, picture.channels == 1 ? CV_8UC1 : CV_8UC3,
+          const_cast<std::uint8_t*>(picture.bytes->data())};  // only read
+}
+Picture picture_of(const cv::Mat& mat) {
+  auto bytes = std::make_shared<std::vector<std::uint8_t>>(mat.data, mat.data + mat.total() * mat.elemSize());
+  return {mat.cols, mat.rows, mat.channels(), std::move(bytes)};
+}
+
+template <class Change>
+StereoFrame both(const StereoFrame& frame, const Change& change) {
+  StereoFrame changed = frame;
+  cv::Mat left = view_of(frame.left).clone(), right = view_of(frame.right).clone();
+  change(left, false);
+  change(right, true);
+  changed.left = picture_of(left);
+  changed.right = picture_of(right);
+  return changed;
+}
+
+void add_noise(cv::Mat& picture, double sigma, std::uint64_t seed) {
+  cv::RNG random(seed);
+  cv::Mat noise(picture.size(), CV_16SC(picture.channels())), sum;
+  random.fill(noise, cv::RNG::NORMAL, 0.0, sigma);
+  picture.convertTo(sum, noise.type());
+  sum += noise;
+  sum.convertTo(picture, picture.type());
+}
+
+/// The moment of `from`, at the time of `at`.
+StereoFrame shown_at(const StereoFrame& from, const StereoFrame& at) {
+  StereoFrame frame = from;
+  frame.index = at.index;
+  frame.seconds = at.seconds;
+  return frame;
+}
+
+/// Something flat, `share` of the picture wide, at a depth: in either picture at its place.
+class Curtain {
+ public:
+  Curtain(const StereoRig& rig, double share, double depth, double speed, bool textured, std::uint64_t seed)
+      : width_(static_cast<int>(share * rig.left.width)),
+        disparity_(static_cast<int>(rig.left.matrix(0, 0) * rig.baseline() / depth)),
+        speed_(speed),
+        cloth_(rig.left.height, 2 * rig.left.width, CV_8UC3) {
+    cv::RNG random(seed);
+    random.fill(cloth_, cv::RNG::UNIFORM, textured ? 0 : 90, textured ? 255 : 110);
+    cv::GaussianBlur(cloth_, cloth_, cv::Size(), textured ? 3.0 : 8.0);
+    if (textured) cv::normalize(cloth_, cloth_, 30, 220, cv::NORM_MINMAX);
+  }
+  void hang(cv::Mat& picture, bool is_right, int frame) const {
+    const int left = picture.cols - width_ - (is_right ? disparity_ : 0);
+    const cv::Rect place =
+        cv::Rect(left, 0, width_, picture.rows) & cv::Rect(0, 0, picture.cols, picture.rows);
+    const int slide = static_cast<int>(speed_ * frame) % picture.cols;
+    cloth_(cv::Rect(slide, 0, place.width, place.height)).copyTo(picture(place));
+  }
+
+ private:
+  int width_, disparity_;
+  double speed_;
+  cv::Mat cloth_;
+};
+
+Eigen::Matrix3d turned(double degrees, const Eigen::Vector3d& axis) {
+  return Eigen::AngleAxisd(degrees * std::numbers::pi / 180.0, axis).toRotationMatrix();
+}
+
+LiveFault shifted_start(const char* name, const Eigen::Vector3d& millimetres) {
+  LiveFault fault;
+  fault.name = name;
+  fault.start_shift = 1e-3 * millimetres;
+  return fault;
+}
+LiveFault turned_start(const char* name, double degrees, const Eigen::Vector3d& axis) {
+  LiveFault fault;
+  fault.name = name;
+  fault.start_turn = turned(degrees, axis);
+  return fault;
+}
+
+void add_starts(std::vector<LiveFault>& faults) {
+  faults.push_back(shifted_start("start_x_10mm", {10, 0, 0}));
+  faults.push_back(shifted_start("start_x_20mm", {20, 0, 0}));
+  faults.push_back(shifted_start("start_x_40mm", {40, 0, 0}));
+  faults.push_back(shifted_start("start_y_20mm", {0, 20, 0}));
+  faults.push_back(shifted_start("start_y_-20mm", {0, -20, 0}));
+  faults.push_back(shifted_start("start_z_10mm", {0, 0, -10}));
+  faults.push_back(shifted_start("start_z_20mm", {0, 0, -20}));
+  const Eigen::Vector3d view = Eigen::Vector3d::UnitZ(), across = Eigen::Vector3d::UnitY();
+  faults.push_back(turned_start("start_view_10deg", 10.0, view));
+  faults.push_back(turned_start("start_view_20deg", 20.0, view));
+  faults.push_back(turned_start("start_view_40deg", 40.0, view));
+  faults.push_back(turned_start("start_view_180deg", 180.0, view));
+  faults.push_back(turned_start("start_across_10deg", 10.0, across));
+  faults.push_back(turned_start("start_across_20deg", 20.0, across));
+}
+
+using Show = std::function<StereoFrame(const Film&, int)>;
+
+/// @param change of a frame that is `share` of the way from the onset to the end of a ramp.
+template <class Change>
+Show ramp(int onset, int last, Change change) {
+  return [=](const Film& film, int k) {
+    const StereoFrame& frame = film[static_cast<std::size_t>(k)];
+    if (k < onset) return frame;
+    const double share = std::min(1.0, (k - onset + 1.0) / (last - onset));
+    return both(frame, [&](cv::Mat& picture, bool is_right) { change(picture, is_right, share, k); });
+  };
+}
+
+void add_stale_views(std::vector<LiveFault>& faults, int onset, std::uint64_t seed) {
+  const auto at = [](const Film& film, int k) -> const StereoFrame& {
+    return film[static_cast<std::size_t>(std::max(0, k))];
+  };
+  const auto add = [&](const char* name, const Show& show) {
+    LiveFault fault;
+    fault.name = name;
+    fault.show = show;
+    faults.push_back(fault);
+  };
+  add("frozen", [=](const Film& film, int k) { return shown_at(at(film, std::min(k, onset)), at(film, k)); });
+  add("frozen_noise", [=](const Film& film, int k) {
+    if (k < onset) return at(film, k);
+    return both(shown_at(at(film, onset), at(film, k)), [&](cv::Mat& picture, bool is_right) {
+      add_noise(picture, 2.0, seed + static_cast<std::uint64_t>(2 * k) + (is_right ? 1 : 0));
+    });
+  });
+  add("left_frozen", [=](const Film& film, int k) {
+    StereoFrame frame = at(film, k);
+    frame.left = at(film, std::min(k, onset)).left;
+    return frame;
+  });
+  add("right_frozen", [=](const Film& film, int k) {
+    StereoFrame frame = at(film, k);
+    frame.right = at(film, std::min(k, onset)).right;
+    return frame;
+  });
+  for (const int late : {5, 15})
+    add(late == 5 ? "right_5_late" : "right_15_late", [=](const Film& film, int k) {
+      StereoFrame frame = at(film, k);
+      if (k >= onset) frame.right = at(film, k - late).right;
+      return frame;
+    });
+  add("swapped", [=](const Film& film, int k) {
+    StereoFrame frame = at(film, k);
+    if (k >= onset) std::swap(frame.left, frame.right);
+    return frame;
+  });
+  add("black", [=](const Film& film, int k) {
+    if (k < onset) return at(film, k);
+    return both(at(film, k), [](cv::Mat& picture, bool) { picture.setTo(cv::Scalar::all(3)); });
+  });
+}
+
+void add_covers(std::vector<LiveFault>& faults, const StereoRig& rig, int onset, int last,
+                std::uint64_t seed) {
+  const auto add = [&](const char* name, const Show& show) {
+    LiveFault fault;
+    fault.name = name;
+    fault.show = show;
+    faults.push_back(fault);
+  };
+  const auto hung = [&](double share, double depth, double speed, bool textured) {
+    const Curtain curtain(rig, share, depth, speed, textured, seed);
+    return ramp(onset, onset + 1,
+                [=](cv::Mat& picture, bool is_right, double, int k) { curtain.hang(picture, is_right, k); });
+  };
+  add("drape_60", hung(0.6, kDrapeDepth, kDrapeSpeed, true));
+  add("bar_30", hung(0.3, kBarDepth, 0.0, false));
+  add("bar_60", hung(0.6, kBarDepth, 0.0, false));
+  add("smoke_ramp", ramp(onset, last, [seed](cv::Mat& picture, bool is_right, double share, int k) {
+        picture = (1.0 - 0.6 * share) * picture + 0.6 * share * cv::Scalar::all(200.0);
+        add_noise(picture, 2.0, seed + static_cast<std::uint64_t>(2 * k) + (is_right ? 1 : 0));
+      }));
+  add("fade_ramp", ramp(onset, last, [seed](cv::Mat& picture, bool is_right, double share, int k) {
+        picture = (1.0 - 0.85 * share) * picture;
+        add_noise(picture, 2.0, seed + static_cast<std::uint64_t>(2 * k) + (is_right ? 1 : 0));
+      }));
+  add("blur", ramp(onset, onset + 1, [](cv::Mat& picture, bool, double, int) {
+        cv::GaussianBlur(picture, picture, cv::Size(), 8.0);
+      }));
+  add("zoom_ramp", ramp(onset, last, [](cv::Mat& picture, bool, double share, int) {
+        const cv::Mat grow = cv::getRotationMatrix2D(
+            cv::Point2f(0.5F * static_cast<float>(picture.cols), 0.5F * static_cast<float>(picture.rows)),
+            0.0, 1.0 + 0.15 * share);
+        cv::warpAffine(picture.clone(), picture, grow, picture.size(), cv::INTER_LINEAR,
+                       cv::BORDER_REPLICATE);
+      }));
+}
+
+LiveFault jump(const StereoRig& rig, int onset) {
+  constexpr double kPixels = 60.0;
+  LiveFault fault;
+  fault.name = "jump_60px";
+  fault.show = ramp(onset, onset + 1, [](cv::Mat& picture, bool, double, int) {
+    const cv::Mat slide = (cv::Mat_<double>(2, 3) << 1, 0, kPixels, 0, 1, 0);
+    cv::warpAffine(picture.clone(), picture, slide, picture.size(), cv::INTER_LINEAR, cv::BORDER_REPLICATE);
+  });
+  const double angle = std::atan(kPixels / rig.left.matrix(0, 0));
+  fault.true_turn = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitY()).toRotationMatrix();
+  return fault;
+}
+
+}  // namespace
+
+std::vector<LiveFault> live_faults(const StereoRig& rig, int onset, int last, std::uint64_t seed) {
+  std::vector<LiveFault> faults(1);
+  faults.front().name = "none";
+  add_starts(faults);
+  add_stale_views(faults, onset, seed);
+  add_covers(faults, rig, onset, last, seed);
+  faults.push_back(jump(rig, onset));
+  return faults;
+}
+
+}  // namespace glisson::experiments

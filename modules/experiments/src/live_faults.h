@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "glisson/geometry/camera.h"
+#include "glisson/patient/picture.h"
+
+namespace glisson::experiments {
+
+/// The frames of a run without a fault.
+using Film = std::vector<StereoFrame>;
+
+/// Something that goes wrong.
+struct LiveFault {
+  std::string name;
+  /// Where the organ is believed to be at the start, of where it truly is: a turn about its middle, then a
+  /// shift. Camera's frame, metres.
+  Eigen::Matrix3d start_turn = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d start_shift = Eigen::Vector3d::Zero();
+  /// What the laparoscope shows at frame k instead of film[k]; empty: film[k].
+  std::function<StereoFrame(const Film& film, int k)> show;
+  /// From where it truly is to where the camera as calibrated would have to see it, once the fault is there:
+  /// a picture that jumped aside is a camera that turned.
+  Eigen::Matrix3d true_turn = Eigen::Matrix3d::Identity();
+};
+
+/// All of the table, the first of them none.
+/// @param onset the frame from which `show` differs; ramps end at `last`.
+std::vector<LiveFault> live_faults(const StereoRig& rig, int onset, int last, std::uint64_t seed);
+
+}  // namespace glisson::experiments
