@@ -35,7 +35,7 @@ struct Pulled {
       if ((model.mesh.vertex(node) - at).norm() < 0.018) force.row(node) = pull.transpose();
     body.factorise(body.rest(), {});
     Points moved = body.solve(force);
-    moved *= 0.012 / moved.rowwise().norm().maxCoeff();
+    moved *= 0.03 / moved.rowwise().norm().maxCoeff();
     truth = body.rest() + moved;
     see(truth);
   }

@@ -182,8 +182,9 @@ class Puller {
 
   /// Raises the load until the organ has moved as far as is wanted. @return the load.
   std::optional<double> grow(Points& nodes) {
-    const double wanted =
-        options_.mean_motion_mm > 0.0 ? 1e-3 * options_.mean_motion_mm : uniform(4e-3, 12e-3);
+    const double wanted = 1e-3 * options_.mean_motion_mm;
+    const double most =
+        options_.largest_motion_mm > 0.0 ? 1e-3 * options_.largest_motion_mm : uniform(30e-3, 50e-3);
     const Points& rest = model_.mesh().vertices;
     double load = 0.02, reached = 0.0, growth = kGrowth;
     for (int step = 0; step < kMostSteps; ++step) {
@@ -191,8 +192,8 @@ class Puller {
       const auto next = equilibrium(nodes, load, 0);
       const Eigen::VectorXd motion =
           next ? Eigen::VectorXd((*next - rest).rowwise().norm()) : Eigen::VectorXd::Zero(1);
-      const bool far = next && (motion.mean() > (1.0 + kNear) * wanted ||
-                                1e3 * motion.maxCoeff() > options_.largest_motion_mm);
+      const bool far =
+          next && (motion.mean() > (1.0 + kNear) * wanted || motion.maxCoeff() > (1.0 + kNear) * most);
       if (!next || far) {
         growth = std::sqrt(growth);
         if (growth < 1.01) break;
@@ -201,12 +202,9 @@ class Puller {
       }
       nodes = *next, reached = load;
       organ_.mean_motion = motion.mean(), organ_.largest_motion = motion.maxCoeff();
-      if (motion.mean() > (1.0 - kNear) * wanted ||
-          1e3 * motion.maxCoeff() > 0.97 * options_.largest_motion_mm)
-        break;
+      if (motion.mean() > (1.0 - kNear) * wanted || motion.maxCoeff() > (1.0 - kNear) * most) break;
       // No further than a straight line says.
-      growth =
-          std::min({growth, wanted / motion.mean(), 1e-3 * options_.largest_motion_mm / motion.maxCoeff()});
+      growth = std::min({growth, wanted / motion.mean(), most / motion.maxCoeff()});
       load *= std::max(growth, 1.005);
     }
     if (reached == 0.0) throw NumericalError("No equilibrium was found under the loads: take another seed.");
@@ -253,8 +251,8 @@ void PulledOrganOptions::validate() const {
   demand(patches >= 0 && patches <= 3, "patches", patches, "Give 1 to 3, or 0 to draw their number");
   demand(smallest_patch_cm2 > 0.0 && smallest_patch_cm2 <= largest_patch_cm2, "smallest_patch_cm2",
          smallest_patch_cm2, "Give a positive area up to largest_patch_cm2");
-  demand(mean_motion_mm >= 0.0 && mean_motion_mm < largest_motion_mm, "mean_motion_mm", mean_motion_mm,
-         "Give less than largest_motion_mm");
+  demand(mean_motion_mm > 0.0, "mean_motion_mm", mean_motion_mm, "Give a positive length");
+  demand(largest_motion_mm >= 0.0, "largest_motion_mm", largest_motion_mm, "Give a length, or 0 to draw it");
   demand(poisson_ratio > 0.0 && poisson_ratio < 0.5, "poisson_ratio", poisson_ratio,
          "Give a number between 0 and 0.5");
   demand(seen_share > 0.0 && seen_share <= 1.0, "seen_share", seen_share, "Give a share in (0, 1]");

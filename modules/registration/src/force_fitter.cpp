@@ -43,7 +43,8 @@ ForceProblem::ForceProblem(const PatientModel& m, const LabelledCloud& c, const 
       body(m.mesh, o.fixed_nodes, o.stiffness),
       force_surface(m.surface, m.mesh.vertices, fixed_of(body)),
       start(s),
-      free_pose(o.fixed_nodes.empty()) {
+      grounded(o.fixed_nodes.empty()),
+      free_pose(o.fixed_nodes.empty() && !o.pose_known) {
   if (!o.prior) return;
   require(o.prior->modes.rows() == m.mesh.vertices.size(),
           "a prior is used with the model that it was made from");
@@ -266,7 +267,7 @@ bool ForceFitter::stage(double sigma, const RunContext& context) {
     }
     if (motion < kAtRest) break;
   }
-  now_.law.termination = motion < kAtRest ? Termination::converged : Termination::step_limit;
+  now_.law.termination = motion < sigma ? Termination::converged : Termination::step_limit;
   if (now_.law.log_evidence > best_.law.log_evidence) keep(found);
   return true;
 }

@@ -21,7 +21,8 @@ struct ForceProblem {
   fem::ElasticBody body;
   ForceSurface force_surface;
   CameraFromCt start;
-  bool free_pose;
+  bool grounded;            ///< nothing is fixed: springs to the ground hold the body
+  bool free_pose;           ///< the pose is found, too
   fem::NodalColumns modes;  ///< of the prior; no columns: none
 
   ForceProblem(const PatientModel& model, const LabelledCloud& cloud, const CameraFromCt& start,

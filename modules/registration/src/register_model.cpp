@@ -2,6 +2,7 @@
 #include "glisson/registration/register_model.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -73,9 +74,10 @@ std::vector<std::string> doubts_of(const ContactForceFit& fit, double seen) {
 /// @param elastic with the prior and the other starts, where operations are known.
 Cancellable<Registration> register_by_forces(const PatientModel& model, const LabelledCloud& cloud,
                                              CameraFromCt start, const ElasticOptions& elastic,
-                                             ContactForceOptions forces, std::optional<ContactForceFit>& fit,
-                                             const RunContext& context) {
+                                             ContactForceOptions forces, bool pose_known,
+                                             std::optional<ContactForceFit>& fit, const RunContext& context) {
   forces.fixed_nodes = elastic.fixed_nodes;
+  forces.pose_known = pose_known;
   if (forces.stiffness.empty()) forces.stiffness = stiffness_of(model.mesh, elastic.materials);
   std::vector<std::string> doubts;
   if (elastic.prior) {
@@ -87,6 +89,8 @@ Cancellable<Registration> register_by_forces(const PatientModel& model, const La
     start = shape->camera_from_ct;
     forces.prior = elastic.prior;
     forces.amplitudes = shape->amplitudes;
+    // Neighbouring points share the error of the patient's surface and of the modes: they count for less.
+    forces.sigmas = {elastic.shape.sigma_surface / std::sqrt(elastic.shape.information)};
   }
   fit = fit_contact_forces(model, cloud, start, forces, context.part(elastic.prior ? 0.4 : 0.0, 1.0));
   if (!fit) return {};
@@ -135,7 +139,7 @@ Cancellable<Registered> register_model(const PatientModel& model, const Labelled
   const RunContext rest = context.part(done, 1.0);
   auto registered = by_forces(model, options)
                         ? register_by_forces(model, cloud, start->camera_from_ct, elastic, options.forces,
-                                             result.forces, rest)
+                                             options.start == Start::none, result.forces, rest)
                         : register_elastic(model, cloud, start->camera_from_ct, elastic, rest);
   if (!registered) return {};
   registered->doubts.insert(registered->doubts.begin(), start->doubts.begin(), start->doubts.end());

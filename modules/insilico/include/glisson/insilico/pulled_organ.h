@@ -15,11 +15,12 @@ struct PulledOrganOptions {
   std::uint64_t seed = 1;
   int patches = 0;  ///< that are pulled or pressed, 1 to 3; 0: drawn
   double smallest_patch_cm2 = 2.0, largest_patch_cm2 = 6.0;
-  double mean_motion_mm = 0.0;  ///< of a node in the first frame, 4 to 12; 0: drawn
-  double largest_motion_mm = 50.0;
+  /// How far nodes move in the first frame: as far as both allow.
+  double mean_motion_mm = 12.0;    ///< on average, at most
+  double largest_motion_mm = 0.0;  ///< any of them, at most; 0: drawn from 30 to 50
   double poisson_ratio = 0.49;
   bool hidden_patch = false;  ///< the last patch lies outside of what is seen
-  double seen_share = 0.35;   ///< of the surface, of what faces the camera at most
+  double seen_share = 0.2;    ///< of the surface, of what faces the camera at most
   int points = 500;           ///< of a cloud
   double noise_mm = 0.0;      ///< standard deviation a coordinate
   int frames = 1;             ///< the loads swell and ebb from frame to frame

@@ -20,7 +20,7 @@ namespace glisson::registration {
 /// surface's normal alone, what they do. The law, how far the supports give way and the noise are those under
 /// which the cloud is most probable. Lengths in metres; forces for a Young's modulus of 1 Pa.
 struct ContactForceOptions {
-  /// Laws that are tried first.
+  /// Laws that are tried first. The linear one has odds of 1 to 20 beforehand: it takes turns for strains.
   std::vector<fem::BodyMaterial> materials{{fem::BodyLaw::linear, 0.45}, {fem::BodyLaw::neo_hookean, 0.45}};
   /// That the most probable law is tried with after that; the most probable of all is kept.
   std::vector<double> poisson_ratios{0.41, 0.48};
@@ -29,10 +29,11 @@ struct ContactForceOptions {
   std::vector<double> sigmas{8e-3, 4e-3, 2e-3, 1e-3, 0.5e-3};
   std::vector<int> fixed_nodes;   ///< stay where the start puts them
   std::vector<double> stiffness;  ///< of each tetrahedron relative to the others; empty: all alike
-  /// Where no node is fixed the pose is found, too, and springs to the ground stand for supports that nobody
-  /// knows: stiffness of each node's over (its volume times E / (0.1 m)^2). The most probable one under the
-  /// last of the laws is kept, and all laws are tried with it.
-  std::vector<double> grounds{0.01, 0.03, 0.1, 0.3};
+  bool pose_known = false;        ///< the start is where the model is, not a guess
+  /// Where no node is fixed the pose is found, too (unless it is known), and springs to the ground stand for
+  /// supports that nobody knows: stiffness of each node's over (its volume times E / (0.1 m)^2). The most
+  /// probable one under the last of the laws is kept, and all laws are tried with it.
+  std::vector<double> grounds{0.01, 0.045, 0.2, 0.9};
   /// What operations do to this organ; null: not known. The body's shape without contact forces is then a
   /// shape that the prior makes probable, found together with them: y ~ N(0, Sigma + A Gamma A^T + B B^T).
   std::shared_ptr<const OperationPrior> prior;
@@ -58,7 +59,7 @@ struct LawFit {
   double residual = 0.0;      ///< mean distance of the cloud along the normals, m
   /// Mean distance of the nodes from where the chosen law puts them, m.
   double away = 0.0;
-  Termination termination = Termination::diverged;  ///< converged: the last step was under 0.1 mm
+  Termination termination = Termination::diverged;  ///< converged: the last step was under sigma
 };
 
 /// A patch on which a force acts.
@@ -87,7 +88,8 @@ struct ContactForceFit {
   Termination termination = Termination::diverged;
 };
 
-/// @param start where the model's rest shape is before the camera; stays where nodes are fixed.
+/// @param start where the model's rest shape is before the camera; stays where nodes are fixed or it is
+/// known.
 /// @throws InputError fewer than 10 points, not finite, options, mesh, fixed nodes out of range;
 /// NumericalError when no law has an equilibrium.
 Cancellable<ContactForceFit> fit_contact_forces(const PatientModel& model, const LabelledCloud& cloud,
