@@ -52,7 +52,11 @@ void TrackEvaluationTest::FramesAreCountedByTimeAndValidity() {
   lost.milliseconds = 90.0;
   times.add(lost);
   QCOMPARE(times.frames(), 5);
-  QVERIFY((times.counts() == Figures{{"frames", 5.0}, {"frames_late", 2.0}, {"frames_valid", 4.0}}));
+  QVERIFY((times.counts() == Figures{{"frames", 5.0},
+                                     {"frames_late", 2.0},
+                                     {"frames_valid", 4.0},
+                                     {"frames_degraded", 0.0},
+                                     {"frames_withdrawn", 1.0}}));
   QVERIFY((times.percentiles() == Figures{{"frame_p50_ms", 39.0}, {"frame_p99_ms", 90.0}}));
 }
 

@@ -52,6 +52,8 @@ class FakeOperation {
   std::filesystem::path video;  ///< side by side
   /// While set, long commands go on until they are cancelled.
   std::atomic<bool> hold{false};
+  /// Of every live frame.
+  std::atomic<Validity> live_validity{Validity::valid};
 
   engine::Engine::Options options() {
     engine::Engine::Options options;
@@ -59,7 +61,7 @@ class FakeOperation {
                            const RunContext& context,
                            const engine::Services&) { return apply(state, command, context); };
     options.make_follower = [this](const engine::CaseState& state, const engine::StartTracking&) {
-      return std::make_unique<Breathing>(state[part::registration]->nodes_in_camera);
+      return std::make_unique<Breathing>(state[part::registration]->nodes_in_camera, live_validity);
     };
     return options;
   }
@@ -92,13 +94,14 @@ class FakeOperation {
  private:
   class Breathing : public engine::Follower {
    public:
-    explicit Breathing(Points nodes) : nodes_(std::move(nodes)) {}
+    Breathing(Points nodes, const std::atomic<Validity>& validity)
+        : nodes_(std::move(nodes)), validity_(validity) {}
     OverlayFrame follow(const engine::LiveInput& input) override {
       const auto& frame = std::get<StereoFrame>(input);
       OverlayFrame overlay;
       overlay.index = frame.index;
       overlay.seconds = frame.seconds;
-      overlay.validity = Validity::valid;
+      overlay.validity = validity_;
       overlay.nodes_in_camera =
           nodes_.rowwise() + Eigen::RowVector3d(0, 3e-3 * std::sin(0.2 * frame.index), 0);
       overlay.tracked_left = 200;
@@ -111,6 +114,7 @@ class FakeOperation {
 
    private:
     Points nodes_;
+    const std::atomic<Validity>& validity_;
   };
 
   /// @return false when cancelled.

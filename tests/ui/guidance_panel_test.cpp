@@ -47,6 +47,7 @@ class GuidancePanelTest : public QObject {
   void EveryPlayingKnowsWhenItsFramesWereSent();
   void NothingOfTheFormerCaseStays();
   void NothingOfTheFormerLiveViewStays();
+  void TheLiveLineTellsTheLevelAndWhy();
   void LastPictureStaysUntilAnotherCaseWhateverItsStyle();
   void ErrorGoesWithItsCause();
   void ObstaclesNameTheStepThatHelps();
@@ -215,6 +216,19 @@ void GuidancePanelTest::NothingOfTheFormerLiveViewStays() {
   QVERIFY(!is_tracking());
   QVERIFY2(is_blank(), qPrintable(said()));
   QVERIFY2(stays_blank(), qPrintable(said()));
+}
+
+void GuidancePanelTest::TheLiveLineTellsTheLevelAndWhy() {
+  reach_registration(300);
+  press("start_tracking");
+  QTRY_VERIFY_WITH_TIMEOUT(said().contains(QStringLiteral("LIVE")), 20000);
+  QVERIFY2(!said().contains(QStringLiteral("ONLY")) && !said().contains(QStringLiteral("NO OVERLAY")),
+           qPrintable(said()));
+  operation_->live_validity = Validity::partly_covered;
+  QTRY_VERIFY_WITH_TIMEOUT(said().contains(QStringLiteral("OUTLINE ONLY: part of the organ is covered")),
+                           20000);
+  operation_->live_validity = Validity::picture_stands;
+  QTRY_VERIFY_WITH_TIMEOUT(said().contains(QStringLiteral("NO OVERLAY: the picture stands still")), 20000);
 }
 
 void GuidancePanelTest::LastPictureStaysUntilAnotherCaseWhateverItsStyle() {
