@@ -199,8 +199,7 @@ double percentile(std::vector<double> values, double part) {
 
 void sum_up(const std::vector<std::string>& names, std::map<std::string, Tally>& tallies, LiveProof& proof) {
   proof.table.emplace_back(
-      "fault                shown as             frames   over  hidden %  hidden %  under   valid %\n"
-      "                                         to hide  10 mm    before       now   3 mm       now");
+      "fault                shown as               late  >10mm  hidden was    hidden   <3mm   valid %");
   Tally all;
   int late = 0;
   for (const std::string& name : names) {
