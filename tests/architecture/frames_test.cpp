@@ -18,11 +18,13 @@ const std::map<std::string, std::string>& of_any_frame() {
       {"experiments/evaluate.h", "estimate and truth in one frame, whichever"},
       {"model/build.h: detect_anterior_margin", "in the frame of the surface"},
       {"insilico/ray_caster.h", "rays and organ in one frame, whichever"},
+      {"insilico/pulled_organ.h", "an organ pulled in the frame of its rest shape"},
       {"patient/patient_model.h: apply", "carries points from one frame into another"},
       {"patient/patient_model.h: nodes", "of apply"},
       {"patient/patient_model.h: points", "of bind_points: in the frame of the mesh that they are bound to"},
       {"registration/moving_surface.h: nodes", "queries are in the frame of the nodes that were given last"},
       {"registration/register.h: nodes", "a model moved into any frame"},
+      {"registration/pairs.h: cloud", "of seen_share: surface and cloud in one frame, whichever"},
       {"registration/operation_prior.h: shape", "modes turn with nothing: the frame of the rest shape"},
       {"registration/operation_prior.h: rest", "of shape"},
   };

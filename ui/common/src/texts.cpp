@@ -102,6 +102,7 @@ class Texts {
             {"patient.ct", tr("making its CT")},
             {"patient.scan", tr("making its CT")},
             {"patient.surfaces", tr("measuring the true surfaces")},
+            {"insilico.pull", tr("pulling and pressing the organ")},
             {"theatre.gas", tr("inflating the abdomen")},
             {"theatre.breathing", tr("letting the patient breathe")},
             {"theatre.heartbeat", tr("letting the heart beat")},
