@@ -149,8 +149,8 @@ int run_register(const QStringList& given) {
   arguments.option(
       "method",
       Cli::tr("How the shape is found: forces (few contact forces on the surface, elastic law by "
-              "evidence), springs (the paper's) or automatic (forces for a bare mesh, springs "
-              "for a patient's model)."),
+              "evidence), springs (the paper's) or automatic (forces for a bare mesh with --fixed, "
+              "springs otherwise)."),
       "automatic|forces|springs", "automatic");
   arguments.option(
       "prior",

@@ -25,7 +25,9 @@ Cancellable<RigidStart> start_of(const PatientModel& model, const LabelledCloud&
 
 bool by_forces(const PatientModel& model, const RegisterOptions& options) {
   if (options.method != Method::automatic) return options.method == Method::forces;
-  return model.vessels.empty() && model.landmarks.vena_cava.rows() == 0 && !options.elastic.prior;
+  // Where nothing is known to hold the organ a bend of the whole is no work of few patches: springs are nearer.
+  return model.vessels.empty() && model.landmarks.vena_cava.rows() == 0 && !options.elastic.prior &&
+         !options.elastic.fixed_nodes.empty();
 }
 
 bool needs_operations(const PatientModel& model, const RegisterOptions& options) {

@@ -17,7 +17,7 @@ namespace glisson::registration {
 
 /// How the shape is found once there is a start.
 enum class Method {
-  automatic,  ///< forces for a bare mesh (no vessels, no vena cava), springs for a patient
+  automatic,  ///< forces for a bare mesh (no vessels, no vena cava) of which nodes are fixed, else springs
   forces,     ///< fit_contact_forces
   springs     ///< register_elastic: the paper's, with operations before it where they are asked for
 };
