@@ -1192,6 +1192,14 @@
         <source>Writing the labels</source>
         <translation>Labels werden geschrieben</translation>
     </message>
+    <message>
+        <source>pulling and pressing the organ</source>
+        <translation>am Organ ziehen und drücken</translation>
+    </message>
+    <message>
+        <source>looking at frames</source>
+        <translation>Bilder ansehen</translation>
+    </message>
 </context>
 <context>
     <name>cli</name>
@@ -1486,10 +1494,6 @@
     <message>
         <source>Nodes that stay where the rigid start puts them (0-based numbers).</source>
         <translation>Knoten, die bleiben, wo der starre Start sie hinlegt (Nummern ab 0).</translation>
-    </message>
-    <message>
-        <source>How the shape is found: forces (few contact forces on the surface, elastic law by evidence), springs (the paper&apos;s) or automatic (forces for a bare mesh, springs for a patient&apos;s model).</source>
-        <translation>Wie die Form gefunden wird: forces (wenige Kontaktkräfte auf der Oberfläche, Elastizitätsgesetz nach Evidenz), springs (das Verfahren der Veröffentlichung) oder automatic (forces für ein bloßes Netz, springs für das Modell eines Patienten).</translation>
     </message>
     <message>
         <source>What is known of the deformation before the cloud is seen: operations (simulated on this model; needs the vena cava&apos;s landmark) or none (elasticity alone, the paper&apos;s method).</source>
@@ -2047,6 +2051,10 @@
         <source>live: longest time until an overlay goes, s</source>
         <translation>live: längste Zeit, bis eine Einblendung verschwindet, s</translation>
     </message>
+    <message>
+        <source>How the shape is found: forces (few contact forces on the surface, elastic law by evidence), springs (the paper&apos;s) or automatic (forces for a bare mesh with --fixed, springs otherwise).</source>
+        <translation>Wie die Form gefunden wird: forces (wenige Kontaktkräfte an der Oberfläche, elastisches Gesetz nach Evidenz), springs (wie im Artikel) oder automatic (forces für ein bloßes Netz mit --fixed, sonst springs).</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AngleHistogram</name>
@@ -2438,257 +2446,6 @@
     </message>
 </context>
 <context>
-    <name>glisson::ui::RegistrationModel</name>
-    <message>
-        <source>Build a model first.</source>
-        <translation>Zuerst ein Modell bauen.</translation>
-    </message>
-    <message>
-        <source>Reconstruct the surface first (Stereo).</source>
-        <translation>Zuerst die Oberfläche rekonstruieren (Stereo).</translation>
-    </message>
-    <message>
-        <source>The labels are out of date: segment or import them again (Segmentation).</source>
-        <translation>Die Labels sind veraltet: erneut segmentieren oder importieren (Segmentierung).</translation>
-    </message>
-    <message>
-        <source>The model is out of date: build it again (Model).</source>
-        <translation>Das Modell ist veraltet: neu erstellen (Modell).</translation>
-    </message>
-    <message>
-        <source>The landmarks are those of another model: look at them and accept them (Landmarks).</source>
-        <translation>Die Landmarken gehören zu einem anderen Modell: ansehen und annehmen (Landmarken).</translation>
-    </message>
-    <message>
-        <source>The frame is of a former video: take one of the present video (Stereo).</source>
-        <translation>Das Bild stammt aus einem früheren Video: eines des jetzigen nehmen (Stereo).</translation>
-    </message>
-    <message>
-        <source>The regions are those of another frame: draw them again or clear them (Stereo).</source>
-        <translation>Die Regionen gehören zu einem anderen Bild: neu zeichnen oder löschen (Stereo).</translation>
-    </message>
-    <message>
-        <source>The points are out of date: reconstruct the surface again (Stereo).</source>
-        <translation>Die Punkte sind veraltet: Oberfläche erneut rekonstruieren (Stereo).</translation>
-    </message>
-    <message>
-        <source>Residual (not an accuracy)</source>
-        <translation>Restabstand (keine Genauigkeit)</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>Converged</source>
-        <translation>Konvergiert</translation>
-    </message>
-    <message>
-        <source>yes, %1 plateaus</source>
-        <translation>ja, %1 Stufen</translation>
-    </message>
-    <message>
-        <source>no, %1 steps</source>
-        <translation>nein, %1 Schritte</translation>
-    </message>
-</context>
-<context>
-    <name>glisson::ui::RegistrationBox</name>
-    <message>
-        <source>Nobody has checked this model (Model, Quality). The picture says so.</source>
-        <translation>Niemand hat dieses Modell geprüft (Modell, Qualität). Das Bild sagt es.</translation>
-    </message>
-    <message>
-        <source>Register</source>
-        <translation>Registrieren</translation>
-    </message>
-</context>
-<context>
-    <name>glisson::ui::PlaybackModel</name>
-    <message>
-        <source>Tracking is running.</source>
-        <translation>Die Verfolgung läuft.</translation>
-    </message>
-    <message>
-        <source>The video has ended. Last picture, not live.</source>
-        <translation>Das Video ist zu Ende. Letztes Bild, nicht live.</translation>
-    </message>
-    <message>
-        <source>Register first.</source>
-        <translation>Zuerst registrieren.</translation>
-    </message>
-    <message>
-        <source>The registration is out of date: register again.</source>
-        <translation>Die Registrierung ist veraltet: neu registrieren.</translation>
-    </message>
-    <message>
-        <source>The case has no stereo video (Stereo, Video…).</source>
-        <translation>Der Fall hat kein Stereovideo (Stereo, Video…).</translation>
-    </message>
-    <message>
-        <source>The registered frame or the calibration is missing.</source>
-        <translation>Das registrierte Bild oder die Kalibrierung fehlt.</translation>
-    </message>
-    <message>
-        <source>Tracking was stopped. Last picture, not live.</source>
-        <translation>Die Verfolgung wurde beendet. Letztes Bild, nicht live.</translation>
-    </message>
-</context>
-<context>
-    <name>glisson::ui::PlaybackBox</name>
-    <message>
-        <source>Start tracking</source>
-        <translation>Verfolgung starten</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>Stopp</translation>
-    </message>
-    <message>
-        <source>Repeat the video</source>
-        <translation>Video wiederholen</translation>
-    </message>
-    <message>
-        <source>At its end, track again from the registered frame.</source>
-        <translation>Am Ende wieder ab dem registrierten Bild verfolgen.</translation>
-    </message>
-</context>
-<context>
-    <name>glisson::ui::RecordingModel</name>
-    <message>
-        <source>Frames recorded: %1, in %2</source>
-        <translation>Aufgenommene Bilder: %1, in %2</translation>
-    </message>
-    <message>
-        <source>Recording to %1</source>
-        <translation>Aufnahme in %1</translation>
-    </message>
-</context>
-<context>
-    <name>glisson::ui::RecordingBox</name>
-    <message>
-        <source>Stop recording</source>
-        <translation>Aufnahme beenden</translation>
-    </message>
-    <message>
-        <source>Record…</source>
-        <translation>Aufnehmen…</translation>
-    </message>
-    <message>
-        <source>Record the live view</source>
-        <translation>Live-Ansicht aufnehmen</translation>
-    </message>
-    <message>
-        <source>Video (*.mkv)</source>
-        <translation>Video (*.mkv)</translation>
-    </message>
-</context>
-<context>
-    <name>glisson::ui::LiveViewModel</name>
-    <message>
-        <source>Not live</source>
-        <translation>Nicht live</translation>
-    </message>
-    <message>
-        <source>Registered frame %1, not live</source>
-        <translation>Registriertes Bild %1, nicht live</translation>
-    </message>
-    <message>
-        <source>Frame %1, not live</source>
-        <translation>Bild %1, nicht live</translation>
-    </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
-    <message>
-        <source>Tracked points, left / right</source>
-        <translation>Verfolgte Punkte, links / rechts</translation>
-    </message>
-    <message>
-        <source>%1 / %2</source>
-        <translation>%1 / %2</translation>
-    </message>
-    <message>
-        <source>Pairs</source>
-        <translation>Paare</translation>
-    </message>
-    <message>
-        <source>Residual (not an accuracy)</source>
-        <translation>Restabstand (keine Genauigkeit)</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>Tracking and mechanics</source>
-        <translation>Verfolgung und Mechanik</translation>
-    </message>
-    <message>
-        <source>Drawing</source>
-        <translation>Zeichnen</translation>
-    </message>
-    <message>
-        <source>Frames late / dropped</source>
-        <translation>Bilder zu spät / ausgelassen</translation>
-    </message>
-    <message>
-        <source>LIVE   frame %1   age %2 ms   %3 frames/s</source>
-        <translation>LIVE   Bild %1   Alter %2 ms   %3 Bilder/s</translation>
-    </message>
-    <message>
-        <source>   NO OVERLAY: %1</source>
-        <translation>   KEINE EINBLENDUNG: %1</translation>
-    </message>
-    <message>
-        <source>The picture is %1 s old: the overlay does not show where things are now.</source>
-        <translation>Das Bild ist %1 s alt: Die Einblendung zeigt nicht, wo die Dinge jetzt sind.</translation>
-    </message>
-    <message>
-        <source>The overlay is being prepared: the picture shows none yet.</source>
-        <translation>Die Einblendung wird vorbereitet: Das Bild zeigt noch keine.</translation>
-    </message>
-    <message>
-        <source>   OUTLINE ONLY: %1</source>
-        <translation>   NUR UMRISS: %1</translation>
-    </message>
-</context>
-<context>
-    <name>glisson::ui::LiveView</name>
-    <message>
-        <source>Register the model to a frame of the laparoscope; the augmented picture appears here.</source>
-        <translation>Das Modell zu einem Bild des Laparoskops registrieren; hier erscheint dann das Bild mit der Einblendung.</translation>
-    </message>
-</context>
-<context>
-    <name>glisson::ui::LookBox</name>
-    <message>
-        <source>Portal vein</source>
-        <translation>Pfortader</translation>
-    </message>
-    <message>
-        <source>Hepatic veins</source>
-        <translation>Lebervenen</translation>
-    </message>
-    <message>
-        <source>Lesions</source>
-        <translation>Läsionen</translation>
-    </message>
-    <message>
-        <source>Liver outline</source>
-        <translation>Leberumriss</translation>
-    </message>
-    <message>
-        <source>Anterior margin</source>
-        <translation>Vorderrand</translation>
-    </message>
-    <message>
-        <source>Vessel opacity</source>
-        <translation>Deckkraft der Gefäße</translation>
-    </message>
-</context>
-<context>
     <name>glisson::ui::GuidancePanel</name>
     <message>
         <source>Guidance</source>
@@ -2959,6 +2716,10 @@
     <message>
         <source>The overlay is being prepared: the picture shows none yet.</source>
         <translation>Die Einblendung wird vorbereitet: Das Bild zeigt noch keine.</translation>
+    </message>
+    <message>
+        <source>   OUTLINE ONLY: %1</source>
+        <translation>   NUR UMRISS: %1</translation>
     </message>
 </context>
 <context>

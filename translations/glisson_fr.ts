@@ -1192,6 +1192,14 @@
         <source>Writing the labels</source>
         <translation>Écriture des étiquettes</translation>
     </message>
+    <message>
+        <source>pulling and pressing the organ</source>
+        <translation>tirer et appuyer sur l’organe</translation>
+    </message>
+    <message>
+        <source>looking at frames</source>
+        <translation>examen des images</translation>
+    </message>
 </context>
 <context>
     <name>cli</name>
@@ -1486,10 +1494,6 @@
     <message>
         <source>Nodes that stay where the rigid start puts them (0-based numbers).</source>
         <translation>Nœuds qui restent où le départ rigide les met (numéros à partir de 0).</translation>
-    </message>
-    <message>
-        <source>How the shape is found: forces (few contact forces on the surface, elastic law by evidence), springs (the paper&apos;s) or automatic (forces for a bare mesh, springs for a patient&apos;s model).</source>
-        <translation>Comment la forme est trouvée : forces (quelques forces de contact à la surface, loi élastique selon l&apos;évidence), springs (celle de la publication) ou automatic (forces pour un maillage seul, springs pour le modèle d&apos;un patient).</translation>
     </message>
     <message>
         <source>What is known of the deformation before the cloud is seen: operations (simulated on this model; needs the vena cava&apos;s landmark) or none (elasticity alone, the paper&apos;s method).</source>
@@ -2047,6 +2051,10 @@
         <source>live: longest time until an overlay goes, s</source>
         <translation>en direct : temps le plus long jusqu’au retrait, s</translation>
     </message>
+    <message>
+        <source>How the shape is found: forces (few contact forces on the surface, elastic law by evidence), springs (the paper&apos;s) or automatic (forces for a bare mesh with --fixed, springs otherwise).</source>
+        <translation>Comment la forme est trouvée : forces (quelques forces de contact sur la surface, loi élastique par évidence), springs (celle de l’article) ou automatic (forces pour un maillage nu avec --fixed, sinon springs).</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AngleHistogram</name>
@@ -2438,257 +2446,6 @@
     </message>
 </context>
 <context>
-    <name>glisson::ui::RegistrationModel</name>
-    <message>
-        <source>Build a model first.</source>
-        <translation>Construisez d&apos;abord un modèle.</translation>
-    </message>
-    <message>
-        <source>Reconstruct the surface first (Stereo).</source>
-        <translation>Reconstruisez d&apos;abord la surface (Stéréo).</translation>
-    </message>
-    <message>
-        <source>The labels are out of date: segment or import them again (Segmentation).</source>
-        <translation>Les étiquettes sont périmées : segmentez ou importez-les de nouveau (Segmentation).</translation>
-    </message>
-    <message>
-        <source>The model is out of date: build it again (Model).</source>
-        <translation>Le modèle est périmé : reconstruisez-le (Modèle).</translation>
-    </message>
-    <message>
-        <source>The landmarks are those of another model: look at them and accept them (Landmarks).</source>
-        <translation>Les repères sont ceux d’un autre modèle : vérifiez-les et acceptez-les (Repères).</translation>
-    </message>
-    <message>
-        <source>The frame is of a former video: take one of the present video (Stereo).</source>
-        <translation>L’image vient d’une vidéo précédente : prenez-en une de la vidéo actuelle (Stéréo).</translation>
-    </message>
-    <message>
-        <source>The regions are those of another frame: draw them again or clear them (Stereo).</source>
-        <translation>Les régions sont celles d’une autre image : redessinez-les ou effacez-les (Stéréo).</translation>
-    </message>
-    <message>
-        <source>The points are out of date: reconstruct the surface again (Stereo).</source>
-        <translation>Les points sont périmés : reconstruisez la surface (Stéréo).</translation>
-    </message>
-    <message>
-        <source>Residual (not an accuracy)</source>
-        <translation>Résidu (pas une précision)</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>Converged</source>
-        <translation>Convergé</translation>
-    </message>
-    <message>
-        <source>yes, %1 plateaus</source>
-        <translation>oui, %1 paliers</translation>
-    </message>
-    <message>
-        <source>no, %1 steps</source>
-        <translation>non, %1 pas</translation>
-    </message>
-</context>
-<context>
-    <name>glisson::ui::RegistrationBox</name>
-    <message>
-        <source>Nobody has checked this model (Model, Quality). The picture says so.</source>
-        <translation>Personne n’a vérifié ce modèle (Modèle, Qualité). L’image le dit.</translation>
-    </message>
-    <message>
-        <source>Register</source>
-        <translation>Recaler</translation>
-    </message>
-</context>
-<context>
-    <name>glisson::ui::PlaybackModel</name>
-    <message>
-        <source>Tracking is running.</source>
-        <translation>Le suivi est en cours.</translation>
-    </message>
-    <message>
-        <source>The video has ended. Last picture, not live.</source>
-        <translation>La vidéo est finie. Dernière image, pas en direct.</translation>
-    </message>
-    <message>
-        <source>Register first.</source>
-        <translation>Recalez d&apos;abord.</translation>
-    </message>
-    <message>
-        <source>The registration is out of date: register again.</source>
-        <translation>Le recalage est périmé : recalez de nouveau.</translation>
-    </message>
-    <message>
-        <source>The case has no stereo video (Stereo, Video…).</source>
-        <translation>Le cas n&apos;a pas de vidéo stéréo (Stéréo, Vidéo…).</translation>
-    </message>
-    <message>
-        <source>The registered frame or the calibration is missing.</source>
-        <translation>Il manque l&apos;image recalée ou l&apos;étalonnage.</translation>
-    </message>
-    <message>
-        <source>Tracking was stopped. Last picture, not live.</source>
-        <translation>Le suivi a été arrêté. Dernière image, pas en direct.</translation>
-    </message>
-</context>
-<context>
-    <name>glisson::ui::PlaybackBox</name>
-    <message>
-        <source>Start tracking</source>
-        <translation>Démarrer le suivi</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>Arrêter</translation>
-    </message>
-    <message>
-        <source>Repeat the video</source>
-        <translation>Répéter la vidéo</translation>
-    </message>
-    <message>
-        <source>At its end, track again from the registered frame.</source>
-        <translation>À la fin, suivre de nouveau depuis l&apos;image recalée.</translation>
-    </message>
-</context>
-<context>
-    <name>glisson::ui::RecordingModel</name>
-    <message>
-        <source>Frames recorded: %1, in %2</source>
-        <translation>Images enregistrées : %1, dans %2</translation>
-    </message>
-    <message>
-        <source>Recording to %1</source>
-        <translation>Enregistrement dans %1</translation>
-    </message>
-</context>
-<context>
-    <name>glisson::ui::RecordingBox</name>
-    <message>
-        <source>Stop recording</source>
-        <translation>Arrêter l&apos;enregistrement</translation>
-    </message>
-    <message>
-        <source>Record…</source>
-        <translation>Enregistrer…</translation>
-    </message>
-    <message>
-        <source>Record the live view</source>
-        <translation>Enregistrer la vue en direct</translation>
-    </message>
-    <message>
-        <source>Video (*.mkv)</source>
-        <translation>Vidéo (*.mkv)</translation>
-    </message>
-</context>
-<context>
-    <name>glisson::ui::LiveViewModel</name>
-    <message>
-        <source>Not live</source>
-        <translation>Pas en direct</translation>
-    </message>
-    <message>
-        <source>Registered frame %1, not live</source>
-        <translation>Image recalée %1, pas en direct</translation>
-    </message>
-    <message>
-        <source>Frame %1, not live</source>
-        <translation>Image %1, pas en direct</translation>
-    </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
-    <message>
-        <source>Tracked points, left / right</source>
-        <translation>Points suivis, gauche / droite</translation>
-    </message>
-    <message>
-        <source>%1 / %2</source>
-        <translation>%1 / %2</translation>
-    </message>
-    <message>
-        <source>Pairs</source>
-        <translation>Paires</translation>
-    </message>
-    <message>
-        <source>Residual (not an accuracy)</source>
-        <translation>Résidu (pas une précision)</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>Tracking and mechanics</source>
-        <translation>Suivi et mécanique</translation>
-    </message>
-    <message>
-        <source>Drawing</source>
-        <translation>Dessin</translation>
-    </message>
-    <message>
-        <source>Frames late / dropped</source>
-        <translation>Images en retard / perdues</translation>
-    </message>
-    <message>
-        <source>LIVE   frame %1   age %2 ms   %3 frames/s</source>
-        <translation>DIRECT   image %1   âge %2 ms   %3 images/s</translation>
-    </message>
-    <message>
-        <source>   NO OVERLAY: %1</source>
-        <translation>   PAS DE SUPERPOSITION : %1</translation>
-    </message>
-    <message>
-        <source>The picture is %1 s old: the overlay does not show where things are now.</source>
-        <translation>L&apos;image a %1 s : la superposition ne montre pas où sont les choses maintenant.</translation>
-    </message>
-    <message>
-        <source>The overlay is being prepared: the picture shows none yet.</source>
-        <translation>La superposition est en préparation : l&apos;image n&apos;en montre pas encore.</translation>
-    </message>
-    <message>
-        <source>   OUTLINE ONLY: %1</source>
-        <translation>   CONTOUR SEUL : %1</translation>
-    </message>
-</context>
-<context>
-    <name>glisson::ui::LiveView</name>
-    <message>
-        <source>Register the model to a frame of the laparoscope; the augmented picture appears here.</source>
-        <translation>Recalez le modèle sur une image du laparoscope ; l&apos;image augmentée apparaît ici.</translation>
-    </message>
-</context>
-<context>
-    <name>glisson::ui::LookBox</name>
-    <message>
-        <source>Portal vein</source>
-        <translation>Veine porte</translation>
-    </message>
-    <message>
-        <source>Hepatic veins</source>
-        <translation>Veines hépatiques</translation>
-    </message>
-    <message>
-        <source>Lesions</source>
-        <translation>Lésions</translation>
-    </message>
-    <message>
-        <source>Liver outline</source>
-        <translation>Contour du foie</translation>
-    </message>
-    <message>
-        <source>Anterior margin</source>
-        <translation>Bord antérieur</translation>
-    </message>
-    <message>
-        <source>Vessel opacity</source>
-        <translation>Opacité des vaisseaux</translation>
-    </message>
-</context>
-<context>
     <name>glisson::ui::GuidancePanel</name>
     <message>
         <source>Guidance</source>
@@ -2959,6 +2716,10 @@
     <message>
         <source>The overlay is being prepared: the picture shows none yet.</source>
         <translation>La superposition est en préparation : l&apos;image n&apos;en montre pas encore.</translation>
+    </message>
+    <message>
+        <source>   OUTLINE ONLY: %1</source>
+        <translation>   CONTOUR SEUL : %1</translation>
     </message>
 </context>
 <context>
