@@ -889,6 +889,10 @@
         <translation>Bild suchen</translation>
     </message>
     <message>
+        <source>looking through the video</source>
+        <translation>das Video durchsehen</translation>
+    </message>
+    <message>
         <source>reading slices</source>
         <translation>Schichten lesen</translation>
     </message>

@@ -889,6 +889,10 @@
         <translation>recherche de l&apos;image</translation>
     </message>
     <message>
+        <source>looking through the video</source>
+        <translation>parcours de la vidéo</translation>
+    </message>
+    <message>
         <source>reading slices</source>
         <translation>lecture des coupes</translation>
     </message>

@@ -50,6 +50,7 @@ class Texts {
   }
   static QHash<QString, QString> stages() {
     return {{"video.seek", tr("looking for the frame")},
+            {"check.frame", tr("looking through the video")},
             {"volume.read", tr("reading slices")},
             {"volume.unpack", tr("unpacking")},
             {"labels.read", tr("reading labels")},
