@@ -100,7 +100,7 @@ class TrackRecord {
   void finish() {
     append(session_.figures, evaluation_.times().counts());
     append(session_.figures, evaluation_.times().percentiles());
-    session_.figures["displacement_mean_mm"] = 1e3 * evaluation_.displacement();
+    append(session_.figures, evaluation_.displacement());
     if (!arguments_.has("truth")) return;
     append(session_.figures, evaluation_.errors());
     session_.figures["frames_compared"] = evaluation_.compared();

@@ -6,7 +6,10 @@
 #include <cmath>
 
 #include "glisson/core/error.h"
+#include "glisson/core/files.h"
+#include "glisson/geometry/mesh_io.h"
 #include "glisson/geometry/rigid.h"
+#include "glisson/insilico/film.h"
 #include "glisson/patient/label_map.h"
 
 using namespace glisson;
@@ -37,6 +40,9 @@ class EvaluateTest : public QObject {
   void WithoutLesionsTheTargetErrorIsUnknown();
   void ARigidMotionLeavesNothingAfterTheBestRigidAlignment();
   void TheTruthOfAnotherMeshIsRefused();
+  void ACloudIsComparedWithASurfaceOrADepthMap();
+  void NodesAreReadFromAListOrAMesh();
+  void ASurfaceIsComparedInBothDirections();
 };
 
 void EvaluateTest::AShiftIsTheErrorEverywhere() {
@@ -69,6 +75,58 @@ void EvaluateTest::TheTruthOfAnotherMeshIsRefused() {
   const PatientModel model = small_model();
   QVERIFY_EXCEPTION_THROWN(
       experiments::target_errors(model, model.mesh.vertices, Points::Zero(3, 3), "truth.xyz"), InputError);
+}
+
+void EvaluateTest::ACloudIsComparedWithASurfaceOrADepthMap() {
+  const TemporaryFolder folder;
+  Camera left;
+  left.width = 32, left.height = 24;
+  left.matrix << 40.0, 0, 16.0, 0, 40.0, 12.0, 0, 0, 1;
+  LabelledCloud cloud;  // 2 mm before a plane at 100 mm
+  cloud.points.resize(5, 3);
+  for (int i = 0; i < 5; ++i) cloud.points.row(i) << 0.003 * i - 0.006, 0.002 * i - 0.004, 0.098;
+  insilico::write_depth(folder.path() / "d.pfm", std::vector<float>(32 * 24, 0.1F), 32, 24);
+  TriangleMesh plane;
+  plane.vertices.resize(4, 3);
+  plane.vertices << -1, -1, 0.1, 1, -1, 0.1, 1, 1, 0.1, -1, 1, 0.1;
+  plane.triangles.resize(2, 3);
+  plane.triangles << 0, 1, 2, 0, 2, 3;
+  write_triangle_mesh(folder.path() / "p.ply", plane, LengthUnit::millimetre);
+  for (const char* truth : {"d.pfm", "p.ply"}) {
+    const Figures figures =
+        experiments::cloud_figures(cloud, left, folder.path() / truth, LengthUnit::millimetre);
+    QVERIFY(std::abs(figures.at("cloud_error_median_mm") - 2.0) < 0.1);
+    QVERIFY(std::abs(figures.at("cloud_bias_mm") + 2.0) < 0.1);
+    QCOMPARE(figures.at("cloud_points_without_truth"), 0.0);
+  }
+  left.width = 64;
+  QVERIFY_EXCEPTION_THROWN(
+      experiments::cloud_figures(cloud, left, folder.path() / "d.pfm", LengthUnit::millimetre), InputError);
+}
+
+void EvaluateTest::NodesAreReadFromAListOrAMesh() {
+  const TemporaryFolder folder;
+  const PatientModel model = small_model();
+  write_tet_mesh(folder.path() / "m.vtu", model.mesh, LengthUnit::millimetre);
+  write_triangle_mesh(folder.path() / "s.ply", model.surface.mesh, LengthUnit::millimetre);
+  write_file_atomically(folder.path() / "n.xyz", "1 2 3\n4 5 6\n");
+  const auto read = [&](const char* name) {
+    return experiments::read_true_nodes(folder.path() / name, LengthUnit::millimetre);
+  };
+  QVERIFY((read("m.vtu") - model.mesh.vertices).cwiseAbs().maxCoeff() < 1e-6);
+  QCOMPARE(read("s.ply").rows(), model.surface.mesh.vertices.rows());
+  QVERIFY((read("n.xyz").row(1) - Eigen::RowVector3d(0.004, 0.005, 0.006)).norm() < 1e-12);
+}
+
+void EvaluateTest::ASurfaceIsComparedInBothDirections() {
+  const TriangleMesh surface = small_model().surface.mesh;
+  TriangleMesh shifted = surface;
+  for (const auto& [key, value] : experiments::surface_figures(surface, surface))
+    QVERIFY2(value < 1e-6, key.c_str());
+  shifted.vertices.col(0).array() += 0.002;
+  const Figures figures = experiments::surface_figures(surface, shifted);
+  QVERIFY(figures.at("surface_to_truth_mean_mm") > 0.1 && figures.at("truth_to_surface_mean_mm") > 0.1);
+  QVERIFY(std::abs(figures.at("truth_to_surface_max_mm") - 2.0) < 0.01);
 }
 
 QTEST_APPLESS_MAIN(EvaluateTest)

@@ -75,7 +75,7 @@ void TrackEvaluationTest::ErrorsAreMeansOverTheFramesComparedAndLargestMaxima() 
   QVERIFY(close(errors.at("tre_volume_max_mm"), 3.0));
   QVERIFY(close(errors.at("tre_frozen_mean_mm"), 4.0));
   QVERIFY(!errors.contains("motion_mean_mm"));
-  QVERIFY(close(1e3 * evaluation.displacement(), 2.0));
+  QVERIFY(close(evaluation.displacement().at("displacement_mean_mm"), 2.0));
 }
 
 void TrackEvaluationTest::AFrameWithoutAPositionIsCountedOnly() {
@@ -83,7 +83,7 @@ void TrackEvaluationTest::AFrameWithoutAPositionIsCountedOnly() {
   evaluation.add(frame(4.0));
   evaluation.add(OverlayFrame());
   QCOMPARE(evaluation.times().frames(), 2);
-  QVERIFY(close(1e3 * evaluation.displacement(), 4.0));
+  QVERIFY(close(evaluation.displacement().at("displacement_mean_mm"), 4.0));
   QVERIFY_EXCEPTION_THROWN(evaluation.compare(OverlayFrame(), shifted(0.0), "truth"), PreconditionError);
 }
 
@@ -101,7 +101,7 @@ void TrackEvaluationTest::MotionIsThatSinceTheTrueStart() {
 void TrackEvaluationTest::WithoutFramesNothingIsKnown() {
   const TrackEvaluation evaluation(model_, start_, 30.0);
   QVERIFY(std::isnan(evaluation.times().percentiles().at("frame_p50_ms")));
-  QVERIFY(std::isnan(evaluation.displacement()));
+  QVERIFY(std::isnan(evaluation.displacement().at("displacement_mean_mm")));
   QVERIFY(evaluation.errors().empty());
 }
 

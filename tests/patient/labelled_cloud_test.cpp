@@ -211,6 +211,32 @@ class LabelledCloudTest : public QObject {
     QVERIFY(refused > 200 && read > 20);  // the mutants do hit both
   }
 
+  void ACloudOfNoLiversSizeIsRefusedWithTheUnitToReadItIn() {
+    LabelledCloud cloud;
+    cloud.points.resize(27, 3);  // 60 mm a side
+    for (int i = 0; i < 27; ++i) cloud.points.row(i) = 0.03 * Eigen::RowVector3d(i % 3, i / 3 % 3, i / 9);
+    require_liver_sized(cloud, LengthUnit::millimetre, "c.ply");
+    cloud.points.row(0) << 40.0, 0.0, 0.0;  // an outlier
+    require_liver_sized(cloud, LengthUnit::millimetre, "c.ply");
+    const auto complaint_of = [](const LabelledCloud& wrong, LengthUnit unit) -> std::string {
+      try {
+        require_liver_sized(wrong, unit, "c.ply");
+        return {};
+      } catch (const InputError& error) {
+        return error.what();
+      }
+    };
+    LabelledCloud large = cloud, small = cloud;
+    large.points *= 1e3;
+    small.points *= 1e-3;
+    QVERIFY(complaint_of(large, LengthUnit::metre).find("millimetre") != std::string::npos ||
+            complaint_of(large, LengthUnit::metre).find("mm") != std::string::npos);
+    QVERIFY(complaint_of(small, LengthUnit::millimetre).starts_with("c.ply: size"));
+    small.points.conservativeResize(5, 3);  // a few points may lie together
+    require_liver_sized(small, LengthUnit::millimetre, "c.ply");
+    require_liver_sized(LabelledCloud(), LengthUnit::millimetre, "c.ply");
+  }
+
   void WriterRefusesWhatNoCloudIs() {
     const auto path = folder_.path() / "never.ply";
     LabelledCloud cloud = example();

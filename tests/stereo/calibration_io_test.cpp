@@ -232,6 +232,26 @@ class CalibrationIoTest : public QObject {
     QVERIFY_THROWS_EXCEPTION(PreconditionError, read_text_calibration(folder.path(), 0, 540));
   }
 
+  void CalibrationsOfWholeViewsAreCutAsThePicturesAre() {
+    const TemporaryFolder folder;
+    write_calibration(folder.path() / "c.yaml", example());
+    const Cut cut{960, 540, {40, 20, 800, 500}};
+    const StereoRig part = read_calibration_for(folder.path() / "c.yaml", 800, 500, cut);
+    QCOMPARE(part.left.width, 800);
+    QCOMPARE(part.left.height, 500);
+    QVERIFY(std::abs(part.left.matrix(0, 2) - (example().left.matrix(0, 2) - 40.0)) < 1e-6);
+    // One that is of the cut pictures already stays, and so does any where nothing is cut.
+    write_calibration(folder.path() / "part.yaml", part);
+    QCOMPARE(read_calibration_for(folder.path() / "part.yaml", 800, 500, cut).left.matrix(0, 2),
+             part.left.matrix(0, 2));
+    QCOMPARE(read_calibration_for(folder.path() / "c.yaml", 960, 540, {}).left.width, 960);
+    // Plain text does not tell its size: it is that of the whole views.
+    write_text_calibration(folder.path(), example());
+    QVERIFY(is_text_calibration(folder.path()) && !is_text_calibration(folder.path() / "c.yaml"));
+    QCOMPARE(read_calibration_for(folder.path(), 800, 500, cut).left.width, 800);
+    QCOMPARE(read_calibration_for(folder.path(), 960, 540, {}).left.width, 960);
+  }
+
   void TwoImageSizesAreNotWritten() {
     StereoRig rig = example();
     rig.right.width = 640;

@@ -86,7 +86,9 @@ void TrackEvaluation::set_true_start(const Points& true_nodes_in_camera) {
   true_start_ = true_nodes_in_camera;
 }
 
-double TrackEvaluation::displacement() const { return placed_ > 0 ? displacement_ / placed_ : kUnknown; }
+Figures TrackEvaluation::displacement() const {
+  return {{"displacement_mean_mm", placed_ > 0 ? 1e3 * displacement_ / placed_ : kUnknown}};
+}
 
 Figures TrackEvaluation::errors() const {
   Figures means = sums_;

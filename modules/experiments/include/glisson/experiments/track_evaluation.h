@@ -50,9 +50,9 @@ class TrackEvaluation {
 
   const FrameTimes& times() const { return times_; }
   int compared() const { return compared_; }
-  /// Metres from where the rigid part of the start puts the nodes, over the frames with a position; not a
-  /// number without.
-  double displacement() const;
+  /// `displacement_mean_mm` of the nodes from where the rigid part of the start puts them, over the frames
+  /// with a position; not a number without.
+  Figures displacement() const;
   /// Over the frames compared: target_errors() (of its maxima the largest) and `tre_frozen_mean_mm`; with a
   /// true start `motion_mean_mm` since then (a frozen model misses it all) and `motion_error_mean_mm`, what
   /// tracking missed of it, whatever error it started with. Empty when none was compared.
