@@ -1200,10 +1200,6 @@
         <source>pulling and pressing the organ</source>
         <translation>am Organ ziehen und drücken</translation>
     </message>
-    <message>
-        <source>looking at frames</source>
-        <translation>Bilder ansehen</translation>
-    </message>
 </context>
 <context>
     <name>cli</name>

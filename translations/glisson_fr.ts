@@ -1200,10 +1200,6 @@
         <source>pulling and pressing the organ</source>
         <translation>tirer et appuyer sur l’organe</translation>
     </message>
-    <message>
-        <source>looking at frames</source>
-        <translation>examen des images</translation>
-    </message>
 </context>
 <context>
     <name>cli</name>

@@ -25,7 +25,8 @@ Cancellable<RigidStart> start_of(const PatientModel& model, const LabelledCloud&
 
 bool by_forces(const PatientModel& model, const RegisterOptions& options) {
   if (options.method != Method::automatic) return options.method == Method::forces;
-  // Where nothing is known to hold the organ a bend of the whole is no work of few patches: springs are nearer.
+  // Where nothing is known to hold the organ a bend of the whole is no work of few patches: springs are
+  // nearer.
   return model.vessels.empty() && model.landmarks.vena_cava.rows() == 0 && !options.elastic.prior &&
          !options.elastic.fixed_nodes.empty();
 }

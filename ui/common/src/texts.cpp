@@ -104,7 +104,6 @@ class Texts {
             {"patient.scan", tr("making its CT")},
             {"patient.surfaces", tr("measuring the true surfaces")},
             {"insilico.pull", tr("pulling and pressing the organ")},
-            {"check.frame", tr("looking at frames")},
             {"theatre.gas", tr("inflating the abdomen")},
             {"theatre.breathing", tr("letting the patient breathe")},
             {"theatre.heartbeat", tr("letting the heart beat")},
