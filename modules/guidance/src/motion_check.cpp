@@ -7,6 +7,8 @@
 #include <map>
 #include <unordered_map>
 
+#include "glisson/core/statistics.h"
+
 namespace glisson::guidance {
 namespace {
 
@@ -17,11 +19,8 @@ constexpr int kGroups = 4;  ///< along each side of the picture
 constexpr int kFirstFrames = 5;
 constexpr double kUnknown = -1.0;
 
-double median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+double median_or_zero(std::vector<double> values) {
+  return values.empty() ? 0.0 : upper_median(std::move(values));
 }
 
 /// Motion of one frame: per group of the picture the squared mean of the points' ways over its expected
@@ -84,7 +83,7 @@ void MotionCheck::push(const std::vector<FollowedPoint>& before, const std::vect
   frames_.push_back(frame);
   if (frames_.size() > kFrames) frames_.pop_front();
   if (offsets.empty()) return;
-  const double offset = median(std::move(offsets));
+  const double offset = median_or_zero(std::move(offsets));
   if (rows_seen_ < kFirstFrames) first_rows_ = (rows_seen_ * first_rows_ + offset) / (rows_seen_ + 1.0);
   ++rows_seen_;
   rows_ = offset - first_rows_;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "glisson/core/statistics.h"
+
 namespace glisson::guidance {
 namespace {
 
@@ -66,9 +68,7 @@ PictureMeasures measure(const Picture& picture) {
   result.noise = noise / n;
   // Noise makes two means differ, too.
   result.detail = std::sqrt(std::max(0.0, squares / n - 2.0 * std::pow(result.noise / kBlock, 2)));
-  const auto middle = means.begin() + static_cast<std::ptrdiff_t>(means.size() / 2);
-  std::nth_element(means.begin(), middle, means.end());
-  result.brightness = *middle;
+  result.brightness = upper_median(std::move(means));
   return result;
 }
 

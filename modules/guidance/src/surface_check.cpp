@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 
+#include "glisson/core/statistics.h"
 #include "glisson/registration/moving_surface.h"
 #include "small_stereo.h"
 
@@ -33,12 +34,6 @@ constexpr int kFitEvery = 2;  ///< place of the grid, along both axes: what lies
 constexpr double kPriorShift = 0.03, kPriorTurn = 0.35;  ///< metres, radians
 /// Points of one region count as this many independent ones.
 constexpr double kIndependentInRegion = 2.0;
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// A rigid correction about a centre: turn then shift.
 struct Correction {
@@ -155,7 +150,7 @@ struct SurfaceCheck::Impl {
     int regions = 0;
     for (const auto& [group, values] : gaps) {
       if (values.size() < kLeastInRegion) continue;
-      sum += std::pow(median(values) * static_cast<double>(values.size()) / sigmas[group], 2);
+      sum += std::pow(upper_median(values) * static_cast<double>(values.size()) / sigmas[group], 2);
       ++regions;
     }
     evidence.gap = regions > 0 ? std::sqrt(sum / regions) : 0.0;

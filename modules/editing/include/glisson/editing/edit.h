@@ -66,8 +66,8 @@ struct Paint {
   bool erase = false;
   Brush brush = Brush::disc;
   double radius = 5e-3;
-  int normal_axis = 2;  ///< disc: the voxel axis across the slice, 0, 1 or 2
-  Points path;          ///< one point or more, CT frame
+  int normal_axis = 2;     ///< disc: the voxel axis across the slice, 0, 1 or 2
+  PointsIn<CtFrame> path;  ///< one point or more, CT frame
 
   bool operator==(const Paint&) const;  // paths of different lengths differ
 };

@@ -12,7 +12,7 @@ namespace glisson::editing {
 /// What a click of LevelTracing would take, wherever the editable region lets it.
 struct TracedLevel {
   /// The closed line around it along the voxels' faces: corners in order, CT frame, metres.
-  Points outline;
+  PointsIn<CtFrame> outline;
   long voxels = 0;
   bool open = false;  ///< it runs out of the slice
 };

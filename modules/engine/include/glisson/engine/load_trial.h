@@ -44,7 +44,7 @@ enum class TrialEnd { none, diverged, inverted };
 
 /// The trial after a step. Immutable once published.
 struct TrialState {
-  Points nodes;  ///< one row a node of the model, CT frame, metres; empty: at rest
+  PointsIn<CtFrame> nodes;  ///< one row a node of the model, CT frame, metres; empty: at rest
   /// The pull that was applied, and the grabbed point where it now is (CT frame, metres).
   std::optional<TrialPull> pull;
   Eigen::Vector3d grabbed = Eigen::Vector3d::Zero();

@@ -17,10 +17,10 @@ namespace glisson::segmentation {
 /// What a person clicks. CT frame, metres. File: JSON {"liver": [[x, y, z] mm LPS, ...], "portal_vein": ...,
 /// ...}.
 struct Seeds {
-  Points liver;
-  Points portal_vein, hepatic_veins, vena_cava, gallbladder;
-  std::vector<Points> lesions;  ///< a list for each, in the order of their labels; it may be empty
-  Points background;            ///< "not liver": optional
+  PointsIn<CtFrame> liver;
+  PointsIn<CtFrame> portal_vein, hepatic_veins, vena_cava, gallbladder;
+  std::vector<PointsIn<CtFrame>> lesions;  ///< a list for each, in the order of their labels; it may be empty
+  PointsIn<CtFrame> background;            ///< "not liver": optional
 };
 Seeds read_seeds(const std::filesystem::path& path);
 void write_seeds(const std::filesystem::path& path, const Seeds& seeds);
