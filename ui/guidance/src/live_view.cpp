@@ -7,6 +7,11 @@
 #include "glisson/ui/common/panel.h"
 
 namespace glisson::ui {
+namespace {
+
+constexpr int kLinesHeight = 46;  ///< two lines of the live view's words, pixels
+
+}  // namespace
 
 LiveView::LiveView(LiveViewModel& model, QWidget* parent)
     : QWidget(parent), picture_(new PictureView({}, this)) {
@@ -24,6 +29,10 @@ LiveView::LiveView(LiveViewModel& model, QWidget* parent)
   auto* line = new QLabel(this);
   line->setProperty("role", "probe");
   line->setContentsMargins(10, 4, 10, 4);
+  // A reason takes a second line on small screens: there is always room for it, so that nothing jumps.
+  line->setWordWrap(true);
+  line->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  line->setMinimumHeight(kLinesHeight);
   layout->addWidget(line);
 
   connect(&model, &LiveViewModel::picture_changed, picture_, &PictureView::set_picture);
