@@ -1880,8 +1880,8 @@
         <translation>Ein Stereolaparoskop aus Bildern einer Tafel kalibrieren</translation>
     </message>
     <message>
-        <source>Measure the figures of the READMEs again</source>
-        <translation>Die Zahlen der READMEs noch einmal messen</translation>
+        <source>Measure the proofs&apos; figures again</source>
+        <translation>Die Zahlen der Nachweise noch einmal messen</translation>
     </message>
     <message>
         <source>real liver, features: points</source>
@@ -1936,8 +1936,8 @@
         <translation>%1 ist nicht da und wird ausgelassen.</translation>
     </message>
     <message>
-        <source>Measures the figures of the READMEs again, against experts&apos; labels and known truths: patient (from the CT to the model), stereo (from pictures to clouds), live (what the overlay says of itself when something is wrong).</source>
-        <translation>Misst die Zahlen der READMEs noch einmal, an Labels von Experten und bekannten Wahrheiten: patient (vom CT zum Modell), stereo (von Bildern zu Punktwolken), live (was die Einblendung von sich sagt, wenn etwas nicht stimmt).</translation>
+        <source>Measures the proofs&apos; figures again, against experts&apos; labels and known truths: patient (from the CT to the model), stereo (from pictures to clouds), live (what the overlay says of itself when something is wrong).</source>
+        <translation>Misst die Zahlen der Nachweise noch einmal, an Labels von Experten und bekannten Wahrheiten: patient (vom CT zum Modell), stereo (von Bildern zu Punktwolken), live (was die Einblendung von sich sagt, wenn etwas nicht stimmt).</translation>
     </message>
     <message>
         <source>Which: patient, stereo or live.</source>

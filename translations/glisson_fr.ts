@@ -1880,8 +1880,8 @@
         <translation>Étalonner un laparoscope stéréo à partir d&apos;images d&apos;une mire</translation>
     </message>
     <message>
-        <source>Measure the figures of the READMEs again</source>
-        <translation>Mesurer à nouveau les chiffres des README</translation>
+        <source>Measure the proofs&apos; figures again</source>
+        <translation>Mesurer à nouveau les chiffres des preuves</translation>
     </message>
     <message>
         <source>real liver, features: points</source>
@@ -1936,8 +1936,8 @@
         <translation>%1 est absent et laissé de côté.</translation>
     </message>
     <message>
-        <source>Measures the figures of the READMEs again, against experts&apos; labels and known truths: patient (from the CT to the model), stereo (from pictures to clouds), live (what the overlay says of itself when something is wrong).</source>
-        <translation>Mesure à nouveau les chiffres des README, contre des étiquettes d&apos;experts et des vérités connues : patient (du scanner au modèle), stereo (des images aux nuages), live (ce que l’incrustation dit d’elle-même quand quelque chose ne va pas).</translation>
+        <source>Measures the proofs&apos; figures again, against experts&apos; labels and known truths: patient (from the CT to the model), stereo (from pictures to clouds), live (what the overlay says of itself when something is wrong).</source>
+        <translation>Mesure à nouveau les chiffres des preuves, contre des étiquettes d&apos;experts et des vérités connues : patient (du scanner au modèle), stereo (des images aux nuages), live (ce que l’incrustation dit d’elle-même quand quelque chose ne va pas).</translation>
     </message>
     <message>
         <source>Which: patient, stereo or live.</source>

@@ -129,7 +129,7 @@ void write_page(const Arguments& arguments, const Proof& proof, experiments::Pro
 
 int run_prove(const QStringList& given) {
   Arguments arguments("prove",
-                      Cli::tr("Measures the figures of the READMEs again, against experts' labels and "
+                      Cli::tr("Measures the proofs' figures again, against experts' labels and "
                               "known truths: patient (from the CT to the model), stereo (from pictures to "
                               "clouds), live (what the overlay says of itself when "
                               "something is wrong)."));

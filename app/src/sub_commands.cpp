@@ -22,7 +22,7 @@ const std::vector<SubCommand>& sub_commands() {
       {"track", run_track, false, QT_TRANSLATE_NOOP("cli", "Follow a stereo video or a series of clouds")},
       {"render", run_render, true, QT_TRANSLATE_NOOP("cli", "Draw one frame with its overlay")},
       {"overlay", run_overlay, true, QT_TRANSLATE_NOOP("cli", "Record the overlay video")},
-      {"prove", run_prove, true, QT_TRANSLATE_NOOP("cli", "Measure the figures of the READMEs again")},
+      {"prove", run_prove, true, QT_TRANSLATE_NOOP("cli", "Measure the proofs' figures again")},
       {"simulate", run_simulate, false,
        QT_TRANSLATE_NOOP("cli", "Plain mechanics: gravity, pressure, springs, fixed nodes")},
   };
