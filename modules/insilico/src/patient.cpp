@@ -118,8 +118,7 @@ std::vector<LabelInfo> label_infos(std::size_t lesions) {
   for (std::size_t i = 0; i < lesions; ++i) labels.push_back(static_cast<Label>(structure::kFirstLesion + i));
   std::vector<LabelInfo> infos;
   infos.reserve(labels.size());
-  for (const Label label : labels)
-    infos.push_back(structure_info(label));
+  for (const Label label : labels) infos.push_back(structure_info(label));
   return infos;
 }
 

@@ -36,7 +36,7 @@ struct RigidStart {
 Cancellable<RigidStart> align_rigid(const PatientModel& model, const LabelledCloud& cloud,
                                     const RigidOptions& options, const RunContext& context);
 
-/// How eq. 14 is read; see METHOD in the README. `corrected`: f = k w(s d)(p - q), w(x) = 1 - (2/pi) atan x:
+/// How eq. 14 is read; see "Method" in the README. `corrected`: f = k w(s d)(p - q), w(x) = 1 - (2/pi) atan x:
 /// a spring at contact, saturating far away. `clamped`: the printed magnitude where it attracts, zero beyond
 /// s d = tan 1. `printed`: literally, from the cloud to the model. The last two are forces over a stiffness,
 /// so they are scaled by the length 1/s; they are kept for the comparison only.
@@ -78,7 +78,7 @@ struct ElasticOptions {
 /// the paper's schedule without the final stiffening (see the README).
 ElasticOptions options_for(const PatientModel& model, bool landmarks_are_placed = true);
 
-/// Initial elastic registration (paper 2.2.3; eq. 14 and 15 as METHOD corrects them): label-restricted
+/// Initial elastic registration (paper 2.2.3; eq. 14 and 15 as the README corrects them): label-restricted
 /// closest points, implicit Euler steps, plateaus of kinetic energy and mean residual, stop at max(r) + 1.
 /// Registration::residual is the mean over the pairs kept (outliers excluded).
 /// Doubts: few_margin_points, no_notch, little_surface_seen (under a fifth of the model's), many_outliers,
