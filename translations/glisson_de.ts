@@ -596,6 +596,34 @@
         <source>The case was opened without the points of the whole stereo pair: reconstruct the surface again before regions are changed. Saved now, the case loses what is left of them. (%*)</source>
         <translation>Der Fall wurde ohne die Punkte des ganzen Stereopaars geöffnet: rekonstruieren Sie die Oberfläche neu, bevor Bereiche geändert werden. Wird der Fall jetzt gespeichert, geht verloren, was von ihnen übrig ist. (%*)</translation>
     </message>
+    <message>
+        <source>The volume measures only %1 mm along its shortest side: a liver is larger.</source>
+        <translation>Das Volumen misst an seiner kürzesten Seite nur %1 mm: Eine Leber ist größer.</translation>
+    </message>
+    <message>
+        <source>The volume is %1 mm wide: no scanner is. Check its unit.</source>
+        <translation>Das Volumen ist %1 mm breit, breiter als jeder Scanner. Prüfen Sie seine Einheit.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 slices hold nothing but one value: they may have been lost on the way.</source>
+        <translation>%1 von %2 Schichten enthalten nur einen einzigen Wert: Sie sind vielleicht unterwegs verloren gegangen.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 slices are the one before over again: some may have been lost on the way.</source>
+        <translation>%1 von %2 Schichten wiederholen die vorige: Vielleicht sind welche unterwegs verloren gegangen.</translation>
+    </message>
+    <message>
+        <source>%1 % of the voxels are exactly 0: the volume may be cut off or masked.</source>
+        <translation>%1 % der Voxel sind genau 0: Das Volumen ist vielleicht abgeschnitten oder maskiert.</translation>
+    </message>
+    <message>
+        <source>Only %1 % of the voxels have the Hounsfield units of soft tissue: the volume may not be a CT in Hounsfield units.</source>
+        <translation>Nur %1 % der Voxel haben die Hounsfield-Werte von Weichgewebe: Das Volumen ist vielleicht kein CT in Hounsfield-Einheiten.</translation>
+    </message>
+    <message>
+        <source>Hardly a voxel has the Hounsfield units of air: the intercept of the scanner may be lost.</source>
+        <translation>Kaum ein Voxel hat die Hounsfield-Werte von Luft: Der Achsenabschnitt (Intercept) des Scanners ist vielleicht verloren.</translation>
+    </message>
 </context>
 <context>
     <name>Obstacles</name>

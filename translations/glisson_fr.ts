@@ -596,6 +596,34 @@
         <source>The case was opened without the points of the whole stereo pair: reconstruct the surface again before regions are changed. Saved now, the case loses what is left of them. (%*)</source>
         <translation>Le cas a été ouvert sans les points de la paire stéréo entière : reconstruisez la surface avant de modifier des régions. Enregistré maintenant, le cas perd ce qu’il en reste. (%*)</translation>
     </message>
+    <message>
+        <source>The volume measures only %1 mm along its shortest side: a liver is larger.</source>
+        <translation>Le volume ne mesure que %1 mm sur son côté le plus court : un foie est plus grand.</translation>
+    </message>
+    <message>
+        <source>The volume is %1 mm wide: no scanner is. Check its unit.</source>
+        <translation>Le volume est large de %1 mm, plus que tout scanner. Vérifiez son unité.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 slices hold nothing but one value: they may have been lost on the way.</source>
+        <translation>%1 coupes sur %2 ne contiennent qu'une seule valeur : elles ont peut-être été perdues en route.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 slices are the one before over again: some may have been lost on the way.</source>
+        <translation>%1 coupes sur %2 répètent la précédente : certaines ont peut-être été perdues en route.</translation>
+    </message>
+    <message>
+        <source>%1 % of the voxels are exactly 0: the volume may be cut off or masked.</source>
+        <translation>%1 % des voxels valent exactement 0 : le volume est peut-être tronqué ou masqué.</translation>
+    </message>
+    <message>
+        <source>Only %1 % of the voxels have the Hounsfield units of soft tissue: the volume may not be a CT in Hounsfield units.</source>
+        <translation>Seuls %1 % des voxels ont les unités Hounsfield de tissus mous : le volume n'est peut-être pas un scanner en unités Hounsfield.</translation>
+    </message>
+    <message>
+        <source>Hardly a voxel has the Hounsfield units of air: the intercept of the scanner may be lost.</source>
+        <translation>Presque aucun voxel n'a les unités Hounsfield de l'air : l'ordonnée à l'origine (intercept) du scanner est peut-être perdue.</translation>
+    </message>
 </context>
 <context>
     <name>Obstacles</name>

@@ -300,6 +300,9 @@ void CaseIoTest::LandmarksNameTheirMistakes() {
   const fs::path path = folder.path() / "landmarks.json";
   write_file_atomically(path, R"({"umbilical_notch": [[1, 2]]})");
   QVERIFY(error_of([&] { read_landmarks(path); }).find("umbilical_notch: entry 0") != std::string::npos);
+  write_file_atomically(path, R"({"umbilical_notch": [[1, 2, 3], [1e300, 2, 3]]})");
+  QVERIFY(error_of([&] { read_landmarks(path); }).find("entry 1 is nowhere near a patient") !=
+          std::string::npos);
   write_file_atomically(path, R"({"frame": "RAS", "umbilical_notch": [[1, 2, 3]]})");
   QVERIFY(error_of([&] { read_landmarks(path); }).find("LPS") != std::string::npos);
   write_file_atomically(path, "{}");

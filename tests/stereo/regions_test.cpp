@@ -169,6 +169,16 @@ class RegionsTest : public QObject {
     QTest::newRow("curve without width")
         << QByteArray(R"({"regions": [{"label": "surface", "curve": [[0,0],[1,0]], "half_width_px": 0}]})")
         << QByteArray("region 0");
+    QTest::newRow("far outside")
+        << QByteArray(R"({"regions": [{"label": "surface", "polygon": [[0,0],[1e300,0],[1,1]]}]})")
+        << QByteArray("region 0");
+    QTest::newRow("endless width")
+        << QByteArray(
+               R"({"regions": [{"label": "surface", "curve": [[0,0],[1,0]], "half_width_px": 1e300}]})")
+        << QByteArray("region 0");
+    QTest::newRow("larger than any number")
+        << QByteArray(R"({"regions": [{"label": "surface", "polygon": [[0,0],[1e999,0],[1,1]]}]})")
+        << QByteArray("");
     QTest::newRow("region of no picture")
         << QByteArray(
                R"({"regions": [{"label": "surface", "image": "top", "polygon": [[0,0],[1,0],[1,1]]}]})")

@@ -22,6 +22,8 @@ nlohmann::json read_json(const std::filesystem::path& path) {
     }
     throw InputError(path.string(), "line " + std::to_string(line) + ", column " + std::to_string(column),
                      "is not valid JSON", "Correct it there or write the file anew");
+  } catch (const nlohmann::json::exception&) {
+    throw InputError(path.string(), "", "holds a number that is larger than any", "Write the file anew");
   }
 }
 

@@ -18,6 +18,8 @@ constexpr const char* kRemedy =
     "y], "
     "...]}]}";
 
+constexpr double kFarthest = 1e5;  // pixels
+
 const char* feature_code(Feature feature) {
   switch (feature) {
     case Feature::surface:
@@ -55,6 +57,8 @@ std::vector<Eigen::Vector2d> parse_vertices(const std::string& file, const std::
       refuse(file, field, "has a vertex that is not [x, y]");
     vertices.emplace_back(point[0].get<double>(), point[1].get<double>());
     if (!vertices.back().allFinite()) refuse(file, field, "has a vertex that is not finite");
+    if (vertices.back().cwiseAbs().maxCoeff() > kFarthest)
+      refuse(file, field, "has a vertex that lies far outside any picture");
   }
   return vertices;
 }
@@ -82,8 +86,8 @@ Region parse_region(const std::string& file, const std::string& field, const nlo
            region.closed ? "Click three or more" : "Click two or more");
   if (!region.closed && entry.contains("half_width_px")) {
     const nlohmann::json& width = entry["half_width_px"];
-    if (!width.is_number() || !(width.get<double>() > 0.0) || !std::isfinite(width.get<double>()))
-      refuse(file, field, "has a width that is not a positive number");
+    if (!width.is_number() || !(width.get<double>() > 0.0 && width.get<double>() <= kFarthest))
+      refuse(file, field, "has a width that is not a positive number of pixels");
     region.half_width_px = width.get<double>();
   }
   return region;

@@ -16,10 +16,10 @@
 #include <optional>
 #include <sstream>
 
+#include "claim.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/core/statistics.h"
-#include "raw_volume.h"
 
 namespace glisson::reader {
 namespace {
@@ -108,6 +108,58 @@ std::optional<Found> find_image(const Request& request, const fs::path& path) {
                 text_of(data, {0x0008, 0x103e}), text_of(data, {0x0008, 0x0060}), 1}};
 }
 
+/// The numbers of a tag, by ourselves: ITK takes 1 mm where it can make nothing of them.
+std::vector<double> numbers_of(const Request& request, const std::string& file,
+                               const itk::MetaDataDictionary& tags, const char* tag, const char* name,
+                               std::size_t count) {
+  std::string text = text_of(tags, tag);
+  const std::string field = std::string(name) + " (" + tag + ")";
+  if (text.empty())
+    refuse(request, file,
+           std::string("has no tag (") + tag + "), so that its place in the patient is unknown",
+           "Export the series from the scanner again, not from a viewer");
+  std::replace(text.begin(), text.end(), '\\', ' ');
+  try {
+    return numbers_in(request, field, text, count);
+  } catch (const InputError& error) {
+    refuse(request, file + ", " + field, error.problem(), "Export the series again");
+  }
+}
+
+void read_place(const Request& request, const std::string& file, const itk::MetaDataDictionary& tags,
+                Slice& slice) {
+  const auto origin = numbers_of(request, file, tags, "0020|0032", "ImagePositionPatient", 3),
+             axes = numbers_of(request, file, tags, "0020|0037", "ImageOrientationPatient", 6),
+             spacing = numbers_of(request, file, tags, "0028|0030", "PixelSpacing", 2);
+  slice.origin_mm = {origin[0], origin[1], origin[2]};
+  slice.row = {axes[0], axes[1], axes[2]};
+  slice.column = {axes[3], axes[4], axes[5]};
+  slice.spacing_mm = {spacing[1], spacing[0]};  // the first is from row to row
+  for (const Eigen::Vector3d* axis : {&slice.row, &slice.column})
+    if (!(std::abs(axis->stableNorm() - 1.0) < 1e-2))
+      refuse(request, file + ", ImageOrientationPatient (0020|0037)",
+             "holds a direction whose length is not 1", "Export the series again");
+  slice.row.normalize();
+  slice.column.normalize();
+  if (!(slice.spacing_mm.array() > 0.0).all())
+    refuse(request, file + ", PixelSpacing (0028|0030)",
+           "is " + text_of(tags, "0028|0030") + " mm, which is no pixel's", "Export the series again");
+}
+
+/// What pixels are multiplied with and what is added must be numbers that keep them apart.
+void check_rescale(const Request& request, const std::string& file, const itk::MetaDataDictionary& tags) {
+  for (const char* tag : {"0028|1052", "0028|1053"}) {
+    const bool slope = tag[8] == '3';
+    const char* name = slope ? "RescaleSlope" : "RescaleIntercept";
+    if (text_of(tags, tag).empty()) continue;
+    const double value = numbers_of(request, file, tags, tag, name, 1).front();
+    if (std::abs(value) > 1e6 || (slope && !(value > 0.0)))
+      refuse(request, file + ", " + name + " (" + tag + ")",
+             "is " + text_of(tags, tag) + ", which makes no intensities of the pixels",
+             "Export the series again");
+  }
+}
+
 Slice slice_of(const Request& request, const fs::path& path) {
   const auto io = itk::GDCMImageIO::New();
   const std::string file = path.filename().string();
@@ -118,26 +170,19 @@ Slice slice_of(const Request& request, const fs::path& path) {
     refuse(request, file, "is a DICOM image that cannot be read", "Export the series again");
   }
   const itk::MetaDataDictionary& tags = io->GetMetaDataDictionary();
-  if (io->GetNumberOfComponents() != 1)
+  const std::string samples = text_of(tags, "0028|0002"), meaning = text_of(tags, "0028|0004");
+  if (io->GetNumberOfComponents() != 1 || (!samples.empty() && samples != "1") ||
+      (!meaning.empty() && !meaning.starts_with("MONOCHROME")))
     refuse(request, file, "is a colour picture, not a slice of a volume", "Remove it from the folder");
   if (io->GetNumberOfDimensions() > 2 && io->GetDimensions(2) > 1)
     refuse(request, file, "holds several frames in one file", "Convert it to NIfTI or to single slices");
-  for (const char* tag : {"0020|0032", "0020|0037", "0028|0030"})
-    if (text_of(tags, tag).empty())
-      refuse(request, file,
-             std::string("has no tag (") + tag + "), so that its place in the patient is unknown",
-             "Export the series from the scanner again, not from a viewer");
   Slice slice;
   slice.path = path;
   slice.modality = text_of(tags, "0008|0060");
   slice.description = text_of(tags, "0008|103e");
   slice.size = {static_cast<int>(io->GetDimensions(0)), static_cast<int>(io->GetDimensions(1))};
-  slice.spacing_mm = {io->GetSpacing(0), io->GetSpacing(1)};
-  for (unsigned i = 0; i < 3; ++i) {
-    slice.origin_mm[i] = io->GetOrigin(i);
-    slice.row[i] = io->GetDirection(0)[i];
-    slice.column[i] = io->GetDirection(1)[i];
-  }
+  read_place(request, file, tags, slice);
+  check_rescale(request, file, tags);
   return slice;
 }
 
@@ -153,9 +198,16 @@ double total_bytes(const std::vector<fs::path>& files) {
 
 std::vector<fs::path> files_below(const Request& request) {
   std::vector<fs::path> files;
-  for (const auto& entry :
-       fs::recursive_directory_iterator(request.path, fs::directory_options::skip_permission_denied))
-    if (entry.is_regular_file()) files.push_back(entry.path());
+  std::error_code failure;
+  fs::recursive_directory_iterator entry(request.path, fs::directory_options::skip_permission_denied,
+                                         failure);
+  for (; !failure && entry != fs::recursive_directory_iterator(); entry.increment(failure)) {
+    std::error_code broken;  // a link to nowhere, or round in a circle
+    if (entry->is_regular_file(broken)) files.push_back(entry->path());
+  }
+  if (failure)
+    throw FileError(request.name + ": cannot be searched (" + failure.message() +
+                    "). Check its permissions, or copy it to a disk of this computer.");
   std::sort(files.begin(), files.end());
   if (files.empty()) refuse(request, "", "is an empty folder", "Name the folder that holds the DICOM slices");
   limit_memory(kMemoryPerByte * total_bytes(files));
@@ -298,6 +350,10 @@ void append_slice(const Request& request, const Slice& slice, std::vector<float>
   gdcm::ImageReader reader;
   reader.SetFileName(slice.path.c_str());
   if (!reader.Read()) refuse_pixels();
+  if (reader.GetFile().GetDataSet().FindDataElement(gdcm::Tag(0x0028, 0x3000)))
+    refuse(request, slice.path.filename().string(),
+           "gives its intensities by a table (Modality LUT), which is not read",
+           "Export the series with RescaleSlope and RescaleIntercept");
   const gdcm::Image& image = reader.GetImage();
   const gdcm::PixelFormat& format = image.GetPixelFormat();
   const auto pixels = static_cast<std::size_t>(slice.size.x()) * static_cast<std::size_t>(slice.size.y());

@@ -6,6 +6,7 @@
 
 #include <limits>
 
+#include "claim.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "itk_buffer.h"
@@ -55,30 +56,23 @@ std::map<std::string, std::string> texts_of(const itk::ImageIOBase& io) {
   return texts;
 }
 
-void check_nrrd_space(const Request& request, const std::map<std::string, std::string>& texts) {
-  const auto found = texts.find("NRRD_space");
-  const std::string space = found == texts.end() ? "" : found->second;
-  for (const char* known :
-       {"left-posterior-superior", "right-anterior-superior", "left-anterior-superior", "LPS", "RAS", "LAS"})
-    if (space == known) return;
-  throw InputError(request.name, "space",
-                   space.empty() ? std::string("is missing: the file does not say which way the patient lies")
-                                 : "is \"" + space + "\", which is no patient's",
-                   "Write it as left-posterior-superior with space directions in mm");
+Claim claim_of(const Request& request, Format format) {
+  return format == Format::nifti  ? claim_of_nifti(request)
+         : format == Format::nrrd ? claim_of_nrrd(request)
+                                  : claim_of_meta(request);
 }
 
 }  // namespace
 
 RawVolume read_itk_file(const Request& request) {
   const Format format = format_of(request);
-  if (format == Format::nifti) check_nifti_header(request);
+  const Claim claim = claim_of(request, format);
   const itk::ImageIOBase::Pointer io = io_for(format);
   io->SetFileName((format == Format::nifti ? alone(request) : request.path).string());
   io->ReadImageInformation();
 
   RawVolume raw;
   raw.texts = texts_of(*io);
-  if (format == Format::nrrd) check_nrrd_space(request, raw.texts);
   raw.components = static_cast<int>(io->GetNumberOfComponents());
   raw.layers = format == Format::nrrd && raw.components > 1 && raw.texts.contains("Segment0_ID");
 
@@ -103,8 +97,10 @@ RawVolume read_itk_file(const Request& request) {
   }
   check_value_count(request, size, raw.components);
   raw.grid = checked_grid(request, size, spacing, origin, direction);
-  if (format == Format::meta)
-    check_meta_complete(request, static_cast<std::uintmax_t>(io->GetImageSizeInBytes()));
+  check_claim(request, claim, raw.grid);
+  if (raw.components != claim.components)
+    throw InputError(request.name, "components", "are counted differently by two readers",
+                     "Export the volume again");
   request.progress(0.1);
   raw.voxels = read_buffer(request, *io);
   if (const auto modality = raw.texts.find("modality"); modality != raw.texts.end())

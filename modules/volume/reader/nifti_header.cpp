@@ -6,10 +6,12 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <map>
 #include <vector>
 
+#include "claim.h"
 #include "glisson/core/error.h"
-#include "raw_volume.h"
+#include "glisson/core/files.h"
 
 namespace glisson::reader {
 namespace {
@@ -30,6 +32,9 @@ class Header {
     swapped_ = at<std::int32_t>(0) != kHeaderBytes;
     if (at<std::int32_t>(0) != kHeaderBytes)
       throw InputError(request.name, "header", "is not that of a NIfTI-1 file", "Export it as NIfTI-1");
+    if (std::memcmp(bytes_.data() + 344, "n+1", 4) != 0)
+      throw InputError(request.name, "magic", "is not that of a NIfTI-1 file that holds its voxels itself",
+                       "Export it as one .nii or .nii.gz file");
   }
   template <class T>
   T at(int offset) const {
@@ -70,44 +75,125 @@ Affine sform(const Header& header) {
   return affine;
 }
 
-/// The library fills up a file that ends early with zeros: count its bytes ourselves.
-void check_complete(const Request& request, const Header& header) {
-  double values = 1.0;
-  const int dimensions = std::clamp<int>(header.at<std::int16_t>(40), 0, 7);
-  for (int axis = 1; axis <= dimensions; ++axis)
-    values *= std::max<int>(1, header.at<std::int16_t>(40 + 2 * axis));
-  const double expected = header.number(108) + values * header.at<std::int16_t>(72) / 8.0;
-  gzFile file = gzopen(request.path.c_str(), "rb");
-  std::vector<char> buffer(1u << 20);
-  double total = 0.0;
-  int got = 0;
-  while ((got = gzread(file, buffer.data(), static_cast<unsigned>(buffer.size()))) > 0) total += got;
-  const int state = gzclose(file);
-  if (got < 0 || state != Z_OK || total < expected)
-    throw InputError(request.name, "voxels", "end early: the file is damaged", "Export it again");
+[[noreturn]] void refuse(const Request& request, const std::string& field, const std::string& problem,
+                         const std::string& remedy = "Correct the header, or export the volume again") {
+  throw InputError(request.name, field, problem, remedy);
+}
+
+/// nifti1.h: bytes of a number by its code.
+int bytes_of_type(const Request& request, int datatype) {
+  static const std::map<int, int> kBytes = {{2, 1},   {4, 2},   {8, 4},   {16, 4},   {64, 8},
+                                            {256, 1}, {512, 2}, {768, 4}, {1024, 8}, {1280, 8}};
+  if (datatype == 128 || datatype == 2304)
+    refuse(request, "datatype", "is that of a colour picture", "Export a volume with one value a voxel");
+  const auto known = kBytes.find(datatype);
+  if (known == kBytes.end())
+    refuse(request, "datatype", "is " + std::to_string(datatype) + ", a number format that is not known",
+           "Export it as 16-bit integers");
+  return known->second;
+}
+
+void read_sizes(const Request& request, const Header& header, Claim& claim) {
+  const int dimensions = header.at<std::int16_t>(40);
+  if (dimensions < 1 || dimensions > 7)
+    refuse(request, "dim[0]", "is " + std::to_string(dimensions) + ", not 3");
+  if (dimensions < 3)
+    refuse(request, "dim[0]", "is that of a flat picture, not of a volume", "Name a volume");
+  for (int axis = 1; axis <= dimensions; ++axis) {
+    const int size = header.at<std::int16_t>(40 + 2 * axis);
+    const std::string field = "dim[" + std::to_string(axis) + "]";
+    if (size < 1) refuse(request, field, "is " + std::to_string(size) + ", which is no number of voxels");
+    if (axis <= 3) claim.size[axis - 1] = size;
+    if (axis == 5) claim.components = size;
+    if (axis > 3 && axis != 5 && size > 1)
+      refuse(request, field, "is a series of " + std::to_string(size) + " volumes, not one volume",
+             "Export a single time point");
+  }
+  check_value_count(request, claim.size, claim.components);
+}
+
+void check_units_and_scale(const Request& request, const Header& header) {
+  const int unit = header.at<std::uint8_t>(123) & 7;
+  if (unit != 0 && unit != 2)
+    refuse(request, "xyzt_units",
+           unit == 1   ? "says metres"
+           : unit == 3 ? "says micrometres"
+                       : "is no unit of length",
+           "Convert the volume to millimetres");
+  const double slope = header.number(112), intercept = header.number(116);
+  if (!std::isfinite(slope) || (slope != 0.0 && !std::isfinite(intercept)) || std::abs(slope) > 1e6)
+    refuse(request, "scl_slope, scl_inter", "are no scale of intensities", "Set them to 1 and 0");
+}
+
+/// The data's place and length.
+void check_data(const Request& request, const Header& header, const Claim& claim) {
+  const int bytes = bytes_of_type(request, header.at<std::int16_t>(70));
+  if (header.at<std::int16_t>(72) != 8 * bytes)
+    refuse(request, "bitpix",
+           "is " + std::to_string(header.at<std::int16_t>(72)) + " where the datatype says " +
+               std::to_string(8 * bytes));
+  const double offset = header.number(108);
+  if (!(offset >= kHeaderBytes && offset < 1e7) || offset != std::floor(offset))
+    refuse(request, "vox_offset", "is no place in the file behind its header");
+  Stored stored;
+  stored.file = request.path;
+  stored.packed = lower_name(request.path).ends_with("z");
+  stored.packed_field = "";
+  stored.row_bytes = static_cast<double>(bytes) * claim.size.x();
+  stored.bytes = offset + stored.row_bytes * claim.components * claim.size.y() * claim.size.z();
+  check_stored(request, stored);
+}
+
+/// What the quaternion is made of. Without one, pixdim still has to tell the spacing of the sform: libraries
+/// take it from there.
+void check_quaternion(const Request& request, const Header& header, bool has_qform) {
+  const Eigen::Vector3d q(header.number(256), header.number(260), header.number(264));
+  if (has_qform && !(q.squaredNorm() <= 1.0 + 1e-3))
+    refuse(request, "quatern", "is no rotation: b, c and d are longer than 1 together");
+  const double side = header.number(76);
+  if (has_qform && side != 0.0 && std::abs(side) != 1.0) refuse(request, "pixdim[0]", "is neither 1 nor -1");
+  for (int axis = 1; axis <= 3; ++axis)
+    if (const double length = header.number(76 + 4 * axis); !(length > 0.0 && length < 1e6))
+      refuse(request, "pixdim[" + std::to_string(axis) + "]",
+             "is " + std::to_string(length) + " mm, which is no voxel's");
+}
+
+Claim placed(const Request& request, const Affine& ras, Claim claim) {
+  Affine lps = ras;
+  lps.topRows<2>() *= -1.0;
+  set_axes(request, "sform", lps.leftCols<3>(), claim);
+  if (!lps.col(3).allFinite()) refuse(request, "sform", "has an origin that is not finite");
+  claim.origin_mm = lps.col(3);
+  claim.precision = 1e-3;  // the quaternion is stored in single precision: near half turns no better
+  return claim;
 }
 
 }  // namespace
 
-void check_nifti_header(const Request& request) {
+Claim claim_of_nifti(const Request& request) {
   const Header header(request);
-  check_complete(request, header);
+  Claim claim;
+  read_sizes(request, header, claim);
+  check_units_and_scale(request, header);
+  check_data(request, header, claim);
   const bool has_qform = header.at<std::int16_t>(252) > 0, has_sform = header.at<std::int16_t>(254) > 0;
   if (!has_qform && !has_sform)
     throw InputError(request.name, "qform_code, sform_code",
                      "are both 0: the file does not say which way the patient lies",
                      "Set one of them, or convert the original DICOM series");
+  check_quaternion(request, header, has_qform);
   const Affine s = has_sform ? sform(header) : qform(header);
   const Affine q = has_qform ? qform(header) : s;
-  for (int a = 0; a < 3; ++a) {
-    const int b = (a + 1) % 3;
-    if (!(std::abs(s.col(a).normalized().dot(s.col(b).normalized())) < 1e-3))
-      throw InputError(request.name, "sform", "has axes that are not at right angles (a sheared volume)",
-                       "Resample the volume to a rectangular grid");
-  }
-  const Eigen::Vector3d far(header.at<std::int16_t>(42) - 1.0, header.at<std::int16_t>(44) - 1.0,
-                            header.at<std::int16_t>(46) - 1.0);
-  const double spacing = std::min({s.col(0).norm(), s.col(1).norm(), s.col(2).norm()});
+  claim = placed(request, s, claim);
+  for (int axis = 0; axis < 3; ++axis)
+    if (const double said = header.number(80 + 4 * axis);
+        std::abs(said - claim.spacing_mm[axis]) > 0.01 * said)
+      refuse(request, "pixdim[" + std::to_string(axis + 1) + "]",
+             "says " + std::to_string(said) + " mm from voxel to voxel, and the sform " +
+                 std::to_string(claim.spacing_mm[axis]),
+             "Find out which is right and write the file anew with that one");
+  const Eigen::Vector3d far = (claim.size - Eigen::Vector3i::Ones()).cast<double>();
+  const double spacing = claim.spacing_mm.minCoeff();
   double worst = 0.0;
   for (int corner = 0; corner < 8; ++corner) {
     const Eigen::Vector3d index =
@@ -121,6 +207,7 @@ void check_nifti_header(const Request& request) {
     throw InputError(request.name, "sform, qform",
                      "place the volume differently, by up to " + std::to_string(worst) + " mm",
                      "Find out which is right and write the file anew with that one");
+  return claim;
 }
 
 }  // namespace glisson::reader

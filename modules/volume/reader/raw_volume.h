@@ -38,14 +38,6 @@ std::vector<DicomSeries> list_dicom_folder(const Request& request);
 RawVolume read_itk_file(const Request& request);
 RawVolume read_vti_file(const Request& request);
 
-/// Refuses what ITK reads without a word: two orientations that disagree, none at all, shear, a file that
-/// ends early.
-void check_nifti_header(const Request& request);
-
-/// Refuses a MetaImage that holds less than `bytes` of voxels (or than its compressed size): the library
-/// fills it up with zeros.
-void check_meta_complete(const Request& request, std::uintmax_t bytes);
-
 /// Builds the grid. @throws InputError zero or absurd size or spacing, shear, not finite.
 VolumeGrid checked_grid(const Request& request, const Eigen::Vector3i& size,
                         const Eigen::Vector3d& spacing_mm, const Eigen::Vector3d& origin_mm,

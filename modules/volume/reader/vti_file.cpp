@@ -9,8 +9,10 @@
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkXMLImageDataReader.h>
 
+#include <fstream>
+
+#include "claim.h"
 #include "glisson/core/error.h"
-#include "raw_volume.h"
 
 namespace glisson::reader {
 namespace {
@@ -31,6 +33,28 @@ vtkDataArray* scalars_of(const Request& request, vtkImageData& image) {
                    "Write one scalar array on the points");
 }
 
+/// VTK takes 1 mm and the origin where the file does not say.
+void check_attributes(const Request& request) {
+  std::ifstream stream(request.path, std::ios::binary);
+  std::string head(1U << 16, '\0');
+  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(stream.gcount()));
+  const std::size_t begin = head.find("<ImageData"), end = head.find('>', begin);
+  if (begin == std::string::npos || end == std::string::npos)
+    throw InputError(request.name, "ImageData", "is missing", "Export it again");
+  const std::string element = head.substr(begin, end - begin);
+  for (const char* name : {"WholeExtent", "Origin", "Spacing", "Direction"}) {
+    const std::size_t at = element.find(std::string(name) + "=\"");
+    if (at == std::string::npos && name[0] == 'D') return;  // none: along the patient's axes
+    if (at == std::string::npos) throw InputError(request.name, name, "is missing", "Export it again");
+    const std::size_t first = element.find('"', at) + 1;
+    (void)numbers_in(request, name, element.substr(first, element.find('"', first) - first),
+                     name[0] == 'W'   ? 6
+                     : name[0] == 'D' ? 9
+                                      : 3);
+  }
+}
+
 }  // namespace
 
 RawVolume read_vti_file(const Request& request) {
@@ -39,6 +63,7 @@ RawVolume read_vti_file(const Request& request) {
   reader->AddObserver(vtkCommand::ErrorEvent, watch);
   if (reader->CanReadFile(request.path.c_str()) == 0)
     throw InputError(request.name, "", "is not a VTK image file (.vti)", "Export it again");
+  check_attributes(request);
   reader->SetFileName(request.path.c_str());
   reader->UpdateInformation();
   if (watch->seen) throw InputError(request.name, "", "is damaged", "Export it again");

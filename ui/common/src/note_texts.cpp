@@ -83,6 +83,18 @@ class Notes {
         {"inverted_elements", tr("Some elements of the mesh turned inside out.")},
         {"mechanics_failed", tr("The mechanical computation did not come to an end.")},
         {"simulation_not_converged", tr("The simulation had not come to rest at its last step.")},
+        {"image.small", tr("The volume measures only %1 mm along its shortest side: a liver is larger.")},
+        {"image.large", tr("The volume is %1 mm wide: no scanner is. Check its unit.")},
+        {"image.constant_slices",
+         tr("%1 of %2 slices hold nothing but one value: they may have been lost on the way.")},
+        {"image.repeated_slices",
+         tr("%1 of %2 slices are the one before over again: some may have been lost on the way.")},
+        {"image.zeros", tr("%1 % of the voxels are exactly 0: the volume may be cut off or masked.")},
+        {"image.no_tissue",
+         tr("Only %1 % of the voxels have the Hounsfield units of soft tissue: the volume may not be a CT "
+            "in Hounsfield units.")},
+        {"image.no_air",
+         tr("Hardly a voxel has the Hounsfield units of air: the intercept of the scanner may be lost.")},
         {"case.cloud_lost",
          tr("The case was opened without its cloud of points: reconstruct the surface or import the cloud "
             "again. Saved now, the case loses what is left of it. (%*)")},

@@ -280,8 +280,11 @@ void MainWindow::show_outcome(const engine::Outcome& outcome) {
     saved_ = on_disk->editions;
     show_case();
     if (closes) close();  // and asks again where it has
-    if (!outcome.notes.empty()) show_problem(notes_text(outcome.notes));
   }
+  // Of a case or a volume: what is odd about it is told before work on it begins.
+  const bool brings_image = outcome.traits.writes.has(part::image);
+  if (outcome.status == engine::Status::done && brings_image && !outcome.notes.empty())
+    show_problem(notes_text(outcome.notes));
   if (outcome.status != engine::Status::failed) return;
   // A panel's own button shows its own error; what came from the menu or a drop has no other place.
   if (outcome.traits.notice != engine::Notice::files) return;

@@ -3,6 +3,7 @@
 
 #include "glisson/engine/parts/image.h"
 #include "glisson/volume/io.h"
+#include "glisson/volume/plausibility.h"
 
 namespace glisson::engine {
 
@@ -22,6 +23,7 @@ Cancellable<Applied> ImportImage::apply(const CaseState& state, const RunContext
     applied.figures["image_size_" + axis] = image->grid.size[k];
     applied.figures["image_spacing_" + axis + "_mm"] = image->grid.spacing_mm[k];
   }
+  applied.notes = image_doubts(*image);
   applied.state[part::image] = std::make_shared<const Image>(std::move(*image));
   return applied;
 }
