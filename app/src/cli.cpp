@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <system_error>
 
+#include "glisson/core/output_file.h"
 #include "glisson/ui/common/texts.h"
 
 namespace glisson::app {
@@ -38,15 +39,24 @@ void show_progress(double fraction, const QString& doing) {
   std::fflush(stderr);
 }
 
-/// @throws FileError when no file can be written there.
+/// @throws FileError when no file can be written there. What a killed run left there goes.
 void require_place_for(const fs::path& file) {
-  if (fs::is_directory(file))
-    throw FileError(file.string() + ": is a folder, a file is to be written here. Choose another name.");
-  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-  if (!fs::is_directory(folder))
-    throw FileError(file.string() + ": its folder does not exist. Create it or choose another.");
+  const fs::path place = place_for_file(file);
+  const fs::path folder = place.has_parent_path() ? place.parent_path() : fs::path(".");
   if (::access(folder.c_str(), W_OK) != 0)
     throw FileError(file.string() + ": its folder cannot be written to. Choose another.");
+  sweep_leftovers(folder);
+}
+
+/// Moves what a folder holds to another one, folder by folder: what is there besides stays.
+void merge(const fs::path& from, const fs::path& to) {
+  for (const auto& entry : fs::directory_iterator(from)) {
+    const fs::path target = to / entry.path().filename();
+    if (entry.is_directory() && fs::is_directory(fs::symlink_status(target)))
+      merge(entry.path(), target);
+    else
+      fs::rename(entry.path(), target);
+  }
 }
 
 }  // namespace
@@ -227,37 +237,31 @@ void Session::finish() {
   if (arguments_.has("json")) write_figures(arguments_.path("json"), figures, texts);
 }
 
-OutputFolder::OutputFolder(const fs::path& wanted) : wanted_(fs::absolute(wanted).lexically_normal()) {
-  if (!wanted_.has_filename()) wanted_ = wanted_.parent_path();
-  if (fs::exists(wanted_) && !fs::is_directory(wanted_))
-    throw FileError(wanted_.string() + ": is a file, a folder is needed here. Choose another name.");
-  if (!fs::is_directory(wanted_.parent_path()))
-    throw FileError(wanted_.string() + ": its folder does not exist. Create it or choose another.");
-  working_ =
-      wanted_.parent_path() / ("." + wanted_.filename().string() + ".writing" + std::to_string(::getpid()));
+OutputFolder::OutputFolder(const fs::path& wanted)
+    : told_(wanted), wanted_(end_of_links(fs::absolute(wanted).lexically_normal())) {
+  if (!wanted_.has_filename()) wanted_ = end_of_links(wanted_.parent_path());
   std::error_code failure;
-  fs::create_directory(working_, failure);
-  if (failure) throw FileError(wanted_.string() + ": cannot be written (" + failure.message() + ").");
+  if (fs::exists(wanted_, failure) && !fs::is_directory(wanted_, failure))
+    throw FileError(told_.string() + ": is a file, a folder is needed here. Choose another name.");
+  if (!fs::is_directory(wanted_.parent_path(), failure))
+    throw FileError(told_.string() + ": its folder does not exist. Create it or choose another.");
+  sweep_leftovers(wanted_.parent_path());
+  working_ = std::make_unique<TemporaryFolder>(wanted_.parent_path());
+  fs::create_directory(path(), failure);
+  if (failure) throw FileError(told_.string() + ": cannot be written (" + failure.message() + ").");
 }
 
-OutputFolder::~OutputFolder() {
-  std::error_code ignored;
-  if (!working_.empty()) fs::remove_all(working_, ignored);
-}
+fs::path OutputFolder::path() const { return working_->path() / wanted_.filename(); }
 
 void OutputFolder::commit() {
-  std::error_code failure;
-  if (!fs::exists(wanted_)) {
-    fs::rename(working_, wanted_, failure);
-  } else {
-    for (const auto& entry : fs::directory_iterator(working_)) {
-      const fs::path target = wanted_ / entry.path().filename();
-      if (entry.is_directory()) fs::remove_all(target, failure);
-      if (!failure) fs::rename(entry.path(), target, failure);
-      if (failure) break;
-    }
+  try {
+    if (!fs::exists(wanted_))
+      fs::rename(path(), wanted_);
+    else
+      merge(path(), wanted_);
+  } catch (const fs::filesystem_error& failure) {
+    throw FileError(told_.string() + ": could not be completed (" + failure.code().message() + ").");
   }
-  if (failure) throw FileError(wanted_.string() + ": could not be completed (" + failure.message() + ").");
 }
 
 }  // namespace glisson::app

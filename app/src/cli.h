@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "glisson/core/error.h"
+#include "glisson/core/files.h"
 #include "glisson/core/json_file.h"
 #include "glisson/core/units.h"
 #include "glisson/engine/script.h"
@@ -127,15 +128,13 @@ void provide_runtime_folder();
 class OutputFolder {
  public:
   explicit OutputFolder(const std::filesystem::path& wanted);
-  ~OutputFolder();
-  OutputFolder(const OutputFolder&) = delete;
-  OutputFolder& operator=(const OutputFolder&) = delete;
-  const std::filesystem::path& path() const { return working_; }
-  /// Replaces files of the same name in the wanted folder, leaves others alone.
+  std::filesystem::path path() const;
+  /// Replaces files of the same name in the wanted folder, leaves others alone. Links are written through.
   void commit();
 
  private:
-  std::filesystem::path wanted_, working_;
+  std::filesystem::path told_, wanted_;
+  std::unique_ptr<TemporaryFolder> working_;
 };
 
 }  // namespace glisson::app

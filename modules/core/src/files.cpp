@@ -10,34 +10,12 @@
 #include <fstream>
 #include <iterator>
 #include <system_error>
-#include <vector>
 
 #include "glisson/core/error.h"
+#include "glisson/core/output_file.h"
 
 namespace glisson {
 namespace fs = std::filesystem;
-namespace {
-
-/// Removes the temporary file unless it was renamed.
-struct Leftover {
-  fs::path path;
-  ~Leftover() {
-    std::error_code ignored;
-    if (!path.empty()) fs::remove(path, ignored);
-  }
-};
-
-fs::path beside(const fs::path& path) {
-  // Keeps the extension: many writers choose their format by it.
-  return path.parent_path() /
-         ("." + path.stem().string() + ".writing" + std::to_string(::getpid()) + path.extension().string());
-}
-
-fs::path folder_of(const fs::path& path) {
-  return path.has_parent_path() ? path.parent_path() : fs::path(".");
-}
-
-}  // namespace
 
 std::string lower_case(std::string text) {
   for (char& c : text)
@@ -73,46 +51,48 @@ void flush_to_disk(const fs::path& path) {
 
 void write_file_atomically(const fs::path& path, const std::function<void(const fs::path&)>& write,
                            const std::function<void(const fs::path&)>& verify) {
+  OutputFile file(path);
+  write(file.path());
   std::error_code failure;
-  if (!fs::is_directory(folder_of(path), failure))
-    throw FileError(path.string() + ": its folder does not exist. Create it or choose another.");
-  Leftover temporary{beside(path)};
-  write(temporary.path);
-  if (!fs::exists(temporary.path, failure))
+  if (fs::file_size(file.path(), failure) == 0 || failure)
     throw FileError(path.string() + ": could not be written. Check permissions and space.");
-  flush_to_disk(temporary.path);
-  verify(temporary.path);
-  fs::rename(temporary.path, path, failure);
-  if (failure) throw FileError(path.string() + ": could not be replaced (" + failure.message() + ").");
-  temporary.path.clear();
-  flush_to_disk(folder_of(path));
+  flush_to_disk(file.path());
+  verify(file.path());
+  file.commit();
 }
 
 void write_file_atomically(const fs::path& path, const std::string& content) {
-  write_file_atomically(
-      path,
-      [&](const fs::path& to) {
-        std::ofstream stream(to, std::ios::binary | std::ios::trunc);
-        stream.write(content.data(), static_cast<std::streamsize>(content.size()));
-        stream.close();
-        if (!stream)
-          throw FileError(path.string() + ": could not be written. Check permissions and free space.");
-      },
-      [&](const fs::path& written) {
-        if (read_file(written) != content)
-          throw FileError(path.string() + ": what was written reads back differently. Check the disk.");
-      });
+  OutputFile file(path);
+  file.write(content);
+  flush_to_disk(file.path());
+  if (read_file(file.path()) != content)
+    throw FileError(path.string() + ": what was written reads back differently. Check the disk.");
+  file.commit();
+}
+
+fs::path work_folder() {
+  const auto named = [](const char* variable) {
+    const char* value = std::getenv(variable);
+    return fs::path(value == nullptr ? "" : value);
+  };
+  std::error_code failure;
+  const fs::path shared = fs::temp_directory_path(failure);
+  if (!named("TMPDIR").empty() && !failure) return shared;
+  const fs::path home = named("HOME"), cache = named("XDG_CACHE_HOME");
+  const fs::path root = cache.is_absolute() ? cache : home / ".cache";
+  if (!root.is_absolute()) return shared;
+  const fs::path folder = root / "glisson" / "work";
+  fs::create_directories(folder, failure);
+  if (!failure) fs::permissions(folder, fs::perms::owner_all, failure);
+  return failure || ::access(folder.c_str(), W_OK) != 0 ? shared : folder;
 }
 
 TemporaryFolder::TemporaryFolder(const fs::path& beside_folder) {
-  const fs::path base = beside_folder.empty() ? fs::temp_directory_path() : beside_folder;
-  std::string pattern = (base / ".glisson-XXXXXX").string();
-  std::vector<char> buffer(pattern.begin(), pattern.end());
-  buffer.push_back('\0');
-  if (::mkdtemp(buffer.data()) == nullptr)
+  const fs::path base = beside_folder.empty() ? work_folder() : beside_folder;
+  path_ = Claim::make_folder(base, claim_);
+  if (path_.empty())
     throw FileError(base.string() + ": no folder can be made here (" + std::strerror(errno) +
                     "). Check permissions.");
-  path_ = buffer.data();
 }
 
 TemporaryFolder::~TemporaryFolder() {

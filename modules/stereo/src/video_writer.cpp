@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <unistd.h>
-
 #include <cmath>
 #include <opencv2/videoio.hpp>
-#include <system_error>
+#include <optional>
 
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
+#include "glisson/core/output_file.h"
 #include "glisson/stereo/picture_io.h"
 #include "picture_cv.h"
 #include "streams.h"
@@ -15,20 +14,18 @@ namespace glisson::stereo {
 namespace fs = std::filesystem;
 
 struct VideoWriter::Impl {
-  fs::path path, temporary;
+  fs::path path;
+  std::optional<OutputFile> file;  ///< on its way; without close() nothing remains of it
   int width = 0, height = 0, written = 0;
   cv::VideoWriter writer;
   bool open = false;
 
   ~Impl() {
-    if (!open) return;
-    writer.release();
-    std::error_code ignored;
-    fs::remove(temporary, ignored);
+    if (open) writer.release();
   }
 
   void verify() const {
-    FileStream stream(temporary);
+    FileStream stream(file->path());
     const int frames = stream.count_frames();
     if (frames != written || stream.width != width || stream.height != height)
       throw FileError(path.string() + ": " + std::to_string(frames) + " of " + std::to_string(written) +
@@ -44,16 +41,12 @@ VideoWriter::VideoWriter(const fs::path& path, int width, int height, double fra
   if (path.extension() != ".mkv")
     throw InputError(path.string(), "", "is not a name for a recording",
                      "Use .mkv: a recording that is cut off can still be read there");
-  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-  std::error_code failure;
-  if (!fs::is_directory(folder, failure))
-    throw FileError(path.string() + ": its folder does not exist. Create it or choose another.");
   impl_->path = path;
-  impl_->temporary = folder / ("." + path.stem().string() + ".writing" + std::to_string(::getpid()) + ".mkv");
+  impl_->file.emplace(path);
   impl_->width = width;
   impl_->height = height;
   try {
-    impl_->open = impl_->writer.open(impl_->temporary.string(), cv::CAP_FFMPEG,
+    impl_->open = impl_->writer.open(impl_->file->path().string(), cv::CAP_FFMPEG,
                                      cv::VideoWriter::fourcc('m', 'p', '4', 'v'), frames_per_second,
                                      cv::Size(width, height), true);
   } catch (const cv::Exception&) {
@@ -76,13 +69,10 @@ void VideoWriter::write(const Picture& picture) {
 void VideoWriter::close() {
   require(impl_->open, "a video is closed once");
   impl_->writer.release();
-  flush_to_disk(impl_->temporary);
+  flush_to_disk(impl_->file->path());
   impl_->verify();
-  std::error_code failure;
-  fs::rename(impl_->temporary, impl_->path, failure);
-  if (failure) throw FileError(impl_->path.string() + ": could not be replaced (" + failure.message() + ").");
+  impl_->file->commit();
   impl_->open = false;
-  flush_to_disk(impl_->path.has_parent_path() ? impl_->path.parent_path() : fs::path("."));
 }
 
 }  // namespace glisson::stereo

@@ -5,6 +5,8 @@
 #include <functional>
 #include <string>
 
+#include "glisson/core/claim.h"
+
 namespace glisson {
 
 /// ASCII letters in lower case; the rest as it is, whatever the locale.
@@ -17,8 +19,8 @@ std::string lower_extension(const std::filesystem::path& path);
 std::string read_file(const std::filesystem::path& path);
 
 /// Writes a file so that, whatever happens (kill, full disk), the path holds the old content or all of the
-/// new: writes beside it, flushes to disk, reads back and compares, then renames. @throws FileError; nothing
-/// is left behind then.
+/// new: writes beside it (see OutputFile), flushes to disk, reads back and compares, then renames. Links are
+/// written through, devices refused. @throws FileError; nothing is left behind then.
 void write_file_atomically(const std::filesystem::path& path, const std::string& content);
 
 /// The same for writers that insist on a path of their own (VTK, ITK, OpenCV, which report success on a full
@@ -32,10 +34,16 @@ void write_file_atomically(const std::filesystem::path& path,
 /// Flushes a file or a folder's entries to disk. @throws FileError.
 void flush_to_disk(const std::filesystem::path& path);
 
-/// A new folder that goes away with the object. For work in progress and for tests.
+/// Where folders for work in progress are made: TMPDIR where it is set, else below the user's cache, where no
+/// other may look: what is unpacked there is a patient's. The system's shared one only where there is no
+/// home.
+std::filesystem::path work_folder();
+
+/// A new folder (0700) that goes away with the object. For work in progress and for tests. Killed programs
+/// leave theirs; sweep_leftovers() knows them.
 class TemporaryFolder {
  public:
-  /// @param beside the folder in which to make it; empty: the system's.
+  /// @param beside the folder in which to make it; empty: work_folder().
   explicit TemporaryFolder(const std::filesystem::path& beside = {});
   ~TemporaryFolder();
   TemporaryFolder(const TemporaryFolder&) = delete;
@@ -44,6 +52,7 @@ class TemporaryFolder {
 
  private:
   std::filesystem::path path_;
+  Claim claim_;
 };
 
 }  // namespace glisson
