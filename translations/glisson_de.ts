@@ -624,6 +624,22 @@
         <source>Hardly a voxel has the Hounsfield units of air: the intercept of the scanner may be lost.</source>
         <translation>Kaum ein Voxel hat die Hounsfield-Werte von Luft: Der Achsenabschnitt (Intercept) des Scanners ist vielleicht verloren.</translation>
     </message>
+    <message>
+        <source>The case is open for writing by %*. It was opened for reading here: saved now, it needs another name.</source>
+        <translation>Der Fall ist zum Schreiben geöffnet von %*. Hier wurde er zum Lesen geöffnet: Zum Speichern braucht er einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>The folder around the case cannot be written to. It was opened for reading: save it elsewhere.</source>
+        <translation>In den Ordner um den Fall kann nicht geschrieben werden. Er wurde zum Lesen geöffnet: Speichern Sie ihn anderswo.</translation>
+    </message>
+    <message>
+        <source>Others have saved this case since it was opened here. Theirs stays as it is; yours was saved as %*. Compare the two.</source>
+        <translation>Andere haben diesen Fall gespeichert, seit er hier geöffnet wurde. Ihrer bleibt, wie er ist; der Ihre wurde gespeichert als %*. Vergleichen Sie die beiden.</translation>
+    </message>
+    <message>
+        <source>A file of the case was changed by another program since it was saved. What it held is kept as %*.</source>
+        <translation>Eine Datei des Falls wurde seit dem Speichern von einem anderen Programm geändert. Ihr Inhalt ist aufbewahrt als %*.</translation>
+    </message>
 </context>
 <context>
     <name>Obstacles</name>
@@ -1536,10 +1552,6 @@
         <translation>Das registrierte Netz (.vtu), oder die Oberfläche (.vtp), wenn eine gegeben war.</translation>
     </message>
     <message>
-        <source>Follows a stereo video, or a series of clouds, from a registered start. Every frame is processed; one mesh a frame is written, numbered like its input.</source>
-        <translation>Folgt einem Stereovideo oder einer Reihe von Punktwolken von einem registrierten Start aus. Jedes Bild wird verarbeitet; je Bild wird ein Netz geschrieben, nummeriert wie die Eingabe.</translation>
-    </message>
-    <message>
         <source>What &apos;glisson register&apos; wrote for this model and the first frame.</source>
         <translation>Was &apos;glisson register&apos; für dieses Modell und das erste Bild geschrieben hat.</translation>
     </message>
@@ -2082,6 +2094,22 @@
     <message>
         <source>How the shape is found: forces (few contact forces on the surface, elastic law by evidence), springs (the paper&apos;s) or automatic (forces for a bare mesh with --fixed, springs otherwise).</source>
         <translation>Wie die Form gefunden wird: forces (wenige Kontaktkräfte an der Oberfläche, elastisches Gesetz nach Evidenz), springs (wie im Artikel) oder automatic (forces für ein bloßes Netz mit --fixed, sonst springs).</translation>
+    </message>
+    <message>
+        <source>cancelled; nothing was written.</source>
+        <translation>abgebrochen; nichts wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>cancelled; %1 holds what was finished (%2), marked as incomplete.</source>
+        <translation>abgebrochen; was fertig war (%2), liegt in %1, als unvollständig gekennzeichnet.</translation>
+    </message>
+    <message>
+        <source>This was cut short: what is here is not all.</source>
+        <translation>Dies wurde abgebrochen: Was hier liegt, ist nicht alles.</translation>
+    </message>
+    <message>
+        <source>Follows a stereo video, or a series of clouds, from a registered start. Every frame is processed; one mesh a frame is written, numbered like its input, and a line of frames.jsonl with the level, the reason and the pose. What Ctrl-C cuts short is kept and marked INCOMPLETE.</source>
+        <translation>Verfolgt ein Stereovideo oder eine Reihe von Punktwolken ab einem registrierten Anfang. Jedes Bild wird verarbeitet; je Bild wird ein Netz geschrieben, nummeriert wie seine Eingabe, und eine Zeile von frames.jsonl mit Stufe, Grund und Lage. Was Strg-C abbricht, wird behalten und mit INCOMPLETE gekennzeichnet.</translation>
     </message>
 </context>
 <context>

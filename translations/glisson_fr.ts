@@ -606,7 +606,7 @@
     </message>
     <message>
         <source>%1 of %2 slices hold nothing but one value: they may have been lost on the way.</source>
-        <translation>%1 coupes sur %2 ne contiennent qu'une seule valeur : elles ont peut-être été perdues en route.</translation>
+        <translation>%1 coupes sur %2 ne contiennent qu&apos;une seule valeur : elles ont peut-être été perdues en route.</translation>
     </message>
     <message>
         <source>%1 of %2 slices are the one before over again: some may have been lost on the way.</source>
@@ -618,11 +618,27 @@
     </message>
     <message>
         <source>Only %1 % of the voxels have the Hounsfield units of soft tissue: the volume may not be a CT in Hounsfield units.</source>
-        <translation>Seuls %1 % des voxels ont les unités Hounsfield de tissus mous : le volume n'est peut-être pas un scanner en unités Hounsfield.</translation>
+        <translation>Seuls %1 % des voxels ont les unités Hounsfield de tissus mous : le volume n&apos;est peut-être pas un scanner en unités Hounsfield.</translation>
     </message>
     <message>
         <source>Hardly a voxel has the Hounsfield units of air: the intercept of the scanner may be lost.</source>
-        <translation>Presque aucun voxel n'a les unités Hounsfield de l'air : l'ordonnée à l'origine (intercept) du scanner est peut-être perdue.</translation>
+        <translation>Presque aucun voxel n&apos;a les unités Hounsfield de l&apos;air : l&apos;ordonnée à l&apos;origine (intercept) du scanner est peut-être perdue.</translation>
+    </message>
+    <message>
+        <source>The case is open for writing by %*. It was opened for reading here: saved now, it needs another name.</source>
+        <translation>Le cas est ouvert en écriture par %*. Il a été ouvert ici en lecture : pour l’enregistrer, il faut un autre nom.</translation>
+    </message>
+    <message>
+        <source>The folder around the case cannot be written to. It was opened for reading: save it elsewhere.</source>
+        <translation>Le dossier qui contient le cas n’est pas accessible en écriture. Il a été ouvert en lecture : enregistrez-le ailleurs.</translation>
+    </message>
+    <message>
+        <source>Others have saved this case since it was opened here. Theirs stays as it is; yours was saved as %*. Compare the two.</source>
+        <translation>D’autres ont enregistré ce cas depuis qu’il a été ouvert ici. Le leur reste tel quel ; le vôtre a été enregistré sous %*. Comparez les deux.</translation>
+    </message>
+    <message>
+        <source>A file of the case was changed by another program since it was saved. What it held is kept as %*.</source>
+        <translation>Un fichier du cas a été modifié par un autre programme depuis son enregistrement. Son contenu est conservé sous %*.</translation>
     </message>
 </context>
 <context>
@@ -1536,10 +1552,6 @@
         <translation>Le maillage recalé (.vtu), ou la surface (.vtp) si une surface a été donnée.</translation>
     </message>
     <message>
-        <source>Follows a stereo video, or a series of clouds, from a registered start. Every frame is processed; one mesh a frame is written, numbered like its input.</source>
-        <translation>Suit une vidéo stéréo, ou une série de nuages, depuis un départ recalé. Chaque image est traitée&#xa0;; un maillage par image est écrit, numéroté comme son entrée.</translation>
-    </message>
-    <message>
         <source>What &apos;glisson register&apos; wrote for this model and the first frame.</source>
         <translation>Ce que &apos;glisson register&apos; a écrit pour ce modèle et la première image.</translation>
     </message>
@@ -2082,6 +2094,22 @@
     <message>
         <source>How the shape is found: forces (few contact forces on the surface, elastic law by evidence), springs (the paper&apos;s) or automatic (forces for a bare mesh with --fixed, springs otherwise).</source>
         <translation>Comment la forme est trouvée : forces (quelques forces de contact sur la surface, loi élastique par évidence), springs (celle de l’article) ou automatic (forces pour un maillage nu avec --fixed, sinon springs).</translation>
+    </message>
+    <message>
+        <source>cancelled; nothing was written.</source>
+        <translation>annulé ; rien n’a été écrit.</translation>
+    </message>
+    <message>
+        <source>cancelled; %1 holds what was finished (%2), marked as incomplete.</source>
+        <translation>annulé ; %1 contient ce qui était terminé (%2), marqué comme incomplet.</translation>
+    </message>
+    <message>
+        <source>This was cut short: what is here is not all.</source>
+        <translation>Ceci a été interrompu : ce qui se trouve ici n’est pas tout.</translation>
+    </message>
+    <message>
+        <source>Follows a stereo video, or a series of clouds, from a registered start. Every frame is processed; one mesh a frame is written, numbered like its input, and a line of frames.jsonl with the level, the reason and the pose. What Ctrl-C cuts short is kept and marked INCOMPLETE.</source>
+        <translation>Suit une vidéo stéréo, ou une série de nuages, depuis un départ recalé. Chaque image est traitée ; un maillage par image est écrit, numéroté comme son entrée, et une ligne de frames.jsonl avec le niveau, la raison et la pose. Ce que Ctrl-C interrompt est conservé et marqué INCOMPLETE.</translation>
     </message>
 </context>
 <context>

@@ -11,12 +11,19 @@ void declare_case(Arguments& arguments) {
 }
 
 void open_case(const Arguments& arguments, Session& session) {
-  session.post(engine::OpenCase{arguments.required_path("case")});
+  session.call("case", arguments.required_path("case").string());
+  session.post(engine::OpenCase{arguments.required_path("case"), engine::OpenCase::Access::write});
 }
 
 void save_case(const Arguments& arguments, Session& session) {
-  session.post(engine::SaveCase{arguments.required_path("case")});
-  session.texts["case"] = arguments.path("case").string();
+  const std::filesystem::path wanted = arguments.required_path("case");
+  session.post(engine::SaveCase{wanted});
+  const std::filesystem::path& saved = session.state().path;
+  if (saved != wanted)
+    throw FileError(wanted.string() +
+                    ": others have saved it meanwhile. It stays as they left it; this run's is " +
+                    saved.string() + ". Compare the two.");
+  session.texts["case"] = wanted.string();
 }
 
 /// What the option's file says that foreign codes mean; nothing without the option.

@@ -13,7 +13,9 @@
 #include <cstdio>
 #include <system_error>
 
+#include "exit_code.h"
 #include "glisson/core/output_file.h"
+#include "glisson/engine/case_io.h"
 #include "glisson/ui/common/texts.h"
 
 namespace glisson::app {
@@ -27,7 +29,11 @@ const std::shared_ptr<CancelFlag>& interrupt_flag() {
   static const auto kFlag = std::make_shared<CancelFlag>();
   return kFlag;
 }
-void on_interrupt(int) { interrupt_flag()->request(); }
+void on_interrupt(int) {
+  // Whoever asks again does not want to wait: what is half written is swept at the next start.
+  if (interrupt_flag()->requested()) ::_exit(kCancelled);
+  interrupt_flag()->request();
+}
 
 void clear_progress() {
   if (on_terminal()) std::fputs("\r\033[K", stderr);
@@ -48,11 +54,16 @@ void require_place_for(const fs::path& file) {
   sweep_leftovers(folder);
 }
 
-/// Moves what a folder holds to another one, folder by folder: what is there besides stays.
+bool is_case(const fs::path& folder) { return fs::exists(folder / "case.json"); }
+
+/// Moves what a folder holds to another one, folder by folder: what is there besides stays. A case is
+/// replaced whole.
 void merge(const fs::path& from, const fs::path& to) {
   for (const auto& entry : fs::directory_iterator(from)) {
     const fs::path target = to / entry.path().filename();
-    if (entry.is_directory() && fs::is_directory(fs::symlink_status(target)))
+    if (is_case(entry.path()) && is_case(target))
+      engine::put_case(entry.path(), target);
+    else if (entry.is_directory() && fs::is_directory(fs::symlink_status(target)))
       merge(entry.path(), target);
     else
       fs::rename(entry.path(), target);
@@ -67,6 +78,22 @@ void catch_interrupts() {
   action.sa_handler = on_interrupt;
   ::sigaction(SIGINT, &action, nullptr);
   ::sigaction(SIGTERM, &action, nullptr);
+}
+
+bool until_interrupted(const std::function<void()>& work) {
+  try {
+    work();
+    return true;
+  } catch (const Interrupted&) {
+    return false;
+  }
+}
+
+QString kept_text(int finished, const fs::path& where) {
+  if (finished == 0) return Cli::tr("cancelled; nothing was written.");
+  return Cli::tr("cancelled; %1 holds what was finished (%2), marked as incomplete.")
+      .arg(QString::fromStdString(where.string()))
+      .arg(finished);
 }
 
 void say(const QString& line) {
@@ -208,13 +235,27 @@ Session::Session(const Arguments& arguments)
 
 engine::Outcome Session::post(engine::Command command) {
   command_ = command.code();
-  auto outcome = script_.run(std::move(command));
+  std::optional<engine::Outcome> outcome;
+  with_names([&] { outcome = script_.run(std::move(command)); });
   if (!outcome) throw Interrupted();
   clear_progress();
   for (const auto& [key, value] : outcome->figures) figures[key] = value;
   figures["seconds_" + outcome->command] = outcome->seconds;
   notes.insert(notes.end(), outcome->notes.begin(), outcome->notes.end());
   return *outcome;
+}
+
+void Session::with_names(const std::function<void()>& work) const {
+  try {
+    work();
+  } catch (const Interrupted&) {
+    throw;
+  } catch (const Error& failure) {
+    const std::string sentence = failure.what();
+    for (const auto& [name, files] : files_of_)
+      if (sentence.starts_with(name + ": ")) throw Error(files + sentence.substr(name.size()));
+    throw;
+  }
 }
 
 OverlayFrame Session::follow(engine::LiveInput input, double fraction) {
@@ -253,8 +294,13 @@ OutputFolder::OutputFolder(const fs::path& wanted)
 
 fs::path OutputFolder::path() const { return working_->path() / wanted_.filename(); }
 
-void OutputFolder::commit() {
+void OutputFolder::commit(bool whole) {
+  constexpr const char* kIncomplete = "INCOMPLETE";
+  if (!whole)
+    write_file_atomically(path() / kIncomplete,
+                          Cli::tr("This was cut short: what is here is not all.").toStdString() + "\n");
   try {
+    if (whole) fs::remove(wanted_ / kIncomplete);
     if (!fs::exists(wanted_))
       fs::rename(path(), wanted_);
     else

@@ -7,6 +7,8 @@
 #include <QStringList>
 #include <chrono>
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -37,8 +39,14 @@ class UsageError : public Error {
 /// The person pressed Ctrl-C; exit code 130.
 class Interrupted : public Error {
  public:
-  Interrupted() : Error("cancelled") {}
+  Interrupted() : Error("cancelled; nothing was written.") {}
+  /// @param kept what is left of the work, in a sentence.
+  explicit Interrupted(const QString& kept) : Error(kept.toStdString()) {}
 };
+/// Does work of which a part is worth keeping. @return false: the person pressed Ctrl-C on the way.
+bool until_interrupted(const std::function<void()>& work);
+/// "cancelled; DIR holds what was finished (12), marked as incomplete."
+QString kept_text(int finished, const std::filesystem::path& where);
 
 /// The arguments of one sub-command. Adds --help, --seed and --json to those that it declares.
 class Arguments {
@@ -91,6 +99,11 @@ class Session {
 
   /// Does a command. @throws Error with the engine's sentence, Interrupted.
   engine::Outcome post(engine::Command command);
+  /// What the person calls what the modules know by another name: their sentences begin with the files then.
+  /// "stereo pair" -> "l.png, r.png".
+  void call(const std::string& name, const std::string& files) { files_of_[name] = files; }
+  /// Does something outside the engine with sentences as post() has them.
+  void with_names(const std::function<void()>& work) const;
   /// Follows one input, however long it takes. `fraction` of all inputs is done with it, for the terminal.
   /// @pre tracking was started. @throws Interrupted.
   OverlayFrame follow(engine::LiveInput input, double fraction);
@@ -107,6 +120,7 @@ class Session {
 
  private:
   const Arguments& arguments_;
+  std::map<std::string, std::string> files_of_;
   std::string command_;  ///< that is running, for the terminal
   RunContext context_;
   engine::Script script_;
@@ -130,7 +144,8 @@ class OutputFolder {
   explicit OutputFolder(const std::filesystem::path& wanted);
   std::filesystem::path path() const;
   /// Replaces files of the same name in the wanted folder, leaves others alone. Links are written through.
-  void commit();
+  /// @param whole false: the work was cut short, which a file INCOMPLETE says until a whole result comes.
+  void commit(bool whole = true);
 
  private:
   std::filesystem::path told_, wanted_;

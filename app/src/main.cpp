@@ -6,11 +6,13 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 #include <optional>
 
 #include "cli.h"
 #include "commands.h"
 #include "exit_code.h"
+#include "glisson/core/file_failure.h"
 #include "glisson/ui/scene/headless_gui.h"
 #include "glisson/ui/shell/language.h"
 
@@ -75,9 +77,12 @@ int main(int argc, char** argv) {
   } catch (const glisson::app::UsageError& failure) {
     std::fprintf(stderr, "glisson: %s\n", failure.what());
     return glisson::app::kUsage;
-  } catch (const glisson::app::Interrupted&) {
-    std::fprintf(stderr, "\nglisson: cancelled; nothing was written.\n");
+  } catch (const glisson::app::Interrupted& stopped) {
+    std::fprintf(stderr, "\nglisson: %s\n", stopped.what());
     return glisson::app::kCancelled;
+  } catch (const std::filesystem::filesystem_error& failure) {
+    std::fprintf(stderr, "glisson: %s\n", glisson::sentence_of(failure).c_str());
+    return glisson::app::kFailed;
   } catch (const std::exception& failure) {
     std::fprintf(stderr, "glisson: %s\n", failure.what());
     return glisson::app::kFailed;

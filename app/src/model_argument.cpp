@@ -40,7 +40,7 @@ ModelArgument load_model(const Arguments& arguments, Session& session) {
   if (is_folder && argument.path.lexically_normal().filename().empty())
     argument.path = argument.path.parent_path();
   if (is_folder && (fs::exists(argument.path / "case.json") || argument.path.extension() == ".glisson")) {
-    session.post(engine::OpenCase{argument.path});
+    session.post(engine::OpenCase{argument.path, engine::OpenCase::Access::read});
     if (!session.state()[part::model])
       throw InputError(argument.path.string(), "model", "the case has none yet",
                        "Run 'glisson model --case CASE' first");
@@ -58,13 +58,13 @@ ModelArgument load_model(const Arguments& arguments, Session& session) {
 }
 
 void write_deformed(const fs::path& path, const ModelArgument& argument, const Session& session,
-                    const Registration& registration) {
+                    const Registration& registration, const NamedArrays& said) {
   const PatientModel& model = session.state()[part::model]->model;
   if (!argument.surface) {
-    engine::write_registration(path, model, registration, argument.unit);
+    engine::write_registration(path, model, registration, argument.unit, said);
     return;
   }
-  registration::write_carried_surface(path, *argument.surface, model, registration, argument.unit);
+  registration::write_carried_surface(path, *argument.surface, model, registration, argument.unit, said);
 }
 
 void declare_materials(Arguments& arguments) {

@@ -6,6 +6,7 @@
 
 #include "cli.h"
 
+#include "glisson/geometry/mesh_io.h"
 #include "glisson/registration/register.h"
 
 /// @file
@@ -27,9 +28,9 @@ void declare_model(Arguments& arguments);
 ModelArgument load_model(const Arguments& arguments, Session& session);
 
 /// Writes the model at `nodes` (camera frame) as what was given: the tetrahedral mesh in its node order, or
-/// the surface deformed; in its unit, with `cloud_from_model` as field data.
+/// the surface deformed; in its unit, with `cloud_from_model` and what else is said of it as field data.
 void write_deformed(const std::filesystem::path& path, const ModelArgument& argument, const Session& session,
-                    const Registration& registration);
+                    const Registration& registration, const NamedArrays& said = {});
 
 /// Declares what the mechanics is made of: --materials, --homogeneous, --young, --poisson.
 void declare_materials(Arguments& arguments);

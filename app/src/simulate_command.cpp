@@ -54,8 +54,11 @@ int run_simulate(const QStringList& given) {
   command.folder = out.path();
   Session session(arguments);
   command.unit = load_model(arguments, session).unit;
-  session.post(command);
-  out.commit();
+  const bool whole = until_interrupted([&] { session.post(command); });
+  int meshes = 0;
+  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(out.path())) ++meshes;
+  if (whole || meshes > 0) out.commit(whole);
+  if (!whole) throw Interrupted(kept_text(meshes, arguments.path("out")));
   session.finish();
   return 0;
 }

@@ -252,15 +252,18 @@ int run_reconstruct(const QStringList& given) {
   const engine::SetCalibration calibration{arguments.required_path("calibration")};
   const engine::LoadStereoPair pair{arguments.required_path("left"), arguments.required_path("right"),
                                     arguments.path("mask")};
+  session.call("stereo pair", pair.left.string() + ", " + pair.right.string());
   // Plain text does not tell the pictures' size: they come first then.
   const bool plain_text = stereo::is_text_calibration(calibration.path);
   if (!plain_text) session.post(calibration);
   session.post(pair);
   if (plain_text) session.post(calibration);
   const engine::StereoInput& input = *session.state()[part::frame];
-  const stereo::PairCheck check =
-      stereo::check_pair(input.frame.left, input.frame.right, *session.state()[part::rig]);
-  stereo::require_sound(check);
+  stereo::PairCheck check;
+  session.with_names([&] {
+    check = stereo::check_pair(input.frame.left, input.frame.right, *session.state()[part::rig]);
+    stereo::require_sound(check);
+  });
   session.figures["pair_matches"] = check.matches;
   session.figures["pair_rows_px"] = check.rows_px;
   if (arguments.has("regions"))

@@ -14,10 +14,10 @@
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/experiments/evaluate.h"
-#include "glisson/experiments/track_evaluation.h"
 #include "glisson/registration/registration_files.h"
 #include "glisson/stereo/picture_io.h"
 #include "model_argument.h"
+#include "track_record.h"
 
 namespace glisson::app {
 namespace fs = std::filesystem;
@@ -58,72 +58,25 @@ std::vector<std::pair<int, fs::path>> expand(const QString& pattern) {
   return files;
 }
 
-QString numbered(const QString& pattern, int number) {
-  static const QRegularExpression kNumber("%0?(\\d*)d");
-  const QRegularExpressionMatch match = kNumber.match(pattern);
-  QString name = pattern;
-  return name.replace(match.capturedStart(), match.capturedLength(),
-                      QString("%1").arg(number, match.captured(1).toInt(), 10, QChar('0')));
-}
-
 int digits_of(const QString& pattern) {
   static const QRegularExpression kNumber("%0?(\\d*)d");
   return kNumber.match(pattern).captured(1).toInt();
 }
 
-/// Where frames, or clouds, are followed and told of: one mesh each, and what the track comes to.
-class TrackRecord {
- public:
-  /// @param digits of the numbers in the meshes' names.
-  TrackRecord(Session& session, const ModelArgument& argument, const Arguments& arguments, fs::path folder,
-              int digits)
-      : session_(session),
-        argument_(argument),
-        arguments_(arguments),
-        folder_(std::move(folder)),
-        digits_(digits),
-        model_(session.state()[part::model]),
-        evaluation_(model_->model, *session.state()[part::registration], 30.0) {}
+void follow_clouds(Session& session, const Arguments& arguments, const ModelArgument& argument,
+                   const std::vector<std::pair<int, fs::path>>& clouds, TrackRecord& record) {
+  const LengthUnit unit = arguments.has("cloud-unit") ? arguments.unit("cloud-unit") : argument.unit;
+  double done = 0.0;
+  for (const auto& [number, path] : clouds)
+    record.add(number, session.follow(engine::IndexedCloud{read_cloud(path, unit), number, number / 30.0},
+                                      ++done / static_cast<double>(clouds.size())));
+}
 
-  void add(int number, const OverlayFrame& overlay) {
-    evaluation_.add(overlay);
-    if (overlay.nodes_in_camera.rows() == 0) return;
-    Registration registration = *session_.state()[part::registration];
-    registration.nodes_in_camera = overlay.nodes_in_camera;
-    const QString name = QString("registered_%1.%2")
-                             .arg(number, digits_, 10, QChar('0'))
-                             .arg(argument_.surface ? "vtp" : "vtu");
-    write_deformed(folder_ / name.toStdString(), argument_, session_, registration);
-    if (arguments_.has("truth")) compare(number, overlay);
-  }
-
-  void finish() {
-    append(session_.figures, evaluation_.times().counts());
-    append(session_.figures, evaluation_.times().percentiles());
-    append(session_.figures, evaluation_.displacement());
-    if (!arguments_.has("truth")) return;
-    append(session_.figures, evaluation_.errors());
-    session_.figures["frames_compared"] = evaluation_.compared();
-  }
-
- private:
-  void compare(int number, const OverlayFrame& overlay) {
-    const fs::path path = numbered(arguments_.value("truth"), number).toStdString();
-    if (!fs::exists(path)) return;  // truth may be given for some frames only
-    const Points truth = experiments::read_true_nodes(path, argument_.unit);
-    const Figures errors = evaluation_.compare(overlay, truth, path.string());
-    const QString frame = QString("frame_%1_tre_volume_mean_mm").arg(number, digits_, 10, QChar('0'));
-    session_.figures[frame.toStdString()] = errors.at("tre_volume_mean_mm");
-  }
-
-  Session& session_;
-  const ModelArgument& argument_;
-  const Arguments& arguments_;
-  fs::path folder_;
-  int digits_;
-  std::shared_ptr<const model::BuiltModel> model_;
-  experiments::TrackEvaluation evaluation_;
-};
+void follow_film(Session& session, const Arguments& arguments, TrackRecord& record) {
+  stereo::StereoVideo video(arguments.path("video"), arguments.path("video-right"));
+  for (StereoFrame frame; video.read(frame);)
+    record.add(frame.index, session.follow(frame, (frame.index + 1.0) / video.frame_count()));
+}
 
 }  // namespace
 
@@ -202,8 +155,9 @@ int run_register(const QStringList& given) {
 int run_track(const QStringList& given) {
   Arguments arguments("track",
                       Cli::tr("Follows a stereo video, or a series of clouds, from a registered start. "
-                              "Every frame is processed; one mesh a "
-                              "frame is written, numbered like its input."));
+                              "Every frame is processed; one mesh a frame is written, numbered like its "
+                              "input, and a line of frames.jsonl with the level, the reason and the pose. "
+                              "What Ctrl-C cuts short is kept and marked INCOMPLETE."));
   declare_model(arguments);
   declare_materials(arguments);
   arguments.option("start", Cli::tr("What 'glisson register' wrote for this model and the first frame."),
@@ -239,30 +193,29 @@ int run_track(const QStringList& given) {
   command.options.materials = command.options.cloud.materials;
   command.options.fixed_nodes = fixed_nodes(arguments, session);
   command.steps_per_cloud = arguments.integer("cloud-steps", 1, 10000);
-  if (arguments.has("clouds")) {
+  const bool from_clouds = arguments.has("clouds");
+  if (from_clouds) {
     command.source = engine::StartTracking::Source::clouds;
-    session.post(command);
-    TrackRecord record(session, argument, arguments, out.path(), digits_of(arguments.value("clouds")));
-    const LengthUnit unit = arguments.has("cloud-unit") ? arguments.unit("cloud-unit") : argument.unit;
-    double done = 0.0;
-    for (const auto& [number, path] : clouds)
-      record.add(number, session.follow(engine::IndexedCloud{read_cloud(path, unit), number, number / 30.0},
-                                        ++done / static_cast<double>(clouds.size())));
-    record.finish();
   } else {
     const fs::path calibration = arguments.required_path("calibration");
     session.post(engine::SetVideo{arguments.path("video"), arguments.path("video-right")});
     session.post(engine::LoadVideoFrame{0, arguments.path("mask")});
     session.post(engine::SetCalibration{calibration});  // last: its size and its crop are the video's
-    session.post(command);
-    TrackRecord record(session, argument, arguments, out.path(), 5);
-    stereo::StereoVideo video(arguments.path("video"), arguments.path("video-right"));
-    for (StereoFrame frame; video.read(frame);)
-      record.add(frame.index, session.follow(frame, (frame.index + 1.0) / video.frame_count()));
-    record.finish();
   }
-  out.commit();
+  session.post(command);
+  constexpr int kVideoDigits = 5;
+  TrackRecord record(session, argument, arguments, out.path(),
+                     from_clouds ? digits_of(arguments.value("clouds")) : kVideoDigits);
+  const bool whole = until_interrupted([&] {
+    if (from_clouds)
+      follow_clouds(session, arguments, argument, clouds, record);
+    else
+      follow_film(session, arguments, record);
+  });
+  record.finish(whole);
+  if (whole || record.frames() > 0) out.commit(whole);
   session.finish();
+  if (!whole) throw Interrupted(kept_text(record.frames(), arguments.path("out")));
   return 0;
 }
 

@@ -4,6 +4,7 @@
 
 #include "cli.h"
 #include "commands.h"
+#include "glisson/core/output_file.h"
 #include "glisson/engine/commands/open_case.h"
 #include "glisson/engine/parts/frame.h"
 #include "glisson/engine/parts/video.h"
@@ -27,7 +28,8 @@ int run_render(const QStringList& given) {
   const std::filesystem::path out = arguments.output_file("out", {".png", ".jpg", ".jpeg"});
   const int wanted = arguments.integer("frame", 0, 10000000);
   Session session(arguments);
-  session.post(engine::OpenCase{arguments.required_path("case")});
+  session.call("case", arguments.required_path("case").string());
+  session.post(engine::OpenCase{arguments.required_path("case"), engine::OpenCase::Access::read});
   Picture picture;
   follow_video(session, {}, wanted, [&](const StereoFrame& frame, const OverlayFrame& overlay) {
     if (frame.index != wanted) return;
@@ -55,26 +57,36 @@ int run_overlay(const QStringList& given) {
   if (!arguments.parse(given)) return 0;
   const std::filesystem::path out = arguments.output_file("out", {".mkv"});
   Session session(arguments);
-  session.post(engine::OpenCase{arguments.required_path("case")});
+  session.call("case", arguments.required_path("case").string());
+  session.post(engine::OpenCase{arguments.required_path("case"), engine::OpenCase::Access::read});
   if (!session.state()[part::video])
     throw InputError(arguments.path("case").string(), "video", "there is none",
                      "Open the operation's stereo video first");
   const double rate =
       stereo::StereoVideo(session.state()[part::video]->left, session.state()[part::video]->right)
           .frames_per_second();
-  OverlayRecorder recorder(session.state(), out, rate);
+  // Under another name until it is whole: a recording that is cut short is kept there.
+  const std::filesystem::path unfinished =
+      out.parent_path() / (out.stem().string() + ".incomplete" + out.extension().string());
+  OverlayRecorder recorder(session.state(), unfinished, rate);
   const int first = session.state()[part::frame] ? session.state()[part::frame]->frame.index : 0;
   const int last = arguments.has("frames") ? first + arguments.integer("frames", 1, 10000000) - 1 : -1;
   experiments::FrameTimes times(rate);
   double drawing = 0.0;
-  follow_video(session, {}, last, [&](const StereoFrame& frame, const OverlayFrame& overlay) {
-    drawing += recorder.add(frame, overlay);
-    times.add(overlay);
+  const bool whole = until_interrupted([&] {
+    follow_video(session, {}, last, [&](const StereoFrame& frame, const OverlayFrame& overlay) {
+      drawing += recorder.add(frame, overlay);
+      times.add(overlay);
+    });
   });
+  if (!whole && times.frames() == 0) throw Interrupted();
   recorder.close();
+  if (whole) std::filesystem::rename(unfinished, place_for_file(out));
+  session.figures["complete"] = whole ? 1.0 : 0.0;
   session.figures.merge(times.counts());
   session.figures["draw_mean_ms"] = drawing / std::max(1, times.frames());
   session.finish();
+  if (!whole) throw Interrupted(kept_text(times.frames(), unfinished));
   return 0;
 }
 

@@ -99,6 +99,14 @@ class Program {
     if (process->processId() > 0) ::kill(static_cast<pid_t>(process->processId()), SIGINT);
     return end_of(*process);
   }
+  /// The person presses Ctrl-C when something has happened.
+  Ran interrupted_when(const QStringList& arguments, const std::function<bool()>& happened) const {
+    const auto process = start(arguments, QStringLiteral("C.UTF-8"));
+    if (!process->waitForStarted()) return {};
+    while (process->state() == QProcess::Running && !happened()) process->waitForFinished(1);
+    if (process->processId() > 0) ::kill(static_cast<pid_t>(process->processId()), SIGINT);
+    return end_of(*process);
+  }
   QJsonObject figures(const char* name) const {
     return QJsonDocument::fromJson(QByteArray::fromStdString(read_file(at(name)))).object();
   }

@@ -17,6 +17,7 @@
 #include "glisson/engine/parts/cloud.h"
 #include "glisson/engine/parts/frame.h"
 #include "glisson/engine/parts/image.h"
+#include "glisson/engine/parts/keeping.h"
 #include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/live.h"
@@ -60,6 +61,7 @@ void CaseStateTest::EveryPartCanBeTakenAndTold() {
   full[part::cloud] = std::make_shared<LabelledCloud>();
   full[part::registration] = std::make_shared<Registration>();
   full[part::live] = std::make_shared<LiveState>();
+  full[part::keeping] = std::make_shared<Keeping>();
   std::set<std::string_view> codes;
   for (const Part part : all_parts()) {
     QVERIFY2(full.has(part), std::string(part.code()).c_str());

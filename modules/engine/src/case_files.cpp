@@ -225,8 +225,9 @@ void read_report(const NamedArrays& fields, Registration& registration) {
 }  // namespace
 
 void write_registration(const fs::path& path, const PatientModel& model, const Registration& registration,
-                        LengthUnit unit) {
+                        LengthUnit unit, const NamedArrays& said) {
   TetFile file;
+  file.field_data = said;
   file.mesh = model.mesh;
   file.mesh.vertices = registration.nodes_in_camera;
   Eigen::Matrix4d matrix = registration.camera_from_ct.matrix();

@@ -8,12 +8,16 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "case_manifest.h"
+#include "glisson/core/claim.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/core/json_file.h"
+#include "glisson/engine/case_lock.h"
 
 namespace glisson::engine {
 namespace fs = std::filesystem;
@@ -75,8 +79,12 @@ void verify(const fs::path& folder, const CaseState& state) {
                     "the old case stands.");
 }
 
+/// What is not the case's may be a pipe that nobody reads.
 void flush_tree(const fs::path& folder) {
-  for (const auto& entry : fs::recursive_directory_iterator(folder)) flush_to_disk(entry.path());
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    const fs::file_status status = entry.symlink_status();
+    if (fs::is_regular_file(status) || fs::is_directory(status)) flush_to_disk(entry.path());
+  }
   flush_to_disk(folder);
 }
 
@@ -105,9 +113,30 @@ void exchange(const fs::path& fresh, const fs::path& path) {
 
 }  // namespace
 
-bool save_case(const fs::path& given, const CaseState& state, const RunContext& context) {
-  fs::path path = fs::absolute(given).lexically_normal();
-  if (!path.has_filename()) path = path.parent_path();
+std::string edition_on_disk(const fs::path& folder) {
+  std::error_code ignored;
+  if (!fs::exists(folder / "case.json", ignored)) return {};
+  // FNV-1a, 64 bits: case.json lists every file with its sum.
+  std::uint64_t sum = 14695981039346656037ULL;
+  for (const char byte : read_file(folder / "case.json"))
+    sum = (sum ^ static_cast<unsigned char>(byte)) * 1099511628211ULL;
+  return std::to_string(sum);
+}
+
+std::vector<std::string> put_case(const fs::path& fresh, const fs::path& path) {
+  std::vector<std::string> notes;
+  if (fs::exists(path))
+    for (const std::string& file : carry_over(path, fresh))
+      notes.push_back("case.kept_changed " + (path / file).string());
+  flush_tree(fresh);
+  exchange(fresh, path);
+  flush_to_disk(path.parent_path());
+  return notes;
+}
+
+bool save_case(const fs::path& given, const CaseState& state, const RunContext& context,
+               std::vector<std::string>* notes) {
+  const fs::path path = case_place(given);
   if (path.extension() != ".glisson")
     throw InputError(given.string(), "", "a case is a folder whose name ends in .glisson",
                      "Choose such a name");
@@ -115,26 +144,28 @@ bool save_case(const fs::path& given, const CaseState& state, const RunContext& 
     throw InputError(given.string(), "", "exists and is not a case", "Choose another name");
   if (!fs::is_directory(path.parent_path()))
     throw FileError(given.string() + ": its folder does not exist. Create it or choose another.");
+  sweep_leftovers(path.parent_path());
   const TemporaryFolder temporary(path.parent_path());
   const fs::path fresh = temporary.path() / path.filename();
   fs::create_directory(fresh);
-  const auto document = write_parts({fresh, path, context, nullptr}, state);
+  if (fs::exists(path)) fs::permissions(fresh, fs::status(path).permissions());
+  auto document = write_parts({fresh, path, context, nullptr}, state);
   if (!document) return false;
+  (*document)["files"] = list_files(fresh);
   write_json(fresh / "case.json", *document);
   context.progress(0.85, "case.verify");
   verify(fresh, state);
   if (context.cancelled()) return false;
-  flush_tree(fresh);
-  exchange(fresh, path);
-  flush_to_disk(path.parent_path());
+  const std::vector<std::string> told = put_case(fresh, path);
+  if (notes != nullptr) notes->insert(notes->end(), told.begin(), told.end());
   context.progress(1.0, "case.saved");
   return true;
 }
 
 Cancellable<CaseState> open_case(const fs::path& given, const RunContext& context,
                                  std::vector<std::string>* lost) {
-  fs::path path = fs::absolute(given).lexically_normal();
-  if (!path.has_filename()) path = path.parent_path();
+  fs::path path = case_place(given);
+  sweep_leftovers(path.parent_path());
   if (!fs::exists(path) && fs::exists(former_name(path) / "case.json")) path = former_name(path);
   if (!fs::exists(path)) throw FileError(given.string() + ": does not exist. Check the path.");
   if (!fs::exists(path / "case.json"))

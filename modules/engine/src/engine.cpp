@@ -6,12 +6,14 @@
 #include <condition_variable>
 #include <deque>
 #include <exception>
+#include <filesystem>
 #include <map>
 #include <mutex>
 #include <thread>
 #include <utility>
 
 #include "glisson/core/error.h"
+#include "glisson/core/file_failure.h"
 #include "glisson/engine/obstacle.h"
 #include "glisson/engine/parts/live.h"
 #include "job.h"
@@ -158,6 +160,9 @@ struct Engine::Impl final : LiveLanes {
     } catch (const Error& failure) {
       outcome.status = Status::failed;
       outcome.error = failure.what();
+    } catch (const std::filesystem::filesystem_error& failure) {
+      outcome.status = Status::failed;
+      outcome.error = sentence_of(failure);
     } catch (const std::exception& failure) {
       outcome.status = Status::failed;
       outcome.error =

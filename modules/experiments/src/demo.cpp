@@ -110,7 +110,7 @@ class DemoRun {
       case DemoInput::synthetic:
         return make_synthetic_patient(model_options);
       case DemoInput::open_case:
-        post(engine::OpenCase{options_.patient});
+        post(engine::OpenCase{options_.patient, engine::OpenCase::Access::read});
         if (!state()[part::model]) post(engine::BuildModel{model_options});
         break;
       case DemoInput::labels:

@@ -28,13 +28,14 @@ CameraFromCt read_start(const fs::path& path, LengthUnit unit) {
 }
 
 void write_carried_surface(const fs::path& path, const TriangleMesh& surface, const PatientModel& model,
-                           const Registration& registration, LengthUnit unit) {
+                           const Registration& registration, LengthUnit unit, const NamedArrays& said) {
   TriangleFile file;
   file.mesh = surface;
   file.mesh.vertices =
       bind_points(model.mesh, surface.vertices, false).apply(model.mesh, registration.nodes_in_camera);
   Eigen::Matrix4d matrix = registration.camera_from_ct.matrix();
   matrix.topRightCorner<3, 1>() /= metres_per(unit);
+  file.field_data = said;
   file.field_data["cloud_from_model"] = matrix;
   write_triangle_mesh(path, file, unit);
 }

@@ -95,6 +95,17 @@ class Notes {
             "in Hounsfield units.")},
         {"image.no_air",
          tr("Hardly a voxel has the Hounsfield units of air: the intercept of the scanner may be lost.")},
+        {"case.open_for_reading",
+         tr("The case is open for writing by %*. It was opened for reading here: saved now, it needs another "
+            "name.")},
+        {"case.folder_not_writable", tr("The folder around the case cannot be written to. It was opened for "
+                                        "reading: save it elsewhere.")},
+        {"case.saved_beside",
+         tr("Others have saved this case since it was opened here. Theirs stays as it is; yours was saved as "
+            "%*. Compare the two.")},
+        {"case.kept_changed",
+         tr("A file of the case was changed by another program since it was saved. What it held is kept as "
+            "%*.")},
         {"case.cloud_lost",
          tr("The case was opened without its cloud of points: reconstruct the surface or import the cloud "
             "again. Saved now, the case loses what is left of it. (%*)")},

@@ -281,9 +281,10 @@ void MainWindow::show_outcome(const engine::Outcome& outcome) {
     show_case();
     if (closes) close();  // and asks again where it has
   }
-  // Of a case or a volume: what is odd about it is told before work on it begins.
-  const bool brings_image = outcome.traits.writes.has(part::image);
-  if (outcome.status == engine::Status::done && brings_image && !outcome.notes.empty())
+  // Of a case or a volume: what is odd about it is told before work on it begins; of a save, what it kept.
+  const bool is_told =
+      outcome.traits.writes.has(part::image) || outcome.result.as<engine::CaseOnDisk>() != nullptr;
+  if (outcome.status == engine::Status::done && is_told && !outcome.notes.empty())
     show_problem(notes_text(outcome.notes));
   if (outcome.status != engine::Status::failed) return;
   // A panel's own button shows its own error; what came from the menu or a drop has no other place.

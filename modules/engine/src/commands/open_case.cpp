@@ -1,19 +1,57 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/engine/commands/open_case.h"
 
+#include <utility>
+
 #include "glisson/engine/case_io.h"
+#include "glisson/engine/parts/keeping.h"
 
 namespace glisson::engine {
+
+namespace {
+
+constexpr int kTrials = 3;
+
+/// Reads the case and its edition again where somebody has saved it meanwhile.
+Cancellable<CaseState> read_steadily(const std::filesystem::path& path, Keeping& keeping,
+                                     const RunContext& context, std::vector<std::string>& notes) {
+  for (int trial = 1;; ++trial) {
+    std::vector<std::string> lost;
+    keeping.edition = edition_on_disk(keeping.folder);
+    auto opened = engine::open_case(path, context, &lost);
+    if (opened && trial < kTrials && edition_on_disk(keeping.folder) != keeping.edition) continue;
+    notes.insert(notes.end(), lost.begin(), lost.end());
+    return opened;
+  }
+}
+
+}  // namespace
 
 CommandTraits OpenCase::traits() const {
   return {.code = "open_case", .writes = Parts::all(), .notice = Notice::files};
 }
 
-Cancellable<Applied> OpenCase::apply(const CaseState&, const RunContext& context) const {
+Cancellable<Applied> OpenCase::apply(const CaseState& before, const RunContext& context) const {
   Applied applied;
-  auto opened = engine::open_case(path, context, &applied.notes);
+  auto keeping = std::make_shared<Keeping>();
+  keeping->folder = case_place(path);
+  if (access != Access::read) {
+    // The case that is open may be opened again.
+    const auto& kept = before[part::keeping];
+    if (kept && kept->lock && kept->folder == keeping->folder)
+      keeping->lock = kept->lock;
+    else if (std::filesystem::exists(keeping->folder))
+      keeping->lock = CaseLock::take(keeping->folder, keeping->writer);
+    if (keeping->writer && access == Access::write) throw held_error(path, *keeping->writer);
+    if (keeping->writer)
+      applied.notes.push_back(keeping->writer->host.empty()
+                                  ? "case.folder_not_writable"
+                                  : "case.open_for_reading " + keeping->writer->told());
+  }
+  auto opened = read_steadily(path, *keeping, context, applied.notes);
   if (!opened) return {};
   applied.state = std::move(*opened);
+  applied.state[part::keeping] = keeping;
   applied.keeps_stamps = true;
   applied.result = std::make_shared<const CaseOnDisk>(CaseOnDisk{editions(applied.state)});
   return applied;

@@ -1,13 +1,42 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/engine/commands/save_case.h"
 
+#include <memory>
+#include <optional>
+
 #include "glisson/core/error.h"
 #include "glisson/engine/case_io.h"
+#include "glisson/engine/parts/keeping.h"
 
 namespace glisson::engine {
 
+namespace {
+namespace fs = std::filesystem;
+
+/// "liver (2).glisson" beside "liver.glisson".
+fs::path unused_beside(const fs::path& folder) {
+  for (int number = 2;; ++number) {
+    const fs::path name = folder.parent_path() / (folder.stem().string() + " (" + std::to_string(number) +
+                                                  ")" + folder.extension().string());
+    if (!fs::exists(fs::symlink_status(name))) return name;
+  }
+}
+
+/// The lock of the place: that which is held already, or a new one. @throws InputError who else has it.
+std::shared_ptr<const CaseLock> lock_for(const fs::path& told, const fs::path& folder,
+                                         const Keeping* before) {
+  if (before != nullptr && before->lock && before->folder == folder) return before->lock;
+  std::optional<CaseOwner> owner;
+  auto lock = CaseLock::take(folder, owner);
+  // Where no lock can be written, no case can either: saving says it better.
+  if (!lock && owner && !owner->host.empty()) throw held_error(told, *owner);
+  return lock;
+}
+
+}  // namespace
+
 CommandTraits SaveCase::traits() const {
-  CommandTraits traits{.code = "save_case", .notice = Notice::files};
+  CommandTraits traits{.code = "save_case", .writes = {part::keeping}, .notice = Notice::files};
   // The live view goes on beside it and is not saved.
   for (const Part part : all_parts())
     if (part.type().is_saved()) traits.reads.add(part);
@@ -15,13 +44,28 @@ CommandTraits SaveCase::traits() const {
 }
 
 Cancellable<Applied> SaveCase::apply(const CaseState& state, const RunContext& context) const {
-  const std::filesystem::path place = path.empty() ? state.path : path;
+  fs::path place = path.empty() ? state.path : path;
   if (place.empty())
     throw InputError("case", "path", "the case has never been saved",
                      "Choose a folder NAME.glisson to save it to");
-  if (!engine::save_case(place, state, context)) return {};
   Applied applied{state};
+  const auto before = state[part::keeping];
+  auto keeping = std::make_shared<Keeping>();
+  keeping->folder = case_place(place);
+  keeping->lock = lock_for(place, keeping->folder, before.get());
+  // What was saved by others since is theirs: both are kept.
+  const bool is_newer = before && before->folder == keeping->folder && fs::exists(keeping->folder) &&
+                        edition_on_disk(keeping->folder) != before->edition;
+  if (is_newer) {
+    const fs::path other = unused_beside(keeping->folder);
+    applied.notes.push_back("case.saved_beside " + other.string());
+    place = keeping->folder = other;
+    keeping->lock = lock_for(place, other, nullptr);
+  }
+  if (!engine::save_case(place, state, context, &applied.notes)) return {};
+  keeping->edition = edition_on_disk(keeping->folder);
   applied.state.path = place;
+  applied.state[part::keeping] = keeping;
   applied.result = std::make_shared<const CaseOnDisk>(CaseOnDisk{editions(state)});
   return applied;
 }

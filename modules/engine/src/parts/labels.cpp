@@ -31,7 +31,7 @@ void load(CaseState& state, const json&, const CaseFolder& folder) {
   const auto labels =
       std::make_shared<const LabelMap>(LabelMap{std::move(file.voxels), std::move(file.infos)});
   state[part::labels] = labels;
-  if (fs::exists(folder.path / "history"))
+  if (fs::exists(folder.path / "history/steps.json"))
     state[part::history] = std::make_shared<const editing::History>(
         editing::read_history(folder.path / "history", labels->voxels));
   const auto& image = state[part::image];

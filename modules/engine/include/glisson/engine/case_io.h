@@ -8,6 +8,7 @@
 #include "glisson/core/run_context.h"
 #include "glisson/core/units.h"
 #include "glisson/engine/case_state.h"
+#include "glisson/geometry/mesh_io.h"
 #include "glisson/patient/patient_model.h"
 #include "glisson/patient/registration.h"
 
@@ -18,10 +19,22 @@ inline constexpr int kCaseFormatVersion = 1;
 
 /// Writes a case as a folder NAME.glisson of standard files (see the module's README). Written beside,
 /// flushed, read back and compared, then exchanged in one step: killed at any moment it leaves the old case
-/// or the new one.
+/// or the new one. Files in its folder that are not the case's stay, and what others have changed is kept
+/// under another name; a link to the case stays a link. Does not ask who else has it: see SaveCase.
+/// @param notes takes "case.kept_changed FILE" for each file of the case that others have changed; null:
+/// nobody is told.
 /// @return false when cancelled; the old case stands then.
 /// @throws FileError, InputError (the path does not end in .glisson, or is something else than a case).
-bool save_case(const std::filesystem::path& path, const CaseState& state, const RunContext& context);
+bool save_case(const std::filesystem::path& path, const CaseState& state, const RunContext& context,
+               std::vector<std::string>* notes = nullptr);
+
+/// Puts a case that was written whole in place of another one, in one step; what is not the case's stays.
+/// @param fresh on the same file system. @return notes, as save_case gives them. @throws FileError.
+std::vector<std::string> put_case(const std::filesystem::path& fresh, const std::filesystem::path& path);
+
+/// Which edition of a case stands in its folder: another one after each save that changes anything. Empty:
+/// there is no case. @throws FileError it cannot be read.
+std::string edition_on_disk(const std::filesystem::path& folder);
 
 /// Reads a case, stamps included.
 /// @param lost a cloud, or the points of its stereo pair, that cannot be read can be made again: the case is
@@ -39,8 +52,9 @@ void write_landmarks(const std::filesystem::path& path, const Landmarks& landmar
 /// The registered mesh: node order and units of the model, camera frame, field data `cloud_from_model` (4 x
 /// 4, the rigid part, translation in `unit`), and what the registration says of itself: `residual_mm`,
 /// `seen_share`, `converged`, and `doubt_CODE` for each of its doubts.
+/// @param said more field data.
 void write_registration(const std::filesystem::path& path, const PatientModel& model,
-                        const Registration& registration, LengthUnit unit);
+                        const Registration& registration, LengthUnit unit, const NamedArrays& said = {});
 /// @throws InputError when the mesh is not the model's (another number of nodes or other tetrahedra).
 Registration read_registration(const std::filesystem::path& path, const PatientModel& model, LengthUnit unit);
 

@@ -5,6 +5,7 @@
 
 #include "glisson/core/units.h"
 #include "glisson/geometry/mesh.h"
+#include "glisson/geometry/mesh_io.h"
 #include "glisson/geometry/rigid.h"
 #include "glisson/patient/patient_model.h"
 #include "glisson/patient/registration.h"
@@ -21,9 +22,11 @@ CameraFromCt read_start(const std::filesystem::path& path, LengthUnit unit);
 
 /// A surface of the model, carried by its tetrahedra to where the registration puts them, in its own order
 /// and unit; with `cloud_from_model` (4 x 4, the rigid part) as field data.
+/// @param said more field data.
 /// @param surface where the model is undeformed, metres.
 /// @throws FileError.
 void write_carried_surface(const std::filesystem::path& path, const TriangleMesh& surface,
-                           const PatientModel& model, const Registration& registration, LengthUnit unit);
+                           const PatientModel& model, const Registration& registration, LengthUnit unit,
+                           const NamedArrays& said = {});
 
 }  // namespace glisson::registration

@@ -13,9 +13,15 @@ struct CaseOnDisk {
   Editions editions;
 };
 
+/// Puts another case in place of this one. Open for writing it is held against other programs until it is
+/// closed.
 struct OpenCase {
+  /// `either`: for writing if nobody else has it, otherwise for reading, which the note
+  /// "case.open_for_reading WHO", or "case.folder_not_writable", tells.
+  enum class Access { write, read, either };
   using Result = CaseOnDisk;
   std::filesystem::path path;
+  Access access = Access::either;
 
   CommandTraits traits() const;
   Cancellable<Applied> apply(const CaseState& state, const RunContext& context) const;

@@ -8,7 +8,9 @@
 
 namespace glisson::engine {
 
-/// `path` empty: where the case was opened from or last saved.
+/// `path` empty: where the case was opened from or last saved. A case that another program has open for
+/// writing is left alone, with who has it. Where others have saved since it was opened here, theirs stays and
+/// this one is saved beside, as "NAME (2).glisson", which the note "case.saved_beside FOLDER" tells.
 struct SaveCase {
   using Result = CaseOnDisk;
   std::filesystem::path path;

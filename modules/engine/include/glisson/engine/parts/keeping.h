@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "glisson/core/error.h"
+#include "glisson/engine/case_lock.h"
+#include "glisson/engine/case_state.h"
+
+namespace glisson::engine {
+
+/// How the case that is open stands on the disk: where, in which edition, and who may write it.
+struct Keeping {
+  std::filesystem::path folder;
+  std::string edition;                   ///< that was read or written last; see edition_on_disk
+  std::shared_ptr<const CaseLock> lock;  ///< null: it is open for reading
+  std::optional<CaseOwner> writer;       ///< who else has it, when it is open for reading
+};
+
+namespace part {
+/// Not of the patient: it goes with the state, so that the case is held as long as anybody works on it.
+extern const PartOf<Keeping> keeping;
+}  // namespace part
+
+/// For a person who wants to write what another has open.
+InputError held_error(const std::filesystem::path& path, const CaseOwner& owner);
+
+}  // namespace glisson::engine

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "case_manifest.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <system_error>
+#include <utility>
+
+#include "glisson/core/error.h"
+#include "glisson/core/json_file.h"
+
+namespace glisson::engine {
+namespace fs = std::filesystem;
+using nlohmann::json;
+namespace {
+
+constexpr const char* kCaseFile = "case.json";
+
+/// FNV-1a over words of eight bytes (the last one filled up with zeros) and the size: tells changes from
+/// none, not forgeries. Empty: it cannot be read.
+std::string sum_of(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  std::vector<char> buffer(std::size_t{1} << 20U);
+  std::uint64_t sum = 14695981039346656037ULL, size = 0;
+  const auto add = [&](std::uint64_t word) { sum = (sum ^ word) * 1099511628211ULL; };
+  while (stream) {
+    stream.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
+    const auto got = static_cast<std::size_t>(stream.gcount());
+    std::memset(buffer.data() + got, 0, std::min<std::size_t>(8, buffer.size() - got));
+    for (std::size_t at = 0; at < got; at += 8) {
+      std::uint64_t word = 0;
+      std::memcpy(&word, buffer.data() + at, sizeof word);
+      add(word);
+    }
+    size += got;
+  }
+  if (stream.bad() || !stream.eof()) return {};
+  add(size);
+  std::string text;
+  for (int digit = 0; digit < 16; ++digit, sum >>= 4U) text += "0123456789abcdef"[sum & 15U];
+  return text;
+}
+
+/// Whether a name is one that this or an earlier edition gives to a file of a case.
+bool is_of_layout(const fs::path& relative) {
+  static const std::set<std::string> kTop = {"case.json",        "image.nrrd",     "labels.seg.nrrd",
+                                             "seeds.json",       "landmarks.json", "regions.json",
+                                             "calibration.yaml", "cloud.ply",      "registration.vtu"};
+  static const std::set<std::string> kFolders = {"history", "model", "frame", "points"};
+  static const std::set<std::string> kEndings = {".json", ".nrrd", ".vtu", ".vtp", ".png", ".ply"};
+  const auto parts = std::distance(relative.begin(), relative.end());
+  if (parts == 1) return kTop.contains(relative.string());
+  return parts == 2 && kFolders.contains(relative.begin()->string()) &&
+         kEndings.contains(relative.extension().string());
+}
+
+/// What the former save says that it wrote; null: it was of an edition that said nothing.
+json files_of(const fs::path& former) {
+  try {
+    const json document = read_json(former / kCaseFile);
+    if (document.is_object() && document.contains("files") && document["files"].is_object())
+      return document["files"];
+  } catch (const Error&) {
+  }
+  return nullptr;
+}
+
+fs::path unused_name(const fs::path& wanted) {
+  for (int number = 1;; ++number) {
+    fs::path name = wanted;
+    name += ".kept-" + std::to_string(number);
+    std::error_code ignored;
+    if (!fs::exists(fs::symlink_status(name, ignored))) return name;
+  }
+}
+
+[[noreturn]] void refuse(const fs::path& path, const std::string& reason) {
+  throw FileError(path.string() + ": is no file of the case and could not be kept (" + reason +
+                  "). Move it elsewhere and save again; the old case stands.");
+}
+
+void link_or_copy(const fs::path& from, const fs::path& to) {
+  if (::linkat(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), 0) == 0) return;
+  const std::string reason = std::strerror(errno);
+  std::error_code failure;
+  const fs::file_status status = fs::symlink_status(from, failure);
+  if (fs::is_symlink(status))
+    fs::copy_symlink(from, to, failure);
+  else if (fs::is_regular_file(status))
+    fs::copy_file(from, to, failure);
+  else
+    refuse(from, reason);
+  if (failure) refuse(from, failure.message());
+}
+
+}  // namespace
+
+json list_files(const fs::path& folder) {
+  json files = json::object();
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file())
+      files[entry.path().lexically_relative(folder).string()] = sum_of(entry.path());
+  files.erase(kCaseFile);
+  return files;
+}
+
+std::vector<std::string> carry_over(const fs::path& former, const fs::path& fresh) {
+  const json listed = files_of(former);
+  std::vector<std::string> changed;
+  for (auto entry = fs::recursive_directory_iterator(former); entry != fs::recursive_directory_iterator();
+       ++entry) {
+    const fs::path relative = entry->path().lexically_relative(former), target = fresh / relative;
+    const fs::file_status status = entry->symlink_status();
+    std::error_code failure;
+    if (fs::is_directory(status)) {
+      if (fs::is_empty(entry->path(), failure)) fs::create_directories(target, failure);
+      continue;
+    }
+    const std::string name = relative.string();
+    if (name == kCaseFile || (listed.is_null() && is_of_layout(relative))) continue;
+    const bool was_ours = listed.contains(name);
+    if (was_ours && fs::is_regular_file(status) && listed[name] == sum_of(entry->path())) continue;
+    const bool needs_name =
+        was_ours || is_of_layout(relative) || fs::exists(fs::symlink_status(target, failure));
+    const fs::path kept = needs_name ? unused_name(target) : target;
+    fs::create_directories(kept.parent_path(), failure);
+    link_or_copy(entry->path(), kept);
+    if (needs_name) changed.push_back(kept.lexically_relative(fresh).string());
+  }
+  return changed;
+}
+
+}  // namespace glisson::engine

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+/// @file
+/// What in a case's folder is the case's: its list of files, and what becomes of all others.
+
+namespace glisson::engine {
+
+/// Each file below a folder but case.json, with a sum over what it holds, for case.json's "files".
+nlohmann::json list_files(const std::filesystem::path& folder);
+
+/// What a save would lose: everything in `former` that no save of this case wrote, or that somebody has
+/// changed since. Puts it into `fresh` as well: files by a second name for the same content, so that it costs
+/// no space and nothing is lost when the program is killed. What has a name of the case's is kept as
+/// NAME.kept-1, -2, ...
+/// @return where the changed ones are now, relative to the folder.
+/// @throws FileError what cannot be kept, and why.
+std::vector<std::string> carry_over(const std::filesystem::path& former, const std::filesystem::path& fresh);
+
+}  // namespace glisson::engine

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Saving a case destroys nothing that is not the case's.
+#include <signal.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <QtTest>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "complaint.h"
+#include "glisson/core/error.h"
+#include "glisson/core/files.h"
+#include "glisson/core/json_file.h"
+#include "glisson/engine/case_io.h"
+#include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/seeds.h"
+
+using namespace glisson;
+using namespace glisson::engine;
+namespace fs = std::filesystem;
+
+namespace {
+
+CaseState state_with(double seed, bool has_labels = true) {
+  CaseState state;
+  auto clicked = std::make_shared<segmentation::Seeds>();
+  clicked->liver = Eigen::RowVector3d(seed, 0.0, 0.0);
+  state[part::seeds] = clicked;
+  state.stamp(part::seeds).revision = 1;
+  if (!has_labels) return state;
+  VolumeGrid grid;
+  grid.size = {8, 8, 8};
+  grid.spacing_mm = {1.0, 1.0, 1.0};
+  auto labels = std::make_shared<LabelMap>();
+  labels->voxels = LabelVolume(grid);
+  labels->voxels.set({2, 3, 4}, structure::kParenchyma);
+  state[part::labels] = labels;
+  state.stamp(part::labels).revision = 2;
+  return state;
+}
+
+double seed_on_disk(const fs::path& path) {
+  // To a micrometre, as files keep it.
+  return std::round(1e6 * (*open_case(path, RunContext()))[part::seeds]->liver(0, 0)) / 1e6;
+}
+
+std::set<std::string> names(const fs::path& folder) {
+  std::set<std::string> all;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    all.insert(entry.path().lexically_relative(folder).string());
+  return all;
+}
+
+}  // namespace
+
+class CaseForeignTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void init();
+  void cleanup() { folder_.reset(); }
+  void ForeignFilesStay();
+  void ForeignFilesOfAnOlderEditionStay();
+  void WhatOthersChangedIsKeptBeside();
+  void WhatTheCaseNoLongerHasGoes();
+  void AForeignFileOfOneOfItsNamesIsNotReadAsItsOwn();
+  void ALinkToACaseStaysOne();
+  void PermissionsOfTheCaseStay();
+  void SameContentIsSameBytes();
+  void KilledSavesLeaveNothingAfterTheNextOpening();
+  void CasesInALoopOfLinksAreNamed();
+
+ private:
+  fs::path path() const { return folder_->path() / "a.glisson"; }
+  std::vector<std::string> save(const CaseState& state) const {
+    std::vector<std::string> notes;
+    save_case(path(), state, RunContext(), &notes);
+    return notes;
+  }
+  std::unique_ptr<TemporaryFolder> folder_;
+};
+
+void CaseForeignTest::init() {
+  folder_ = std::make_unique<TemporaryFolder>();
+  save(state_with(0.1));
+}
+
+void CaseForeignTest::ForeignFilesStay() {
+  write_file_atomically(path() / "letter.txt", "Dear colleague");
+  fs::create_directories(path() / "photos/empty");
+  write_file_atomically(path() / "photos/1.png", "a photo");
+  fs::create_symlink("/somewhere/else", path() / "photos/link");
+  QCOMPARE(::mkfifo((path() / "pipe").c_str(), 0600), 0);
+  for (const double seed : {0.2, 0.3}) {
+    QVERIFY(save(state_with(seed)).empty());
+    QCOMPARE(seed_on_disk(path()), seed);
+    QCOMPARE(read_file(path() / "letter.txt"), std::string("Dear colleague"));
+    QCOMPARE(read_file(path() / "photos/1.png"), std::string("a photo"));
+    QVERIFY(fs::is_directory(path() / "photos/empty"));
+    QCOMPARE(fs::read_symlink(path() / "photos/link"), fs::path("/somewhere/else"));
+    QVERIFY(fs::is_fifo(path() / "pipe"));
+  }
+}
+
+void CaseForeignTest::ForeignFilesOfAnOlderEditionStay() {
+  // Earlier editions did not list their files.
+  nlohmann::json document = read_json(path() / "case.json");
+  document.erase("files");
+  write_json(path() / "case.json", document);
+  write_file_atomically(path() / "letter.txt", "Dear colleague");
+  write_file_atomically(path() / "model.stl", "a model");
+  save(state_with(0.2, false));
+  QVERIFY(names(path()) == (std::set<std::string>{"case.json", "letter.txt", "model.stl", "seeds.json"}));
+}
+
+void CaseForeignTest::WhatOthersChangedIsKeptBeside() {
+  const std::string edited = read_file(path() / "seeds.json") + "\n";  // by another program
+  write_file_atomically(path() / "seeds.json", edited);
+  QCOMPARE(save(state_with(0.2)),
+           std::vector<std::string>{"case.kept_changed " + (path() / "seeds.json.kept-1").string()});
+  QCOMPARE(read_file(path() / "seeds.json.kept-1"), edited);
+  QCOMPARE(seed_on_disk(path()), 0.2);
+  QVERIFY(save(state_with(0.3)).empty());
+  QCOMPARE(read_file(path() / "seeds.json.kept-1"), edited);
+}
+
+void CaseForeignTest::WhatTheCaseNoLongerHasGoes() {
+  save(state_with(0.2, false));
+  QVERIFY(names(path()) == (std::set<std::string>{"case.json", "seeds.json"}));
+}
+
+void CaseForeignTest::AForeignFileOfOneOfItsNamesIsNotReadAsItsOwn() {
+  fs::create_directory(path() / "history");
+  write_file_atomically(path() / "history/steps.json", "nonsense");
+  QCOMPARE(save(state_with(0.2)).size(), std::size_t{1});
+  QCOMPARE(read_file(path() / "history/steps.json.kept-1"), std::string("nonsense"));
+  QCOMPARE(seed_on_disk(path()), 0.2);
+}
+
+void CaseForeignTest::ALinkToACaseStaysOne() {
+  const TemporaryFolder elsewhere;
+  fs::rename(path(), elsewhere.path() / "real.glisson");
+  fs::create_directory_symlink(elsewhere.path() / "real.glisson", path());
+  save(state_with(0.2));
+  QVERIFY(fs::is_symlink(path()));
+  QCOMPARE(seed_on_disk(elsewhere.path() / "real.glisson"), 0.2);
+  QVERIFY(names(elsewhere.path()).contains("real.glisson"));
+  QCOMPARE(std::distance(fs::directory_iterator(elsewhere.path()), fs::directory_iterator()), 1L);
+}
+
+void CaseForeignTest::PermissionsOfTheCaseStay() {
+  fs::permissions(path(), fs::perms::owner_all);
+  save(state_with(0.2));
+  QCOMPARE(static_cast<int>(fs::status(path()).permissions()), 0700);
+}
+
+void CaseForeignTest::SameContentIsSameBytes() {
+  const std::string before = read_file(path() / "case.json"), edition = edition_on_disk(path());
+  save(state_with(0.1));
+  QCOMPARE(read_file(path() / "case.json"), before);
+  QCOMPARE(edition_on_disk(path()), edition);
+  save(state_with(0.2));
+  QVERIFY(edition_on_disk(path()) != edition);
+}
+
+void CaseForeignTest::KilledSavesLeaveNothingAfterTheNextOpening() {
+  write_file_atomically(path() / "letter.txt", "Dear colleague");
+  int killed = 0, littered = 0;
+  for (int moment = 0; moment < 25; ++moment) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+      for (int n = 0;; ++n) save(state_with(n % 2 == 0 ? 0.2 : 0.1));
+    }
+    ::usleep(static_cast<useconds_t>(1500 + 1700 * moment));
+    ::kill(child, SIGKILL);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    killed += WIFSIGNALED(status);
+    const auto entries = [&] {
+      return std::distance(fs::directory_iterator(folder_->path()), fs::directory_iterator());
+    };
+    littered += entries() > 1;
+    const double seed = seed_on_disk(path());
+    QVERIFY(seed == 0.1 || seed == 0.2);
+    QCOMPARE(entries(), 1L);
+    QCOMPARE(read_file(path() / "letter.txt"), std::string("Dear colleague"));
+  }
+  QCOMPARE(killed, 25);
+  QVERIFY(littered > 5);  // it was really killed on the way
+}
+
+void CaseForeignTest::CasesInALoopOfLinksAreNamed() {
+  fs::create_symlink("y.glisson", folder_->path() / "x.glisson");
+  fs::create_symlink("x.glisson", folder_->path() / "y.glisson");
+  const auto told = [&](const auto& action) { return test::complaint<Error>(action); };
+  const fs::path loop = folder_->path() / "x.glisson";
+  QVERIFY(told([&] { open_case(loop, RunContext()); }).find("leads back to itself") != std::string::npos);
+  QVERIFY(told([&] { save_case(loop, state_with(0.1), RunContext()); }).find("leads back to itself") !=
+          std::string::npos);
+}
+
+QTEST_APPLESS_MAIN(CaseForeignTest)
+#include "case_foreign_test.moc"
