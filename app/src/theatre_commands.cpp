@@ -170,7 +170,11 @@ int run_track(const QStringList& given) {
                    "PATTERN");
   arguments.option("cloud-unit", Cli::tr("Unit of the clouds: mm, cm or m. Without it, the model's."),
                    "UNIT");
-  arguments.option("cloud-steps", Cli::tr("Steps towards each cloud."), "N",
+  arguments.option(
+      "method",
+      Cli::tr("How clouds are followed: forces, springs, or automatic, each as in 'glisson register'."),
+      "automatic|forces|springs", "automatic");
+  arguments.option("cloud-steps", Cli::tr("Steps of the springs towards each cloud."), "N",
                    engine::StartTracking().steps_per_cloud);
   arguments.option("fixed", Cli::tr("Nodes that do not move (0-based numbers)."), "FILE");
   arguments.option(
@@ -192,6 +196,7 @@ int run_track(const QStringList& given) {
   command.options.cloud = elastic_options(arguments, session);
   command.options.materials = command.options.cloud.materials;
   command.options.fixed_nodes = fixed_nodes(arguments, session);
+  command.options.cloud_method = method_of(arguments.value("method"));
   command.steps_per_cloud = arguments.integer("cloud-steps", 1, 10000);
   const bool from_clouds = arguments.has("clouds");
   if (from_clouds) {

@@ -23,6 +23,7 @@ class TrackerTest : public QObject {
   void NoisePicturesAreNotValid();
   void ADoubtOfTheStartStaysWithEveryFrame();
   void WithoutAFirstFrameItIsNotStarted();
+  void CloudsAreFollowedWithoutCorrespondences_data();
   void CloudsAreFollowedWithoutCorrespondences();
   void FewCloudPointsAreNotValid();
   void UnusableStartsAndOptionsAreRefused();
@@ -167,8 +168,17 @@ void TrackerTest::WithoutAFirstFrameItIsNotStarted() {
   QVERIFY(overlay.nodes_in_camera == nodes_);
 }
 
+void TrackerTest::CloudsAreFollowedWithoutCorrespondences_data() {
+  QTest::addColumn<int>("method");
+  QTest::newRow("springs") << static_cast<int>(registration::Method::springs);
+  QTest::newRow("forces") << static_cast<int>(registration::Method::forces);
+}
+
 void TrackerTest::CloudsAreFollowedWithoutCorrespondences() {
-  Tracker tracker(model_, start_, options());
+  QFETCH(int, method);
+  TrackerOptions by = options();
+  by.cloud_method = static_cast<registration::Method>(method);
+  Tracker tracker(model_, start_, by);
   double frozen = 0.0, tracked = 0.0;
   for (int k = 1; k < kFrames; ++k) {
     phantom::PatchOptions patch;

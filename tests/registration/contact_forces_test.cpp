@@ -9,6 +9,7 @@
 #include "data_folder.h"
 #include "glisson/core/error.h"
 #include "glisson/geometry/mesh_io.h"
+#include "glisson/registration/force_follower.h"
 #include "phantom.h"
 
 using namespace glisson;
@@ -226,6 +227,34 @@ class ContactForcesTest : public QObject {
     QVERIFY_EXCEPTION_THROWN(few.fit(few.options()), InputError);
     few.cloud.points = Points::Constant(20, 3, std::nan(""));
     QVERIFY_EXCEPTION_THROWN(few.fit(few.options()), InputError);
+  }
+
+  void ASeriesOfCloudsIsFollowed() {
+    Pulled pulled;
+    const Points full = pulled.truth - pulled.model.mesh.vertices;
+    ForceFollower follower(pulled.model, {}, pulled.options());
+    for (const double share : {0.3, 0.6, 1.0, 0.5}) {
+      pulled.truth = pulled.model.mesh.vertices + share * full;
+      pulled.see(pulled.truth);
+      const auto fit = follower.follow(pulled.cloud, RunContext());
+      const double error = pulled.error(*fit), motion = share * full.rowwise().norm().mean();
+      QVERIFY2(error < 0.15 * motion, qPrintable(QString("%1 of %2 mm").arg(1e3 * error).arg(1e3 * motion)));
+      QVERIFY(fit->laws[static_cast<std::size_t>(fit->chosen)].material.law == fem::BodyLaw::linear);
+      // A cloud that is none changes nothing for the next one.
+      LabelledCloud few = pulled.cloud;
+      few.points.conservativeResize(9, 3);
+      QVERIFY_EXCEPTION_THROWN(follower.follow(few, RunContext()), InputError);
+    }
+  }
+
+  void FollowingIsCancelled() {
+    const Pulled pulled;
+    ForceFollower follower(pulled.model, {}, pulled.options());
+    QVERIFY(follower.follow(pulled.cloud, RunContext()));
+    const auto cancel = std::make_shared<CancelFlag>();
+    cancel->request();
+    QVERIFY(!follower.follow(pulled.cloud, RunContext({}, cancel, 1)));
+    QVERIFY(follower.follow(pulled.cloud, RunContext()));
   }
 
   void ForeignSequence() {

@@ -11,6 +11,7 @@
 #include "glisson/core/error.h"
 #include "glisson/fem/integrator.h"
 #include "glisson/guidance/boundary_springs.h"
+#include "glisson/registration/force_follower.h"
 #include "glisson/registration/moving_surface.h"
 #include "glisson/registration/pairs.h"
 #include "judge.h"
@@ -68,6 +69,8 @@ struct Tracker::Impl {
         springs(model, start.nodes_in_camera, options.boundary_young_modulus, options.boundary_length,
                 options.boundary_tether) {
     doubtful = !start.doubts.empty();
+    if (registration::takes_forces(options.cloud_method, model, cloud_options()))
+      forces.emplace(model, start.camera_from_ct, registration::forces_with(model, cloud_options()));
     integrator.set_state(start.nodes_in_camera);
     surface.move(start.nodes_in_camera);
     mechanics.mesh = model.mesh;
@@ -90,6 +93,12 @@ struct Tracker::Impl {
                          "the mesh has nodes 0 to " + std::to_string(model.mesh.vertex_count() - 1),
                          "Give 0-based node numbers of this mesh");
     return options;
+  }
+
+  registration::ElasticOptions cloud_options() const {
+    registration::ElasticOptions result = options.cloud;
+    result.fixed_nodes = options.fixed_nodes;
+    return result;
   }
 
   fem::IntegratorOptions integrator_options() const {
@@ -238,7 +247,30 @@ struct Tracker::Impl {
     if (cloud.size() < std::max(10, options.minimum_pairs)) return Validity::too_few_points;
     LabelledCloud unlabelled = cloud;
     unlabelled.features.clear();
-    const auto prepared = registration::prepare_cloud(unlabelled, {options.cloud.reference_density_per_cm2});
+    const Validity followed =
+        forces ? follow_by_forces(unlabelled, overlay) : follow_by_springs(unlabelled, steps, overlay);
+    if (followed != Validity::valid) return followed;
+    if (overlay.pairs < options.minimum_pairs) return Validity::too_few_points;
+    return overlay.residual > options.maximum_residual ? Validity::residual_too_large : Validity::valid;
+  }
+
+  Validity follow_by_forces(const LabelledCloud& cloud, OverlayFrame& overlay) {
+    try {
+      const auto fit = forces->follow(cloud, {});
+      integrator.set_state(fit->nodes_in_camera);
+      surface.move(fit->nodes_in_camera);
+      overlay.pairs = static_cast<int>(std::lround((1.0 - fit->outlier_share) * cloud.size()));
+      overlay.residual = fit->residual;
+      return Validity::valid;
+    } catch (const NumericalError&) {
+      return Validity::mechanics_failed;
+    } catch (const InputError&) {
+      return Validity::too_few_points;  // too few of the cloud's points are usable
+    }
+  }
+
+  Validity follow_by_springs(const LabelledCloud& cloud, int steps, OverlayFrame& overlay) {
+    const auto prepared = registration::prepare_cloud(cloud, {options.cloud.reference_density_per_cm2});
     const double k = options.cloud.k_surface_max * options.cloud.final_stiffening *
                      options.materials.parenchyma.young_modulus;
     std::vector<registration::Pair> pairs;
@@ -257,8 +289,7 @@ struct Tracker::Impl {
     overlay.pairs = static_cast<int>(
         std::count_if(pairs.begin(), pairs.end(), [](const auto& pair) { return pair.kept; }));
     overlay.residual = registration::mean_distance(pairs);
-    if (overlay.pairs < options.minimum_pairs) return Validity::too_few_points;
-    return overlay.residual > options.maximum_residual ? Validity::residual_too_large : Validity::valid;
+    return Validity::valid;
   }
 
   TrackerOptions options;
@@ -267,7 +298,8 @@ struct Tracker::Impl {
   fem::Integrator integrator;
   registration::MovingSurface surface;
   BoundarySprings springs;
-  PatientModel mechanics;  ///< mesh and vessels as they are in the CT
+  PatientModel mechanics;                             ///< mesh and vessels as they are in the CT
+  std::optional<registration::ForceFollower> forces;  ///< of clouds
   std::optional<StereoFollower> follower;
   AnchoredPoints anchors;
   std::unique_ptr<Judge> judge;  ///< none while clouds are followed

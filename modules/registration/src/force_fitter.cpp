@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "glisson/core/error.h"
+#include "glisson/core/statistics.h"
 
 namespace glisson::registration {
 namespace {
@@ -32,13 +33,17 @@ Eigen::Matrix3d turn_by(const Eigen::Vector3d& twist) {
                      : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
 }
 
+PreparedCloud prepared(const LabelledCloud& cloud, const ContactForceOptions& options) {
+  return prepare_cloud(cloud, {3.9, options.most_points, 10});
+}
+
 }  // namespace
 
 ForceProblem::ForceProblem(const PatientModel& m, const LabelledCloud& c, const CameraFromCt& s,
                            const ContactForceOptions& o)
     : model(m),
       options(o),
-      cloud(prepare_cloud(c, {3.9, o.most_points, 10})),
+      cloud(prepared(c, o)),
       surface(m, SurfaceDetail::fine),
       body(m.mesh, o.fixed_nodes, o.stiffness),
       force_surface(m.surface, m.mesh.vertices, fixed_of(body)),
@@ -52,6 +57,8 @@ ForceProblem::ForceProblem(const PatientModel& m, const LabelledCloud& c, const 
           "every mode of a prior has an amplitude");
   modes = o.prior->modes;
 }
+
+void ForceProblem::take(const LabelledCloud& next) { cloud = prepared(next, options); }
 
 ForceFitter::ForceFitter(const ForceProblem& problem, const fem::BodyMaterial& material, double ground)
     : problem_(problem),
@@ -81,6 +88,23 @@ void ForceFitter::begin_at(const ForceFitter& other) {
   now_.modes = other.best_.modes;
   if (now_.modes.size() > 0) body_.set_rest(shape(now_.modes));
   first_sigma_ = 2.0 * other.best_.law.sigma;
+}
+
+void ForceFitter::begin_at(const CameraFromCt& pose, const Points& x, double first_sigma) {
+  now_.pose = pose;
+  now_.x = x;
+  first_sigma_ = std::max(first_sigma,
+                          *std::min_element(problem_.options.sigmas.begin(), problem_.options.sigmas.end()));
+}
+
+double ForceFitter::apart(const CameraFromCt& pose, const Points& x) {
+  const State before = now_;
+  now_.pose = pose;
+  now_.x = x;
+  const ForceRows rows = pair(problem_.options.sigmas.front());
+  now_ = before;
+  const Eigen::VectorXd gaps = rows.gap.head(rows.surface_count).cwiseAbs();
+  return gaps.size() == 0 ? 0.0 : upper_median(std::vector<double>(gaps.begin(), gaps.end()));
 }
 
 ForceRows ForceFitter::pair(double sigma) {

@@ -27,6 +27,8 @@ struct ForceProblem {
 
   ForceProblem(const PatientModel& model, const LabelledCloud& cloud, const CameraFromCt& start,
                const ContactForceOptions& options);
+  /// Another cloud of the same organ, for the fits that begin from now on.
+  void take(const LabelledCloud& next);
 };
 
 /// One law, all stages.
@@ -35,6 +37,10 @@ class ForceFitter {
   ForceFitter(const ForceProblem& problem, const fem::BodyMaterial& material, double ground);
   /// Begins where another fit of the same problem has ended, two stages before the end.
   void begin_at(const ForceFitter& other);
+  /// @param x nodes in the CT frame. @param first_sigma stages of more noise are left out.
+  void begin_at(const CameraFromCt& pose, const Points& x, double first_sigma);
+  /// How far the cloud lies from the model there, along the normals: median of the sizes, m.
+  double apart(const CameraFromCt& pose, const Points& x);
   /// @return false: cancelled. `advance` is called after each stage.
   bool run(const RunContext& context, const std::function<void()>& advance);
   /// With the forces and the expected error.

@@ -23,14 +23,6 @@ Cancellable<RigidStart> start_of(const PatientModel& model, const LabelledCloud&
   return start;
 }
 
-bool by_forces(const PatientModel& model, const RegisterOptions& options) {
-  if (options.method != Method::automatic) return options.method == Method::forces;
-  // Where nothing is known to hold the organ a bend of the whole is no work of few patches: springs are
-  // nearer.
-  return model.vessels.empty() && model.landmarks.vena_cava.rows() == 0 && !options.elastic.prior &&
-         !options.elastic.fixed_nodes.empty();
-}
-
 bool needs_operations(const PatientModel& model, const RegisterOptions& options) {
   return options.operations && !options.elastic.prior && options.elastic.fixed_nodes.empty() &&
          can_simulate_operations(model);
@@ -79,9 +71,8 @@ Cancellable<Registration> register_by_forces(const PatientModel& model, const La
                                              CameraFromCt start, const ElasticOptions& elastic,
                                              ContactForceOptions forces, bool pose_known,
                                              std::optional<ContactForceFit>& fit, const RunContext& context) {
-  forces.fixed_nodes = elastic.fixed_nodes;
+  forces = forces_with(model, elastic, std::move(forces));
   forces.pose_known = pose_known;
-  if (forces.stiffness.empty()) forces.stiffness = stiffness_of(model.mesh, elastic.materials);
   std::vector<std::string> doubts;
   if (elastic.prior) {
     std::vector<CameraFromCt> starts = elastic.other_starts;
@@ -114,6 +105,21 @@ Cancellable<Registration> register_by_forces(const PatientModel& model, const La
 
 }  // namespace
 
+bool takes_forces(Method method, const PatientModel& model, const ElasticOptions& elastic) {
+  if (method != Method::automatic) return method == Method::forces;
+  // Where nothing is known to hold the organ a bend of the whole is no work of few patches: springs are
+  // nearer.
+  return model.vessels.empty() && model.landmarks.vena_cava.rows() == 0 && !elastic.prior &&
+         !elastic.fixed_nodes.empty();
+}
+
+ContactForceOptions forces_with(const PatientModel& model, const ElasticOptions& elastic,
+                                ContactForceOptions forces) {
+  forces.fixed_nodes = elastic.fixed_nodes;
+  if (forces.stiffness.empty()) forces.stiffness = stiffness_of(model.mesh, elastic.materials);
+  return forces;
+}
+
 void RegisterOptions::validate() const {
   if (start == Start::automatic) rigid.validate();
   if (operations) operation.validate();
@@ -140,7 +146,7 @@ Cancellable<Registered> register_model(const PatientModel& model, const Labelled
     elastic.other_starts = std::move(start->alternatives);
   }
   const RunContext rest = context.part(done, 1.0);
-  auto registered = by_forces(model, options)
+  auto registered = takes_forces(options.method, model, options.elastic)
                         ? register_by_forces(model, cloud, start->camera_from_ct, elastic, options.forces,
                                              options.start == Start::none, result.forces, rest)
                         : register_elastic(model, cloud, start->camera_from_ct, elastic, rest);

@@ -11,7 +11,7 @@
 #include "glisson/patient/patient_model.h"
 #include "glisson/patient/picture.h"
 #include "glisson/patient/registration.h"
-#include "glisson/registration/register.h"
+#include "glisson/registration/register_model.h"
 
 namespace glisson::guidance {
 
@@ -41,7 +41,10 @@ struct TrackerOptions {
   double boundary_tether = 5.0;
   std::vector<int> fixed_nodes;
   JudgeOptions judge;                  ///< of pictures; clouds are judged by their residual alone
-  registration::ElasticOptions cloud;  ///< for follow(cloud): form, s, surface stiffness, density
+  /// For follow(cloud): form, s, surface stiffness, density, and of contact forces the lesions' stiffness.
+  registration::ElasticOptions cloud;
+  /// How clouds are followed; automatic as in register_model, by `fixed_nodes`.
+  registration::Method cloud_method = registration::Method::automatic;
   void validate() const;
 };
 
@@ -63,8 +66,9 @@ class Tracker {
   /// The next frame. Always returns; validity says whether it may be shown. Without begin(): not_started. A
   /// frame without a usable picture is too_few_points; the next good one is followed from the last good one.
   OverlayFrame follow(const StereoFrame& frame);
-  /// Registration to a cloud instead of pictures (no correspondences in time are assumed): eq. 14 on the
-  /// whole surface at its final stiffness, labels unused, `steps` implicit steps with new pairs each.
+  /// Registration to a cloud instead of pictures (no correspondences in time are assumed), labels unused: by
+  /// contact forces (registration/force_follower.h), or eq. 14 on the whole surface at its final stiffness,
+  /// `steps` implicit steps with new pairs each.
   OverlayFrame follow(const LabelledCloud& cloud, int index, double seconds, int steps);
 
  private:

@@ -22,6 +22,12 @@ enum class Method {
   springs     ///< register_elastic: the paper's, with operations before it where they are asked for
 };
 
+/// @return whether the shape is found by contact forces.
+bool takes_forces(Method method, const PatientModel& model, const ElasticOptions& elastic);
+/// `forces` with the fixed nodes and the lesions' stiffness that hold for the springs.
+ContactForceOptions forces_with(const PatientModel& model, const ElasticOptions& elastic,
+                                ContactForceOptions forces = {});
+
 /// Rigid start, then elastic.
 struct RegisterOptions {
   Method method = Method::automatic;

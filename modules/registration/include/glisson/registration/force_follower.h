@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "glisson/registration/contact_forces.h"
+
+namespace glisson::registration {
+
+/// A series of clouds of one organ by contact forces (contact_forces.h). The first cloud chooses the law;
+/// each later one is fitted under it from where the organ was, beginning with the stage whose noise explains
+/// how far the new cloud lies from there. Forces are found anew for each cloud: nothing of an error is handed
+/// on but the place where closest points are sought. Not thread-safe.
+class ForceFollower {
+ public:
+  /// @param start where the model's rest shape is before the camera; see fit_contact_forces.
+  /// @throws InputError as fit_contact_forces.
+  ForceFollower(const PatientModel& model, const CameraFromCt& start, const ContactForceOptions& options);
+  ~ForceFollower();
+  ForceFollower(ForceFollower&&) noexcept;
+  ForceFollower& operator=(ForceFollower&&) noexcept;
+
+  /// The next cloud, in the camera's frame. After a failure the next one is followed from the last that
+  /// succeeded. @throws InputError, NumericalError as fit_contact_forces.
+  Cancellable<ContactForceFit> follow(const LabelledCloud& cloud, const RunContext& context);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace glisson::registration

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/registration/force_follower.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "force_fitter.h"
+#include "glisson/core/error.h"
+
+namespace glisson::registration {
+
+struct ForceFollower::Impl {
+  PatientModel model;
+  CameraFromCt start;
+  ContactForceOptions options;
+  std::optional<ForceProblem> problem;  ///< from the second cloud on
+  LawFit law;                           ///< that the first cloud made most probable; its last sigma
+  CameraFromCt pose;
+  Points nodes_in_ct;
+
+  void take(const ContactForceFit& fit, const LawFit& of) {
+    law = of;
+    pose = fit.camera_from_ct;
+    nodes_in_ct = pose.inverse().apply(fit.nodes_in_camera);
+  }
+
+  Cancellable<ContactForceFit> first(const LabelledCloud& cloud, const RunContext& context) {
+    auto fit = fit_contact_forces(model, cloud, start, options, context);
+    if (!fit) return {};
+    problem.emplace(model, cloud, start, options);
+    take(*fit, fit->laws[static_cast<std::size_t>(fit->chosen)]);
+    return fit;
+  }
+
+  Cancellable<ContactForceFit> next(const LabelledCloud& cloud, const RunContext& context) {
+    problem->take(cloud);
+    ForceFitter fitter(*problem, law.material, law.ground);
+    fitter.begin_at(pose, nodes_in_ct, 2.0 * std::max(law.sigma, fitter.apart(pose, nodes_in_ct)));
+    double stages = 0.0;
+    const auto advance = [&] {
+      context.progress(++stages / static_cast<double>(options.sigmas.size()), "registration.forces");
+    };
+    if (!fitter.run(context, advance)) return {};
+    if (!std::isfinite(fitter.law().log_evidence))
+      throw NumericalError("No equilibrium under contact forces was found for this cloud.");
+    ContactForceFit fit = fitter.result();
+    fit.laws = {fitter.law()};
+    fit.chosen = 0;
+    take(fit, fitter.law());
+    return fit;
+  }
+};
+
+ForceFollower::ForceFollower(const PatientModel& model, const CameraFromCt& start,
+                             const ContactForceOptions& options)
+    : impl_(std::make_unique<Impl>()) {
+  options.validate();
+  impl_->model = model;
+  impl_->start = start;
+  impl_->options = options;
+}
+
+ForceFollower::~ForceFollower() = default;
+ForceFollower::ForceFollower(ForceFollower&&) noexcept = default;
+ForceFollower& ForceFollower::operator=(ForceFollower&&) noexcept = default;
+
+Cancellable<ContactForceFit> ForceFollower::follow(const LabelledCloud& cloud, const RunContext& context) {
+  return impl_->problem ? impl_->next(cloud, context) : impl_->first(cloud, context);
+}
+
+}  // namespace glisson::registration
