@@ -17,6 +17,9 @@ const std::vector<Aim>& live_aims() {
        at_least, 0.95, 3},
       {"live_latest_seconds", QT_TRANSLATE_NOOP("cli", "live: longest time until an overlay goes, s"),
        in_silico, at_most, 0.5, 2},
+      {"live_return_seconds",
+       QT_TRANSLATE_NOOP("cli", "live: longest time until a right overlay is back after a jump, s"),
+       in_silico, at_most, 1.0, 2},
   };
   return kAims;
 }

@@ -205,15 +205,22 @@ void add_covers(std::vector<LiveFault>& faults, const StereoRig& rig, int onset,
       }));
 }
 
-LiveFault jump(const StereoRig& rig, int onset) {
-  constexpr double kPixels = 60.0;
+/// The picture is somewhere else from one frame to the next. A shift stands for a turn of the camera; much
+/// larger ones would break the rows of two views that are not quite parallel.
+/// @param dark frames between without a picture: the laparoscope is taken out, wiped and put back.
+LiveFault jump(const char* name, const StereoRig& rig, int onset, int dark, double pixels) {
   LiveFault fault;
-  fault.name = "jump_60px";
-  fault.show = ramp(onset, onset + 1, [](cv::Mat& picture, bool, double, int) {
-    const cv::Mat slide = (cv::Mat_<double>(2, 3) << 1, 0, kPixels, 0, 1, 0);
+  fault.name = name;
+  fault.good_from = onset + dark;
+  fault.show = ramp(onset, onset + 1, [=](cv::Mat& picture, bool, double, int k) {
+    if (k < onset + dark) {
+      picture.setTo(cv::Scalar::all(3));
+      return;
+    }
+    const cv::Mat slide = (cv::Mat_<double>(2, 3) << 1, 0, pixels, 0, 1, 0);
     cv::warpAffine(picture.clone(), picture, slide, picture.size(), cv::INTER_LINEAR, cv::BORDER_REPLICATE);
   });
-  const double angle = std::atan(kPixels / rig.left.matrix(0, 0));
+  const double angle = std::atan(pixels / rig.left.matrix(0, 0));
   fault.true_turn = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitY()).toRotationMatrix();
   return fault;
 }
@@ -226,7 +233,8 @@ std::vector<LiveFault> live_faults(const StereoRig& rig, int onset, int last, st
   add_starts(faults);
   add_stale_views(faults, onset, seed);
   add_covers(faults, rig, onset, last, seed);
-  faults.push_back(jump(rig, onset));
+  faults.push_back(jump("jump_60px", rig, onset, 0, 60.0));
+  faults.push_back(jump("taken_out", rig, onset, 20, -60.0));
   return faults;
 }
 

@@ -120,8 +120,20 @@ struct Tally {
   int near = 0, near_valid = 0, near_sound = 0, near_sound_valid = 0;
   std::map<std::string, int> shown;
   std::vector<double> milliseconds;
-  int latest = -1;  ///< frames from the first over 10 mm (or the fault) to the first not valid
+  int returned = -1;  ///< frames from where the picture is good again until a right overlay is shown
+  int latest = -1;    ///< frames from the first over 10 mm (or the fault) to the first not valid
   bool is_in_time = true;
+
+  /// @param good_from of the fault.
+  void add_return(const std::vector<Judged>& frames, int good_from) {
+    if (good_from < 0) return;
+    int first = frames.back().frame + 1;
+    for (const Judged& judged : frames)
+      if (judged.frame >= good_from && judged.frame < first && judged.error < kFar &&
+          judged.overlay.validity == Validity::valid)
+        first = judged.frame;
+    returned = std::max(returned, first - good_from);
+  }
 
   void add(const std::vector<Judged>& frames) {
     int first_far = -1, first_hidden = -1;
@@ -201,7 +213,7 @@ void sum_up(const std::vector<std::string>& names, std::map<std::string, Tally>&
   proof.table.emplace_back(
       "fault                shown as               late  >10mm  hidden was    hidden   <3mm   valid %");
   Tally all;
-  int late = 0;
+  int late = 0, returned = 0;
   for (const std::string& name : names) {
     const Tally& one = tallies[name];
     add_row(name, one, proof);
@@ -213,6 +225,7 @@ void sum_up(const std::vector<std::string>& names, std::map<std::string, Tally>&
     all.near_sound += one.near_sound;
     all.near_sound_valid += one.near_sound_valid;
     late = std::max(late, one.latest);
+    returned = std::max(returned, one.returned);
     all.milliseconds.insert(all.milliseconds.end(), one.milliseconds.begin(), one.milliseconds.end());
   }
   add_row("all", all, proof);
@@ -222,6 +235,7 @@ void sum_up(const std::vector<std::string>& names, std::map<std::string, Tally>&
   proof.figures["live_near_valid_share"] = share(all.near_valid, all.near);
   proof.figures["live_near_sound_valid_share"] = share(all.near_sound_valid, all.near_sound);
   proof.figures["live_latest_seconds"] = late / 30.0;
+  proof.figures["live_return_seconds"] = returned / 30.0;
   proof.figures["live_frame_p50_ms"] = percentile(all.milliseconds, 0.5);
   proof.figures["live_frame_p99_ms"] = percentile(all.milliseconds, 0.99);
 }
@@ -260,6 +274,7 @@ Cancellable<LiveProof> prove_live(const LiveProofOptions& options, const std::fi
       names.push_back(faults[i].name);
       const std::vector<Judged> frames = run(*stage, faults[i], options.onset);
       tallies[faults[i].name].add(frames);
+      tallies[faults[i].name].add_return(frames, faults[i].good_from);
       for (const Judged& judged : frames) csv += csv_line(options.seeds[s], faults[i].name, judged);
     }
   }

@@ -59,6 +59,10 @@ void BoundarySprings::attach(const PatientModel& model, const Points& places_in_
   }
 }
 
+void BoundarySprings::move(const RigidMotion& motion) {
+  for (Spring& spring : springs_) spring.anchor = motion.rotation * spring.anchor + motion.translation;
+}
+
 void BoundarySprings::add(const Points& nodes_in_camera, std::vector<fem::AttachedLoad>& loads) const {
   for (const Spring& spring : springs_) {
     fem::AttachedLoad load;

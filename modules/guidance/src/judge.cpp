@@ -131,6 +131,12 @@ void Judge::begin(const StereoFrame& first, const Points& nodes_in_camera) {
   impl_->begin(first, nodes_in_camera);
 }
 
+void Judge::distrust() {
+  if (impl_->pending.valid()) impl_->pending.wait();
+  impl_->pending = {};
+  impl_->apart.set(true);
+}
+
 Validity Judge::judge(const StereoFrame& frame, const std::vector<FollowedPoint>& before,
                       const std::vector<FollowedPoint>& now, OverlayFrame& overlay) {
   ++impl_->frames;

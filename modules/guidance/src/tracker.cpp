@@ -15,6 +15,7 @@
 #include "glisson/registration/moving_surface.h"
 #include "glisson/registration/pairs.h"
 #include "judge.h"
+#include "relocator.h"
 #include "stereo_follower.h"
 
 namespace glisson::guidance {
@@ -27,6 +28,14 @@ constexpr double kMissing = 0.1;
 /// A gap counts as consistent up to this difference from its neighbours' median: metres across the line of
 /// sight, or scaled MADs of all differences, whichever is more.
 constexpr double kConsistentFloor = 1.5e-3, kConsistentDeviations = 4.0;
+/// Metres a frame, in common: breathing and the heart move the organ by a few tenths of a millimetre a frame,
+/// so that what is faster is the camera's motion.
+constexpr double kCameraMoves = 2.5e-3;
+/// Frames without an overlay after which the organ is looked for by its texture, and between later attempts.
+constexpr int kLost = 3, kLookAgain = 9;
+/// Metres. Where the organ is found this near, it was not lost.
+constexpr double kFoundElsewhere = 2e-3;
+constexpr int kKeyFrameEvery = 90;  ///< frames
 
 double mean_norm(const std::vector<Eigen::Vector3d>& vectors) {
   double sum = 0.0;
@@ -136,6 +145,10 @@ struct Tracker::Impl {
     camera = rig.left;
     seen = seen_area();
     replenish();
+    given_mask = mask;
+    relocator = std::make_unique<Relocator>(rig, mask);
+    relocator->remember(first.left, surface);
+    lost = since_key_frame = 0;
     judge.reset();
     if (!options.judge.enabled) return;
     judge = std::make_unique<Judge>(patient, rig, mask, options.judge);
@@ -171,6 +184,53 @@ struct Tracker::Impl {
     anchors.retain(follower->points());
   }
 
+  /// The camera has moved, or is somewhere else: the patient is another way in its frame, with what holds.
+  void move_all(const RigidMotion& motion) {
+    const Points moved =
+        (integrator.positions() * motion.rotation.transpose()).rowwise() + motion.translation.transpose();
+    integrator.set_state(moved);
+    springs.move(motion);
+    surface.move(moved);
+  }
+
+  /// Fast common motion of the points that agree is taken over at once; mechanics would lag behind it.
+  void follow_camera() {
+    const std::vector<FollowedPoint>& points = follower->points();
+    const std::vector<Eigen::Vector3d> gaps = anchors.gaps(points, surface);
+    if (mean_norm(gaps) < kCameraMoves) return;
+    Points seen_now(static_cast<Eigen::Index>(points.size()), 3), modelled = seen_now;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      seen_now.row(static_cast<Eigen::Index>(i)) = points[i].p_in_camera.transpose();
+      modelled.row(static_cast<Eigen::Index>(i)) = (points[i].p_in_camera - gaps[i]).transpose();
+    }
+    move_all(fit_rigid_motion(modelled, seen_now, {}));
+  }
+
+  /// Counts frames without an overlay, and looks for the organ by its texture.
+  void look_for_organ(const StereoFrame& frame, Validity validity) {
+    const bool is_lost = validity == Validity::too_few_points || validity == Validity::inconsistent_motion ||
+                         validity == Validity::residual_too_large || validity == Validity::surface_apart;
+    lost = is_lost ? lost + 1 : 0;
+    if (validity == Validity::valid && ++since_key_frame >= kKeyFrameEvery) {
+      relocator->remember(frame.left, surface);
+      since_key_frame = 0;
+    }
+    if (lost < kLost || (lost - kLost) % kLookAgain != 0) return;
+    const auto found = relocator->find(frame.left, surface);
+    if (!found) return;
+    const TriangleMesh& mesh = surface.mesh();
+    const Points there =
+        (mesh.vertices * found->rotation.transpose()).rowwise() + found->translation.transpose();
+    if ((there - mesh.vertices).rowwise().norm().mean() < kFoundElsewhere &&
+        validity == Validity::surface_apart)
+      return;
+    move_all(*found);
+    follower->begin(frame, given_mask);
+    anchors.clear();
+    replenish();
+    if (judge) judge->distrust();
+  }
+
   /// One implicit step under loads that `pull` adds. @return false: the mechanics failed, nothing has moved.
   template <class Pull>
   bool step(const Pull& pull) {
@@ -195,6 +255,7 @@ struct Tracker::Impl {
     if (agreeing < options.minimum_pairs) return Validity::too_few_points;
     follower->keep(good);
     overlay.pairs = static_cast<int>(agreeing);
+    follow_camera();
     const double reference_area = 1e-4 / options.cloud.reference_density_per_cm2;
     const double stiffness = options.point_stiffness * options.materials.parenchyma.young_modulus * seen /
                              (reference_area * static_cast<double>(agreeing));
@@ -231,6 +292,7 @@ struct Tracker::Impl {
     overlay.nodes_in_camera = integrator.positions();
     if (judge && overlay.validity == Validity::valid)
       overlay.validity = judge->judge(frame, follower->points_before(), follower->points(), overlay);
+    if (follower) look_for_organ(frame, overlay.validity);
     return overlay;
   }
 
@@ -302,7 +364,11 @@ struct Tracker::Impl {
   std::optional<registration::ForceFollower> forces;  ///< of clouds
   std::optional<StereoFollower> follower;
   AnchoredPoints anchors;
-  std::unique_ptr<Judge> judge;  ///< none while clouds are followed
+  std::unique_ptr<Judge> judge;          ///< none while clouds are followed
+  std::unique_ptr<Relocator> relocator;  ///< likewise
+  Picture given_mask;
+  int lost = 0;             ///< frames without an overlay
+  int since_key_frame = 0;  ///< valid frames
   Camera camera;
   bool doubtful = false;
   double seen = 0.0;  ///< area of the model in the picture, square metres

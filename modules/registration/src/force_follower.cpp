@@ -10,6 +10,11 @@
 #include "glisson/core/error.h"
 
 namespace glisson::registration {
+namespace {
+
+constexpr double kTellsMore = 1.5;
+
+}  // namespace
 
 struct ForceFollower::Impl {
   PatientModel model;
@@ -19,6 +24,9 @@ struct ForceFollower::Impl {
   LawFit law;                           ///< that the first cloud made most probable; its last sigma
   CameraFromCt pose;
   Points nodes_in_ct;
+  double told_by = 0.0;  ///< mean motion of the nodes from rest, m, under which the law was chosen
+
+  double motion() const { return (nodes_in_ct - model.mesh.vertices).rowwise().norm().mean(); }
 
   void take(const ContactForceFit& fit, const LawFit& of) {
     law = of;
@@ -31,6 +39,7 @@ struct ForceFollower::Impl {
     if (!fit) return {};
     problem.emplace(model, cloud, start, options);
     take(*fit, fit->laws[static_cast<std::size_t>(fit->chosen)]);
+    told_by = motion();
     return fit;
   }
 
@@ -49,6 +58,8 @@ struct ForceFollower::Impl {
     fit.laws = {fitter.law()};
     fit.chosen = 0;
     take(fit, fitter.law());
+    // Laws differ the more the farther the organ moves: what a small motion chose is chosen again.
+    if (motion() > kTellsMore * told_by) return first(cloud, context);
     return fit;
   }
 };

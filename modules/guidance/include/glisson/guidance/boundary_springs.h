@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "glisson/fem/composite_model.h"
+#include "glisson/geometry/rigid.h"
 #include "glisson/patient/patient_model.h"
 
 namespace glisson::guidance {
@@ -18,6 +19,8 @@ class BoundarySprings {
   BoundarySprings(const PatientModel& model, const Points& start_in_camera, double young_modulus,
                   double length, double tether);
 
+  /// The camera has moved: what holds the organ is elsewhere in its frame.
+  void move(const RigidMotion& motion);
   void add(const Points& nodes_in_camera, std::vector<fem::AttachedLoad>& loads) const;
   int count() const { return static_cast<int>(springs_.size()); }
 
