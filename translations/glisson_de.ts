@@ -1576,10 +1576,6 @@
         <translation>Einheit der Punktwolken: mm, cm oder m. Ohne sie die des Modells.</translation>
     </message>
     <message>
-        <source>Steps towards each cloud.</source>
-        <translation>Schritte auf jede Punktwolke zu.</translation>
-    </message>
-    <message>
         <source>Nodes that do not move (0-based numbers).</source>
         <translation>Knoten, die sich nicht bewegen (Nummern ab 0).</translation>
     </message>
@@ -2110,6 +2106,18 @@
     <message>
         <source>Follows a stereo video, or a series of clouds, from a registered start. Every frame is processed; one mesh a frame is written, numbered like its input, and a line of frames.jsonl with the level, the reason and the pose. What Ctrl-C cuts short is kept and marked INCOMPLETE.</source>
         <translation>Verfolgt ein Stereovideo oder eine Reihe von Punktwolken ab einem registrierten Anfang. Jedes Bild wird verarbeitet; je Bild wird ein Netz geschrieben, nummeriert wie seine Eingabe, und eine Zeile von frames.jsonl mit Stufe, Grund und Lage. Was Strg-C abbricht, wird behalten und mit INCOMPLETE gekennzeichnet.</translation>
+    </message>
+    <message>
+        <source>How clouds are followed: forces, springs, or automatic, each as in &apos;glisson register&apos;.</source>
+        <translation>Wie Punktwolken verfolgt werden: forces (Kräfte), springs (Federn) oder automatic, jeweils wie bei &apos;glisson register&apos;.</translation>
+    </message>
+    <message>
+        <source>Steps of the springs towards each cloud.</source>
+        <translation>Schritte der Federn auf jede Punktwolke zu.</translation>
+    </message>
+    <message>
+        <source>live: longest time until a right overlay is back after a jump, s</source>
+        <translation>live: längste Zeit, bis nach einem Sprung eine richtige Einblendung zurück ist, s</translation>
     </message>
 </context>
 <context>

@@ -1576,10 +1576,6 @@
         <translation>Unité des nuages&#xa0;: mm, cm ou m. Sinon, celle du modèle.</translation>
     </message>
     <message>
-        <source>Steps towards each cloud.</source>
-        <translation>Pas vers chaque nuage.</translation>
-    </message>
-    <message>
         <source>Nodes that do not move (0-based numbers).</source>
         <translation>Nœuds qui ne bougent pas (numéros à partir de 0).</translation>
     </message>
@@ -2110,6 +2106,18 @@
     <message>
         <source>Follows a stereo video, or a series of clouds, from a registered start. Every frame is processed; one mesh a frame is written, numbered like its input, and a line of frames.jsonl with the level, the reason and the pose. What Ctrl-C cuts short is kept and marked INCOMPLETE.</source>
         <translation>Suit une vidéo stéréo, ou une série de nuages, depuis un départ recalé. Chaque image est traitée ; un maillage par image est écrit, numéroté comme son entrée, et une ligne de frames.jsonl avec le niveau, la raison et la pose. Ce que Ctrl-C interrompt est conservé et marqué INCOMPLETE.</translation>
+    </message>
+    <message>
+        <source>How clouds are followed: forces, springs, or automatic, each as in &apos;glisson register&apos;.</source>
+        <translation>Comment les nuages sont suivis : forces, springs (ressorts) ou automatic, comme dans &apos;glisson register&apos;.</translation>
+    </message>
+    <message>
+        <source>Steps of the springs towards each cloud.</source>
+        <translation>Pas des ressorts vers chaque nuage.</translation>
+    </message>
+    <message>
+        <source>live: longest time until a right overlay is back after a jump, s</source>
+        <translation>live : temps le plus long jusqu&apos;au retour d&apos;une superposition juste après un saut, s</translation>
     </message>
 </context>
 <context>
