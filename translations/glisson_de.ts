@@ -640,6 +640,10 @@
         <source>A file of the case was changed by another program since it was saved. What it held is kept as %*.</source>
         <translation>Eine Datei des Falls wurde seit dem Speichern von einem anderen Programm geändert. Ihr Inhalt ist aufbewahrt als %*.</translation>
     </message>
+    <message>
+        <source>The shape that fits the points would turn the organ inside out.</source>
+        <translation>Die Form, die zu den Punkten passt, würde das Organ umstülpen.</translation>
+    </message>
 </context>
 <context>
     <name>Obstacles</name>
@@ -1243,6 +1247,14 @@
     <message>
         <source>pulling and pressing the organ</source>
         <translation>am Organ ziehen und drücken</translation>
+    </message>
+    <message>
+        <source>registering livers</source>
+        <translation>Lebern werden registriert</translation>
+    </message>
+    <message>
+        <source>handling the liver</source>
+        <translation>Leber wird bewegt</translation>
     </message>
 </context>
 <context>
@@ -1972,14 +1984,6 @@
         <translation>%1 ist nicht da und wird ausgelassen.</translation>
     </message>
     <message>
-        <source>Measures the proofs&apos; figures again, against experts&apos; labels and known truths: patient (from the CT to the model), stereo (from pictures to clouds), live (what the overlay says of itself when something is wrong).</source>
-        <translation>Misst die Zahlen der Nachweise noch einmal, an Labels von Experten und bekannten Wahrheiten: patient (vom CT zum Modell), stereo (von Bildern zu Punktwolken), live (was die Einblendung von sich sagt, wenn etwas nicht stimmt).</translation>
-    </message>
-    <message>
-        <source>Which: patient, stereo or live.</source>
-        <translation>Welche: patient, stereo oder live.</translation>
-    </message>
-    <message>
         <source>Picture of where there are enough points, and where they are missing.</source>
         <translation>Bild davon, wo genug Punkte sind und wo sie fehlen.</translation>
     </message>
@@ -2118,6 +2122,54 @@
     <message>
         <source>live: longest time until a right overlay is back after a jump, s</source>
         <translation>live: längste Zeit, bis nach einem Sprung eine richtige Einblendung zurück ist, s</translation>
+    </message>
+    <message>
+        <source>Measures the proofs&apos; figures again, against experts&apos; labels and known truths: patient (from the CT to the model), stereo (from pictures to clouds), registration (how far off it is, and whether it says so), live (what the overlay says of itself when something is wrong).</source>
+        <translation>Misst die Zahlen der Nachweise neu, gegen Markierungen von Fachleuten und bekannte Wahrheiten: patient (vom CT zum Modell), stereo (von Bildern zu Wolken), registration (wie weit sie daneben liegt und ob sie es sagt), live (was die Einblendung von sich sagt, wenn etwas nicht stimmt).</translation>
+    </message>
+    <message>
+        <source>Which: patient, stereo, registration or live.</source>
+        <translation>Welcher: patient, stereo, registration oder live.</translation>
+    </message>
+    <message>
+        <source>registration: leave the validation patients alone, as when limits are set.</source>
+        <translation>registration: die Validierungspatienten auslassen, wie beim Setzen von Grenzen.</translation>
+    </message>
+    <message>
+        <source>registrations over 10 mm at a lesion, refused or doubted, share</source>
+        <translation>Registrierungen mit über 10 mm an einem Herd, verworfen oder angezweifelt, Anteil</translation>
+    </message>
+    <message>
+        <source>registrations under 3 mm at all lesions, doubted, share</source>
+        <translation>Registrierungen mit unter 3 mm an allen Herden, angezweifelt, Anteil</translation>
+    </message>
+    <message>
+        <source>lesions within their 95 % ellipsoid, share, at least</source>
+        <translation>Herde innerhalb ihres 95-%-Ellipsoids, Anteil, mindestens</translation>
+    </message>
+    <message>
+        <source>lesions outside of their 95 % ellipsoid, share</source>
+        <translation>Herde außerhalb ihres 95-%-Ellipsoids, Anteil</translation>
+    </message>
+    <message>
+        <source>expected against true error of a lesion, correlation</source>
+        <translation>Erwarteter gegen wahren Fehler eines Herdes, Korrelation</translation>
+    </message>
+    <message>
+        <source>mean error, 30 % of the surface seen, mm</source>
+        <translation>Mittlerer Fehler, 30 % der Oberfläche gesehen, mm</translation>
+    </message>
+    <message>
+        <source>mean error, 20 % of the surface seen, mm</source>
+        <translation>Mittlerer Fehler, 20 % der Oberfläche gesehen, mm</translation>
+    </message>
+    <message>
+        <source>mean error, 10 % of the surface seen, where not doubted, mm</source>
+        <translation>Mittlerer Fehler, 10 % der Oberfläche gesehen, wo nicht angezweifelt, mm</translation>
+    </message>
+    <message>
+        <source>cases in which the best rigid alignment is beaten, share</source>
+        <translation>Fälle, in denen die beste starre Ausrichtung übertroffen wird, Anteil</translation>
     </message>
 </context>
 <context>

@@ -640,6 +640,10 @@
         <source>A file of the case was changed by another program since it was saved. What it held is kept as %*.</source>
         <translation>Un fichier du cas a été modifié par un autre programme depuis son enregistrement. Son contenu est conservé sous %*.</translation>
     </message>
+    <message>
+        <source>The shape that fits the points would turn the organ inside out.</source>
+        <translation>La forme qui convient aux points retournerait l&apos;organe.</translation>
+    </message>
 </context>
 <context>
     <name>Obstacles</name>
@@ -1243,6 +1247,14 @@
     <message>
         <source>pulling and pressing the organ</source>
         <translation>tirer et appuyer sur l’organe</translation>
+    </message>
+    <message>
+        <source>registering livers</source>
+        <translation>recalage de foies</translation>
+    </message>
+    <message>
+        <source>handling the liver</source>
+        <translation>manipulation du foie</translation>
     </message>
 </context>
 <context>
@@ -1972,14 +1984,6 @@
         <translation>%1 est absent et laissé de côté.</translation>
     </message>
     <message>
-        <source>Measures the proofs&apos; figures again, against experts&apos; labels and known truths: patient (from the CT to the model), stereo (from pictures to clouds), live (what the overlay says of itself when something is wrong).</source>
-        <translation>Mesure à nouveau les chiffres des preuves, contre des étiquettes d&apos;experts et des vérités connues : patient (du scanner au modèle), stereo (des images aux nuages), live (ce que l’incrustation dit d’elle-même quand quelque chose ne va pas).</translation>
-    </message>
-    <message>
-        <source>Which: patient, stereo or live.</source>
-        <translation>Laquelle : patient, stereo ou live.</translation>
-    </message>
-    <message>
         <source>Picture of where there are enough points, and where they are missing.</source>
         <translation>Image des endroits où il y a assez de points, et où il en manque.</translation>
     </message>
@@ -2118,6 +2122,54 @@
     <message>
         <source>live: longest time until a right overlay is back after a jump, s</source>
         <translation>live : temps le plus long jusqu&apos;au retour d&apos;une superposition juste après un saut, s</translation>
+    </message>
+    <message>
+        <source>Measures the proofs&apos; figures again, against experts&apos; labels and known truths: patient (from the CT to the model), stereo (from pictures to clouds), registration (how far off it is, and whether it says so), live (what the overlay says of itself when something is wrong).</source>
+        <translation>Mesure à nouveau les chiffres des preuves, contre des segmentations d&apos;experts et des vérités connues : patient (du scanner au modèle), stereo (des images aux nuages), registration (de combien il se trompe, et s&apos;il le dit), live (ce que la superposition dit d&apos;elle-même quand quelque chose ne va pas).</translation>
+    </message>
+    <message>
+        <source>Which: patient, stereo, registration or live.</source>
+        <translation>Laquelle : patient, stereo, registration ou live.</translation>
+    </message>
+    <message>
+        <source>registration: leave the validation patients alone, as when limits are set.</source>
+        <translation>registration : laisser de côté les patients de validation, comme lorsque les limites sont fixées.</translation>
+    </message>
+    <message>
+        <source>registrations over 10 mm at a lesion, refused or doubted, share</source>
+        <translation>recalages à plus de 10 mm à une lésion, refusés ou mis en doute, part</translation>
+    </message>
+    <message>
+        <source>registrations under 3 mm at all lesions, doubted, share</source>
+        <translation>recalages à moins de 3 mm à toutes les lésions, mis en doute, part</translation>
+    </message>
+    <message>
+        <source>lesions within their 95 % ellipsoid, share, at least</source>
+        <translation>lésions dans leur ellipsoïde à 95 %, part, au moins</translation>
+    </message>
+    <message>
+        <source>lesions outside of their 95 % ellipsoid, share</source>
+        <translation>lésions hors de leur ellipsoïde à 95 %, part</translation>
+    </message>
+    <message>
+        <source>expected against true error of a lesion, correlation</source>
+        <translation>erreur attendue contre erreur vraie d&apos;une lésion, corrélation</translation>
+    </message>
+    <message>
+        <source>mean error, 30 % of the surface seen, mm</source>
+        <translation>erreur moyenne, 30 % de la surface vue, mm</translation>
+    </message>
+    <message>
+        <source>mean error, 20 % of the surface seen, mm</source>
+        <translation>erreur moyenne, 20 % de la surface vue, mm</translation>
+    </message>
+    <message>
+        <source>mean error, 10 % of the surface seen, where not doubted, mm</source>
+        <translation>erreur moyenne, 10 % de la surface vue, là où il n&apos;y a pas de doute, mm</translation>
+    </message>
+    <message>
+        <source>cases in which the best rigid alignment is beaten, share</source>
+        <translation>cas où le meilleur recalage rigide est battu, part</translation>
     </message>
 </context>
 <context>

@@ -6,6 +6,7 @@
 #include "glisson/experiments/aims.h"
 #include "glisson/experiments/live_proof.h"
 #include "glisson/experiments/patient_proof.h"
+#include "glisson/experiments/registration_proof.h"
 #include "glisson/experiments/stereo_proof.h"
 
 namespace glisson::app {
@@ -84,6 +85,20 @@ void prove_live(const Arguments& arguments, Session& session, const fs::path& fo
   page.table = proof->table;
 }
 
+void prove_registration(const Arguments& arguments, Session& session, const fs::path& folder,
+                        experiments::ProofPage& page) {
+  experiments::RegistrationProofOptions options;
+  options.seed = arguments.seed();
+  options.data = arguments.path("data");
+  options.validation = !arguments.has("development-only");
+  auto proof = experiments::prove_registration(options, folder, session.context());
+  if (!proof) throw Interrupted();
+  for (const std::string& line : proof->table) say(QString::fromStdString(line));
+  session.figures.merge(proof->figures);
+  page.absent = proof->absent;
+  page.table = proof->table;
+}
+
 constexpr Proof kProofs[] = {
     {"patient", "From the CT to the model",
      "3D-IRCADb-01 patient 1 (real CT) against its expert's labels, and the synthetic patient (in silico) "
@@ -93,6 +108,13 @@ constexpr Proof kProofs[] = {
      "A pair of real liver tissue against its CT surface, pairs of a chessboard and of a silicone heart "
      "(phantoms, real cameras), and pictures of the theatre (in silico), whose depth is known.",
      experiments::stereo_aims, prove_stereo},
+    {"registration", "How far off a registration is, and whether it says so",
+     "Livers (synthetic, real CTs' label maps, surfaces) handled in silico in ways that the registration's "
+     "prior "
+     "does not know, with noisy clouds of a part of the surface; and clouds that are not of the patient, or "
+     "not as "
+     "they should be. Limits were set on the development patients alone.",
+     experiments::registration_aims, prove_registration},
     {"live", "What the live overlay says of itself when something is wrong",
      "Wrong starts, and faults put into the frames of the theatre (in silico), on patients and films that no "
      "limit was "
@@ -131,13 +153,16 @@ int run_prove(const QStringList& given) {
   Arguments arguments("prove",
                       Cli::tr("Measures the proofs' figures again, against experts' labels and "
                               "known truths: patient (from the CT to the model), stereo (from pictures to "
-                              "clouds), live (what the overlay says of itself when "
+                              "clouds), registration (how far off it is, and whether it says so), live (what "
+                              "the overlay says of itself when "
                               "something is wrong)."));
-  arguments.positional("PROOF", Cli::tr("Which: patient, stereo or live."));
+  arguments.positional("PROOF", Cli::tr("Which: patient, stereo, registration or live."));
   arguments.option("data", Cli::tr("Folder of the real data; what is not there is left out."), "DIR",
                    "../shared/data");
   arguments.option("clicks", Cli::tr("Folder of the clicks on it."), "DIR", "tests/data");
   arguments.flag("real-only", Cli::tr("Leave out what is measured in silico."));
+  arguments.flag("development-only",
+                 Cli::tr("registration: leave the validation patients alone, as when limits are set."));
   arguments.option(
       "figures",
       Cli::tr("Folder for the page with the figures. In a checkout they go to packaging/figures, "

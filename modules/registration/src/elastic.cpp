@@ -211,6 +211,24 @@ PatientModel moved_to(const PatientModel& model, const Points& nodes) {
   return moved;
 }
 
+namespace {
+
+/// A shape that the modes make, or less of it where they turn elements inside out. @param share of it.
+Points sound_shape(const PatientModel& model, const OperationPrior& prior, const Eigen::VectorXd& amplitudes,
+                   double& share) {
+  constexpr double kThinnest = 0.02;  // volume over the one at rest
+  const Eigen::VectorXd volumes = tetrahedron_volumes(model.mesh);
+  TetMesh mesh = model.mesh;
+  for (share = 1.0; share > 1e-3; share *= 0.8) {
+    mesh.vertices = prior.shape(model.mesh.vertices, share * amplitudes);
+    if ((tetrahedron_volumes(mesh).array() > kThinnest * volumes.array()).all()) return mesh.vertices;
+  }
+  share = 0.0;
+  return model.mesh.vertices;
+}
+
+}  // namespace
+
 Cancellable<Registration> register_elastic(const PatientModel& model, const LabelledCloud& cloud,
                                            const CameraFromCt& start, const ElasticOptions& options,
                                            const RunContext& context) {
@@ -227,7 +245,9 @@ Cancellable<Registration> register_elastic(const PatientModel& model, const Labe
   const auto fit = fit_most_probable_shape(model, *options.prior, cloud, starts, options.shape, doubts,
                                            context.part(0.0, 0.4));
   if (!fit) return std::nullopt;
-  const PatientModel rest = moved_to(model, options.prior->shape(model.mesh.vertices, fit->amplitudes));
+  double share = 1.0;
+  const PatientModel rest = moved_to(model, sound_shape(model, *options.prior, fit->amplitudes, share));
+  if (share < 1.0) doubts.emplace_back("shape_inverted");
   auto registration =
       ElasticRun(model, rest, cloud, fit->camera_from_ct, options).run(context.part(0.4, 1.0));
   if (registration) registration->doubts.insert(registration->doubts.end(), doubts.begin(), doubts.end());

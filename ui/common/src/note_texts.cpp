@@ -77,6 +77,7 @@ class Notes {
                              "differently; the better one was taken.")},
         {"forces_not_at_rest", tr("The search for contact forces ended before it had come to rest.")},
         {"shape_unusual", tr("The organ would be bent as in hardly any simulated operation.")},
+        {"shape_inverted", tr("The shape that fits the points would turn the organ inside out.")},
         {"rigid_ambiguous", tr("Two rigid positions fit almost equally well; the better one was taken.")},
         {"many_outliers", tr("Many points do not fit the model and were left aside.")},
         {"residual_large", tr("The model stays more than 5 mm from the points on average.")},

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "glisson/core/json_file.h"
+#include "glisson/core/run_context.h"
+#include "glisson/experiments/aims.h"
+
+/// @file
+/// How far off a registration is where nobody looks, and whether it says so: livers handled in ways that its
+/// prior does not know, and clouds that are not of the patient.
+
+namespace glisson::experiments {
+
+struct RegistrationProofOptions {
+  std::filesystem::path data;  ///< real livers; those that are absent are left out
+  bool development = true, validation = true;
+  std::uint64_t seed = 1;
+  std::vector<double> shares{0.1, 0.2, 0.3, 0.5};  ///< of the surface that is seen
+  bool rivals = true;                              ///< the paper's method too
+  std::string only;                                ///< patients whose name contains this; empty: all
+  /// @throws InputError naming the option.
+  void validate() const;
+};
+
+struct RegistrationProof {
+  /// Keys begin with "registration_development_" or "registration_validation_".
+  Figures figures;
+  std::vector<std::string> table;   ///< of both sets, validation first
+  std::vector<std::string> absent;  ///< real data that were left out
+};
+
+/// Leaves `registration.csv`, a line each registration, in `folder`, which exists. An error is the largest
+/// over three lesions deep in the liver, far from each other. Empty: cancelled. @throws Error.
+Cancellable<RegistrationProof> prove_registration(const RegistrationProofOptions& options,
+                                                  const std::filesystem::path& folder,
+                                                  const RunContext& context);
+
+/// What its figures should be.
+const std::vector<Aim>& registration_aims();
+
+}  // namespace glisson::experiments

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/experiments/registration_proof.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdio>
+#include <future>
+#include <limits>
+#include <map>
+#include <mutex>
+
+#include "glisson/core/error.h"
+#include "glisson/core/files.h"
+#include "glisson/geometry/rigid.h"
+#include "glisson/registration/register_model.h"
+#include "registration_stage.h"
+#include "registration_trials.h"
+
+namespace glisson::experiments {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Work in any order on two threads, `report` by this one alone. Rethrows; false: cancelled.
+bool on_two_threads(std::size_t count, const RunContext& context,
+                    const std::function<void(std::size_t)>& work) {
+  std::atomic<std::size_t> next{0};
+  const auto run = [&](bool reports) {
+    for (std::size_t i = next++; i < count && !context.cancelled(); i = next++) {
+      if (reports)
+        context.progress(static_cast<double>(i) / static_cast<double>(count), "prove.registration");
+      work(i);
+    }
+  };
+  auto other = std::async(std::launch::async, run, false);
+  run(true);
+  other.get();
+  return !context.cancelled();
+}
+
+std::vector<ProofPatient> chosen_patients(const RegistrationProofOptions& options,
+                                          std::vector<std::string>& absent) {
+  std::vector<ProofPatient> chosen;
+  for (const ProofPatient& patient : proof_patients()) {
+    const bool wanted = patient.set == ProofSet::development ? options.development : options.validation;
+    if (!wanted || std::string(patient.name).find(options.only) == std::string::npos) continue;
+    if (patient.kind != ProofPatient::Kind::synthetic && !fs::exists(options.data / patient.path))
+      absent.emplace_back(patient.path);
+    else
+      chosen.push_back(patient);
+  }
+  return chosen;
+}
+
+/// The next patient of the same set.
+std::size_t another(const std::vector<RegistrationStage>& stages, std::size_t i) {
+  for (std::size_t k = 1; k < stages.size(); ++k) {
+    const std::size_t j = (i + k) % stages.size();
+    if (stages[j].patient.set == stages[i].patient.set) return j;
+  }
+  return i;
+}
+
+}  // namespace
+
+void RegistrationProofOptions::validate() const {
+  const OptionCheck demand("registration proof options");
+  demand(!shares.empty(), "shares", 0.0, "Give one at least");
+  for (const double share : shares)
+    demand(share > 0.0 && share <= 1.0, "shares", share, "Give shares in (0, 1]");
+}
+
+Cancellable<RegistrationProof> prove_registration(const RegistrationProofOptions& options,
+                                                  const fs::path& folder, const RunContext& context) {
+  options.validate();
+  RegistrationProof proof;
+  const std::vector<ProofPatient> patients = chosen_patients(options, proof.absent);
+  std::vector<std::optional<RegistrationStage>> built(patients.size());
+  const bool all_built = on_two_threads(patients.size(), context.part(0.0, 0.2), [&](std::size_t i) {
+    built[i] = build_stage(patients[i], options.data, options.seed + i, context.quiet());
+  });
+  if (!all_built) return std::nullopt;
+  std::vector<RegistrationStage> stages;
+  for (auto& stage : built) stages.push_back(std::move(*stage));
+  std::vector<std::vector<RegistrationTrial>> trials(stages.size());
+  const bool all_done = on_two_threads(stages.size(), context.part(0.2, 1.0), [&](std::size_t i) {
+    trials[i] = run_trials(stages[i], stages[another(stages, i)], options, i, context.quiet());
+  });
+  if (!all_done) return std::nullopt;
+  std::vector<RegistrationTrial> all;
+  for (auto& some : trials) all.insert(all.end(), some.begin(), some.end());
+  write_file_atomically(folder / "registration.csv", csv_of(all));
+  for (const ProofSet set : {ProofSet::validation, ProofSet::development}) sum_up(all, set, proof);
+  return proof;
+}
+
+}  // namespace glisson::experiments

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "glisson/insilico/handled_liver.h"
+#include "registration_patients.h"
+
+namespace glisson::experiments {
+
+/// A patient, handled in every way, before a camera.
+struct RegistrationStage {
+  ProofPatient patient;
+  PatientModel model;  ///< that is registered; notch and vena cava as a person clicked them
+  std::vector<insilico::HandledLiver> handled;  ///< in the order of insilico::kHandlings
+  Points lesions;  ///< three places deep in the liver and far from each other, CT frame
+
+  const insilico::HandledLiver& by(std::size_t handling) const { return handled[handling]; }
+};
+/// @throws Error. Empty: cancelled.
+Cancellable<RegistrationStage> build_stage(const ProofPatient& patient, const std::filesystem::path& data,
+                                           std::uint64_t seed, const RunContext& context);
+
+/// What is wrong with a cloud, or with where the registration starts.
+enum class RegistrationFault {
+  none,
+  noise,
+  another_patient,
+  mirrored,
+  foreign_organ,
+  wrong_labels,
+  wrong_start
+};
+inline constexpr RegistrationFault kRegistrationFaults[] = {
+    RegistrationFault::none,       RegistrationFault::noise,         RegistrationFault::another_patient,
+    RegistrationFault::mirrored,   RegistrationFault::foreign_organ, RegistrationFault::wrong_labels,
+    RegistrationFault::wrong_start};
+const char* fault_code(RegistrationFault fault);
+/// Whether the cloud shows this patient's liver at all: otherwise any registration is wrong.
+bool shows_the_organ(RegistrationFault fault);
+
+/// A cloud with the fault in it. @param other another patient's stage.
+LabelledCloud faulty_cloud(const RegistrationStage& stage, const RegistrationStage& other,
+                           std::size_t handling, double share, RegistrationFault fault, std::uint64_t seed);
+/// Where the liver would be looked for by somebody who mistook it: 35 mm and 40 degrees off.
+CameraFromCt mistaken(const RegistrationStage& stage, std::size_t handling);
+
+}  // namespace glisson::experiments

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <set>
+
+#include "registration_trials.h"
+
+namespace glisson::experiments {
+namespace {
+
+constexpr double kFar = 10e-3, kNear = 3e-3;  ///< metres: registrations over and under
+
+double millimetres(double metres) { return 1e3 * metres; }
+
+const char* name_of(ProofSet set) { return set == ProofSet::development ? "development" : "validation"; }
+
+template <class... Values>
+std::string text(const char* format, Values... values) {
+  char line[400];
+  std::snprintf(line, sizeof line, format, values...);
+  return line;
+}
+
+struct Mean {
+  double sum = 0.0;
+  int count = 0;
+  void add(double value) {
+    if (std::isfinite(value)) sum += value, ++count;
+  }
+  double value() const { return count > 0 ? sum / count : std::nan(""); }
+};
+
+struct Cell {
+  Mean ours, paper, rigid, lesion;
+  int doubted = 0, count = 0;
+  void add(const RegistrationTrial& trial) {
+    ours.add(trial.mean);
+    paper.add(trial.paper_mean);
+    rigid.add(trial.rigid_mean);
+    lesion.add(trial.worst_lesion());
+    doubted += trial.doubted();
+    ++count;
+  }
+};
+
+struct Tally {
+  int count = 0, far = 0, far_told = 0, near = 0, near_told = 0, refused = 0, told = 0;
+  void add(const RegistrationTrial& trial) {
+    ++count;
+    refused += trial.refused;
+    told += trial.doubted();
+    if (trial.worst_lesion() > kFar) ++far, far_told += trial.doubted();
+    if (trial.worst_lesion() < kNear) ++near, near_told += trial.doubted();
+  }
+};
+
+double correlation(const std::vector<double>& a, const std::vector<double>& b) {
+  const auto n = static_cast<double>(a.size());
+  Mean of_a, of_b;
+  for (const double value : a) of_a.add(value);
+  for (const double value : b) of_b.add(value);
+  double ab = 0.0, aa = 0.0, bb = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double x = a[i] - of_a.value(), y = b[i] - of_b.value();
+    ab += x * y, aa += x * x, bb += y * y;
+  }
+  return n > 2 && aa > 0.0 && bb > 0.0 ? ab / std::sqrt(aa * bb) : std::nan("");
+}
+
+void add_expected(const std::vector<RegistrationTrial>& trials, const std::string& prefix,
+                  RegistrationProof& proof) {
+  std::vector<double> expected, found;
+  int covered = 0, asked = 0;
+  for (const RegistrationTrial& trial : trials) {
+    if (trial.fault != RegistrationFault::none || trial.refused) continue;
+    for (std::size_t i = 0; i < trial.expected.size(); ++i) {
+      expected.push_back(trial.expected[i]);
+      found.push_back(trial.lesions[i]);
+      covered += trial.covered[i];
+      ++asked;
+    }
+  }
+  if (asked == 0) return;
+  proof.figures[prefix + "expected_correlation"] = correlation(expected, found);
+  proof.figures[prefix + "expected_coverage"] = covered / static_cast<double>(asked);
+  proof.figures[prefix + "expected_outside"] = (asked - covered) / static_cast<double>(asked);
+  Mean of_expected, of_found;
+  for (const double value : expected) of_expected.add(value);
+  for (const double value : found) of_found.add(value);
+  proof.figures[prefix + "expected_mean_mm"] = millimetres(of_expected.value());
+  proof.figures[prefix + "expected_true_mean_mm"] = millimetres(of_found.value());
+}
+
+}  // namespace
+
+std::string csv_of(const std::vector<RegistrationTrial>& trials) {
+  std::set<std::string> keys;
+  for (const RegistrationTrial& trial : trials)
+    for (const auto& [key, value] : trial.figures) keys.insert(key);
+  std::string csv =
+      "set,patient,handling,share,fault,mean_mm,lesion_1_mm,lesion_2_mm,lesion_3_mm,expected_1_mm,"
+      "expected_2_mm,expected_3_mm,rigid_mm,paper_mm,seconds,refused,doubts";
+  for (const std::string& key : keys) csv += "," + key;
+  csv += "\n";
+  for (const RegistrationTrial& trial : trials) {
+    csv += text("%s,%s,%s,%.2f,%s,%.3f", name_of(trial.set), trial.patient.c_str(), trial.handling.c_str(),
+                trial.share, fault_code(trial.fault), millimetres(trial.mean));
+    for (const auto* list : {&trial.lesions, &trial.expected})
+      for (std::size_t i = 0; i < 3; ++i)
+        csv += i < list->size() ? text(",%.3f", millimetres((*list)[i])) : ",";
+    csv += text(",%.3f,%.3f,%.2f,%d,", millimetres(trial.rigid_mean), millimetres(trial.paper_mean),
+                trial.seconds, trial.refused ? 1 : 0);
+    for (std::size_t i = 0; i < trial.doubts.size(); ++i) csv += (i > 0 ? ";" : "") + trial.doubts[i];
+    for (const std::string& key : keys) {
+      const auto found = trial.figures.find(key);
+      csv += found == trial.figures.end() ? "," : text(",%.6g", found->second);
+    }
+    csv += "\n";
+  }
+  return csv;
+}
+
+void sum_up(const std::vector<RegistrationTrial>& all, ProofSet set, RegistrationProof& proof) {
+  std::vector<RegistrationTrial> trials;
+  for (const RegistrationTrial& trial : all)
+    if (trial.set == set) trials.push_back(trial);
+  if (trials.empty()) return;
+  std::map<std::pair<std::string, double>, Cell> cells;
+  std::map<double, Cell> shares;
+  std::map<RegistrationFault, Tally> faults;
+  std::map<double, Mean> undoubted;
+  Tally sum;
+  for (const RegistrationTrial& trial : trials) {
+    faults[trial.fault].add(trial);
+    sum.add(trial);
+    if (trial.fault != RegistrationFault::none) continue;
+    cells[{trial.handling, trial.share}].add(trial);
+    shares[trial.share].add(trial);
+    if (!trial.doubted()) undoubted[trial.share].add(trial.mean);
+  }
+  const std::string name = name_of(set), prefix = "registration_" + name + "_";
+  proof.table.push_back(name);
+  proof.table.emplace_back("handled    seen %  trials  ours mm  paper mm  rigid mm  lesion mm  doubted");
+  const auto row = [&](const std::string& what, double share, const Cell& cell) {
+    proof.table.push_back(text("%-10s %6.0f %7d %8.2f %9.2f %9.2f %10.2f %8d", what.c_str(), 100.0 * share,
+                               cell.count, millimetres(cell.ours.value()), millimetres(cell.paper.value()),
+                               millimetres(cell.rigid.value()), millimetres(cell.lesion.value()),
+                               cell.doubted));
+  };
+  int beaten = 0;
+  for (const auto& [key, cell] : cells) {
+    row(key.first, key.second, cell);
+    beaten += cell.ours.value() < cell.rigid.value();
+  }
+  for (const auto& [share, cell] : shares) {
+    row("all", share, cell);
+    const std::string at = prefix + std::to_string(std::lround(100.0 * share)) + "_";
+    proof.figures[at + "mean_mm"] = millimetres(cell.ours.value());
+    proof.figures[at + "paper_mean_mm"] = millimetres(cell.paper.value());
+    proof.figures[at + "rigid_mean_mm"] = millimetres(cell.rigid.value());
+    proof.figures[at + "undoubted_mean_mm"] = millimetres(undoubted[share].value());
+    proof.figures[at + "undoubted"] = undoubted[share].count;
+  }
+  proof.table.emplace_back("fault             trials  refused  doubted  >10 mm  told  <3 mm  doubted");
+  const auto tell = [&](const std::string& what, const Tally& tally) {
+    proof.table.push_back(text("%-17s %6d %8d %8d %7d %5d %6d %8d", what.c_str(), tally.count, tally.refused,
+                               tally.told, tally.far, tally.far_told, tally.near, tally.near_told));
+  };
+  for (const auto& [fault, tally] : faults) tell(fault_code(fault), tally);
+  tell("all", sum);
+  proof.figures[prefix + "trials"] = sum.count;
+  proof.figures[prefix + "far"] = sum.far;
+  proof.figures[prefix + "far_told_share"] = sum.far > 0 ? sum.far_told / static_cast<double>(sum.far) : 1.0;
+  proof.figures[prefix + "near"] = sum.near;
+  proof.figures[prefix + "near_doubted_share"] =
+      sum.near > 0 ? sum.near_told / static_cast<double>(sum.near) : 0.0;
+  proof.figures[prefix + "rigid_beaten_share"] = beaten / static_cast<double>(cells.size());
+  add_expected(trials, prefix, proof);
+}
+
+}  // namespace glisson::experiments

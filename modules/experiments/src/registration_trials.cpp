@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "registration_trials.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "glisson/core/error.h"
+#include "glisson/geometry/rigid.h"
+#include "glisson/registration/register_model.h"
+
+namespace glisson::experiments {
+namespace {
+
+constexpr double kFaultShare = 0.3;  ///< that is seen where a fault is tried, and rivals are
+
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+/// One patient's registrations; operations are simulated once.
+class Trials {
+ public:
+  Trials(const RegistrationStage& stage, const RegistrationProofOptions& options, const RunContext& context)
+      : stage_(stage),
+        options_(options),
+        context_(context),
+        lesions_(bind_points(stage.model.mesh, stage.lesions, false)) {
+    registration_.elastic = registration::options_for(stage.model);
+  }
+
+  bool run(const LabelledCloud& cloud, std::size_t handling, double share, RegistrationFault fault) {
+    RegistrationTrial trial;
+    trial.patient = stage_.patient.name;
+    trial.set = stage_.patient.set;
+    trial.handling = insilico::handling_code(insilico::kHandlings[handling]);
+    trial.share = share;
+    trial.fault = fault;
+    registration::RegisterOptions options = registration_;
+    if (fault == RegistrationFault::wrong_start) {
+      options.start = registration::RegisterOptions::Start::given;
+      options.given = mistaken(stage_, handling);
+    }
+    const auto begin = std::chrono::steady_clock::now();
+    try {
+      const auto made = register_model(stage_.model, cloud, options, context_, known_);
+      if (!made) return false;
+      if (made->operations) known_ = {options.operation, made->operations};
+      trial.doubts = made->registration.doubts;
+      compare(*made, handling, fault, trial);
+    } catch (const Error&) {  // no result: nobody is misled
+      trial.refused = true;
+      trial.mean = std::numeric_limits<double>::infinity();
+      trial.lesions.assign(static_cast<std::size_t>(stage_.lesions.rows()), trial.mean);
+    }
+    trial.seconds = seconds_since(begin);
+    const bool compares = fault == RegistrationFault::none && share == kFaultShare;
+    if (options_.rivals && compares && !add_paper(cloud, handling, trial)) return false;
+    trials_.push_back(std::move(trial));
+    return true;
+  }
+
+  std::vector<RegistrationTrial> trials() { return std::move(trials_); }
+
+ private:
+  void compare(const registration::Registered& made, std::size_t handling, RegistrationFault fault,
+               RegistrationTrial& trial) const {
+    const Points truth = stage_.by(handling).carry(stage_.model.mesh.vertices);
+    const Points true_lesions = stage_.by(handling).carry(stage_.lesions);
+    const Points found = lesions_.apply(stage_.model.mesh, made.registration.nodes_in_camera);
+    const bool shown = shows_the_organ(fault);
+    const double never = std::numeric_limits<double>::infinity();
+    trial.mean = shown ? (made.registration.nodes_in_camera - truth).rowwise().norm().mean() : never;
+    for (Eigen::Index i = 0; i < found.rows(); ++i)
+      trial.lesions.push_back(shown ? (found.row(i) - true_lesions.row(i)).norm() : never);
+    trial.figures["seen_share"] = made.registration.seen_share;
+    trial.figures["residual_mm"] = 1e3 * made.registration.residual;
+    trial.figures["rigid_residual_mm"] = 1e3 * made.rigid_residual.value_or(0.0);
+    const auto best = fit_rigid<CameraFrame, CtFrame>(stage_.model.mesh.vertices, truth);
+    trial.rigid_mean = (best.apply(stage_.model.mesh.vertices) - truth).rowwise().norm().mean();
+  }
+
+  bool add_paper(const LabelledCloud& cloud, std::size_t handling, RegistrationTrial& trial) const {
+    registration::RegisterOptions paper = registration_;
+    paper.method = registration::Method::springs;
+    paper.operations = false;
+    const auto made = register_model(stage_.model, cloud, paper, context_);
+    if (!made) return false;
+    trial.paper_mean =
+        (made->registration.nodes_in_camera - stage_.by(handling).carry(stage_.model.mesh.vertices))
+            .rowwise()
+            .norm()
+            .mean();
+    return true;
+  }
+
+  const RegistrationStage& stage_;
+  const RegistrationProofOptions& options_;
+  RunContext context_;
+  Binding lesions_;
+  registration::RegisterOptions registration_;
+  registration::KnownOperations known_;
+  std::vector<RegistrationTrial> trials_;
+};
+
+}  // namespace
+
+double RegistrationTrial::worst_lesion() const {
+  return lesions.empty() ? mean : *std::max_element(lesions.begin(), lesions.end());
+}
+
+std::vector<RegistrationTrial> run_trials(const RegistrationStage& stage, const RegistrationStage& other,
+                                          const RegistrationProofOptions& options, std::size_t number,
+                                          const RunContext& context) {
+  Trials trials(stage, options, context);
+  const auto seed = [&](std::size_t k) { return options.seed + 1000 * (number + 1) + k; };
+  for (std::size_t handling = 0; handling < stage.handled.size(); ++handling)
+    for (std::size_t s = 0; s < options.shares.size(); ++s) {
+      const LabelledCloud cloud = faulty_cloud(stage, other, handling, options.shares[s],
+                                               RegistrationFault::none, seed(10 * handling + s));
+      if (!trials.run(cloud, handling, options.shares[s], RegistrationFault::none)) return trials.trials();
+    }
+  for (const RegistrationFault fault : kRegistrationFaults) {
+    if (fault == RegistrationFault::none) continue;
+    const auto k = static_cast<std::size_t>(fault);
+    const std::size_t handling = (number + k) % stage.handled.size();
+    const LabelledCloud cloud = faulty_cloud(stage, other, handling, kFaultShare, fault, seed(100 + k));
+    if (!trials.run(cloud, handling, kFaultShare, fault)) break;
+  }
+  return trials.trials();
+}
+
+}  // namespace glisson::experiments

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "glisson/core/run_context.h"
+#include "glisson/insilico/theatre.h"
+#include "glisson/patient/patient_model.h"
+
+namespace glisson::insilico {
+
+/// What is done to the liver. None of it is what `registration` simulates beforehand.
+enum class Handling {
+  lifted,   ///< a tool takes a lobe by its margin and lifts it off the bed
+  pressed,  ///< a broad retractor presses the front
+  turned,   ///< the patient lies on the left side
+  pulled    ///< one to three places anywhere are pulled or pressed, askew
+};
+inline constexpr Handling kHandlings[] = {Handling::lifted, Handling::pressed, Handling::turned,
+                                          Handling::pulled};
+/// "lifted", "pressed", "turned", "pulled".
+const char* handling_code(Handling handling);
+
+struct HandlingOptions {
+  std::uint64_t seed = 1;
+  Handling handling = Handling::lifted;
+  int truth_vertices = 1200;       ///< of the truth's own mesh
+  double elastic_motion_mm = 6.0;  ///< of its nodes on average, after the best rigid alignment, at most
+  double surface_error_mm = 1.0;   ///< deviation of the true surface from the patient's, smooth over 15 mm
+  double camera_distance_mm = 130.0;
+  /// @throws InputError naming the option.
+  void validate() const;
+};
+
+/// A patient's liver handled by somebody, before a camera: a truth for registration whose boundary laws,
+/// faces and numbers are its own. Neo-Hookean on a mesh of its own, fixed around the vena cava, hung up at
+/// the bare area, on a bed that only presses; tools hold tissue by stiff springs and are moved until the
+/// organ is bent as far as is wanted. The same patient and options give the same bits. Thread-safe.
+class HandledLiver {
+ public:
+  /// @param patient surfaces (liver required) and landmarks as Theatre::build takes them, CT frame.
+  /// @throws InputError options, no closed liver; NumericalError no equilibrium under the tools.
+  static Cancellable<HandledLiver> build(const PatientModel& patient, const HandlingOptions& options,
+                                         const RunContext& context);
+  ~HandledLiver();
+  HandledLiver(HandledLiver&&) noexcept;
+  HandledLiver& operator=(HandledLiver&&) noexcept;
+
+  /// Metres: mean over the truth's nodes, after the best rigid alignment; and the largest.
+  double elastic_motion() const;
+  double largest_motion() const;
+  const CameraFromCt& camera_from_ct() const;  ///< where the camera stands
+  const Landmarks& landmarks() const;          ///< the patient's, completed; CT frame
+  /// Where points of the CT's liver are before the camera, metres.
+  PointsIn<CameraFrame> carry(const PointsIn<CtFrame>& points) const;
+  /// A patch of the true surface around what the camera looks at, as Theatre::patch. Without normals: who has
+  /// a noisy cloud has no clean ones. @throws InputError options.
+  Patch patch(const PatchOptions& options) const;
+
+ private:
+  struct Impl;
+  explicit HandledLiver(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace glisson::insilico

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/insilico/handled_liver.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "glisson/core/error.h"
+#include "glisson/fem/integrator.h"
+#include "glisson/geometry/rigid.h"
+#include "glisson/insilico/ray_caster.h"
+#include "glisson/model/build.h"
+#include "handled_loads.h"
+#include "operator_hand.h"
+#include "patch.h"
+#include "theatre_anatomy.h"
+
+namespace glisson::insilico {
+namespace {
+
+constexpr double kYoungModulus = 6200.0, kPoissonRatio = 0.47;
+constexpr int kFineTriangles = 12000;
+constexpr double kErrorLength = 0.015;  // m over which the surface's error is alike
+constexpr double kFirstWay = 0.012, kGrowth = 1.5, kNear = 0.04;
+constexpr int kMostSteps = 14;
+
+/// A smooth error of the surface along its normals: a Gaussian field by random Fourier features (Rahimi and
+/// Recht 2007).
+void misdraw(TriangleMesh& surface, double deviation, Hand& hand) {
+  constexpr int kWaves = 64;
+  if (deviation <= 0.0) return;
+  const Points normals = vertex_normals(surface);
+  Eigen::VectorXd error = Eigen::VectorXd::Zero(surface.vertex_count());
+  for (int k = 0; k < kWaves; ++k) {
+    const Eigen::Vector3d wave = hand.tremor3() / kErrorLength;
+    const double phase = 2.0 * std::numbers::pi * hand.uniform();
+    error.array() += ((surface.vertices * wave).array() + phase).cos();
+  }
+  surface.vertices += (std::sqrt(2.0 / kWaves) * deviation * error).asDiagonal() * normals;
+}
+
+/// A camera in front of and below the liver, looking at some place on it, turned at random about its axis.
+CameraFromCt look_at(const Points& surface, double distance, Hand& hand) {
+  const Eigen::Vector3d out =
+      Eigen::Vector3d(1.2 * hand.uniform() - 0.6, -1.0, 0.3 - 1.1 * hand.uniform()).normalized();
+  Eigen::Vector3d at = surface.colwise().mean().transpose();
+  at.x() += 0.08 * hand.uniform() - 0.04;
+  at.z() += 0.04 * hand.uniform() - 0.02;
+  const double near = (surface * out).maxCoeff() - at.dot(out);
+  const Eigen::Vector3d eye = at + (near + distance) * out;
+  const Eigen::Vector3d z = -out, x = z.unitOrthogonal(), y = z.cross(x);
+  CameraFromCt pose;
+  pose.rotation.row(0) = x.transpose();
+  pose.rotation.row(1) = y.transpose();
+  pose.rotation.row(2) = z.transpose();
+  const double roll = 2.0 * std::numbers::pi * hand.uniform();
+  pose.rotation = Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitZ()).toRotationMatrix() * pose.rotation;
+  pose.translation = -pose.rotation * eye;
+  return pose;
+}
+
+double bent(const Points& rest, const Points& now) {
+  const auto best = fit_rigid<CtFrame, CtFrame>(rest, now);
+  return (best.apply(rest) - now).rowwise().norm().mean();
+}
+
+fem::CompositeOptions tissue() {
+  fem::CompositeOptions options;
+  options.with_capsule = options.with_vessels = false;
+  options.law = fem::TetrahedronLaw::neo_hookean;
+  options.parenchyma = {kYoungModulus, kPoissonRatio};
+  return options;
+}
+
+/// Goes on with the handling until the organ is bent as far as is wanted, or no further equilibrium is found.
+Cancellable<Points> handle(const fem::CompositeModel& model, const HandledLoads& loads, double wanted,
+                           const RunContext& context) {
+  const Points& rest = model.mesh().vertices;
+  fem::StaticOptions newton;
+  newton.fixed_nodes = loads.fixed();
+  newton.tolerance = 1e-4;
+  newton.max_iterations = 60;
+  Points nodes = rest;
+  double way = kFirstWay, reached = 0.0, growth = kGrowth, bend = 0.0;
+  for (int step = 0; step < kMostSteps; ++step) {
+    if (context.cancelled()) return std::nullopt;
+    context.progress(static_cast<double>(step) / kMostSteps, "insilico.handle");
+    way = std::min(way, loads.farthest());
+    const auto solved = fem::solve_static(
+        model, nodes, [&](const Points& x) { return loads.at(x, way); }, newton, context.quiet());
+    if (!solved) return std::nullopt;
+    const bool found = solved->converged() || solved->residual < 10.0 * newton.tolerance;
+    const double now = found ? bent(rest, solved->positions) : 0.0;
+    if (!found || now > (1.0 + kNear) * wanted) {
+      growth = std::sqrt(growth);
+      if (growth < 1.02) break;
+      way = reached > 0.0 ? reached * growth : way / kGrowth;
+      continue;
+    }
+    nodes = solved->positions;
+    reached = way;
+    bend = now;
+    if (bend > (1.0 - kNear) * wanted || way >= loads.farthest()) break;
+    growth = std::min(growth, std::max(1.02, wanted / bend));
+    way *= growth;
+  }
+  if (reached == 0.0) throw NumericalError("No equilibrium was found under the tools: take another seed.");
+  return nodes;
+}
+
+}  // namespace
+
+const char* handling_code(Handling handling) {
+  switch (handling) {
+    case Handling::lifted:
+      return "lifted";
+    case Handling::pressed:
+      return "pressed";
+    case Handling::turned:
+      return "turned";
+    case Handling::pulled:
+      return "pulled";
+  }
+  return "unknown";
+}
+
+void HandlingOptions::validate() const {
+  const OptionCheck demand("handled liver");
+  demand(truth_vertices >= 200 && truth_vertices <= 20000, "truth_vertices", truth_vertices,
+         "Give 200 to 20000");
+  demand(elastic_motion_mm > 0.0 && elastic_motion_mm <= 20.0, "elastic_motion_mm", elastic_motion_mm,
+         "Give up to 20 mm");
+  demand(surface_error_mm >= 0.0 && surface_error_mm <= 5.0, "surface_error_mm", surface_error_mm,
+         "Give 0 to 5 mm");
+  demand(camera_distance_mm >= 50.0 && camera_distance_mm <= 300.0, "camera_distance_mm", camera_distance_mm,
+         "Give 50 to 300 mm");
+}
+
+struct HandledLiver::Impl {
+  TetMesh mesh;          ///< rest, CT frame
+  Points nodes;          ///< handled, camera's frame
+  TriangleMesh surface;  ///< handled, camera's frame
+  Landmarks landmarks;
+  CameraFromCt camera_from_ct;
+  double elastic = 0.0, largest = 0.0;
+  std::optional<RayCaster> caster;
+};
+
+HandledLiver::HandledLiver(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+HandledLiver::~HandledLiver() = default;
+HandledLiver::HandledLiver(HandledLiver&&) noexcept = default;
+HandledLiver& HandledLiver::operator=(HandledLiver&&) noexcept = default;
+
+Cancellable<HandledLiver> HandledLiver::build(const PatientModel& patient, const HandlingOptions& options,
+                                              const RunContext& context) {
+  options.validate();
+  auto impl = std::make_unique<Impl>();
+  const TriangleMesh closed = liver_of(patient);
+  model::MeshOptions meshing;
+  meshing.target_vertices = options.truth_vertices;
+  auto mesh = model::mesh_surface(closed, meshing, context.part(0.0, 0.3));
+  if (!mesh) return std::nullopt;
+  impl->mesh = std::move(*mesh);
+  impl->landmarks = complete_landmarks(patient.landmarks, closed);
+  const fem::CompositeModel body(impl->mesh, {}, tissue());
+  const HandledLoads loads(body.surface(), impl->landmarks, options);
+  const auto handled = handle(body, loads, 1e-3 * options.elastic_motion_mm, context.part(0.3, 0.9));
+  if (!handled) return std::nullopt;
+  const auto best = fit_rigid<CtFrame, CtFrame>(impl->mesh.vertices, *handled);
+  const Eigen::VectorXd motion = (best.apply(impl->mesh.vertices) - *handled).rowwise().norm();
+  impl->elastic = motion.mean();
+  impl->largest = motion.maxCoeff();
+
+  Hand hand(options.seed * 7919 + 17);
+  TriangleMesh fine = refine_for_drawing(closed, kFineTriangles);
+  misdraw(fine, 1e-3 * options.surface_error_mm, hand);
+  const Binding binding = bind_points(impl->mesh, fine.vertices, false);
+  impl->camera_from_ct =
+      look_at(binding.apply(impl->mesh, *handled), 1e-3 * options.camera_distance_mm, hand);
+  impl->nodes = impl->camera_from_ct.apply(*handled);
+  impl->surface = {binding.apply(impl->mesh, impl->nodes), fine.triangles};
+  impl->caster.emplace(impl->surface);
+  context.progress(1.0, "insilico.handle");
+  return HandledLiver(std::move(impl));
+}
+
+double HandledLiver::elastic_motion() const { return impl_->elastic; }
+double HandledLiver::largest_motion() const { return impl_->largest; }
+const CameraFromCt& HandledLiver::camera_from_ct() const { return impl_->camera_from_ct; }
+const Landmarks& HandledLiver::landmarks() const { return impl_->landmarks; }
+
+Points HandledLiver::carry(const Points& points) const {
+  return bind_points(impl_->mesh, points, false).apply(impl_->mesh, impl_->nodes);
+}
+
+Patch HandledLiver::patch(const PatchOptions& options) const {
+  options.validate();
+  const RayHit hit = impl_->caster->cast(Eigen::Vector3f::Zero(), Eigen::Vector3f::UnitZ());
+  const double depth =
+      hit.thing == RayHit::Thing::organ ? static_cast<double>(hit.parameter) : impl_->nodes.col(2).mean();
+  Patch patch =
+      sample_patch(impl_->surface, *impl_->caster, Eigen::Vector3d(0.0, 0.0, depth),
+                   carry(impl_->landmarks.anterior_margin), carry(impl_->landmarks.umbilical_notch), options);
+  patch.cloud.normals.resize(0, 3);
+  return patch;
+}
+
+}  // namespace glisson::insilico
