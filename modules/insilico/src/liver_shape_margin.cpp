@@ -83,10 +83,13 @@ std::vector<Vec> LiverShape::anterior_margin(double spacing) const {
   for (std::size_t i = 1; i < traced.size(); ++i) {
     while ((traced[i] - even.back()).norm() >= spacing) {
       const Vec step = (traced[i] - even.back()).normalized() * spacing;
-      if ((traced[i] - even.back()).norm() < 2.0 * spacing)
+      const Vec next = on_surface(even.back() + step);
+      // Over an edge the surface may lead back: a step that comes no nearer would be taken for ever.
+      const bool nearer = (traced[i] - next).norm() < (traced[i] - even.back()).norm();
+      if ((traced[i] - even.back()).norm() < 2.0 * spacing || !nearer)
         even.push_back(traced[i]);
       else
-        even.push_back(on_surface(even.back() + step));
+        even.push_back(next);
     }
   }
   return even;
