@@ -625,6 +625,14 @@
         <translation>Kaum ein Voxel hat die Hounsfield-Werte von Luft: Der Achsenabschnitt (Intercept) des Scanners ist vielleicht verloren.</translation>
     </message>
     <message>
+        <source>The case was opened without its video: it names a source outside this computer, which only you may open. (%*)</source>
+        <translation>Der Fall wurde ohne sein Video geöffnet: Er nennt eine Quelle außerhalb dieses Rechners, die nur Sie öffnen dürfen. (%*)</translation>
+    </message>
+    <message>
+        <source>This computer&apos;s kernel does not shut in the program that reads volumes: read only files that you trust.</source>
+        <translation>Der Kernel dieses Rechners schließt das Programm, das Volumen liest, nicht ein: Lesen Sie nur Dateien, denen Sie vertrauen.</translation>
+    </message>
+    <message>
         <source>The case is open for writing by %*. It was opened for reading here: saved now, it needs another name.</source>
         <translation>Der Fall ist zum Schreiben geöffnet von %*. Hier wurde er zum Lesen geöffnet: Zum Speichern braucht er einen anderen Namen.</translation>
     </message>

@@ -625,6 +625,14 @@
         <translation>Presque aucun voxel n&apos;a les unités Hounsfield de l&apos;air : l&apos;ordonnée à l&apos;origine (intercept) du scanner est peut-être perdue.</translation>
     </message>
     <message>
+        <source>The case was opened without its video: it names a source outside this computer, which only you may open. (%*)</source>
+        <translation>Le cas a été ouvert sans sa vidéo : il désigne une source hors de cet ordinateur, que vous seul pouvez ouvrir. (%*)</translation>
+    </message>
+    <message>
+        <source>This computer&apos;s kernel does not shut in the program that reads volumes: read only files that you trust.</source>
+        <translation>Le noyau de cet ordinateur n&apos;enferme pas le programme qui lit les volumes : ne lisez que des fichiers de confiance.</translation>
+    </message>
+    <message>
         <source>The case is open for writing by %*. It was opened for reading here: saved now, it needs another name.</source>
         <translation>Le cas est ouvert en écriture par %*. Il a été ouvert ici en lecture : pour l’enregistrer, il faut un autre nom.</translation>
     </message>

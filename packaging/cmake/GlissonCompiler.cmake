@@ -25,6 +25,8 @@ if(GLISSON_SANITIZER)
     add_compile_options(-fno-sanitize-recover=undefined -fno-sanitize=vptr)
   endif()
   # GCC 12 sees phantoms in Eigen's and libstdc++'s inlined code once it is instrumented.
-  target_compile_options(glisson_flags INTERFACE -Wno-maybe-uninitialized -Wno-stringop-overflow
-    -Wno-array-bounds -Wno-null-dereference)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    target_compile_options(glisson_flags INTERFACE -Wno-maybe-uninitialized -Wno-stringop-overflow
+      -Wno-array-bounds -Wno-null-dereference)
+  endif()
 endif()

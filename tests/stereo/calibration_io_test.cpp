@@ -144,6 +144,37 @@ class CalibrationIoTest : public QObject {
     QCOMPARE(QByteArray::fromStdString(refusal(content.toStdString())), field);
   }
 
+  void OpenCvsJsonIsReadAndItsXmlIsNot() {
+    // As cv::FileStorage writes it.
+    const auto matrix = [](int rows, int columns, const std::string& data) {
+      return "{ \"type_id\": \"opencv-matrix\", \"rows\": " + std::to_string(rows) +
+             ", \"cols\": " + std::to_string(columns) + ", \"dt\": \"d\", \"data\": [ " + data + " ] }";
+    };
+    const std::string camera = matrix(3, 3, "900.0, 0.0, 470.0, 0.0, 900.0, 260.0, 0.0, 0.0, 1.0"),
+                      bend = matrix(1, 5, "-1.0e-01, 0.01, 0.0, 0.0, 0.0");
+    const std::string json =
+        "{ \"image_width\": 960, \"image_height\": 540, \"unit\": \"mm\", \"M1\": " + camera +
+        ", \"D1\": " + bend + ", \"M2\": " + camera + ", \"D2\": " + bend +
+        ", \"R\": " + matrix(3, 3, "1, 0, 0, 0, 1, 0, 0, 0, 1") +
+        ", \"T\": " + matrix(3, 1, "-4.5, 0.0, 0.0") + " }";
+    const StereoRig rig = read_calibration(file(json));
+    QCOMPARE(rig.left.matrix(0, 2), 470.0);
+    QCOMPARE(rig.left.distortion[0], -0.1);
+    QVERIFY(std::abs(rig.baseline() - 0.0045) < 1e-15);
+    QCOMPARE(refusal("<?xml version=\"1.0\"?>\n<opencv_storage></opencv_storage>\n"), std::string(""));
+  }
+
+  void WhatOthersWriteBesideItIsPassedOver() {
+    std::string text = yaml("mm", "-4.5, 0., 0.");
+    text +=
+        "calibration_time: \"Tue 3 Mar 2026 10:00:00\"\nflags: 0x10\nviews:\n   - a.png\n   - b.png\n# the "
+        "end\n"
+        "errors: !!opencv-matrix\n   rows: 1\n   cols: 3\n   dt: \"2d\"\n   data: [ 1., 2., 3.,\n       4., "
+        "5., 6. ]\n"
+        "nested: { a: 1, b: [ 1, 2,\n   3 ] }\n";
+    QCOMPARE(refusal(text), std::string("none"));
+  }
+
   void MissingFileIsAFileError() {
     QVERIFY_THROWS_EXCEPTION(FileError, read_calibration(folder_.path() / "absent.yml"));
   }

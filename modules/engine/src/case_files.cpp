@@ -4,13 +4,11 @@
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
-#include <vtkIdList.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkXMLPolyDataReader.h>
 #include <vtkXMLPolyDataWriter.h>
 
 #include <nlohmann/json.hpp>
@@ -20,6 +18,7 @@
 #include "glisson/core/json_file.h"
 #include "glisson/engine/case_io.h"
 #include "glisson/geometry/mesh_io.h"
+#include "glisson/geometry/vtk_xml_file.h"
 
 namespace glisson::engine {
 namespace fs = std::filesystem;
@@ -79,53 +78,65 @@ void write_vessels(const fs::path& path, const std::vector<VesselTree>& trees) {
   write_file_atomically(path, writer->GetOutputString());
 }
 
+namespace {
+
+/// A column of numbers in one of the file's tables. @throws InputError it is missing or of another width.
+Eigen::VectorXd column(const fs::path& path, const NamedArrays& arrays, const char* name) {
+  const auto found = arrays.find(name);
+  if (found == arrays.end() || found->second.cols() != 1)
+    throw InputError(path.string(), name, "is missing, or has several columns", "Build the model anew");
+  return found->second.col(0);
+}
+
+}  // namespace
+
 std::vector<VesselTree> read_vessels(const fs::path& path) {
-  vtkNew<vtkXMLPolyDataReader> reader;
-  reader->SetFileName(path.c_str());
-  if (reader->CanReadFile(path.c_str()) == 0)
-    throw InputError(path.string(), "", "is not a VTP file",
-                     "Restore the case from a copy, or build the model anew");
-  reader->Update();
-  vtkPolyData* data = reader->GetOutput();
-  auto* radii = vtkDoubleArray::SafeDownCast(data->GetPointData()->GetArray("radius_mm"));
-  auto* tree_of_point = vtkIntArray::SafeDownCast(data->GetPointData()->GetArray("tree"));
-  auto* structures = vtkIntArray::SafeDownCast(data->GetFieldData()->GetArray("structures"));
-  auto* roots = vtkIntArray::SafeDownCast(data->GetFieldData()->GetArray("roots"));
-  const bool has_points = data->GetNumberOfPoints() > 0;
-  if (structures == nullptr || roots == nullptr ||
-      (has_points && (radii == nullptr || tree_of_point == nullptr)))
-    throw InputError(path.string(), "arrays", "radius_mm, tree, structures or roots is missing",
-                     "Build the model anew");
-  std::vector<VesselTree> trees(static_cast<std::size_t>(structures->GetNumberOfValues()));
+  const VtkXmlFile file = read_vtk_xml(path);
+  const Eigen::VectorXd structures = column(path, file.field_data, "structures"),
+                        roots = column(path, file.field_data, "roots");
+  if (roots.size() != structures.size())
+    throw InputError(path.string(), "roots", "are not as many as the trees", "Build the model anew");
+  const Eigen::Index count = file.points.rows();
+  const Eigen::VectorXd none;
+  const Eigen::VectorXd radii = count > 0 ? column(path, file.point_data, "radius_mm") : none,
+                        tree_of_point = count > 0 ? column(path, file.point_data, "tree") : none;
+  if (!file.points.allFinite() || !radii.allFinite())
+    throw InputError(path.string(), "points", "hold a number that is not finite", "Build the model anew");
+  std::vector<VesselTree> trees(static_cast<std::size_t>(structures.size()));
   for (std::size_t i = 0; i < trees.size(); ++i) {
-    trees[i].structure = static_cast<Label>(structures->GetValue(static_cast<vtkIdType>(i)));
-    trees[i].root = roots->GetValue(static_cast<vtkIdType>(i));
+    const auto k = static_cast<Eigen::Index>(i);
+    if (!(structures[k] >= 0.0 && structures[k] <= 65535.0) ||
+        !(roots[k] >= -1.0 && roots[k] <= static_cast<double>(count)))
+      throw InputError(path.string(), "structures, roots", "hold what is no label or no node",
+                       "Build the model anew");
+    trees[i].structure = static_cast<Label>(structures[k]);
+    trees[i].root = static_cast<int>(roots[k]);
   }
-  std::vector<int> local(static_cast<std::size_t>(data->GetNumberOfPoints()));
+  std::vector<int> local(static_cast<std::size_t>(count));
   std::vector<int> sizes(trees.size(), 0);
-  for (vtkIdType p = 0; p < data->GetNumberOfPoints(); ++p) {
-    const int tree = tree_of_point->GetValue(p);
-    if (tree < 0 || tree >= static_cast<int>(trees.size()))
+  const auto tree_at = [&](long point) {
+    const double tree = tree_of_point[point];
+    if (!(tree >= 0.0 && tree < static_cast<double>(trees.size())))
       throw InputError(path.string(), "tree", "names a tree that is not there", "Build the model anew");
-    local[static_cast<std::size_t>(p)] = sizes[static_cast<std::size_t>(tree)]++;
-    trees[static_cast<std::size_t>(tree)].radii.push_back(radii->GetValue(p) * kMillimetre);
+    return static_cast<std::size_t>(tree);
+  };
+  for (Eigen::Index p = 0; p < count; ++p) {
+    local[static_cast<std::size_t>(p)] = sizes[tree_at(p)]++;
+    trees[tree_at(p)].radii.push_back(radii[p] * kMillimetre);
   }
-  for (std::size_t i = 0; i < trees.size(); ++i) trees[i].nodes.resize(sizes[i], 3);
-  for (vtkIdType p = 0; p < data->GetNumberOfPoints(); ++p) {
-    double xyz[3];
-    data->GetPoint(p, xyz);
-    trees[static_cast<std::size_t>(tree_of_point->GetValue(p))].nodes.row(
-        local[static_cast<std::size_t>(p)]) = kMillimetre * Eigen::RowVector3d(xyz[0], xyz[1], xyz[2]);
+  for (std::size_t i = 0; i < trees.size(); ++i) {
+    if (trees[i].root >= std::max(1, sizes[i]))
+      throw InputError(path.string(), "roots", "hold a node that is not there", "Build the model anew");
+    trees[i].nodes.resize(sizes[i], 3);
   }
-  vtkNew<vtkIdList> ends;
-  vtkCellArray* lines = data->GetLines();
-  for (lines->InitTraversal(); lines->GetNextCell(ends) != 0;) {
-    if (ends->GetNumberOfIds() != 2 ||
-        tree_of_point->GetValue(ends->GetId(0)) != tree_of_point->GetValue(ends->GetId(1)))
+  for (Eigen::Index p = 0; p < count; ++p)
+    trees[tree_at(p)].nodes.row(local[static_cast<std::size_t>(p)]) = kMillimetre * file.points.row(p);
+  for (const std::vector<long>& ends : file.cells) {
+    if (ends.size() != 2 || tree_at(ends[0]) != tree_at(ends[1]))
       throw InputError(path.string(), "lines", "a beam does not join two nodes of one tree",
                        "Build the model anew");
-    trees[static_cast<std::size_t>(tree_of_point->GetValue(ends->GetId(0)))].beams.push_back(
-        {local[static_cast<std::size_t>(ends->GetId(0))], local[static_cast<std::size_t>(ends->GetId(1))]});
+    trees[tree_at(ends[0])].beams.push_back(
+        {local[static_cast<std::size_t>(ends[0])], local[static_cast<std::size_t>(ends[1])]});
   }
   return trees;
 }
@@ -168,7 +179,10 @@ Landmarks read_landmarks(const fs::path& path) {
   const std::string file = path.string();
   if (!document.is_object())
     throw InputError(file, "", "is not a JSON object", "See the engine module's README for the format");
-  if (document.value("frame", "LPS") != "LPS" || document.value("unit", "mm") != "mm")
+  const auto other = [&](const char* key, const char* than) {
+    return document.contains(key) && document[key] != than;
+  };
+  if (other("frame", "LPS") || other("unit", "mm"))
     throw InputError(file, "frame, unit", "landmarks are read in LPS millimetres only",
                      "Convert them, or correct the two fields");
   Landmarks landmarks;

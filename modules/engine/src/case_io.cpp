@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "case_manifest.h"
+#include "case_reach.h"
 #include "glisson/core/claim.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
@@ -171,6 +172,7 @@ Cancellable<CaseState> open_case(const fs::path& given, const RunContext& contex
   if (!fs::exists(path / "case.json"))
     throw InputError(given.string(), "case.json", "is missing: this folder is not a case",
                      "Choose a folder NAME.glisson");
+  require_own_files(path);
   const json document = read_json(path / "case.json");
   const std::string file = (path / "case.json").string();
   try {

@@ -7,6 +7,8 @@
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/geometry/topology.h"
+#include "glisson/geometry/vtk_xml_file.h"
+#include "mesh_io_cells.h"
 #include "mesh_io_formats.h"
 #include "text_scanner.h"
 
@@ -20,8 +22,17 @@ bool is_vtk_format(const std::string& extension) {
   return extension == ".vtk" || extension == ".vtu" || extension == ".vtp";
 }
 
+formats::MixedFile read_xml(const fs::path& path) {
+  const VtkXmlFile file = read_vtk_xml(path);
+  if (file.points.rows() == 0)
+    throw InputError(path.string(), "points", "there are none", "Export the mesh anew");
+  formats::CellSorter cells(path, file.points.rows());
+  for (std::size_t c = 0; c < file.cells.size(); ++c) cells.add(file.cell_types[c], file.cells[c]);
+  return cells.finish(file.points, file.point_data, file.cell_data, file.field_data);
+}
+
 formats::MixedFile read_vtk(const fs::path& path) {
-  return lower_extension(path) == ".vtk" ? formats::read_legacy_vtk(path) : formats::read_xml_vtk(path);
+  return lower_extension(path) == ".vtk" ? formats::read_legacy_vtk(path) : read_xml(path);
 }
 
 void require_finite(const Points& vertices, const std::string& name) {

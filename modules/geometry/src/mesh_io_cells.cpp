@@ -4,23 +4,12 @@
 #include <cmath>
 
 #include "glisson/core/error.h"
+#include "vtk_cell_types.h"
 
 namespace glisson::formats {
 namespace {
 
-// VTK's cell types (vtkCellType.h).
-enum Type {
-  kEmpty = 0,
-  kVertex = 1,
-  kPolyVertex = 2,
-  kLine = 3,
-  kPolyLine = 4,
-  kTriangle = 5,
-  kStrip = 6,
-  kPolygon = 7,
-  kQuad = 9,
-  kTetrahedron = 10
-};
+using namespace vtk_cell;
 
 NamedArrays rows_of(const NamedArrays& arrays, const std::vector<long>& rows, long cells) {
   NamedArrays chosen;

@@ -19,7 +19,6 @@ struct MixedFile {
 };
 
 // Through VTK.
-MixedFile read_xml_vtk(const std::filesystem::path& path);  ///< .vtu .vtp
 /// What VTK would write, in memory: its XML writers crash on a disk that fills up. `path` names the format.
 std::string vtk_bytes(const std::filesystem::path& path, const TetFile& file);
 std::string vtk_bytes(const std::filesystem::path& path, const TriangleFile& file);

@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "glisson/core/error.h"
-#include "glisson/core/files.h"
+#include "mesh_bytes.h"
 #include "mesh_io_cells.h"
 #include "text_scanner.h"
 
@@ -317,7 +317,7 @@ class LegacyParser {
 }  // namespace
 
 MixedFile read_legacy_vtk(const std::filesystem::path& path) {
-  const std::string content = read_file(path);
+  const std::string content = mesh_bytes(path);
   return LegacyParser(content, path).parse();
 }
 

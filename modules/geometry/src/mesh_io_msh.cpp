@@ -2,7 +2,7 @@
 #include <unordered_map>
 
 #include "glisson/core/error.h"
-#include "glisson/core/files.h"
+#include "mesh_bytes.h"
 #include "mesh_io_formats.h"
 #include "text_scanner.h"
 
@@ -190,7 +190,7 @@ class MshParser {
 }  // namespace
 
 TetFile read_msh(const std::filesystem::path& path) {
-  const std::string content = read_file(path);
+  const std::string content = mesh_bytes(path);
   return MshParser(content, path.string()).parse();
 }
 

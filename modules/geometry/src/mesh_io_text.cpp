@@ -4,9 +4,9 @@
 #include <cstring>
 
 #include "glisson/core/error.h"
-#include "glisson/core/files.h"
 #include "glisson/geometry/ply_file.h"
 #include "glisson/geometry/topology.h"
+#include "mesh_bytes.h"
 #include "mesh_io_formats.h"
 #include "text_scanner.h"
 
@@ -51,7 +51,7 @@ TriangleMesh read_binary_stl(const std::string& content, std::uint32_t facets) {
 }  // namespace
 
 TriangleMesh read_stl(const std::filesystem::path& path) {
-  const std::string content = read_file(path);
+  const std::string content = mesh_bytes(path);
   // Binary files may begin with "solid" too: their size gives them away.
   if (content.size() >= kStlHeader) {
     std::uint32_t facets = 0;
@@ -74,7 +74,7 @@ TriangleMesh read_stl(const std::filesystem::path& path) {
 }
 
 TriangleMesh read_obj(const std::filesystem::path& path) {
-  const std::string content = read_file(path);
+  const std::string content = mesh_bytes(path);
   TextScanner lines(content, path.string());
   std::vector<double> coordinates;
   std::vector<int> corners;

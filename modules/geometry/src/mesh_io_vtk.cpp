@@ -3,9 +3,7 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
-#include <vtkExecutive.h>
 #include <vtkFieldData.h>
-#include <vtkIdList.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -15,14 +13,12 @@
 #include <vtkSmartPointer.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkUnstructuredGridWriter.h>
-#include <vtkXMLPolyDataReader.h>
 #include <vtkXMLPolyDataWriter.h>
-#include <vtkXMLUnstructuredGridReader.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
-#include "mesh_io_cells.h"
+#include "mesh_io_formats.h"
 
 namespace glisson::formats {
 namespace fs = std::filesystem;
@@ -41,7 +37,6 @@ class Complaints {
     object.AddObserver(vtkCommand::ErrorEvent, command_);
     object.AddObserver(vtkCommand::WarningEvent, command_);
   }
-  vtkCallbackCommand* command() { return command_; }
   bool heard() const { return heard_; }
 
  private:
@@ -49,57 +44,7 @@ class Complaints {
   bool heard_ = false;
 };
 
-[[noreturn]] void fail(const fs::path& path, const std::string& field, const std::string& problem) {
-  throw InputError(path.string(), field, problem, "Export the mesh anew");
-}
-
 bool is_legacy(const fs::path& path) { return lower_extension(path) == ".vtk"; }
-
-template <class Reader>
-vtkSmartPointer<vtkPointSet> read_xml(const fs::path& path, const std::string& content) {
-  vtkNew<Reader> reader;
-  Complaints complaints;
-  reader->SetReaderErrorObserver(complaints.command());
-  reader->SetParserErrorObserver(complaints.command());
-  complaints.listen_to(*reader);
-  complaints.listen_to(*reader->GetExecutive());
-  reader->ReadFromInputStringOn();
-  reader->SetInputString(content);
-  reader->Update();
-  if (complaints.heard() || reader->GetErrorCode() != 0) fail(path, "", "is malformed or ends early");
-  return vtkSmartPointer<vtkPointSet>(reader->GetOutput());
-}
-
-vtkSmartPointer<vtkPointSet> read_points_and_cells(const fs::path& path) {
-  const std::string content = read_file(path);
-  const std::string head = content.substr(0, 4096);
-  const auto says = [&](const char* word) { return head.find(word) != std::string::npos; };
-  if (says("type=\"UnstructuredGrid\"")) return read_xml<vtkXMLUnstructuredGridReader>(path, content);
-  if (says("type=\"PolyData\"")) return read_xml<vtkXMLPolyDataReader>(path, content);
-  fail(path, "VTKFile", "is of type neither UnstructuredGrid nor PolyData");
-}
-
-Points positions(vtkPointSet& data) {
-  Points points(data.GetNumberOfPoints(), 3);
-  for (vtkIdType i = 0; i < data.GetNumberOfPoints(); ++i) data.GetPoint(i, points.row(i).data());
-  return points;
-}
-
-Eigen::MatrixXd values_of(vtkDataArray& array) {
-  Eigen::MatrixXd values(array.GetNumberOfTuples(), array.GetNumberOfComponents());
-  for (vtkIdType i = 0; i < array.GetNumberOfTuples(); ++i)
-    for (int k = 0; k < array.GetNumberOfComponents(); ++k) values(i, k) = array.GetComponent(i, k);
-  return values;
-}
-
-NamedArrays arrays_of(vtkFieldData* data) {
-  NamedArrays arrays;
-  for (int i = 0; data != nullptr && i < data->GetNumberOfArrays(); ++i) {
-    vtkDataArray* array = data->GetArray(i);
-    if (array != nullptr && array->GetName() != nullptr) arrays[array->GetName()] = values_of(*array);
-  }
-  return arrays;
-}
 
 vtkSmartPointer<vtkDoubleArray> array_of(const std::string& name, const Eigen::MatrixXd& values) {
   auto array = vtkSmartPointer<vtkDoubleArray>::New();
@@ -161,19 +106,6 @@ std::string bytes_of(const fs::path& path, Data& data) {
 }
 
 }  // namespace
-
-MixedFile read_xml_vtk(const fs::path& path) {
-  const vtkSmartPointer<vtkPointSet> data = read_points_and_cells(path);
-  if (data == nullptr || data->GetNumberOfPoints() == 0) fail(path, "points", "there are none");
-  CellSorter cells(path, data->GetNumberOfPoints());
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType c = 0; c < data->GetNumberOfCells(); ++c) {
-    data->GetCellPoints(c, ids);
-    cells.add(data->GetCellType(c), std::vector<long>(ids->begin(), ids->end()));
-  }
-  return cells.finish(positions(*data), arrays_of(data->GetPointData()), arrays_of(data->GetCellData()),
-                      arrays_of(data->GetFieldData()));
-}
 
 std::string vtk_bytes(const fs::path& path, const TetFile& file) {
   vtkNew<vtkUnstructuredGrid> grid;

@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "glisson/core/error.h"
-#include "glisson/core/files.h"
+#include "mesh_bytes.h"
 #include "text_scanner.h"
 
 namespace glisson {
@@ -257,7 +257,7 @@ std::vector<PlyElement> parse_ply(std::string_view content, const std::string& n
 }
 
 std::vector<PlyElement> read_ply(const std::filesystem::path& path) {
-  return parse_ply(read_file(path), path.string());
+  return parse_ply(mesh_bytes(path), path.string());
 }
 
 }  // namespace glisson

@@ -47,7 +47,10 @@ std::vector<TreeEdit> read_tree_edits(const std::filesystem::path& path) {
   const std::string file = path.string();
   if (!document.is_object() || !document.contains("edits") || !document["edits"].is_array())
     throw InputError(file, "edits", "there is no such list", "Write {\"edits\": [...]}");
-  if (document.value("frame", "LPS") != "LPS" || document.value("unit", "mm") != "mm")
+  const auto other = [&](const char* key, const char* than) {
+    return document.contains(key) && document[key] != than;
+  };
+  if (other("frame", "LPS") || other("unit", "mm"))
     throw InputError(file, "frame, unit", "edits are read in LPS millimetres only",
                      "Convert them, or correct the two fields");
   std::vector<TreeEdit> edits;

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/stereo/calibration_io.h"
 
-#include <cmath>
+#include <algorithm>
+#include <charconv>
 #include <opencv2/core.hpp>
 #include <opencv2/core/persistence.hpp>
-#include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "camera_cv.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/core/units.h"
+#include "opencv_text.h"
 #include "rig_check.h"
 
 namespace glisson::stereo {
@@ -19,96 +21,41 @@ namespace {
 constexpr const char* kCalibrateAgain = "Write the calibration anew or calibrate again";
 class Reader {
  public:
-  Reader(std::string file, const std::string& content) : file_(std::move(file)) {
-    // Text only: the parser trusts the structure of what looks like binary blocks.
-    if (content.size() > (1u << 20) || content.find('\0') != std::string::npos)
-      throw InputError(file_, "", "is not a calibration (too large, or not text)", kCalibrateAgain);
-    try {
-      if (!storage_.open(content, cv::FileStorage::READ | cv::FileStorage::MEMORY))
-        throw InputError(file_, "", "is not an OpenCV YAML file", kCalibrateAgain);
-    } catch (const cv::Exception& failure) {
-      throw InputError(file_, "", "is not valid OpenCV YAML (" + first_line(failure.err) + ")",
-                       kCalibrateAgain);
-    } catch (const std::length_error&) {  // its parser lets the standard library's own errors out
-      throw InputError(file_, "", "is not valid OpenCV YAML", kCalibrateAgain);
-    }
-  }
-
-  cv::FileNode node(const char* name) const {
-    cv::FileNode found;
-    try {
-      found = storage_[name];
-    } catch (const cv::Exception&) {
-      found = cv::FileNode();
-    }
-    if (found.empty()) throw InputError(file_, name, "is missing", kCalibrateAgain);
-    return found;
-  }
-
-  cv::Mat matrix(const char* name) const {
-    cv::Mat read, values;
-    const cv::FileNode found = node(name);
-    try {
-      // OpenCV would reserve whatever size the file claims.
-      const auto side = [&](const char* key) {
-        return found[key].isInt() ? static_cast<int>(found[key]) : 0;
-      };
-      const int rows = side("rows"), columns = side("cols");
-      if (rows < 1 || rows > 16 || columns < 1 || columns > 16)
-        throw InputError(file_, name, "is not a matrix of a calibration's size", kCalibrateAgain);
-      found >> read;
-      read.convertTo(values, CV_64F);
-    } catch (const cv::Exception&) {
-      throw InputError(file_, name, "is not a matrix", kCalibrateAgain);
-    }
-    if (values.empty() || values.channels() != 1 || values.dims != 2)
-      throw InputError(file_, name, "is not a matrix", kCalibrateAgain);
-    for (int r = 0; r < values.rows; ++r)
-      for (int c = 0; c < values.cols; ++c)
-        if (!std::isfinite(values.at<double>(r, c)))
-          throw InputError(file_, name, "has an entry that is not a number", kCalibrateAgain);
-    return values;
-  }
+  Reader(std::string file, const std::string& content) : file_(std::move(file)), text_(content, file_) {}
 
   Eigen::Matrix3d square(const char* name) const {
-    const cv::Mat values = matrix(name);
-    if (values.rows != 3 || values.cols != 3)
-      throw InputError(file_, name,
-                       "is " + std::to_string(values.rows) + "x" + std::to_string(values.cols) + ", not 3x3",
-                       kCalibrateAgain);
-    Eigen::Matrix3d result;
-    for (int r = 0; r < 3; ++r)
-      for (int c = 0; c < 3; ++c) result(r, c) = values.at<double>(r, c);
-    return result;
+    const Eigen::MatrixXd values = text_.matrix(name);
+    if (values.rows() != 3 || values.cols() != 3)
+      throw InputError(
+          file_, name,
+          "is " + std::to_string(values.rows()) + "x" + std::to_string(values.cols()) + ", not 3x3",
+          kCalibrateAgain);
+    return values;
   }
 
   /// A row or a column. @param least, most allowed lengths.
   std::vector<double> vector(const char* name, int least, int most) const {
-    const cv::Mat values = matrix(name);
-    const int length = static_cast<int>(values.total());
-    if (std::min(values.rows, values.cols) != 1 || length < least || length > most)
+    const Eigen::MatrixXd values = text_.matrix(name);
+    if (std::min(values.rows(), values.cols()) != 1 || values.size() < least || values.size() > most)
       throw InputError(file_, name,
-                       "is " + std::to_string(values.rows) + "x" + std::to_string(values.cols) +
+                       "is " + std::to_string(values.rows()) + "x" + std::to_string(values.cols()) +
                            ", not a vector of " + std::to_string(least) + (most > least ? " or more" : "") +
                            " numbers",
                        kCalibrateAgain);
-    std::vector<double> result;
-    result.reserve(values.total());
-    for (int i = 0; i < length; ++i)
-      result.push_back(values.rows == 1 ? values.at<double>(0, i) : values.at<double>(i, 0));
-    return result;
+    return std::vector<double>(values.data(), values.data() + values.size());
   }
 
   int pixels(const char* name) const {
-    const cv::FileNode found = node(name);
-    if (!found.isInt() || static_cast<int>(found) < 16 || static_cast<int>(found) > 16384)
+    const std::string text = scalar(name);
+    int value = 0;
+    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (failure != std::errc() || end != text.data() + text.size() || value < 16 || value > 16384)
       throw InputError(file_, name, "is not a number of pixels from 16 to 16384", kCalibrateAgain);
-    return static_cast<int>(found);
+    return value;
   }
 
   double metres_per_unit() const {
-    const cv::FileNode found = node("unit");
-    const std::string unit = found.isString() ? static_cast<std::string>(found) : std::string();
+    const std::string unit = scalar("unit");
     if (unit == "mm") return metres_per(LengthUnit::millimetre);
     if (unit == "cm") return metres_per(LengthUnit::centimetre);
     if (unit == "m") return metres_per(LengthUnit::metre);
@@ -136,12 +83,13 @@ class Reader {
   const std::string& file() const { return file_; }
 
  private:
-  static std::string first_line(const std::string& text) {
-    return text.substr(0, text.find('\n')).substr(0, 120);
+  std::string scalar(const char* name) const {
+    if (!text_.has(name)) throw InputError(file_, name, "is missing", kCalibrateAgain);
+    return text_.scalar(name).value_or("");
   }
 
   std::string file_;
-  cv::FileStorage storage_;
+  OpenCvText text_;
 };
 
 }  // namespace

@@ -7,8 +7,14 @@
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "picture_cv.h"
+#include "picture_header.h"
 
 namespace glisson::stereo {
+namespace {
+
+constexpr long kMostPixels = 64000000;  // a file of a few kilobytes may claim gigabytes
+
+}  // namespace
 
 cv::Mat view(const Picture& picture) {
   require(picture.channels == 1 || picture.channels == 3, "a picture has one channel or three");
@@ -49,7 +55,13 @@ cv::Mat grey_float(const Picture& picture) {
 Picture read_picture(const std::filesystem::path& path) {
   const std::string content = read_file(path);
   cv::Mat image;
-  bool whole = !content.empty();
+  const auto header = picture_header(content);
+  if (header && header->width > kMostPixels / header->height)
+    throw InputError(path.string(), "size",
+                     "claims " + std::to_string(header->width) + " x " + std::to_string(header->height) +
+                         " pixels, more than any camera has",
+                     "The file is damaged: copy it again");
+  bool whole = header.has_value();
   // libjpeg fills what is missing with grey and reports success; libpng complains on the terminal.
   if (content.starts_with("\x89PNG")) whole = content.rfind("IEND") != std::string::npos;
   if (content.starts_with("\xFF\xD8")) whole = content.rfind("\xFF\xD9") != std::string::npos;

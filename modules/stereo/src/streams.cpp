@@ -3,9 +3,11 @@
 
 #include <chrono>
 #include <cmath>
+#include <fstream>
 #include <system_error>
 
 #include "glisson/core/error.h"
+#include "glisson/stereo/reach.h"
 #include "glisson/stereo/source.h"
 
 namespace glisson::stereo {
@@ -20,9 +22,14 @@ void FileStream::open() {
   std::error_code failure;
   if (!fs::is_regular_file(path_, failure))
     throw FileError(name + ": cannot be opened (no such file). Check the path.");
+  std::string begin(16, '\0');
+  std::ifstream file(path_, std::ios::binary);
+  file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  begin.resize(static_cast<std::size_t>(file.gcount()));
   bool opened = false;
   try {
-    opened = capture_.open(name, cv::CAP_FFMPEG);
+    // A play list by the name of a video would be followed wherever it leads.
+    opened = begins_as_video(begin) && capture_.open(name, cv::CAP_FFMPEG);
   } catch (const cv::Exception&) {
     opened = false;
   }
@@ -71,6 +78,7 @@ int FileStream::count_frames() {
 
 DeviceStream::DeviceStream(const std::string& device) {
   name = device_source(device);
+  require_known_scheme(name);
   live = true;
   const bool is_number = device.size() <= 3 && device.find_first_not_of("0123456789") == std::string::npos;
   bool opened = false;

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <unistd.h>
+
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
+#include "glisson/core/confinement.h"
 #include "glisson/core/error.h"
 #include "raw_volume.h"
 
@@ -20,6 +24,13 @@ std::string text(const Eigen::Vector3d& v) {
 }
 
 }  // namespace
+
+void raise_limits(double file_bytes, double values) {
+  const double machine =
+      static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
+  limit_memory(std::min(machine, 1e9 + 16.0 * (file_bytes + values)));
+  limit_seconds(20.0 + 1e-6 * file_bytes + 5e-7 * values);
+}
 
 void check_value_count(const Request& request, const Eigen::Vector3i& size, int components) {
   const double values = static_cast<double>(size.x()) * size.y() * size.z() * components;

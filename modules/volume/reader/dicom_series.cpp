@@ -5,7 +5,6 @@
 #include <gdcmReader.h>
 #include <itkGDCMImageIO.h>
 #include <itkMetaDataObject.h>
-#include <sys/resource.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -26,8 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Bytes of memory for each byte of the files while their headers are read, and for each voxel after that.
-constexpr double kMemoryPerByte = 16.0, kMemoryPerVoxel = 16.0;
+constexpr int kMostPixels = 8192;  // a side: of no scanner
 
 struct Slice {
   fs::path path;
@@ -37,20 +35,6 @@ struct Slice {
   Eigen::Vector3d origin_mm, row, column;
   double along_mm = 0.0;  ///< position on the slices' normal
 };
-
-/// A malformed length makes the parser ask for gigabytes, which a small computer pays for with its other
-/// programs: no more than `bytes` (beyond what the program itself takes) may be had from here on.
-void limit_memory(double bytes) {
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-  constexpr double kProgram = 1e9;
-  rlimit limit{};
-  if (getrlimit(RLIMIT_AS, &limit) != 0) return;
-  limit.rlim_cur = static_cast<rlim_t>(std::min(kProgram + bytes, static_cast<double>(limit.rlim_max)));
-  setrlimit(RLIMIT_AS, &limit);
-#else
-  (void)bytes;
-#endif
-}
 
 [[noreturn]] void refuse(const Request& request, const std::string& field, const std::string& problem,
                          const std::string& remedy) {
@@ -180,6 +164,9 @@ Slice slice_of(const Request& request, const fs::path& path) {
   slice.path = path;
   slice.modality = text_of(tags, "0008|0060");
   slice.description = text_of(tags, "0008|103e");
+  if (io->GetDimensions(0) > kMostPixels || io->GetDimensions(1) > kMostPixels)
+    refuse(request, file, "claims more than 8192 pixels a side, which no scanner's slices have",
+           "Export the series again");
   slice.size = {static_cast<int>(io->GetDimensions(0)), static_cast<int>(io->GetDimensions(1))};
   read_place(request, file, tags, slice);
   check_rescale(request, file, tags);
@@ -210,7 +197,7 @@ std::vector<fs::path> files_below(const Request& request) {
                     "). Check its permissions, or copy it to a disk of this computer.");
   std::sort(files.begin(), files.end());
   if (files.empty()) refuse(request, "", "is an empty folder", "Name the folder that holds the DICOM slices");
-  limit_memory(kMemoryPerByte * total_bytes(files));
+  raise_limits(total_bytes(files), 0.0);
   return files;
 }
 
@@ -413,8 +400,7 @@ RawVolume read_dicom_folder(const Request& request) {
   raw.description = first.description;
   std::vector<fs::path> paths;
   for (const Slice& slice : slices) paths.push_back(slice.path);
-  limit_memory(kMemoryPerByte * total_bytes(paths) +
-               kMemoryPerVoxel * static_cast<double>(raw.grid.voxel_count()));
+  raise_limits(total_bytes(paths), static_cast<double>(raw.grid.voxel_count()));
   raw.voxels.reserve(static_cast<std::size_t>(raw.grid.voxel_count()));
   for (std::size_t i = 0; i < slices.size(); ++i) {
     append_slice(request, slices[i], raw.voxels);

@@ -67,6 +67,9 @@ Claim claim_of(const Request& request, Format format) {
 RawVolume read_itk_file(const Request& request) {
   const Format format = format_of(request);
   const Claim claim = claim_of(request, format);
+  std::error_code failure;
+  raise_limits(static_cast<double>(std::filesystem::file_size(request.path, failure)),
+               claim.size.cast<double>().prod() * claim.components);
   const itk::ImageIOBase::Pointer io = io_for(format);
   io->SetFileName((format == Format::nifti ? alone(request) : request.path).string());
   io->ReadImageInformation();

@@ -3,13 +3,13 @@
 // glisson-read-volume MODE INPUT FOLDER NAME [SERIES]
 //
 // Reads INPUT (MODE: image or labels) and leaves FOLDER/header.json and FOLDER/voxels.raw, or only lists the
-// series of a DICOM folder (MODE: series) in FOLDER/series.json; with exit code 3 it leaves
-// FOLDER/refusal.json. NAME is what messages call the input, SERIES chooses one of several. Progress goes to
-// standard output, one fraction a line. A program of its own because the parsers abort on some malformed
-// files.
+// series of a DICOM folder (MODE: series) in FOLDER/series.json, or unpacks an archive into FOLDER/archive
+// (MODE: unpack); with exit code 3 it leaves FOLDER/refusal.json. MODE escapes leaves in FOLDER/escapes.json
+// what it could do that it must not. NAME is what messages call the input, SERIES chooses one of several.
+// Progress goes to standard output, one fraction a line. A program of its own because the parsers abort on
+// some malformed files; it gives up all but reading INPUT and writing FOLDER before it parses.
 
-#include <sys/resource.h>
-#include <unistd.h>
+#include <sys/statvfs.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +18,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "archive.h"
+#include "glisson/core/confinement.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "raw_volume.h"
@@ -27,25 +29,51 @@ namespace {
 using namespace glisson;
 using reader::RawVolume;
 using reader::Request;
+namespace fs = std::filesystem;
 
 constexpr int kRefused = 3;
 
-/// A damaged header may ask for all memory or loop for ever: then this process dies, and only it.
-void limit_resources() {
-  const rlimit seconds{600, 600};
-  setrlimit(RLIMIT_CPU, &seconds);
-  const rlimit core{0, 0};
-  setrlimit(RLIMIT_CORE, &core);
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-  const auto memory =
-      static_cast<rlim_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<rlim_t>(sysconf(_SC_PAGE_SIZE));
-  const rlimit bytes{memory, memory};
-  setrlimit(RLIMIT_AS, &bytes);
-#endif
+bool is_file(const fs::path& path) {
+  std::error_code failure;
+  return fs::is_regular_file(path, failure);
+}
+
+double bytes_of(const fs::path& path) {
+  std::error_code failure;
+  const std::uintmax_t bytes = is_file(path) ? fs::file_size(path, failure) : 0;
+  return failure ? 0.0 : static_cast<double>(bytes);
+}
+
+/// A damaged header may ask for all memory or loop for ever: then this process dies, and only it. Raised when
+/// the size of the volume is known, see raise_limits().
+void limit_resources(const Request& request) {
+  die_with_parent();
+  reader::raise_limits(bytes_of(request.path), 0.0);
+  limit_written_file(5e9);
+}
+
+/// A folder's own links may lead to where its slices are kept.
+void confine_to(const Request& request, const fs::path& folder) {
+  std::vector<fs::path> readable = {request.path};
+  std::error_code failure;
+  const std::string extension = lower_extension(request.path);
+  if (extension == ".nhdr" || extension == ".mhd")  // their voxels lie beside them
+    readable.push_back(fs::absolute(request.path, failure).parent_path());
+  fs::recursive_directory_iterator entry(request.path, fs::directory_options::skip_permission_denied,
+                                         failure);
+  for (; !failure && entry != fs::recursive_directory_iterator(); entry.increment(failure)) {
+    std::error_code broken;
+    if (!entry->is_symlink(broken)) continue;
+    const fs::path target = fs::canonical(entry->path(), broken);
+    if (!broken && is_file(target)) readable.push_back(target);
+  }
+  confine(readable, {folder});
 }
 
 RawVolume read_any(const Request& request) {
-  if (std::filesystem::is_directory(request.path)) return reader::read_dicom_folder(request);
+  if (fs::is_directory(request.path)) return reader::read_dicom_folder(request);
+  if (!is_file(request.path))
+    throw InputError(request.name, "", "is neither a file nor a folder", "Name a volume");
   if (!request.series.empty())
     throw InputError(request.name, "series", "cannot be chosen in a file that holds one volume",
                      "Leave the series out, or name the folder that holds the DICOM slices");
@@ -96,7 +124,14 @@ std::vector<std::int16_t> image_values(const Request& request, const RawVolume& 
 }
 
 template <class T>
-void write_raw(const std::filesystem::path& path, const std::vector<T>& values) {
+void write_raw(const fs::path& path, const std::vector<T>& values) {
+  struct statvfs disk {};
+  const double needed = static_cast<double>(values.size() * sizeof(T));
+  if (::statvfs(path.parent_path().c_str(), &disk) == 0 &&
+      static_cast<double>(disk.f_bavail) * static_cast<double>(disk.f_frsize) < needed + 1e7)
+    throw FileError(path.parent_path().parent_path().string() + ": has no room for a volume of " +
+                    std::to_string(static_cast<long>(1e-6 * needed)) +
+                    " MB. Free space for temporary files, or set TMPDIR to a larger disk.");
   std::ofstream stream(path, std::ios::binary);
   stream.write(reinterpret_cast<const char*>(values.data()),
                static_cast<std::streamsize>(values.size() * sizeof(T)));
@@ -104,7 +139,7 @@ void write_raw(const std::filesystem::path& path, const std::vector<T>& values) 
   if (!stream) throw FileError(path.string() + ": could not be written. Free space for temporary files.");
 }
 
-void write_json_file(const std::filesystem::path& path, const nlohmann::json& document) {
+void write_json_file(const fs::path& path, const nlohmann::json& document) {
   std::ofstream stream(path);
   // Texts of foreign files need not be UTF-8.
   stream << document.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
@@ -112,7 +147,7 @@ void write_json_file(const std::filesystem::path& path, const nlohmann::json& do
   if (!stream) throw FileError(path.string() + ": could not be written. Free space for temporary files.");
 }
 
-void deliver(const Request& request, bool labels, const std::filesystem::path& folder, const RawVolume& raw) {
+void deliver(const Request& request, bool labels, const fs::path& folder, const RawVolume& raw) {
   if (raw.components != 1 && !(labels && raw.layers))
     throw InputError(request.name, "voxels",
                      "hold " + std::to_string(raw.components) + " values each (a colour or vector image)",
@@ -142,8 +177,8 @@ void deliver(const Request& request, bool labels, const std::filesystem::path& f
                    {"texts", raw.texts}});
 }
 
-void list_series(const Request& request, const std::filesystem::path& folder) {
-  if (!std::filesystem::is_directory(request.path))
+void list_series(const Request& request, const fs::path& folder) {
+  if (!fs::is_directory(request.path))
     throw InputError(request.name, "", "is no folder of DICOM slices",
                      "Name the folder that holds the series");
   nlohmann::json list = nlohmann::json::array();
@@ -156,7 +191,7 @@ void list_series(const Request& request, const std::filesystem::path& folder) {
   write_json_file(folder / "series.json", list);
 }
 
-int refuse(const std::filesystem::path& folder, const InputError& error) {
+int refuse(const fs::path& folder, const InputError& error) {
   write_json_file(folder / "refusal.json", {{"file", error.file()},
                                             {"field", error.field()},
                                             {"problem", error.problem()},
@@ -173,16 +208,21 @@ int main(int count, char** words) {
         "glisson-read-volume MODE INPUT FOLDER NAME [SERIES]: a helper of Glisson, not run by hand\n");
     return 2;
   }
-  limit_resources();
   const std::string mode = words[1];
-  const std::filesystem::path folder = words[3];
+  const fs::path folder = words[3];
   const auto tell = [](double fraction) {
     std::printf("%.3f\n", fraction);
     std::fflush(stdout);
   };
   const Request request{words[2], words[4], folder, tell, count == 6 ? words[5] : ""};
+  limit_resources(request);
+  confine_to(request, folder);
   try {
-    if (mode == "series")
+    if (mode == "escapes")
+      write_json_file(folder / "escapes.json", escapes());
+    else if (mode == "unpack")
+      reader::unpack_archive(request, folder / "archive");
+    else if (mode == "series")
       list_series(request, folder);
     else
       deliver(request, mode == "labels", folder, read_any(request));
@@ -194,6 +234,9 @@ int main(int count, char** words) {
   } catch (const std::bad_alloc&) {
     return refuse(folder, InputError(request.name, "size", "needs more memory than there is",
                                      "The header is damaged, or crop the volume"));
+  } catch (const fs::filesystem_error& error) {
+    return refuse(folder, InputError(request.name, "", "cannot be read (" + error.code().message() + ")",
+                                     "Check its permissions"));
   } catch (const std::exception&) {
     return refuse(folder, InputError(request.name, "", "is damaged or not of the format that its name claims",
                                      "Export it again"));

@@ -38,6 +38,11 @@ std::vector<DicomSeries> list_dicom_folder(const Request& request);
 RawVolume read_itk_file(const Request& request);
 RawVolume read_vti_file(const Request& request);
 
+/// Allows for what a file and its volume need: memory 16 bytes for each byte and each value, and a second of
+/// processor time for each megabyte and two million values, beyond 1 GB and 20 s. A malformed length makes a
+/// parser ask for gigabytes or loop, which a small computer pays for with its other programs.
+void raise_limits(double file_bytes, double values);
+
 /// Builds the grid. @throws InputError zero or absurd size or spacing, shear, not finite.
 VolumeGrid checked_grid(const Request& request, const Eigen::Vector3i& size,
                         const Eigen::Vector3d& spacing_mm, const Eigen::Vector3d& origin_mm,

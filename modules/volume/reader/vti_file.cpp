@@ -76,6 +76,9 @@ RawVolume read_vti_file(const Request& request) {
     size[axis] = length > 100000 || length < 1 ? -1 : static_cast<int>(length);
   }
   check_value_count(request, size, 1);
+  std::error_code failure;
+  raise_limits(static_cast<double>(std::filesystem::file_size(request.path, failure)),
+               2.0 * size.cast<double>().prod());
   request.progress(0.1);
   reader->Update();
   if (watch->seen) throw InputError(request.name, "", "is damaged or ends early", "Export it again");

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstring>
 
@@ -20,6 +21,7 @@ namespace glisson {
 namespace {
 
 constexpr int kPollMilliseconds = 20;  // how long a cancel may go unnoticed
+constexpr std::chrono::minutes kLongestSilence(10);
 
 /// Both ends of a pipe, closed when done with.
 struct Pipe {
@@ -102,10 +104,13 @@ Cancellable<ChildExit> run_child(const std::string& program, const std::vector<s
   pipe.close_write_end();
   std::string pending;
   std::array<char, 4096> buffer{};
+  auto heard = std::chrono::steady_clock::now();
   while (true) {
-    if (context.cancelled()) {
+    const bool silent = std::chrono::steady_clock::now() - heard > kLongestSilence;
+    if (silent || context.cancelled()) {
       ::kill(child, SIGKILL);
-      wait_for(child);
+      const ChildExit end = wait_for(child);
+      if (silent) return end;
       return std::nullopt;
     }
     pollfd waiting{pipe.read_end, POLLIN, 0};
@@ -114,6 +119,7 @@ Cancellable<ChildExit> run_child(const std::string& program, const std::vector<s
     const ssize_t got = ::read(pipe.read_end, buffer.data(), buffer.size());
     if (got < 0 && errno == EINTR) continue;
     if (got <= 0) break;  // the child has closed its output: it is ending
+    heard = std::chrono::steady_clock::now();
     pending.append(buffer.data(), static_cast<std::size_t>(got));
     give_lines(pending, on_line);
   }

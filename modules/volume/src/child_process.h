@@ -17,6 +17,7 @@ struct ChildExit {
 
 /// Runs a program with its arguments and waits. Nothing is read from standard input, standard error is
 /// dropped, each line of standard output goes to `on_line`. Safe with threads around (posix_spawn).
+/// A child that says nothing for ten minutes is killed.
 /// @return empty when the context was cancelled: the child is killed and reaped then.
 /// @throws FileError when the program cannot be started.
 Cancellable<ChildExit> run_child(const std::string& program, const std::vector<std::string>& arguments,

@@ -9,9 +9,11 @@
 
 #include "child_process.h"
 #include "glisson/core/error.h"
+#include "glisson/core/file_failure.h"
 #include "glisson/core/files.h"
 #include "glisson/core/json_file.h"
 #include "glisson/volume/io.h"
+#include "glisson/volume/reader_program.h"
 #include "slicer_segments.h"
 
 namespace glisson {
@@ -76,11 +78,11 @@ Delivered delivered_in(const fs::path& folder) {
 
 /// Runs the reading program on `input`. False when cancelled.
 bool run_reader(const char* mode, const fs::path& input, const std::string& name, const fs::path& folder,
-                const std::string& series, const RunContext& context) {
+                const std::string& series, const RunContext& context, const char* stage = "volume.read") {
   std::vector<std::string> words = {mode, input.string(), folder.string(), name};
   if (!series.empty()) words.push_back(series);
   const auto end = run_child(reader_program().string(), words, context, [&](const std::string& line) {
-    context.progress(std::strtod(line.c_str(), nullptr), "volume.read");
+    context.progress(std::strtod(line.c_str(), nullptr), stage);
   });
   if (!end) return false;
   if (end->code == kRefused) throw_refusal(folder);
@@ -102,8 +104,13 @@ std::vector<T> read_raw(const fs::path& path, std::size_t count) {
 
 void require_exists(const fs::path& path) {
   std::error_code failure;
-  if (!fs::exists(path, failure)) throw FileError(path.string() + ": does not exist. Check the path.");
-  if (fs::is_directory(path, failure)) return;
+  const fs::file_status status = fs::status(path, failure);
+  if (failure && failure != std::errc::no_such_file_or_directory)
+    throw FileError(sentence_of(fs::filesystem_error("", path, failure)));
+  if (!fs::exists(status)) throw FileError(path.string() + ": does not exist. Check the path.");
+  if (fs::is_directory(status)) return;
+  if (!fs::is_regular_file(status))
+    throw FileError(path.string() + ": is neither a file nor a folder. Name a volume.");
   if (!std::ifstream(path, std::ios::binary))
     throw FileError(path.string() + ": cannot be opened (" + std::strerror(errno) +
                     "). Check its permissions.");
@@ -114,29 +121,16 @@ bool is_archive(const fs::path& path) {
   return name.ends_with(".tar.gz") || name.ends_with(".tgz") || name.ends_with(".tar");
 }
 
-/// Unpacks into `folder`. False when cancelled.
-bool unpack(const fs::path& archive, const fs::path& folder, const RunContext& context) {
-  // Owners and permissions of another machine are of no use here; GNU tar refuses to write outside `folder`.
-  const auto end = run_child("tar",
-                             {"-x", "--no-same-owner", "--no-same-permissions", "-C", folder.string(), "-f",
-                              fs::absolute(archive).string()},
-                             context, nullptr);
-  if (!end) return false;
-  if (end->code != 0)
-    throw InputError(archive.string(), "", "cannot be unpacked: it is damaged, or the disk is full",
-                     "Fetch the archive again, or unpack it yourself and name the folder");
-  return true;
-}
-
 /// The folder of an archive's content below `work`, else the path itself. `reading` becomes what is left of
 /// the progress. Empty when cancelled.
 std::optional<fs::path> unpacked(const fs::path& path, const fs::path& work, const RunContext& context,
                                  RunContext& reading) {
   if (!is_archive(path)) return path;
-  context.progress(0.0, "volume.unpack");
   const fs::path input = work / "archive";
   fs::create_directory(input);
-  if (!unpack(path, input, context)) return std::nullopt;
+  if (!run_reader("unpack", fs::absolute(path), path.string(), work, "", context.part(0.0, 0.2),
+                  "volume.unpack"))
+    return std::nullopt;
   reading = context.part(0.2, 0.95);
   return input;
 }
@@ -150,6 +144,12 @@ std::vector<LabelInfo> infos_of(const LabelVolume& voxels) {
 }
 
 }  // namespace
+
+std::vector<std::string> reader_escapes() {
+  const TemporaryFolder work;
+  run_reader("escapes", work.path(), "", work.path(), "", RunContext());
+  return read_json(work.path() / "escapes.json").get<std::vector<std::string>>();
+}
 
 Cancellable<std::vector<DicomSeries>> list_series(const fs::path& path, const RunContext& context) {
   require_exists(path);

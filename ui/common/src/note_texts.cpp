@@ -84,6 +84,9 @@ class Notes {
         {"inverted_elements", tr("Some elements of the mesh turned inside out.")},
         {"mechanics_failed", tr("The mechanical computation did not come to an end.")},
         {"simulation_not_converged", tr("The simulation had not come to rest at its last step.")},
+        {"reader.unconfined", tr("This computer's kernel does not shut in the program that reads volumes: "
+                                 "read only files that you "
+                                 "trust.")},
         {"image.small", tr("The volume measures only %1 mm along its shortest side: a liver is larger.")},
         {"image.large", tr("The volume is %1 mm wide: no scanner is. Check its unit.")},
         {"image.constant_slices",
@@ -107,6 +110,9 @@ class Notes {
         {"case.kept_changed",
          tr("A file of the case was changed by another program since it was saved. What it held is kept as "
             "%*.")},
+        {"case.video_lost",
+         tr("The case was opened without its video: it names a source outside this computer, which only "
+            "you may open. (%*)")},
         {"case.cloud_lost",
          tr("The case was opened without its cloud of points: reconstruct the surface or import the cloud "
             "again. Saved now, the case loses what is left of it. (%*)")},

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "case_files.h"
+#include "case_reach.h"
 #include "glisson/core/error.h"
 #include "glisson/engine/case_io.h"
 #include "glisson/engine/parts/labels.h"
@@ -64,7 +65,7 @@ model::BuiltModel read_model(const fs::path& folder, const json& entry) {
   for (const json& surface : entry.at("surfaces"))
     built.model.surfaces.push_back(
         {surface.at("structure").get<Label>(), surface.at("name").get<std::string>(),
-         read_triangle_mesh(folder / surface.at("file").get<std::string>(), kUnit)});
+         read_triangle_mesh(file_of_case(folder, "surfaces", surface.at("file").get<std::string>()), kUnit)});
   built.report.notes = entry.at("notes").get<std::vector<std::string>>();
   model::MeshQuality& q = built.report.quality;
   const json& sheet = entry.at("quality");

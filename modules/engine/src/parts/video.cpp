@@ -4,6 +4,9 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "glisson/core/error.h"
+#include "glisson/core/files.h"
+#include "glisson/stereo/reach.h"
 #include "glisson/stereo/source.h"
 
 namespace glisson::engine {
@@ -27,6 +30,23 @@ json save(const CaseState& state, const CaseFolder& folder) {
   return {{"left", place_of(video.left, folder.home)}, {"right", place_of(video.right, folder.home)}};
 }
 
+/// Whether neither view, nor what a description of them names, leads out of this computer. A case does not
+/// speak for its reader: only a person opens what lies elsewhere.
+bool stays_here(const VideoSource& video) {
+  for (const fs::path& place : {video.left, video.right}) {
+    if (!stereo::stays_here(place.string())) return false;
+    std::error_code failure;
+    if (lower_extension(place) != ".json" || !fs::is_regular_file(place, failure)) continue;
+    try {
+      const stereo::SourceOptions source = stereo::read_source(place);
+      if (!stereo::stays_here(source.left) || !stereo::stays_here(source.right)) return false;
+    } catch (const Error&) {
+      continue;  // told when it is opened
+    }
+  }
+  return true;
+}
+
 void load(CaseState& state, const json& entry, const CaseFolder& folder) {
   const auto place = [&](const char* side) {
     const fs::path video = entry.at(side).get<std::string>();
@@ -34,12 +54,26 @@ void load(CaseState& state, const json& entry, const CaseFolder& folder) {
                ? video
                : (folder.path / video).lexically_normal();
   };
-  state[part::video] = std::make_shared<const VideoSource>(VideoSource{place("left"), place("right")});
+  const VideoSource video{place("left"), place("right")};
+  const VideoSource named{entry.at("left").get<std::string>(), entry.at("right").get<std::string>()};
+  if (stays_here(named) && stays_here(video)) {
+    state[part::video] = std::make_shared<const VideoSource>(video);
+    return;
+  }
+  const InputError error((folder.path / "case.json").string(), "video",
+                         "names a source outside this computer (" + named.left.string().substr(0, 200) + ")",
+                         "Choose the source again");
+  if (folder.lost == nullptr) throw error;
+  folder.lost->push_back(std::string("case.video_lost ") + error.what());
 }
 
 }  // namespace
 
 const PartOf<VideoSource> part::video{
-    {.code = "video", .remedy = "Open a stereo video first", .save = save, .load = load}};
+    {.code = "video",
+     .remedy = "Open a stereo video first",
+     .save = save,
+     .load = load,
+     .is_savable = [](const CaseState& state) { return stays_here(*state[part::video]); }}};
 
 }  // namespace glisson::engine

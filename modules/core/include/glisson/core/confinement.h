@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// @file
+/// What a process that parses foreign files gives up, so that a parser that a file has taken over can do no
+/// harm: for helper programs of our own, right after their start. Nothing given up comes back.
+
+namespace glisson {
+
+/// What holds from now on. Where the kernel lacks a layer, it is false and the others still hold.
+struct Confinement {
+  bool files =
+      false;  ///< Landlock (Linux 5.13): only what was named can be read, only what was named written
+  bool calls = false;  ///< seccomp: no network, no other program, no look into other processes
+};
+
+/// Confines this process and all its threads to come.
+/// @param readable files and folders beside the system's libraries (/usr, /lib, /lib64).
+/// @param writable folders (they are readable, too).
+Confinement confine(const std::vector<std::filesystem::path>& readable,
+                    const std::vector<std::filesystem::path>& writable);
+
+/// Of address space and processor time, files that are written, core dumps. A limit that is reached ends the
+/// process (time) or the demand (memory). Soft, so that it can be raised when more is known.
+void limit_memory(double bytes);
+void limit_seconds(double seconds);
+void limit_written_file(double bytes);
+/// No core dump (it would hold a patient's data), and no life beyond the parent's.
+void die_with_parent();
+
+/// Tries what a confined process must not do, and tells what it could: "network", "program", "write", "read".
+std::vector<std::string> escapes();
+
+}  // namespace glisson

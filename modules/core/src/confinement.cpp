@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/core/confinement.h"
+
+#include <fcntl.h>
+#include <linux/audit.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <sched.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstddef>
+#include <cstdlib>
+
+namespace glisson {
+namespace fs = std::filesystem;
+namespace {
+
+// linux/landlock.h, which older systems do not have.
+struct LandlockRuleset {
+  std::uint64_t handled_access_fs;
+};
+struct LandlockPath {
+  std::uint64_t allowed_access;
+  std::int32_t parent_fd;
+} __attribute__((packed));
+constexpr long kCreateRuleset = 444, kAddRule = 445, kRestrictSelf = 446;
+constexpr std::uint64_t kExecute = 1U << 0, kWriteFile = 1U << 1, kReadFile = 1U << 2, kReadFolder = 1U << 3;
+constexpr std::uint64_t kAllVersion1 = (1U << 13) - 1, kRefer = 1U << 13, kTruncate = 1U << 14;
+
+bool allow(int ruleset, const fs::path& path, std::uint64_t access) {
+  const int at = ::open(path.c_str(), O_PATH | O_CLOEXEC);
+  if (at < 0) return errno == ENOENT;
+  std::error_code failure;
+  // Rights of folders cannot be given to a file.
+  if (!fs::is_directory(path, failure)) access &= kExecute | kWriteFile | kReadFile | kTruncate;
+  const LandlockPath rule{access, at};
+  const long result = ::syscall(kAddRule, ruleset, 1, &rule, 0);
+  ::close(at);
+  return result == 0;
+}
+
+bool confine_files(const std::vector<fs::path>& readable, const std::vector<fs::path>& writable) {
+  const long version = ::syscall(kCreateRuleset, nullptr, 0, 1);
+  if (version < 1) return false;
+  const std::uint64_t handled = kAllVersion1 | (version >= 2 ? kRefer : 0) | (version >= 3 ? kTruncate : 0);
+  const LandlockRuleset rules{handled};
+  const auto ruleset = static_cast<int>(::syscall(kCreateRuleset, &rules, sizeof rules, 0));
+  if (ruleset < 0) return false;
+  bool good = true;
+  for (const char* folder : {"/usr", "/lib", "/lib64"})
+    good = allow(ruleset, folder, kReadFile | kReadFolder | kExecute) && good;
+  for (const fs::path& path : readable) good = allow(ruleset, path, kReadFile | kReadFolder) && good;
+  for (const fs::path& path : writable) good = allow(ruleset, path, handled & ~kExecute) && good;
+  good = good && ::syscall(kRestrictSelf, ruleset, 0) == 0;
+  ::close(ruleset);
+  return good;
+}
+
+#if defined(__x86_64__)
+constexpr std::uint32_t kArchitecture = AUDIT_ARCH_X86_64;
+#elif defined(__aarch64__)
+constexpr std::uint32_t kArchitecture = AUDIT_ARCH_AARCH64;
+#else
+constexpr std::uint32_t kArchitecture = 0;
+#endif
+
+/// The calls that nobody needs who reads files and writes numbers.
+std::vector<std::uint32_t> denied_calls() {
+  std::vector<std::uint32_t> calls = {SYS_socket,
+                                      SYS_socketpair,
+                                      SYS_connect,
+                                      SYS_bind,
+                                      SYS_listen,
+                                      SYS_accept,
+                                      SYS_accept4,
+                                      SYS_sendto,
+                                      SYS_sendmsg,
+                                      SYS_sendmmsg,
+                                      SYS_execve,
+                                      SYS_execveat,
+                                      SYS_ptrace,
+                                      SYS_process_vm_readv,
+                                      SYS_process_vm_writev,
+                                      SYS_kill,
+                                      SYS_pidfd_open,
+                                      SYS_pidfd_getfd,
+                                      SYS_pidfd_send_signal,
+                                      SYS_mount,
+                                      SYS_umount2,
+                                      SYS_pivot_root,
+                                      SYS_chroot,
+                                      SYS_unshare,
+                                      SYS_setns,
+                                      SYS_bpf,
+                                      SYS_perf_event_open,
+                                      SYS_keyctl,
+                                      SYS_add_key,
+                                      SYS_request_key,
+                                      SYS_userfaultfd,
+                                      SYS_io_uring_setup,
+                                      SYS_io_uring_enter,
+                                      SYS_io_uring_register,
+                                      SYS_init_module,
+                                      SYS_finit_module,
+                                      SYS_delete_module,
+                                      SYS_kexec_load,
+                                      SYS_open_by_handle_at,
+                                      SYS_name_to_handle_at,
+                                      SYS_reboot,
+                                      SYS_swapon,
+                                      SYS_swapoff,
+                                      SYS_sethostname,
+                                      SYS_setdomainname,
+                                      SYS_settimeofday,
+                                      SYS_clock_settime,
+                                      SYS_acct,
+                                      SYS_quotactl,
+                                      SYS_fchmodat,
+                                      SYS_fchownat};
+#if defined(__x86_64__)
+  calls.insert(calls.end(), {SYS_fork, SYS_vfork, SYS_iopl, SYS_ioperm});
+#endif
+  return calls;
+}
+
+bool confine_calls() {
+  if (kArchitecture == 0) return false;
+  std::vector<sock_filter> program;
+  const auto load = [&](std::size_t offset) {
+    program.push_back(BPF_STMT(BPF_LD | BPF_W | BPF_ABS, static_cast<std::uint32_t>(offset)));
+  };
+  const auto answer = [&](std::uint32_t what) { program.push_back(BPF_STMT(BPF_RET | BPF_K, what)); };
+  const auto unless = [&](std::uint16_t test, std::uint32_t value, std::uint8_t skip) {
+    program.push_back(BPF_JUMP(static_cast<std::uint16_t>(BPF_JMP | test | BPF_K), value, 0, skip));
+  };
+  constexpr std::uint32_t kRefuse = SECCOMP_RET_ERRNO | EPERM, kUnknown = SECCOMP_RET_ERRNO | ENOSYS;
+  load(offsetof(seccomp_data, arch));
+  unless(BPF_JEQ, kArchitecture, 1);
+  program.push_back(BPF_STMT(BPF_JMP | BPF_JA, 1));
+  answer(SECCOMP_RET_KILL_PROCESS);
+  load(offsetof(seccomp_data, nr));
+#if defined(__x86_64__)
+  unless(BPF_JGE, 0x40000000U, 1);  // the x32 numbers of the same calls
+  answer(kRefuse);
+#endif
+  for (const std::uint32_t call : denied_calls()) {
+    unless(BPF_JEQ, call, 1);
+    answer(kRefuse);
+  }
+  unless(BPF_JEQ, SYS_clone3, 1);  // its flags lie in memory: the C library falls back on clone
+  answer(kUnknown);
+  unless(BPF_JEQ, SYS_clone, 4);  // threads, but no processes
+  load(offsetof(seccomp_data, args));
+  program.push_back(BPF_JUMP(BPF_JMP | BPF_JSET | BPF_K, CLONE_THREAD, 1, 0));
+  answer(kRefuse);
+  answer(SECCOMP_RET_ALLOW);
+  answer(SECCOMP_RET_ALLOW);
+  const sock_fprog filter{static_cast<unsigned short>(program.size()), program.data()};
+  return ::syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, 0, &filter) == 0;
+}
+
+void limit(int resource, double value) {
+  rlimit limits{};
+  if (::getrlimit(static_cast<__rlimit_resource>(resource), &limits) != 0) return;
+  const double most = limits.rlim_max == RLIM_INFINITY ? 9e18 : static_cast<double>(limits.rlim_max);
+  limits.rlim_cur = static_cast<rlim_t>(std::min(value, most));
+  ::setrlimit(static_cast<__rlimit_resource>(resource), &limits);
+}
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kSanitized = true;  // shadow memory and the search for leaks need what is given up here
+#else
+constexpr bool kSanitized = false;
+#endif
+
+}  // namespace
+
+Confinement confine(const std::vector<fs::path>& readable, const std::vector<fs::path>& writable) {
+  Confinement confinement;
+  if (kSanitized || ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return confinement;
+  confinement.files = confine_files(readable, writable);
+  confinement.calls = confine_calls();
+  return confinement;
+}
+
+void limit_memory(double bytes) {
+  if (!kSanitized) limit(RLIMIT_AS, bytes);
+}
+void limit_seconds(double seconds) { limit(RLIMIT_CPU, kSanitized ? 20.0 * seconds : seconds); }
+void limit_written_file(double bytes) { limit(RLIMIT_FSIZE, bytes); }
+
+void die_with_parent() {
+  const rlimit none{0, 0};
+  ::setrlimit(RLIMIT_CORE, &none);
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+}
+
+std::vector<std::string> escapes() {
+  std::vector<std::string> could;
+  if (const int socket = ::socket(AF_INET, SOCK_STREAM, 0); socket >= 0) {
+    could.emplace_back("network");
+    ::close(socket);
+  }
+  if (const pid_t child = ::fork(); child >= 0) {
+    if (child == 0) ::_exit(0);
+    ::waitpid(child, nullptr, 0);
+    could.emplace_back("program");
+  }
+  std::error_code failure;
+  std::string pattern = (fs::temp_directory_path(failure) / ".glisson-XXXXXX").string();
+  if (const int file = ::mkstemp(pattern.data()); file >= 0) {
+    could.emplace_back("write");
+    ::close(file);
+    ::unlink(pattern.c_str());
+  }
+  if (const int file = ::open("/etc/passwd", O_RDONLY | O_CLOEXEC); file >= 0) {
+    could.emplace_back("read");
+    ::close(file);
+  }
+  return could;
+}
+
+}  // namespace glisson

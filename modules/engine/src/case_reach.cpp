@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "case_reach.h"
+
+#include <algorithm>
+#include <array>
+#include <system_error>
+
+#include "glisson/core/error.h"
+#include "glisson/core/file_failure.h"
+
+namespace glisson::engine {
+namespace fs = std::filesystem;
+namespace {
+
+bool is_below(const fs::path& file, const fs::path& folder) {
+  return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first == folder.end();
+}
+
+/// What the parts read; anything else in the folder is somebody's own, and nobody opens it.
+constexpr std::array kRead = {"case.json",        "image.nrrd",     "labels.seg.nrrd", "history",
+                              "seeds.json",       "landmarks.json", "regions.json",    "model",
+                              "calibration.yaml", "frame",          "cloud.ply",       "points",
+                              "registration.vtu"};
+
+void require_own(const fs::path& path, const fs::path& root) {
+  std::error_code failure;
+  const fs::file_status status = fs::symlink_status(path, failure);
+  if (fs::is_symlink(status)) {
+    const fs::path target = fs::canonical(path, failure);
+    if (failure || !is_below(target, root))
+      throw InputError(path.string(), "", "is a link that leads out of the case, or to nothing",
+                       "Put a copy of what it means in its place, or remove it");
+  } else if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status)) {
+    throw InputError(path.string(), "", "is neither a file nor a folder", "Remove it from the case");
+  }
+}
+
+}  // namespace
+
+fs::path file_of_case(const fs::path& folder, const char* field, const std::string& named) {
+  const fs::path name = fs::path(named).lexically_normal();
+  if (name.empty() || name.is_absolute() || *name.begin() == "..")
+    throw InputError((folder / "case.json").string(), field,
+                     "names \"" + named.substr(0, 80) + "\", which lies outside the case",
+                     "Restore the case from a copy; nothing outside its folder is opened");
+  return folder / name;
+}
+
+void require_own_files(const fs::path& folder) {
+  std::error_code failure;
+  const fs::path root = fs::canonical(folder, failure);
+  for (const char* name : kRead) {
+    if (failure) break;
+    std::error_code absent;
+    require_own(root / name, root);
+    if (!fs::is_directory(root / name, absent)) continue;
+    fs::recursive_directory_iterator entry(root / name, failure);
+    for (; !failure && entry != fs::recursive_directory_iterator(); entry.increment(failure))
+      require_own(entry->path(), root);
+  }
+  if (failure) throw FileError(sentence_of(fs::filesystem_error("", folder, failure)));
+}
+
+}  // namespace glisson::engine

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "glisson/core/error.h"
+#include "glisson/core/files.h"
+
+namespace glisson {
+
+/// A whole mesh file. @throws FileError; InputError larger than the mesh of an organ can be: parsers need a
+/// dozen bytes for each of the file's.
+inline std::string mesh_bytes(const std::filesystem::path& path) {
+  constexpr std::uintmax_t kMost = 300000000;
+  std::error_code failure;
+  const std::uintmax_t size = std::filesystem::file_size(path, failure);
+  if (!failure && size > kMost)
+    throw InputError(path.string(), "", "is larger than 300 MB, more than the mesh of an organ needs",
+                     "Make the mesh coarser, or save it in binary");
+  return read_file(path);
+}
+
+}  // namespace glisson

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string_view>
+
+/// @file
+/// How far a source of pictures reaches: what a case names is opened without anybody's asking, so that it
+/// must stay on this computer. What a person names may be a stream of a network.
+
+namespace glisson::stereo {
+
+/// Whether a source is a file, or a camera of this computer ("device:0", "device:/dev/video2"). Streams of a
+/// network and pipelines of GStreamer, which can do anything, are not.
+bool stays_here(std::string_view source);
+
+/// @throws InputError an address ("SCHEME://...") of another kind than rtsp, rtsps, rtp, srt, udp, http,
+/// https.
+void require_known_scheme(std::string_view source);
+
+/// @param begin the first 16 bytes of a file or more.
+/// @return whether it begins as a container of video does: Matroska, MP4, AVI, MPEG, ASF, Ogg, MXF, FLV, IVF,
+/// a
+///   bare H.264 or H.265 stream. Play lists and scripts, which name other files and addresses, do not.
+bool begins_as_video(std::string_view begin);
+
+}  // namespace glisson::stereo

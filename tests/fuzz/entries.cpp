@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "entries.h"
+
+namespace glisson::fuzz {
+
+const std::vector<Named>& all_entries() {
+  static const std::vector<Named> all = {{"vtk_xml", vtk_xml},
+                                         {"legacy_vtk", legacy_vtk},
+                                         {"msh", msh},
+                                         {"ply", ply},
+                                         {"stl", stl},
+                                         {"obj", obj},
+                                         {"node_list", node_list},
+                                         {"nifti_header", nifti_header},
+                                         {"nrrd_header", nrrd_header},
+                                         {"meta_header", meta_header},
+                                         {"archive", archive},
+                                         {"cloud", cloud},
+                                         {"label_codes", label_codes},
+                                         {"seeds", seeds},
+                                         {"edits", edits},
+                                         {"tree_edits", tree_edits},
+                                         {"regions", regions},
+                                         {"source", source},
+                                         {"calibration", calibration},
+                                         {"picture", picture},
+                                         {"landmarks", landmarks},
+                                         {"vessels", vessels},
+                                         {"case_json", case_json}};
+  return all;
+}
+
+}  // namespace glisson::fuzz

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <functional>
+#include <map>
+
+#include "case_files.h"
+#include "entries.h"
+#include "glisson/core/files.h"
+#include "glisson/engine/case_io.h"
+#include "glisson/geometry/mesh_io.h"
+#include "glisson/stereo/calibration_io.h"
+#include "glisson/stereo/picture_io.h"
+#include "glisson/volume/io.h"
+#include "phantom.h"
+#include "shapes.h"
+#include "tar_bytes.h"
+
+namespace glisson::fuzz {
+namespace fs = std::filesystem;
+namespace {
+
+using Files = std::vector<std::string>;
+constexpr LengthUnit kUnit = LengthUnit::millimetre;
+
+/// What a writer of ours leaves under that name.
+std::string written(const char* name, const std::function<void(const fs::path&)>& write) {
+  const TemporaryFolder folder;
+  write(folder.path() / name);
+  return read_file(folder.path() / name);
+}
+
+TetFile tetrahedra() {
+  TetFile file;
+  file.mesh.vertices.resize(5, 3);
+  file.mesh.vertices << 0, 0, 0, 0.1, 0, 0, 0, 0.1, 0, 0, 0, 0.1, 0.1, 0.1, 0.12;
+  file.mesh.tetrahedra.resize(2, 4);
+  file.mesh.tetrahedra << 0, 1, 2, 3, 1, 2, 3, 4;
+  file.mesh.labels = {1, 16};
+  file.point_data["displacement_mm"] = Eigen::MatrixXd::Ones(5, 3);
+  file.field_data["cloud_from_model"] = Eigen::MatrixXd::Identity(4, 4);
+  return file;
+}
+
+std::string tet_file(const char* name) {
+  return written(name, [](const fs::path& path) { write_tet_mesh(path, tetrahedra(), kUnit); });
+}
+std::string surface(const char* name) {
+  return written(name, [](const fs::path& path) {
+    write_triangle_mesh(path, test::box({0.1, 0.1, 0.1}), kUnit);
+  });
+}
+std::string image(const char* name) {
+  return written(name, [](const fs::path& path) { write_image(path, test::stored_world(11)); });
+}
+
+std::string calibration_file() {
+  return written("a.yaml", [](const fs::path& path) {
+    StereoRig rig;
+    for (Camera* camera : {&rig.left, &rig.right}) {
+      camera->width = 640;
+      camera->height = 480;
+      camera->matrix << 600, 0, 320, 0, 600, 240, 0, 0, 1;
+    }
+    rig.right_from_left.translation = {-0.005, 0, 0};
+    stereo::write_calibration(path, rig);
+  });
+}
+
+std::string vessel_file() {
+  return written("a.vtp", [](const fs::path& path) {
+    VesselTree tree;
+    tree.structure = 2;
+    tree.nodes.resize(3, 3);
+    tree.nodes << 0, 0, 0, 0.01, 0, 0, 0.02, 0, 0;
+    tree.radii = {0.003, 0.002, 0.001};
+    tree.beams = {{0, 1}, {1, 2}};
+    tree.root = 0;
+    engine::write_vessels(path, {tree, tree});
+  });
+}
+
+std::string picture_file(const char* name, int channels) {
+  return written(name, [&](const fs::path& path) {
+    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(24 * 16 * channels));
+    for (std::size_t n = 0; n < bytes.size(); ++n) bytes[n] = static_cast<std::uint8_t>(n * 37 % 251);
+    stereo::write_picture(path, {24, 16, channels, std::make_shared<const std::vector<std::uint8_t>>(bytes)});
+  });
+}
+
+const std::string kMsh =
+    "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n0 0 0 1\n1 0 0 0 100 100 100 1 16 "
+    "0\n$EndEntities\n$Nodes\n1 4 1 "
+    "4\n3 1 0 4\n1\n2\n3\n4\n0 0 0\n100 0 0\n0 100 0\n0 0 100\n$EndNodes\n$Elements\n1 1 1 1\n3 1 4 1\n1 1 2 "
+    "3 4\n"
+    "$EndElements\n";
+const std::string kMsh2 =
+    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 100 0 0\n5 0 100 0\n7 0 0 "
+    "100\n$EndNodes\n$Elements\n2\n1 "
+    "15 2 0 1 1\n3 4 2 1 1 1 2 5 7\n$EndElements\n";
+const std::string kCase =
+    R"({"format": "glisson-case", "version": 1, "parts": {"model": {"revision": 2, "made_from": {"labels": 1}, )"
+    R"("surfaces": [], "notes": ["a"], "quality": {"vertices": 4, "tetrahedra": 1, "min_dihedral_deg": 50, )"
+    R"("max_dihedral_deg": 90, "volume_error": 0, "vertices_to_fine_mean_mm": 0, "mesh_to_fine_mean_mm": 0, )"
+    R"("fine_to_mesh_mean_mm": 0, "fine_to_mesh_max_mm": 0}}, "video": {"revision": 1, "made_from": {}, )"
+    R"("left": "../film.mkv", "right": ""}}})";
+const std::string kCloud =
+    "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\nproperty "
+    "uchar "
+    "feature\nend_header\n1 2 30 0\n2 2 31 1\n";
+
+const std::map<std::string, std::function<Files()>>& makers() {
+  static const std::map<std::string, std::function<Files()>> all = {
+      {"vtk_xml",
+       [] {
+         return Files{tet_file("a.vtu"), surface("a.vtp")};
+       }},
+      {"legacy_vtk",
+       [] {
+         return Files{tet_file("a.vtk"), surface("a.vtk")};
+       }},
+      {"msh",
+       [] {
+         return Files{kMsh, kMsh2};
+       }},
+      {"ply", [] { return Files{surface("a.ply")}; }},
+      {"stl", [] { return Files{surface("a.stl")}; }},
+      {"obj", [] { return Files{surface("a.obj")}; }},
+      {"node_list",
+       [] {
+         return Files{"# nodes\n1 2 3\n4 5 6\n", "0 1 2 17\n"};
+       }},
+      {"nifti_header", [] { return Files{image("a.nii")}; }},
+      {"nrrd_header", [] { return Files{image("a.nrrd")}; }},
+      {"meta_header", [] { return Files{image("a.mha")}; }},
+      {"archive",
+       [] {
+         return Files{test::tar_entry("a/b", "content") + test::tar_entry("c", "", '2', "a") +
+                      test::tar_entry("././@PaxHeader", "17 path=long/name\n", 'x') +
+                      test::tar_entry("d", "x") + test::tar_end()};
+       }},
+      {"cloud", [] { return Files{kCloud}; }},
+      {"label_codes", [] { return Files{R"({"1": "parenchyma", "2": "portal_vein"})"}; }},
+      {"seeds", [] { return Files{R"({"liver": [[1, 2, 3]], "lesions": [[[4, 5, 6]]]})"}; }},
+      {"edits", [] { return Files{R"({"edits": [{"tool": "island_keep", "label": 1, "at": [1, 2, 3]}]})"}; }},
+      {"tree_edits",
+       [] {
+         return Files{
+             R"({"frame": "LPS", "unit": "mm", "edits": [{"edit": "join", "at": [1, 2, 3], "to": [0, 0, 0]}]})"};
+       }},
+      {"regions",
+       [] {
+         return Files{
+             R"({"image": "left", "frame": 3, "regions": [{"label": "surface", "polygon": [[0, 0], [9, 0], [9, 9]]}, )"
+             R"({"label": "anterior_margin", "curve": [[0, 0], [9, 9]], "half_width_px": 5, "image": "right"}]})"};
+       }},
+      {"source",
+       [] {
+         return Files{
+             R"({"left": "scope.mkv", "layout": "top_bottom", "deinterlace": true, "crop": [0, 4, 0, 532]})"};
+       }},
+      {"calibration", [] { return Files{calibration_file()}; }},
+      {"picture",
+       [] {
+         return Files{picture_file("a.png", 3), picture_file("a.jpg", 3), picture_file("a.bmp", 1)};
+       }},
+      {"landmarks",
+       [] { return Files{R"({"frame": "LPS", "unit": "mm", "anterior_margin": [[1, 2, 3], [4, 5, 6]]})"}; }},
+      {"vessels", [] { return Files{vessel_file()}; }},
+      {"case_json", [] { return Files{kCase}; }}};
+  return all;
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::string>> seed_files(const std::string& entry) {
+  std::vector<std::pair<std::string, std::string>> files;
+  for (const std::string& bytes : makers().at(entry)())
+    files.emplace_back("seed_" + std::to_string(files.size()), bytes);
+  return files;
+}
+
+}  // namespace glisson::fuzz

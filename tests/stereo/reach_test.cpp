@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/stereo/reach.h"
+
+#include <QtTest>
+
+#include "complaint.h"
+#include "glisson/core/files.h"
+#include "glisson/stereo/picture_io.h"
+
+using namespace glisson;
+using namespace glisson::stereo;
+
+class ReachTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void OnlyListedSchemesAreOpened() {
+    for (const char* good : {"device:0", "device:rtsp://h/x", "device:https://h/x", "device:/dev/video1"})
+      QVERIFY2(test::complaint([&] { require_known_scheme(good); }).empty(), good);
+    for (const char* bad :
+         {"device:ftp://h/x", "device:file:///etc/passwd", "device:gopher://h", "device:x://"})
+      QVERIFY2(!test::complaint([&] { require_known_scheme(bad); }).empty(), bad);
+    QVERIFY2(test::complaint([&] { StereoVideo video("device:ftp://192.0.2.1/x"); }).find("rtsp") !=
+                 std::string::npos,
+             "the stream itself asks");
+  }
+
+  void PicturesAreAskedForTheirSizeFirst_data() {
+    QTest::addColumn<QByteArray>("content");
+    QTest::addColumn<QString>("word");
+    const QByteArray png("\x89PNG\r\n\x1A\n\0\0\0\rIHDR", 16), end("\0\0\0\0IEND", 8);
+    const QString large = "more than any camera", none = "is not a whole picture";
+    QTest::newRow("PNG") << png + QByteArray("\0\0\xFF\xFF\0\0\xFF\xFF\x08\x02\0\0\0", 13) + end << large;
+    QTest::newRow("PNG of no size") << png + QByteArray("\0\0\0\0\0\0\xFF\xFF\x08\x02\0\0\0", 13) + end
+                                    << none;
+    QTest::newRow("JPEG") << QByteArray("\xFF\xD8\xFF\xC0\0\x11\x08\xFF\xFF\xFF\xFF\x03\xFF\xD9", 14)
+                          << large;
+    QTest::newRow("BMP") << QByteArray("BM\0\0\0\0\0\0\0\0\0\0\0\0\x28\0\0\0\xFF\xFF\0\0\xFF\xFF\0\0", 26)
+                         << large;
+    QTest::newRow("TIFF")
+        << QByteArray("II*\0\x08\0\0\0\x02\0\0\1\x04\0\1\0\0\0\xFF\xFF\0\0\1\1\x04\0\1\0\0\0\xFF\xFF\0\0", 34)
+        << large;
+    QTest::newRow("a format for which there is no need") << QByteArray("P5\n2 2\n255\nabcd") << none;
+    QTest::newRow("TIFF that points beyond its end") << QByteArray("II*\0\xFF\xFF\xFF\xFF", 8) << none;
+  }
+  void PicturesAreAskedForTheirSizeFirst() {
+    QFETCH(QByteArray, content);
+    QFETCH(QString, word);
+    const TemporaryFolder folder;
+    write_file_atomically(folder.path() / "a.png", content.toStdString());
+    const std::string told = test::complaint([&] { (void)read_picture(folder.path() / "a.png"); });
+    QVERIFY2(QString::fromStdString(told).contains(word), told.c_str());
+  }
+
+  void PlayListsAreNoVideos_data() {
+    QTest::addColumn<QByteArray>("content");
+    QTest::newRow("HLS") << QByteArray("#EXTM3U\n#EXTINF:1,\nhttp://192.0.2.1/x.ts\n");
+    QTest::newRow("concat") << QByteArray("ffconcat version 1.0\nfile /etc/passwd\n");
+    QTest::newRow("SDP") << QByteArray("v=0\no=- 0 0 IN IP4 192.0.2.1\n");
+    QTest::newRow("DASH") << QByteArray("<?xml version=\"1.0\"?><MPD></MPD>");
+    QTest::newRow("nothing") << QByteArray();
+  }
+  void PlayListsAreNoVideos() {
+    QFETCH(QByteArray, content);
+    QVERIFY(!begins_as_video(content.toStdString()));
+    const TemporaryFolder folder;
+    write_file_atomically(folder.path() / "film.mkv", content.toStdString());
+    const std::string told = test::complaint([&] { StereoVideo video(folder.path() / "film.mkv"); });
+    QVERIFY2(told.find("is not a video") != std::string::npos, told.c_str());
+  }
+};
+
+QTEST_APPLESS_MAIN(ReachTest)
+#include "reach_test.moc"
