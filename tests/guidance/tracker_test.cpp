@@ -99,6 +99,7 @@ void TrackerTest::StiffBoundaryHoldsItsPlace() {
     TrackerOptions changed = options();
     changed.boundary_young_modulus = 20e6;
     changed.boundary_tether = tether;
+    changed.scope_moves = false;
     Tracker tracker(model_, start_, changed);
     tracker.begin(rig_, film_[0], {});
     OverlayFrame overlay;

@@ -86,6 +86,40 @@ class TheatreTest : public QObject {
     }
   }
 
+  void TheScopeTurnsAboutItsTrocar() {
+    constexpr int kFrame = 7;
+    const Points still = theatre_->truth(kFrame).nodes_in_camera, first = theatre_->truth(0).nodes_in_camera;
+    theatre_->move_scope({.pivot_deg = 8.0, .roll_deg = 12.0, .period_s = 2.0, .trocar_mm = 140.0});
+    const Points turned = theatre_->truth(kFrame).nodes_in_camera;
+    QVERIFY((theatre_->truth(0).nodes_in_camera.array() == first.array()).all());
+    // The patient moves rigidly before the camera, and the trocar stays where it is behind it.
+    const auto motion = fit_rigid<CameraFrame, CameraFrame>(still, turned);
+    QVERIFY((motion.apply(still) - turned).rowwise().norm().maxCoeff() < 1e-9);
+    QVERIFY((turned - still).rowwise().norm().mean() > 5e-3);
+    const Eigen::Vector3d trocar(0.0, 0.0, -0.14);
+    QVERIFY((motion.rotation * trocar + motion.translation - trocar).norm() < 1e-9);
+    // What is drawn is what is true.
+    const std::vector<float> depth = theatre_->depth(kFrame);
+    const TriangleMesh surface = theatre_->surface(kFrame);
+    const Camera& camera = theatre_->rig().left;
+    const std::vector<bool> seen = theatre_->seen(surface.vertices, kFrame);
+    int compared = 0, agreeing = 0;
+    for (int v = 0; v < surface.vertex_count(); v += 7) {
+      if (!seen[static_cast<std::size_t>(v)]) continue;
+      const Eigen::Vector2d pixel = camera.project(surface.vertex(v)).array().round();
+      if (!camera.sees(pixel)) continue;
+      const auto at = static_cast<std::size_t>(pixel.y() * camera.width + pixel.x());
+      ++compared;
+      agreeing += std::abs(static_cast<double>(depth[at]) - surface.vertex(v).z()) < 3e-3;
+    }
+    QVERIFY(compared > 50 && agreeing > 0.9 * compared);
+    theatre_->move_scope({.slide_mm = 25.0, .period_s = 2.0});
+    const auto away = fit_rigid<CameraFrame, CameraFrame>(still, theatre_->truth(kFrame).nodes_in_camera);
+    QVERIFY(away.translation.z() > 1e-3 && away.translation.head<2>().norm() < 1e-9);
+    QVERIFY_EXCEPTION_THROWN(theatre_->move_scope({.pivot_deg = 99.0}), InputError);
+    theatre_->move_scope({});
+  }
+
   void BreathingAndHeartbeatMoveTheLiverSmoothly() {
     const Points start = theatre_->truth(0).nodes_in_camera;
     double farthest = 0.0, largest_step = 0.0;

@@ -230,6 +230,10 @@ LiveFault jump(const char* name, const StereoRig& rig, int onset, int dark, doub
 std::vector<LiveFault> live_faults(const StereoRig& rig, int onset, int last, std::uint64_t seed) {
   std::vector<LiveFault> faults(1);
   faults.front().name = "none";
+  LiveFault held;
+  held.name = "scope_moves";
+  held.scope_moves = true;
+  faults.push_back(held);
   add_starts(faults);
   add_stale_views(faults, onset, seed);
   add_covers(faults, rig, onset, last, seed);

@@ -23,6 +23,8 @@ struct LiveFault {
   Eigen::Vector3d start_shift = Eigen::Vector3d::Zero();
   /// What the laparoscope shows at frame k instead of film[k]; empty: film[k].
   std::function<StereoFrame(const Film& film, int k)> show;
+  /// Not a fault: the laparoscope is held by a hand. The film is another one.
+  bool scope_moves = false;
   /// From this frame on the picture shows the organ well again, though elsewhere; -1: never.
   int good_from = -1;
   /// From where it truly is to where the camera as calibrated would have to see it, once the fault is there:

@@ -20,15 +20,31 @@ namespace {
 constexpr double kFar = 10e-3, kNear = 3e-3;  ///< metres: frames over and under
 constexpr int kInTime = 15;                   ///< frames: half a second
 
-/// A patient in the theatre, filmed once, with the model that is to follow.
+struct Filmed {
+  Film film;
+  std::vector<Points> targets;  ///< each frame's, camera's frame
+};
+
+/// A patient in the theatre, filmed by a camera that stands and by one in a hand, with the model that is to
+/// follow.
 struct Stage {
   PatientModel model;
   std::unique_ptr<insilico::Theatre> theatre;
-  Film film;
-  std::vector<Points> targets;  ///< each frame's, camera's frame
-  Points start;                 ///< the model's nodes where they truly are in the first frame
+  Filmed standing, held;
+  Points start;  ///< the model's nodes where they truly are in the first frame
   Points targets_in_ct;
 };
+
+/// @return false: cancelled.
+bool film(const insilico::Theatre& theatre, Filmed& filmed, const RunContext& context) {
+  for (int k = 0; k < theatre.frame_count(); ++k) {
+    if (context.cancelled()) return false;
+    filmed.film.push_back(theatre.render(k));
+    filmed.targets.push_back(theatre.truth(k).targets_in_camera);
+    context.progress((k + 1.0) / theatre.frame_count(), "prove.theatre");
+  }
+  return true;
+}
 
 std::optional<Stage> build_stage(std::uint64_t seed, int frames, const RunContext& context) {
   insilico::PatientOptions patient_options;
@@ -51,13 +67,10 @@ std::optional<Stage> build_stage(std::uint64_t seed, int frames, const RunContex
   Stage stage;
   stage.model = std::move(built->model);
   stage.theatre = std::move(*theatre);
-  const RunContext filming = context.part(0.6, 1.0);
-  for (int k = 0; k < frames; ++k) {
-    if (context.cancelled()) return std::nullopt;
-    stage.film.push_back(stage.theatre->render(k));
-    stage.targets.push_back(stage.theatre->truth(k).targets_in_camera);
-    filming.progress((k + 1.0) / frames, "prove.theatre");
-  }
+  if (!film(*stage.theatre, stage.standing, context.part(0.6, 0.8))) return std::nullopt;
+  // Up to 10 degrees and 45 mm a second, a third nearer and farther.
+  stage.theatre->move_scope({.pivot_deg = 6.0, .slide_mm = 30.0, .roll_deg = 10.0});
+  if (!film(*stage.theatre, stage.held, context.part(0.8, 1.0))) return std::nullopt;
   stage.start = stage.theatre->carry(stage.model.mesh.vertices, 0);
   const auto& targets = stage.theatre->targets();
   stage.targets_in_ct.resize(static_cast<Eigen::Index>(targets.size()), 3);
@@ -94,18 +107,19 @@ std::vector<Judged> run(const Stage& stage, const LiveFault& fault, int onset) {
   start.nodes_in_camera = ((stage.start.rowwise() - middle) * fault.start_turn.transpose()).rowwise() +
                           (middle + fault.start_shift.transpose());
   guidance::Tracker tracker(stage.model, start, {});
-  const auto shown = [&](int k) {
-    return fault.show ? fault.show(stage.film, k) : stage.film[static_cast<std::size_t>(k)];
+  const auto& [film, true_targets] = fault.scope_moves ? stage.held : stage.standing;
+  const auto shown = [&, &frames_shown = film](int k) {
+    return fault.show ? fault.show(frames_shown, k) : frames_shown[static_cast<std::size_t>(k)];
   };
   tracker.begin(stage.theatre->rig(), shown(0), {});
   const Binding targets = bind_points(stage.model.mesh, stage.targets_in_ct);
   std::vector<Judged> frames;
-  for (int k = 1; k < static_cast<int>(stage.film.size()); ++k) {
+  for (int k = 1; k < static_cast<int>(film.size()); ++k) {
     Judged judged;
     judged.frame = k;
     judged.overlay = tracker.follow(shown(k));
-    judged.faulty = fault.name != "none" && (!fault.show || k >= onset);
-    Points truth = stage.targets[static_cast<std::size_t>(k)];
+    judged.faulty = fault.name != "none" && !fault.scope_moves && (!fault.show || k >= onset);
+    Points truth = true_targets[static_cast<std::size_t>(k)];
     if (fault.show && k >= onset) truth = truth * fault.true_turn.transpose();
     const Points found = targets.apply(stage.model.mesh, judged.overlay.nodes_in_camera);
     judged.error = (found - truth).rowwise().norm().maxCoeff();
@@ -118,6 +132,8 @@ std::vector<Judged> run(const Stage& stage, const LiveFault& fault, int onset) {
 struct Tally {
   int far = 0, far_hidden = 0, far_hidden_before = 0;
   int near = 0, near_valid = 0, near_sound = 0, near_sound_valid = 0;
+  double error_sum = 0.0;  ///< metres, over all frames
+  int frames = 0;
   std::map<std::string, int> shown;
   std::vector<double> milliseconds;
   int returned = -1;  ///< frames from where the picture is good again until a right overlay is shown
@@ -125,22 +141,24 @@ struct Tally {
   bool is_in_time = true;
 
   /// @param good_from of the fault.
-  void add_return(const std::vector<Judged>& frames, int good_from) {
+  void add_return(const std::vector<Judged>& run, int good_from) {
     if (good_from < 0) return;
-    int first = frames.back().frame + 1;
-    for (const Judged& judged : frames)
+    int first = run.back().frame + 1;
+    for (const Judged& judged : run)
       if (judged.frame >= good_from && judged.frame < first && judged.error < kFar &&
           judged.overlay.validity == Validity::valid)
         first = judged.frame;
     returned = std::max(returned, first - good_from);
   }
 
-  void add(const std::vector<Judged>& frames) {
+  void add(const std::vector<Judged>& run) {
     int first_far = -1, first_hidden = -1;
-    for (const Judged& judged : frames) {
+    for (const Judged& judged : run) {
       const bool valid = judged.overlay.validity == Validity::valid;
       ++shown[validity_code(judged.overlay.validity)];
       milliseconds.push_back(judged.overlay.milliseconds);
+      error_sum += judged.error;
+      ++frames;
       if (judged.error > kFar) {
         ++far;
         far_hidden += !valid;
@@ -155,7 +173,7 @@ struct Tally {
       if (judged.faulty && !valid && first_hidden < 0) first_hidden = judged.frame;
     }
     if (first_far < 0) return;
-    const int last = frames.back().frame + 1;
+    const int last = run.back().frame + 1;
     latest = std::max(latest, std::max(0, (first_hidden < 0 ? last : first_hidden) - first_far));
     is_in_time = latest <= kInTime;
   }
@@ -235,6 +253,11 @@ void sum_up(const std::vector<std::string>& names, std::map<std::string, Tally>&
   proof.figures["live_near_valid_share"] = share(all.near_valid, all.near);
   proof.figures["live_near_sound_valid_share"] = share(all.near_sound_valid, all.near_sound);
   proof.figures["live_latest_seconds"] = late / 30.0;
+  for (const auto& [figure, name] :
+       {std::pair{"live_still_mean_mm", "none"}, {"live_scope_mean_mm", "scope_moves"}}) {
+    const Tally& one = tallies[name];
+    if (one.frames > 0) proof.figures[figure] = 1e3 * one.error_sum / one.frames;
+  }
   proof.figures["live_return_seconds"] = returned / 30.0;
   proof.figures["live_frame_p50_ms"] = percentile(all.milliseconds, 0.5);
   proof.figures["live_frame_p99_ms"] = percentile(all.milliseconds, 0.99);

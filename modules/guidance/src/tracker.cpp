@@ -28,9 +28,6 @@ constexpr double kMissing = 0.1;
 /// A gap counts as consistent up to this difference from its neighbours' median: metres across the line of
 /// sight, or scaled MADs of all differences, whichever is more.
 constexpr double kConsistentFloor = 1.5e-3, kConsistentDeviations = 4.0;
-/// Metres a frame, in common: breathing and the heart move the organ by a few tenths of a millimetre a frame,
-/// so that what is faster is the camera's motion.
-constexpr double kCameraMoves = 2.5e-3;
 /// Frames without an overlay after which the organ is looked for by its texture, and between later attempts.
 constexpr int kLost = 3, kLookAgain = 9;
 /// Metres. Where the organ is found this near, it was not lost.
@@ -193,11 +190,12 @@ struct Tracker::Impl {
     surface.move(moved);
   }
 
-  /// Fast common motion of the points that agree is taken over at once; mechanics would lag behind it.
+  /// The common rigid motion of the points that agree is taken over at once, with what holds the organ:
+  /// nothing in them tells whether the camera or the organ moved, and mechanics would lag behind it.
   void follow_camera() {
+    if (!options.scope_moves || !options.fixed_nodes.empty()) return;
     const std::vector<FollowedPoint>& points = follower->points();
     const std::vector<Eigen::Vector3d> gaps = anchors.gaps(points, surface);
-    if (mean_norm(gaps) < kCameraMoves) return;
     Points seen_now(static_cast<Eigen::Index>(points.size()), 3), modelled = seen_now;
     for (std::size_t i = 0; i < points.size(); ++i) {
       seen_now.row(static_cast<Eigen::Index>(i)) = points[i].p_in_camera.transpose();

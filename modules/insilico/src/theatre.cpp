@@ -64,6 +64,15 @@ void TheatreOptions::validate() const {
         "give 500 to 100000 Pa");
 }
 
+void ScopePath::validate() const {
+  const OptionCheck check("scope path");
+  check(pivot_deg >= 0.0 && pivot_deg <= 30.0, "pivot_deg", pivot_deg, "give 0 to 30 degrees");
+  check(slide_mm >= 0.0 && slide_mm <= 120.0, "slide_mm", slide_mm, "give 0 to 120 mm");
+  check(roll_deg >= 0.0 && roll_deg <= 90.0, "roll_deg", roll_deg, "give 0 to 90 degrees");
+  check(period_s >= 0.5 && period_s <= 60.0, "period_s", period_s, "give 0.5 to 60 s");
+  check(trocar_mm >= 50.0 && trocar_mm <= 300.0, "trocar_mm", trocar_mm, "give 50 to 300 mm");
+}
+
 struct Theatre::Impl {
   TheatreOptions options;
   TetMesh mesh;
@@ -75,19 +84,31 @@ struct Theatre::Impl {
   TheatreMotion motion;
   StereoRig rig;
   CameraFromCt camera_from_ct;
-  PaintedSurface wall;
+  ScopePath path;
+  TriangleMesh behind;  ///< as in frame 0
 
   // The stage: one frame at a time stands on it.
   mutable std::mutex mutex;
   mutable std::unique_ptr<RayCaster> caster;
-  mutable PaintedSurface painted;
+  mutable PaintedSurface painted, wall;
   mutable TriangleMesh surface;
   mutable int frame = -1;
   std::unique_ptr<Painter> painter;
 
   Points nodes(int number) const {
     require(number >= 0 && number < options.frames, "the theatre has this frame");
-    return camera_from_ct.apply(motion.positions(number / options.frames_per_second));
+    const double seconds = number / options.frames_per_second;
+    return (scope_motion(path, seconds) * camera_from_ct).apply(motion.positions(seconds));
+  }
+  bool moves() const { return path.pivot_deg > 0.0 || path.slide_mm > 0.0 || path.roll_deg > 0.0; }
+  /// @pre the mutex is held.
+  void stage_wall(int number) const {
+    const auto motion_of_scope = scope_motion(path, number / options.frames_per_second);
+    const TriangleMesh now{motion_of_scope.apply(behind.vertices), behind.triangles};
+    const FloatPoints rest = wall.rest_mm;
+    wall = painted_wall(now);
+    wall.rest_mm = rest;
+    caster->set_wall(now);
   }
   /// @pre the mutex is held.
   void stage(int number) const {
@@ -99,6 +120,7 @@ struct Theatre::Impl {
     painted.normals = shading_normals(surface, neighbours, kNormalRings).cast<float>();
     painted.camera_from_rest =
         fit_rigid<CameraFrame, CtFrame>(liver.vertices, surface.vertices).rotation.cast<float>();
+    if (moves()) stage_wall(number);
     frame = number;
   }
   void set_stage();
@@ -111,7 +133,7 @@ void Theatre::Impl::set_stage() {
   surface.triangles = liver.triangles;
   painter = std::make_unique<Painter>(rig, options.seed, options.noise, 1e-3 * options.camera_distance_mm);
   stage(0);
-  const TriangleMesh behind = make_wall(surface, rig, options.seed);
+  behind = make_wall(surface, rig, options.seed);
   wall = painted_wall(behind);
   caster->set_wall(behind);
   painter->expose(*caster, painted, wall);
@@ -173,6 +195,13 @@ const Landmarks& Theatre::landmarks() const { return impl_->landmarks; }
 const std::vector<Target>& Theatre::targets() const { return impl_->targets; }
 int Theatre::frame_count() const { return impl_->options.frames; }
 double Theatre::seconds(int frame) const { return frame / impl_->options.frames_per_second; }
+
+void Theatre::move_scope(const ScopePath& path) {
+  path.validate();
+  const std::lock_guard lock(impl_->mutex);
+  impl_->path = path;
+  impl_->frame = -1;
+}
 
 FrameTruth Theatre::truth(int frame) const {
   FrameTruth truth;

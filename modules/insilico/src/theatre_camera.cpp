@@ -176,6 +176,22 @@ CameraFromCt place_camera(const TriangleMesh& liver, const Points& margin, const
   return best.camera_from_ct;
 }
 
+Rigid<CameraFrame, CameraFrame> scope_motion(const ScopePath& path, double seconds) {
+  const double phase = 2.0 * std::numbers::pi * seconds / path.period_s;
+  const Eigen::Vector3d trocar(0.0, 0.0, -1e-3 * path.trocar_mm);
+  const Eigen::Matrix3d turn =
+      (Eigen::AngleAxisd(kDegree * path.pivot_deg * std::sin(phase), Eigen::Vector3d::UnitX()) *
+       Eigen::AngleAxisd(0.5 * kDegree * path.pivot_deg * std::sin(phase / 1.3), Eigen::Vector3d::UnitY()) *
+       Eigen::AngleAxisd(kDegree * path.roll_deg * std::sin(phase / 1.7), Eigen::Vector3d::UnitZ()))
+          .toRotationMatrix();
+  // Where the camera is now, in its frame of the beginning.
+  Rigid<CameraFrame, CameraFrame> moved;
+  moved.rotation = turn;
+  const double slide = 1e-3 * path.slide_mm * 0.5 * (1.0 - std::cos(phase / 1.3));
+  moved.translation = trocar - turn * (trocar + Eigen::Vector3d(0.0, 0.0, slide));
+  return moved.inverse();
+}
+
 TriangleMesh make_wall(const TriangleMesh& liver_in_camera, const StereoRig& rig, std::uint64_t seed) {
   const RayCaster caster(liver_in_camera);
   StereoRig small = rig;

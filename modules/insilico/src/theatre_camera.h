@@ -17,6 +17,9 @@ StereoRig make_rig(const TheatreOptions& options);
 CameraFromCt place_camera(const TriangleMesh& liver, const Points& margin, const Points& notch,
                           const StereoRig& rig, const TheatreOptions& options);
 
+/// @param seconds since frame 0.
+Rigid<CameraFrame, CameraFrame> scope_motion(const ScopePath& path, double seconds);
+
 /// What is behind the liver: a bumpy bowl about the optical centre, beyond all that is seen of the liver.
 /// Left camera's frame, metres.
 TriangleMesh make_wall(const TriangleMesh& liver_in_camera, const StereoRig& rig, std::uint64_t seed);

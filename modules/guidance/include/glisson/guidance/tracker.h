@@ -39,8 +39,12 @@ struct TrackerOptions {
   /// N/m a structure, of what they hang on: the cava breathes with the diaphragm. Large: fixed ends, as in
   /// the paper. Why not: see the README.
   double boundary_tether = 5.0;
+  /// A hand holds the laparoscope: the rigid part of what is seen to move is the whole patient's before the
+  /// camera, boundary springs' places included. False, or nodes are fixed: the camera stands, as in the
+  /// paper.
+  bool scope_moves = true;
   std::vector<int> fixed_nodes;
-  JudgeOptions judge;                  ///< of pictures; clouds are judged by their residual alone
+  JudgeOptions judge;  ///< of pictures; clouds are judged by their residual alone
   /// For follow(cloud): form, s, surface stiffness, density, and of contact forces the lesions' stiffness.
   registration::ElasticOptions cloud;
   /// How clouds are followed; automatic as in register_model, by `fixed_nodes`.

@@ -34,6 +34,18 @@ struct TheatreOptions {
   void validate() const;
 };
 
+/// How a hand holds the laparoscope: it turns about the trocar, slides through it, and rolls. Three slow
+/// oscillations of unlike periods; frame 0 is where it stands still. All zero: it does not move.
+struct ScopePath {
+  double pivot_deg = 0.0;    ///< amplitude about the trocar, up and down and half of it sideways
+  double slide_mm = 0.0;     ///< largest way out of the trocar, from the organ
+  double roll_deg = 0.0;     ///< amplitude about the optical axis
+  double period_s = 4.0;     ///< of the pivot; the others' are 1.3 and 1.7 times as long
+  double trocar_mm = 150.0;  ///< behind the optical centre
+  /// @throws InputError naming the option.
+  void validate() const;
+};
+
 /// What the theatre did to the liver, in-silico figures.
 struct TheatreFigures {
   double mean_displacement_mm = 0.0;  ///< frame 0 from the CT, mean over the truth's nodes, CT frame
@@ -93,10 +105,13 @@ class Theatre {
   const TheatreOptions& options() const;
   const TheatreFigures& figures() const;
   const StereoRig& rig() const;
-  const CameraFromCt& camera_from_ct() const;  ///< the truth: where the camera stands; it does not move
-  const TetMesh& mesh() const;                 ///< rest shape, CT frame
-  const TriangleMesh& liver_surface() const;   ///< fine, closed, rest shape, CT frame: what is drawn
-  const Landmarks& landmarks() const;          ///< the patient's, completed; CT frame, rest
+  const CameraFromCt& camera_from_ct() const;  ///< the truth: where the camera stands in frame 0
+  /// From now on the camera moves so. Truths and pictures are in the camera's frame of their moment.
+  /// @throws InputError naming the option.
+  void move_scope(const ScopePath& path);
+  const TetMesh& mesh() const;                ///< rest shape, CT frame
+  const TriangleMesh& liver_surface() const;  ///< fine, closed, rest shape, CT frame: what is drawn
+  const Landmarks& landmarks() const;         ///< the patient's, completed; CT frame, rest
   const std::vector<Target>& targets() const;
   int frame_count() const;
   double seconds(int frame) const;
