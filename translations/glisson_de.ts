@@ -2179,6 +2179,10 @@
         <source>cases in which the best rigid alignment is beaten, share</source>
         <translation>Fälle, in denen die beste starre Ausrichtung übertroffen wird, Anteil</translation>
     </message>
+    <message>
+        <source>live: largest error at a lesion with a scope in a hand, mean over frames, mm</source>
+        <translation>live: größter Fehler an einer Läsion, Endoskop in einer Hand, Mittel über die Bilder, mm</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AngleHistogram</name>

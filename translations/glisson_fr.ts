@@ -2179,6 +2179,10 @@
         <source>cases in which the best rigid alignment is beaten, share</source>
         <translation>cas où le meilleur recalage rigide est battu, part</translation>
     </message>
+    <message>
+        <source>live: largest error at a lesion with a scope in a hand, mean over frames, mm</source>
+        <translation>live : plus grande erreur sur une lésion, endoscope tenu à la main, moyenne sur les images, mm</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AngleHistogram</name>
