@@ -1264,6 +1264,14 @@
         <source>handling the liver</source>
         <translation>Leber wird bewegt</translation>
     </message>
+    <message>
+        <source>Keeping a copy for recovery</source>
+        <translation>Sicherungskopie anlegen</translation>
+    </message>
+    <message>
+        <source>Opening the copy</source>
+        <translation>Sicherungskopie öffnen</translation>
+    </message>
 </context>
 <context>
     <name>cli</name>
@@ -2183,6 +2191,66 @@
         <source>live: largest error at a lesion with a scope in a hand, mean over frames, mm</source>
         <translation>live: größter Fehler an einer Läsion, Endoskop in einer Hand, Mittel über die Bilder, mm</translation>
     </message>
+    <message>
+        <source>There is one processor core: the live view needs two.</source>
+        <translation>Es gibt einen Prozessorkern: Die Live-Ansicht braucht zwei.</translation>
+    </message>
+    <message>
+        <source>There are %1 GB of memory: large CTs need 8.</source>
+        <translation>Es gibt %1 GB Arbeitsspeicher: Große CTs brauchen 8.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 GB left: archives are unpacked there.</source>
+        <translation>In %1 sind noch %2 GB frei: Dort werden Archive entpackt.</translation>
+    </message>
+    <message>
+        <source>There is no display: the window cannot open, all else works.</source>
+        <translation>Es gibt keinen Bildschirm: Das Fenster kann nicht öffnen, alles andere geht.</translation>
+    </message>
+    <message>
+        <source>Tells what the program finds on this machine, tries out what it needs and says what is missing. Reads no patient&apos;s data.</source>
+        <translation>Sagt, was das Programm auf dieser Maschine findet, probiert aus, was es braucht, und sagt, was fehlt. Liest keine Patientendaten.</translation>
+    </message>
+    <message>
+        <source>missing: </source>
+        <translation>fehlt: </translation>
+    </message>
+    <message>
+        <source>Does the same over and over, frames, opening and saving, edits with undo, and looks whether memory, file descriptors and threads stay what they are.</source>
+        <translation>Tut dasselbe wieder und wieder, Bilder, Öffnen und Speichern, Bearbeitungen mit Rückgängig, und sieht nach, ob Speicher, Dateideskriptoren und Threads bleiben, was sie sind.</translation>
+    </message>
+    <message>
+        <source>A case with a video and a registration; else one is made.</source>
+        <translation>Ein Fall mit Video und Registrierung; sonst wird einer gemacht.</translation>
+    </message>
+    <message>
+        <source>Frames to follow and draw.</source>
+        <translation>Bilder, die verfolgt und gezeichnet werden.</translation>
+    </message>
+    <message>
+        <source>Times to open and save the case.</source>
+        <translation>Wie oft der Fall geöffnet und gespeichert wird.</translation>
+    </message>
+    <message>
+        <source>Edits with their undo.</source>
+        <translation>Bearbeitungen, jede mit ihrem Rückgängig.</translation>
+    </message>
+    <message>
+        <source>Times to kill the program at work (import, save, record) and look what is left.</source>
+        <translation>Wie oft das Programm bei der Arbeit (Import, Speichern, Aufnahme) abgeschossen und nachgesehen wird, was übrig bleibt.</translation>
+    </message>
+    <message>
+        <source>Also write the figures here, as a page.</source>
+        <translation>Die Zahlen auch hierhin schreiben, als Seite.</translation>
+    </message>
+    <message>
+        <source>Tell what this machine has and lacks for the program</source>
+        <translation>Sagen, was diese Maschine für das Programm hat und was ihr fehlt</translation>
+    </message>
+    <message>
+        <source>Work for long and look whether memory, files and threads stay what they are</source>
+        <translation>Lange arbeiten und nachsehen, ob Speicher, Dateien und Threads bleiben, was sie sind</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AngleHistogram</name>
@@ -3069,6 +3137,10 @@
     <message>
         <source>Same patient</source>
         <translation>Derselbe Patient</translation>
+    </message>
+    <message>
+        <source>%1 (for reading)[*] – Glisson</source>
+        <translation>%1 (zum Lesen)[*] – Glisson</translation>
     </message>
 </context>
 <context>
@@ -4567,6 +4639,156 @@
     <message>
         <source>Case…</source>
         <translation>Fall…</translation>
+    </message>
+</context>
+<context>
+    <name>Errors</name>
+    <message>
+        <source>%1: does not exist. Check the path.</source>
+        <translation>%1: gibt es nicht. Prüfen Sie den Pfad.</translation>
+    </message>
+    <message>
+        <source>%1: cannot be opened (%2). Check the path.</source>
+        <translation>%1: kann nicht geöffnet werden (%2). Prüfen Sie den Pfad.</translation>
+    </message>
+    <message>
+        <source>%1: could not be read to its end. Check the disk.</source>
+        <translation>%1: konnte nicht bis zum Ende gelesen werden. Prüfen Sie den Datenträger.</translation>
+    </message>
+    <message>
+        <source>%1: is a folder. Name a file in it.</source>
+        <translation>%1: ist ein Ordner. Nennen Sie eine Datei darin.</translation>
+    </message>
+    <message>
+        <source>%1: is a folder, a file is to be written here. Choose another name.</source>
+        <translation>%1: ist ein Ordner, hier soll eine Datei geschrieben werden. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>%1: is a device or a pipe, not a file. Choose another name.</source>
+        <translation>%1: ist ein Gerät oder eine Pipe, keine Datei. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>%1: its folder does not exist. Create it or choose another.</source>
+        <translation>%1: den Ordner dafür gibt es nicht. Legen Sie ihn an oder wählen Sie einen anderen.</translation>
+    </message>
+    <message>
+        <source>%1: could not be written (%2). Check permissions and free space.</source>
+        <translation>%1: konnte nicht geschrieben werden (%2). Prüfen Sie Rechte und freien Platz.</translation>
+    </message>
+    <message>
+        <source>%1: what was written reads back differently. Check the disk.</source>
+        <translation>%1: was geschrieben wurde, liest sich anders zurück. Prüfen Sie den Datenträger.</translation>
+    </message>
+    <message>
+        <source>%1: is a link that leads back to itself. Choose another name.</source>
+        <translation>%1: ist ein Verweis, der auf sich selbst führt. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>%1: is a link that another user has put there. Choose another name or folder.</source>
+        <translation>%1: ist ein Verweis, den ein anderer Benutzer dort angelegt hat. Wählen Sie einen anderen Namen oder Ordner.</translation>
+    </message>
+    <message>
+        <source>%1: no folder can be made here (%2). Check permissions.</source>
+        <translation>%1: hier kann kein Ordner angelegt werden (%2). Prüfen Sie die Rechte.</translation>
+    </message>
+    <message>
+        <source>%1: could not be replaced (%2). Choose another name.</source>
+        <translation>%1: konnte nicht ersetzt werden (%2). Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>%1: could not be flushed to disk (%2). Free some space.</source>
+        <translation>%1: konnte nicht auf den Datenträger geschrieben werden (%2). Schaffen Sie Platz.</translation>
+    </message>
+    <message>
+        <source>%1: is open for writing by %2. Close it there, or save under another name. If that program runs no longer, remove %3.</source>
+        <translation>%1: ist zum Schreiben geöffnet von %2. Schließen Sie es dort, oder speichern Sie unter einem anderen Namen. Läuft jenes Programm nicht mehr, entfernen Sie %3.</translation>
+    </message>
+    <message>
+        <source>%1: cannot be opened for writing: %2 cannot be written. Check the permissions of its folder, or open it for reading.</source>
+        <translation>%1: kann nicht zum Schreiben geöffnet werden: %2 kann nicht geschrieben werden. Prüfen Sie die Rechte des Ordners, oder öffnen Sie zum Lesen.</translation>
+    </message>
+    <message>
+        <source>%1: exists and is not a case. Choose another name.</source>
+        <translation>%1: gibt es schon und ist kein Fall. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>%1: a case is a folder whose name ends in .glisson. Choose such a name.</source>
+        <translation>%1: ein Fall ist ein Ordner, dessen Name auf .glisson endet. Wählen Sie einen solchen Namen.</translation>
+    </message>
+    <message>
+        <source>%1: case.json: is missing: this folder is not a case. Choose a folder NAME.glisson.</source>
+        <translation>%1: case.json: fehlt: Dieser Ordner ist kein Fall. Wählen Sie einen Ordner NAME.glisson.</translation>
+    </message>
+    <message>
+        <source>%1: version: is %2, this program reads up to %3. Open it with a newer Glisson.</source>
+        <translation>%1: version: ist %2, dieses Programm liest bis %3. Öffnen Sie ihn mit einem neueren Glisson.</translation>
+    </message>
+    <message>
+        <source>%1: %2: is not valid JSON. Correct it there or write the file anew.</source>
+        <translation>%1: %2: ist kein gültiges JSON. Berichtigen Sie es dort oder schreiben Sie die Datei neu.</translation>
+    </message>
+    <message>
+        <source>%1: is malformed (%2). Restore the case from a copy.</source>
+        <translation>%1: ist fehlerhaft (%2). Stellen Sie den Fall aus einer Kopie wieder her.</translation>
+    </message>
+    <message>
+        <source>%1: the case reads back differently from what was written. Check the disk&apos;s free space; the old case stands.</source>
+        <translation>%1: der Fall liest sich anders zurück, als er geschrieben wurde. Prüfen Sie den freien Platz; der alte Fall bleibt.</translation>
+    </message>
+    <message>
+        <source>%1: is no file of the case and could not be kept (%2). Move it elsewhere and save again; the old case stands.</source>
+        <translation>%1: ist keine Datei des Falls und konnte nicht bewahrt werden (%2). Verschieben Sie sie und speichern Sie noch einmal; der alte Fall bleibt.</translation>
+    </message>
+    <message>
+        <source>%1: cannot be used (%2). Check the path.</source>
+        <translation>%1: kann nicht benutzt werden (%2). Prüfen Sie den Pfad.</translation>
+    </message>
+    <message>
+        <source>%1: cannot be used (%2). Check the permissions of the file and of its folders.</source>
+        <translation>%1: kann nicht benutzt werden (%2). Prüfen Sie die Rechte der Datei und ihrer Ordner.</translation>
+    </message>
+    <message>
+        <source>%1: cannot be used (%2). Free some space on the disk.</source>
+        <translation>%1: kann nicht benutzt werden (%2). Schaffen Sie Platz auf dem Datenträger.</translation>
+    </message>
+    <message>
+        <source>%1: stopped unexpectedly (%2). The case is as it was.</source>
+        <translation>%1: endete unerwartet (%2). Der Fall ist, wie er war.</translation>
+    </message>
+    <message>
+        <source>case: path: the case has never been saved. Choose a folder NAME.glisson to save it to.</source>
+        <translation>Fall: Pfad: Der Fall wurde nie gespeichert. Wählen Sie einen Ordner NAME.glisson, in den er gespeichert wird.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::Autosaver</name>
+    <message>
+        <source>a case that had never been saved</source>
+        <translation>ein Fall, der nie gespeichert worden war</translation>
+    </message>
+    <message>
+        <source>Recovery</source>
+        <translation>Wiederherstellung</translation>
+    </message>
+    <message>
+        <source>Glisson ended before this was saved: %1, as it was at %2.</source>
+        <translation>Glisson endete, bevor dies gespeichert war: %1, Stand von %2.</translation>
+    </message>
+    <message>
+        <source>It can be opened as it was then. Nothing is saved in its place until you save it.</source>
+        <translation>Er kann so geöffnet werden, wie er damals war. An seiner Stelle wird nichts gespeichert, bis Sie ihn speichern.</translation>
+    </message>
+    <message>
+        <source>Open it</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Throw it away</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Ask later</source>
+        <translation>Später fragen</translation>
     </message>
 </context>
 </TS>

@@ -1264,6 +1264,14 @@
         <source>handling the liver</source>
         <translation>manipulation du foie</translation>
     </message>
+    <message>
+        <source>Keeping a copy for recovery</source>
+        <translation>Conservation d’une copie de secours</translation>
+    </message>
+    <message>
+        <source>Opening the copy</source>
+        <translation>Ouverture de la copie</translation>
+    </message>
 </context>
 <context>
     <name>cli</name>
@@ -2183,6 +2191,66 @@
         <source>live: largest error at a lesion with a scope in a hand, mean over frames, mm</source>
         <translation>live : plus grande erreur sur une lésion, endoscope tenu à la main, moyenne sur les images, mm</translation>
     </message>
+    <message>
+        <source>There is one processor core: the live view needs two.</source>
+        <translation>Il y a un seul cœur de processeur : la vue en direct en demande deux.</translation>
+    </message>
+    <message>
+        <source>There are %1 GB of memory: large CTs need 8.</source>
+        <translation>Il y a %1 Go de mémoire : les grands scanners en demandent 8.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 GB left: archives are unpacked there.</source>
+        <translation>Il reste %2 Go dans %1 : les archives y sont décompressées.</translation>
+    </message>
+    <message>
+        <source>There is no display: the window cannot open, all else works.</source>
+        <translation>Il n’y a pas d’écran : la fenêtre ne peut pas s’ouvrir, tout le reste fonctionne.</translation>
+    </message>
+    <message>
+        <source>Tells what the program finds on this machine, tries out what it needs and says what is missing. Reads no patient&apos;s data.</source>
+        <translation>Dit ce que le programme trouve sur cette machine, essaie ce dont il a besoin et dit ce qui manque. Ne lit aucune donnée de patient.</translation>
+    </message>
+    <message>
+        <source>missing: </source>
+        <translation>manque : </translation>
+    </message>
+    <message>
+        <source>Does the same over and over, frames, opening and saving, edits with undo, and looks whether memory, file descriptors and threads stay what they are.</source>
+        <translation>Fait la même chose encore et encore, images, ouvertures et enregistrements, modifications avec annulation, et regarde si la mémoire, les descripteurs de fichiers et les fils d’exécution restent ce qu’ils sont.</translation>
+    </message>
+    <message>
+        <source>A case with a video and a registration; else one is made.</source>
+        <translation>Un cas avec une vidéo et un recalage ; sinon il en est fait un.</translation>
+    </message>
+    <message>
+        <source>Frames to follow and draw.</source>
+        <translation>Images à suivre et à dessiner.</translation>
+    </message>
+    <message>
+        <source>Times to open and save the case.</source>
+        <translation>Nombre d’ouvertures et d’enregistrements du cas.</translation>
+    </message>
+    <message>
+        <source>Edits with their undo.</source>
+        <translation>Modifications, chacune avec son annulation.</translation>
+    </message>
+    <message>
+        <source>Times to kill the program at work (import, save, record) and look what is left.</source>
+        <translation>Nombre de fois où le programme est tué au travail (import, enregistrement, vidéo) et où l’on regarde ce qui reste.</translation>
+    </message>
+    <message>
+        <source>Also write the figures here, as a page.</source>
+        <translation>Écrire aussi les chiffres ici, en une page.</translation>
+    </message>
+    <message>
+        <source>Tell what this machine has and lacks for the program</source>
+        <translation>Dire ce que cette machine a et ce qui lui manque pour le programme</translation>
+    </message>
+    <message>
+        <source>Work for long and look whether memory, files and threads stay what they are</source>
+        <translation>Travailler longtemps et regarder si la mémoire, les fichiers et les fils d’exécution restent ce qu’ils sont</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AngleHistogram</name>
@@ -3069,6 +3137,10 @@
     <message>
         <source>Same patient</source>
         <translation>Même patient</translation>
+    </message>
+    <message>
+        <source>%1 (for reading)[*] – Glisson</source>
+        <translation>%1 (en lecture)[*] – Glisson</translation>
     </message>
 </context>
 <context>
@@ -4567,6 +4639,156 @@
     <message>
         <source>Case…</source>
         <translation>Cas…</translation>
+    </message>
+</context>
+<context>
+    <name>Errors</name>
+    <message>
+        <source>%1: does not exist. Check the path.</source>
+        <translation>%1 : n’existe pas. Vérifiez le chemin.</translation>
+    </message>
+    <message>
+        <source>%1: cannot be opened (%2). Check the path.</source>
+        <translation>%1 : ne peut pas être ouvert (%2). Vérifiez le chemin.</translation>
+    </message>
+    <message>
+        <source>%1: could not be read to its end. Check the disk.</source>
+        <translation>%1 : n’a pas pu être lu jusqu’à la fin. Vérifiez le disque.</translation>
+    </message>
+    <message>
+        <source>%1: is a folder. Name a file in it.</source>
+        <translation>%1 : est un dossier. Nommez un fichier qui s’y trouve.</translation>
+    </message>
+    <message>
+        <source>%1: is a folder, a file is to be written here. Choose another name.</source>
+        <translation>%1 : est un dossier, un fichier doit être écrit ici. Choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>%1: is a device or a pipe, not a file. Choose another name.</source>
+        <translation>%1 : est un périphérique ou un tube, pas un fichier. Choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>%1: its folder does not exist. Create it or choose another.</source>
+        <translation>%1 : son dossier n’existe pas. Créez-le ou choisissez-en un autre.</translation>
+    </message>
+    <message>
+        <source>%1: could not be written (%2). Check permissions and free space.</source>
+        <translation>%1 : n’a pas pu être écrit (%2). Vérifiez les droits et l’espace libre.</translation>
+    </message>
+    <message>
+        <source>%1: what was written reads back differently. Check the disk.</source>
+        <translation>%1 : ce qui a été écrit se relit différemment. Vérifiez le disque.</translation>
+    </message>
+    <message>
+        <source>%1: is a link that leads back to itself. Choose another name.</source>
+        <translation>%1 : est un lien qui mène à lui-même. Choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>%1: is a link that another user has put there. Choose another name or folder.</source>
+        <translation>%1 : est un lien qu’un autre utilisateur a placé là. Choisissez un autre nom ou dossier.</translation>
+    </message>
+    <message>
+        <source>%1: no folder can be made here (%2). Check permissions.</source>
+        <translation>%1 : aucun dossier ne peut être créé ici (%2). Vérifiez les droits.</translation>
+    </message>
+    <message>
+        <source>%1: could not be replaced (%2). Choose another name.</source>
+        <translation>%1 : n’a pas pu être remplacé (%2). Choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>%1: could not be flushed to disk (%2). Free some space.</source>
+        <translation>%1 : n’a pas pu être écrit sur le disque (%2). Libérez de l’espace.</translation>
+    </message>
+    <message>
+        <source>%1: is open for writing by %2. Close it there, or save under another name. If that program runs no longer, remove %3.</source>
+        <translation>%1 : est ouvert en écriture par %2. Fermez-le là-bas, ou enregistrez sous un autre nom. Si ce programme ne tourne plus, supprimez %3.</translation>
+    </message>
+    <message>
+        <source>%1: cannot be opened for writing: %2 cannot be written. Check the permissions of its folder, or open it for reading.</source>
+        <translation>%1 : ne peut pas être ouvert en écriture : %2 ne peut pas être écrit. Vérifiez les droits de son dossier, ou ouvrez-le en lecture.</translation>
+    </message>
+    <message>
+        <source>%1: exists and is not a case. Choose another name.</source>
+        <translation>%1 : existe et n’est pas un cas. Choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>%1: a case is a folder whose name ends in .glisson. Choose such a name.</source>
+        <translation>%1 : un cas est un dossier dont le nom finit par .glisson. Choisissez un tel nom.</translation>
+    </message>
+    <message>
+        <source>%1: case.json: is missing: this folder is not a case. Choose a folder NAME.glisson.</source>
+        <translation>%1 : case.json : manque : ce dossier n’est pas un cas. Choisissez un dossier NOM.glisson.</translation>
+    </message>
+    <message>
+        <source>%1: version: is %2, this program reads up to %3. Open it with a newer Glisson.</source>
+        <translation>%1 : version : vaut %2, ce programme lit jusqu’à %3. Ouvrez-le avec un Glisson plus récent.</translation>
+    </message>
+    <message>
+        <source>%1: %2: is not valid JSON. Correct it there or write the file anew.</source>
+        <translation>%1 : %2 : n’est pas du JSON valide. Corrigez-le à cet endroit ou réécrivez le fichier.</translation>
+    </message>
+    <message>
+        <source>%1: is malformed (%2). Restore the case from a copy.</source>
+        <translation>%1 : est malformé (%2). Restaurez le cas depuis une copie.</translation>
+    </message>
+    <message>
+        <source>%1: the case reads back differently from what was written. Check the disk&apos;s free space; the old case stands.</source>
+        <translation>%1 : le cas se relit différemment de ce qui a été écrit. Vérifiez l’espace libre ; l’ancien cas reste.</translation>
+    </message>
+    <message>
+        <source>%1: is no file of the case and could not be kept (%2). Move it elsewhere and save again; the old case stands.</source>
+        <translation>%1 : n’est pas un fichier du cas et n’a pas pu être conservé (%2). Déplacez-le et enregistrez de nouveau ; l’ancien cas reste.</translation>
+    </message>
+    <message>
+        <source>%1: cannot be used (%2). Check the path.</source>
+        <translation>%1 : ne peut pas être utilisé (%2). Vérifiez le chemin.</translation>
+    </message>
+    <message>
+        <source>%1: cannot be used (%2). Check the permissions of the file and of its folders.</source>
+        <translation>%1 : ne peut pas être utilisé (%2). Vérifiez les droits du fichier et de ses dossiers.</translation>
+    </message>
+    <message>
+        <source>%1: cannot be used (%2). Free some space on the disk.</source>
+        <translation>%1 : ne peut pas être utilisé (%2). Libérez de l’espace sur le disque.</translation>
+    </message>
+    <message>
+        <source>%1: stopped unexpectedly (%2). The case is as it was.</source>
+        <translation>%1 : s’est arrêté de façon inattendue (%2). Le cas est comme il était.</translation>
+    </message>
+    <message>
+        <source>case: path: the case has never been saved. Choose a folder NAME.glisson to save it to.</source>
+        <translation>cas : chemin : le cas n’a jamais été enregistré. Choisissez un dossier NOM.glisson où l’enregistrer.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::Autosaver</name>
+    <message>
+        <source>a case that had never been saved</source>
+        <translation>un cas qui n’avait jamais été enregistré</translation>
+    </message>
+    <message>
+        <source>Recovery</source>
+        <translation>Récupération</translation>
+    </message>
+    <message>
+        <source>Glisson ended before this was saved: %1, as it was at %2.</source>
+        <translation>Glisson s’est terminé avant que ceci soit enregistré : %1, état du %2.</translation>
+    </message>
+    <message>
+        <source>It can be opened as it was then. Nothing is saved in its place until you save it.</source>
+        <translation>Il peut être ouvert tel qu’il était alors. Rien n’est enregistré à sa place tant que vous ne l’enregistrez pas.</translation>
+    </message>
+    <message>
+        <source>Open it</source>
+        <translation>L’ouvrir</translation>
+    </message>
+    <message>
+        <source>Throw it away</source>
+        <translation>Le jeter</translation>
+    </message>
+    <message>
+        <source>Ask later</source>
+        <translation>Demander plus tard</translation>
     </message>
 </context>
 </TS>

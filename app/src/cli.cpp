@@ -2,6 +2,7 @@
 #include "cli.h"
 
 #include <signal.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <QDir>
@@ -14,8 +15,10 @@
 #include <system_error>
 
 #include "exit_code.h"
+#include "glisson/core/log_file.h"
 #include "glisson/core/output_file.h"
 #include "glisson/engine/case_io.h"
+#include "glisson/engine/outcome_log.h"
 #include "glisson/ui/common/texts.h"
 
 namespace glisson::app {
@@ -109,7 +112,12 @@ void provide_runtime_folder() {
   // Qt trusts only a folder of this user that no other may enter.
   std::error_code failure;
   fs::create_directory(folder.toStdString(), failure);
-  if (!failure) fs::permissions(folder.toStdString(), fs::perms::owner_all, failure);
+  // In a folder open to all, somebody else may have put something of this name there.
+  struct stat there = {};
+  if (::lstat(folder.toUtf8().constData(), &there) != 0 || !S_ISDIR(there.st_mode) ||
+      there.st_uid != ::geteuid())
+    return;
+  fs::permissions(folder.toStdString(), fs::perms::owner_all, failure);
   if (!failure) qputenv("XDG_RUNTIME_DIR", folder.toUtf8());
 }
 
@@ -231,13 +239,15 @@ Session::Session(const Arguments& arguments)
           },
           interrupt_flag(), arguments.seed()),
       script_(context_),
-      begin_(std::chrono::steady_clock::now()) {}
+      begin_(std::chrono::steady_clock::now()),
+      log_(log_to_file(log_folder())) {}
 
 engine::Outcome Session::post(engine::Command command) {
   command_ = command.code();
   std::optional<engine::Outcome> outcome;
   with_names([&] { outcome = script_.run(std::move(command)); });
   if (!outcome) throw Interrupted();
+  engine::log_outcome(log_, *outcome);
   clear_progress();
   for (const auto& [key, value] : outcome->figures) figures[key] = value;
   figures["seconds_" + outcome->command] = outcome->seconds;
@@ -252,6 +262,7 @@ void Session::with_names(const std::function<void()>& work) const {
     throw;
   } catch (const Error& failure) {
     const std::string sentence = failure.what();
+    log_.write(LogLevel::error, command_ + ' ' + without_names(sentence));
     for (const auto& [name, files] : files_of_)
       if (sentence.starts_with(name + ": ")) throw Error(files + sentence.substr(name.size()));
     throw;

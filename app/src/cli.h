@@ -17,6 +17,7 @@
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/core/json_file.h"
+#include "glisson/core/log.h"
 #include "glisson/core/units.h"
 #include "glisson/engine/script.h"
 
@@ -125,6 +126,7 @@ class Session {
   RunContext context_;
   engine::Script script_;
   std::chrono::steady_clock::time_point begin_;
+  Log log_;
 };
 
 /// From now on Ctrl-C cancels what is running instead of ending the process.

@@ -11,8 +11,12 @@
 
 #include "cli.h"
 #include "commands.h"
+#include "crash_report.h"
 #include "exit_code.h"
+#include "glisson/core/claim.h"
 #include "glisson/core/file_failure.h"
+#include "glisson/core/files.h"
+#include "glisson/core/log_file.h"
 #include "glisson/ui/scene/headless_gui.h"
 #include "glisson/ui/shell/language.h"
 
@@ -46,6 +50,8 @@ int run(int argc, char** argv) {
       application.emplace(argc, argv);
     ui::set_up_language(*QCoreApplication::instance());
     catch_interrupts();
+    report_crashes(crash_folder(), command.name);
+    sweep_leftovers(work_folder());
     QStringList arguments;
     for (int i = 2; i < argc; ++i) arguments << QString::fromLocal8Bit(argv[i]);
     return command.run(arguments);
@@ -61,6 +67,7 @@ int run(int argc, char** argv) {
     return 0;
   }
   if (first[0] == '-') throw UsageError(std::string(first) + ": unknown option. See 'glisson --help'.");
+  report_crashes(crash_folder(), "");
   return run_window(argc, argv);
 }
 

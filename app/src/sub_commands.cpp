@@ -25,6 +25,11 @@ const std::vector<SubCommand>& sub_commands() {
       {"prove", run_prove, true, QT_TRANSLATE_NOOP("cli", "Measure the proofs' figures again")},
       {"simulate", run_simulate, false,
        QT_TRANSLATE_NOOP("cli", "Plain mechanics: gravity, pressure, springs, fixed nodes")},
+      {"doctor", run_doctor, true,
+       QT_TRANSLATE_NOOP("cli", "Tell what this machine has and lacks for the program")},
+      {"soak", run_soak, true,
+       QT_TRANSLATE_NOOP("cli",
+                         "Work for long and look whether memory, files and threads stay what they are")},
   };
   return kCommands;
 }

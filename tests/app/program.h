@@ -81,8 +81,16 @@ inline void write_text(const std::filesystem::path& path, const std::string& tex
 
 class Program {
  protected:
-  void make_folder() { folder_ = std::make_unique<TemporaryFolder>(); }
-  void remove_folder() { folder_.reset(); }
+  void make_folder() {
+    folder_ = std::make_unique<TemporaryFolder>();
+    state_ = std::make_unique<TemporaryFolder>();
+  }
+  void remove_folder() {
+    folder_.reset();
+    state_.reset();
+  }
+  /// Where the program keeps its log and its crash reports: not where it works.
+  std::filesystem::path state() const { return state_->path() / "glisson"; }
 
   std::filesystem::path at(const char* name) const { return folder_->path() / name; }
   QString text_of(const char* name) const { return QString::fromStdString(at(name).string()); }
@@ -100,11 +108,12 @@ class Program {
     return end_of(*process);
   }
   /// The person presses Ctrl-C when something has happened.
-  Ran interrupted_when(const QStringList& arguments, const std::function<bool()>& happened) const {
+  Ran interrupted_when(const QStringList& arguments, const std::function<bool()>& happened,
+                       int signal = SIGINT) const {
     const auto process = start(arguments, QStringLiteral("C.UTF-8"));
     if (!process->waitForStarted()) return {};
     while (process->state() == QProcess::Running && !happened()) process->waitForFinished(1);
-    if (process->processId() > 0) ::kill(static_cast<pid_t>(process->processId()), SIGINT);
+    if (process->processId() > 0) ::kill(static_cast<pid_t>(process->processId()), signal);
     return end_of(*process);
   }
   QJsonObject figures(const char* name) const {
@@ -137,6 +146,7 @@ class Program {
     environment.remove("XDG_RUNTIME_DIR");
     environment.remove("LANGUAGE");
     environment.insert("LC_ALL", locale);
+    environment.insert("XDG_STATE_HOME", QString::fromStdString(state_->path().string()));
     if (std::filesystem::exists(at("locales"))) environment.insert("LOCPATH", text_of("locales"));
     process->setProcessEnvironment(environment);
     process->start(GLISSON_EXECUTABLE, arguments);
@@ -158,7 +168,7 @@ class Program {
     return false;
   }
 
-  std::unique_ptr<TemporaryFolder> folder_;
+  std::unique_ptr<TemporaryFolder> folder_, state_;
 };
 
 }  // namespace glisson::test

@@ -68,6 +68,7 @@ class OutputFileTest : public QObject {
   void WhatTookItsPlaceIsNotCommitted();
   void WhatIsBeingWrittenIsNotSwept();
   void WhatWasKilledIsSweptAndNothingElse();
+  void ARecordingThatWasKilledIsKept();
   void TemporaryFoldersAreForOneUserAlone();
   void WorkIsNotDoneInTheSharedFolder();
 };
@@ -188,6 +189,21 @@ void OutputFileTest::WhatWasKilledIsSweptAndNothingElse() {
   QCOMPARE(read_file(folder.path() / "x.txt"), std::string("foreign"));
   QCOMPARE(read_file(folder.path() / "outside/kept"), std::string("kept"));
   QCOMPARE(sweep_leftovers(folder.path() / "absent"), 0);
+}
+
+void OutputFileTest::ARecordingThatWasKilledIsKept() {
+  const TemporaryFolder folder;
+  killed([&](const auto& now) {
+    const OutputFile film(folder.path() / "film.mkv"), empty(folder.path() / "empty.mkv");
+    film.write("half a film");
+    now();
+  });
+  QCOMPARE(sweep_leftovers(folder.path()), 2);
+  const std::set<std::string> left = names(folder.path());
+  QCOMPARE(left.size(), std::size_t{1});
+  QVERIFY(left.begin()->starts_with("recovered-") && left.begin()->ends_with(".mkv"));
+  QCOMPARE(read_file(folder.path() / *left.begin()), std::string("half a film"));
+  QCOMPARE(sweep_leftovers(folder.path()), 0);
 }
 
 void OutputFileTest::TemporaryFoldersAreForOneUserAlone() {

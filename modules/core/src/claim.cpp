@@ -23,6 +23,8 @@ namespace {
 constexpr std::string_view kPrefix = ".glisson-";
 constexpr std::size_t kDigits = 16;
 constexpr int kTrials = 100;
+/// What was filmed cannot be made again, and is readable as far as it came.
+constexpr const char* kRecording = ".mkv";
 
 /// A name that nobody can foresee.
 std::string unforeseen_name(const std::string& ending) {
@@ -40,6 +42,11 @@ bool is_work_in_progress(const std::string& name) {
          std::all_of(name.begin() + static_cast<std::ptrdiff_t>(kPrefix.size()),
                      name.begin() + static_cast<std::ptrdiff_t>(end),
                      [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); });
+}
+
+/// ".glisson-0123456789abcdef.mkv" becomes "recovered-0123456789abcdef.mkv".
+fs::path recovered_name(const fs::path& path) {
+  return path.parent_path() / ("recovered-" + path.filename().string().substr(kPrefix.size()));
 }
 
 /// Makes things until one is held: somebody who sweeps may take hold of a new one first.
@@ -108,7 +115,10 @@ int sweep_leftovers(const fs::path& folder) {
     if (claim.descriptor() < 0 || ::fstat(claim.descriptor(), &held) != 0) continue;
     const bool ours = held.st_uid == ::geteuid() && (S_ISREG(held.st_mode) || S_ISDIR(held.st_mode));
     if (!ours || !claim.take() || !claim.is_at(path)) continue;
-    fs::remove_all(path, failure);
+    if (S_ISREG(held.st_mode) && held.st_size > 0 && path.extension() == kRecording)
+      fs::rename(path, recovered_name(path), failure);
+    else
+      fs::remove_all(path, failure);
     removed += !failure;
   }
   return removed;

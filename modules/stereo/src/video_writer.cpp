@@ -3,6 +3,7 @@
 #include <opencv2/videoio.hpp>
 #include <optional>
 
+#include "glisson/core/claim.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/core/output_file.h"
@@ -43,6 +44,7 @@ VideoWriter::VideoWriter(const fs::path& path, int width, int height, double fra
                      "Use .mkv: a recording that is cut off can still be read there");
   impl_->path = path;
   impl_->file.emplace(path);
+  sweep_leftovers(fs::absolute(impl_->file->path()).parent_path());  // a recording that was cut off is kept
   impl_->width = width;
   impl_->height = height;
   try {

@@ -8,6 +8,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "glisson/ui/common/error_texts.h"
 #include "glisson/ui/common/panel.h"
 #include "glisson/ui/common/texts.h"
 
@@ -95,7 +96,7 @@ void TaskButton::show_outcome(const engine::Outcome& outcome) {
       set_style_property(outcome_, "role", "muted");
       break;
     case engine::Status::failed:
-      outcome_->setText(QString::fromStdString(outcome.error));
+      outcome_->setText(error_text(outcome.error));
       set_style_property(outcome_, "role", "error");
       break;
   }

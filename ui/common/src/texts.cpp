@@ -46,7 +46,9 @@ class Texts {
             {"start_trial", tr("Preparing the trial of a load")},
             {"stop_trial", tr("Ending the trial of a load")},
             {"open_case", tr("Opening the case")},
-            {"save_case", tr("Saving the case")}};
+            {"save_case", tr("Saving the case")},
+            {"keep_copy", tr("Keeping a copy for recovery")},
+            {"recover_case", tr("Opening the copy")}};
   }
   static QHash<QString, QString> stages() {
     return {{"video.seek", tr("looking for the frame")},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/model/load_trial_box.h"
+#include "glisson/ui/common/texts.h"
 
 #include <QLabel>
 #include <QLocale>
@@ -11,6 +12,7 @@
 
 #include "glisson/engine/commands/start_trial.h"
 #include "glisson/engine/commands/stop_trial.h"
+#include "glisson/ui/common/error_texts.h"
 #include "glisson/ui/common/panel.h"
 
 namespace glisson::ui {
@@ -79,7 +81,7 @@ void LoadTrialBox::end(const QString& why, bool is_problem) {
 
 void LoadTrialBox::take(const engine::Outcome& outcome) {
   if (!on_ || outcome.id != start_) return;
-  if (outcome.status == engine::Status::failed) return end(QString::fromStdString(outcome.error), true);
+  if (outcome.status == engine::Status::failed) return end(error_text(outcome.error), true);
   if (outcome.status == engine::Status::cancelled) return end();
   started_ = true;
   show_message(tr("Press on the liver in the 3D view and drag."), false);

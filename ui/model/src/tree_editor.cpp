@@ -14,6 +14,7 @@
 #include "glisson/engine/commands/edit_trees.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/model/quality.h"
+#include "glisson/ui/common/error_texts.h"
 #include "glisson/ui/common/panel.h"
 #include "glisson/ui/common/texts.h"
 #include "glisson/ui/scene/model_surfaces.h"
@@ -162,7 +163,7 @@ void TreeEditor::take(const engine::Outcome& outcome) {
     show_message(instruction());
   } else {
     expected_.reset();
-    show_message(QString::fromStdString(outcome.error), true);
+    show_message(error_text(outcome.error), true);
   }
   show_case();
 }

@@ -23,9 +23,11 @@
 #include "glisson/engine/commands/set_video.h"
 #include "glisson/engine/parts/cloud.h"
 #include "glisson/engine/parts/image.h"
+#include "glisson/engine/parts/keeping.h"
 #include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/ui/atlas/atlas_panel.h"
+#include "glisson/ui/common/error_texts.h"
 #include "glisson/ui/common/texts.h"
 #include "glisson/ui/guidance/guidance_panel.h"
 #include "glisson/ui/model/model_panel.h"
@@ -264,7 +266,11 @@ void MainWindow::show_case() {
   const QString name = now.path.empty()
                            ? (now[part::image] || now[part::model] ? tr("unsaved case") : QString())
                            : QString::fromStdString(now.path.filename().string());
-  setWindowTitle(name.isEmpty() ? tr("Glisson") : tr("%1[*] – Glisson").arg(name));
+  const auto& keeping = now[part::keeping];
+  const bool for_reading = keeping && keeping->writer;
+  setWindowTitle(name.isEmpty() ? tr("Glisson")
+                 : for_reading  ? tr("%1 (for reading)[*] – Glisson").arg(name)
+                                : tr("%1[*] – Glisson").arg(name));
   save_->setEnabled(!name.isEmpty());
   save_as_->setEnabled(!name.isEmpty());
   export_labels_->setEnabled(!engine::obstacle(now, engine::ExportLabels{}));
@@ -289,7 +295,7 @@ void MainWindow::show_outcome(const engine::Outcome& outcome) {
   if (outcome.status != engine::Status::failed) return;
   // A panel's own button shows its own error; what came from the menu or a drop has no other place.
   if (outcome.traits.notice != engine::Notice::files) return;
-  show_problem(QString::fromStdString(outcome.error));
+  show_problem(error_text(outcome.error));
 }
 
 QString MainWindow::status_text() const { return status_->text(); }

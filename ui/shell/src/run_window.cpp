@@ -6,7 +6,13 @@
 #include <QIcon>
 #include <QStyleFactory>
 
+#include "glisson/core/claim.h"
+#include "glisson/core/error.h"
+#include "glisson/core/files.h"
+#include "glisson/core/log_file.h"
+#include "glisson/engine/outcome_log.h"
 #include "glisson/ui/common/render_view.h"
+#include "glisson/ui/shell/autosaver.h"
 #include "glisson/ui/shell/language.h"
 #include "glisson/ui/shell/main_window.h"
 #include "glisson/ui/shell/screenshot_tour.h"
@@ -29,14 +35,35 @@ void dress_application(QApplication& application) {
   if (style.open(QIODevice::ReadOnly)) application.setStyleSheet(QString::fromUtf8(style.readAll()));
 }
 
+namespace {
+
+/// Null: no copies can be kept here, which the log says.
+Autosaver* make_autosaver(MainWindow& window) {
+  try {
+    const std::filesystem::path root = engine::recovery_root();
+    return root.empty() ? nullptr : new Autosaver(window.engine(), window, root);
+  } catch (const Error& failure) {
+    log_to_file(log_folder()).write(LogLevel::warning, "no recovery: " + without_names(failure.what()));
+    return nullptr;
+  }
+}
+
+}  // namespace
+
 int run_window(int argc, char** argv, const std::filesystem::path& path) {
   prepare_application();
   QApplication application(argc, argv);
   dress_application(application);
   MainWindow window;
   window.show();
+  const Log log = log_to_file(log_folder());
+  QObject::connect(&window.engine(), &EngineBridge::finished, &application,
+                   [&log](const engine::Outcome& outcome) { engine::log_outcome(log, outcome); });
+  sweep_leftovers(work_folder());
+  Autosaver* autosaver = make_autosaver(window);
   if (!path.empty()) window.open(path);
   const QString screenshots = qEnvironmentVariable("GLISSON_SCREENSHOTS");
+  if (autosaver != nullptr && screenshots.isEmpty()) autosaver->offer_recovery();
   ScreenshotTour tour(window, screenshots);
   if (!screenshots.isEmpty()) {
     QObject::connect(&tour, &ScreenshotTour::finished, &application,

@@ -6,6 +6,7 @@
 #include <QProgressBar>
 #include <QToolButton>
 
+#include "glisson/ui/common/error_texts.h"
 #include "glisson/ui/common/panel.h"
 #include "glisson/ui/common/texts.h"
 
@@ -75,7 +76,7 @@ void TaskStatus::show_outcome(const engine::Outcome& outcome) {
       break;
     case engine::Status::failed:
       set_style_property(text_, "role", "error");
-      text_->setText(QString::fromStdString(outcome.error));
+      text_->setText(error_text(outcome.error));
       text_->setToolTip(text_->text());
       break;
   }

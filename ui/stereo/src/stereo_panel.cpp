@@ -21,6 +21,7 @@
 #include "glisson/engine/parts/regions.h"
 #include "glisson/engine/parts/rig.h"
 #include "glisson/engine/parts/video.h"
+#include "glisson/ui/common/error_texts.h"
 #include "glisson/ui/common/texts.h"
 #include "glisson/ui/scene/colours.h"
 #include "glisson/ui/stereo/cloud_figures.h"
@@ -75,7 +76,7 @@ void StereoPanel::take_outcome(const engine::Outcome& outcome) {
     if (!done) {
       view_->drawing().set_regions({});
       taken_.reset();
-      faults_ = QString::fromStdString(outcome.error);
+      faults_ = error_text(outcome.error);
     }
     show_case();
     if (done) label();

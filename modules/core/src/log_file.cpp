@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/core/log_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <ctime>
+#include <memory>
+#include <mutex>
+#include <system_error>
+#include <utility>
+
+#include "glisson/core/claim.h"
+
+namespace glisson {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* kName = "glisson.log";
+
+class LogFile {
+ public:
+  LogFile(fs::path folder, std::size_t bytes, int kept)
+      : folder_(std::move(folder)), bytes_(bytes), kept_(kept) {}
+
+  void write(LogLevel level, std::string_view line) {
+    static constexpr std::array<const char*, 4> kLevels = {"debug", "info", "warning", "error"};
+    std::string text = now() + ' ' + std::to_string(::getpid()) + ' ' +
+                       kLevels[static_cast<std::size_t>(level)] + ' ' + std::string(line);
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    text += '\n';
+    const std::scoped_lock lock(mutex_);
+    make_room();
+    const int file = open_log();
+    if (file < 0) return;
+    (void)!::write(file, text.data(), text.size());  // one call: lines of several programs stay whole
+    ::close(file);
+  }
+
+ private:
+  static std::string now() {
+    const std::time_t time = std::time(nullptr);
+    struct tm parts = {};
+    std::array<char, 32> text{};
+    if (::gmtime_r(&time, &parts) != nullptr)
+      std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &parts);
+    return text.data();
+  }
+  int open_log() const {
+    return ::open((folder_ / kName).c_str(), O_WRONLY | O_APPEND | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0600);
+  }
+  fs::path former(int number) const { return folder_ / (std::string(kName) + "." + std::to_string(number)); }
+
+  void make_room() const {
+    std::error_code failure;
+    const auto size = fs::file_size(folder_ / kName, failure);
+    if (failure || size < bytes_) return;
+    // Whoever else wants to do it at this moment finds it done.
+    const Claim claim(open_log());
+    if (claim.descriptor() < 0 || !claim.take() || !claim.is_at(folder_ / kName)) return;
+    fs::remove(former(kept_), failure);
+    for (int number = kept_; number > 1; --number)
+      if (fs::exists(former(number - 1), failure)) fs::rename(former(number - 1), former(number), failure);
+    if (kept_ > 0)
+      fs::rename(folder_ / kName, former(1), failure);
+    else
+      fs::remove(folder_ / kName, failure);
+  }
+
+  fs::path folder_;
+  std::size_t bytes_;
+  int kept_;
+  std::mutex mutex_;
+};
+
+bool is_plain(std::string_view word) {
+  return std::all_of(word.begin(), word.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || c == '\'' || c == '-' || c == '(' || c == ')' || c == ',' || c == ';' ||
+           c == '.' || c == ':';
+  });
+}
+
+}  // namespace
+
+fs::path state_folder() {
+  const auto named = [](const char* variable) {
+    const char* value = std::getenv(variable);
+    return fs::path(value == nullptr ? "" : value);
+  };
+  const fs::path state = named("XDG_STATE_HOME"), home = named("HOME");
+  const fs::path root = state.is_absolute() ? state : home / ".local/state";
+  return root.is_absolute() ? root / "glisson" : fs::path();
+}
+
+fs::path log_folder() { return state_folder().empty() ? fs::path() : state_folder() / "log"; }
+fs::path crash_folder() { return state_folder().empty() ? fs::path() : state_folder() / "crashes"; }
+
+Log log_to_file(const fs::path& folder, std::size_t bytes, int kept) {
+  std::error_code failure;
+  if (folder.empty()) return {};
+  fs::create_directories(folder, failure);
+  if (!failure) fs::permissions(folder, fs::perms::owner_all, failure);
+  if (failure) return {};
+  const auto file = std::make_shared<LogFile>(folder, bytes, kept);
+  return Log([file](LogLevel level, std::string_view line) { file->write(level, line); });
+}
+
+std::string without_names(std::string_view sentence) {
+  const std::size_t colon = sentence.find(": ");
+  std::string rest(colon == std::string_view::npos ? sentence : sentence.substr(colon + 2));
+  if (const std::size_t slash = rest.find('/'); slash != std::string::npos) {
+    const std::size_t begin = rest.rfind(' ', slash);
+    rest = (begin == std::string::npos ? std::string() : rest.substr(0, begin + 1)) + "_";
+  }
+  std::string kept;
+  for (std::size_t at = 0; at < rest.size();) {
+    const std::size_t end = std::min(rest.find(' ', at), rest.size());
+    const std::string word = rest.substr(at, end - at);
+    if (!word.empty()) kept += (kept.empty() ? "" : " ") + (is_plain(word) ? word : std::string("_"));
+    at = end + 1;
+  }
+  return kept;
+}
+
+}  // namespace glisson

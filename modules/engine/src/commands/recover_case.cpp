@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/engine/commands/recover_case.h"
+
+#include <utility>
+
+#include "glisson/engine/case_io.h"
+#include "glisson/engine/parts/keeping.h"
+
+namespace glisson::engine {
+
+CommandTraits RecoverCase::traits() const {
+  return {.code = "recover_case", .writes = Parts::all(), .notice = Notice::files};
+}
+
+Cancellable<Applied> RecoverCase::apply(const CaseState&, const RunContext& context) const {
+  Applied applied;
+  auto opened = open_case(copy.copy, context, &applied.notes);
+  if (!opened) return {};
+  applied.state = std::move(*opened);
+  applied.state.path = copy.of;
+  applied.keeps_stamps = true;
+  if (copy.of.empty()) return applied;
+  auto keeping = std::make_shared<Keeping>();
+  keeping->folder = case_place(copy.of);
+  keeping->edition = copy.edition;
+  if (std::filesystem::exists(keeping->folder))
+    keeping->lock = CaseLock::take(keeping->folder, keeping->writer);
+  if (keeping->writer && !keeping->writer->host.empty())
+    applied.notes.push_back("case.open_for_reading " + keeping->writer->told());
+  applied.state[part::keeping] = keeping;
+  return applied;
+}
+
+}  // namespace glisson::engine

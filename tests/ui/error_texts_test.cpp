@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Errors of files and cases, as they are thrown, are known to the translators: a changed sentence is noticed
+// here.
+#include <QtTest>
+
+#include <fstream>
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "glisson/core/error.h"
+#include "glisson/core/file_failure.h"
+#include "glisson/core/files.h"
+#include "glisson/core/json_file.h"
+#include "glisson/engine/case_io.h"
+#include "glisson/engine/commands/save_case.h"
+#include "glisson/engine/parts/keeping.h"
+#include "glisson/ui/common/error_texts.h"
+
+namespace glisson {
+
+namespace fs = std::filesystem;
+
+class ErrorTextsTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void ThrownErrorsAreKnown_data();
+  void ThrownErrorsAreKnown();
+  void OthersStayAsTheyAre();
+  void NamesWithPlaceholdersStayWhole();
+};
+
+using Throws = std::function<void(const fs::path& folder)>;
+
+void ErrorTextsTest::ThrownErrorsAreKnown_data() {
+  QTest::addColumn<Throws>("throws");
+  const auto row = [](const char* name, Throws throws) { QTest::newRow(name) << throws; };
+  row("no file", [](const fs::path& at) { read_file(at / "none"); });
+  row("a folder", [](const fs::path& at) { read_file(at); });
+  row("over a folder", [](const fs::path& at) { write_file_atomically(at, "x"); });
+  row("over a device", [](const fs::path&) { write_file_atomically("/dev/full", "x"); });
+  row("no folder", [](const fs::path& at) { write_file_atomically(at / "none/x", "x"); });
+  row("a loop", [](const fs::path& at) {
+    fs::create_symlink("loop", at / "loop");
+    write_file_atomically(at / "loop", "x");
+  });
+  row("no temporary folder", [](const fs::path& at) { const TemporaryFolder inner(at / "none"); });
+  row("no JSON", [](const fs::path& at) {
+    std::ofstream(at / "bad.json") << "{";
+    read_json(at / "bad.json");
+  });
+  row("no case", [](const fs::path& at) { engine::open_case(at / "none.glisson", RunContext()); });
+  row("an empty folder", [](const fs::path& at) {
+    fs::create_directory(at / "empty.glisson");
+    engine::open_case(at / "empty.glisson", RunContext());
+  });
+  row("over something else", [](const fs::path& at) {
+    fs::create_directory(at / "other.glisson");
+    engine::save_case(at / "other.glisson", {}, RunContext());
+  });
+  row("no name of a case", [](const fs::path& at) { engine::save_case(at / "x", {}, RunContext()); });
+  row("never saved", [](const fs::path&) { (void)engine::SaveCase{}.apply({}, RunContext()); });
+  row("a newer case", [](const fs::path& at) {
+    fs::create_directory(at / "new.glisson");
+    write_json(at / "new.glisson/case.json", {{"format", "glisson-case"}, {"version", 99}, {"parts", {}}});
+    engine::open_case(at / "new.glisson", RunContext());
+  });
+  row("held", [](const fs::path& at) {
+    throw engine::held_error(at / "x.glisson", {"anna", "host", 7, "boot", "2026-11-22 06:42"});
+  });
+  row("not writable", [](const fs::path& at) { throw engine::held_error(at / "x.glisson", {}); });
+  for (const auto code : {std::errc::permission_denied, std::errc::no_space_on_device, std::errc::io_error})
+    row("the file system", [code](const fs::path& at) {
+      throw FileError(sentence_of(fs::filesystem_error("status", at, std::make_error_code(code))));
+    });
+}
+
+void ErrorTextsTest::ThrownErrorsAreKnown() {
+  QFETCH(Throws, throws);
+  const TemporaryFolder folder;
+  try {
+    throws(folder.path());
+    QFAIL("nothing was thrown");
+  } catch (const Error& failure) {
+    QVERIFY2(ui::is_error_known(failure.what()), failure.what());
+    // Without a translator the words are the engine's own.
+    QCOMPARE(ui::error_text(failure.what()), QString::fromUtf8(failure.what()));
+  }
+}
+
+void ErrorTextsTest::OthersStayAsTheyAre() {
+  const char* sentence = "a.ply: vertex 12: is not a number. Write the cloud anew.";
+  QVERIFY(!ui::is_error_known(sentence));
+  QCOMPARE(ui::error_text(sentence), QString::fromUtf8(sentence));
+}
+
+void ErrorTextsTest::NamesWithPlaceholdersStayWhole() {
+  const char* sentence = "50%2 (a) %1.json: cannot be opened (100 %1). Check the path.";
+  QVERIFY(ui::is_error_known(sentence));
+  QCOMPARE(ui::error_text(sentence), QString::fromUtf8(sentence));
+}
+
+}  // namespace glisson
+
+QTEST_GUILESS_MAIN(glisson::ErrorTextsTest)
+#include "error_texts_test.moc"

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window is killed and started again: what was not saved is offered.
+#include <signal.h>
+
+#include <QMessageBox>
+#include <QProcess>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QtTest>
+#include <cstdio>
+
+#include "glisson/core/files.h"
+#include "glisson/engine/commands/build_model.h"
+#include "glisson/engine/commands/import_image.h"
+#include "glisson/engine/commands/save_case.h"
+#include "glisson/engine/commands/set_seeds.h"
+#include "glisson/engine/parts/image.h"
+#include "glisson/engine/parts/seeds.h"
+#include "glisson/ui/shell/autosaver.h"
+#include "glisson/ui/shell/main_window.h"
+#include "glisson/ui/shell/run_window.h"
+#include "glisson/volume/io.h"
+#include "run_in_window.h"
+
+namespace glisson {
+
+using ui::Autosaver;
+using ui::MainWindow;
+namespace fs = std::filesystem;
+
+namespace {
+
+engine::SetSeeds seeds(double x) {
+  segmentation::Seeds clicked;
+  clicked.liver = Eigen::RowVector3d(x, 0.0, 0.0);
+  return {clicked};
+}
+
+void write_ct(const fs::path& path) {
+  Image image;
+  image.grid.size = {32, 32, 32};
+  image.grid.spacing_mm = {4.0, 4.0, 4.0};
+  auto voxels = std::make_shared<std::vector<std::int16_t>>(32UL * 32 * 32);
+  for (std::size_t n = 0; n < voxels->size(); ++n)
+    (*voxels)[n] = static_cast<std::int16_t>((n * 7919) % 1100) - 1000;
+  image.voxels = voxels;
+  write_image(path, image);
+}
+
+}  // namespace
+
+/// The window that is going to be killed: tells when a copy has been kept, and waits.
+int be_killed(int argc, char** argv) {
+  ui::prepare_application();
+  QApplication application(argc, argv);
+  ui::dress_application(application);
+  MainWindow window;
+  auto* autosaver = new Autosaver(window.engine(), window, argv[2]);
+  autosaver->set_period(std::chrono::milliseconds(50));
+  QObject::connect(&window.engine(), &ui::EngineBridge::finished, &window,
+                   [&](const engine::Outcome& outcome) {
+                     if (outcome.command == "import_image") window.engine().post(seeds(0.25));
+                     if (outcome.command != "keep_copy" || !window.engine().state()[part::seeds]) return;
+                     static int kept = 0;
+                     if (++kept == 1) return;  // may be of the time before the seeds
+                     std::puts("kept");
+                     std::fflush(stdout);
+                   });
+  // One more edit after the first copy, so that there is a second one.
+  QObject::connect(&window.engine(), &ui::EngineBridge::finished, &window,
+                   [&](const engine::Outcome& outcome) {
+                     if (outcome.command == "keep_copy" && window.engine().state()[part::seeds])
+                       window.engine().post(seeds(0.25));
+                   });
+  window.engine().post(engine::ImportImage{argv[3], {}, true});
+  return QApplication::exec();
+}
+
+class RecoveryTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void init() {
+    folder_ = std::make_unique<TemporaryFolder>();
+    write_ct(folder_->path() / "ct.nrrd");
+  }
+  void cleanup() { folder_.reset(); }
+  void AKilledWindowsWorkIsOffered();
+  void ThrownAwayItIsGone();
+  void NothingIsKeptOfWhatIsSavedOrThrownAway();
+  void LongWorkIsPrecededByACopy();
+
+ private:
+  fs::path root() const { return folder_->path() / "recovery"; }
+  void kill_a_window() const {
+    QProcess window;
+    window.start(QCoreApplication::applicationFilePath(),
+                 {"be-killed", QString::fromStdString(root().string()),
+                  QString::fromStdString((folder_->path() / "ct.nrrd").string())});
+    QVERIFY(window.waitForStarted());
+    while (window.waitForReadyRead(20000) && !window.canReadLine()) continue;
+    QCOMPARE(window.readLine().trimmed(), QByteArray("kept"));
+    window.kill();  // SIGKILL
+    QVERIFY(window.waitForFinished());
+  }
+  template <class Window>
+  static QPushButton* button_of(Window& window, const char* name) {
+    const bool asked = QTest::qWaitFor(
+        [&] { return window.template findChild<QPushButton*>(QLatin1String(name)) != nullptr; }, 5000);
+    return asked ? window.template findChild<QPushButton*>(QLatin1String(name)) : nullptr;
+  }
+  std::unique_ptr<TemporaryFolder> folder_;
+};
+
+void RecoveryTest::AKilledWindowsWorkIsOffered() {
+  kill_a_window();
+  {
+    MainWindow window;
+    window.show();
+    Autosaver autosaver(window.engine(), window, root());
+    autosaver.offer_recovery();
+    QPushButton* recover = button_of(window, "recover");
+    QVERIFY(recover != nullptr);
+    QTest::mouseClick(recover, Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(window.engine().state()[part::seeds] != nullptr, 20000);
+    QVERIFY(std::abs(window.engine().state()[part::seeds]->liver(0, 0) - 0.25) < 1e-6);
+    QVERIFY(window.engine().state()[part::image] != nullptr);
+    QTRY_VERIFY(window.isWindowModified());
+    // Kept by this window now; the old copy has gone.
+    QTRY_COMPARE_WITH_TIMEOUT(std::distance(fs::directory_iterator(root()), fs::directory_iterator()), 1L,
+                              20000);
+    QTRY_VERIFY(window.engine().tasks().empty());
+  }
+  QVERIFY(fs::is_empty(root()));
+}
+
+void RecoveryTest::ThrownAwayItIsGone() {
+  kill_a_window();
+  MainWindow window;
+  window.show();
+  Autosaver autosaver(window.engine(), window, root());
+  autosaver.offer_recovery();
+  QPushButton* drop = button_of(window, "discard");
+  QVERIFY(drop != nullptr);
+  QTest::mouseClick(drop, Qt::LeftButton);
+  QTRY_COMPARE(std::distance(fs::directory_iterator(root()), fs::directory_iterator()), 1L);  // this window's
+  QVERIFY(window.engine().state()[part::image] == nullptr);
+}
+
+void RecoveryTest::NothingIsKeptOfWhatIsSavedOrThrownAway() {
+  MainWindow window;
+  window.show();
+  Autosaver autosaver(window.engine(), window, root());
+  autosaver.set_period(std::chrono::milliseconds(20));
+  const auto copies = [&] {
+    int count = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(root()))
+      count += entry.path().filename() == "case.json";
+    return count;
+  };
+  window.engine().post(engine::ImportImage{folder_->path() / "ct.nrrd", {}, true});
+  QTRY_COMPARE_WITH_TIMEOUT(copies(), 1, 20000);
+  window.engine().post(engine::SaveCase{folder_->path() / "a.glisson"});
+  QTRY_VERIFY_WITH_TIMEOUT(!window.isWindowModified(), 20000);
+  QTRY_COMPARE(copies(), 0);
+  window.engine().post(seeds(0.1));
+  QTRY_COMPARE_WITH_TIMEOUT(copies(), 1, 20000);
+}
+
+void RecoveryTest::LongWorkIsPrecededByACopy() {
+  MainWindow window;
+  window.show();
+  Autosaver autosaver(window.engine(), window, root());
+  QSignalSpy ended(&window.engine(), &ui::EngineBridge::finished);
+  window.engine().post(engine::ImportImage{folder_->path() / "ct.nrrd", {}, true});
+  QTRY_VERIFY_WITH_TIMEOUT(window.isWindowModified(), 20000);
+  ended.clear();
+  window.engine().post(
+      engine::BuildModel{});  // is refused: there are no labels. The copy comes first all the same
+  QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 2, 20000);
+  QCOMPARE(ended.at(0).at(0).value<engine::Outcome>().command, std::string("keep_copy"));
+  QCOMPARE(ended.at(1).at(0).value<engine::Outcome>().command, std::string("build_model"));
+}
+
+}  // namespace glisson
+
+int main(int argc, char** argv) {
+  if (argc == 4 && std::string(argv[1]) == "be-killed") return glisson::be_killed(argc, argv);
+  return glisson::run_in_window<glisson::RecoveryTest>(argc, argv);
+}
+#include "recovery_test.moc"

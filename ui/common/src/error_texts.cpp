@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/ui/common/error_texts.h"
+
+#include <QCoreApplication>
+#include <QRegularExpression>
+#include <optional>
+#include <vector>
+
+namespace glisson::ui {
+namespace {
+
+/// Context of these sentences for translators. %1, %2, ... stand for files and for what the system says.
+class Errors {
+  Q_DECLARE_TR_FUNCTIONS(Errors)
+ public:
+  static const std::vector<const char*>& sentences() {
+    static const std::vector<const char*> kSentences = {
+        QT_TRANSLATE_NOOP("Errors", "%1: does not exist. Check the path."),
+        QT_TRANSLATE_NOOP("Errors", "%1: cannot be opened (%2). Check the path."),
+        QT_TRANSLATE_NOOP("Errors", "%1: could not be read to its end. Check the disk."),
+        QT_TRANSLATE_NOOP("Errors", "%1: is a folder. Name a file in it."),
+        QT_TRANSLATE_NOOP("Errors", "%1: is a folder, a file is to be written here. Choose another name."),
+        QT_TRANSLATE_NOOP("Errors", "%1: is a device or a pipe, not a file. Choose another name."),
+        QT_TRANSLATE_NOOP("Errors", "%1: its folder does not exist. Create it or choose another."),
+        QT_TRANSLATE_NOOP("Errors", "%1: could not be written (%2). Check permissions and free space."),
+        QT_TRANSLATE_NOOP("Errors", "%1: what was written reads back differently. Check the disk."),
+        QT_TRANSLATE_NOOP("Errors", "%1: is a link that leads back to itself. Choose another name."),
+        QT_TRANSLATE_NOOP("Errors",
+                          "%1: is a link that another user has put there. Choose another name or folder."),
+        QT_TRANSLATE_NOOP("Errors", "%1: no folder can be made here (%2). Check permissions."),
+        QT_TRANSLATE_NOOP("Errors", "%1: could not be replaced (%2). Choose another name."),
+        QT_TRANSLATE_NOOP("Errors", "%1: could not be flushed to disk (%2). Free some space."),
+        QT_TRANSLATE_NOOP(
+            "Errors",
+            "%1: is open for writing by %2. Close it there, or save under another name. If that "
+            "program runs no longer, remove %3."),
+        QT_TRANSLATE_NOOP("Errors",
+                          "%1: cannot be opened for writing: %2 cannot be written. Check the permissions of "
+                          "its folder, or open it for reading."),
+        QT_TRANSLATE_NOOP("Errors", "%1: exists and is not a case. Choose another name."),
+        QT_TRANSLATE_NOOP("Errors",
+                          "%1: a case is a folder whose name ends in .glisson. Choose such a name."),
+        QT_TRANSLATE_NOOP("Errors",
+                          "%1: case.json: is missing: this folder is not a case. Choose a folder "
+                          "NAME.glisson."),
+        QT_TRANSLATE_NOOP("Errors",
+                          "%1: version: is %2, this program reads up to %3. Open it with a newer Glisson."),
+        QT_TRANSLATE_NOOP("Errors", "%1: %2: is not valid JSON. Correct it there or write the file anew."),
+        QT_TRANSLATE_NOOP("Errors", "%1: is malformed (%2). Restore the case from a copy."),
+        QT_TRANSLATE_NOOP("Errors",
+                          "%1: the case reads back differently from what was written. Check the disk's free "
+                          "space; the old case stands."),
+        QT_TRANSLATE_NOOP("Errors",
+                          "%1: is no file of the case and could not be kept (%2). Move it elsewhere and save "
+                          "again; the old case stands."),
+        QT_TRANSLATE_NOOP("Errors", "%1: cannot be used (%2). Check the path."),
+        QT_TRANSLATE_NOOP("Errors",
+                          "%1: cannot be used (%2). Check the permissions of the file and of its folders."),
+        QT_TRANSLATE_NOOP("Errors", "%1: cannot be used (%2). Free some space on the disk."),
+        QT_TRANSLATE_NOOP("Errors", "%1: stopped unexpectedly (%2). The case is as it was."),
+        QT_TRANSLATE_NOOP("Errors",
+                          "case: path: the case has never been saved. Choose a folder NAME.glisson to save "
+                          "it to."),
+    };
+    return kSentences;
+  }
+};
+
+/// What stands for the placeholders; empty: the sentence is another one.
+std::optional<QStringList> values_in(const QString& sentence, const char* known) {
+  QString pattern = QRegularExpression::escape(QString::fromUtf8(known));
+  pattern.replace(QRegularExpression(QStringLiteral("\\\\%\\d")), QStringLiteral("(.+)"));
+  const QRegularExpressionMatch match =
+      QRegularExpression(QRegularExpression::anchoredPattern(pattern)).match(sentence);
+  if (!match.hasMatch()) return {};
+  return match.capturedTexts().mid(1);
+}
+
+}  // namespace
+
+QString error_text(std::string_view sentence) {
+  const QString told = QString::fromUtf8(sentence.data(), static_cast<qsizetype>(sentence.size()));
+  for (const char* known : Errors::sentences()) {
+    const auto values = values_in(told, known);
+    if (!values) continue;
+    QString text = Errors::tr(known);
+    // At once: a file's name may hold a %2 of its own.
+    QString filled;
+    for (qsizetype at = 0; at < text.size(); ++at) {
+      const int number =
+          text[at] == QLatin1Char('%') && at + 1 < text.size() ? text[at + 1].digitValue() : -1;
+      if (number < 1 || number > values->size()) {
+        filled += text[at];
+        continue;
+      }
+      filled += (*values)[number - 1];
+      ++at;
+    }
+    return filled;
+  }
+  return told;
+}
+
+bool is_error_known(std::string_view sentence) {
+  const QString told = QString::fromUtf8(sentence.data(), static_cast<qsizetype>(sentence.size()));
+  for (const char* known : Errors::sentences())
+    if (values_in(told, known)) return true;
+  return false;
+}
+
+}  // namespace glisson::ui
