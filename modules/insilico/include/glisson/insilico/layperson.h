@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "glisson/patient/label_map.h"
+#include "glisson/segmentation/segment.h"
+#include "glisson/volume/image.h"
+
+namespace glisson::insilico {
+
+struct LaypersonOptions {
+  int inside = 5, outside = 5;
+  /// A click in the inner half of every lesion from this size on, ml.
+  double least_lesion_ml = 1e9;
+  std::uint64_t seed = 1;
+};
+
+/// What somebody clicks who has seen livers but no segmentation program: random places well inside what an
+/// eye would call liver (tumours and vessels included, 8 mm from its border, 30 mm apart), and random places
+/// in soft tissue 8 to 40 mm beside it (25 mm apart). The places are never derived from a result.
+/// @param truth of the CT, on its grid. @throws InputError when it holds no liver.
+segmentation::Seeds click_as_layperson(const Image& ct, const LabelMap& truth,
+                                       const LaypersonOptions& options);
+
+}  // namespace glisson::insilico

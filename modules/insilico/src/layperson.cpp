@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/insilico/layperson.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "glisson/core/error.h"
+#include "glisson/volume/morphology.h"
+#include "operator_hand.h"
+
+namespace glisson::insilico {
+namespace {
+
+constexpr double kDeep = 8.0;                       // mm from the liver's border that an eye keeps
+constexpr double kNearest = 8.0, kFarthest = 40.0;  // mm beside the liver
+constexpr double kInsideApart = 30.0, kOutsideApart = 25.0;
+constexpr double kSoftLow = -20.0, kSoftHigh = 260.0;  // HU of what looks like an organ
+constexpr double kAround = 4.0;                        // mm around the click that must look so, too
+
+using Voxels = std::vector<Eigen::Vector3i>;
+
+class Eye {
+ public:
+  Eye(const Image& ct, const LabelMap& truth, std::uint64_t seed)
+      : ct_(ct), grid_(ct.grid), hand_(seed), liver_(grid_.size, grid_.spacing_mm) {
+    liver_.voxels = inside_liver(truth);
+    if (liver_.count() == 0)
+      throw InputError("label map", "liver", "no voxel is liver", "give the labels of a liver");
+  }
+
+  Points inside(int count) {
+    Mask beyond = liver_;
+    for (auto& voxel : beyond.voxels) voxel = voxel == 0 ? 1 : 0;
+    const std::vector<float> depth2 = squared_distance_mm2(beyond);
+    return draw(where([&](std::size_t at, const Eigen::Vector3i&) { return depth2[at] > kDeep * kDeep; }),
+                count, kInsideApart);
+  }
+
+  Points outside(int count) {
+    const std::vector<float> away2 = squared_distance_mm2(liver_);
+    return draw(where([&](std::size_t at, const Eigen::Vector3i& v) {
+                  return away2[at] > kNearest * kNearest && away2[at] < kFarthest * kFarthest && is_soft(v);
+                }),
+                count, kOutsideApart);
+  }
+
+  /// Within the inner half of a body of voxels.
+  Points middle_of(const LabelMap& truth, Label label) {
+    Mask body(grid_.size, grid_.spacing_mm);
+    body.voxels = truth.voxels.mask([&](Label other) { return other == label; });
+    Mask beyond = body;
+    for (auto& voxel : beyond.voxels) voxel = voxel == 0 ? 1 : 0;
+    const std::vector<float> depth2 = squared_distance_mm2(beyond);
+    float deepest = 0.0F;
+    for (std::size_t at = 0; at < depth2.size(); ++at)
+      if (body.voxels[at] != 0) deepest = std::max(deepest, depth2[at]);
+    return draw(where([&](std::size_t at, const Eigen::Vector3i&) {
+                  return body.voxels[at] != 0 && depth2[at] >= 0.25F * deepest;
+                }),
+                1, 0.0);
+  }
+
+ private:
+  template <class Wanted>
+  Voxels where(const Wanted& wanted) const {
+    Voxels found;
+    std::size_t at = 0;
+    for (int k = 0; k < grid_.size.z(); ++k)
+      for (int j = 0; j < grid_.size.y(); ++j)
+        for (int i = 0; i < grid_.size.x(); ++i, ++at)
+          if (wanted(at, Eigen::Vector3i(i, j, k))) found.emplace_back(i, j, k);
+    return found;
+  }
+  Eigen::Vector3d place(const Eigen::Vector3i& v) const { return grid_.p_in_ct(v.cast<double>()).xyz; }
+  bool is_soft(const Eigen::Vector3i& v) const {
+    for (int axis = 0; axis < 3; ++axis)
+      for (const int side : {-1, 0, 1}) {
+        const int step = static_cast<int>(std::lround(kAround / grid_.spacing_mm[axis]));
+        const Eigen::Vector3i at = v + side * std::max(1, step) * Eigen::Vector3i::Unit(axis);
+        if (!grid_.contains(at)) return false;
+        const double hounsfield = (*ct_.voxels)[static_cast<std::size_t>(grid_.offset(at))];
+        if (hounsfield < kSoftLow || hounsfield > kSoftHigh) return false;
+      }
+    return true;
+  }
+  Points draw(const Voxels& places, int count, double apart_mm) {
+    std::vector<Eigen::Vector3d> chosen;
+    for (int attempt = 0; attempt < 400 && static_cast<int>(chosen.size()) < count && !places.empty();
+         ++attempt) {
+      const Eigen::Vector3d p = place(places[hand_.draw(places.size())]);
+      if (std::all_of(chosen.begin(), chosen.end(),
+                      [&](const Eigen::Vector3d& other) { return 1e3 * (other - p).norm() >= apart_mm; }))
+        chosen.push_back(p);
+    }
+    Points points(static_cast<Eigen::Index>(chosen.size()), 3);
+    for (std::size_t n = 0; n < chosen.size(); ++n)
+      points.row(static_cast<Eigen::Index>(n)) = chosen[n].transpose();
+    return points;
+  }
+
+  const Image& ct_;
+  const VolumeGrid& grid_;
+  Hand hand_;
+  Mask liver_;
+};
+
+}  // namespace
+
+segmentation::Seeds click_as_layperson(const Image& ct, const LabelMap& truth,
+                                       const LaypersonOptions& options) {
+  Eye eye(ct, truth, options.seed);
+  segmentation::Seeds seeds;
+  seeds.liver = eye.inside(options.inside);
+  seeds.background = eye.outside(options.outside);
+  const std::vector<long> counts = truth.voxels.histogram();
+  for (std::size_t label = 0; label < counts.size(); ++label) {
+    const auto code = static_cast<Label>(label);
+    if (!is_lesion(code)) continue;
+    const double ml = 1e-3 * static_cast<double>(counts[label]) * ct.grid.voxel_volume_mm3();
+    if (counts[label] == 0 || ml < options.least_lesion_ml) continue;
+    seeds.lesions.push_back(eye.middle_of(truth, code));
+  }
+  return seeds;
+}
+
+}  // namespace glisson::insilico
