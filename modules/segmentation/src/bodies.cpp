@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "enclosed.h"
 #include "glisson/core/error.h"
 #include "level_set.h"
 #include "organs.h"
@@ -16,6 +17,7 @@ constexpr double kCoarse = 2.0;      // mm: where the contour finds its way; fin
 constexpr double kDiffusion = 15.0;  // HU: noise is below, edges are above
 constexpr int kDiffusionSteps = 10;
 constexpr double kFineBlur = 0.8;     // mm: fine voxels carry more noise than the diffusion tells from edges
+constexpr double kHeld = 4.0;         // mm around a click that are its side's whatever the CT shows
 constexpr double kMostVoxels = 50e6;  // of the fine contour: about 3 GB
 /// HU, from a very fatty liver to far above any enhancement: outside it the clicks, or the units, are wrong.
 constexpr double kLeastLiver = -10.0, kMostLiver = 250.0;
@@ -72,6 +74,46 @@ void take_liver(const LabelMap& kept, const Field& ct, Bodies& bodies) {
                      "Segment the liver too, or paint it first");
   bodies.liver_phi = signed_distance(bodies.liver, ct);
   bodies.parenchyma = tissue_in(ct, parenchyma);
+}
+
+/// What lies within kHeld of a click belongs to its side; of two clicks the nearer one's. A click inside
+/// whose surroundings do not touch the liver would make an island: it is left out (and told, see segment()).
+void hold_clicks(const VolumeGrid& image, const Seeds& seeds, Field& phi) {
+  const auto places = [&](const Points& points) {
+    std::vector<Eigen::Vector3d> found;
+    for (const Eigen::Vector3i& v : voxels_of(image, phi, points)) found.push_back(v.cast<double>());
+    return found;
+  };
+  const std::vector<Eigen::Vector3d> inside = places(seeds.liver), outside = places(seeds.background);
+  const auto nearest = [&](const std::vector<Eigen::Vector3d>& clicks, const Eigen::Vector3d& p) {
+    double best = 1e9;
+    for (const Eigen::Vector3d& click : clicks)
+      best = std::min(best, (click - p).cwiseProduct(phi.spacing_mm).norm());
+    return best;
+  };
+  const Field before = phi;
+  const auto hold = [&](const std::vector<Eigen::Vector3d>& own, const std::vector<Eigen::Vector3d>& others,
+                        float side) {
+    const Eigen::Vector3i reach =
+        (kHeld * phi.spacing_mm.cwiseInverse()).array().ceil().matrix().cast<int>() + Eigen::Vector3i::Ones();
+    for (const Eigen::Vector3d& click : own) {
+      const Eigen::Vector3i middle = click.cast<int>();
+      if (side < 0.0F && before.values[phi.offset(middle)] > static_cast<float>(kHeld)) continue;
+      for (int k = -reach.z(); k <= reach.z(); ++k)
+        for (int j = -reach.y(); j <= reach.y(); ++j)
+          for (int i = -reach.x(); i <= reach.x(); ++i) {
+            const Eigen::Vector3i v = middle + Eigen::Vector3i(i, j, k);
+            if (!phi.contains(v)) continue;
+            const double far = Eigen::Vector3d(i, j, k).cwiseProduct(phi.spacing_mm).norm();
+            if (nearest(others, v.cast<double>()) < far) continue;
+            float& value = phi.values[phi.offset(v)];
+            const auto ball = static_cast<float>(far - kHeld);  // negative within
+            value = side < 0.0F ? std::min(value, ball) : std::max(value, -ball);
+          }
+    }
+  };
+  hold(inside, outside, -1.0F);
+  hold(outside, inside, 1.0F);
 }
 
 /// The last moves of the contour once more, on voxels of `spacing_mm`.
@@ -181,14 +223,21 @@ Cancellable<Bodies> find_bodies(const Image& image, const Seeds& seeds, double s
   const bool fine = spacing_mm < kCoarse;
   Mask barred = bodies.cava;
   unite(barred, bodies.gallbladder);
-  auto contour = find_liver(ct, clicks, barred, tumours, context.part(0.1, fine ? 0.5 : 1.0), show);
+  auto contour = find_liver(ct, clicks, barred, tumours, context.part(0.1, fine ? 0.4 : 0.7), show);
   if (!contour) return std::nullopt;
-  bodies.liver_phi = std::move(contour->phi);
   bodies.parenchyma = contour->parenchyma;
+  const auto whole = with_enclosed(ct, negative_of(contour->phi), contour->like, contour->closed_ground,
+                                   tumours, clicks, context.part(fine ? 0.4 : 0.7, fine ? 0.4 : 0.7));
+  if (!whole) return std::nullopt;
+  auto settled = settle_liver(ct, *whole, *contour, clicks, tumours,
+                              context.part(fine ? 0.4 : 0.7, fine ? 0.5 : 1.0), show);
+  if (!settled) return std::nullopt;
+  bodies.liver_phi = std::move(*settled);
   clean_up(bodies, tumours);
   if (fine && bodies.liver.count() > 0 &&
       !refine(image, clicks, spacing_mm, tumours, bodies, context.part(0.5, 1.0), show))
     return std::nullopt;
+  if (bodies.liver.count() > 0) hold_clicks(image.grid, seeds, bodies.liver_phi);
   return bodies;
 }
 

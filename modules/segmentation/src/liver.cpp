@@ -314,6 +314,34 @@ Mask out_of_bounds(const Scene& scene, const Tissue& tissue, const Field& phi) {
   return barred;
 }
 
+/// The rounds that settle half way between the liver and what lies beside it. False: cancelled.
+bool run_last_rounds(const Scene& scene, const Tissue& tissue, Field& phi, ContourForces& forces,
+                     const RunContext& context, const ShowContour& show) {
+  forces.attraction_mm = 0.0;
+  forces.curvature_mm = kLastCurvature;
+  const Mask closed_ground = out_of_bounds(scene, tissue, phi);
+  for (int round = 0; round < kLastRounds; ++round) {
+    local_region(scene.ct, phi, forces.region);
+    for (std::size_t i = 0; i < phi.values.size(); ++i)
+      if (closed_ground.voxels[i] != 0) forces.region.values[i] = -1.0F;
+    impose(forces.region, scene);
+    const double done = static_cast<double>(round) / kLastRounds;
+    if (!evolve(phi, forces, kLastSteps, context.part(done, done + 1.0 / kLastRounds), show)) return false;
+  }
+  return true;
+}
+
+/// A contour of a box, on the whole grid; far outside elsewhere.
+Field on_grid_of(const Field& ct, const Field& phi, const VoxelBox& box) {
+  Field whole = ct.filled(static_cast<float>(kReach));
+  for (int k = 0; k < phi.size.z(); ++k)
+    for (int j = 0; j < phi.size.y(); ++j)
+      std::copy_n(
+          phi.values.begin() + static_cast<std::ptrdiff_t>(phi.offset(0, j, k)), phi.size.x(),
+          whole.values.begin() + static_cast<std::ptrdiff_t>(ct.offset(box.low + Eigen::Vector3i(0, j, k))));
+  return whole;
+}
+
 /// The contours, from the start to the boundary. Empty when cancelled.
 Cancellable<Field> run_contours(const Scene& scene, const Tissue& tissue, const RunContext& context,
                                 const ShowContour& show) {
@@ -346,19 +374,7 @@ Cancellable<Field> run_contours(const Scene& scene, const Tissue& tissue, const 
   bound();
   if (!evolve(phi, forces, 80, context.part(0.4, 0.7), show)) return std::nullopt;
 
-  forces.attraction_mm = 0.0;
-  forces.curvature_mm = kLastCurvature;
-  const Mask closed_ground = out_of_bounds(scene, tissue, phi);
-  for (int round = 0; round < kLastRounds; ++round) {
-    local_region(ct, phi, forces.region);
-    for (std::size_t i = 0; i < ct.values.size(); ++i)
-      if (closed_ground.voxels[i] != 0) forces.region.values[i] = -1.0F;
-    impose(forces.region, scene);
-    const double done = static_cast<double>(round) / kLastRounds;
-    if (!evolve(phi, forces, kLastSteps,
-                context.part(0.7 + 0.3 * done, 0.7 + 0.3 * (done + 1.0 / kLastRounds)), show))
-      return std::nullopt;
-  }
+  if (!run_last_rounds(scene, tissue, phi, forces, context.part(0.7, 1.0), show)) return std::nullopt;
   return phi;
 }
 
@@ -395,13 +411,29 @@ Cancellable<LiverContour> find_liver(const Field& ct, const LiverSeeds& seeds, c
     if (scene.ct.contains(p - box.low)) scene.outside.push_back(p - box.low);
   const auto phi = run_contours(scene, tissue, context.part(0.3, 1.0), show);
   if (!phi) return std::nullopt;
-  result.phi = ct.filled(static_cast<float>(kReach));
-  for (int k = 0; k < phi->size.z(); ++k)
-    for (int j = 0; j < phi->size.y(); ++j)
-      std::copy_n(phi->values.begin() + static_cast<std::ptrdiff_t>(phi->offset(0, j, k)), phi->size.x(),
-                  result.phi.values.begin() +
-                      static_cast<std::ptrdiff_t>(ct.offset(box.low + Eigen::Vector3i(0, j, k))));
+  result.phi = on_grid_of(ct, *phi, box);
+  result.like = std::move(open);
+  result.closed_ground = std::move(never);
   return result;
+}
+
+Cancellable<Field> settle_liver(const Field& ct, const Mask& whole, const LiverContour& contour,
+                                const LiverSeeds& seeds, const Mask& included, const RunContext& context,
+                                const ShowContour& show) {
+  const VoxelBox box = bounding_box(ct.size, ct.spacing_mm, whole.voxels, kReach + 16.0);
+  const auto cut = [&](const Mask& mask) { return crop(ct.size, ct.spacing_mm, mask.voxels, box); };
+  Scene scene{ct.cropped(box), cut(contour.like), cut(whole), cut(contour.closed_ground), cut(included), {}};
+  for (const Eigen::Vector3i& p : seeds.outside)
+    if (scene.ct.contains(p - box.low)) scene.outside.push_back(p - box.low);
+  const Mask deep = eroded(scene.start, kBorder);
+  for (std::size_t i = 0; i < deep.voxels.size(); ++i)
+    if (deep.voxels[i] != 0) scene.included.voxels[i] = 1;
+  Field phi = signed_distance(scene.start, scene.ct);
+  ContourForces forces;
+  forces.edge = scene.ct.filled(1.0F);
+  forces.region = scene.ct;
+  if (!run_last_rounds(scene, contour.parenchyma, phi, forces, context, show)) return std::nullopt;
+  return on_grid_of(ct, phi, box);
 }
 
 Cancellable<Field> refine_liver(const Field& ct, const Field& from, const LiverSeeds& seeds,

@@ -26,6 +26,8 @@ struct LiverSeeds {
 struct LiverContour {
   Field phi;  ///< mm, negative inside
   Tissue parenchyma;
+  Mask like;           ///< what looks like liver, anywhere
+  Mask closed_ground;  ///< what was barred, and what the clicks outside own
 };
 
 /// Steps: robust statistics at the seeds; a start by competition between seeds inside and outside over what
@@ -37,6 +39,13 @@ struct LiverContour {
 Cancellable<LiverContour> find_liver(const Field& ct, const LiverSeeds& seeds, const Mask& barred,
                                      const Mask& included, const RunContext& context,
                                      const ShowContour& show = {});
+
+/// The last rounds again, from a liver to which bodies were added that do not look like it (see
+/// with_enclosed()). What lies 5 mm deep in it stays.
+/// @param contour its tissue and what looks like it. @return mm, negative inside, on the grid of `ct`.
+Cancellable<Field> settle_liver(const Field& ct, const Mask& whole, const LiverContour& contour,
+                                const LiverSeeds& seeds, const Mask& included, const RunContext& context,
+                                const ShowContour& show = {});
 
 /// The last rounds again, on finer voxels, from a contour that came to rest on coarser ones of the same
 /// image; never farther than 3 mm from it.

@@ -10,6 +10,7 @@ namespace {
 
 /// Residuals below this are full: rounding must not keep the flow alive.
 constexpr float kFull = 1e-6F;
+constexpr std::size_t kPollEvery = 4096;  // nodes between two looks at whether to stop
 
 }  // namespace
 
@@ -103,9 +104,11 @@ Cancellable<std::vector<std::uint8_t>> MinCut::first_side(const RunContext& cont
   while (find_levels()) {
     if (context.cancelled()) return std::nullopt;
     std::fill(next_arc_.begin(), next_arc_.end(), std::uint8_t{0});
-    for (std::size_t n = 0; n < level_.size(); ++n)
+    for (std::size_t n = 0; n < level_.size(); ++n) {
+      if (n % kPollEvery == 0 && context.cancelled()) return std::nullopt;
       while (from_source_[n] > kFull && push_from(n) > 0.0F) {
       }
+    }
   }
   std::vector<std::uint8_t> side(level_.size());
   for (std::size_t n = 0; n < side.size(); ++n) side[n] = level_[n] >= 0 ? 1 : 0;

@@ -269,6 +269,35 @@ void note_doubts(const Seeds& seeds, SegmentationReport& report) {
       report.notes.push_back("lesion_" + std::to_string(n + 1) + ".not_found");
 }
 
+bool is_in_liver(Label label) {
+  return label == structure::kParenchyma || label == structure::kPortalVein ||
+         label == structure::kHepaticVeins || label == structure::kArtery || is_lesion(label);
+}
+
+/// Clicks for and against the liver that the labels do not follow, by number and with the reason.
+void note_clicks(const Painting& painting, const Seeds& seeds, SegmentationReport& report) {
+  const auto label_at = [&](const Points& points, Eigen::Index n) {
+    const Eigen::Vector3d index =
+        painting.grid.index_of(Point<CtFrame>(Eigen::Vector3d(points.row(n).transpose())));
+    return painting
+        .labels[static_cast<std::size_t>(painting.grid.offset(index.array().round().matrix().cast<int>()))];
+  };
+  for (Eigen::Index n = 0; n < seeds.liver.rows(); ++n) {
+    const Label label = label_at(seeds.liver, n);
+    if (is_in_liver(label)) continue;
+    const std::string number = " " + std::to_string(n + 1);
+    if (label != structure::kBackground)
+      report.notes.push_back("seed.liver_taken" + number + " " + structure_name(label));
+    else
+      report.notes.push_back("seed.liver_apart" + number);
+  }
+  for (Eigen::Index n = 0; n < seeds.background.rows(); ++n) {
+    const Label label = label_at(seeds.background, n);
+    if (label == structure::kParenchyma || is_lesion(label))
+      report.notes.push_back("seed.not_liver_taken " + std::to_string(n + 1) + " " + structure_name(label));
+  }
+}
+
 }  // namespace
 
 void SegmentationOptions::validate() const {
@@ -316,6 +345,7 @@ Cancellable<Segmented> segment(const Image& whole, const Seeds& all_seeds, const
   result.labels = placed(painting, box, options.region, whole.grid, all_kept);
   result.report = report_of(result.labels, seeds);
   note_doubts(seeds, result.report);
+  if (anew.liver) note_clicks(painting, seeds, result.report);
   context.progress(1.0, "segmentation.finish");
   return result;
 }

@@ -19,6 +19,12 @@ class Notes {
   static QHash<QString, QString> sentences() {
     return {
         {"liver.small", tr("The liver is smaller than 400 ml: check it in the slices.")},
+        {"seed.liver_apart",
+         tr("Liver seed %%1 had no effect: nothing joins its surroundings to the rest of the liver. Click "
+            "between the two, or take it away.")},
+        {"seed.liver_taken", tr("Liver seed %%1 had no effect: %%2 lies there. Take one of the two away.")},
+        {"seed.not_liver_taken",
+         tr("\"Not liver\" seed %%1 had no effect: %%2 lies there. Take one of the two away.")},
         {"liver.large", tr("The liver is larger than 4000 ml: check it in the slices.")},
         {"liver.piece_dropped", tr("A separate piece of the liver's surface was left out (%2 ml).")},
         {"liver.pieces_dropped", tr("Separate specks of liver were left out: %1 (%3 ml).")},

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What clicks do to the labels, on a phantom that is known.
+#include <QtTest>
+#include <random>
+
+#include "glisson/core/error.h"
+#include "glisson/segmentation/segment.h"
+
+using namespace glisson;
+using namespace glisson::segmentation;
+
+namespace {
+
+struct Phantom {
+  Image image;
+  std::vector<std::uint8_t> liver, tumour;
+};
+
+const Eigen::Vector3d kLesion(46, 68, 53), kTumour(59, 33, 48), kLiver(66, 61, 53);  // mm
+constexpr double kLesionRadius = 12.0, kTumourRadius = 19.0;
+
+/// An ellipsoid of 108 HU in fat with a lesion inside, and a dark tumour at its rim that sticks out.
+Phantom phantom() {
+  Phantom result;
+  VolumeGrid& grid = result.image.grid;
+  grid.size = {67, 61, 48};
+  grid.spacing_mm = {2.0, 2.0, 2.2};
+  grid.origin_mm = {-90, -60, 20};
+  std::mt19937 random(7);
+  std::normal_distribution<double> noise(0.0, 10.0);
+  std::vector<std::int16_t> voxels;
+  for (int k = 0; k < grid.size.z(); ++k)
+    for (int j = 0; j < grid.size.y(); ++j)
+      for (int i = 0; i < grid.size.x(); ++i) {
+        const Eigen::Vector3d p = Eigen::Vector3d(i, j, k).cwiseProduct(grid.spacing_mm);
+        const bool organ = (p - kLiver).cwiseQuotient(Eigen::Vector3d(50, 42, 38)).norm() < 1.0;
+        const bool tumour = (p - kTumour).norm() < kTumourRadius;
+        const double in_lesion = (p - kLesion).norm() - kLesionRadius;
+        double hu = organ ? 108.0 : -95.0;
+        if (tumour) hu = 62.0;
+        if (in_lesion < 0.0) hu = 64.0;
+        result.liver.push_back(organ || tumour || in_lesion < 0.0 ? 1 : 0);
+        result.tumour.push_back(tumour ? 1 : 0);
+        voxels.push_back(static_cast<std::int16_t>(std::lround(hu + noise(random))));
+      }
+  result.image.voxels = std::make_shared<const std::vector<std::int16_t>>(std::move(voxels));
+  return result;
+}
+
+Points points_at(const Image& image, std::initializer_list<Eigen::Vector3d> places_mm) {
+  Points points(static_cast<Eigen::Index>(places_mm.size()), 3);
+  Eigen::Index n = 0;
+  for (const Eigen::Vector3d& place : places_mm)
+    points.row(n++) = (1e-3 * (image.grid.origin_mm + place)).transpose();
+  return points;
+}
+
+Seeds clicks_in(const Image& image) {
+  Seeds seeds;
+  seeds.liver = points_at(image, {{83, 67, 48}, {72, 80, 64}, {88, 53, 61}});
+  return seeds;
+}
+
+Segmented segmented(const Image& image, const Seeds& seeds) {
+  return segment(image, seeds, {}, RunContext()).value();
+}
+
+Label label_at(const Segmented& result, const Eigen::Vector3d& mm) {
+  const VolumeGrid& grid = result.labels.voxels.grid();
+  return result.labels.voxels.at(mm.cwiseQuotient(grid.spacing_mm).array().round().matrix().cast<int>());
+}
+
+bool has_note(const Segmented& result, const std::string& begin) {
+  return std::any_of(result.report.notes.begin(), result.report.notes.end(),
+                     [&](const std::string& note) { return note.starts_with(begin); });
+}
+
+/// How many voxels farther than `mm` from a place differ.
+long changed_beyond(const Segmented& a, const Segmented& b, const Eigen::Vector3d& place, double mm) {
+  const VolumeGrid& grid = a.labels.voxels.grid();
+  long count = 0;
+  for (int k = 0; k < grid.size.z(); ++k)
+    for (int j = 0; j < grid.size.y(); ++j)
+      for (int i = 0; i < grid.size.x(); ++i) {
+        const Eigen::Vector3d p = Eigen::Vector3d(i, j, k).cwiseProduct(grid.spacing_mm);
+        if ((p - place).norm() > mm && a.labels.voxels.at({i, j, k}) != b.labels.voxels.at({i, j, k}))
+          ++count;
+      }
+  return count;
+}
+
+}  // namespace
+
+class ClicksTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void initTestCase();
+  void ATumourAtTheRimIsLiver();
+  void ALiverClickBinds();
+  void ANotLiverClickBinds();
+  void AClickOnAnIslandIsNamed();
+  void OneMoreClickChangesNothingFarAway();
+
+ private:
+  Phantom phantom_;
+  Segmented found_;
+};
+
+void ClicksTest::initTestCase() {
+  phantom_ = phantom();
+  found_ = segmented(phantom_.image, clicks_in(phantom_.image));
+}
+
+void ClicksTest::ATumourAtTheRimIsLiver() {
+  const std::vector<std::uint8_t> liver = inside_liver(found_.labels);
+  const double all = dice(liver, phantom_.liver);
+  QVERIFY2(all > 0.96, qPrintable(QString::number(all)));
+  long in = 0, of = 0;
+  for (std::size_t i = 0; i < liver.size(); ++i) {
+    of += phantom_.tumour[i] != 0;
+    in += phantom_.tumour[i] != 0 && liver[i] != 0;
+  }
+  QVERIFY2(10 * in > 9 * of, qPrintable(QString("%1 of %2").arg(in).arg(of)));
+}
+
+void ClicksTest::ALiverClickBinds() {
+  // Anywhere in what is liver, the tumour's rim and the organ's among it.
+  for (const Eigen::Vector3d& place :
+       {Eigen::Vector3d(kTumour + Eigen::Vector3d(0, -14, 0)), Eigen::Vector3d(112, 61, 53)}) {
+    Seeds seeds = clicks_in(phantom_.image);
+    seeds.liver.conservativeResize(4, 3);
+    seeds.liver.row(3) = points_at(phantom_.image, {place}).row(0);
+    const Segmented result = segmented(phantom_.image, seeds);
+    QCOMPARE(label_at(result, place), structure::kParenchyma);
+    QVERIFY(!has_note(result, "seed."));
+  }
+}
+
+void ClicksTest::ANotLiverClickBinds() {
+  for (const Eigen::Vector3d& place : {Eigen::Vector3d(96, 72, 56)}) {
+    Seeds seeds = clicks_in(phantom_.image);
+    seeds.background = points_at(phantom_.image, {place});
+    const Segmented result = segmented(phantom_.image, seeds);
+    for (const Eigen::Vector3d& beside :
+         {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(2, 0, 0), Eigen::Vector3d(0, 0, 2)})
+      QCOMPARE(label_at(result, place + beside), structure::kBackground);
+    QVERIFY(!has_note(result, "seed."));
+  }
+}
+
+void ClicksTest::AClickOnAnIslandIsNamed() {
+  Seeds seeds = clicks_in(phantom_.image);
+  seeds.liver.conservativeResize(4, 3);
+  seeds.liver.row(3) = points_at(phantom_.image, {{10, 112, 90}}).row(0);  // in fat, far away
+  QVERIFY(has_note(segmented(phantom_.image, seeds), "seed.liver_apart 4"));
+}
+
+void ClicksTest::OneMoreClickChangesNothingFarAway() {
+  const Eigen::Vector3d place(77, 56, 67);  // in the parenchyma
+  Seeds seeds = clicks_in(phantom_.image);
+  seeds.liver.conservativeResize(4, 3);
+  seeds.liver.row(3) = points_at(phantom_.image, {place}).row(0);
+  const Segmented more = segmented(phantom_.image, seeds);
+  const double voxels = static_cast<double>(std::count(phantom_.liver.begin(), phantom_.liver.end(), 1));
+  const auto changed = static_cast<double>(changed_beyond(found_, more, place, 30.0));
+  QVERIFY2(changed < 0.01 * voxels, qPrintable(QString::number(changed / voxels)));
+  QVERIFY(dice(inside_liver(more.labels), phantom_.liver) >
+          dice(inside_liver(found_.labels), phantom_.liver) - 0.003);
+}
+
+QTEST_APPLESS_MAIN(ClicksTest)
+#include "clicks_test.moc"
