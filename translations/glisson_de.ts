@@ -371,6 +371,125 @@
     </message>
 </context>
 <context>
+    <name>Errors</name>
+    <message>
+        <source>%1: does not exist. Check the path.</source>
+        <translation>%1: gibt es nicht. Prüfen Sie den Pfad.</translation>
+    </message>
+    <message>
+        <source>%1: cannot be opened (%2). Check the path.</source>
+        <translation>%1: kann nicht geöffnet werden (%2). Prüfen Sie den Pfad.</translation>
+    </message>
+    <message>
+        <source>%1: could not be read to its end. Check the disk.</source>
+        <translation>%1: konnte nicht bis zum Ende gelesen werden. Prüfen Sie den Datenträger.</translation>
+    </message>
+    <message>
+        <source>%1: is a folder. Name a file in it.</source>
+        <translation>%1: ist ein Ordner. Nennen Sie eine Datei darin.</translation>
+    </message>
+    <message>
+        <source>%1: is a folder, a file is to be written here. Choose another name.</source>
+        <translation>%1: ist ein Ordner, hier soll eine Datei geschrieben werden. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>%1: is a device or a pipe, not a file. Choose another name.</source>
+        <translation>%1: ist ein Gerät oder eine Pipe, keine Datei. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>%1: its folder does not exist. Create it or choose another.</source>
+        <translation>%1: den Ordner dafür gibt es nicht. Legen Sie ihn an oder wählen Sie einen anderen.</translation>
+    </message>
+    <message>
+        <source>%1: could not be written (%2). Check permissions and free space.</source>
+        <translation>%1: konnte nicht geschrieben werden (%2). Prüfen Sie Rechte und freien Platz.</translation>
+    </message>
+    <message>
+        <source>%1: what was written reads back differently. Check the disk.</source>
+        <translation>%1: was geschrieben wurde, liest sich anders zurück. Prüfen Sie den Datenträger.</translation>
+    </message>
+    <message>
+        <source>%1: is a link that leads back to itself. Choose another name.</source>
+        <translation>%1: ist ein Verweis, der auf sich selbst führt. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>%1: is a link that another user has put there. Choose another name or folder.</source>
+        <translation>%1: ist ein Verweis, den ein anderer Benutzer dort angelegt hat. Wählen Sie einen anderen Namen oder Ordner.</translation>
+    </message>
+    <message>
+        <source>%1: no folder can be made here (%2). Check permissions.</source>
+        <translation>%1: hier kann kein Ordner angelegt werden (%2). Prüfen Sie die Rechte.</translation>
+    </message>
+    <message>
+        <source>%1: could not be replaced (%2). Choose another name.</source>
+        <translation>%1: konnte nicht ersetzt werden (%2). Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>%1: could not be flushed to disk (%2). Free some space.</source>
+        <translation>%1: konnte nicht auf den Datenträger geschrieben werden (%2). Schaffen Sie Platz.</translation>
+    </message>
+    <message>
+        <source>%1: is open for writing by %2. Close it there, or save under another name. If that program runs no longer, remove %3.</source>
+        <translation>%1: ist zum Schreiben geöffnet von %2. Schließen Sie es dort, oder speichern Sie unter einem anderen Namen. Läuft jenes Programm nicht mehr, entfernen Sie %3.</translation>
+    </message>
+    <message>
+        <source>%1: cannot be opened for writing: %2 cannot be written. Check the permissions of its folder, or open it for reading.</source>
+        <translation>%1: kann nicht zum Schreiben geöffnet werden: %2 kann nicht geschrieben werden. Prüfen Sie die Rechte des Ordners, oder öffnen Sie zum Lesen.</translation>
+    </message>
+    <message>
+        <source>%1: exists and is not a case. Choose another name.</source>
+        <translation>%1: gibt es schon und ist kein Fall. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>%1: a case is a folder whose name ends in .glisson. Choose such a name.</source>
+        <translation>%1: ein Fall ist ein Ordner, dessen Name auf .glisson endet. Wählen Sie einen solchen Namen.</translation>
+    </message>
+    <message>
+        <source>%1: case.json: is missing: this folder is not a case. Choose a folder NAME.glisson.</source>
+        <translation>%1: case.json: fehlt: Dieser Ordner ist kein Fall. Wählen Sie einen Ordner NAME.glisson.</translation>
+    </message>
+    <message>
+        <source>%1: version: is %2, this program reads up to %3. Open it with a newer Glisson.</source>
+        <translation>%1: version: ist %2, dieses Programm liest bis %3. Öffnen Sie ihn mit einem neueren Glisson.</translation>
+    </message>
+    <message>
+        <source>%1: %2: is not valid JSON. Correct it there or write the file anew.</source>
+        <translation>%1: %2: ist kein gültiges JSON. Berichtigen Sie es dort oder schreiben Sie die Datei neu.</translation>
+    </message>
+    <message>
+        <source>%1: is malformed (%2). Restore the case from a copy.</source>
+        <translation>%1: ist fehlerhaft (%2). Stellen Sie den Fall aus einer Kopie wieder her.</translation>
+    </message>
+    <message>
+        <source>%1: the case reads back differently from what was written. Check the disk&apos;s free space; the old case stands.</source>
+        <translation>%1: der Fall liest sich anders zurück, als er geschrieben wurde. Prüfen Sie den freien Platz; der alte Fall bleibt.</translation>
+    </message>
+    <message>
+        <source>%1: is no file of the case and could not be kept (%2). Move it elsewhere and save again; the old case stands.</source>
+        <translation>%1: ist keine Datei des Falls und konnte nicht bewahrt werden (%2). Verschieben Sie sie und speichern Sie noch einmal; der alte Fall bleibt.</translation>
+    </message>
+    <message>
+        <source>%1: cannot be used (%2). Check the path.</source>
+        <translation>%1: kann nicht benutzt werden (%2). Prüfen Sie den Pfad.</translation>
+    </message>
+    <message>
+        <source>%1: cannot be used (%2). Check the permissions of the file and of its folders.</source>
+        <translation>%1: kann nicht benutzt werden (%2). Prüfen Sie die Rechte der Datei und ihrer Ordner.</translation>
+    </message>
+    <message>
+        <source>%1: cannot be used (%2). Free some space on the disk.</source>
+        <translation>%1: kann nicht benutzt werden (%2). Schaffen Sie Platz auf dem Datenträger.</translation>
+    </message>
+    <message>
+        <source>%1: stopped unexpectedly (%2). The case is as it was.</source>
+        <translation>%1: endete unerwartet (%2). Der Fall ist, wie er war.</translation>
+    </message>
+    <message>
+        <source>case: path: the case has never been saved. Choose a folder NAME.glisson to save it to.</source>
+        <translation>Fall: Pfad: Der Fall wurde nie gespeichert. Wählen Sie einen Ordner NAME.glisson, in den er gespeichert wird.</translation>
+    </message>
+</context>
+<context>
     <name>Notes</name>
     <message>
         <source>The liver is smaller than 400 ml: check it in the slices.</source>
@@ -651,6 +770,18 @@
     <message>
         <source>The shape that fits the points would turn the organ inside out.</source>
         <translation>Die Form, die zu den Punkten passt, würde das Organ umstülpen.</translation>
+    </message>
+    <message>
+        <source>Liver seed %%1 had no effect: nothing joins its surroundings to the rest of the liver. Click between the two, or take it away.</source>
+        <translation>Leber-Saatpunkt %%1 hatte keine Wirkung: Nichts verbindet seine Umgebung mit der übrigen Leber. Einen Saatpunkt dazwischen setzen oder diesen entfernen.</translation>
+    </message>
+    <message>
+        <source>Liver seed %%1 had no effect: %%2 lies there. Take one of the two away.</source>
+        <translation>Leber-Saatpunkt %%1 hatte keine Wirkung: Dort liegt %%2. Eines von beiden entfernen.</translation>
+    </message>
+    <message>
+        <source>&quot;Not liver&quot; seed %%1 had no effect: %%2 lies there. Take one of the two away.</source>
+        <translation>Saatpunkt %%1 „Nicht Leber“ hatte keine Wirkung: Dort liegt %%2. Eines von beiden entfernen.</translation>
     </message>
 </context>
 <context>
@@ -2251,6 +2382,30 @@
         <source>Work for long and look whether memory, files and threads stay what they are</source>
         <translation>Lange arbeiten und nachsehen, ob Speicher, Dateien und Threads bleiben, was sie sind</translation>
     </message>
+    <message>
+        <source>real CTs, ten clicks of a layperson: Dice of the liver, median</source>
+        <translation>echte CTs, zehn Klicks eines Laien: Dice der Leber, Median</translation>
+    </message>
+    <message>
+        <source>real CTs, ten clicks of a layperson: Dice of the liver, worst</source>
+        <translation>echte CTs, zehn Klicks eines Laien: Dice der Leber, schlechtester</translation>
+    </message>
+    <message>
+        <source>in silico, ill livers, ten clicks of a layperson: Dice of the liver, median</source>
+        <translation>in silico, kranke Lebern, zehn Klicks eines Laien: Dice der Leber, Median</translation>
+    </message>
+    <message>
+        <source>in silico, ill livers, ten clicks of a layperson: Dice of the liver, worst</source>
+        <translation>in silico, kranke Lebern, zehn Klicks eines Laien: Dice der Leber, schlechtester</translation>
+    </message>
+    <message>
+        <source>real CT, lesions above 1 ml, one click: Dice, median</source>
+        <translation>echtes CT, Läsionen über 1 ml, ein Klick: Dice, Median</translation>
+    </message>
+    <message>
+        <source>in silico, lesions above 1 ml, one click: Dice, median</source>
+        <translation>in silico, Läsionen über 1 ml, ein Klick: Dice, Median</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AngleHistogram</name>
@@ -2344,6 +2499,37 @@
     <message>
         <source>points of the model: %1, the next click replaces them</source>
         <translation>Punkte des Modells: %1, der nächste Klick ersetzt sie</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::Autosaver</name>
+    <message>
+        <source>a case that had never been saved</source>
+        <translation>ein Fall, der nie gespeichert worden war</translation>
+    </message>
+    <message>
+        <source>Recovery</source>
+        <translation>Wiederherstellung</translation>
+    </message>
+    <message>
+        <source>Glisson ended before this was saved: %1, as it was at %2.</source>
+        <translation>Glisson endete, bevor dies gespeichert war: %1, Stand von %2.</translation>
+    </message>
+    <message>
+        <source>It can be opened as it was then. Nothing is saved in its place until you save it.</source>
+        <translation>Er kann so geöffnet werden, wie er damals war. An seiner Stelle wird nichts gespeichert, bis Sie ihn speichern.</translation>
+    </message>
+    <message>
+        <source>Open it</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Throw it away</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Ask later</source>
+        <translation>Später fragen</translation>
     </message>
 </context>
 <context>
@@ -4639,156 +4825,6 @@
     <message>
         <source>Case…</source>
         <translation>Fall…</translation>
-    </message>
-</context>
-<context>
-    <name>Errors</name>
-    <message>
-        <source>%1: does not exist. Check the path.</source>
-        <translation>%1: gibt es nicht. Prüfen Sie den Pfad.</translation>
-    </message>
-    <message>
-        <source>%1: cannot be opened (%2). Check the path.</source>
-        <translation>%1: kann nicht geöffnet werden (%2). Prüfen Sie den Pfad.</translation>
-    </message>
-    <message>
-        <source>%1: could not be read to its end. Check the disk.</source>
-        <translation>%1: konnte nicht bis zum Ende gelesen werden. Prüfen Sie den Datenträger.</translation>
-    </message>
-    <message>
-        <source>%1: is a folder. Name a file in it.</source>
-        <translation>%1: ist ein Ordner. Nennen Sie eine Datei darin.</translation>
-    </message>
-    <message>
-        <source>%1: is a folder, a file is to be written here. Choose another name.</source>
-        <translation>%1: ist ein Ordner, hier soll eine Datei geschrieben werden. Wählen Sie einen anderen Namen.</translation>
-    </message>
-    <message>
-        <source>%1: is a device or a pipe, not a file. Choose another name.</source>
-        <translation>%1: ist ein Gerät oder eine Pipe, keine Datei. Wählen Sie einen anderen Namen.</translation>
-    </message>
-    <message>
-        <source>%1: its folder does not exist. Create it or choose another.</source>
-        <translation>%1: den Ordner dafür gibt es nicht. Legen Sie ihn an oder wählen Sie einen anderen.</translation>
-    </message>
-    <message>
-        <source>%1: could not be written (%2). Check permissions and free space.</source>
-        <translation>%1: konnte nicht geschrieben werden (%2). Prüfen Sie Rechte und freien Platz.</translation>
-    </message>
-    <message>
-        <source>%1: what was written reads back differently. Check the disk.</source>
-        <translation>%1: was geschrieben wurde, liest sich anders zurück. Prüfen Sie den Datenträger.</translation>
-    </message>
-    <message>
-        <source>%1: is a link that leads back to itself. Choose another name.</source>
-        <translation>%1: ist ein Verweis, der auf sich selbst führt. Wählen Sie einen anderen Namen.</translation>
-    </message>
-    <message>
-        <source>%1: is a link that another user has put there. Choose another name or folder.</source>
-        <translation>%1: ist ein Verweis, den ein anderer Benutzer dort angelegt hat. Wählen Sie einen anderen Namen oder Ordner.</translation>
-    </message>
-    <message>
-        <source>%1: no folder can be made here (%2). Check permissions.</source>
-        <translation>%1: hier kann kein Ordner angelegt werden (%2). Prüfen Sie die Rechte.</translation>
-    </message>
-    <message>
-        <source>%1: could not be replaced (%2). Choose another name.</source>
-        <translation>%1: konnte nicht ersetzt werden (%2). Wählen Sie einen anderen Namen.</translation>
-    </message>
-    <message>
-        <source>%1: could not be flushed to disk (%2). Free some space.</source>
-        <translation>%1: konnte nicht auf den Datenträger geschrieben werden (%2). Schaffen Sie Platz.</translation>
-    </message>
-    <message>
-        <source>%1: is open for writing by %2. Close it there, or save under another name. If that program runs no longer, remove %3.</source>
-        <translation>%1: ist zum Schreiben geöffnet von %2. Schließen Sie es dort, oder speichern Sie unter einem anderen Namen. Läuft jenes Programm nicht mehr, entfernen Sie %3.</translation>
-    </message>
-    <message>
-        <source>%1: cannot be opened for writing: %2 cannot be written. Check the permissions of its folder, or open it for reading.</source>
-        <translation>%1: kann nicht zum Schreiben geöffnet werden: %2 kann nicht geschrieben werden. Prüfen Sie die Rechte des Ordners, oder öffnen Sie zum Lesen.</translation>
-    </message>
-    <message>
-        <source>%1: exists and is not a case. Choose another name.</source>
-        <translation>%1: gibt es schon und ist kein Fall. Wählen Sie einen anderen Namen.</translation>
-    </message>
-    <message>
-        <source>%1: a case is a folder whose name ends in .glisson. Choose such a name.</source>
-        <translation>%1: ein Fall ist ein Ordner, dessen Name auf .glisson endet. Wählen Sie einen solchen Namen.</translation>
-    </message>
-    <message>
-        <source>%1: case.json: is missing: this folder is not a case. Choose a folder NAME.glisson.</source>
-        <translation>%1: case.json: fehlt: Dieser Ordner ist kein Fall. Wählen Sie einen Ordner NAME.glisson.</translation>
-    </message>
-    <message>
-        <source>%1: version: is %2, this program reads up to %3. Open it with a newer Glisson.</source>
-        <translation>%1: version: ist %2, dieses Programm liest bis %3. Öffnen Sie ihn mit einem neueren Glisson.</translation>
-    </message>
-    <message>
-        <source>%1: %2: is not valid JSON. Correct it there or write the file anew.</source>
-        <translation>%1: %2: ist kein gültiges JSON. Berichtigen Sie es dort oder schreiben Sie die Datei neu.</translation>
-    </message>
-    <message>
-        <source>%1: is malformed (%2). Restore the case from a copy.</source>
-        <translation>%1: ist fehlerhaft (%2). Stellen Sie den Fall aus einer Kopie wieder her.</translation>
-    </message>
-    <message>
-        <source>%1: the case reads back differently from what was written. Check the disk&apos;s free space; the old case stands.</source>
-        <translation>%1: der Fall liest sich anders zurück, als er geschrieben wurde. Prüfen Sie den freien Platz; der alte Fall bleibt.</translation>
-    </message>
-    <message>
-        <source>%1: is no file of the case and could not be kept (%2). Move it elsewhere and save again; the old case stands.</source>
-        <translation>%1: ist keine Datei des Falls und konnte nicht bewahrt werden (%2). Verschieben Sie sie und speichern Sie noch einmal; der alte Fall bleibt.</translation>
-    </message>
-    <message>
-        <source>%1: cannot be used (%2). Check the path.</source>
-        <translation>%1: kann nicht benutzt werden (%2). Prüfen Sie den Pfad.</translation>
-    </message>
-    <message>
-        <source>%1: cannot be used (%2). Check the permissions of the file and of its folders.</source>
-        <translation>%1: kann nicht benutzt werden (%2). Prüfen Sie die Rechte der Datei und ihrer Ordner.</translation>
-    </message>
-    <message>
-        <source>%1: cannot be used (%2). Free some space on the disk.</source>
-        <translation>%1: kann nicht benutzt werden (%2). Schaffen Sie Platz auf dem Datenträger.</translation>
-    </message>
-    <message>
-        <source>%1: stopped unexpectedly (%2). The case is as it was.</source>
-        <translation>%1: endete unerwartet (%2). Der Fall ist, wie er war.</translation>
-    </message>
-    <message>
-        <source>case: path: the case has never been saved. Choose a folder NAME.glisson to save it to.</source>
-        <translation>Fall: Pfad: Der Fall wurde nie gespeichert. Wählen Sie einen Ordner NAME.glisson, in den er gespeichert wird.</translation>
-    </message>
-</context>
-<context>
-    <name>glisson::ui::Autosaver</name>
-    <message>
-        <source>a case that had never been saved</source>
-        <translation>ein Fall, der nie gespeichert worden war</translation>
-    </message>
-    <message>
-        <source>Recovery</source>
-        <translation>Wiederherstellung</translation>
-    </message>
-    <message>
-        <source>Glisson ended before this was saved: %1, as it was at %2.</source>
-        <translation>Glisson endete, bevor dies gespeichert war: %1, Stand von %2.</translation>
-    </message>
-    <message>
-        <source>It can be opened as it was then. Nothing is saved in its place until you save it.</source>
-        <translation>Er kann so geöffnet werden, wie er damals war. An seiner Stelle wird nichts gespeichert, bis Sie ihn speichern.</translation>
-    </message>
-    <message>
-        <source>Open it</source>
-        <translation>Öffnen</translation>
-    </message>
-    <message>
-        <source>Throw it away</source>
-        <translation>Verwerfen</translation>
-    </message>
-    <message>
-        <source>Ask later</source>
-        <translation>Später fragen</translation>
     </message>
 </context>
 </TS>

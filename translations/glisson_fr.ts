@@ -371,6 +371,125 @@
     </message>
 </context>
 <context>
+    <name>Errors</name>
+    <message>
+        <source>%1: does not exist. Check the path.</source>
+        <translation>%1 : n’existe pas. Vérifiez le chemin.</translation>
+    </message>
+    <message>
+        <source>%1: cannot be opened (%2). Check the path.</source>
+        <translation>%1 : ne peut pas être ouvert (%2). Vérifiez le chemin.</translation>
+    </message>
+    <message>
+        <source>%1: could not be read to its end. Check the disk.</source>
+        <translation>%1 : n’a pas pu être lu jusqu’à la fin. Vérifiez le disque.</translation>
+    </message>
+    <message>
+        <source>%1: is a folder. Name a file in it.</source>
+        <translation>%1 : est un dossier. Nommez un fichier qui s’y trouve.</translation>
+    </message>
+    <message>
+        <source>%1: is a folder, a file is to be written here. Choose another name.</source>
+        <translation>%1 : est un dossier, un fichier doit être écrit ici. Choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>%1: is a device or a pipe, not a file. Choose another name.</source>
+        <translation>%1 : est un périphérique ou un tube, pas un fichier. Choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>%1: its folder does not exist. Create it or choose another.</source>
+        <translation>%1 : son dossier n’existe pas. Créez-le ou choisissez-en un autre.</translation>
+    </message>
+    <message>
+        <source>%1: could not be written (%2). Check permissions and free space.</source>
+        <translation>%1 : n’a pas pu être écrit (%2). Vérifiez les droits et l’espace libre.</translation>
+    </message>
+    <message>
+        <source>%1: what was written reads back differently. Check the disk.</source>
+        <translation>%1 : ce qui a été écrit se relit différemment. Vérifiez le disque.</translation>
+    </message>
+    <message>
+        <source>%1: is a link that leads back to itself. Choose another name.</source>
+        <translation>%1 : est un lien qui mène à lui-même. Choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>%1: is a link that another user has put there. Choose another name or folder.</source>
+        <translation>%1 : est un lien qu’un autre utilisateur a placé là. Choisissez un autre nom ou dossier.</translation>
+    </message>
+    <message>
+        <source>%1: no folder can be made here (%2). Check permissions.</source>
+        <translation>%1 : aucun dossier ne peut être créé ici (%2). Vérifiez les droits.</translation>
+    </message>
+    <message>
+        <source>%1: could not be replaced (%2). Choose another name.</source>
+        <translation>%1 : n’a pas pu être remplacé (%2). Choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>%1: could not be flushed to disk (%2). Free some space.</source>
+        <translation>%1 : n’a pas pu être écrit sur le disque (%2). Libérez de l’espace.</translation>
+    </message>
+    <message>
+        <source>%1: is open for writing by %2. Close it there, or save under another name. If that program runs no longer, remove %3.</source>
+        <translation>%1 : est ouvert en écriture par %2. Fermez-le là-bas, ou enregistrez sous un autre nom. Si ce programme ne tourne plus, supprimez %3.</translation>
+    </message>
+    <message>
+        <source>%1: cannot be opened for writing: %2 cannot be written. Check the permissions of its folder, or open it for reading.</source>
+        <translation>%1 : ne peut pas être ouvert en écriture : %2 ne peut pas être écrit. Vérifiez les droits de son dossier, ou ouvrez-le en lecture.</translation>
+    </message>
+    <message>
+        <source>%1: exists and is not a case. Choose another name.</source>
+        <translation>%1 : existe et n’est pas un cas. Choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>%1: a case is a folder whose name ends in .glisson. Choose such a name.</source>
+        <translation>%1 : un cas est un dossier dont le nom finit par .glisson. Choisissez un tel nom.</translation>
+    </message>
+    <message>
+        <source>%1: case.json: is missing: this folder is not a case. Choose a folder NAME.glisson.</source>
+        <translation>%1 : case.json : manque : ce dossier n’est pas un cas. Choisissez un dossier NOM.glisson.</translation>
+    </message>
+    <message>
+        <source>%1: version: is %2, this program reads up to %3. Open it with a newer Glisson.</source>
+        <translation>%1 : version : vaut %2, ce programme lit jusqu’à %3. Ouvrez-le avec un Glisson plus récent.</translation>
+    </message>
+    <message>
+        <source>%1: %2: is not valid JSON. Correct it there or write the file anew.</source>
+        <translation>%1 : %2 : n’est pas du JSON valide. Corrigez-le à cet endroit ou réécrivez le fichier.</translation>
+    </message>
+    <message>
+        <source>%1: is malformed (%2). Restore the case from a copy.</source>
+        <translation>%1 : est malformé (%2). Restaurez le cas depuis une copie.</translation>
+    </message>
+    <message>
+        <source>%1: the case reads back differently from what was written. Check the disk&apos;s free space; the old case stands.</source>
+        <translation>%1 : le cas se relit différemment de ce qui a été écrit. Vérifiez l’espace libre ; l’ancien cas reste.</translation>
+    </message>
+    <message>
+        <source>%1: is no file of the case and could not be kept (%2). Move it elsewhere and save again; the old case stands.</source>
+        <translation>%1 : n’est pas un fichier du cas et n’a pas pu être conservé (%2). Déplacez-le et enregistrez de nouveau ; l’ancien cas reste.</translation>
+    </message>
+    <message>
+        <source>%1: cannot be used (%2). Check the path.</source>
+        <translation>%1 : ne peut pas être utilisé (%2). Vérifiez le chemin.</translation>
+    </message>
+    <message>
+        <source>%1: cannot be used (%2). Check the permissions of the file and of its folders.</source>
+        <translation>%1 : ne peut pas être utilisé (%2). Vérifiez les droits du fichier et de ses dossiers.</translation>
+    </message>
+    <message>
+        <source>%1: cannot be used (%2). Free some space on the disk.</source>
+        <translation>%1 : ne peut pas être utilisé (%2). Libérez de l’espace sur le disque.</translation>
+    </message>
+    <message>
+        <source>%1: stopped unexpectedly (%2). The case is as it was.</source>
+        <translation>%1 : s’est arrêté de façon inattendue (%2). Le cas est comme il était.</translation>
+    </message>
+    <message>
+        <source>case: path: the case has never been saved. Choose a folder NAME.glisson to save it to.</source>
+        <translation>cas : chemin : le cas n’a jamais été enregistré. Choisissez un dossier NOM.glisson où l’enregistrer.</translation>
+    </message>
+</context>
+<context>
     <name>Notes</name>
     <message>
         <source>The liver is smaller than 400 ml: check it in the slices.</source>
@@ -651,6 +770,18 @@
     <message>
         <source>The shape that fits the points would turn the organ inside out.</source>
         <translation>La forme qui convient aux points retournerait l&apos;organe.</translation>
+    </message>
+    <message>
+        <source>Liver seed %%1 had no effect: nothing joins its surroundings to the rest of the liver. Click between the two, or take it away.</source>
+        <translation>Le germe de foie %%1 n’a eu aucun effet : rien ne relie ses environs au reste du foie. Placez un germe entre les deux, ou retirez-le.</translation>
+    </message>
+    <message>
+        <source>Liver seed %%1 had no effect: %%2 lies there. Take one of the two away.</source>
+        <translation>Le germe de foie %%1 n’a eu aucun effet : %%2 s’y trouve. Retirez l’un des deux.</translation>
+    </message>
+    <message>
+        <source>&quot;Not liver&quot; seed %%1 had no effect: %%2 lies there. Take one of the two away.</source>
+        <translation>Le germe %%1 « Pas le foie » n’a eu aucun effet : %%2 s’y trouve. Retirez l’un des deux.</translation>
     </message>
 </context>
 <context>
@@ -2251,6 +2382,30 @@
         <source>Work for long and look whether memory, files and threads stay what they are</source>
         <translation>Travailler longtemps et regarder si la mémoire, les fichiers et les fils d’exécution restent ce qu’ils sont</translation>
     </message>
+    <message>
+        <source>real CTs, ten clicks of a layperson: Dice of the liver, median</source>
+        <translation>CT réels, dix clics d’un profane : Dice du foie, médiane</translation>
+    </message>
+    <message>
+        <source>real CTs, ten clicks of a layperson: Dice of the liver, worst</source>
+        <translation>CT réels, dix clics d’un profane : Dice du foie, le pire</translation>
+    </message>
+    <message>
+        <source>in silico, ill livers, ten clicks of a layperson: Dice of the liver, median</source>
+        <translation>in silico, foies malades, dix clics d’un profane : Dice du foie, médiane</translation>
+    </message>
+    <message>
+        <source>in silico, ill livers, ten clicks of a layperson: Dice of the liver, worst</source>
+        <translation>in silico, foies malades, dix clics d’un profane : Dice du foie, le pire</translation>
+    </message>
+    <message>
+        <source>real CT, lesions above 1 ml, one click: Dice, median</source>
+        <translation>CT réel, lésions de plus de 1 ml, un clic : Dice, médiane</translation>
+    </message>
+    <message>
+        <source>in silico, lesions above 1 ml, one click: Dice, median</source>
+        <translation>in silico, lésions de plus de 1 ml, un clic : Dice, médiane</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AngleHistogram</name>
@@ -2344,6 +2499,37 @@
     <message>
         <source>points of the model: %1, the next click replaces them</source>
         <translation>points du modèle : %1, le prochain clic les remplace</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::Autosaver</name>
+    <message>
+        <source>a case that had never been saved</source>
+        <translation>un cas qui n’avait jamais été enregistré</translation>
+    </message>
+    <message>
+        <source>Recovery</source>
+        <translation>Récupération</translation>
+    </message>
+    <message>
+        <source>Glisson ended before this was saved: %1, as it was at %2.</source>
+        <translation>Glisson s’est terminé avant que ceci soit enregistré : %1, état du %2.</translation>
+    </message>
+    <message>
+        <source>It can be opened as it was then. Nothing is saved in its place until you save it.</source>
+        <translation>Il peut être ouvert tel qu’il était alors. Rien n’est enregistré à sa place tant que vous ne l’enregistrez pas.</translation>
+    </message>
+    <message>
+        <source>Open it</source>
+        <translation>L’ouvrir</translation>
+    </message>
+    <message>
+        <source>Throw it away</source>
+        <translation>Le jeter</translation>
+    </message>
+    <message>
+        <source>Ask later</source>
+        <translation>Demander plus tard</translation>
     </message>
 </context>
 <context>
@@ -4639,156 +4825,6 @@
     <message>
         <source>Case…</source>
         <translation>Cas…</translation>
-    </message>
-</context>
-<context>
-    <name>Errors</name>
-    <message>
-        <source>%1: does not exist. Check the path.</source>
-        <translation>%1 : n’existe pas. Vérifiez le chemin.</translation>
-    </message>
-    <message>
-        <source>%1: cannot be opened (%2). Check the path.</source>
-        <translation>%1 : ne peut pas être ouvert (%2). Vérifiez le chemin.</translation>
-    </message>
-    <message>
-        <source>%1: could not be read to its end. Check the disk.</source>
-        <translation>%1 : n’a pas pu être lu jusqu’à la fin. Vérifiez le disque.</translation>
-    </message>
-    <message>
-        <source>%1: is a folder. Name a file in it.</source>
-        <translation>%1 : est un dossier. Nommez un fichier qui s’y trouve.</translation>
-    </message>
-    <message>
-        <source>%1: is a folder, a file is to be written here. Choose another name.</source>
-        <translation>%1 : est un dossier, un fichier doit être écrit ici. Choisissez un autre nom.</translation>
-    </message>
-    <message>
-        <source>%1: is a device or a pipe, not a file. Choose another name.</source>
-        <translation>%1 : est un périphérique ou un tube, pas un fichier. Choisissez un autre nom.</translation>
-    </message>
-    <message>
-        <source>%1: its folder does not exist. Create it or choose another.</source>
-        <translation>%1 : son dossier n’existe pas. Créez-le ou choisissez-en un autre.</translation>
-    </message>
-    <message>
-        <source>%1: could not be written (%2). Check permissions and free space.</source>
-        <translation>%1 : n’a pas pu être écrit (%2). Vérifiez les droits et l’espace libre.</translation>
-    </message>
-    <message>
-        <source>%1: what was written reads back differently. Check the disk.</source>
-        <translation>%1 : ce qui a été écrit se relit différemment. Vérifiez le disque.</translation>
-    </message>
-    <message>
-        <source>%1: is a link that leads back to itself. Choose another name.</source>
-        <translation>%1 : est un lien qui mène à lui-même. Choisissez un autre nom.</translation>
-    </message>
-    <message>
-        <source>%1: is a link that another user has put there. Choose another name or folder.</source>
-        <translation>%1 : est un lien qu’un autre utilisateur a placé là. Choisissez un autre nom ou dossier.</translation>
-    </message>
-    <message>
-        <source>%1: no folder can be made here (%2). Check permissions.</source>
-        <translation>%1 : aucun dossier ne peut être créé ici (%2). Vérifiez les droits.</translation>
-    </message>
-    <message>
-        <source>%1: could not be replaced (%2). Choose another name.</source>
-        <translation>%1 : n’a pas pu être remplacé (%2). Choisissez un autre nom.</translation>
-    </message>
-    <message>
-        <source>%1: could not be flushed to disk (%2). Free some space.</source>
-        <translation>%1 : n’a pas pu être écrit sur le disque (%2). Libérez de l’espace.</translation>
-    </message>
-    <message>
-        <source>%1: is open for writing by %2. Close it there, or save under another name. If that program runs no longer, remove %3.</source>
-        <translation>%1 : est ouvert en écriture par %2. Fermez-le là-bas, ou enregistrez sous un autre nom. Si ce programme ne tourne plus, supprimez %3.</translation>
-    </message>
-    <message>
-        <source>%1: cannot be opened for writing: %2 cannot be written. Check the permissions of its folder, or open it for reading.</source>
-        <translation>%1 : ne peut pas être ouvert en écriture : %2 ne peut pas être écrit. Vérifiez les droits de son dossier, ou ouvrez-le en lecture.</translation>
-    </message>
-    <message>
-        <source>%1: exists and is not a case. Choose another name.</source>
-        <translation>%1 : existe et n’est pas un cas. Choisissez un autre nom.</translation>
-    </message>
-    <message>
-        <source>%1: a case is a folder whose name ends in .glisson. Choose such a name.</source>
-        <translation>%1 : un cas est un dossier dont le nom finit par .glisson. Choisissez un tel nom.</translation>
-    </message>
-    <message>
-        <source>%1: case.json: is missing: this folder is not a case. Choose a folder NAME.glisson.</source>
-        <translation>%1 : case.json : manque : ce dossier n’est pas un cas. Choisissez un dossier NOM.glisson.</translation>
-    </message>
-    <message>
-        <source>%1: version: is %2, this program reads up to %3. Open it with a newer Glisson.</source>
-        <translation>%1 : version : vaut %2, ce programme lit jusqu’à %3. Ouvrez-le avec un Glisson plus récent.</translation>
-    </message>
-    <message>
-        <source>%1: %2: is not valid JSON. Correct it there or write the file anew.</source>
-        <translation>%1 : %2 : n’est pas du JSON valide. Corrigez-le à cet endroit ou réécrivez le fichier.</translation>
-    </message>
-    <message>
-        <source>%1: is malformed (%2). Restore the case from a copy.</source>
-        <translation>%1 : est malformé (%2). Restaurez le cas depuis une copie.</translation>
-    </message>
-    <message>
-        <source>%1: the case reads back differently from what was written. Check the disk&apos;s free space; the old case stands.</source>
-        <translation>%1 : le cas se relit différemment de ce qui a été écrit. Vérifiez l’espace libre ; l’ancien cas reste.</translation>
-    </message>
-    <message>
-        <source>%1: is no file of the case and could not be kept (%2). Move it elsewhere and save again; the old case stands.</source>
-        <translation>%1 : n’est pas un fichier du cas et n’a pas pu être conservé (%2). Déplacez-le et enregistrez de nouveau ; l’ancien cas reste.</translation>
-    </message>
-    <message>
-        <source>%1: cannot be used (%2). Check the path.</source>
-        <translation>%1 : ne peut pas être utilisé (%2). Vérifiez le chemin.</translation>
-    </message>
-    <message>
-        <source>%1: cannot be used (%2). Check the permissions of the file and of its folders.</source>
-        <translation>%1 : ne peut pas être utilisé (%2). Vérifiez les droits du fichier et de ses dossiers.</translation>
-    </message>
-    <message>
-        <source>%1: cannot be used (%2). Free some space on the disk.</source>
-        <translation>%1 : ne peut pas être utilisé (%2). Libérez de l’espace sur le disque.</translation>
-    </message>
-    <message>
-        <source>%1: stopped unexpectedly (%2). The case is as it was.</source>
-        <translation>%1 : s’est arrêté de façon inattendue (%2). Le cas est comme il était.</translation>
-    </message>
-    <message>
-        <source>case: path: the case has never been saved. Choose a folder NAME.glisson to save it to.</source>
-        <translation>cas : chemin : le cas n’a jamais été enregistré. Choisissez un dossier NOM.glisson où l’enregistrer.</translation>
-    </message>
-</context>
-<context>
-    <name>glisson::ui::Autosaver</name>
-    <message>
-        <source>a case that had never been saved</source>
-        <translation>un cas qui n’avait jamais été enregistré</translation>
-    </message>
-    <message>
-        <source>Recovery</source>
-        <translation>Récupération</translation>
-    </message>
-    <message>
-        <source>Glisson ended before this was saved: %1, as it was at %2.</source>
-        <translation>Glisson s’est terminé avant que ceci soit enregistré : %1, état du %2.</translation>
-    </message>
-    <message>
-        <source>It can be opened as it was then. Nothing is saved in its place until you save it.</source>
-        <translation>Il peut être ouvert tel qu’il était alors. Rien n’est enregistré à sa place tant que vous ne l’enregistrez pas.</translation>
-    </message>
-    <message>
-        <source>Open it</source>
-        <translation>L’ouvrir</translation>
-    </message>
-    <message>
-        <source>Throw it away</source>
-        <translation>Le jeter</translation>
-    </message>
-    <message>
-        <source>Ask later</source>
-        <translation>Demander plus tard</translation>
     </message>
 </context>
 </TS>

@@ -79,7 +79,7 @@ void write_page(const fs::path& file, const ProofPage& page) {
                      page.introduction + "\n\n" + sentence_of(page) +
                      "\n\n| what | measured on | figure | aim | |\n|---|---|---:|---:|---|\n";
   for (const Aim& aim : page.aims) text += row(aim, page.figures);
-  if (!page.table.empty()) text += "\n## Trials in silico\n\n";
+  if (!page.table.empty()) text += "\n## Trials\n\n";
   for (const std::string& line : page.table) text += "    " + line + "\n";
   std::set<std::string> shown;
   for (const Aim& aim : page.aims) shown.insert(aim.key);

@@ -18,6 +18,7 @@
 #include "glisson/insilico/operator.h"
 #include "glisson/insilico/patient.h"
 #include "glisson/segmentation/evaluate.h"
+#include "patient_proof_trials.h"
 
 namespace glisson::experiments {
 namespace fs = std::filesystem;
@@ -182,12 +183,13 @@ Cancellable<PatientProof> prove_patient(const PatientProofOptions& options, cons
     const fs::path real = options.data / "ct_ircad1";
     if (fs::exists(real)) {
       require_files(real, options);
-      real_way(real, options, folder, proof, context.part(0.0, 0.6));
+      real_way(real, options, folder, proof, context.part(0.0, 0.3));
     } else {
       proof.absent.push_back(real.filename().string());
     }
     if (options.synthetic)
-      synthetic_way(options, folder, proof, context.part(proof.absent.empty() ? 0.6 : 0.0, 1.0));
+      synthetic_way(options, folder, proof, context.part(proof.absent.empty() ? 0.3 : 0.0, 0.5));
+    if (!run_trials(options, proof, context.part(0.5, 1.0))) return {};
   } catch (const Cancelled&) {
     return {};
   }

@@ -27,17 +27,20 @@ struct PatientProofOptions {
 };
 
 struct PatientProof {
-  /// Keys begin with "real_" or "synthetic_": Dice coefficients, seconds of each stage, figures of the model.
+  /// Keys begin with "real_" or "synthetic_": Dice coefficients, seconds of each stage, figures of the model;
+  /// with "trial_": how the liver's segmentation carries over.
   Figures figures;
   std::vector<std::string> notes;
   std::vector<std::string> absent;  ///< real data that were left out
+  std::vector<std::string> table;   ///< the trials, one line each; the last column is the time in seconds
 };
 /// What prove_patient() is measured against.
 const std::vector<Aim>& patient_aims();
 
 /// Runs import, segmentation, the scripted edit and two models (the paper's size, and 10,000 tetrahedra) by
 /// engine commands that read files only; the expert's labels are read by the simulated hand that draws the
-/// strokes, and by the comparisons. Cases and scripts are left in `folder`, which exists.
+/// strokes, and by the comparisons. Then segments CTs as unlike as patients are from a layperson's clicks (see
+/// insilico/pathology.h, layperson.h). Cases and scripts are left in `folder`, which exists.
 /// Empty: cancelled. @throws Error.
 Cancellable<PatientProof> prove_patient(const PatientProofOptions& options,
                                         const std::filesystem::path& folder, const RunContext& context);

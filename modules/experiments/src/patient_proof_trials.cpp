@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "patient_proof_trials.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+#include "glisson/core/statistics.h"
+#include "glisson/insilico/layperson.h"
+#include "glisson/insilico/pathology.h"
+#include "glisson/segmentation/evaluate.h"
+#include "glisson/volume/io.h"
+#include "glisson/volume/morphology.h"
+
+namespace glisson::experiments {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr double kLeastLesion = 1.0;  // ml: a smaller one is not clicked
+
+using Bytes = std::vector<std::uint8_t>;
+
+struct Trial {
+  std::string name;
+  bool real = false;
+  Image ct;
+  LabelMap truth;
+};
+
+/// The largest distance from the boundary of either mask to the other mask's, mm.
+double worst_distance_mm(const VolumeGrid& grid, const Bytes& a, const Bytes& b) {
+  Bytes either = a;
+  for (std::size_t i = 0; i < either.size(); ++i) either[i] = a[i] != 0 || b[i] != 0;
+  const VoxelBox box = bounding_box(grid.size, grid.spacing_mm, either, 3.0);
+  if (box.empty()) return 0.0;
+  const Mask one = crop(grid.size, grid.spacing_mm, a, box), two = crop(grid.size, grid.spacing_mm, b, box);
+  if (one.count() == 0 || two.count() == 0) return std::nan("");
+  // Only where the masks differ can either reach beyond the other.
+  const auto beyond = [](const Mask& in, const Mask& of) {
+    const std::vector<float> distance2 = squared_distance_mm2(of);
+    float most = 0.0F;
+    for (std::size_t i = 0; i < in.voxels.size(); ++i)
+      if (in.voxels[i] != 0) most = std::max(most, distance2[i]);
+    return std::sqrt(static_cast<double>(most));
+  };
+  return std::max(beyond(one, two), beyond(two, one));
+}
+
+Bytes is(const LabelMap& labels, Label wanted) {
+  return labels.voxels.mask([&](Label label) { return label == wanted; });
+}
+
+/// The truth's lesion under a click.
+Label lesion_under(const LabelMap& truth, const Points& click) {
+  const Eigen::Vector3d index =
+      truth.voxels.grid().index_of(Point<CtFrame>(Eigen::Vector3d(click.row(0).transpose())));
+  return truth.voxels.at(index.array().round().matrix().cast<int>());
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return interpolated_percentile(values, 0.5);
+}
+
+std::string line_of(const char* format, const std::string& name, const std::string& rest) {
+  char text[160];
+  std::snprintf(text, sizeof text, format, name.c_str(), rest.c_str());
+  return text;
+}
+
+std::string number(const char* format, double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+class Trials {
+ public:
+  explicit Trials(PatientProof& proof) : proof_(proof) {
+    proof_.table.push_back(
+        line_of("%-24s%s", "trial", "clicks  Dice  worst mm    ml  true ml  clicks  Dice  lesions  seconds"));
+  }
+
+  /// Ten clicks; then with a click on each lesion. False: cancelled.
+  bool run(const Trial& trial, std::uint64_t seed, const RunContext& context) {
+    insilico::LaypersonOptions hand;
+    hand.seed = seed;
+    const Bytes truth = inside_liver(trial.truth);
+    const auto plain =
+        segment(trial, insilico::click_as_layperson(trial.ct, trial.truth, hand), context.part(0.0, 0.5));
+    if (!plain) return false;
+    const double seconds = seconds_;
+    hand.least_lesion_ml = kLeastLesion;
+    const segmentation::Seeds seeds = insilico::click_as_layperson(trial.ct, trial.truth, hand);
+    const auto more = segment(trial, seeds, context.part(0.5, 1.0));
+    if (!more) return false;
+    const Bytes found = inside_liver(plain->labels);
+    const double voxel_mm3 = trial.ct.grid.voxel_volume_mm3();
+    const auto all = segmentation::agreement(found, truth, voxel_mm3);
+    const double with_lesions = segmentation::dice(inside_liver(more->labels), truth);
+    std::vector<double> lesions;
+    for (std::size_t n = 0; n < seeds.lesions.size(); ++n)
+      lesions.push_back(segmentation::dice(is(more->labels, static_cast<Label>(structure::kFirstLesion + n)),
+                                           is(trial.truth, lesion_under(trial.truth, seeds.lesions[n]))));
+    const auto clicks = seeds.liver.rows() + seeds.background.rows();
+    proof_.table.push_back(
+        line_of("%-24s%s", trial.name + (trial.real ? " (real)" : ""),
+                number("%6.0f", static_cast<double>(clicks)) + number("%6.3f", all.dice) +
+                    number("%10.1f", worst_distance_mm(trial.ct.grid, found, truth)) +
+                    number("%6.0f", all.ml) + number("%9.0f", all.truth_ml) +
+                    number("%8.0f", static_cast<double>(clicks) + static_cast<double>(seeds.lesions.size())) +
+                    number("%6.3f", with_lesions) +
+                    (lesions.empty() ? std::string(9, ' ') : number("%9.3f", median(lesions))) +
+                    number("%9.1f", seconds)));
+    (trial.real ? real_ : synthetic_).push_back(all.dice);
+    std::vector<double>& all_lesions = trial.real ? real_lesions_ : synthetic_lesions_;
+    all_lesions.insert(all_lesions.end(), lesions.begin(), lesions.end());
+    slowest_ = std::max(slowest_, seconds);
+    return true;
+  }
+
+  void finish() {
+    const auto put = [&](const std::string& key, std::vector<double> values) {
+      if (values.empty()) return;
+      proof_.figures["trial_" + key + "_worst"] = *std::min_element(values.begin(), values.end());
+      proof_.figures["trial_" + key + "_median"] = median(std::move(values));
+    };
+    put("real_dice_liver", real_);
+    put("synthetic_dice_liver", synthetic_);
+    put("real_dice_lesion", real_lesions_);
+    put("synthetic_dice_lesion", synthetic_lesions_);
+    proof_.figures["trial_seconds_longest"] = slowest_;
+  }
+
+ private:
+  Cancellable<segmentation::Segmented> segment(const Trial& trial, const segmentation::Seeds& seeds,
+                                               const RunContext& context) {
+    const auto start = std::chrono::steady_clock::now();
+    auto result = segmentation::segment(trial.ct, seeds, {}, context);
+    seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return result;
+  }
+
+  PatientProof& proof_;
+  std::vector<double> real_, synthetic_, real_lesions_, synthetic_lesions_;
+  double seconds_ = 0.0, slowest_ = 0.0;
+};
+
+/// The expert gave all tumours one label: each body becomes a lesion of its own, the largest first. What is
+/// smaller than a click is worth stays with the last one.
+void split_lesions(LabelMap& truth) {
+  const VolumeGrid& grid = truth.voxels.grid();
+  Mask tumours(grid.size, grid.spacing_mm);
+  tumours.voxels = truth.voxels.mask(is_lesion);
+  std::vector<long> sizes;
+  const std::vector<int> body = connected_components(tumours, sizes);
+  int last = 0;
+  for (const long size : sizes)
+    last += 1e-3 * static_cast<double>(size) * grid.voxel_volume_mm3() >= kLeastLesion;
+  std::vector<Label> labels = truth.voxels.dense();
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (body[i] > 0) labels[i] = static_cast<Label>(structure::kFirstLesion + std::min(body[i] - 1, last));
+  truth.voxels = LabelVolume(grid, labels);
+}
+
+std::optional<Trial> real_trial(const PatientProofOptions& options, const std::string& name,
+                                PatientProof& proof, const RunContext& context) {
+  const fs::path folder = options.data / name;
+  if (!fs::exists(folder)) {
+    if (std::find(proof.absent.begin(), proof.absent.end(), name) == proof.absent.end())
+      proof.absent.push_back(name);
+    return {};
+  }
+  Trial trial;
+  trial.name = name;
+  trial.real = true;
+  const bool first = fs::exists(folder / "PATIENT_DICOM.tar.gz");
+  auto ct = read_image(folder / (first ? "PATIENT_DICOM.tar.gz" : "DICOM.tar.gz"), context);
+  if (!ct) return {};
+  trial.ct = std::move(*ct);
+  if (first) {
+    const fs::path file = folder / "3Dircadb0101Labeled.vti";
+    trial.truth =
+        recode(read_labels(file), read_label_codes(options.clicks / "3dircadb1_codes.json"), file.string());
+    split_lesions(trial.truth);
+  } else {
+    const LabelFile labels = read_labels(folder / "liver.nrrd");
+    std::vector<Label> dense = labels.voxels.dense();
+    for (Label& label : dense) label = label != 0 ? structure::kParenchyma : Label{0};
+    trial.truth = {LabelVolume(labels.voxels.grid(), dense), {structure_info(structure::kParenchyma)}};
+  }
+  return trial;
+}
+
+}  // namespace
+
+bool run_trials(const PatientProofOptions& options, PatientProof& proof, const RunContext& context) {
+  Trials trials(proof);
+  std::vector<std::string> reals{"ct_ircad1"};
+  if (options.seed == 1) reals.emplace_back("ct_chaos3");
+  std::uint64_t place = 1000 * options.seed;
+  for (const std::string& name : reals) {
+    const auto trial = real_trial(options, name, proof, context.quiet());
+    if (context.cancelled()) return false;
+    if (trial && !trials.run(*trial, ++place, context.quiet())) return false;
+  }
+  const auto pathologies =
+      options.synthetic ? insilico::pathologies(options.seed) : std::vector<insilico::Pathology>{};
+  for (std::size_t n = 0; n < pathologies.size(); ++n) {
+    context.progress(static_cast<double>(n) / static_cast<double>(pathologies.size()), "patient.ct");
+    auto made = insilico::make_pathology_ct(pathologies[n], context.quiet());
+    if (!made) return false;
+    const Trial trial{pathologies[n].name, false, std::move(made->ct), std::move(made->truth)};
+    if (!trials.run(trial, ++place, context.quiet())) return false;
+  }
+  trials.finish();
+  return true;
+}
+
+}  // namespace glisson::experiments
