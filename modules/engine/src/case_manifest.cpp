@@ -17,6 +17,7 @@
 
 #include "glisson/core/error.h"
 #include "glisson/core/json_file.h"
+#include "glisson/engine/part.h"
 
 namespace glisson::engine {
 namespace fs = std::filesystem;
@@ -52,15 +53,12 @@ std::string sum_of(const fs::path& path) {
 
 /// Whether a name is one that this or an earlier edition gives to a file of a case.
 bool is_of_layout(const fs::path& relative) {
-  static const std::set<std::string> kTop = {"case.json",        "image.nrrd",     "labels.seg.nrrd",
-                                             "seeds.json",       "landmarks.json", "regions.json",
-                                             "calibration.yaml", "cloud.ply",      "registration.vtu"};
-  static const std::set<std::string> kFolders = {"history", "model", "frame", "points"};
   static const std::set<std::string> kEndings = {".json", ".nrrd", ".vtu", ".vtp", ".png", ".ply"};
+  const std::vector<std::string_view> names = files_of_parts();
+  const bool is_named = std::find(names.begin(), names.end(), relative.begin()->string()) != names.end();
   const auto parts = std::distance(relative.begin(), relative.end());
-  if (parts == 1) return kTop.contains(relative.string());
-  return parts == 2 && kFolders.contains(relative.begin()->string()) &&
-         kEndings.contains(relative.extension().string());
+  if (parts == 1) return relative == kCaseFile || (is_named && relative.has_extension());
+  return parts == 2 && is_named && kEndings.contains(relative.extension().string());
 }
 
 /// What the former save says that it wrote; null: it was of an edition that said nothing.

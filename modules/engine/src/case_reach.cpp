@@ -2,11 +2,13 @@
 #include "case_reach.h"
 
 #include <algorithm>
-#include <array>
+#include <string_view>
 #include <system_error>
+#include <vector>
 
 #include "glisson/core/error.h"
 #include "glisson/core/file_failure.h"
+#include "glisson/engine/part.h"
 
 namespace glisson::engine {
 namespace fs = std::filesystem;
@@ -15,12 +17,6 @@ namespace {
 bool is_below(const fs::path& file, const fs::path& folder) {
   return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first == folder.end();
 }
-
-/// What the parts read; anything else in the folder is somebody's own, and nobody opens it.
-constexpr std::array kRead = {"case.json",        "image.nrrd",     "labels.seg.nrrd", "history",
-                              "seeds.json",       "landmarks.json", "regions.json",    "model",
-                              "calibration.yaml", "frame",          "cloud.ply",       "points",
-                              "registration.vtu"};
 
 void require_own(const fs::path& path, const fs::path& root) {
   std::error_code failure;
@@ -49,7 +45,10 @@ fs::path file_of_case(const fs::path& folder, const char* field, const std::stri
 void require_own_files(const fs::path& folder) {
   std::error_code failure;
   const fs::path root = fs::canonical(folder, failure);
-  for (const char* name : kRead) {
+  // Anything else in the folder is somebody's own, and nobody opens it.
+  std::vector<std::string_view> names = files_of_parts();
+  names.emplace_back("case.json");
+  for (const std::string_view name : names) {
     if (failure) break;
     std::error_code absent;
     require_own(root / name, root);

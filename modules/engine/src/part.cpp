@@ -65,6 +65,13 @@ Parts Parts::operator|(const Parts& other) const {
   return both;
 }
 
+std::vector<std::string_view> files_of_parts() {
+  std::vector<std::string_view> names;
+  for (const Part part : all_parts())
+    names.insert(names.end(), part.type().spec().files.begin(), part.type().spec().files.end());
+  return names;
+}
+
 RegisteredPart::RegisteredPart(const PartType& type) { registered().emplace_back(type); }
 
 const std::vector<Part>& all_parts() {

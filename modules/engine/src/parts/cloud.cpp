@@ -54,6 +54,7 @@ const PartOf<PairPoints> part::points{{.code = "points"}};
 const PartOf<LabelledCloud> part::cloud{{.code = "cloud",
                                          .made_of = {part::rig, part::frame, part::regions},
                                          .remedy = "Reconstruct or import a cloud first",
+                                         .files = {"cloud.ply", "points"},
                                          .save = save,
                                          .load = load,
                                          .same = same,

@@ -37,6 +37,7 @@ void load(CaseState& state, const json& entry, const CaseFolder& folder) {
 const PartOf<StereoInput> part::frame{{.code = "frame",
                                        .made_of = {part::video},
                                        .remedy = "Load a stereo pair first",
+                                       .files = {"frame"},
                                        .save = save,
                                        .load = load}};
 

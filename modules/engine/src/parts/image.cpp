@@ -30,7 +30,11 @@ bool same(const CaseState& written, const CaseState& read) {
 
 }  // namespace
 
-const PartOf<Image> part::image{
-    {.code = "image", .remedy = "Import a CT first", .save = save, .load = load, .same = same}};
+const PartOf<Image> part::image{{.code = "image",
+                                 .remedy = "Import a CT first",
+                                 .files = {"image.nrrd"},
+                                 .save = save,
+                                 .load = load,
+                                 .same = same}};
 
 }  // namespace glisson::engine

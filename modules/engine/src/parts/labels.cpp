@@ -53,6 +53,7 @@ const PartOf<segmentation::LabelStatistics> part::statistics{{.code = "statistic
 const PartOf<LabelMap> part::labels{{.code = "labels",
                                      .made_of = {part::image, part::seeds},
                                      .remedy = "Segment the CT or import labels first",
+                                     .files = {"labels.seg.nrrd", "history"},
                                      .save = save,
                                      .load = load,
                                      .same = same,

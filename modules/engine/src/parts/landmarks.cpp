@@ -31,6 +31,7 @@ bool same(const CaseState& written, const CaseState& read) {
 const PartOf<Landmarks> part::landmarks{{.code = "landmarks",
                                          .made_of = {part::model},
                                          .remedy = "Place or accept the landmarks first",
+                                         .files = {"landmarks.json"},
                                          .save = save,
                                          .load = load,
                                          .same = same}};

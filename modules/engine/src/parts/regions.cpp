@@ -24,6 +24,7 @@ void load(CaseState& state, const json&, const CaseFolder& folder) {
 const PartOf<stereo::Regions> part::regions{{.code = "regions",
                                              .made_of = {part::frame},
                                              .remedy = "Draw regions on the stereo pair first",
+                                             .files = {"regions.json"},
                                              .save = save,
                                              .load = load}};
 

@@ -59,6 +59,7 @@ const PartOf<SimulatedOperations> part::operations{{.code = "operations"}};
 const PartOf<Registration> part::registration{{.code = "registration",
                                                .made_of = {part::model, part::landmarks, part::cloud},
                                                .remedy = "Register the model first",
+                                               .files = {"registration.vtu"},
                                                .save = save,
                                                .load = load,
                                                .same = same,

@@ -21,7 +21,10 @@ void load(CaseState& state, const json&, const CaseFolder& folder) {
 
 }  // namespace
 
-const PartOf<StereoRig> part::rig{
-    {.code = "rig", .remedy = "Load the laparoscope's calibration first", .save = save, .load = load}};
+const PartOf<StereoRig> part::rig{{.code = "rig",
+                                   .remedy = "Load the laparoscope's calibration first",
+                                   .files = {"calibration.yaml"},
+                                   .save = save,
+                                   .load = load}};
 
 }  // namespace glisson::engine

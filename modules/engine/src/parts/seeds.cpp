@@ -25,6 +25,7 @@ const PartOf<segmentation::Seeds> part::seeds{
     {.code = "seeds",
      .made_of = {part::image},
      .remedy = "Click seeds in the liver first, or give --seeds FILE",
+     .files = {"seeds.json"},
      .save = save,
      .load = load}};
 

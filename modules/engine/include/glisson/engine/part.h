@@ -84,6 +84,9 @@ struct PartSpec {
   std::vector<Part> made_of = {};
   /// What brings it, for errors: "Segment the CT or import labels first".
   std::string_view remedy = {};
+  /// Its files and folders in the case's folder, as any edition names them: what else lies there is
+  /// somebody's own.
+  std::vector<std::string_view> files = {};
   /// Writes its files and gives its entry in case.json. Empty: it is not kept on the disk.
   /// @throws FileError.
   std::function<nlohmann::json(const CaseState&, const CaseFolder&)> save = {};
@@ -133,6 +136,9 @@ class PartOf final : public PartType {
     return value == nullptr ? nullptr : value->get();
   }
 };
+
+/// Names of the files and folders that any part may have in a case's folder.
+std::vector<std::string_view> files_of_parts();
 
 /// Makes a part known that is not below parts/: define one of namespace scope beside it.
 class RegisteredPart {
