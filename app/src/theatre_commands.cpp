@@ -4,6 +4,8 @@
 
 #include "cli.h"
 #include "commands.h"
+#include "exit_code.h"
+#include "glisson/engine/commands/accept_registration.h"
 #include "glisson/engine/commands/import_cloud.h"
 #include "glisson/engine/commands/import_registration.h"
 #include "glisson/engine/commands/load_video_frame.h"
@@ -14,6 +16,7 @@
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/experiments/evaluate.h"
+#include "glisson/registration/refusal.h"
 #include "glisson/registration/registration_files.h"
 #include "glisson/stereo/picture_io.h"
 #include "model_argument.h"
@@ -31,8 +34,8 @@ void append(Figures& figures, const Figures& more) {
 registration::Method method_of(const QString& name) {
   if (name == "automatic") return registration::Method::automatic;
   if (name == "forces") return registration::Method::forces;
-  if (name == "springs") return registration::Method::springs;
-  throw UsageError("--method " + name.toStdString() + ": must be automatic, forces or springs.");
+  if (name == "springs" || name == "paper") return registration::Method::springs;
+  throw UsageError("--method " + name.toStdString() + ": must be automatic, forces, springs or paper.");
 }
 
 /// The files that a printf-like pattern ('cloud_%02d.ply') stands for, in order, with their numbers.
@@ -102,9 +105,9 @@ int run_register(const QStringList& given) {
   arguments.option(
       "method",
       Cli::tr("How the shape is found: forces (few contact forces on the surface, elastic law by "
-              "evidence), springs (the paper's) or automatic (forces for a bare mesh with --fixed, "
-              "springs otherwise)."),
-      "automatic|forces|springs", "automatic");
+              "evidence), springs, paper (springs with --prior none, as published) or automatic (forces for "
+              "a bare mesh with --fixed, springs otherwise)."),
+      "automatic|forces|springs|paper", "automatic");
   arguments.option(
       "prior",
       Cli::tr("What is known of the deformation before the cloud is seen: operations (simulated on this "
@@ -113,6 +116,9 @@ int run_register(const QStringList& given) {
   arguments.option(
       "truth", Cli::tr("True node positions (.xyz or a mesh): adds the errors. Read after everything else."),
       "FILE");
+  arguments.flag("accept-doubts",
+                 Cli::tr("Write the result even if it is refused; its doubts stay with it. Without this a "
+                         "refused registration writes no file, and the exit code is 3."));
   arguments.option("out", Cli::tr("The registered mesh (.vtu), or surface (.vtp) when a surface was given."),
                    "registered.vtu");
   if (!arguments.parse(given)) return 0;
@@ -130,7 +136,7 @@ int run_register(const QStringList& given) {
   const QString prior = arguments.value("prior");
   if (prior != "operations" && prior != "none")
     throw UsageError("--prior " + prior.toStdString() + ": must be operations or none.");
-  command.operations = prior == "operations";
+  command.operations = prior == "operations" && arguments.value("method") != "paper";
   if (arguments.value("rigid") == "none") {
     command.start = engine::Register::Start::none;
   } else if (arguments.value("rigid") != "auto") {
@@ -138,6 +144,7 @@ int run_register(const QStringList& given) {
     command.given = registration::read_start(arguments.path("rigid"), argument.unit);
   }
   session.post(command);
+  if (arguments.has("accept-doubts")) session.post(engine::AcceptRegistration{});
   const Registration& registration = *session.state()[part::registration];
   if (arguments.has("truth")) {
     const PatientModel& model = session.state()[part::model]->model;
@@ -147,9 +154,15 @@ int run_register(const QStringList& given) {
     append(session.figures,
            experiments::motion_figures(model, registration.camera_from_ct.apply(model.mesh.vertices), truth));
   }
-  write_deformed(out, argument, session, registration);
+  const bool refused = registration::is_refused(registration);
+  if (!refused) write_deformed(out, argument, session, registration);
   session.finish();
-  return 0;
+  if (!refused) return kDone;
+  say(Cli::tr(
+      "The registration was refused: what is known contradicts it (see the notes above). Nothing was "
+      "written. Give a cloud that shows more of this patient's liver with less noise, mark margin and "
+      "notch, or start from --rigid FILE; --accept-doubts writes it nevertheless."));
+  return kRefused;
 }
 
 int run_track(const QStringList& given) {

@@ -3,7 +3,9 @@
 #include <QtTest>
 
 #include <cmath>
+#include <random>
 
+#include "glisson/core/random.h"
 #include "glisson/geometry/distance.h"
 #include "glisson/geometry/mesh_io.h"
 #include "glisson/geometry/topology.h"
@@ -33,6 +35,7 @@ class TheatreCommandsTest : public QObject, private test::Program {
   void ACloudInAnotherUnitIsRefusedWithTheUnit();
   void AVideoThatEndsEarlyIsRecognised();
   void RegisterFindsAKnownDeformationAndKeepsTheNodeOrder();
+  void ARefusedRegistrationWritesNothingUnlessItIsAccepted();
   void ASurfaceComesBackAsThatSurface();
   void TrackWritesOneMeshACloud();
   void SimulateWritesItsSteps();
@@ -155,6 +158,29 @@ void TheatreCommandsTest::RegisterFindsAKnownDeformationAndKeepsTheNodeOrder() {
   const double error = 1e3 * point_errors(result.mesh.vertices, truth).mean;
   QVERIFY(std::abs(error - json["tre_volume_mean_mm"].toDouble()) < 1e-3);
   QVERIFY(result.field_data.at("cloud_from_model").isApprox(Eigen::MatrixXd::Identity(4, 4)));
+}
+
+void TheatreCommandsTest::ARefusedRegistrationWritesNothingUnlessItIsAccepted() {
+  const TetMesh mesh = ball();
+  write_tet_mesh(at("m.vtu"), mesh, LengthUnit::millimetre);
+  LabelledCloud cloud;
+  cloud.points = sample_surface(boundary_surface(mesh).mesh, 900, 4);
+  std::mt19937_64 random(5);
+  for (Eigen::Index i = 0; i < cloud.points.size(); ++i)
+    cloud.points.data()[i] += 12e-3 * standard_normal(random);
+  write_cloud(at("noisy.ply"), cloud);
+  const QStringList command = {"register", "--model", "m.vtu", "--cloud",    "noisy.ply",
+                               "--rigid",  "none",    "--out", "refused.vtu"};
+  const Ran ran = run(command);
+  QCOMPARE(ran.code, 3);
+  QVERIFY(!fs::exists(at("refused.vtu")));
+  QVERIFY2(ran.out.contains("--accept-doubts"), qPrintable(ran.out));
+  const Ran accepted = run(command + QStringList{"--accept-doubts"});
+  QVERIFY2(accepted.code == 0, qPrintable(accepted.error));
+  // So much noise turns elements inside out: it is no mesh to be read, but its words are there.
+  const std::string written = read_file(at("refused.vtu"));
+  QVERIFY(written.find("doubt_refusal_accepted") != std::string::npos);
+  QVERIFY(written.find("doubt_cloud_noisy") != std::string::npos);
 }
 
 void TheatreCommandsTest::ASurfaceComesBackAsThatSurface() {

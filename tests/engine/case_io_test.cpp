@@ -330,7 +330,7 @@ void CaseIoTest::ARegistrationsDoubtsTravelWithItsFile() {
   const TemporaryFolder folder;
   const CaseState state = small_case();
   Registration doubted = *state[part::registration];
-  doubted.doubts = {"few_margin_points", "little_surface_seen"};
+  doubted.doubts = {"cloud_noisy 6.25 3", "little_surface_seen"};
   doubted.termination = Termination::step_limit;
   doubted.residual = 2.5e-3;
   doubted.seen_share = 0.125;

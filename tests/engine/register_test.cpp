@@ -2,12 +2,15 @@
 #include <QtTest>
 
 #include "../registration/phantom.h"
+#include "glisson/engine/commands/accept_registration.h"
 #include "glisson/engine/commands/register.h"
 #include "glisson/engine/engine.h"
 #include "glisson/engine/parts/cloud.h"
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/registration.h"
+#include "glisson/registration/examine.h"
+#include "glisson/registration/refusal.h"
 
 using namespace glisson;
 using namespace glisson::engine;
@@ -49,6 +52,7 @@ class RegisterTest : public QObject {
   void OperationsAreSimulatedOnceForAModel();
   void OperationsGoWithTheRegistration();
   void ProgressNeverGoesBack();
+  void TheMirrorImageIsRefusedUntilSomebodyAcceptsIt();
 };
 
 void RegisterTest::OperationsAreSimulatedOnceForAModel() {
@@ -93,6 +97,19 @@ void RegisterTest::ProgressNeverGoesBack() {
     QVERIFY(forward);
     QVERIFY(last > 0.7);
   }
+}
+
+void RegisterTest::TheMirrorImageIsRefusedUntilSomebodyAcceptsIt() {
+  CaseState state = before_registration();
+  state[part::cloud] = std::make_shared<const LabelledCloud>(registration::mirrored(*state[part::cloud]));
+  Register command = few_operations();
+  command.start = Register::Start::automatic;
+  CaseState done = registered(state, command);
+  QVERIFY(registration::is_refused(*done[part::registration]));
+  QVERIFY(done[part::registration]->doubts.size() > 1);
+  const CaseState accepted = apply(done, AcceptRegistration{}, RunContext()).value().state;
+  QVERIFY(!registration::is_refused(*accepted[part::registration]));
+  QCOMPARE(accepted[part::registration]->doubts.size(), done[part::registration]->doubts.size());
 }
 
 QTEST_APPLESS_MAIN(RegisterTest)

@@ -12,6 +12,7 @@
 #include <vtkXMLPolyDataWriter.h>
 
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
@@ -219,7 +220,24 @@ void write_report(const Registration& registration, NamedArrays& fields) {
   fields["residual_mm"] = number(1e3 * registration.residual);
   fields["seen_share"] = number(registration.seen_share);
   fields["converged"] = number(registration.termination == Termination::converged ? 1.0 : 0.0);
-  for (const std::string& doubt : registration.doubts) fields[kDoubt + doubt] = number(1.0);
+  for (const std::string& doubt : registration.doubts) {
+    std::istringstream words(doubt);
+    std::string code;
+    words >> code;
+    std::vector<double> values;
+    for (double value = 0.0; words >> value;) values.push_back(value);
+    fields[kDoubt + code] = values.empty() ? number(1.0)
+                                           : Eigen::MatrixXd(Eigen::Map<const Eigen::RowVectorXd>(
+                                                 values.data(), static_cast<Eigen::Index>(values.size())));
+  }
+}
+
+std::string doubt_of(const std::string& code, const Eigen::MatrixXd& values) {
+  std::ostringstream doubt;
+  doubt << code;
+  if (values.size() > 1)
+    for (Eigen::Index k = 0; k < values.size(); ++k) doubt << ' ' << values.reshaped()[k];
+  return doubt.str();
 }
 
 /// What other writers leave out keeps its default.
@@ -233,7 +251,7 @@ void read_report(const NamedArrays& fields, Registration& registration) {
   registration.termination =
       value("converged", 1.0) != 0.0 ? Termination::converged : Termination::step_limit;
   for (const auto& [name, array] : fields)
-    if (name.starts_with(kDoubt)) registration.doubts.push_back(name.substr(kDoubt.size()));
+    if (name.starts_with(kDoubt)) registration.doubts.push_back(doubt_of(name.substr(kDoubt.size()), array));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "demo_report.h"
 #include "glisson/core/error.h"
 #include "glisson/engine/case_io.h"
+#include "glisson/engine/commands/accept_registration.h"
 #include "glisson/engine/commands/build_model.h"
 #include "glisson/engine/commands/import_cloud.h"
 #include "glisson/engine/commands/import_image.h"
@@ -39,6 +40,7 @@
 #include "glisson/geometry/distance.h"
 #include "glisson/geometry/mesh_io.h"
 #include "glisson/insilico/film.h"
+#include "glisson/registration/refusal.h"
 #include "glisson/stereo/picture_io.h"
 
 namespace glisson::experiments {
@@ -174,6 +176,12 @@ class DemoRun {
 
   // ---- initial registration ----
 
+  /// Goes on with a refused one: its doubts stand in the report, its errors in the figures.
+  void register_cloud() {
+    post(engine::Register{});
+    if (registration::is_refused(*state()[part::registration])) post(engine::AcceptRegistration{});
+  }
+
   void compare_registration(const std::string& prefix) {
     for (const auto& [key, value] :
          target_errors(model(), state()[part::registration]->nodes_in_camera, truth_, "theatre"))
@@ -216,7 +224,7 @@ class DemoRun {
     write_cloud(folder_ / "operator/patch.ply", sampled.cloud);
     result_.figures["patch_visible_share"] = sampled.share;
     post(engine::ImportCloud{folder_ / "operator/patch.ply"});
-    post(engine::Register{});
+    register_cloud();
     compare_registration("patch_");
     compare_forces("patch_");
   }
@@ -231,7 +239,7 @@ class DemoRun {
         summarise(distances_to_surface(state()[part::cloud]->points, theatre_->surface(0)));
     result_.figures["cloud_error_median_mm"] = 1e3 * errors.median;
     result_.figures["cloud_error_p95_mm"] = 1e3 * errors.percentile_95;
-    post(engine::Register{});
+    register_cloud();
     compare_registration("");
     compare_forces("");
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "registration_trials.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -8,7 +9,8 @@
 
 #include "glisson/core/error.h"
 #include "glisson/geometry/rigid.h"
-#include "glisson/registration/register_model.h"
+#include "glisson/registration/examined_registration.h"
+#include "glisson/registration/refusal.h"
 
 namespace glisson::experiments {
 namespace {
@@ -17,6 +19,24 @@ constexpr double kFaultShare = 0.3;  ///< that is seen where a fault is tried, a
 
 double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+void add_figures(const registration::Findings& findings, Figures& figures) {
+  figures["roughness_mm"] = 1e3 * findings.roughness;
+  figures["misfit_mm"] = 1e3 * findings.misfit;
+  figures["held_out_mm"] = 1e3 * findings.held_out;
+  figures["held_out_z"] = findings.held_out_z;
+  figures["strangeness"] = findings.strangeness;
+  figures["forced_mm"] = 1e3 * findings.forced;
+  figures["margin_off_mm"] = 1e3 * findings.margin_off;
+  figures["notch_off_mm"] = 1e3 * findings.notch_off;
+  figures["hidden"] = findings.hidden;
+  figures["turned"] = findings.turned;
+  figures["mirror_odds"] = findings.mirror_odds;
+  figures["rival_odds"] = findings.rival_odds;
+  figures["size"] = findings.size;
+  figures["size_sigma"] = findings.size_sigma;
+  figures["expected_mm"] = 1e3 * findings.expected;
 }
 
 /// One patient's registrations; operations are simulated once.
@@ -44,11 +64,13 @@ class Trials {
     }
     const auto begin = std::chrono::steady_clock::now();
     try {
-      const auto made = register_model(stage_.model, cloud, options, context_, known_);
-      if (!made) return false;
+      const auto examined = register_and_examine(stage_.model, cloud, options, context_, known_);
+      if (!examined) return false;
+      const registration::Registered* made = &examined->registered;
       if (made->operations) known_ = {options.operation, made->operations};
       trial.doubts = made->registration.doubts;
-      compare(*made, handling, fault, trial);
+      trial.refused = registration::is_refused(made->registration);
+      compare(*examined, handling, fault, trial);
     } catch (const Error&) {  // no result: nobody is misled
       trial.refused = true;
       trial.mean = std::numeric_limits<double>::infinity();
@@ -64,8 +86,9 @@ class Trials {
   std::vector<RegistrationTrial> trials() { return std::move(trials_); }
 
  private:
-  void compare(const registration::Registered& made, std::size_t handling, RegistrationFault fault,
-               RegistrationTrial& trial) const {
+  void compare(const registration::ExaminedRegistration& examined, std::size_t handling,
+               RegistrationFault fault, RegistrationTrial& trial) const {
+    const registration::Registered& made = examined.registered;
     const Points truth = stage_.by(handling).carry(stage_.model.mesh.vertices);
     const Points true_lesions = stage_.by(handling).carry(stage_.lesions);
     const Points found = lesions_.apply(stage_.model.mesh, made.registration.nodes_in_camera);
@@ -74,11 +97,28 @@ class Trials {
     trial.mean = shown ? (made.registration.nodes_in_camera - truth).rowwise().norm().mean() : never;
     for (Eigen::Index i = 0; i < found.rows(); ++i)
       trial.lesions.push_back(shown ? (found.row(i) - true_lesions.row(i)).norm() : never);
+    add_expected(*examined.error, found, true_lesions, trial);
+    add_figures(examined.findings, trial.figures);
     trial.figures["seen_share"] = made.registration.seen_share;
     trial.figures["residual_mm"] = 1e3 * made.registration.residual;
     trial.figures["rigid_residual_mm"] = 1e3 * made.rigid_residual.value_or(0.0);
     const auto best = fit_rigid<CameraFrame, CtFrame>(stage_.model.mesh.vertices, truth);
     trial.rigid_mean = (best.apply(stage_.model.mesh.vertices) - truth).rowwise().norm().mean();
+  }
+
+  /// What the registration expects of the lesions' errors, and whether the truth lies in the ellipsoids.
+  void add_expected(const registration::ErrorModel& error, const Points& found, const Points& truth,
+                    RegistrationTrial& trial) const {
+    constexpr double kChiSquare = 7.8147;  // 95 % of chi-square with three degrees of freedom
+    const auto covariances = error.covariances(stage_.model.mesh, lesions_);
+    for (std::size_t i = 0; i < covariances.size(); ++i) {
+      const Eigen::Vector3d off =
+          (found.row(static_cast<Eigen::Index>(i)) - truth.row(static_cast<Eigen::Index>(i))).transpose();
+      trial.expected.push_back(registration::mean_error(covariances[i]));
+      const double square = off.dot(covariances[i].ldlt().solve(off));
+      trial.figures["lesion_" + std::to_string(i + 1) + "_square"] = square;
+      trial.covered.push_back(square < kChiSquare ? 1 : 0);
+    }
   }
 
   bool add_paper(const LabelledCloud& cloud, std::size_t handling, RegistrationTrial& trial) const {

@@ -7,6 +7,7 @@
 #include "glisson/fem/integrator.h"
 #include "glisson/registration/pairs.h"
 #include "glisson/registration/register.h"
+#include "glisson/registration/shape_fits.h"
 
 namespace glisson::registration {
 namespace {
@@ -213,6 +214,14 @@ PatientModel moved_to(const PatientModel& model, const Points& nodes) {
 
 namespace {
 
+void check_fixed_nodes(const PatientModel& model, const ElasticOptions& options) {
+  for (const int node : options.fixed_nodes)
+    if (node < 0 || node >= model.mesh.vertex_count())
+      throw InputError("fixed nodes", "node " + std::to_string(node),
+                       "the mesh has nodes 0 to " + std::to_string(model.mesh.vertex_count() - 1),
+                       "Give 0-based node numbers of this mesh");
+}
+
 /// A shape that the modes make, or less of it where they turn elements inside out. @param share of it.
 Points sound_shape(const PatientModel& model, const OperationPrior& prior, const Eigen::VectorXd& amplitudes,
                    double& share) {
@@ -233,24 +242,29 @@ Cancellable<Registration> register_elastic(const PatientModel& model, const Labe
                                            const CameraFromCt& start, const ElasticOptions& options,
                                            const RunContext& context) {
   options.validate();
-  for (const int node : options.fixed_nodes)
-    if (node < 0 || node >= model.mesh.vertex_count())
-      throw InputError("fixed nodes", "node " + std::to_string(node),
-                       "the mesh has nodes 0 to " + std::to_string(model.mesh.vertex_count() - 1),
-                       "Give 0-based node numbers of this mesh");
+  check_fixed_nodes(model, options);
   if (!options.prior) return ElasticRun(model, model, cloud, start, options).run(context);
-  std::vector<std::string> doubts;
   std::vector<CameraFromCt> starts = options.other_starts;
   starts.insert(starts.begin(), start);
-  const auto fit = fit_most_probable_shape(model, *options.prior, cloud, starts, options.shape, doubts,
-                                           context.part(0.0, 0.4));
-  if (!fit) return std::nullopt;
+  const auto shapes = fit_shapes(model, *options.prior, cloud, starts, options.shape, context.part(0.0, 0.4));
+  if (!shapes) return std::nullopt;
+  return register_elastic(model, cloud, *shapes, options, context.part(0.4, 1.0));
+}
+
+Cancellable<Registration> register_elastic(const PatientModel& model, const LabelledCloud& cloud,
+                                           const ShapeFits& shapes, const ElasticOptions& options,
+                                           const RunContext& context) {
+  options.validate();
+  check_fixed_nodes(model, options);
+  require(options.prior && !shapes.fits.empty(), "shapes rest on a prior, and there is one at least");
+  const ShapeFit& fit = shapes.best();
   double share = 1.0;
-  const PatientModel rest = moved_to(model, sound_shape(model, *options.prior, fit->amplitudes, share));
+  const PatientModel rest = moved_to(model, sound_shape(model, *options.prior, fit.amplitudes, share));
+  auto registration = ElasticRun(model, rest, cloud, fit.camera_from_ct, options).run(context);
+  if (!registration) return registration;
+  auto& doubts = registration->doubts;
+  doubts.insert(doubts.end(), shapes.doubts.begin(), shapes.doubts.end());
   if (share < 1.0) doubts.emplace_back("shape_inverted");
-  auto registration =
-      ElasticRun(model, rest, cloud, fit->camera_from_ct, options).run(context.part(0.4, 1.0));
-  if (registration) registration->doubts.insert(registration->doubts.end(), doubts.begin(), doubts.end());
   return registration;
 }
 

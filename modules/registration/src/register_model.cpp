@@ -7,8 +7,12 @@
 #include <utility>
 #include <vector>
 
+#include "glisson/registration/examine.h"
+#include "glisson/registration/examined_registration.h"
 #include "glisson/registration/moving_surface.h"
 #include "glisson/registration/pairs.h"
+#include "glisson/registration/refusal.h"
+#include "verdict.h"
 
 namespace glisson::registration {
 namespace {
@@ -66,27 +70,22 @@ std::vector<std::string> doubts_of(const ContactForceFit& fit, double seen) {
   return doubts;
 }
 
-/// @param elastic with the prior and the other starts, where operations are known.
+/// @param shapes where operations are known.
 Cancellable<Registration> register_by_forces(const PatientModel& model, const LabelledCloud& cloud,
                                              CameraFromCt start, const ElasticOptions& elastic,
+                                             const std::optional<ShapeFits>& shapes,
                                              ContactForceOptions forces, bool pose_known,
                                              std::optional<ContactForceFit>& fit, const RunContext& context) {
   forces = forces_with(model, elastic, std::move(forces));
   forces.pose_known = pose_known;
-  std::vector<std::string> doubts;
-  if (elastic.prior) {
-    std::vector<CameraFromCt> starts = elastic.other_starts;
-    starts.insert(starts.begin(), start);
-    const auto shape = fit_most_probable_shape(model, *elastic.prior, cloud, starts, elastic.shape, doubts,
-                                               context.part(0.0, 0.4));
-    if (!shape) return {};
-    start = shape->camera_from_ct;
+  if (shapes) {
+    start = shapes->best().camera_from_ct;
     forces.prior = elastic.prior;
-    forces.amplitudes = shape->amplitudes;
+    forces.amplitudes = shapes->best().amplitudes;
     // Neighbouring points share the error of the patient's surface and of the modes: they count for less.
     forces.sigmas = {elastic.shape.sigma_surface / std::sqrt(elastic.shape.information)};
   }
-  fit = fit_contact_forces(model, cloud, start, forces, context.part(elastic.prior ? 0.4 : 0.0, 1.0));
+  fit = fit_contact_forces(model, cloud, start, forces, context);
   if (!fit) return {};
   Registration made;
   made.camera_from_ct = fit->camera_from_ct;
@@ -99,8 +98,83 @@ Cancellable<Registration> register_by_forces(const PatientModel& model, const La
   surface.move(fit->nodes_in_camera);
   made.seen_share = seen_share(surface.mesh(), cloud.points);
   made.doubts = doubts_of(*fit, made.seen_share);
-  made.doubts.insert(made.doubts.end(), doubts.begin(), doubts.end());
+  if (shapes) made.doubts.insert(made.doubts.end(), shapes->doubts.begin(), shapes->doubts.end());
   return made;
+}
+
+Cancellable<ShapeFits> shapes_from(const PatientModel& model, const LabelledCloud& cloud,
+                                   const CameraFromCt& start, const ElasticOptions& elastic,
+                                   const RunContext& context) {
+  std::vector<CameraFromCt> starts = elastic.other_starts;
+  starts.insert(starts.begin(), start);
+  return fit_shapes(model, *elastic.prior, cloud, starts, elastic.shape, context);
+}
+
+/// Each of the other shapes is as probable as the cloud makes it.
+void add_rivals(const ShapeFits& shapes, ErrorModel& error) {
+  std::vector<double> odds;
+  double sum = 0.0;
+  for (const ShapeFit& fit : shapes.fits) {
+    odds.push_back(std::exp(-0.5 * (fit.cost - shapes.best().cost)));
+    sum += odds.back();
+  }
+  for (std::size_t k = 1; k < odds.size(); ++k)
+    if (odds[k] > 1e-4 * sum) error.add_rival(shapes.fits[k].nodes_in_camera, odds[k] / sum);
+}
+
+ErrorModel error_of(const PatientModel& model, const LabelledCloud& cloud, const ElasticOptions& elastic,
+                    const std::optional<ShapeFits>& shapes, const Registration& registration) {
+  const PreparedCloud prepared = prepare_cloud(cloud, {3.9, 600, 30});
+  const ShapeFit* shape = shapes ? &shapes->best() : nullptr;
+  ErrorModelOptions known;
+  known.fixed_nodes = elastic.fixed_nodes;
+  known.pose_known = !elastic.fixed_nodes.empty();
+  ErrorModel error(model, elastic.prior.get(), shape ? shape->amplitudes : Eigen::VectorXd(),
+                   shape ? shape->camera_from_ct : registration.camera_from_ct,
+                   shape ? shape->nodes_in_camera : registration.nodes_in_camera, prepared,
+                   roughness_of(prepared), known);
+  if (shapes) add_rivals(*shapes, error);
+  return error;
+}
+
+std::vector<LesionError> lesions_of(const PatientModel& model, const ErrorModel& error,
+                                    const Registration& registration) {
+  const auto centres = lesion_centres(model);
+  Points points(static_cast<Eigen::Index>(centres.size()), 3);
+  for (std::size_t i = 0; i < centres.size(); ++i)
+    points.row(static_cast<Eigen::Index>(i)) = centres[i].second.transpose();
+  const Binding binding = bind_points(model.mesh, points);
+  const Points found = binding.apply(model.mesh, registration.nodes_in_camera);
+  const std::vector<Eigen::Matrix3d> covariances = error.covariances(model.mesh, binding);
+  std::vector<LesionError> lesions;
+  for (std::size_t i = 0; i < centres.size(); ++i)
+    lesions.push_back({centres[i].first, found.row(static_cast<Eigen::Index>(i)).transpose(), covariances[i],
+                       mean_error(covariances[i])});
+  return lesions;
+}
+
+/// Each doubt once: the rigid start and the elastic stages may share one.
+void tell_once(std::vector<std::string>& doubts) {
+  std::vector<std::string> told;
+  for (std::string& doubt : doubts)
+    if (std::find(told.begin(), told.end(), doubt) == told.end()) told.push_back(std::move(doubt));
+  doubts = std::move(told);
+}
+
+/// Logarithm of the odds of a shape of this cost against the best of the cloud's mirror image.
+Cancellable<double> mirror_odds(const PatientModel& model, const LabelledCloud& cloud,
+                                const RegisterOptions& options, const ElasticOptions& elastic, double cost,
+                                const RunContext& context) {
+  constexpr std::size_t kOthers = 2;
+  const LabelledCloud image = mirrored(cloud);
+  auto start = align_rigid(model, image, options.rigid, context.part(0.0, 0.6));
+  if (!start) return {};
+  ElasticOptions control = elastic;
+  control.other_starts = std::move(start->alternatives);
+  control.other_starts.resize(std::min(control.other_starts.size(), kOthers));
+  const auto shapes = shapes_from(model, image, start->camera_from_ct, control, context.part(0.6, 1.0));
+  if (!shapes) return {};
+  return 0.5 * (shapes->best().cost - cost);
 }
 
 }  // namespace
@@ -127,12 +201,14 @@ void RegisterOptions::validate() const {
   forces.validate();
 }
 
-Cancellable<Registered> register_model(const PatientModel& model, const LabelledCloud& cloud,
-                                       const RegisterOptions& options, const RunContext& context,
-                                       const KnownOperations& known) {
+Cancellable<ExaminedRegistration> register_and_examine(const PatientModel& model, const LabelledCloud& cloud,
+                                                       const RegisterOptions& options,
+                                                       const RunContext& context,
+                                                       const KnownOperations& known) {
   options.validate();
   const bool is_automatic = options.start == Start::automatic;
-  Registered result;
+  ExaminedRegistration examined;
+  Registered& result = examined.registered;
   double done = 0.0;  ///< share of the work
   auto start = start_of(model, cloud, options, context.part(0.0, 0.2));
   if (!start) return {};
@@ -145,17 +221,48 @@ Cancellable<Registered> register_model(const PatientModel& model, const Labelled
     result.operations = elastic.prior = *prior;
     elastic.other_starts = std::move(start->alternatives);
   }
-  const RunContext rest = context.part(done, 1.0);
-  auto registered = takes_forces(options.method, model, options.elastic)
-                        ? register_by_forces(model, cloud, start->camera_from_ct, elastic, options.forces,
-                                             options.start == Start::none, result.forces, rest)
-                        : register_elastic(model, cloud, start->camera_from_ct, elastic, rest);
+  std::optional<ShapeFits> shapes;
+  const double judged = done + 0.7 * (1.0 - done);  // the control takes about as long as the start
+  if (elastic.prior) {
+    const double fitted = done + 0.4 * (judged - done);
+    shapes = shapes_from(model, cloud, start->camera_from_ct, elastic, context.part(done, fitted));
+    if (!shapes) return {};
+    done = fitted;
+  }
+  const RunContext rest = context.part(done, judged);
+  auto registered =
+      takes_forces(options.method, model, options.elastic)
+          ? register_by_forces(model, cloud, start->camera_from_ct, elastic, shapes, options.forces,
+                               options.start == Start::none, result.forces, rest)
+      : shapes ? register_elastic(model, cloud, *shapes, elastic, rest)
+               : register_elastic(model, cloud, start->camera_from_ct, elastic, rest);
   if (!registered) return {};
+  examined.error = std::make_shared<const ErrorModel>(error_of(model, cloud, elastic, shapes, *registered));
+  examined.lesions = lesions_of(model, *examined.error, *registered);
+  examined.findings = examine({model, cloud, *registered, shapes ? &*shapes : nullptr, *examined.error});
+  if (is_automatic && shapes) {
+    const auto odds =
+        mirror_odds(model, cloud, options, elastic, shapes->best().cost, context.part(judged, 1.0));
+    if (!odds) return {};
+    examined.findings.mirror_odds = *odds;
+  }
   registered->doubts.insert(registered->doubts.begin(), start->doubts.begin(), start->doubts.end());
+  const Verdict verdict = judge(examined.findings);
+  registered->doubts.insert(registered->doubts.end(), verdict.doubts.begin(), verdict.doubts.end());
+  if (verdict.refused) registered->doubts.insert(registered->doubts.begin(), kRefused);
+  tell_once(registered->doubts);
   result.displacement =
       point_errors(registered->nodes_in_camera, registered->camera_from_ct.apply(model.mesh.vertices));
   result.registration = std::move(*registered);
-  return result;
+  return examined;
+}
+
+Cancellable<Registered> register_model(const PatientModel& model, const LabelledCloud& cloud,
+                                       const RegisterOptions& options, const RunContext& context,
+                                       const KnownOperations& known) {
+  auto examined = register_and_examine(model, cloud, options, context, known);
+  if (!examined) return {};
+  return std::move(examined->registered);
 }
 
 }  // namespace glisson::registration

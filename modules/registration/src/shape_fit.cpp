@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glisson/registration/shape_fit.h"
+#include "glisson/registration/shape_fits.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -143,6 +143,10 @@ class ShapeFitter {
   int notch_points_ = 0;
 };
 
+double apart(const ShapeFit& a, const ShapeFit& b) {
+  return (a.nodes_in_camera - b.nodes_in_camera).rowwise().norm().mean();
+}
+
 }  // namespace
 
 void ShapeFitOptions::validate() const {
@@ -164,15 +168,14 @@ Cancellable<ShapeFit> fit_shape(const PatientModel& model, const OperationPrior&
   return fitter.run(context);
 }
 
-Cancellable<ShapeFit> fit_most_probable_shape(const PatientModel& model, const OperationPrior& prior,
-                                              const LabelledCloud& cloud,
-                                              const std::vector<CameraFromCt>& starts,
-                                              const ShapeFitOptions& options,
-                                              std::vector<std::string>& doubts, const RunContext& context) {
+Cancellable<ShapeFits> fit_shapes(const PatientModel& model, const OperationPrior& prior,
+                                  const LabelledCloud& cloud, const std::vector<CameraFromCt>& starts,
+                                  const ShapeFitOptions& options, const RunContext& context) {
   // A posterior e^4 times smaller is no rival; nor is a shape that is nearly the same.
   constexpr double kRivalCost = 8.0, kRivalDistance = 10e-3, kUnusual = 4.0;
   require(!starts.empty(), "a shape is fitted from one start at least");
-  std::vector<ShapeFit> fits;
+  ShapeFits found;
+  std::vector<ShapeFit>& fits = found.fits;
   for (std::size_t k = 0; k < starts.size(); ++k) {
     const double share = 1.0 / static_cast<double>(starts.size());
     auto fit = fit_shape(model, prior, cloud, starts[k], options,
@@ -180,16 +183,26 @@ Cancellable<ShapeFit> fit_most_probable_shape(const PatientModel& model, const O
     if (!fit) return std::nullopt;
     fits.push_back(std::move(*fit));
   }
-  const auto best = std::min_element(fits.begin(), fits.end(),
-                                     [](const ShapeFit& a, const ShapeFit& b) { return a.cost < b.cost; });
-  for (const ShapeFit& fit : fits)
-    if (fit.cost < best->cost + kRivalCost &&
-        (fit.nodes_in_camera - best->nodes_in_camera).rowwise().norm().mean() > kRivalDistance) {
-      doubts.emplace_back("shape_ambiguous");
-      break;
-    }
-  if (best->amplitudes.cwiseAbs().maxCoeff() > kUnusual) doubts.emplace_back("shape_unusual");
-  return *best;
+  std::stable_sort(fits.begin(), fits.end(),
+                   [](const ShapeFit& a, const ShapeFit& b) { return a.cost < b.cost; });
+  const ShapeFit& best = fits.front();
+  if (std::any_of(fits.begin(), fits.end(), [&](const ShapeFit& fit) {
+        return fit.cost < best.cost + kRivalCost && apart(fit, best) > kRivalDistance;
+      }))
+    found.doubts.emplace_back("shape_ambiguous");
+  if (best.amplitudes.cwiseAbs().maxCoeff() > kUnusual) found.doubts.emplace_back("shape_unusual");
+  return found;
+}
+
+Cancellable<ShapeFit> fit_most_probable_shape(const PatientModel& model, const OperationPrior& prior,
+                                              const LabelledCloud& cloud,
+                                              const std::vector<CameraFromCt>& starts,
+                                              const ShapeFitOptions& options,
+                                              std::vector<std::string>& doubts, const RunContext& context) {
+  auto shapes = fit_shapes(model, prior, cloud, starts, options, context);
+  if (!shapes) return std::nullopt;
+  doubts.insert(doubts.end(), shapes->doubts.begin(), shapes->doubts.end());
+  return std::move(shapes->fits.front());
 }
 
 }  // namespace glisson::registration

@@ -88,6 +88,12 @@ class Notes {
         {"many_outliers", tr("Many points do not fit the model and were left aside.")},
         {"residual_large", tr("The model stays more than 5 mm from the points on average.")},
         {"inverted_elements", tr("Some elements of the mesh turned inside out.")},
+        {"cloud_noisy", tr("The cloud's points scatter by %1 mm about a smooth surface (limit %2 mm).")},
+        {"mirror_fits",
+         tr("The cloud's mirror image fits as well or nearly so (log odds %1, limit %2): it has "
+            "not been recognised as this liver.")},
+        {"refused", tr("The registration was refused: what is known contradicts it.")},
+        {"refusal_accepted", tr("The registration was refused, and somebody uses it nevertheless.")},
         {"mechanics_failed", tr("The mechanical computation did not come to an end.")},
         {"simulation_not_converged", tr("The simulation had not come to rest at its last step.")},
         {"reader.unconfined", tr("This computer's kernel does not shut in the program that reads volumes: "

@@ -40,6 +40,7 @@ class Texts {
             {"import_cloud", tr("Reading the cloud")},
             {"register", tr("Registering")},
             {"import_registration", tr("Reading the registration")},
+            {"accept_registration", tr("Accepting the registration")},
             {"simulate", tr("Simulating")},
             {"start_tracking", tr("Starting the tracking")},
             {"stop_tracking", tr("Stopping the tracking")},

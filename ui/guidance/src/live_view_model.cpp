@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/guidance/live_view_model.h"
+#include "glisson/registration/refusal.h"
 
 #include <algorithm>
 
@@ -110,7 +111,10 @@ void LiveViewModel::show_registered() {
   job.overlay.index = now[part::frame]->frame.index;
   if (now[part::registration]) {
     const bool current = engine_.snapshot()->stage(part::registration) == engine::StageState::current;
-    job.overlay.validity = current ? Validity::valid : Validity::stale;
+    const bool refused = registration::is_refused(*now[part::registration]);
+    job.overlay.validity = !current  ? Validity::stale
+                           : refused ? Validity::residual_too_large
+                                     : Validity::valid;
     job.overlay.nodes_in_camera = now[part::registration]->nodes_in_camera;
     job.overlay.residual = now[part::registration]->residual;
     job.overlay.doubtful = !now[part::registration]->doubts.empty();

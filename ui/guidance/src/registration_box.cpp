@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 
 #include "box_layout.h"
+#include "glisson/engine/commands/accept_registration.h"
 #include "glisson/engine/commands/register.h"
 #include "glisson/ui/common/panel.h"
 #include "glisson/ui/common/task_button.h"
@@ -28,6 +29,15 @@ RegistrationBox::RegistrationBox(EngineBridge& engine, RegistrationModel& model,
   doubts->setObjectName(QStringLiteral("registration_doubts"));
   box->addWidget(doubts);
 
+  auto* accept = new TaskButton(
+      engine, tr("Use it nevertheless"), [] { return engine::Command(engine::AcceptRegistration{}); }, this);
+  accept->setObjectName(QStringLiteral("accept_registration"));
+  accept->setToolTip(
+      tr("The registration was refused: what is known contradicts it. Its doubts stay in the "
+         "picture."));
+  box->addWidget(accept);
+
+  couplings_.add(model.is_refused, [accept](bool is) { accept->setVisible(is); });
   couplings_.add(model.is_unchecked, [unchecked](bool is) { unchecked->setVisible(is); });
   couplings_.add(model.obstacle, [start](const QString& text) { start->set_obstacle(text); });
   couplings_.add(model.figures, [figures](const FigureRows& rows) { figures->set_rows(rows); });

@@ -5,6 +5,7 @@
 #include "glisson/engine/parts/check.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/registration.h"
+#include "glisson/registration/refusal.h"
 #include "glisson/ui/common/texts.h"
 
 namespace glisson::ui {
@@ -22,6 +23,7 @@ void RegistrationModel::read_case() {
   if (!now[part::registration]) {
     figures = FigureRows();
     doubts = QString();
+    is_refused = false;
     return;
   }
   const Registration& r = *now[part::registration];
@@ -30,6 +32,7 @@ void RegistrationModel::read_case() {
       {tr("Converged"), r.termination == Termination::converged ? tr("yes, %1 plateaus").arg(r.plateaus)
                                                                 : tr("no, %1 steps").arg(r.steps)}};
   doubts = notes_text(r.doubts);
+  is_refused = registration::is_refused(r);
 }
 
 }  // namespace glisson::ui

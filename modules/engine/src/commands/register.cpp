@@ -9,6 +9,9 @@
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/registration.h"
+#include "glisson/patient/label_map.h"
+#include "glisson/registration/examined_registration.h"
+#include "glisson/registration/refusal.h"
 
 namespace glisson::engine {
 namespace {
@@ -38,8 +41,39 @@ void add_figures(Figures& figures, const registration::ContactForceFit& fit) {
   double sum = 0.0;
   for (const registration::ContactForce& force : fit.forces) sum += 1e3 * force.force.norm();
   figures["forces_sum_n_per_kpa"] = sum;
-  figures["expected_error_mean_mm"] = 1e3 * fit.expected_error.mean();
-  figures["expected_error_max_mm"] = 1e3 * fit.expected_error.maxCoeff();
+}
+
+/// Expected errors: of the nodes, and of each lesion with the half axes of its 95 % ellipsoid.
+void add_expected(Figures& figures, const registration::ExaminedRegistration& examined) {
+  const Eigen::VectorXd nodes = examined.error->expected();
+  figures["expected_error_mean_mm"] = 1e3 * nodes.mean();
+  figures["expected_error_max_mm"] = 1e3 * nodes.maxCoeff();
+  for (const registration::LesionError& lesion : examined.lesions) {
+    const std::string name = structure_name(lesion.lesion);
+    figures[name + "_expected_error_mm"] = 1e3 * lesion.expected;
+    const Eigen::Vector3d axes = lesion.half_axes_95();
+    for (int k = 0; k < 3; ++k)
+      figures[name + "_half_axis_95_" + std::to_string(k + 1) + "_mm"] = 1e3 * axes[k];
+  }
+}
+
+void add_findings(Figures& figures, const registration::Findings& findings) {
+  const auto set = [&](const char* key, double value) {
+    if (std::isfinite(value)) figures[key] = value;
+  };
+  set("evidence_cloud_noise_mm", 1e3 * findings.roughness);
+  set("evidence_misfit_mm", 1e3 * findings.misfit);
+  set("evidence_held_out_mm", 1e3 * findings.held_out);
+  set("evidence_strangeness", findings.strangeness);
+  set("evidence_forced_mm", 1e3 * findings.forced);
+  set("evidence_margin_off_mm", 1e3 * findings.margin_off);
+  set("evidence_notch_off_mm", 1e3 * findings.notch_off);
+  set("evidence_hidden_share", findings.hidden);
+  set("evidence_turned_share", findings.turned);
+  set("evidence_mirror_odds_ln", findings.mirror_odds);
+  set("evidence_rival_odds_ln", findings.rival_odds);
+  set("evidence_size", findings.size);
+  set("evidence_size_sigma", findings.size_sigma);
 }
 
 void add_figures(Figures& figures, const registration::Registered& made) {
@@ -71,11 +105,16 @@ CommandTraits Register::traits() const {
 
 Cancellable<Applied> Register::apply(const CaseState& state, const RunContext& context) const {
   const registration::KnownOperations known = known_operations(state);
-  auto made =
-      registration::register_model(effective_model(state), *state[part::cloud], *this, context, known);
-  if (!made) return {};
+  auto examined =
+      registration::register_and_examine(effective_model(state), *state[part::cloud], *this, context, known);
+  if (!examined) return {};
+  registration::Registered* made = &examined->registered;
   Applied applied{state};
   add_figures(applied.figures, *made);
+  add_expected(applied.figures, *examined);
+  add_findings(applied.figures, examined->findings);
+  applied.figures["registration_refused"] = registration::is_refused(made->registration) ? 1.0 : 0.0;
+  applied.figures["registration_doubts"] = static_cast<double>(made->registration.doubts.size());
   applied.notes = made->registration.doubts;
   if (made->operations && made->operations != known.prior)
     applied.state[part::operations] = std::make_shared<const SimulatedOperations>(SimulatedOperations{

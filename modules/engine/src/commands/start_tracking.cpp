@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/engine/commands/start_tracking.h"
 
+#include "glisson/core/error.h"
 #include "glisson/engine/parts/frame.h"
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/live.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/engine/parts/rig.h"
+#include "glisson/registration/refusal.h"
 
 namespace glisson::engine {
 
@@ -25,6 +27,9 @@ CommandTraits StartTracking::traits() const {
 
 Cancellable<Applied> StartTracking::apply(const CaseState& state, const RunContext&,
                                           const Services& services) const {
+  if (registration::is_refused(*state[part::registration]))
+    throw InputError("registration", "", "was refused: what is known contradicts it",
+                     "Register again with a better cloud, or accept it knowing its doubts");
   const std::shared_ptr<Follower> follower = services.make_follower(state, *this);
   Applied applied{state};
   applied.state[part::live] = std::make_shared<const LiveState>();

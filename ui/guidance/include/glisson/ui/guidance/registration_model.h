@@ -19,6 +19,7 @@ class RegistrationModel : public QObject {
   QProperty<bool> is_unchecked;   ///< nobody has said that the model is right
   QProperty<FigureRows> figures;  ///< of the registration; none: there is no registration
   QProperty<QString> doubts;      ///< a line each
+  QProperty<bool> is_refused;     ///< and nobody has accepted it
 
  private:
   void read_case();

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "glisson/patient/labelled_cloud.h"
+#include "glisson/patient/patient_model.h"
+#include "glisson/registration/moving_surface.h"
+#include "glisson/registration/operation_prior.h"
+#include "glisson/registration/pairs.h"
+
+namespace glisson::registration {
+
+/// How far off a lesion may be.
+struct LesionError {
+  Label lesion = 0;
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();      ///< where it is thought to be, camera frame, metres
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of that, m2
+  double expected = 0.0;                                 ///< mean error that this implies, metres
+  /// Half axes of the ellipsoid that holds it in 95 of 100 cases, metres, the longest first.
+  Eigen::Vector3d half_axes_95() const;
+};
+/// Mean length of a normal vector of this covariance, metres.
+double mean_error(const Eigen::Matrix3d& covariance);
+
+struct ErrorModelOptions {
+  /// Deviation of the patient's surface from the true one, m: segmentation and mesh.
+  double surface = 1.5e-3;
+  /// Independent information in what the reference density's one point stands for (ShapeFitOptions).
+  double information = 0.2;
+  /// Motion of a node, rms, m, that forces nobody has simulated cause beforehand: tools, contacts.
+  double unknown_forces = 4e-3;
+  double patch_spacing = 25e-3, patch_radius = 35e-3;  ///< of those forces, over the whole surface
+  std::vector<int> fixed_nodes;                        ///< known to stay; no springs to the ground then
+  bool pose_known = false;                             ///< the model needs no turning and shifting
+};
+
+/// What is not known of where a registered organ is: the posterior of pose, amplitudes of the operations'
+/// modes and unknown forces anywhere on the surface, linearised where the registration has put it. Where
+/// something is seen the cloud ties them down; elsewhere they remain, more so the farther away.
+class ErrorModel {
+ public:
+  /// @param prior null: unknown forces alone. @param amplitudes of its modes; empty: none.
+  /// @param nodes where the organ is, camera's frame; @param camera_from_ct its rigid part.
+  /// @param noise of the cloud's points, m.
+  ErrorModel(const PatientModel& model, const OperationPrior* prior, const Eigen::VectorXd& amplitudes,
+             const CameraFromCt& camera_from_ct, const PointsIn<CameraFrame>& nodes,
+             const PreparedCloud& cloud, double noise, const ErrorModelOptions& options = {});
+
+  /// The nodes may as well be elsewhere, with this probability: adds the spread between the two.
+  void add_rival(const PointsIn<CameraFrame>& elsewhere, double probability);
+
+  /// Covariance of a point that moves with nodes of the mesh, m2, camera's frame. @pre as many weights.
+  Eigen::Matrix3d covariance(const Eigen::Vector4i& nodes, const Eigen::Vector4d& weights) const;
+  /// Of points that a binding to the model's mesh carries, one each.
+  std::vector<Eigen::Matrix3d> covariances(const TetMesh& mesh, const Binding& points) const;
+  /// Of every node: the mean length of its error.
+  Eigen::VectorXd expected() const;
+
+  /// Places of the cloud, each predicted from all others: rms of the mean distance that remains, m, and in
+  /// its standard deviations.
+  struct HeldOut {
+    double distance = 0.0, z = 0.0;
+  };
+  HeldOut held_out() const;
+  /// rms over places of the mean distance that the most probable motion leaves, m.
+  double misfit() const;
+  /// Squared amplitudes of modes and forces over what is expected of them.
+  double strangeness() const;
+  /// By which share the organ would be larger, and its standard deviation.
+  struct Size {
+    double value = 0.0, sigma = 0.0;
+  };
+  Size size() const { return size_; }
+
+ private:
+  void group(double width);
+
+  Points nodes_;
+  Eigen::Index modes_ = 0;  ///< columns of the prior's modes; they come first
+  Eigen::MatrixXd spread_;  ///< 3 N x K: motion of the nodes by one posterior deviation each
+  Eigen::MatrixXd root_;    ///< K x K: posterior covariance root root^T of the unknowns
+  Eigen::MatrixXd rows_;    ///< A: how each row answers to the unknowns, one deviation each beforehand
+  Eigen::VectorXd variance_, left_, mean_;
+  Points points_;
+  std::vector<std::vector<Eigen::Index>> places_;
+  Size size_;
+};
+
+}  // namespace glisson::registration

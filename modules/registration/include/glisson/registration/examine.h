@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "glisson/registration/error_model.h"
+#include "glisson/registration/findings.h"
+#include "glisson/registration/pairs.h"
+#include "glisson/registration/shape_fits.h"
+
+namespace glisson::registration {
+
+/// Deviation of points from a smooth surface: the rms residual of a paraboloid through each point's
+/// neighbours, median over the points. @pre neighbours: 12 and more are taken where there are as many.
+double roughness_of(const PreparedCloud& cloud);
+
+/// The cloud as a mirror would show it: x changes its sign.
+LabelledCloud mirrored(const LabelledCloud& cloud);
+
+/// What is examined.
+struct Examined {
+  const PatientModel& model;
+  const LabelledCloud& cloud;
+  const Registration& registration;
+  const ShapeFits* shapes = nullptr;  ///< null: there was no prior
+  const ErrorModel& error;
+};
+/// All but mirror_odds. @throws InputError the cloud's as in prepare_cloud.
+Findings examine(const Examined& examined);
+
+}  // namespace glisson::registration

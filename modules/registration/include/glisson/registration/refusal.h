@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+
+#include "glisson/patient/registration.h"
+
+/// @file
+/// A registration that evidence contradicts says so among its doubts, which go with it wherever it goes.
+
+namespace glisson::registration {
+
+inline constexpr const char* kRefused = "refused";
+inline constexpr const char* kRefusalAccepted = "refusal_accepted";  ///< somebody wants it nevertheless
+
+inline bool has_doubt(const Registration& registration, const char* code) {
+  return std::find(registration.doubts.begin(), registration.doubts.end(), code) != registration.doubts.end();
+}
+/// Refused, and nobody has accepted it: no overlay may start from it.
+inline bool is_refused(const Registration& registration) { return has_doubt(registration, kRefused); }
+/// Goes on with it although it was refused. The other doubts stay.
+inline void accept_refusal(Registration& registration) {
+  std::replace(registration.doubts.begin(), registration.doubts.end(), std::string(kRefused),
+               std::string(kRefusalAccepted));
+}
+
+}  // namespace glisson::registration

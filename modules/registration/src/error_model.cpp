@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/registration/error_model.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "force_patches.h"
+#include "force_rows.h"
+
+namespace glisson::registration {
+namespace {
+
+constexpr double kTurn = 0.5, kShift = 0.05;  ///< rad, m: of the pose beforehand
+constexpr double kGround = 0.05, kGroundLength = 0.1;
+constexpr double kWholeSize = 0.3;   ///< of the organ's size beforehand
+constexpr double kPlace = 25e-3;     ///< m
+constexpr double kTolerance = 25.0;  ///< of the robust weight, squared deviations (shape_fit.cpp)
+constexpr Eigen::Index kAtOnce = 96;
+
+/// Motions of the nodes by forces on patches all over the surface, CT frame, one deviation each; their sum is
+/// as large as `motion` on average (rms).
+fem::NodalColumns by_forces(const PatientModel& model, const ErrorModelOptions& options) {
+  fem::ElasticBody body(model.mesh, options.fixed_nodes);
+  body.set_material({fem::BodyLaw::linear, 0.45});
+  Eigen::VectorXd springs;
+  if (options.fixed_nodes.empty()) springs = kGround / (kGroundLength * kGroundLength) * body.node_volumes();
+  if (options.unknown_forces <= 0.0 || !body.factorise(body.rest(), springs))
+    return fem::NodalColumns(3L * body.node_count(), 0);
+  std::vector<char> fixed(static_cast<std::size_t>(body.node_count()), 0);
+  for (const int node : options.fixed_nodes) fixed[static_cast<std::size_t>(node)] = 1;
+  const ForceSurface surface(model.surface, model.mesh.vertices, fixed);
+  const std::vector<ForcePatch> patches =
+      surface.patches(model.surface.mesh.vertices, {options.patch_spacing, options.patch_radius, 1e-3});
+  fem::NodalColumns motions =
+      fem::NodalColumns::Zero(3L * body.node_count(), 3L * static_cast<Eigen::Index>(patches.size()));
+  for (std::size_t j = 0; j < patches.size(); ++j)
+    for (const auto& [node, weight] : patches[j].weights)
+      for (int c = 0; c < 3; ++c) motions(3L * node + c, 3 * static_cast<Eigen::Index>(j) + c) = weight;
+  for (Eigen::Index first = 0; first < motions.cols(); first += kAtOnce) {
+    const Eigen::Index count = std::min(kAtOnce, motions.cols() - first);
+    fem::NodalColumns some = motions.middleCols(first, count);
+    body.solve(some);
+    motions.middleCols(first, count) = some;
+  }
+  const double size = motions.norm() / std::sqrt(static_cast<double>(body.node_count()));
+  if (size > 0.0) motions *= options.unknown_forces / size;
+  return motions;
+}
+
+/// Turns every node's vector.
+void turn(fem::NodalColumns& columns, const Eigen::Matrix3d& rotation) {
+  for (Eigen::Index row = 0; row < columns.rows(); row += 3)
+    columns.middleRows<3>(row) = (rotation * columns.middleRows<3>(row)).eval();
+}
+
+/// A twist about the middle, and at the end a change of size.
+fem::NodalColumns of_pose(const Points& nodes) {
+  fem::NodalColumns columns = fem::NodalColumns::Zero(nodes.size(), 7);
+  const Eigen::RowVector3d middle = nodes.colwise().mean();
+  for (Eigen::Index i = 0; i < nodes.rows(); ++i) {
+    const Eigen::Vector3d arm = (nodes.row(i) - middle).transpose();
+    Eigen::Matrix3d cross;
+    cross << 0, arm.z(), -arm.y(), -arm.z(), 0, arm.x(), arm.y(), -arm.x(), 0;
+    columns.block<3, 3>(3 * i, 0) = kTurn * cross;
+    columns.block<3, 3>(3 * i, 3) = kShift * Eigen::Matrix3d::Identity();
+    columns.block<3, 1>(3 * i, 6) = kWholeSize * arm;
+  }
+  return columns;
+}
+
+}  // namespace
+
+Eigen::Vector3d LesionError::half_axes_95() const {
+  constexpr double kChiSquare = 7.8147;  // 95 % of chi-square with three degrees of freedom
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(covariance, Eigen::EigenvaluesOnly);
+  return (kChiSquare * eigen.eigenvalues().cwiseMax(0.0)).cwiseSqrt().reverse();
+}
+
+/// Exact along a line, in a plane and in space where the deviations are alike, between them by the number of
+/// directions that count: n = (tr C)^2 / tr C^2, E|x| = sqrt(2 tr C / n) Gamma((n + 1) / 2) / Gamma(n / 2).
+double mean_error(const Eigen::Matrix3d& covariance) {
+  const double trace = covariance.trace(), square = covariance.squaredNorm();
+  if (!(trace > 0.0)) return 0.0;
+  const double n = trace * trace / square;
+  return std::sqrt(2.0 * trace / n) * std::exp(std::lgamma(0.5 * (n + 1.0)) - std::lgamma(0.5 * n));
+}
+
+ErrorModel::ErrorModel(const PatientModel& model, const OperationPrior* prior,
+                       const Eigen::VectorXd& amplitudes, const CameraFromCt& camera_from_ct,
+                       const Points& nodes, const PreparedCloud& cloud, double noise,
+                       const ErrorModelOptions& options) {
+  nodes_ = nodes;
+  modes_ = prior != nullptr ? prior->modes.cols() : 0;
+  const fem::NodalColumns forces = by_forces(model, options);
+  fem::NodalColumns motions(3L * model.mesh.vertex_count(), modes_ + forces.cols());
+  if (modes_ > 0) motions.leftCols(modes_) = prior->modes;
+  motions.rightCols(forces.cols()) = forces;
+  turn(motions, camera_from_ct.rotation);
+  const Eigen::Index unknowns = motions.cols() + 6;
+  motions.conservativeResize(Eigen::NoChange, unknowns + 1);
+  motions.rightCols<7>() = of_pose(nodes);
+  if (options.pose_known) motions.middleCols<6>(unknowns - 6).setZero();
+
+  MovingSurface surface(model, SurfaceDetail::fine);
+  surface.move(nodes);
+  const double sigma = std::hypot(noise, options.surface);
+  const ForceRows rows = find_rows(cloud, surface, sigma, std::sqrt(kTolerance) * sigma);
+  const Eigen::MatrixXd all = rows.along(motions);
+  rows_ = all.leftCols(unknowns);
+  points_ = rows.points;
+  variance_ = rows.sigma.cwiseAbs2();
+  // find_rows knows of margin and notch that neighbours share an error; of the surface it does not.
+  Eigen::Index row = 0;
+  for (int i = 0; i < cloud.cloud.size() && row < rows.surface_count; ++i) {
+    if (cloud.cloud.feature(i) != Feature::surface && surface.has(cloud.cloud.feature(i))) continue;
+    variance_[row++] /= options.information * std::max(1e-3, cloud.weight[static_cast<std::size_t>(i)]);
+  }
+  Eigen::VectorXd y = rows.gap;
+  if (amplitudes.size() == modes_ && modes_ > 0) y += rows_.leftCols(modes_) * amplitudes;
+
+  const Eigen::MatrixXd weighted = variance_.cwiseInverse().asDiagonal() * rows_;
+  Eigen::MatrixXd h = rows_.transpose() * weighted;
+  h.diagonal().array() += 1.0;
+  const Eigen::LLT<Eigen::MatrixXd> factor(h);
+  root_ = factor.matrixU().solve(Eigen::MatrixXd::Identity(unknowns, unknowns));
+  mean_ = factor.solve(weighted.transpose() * y);
+  left_ = y - rows_ * mean_;
+  spread_ = motions.leftCols(unknowns) * root_;
+
+  const Eigen::VectorXd larger = all.col(unknowns);
+  const auto inverse = [&](const Eigen::VectorXd& v) -> Eigen::VectorXd {
+    return v.cwiseQuotient(variance_) - weighted * factor.solve(weighted.transpose() * v);
+  };
+  const double information = larger.dot(inverse(larger)) + 1.0;
+  size_ = {kWholeSize * larger.dot(inverse(y)) / information, kWholeSize / std::sqrt(information)};
+  points_.conservativeResize(rows.surface_count, 3);
+  group(kPlace);
+}
+
+void ErrorModel::add_rival(const Points& elsewhere, double probability) {
+  const Points away = std::sqrt(probability) * (elsewhere - nodes_);
+  spread_.conservativeResize(Eigen::NoChange, spread_.cols() + 1);
+  spread_.rightCols<1>() = Eigen::Map<const Eigen::VectorXd>(away.data(), away.size());
+}
+
+/// Farthest points first, each row to the nearest of them.
+void ErrorModel::group(double width) {
+  if (points_.rows() == 0) return;
+  std::vector<Eigen::Index> centres{0};
+  Eigen::VectorXd distance = (points_.rowwise() - points_.row(0)).rowwise().squaredNorm();
+  std::vector<std::size_t> nearest(static_cast<std::size_t>(points_.rows()), 0);
+  for (Eigen::Index next = 0; distance.maxCoeff(&next) > width * width;) {
+    const Eigen::VectorXd fresh = (points_.rowwise() - points_.row(next)).rowwise().squaredNorm();
+    for (Eigen::Index i = 0; i < fresh.size(); ++i)
+      if (fresh[i] < distance[i])
+        distance[i] = fresh[i], nearest[static_cast<std::size_t>(i)] = centres.size();
+    centres.push_back(next);
+  }
+  places_.resize(centres.size());
+  for (std::size_t i = 0; i < nearest.size(); ++i)
+    places_[nearest[i]].push_back(static_cast<Eigen::Index>(i));
+}
+
+Eigen::Matrix3d ErrorModel::covariance(const Eigen::Vector4i& nodes, const Eigen::Vector4d& weights) const {
+  Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(3, spread_.cols());
+  for (int k = 0; k < 4; ++k)
+    if (nodes[k] >= 0) moved += weights[k] * spread_.middleRows<3>(3L * nodes[k]);
+  return moved * moved.transpose();
+}
+
+std::vector<Eigen::Matrix3d> ErrorModel::covariances(const TetMesh& mesh, const Binding& points) const {
+  std::vector<Eigen::Matrix3d> all;
+  for (std::size_t i = 0; i < points.tetrahedron.size(); ++i)
+    all.push_back(covariance(mesh.tetrahedra.row(points.tetrahedron[i]).transpose(),
+                             points.weights.row(static_cast<Eigen::Index>(i)).transpose()));
+  return all;
+}
+
+Eigen::VectorXd ErrorModel::expected() const {
+  Eigen::VectorXd errors(spread_.rows() / 3);
+  for (Eigen::Index i = 0; i < errors.size(); ++i) {
+    const auto of_node = spread_.middleRows<3>(3 * i);
+    errors[i] = mean_error(of_node * of_node.transpose());
+  }
+  return errors;
+}
+
+double ErrorModel::misfit() const {
+  double sum = 0.0;
+  for (const auto& place : places_) sum += std::pow(left_(place).mean(), 2);
+  return places_.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(places_.size()));
+}
+
+ErrorModel::HeldOut ErrorModel::held_out() const {
+  HeldOut held;
+  if (places_.size() < 2) return held;
+  for (const auto& place : places_) {
+    // Left out, the place's residual is V (V - H)^-1 e, of covariance V (V - H)^-1 V; H = A S A^T.
+    const Eigen::MatrixXd a = rows_(place, Eigen::all) * root_;
+    Eigen::MatrixXd m = -a * a.transpose();
+    const Eigen::VectorXd v = variance_(place);
+    m.diagonal() += v;
+    const Eigen::LDLT<Eigen::MatrixXd> factor(m);
+    const double distance =
+        v.dot(factor.solve(Eigen::VectorXd(left_(place)))) / static_cast<double>(place.size());
+    const double square = v.dot(factor.solve(v)) / std::pow(static_cast<double>(place.size()), 2);
+    held.distance += distance * distance;
+    held.z += distance * distance / square;
+  }
+  held.distance = std::sqrt(held.distance / static_cast<double>(places_.size()));
+  held.z = std::sqrt(held.z / static_cast<double>(places_.size()));
+  return held;
+}
+
+double ErrorModel::strangeness() const {
+  const Eigen::Index count = mean_.size() - 6;
+  const double expected = static_cast<double>(count) - root_.topRows(count).squaredNorm();
+  return expected > 1e-3 ? mean_.head(count).squaredNorm() / expected : 0.0;
+}
+
+}  // namespace glisson::registration
