@@ -783,6 +783,22 @@
         <source>&quot;Not liver&quot; seed %%1 had no effect: %%2 lies there. Take one of the two away.</source>
         <translation>Saatpunkt %%1 „Nicht Leber“ hatte keine Wirkung: Dort liegt %%2. Eines von beiden entfernen.</translation>
     </message>
+    <message>
+        <source>The cloud&apos;s points scatter by %1 mm about a smooth surface (limit %2 mm).</source>
+        <translation>Die Punkte der Wolke streuen um %1 mm um eine glatte Oberfläche (Grenze %2 mm).</translation>
+    </message>
+    <message>
+        <source>The cloud&apos;s mirror image fits as well or nearly so (log odds %1, limit %2): it has not been recognised as this liver.</source>
+        <translation>Das Spiegelbild der Wolke passt ebenso gut oder fast (logarithmierte Chance %1, Grenze %2): Sie wurde nicht als diese Leber erkannt.</translation>
+    </message>
+    <message>
+        <source>The registration was refused: what is known contradicts it.</source>
+        <translation>Die Registrierung wurde verworfen: Was bekannt ist, widerspricht ihr.</translation>
+    </message>
+    <message>
+        <source>The registration was refused, and somebody uses it nevertheless.</source>
+        <translation>Die Registrierung wurde verworfen, und jemand verwendet sie dennoch.</translation>
+    </message>
 </context>
 <context>
     <name>Obstacles</name>
@@ -1402,6 +1418,10 @@
     <message>
         <source>Opening the copy</source>
         <translation>Sicherungskopie öffnen</translation>
+    </message>
+    <message>
+        <source>Accepting the registration</source>
+        <translation>Registrierung wird übernommen</translation>
     </message>
 </context>
 <context>
@@ -2239,10 +2259,6 @@
         <translation>live: längste Zeit, bis eine Einblendung verschwindet, s</translation>
     </message>
     <message>
-        <source>How the shape is found: forces (few contact forces on the surface, elastic law by evidence), springs (the paper&apos;s) or automatic (forces for a bare mesh with --fixed, springs otherwise).</source>
-        <translation>Wie die Form gefunden wird: forces (wenige Kontaktkräfte an der Oberfläche, elastisches Gesetz nach Evidenz), springs (wie im Artikel) oder automatic (forces für ein bloßes Netz mit --fixed, sonst springs).</translation>
-    </message>
-    <message>
         <source>cancelled; nothing was written.</source>
         <translation>abgebrochen; nichts wurde geschrieben.</translation>
     </message>
@@ -2405,6 +2421,18 @@
     <message>
         <source>in silico, lesions above 1 ml, one click: Dice, median</source>
         <translation>in silico, Läsionen über 1 ml, ein Klick: Dice, Median</translation>
+    </message>
+    <message>
+        <source>How the shape is found: forces (few contact forces on the surface, elastic law by evidence), springs, paper (springs with --prior none, as published) or automatic (forces for a bare mesh with --fixed, springs otherwise).</source>
+        <translation>Wie die Form gefunden wird: forces (wenige Kontaktkräfte auf der Oberfläche, Elastizitätsgesetz nach Evidenz), springs (Federn), paper (Federn mit --prior none, wie veröffentlicht) oder automatic (forces für ein bloßes Netz mit --fixed, sonst springs).</translation>
+    </message>
+    <message>
+        <source>Write the result even if it is refused; its doubts stay with it. Without this a refused registration writes no file, and the exit code is 3.</source>
+        <translation>Das Ergebnis schreiben, auch wenn es verworfen wird; seine Zweifel bleiben dabei. Ohne dies schreibt eine verworfene Registrierung keine Datei, und der Rückgabewert ist 3.</translation>
+    </message>
+    <message>
+        <source>The registration was refused: what is known contradicts it (see the notes above). Nothing was written. Give a cloud that shows more of this patient&apos;s liver with less noise, mark margin and notch, or start from --rigid FILE; --accept-doubts writes it nevertheless.</source>
+        <translation>Die Registrierung wurde verworfen: Was bekannt ist, widerspricht ihr (siehe die Hinweise oben). Nichts wurde geschrieben. Geben Sie eine Wolke, die mehr von der Leber dieses Patienten mit weniger Rauschen zeigt, markieren Sie Rand und Kerbe oder beginnen Sie mit --rigid FILE; --accept-doubts schreibt sie dennoch.</translation>
     </message>
 </context>
 <context>
@@ -3722,6 +3750,14 @@
     <message>
         <source>Register</source>
         <translation>Registrieren</translation>
+    </message>
+    <message>
+        <source>Use it nevertheless</source>
+        <translation>Dennoch verwenden</translation>
+    </message>
+    <message>
+        <source>The registration was refused: what is known contradicts it. Its doubts stay in the picture.</source>
+        <translation>Die Registrierung wurde verworfen: Was bekannt ist, widerspricht ihr. Ihre Zweifel bleiben im Bild.</translation>
     </message>
 </context>
 <context>

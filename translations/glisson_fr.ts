@@ -783,6 +783,22 @@
         <source>&quot;Not liver&quot; seed %%1 had no effect: %%2 lies there. Take one of the two away.</source>
         <translation>Le germe %%1 « Pas le foie » n’a eu aucun effet : %%2 s’y trouve. Retirez l’un des deux.</translation>
     </message>
+    <message>
+        <source>The cloud&apos;s points scatter by %1 mm about a smooth surface (limit %2 mm).</source>
+        <translation>Les points du nuage se dispersent de %1 mm autour d&apos;une surface lisse (limite %2 mm).</translation>
+    </message>
+    <message>
+        <source>The cloud&apos;s mirror image fits as well or nearly so (log odds %1, limit %2): it has not been recognised as this liver.</source>
+        <translation>L&apos;image miroir du nuage convient aussi bien ou presque (logarithme des chances %1, limite %2) : il n&apos;a pas été reconnu comme ce foie.</translation>
+    </message>
+    <message>
+        <source>The registration was refused: what is known contradicts it.</source>
+        <translation>Le recalage a été refusé : ce que l&apos;on sait le contredit.</translation>
+    </message>
+    <message>
+        <source>The registration was refused, and somebody uses it nevertheless.</source>
+        <translation>Le recalage a été refusé, et quelqu&apos;un l&apos;utilise malgré tout.</translation>
+    </message>
 </context>
 <context>
     <name>Obstacles</name>
@@ -1402,6 +1418,10 @@
     <message>
         <source>Opening the copy</source>
         <translation>Ouverture de la copie</translation>
+    </message>
+    <message>
+        <source>Accepting the registration</source>
+        <translation>Acceptation du recalage</translation>
     </message>
 </context>
 <context>
@@ -2239,10 +2259,6 @@
         <translation>en direct : temps le plus long jusqu’au retrait, s</translation>
     </message>
     <message>
-        <source>How the shape is found: forces (few contact forces on the surface, elastic law by evidence), springs (the paper&apos;s) or automatic (forces for a bare mesh with --fixed, springs otherwise).</source>
-        <translation>Comment la forme est trouvée : forces (quelques forces de contact sur la surface, loi élastique par évidence), springs (celle de l’article) ou automatic (forces pour un maillage nu avec --fixed, sinon springs).</translation>
-    </message>
-    <message>
         <source>cancelled; nothing was written.</source>
         <translation>annulé ; rien n’a été écrit.</translation>
     </message>
@@ -2405,6 +2421,18 @@
     <message>
         <source>in silico, lesions above 1 ml, one click: Dice, median</source>
         <translation>in silico, lésions de plus de 1 ml, un clic : Dice, médiane</translation>
+    </message>
+    <message>
+        <source>How the shape is found: forces (few contact forces on the surface, elastic law by evidence), springs, paper (springs with --prior none, as published) or automatic (forces for a bare mesh with --fixed, springs otherwise).</source>
+        <translation>Comment la forme est trouvée : forces (peu de forces de contact sur la surface, loi élastique par l&apos;évidence), springs (ressorts), paper (ressorts avec --prior none, comme publié) ou automatic (forces pour un maillage nu avec --fixed, sinon springs).</translation>
+    </message>
+    <message>
+        <source>Write the result even if it is refused; its doubts stay with it. Without this a refused registration writes no file, and the exit code is 3.</source>
+        <translation>Écrire le résultat même s&apos;il est refusé ; ses doutes restent avec lui. Sinon un recalage refusé n&apos;écrit aucun fichier et le code de sortie est 3.</translation>
+    </message>
+    <message>
+        <source>The registration was refused: what is known contradicts it (see the notes above). Nothing was written. Give a cloud that shows more of this patient&apos;s liver with less noise, mark margin and notch, or start from --rigid FILE; --accept-doubts writes it nevertheless.</source>
+        <translation>Le recalage a été refusé : ce que l&apos;on sait le contredit (voir les notes ci-dessus). Rien n&apos;a été écrit. Donnez un nuage qui montre davantage du foie de ce patient avec moins de bruit, marquez le bord et l&apos;encoche, ou partez de --rigid FILE ; --accept-doubts l&apos;écrit malgré tout.</translation>
     </message>
 </context>
 <context>
@@ -3722,6 +3750,14 @@
     <message>
         <source>Register</source>
         <translation>Recaler</translation>
+    </message>
+    <message>
+        <source>Use it nevertheless</source>
+        <translation>L&apos;utiliser malgré tout</translation>
+    </message>
+    <message>
+        <source>The registration was refused: what is known contradicts it. Its doubts stay in the picture.</source>
+        <translation>Le recalage a été refusé : ce que l&apos;on sait le contredit. Ses doutes restent dans l&apos;image.</translation>
     </message>
 </context>
 <context>

@@ -259,6 +259,7 @@ void SegmentationEditTest::EnterKeepsTheLargestIsland() {
   QCOMPARE(at({-0.02, 0.025, 0}), structure::kPortalVein);
   QTest::keyClick(window_.get(), Qt::Key_I);
   QTRY_VERIFY(session().shows_preview());
+  QVERIFY(settle());  // also the copy that is kept before long work
   QTest::keyClick(window_.get(), Qt::Key_Return);
   QVERIFY(settle());
   QVERIFY(at({-0.02, 0.025, 0}) != structure::kPortalVein);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QApplication>
+#include <QMessageBox>
 #include <QtTest>
 
 #include "glisson/core/files.h"
@@ -117,6 +118,9 @@ class SegmentationWindow {
   void open_ct() {
     window_->open(folder_->path() / "ct.nrrd");
     QVERIFY(settle());
+    // So small and plain a CT is odd, and the window says so: read, and closed.
+    for (auto* box : window_->findChildren<QMessageBox*>()) box->close();
+    QApplication::setActiveWindow(window_.get());
     QVERIFY(window_->engine().state()[part::image] != nullptr);
     window_->views().slice(scene::Plane::axial);
     QTest::mouseClick(&slice(scene::Plane::axial), Qt::LeftButton, {},

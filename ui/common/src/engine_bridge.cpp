@@ -38,13 +38,11 @@ EngineBridge::~EngineBridge() {
 engine::CommandId EngineBridge::post(engine::Command command) {
   Task task;
   task.traits = command.traits();
-  // Told before the engine has it, still without a number: what is posted now comes before it.
+  emit about_to_post(task.traits);
+  task.id = engine_->post(std::move(command));
   tasks_.push_back(task);
   emit tasks_changed();
-  const engine::CommandId id = engine_->post(std::move(command));
-  std::find_if(tasks_.rbegin(), tasks_.rend(), [](const Task& waiting) { return waiting.id == 0; })->id = id;
-  emit tasks_changed();
-  return id;
+  return task.id;
 }
 
 void EngineBridge::cancel(engine::CommandId id) { engine_->cancel(id); }

@@ -4,7 +4,6 @@
 #include <QMainWindow>
 #include <QMessageBox>
 #include <QPushButton>
-#include <algorithm>
 
 #include "glisson/engine/commands/keep_copy.h"
 #include "glisson/engine/commands/recover_case.h"
@@ -19,7 +18,7 @@ constexpr std::chrono::minutes kPeriod(2);
 Autosaver::Autosaver(EngineBridge& engine, QMainWindow& window, const std::filesystem::path& root)
     : QObject(&window), engine_(engine), window_(window), root_(root), folder_(root) {
   connect(&timer_, &QTimer::timeout, this, &Autosaver::keep);
-  connect(&engine_, &EngineBridge::tasks_changed, this, &Autosaver::keep_before_long_work);
+  connect(&engine_, &EngineBridge::about_to_post, this, &Autosaver::keep_before_long_work);
   connect(&engine_, &EngineBridge::finished, this, &Autosaver::take);
   connect(&engine_, &EngineBridge::case_changed, this, &Autosaver::forget_what_is_saved,
           Qt::QueuedConnection);  // the window looks first whether anything is unsaved
@@ -38,14 +37,9 @@ void Autosaver::keep() {
   posting_ = false;
 }
 
-void Autosaver::keep_before_long_work() {
-  const auto is_next = [](const Task& task) {
-    const engine::CommandTraits& work = task.traits;
-    return task.id == 0 && work.lane == engine::Lane::work && work.notice == engine::Notice::ordinary &&
-           !work.writes.empty();
-  };
-  const std::vector<Task>& tasks = engine_.tasks();
-  if (std::any_of(tasks.begin(), tasks.end(), is_next)) keep();
+void Autosaver::keep_before_long_work(const engine::CommandTraits& work) {
+  if (work.lane == engine::Lane::work && work.notice == engine::Notice::ordinary && !work.writes.empty())
+    keep();
 }
 
 void Autosaver::take(const engine::Outcome& outcome) {

@@ -48,6 +48,8 @@ class EngineBridge : public QObject {
   void trial_changed();
   /// The liver's contour while it is segmented.
   void evolving_changed();
+  /// Before the engine has it: what is posted now comes first.
+  void about_to_post(const glisson::engine::CommandTraits& work);
   void tasks_changed();
   void finished(const glisson::engine::Outcome& outcome);
 

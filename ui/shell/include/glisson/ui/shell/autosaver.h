@@ -30,7 +30,7 @@ class Autosaver : public QObject {
 
  private:
   void keep();
-  void keep_before_long_work();
+  void keep_before_long_work(const engine::CommandTraits& work);
   void take(const engine::Outcome& outcome);
   void forget_what_is_saved();
   void ask(const engine::Recoverable& copy);
@@ -41,7 +41,7 @@ class Autosaver : public QObject {
   engine::RecoveryFolder folder_;
   QTimer timer_;
   engine::Editions kept_{}, keeping_{};  ///< of the copy, and of the one on its way
-  bool posting_ = false;  ///< a copy: its post is told before it has a number
+  bool posting_ = false;                 ///< a copy: its post is told before it has a number
   std::optional<engine::CommandId> copying_, recovering_;
   engine::Recoverable recovered_;
   std::vector<engine::Recoverable> offered_;
