@@ -27,7 +27,8 @@ CommandTraits StartTracking::traits() const {
 
 Cancellable<Applied> StartTracking::apply(const CaseState& state, const RunContext&,
                                           const Services& services) const {
-  if (registration::is_refused(*state[part::registration]))
+  const auto& registered = state[part::registration];  // null: the follower says what is missing
+  if (registered && registration::is_refused(*registered))
     throw InputError("registration", "", "was refused: what is known contradicts it",
                      "Register again with a better cloud, or accept it knowing its doubts");
   const std::shared_ptr<Follower> follower = services.make_follower(state, *this);
