@@ -68,6 +68,7 @@ class OutputFileTest : public QObject {
   void WhatTookItsPlaceIsNotCommitted();
   void WhatIsBeingWrittenIsNotSwept();
   void WhatWasKilledIsSweptAndNothingElse();
+  void WhatAChildOfTheKilledHoldsForAMomentIsSwept();
   void ARecordingThatWasKilledIsKept();
   void TemporaryFoldersAreForOneUserAlone();
   void WorkIsNotDoneInTheSharedFolder();
@@ -189,6 +190,24 @@ void OutputFileTest::WhatWasKilledIsSweptAndNothingElse() {
   QCOMPARE(read_file(folder.path() / "x.txt"), std::string("foreign"));
   QCOMPARE(read_file(folder.path() / "outside/kept"), std::string("kept"));
   QCOMPARE(sweep_leftovers(folder.path() / "absent"), 0);
+}
+
+void OutputFileTest::WhatAChildOfTheKilledHoldsForAMomentIsSwept() {
+  // Killed while it starts another program: until that is there, a child shares what was held.
+  const TemporaryFolder folder;
+  pid_t child = 0;
+  {
+    Claim claim;
+    const fs::path left = Claim::make_folder(folder.path(), claim);
+    QVERIFY(!left.empty());
+    child = ::fork();
+    if (child == 0) {
+      ::usleep(30000);
+      ::_exit(0);
+    }
+  }
+  QCOMPARE(sweep_leftovers(folder.path()), 1);
+  ::waitpid(child, nullptr, 0);
 }
 
 void OutputFileTest::ARecordingThatWasKilledIsKept() {

@@ -168,7 +168,7 @@ void CaseForeignTest::SameContentIsSameBytes() {
 
 void CaseForeignTest::KilledSavesLeaveNothingAfterTheNextOpening() {
   write_file_atomically(path() / "letter.txt", "Dear colleague");
-  int killed = 0, littered = 0, left = 0;
+  int killed = 0, littered = 0;
   for (int moment = 0; moment < 25; ++moment) {
     const pid_t child = ::fork();
     if (child == 0) {
@@ -185,16 +185,9 @@ void CaseForeignTest::KilledSavesLeaveNothingAfterTheNextOpening() {
     littered += entries() > 1;
     const double seed = seed_on_disk(path());
     QVERIFY(seed == 0.1 || seed == 0.2);
+    QCOMPARE(entries(), 1L);
     QCOMPARE(read_file(path() / "letter.txt"), std::string("Dear colleague"));
-    if (entries() == 1) continue;
-    ++left;
-    std::vector<fs::path> others;
-    for (const auto& entry : fs::directory_iterator(folder_->path()))
-      if (entry.path() != path()) others.push_back(entry.path());
-    for (const fs::path& other : others) fs::remove_all(other);
   }
-  // Seen once in a hundred: what dies between making its folder and holding it is not known for its own.
-  QVERIFY2(left <= 2, qPrintable(QString::number(left)));
   QCOMPARE(killed, 25);
   QVERIFY(littered > 5);  // it was really killed on the way
 }
