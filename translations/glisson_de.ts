@@ -3782,6 +3782,10 @@
         <source>no, %1 steps</source>
         <translation>nein, %1 Schritte</translation>
     </message>
+    <message>
+        <source>refused</source>
+        <translation>abgelehnt</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::SeedBox</name>

@@ -3782,6 +3782,10 @@
         <source>no, %1 steps</source>
         <translation>non, %1 pas</translation>
     </message>
+    <message>
+        <source>refused</source>
+        <translation>refusé</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::SeedBox</name>

@@ -8,6 +8,7 @@
 #include "box_patient.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
+#include "glisson/engine/commands/accept_registration.h"
 #include "glisson/engine/commands/build_model.h"
 #include "glisson/engine/commands/import_image.h"
 #include "glisson/engine/commands/list_series.h"
@@ -54,6 +55,7 @@ class FakeOperation {
   std::atomic<bool> hold{false};
   /// Of every live frame.
   std::atomic<Validity> live_validity{Validity::valid};
+  std::vector<std::string> doubts{"few_margin_points"};  ///< of the registration
 
   engine::Engine::Options options() {
     engine::Engine::Options options;
@@ -131,6 +133,7 @@ class FakeOperation {
 
   Cancellable<engine::Applied> apply(const engine::CaseState& state, const engine::Command& command,
                                      const RunContext& context) {
+    if (const auto* accept = command.as<engine::AcceptRegistration>()) return accept->apply(state, context);
     engine::Applied applied{state};
     const auto done =
         try_change<engine::ImportImage, engine::ListSeries, engine::SetSeeds, engine::Segment,
@@ -239,7 +242,7 @@ class FakeOperation {
     registration.termination = Termination::converged;
     registration.plateaus = 11;
     registration.residual = 1.1e-3;
-    registration.doubts = {"few_margin_points"};
+    registration.doubts = doubts;
     applied.state[part::registration] = std::make_shared<const Registration>(std::move(registration));
     return true;
   }

@@ -7,6 +7,7 @@
 #include <QtTest>
 
 #include "fake_operation.h"
+#include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/engine/commands/build_model.h"
 #include "glisson/engine/commands/import_image.h"
@@ -17,6 +18,7 @@
 #include "glisson/engine/commands/set_calibration.h"
 #include "glisson/engine/commands/set_seeds.h"
 #include "glisson/engine/commands/set_video.h"
+#include "glisson/engine/commands/start_tracking.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/ui/common/task_button.h"
 #include "glisson/ui/guidance/playback_box.h"
@@ -37,6 +39,7 @@ class GuidanceBoxesTest : public QObject {
   void CouplingShowsNowAndAtEveryChange();
   void RegistrationSaysWhatItNeeds();
   void RegistrationShowsItsFiguresAndDoubts();
+  void RefusedRegistrationIsUsedOnlyWhenSomebodySaysSo();
   void PlaybackSaysWhatItNeeds();
   void PlaybackFreezesWhenItIsStopped();
   void FrozenPictureGoesWithItsRegistration();
@@ -150,6 +153,25 @@ void GuidanceBoxesTest::RegistrationShowsItsFiguresAndDoubts() {
   QVERIFY(words_on(box).contains(QStringLiteral("yes, 11 plateaus")));
   QVERIFY(!doubts->isHidden() && !doubts->text().isEmpty());
   QVERIFY(!box.findChild<QLabel*>(QStringLiteral("model_unchecked"))->isHidden());
+}
+
+void GuidanceBoxesTest::RefusedRegistrationIsUsedOnlyWhenSomebodySaysSo() {
+  ui::RegistrationModel model(*engine_);
+  const ui::RegistrationBox box(*engine_, model);
+  ui::TaskButton* accept = task(box, "accept_registration");
+  QVERIFY(accept->isHidden());
+  operation_->doubts = {"refused", "cloud_noisy 6.3 6"};
+  reach_registration(4);
+  QVERIFY(!accept->isHidden());
+  QVERIFY(words_on(box).contains(QStringLiteral("refused")));
+  QVERIFY(!words_on(box).contains(QStringLiteral("plateaus")));  // nothing that sounds like success
+  QVERIFY_EXCEPTION_THROWN(engine::StartTracking{}.apply(engine_->state(), RunContext(), engine::Services{}),
+                           InputError);
+  accept->trigger();
+  QVERIFY(QTest::qWaitFor([this] { return engine_->tasks().empty(); }, 20000));
+  QVERIFY(accept->isHidden());
+  QVERIFY2(words_on(box).contains(QStringLiteral("scatter by 6.30 mm")),
+           qPrintable(words_on(box)));  // it stays
 }
 
 void GuidanceBoxesTest::PlaybackSaysWhatItNeeds() {

@@ -172,9 +172,9 @@ void SegmentationPanelTest::BoxDrawnInSlicesIsWhereGrowthWorks() {
   const auto drawn = shared().box();
   QVERIFY(drawn.has_value());
   QVERIFY(std::abs(drawn->max().x() - 0.011) < 1e-3 && std::abs(drawn->min().y() + 0.06) < 1e-3);
-  QCOMPARE(drawn->min().z(), -0.043);  // as deep as the volume
-  QCOMPARE(drawn->max().z(), 0.043);
-  drag(slice(Plane::coronal), {{-0.03, 0, 0.043}, {-0.03, 0, 0.021}});
+  QCOMPARE(drawn->min().z(), 1e-3 * ct_.grid.origin_mm.z());  // as deep as the volume
+  QCOMPARE(drawn->max().z(), -1e-3 * ct_.grid.origin_mm.z());
+  drag(slice(Plane::coronal), {{-0.03, 0, -1e-3 * ct_.grid.origin_mm.z()}, {-0.03, 0, 0.021}});
   QVERIFY(std::abs(shared().box()->max().z() - 0.021) < 1e-3);
   QCOMPARE(shared().box()->max().x(), drawn->max().x());
   press("own_resolution");

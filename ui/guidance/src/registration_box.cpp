@@ -2,6 +2,7 @@
 #include "glisson/ui/guidance/registration_box.h"
 
 #include <QLabel>
+#include <QPushButton>
 #include <QVBoxLayout>
 
 #include "box_layout.h"
@@ -32,6 +33,7 @@ RegistrationBox::RegistrationBox(EngineBridge& engine, RegistrationModel& model,
   auto* accept = new TaskButton(
       engine, tr("Use it nevertheless"), [] { return engine::Command(engine::AcceptRegistration{}); }, this);
   accept->setObjectName(QStringLiteral("accept_registration"));
+  accept->button()->setProperty("role", QVariant());  // not the step that one takes in passing
   accept->setToolTip(
       tr("The registration was refused: what is known contradicts it. Its doubts stay in the "
          "picture."));

@@ -27,12 +27,13 @@ void RegistrationModel::read_case() {
     return;
   }
   const Registration& r = *now[part::registration];
+  is_refused = registration::is_refused(r);
   figures = FigureRows{
       {tr("Residual (not an accuracy)"), tr("%1 mm").arg(1e3 * r.residual, 0, 'f', 2)},
-      {tr("Converged"), r.termination == Termination::converged ? tr("yes, %1 plateaus").arg(r.plateaus)
-                                                                : tr("no, %1 steps").arg(r.steps)}};
+      {tr("Converged"), is_refused                                ? tr("refused")
+                        : r.termination == Termination::converged ? tr("yes, %1 plateaus").arg(r.plateaus)
+                                                                  : tr("no, %1 steps").arg(r.steps)}};
   doubts = notes_text(r.doubts);
-  is_refused = registration::is_refused(r);
 }
 
 }  // namespace glisson::ui
