@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "crash_report.h"
+#include "glisson/core/time_text.h"
 
 #include <execinfo.h>
 #include <fcntl.h>
@@ -10,7 +11,6 @@
 #include <array>
 #include <cstdio>
 #include <cstring>
-#include <ctime>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -76,15 +76,12 @@ void report_crashes(const fs::path& folder, const char* doing) {
   if (!failure) fs::permissions(folder, fs::perms::owner_all, failure);
   if (failure) return;
   remove_old(folder);
-  const std::time_t now = std::time(nullptr);
-  struct tm parts = {};
-  std::array<char, 32> time{};
-  if (::gmtime_r(&now, &parts) != nullptr) std::strftime(time.data(), time.size(), "%Y%m%dT%H%M%SZ", &parts);
-  const fs::path file = folder / (std::string(time.data()) + "-" + std::to_string(::getpid()) + ".txt");
+  const std::string time = utc_time_text("%Y%m%dT%H%M%SZ");
+  const fs::path file = folder / (time + "-" + std::to_string(::getpid()) + ".txt");
   if (file.string().size() >= report_path.size()) return;
   std::snprintf(report_path.data(), report_path.size(), "%s", file.c_str());
   std::snprintf(report_head.data(), report_head.size(), "glisson %s\nstarted %s\ndoing %s\n", GLISSON_VERSION,
-                time.data(), *doing == '\0' ? "window" : doing);
+                time.c_str(), *doing == '\0' ? "window" : doing);
   std::array<void*, 2> first{};
   ::backtrace(first.data(), 2);  // loads what it needs now, not inside the handler
   stack_t stack = {};

@@ -7,6 +7,7 @@
 #include "glisson/geometry/mesh_io.h"
 #include "glisson/patient/labelled_cloud.h"
 #include "glisson/volume/io.h"
+#include "plain_ct.h"
 #include "program.h"
 
 using namespace glisson;
@@ -27,16 +28,6 @@ class DoctorCommandsTest : public QObject, private test::Program {
   void WhatAKilledRunUnpackedGoesAtTheNextStart();
 
  private:
-  void write_ct(const char* name) const {
-    Image image;
-    image.grid.size = {32, 32, 32};
-    image.grid.spacing_mm = {4.0, 4.0, 4.0};
-    auto voxels = std::make_shared<std::vector<std::int16_t>>(32UL * 32 * 32);
-    for (std::size_t n = 0; n < voxels->size(); ++n)
-      (*voxels)[n] = static_cast<std::int16_t>((n * 7919) % 1100) - 1000;
-    image.voxels = voxels;
-    write_image(at(name), image);
-  }
   std::vector<fs::path> reports() const {
     std::vector<fs::path> all;
     std::error_code none;
@@ -88,7 +79,7 @@ void DoctorCommandsTest::ACrashLeavesAReport() {
 }
 
 void DoctorCommandsTest::TheLogNamesNobody() {
-  write_ct("Anna Smith 1970.nrrd");
+  test::write_plain_ct(at("Anna Smith 1970.nrrd"));
   QCOMPARE(run({"import", "Anna Smith 1970.nrrd", "--case", "anna.glisson"}).code, 0);
   test::write_text(at("anna smith.nrrd"), "no volume");
   QCOMPARE(run({"import", "anna smith.nrrd", "--case", "anna.glisson"}).code, 1);
@@ -101,7 +92,7 @@ void DoctorCommandsTest::TheLogNamesNobody() {
 }
 
 void DoctorCommandsTest::SoakLooksAtOpeningAndSaving() {
-  write_ct("ct.nrrd");
+  test::write_plain_ct(at("ct.nrrd"));
   QCOMPARE(run({"import", "ct.nrrd", "--case", "a.glisson"}).code, 0);
   const Ran ran = run({"soak", "--case", "a.glisson", "--frames", "0", "--edits", "0", "--opens", "12",
                        "--kills", "6", "--json", "s.json", "--page", "soak.md"});
@@ -116,7 +107,7 @@ void DoctorCommandsTest::SoakLooksAtOpeningAndSaving() {
 }
 
 void DoctorCommandsTest::WhatAKilledRunUnpackedGoesAtTheNextStart() {
-  write_ct("ct.nrrd");
+  test::write_plain_ct(at("ct.nrrd"));
   // As a killed run leaves them: nobody holds them.
   const fs::path work = work_folder();
   fs::path left;

@@ -18,9 +18,11 @@
 #include "glisson/engine/case_io.h"
 #include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/seeds.h"
+#include "seeded_case.h"
 
 using namespace glisson;
 using namespace glisson::engine;
+using test::seed_on_disk;
 namespace fs = std::filesystem;
 
 namespace {
@@ -41,11 +43,6 @@ CaseState state_with(double seed, bool has_labels = true) {
   state[part::labels] = labels;
   state.stamp(part::labels).revision = 2;
   return state;
-}
-
-double seed_on_disk(const fs::path& path) {
-  // To a micrometre, as files keep it.
-  return std::round(1e6 * (*open_case(path, RunContext()))[part::seeds]->liver(0, 0)) / 1e6;
 }
 
 std::set<std::string> names(const fs::path& folder) {

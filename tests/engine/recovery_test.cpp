@@ -21,23 +21,14 @@
 #include "glisson/engine/parts/keeping.h"
 #include "glisson/engine/parts/seeds.h"
 #include "glisson/engine/script.h"
+#include "seeded_case.h"
 
 using namespace glisson;
 using namespace glisson::engine;
+using test::seed_of;
+using test::seed_on_disk;
+using test::seeds;
 namespace fs = std::filesystem;
-
-namespace {
-
-SetSeeds seeds(double x) {
-  segmentation::Seeds clicked;
-  clicked.liver = Eigen::RowVector3d(x, 0.0, 0.0);
-  return {clicked};
-}
-/// To a micrometre, as files keep it.
-double seed_of(const CaseState& state) { return std::round(1e6 * state[part::seeds]->liver(0, 0)) / 1e6; }
-double seed_on_disk(const fs::path& path) { return seed_of(*open_case(path, RunContext())); }
-
-}  // namespace
 
 class RecoveryTest : public QObject {
   Q_OBJECT

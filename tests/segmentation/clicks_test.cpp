@@ -5,6 +5,7 @@
 
 #include "glisson/core/error.h"
 #include "glisson/segmentation/segment.h"
+#include "points_at.h"
 
 using namespace glisson;
 using namespace glisson::segmentation;
@@ -47,17 +48,9 @@ Phantom phantom() {
   return result;
 }
 
-Points points_at(const Image& image, std::initializer_list<Eigen::Vector3d> places_mm) {
-  Points points(static_cast<Eigen::Index>(places_mm.size()), 3);
-  Eigen::Index n = 0;
-  for (const Eigen::Vector3d& place : places_mm)
-    points.row(n++) = (1e-3 * (image.grid.origin_mm + place)).transpose();
-  return points;
-}
-
 Seeds clicks_in(const Image& image) {
   Seeds seeds;
-  seeds.liver = points_at(image, {{83, 67, 48}, {72, 80, 64}, {88, 53, 61}});
+  seeds.liver = test::points_at(image, {{83, 67, 48}, {72, 80, 64}, {88, 53, 61}});
   return seeds;
 }
 
@@ -129,7 +122,7 @@ void ClicksTest::ALiverClickBinds() {
        {Eigen::Vector3d(kTumour + Eigen::Vector3d(0, -14, 0)), Eigen::Vector3d(112, 61, 53)}) {
     Seeds seeds = clicks_in(phantom_.image);
     seeds.liver.conservativeResize(4, 3);
-    seeds.liver.row(3) = points_at(phantom_.image, {place}).row(0);
+    seeds.liver.row(3) = test::points_at(phantom_.image, {place}).row(0);
     const Segmented result = segmented(phantom_.image, seeds);
     QCOMPARE(label_at(result, place), structure::kParenchyma);
     QVERIFY(!has_note(result, "seed."));
@@ -139,7 +132,7 @@ void ClicksTest::ALiverClickBinds() {
 void ClicksTest::ANotLiverClickBinds() {
   for (const Eigen::Vector3d& place : {Eigen::Vector3d(96, 72, 56)}) {
     Seeds seeds = clicks_in(phantom_.image);
-    seeds.background = points_at(phantom_.image, {place});
+    seeds.background = test::points_at(phantom_.image, {place});
     const Segmented result = segmented(phantom_.image, seeds);
     for (const Eigen::Vector3d& beside :
          {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(2, 0, 0), Eigen::Vector3d(0, 0, 2)})
@@ -151,7 +144,7 @@ void ClicksTest::ANotLiverClickBinds() {
 void ClicksTest::AClickOnAnIslandIsNamed() {
   Seeds seeds = clicks_in(phantom_.image);
   seeds.liver.conservativeResize(4, 3);
-  seeds.liver.row(3) = points_at(phantom_.image, {{10, 112, 90}}).row(0);  // in fat, far away
+  seeds.liver.row(3) = test::points_at(phantom_.image, {{10, 112, 90}}).row(0);  // in fat, far away
   QVERIFY(has_note(segmented(phantom_.image, seeds), "seed.liver_apart 4"));
 }
 
@@ -159,7 +152,7 @@ void ClicksTest::OneMoreClickChangesNothingFarAway() {
   const Eigen::Vector3d place(77, 56, 67);  // in the parenchyma
   Seeds seeds = clicks_in(phantom_.image);
   seeds.liver.conservativeResize(4, 3);
-  seeds.liver.row(3) = points_at(phantom_.image, {place}).row(0);
+  seeds.liver.row(3) = test::points_at(phantom_.image, {place}).row(0);
   const Segmented more = segmented(phantom_.image, seeds);
   const double voxels = static_cast<double>(std::count(phantom_.liver.begin(), phantom_.liver.end(), 1));
   const auto changed = static_cast<double>(changed_beyond(found_, more, place, 30.0));

@@ -5,6 +5,7 @@
 
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
+#include "points_at.h"
 
 using namespace glisson;
 using namespace glisson::segmentation;
@@ -49,19 +50,11 @@ Phantom phantom() {
   return result;
 }
 
-Points points_at(const Image& image, std::initializer_list<Eigen::Vector3d> places_mm) {
-  Points points(static_cast<Eigen::Index>(places_mm.size()), 3);
-  Eigen::Index n = 0;
-  for (const Eigen::Vector3d& place : places_mm)
-    points.row(n++) = (1e-3 * (image.grid.origin_mm + place)).transpose();
-  return points;
-}
-
 Seeds clicks_in(const Image& image) {
   Seeds seeds;
-  seeds.liver = points_at(image, {{62, 75, 75}, {80, 62, 45}});
-  seeds.portal_vein = points_at(image, {{62, 50, 60}});
-  seeds.lesions = {points_at(image, {{50, 75, 60}})};
+  seeds.liver = test::points_at(image, {{62, 75, 75}, {80, 62, 45}});
+  seeds.portal_vein = test::points_at(image, {{62, 50, 60}});
+  seeds.lesions = {test::points_at(image, {{50, 75, 60}})};
   return seeds;
 }
 
@@ -251,7 +244,7 @@ void SegmentTest::ALesionWithoutSeedsStays() {
       for (int i = 38; i < 43; ++i) edited.voxels.set({i, j, k}, first);
   const std::vector<std::uint8_t> painted = edited.voxels.mask([](Label label) { return label == first; });
   Seeds seeds;
-  seeds.lesions = {Points(0, 3), points_at(p.image, {{50, 75, 60}})};
+  seeds.lesions = {Points(0, 3), test::points_at(p.image, {{50, 75, 60}})};
   SegmentationOptions options;
   options.structures = {false, false, false, false, false, true};
   const auto lesions_are_right = [&](const Segmented& result) {
@@ -262,13 +255,13 @@ void SegmentTest::ALesionWithoutSeedsStays() {
   for (const std::string& note : anew.report.notes)
     QVERIFY2(note.find("lesion") == std::string::npos, note.c_str());
   // In a region only seeds that lie in it count.
-  seeds.lesions[0] = points_at(p.image, {{100, 62, 60}});
+  seeds.lesions[0] = test::points_at(p.image, {{100, 62, 60}});
   const VolumeGrid& grid = p.image.grid;
   options.region =
       Eigen::AlignedBox3d(grid.p_in_ct({2.0, 4.0, 3.0}).xyz, grid.p_in_ct({45.0, 60.0, 52.0}).xyz);
   QVERIFY(lesions_are_right(segment(p.image, seeds, options, RunContext(), &edited).value()));
   // With a seed in it the painted one is found anew, as before.
-  seeds.lesions[0] = points_at(p.image, {{80, 62, 75}});
+  seeds.lesions[0] = test::points_at(p.image, {{80, 62, 75}});
   QVERIFY(mask_of(segment(p.image, seeds, options, RunContext(), &edited).value(), first) != painted);
 }
 
@@ -352,9 +345,9 @@ void SegmentTest::SeedsComeBackFromTheirFile() {
   const TemporaryFolder folder;
   const Phantom& p = phantom_;
   Seeds seeds = clicks_in(p.image);
-  seeds.background = points_at(p.image, {{134, 62, 60}});
+  seeds.background = test::points_at(p.image, {{134, 62, 60}});
   seeds.lesions.emplace_back();  // a lesion of this number was painted, not clicked
-  seeds.lesions.push_back(points_at(p.image, {{1, 2, 3}, {4, 5, 6}}));
+  seeds.lesions.push_back(test::points_at(p.image, {{1, 2, 3}, {4, 5, 6}}));
   write_seeds(folder.path() / "seeds.json", seeds);
   const Seeds back = read_seeds(folder.path() / "seeds.json");
   QVERIFY((back.liver - seeds.liver).cwiseAbs().maxCoeff() < 1e-12);
@@ -393,10 +386,10 @@ void SegmentTest::BadInputIsRefused() {
   none.liver.resize(0, 3);
   QVERIFY_EXCEPTION_THROWN(segment(p.image, none, {}, RunContext()), InputError);
   Seeds outside = good;
-  outside.lesions.push_back(points_at(p.image, {{-50, 0, 0}}));
+  outside.lesions.push_back(test::points_at(p.image, {{-50, 0, 0}}));
   QVERIFY_EXCEPTION_THROWN(segment(p.image, outside, {}, RunContext()), InputError);
   Seeds in_air = good;
-  in_air.liver = points_at(p.image, {{1, 1, 1}});
+  in_air.liver = test::points_at(p.image, {{1, 1, 1}});
   Image air = p.image;
   air.voxels = std::make_shared<const std::vector<std::int16_t>>(p.image.voxels->size(), std::int16_t{-1000});
   QVERIFY_EXCEPTION_THROWN(segment(air, in_air, {}, RunContext()), InputError);

@@ -20,34 +20,15 @@
 #include "glisson/ui/shell/main_window.h"
 #include "glisson/ui/shell/run_window.h"
 #include "glisson/volume/io.h"
+#include "plain_ct.h"
 #include "run_in_window.h"
+#include "seeded_case.h"
 
 namespace glisson {
 
 using ui::Autosaver;
 using ui::MainWindow;
 namespace fs = std::filesystem;
-
-namespace {
-
-engine::SetSeeds seeds(double x) {
-  segmentation::Seeds clicked;
-  clicked.liver = Eigen::RowVector3d(x, 0.0, 0.0);
-  return {clicked};
-}
-
-void write_ct(const fs::path& path) {
-  Image image;
-  image.grid.size = {32, 32, 32};
-  image.grid.spacing_mm = {4.0, 4.0, 4.0};
-  auto voxels = std::make_shared<std::vector<std::int16_t>>(32UL * 32 * 32);
-  for (std::size_t n = 0; n < voxels->size(); ++n)
-    (*voxels)[n] = static_cast<std::int16_t>((n * 7919) % 1100) - 1000;
-  image.voxels = voxels;
-  write_image(path, image);
-}
-
-}  // namespace
 
 /// The window that is going to be killed: tells when a copy has been kept, and waits.
 int be_killed(int argc, char** argv) {
@@ -59,7 +40,7 @@ int be_killed(int argc, char** argv) {
   autosaver->set_period(std::chrono::milliseconds(50));
   QObject::connect(&window.engine(), &ui::EngineBridge::finished, &window,
                    [&](const engine::Outcome& outcome) {
-                     if (outcome.command == "import_image") window.engine().post(seeds(0.25));
+                     if (outcome.command == "import_image") window.engine().post(test::seeds(0.25));
                      if (outcome.command != "keep_copy" || !window.engine().state()[part::seeds]) return;
                      static int kept = 0;
                      if (++kept == 1) return;  // may be of the time before the seeds
@@ -70,7 +51,7 @@ int be_killed(int argc, char** argv) {
   QObject::connect(&window.engine(), &ui::EngineBridge::finished, &window,
                    [&](const engine::Outcome& outcome) {
                      if (outcome.command == "keep_copy" && window.engine().state()[part::seeds])
-                       window.engine().post(seeds(0.25));
+                       window.engine().post(test::seeds(0.25));
                    });
   window.engine().post(engine::ImportImage{argv[3], {}, true});
   return QApplication::exec();
@@ -81,7 +62,7 @@ class RecoveryTest : public QObject {
  private slots:
   void init() {
     folder_ = std::make_unique<TemporaryFolder>();
-    write_ct(folder_->path() / "ct.nrrd");
+    test::write_plain_ct(folder_->path() / "ct.nrrd");
   }
   void cleanup() { folder_.reset(); }
   void AKilledWindowsWorkIsOffered();
@@ -162,7 +143,7 @@ void RecoveryTest::NothingIsKeptOfWhatIsSavedOrThrownAway() {
   window.engine().post(engine::SaveCase{folder_->path() / "a.glisson"});
   QTRY_VERIFY_WITH_TIMEOUT(!window.isWindowModified(), 20000);
   QTRY_COMPARE(copies(), 0);
-  window.engine().post(seeds(0.1));
+  window.engine().post(test::seeds(0.1));
   QTRY_COMPARE_WITH_TIMEOUT(copies(), 1, 20000);
 }
 

@@ -8,13 +8,13 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
-#include <ctime>
 #include <memory>
 #include <mutex>
 #include <system_error>
 #include <utility>
 
 #include "glisson/core/claim.h"
+#include "glisson/core/time_text.h"
 
 namespace glisson {
 namespace fs = std::filesystem;
@@ -29,7 +29,7 @@ class LogFile {
 
   void write(LogLevel level, std::string_view line) {
     static constexpr std::array<const char*, 4> kLevels = {"debug", "info", "warning", "error"};
-    std::string text = now() + ' ' + std::to_string(::getpid()) + ' ' +
+    std::string text = utc_time_text("%Y-%m-%dT%H:%M:%SZ") + ' ' + std::to_string(::getpid()) + ' ' +
                        kLevels[static_cast<std::size_t>(level)] + ' ' + std::string(line);
     std::replace(text.begin(), text.end(), '\n', ' ');
     text += '\n';
@@ -42,14 +42,6 @@ class LogFile {
   }
 
  private:
-  static std::string now() {
-    const std::time_t time = std::time(nullptr);
-    struct tm parts = {};
-    std::array<char, 32> text{};
-    if (::gmtime_r(&time, &parts) != nullptr)
-      std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &parts);
-    return text.data();
-  }
   int open_log() const {
     return ::open((folder_ / kName).c_str(), O_WRONLY | O_APPEND | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0600);
   }

@@ -8,7 +8,6 @@
 
 #include <array>
 #include <cerrno>
-#include <ctime>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <system_error>
@@ -16,6 +15,7 @@
 
 #include "glisson/core/error.h"
 #include "glisson/core/output_file.h"
+#include "glisson/core/time_text.h"
 
 namespace glisson::engine {
 namespace fs = std::filesystem;
@@ -45,12 +45,7 @@ CaseOwner this_process() {
   if (::gethostname(host.data(), host.size() - 1) == 0) owner.host = host.data();
   owner.process = ::getpid();
   owner.boot = first_line("/proc/sys/kernel/random/boot_id");
-  const std::time_t now = std::time(nullptr);
-  struct tm local = {};
-  std::array<char, 32> text{};
-  if (::localtime_r(&now, &local) != nullptr &&
-      std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M", &local) > 0)
-    owner.since = text.data();
+  owner.since = local_time_text("%Y-%m-%d %H:%M");
   return owner;
 }
 

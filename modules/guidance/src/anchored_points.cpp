@@ -37,13 +37,10 @@ void AnchoredPoints::retain(const std::vector<FollowedPoint>& points) {
 Eigen::Vector3d AnchoredPoints::place(const FollowedPoint& point,
                                       const registration::MovingSurface& surface) const {
   const Anchor& anchor = anchors_.at(point.id);
-  Eigen::Vector3d p = Eigen::Vector3d::Zero();
-  for (int k = 0; k < 3; ++k)
-    p += anchor.barycentric[k] * surface.mesh().vertex(surface.mesh().triangles(anchor.triangle, k));
   ClosestPoint at;
   at.triangle = anchor.triangle;
   at.barycentric = anchor.barycentric;
-  return p + anchor.height * surface.normal(at);
+  return surface.place(at) + anchor.height * surface.normal(at);
 }
 
 std::vector<Eigen::Vector3d> AnchoredPoints::gaps(const std::vector<FollowedPoint>& points,

@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include "picture_view.h"
+
 namespace glisson::guidance {
 namespace {
 
@@ -31,33 +33,10 @@ struct Features {
   cv::Mat descriptors;              ///< one a row
 };
 
-/// A place on the surface's material.
-struct Place {
-  int triangle = -1;
-  Eigen::Vector3d barycentric = Eigen::Vector3d::Zero();
-
-  cv::Point3d on(const TriangleMesh& mesh) const {
-    Eigen::Vector3d p = Eigen::Vector3d::Zero();
-    for (int k = 0; k < 3; ++k) p += barycentric[k] * mesh.vertex(mesh.triangles(triangle, k));
-    return {p.x(), p.y(), p.z()};
-  }
-};
-
 struct KeyFrame {
-  std::vector<Place> places;
+  std::vector<ClosestPoint> places;  ///< on the surface's material
   cv::Mat descriptors;
 };
-
-cv::Mat grey_of(const Picture& picture) {
-  const cv::Mat view(picture.height, picture.width, picture.channels == 1 ? CV_8UC1 : CV_8UC3,
-                     const_cast<std::uint8_t*>(picture.bytes->data()));  // only read
-  cv::Mat grey;
-  if (picture.channels == 1)
-    grey = view;
-  else
-    cv::cvtColor(view, grey, cv::COLOR_BGR2GRAY);
-  return grey;
-}
 
 /// Matches that pass the ratio test: index of the key frame's feature, of the picture's.
 std::vector<std::pair<int, int>> match(const cv::Mat& key, const cv::Mat& now) {
@@ -112,11 +91,13 @@ struct Relocator::Impl {
   }
 
   /// The pose that most of a key frame's matches agree on. @return how many do; 0: too few.
-  int pose(const KeyFrame& key, const Features& now, const TriangleMesh& mesh, RigidMotion& motion) const {
+  int pose(const KeyFrame& key, const Features& now, const registration::MovingSurface& surface,
+           RigidMotion& motion) const {
     std::vector<cv::Point3d> places;
     std::vector<cv::Point2f> pixels;
     for (const auto& [of_key, of_now] : match(key.descriptors, now.descriptors)) {
-      places.push_back(key.places[static_cast<std::size_t>(of_key)].on(mesh));
+      const Eigen::Vector3d p = surface.place(key.places[static_cast<std::size_t>(of_key)]);
+      places.emplace_back(p.x(), p.y(), p.z());
       pixels.push_back(now.pixels[static_cast<std::size_t>(of_now)]);
     }
     if (static_cast<int>(places.size()) < kAgreeing) return 0;
@@ -149,7 +130,7 @@ struct Relocator::Impl {
       const ClosestPoint hit =
           surface.first_hit(Eigen::Vector3d::Zero(), ray, 0.0, std::numeric_limits<double>::infinity());
       if (hit.triangle < 0) continue;
-      key.places.push_back({hit.triangle, hit.barycentric});
+      key.places.push_back(hit);
       key.descriptors.push_back(found.descriptors.row(static_cast<int>(i)));
     }
     return key;
@@ -185,7 +166,7 @@ std::optional<RigidMotion> Relocator::find(const Picture& left, const registrati
   int most = 0;
   for (const KeyFrame& key : impl_->keys) {
     RigidMotion motion{Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero()};
-    const int agreeing = impl_->pose(key, now, surface.mesh(), motion);
+    const int agreeing = impl_->pose(key, now, surface, motion);
     if (agreeing > most) most = agreeing, best = motion;
   }
   return best;

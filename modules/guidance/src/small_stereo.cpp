@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "glisson/core/error.h"
+#include "picture_view.h"
 
 namespace glisson::guidance {
 namespace {
@@ -46,15 +47,7 @@ struct SmallStereo::Impl {
                         cv::Mat& out) {
     if (picture.empty() || picture.width != camera.width || picture.height != camera.height)
       throw InputError(name, "picture size", "is not the calibration's", "Use the calibration of this video");
-    const cv::Mat view(picture.height, picture.width, picture.channels == 1 ? CV_8UC1 : CV_8UC3,
-                       const_cast<std::uint8_t*>(picture.bytes->data()));  // only read
-    if (picture.channels == 1) {
-      cv::remap(view, out, map[0], map[1], cv::INTER_LINEAR);
-    } else {
-      cv::Mat grey;
-      cv::cvtColor(view, grey, cv::COLOR_BGR2GRAY);
-      cv::remap(grey, out, map[0], map[1], cv::INTER_LINEAR);
-    }
+    cv::remap(grey_of(picture), out, map[0], map[1], cv::INTER_LINEAR);
   }
 };
 

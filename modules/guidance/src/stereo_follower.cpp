@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "glisson/core/error.h"
+#include "picture_view.h"
 #include "triangulate.h"
 
 namespace glisson::guidance {
@@ -29,13 +30,10 @@ void to_grey(const Picture& picture, const Camera& camera, const char* name, cv:
                          ", the calibration's is " + std::to_string(camera.width) + " x " +
                          std::to_string(camera.height),
                      "Use the calibration of this video");
-  const int type = picture.channels == 1 ? CV_8UC1 : CV_8UC3;
-  const cv::Mat view(picture.height, picture.width, type,
-                     const_cast<std::uint8_t*>(picture.bytes->data()));  // only read
   if (picture.channels == 1)
-    view.copyTo(grey);
+    view_of(picture).copyTo(grey);
   else
-    cv::cvtColor(view, grey, cv::COLOR_BGR2GRAY);
+    cv::cvtColor(view_of(picture), grey, cv::COLOR_BGR2GRAY);
 }
 
 /// Into buffers that are used again: fresh ones would cost milliseconds of page faults a frame.

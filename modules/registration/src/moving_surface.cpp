@@ -116,8 +116,7 @@ void MovingSurface::carry_finely(const TetMesh& tetrahedra) {
 ClosestPoint MovingSurface::notch() const {
   ClosestPoint at = notch_point_;
   if (at.triangle < 0) return at;
-  at.point.setZero();
-  for (int k = 0; k < 3; ++k) at.point += at.barycentric[k] * mesh_.vertex(mesh_.triangles(at.triangle, k));
+  at.point = place(at);
   at.distance = 0.0;
   return at;
 }
@@ -155,6 +154,12 @@ Eigen::Vector3d MovingSurface::normal(const ClosestPoint& at) const {
     n += at.barycentric[k] * normals_.row(mesh_.triangles(at.triangle, k)).transpose();
   const double length = n.norm();
   return length > 0.0 ? Eigen::Vector3d(n / length) : n;
+}
+
+Eigen::Vector3d MovingSurface::place(const ClosestPoint& at) const {
+  Eigen::Vector3d p = Eigen::Vector3d::Zero();
+  for (int k = 0; k < 3; ++k) p += at.barycentric[k] * mesh_.vertex(mesh_.triangles(at.triangle, k));
+  return p;
 }
 
 Carrier MovingSurface::carrier(const ClosestPoint& at) const {

@@ -1,29 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/engine/commands/keep_copy.h"
 
-#include <array>
-#include <ctime>
 #include <nlohmann/json.hpp>
 
 #include "../recovery_copy.h"
 #include "glisson/core/json_file.h"
+#include "glisson/core/time_text.h"
 #include "glisson/engine/case_io.h"
 #include "glisson/engine/parts/keeping.h"
 
 namespace glisson::engine {
-namespace {
-
-std::string local_time() {
-  const std::time_t now = std::time(nullptr);
-  struct tm local = {};
-  std::array<char, 32> text{};
-  if (::localtime_r(&now, &local) != nullptr)
-    std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M", &local);
-  return text.data();
-}
-
-}  // namespace
-
 CommandTraits KeepCopy::traits() const {
   CommandTraits traits{.code = "keep_copy", .notice = Notice::quiet};
   for (const Part part : all_parts())
@@ -36,7 +22,7 @@ Cancellable<Applied> KeepCopy::apply(const CaseState& state, const RunContext& c
   const auto& keeping = state[part::keeping];
   write_json(folder / kSaidName, {{"of", state.path.empty() ? "" : case_place(state.path).string()},
                                   {"edition", keeping ? keeping->edition : std::string()},
-                                  {"saved", local_time()}});
+                                  {"saved", local_time_text("%Y-%m-%d %H:%M")}});
   return Applied{state};
 }
 

@@ -51,6 +51,8 @@ class MovingSurface {
 
   /// Outward unit normal at a closest point, interpolated from the vertices'.
   Eigen::Vector3d normal(const ClosestPoint& at) const;
+  /// Where the place of a closest-point query is now.
+  Eigen::Vector3d place(const ClosestPoint& at) const;
   /// What moves the point of a closest-point query.
   Carrier carrier(const ClosestPoint& at) const;
   /// The surface as it is now.

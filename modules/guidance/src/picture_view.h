@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <opencv2/imgproc.hpp>
+
+#include "glisson/patient/picture.h"
+
+namespace glisson::guidance {
+
+/// The picture's own bytes, to be read. @pre not empty.
+inline cv::Mat view_of(const Picture& picture) {
+  return {picture.height, picture.width, picture.channels == 1 ? CV_8UC1 : CV_8UC3,
+          const_cast<std::uint8_t*>(picture.bytes->data())};
+}
+
+/// In grey: the picture's own bytes where it is grey already, else new ones.
+inline cv::Mat grey_of(const Picture& picture) {
+  if (picture.channels == 1) return view_of(picture);
+  cv::Mat grey;
+  cv::cvtColor(view_of(picture), grey, cv::COLOR_BGR2GRAY);
+  return grey;
+}
+
+}  // namespace glisson::guidance
