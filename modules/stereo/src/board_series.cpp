@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "glisson/stereo/picture_reader.h"
+
 namespace glisson::stereo {
 namespace {
 
@@ -19,10 +21,12 @@ void add(BoardViews& views, const std::string& name, const Picture& left, const 
 bool add_pairs(BoardViews& views, const std::vector<PicturePair>& pairs, const RunContext& context,
                const BoardTold& told) {
   double done = 0.0;
+  PictureReader reader;
   for (const PicturePair& pair : pairs) {
     if (context.cancelled()) return false;
     context.progress(done++ / static_cast<double>(pairs.size()), kStage);
-    add(views, pair.name, read_picture(pair.left), read_picture(pair.right), told);
+    const Picture left = reader.read(pair.left), right = reader.read(pair.right);
+    add(views, pair.name, left, right, told);
   }
   return true;
 }

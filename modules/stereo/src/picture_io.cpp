@@ -7,15 +7,8 @@
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "picture_cv.h"
-#include "picture_header.h"
 
 namespace glisson::stereo {
-namespace {
-
-constexpr long kMostPixels = 64000000;  // a file of a few kilobytes may claim gigabytes
-
-}  // namespace
-
 cv::Mat view(const Picture& picture) {
   require(picture.channels == 1 || picture.channels == 3, "a picture has one channel or three");
   require(!picture.empty() && picture.bytes->size() == static_cast<std::size_t>(picture.width) *
@@ -50,34 +43,6 @@ cv::Mat grey_float(const Picture& picture) {
   view(picture).convertTo(result, CV_32F);
   if (picture.channels == 3) cv::cvtColor(result, result, cv::COLOR_BGR2GRAY);
   return result;
-}
-
-Picture read_picture(const std::filesystem::path& path) {
-  const std::string content = read_file(path);
-  cv::Mat image;
-  const auto header = picture_header(content);
-  if (header && header->width > kMostPixels / header->height)
-    throw InputError(path.string(), "size",
-                     "claims " + std::to_string(header->width) + " x " + std::to_string(header->height) +
-                         " pixels, more than any camera has",
-                     "The file is damaged: copy it again");
-  bool whole = header.has_value();
-  // libjpeg fills what is missing with grey and reports success; libpng complains on the terminal.
-  if (content.starts_with("\x89PNG")) whole = content.rfind("IEND") != std::string::npos;
-  if (content.starts_with("\xFF\xD8")) whole = content.rfind("\xFF\xD9") != std::string::npos;
-  if (whole) {
-    const cv::Mat bytes(1, static_cast<int>(content.size()), CV_8U, const_cast<char*>(content.data()));
-    try {
-      // As the sensor saw it: a rotation tag would break the calibration.
-      image = cv::imdecode(bytes, cv::IMREAD_ANYCOLOR | cv::IMREAD_IGNORE_ORIENTATION);
-    } catch (const cv::Exception&) {
-      image.release();
-    }
-  }
-  if (image.empty())
-    throw InputError(path.string(), "", "is not a whole picture that can be read",
-                     "Use PNG, JPEG, BMP or TIFF, and copy it again if it was cut off");
-  return to_picture(image);
 }
 
 void write_picture(const std::filesystem::path& path, const Picture& picture) {

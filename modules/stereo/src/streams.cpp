@@ -6,17 +6,24 @@
 #include <fstream>
 #include <system_error>
 
+#include "foreign_pictures.h"
 #include "glisson/core/error.h"
 #include "glisson/stereo/reach.h"
 #include "glisson/stereo/source.h"
 
 namespace glisson::stereo {
 namespace fs = std::filesystem;
+namespace {
+
+constexpr int kMostPixels = 64000000;  // more than any camera has
+
+}  // namespace
 
 FileStream::FileStream(const fs::path& path) : path_(path) {
   name = path.string();
   open();
 }
+FileStream::~FileStream() = default;
 
 void FileStream::open() {
   std::error_code failure;
@@ -26,49 +33,40 @@ void FileStream::open() {
   std::ifstream file(path_, std::ios::binary);
   file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
   begin.resize(static_cast<std::size_t>(file.gcount()));
-  bool opened = false;
-  try {
-    // A play list by the name of a video would be followed wherever it leads.
-    opened = begins_as_video(begin) && capture_.open(name, cv::CAP_FFMPEG);
-  } catch (const cv::Exception&) {
-    opened = false;
-  }
-  if (!opened)
+  // A play list by the name of a video would be followed wherever it leads.
+  if (begins_as_video(begin)) video_ = std::make_unique<ForeignVideo>(path_);
+  if (!video_ || !video_->header())
     throw InputError(name, "", "is not a video that can be read",
                      "Use a video in .mkv, .mp4 or .avi, and copy it again if it was cut off");
-  width = static_cast<int>(capture_.get(cv::CAP_PROP_FRAME_WIDTH));
-  height = static_cast<int>(capture_.get(cv::CAP_PROP_FRAME_HEIGHT));
-  rate = capture_.get(cv::CAP_PROP_FPS);
-  const double count = capture_.get(cv::CAP_PROP_FRAME_COUNT);
+  width = video_->header()->width;
+  height = video_->header()->height;
+  rate = video_->header()->rate;
+  const double count = video_->header()->frames;
   // Containers that were never closed do not know their length; it comes as nonsense then.
   frames = count > 0.0 && count < 1e8 ? static_cast<int>(std::lround(count)) : 0;
   taken_ = 0;
-  if (width <= 0 || height <= 0 || !(rate > 0.0) || rate > 1000.0)
+  if (width <= 0 || height <= 0 || width > kMostPixels / height || !(rate > 0.0) || rate > 1000.0)
     throw InputError(name, "", "does not say its size or frame rate", "Convert it to .mkv");
 }
 
 void FileStream::rewind() { open(); }
 
 bool FileStream::grab() {
-  try {
-    if (!capture_.grab()) return false;
-    const double stamp = 1e-3 * capture_.get(cv::CAP_PROP_POS_MSEC);
-    // Some containers have no times: counted then.
-    seconds = stamp > 0.0 || taken_ == 0 ? stamp : taken_ / rate;
-    ++taken_;
-    return true;
-  } catch (const cv::Exception&) {
-    return false;
-  }
+  const auto grabbed = video_->grab();
+  if (!grabbed)
+    throw InputError(
+        name, "",
+        "is damaged after " + std::to_string(taken_) + " frames: the program that reads it broke down",
+        "Copy the video again, or record it anew");
+  if (grabbed->grabbed != 1) return false;
+  const double stamp = 1e-3 * grabbed->milliseconds;
+  // Some containers have no times: counted then.
+  seconds = stamp > 0.0 || taken_ == 0 ? stamp : taken_ / rate;
+  ++taken_;
+  return true;
 }
 
-bool FileStream::retrieve(cv::Mat& image) {
-  try {
-    return capture_.retrieve(image) && !image.empty();
-  } catch (const cv::Exception&) {
-    return false;
-  }
-}
+bool FileStream::retrieve(cv::Mat& image) { return video_->retrieve(image); }
 
 int FileStream::count_frames() {
   int count = 0;

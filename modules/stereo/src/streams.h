@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <opencv2/core.hpp>
 #include <opencv2/videoio.hpp>
 #include <string>
@@ -26,11 +27,14 @@ class PictureStream {
   bool live = false;     ///< `seconds` is the time at which it came
 };
 
+class ForeignVideo;
+
 /// A video file.
 class FileStream : public PictureStream {
  public:
   /// @throws FileError, InputError.
   explicit FileStream(const std::filesystem::path& path);
+  ~FileStream() override;
   bool grab() override;
   bool retrieve(cv::Mat& image) override;
   void rewind() override;
@@ -40,7 +44,7 @@ class FileStream : public PictureStream {
   void open();
 
   std::filesystem::path path_;
-  cv::VideoCapture capture_;
+  std::unique_ptr<ForeignVideo> video_;
   int taken_ = 0;
 };
 

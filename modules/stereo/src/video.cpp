@@ -8,6 +8,7 @@
 #include "glisson/core/error.h"
 #include "glisson/stereo/picture_io.h"
 #include "glisson/stereo/picture_pairs.h"
+#include "glisson/stereo/picture_reader.h"
 #include "glisson/stereo/source.h"
 #include "picture_cv.h"
 #include "size_text.h"
@@ -198,7 +199,7 @@ class PictureFolder : public Views {
     skipped = static_cast<int>(files.alone.size());
     frames = static_cast<int>(pairs_.size());
     rate = per_second;
-    const Picture first = read_picture(pairs_[0].left);
+    const Picture first = reader_.read(pairs_[0].left);
     width = first.width;
     height = first.height;
   }
@@ -206,7 +207,7 @@ class PictureFolder : public Views {
     if (next_ == pairs_.size()) return false;
     const PicturePair& pair = pairs_[next_++];
     for (const auto& [path, image] : {std::pair(&pair.left, &left), {&pair.right, &right}}) {
-      const Picture picture = read_picture(*path);
+      const Picture picture = reader_.read(*path);
       if (picture.width != width || picture.height != height)
         throw InputError(path->string(), "",
                          "is " + size_text(picture.width, picture.height) + ", the pictures before " +
@@ -220,6 +221,7 @@ class PictureFolder : public Views {
 
  private:
   std::vector<PicturePair> pairs_;
+  PictureReader reader_;
   std::size_t next_ = 0;
 };
 

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <unistd.h>
-
-#include <array>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "child_process.h"
+#include "glisson/core/child_process.h"
 #include "glisson/core/error.h"
 #include "glisson/core/file_failure.h"
 #include "glisson/core/files.h"
@@ -21,23 +18,9 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int kRefused = 3;  // reader/main.cpp
-constexpr const char* kProgram = "glisson-read-volume";
 
-/// The program that parses: named by GLISSON_READ_VOLUME, beside the running program, or where it was built.
 fs::path reader_program() {
-  std::vector<fs::path> places;
-  if (const char* named = std::getenv("GLISSON_READ_VOLUME")) places.emplace_back(named);
-  std::error_code failure;
-  const fs::path self = fs::read_symlink("/proc/self/exe", failure);
-  if (!failure) {
-    places.push_back(self.parent_path() / kProgram);
-    places.push_back(self.parent_path().parent_path() / "bin" / kProgram);
-  }
-  places.emplace_back(GLISSON_READ_VOLUME_PROGRAM);
-  for (const fs::path& place : places)
-    if (::access(place.c_str(), X_OK) == 0 && fs::is_regular_file(place, failure)) return place;
-  throw FileError(places.front().string() +
-                  ": the program that reads volumes is missing. Install Glisson again.");
+  return helper_program("glisson-read-volume", "GLISSON_READ_VOLUME", GLISSON_READ_VOLUME_PROGRAM);
 }
 
 /// What the reading program has left.

@@ -2,7 +2,7 @@
 #include "glisson/engine/commands/load_stereo_pair.h"
 
 #include "glisson/engine/parts/frame.h"
-#include "glisson/stereo/picture_io.h"
+#include "glisson/stereo/picture_reader.h"
 #include "stereo_frame.h"
 
 namespace glisson::engine {
@@ -13,9 +13,10 @@ CommandTraits LoadStereoPair::traits() const {
 
 Cancellable<Applied> LoadStereoPair::apply(const CaseState& state, const RunContext&) const {
   StereoInput input;
-  input.frame.left = stereo::read_picture(left);
-  input.frame.right = stereo::read_picture(right);
-  if (!mask.empty()) input.mask = stereo::read_picture(mask);
+  stereo::PictureReader pictures;
+  input.frame.left = pictures.read(left);
+  input.frame.right = pictures.read(right);
+  if (!mask.empty()) input.mask = pictures.read(mask);
   return with_frame(state, std::move(input), mask);
 }
 

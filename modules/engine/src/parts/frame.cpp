@@ -5,6 +5,7 @@
 
 #include "glisson/engine/parts/video.h"
 #include "glisson/stereo/picture_io.h"
+#include "glisson/stereo/picture_reader.h"
 
 namespace glisson::engine {
 namespace {
@@ -23,10 +24,11 @@ json save(const CaseState& state, const CaseFolder& folder) {
 
 void load(CaseState& state, const json& entry, const CaseFolder& folder) {
   StereoInput input;
-  input.frame.left = stereo::read_picture(folder.path / "frame/left.png");
-  input.frame.right = stereo::read_picture(folder.path / "frame/right.png");
+  stereo::PictureReader pictures;
+  input.frame.left = pictures.read(folder.path / "frame/left.png");
+  input.frame.right = pictures.read(folder.path / "frame/right.png");
   const fs::path mask = folder.path / "frame/mask.png";
-  if (fs::exists(mask)) input.mask = stereo::read_picture(mask);
+  if (fs::exists(mask)) input.mask = pictures.read(mask);
   input.frame.index = entry.at("index");
   input.frame.seconds = entry.at("seconds");
   state[part::frame] = std::make_shared<const StereoInput>(std::move(input));

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "child_process.h"
+#include "glisson/core/child_process.h"
 
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 
 #include "glisson/core/error.h"
@@ -18,8 +21,10 @@
 extern char** environ;
 
 namespace glisson {
+namespace fs = std::filesystem;
 namespace {
 
+using Clock = std::chrono::steady_clock;
 constexpr int kPollMilliseconds = 20;  // how long a cancel may go unnoticed
 constexpr std::chrono::minutes kLongestSilence(10);
 
@@ -45,7 +50,8 @@ struct Pipe {
   }
 };
 
-pid_t spawn(const std::string& program, const std::vector<std::string>& arguments, int output) {
+/// @param input becomes standard input; -1: there is none.
+pid_t spawn(const std::string& program, const std::vector<std::string>& arguments, int input, int output) {
   std::vector<std::string> words = {program};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
@@ -55,7 +61,10 @@ pid_t spawn(const std::string& program, const std::vector<std::string>& argument
 
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  if (input >= 0)
+    posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
+  else
+    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
   // Signals that this thread blocks would stay blocked in the child.
@@ -95,18 +104,34 @@ void give_lines(std::string& pending, const std::function<void(const std::string
 
 }  // namespace
 
+fs::path helper_program(const std::string& name, const char* variable, const fs::path& built) {
+  std::vector<fs::path> places;
+  if (const char* named = std::getenv(variable)) places.emplace_back(named);
+  std::error_code failure;
+  const fs::path self = fs::read_symlink("/proc/self/exe", failure);
+  if (!failure) {
+    places.push_back(self.parent_path() / name);
+    places.push_back(self.parent_path().parent_path() / "bin" / name);
+  }
+  places.push_back(built);
+  for (const fs::path& place : places)
+    if (::access(place.c_str(), X_OK) == 0 && fs::is_regular_file(place, failure)) return place;
+  throw FileError(places.front().string() +
+                  ": the program that reads foreign files is missing. Install Glisson again.");
+}
+
 Cancellable<ChildExit> run_child(const std::string& program, const std::vector<std::string>& arguments,
                                  const RunContext& context,
                                  const std::function<void(const std::string&)>& on_line) {
   if (context.cancelled()) return std::nullopt;
   Pipe pipe;
-  const pid_t child = spawn(program, arguments, pipe.write_end);
+  const pid_t child = spawn(program, arguments, -1, pipe.write_end);
   pipe.close_write_end();
   std::string pending;
   std::array<char, 4096> buffer{};
-  auto heard = std::chrono::steady_clock::now();
+  auto heard = Clock::now();
   while (true) {
-    const bool silent = std::chrono::steady_clock::now() - heard > kLongestSilence;
+    const bool silent = Clock::now() - heard > kLongestSilence;
     if (silent || context.cancelled()) {
       ::kill(child, SIGKILL);
       const ChildExit end = wait_for(child);
@@ -119,11 +144,68 @@ Cancellable<ChildExit> run_child(const std::string& program, const std::vector<s
     const ssize_t got = ::read(pipe.read_end, buffer.data(), buffer.size());
     if (got < 0 && errno == EINTR) continue;
     if (got <= 0) break;  // the child has closed its output: it is ending
-    heard = std::chrono::steady_clock::now();
+    heard = Clock::now();
     pending.append(buffer.data(), static_cast<std::size_t>(got));
     give_lines(pending, on_line);
   }
   return wait_for(child);
+}
+
+Conversation::Conversation(const std::string& program, const std::vector<std::string>& arguments) {
+  std::array<int, 2> ends{};
+  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
+    throw FileError(std::string("no socket to a helper process can be made (") + std::strerror(errno) + ").");
+  socket_ = ends[0];
+  try {
+    child_ = spawn(program, arguments, ends[1], ends[1]);
+  } catch (...) {
+    ::close(ends[0]);
+    ::close(ends[1]);
+    throw;
+  }
+  ::close(ends[1]);
+}
+
+Conversation::~Conversation() { end(); }
+
+void Conversation::end() {
+  if (socket_ >= 0) ::close(socket_);
+  if (child_ >= 0) {
+    ::kill(child_, SIGKILL);
+    wait_for(child_);
+  }
+  socket_ = child_ = -1;
+}
+
+bool Conversation::exchange(bool sends, char* bytes, std::size_t count, double seconds) {
+  const auto until =
+      Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+  while (count > 0 && socket_ >= 0) {
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(until - Clock::now()).count();
+    pollfd waiting{socket_, static_cast<short>(sends ? POLLOUT : POLLIN), 0};
+    const int ready =
+        left > 0 ? ::poll(&waiting, 1, static_cast<int>(std::min<long long>(left, 1000000))) : 0;
+    if (ready < 0 && errno == EINTR) continue;
+    ssize_t moved = -1;
+    if (ready > 0)  // a child that has ended must not end us by SIGPIPE
+      moved = sends ? ::send(socket_, bytes, count, MSG_NOSIGNAL | MSG_DONTWAIT)
+                    : ::recv(socket_, bytes, count, MSG_DONTWAIT);
+    if (ready > 0 && moved < 0 && (errno == EINTR || errno == EAGAIN)) continue;
+    if (moved <= 0) {
+      end();
+      return false;
+    }
+    bytes += moved;
+    count -= static_cast<std::size_t>(moved);
+  }
+  return count == 0 && socket_ >= 0;
+}
+
+bool Conversation::send(const void* bytes, std::size_t count, double seconds) {
+  return exchange(true, static_cast<char*>(const_cast<void*>(bytes)), count, seconds);
+}
+bool Conversation::receive(void* bytes, std::size_t count, double seconds) {
+  return exchange(false, static_cast<char*>(bytes), count, seconds);
 }
 
 }  // namespace glisson

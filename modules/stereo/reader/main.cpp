@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// glisson-read-pictures pictures | video FILE | escapes FOLDER
+//
+// Decodes foreign pictures and videos for Glisson and hands back their pixels (questions.h), because a
+// decoder that a file has broken or taken over must do so alone. It gives up all before the first foreign
+// byte: of pictures it gets the bytes, of videos it may read the one file, and it can write nothing at all.
+// "escapes" leaves in FOLDER/escapes what it could do that it must not, a word a line.
+
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <limits>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/videoio.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "glisson/core/confinement.h"
+#include "questions.h"
+
+namespace {
+
+using namespace glisson;
+using namespace stereo::reader;
+
+bool move_all(bool reads, void* bytes, std::size_t count) {
+  for (char* at = static_cast<char*>(bytes); count > 0;) {
+    const ssize_t moved = reads ? ::read(STDIN_FILENO, at, count) : ::write(STDOUT_FILENO, at, count);
+    if (moved < 0 && errno == EINTR) continue;
+    if (moved <= 0) return false;  // Glisson is gone
+    at += moved;
+    count -= static_cast<std::size_t>(moved);
+  }
+  return true;
+}
+template <class T>
+bool hear(T& value) {
+  return move_all(true, &value, sizeof value);
+}
+template <class T>
+bool tell(T value) {
+  return move_all(false, &value, sizeof value);
+}
+
+/// Processor time from now on; a limit that is reached ends this process.
+void allow_seconds(double seconds) {
+  rusage used{};
+  ::getrusage(RUSAGE_SELF, &used);
+  const auto of = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  limit_seconds(of(used.ru_utime) + of(used.ru_stime) + seconds);
+}
+
+bool tell_pixels(cv::Mat image) {
+  const bool good =
+      !image.empty() && image.depth() == CV_8U && (image.channels() == 1 || image.channels() == 3);
+  if (!good) return tell(PixelAnswer());
+  if (!image.isContinuous()) image = image.clone();
+  return tell(PixelAnswer{image.cols, image.rows, image.channels(), 0}) &&
+         move_all(false, image.data, image.total() * image.elemSize());
+}
+
+int read_pictures() {
+  confine({}, {});
+  for (PictureQuestion question; hear(question);) {
+    const double pixels = static_cast<double>(question.pixels);
+    // Progressive JPEG may go over its pixels any number of times.
+    allow_seconds(3.0 + 3e-7 * pixels);
+    limit_memory(1.5e9 + 4.0 * static_cast<double>(question.bytes) + 24.0 * pixels);
+    if (question.bytes > static_cast<std::uint64_t>(std::numeric_limits<int>::max())) return 1;
+    std::vector<std::uint8_t> bytes(question.bytes);
+    if (!move_all(true, bytes.data(), bytes.size())) return 0;
+    cv::Mat image;
+    try {
+      // As the sensor saw it: a rotation tag would break the calibration.
+      image = cv::imdecode(bytes, cv::IMREAD_ANYCOLOR | cv::IMREAD_IGNORE_ORIENTATION);
+    } catch (const cv::Exception&) {
+      image.release();
+    }
+    if (!tell_pixels(image)) return 0;
+  }
+  return 0;
+}
+
+constexpr double kFrameSeconds = 20.0;
+
+int read_video(const std::string& path) {
+  limit_memory(4e9);
+  allow_seconds(kFrameSeconds);
+  confine({path}, {});
+  cv::VideoCapture capture;
+  VideoAnswer opened;
+  try {
+    opened.opened = capture.open(path, cv::CAP_FFMPEG) ? 1 : 0;
+    opened.width = static_cast<int>(capture.get(cv::CAP_PROP_FRAME_WIDTH));
+    opened.height = static_cast<int>(capture.get(cv::CAP_PROP_FRAME_HEIGHT));
+    opened.rate = capture.get(cv::CAP_PROP_FPS);
+    opened.frames = capture.get(cv::CAP_PROP_FRAME_COUNT);
+  } catch (const cv::Exception&) {
+    opened = {};
+  }
+  if (!tell(opened)) return 0;
+  for (char question = 0; hear(question);) {
+    allow_seconds(kFrameSeconds);
+    cv::Mat image;
+    GrabAnswer grabbed;
+    try {
+      if (question == kGrab && capture.grab()) grabbed = {1, 0, capture.get(cv::CAP_PROP_POS_MSEC)};
+      if (question == kRetrieve && !capture.retrieve(image)) image.release();
+    } catch (const cv::Exception&) {
+      image.release();
+    }
+    if (!(question == kGrab ? tell(grabbed) : tell_pixels(image))) return 0;
+  }
+  return 0;
+}
+
+int tell_escapes(const std::string& folder) {
+  confine({}, {folder});
+  std::ofstream file(folder + "/escapes");
+  for (const std::string& word : escapes()) file << word << "\n";
+  return 0;
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  const std::string_view mode = count > 1 ? words[1] : "";
+  // Nothing that is open in Glisson is for this program.
+  ::syscall(SYS_close_range, 3U, std::numeric_limits<unsigned>::max(), 0U);
+  const rlimit none{0, 0};
+  ::setrlimit(RLIMIT_CORE, &none);  // it would hold a patient's data
+  // The input's end ends it: a signal at the parent's end would come when the thread ends that made it.
+  if (mode == "pictures" && count == 2) return read_pictures();
+  if (mode == "video" && count == 3) return read_video(words[2]);
+  if (mode == "escapes" && count == 3) return tell_escapes(words[2]);
+  std::fprintf(stderr, "glisson-read-pictures MODE ...: a helper of Glisson, not run by hand\n");
+  return 2;
+}
