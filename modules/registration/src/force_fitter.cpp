@@ -18,6 +18,8 @@ constexpr int kFirstUpdates = 12, kUpdates = 3;              ///< of the varianc
 constexpr double kAtRest = 0.1e-3;                           ///< m
 constexpr double kGone = 1e-4;  ///< variance of a patch over the largest, below which nothing acts there
 constexpr double kActs = 0.02;  ///< force over the strongest, above which it is told
+constexpr int kRefined = 4;     ///< places of the strongest forces that get finer patches, at most
+constexpr double kRadiusPerSigma = 5.0;  ///< of the finest patches
 constexpr int kHalvings = 6;
 constexpr double kNoiseAtMost = 2.5e-3;  ///< m
 
@@ -87,12 +89,15 @@ void ForceFitter::begin_at(const ForceFitter& other) {
   now_.x = other.best_.x;
   now_.modes = other.best_.modes;
   if (now_.modes.size() > 0) body_.set_rest(shape(now_.modes));
+  strongest_ = strongest(other.best_);
   first_sigma_ = 2.0 * other.best_.law.sigma;
 }
 
-void ForceFitter::begin_at(const CameraFromCt& pose, const Points& x, double first_sigma) {
+void ForceFitter::begin_at(const CameraFromCt& pose, const Points& x, const std::vector<int>& strongest,
+                           double first_sigma) {
   now_.pose = pose;
   now_.x = x;
+  strongest_ = strongest;
   first_sigma_ = std::max(first_sigma,
                           *std::min_element(problem_.options.sigmas.begin(), problem_.options.sigmas.end()));
 }
@@ -132,7 +137,43 @@ double ForceFitter::energy(const Points& x, Points* gradient) const {
   return sum;
 }
 
-bool ForceFitter::choose_patches(const ForceRows& rows, const RunContext& context) {
+std::vector<int> ForceFitter::strongest(const State& state) {
+  std::vector<std::pair<double, int>> forces;
+  for (std::size_t j = 0; j < state.patches.size(); ++j)
+    forces.emplace_back(state.amplitudes.segment<3>(3 * static_cast<Eigen::Index>(j)).norm(),
+                        state.patches[j].node);
+  std::stable_sort(forces.begin(), forces.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<int> nodes;
+  for (const auto& [force, node] : forces) nodes.push_back(node);
+  return nodes;
+}
+
+/// How small a place is on which a force acts is not known beforehand. What the cloud can tell apart grows
+/// with its precision: around the strongest forces found so far the net becomes finer, with patches of half
+/// the size at a time, while they are wider than a few deviations.
+void ForceFitter::refine_patches(double sigma) {
+  const ContactForceOptions& o = problem_.options;
+  const Points& rest = problem_.model.mesh.vertices;
+  std::vector<Eigen::RowVector3d> places;
+  for (const int node : strongest_) {
+    if (places.size() == kRefined) break;
+    if (std::none_of(places.begin(), places.end(), [&](const Eigen::RowVector3d& place) {
+          return (place - rest.row(node)).norm() < 0.5 * o.patch_spacing;
+        }))
+      places.emplace_back(rest.row(node));
+  }
+  Points around(static_cast<Eigen::Index>(places.size()), 3);
+  for (std::size_t k = 0; k < places.size(); ++k) around.row(static_cast<Eigen::Index>(k)) = places[k];
+  if (places.empty()) return;
+  for (double scale = 0.5; scale * o.patch_radius > 0.99 * kRadiusPerSigma * sigma; scale *= 0.5) {
+    const auto finer = problem_.force_surface.patches(
+        around, {scale * o.patch_spacing, scale * o.patch_radius, 2.0 * scale * o.patch_spacing});
+    now_.patches.insert(now_.patches.end(), finer.begin(), finer.end());
+  }
+}
+
+bool ForceFitter::choose_patches(const ForceRows& rows, double sigma, const RunContext& context) {
   Points seen = Points::Zero(rows.surface_count, 3);  // where the model's points are in the CT
   for (Eigen::Index i = 0; i < rows.surface_count; ++i) {
     const Carrier& carrier = rows.carriers[static_cast<std::size_t>(i)];
@@ -142,6 +183,7 @@ bool ForceFitter::choose_patches(const ForceRows& rows, const RunContext& contex
   }
   const ContactForceOptions& o = problem_.options;
   now_.patches = problem_.force_surface.patches(seen, {o.patch_spacing, o.patch_radius, o.patch_reach});
+  refine_patches(sigma);
   responses_.setZero(3L * body_.node_count(), 3L * static_cast<Eigen::Index>(now_.patches.size()));
   for (std::size_t j = 0; j < now_.patches.size(); ++j)
     for (const auto& [node, weight] : now_.patches[j].weights)
@@ -262,7 +304,7 @@ bool ForceFitter::stage(double sigma, const RunContext& context) {
   for (int iteration = 0; iteration < problem_.options.iterations; ++iteration) {
     const ForceRows rows = pair(sigma);
     if (context.cancelled()) return false;
-    if (iteration == 0 && !choose_patches(rows, context)) return false;
+    if (iteration == 0 && !choose_patches(rows, sigma, context)) return false;
     if (now_.patches.empty() || rows.size() == 0) return true;
     Points gradient;
     energy(now_.x, &gradient);
@@ -291,6 +333,7 @@ bool ForceFitter::stage(double sigma, const RunContext& context) {
     }
     if (motion < kAtRest) break;
   }
+  strongest_ = strongest(now_);
   now_.law.termination = motion < sigma ? Termination::converged : Termination::step_limit;
   if (now_.law.log_evidence > best_.law.log_evidence) keep(found);
   return true;

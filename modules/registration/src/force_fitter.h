@@ -37,8 +37,10 @@ class ForceFitter {
   ForceFitter(const ForceProblem& problem, const fem::BodyMaterial& material, double ground);
   /// Begins where another fit of the same problem has ended, two stages before the end.
   void begin_at(const ForceFitter& other);
-  /// @param x nodes in the CT frame. @param first_sigma stages of more noise are left out.
-  void begin_at(const CameraFromCt& pose, const Points& x, double first_sigma);
+  /// @param x nodes in the CT frame. @param strongest nodes where forces act, the strongest first.
+  /// @param first_sigma stages of more noise are left out.
+  void begin_at(const CameraFromCt& pose, const Points& x, const std::vector<int>& strongest,
+                double first_sigma);
   /// How far the cloud lies from the model there, along the normals: median of the sizes, m.
   double apart(const CameraFromCt& pose, const Points& x);
   /// @return false: cancelled. `advance` is called after each stage.
@@ -63,7 +65,10 @@ class ForceFitter {
   ForceRows pair(double sigma);
   double energy(const Points& x, Points* gradient) const;
   /// @return false: cancelled.
-  bool choose_patches(const ForceRows& rows, const RunContext& context);
+  bool choose_patches(const ForceRows& rows, double sigma, const RunContext& context);
+  void refine_patches(double sigma);
+  /// The nodes at the patches' centres, that of the strongest force first.
+  static std::vector<int> strongest(const State& state);
   Eigen::MatrixXd design(const ForceRows& rows) const;
   Eigen::VectorXd fixed_variances() const;
   /// The rest shape that amplitudes of the modes make.
@@ -81,6 +86,7 @@ class ForceFitter {
   State now_, best_;
   fem::NodalColumns responses_;  ///< displacements for a unit of each patch's x, y, z
   Eigen::VectorXd variances_;
+  std::vector<int> strongest_;  ///< strongest() of the last stage
   bool factorised_ = false;
   double first_sigma_;
   int iterations_ = 0;

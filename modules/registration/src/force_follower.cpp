@@ -24,7 +24,8 @@ struct ForceFollower::Impl {
   LawFit law;                           ///< that the first cloud made most probable; its last sigma
   CameraFromCt pose;
   Points nodes_in_ct;
-  double told_by = 0.0;  ///< mean motion of the nodes from rest, m, under which the law was chosen
+  std::vector<int> strongest;  ///< nodes where forces act, the strongest first
+  double told_by = 0.0;        ///< mean motion of the nodes from rest, m, under which the law was chosen
 
   double motion() const { return (nodes_in_ct - model.mesh.vertices).rowwise().norm().mean(); }
 
@@ -32,6 +33,8 @@ struct ForceFollower::Impl {
     law = of;
     pose = fit.camera_from_ct;
     nodes_in_ct = pose.inverse().apply(fit.nodes_in_camera);
+    strongest.clear();
+    for (const ContactForce& force : fit.forces) strongest.push_back(force.node);
   }
 
   Cancellable<ContactForceFit> first(const LabelledCloud& cloud, const RunContext& context) {
@@ -46,7 +49,7 @@ struct ForceFollower::Impl {
   Cancellable<ContactForceFit> next(const LabelledCloud& cloud, const RunContext& context) {
     problem->take(cloud);
     ForceFitter fitter(*problem, law.material, law.ground);
-    fitter.begin_at(pose, nodes_in_ct, 2.0 * std::max(law.sigma, fitter.apart(pose, nodes_in_ct)));
+    fitter.begin_at(pose, nodes_in_ct, strongest, 2.0 * std::max(law.sigma, fitter.apart(pose, nodes_in_ct)));
     double stages = 0.0;
     const auto advance = [&] {
       context.progress(++stages / static_cast<double>(options.sigmas.size()), "registration.forces");
