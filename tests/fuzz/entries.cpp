@@ -24,6 +24,7 @@ const std::vector<Named>& all_entries() {
                                          {"source", source},
                                          {"calibration", calibration},
                                          {"picture", picture},
+                                         {"video", video},
                                          {"landmarks", landmarks},
                                          {"vessels", vessels},
                                          {"case_json", case_json}};

@@ -14,6 +14,7 @@
 #include "glisson/segmentation/segment.h"
 #include "glisson/stereo/calibration_io.h"
 #include "glisson/stereo/picture_io.h"
+#include "glisson/stereo/picture_reader.h"
 #include "glisson/stereo/regions.h"
 #include "glisson/stereo/source.h"
 #include "scratch.h"
@@ -56,8 +57,17 @@ void calibration(std::string_view bytes) {
   });
 }
 void picture(std::string_view bytes) {
-  read_file_of("a.png", bytes,
-               [](const fs::path& path) { must(!stereo::read_picture(path).empty(), "is empty"); });
+  static stereo::PictureReader reader;
+  read_file_of("a.png", bytes, [](const fs::path& path) { must(!reader.read(path).empty(), "is empty"); });
+}
+void video(std::string_view bytes) {
+  read_file_of("a.mkv", bytes, [](const fs::path& path) {
+    stereo::StereoVideo video(path);
+    int frames = 0;
+    for (StereoFrame frame; frames < 5 && video.read(frame); ++frames)
+      must(frame.left.width == video.width() && frame.right.height == video.height(),
+           "a frame of another size");
+  });
 }
 void landmarks(std::string_view bytes) {
   read_file_of("a.json", bytes, [](const fs::path& path) {

@@ -69,6 +69,12 @@ void FaultsTest::FoundFaultsStayMended_data() {
   // Hung for minutes.
   row("vtk_xml", "components without end",
       changed("vtk_xml", "NumberOfComponents=\"3\"", "NumberOfComponents=\"99999999999\""));
+  // Wrote beyond its vertices.
+  row("ply", "a property twice", changed("ply", "property double z", "property double x"));
+  row("ply", "an element twice",
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 1\nproperty list uchar int vertex_indices\nelement vertex 1\nproperty float x\n"
+      "property float y\nproperty float z\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n0 0 0\n");
   // Numbers that nlohmann's parser lets out as another error.
   row("seeds", "a number larger than any", "{\"liver\": [[1e999, 0, 0]]}");
   row("regions", "a number larger than any", "{\"regions\": [{\"polygon\": [[1e999, 0]]}]}");

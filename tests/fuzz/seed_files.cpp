@@ -86,6 +86,20 @@ std::string picture_file(const char* name, int channels) {
   });
 }
 
+/// Eight frames, side by side.
+std::string film_file() {
+  return written("a.mkv", [](const fs::path& path) {
+    stereo::VideoWriter writer(path, 64, 32, 25.0);
+    for (int frame = 0; frame < 8; ++frame) {
+      std::vector<std::uint8_t> bytes(64 * 32 * 3);
+      for (std::size_t n = 0; n < bytes.size(); ++n)
+        bytes[n] = static_cast<std::uint8_t>((n / 7 + 9 * static_cast<std::size_t>(frame)) % 200);
+      writer.write({64, 32, 3, std::make_shared<const std::vector<std::uint8_t>>(std::move(bytes))});
+    }
+    writer.close();
+  });
+}
+
 const std::string kMsh =
     "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n0 0 0 1\n1 0 0 0 100 100 100 1 16 "
     "0\n$EndEntities\n$Nodes\n1 4 1 "
@@ -162,6 +176,7 @@ const std::map<std::string, std::function<Files()>>& makers() {
        [] {
          return Files{picture_file("a.png", 3), picture_file("a.jpg", 3), picture_file("a.bmp", 1)};
        }},
+      {"video", [] { return Files{film_file()}; }},
       {"landmarks",
        [] { return Files{R"({"frame": "LPS", "unit": "mm", "anterior_margin": [[1, 2, 3], [4, 5, 6]]})"}; }},
       {"vessels", [] { return Files{vessel_file()}; }},

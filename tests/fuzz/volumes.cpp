@@ -8,6 +8,7 @@
 #include <fstream>
 #include <random>
 
+#include "damage.h"
 #include "dicom_bytes.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
@@ -18,23 +19,6 @@ namespace {
 
 using namespace glisson;
 namespace fs = std::filesystem;
-
-/// A few bits turned, mostly in the header; sometimes a run of bytes lost, or the end.
-std::string damaged(std::string bytes, std::mt19937& random) {
-  const std::size_t reach = std::min<std::size_t>(bytes.size(), random() % 4 == 0 ? bytes.size() : 600);
-  const unsigned kind = random() % 10;
-  if (kind == 0) {
-    bytes.resize(random() % bytes.size());
-  } else if (kind == 1) {
-    bytes.erase(random() % reach, 1 + random() % 8);
-  } else if (kind == 2) {
-    bytes.insert(random() % reach, 1 + random() % 8, static_cast<char>('0' + random() % 10));
-  } else {
-    for (unsigned n = 1 + random() % 3; n > 0; --n)
-      bytes[random() % reach] ^= static_cast<char>(1U << (random() % 8));
-  }
-  return bytes;
-}
 
 struct Tally {
   int refused = 0, broken = 0, same = 0, other_voxels = 0, other_place = 0;
@@ -90,7 +74,7 @@ Tally run(const std::string& name, int count) {
   std::mt19937 random(41);
   Tally tally;
   for (int n = 0; n < count; ++n) {
-    write(victim, damaged(bytes, random));
+    write(victim, fuzz::damaged(bytes, random));
     read(path, good, tally);
   }
   return tally;

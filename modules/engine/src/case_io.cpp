@@ -19,6 +19,9 @@
 #include "glisson/core/files.h"
 #include "glisson/core/json_file.h"
 #include "glisson/engine/case_lock.h"
+#include "glisson/engine/parts/image.h"
+#include "glisson/engine/saved_image.h"
+#include "image_entry.h"
 
 namespace glisson::engine {
 namespace fs = std::filesystem;
@@ -50,14 +53,16 @@ Stamp read_stamp(const json& entry) {
 }
 
 /// Writes the files of every part that there is. @return case.json, or nothing when cancelled.
-std::optional<json> write_parts(const CaseFolder& folder, const CaseState& state) {
+/// @param linked the image's file is there already.
+std::optional<json> write_parts(const CaseFolder& folder, const CaseState& state, bool linked) {
   json parts = json::object();
   double done = 0.0;
   for (const Part part : all_parts()) {
     folder.context.progress(0.8 * done++ / static_cast<double>(all_parts().size()), "case.write");
     if (folder.context.cancelled()) return {};
     if (!is_kept(state, part)) continue;
-    json entry = part.type().spec().save(state, folder);
+    const bool is_there = linked && part == Part(part::image);
+    json entry = is_there ? image_entry(*state[part::image]) : part.type().spec().save(state, folder);
     entry["revision"] = state.stamp(part).revision;
     entry["made_from"] = written(state.stamp(part));
     parts[std::string(part.code())] = entry;
@@ -66,9 +71,14 @@ std::optional<json> write_parts(const CaseFolder& folder, const CaseState& state
   return json{{"format", kFormat}, {"version", kCaseFormatVersion}, {"parts", parts}};
 }
 
-/// Compares what was written with what was to be. @throws FileError.
-void verify(const fs::path& folder, const CaseState& state) {
-  const auto read = open_case(folder, RunContext());
+/// As open_case. @param known the image, when its file need not be read; null: it is read.
+Cancellable<CaseState> read_case(const fs::path& given, const RunContext& context,
+                                 std::vector<std::string>* lost, const std::shared_ptr<const Image>& known);
+
+/// Compares what was written with what was to be. @param linked the image's file is that of the copy before:
+/// it was read back then, and its sum is still that. @throws FileError.
+void verify(const fs::path& folder, const CaseState& state, bool linked) {
+  const auto read = read_case(folder, RunContext(), nullptr, linked ? state[part::image] : nullptr);
   const bool same = read && std::all_of(all_parts().begin(), all_parts().end(), [&](Part part) {
                       const PartSpec& spec = part.type().spec();
                       const bool kept = is_kept(state, part);
@@ -135,8 +145,10 @@ std::vector<std::string> put_case(const fs::path& fresh, const fs::path& path) {
   return notes;
 }
 
-bool save_case(const fs::path& given, const CaseState& state, const RunContext& context,
-               std::vector<std::string>* notes) {
+namespace {
+
+bool save(const fs::path& given, const CaseState& state, const RunContext& context,
+          std::vector<std::string>* notes, SavedImage* saved) {
   const fs::path path = case_place(given);
   if (path.extension() != ".glisson")
     throw InputError(given.string(), "", "a case is a folder whose name ends in .glisson",
@@ -150,12 +162,14 @@ bool save_case(const fs::path& given, const CaseState& state, const RunContext& 
   const fs::path fresh = temporary.path() / path.filename();
   fs::create_directory(fresh);
   if (fs::exists(path)) fs::permissions(fresh, fs::status(path).permissions());
-  auto document = write_parts({fresh, path, context, nullptr}, state);
+  const bool linked = saved != nullptr && saved->link(state, path, fresh);
+  auto document = write_parts({fresh, path, context, nullptr}, state, linked);
   if (!document) return false;
   (*document)["files"] = list_files(fresh);
   write_json(fresh / "case.json", *document);
   context.progress(0.85, "case.verify");
-  verify(fresh, state);
+  verify(fresh, state, linked);
+  if (saved != nullptr && !linked) saved->remember(state, fresh);
   if (context.cancelled()) return false;
   const std::vector<std::string> told = put_case(fresh, path);
   if (notes != nullptr) notes->insert(notes->end(), told.begin(), told.end());
@@ -163,8 +177,26 @@ bool save_case(const fs::path& given, const CaseState& state, const RunContext& 
   return true;
 }
 
+}  // namespace
+
+bool save_case(const fs::path& given, const CaseState& state, const RunContext& context,
+               std::vector<std::string>* notes) {
+  return save(given, state, context, notes, nullptr);
+}
+
+bool save_copy(const fs::path& path, const CaseState& state, const RunContext& context, SavedImage& saved) {
+  return save(path, state, context, nullptr, &saved);
+}
+
 Cancellable<CaseState> open_case(const fs::path& given, const RunContext& context,
                                  std::vector<std::string>* lost) {
+  return read_case(given, context, lost, nullptr);
+}
+
+namespace {
+
+Cancellable<CaseState> read_case(const fs::path& given, const RunContext& context,
+                                 std::vector<std::string>* lost, const std::shared_ptr<const Image>& known) {
   fs::path path = case_place(given);
   sweep_leftovers(path.parent_path());
   if (!fs::exists(path) && fs::exists(former_name(path) / "case.json")) path = former_name(path);
@@ -192,7 +224,10 @@ Cancellable<CaseState> open_case(const fs::path& given, const RunContext& contex
       const auto entry = parts.find(part.code());
       if (entry == parts.end() || !part.type().is_saved()) continue;
       context.progress(done++ / static_cast<double>(all_parts().size()), "case.read");
-      part.type().spec().load(state, *entry, folder);
+      if (known && part == Part(part::image))
+        state[part::image] = known;
+      else
+        part.type().spec().load(state, *entry, folder);
       if (context.cancelled()) return {};
       if (state.has(part)) state.stamp(part) = read_stamp(*entry);
     }
@@ -202,5 +237,7 @@ Cancellable<CaseState> open_case(const fs::path& given, const RunContext& contex
                      "Restore the case from a copy");
   }
 }
+
+}  // namespace
 
 }  // namespace glisson::engine

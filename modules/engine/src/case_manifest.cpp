@@ -26,31 +26,6 @@ namespace {
 
 constexpr const char* kCaseFile = "case.json";
 
-/// FNV-1a over words of eight bytes (the last one filled up with zeros) and the size: tells changes from
-/// none, not forgeries. Empty: it cannot be read.
-std::string sum_of(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::vector<char> buffer(std::size_t{1} << 20U);
-  std::uint64_t sum = 14695981039346656037ULL, size = 0;
-  const auto add = [&](std::uint64_t word) { sum = (sum ^ word) * 1099511628211ULL; };
-  while (stream) {
-    stream.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
-    const auto got = static_cast<std::size_t>(stream.gcount());
-    std::memset(buffer.data() + got, 0, std::min<std::size_t>(8, buffer.size() - got));
-    for (std::size_t at = 0; at < got; at += 8) {
-      std::uint64_t word = 0;
-      std::memcpy(&word, buffer.data() + at, sizeof word);
-      add(word);
-    }
-    size += got;
-  }
-  if (stream.bad() || !stream.eof()) return {};
-  add(size);
-  std::string text;
-  for (int digit = 0; digit < 16; ++digit, sum >>= 4U) text += "0123456789abcdef"[sum & 15U];
-  return text;
-}
-
 /// Whether a name is one that this or an earlier edition gives to a file of a case.
 bool is_of_layout(const fs::path& relative) {
   static const std::set<std::string> kEndings = {".json", ".nrrd", ".vtu", ".vtp", ".png", ".ply"};
@@ -101,6 +76,30 @@ void link_or_copy(const fs::path& from, const fs::path& to) {
 }
 
 }  // namespace
+
+// FNV-1a over words of eight bytes (the last one filled up with zeros) and the size.
+std::string sum_of(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  std::vector<char> buffer(std::size_t{1} << 20U);
+  std::uint64_t sum = 14695981039346656037ULL, size = 0;
+  const auto add = [&](std::uint64_t word) { sum = (sum ^ word) * 1099511628211ULL; };
+  while (stream) {
+    stream.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
+    const auto got = static_cast<std::size_t>(stream.gcount());
+    std::memset(buffer.data() + got, 0, std::min<std::size_t>(8, buffer.size() - got));
+    for (std::size_t at = 0; at < got; at += 8) {
+      std::uint64_t word = 0;
+      std::memcpy(&word, buffer.data() + at, sizeof word);
+      add(word);
+    }
+    size += got;
+  }
+  if (stream.bad() || !stream.eof()) return {};
+  add(size);
+  std::string text;
+  for (int digit = 0; digit < 16; ++digit, sum >>= 4U) text += "0123456789abcdef"[sum & 15U];
+  return text;
+}
 
 json list_files(const fs::path& folder) {
   json files = json::object();

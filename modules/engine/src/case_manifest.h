@@ -11,6 +11,9 @@
 
 namespace glisson::engine {
 
+/// A sum over what a file holds: tells changes from none, not forgeries. Empty: it cannot be read.
+std::string sum_of(const std::filesystem::path& path);
+
 /// Each file below a folder but case.json, with a sum over what it holds, for case.json's "files".
 nlohmann::json list_files(const std::filesystem::path& folder);
 

@@ -110,6 +110,8 @@ class HeaderParser {
     element.name = words.token();
     if (!TextScanner::parse(words.token(), element.count) || element.count < 0)
       fail("an element has no valid count");
+    for (const PlyElement& other : header_.elements)
+      if (other.name == element.name) fail("element " + shown(element.name) + " comes a second time");
     header_.elements.push_back(std::move(element));
     header_.properties.emplace_back();
   }
@@ -126,6 +128,8 @@ class HeaderParser {
     if (!parse_type(word, property.type)) fail("unknown property type \"" + shown(word) + "\"");
     property.name = words.token();
     if (property.name.empty()) fail("a property has no name");
+    for (const Property& other : header_.properties.back())  // two columns of one name have twice the rows
+      if (other.name == property.name) fail("property " + shown(property.name) + " comes a second time");
     return property;
   }
 

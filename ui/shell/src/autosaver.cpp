@@ -33,7 +33,7 @@ void Autosaver::keep() {
   if (busy || !window_.isWindowModified() || now == kept_) return;
   keeping_ = now;
   posting_ = true;
-  copying_ = engine_.post(engine::KeepCopy{folder_.path()});
+  copying_ = engine_.post(engine::KeepCopy{folder_.path(), saved_});
   posting_ = false;
 }
 

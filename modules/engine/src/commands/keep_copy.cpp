@@ -18,7 +18,8 @@ CommandTraits KeepCopy::traits() const {
 }
 
 Cancellable<Applied> KeepCopy::apply(const CaseState& state, const RunContext& context) const {
-  if (!save_case(folder / kCopyName, state, context)) return {};
+  SavedImage none;
+  if (!save_copy(folder / kCopyName, state, context, saved ? *saved : none)) return {};
   const auto& keeping = state[part::keeping];
   write_json(folder / kSaidName, {{"of", state.path.empty() ? "" : case_place(state.path).string()},
                                   {"edition", keeping ? keeping->edition : std::string()},

@@ -3,20 +3,25 @@
 
 #include <nlohmann/json.hpp>
 
+#include "../image_entry.h"
 #include "glisson/volume/io.h"
 
 namespace glisson::engine {
-namespace {
 using nlohmann::json;
 
-json save(const CaseState& state, const CaseFolder& folder) {
-  const Image& image = *state[part::image];
-  write_image(folder.path / "image.nrrd", image);
+json image_entry(const Image& image) {
   return {{"modality", static_cast<int>(image.modality)}, {"description", image.description}};
 }
 
+namespace {
+
+json save(const CaseState& state, const CaseFolder& folder) {
+  write_image(folder.path / kImageFile, *state[part::image]);
+  return image_entry(*state[part::image]);
+}
+
 void load(CaseState& state, const json& entry, const CaseFolder& folder) {
-  auto image = read_image(folder.path / "image.nrrd", folder.context);
+  auto image = read_image(folder.path / kImageFile, folder.context);
   if (!image) return;
   image->modality = static_cast<Modality>(entry.at("modality").get<int>());
   image->description = entry.at("description");
@@ -32,7 +37,7 @@ bool same(const CaseState& written, const CaseState& read) {
 
 const PartOf<Image> part::image{{.code = "image",
                                  .remedy = "Import a CT first",
-                                 .files = {"image.nrrd"},
+                                 .files = {kImageFile},
                                  .save = save,
                                  .load = load,
                                  .same = same}};

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "glisson/engine/recovery.h"
+#include "glisson/engine/saved_image.h"
 #include "glisson/ui/common/engine_bridge.h"
 
 class QMainWindow;
@@ -39,6 +40,7 @@ class Autosaver : public QObject {
   QMainWindow& window_;
   std::filesystem::path root_;
   engine::RecoveryFolder folder_;
+  std::shared_ptr<engine::SavedImage> saved_ = std::make_shared<engine::SavedImage>();
   QTimer timer_;
   engine::Editions kept_{}, keeping_{};  ///< of the copy, and of the one on its way
   bool posting_ = false;                 ///< a copy: its post is told before it has a number
