@@ -38,10 +38,6 @@ class Columns {
         throw InputError(file_, "vertex", "has no property \"" + std::string(kNames[k]) + "\"", kExport);
     label_ = column("label");
     sigma_ = column("sigma");
-    for (const Column given :
-         {position_[0], position_[1], position_[2], normal_[0], normal_[1], normal_[2], label_, sigma_})
-      if (given != nullptr && given->size() != static_cast<std::size_t>(vertex.count))
-        throw InputError(file_, "vertex", "names a property twice", kExport);
   }
 
   bool has_normals() const { return normal_[0] != nullptr && normal_[1] != nullptr && normal_[2] != nullptr; }
