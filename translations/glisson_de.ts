@@ -371,6 +371,1185 @@
     </message>
 </context>
 <context>
+    <name>ErrorPhrases</name>
+    <message>
+        <source>does not exist</source>
+        <translation>gibt es nicht</translation>
+    </message>
+    <message>
+        <source>is neither a file nor a folder</source>
+        <translation>ist weder Datei noch Ordner</translation>
+    </message>
+    <message>
+        <source>cannot be opened</source>
+        <translation>kann nicht geöffnet werden</translation>
+    </message>
+    <message>
+        <source>cannot be opened (%1)</source>
+        <translation>kann nicht geöffnet werden (%1)</translation>
+    </message>
+    <message>
+        <source>cannot be read (%1)</source>
+        <translation>kann nicht gelesen werden (%1)</translation>
+    </message>
+    <message>
+        <source>cannot be started (%1)</source>
+        <translation>kann nicht gestartet werden (%1)</translation>
+    </message>
+    <message>
+        <source>the program that reads foreign files is missing</source>
+        <translation>das Programm, das fremde Dateien liest, fehlt</translation>
+    </message>
+    <message>
+        <source>cannot run</source>
+        <translation>läuft nicht</translation>
+    </message>
+    <message>
+        <source>could not be written</source>
+        <translation>konnte nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>is shorter than expected</source>
+        <translation>ist kürzer als erwartet</translation>
+    </message>
+    <message>
+        <source>has no room for a volume of %1 MB</source>
+        <translation>hat keinen Platz für ein Volumen von %1 MB</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>are missing</source>
+        <translation>fehlen</translation>
+    </message>
+    <message>
+        <source>is damaged</source>
+        <translation>ist beschädigt</translation>
+    </message>
+    <message>
+        <source>is damaged or ends early</source>
+        <translation>ist beschädigt oder endet zu früh</translation>
+    </message>
+    <message>
+        <source>is damaged or not of the format that its name claims</source>
+        <translation>ist beschädigt oder nicht von dem Format, das der Name behauptet</translation>
+    </message>
+    <message>
+        <source>is damaged: the program that reads it broke down</source>
+        <translation>ist beschädigt: Das Programm, das es liest, ist daran zerbrochen</translation>
+    </message>
+    <message>
+        <source>is an empty folder</source>
+        <translation>ist ein leerer Ordner</translation>
+    </message>
+    <message>
+        <source>stands twice</source>
+        <translation>steht zweimal da</translation>
+    </message>
+    <message>
+        <source>ends early</source>
+        <translation>endet zu früh</translation>
+    </message>
+    <message>
+        <source>cannot be unpacked: it is damaged</source>
+        <translation>kann nicht entpackt werden: Es ist beschädigt</translation>
+    </message>
+    <message>
+        <source>holds more than 100000 files, which no series has</source>
+        <translation>enthält mehr als 100000 Dateien, so viele hat keine Serie</translation>
+    </message>
+    <message>
+        <source>unpacks to more than a hundred times its size, which no images do</source>
+        <translation>wird entpackt mehr als hundertmal so groß, das wird kein Bild</translation>
+    </message>
+    <message>
+        <source>needs more space for temporary files than is free in %1</source>
+        <translation>braucht mehr Platz für temporäre Dateien, als in %1 frei ist</translation>
+    </message>
+    <message>
+        <source>is a single DICOM slice</source>
+        <translation>ist eine einzelne DICOM-Schicht</translation>
+    </message>
+    <message>
+        <source>holds a single slice, not a volume</source>
+        <translation>enthält eine einzelne Schicht, kein Volumen</translation>
+    </message>
+    <message>
+        <source>holds no DICOM image</source>
+        <translation>enthält kein DICOM-Bild</translation>
+    </message>
+    <message>
+        <source>is no folder of DICOM slices</source>
+        <translation>ist kein Ordner mit DICOM-Schichten</translation>
+    </message>
+    <message>
+        <source>holds %1 series: %2</source>
+        <translation>enthält %1 Serien: %2</translation>
+    </message>
+    <message>
+        <source>cannot be chosen in a file that holds one volume</source>
+        <translation>kann in einer Datei mit einem Volumen nicht gewählt werden</translation>
+    </message>
+    <message>
+        <source>is a DICOM file that cannot be read</source>
+        <translation>ist eine DICOM-Datei, die nicht gelesen werden kann</translation>
+    </message>
+    <message>
+        <source>is a DICOM image that cannot be read</source>
+        <translation>ist ein DICOM-Bild, das nicht gelesen werden kann</translation>
+    </message>
+    <message>
+        <source>has no tag (%1), so that its place in the patient is unknown</source>
+        <translation>hat das Feld (%1) nicht, sein Ort im Patienten ist deshalb unbekannt</translation>
+    </message>
+    <message>
+        <source>holds a direction whose length is not 1</source>
+        <translation>enthält eine Richtung, deren Länge nicht 1 ist</translation>
+    </message>
+    <message>
+        <source>is %1 mm, which is no pixel&apos;s</source>
+        <translation>ist %1 mm, so groß ist kein Pixel</translation>
+    </message>
+    <message>
+        <source>is %1 mm, which is no voxel&apos;s</source>
+        <translation>ist %1 mm, so groß ist kein Voxel</translation>
+    </message>
+    <message>
+        <source>is %1, which makes no intensities of the pixels</source>
+        <translation>ist %1, daraus werden aus Pixeln keine Intensitäten</translation>
+    </message>
+    <message>
+        <source>is a colour picture, not a slice of a volume</source>
+        <translation>ist ein Farbbild, keine Schicht eines Volumens</translation>
+    </message>
+    <message>
+        <source>holds several frames in one file</source>
+        <translation>enthält mehrere Bilder in einer Datei</translation>
+    </message>
+    <message>
+        <source>has another size than the other slices</source>
+        <translation>hat eine andere Größe als die anderen Schichten</translation>
+    </message>
+    <message>
+        <source>has another orientation or pixel spacing than the other slices</source>
+        <translation>hat eine andere Ausrichtung oder Pixelgröße als die anderen Schichten</translation>
+    </message>
+    <message>
+        <source>lie at the same place: %1</source>
+        <translation>liegen an derselben Stelle: %1</translation>
+    </message>
+    <message>
+        <source>has pixels that cannot be decoded</source>
+        <translation>hat Pixel, die nicht entpackt werden können</translation>
+    </message>
+    <message>
+        <source>hold fewer pixels than they claim</source>
+        <translation>enthalten weniger Pixel, als sie behaupten</translation>
+    </message>
+    <message>
+        <source>gives its intensities by a table (Modality LUT), which is not read</source>
+        <translation>gibt seine Intensitäten durch eine Tabelle (Modality LUT) an, die nicht gelesen wird</translation>
+    </message>
+    <message>
+        <source>has pixels in a number format that is not known</source>
+        <translation>hat Pixel in einem unbekannten Zahlenformat</translation>
+    </message>
+    <message>
+        <source>is a number format that is not known</source>
+        <translation>ist ein unbekanntes Zahlenformat</translation>
+    </message>
+    <message>
+        <source>has an extension that is not known</source>
+        <translation>hat eine unbekannte Endung</translation>
+    </message>
+    <message>
+        <source>is a flat picture, not a volume</source>
+        <translation>ist ein flaches Bild, kein Volumen</translation>
+    </message>
+    <message>
+        <source>is that of a flat picture, not of a volume</source>
+        <translation>ist der eines flachen Bildes, nicht eines Volumens</translation>
+    </message>
+    <message>
+        <source>is that of a colour picture</source>
+        <translation>ist der eines Farbbildes</translation>
+    </message>
+    <message>
+        <source>is a series of %1 volumes, not one volume</source>
+        <translation>ist eine Reihe von %1 Volumina, nicht eines</translation>
+    </message>
+    <message>
+        <source>claims %1 voxels of %2 value(s)</source>
+        <translation>behauptet %1 Voxel zu je %2 Wert(en)</translation>
+    </message>
+    <message>
+        <source>is %1 mm, which is no patient&apos;s</source>
+        <translation>ist %1 mm, so ist kein Patient</translation>
+    </message>
+    <message>
+        <source>is (%1) mm, which is nowhere near a scanner</source>
+        <translation>ist (%1) mm, das ist weit weg von jedem Scanner</translation>
+    </message>
+    <message>
+        <source>has axes that are not at right angles (a sheared volume)</source>
+        <translation>hat Achsen, die nicht senkrecht aufeinander stehen (ein geschertes Volumen)</translation>
+    </message>
+    <message>
+        <source>has an axis of %1 mm from voxel to voxel, which is no patient&apos;s</source>
+        <translation>hat eine Achse mit %1 mm von Voxel zu Voxel, so ist kein Patient</translation>
+    </message>
+    <message>
+        <source>is read differently by two readers</source>
+        <translation>wird von zwei Lesern verschieden gelesen</translation>
+    </message>
+    <message>
+        <source>are read differently by two readers, by up to %1 mm</source>
+        <translation>werden von zwei Lesern um bis zu %1 mm verschieden gelesen</translation>
+    </message>
+    <message>
+        <source>are counted differently by two readers</source>
+        <translation>werden von zwei Lesern verschieden gezählt</translation>
+    </message>
+    <message>
+        <source>end early: the file is damaged</source>
+        <translation>enden zu früh: Die Datei ist beschädigt</translation>
+    </message>
+    <message>
+        <source>says that the voxels are compressed, but they are not, or are damaged</source>
+        <translation>sagt, die Voxel seien gepackt, aber sie sind es nicht oder sind beschädigt</translation>
+    </message>
+    <message>
+        <source>says fewer voxels than the file holds (%1 of %2 bytes or more)</source>
+        <translation>nennt weniger Voxel, als die Datei enthält (%1 von %2 Bytes oder mehr)</translation>
+    </message>
+    <message>
+        <source>needs more memory than there is</source>
+        <translation>braucht mehr Speicher, als da ist</translation>
+    </message>
+    <message>
+        <source>hold a value that is not a number</source>
+        <translation>enthalten einen Wert, der keine Zahl ist</translation>
+    </message>
+    <message>
+        <source>hold %1, which is no %2</source>
+        <translation>enthalten %1, das ist kein Wert dieser Art (%2)</translation>
+    </message>
+    <message>
+        <source>run from %1 to %2 only: too few grey levels when rounded</source>
+        <translation>reichen nur von %1 bis %2: gerundet zu wenige Graustufen</translation>
+    </message>
+    <message>
+        <source>run from %1 to %2, beyond 16-bit integers</source>
+        <translation>reichen von %1 bis %2, über ganze Zahlen von 16 Bit hinaus</translation>
+    </message>
+    <message>
+        <source>hold %1 values each (a colour or vector image)</source>
+        <translation>enthalten je %1 Werte (ein Farb- oder Vektorbild)</translation>
+    </message>
+    <message>
+        <source>are both 0: the file does not say which way the patient lies</source>
+        <translation>sind beide 0: Die Datei sagt nicht, wie herum der Patient liegt</translation>
+    </message>
+    <message>
+        <source>place the volume differently, by up to %1 mm</source>
+        <translation>setzen das Volumen um bis zu %1 mm verschieden</translation>
+    </message>
+    <message>
+        <source>is not a NRRD file</source>
+        <translation>ist keine NRRD-Datei</translation>
+    </message>
+    <message>
+        <source>is not that of a NIfTI-1 file</source>
+        <translation>ist nicht der einer NIfTI-1-Datei</translation>
+    </message>
+    <message>
+        <source>is not a VTK image file (.vti)</source>
+        <translation>ist keine VTK-Bilddatei (.vti)</translation>
+    </message>
+    <message>
+        <source>is %1 voxels where %2 are expected</source>
+        <translation>ist %1 Voxel groß, erwartet sind %2</translation>
+    </message>
+    <message>
+        <source>has the right size but lies elsewhere in the patient</source>
+        <translation>hat die richtige Größe, liegt aber anderswo im Patienten</translation>
+    </message>
+    <message>
+        <source>has an extension that volumes are not written to</source>
+        <translation>hat eine Endung, unter der keine Volumina geschrieben werden</translation>
+    </message>
+    <message>
+        <source>stands for %1, which is no structure</source>
+        <translation>steht für %1, das ist keine Struktur</translation>
+    </message>
+    <message>
+        <source>nothing of the liver is left after the codes were applied</source>
+        <translation>von der Leber bleibt nichts, nachdem die Codes angewandt wurden</translation>
+    </message>
+    <message>
+        <source>the liver lies to the left of the vena cava: the volume is mirrored</source>
+        <translation>die Leber liegt links der Vena cava: Das Volumen ist gespiegelt</translation>
+    </message>
+    <message>
+        <source>none of them is the liver&apos;s parenchyma</source>
+        <translation>keiner davon ist das Parenchym der Leber</translation>
+    </message>
+    <message>
+        <source>lies in tissue of %1 HU, which no liver has in the portal venous phase</source>
+        <translation>liegt in Gewebe von %1 HE, das hat keine Leber in der portalvenösen Phase</translation>
+    </message>
+    <message>
+        <source>is not there, and was not to be segmented</source>
+        <translation>ist nicht da und sollte nicht segmentiert werden</translation>
+    </message>
+    <message>
+        <source>would need %1 million voxels</source>
+        <translation>brauchte %1 Millionen Voxel</translation>
+    </message>
+    <message>
+        <source>is not a list of points</source>
+        <translation>ist keine Liste von Punkten</translation>
+    </message>
+    <message>
+        <source>is not a point</source>
+        <translation>ist kein Punkt</translation>
+    </message>
+    <message>
+        <source>is nowhere near a patient</source>
+        <translation>liegt weit weg von jedem Patienten</translation>
+    </message>
+    <message>
+        <source>is not a JSON object of seeds</source>
+        <translation>ist kein JSON-Objekt mit Klicks</translation>
+    </message>
+    <message>
+        <source>is not a list of lesions</source>
+        <translation>ist keine Liste von Läsionen</translation>
+    </message>
+    <message>
+        <source>is no structure that seeds are read for</source>
+        <translation>ist keine Struktur, für die Klicks gelesen werden</translation>
+    </message>
+    <message>
+        <source>lies outside the image</source>
+        <translation>liegt außerhalb des Bildes</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>ist leer</translation>
+    </message>
+    <message>
+        <source>is not CT, and the statistics are those of Hounsfield units</source>
+        <translation>ist kein CT, und die Statistik ist die von Hounsfield-Einheiten</translation>
+    </message>
+    <message>
+        <source>are more than there are labels for</source>
+        <translation>sind mehr, als es Kennzeichen gibt</translation>
+    </message>
+    <message>
+        <source>holds too little of the image</source>
+        <translation>enthält zu wenig vom Bild</translation>
+    </message>
+    <message>
+        <source>has no point in the region</source>
+        <translation>hat keinen Punkt im Gebiet</translation>
+    </message>
+    <message>
+        <source>has no point</source>
+        <translation>hat keinen Punkt</translation>
+    </message>
+    <message>
+        <source>grow to nothing: the clicks do not lie in liver tissue</source>
+        <translation>wachsen nicht: Die Klicks liegen nicht in Lebergewebe</translation>
+    </message>
+    <message>
+        <source>exists and is not a case</source>
+        <translation>gibt es schon und ist kein Fall</translation>
+    </message>
+    <message>
+        <source>is not a Glisson case</source>
+        <translation>ist kein Fall von Glisson</translation>
+    </message>
+    <message>
+        <source>is malformed (%1)</source>
+        <translation>ist fehlerhaft (%1)</translation>
+    </message>
+    <message>
+        <source>is not valid JSON</source>
+        <translation>ist kein gültiges JSON</translation>
+    </message>
+    <message>
+        <source>holds a number that is larger than any</source>
+        <translation>enthält eine Zahl, die größer ist als jede</translation>
+    </message>
+    <message>
+        <source>is a link that leads out of the case, or to nothing</source>
+        <translation>ist ein Verweis, der aus dem Fall oder ins Leere führt</translation>
+    </message>
+    <message>
+        <source>names &quot;%1&quot;, which lies outside the case</source>
+        <translation>nennt &quot;%1&quot;, das außerhalb des Falls liegt</translation>
+    </message>
+    <message>
+        <source>the case has never been saved</source>
+        <translation>der Fall wurde nie gespeichert</translation>
+    </message>
+    <message>
+        <source>there is no step to undo</source>
+        <translation>es gibt keinen Schritt zurückzunehmen</translation>
+    </message>
+    <message>
+        <source>there is no step to redo</source>
+        <translation>es gibt keinen Schritt zu wiederholen</translation>
+    </message>
+    <message>
+        <source>the video has only %1 frames</source>
+        <translation>das Video hat nur %1 Bilder</translation>
+    </message>
+    <message>
+        <source>was refused: what is known contradicts it</source>
+        <translation>wurde abgelehnt: Was bekannt ist, widerspricht ihr</translation>
+    </message>
+    <message>
+        <source>has no tetrahedra</source>
+        <translation>hat keine Tetraeder</translation>
+    </message>
+    <message>
+        <source>is not this model&apos;s (%1 nodes, the model has %2)</source>
+        <translation>ist nicht die dieses Modells (%1 Knoten, das Modell hat %2)</translation>
+    </message>
+    <message>
+        <source>the cloud has no points</source>
+        <translation>die Wolke hat keine Punkte</translation>
+    </message>
+    <message>
+        <source>has a coordinate that is not a number</source>
+        <translation>hat eine Koordinate, die keine Zahl ist</translation>
+    </message>
+    <message>
+        <source>is of no known mesh format (&quot;%1&quot;)</source>
+        <translation>hat kein bekanntes Netzformat (&quot;%1&quot;)</translation>
+    </message>
+    <message>
+        <source>is no surface format (&quot;%1&quot;)</source>
+        <translation>ist kein Format für Oberflächen (&quot;%1&quot;)</translation>
+    </message>
+    <message>
+        <source>is no tetrahedral mesh format (&quot;%1&quot;)</source>
+        <translation>ist kein Format für Tetraedernetze (&quot;%1&quot;)</translation>
+    </message>
+    <message>
+        <source>is larger than 300 MB, more than the mesh of an organ needs</source>
+        <translation>ist größer als 300 MB, mehr als das Netz eines Organs braucht</translation>
+    </message>
+    <message>
+        <source>names a vertex that is not there</source>
+        <translation>nennt eine Ecke, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>names a point that is not there</source>
+        <translation>nennt einen Punkt, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>is inverted (volume %1 mm3)</source>
+        <translation>ist umgestülpt (Volumen %1 mm3)</translation>
+    </message>
+    <message>
+        <source>is flat</source>
+        <translation>ist flach</translation>
+    </message>
+    <message>
+        <source>the file ends here</source>
+        <translation>die Datei endet hier</translation>
+    </message>
+    <message>
+        <source>is not a PLY file (its first line is not &quot;ply&quot;)</source>
+        <translation>ist keine PLY-Datei (die erste Zeile ist nicht &quot;ply&quot;)</translation>
+    </message>
+    <message>
+        <source>claims %1 x %2 pixels, more than any camera has</source>
+        <translation>behauptet %1 x %2 Pixel, mehr als jede Kamera hat</translation>
+    </message>
+    <message>
+        <source>is not a whole picture that can be read</source>
+        <translation>ist kein ganzes Bild, das gelesen werden kann</translation>
+    </message>
+    <message>
+        <source>has no extension of a picture</source>
+        <translation>hat keine Endung eines Bildes</translation>
+    </message>
+    <message>
+        <source>is not a video that can be read</source>
+        <translation>ist kein Video, das gelesen werden kann</translation>
+    </message>
+    <message>
+        <source>does not say its size or frame rate</source>
+        <translation>nennt weder Größe noch Bildrate</translation>
+    </message>
+    <message>
+        <source>is damaged after %1 frames: the program that reads it broke down</source>
+        <translation>ist nach %1 Bildern beschädigt: Das Programm, das es liest, ist daran zerbrochen</translation>
+    </message>
+    <message>
+        <source>breaks off after %1 frames of %2</source>
+        <translation>bricht nach %1 von %2 Bildern ab</translation>
+    </message>
+    <message>
+        <source>is %1, the left video %2</source>
+        <translation>ist %1 groß, das linke Video %2</translation>
+    </message>
+    <message>
+        <source>is %1, the left picture %2</source>
+        <translation>ist %1 groß, das linke Bild %2</translation>
+    </message>
+    <message>
+        <source>is %1, the pictures before %2</source>
+        <translation>ist %1 groß, die Bilder davor %2</translation>
+    </message>
+    <message>
+        <source>is for pictures of %1, the pictures are %2</source>
+        <translation>ist für Bilder von %1, die Bilder sind %2 groß</translation>
+    </message>
+    <message>
+        <source>left and right pictures differ in size</source>
+        <translation>linkes und rechtes Bild sind verschieden groß</translation>
+    </message>
+    <message>
+        <source>has another frame rate than the left video</source>
+        <translation>hat eine andere Bildrate als das linke Video</translation>
+    </message>
+    <message>
+        <source>have no frames within %1 ms of each other (%2 s and %3 s)</source>
+        <translation>haben keine Bilder, die weniger als %1 ms auseinanderliegen (%2 s und %3 s)</translation>
+    </message>
+    <message>
+        <source>leaves %1 from (%2, %3) of views of %4</source>
+        <translation>lässt von Ansichten von %4 nur %1 ab (%2, %3)</translation>
+    </message>
+    <message>
+        <source>is no device</source>
+        <translation>ist kein Gerät</translation>
+    </message>
+    <message>
+        <source>is an address of a kind that is not opened</source>
+        <translation>ist eine Adresse von einer Art, die nicht geöffnet wird</translation>
+    </message>
+    <message>
+        <source>is not a name for a recording</source>
+        <translation>ist kein Name für eine Aufnahme</translation>
+    </message>
+    <message>
+        <source>cannot be opened for recording</source>
+        <translation>kann nicht zur Aufnahme geöffnet werden</translation>
+    </message>
+    <message>
+        <source>holds no pictures</source>
+        <translation>enthält keine Bilder</translation>
+    </message>
+    <message>
+        <source>holds no pair (%1 left pictures, %2 right ones)</source>
+        <translation>enthält kein Paar (%1 linke Bilder, %2 rechte)</translation>
+    </message>
+    <message>
+        <source>hold %1 and %2 pictures with no name in common</source>
+        <translation>enthalten %1 und %2 Bilder ohne gemeinsamen Namen</translation>
+    </message>
+    <message>
+        <source>is no folder</source>
+        <translation>ist kein Ordner</translation>
+    </message>
+    <message>
+        <source>is black in both views</source>
+        <translation>ist in beiden Ansichten schwarz</translation>
+    </message>
+    <message>
+        <source>shows nothing in the left view</source>
+        <translation>zeigt in der linken Ansicht nichts</translation>
+    </message>
+    <message>
+        <source>shows nothing in the right view</source>
+        <translation>zeigt in der rechten Ansicht nichts</translation>
+    </message>
+    <message>
+        <source>is the same picture in both views</source>
+        <translation>ist in beiden Ansichten dasselbe Bild</translation>
+    </message>
+    <message>
+        <source>fits the calibration better when left and right are swapped</source>
+        <translation>passt besser zur Kalibrierung, wenn links und rechts getauscht sind</translation>
+    </message>
+    <message>
+        <source>shows nothing in common in its two views</source>
+        <translation>zeigt in beiden Ansichten nichts Gemeinsames</translation>
+    </message>
+    <message>
+        <source>are the same picture</source>
+        <translation>sind dasselbe Bild</translation>
+    </message>
+    <message>
+        <source>gives %1 points (%2 and %3 features, %4 matches), too few for a surface</source>
+        <translation>gibt %1 Punkte (%2 und %3 Merkmale, %4 Paare), zu wenige für eine Oberfläche</translation>
+    </message>
+    <message>
+        <source>hold none of the pair&apos;s %1 points</source>
+        <translation>enthalten keinen der %1 Punkte des Paares</translation>
+    </message>
+    <message>
+        <source>belong to frame %1 (%2), not to this pair (%3)</source>
+        <translation>gehören zu Bild %1 (%2), nicht zu diesem Paar (%3)</translation>
+    </message>
+    <message>
+        <source>is not a calibration (too large, or not text)</source>
+        <translation>ist keine Kalibrierung (zu groß oder kein Text)</translation>
+    </message>
+    <message>
+        <source>is not an OpenCV YAML file</source>
+        <translation>ist keine YAML-Datei von OpenCV</translation>
+    </message>
+    <message>
+        <source>is XML, which is not read</source>
+        <translation>ist XML, das wird nicht gelesen</translation>
+    </message>
+    <message>
+        <source>is not a rotation (determinant %1)</source>
+        <translation>ist keine Drehung (Determinante %1)</translation>
+    </message>
+    <message>
+        <source>is zero: the cameras have no baseline</source>
+        <translation>ist null: Die Kameras haben keinen Abstand</translation>
+    </message>
+    <message>
+        <source>gives a baseline of %1 mm, where a stereo laparoscope has 1 to 30 mm</source>
+        <translation>gibt einen Kameraabstand von %1 mm, ein Stereolaparoskop hat 1 bis 30 mm</translation>
+    </message>
+    <message>
+        <source>puts the right camera %1 mm to the left of the left one</source>
+        <translation>setzt die rechte Kamera %1 mm links neben die linke</translation>
+    </message>
+    <message>
+        <source>are swapped: the right camera would lie %1 mm to the left of the left one</source>
+        <translation>sind vertauscht: Die rechte Kamera läge %1 mm links von der linken</translation>
+    </message>
+    <message>
+        <source>is not a matrix</source>
+        <translation>ist keine Matrix</translation>
+    </message>
+    <message>
+        <source>Check the path</source>
+        <translation>Prüfen Sie den Pfad</translation>
+    </message>
+    <message>
+        <source>Check its permissions</source>
+        <translation>Prüfen Sie die Rechte</translation>
+    </message>
+    <message>
+        <source>Check permissions and space</source>
+        <translation>Prüfen Sie Rechte und freien Platz</translation>
+    </message>
+    <message>
+        <source>Install Glisson again</source>
+        <translation>Installieren Sie Glisson neu</translation>
+    </message>
+    <message>
+        <source>Free space for temporary files</source>
+        <translation>Schaffen Sie Platz für temporäre Dateien</translation>
+    </message>
+    <message>
+        <source>Free space for temporary files, or set TMPDIR to a larger disk</source>
+        <translation>Schaffen Sie Platz für temporäre Dateien, oder setzen Sie TMPDIR auf einen größeren Datenträger</translation>
+    </message>
+    <message>
+        <source>Free some space, set TMPDIR to a larger disk, or unpack it yourself and name the folder</source>
+        <translation>Schaffen Sie Platz, setzen Sie TMPDIR auf einen größeren Datenträger, oder entpacken Sie es selbst und nennen Sie den Ordner</translation>
+    </message>
+    <message>
+        <source>Choose another name</source>
+        <translation>Wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>Choose another file</source>
+        <translation>Wählen Sie eine andere Datei</translation>
+    </message>
+    <message>
+        <source>Choose such a name</source>
+        <translation>Wählen Sie einen solchen Namen</translation>
+    </message>
+    <message>
+        <source>Choose a folder NAME.glisson</source>
+        <translation>Wählen Sie einen Ordner NAME.glisson</translation>
+    </message>
+    <message>
+        <source>Choose a folder NAME.glisson to save it to</source>
+        <translation>Wählen Sie einen Ordner NAME.glisson, in den er gespeichert wird</translation>
+    </message>
+    <message>
+        <source>Correct it there or write the file anew</source>
+        <translation>Berichtigen Sie es dort oder schreiben Sie die Datei neu</translation>
+    </message>
+    <message>
+        <source>Write the file anew</source>
+        <translation>Schreiben Sie die Datei neu</translation>
+    </message>
+    <message>
+        <source>Restore the case from a copy</source>
+        <translation>Stellen Sie den Fall aus einer Kopie wieder her</translation>
+    </message>
+    <message>
+        <source>Restore the case from a copy; nothing outside its folder is opened</source>
+        <translation>Stellen Sie den Fall aus einer Kopie wieder her; außerhalb seines Ordners wird nichts geöffnet</translation>
+    </message>
+    <message>
+        <source>Put a copy of what it means in its place, or remove it</source>
+        <translation>Legen Sie eine Kopie dessen, was gemeint ist, an seine Stelle, oder entfernen Sie es</translation>
+    </message>
+    <message>
+        <source>Fetch the archive again, or unpack it yourself and name the folder</source>
+        <translation>Holen Sie das Archiv noch einmal, oder entpacken Sie es selbst und nennen Sie den Ordner</translation>
+    </message>
+    <message>
+        <source>Unpack it yourself and name the folder of the series</source>
+        <translation>Entpacken Sie es selbst und nennen Sie den Ordner der Serie</translation>
+    </message>
+    <message>
+        <source>Ask where it comes from; unpack it yourself and name the folder if it is good</source>
+        <translation>Fragen Sie, woher es kommt; ist es gut, entpacken Sie es selbst und nennen Sie den Ordner</translation>
+    </message>
+    <message>
+        <source>The header is damaged, or crop the volume</source>
+        <translation>Der Kopf ist beschädigt, oder schneiden Sie das Volumen zu</translation>
+    </message>
+    <message>
+        <source>The header is damaged: export the volume again</source>
+        <translation>Der Kopf ist beschädigt: Exportieren Sie das Volumen noch einmal</translation>
+    </message>
+    <message>
+        <source>Correct the header, or export the volume again</source>
+        <translation>Berichtigen Sie den Kopf, oder exportieren Sie das Volumen noch einmal</translation>
+    </message>
+    <message>
+        <source>Check that the file&apos;s unit is the millimetre and correct its header</source>
+        <translation>Prüfen Sie, ob die Einheit der Datei der Millimeter ist, und berichtigen Sie den Kopf</translation>
+    </message>
+    <message>
+        <source>Correct the file&apos;s header</source>
+        <translation>Berichtigen Sie den Kopf der Datei</translation>
+    </message>
+    <message>
+        <source>Correct the header</source>
+        <translation>Berichtigen Sie den Kopf</translation>
+    </message>
+    <message>
+        <source>Resample the volume to a rectangular grid</source>
+        <translation>Rechnen Sie das Volumen auf ein rechtwinkliges Gitter um</translation>
+    </message>
+    <message>
+        <source>Resample the series to a rectangular grid</source>
+        <translation>Rechnen Sie die Serie auf ein rechtwinkliges Gitter um</translation>
+    </message>
+    <message>
+        <source>Export it again</source>
+        <translation>Exportieren Sie es noch einmal</translation>
+    </message>
+    <message>
+        <source>Export the volume again</source>
+        <translation>Exportieren Sie das Volumen noch einmal</translation>
+    </message>
+    <message>
+        <source>Export the series again</source>
+        <translation>Exportieren Sie die Serie noch einmal</translation>
+    </message>
+    <message>
+        <source>Export the series again, uncompressed</source>
+        <translation>Exportieren Sie die Serie noch einmal, ungepackt</translation>
+    </message>
+    <message>
+        <source>Export the series again as 16-bit integers</source>
+        <translation>Exportieren Sie die Serie noch einmal als ganze Zahlen von 16 Bit</translation>
+    </message>
+    <message>
+        <source>Export the series with RescaleSlope and RescaleIntercept</source>
+        <translation>Exportieren Sie die Serie mit RescaleSlope und RescaleIntercept</translation>
+    </message>
+    <message>
+        <source>Export the series from the scanner again, not from a viewer</source>
+        <translation>Exportieren Sie die Serie noch einmal vom Scanner, nicht aus einem Betrachter</translation>
+    </message>
+    <message>
+        <source>Export the whole series again, or resample it</source>
+        <translation>Exportieren Sie die ganze Serie noch einmal, oder rechnen Sie sie um</translation>
+    </message>
+    <message>
+        <source>Export it as 16-bit integers</source>
+        <translation>Exportieren Sie es als ganze Zahlen von 16 Bit</translation>
+    </message>
+    <message>
+        <source>Export a single time point</source>
+        <translation>Exportieren Sie einen einzigen Zeitpunkt</translation>
+    </message>
+    <message>
+        <source>Export a single volume</source>
+        <translation>Exportieren Sie ein einziges Volumen</translation>
+    </message>
+    <message>
+        <source>Export a volume with one value a voxel</source>
+        <translation>Exportieren Sie ein Volumen mit einem Wert je Voxel</translation>
+    </message>
+    <message>
+        <source>Export the file anew</source>
+        <translation>Exportieren Sie die Datei neu</translation>
+    </message>
+    <message>
+        <source>The file is damaged: export it again</source>
+        <translation>Die Datei ist beschädigt: Exportieren Sie sie noch einmal</translation>
+    </message>
+    <message>
+        <source>The file is damaged, or its exporter is: export it anew</source>
+        <translation>Die Datei oder ihr Exporteur ist schadhaft: Exportieren Sie sie neu</translation>
+    </message>
+    <message>
+        <source>Remove it from the folder</source>
+        <translation>Entfernen Sie es aus dem Ordner</translation>
+    </message>
+    <message>
+        <source>Remove it from the folder (is it a scout view?)</source>
+        <translation>Entfernen Sie es aus dem Ordner (ist es eine Übersichtsaufnahme?)</translation>
+    </message>
+    <message>
+        <source>Keep one phase or one copy only</source>
+        <translation>Behalten Sie nur eine Phase oder eine Kopie</translation>
+    </message>
+    <message>
+        <source>Convert it to NIfTI or to single slices</source>
+        <translation>Wandeln Sie es in NIfTI oder in einzelne Schichten um</translation>
+    </message>
+    <message>
+        <source>Convert the volume to millimetres</source>
+        <translation>Rechnen Sie das Volumen in Millimeter um</translation>
+    </message>
+    <message>
+        <source>Name a volume</source>
+        <translation>Nennen Sie ein Volumen</translation>
+    </message>
+    <message>
+        <source>Name the folder that holds the DICOM slices</source>
+        <translation>Nennen Sie den Ordner mit den DICOM-Schichten</translation>
+    </message>
+    <message>
+        <source>Name the folder that holds the series</source>
+        <translation>Nennen Sie den Ordner, der die Serie enthält</translation>
+    </message>
+    <message>
+        <source>Name a folder with the whole series</source>
+        <translation>Nennen Sie einen Ordner mit der ganzen Serie</translation>
+    </message>
+    <message>
+        <source>Choose one by its number or UID, or put each into a folder of its own</source>
+        <translation>Wählen Sie eine durch Nummer oder UID, oder legen Sie jede in einen eigenen Ordner</translation>
+    </message>
+    <message>
+        <source>Choose one of these by its UID</source>
+        <translation>Wählen Sie eine davon durch ihre UID</translation>
+    </message>
+    <message>
+        <source>Leave the series out, or name the folder that holds the DICOM slices</source>
+        <translation>Lassen Sie die Serie weg, oder nennen Sie den Ordner mit den DICOM-Schichten</translation>
+    </message>
+    <message>
+        <source>Give a folder of DICOM slices, .tar.gz, .nii, .nii.gz, .nrrd, .nhdr, .mha, .mhd or .vti</source>
+        <translation>Geben Sie einen Ordner mit DICOM-Schichten, .tar.gz, .nii, .nii.gz, .nrrd, .nhdr, .mha, .mhd oder .vti</translation>
+    </message>
+    <message>
+        <source>Check that this is the right file</source>
+        <translation>Prüfen Sie, ob dies die richtige Datei ist</translation>
+    </message>
+    <message>
+        <source>Scale the intensities so that they span several hundred (a CT&apos;s unit is HU)</source>
+        <translation>Skalieren Sie die Intensitäten auf einige hundert (die Einheit eines CT ist HE)</translation>
+    </message>
+    <message>
+        <source>Scale the intensities to -32768 ... 32767</source>
+        <translation>Skalieren Sie die Intensitäten auf -32768 ... 32767</translation>
+    </message>
+    <message>
+        <source>Set one of them, or convert the original DICOM series</source>
+        <translation>Setzen Sie einen davon, oder wandeln Sie die ursprüngliche DICOM-Serie um</translation>
+    </message>
+    <message>
+        <source>Find out which is right and write the file anew with that one</source>
+        <translation>Finden Sie heraus, was richtig ist, und schreiben Sie die Datei damit neu</translation>
+    </message>
+    <message>
+        <source>Resample one of the two volumes to the other&apos;s grid</source>
+        <translation>Rechnen Sie eines der beiden Volumina auf das Gitter des anderen um</translation>
+    </message>
+    <message>
+        <source>Check origin, spacing and direction of the two volumes</source>
+        <translation>Prüfen Sie Ursprung, Abstand und Richtung beider Volumina</translation>
+    </message>
+    <message>
+        <source>Use .nrrd, .nii.gz, .nii or .mha</source>
+        <translation>Nehmen Sie .nrrd, .nii.gz, .nii oder .mha</translation>
+    </message>
+    <message>
+        <source>Put it beside the header</source>
+        <translation>Legen Sie es neben den Kopf</translation>
+    </message>
+    <message>
+        <source>Save the segmentation from Slicer again</source>
+        <translation>Speichern Sie die Segmentierung noch einmal aus Slicer</translation>
+    </message>
+    <message>
+        <source>Give the codes of this file: which number is parenchyma, portal_vein and so on</source>
+        <translation>Geben Sie die Codes dieser Datei an: welche Zahl parenchyma, portal_vein und so weiter ist</translation>
+    </message>
+    <message>
+        <source>Correct the direction in the file&apos;s header (left and right are swapped)</source>
+        <translation>Berichtigen Sie die Richtung im Kopf der Datei (links und rechts sind vertauscht)</translation>
+    </message>
+    <message>
+        <source>Say which code means what with --codes FILE (see &apos;glisson model --help&apos;)</source>
+        <translation>Sagen Sie mit --codes DATEI, welcher Code was bedeutet (siehe &apos;glisson model --help&apos;)</translation>
+    </message>
+    <message>
+        <source>Click inside the parenchyma of a CT in Hounsfield units</source>
+        <translation>Klicken Sie in das Parenchym eines CT in Hounsfield-Einheiten</translation>
+    </message>
+    <message>
+        <source>Click inside the parenchyma, away from vessels and lesions</source>
+        <translation>Klicken Sie in das Parenchym, weg von Gefäßen und Läsionen</translation>
+    </message>
+    <message>
+        <source>Click at least one point inside the liver</source>
+        <translation>Klicken Sie mindestens einen Punkt in der Leber an</translation>
+    </message>
+    <message>
+        <source>Click the largest ones</source>
+        <translation>Klicken Sie die größten an</translation>
+    </message>
+    <message>
+        <source>Segment the liver too, or paint it first</source>
+        <translation>Segmentieren Sie auch die Leber, oder malen Sie sie zuerst</translation>
+    </message>
+    <message>
+        <source>Choose a smaller region or a coarser spacing</source>
+        <translation>Wählen Sie ein kleineres Gebiet oder ein gröberes Gitter</translation>
+    </message>
+    <message>
+        <source>Draw the region around the liver</source>
+        <translation>Ziehen Sie das Gebiet um die Leber</translation>
+    </message>
+    <message>
+        <source>Import a CT first</source>
+        <translation>Importieren Sie zuerst ein CT</translation>
+    </message>
+    <message>
+        <source>Import a portal venous CT, or import labels instead</source>
+        <translation>Importieren Sie ein portalvenöses CT oder stattdessen Kennzeichen</translation>
+    </message>
+    <message>
+        <source>Check that the seeds belong to this image and are in mm (LPS)</source>
+        <translation>Prüfen Sie, ob die Klicks zu diesem Bild gehören und in mm sind (LPS)</translation>
+    </message>
+    <message>
+        <source>Write lists of [x, y, z] in mm, patient coordinates (LPS)</source>
+        <translation>Schreiben Sie Listen aus [x, y, z] in mm, Patientenkoordinaten (LPS)</translation>
+    </message>
+    <message>
+        <source>Use liver, portal_vein, hepatic_veins, vena_cava, gallbladder, lesions or background</source>
+        <translation>Nehmen Sie liver, portal_vein, hepatic_veins, vena_cava, gallbladder, lesions oder background</translation>
+    </message>
+    <message>
+        <source>Edit the labels first</source>
+        <translation>Bearbeiten Sie zuerst die Kennzeichen</translation>
+    </message>
+    <message>
+        <source>Only what was undone last can be redone</source>
+        <translation>Nur was zuletzt zurückgenommen wurde, kann wiederholt werden</translation>
+    </message>
+    <message>
+        <source>Choose an earlier frame</source>
+        <translation>Wählen Sie ein früheres Bild</translation>
+    </message>
+    <message>
+        <source>Build the model again</source>
+        <translation>Bauen Sie das Modell noch einmal</translation>
+    </message>
+    <message>
+        <source>Build the model anew</source>
+        <translation>Bauen Sie das Modell neu</translation>
+    </message>
+    <message>
+        <source>Reconstruct the surface again</source>
+        <translation>Rekonstruieren Sie die Oberfläche noch einmal</translation>
+    </message>
+    <message>
+        <source>Reconstruct or export it again</source>
+        <translation>Rekonstruieren oder exportieren Sie sie noch einmal</translation>
+    </message>
+    <message>
+        <source>Register again with a better cloud, or accept it knowing its doubts</source>
+        <translation>Registrieren Sie noch einmal mit einer besseren Wolke, oder nehmen Sie sie im Wissen um die Zweifel an</translation>
+    </message>
+    <message>
+        <source>Remove the point or export the cloud again</source>
+        <translation>Entfernen Sie den Punkt, oder exportieren Sie die Wolke noch einmal</translation>
+    </message>
+    <message>
+        <source>The file is damaged: copy it again</source>
+        <translation>Die Datei ist beschädigt: Kopieren Sie sie noch einmal</translation>
+    </message>
+    <message>
+        <source>Use PNG, JPEG, BMP or TIFF, and copy it again if it was cut off</source>
+        <translation>Nehmen Sie PNG, JPEG, BMP oder TIFF, und kopieren Sie es noch einmal, falls es abgeschnitten wurde</translation>
+    </message>
+    <message>
+        <source>Use .png, .jpg or .bmp</source>
+        <translation>Nehmen Sie .png, .jpg oder .bmp</translation>
+    </message>
+    <message>
+        <source>Use a video in .mkv, .mp4 or .avi, and copy it again if it was cut off</source>
+        <translation>Nehmen Sie ein Video in .mkv, .mp4 oder .avi, und kopieren Sie es noch einmal, falls es abgeschnitten wurde</translation>
+    </message>
+    <message>
+        <source>Convert it to .mkv</source>
+        <translation>Wandeln Sie es in .mkv um</translation>
+    </message>
+    <message>
+        <source>Copy the video again, or record it anew</source>
+        <translation>Kopieren Sie das Video noch einmal, oder nehmen Sie es neu auf</translation>
+    </message>
+    <message>
+        <source>Check that the camera is connected, that no other program uses it, and its number</source>
+        <translation>Prüfen Sie, ob die Kamera angeschlossen ist, ob ein anderes Programm sie benutzt, und ihre Nummer</translation>
+    </message>
+    <message>
+        <source>Write device: and its number, as device:0</source>
+        <translation>Schreiben Sie device: und die Nummer, wie device:0</translation>
+    </message>
+    <message>
+        <source>Both views are of one size; give two files otherwise</source>
+        <translation>Beide Ansichten sind gleich groß; geben Sie sonst zwei Dateien</translation>
+    </message>
+    <message>
+        <source>Both views of a stereo video have one size</source>
+        <translation>Beide Ansichten eines Stereovideos sind gleich groß</translation>
+    </message>
+    <message>
+        <source>Record both views at one rate</source>
+        <translation>Nehmen Sie beide Ansichten mit einer Rate auf</translation>
+    </message>
+    <message>
+        <source>Record both views at once, from one trigger</source>
+        <translation>Nehmen Sie beide Ansichten zugleich auf, von einem Auslöser</translation>
+    </message>
+    <message>
+        <source>Give pictures of one size</source>
+        <translation>Geben Sie Bilder einer Größe</translation>
+    </message>
+    <message>
+        <source>Crop within the picture</source>
+        <translation>Schneiden Sie innerhalb des Bildes zu</translation>
+    </message>
+    <message>
+        <source>Use rtsp, rtsps, rtp, srt, udp, http or https</source>
+        <translation>Nehmen Sie rtsp, rtsps, rtp, srt, udp, http oder https</translation>
+    </message>
+    <message>
+        <source>Use .mkv: a recording that is cut off can still be read there</source>
+        <translation>Nehmen Sie .mkv: Eine abgebrochene Aufnahme kann dort noch gelesen werden</translation>
+    </message>
+    <message>
+        <source>Name them so that only the side differs, as left-001.png and right-001.png, or put them into folders left and right</source>
+        <translation>Nennen Sie sie so, dass nur die Seite verschieden ist, wie left-001.png und right-001.png, oder legen Sie sie in Ordner left und right</translation>
+    </message>
+    <message>
+        <source>Give the picture of each camera</source>
+        <translation>Geben Sie das Bild jeder Kamera</translation>
+    </message>
+    <message>
+        <source>Give the picture of each camera; one of them may be lost</source>
+        <translation>Geben Sie das Bild jeder Kamera; eines davon mag verloren sein</translation>
+    </message>
+    <message>
+        <source>Give two pictures of one moment of one scope</source>
+        <translation>Geben Sie zwei Bilder eines Augenblicks von einem Laparoskop</translation>
+    </message>
+    <message>
+        <source>Give both views of one moment</source>
+        <translation>Geben Sie beide Ansichten eines Augenblicks</translation>
+    </message>
+    <message>
+        <source>Give the mask of this left picture</source>
+        <translation>Geben Sie die Maske dieses linken Bildes</translation>
+    </message>
+    <message>
+        <source>Draw the mask on the left image</source>
+        <translation>Zeichnen Sie die Maske auf dem linken Bild</translation>
+    </message>
+    <message>
+        <source>Swap the two images, or the calibration&apos;s cameras</source>
+        <translation>Tauschen Sie die beiden Bilder oder die Kameras der Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Check the light and the connection, or take another frame</source>
+        <translation>Prüfen Sie Licht und Verbindung, oder nehmen Sie ein anderes Bild</translation>
+    </message>
+    <message>
+        <source>Check the left camera&apos;s connection, or take another frame</source>
+        <translation>Prüfen Sie die Verbindung der linken Kamera, oder nehmen Sie ein anderes Bild</translation>
+    </message>
+    <message>
+        <source>Check the right camera&apos;s connection, or take another frame</source>
+        <translation>Prüfen Sie die Verbindung der rechten Kamera, oder nehmen Sie ein anderes Bild</translation>
+    </message>
+    <message>
+        <source>Check that both images show the same tissue sharply and lit, that a mask lies on it, and that the calibration is of this laparoscope</source>
+        <translation>Prüfen Sie, ob beide Bilder dasselbe Gewebe scharf und hell zeigen, ob eine Maske darauf liegt, und ob die Kalibrierung von diesem Laparoskop ist</translation>
+    </message>
+    <message>
+        <source>Draw them where the liver is reconstructed, or reconstruct densely</source>
+        <translation>Zeichnen Sie sie, wo die Leber rekonstruiert ist, oder rekonstruieren Sie dicht</translation>
+    </message>
+    <message>
+        <source>Load the pair that they were clicked on, or click them again on this one</source>
+        <translation>Laden Sie das Paar, auf dem sie geklickt wurden, oder klicken Sie sie auf diesem neu</translation>
+    </message>
+    <message>
+        <source>Use the calibration of this laparoscope at this image size</source>
+        <translation>Nehmen Sie die Kalibrierung dieses Laparoskops bei dieser Bildgröße</translation>
+    </message>
+    <message>
+        <source>Use the calibration of this scope at this resolution</source>
+        <translation>Nehmen Sie die Kalibrierung dieses Laparoskops bei dieser Auflösung</translation>
+    </message>
+    <message>
+        <source>Load this laparoscope&apos;s calibration, or calibrate it again</source>
+        <translation>Laden Sie die Kalibrierung dieses Laparoskops, oder kalibrieren Sie es neu</translation>
+    </message>
+    <message>
+        <source>Write the calibration anew or calibrate again</source>
+        <translation>Schreiben Sie die Kalibrierung neu, oder kalibrieren Sie noch einmal</translation>
+    </message>
+    <message>
+        <source>Save the calibration as YAML (.yml)</source>
+        <translation>Speichern Sie die Kalibrierung als YAML (.yml)</translation>
+    </message>
+    <message>
+        <source>Left and right are swapped, or R and T map right to left: x_right = R x_left + T</source>
+        <translation>Links und rechts sind vertauscht, oder R und T führen von rechts nach links: x_right = R x_left + T</translation>
+    </message>
+    <message>
+        <source>Check the unit</source>
+        <translation>Prüfen Sie die Einheit</translation>
+    </message>
+    <message>
+        <source>Give .vtp, legacy .vtk, .stl, .obj or .ply</source>
+        <translation>Geben Sie .vtp, altes .vtk, .stl, .obj oder .ply</translation>
+    </message>
+</context>
+<context>
     <name>Errors</name>
     <message>
         <source>%1: does not exist. Check the path.</source>
@@ -487,6 +1666,10 @@
     <message>
         <source>case: path: the case has never been saved. Choose a folder NAME.glisson to save it to.</source>
         <translation>Fall: Pfad: Der Fall wurde nie gespeichert. Wählen Sie einen Ordner NAME.glisson, in den er gespeichert wird.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>

@@ -371,6 +371,1185 @@
     </message>
 </context>
 <context>
+    <name>ErrorPhrases</name>
+    <message>
+        <source>does not exist</source>
+        <translation>n’existe pas</translation>
+    </message>
+    <message>
+        <source>is neither a file nor a folder</source>
+        <translation>n’est ni un fichier ni un dossier</translation>
+    </message>
+    <message>
+        <source>cannot be opened</source>
+        <translation>ne peut pas être ouvert</translation>
+    </message>
+    <message>
+        <source>cannot be opened (%1)</source>
+        <translation>ne peut pas être ouvert (%1)</translation>
+    </message>
+    <message>
+        <source>cannot be read (%1)</source>
+        <translation>ne peut pas être lu (%1)</translation>
+    </message>
+    <message>
+        <source>cannot be started (%1)</source>
+        <translation>ne peut pas être démarré (%1)</translation>
+    </message>
+    <message>
+        <source>the program that reads foreign files is missing</source>
+        <translation>le programme qui lit les fichiers étrangers manque</translation>
+    </message>
+    <message>
+        <source>cannot run</source>
+        <translation>ne peut pas s’exécuter</translation>
+    </message>
+    <message>
+        <source>could not be written</source>
+        <translation>n’a pas pu être écrit</translation>
+    </message>
+    <message>
+        <source>is shorter than expected</source>
+        <translation>est plus court que prévu</translation>
+    </message>
+    <message>
+        <source>has no room for a volume of %1 MB</source>
+        <translation>n’a pas de place pour un volume de %1 Mo</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>manque</translation>
+    </message>
+    <message>
+        <source>are missing</source>
+        <translation>manquent</translation>
+    </message>
+    <message>
+        <source>is damaged</source>
+        <translation>est endommagé</translation>
+    </message>
+    <message>
+        <source>is damaged or ends early</source>
+        <translation>est endommagé ou finit trop tôt</translation>
+    </message>
+    <message>
+        <source>is damaged or not of the format that its name claims</source>
+        <translation>est endommagé ou n’a pas le format que son nom annonce</translation>
+    </message>
+    <message>
+        <source>is damaged: the program that reads it broke down</source>
+        <translation>est endommagé : le programme qui le lit s’est effondré</translation>
+    </message>
+    <message>
+        <source>is an empty folder</source>
+        <translation>est un dossier vide</translation>
+    </message>
+    <message>
+        <source>stands twice</source>
+        <translation>figure deux fois</translation>
+    </message>
+    <message>
+        <source>ends early</source>
+        <translation>finit trop tôt</translation>
+    </message>
+    <message>
+        <source>cannot be unpacked: it is damaged</source>
+        <translation>ne peut pas être décompressé : il est endommagé</translation>
+    </message>
+    <message>
+        <source>holds more than 100000 files, which no series has</source>
+        <translation>contient plus de 100000 fichiers, ce qu’aucune série n’a</translation>
+    </message>
+    <message>
+        <source>unpacks to more than a hundred times its size, which no images do</source>
+        <translation>devient plus de cent fois plus grand, ce que ne fait aucune image</translation>
+    </message>
+    <message>
+        <source>needs more space for temporary files than is free in %1</source>
+        <translation>demande plus de place pour les fichiers temporaires qu’il n’en reste dans %1</translation>
+    </message>
+    <message>
+        <source>is a single DICOM slice</source>
+        <translation>est une seule coupe DICOM</translation>
+    </message>
+    <message>
+        <source>holds a single slice, not a volume</source>
+        <translation>contient une seule coupe, pas un volume</translation>
+    </message>
+    <message>
+        <source>holds no DICOM image</source>
+        <translation>ne contient aucune image DICOM</translation>
+    </message>
+    <message>
+        <source>is no folder of DICOM slices</source>
+        <translation>n’est pas un dossier de coupes DICOM</translation>
+    </message>
+    <message>
+        <source>holds %1 series: %2</source>
+        <translation>contient %1 séries : %2</translation>
+    </message>
+    <message>
+        <source>cannot be chosen in a file that holds one volume</source>
+        <translation>ne peut pas être choisi dans un fichier d’un seul volume</translation>
+    </message>
+    <message>
+        <source>is a DICOM file that cannot be read</source>
+        <translation>est un fichier DICOM illisible</translation>
+    </message>
+    <message>
+        <source>is a DICOM image that cannot be read</source>
+        <translation>est une image DICOM illisible</translation>
+    </message>
+    <message>
+        <source>has no tag (%1), so that its place in the patient is unknown</source>
+        <translation>n’a pas l’attribut (%1) : sa place dans le patient est inconnue</translation>
+    </message>
+    <message>
+        <source>holds a direction whose length is not 1</source>
+        <translation>contient une direction dont la longueur n’est pas 1</translation>
+    </message>
+    <message>
+        <source>is %1 mm, which is no pixel&apos;s</source>
+        <translation>vaut %1 mm, ce qui n’est la taille d’aucun pixel</translation>
+    </message>
+    <message>
+        <source>is %1 mm, which is no voxel&apos;s</source>
+        <translation>vaut %1 mm, ce qui n’est la taille d’aucun voxel</translation>
+    </message>
+    <message>
+        <source>is %1, which makes no intensities of the pixels</source>
+        <translation>vaut %1, ce qui ne fait pas d’intensités des pixels</translation>
+    </message>
+    <message>
+        <source>is a colour picture, not a slice of a volume</source>
+        <translation>est une image en couleurs, pas une coupe d’un volume</translation>
+    </message>
+    <message>
+        <source>holds several frames in one file</source>
+        <translation>contient plusieurs images dans un fichier</translation>
+    </message>
+    <message>
+        <source>has another size than the other slices</source>
+        <translation>n’a pas la taille des autres coupes</translation>
+    </message>
+    <message>
+        <source>has another orientation or pixel spacing than the other slices</source>
+        <translation>n’a pas l’orientation ou la taille de pixel des autres coupes</translation>
+    </message>
+    <message>
+        <source>lie at the same place: %1</source>
+        <translation>sont au même endroit : %1</translation>
+    </message>
+    <message>
+        <source>has pixels that cannot be decoded</source>
+        <translation>a des pixels indécodables</translation>
+    </message>
+    <message>
+        <source>hold fewer pixels than they claim</source>
+        <translation>contiennent moins de pixels qu’annoncé</translation>
+    </message>
+    <message>
+        <source>gives its intensities by a table (Modality LUT), which is not read</source>
+        <translation>donne ses intensités par une table (Modality LUT), qui n’est pas lue</translation>
+    </message>
+    <message>
+        <source>has pixels in a number format that is not known</source>
+        <translation>a des pixels dans un format de nombres inconnu</translation>
+    </message>
+    <message>
+        <source>is a number format that is not known</source>
+        <translation>est un format de nombres inconnu</translation>
+    </message>
+    <message>
+        <source>has an extension that is not known</source>
+        <translation>a une extension inconnue</translation>
+    </message>
+    <message>
+        <source>is a flat picture, not a volume</source>
+        <translation>est une image plane, pas un volume</translation>
+    </message>
+    <message>
+        <source>is that of a flat picture, not of a volume</source>
+        <translation>est celui d’une image plane, pas d’un volume</translation>
+    </message>
+    <message>
+        <source>is that of a colour picture</source>
+        <translation>est celui d’une image en couleurs</translation>
+    </message>
+    <message>
+        <source>is a series of %1 volumes, not one volume</source>
+        <translation>est une série de %1 volumes, pas un volume</translation>
+    </message>
+    <message>
+        <source>claims %1 voxels of %2 value(s)</source>
+        <translation>annonce %1 voxels de %2 valeur(s)</translation>
+    </message>
+    <message>
+        <source>is %1 mm, which is no patient&apos;s</source>
+        <translation>vaut %1 mm, ce qui n’est d’aucun patient</translation>
+    </message>
+    <message>
+        <source>is (%1) mm, which is nowhere near a scanner</source>
+        <translation>vaut (%1) mm, loin de tout scanner</translation>
+    </message>
+    <message>
+        <source>has axes that are not at right angles (a sheared volume)</source>
+        <translation>a des axes qui ne sont pas à angle droit (un volume cisaillé)</translation>
+    </message>
+    <message>
+        <source>has an axis of %1 mm from voxel to voxel, which is no patient&apos;s</source>
+        <translation>a un axe de %1 mm d’un voxel à l’autre, ce qui n’est d’aucun patient</translation>
+    </message>
+    <message>
+        <source>is read differently by two readers</source>
+        <translation>est lu différemment par deux lecteurs</translation>
+    </message>
+    <message>
+        <source>are read differently by two readers, by up to %1 mm</source>
+        <translation>sont lus différemment par deux lecteurs, jusqu’à %1 mm</translation>
+    </message>
+    <message>
+        <source>are counted differently by two readers</source>
+        <translation>sont comptés différemment par deux lecteurs</translation>
+    </message>
+    <message>
+        <source>end early: the file is damaged</source>
+        <translation>finissent trop tôt : le fichier est endommagé</translation>
+    </message>
+    <message>
+        <source>says that the voxels are compressed, but they are not, or are damaged</source>
+        <translation>dit que les voxels sont comprimés, mais ils ne le sont pas ou sont endommagés</translation>
+    </message>
+    <message>
+        <source>says fewer voxels than the file holds (%1 of %2 bytes or more)</source>
+        <translation>annonce moins de voxels que le fichier n’en contient (%1 octets sur %2 ou plus)</translation>
+    </message>
+    <message>
+        <source>needs more memory than there is</source>
+        <translation>demande plus de mémoire qu’il n’y en a</translation>
+    </message>
+    <message>
+        <source>hold a value that is not a number</source>
+        <translation>contiennent une valeur qui n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>hold %1, which is no %2</source>
+        <translation>contiennent %1, qui n’est pas une valeur de ce genre (%2)</translation>
+    </message>
+    <message>
+        <source>run from %1 to %2 only: too few grey levels when rounded</source>
+        <translation>ne vont que de %1 à %2 : trop peu de niveaux de gris une fois arrondis</translation>
+    </message>
+    <message>
+        <source>run from %1 to %2, beyond 16-bit integers</source>
+        <translation>vont de %1 à %2, au-delà des entiers de 16 bits</translation>
+    </message>
+    <message>
+        <source>hold %1 values each (a colour or vector image)</source>
+        <translation>contiennent %1 valeurs chacun (une image de couleurs ou de vecteurs)</translation>
+    </message>
+    <message>
+        <source>are both 0: the file does not say which way the patient lies</source>
+        <translation>valent 0 tous deux : le fichier ne dit pas dans quel sens est le patient</translation>
+    </message>
+    <message>
+        <source>place the volume differently, by up to %1 mm</source>
+        <translation>placent le volume différemment, jusqu’à %1 mm</translation>
+    </message>
+    <message>
+        <source>is not a NRRD file</source>
+        <translation>n’est pas un fichier NRRD</translation>
+    </message>
+    <message>
+        <source>is not that of a NIfTI-1 file</source>
+        <translation>n’est pas celui d’un fichier NIfTI-1</translation>
+    </message>
+    <message>
+        <source>is not a VTK image file (.vti)</source>
+        <translation>n’est pas un fichier d’image VTK (.vti)</translation>
+    </message>
+    <message>
+        <source>is %1 voxels where %2 are expected</source>
+        <translation>fait %1 voxels au lieu de %2</translation>
+    </message>
+    <message>
+        <source>has the right size but lies elsewhere in the patient</source>
+        <translation>a la bonne taille mais se trouve ailleurs dans le patient</translation>
+    </message>
+    <message>
+        <source>has an extension that volumes are not written to</source>
+        <translation>a une extension sous laquelle aucun volume n’est écrit</translation>
+    </message>
+    <message>
+        <source>stands for %1, which is no structure</source>
+        <translation>désigne %1, qui n’est pas une structure</translation>
+    </message>
+    <message>
+        <source>nothing of the liver is left after the codes were applied</source>
+        <translation>il ne reste rien du foie après l’application des codes</translation>
+    </message>
+    <message>
+        <source>the liver lies to the left of the vena cava: the volume is mirrored</source>
+        <translation>le foie est à gauche de la veine cave : le volume est inversé</translation>
+    </message>
+    <message>
+        <source>none of them is the liver&apos;s parenchyma</source>
+        <translation>aucun d’eux n’est le parenchyme du foie</translation>
+    </message>
+    <message>
+        <source>lies in tissue of %1 HU, which no liver has in the portal venous phase</source>
+        <translation>se trouve dans un tissu de %1 UH, ce qu’aucun foie n’a en phase portale</translation>
+    </message>
+    <message>
+        <source>is not there, and was not to be segmented</source>
+        <translation>n’est pas là et ne devait pas être segmenté</translation>
+    </message>
+    <message>
+        <source>would need %1 million voxels</source>
+        <translation>demanderait %1 millions de voxels</translation>
+    </message>
+    <message>
+        <source>is not a list of points</source>
+        <translation>n’est pas une liste de points</translation>
+    </message>
+    <message>
+        <source>is not a point</source>
+        <translation>n’est pas un point</translation>
+    </message>
+    <message>
+        <source>is nowhere near a patient</source>
+        <translation>est loin de tout patient</translation>
+    </message>
+    <message>
+        <source>is not a JSON object of seeds</source>
+        <translation>n’est pas un objet JSON de clics</translation>
+    </message>
+    <message>
+        <source>is not a list of lesions</source>
+        <translation>n’est pas une liste de lésions</translation>
+    </message>
+    <message>
+        <source>is no structure that seeds are read for</source>
+        <translation>n’est pas une structure pour laquelle on lit des clics</translation>
+    </message>
+    <message>
+        <source>lies outside the image</source>
+        <translation>est hors de l’image</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>est vide</translation>
+    </message>
+    <message>
+        <source>is not CT, and the statistics are those of Hounsfield units</source>
+        <translation>n’est pas un scanner, et les statistiques sont celles des unités Hounsfield</translation>
+    </message>
+    <message>
+        <source>are more than there are labels for</source>
+        <translation>sont plus nombreux que les étiquettes</translation>
+    </message>
+    <message>
+        <source>holds too little of the image</source>
+        <translation>contient trop peu de l’image</translation>
+    </message>
+    <message>
+        <source>has no point in the region</source>
+        <translation>n’a pas de point dans la région</translation>
+    </message>
+    <message>
+        <source>has no point</source>
+        <translation>n’a pas de point</translation>
+    </message>
+    <message>
+        <source>grow to nothing: the clicks do not lie in liver tissue</source>
+        <translation>ne croissent pas : les clics ne sont pas dans le tissu du foie</translation>
+    </message>
+    <message>
+        <source>exists and is not a case</source>
+        <translation>existe et n’est pas un cas</translation>
+    </message>
+    <message>
+        <source>is not a Glisson case</source>
+        <translation>n’est pas un cas de Glisson</translation>
+    </message>
+    <message>
+        <source>is malformed (%1)</source>
+        <translation>est malformé (%1)</translation>
+    </message>
+    <message>
+        <source>is not valid JSON</source>
+        <translation>n’est pas du JSON valide</translation>
+    </message>
+    <message>
+        <source>holds a number that is larger than any</source>
+        <translation>contient un nombre plus grand que tout autre</translation>
+    </message>
+    <message>
+        <source>is a link that leads out of the case, or to nothing</source>
+        <translation>est un lien qui mène hors du cas, ou à rien</translation>
+    </message>
+    <message>
+        <source>names &quot;%1&quot;, which lies outside the case</source>
+        <translation>nomme &quot;%1&quot;, qui est hors du cas</translation>
+    </message>
+    <message>
+        <source>the case has never been saved</source>
+        <translation>le cas n’a jamais été enregistré</translation>
+    </message>
+    <message>
+        <source>there is no step to undo</source>
+        <translation>il n’y a pas d’étape à annuler</translation>
+    </message>
+    <message>
+        <source>there is no step to redo</source>
+        <translation>il n’y a pas d’étape à refaire</translation>
+    </message>
+    <message>
+        <source>the video has only %1 frames</source>
+        <translation>la vidéo n’a que %1 images</translation>
+    </message>
+    <message>
+        <source>was refused: what is known contradicts it</source>
+        <translation>a été refusé : ce que l’on sait le contredit</translation>
+    </message>
+    <message>
+        <source>has no tetrahedra</source>
+        <translation>n’a pas de tétraèdres</translation>
+    </message>
+    <message>
+        <source>is not this model&apos;s (%1 nodes, the model has %2)</source>
+        <translation>n’est pas celui de ce modèle (%1 nœuds, le modèle en a %2)</translation>
+    </message>
+    <message>
+        <source>the cloud has no points</source>
+        <translation>le nuage n’a pas de points</translation>
+    </message>
+    <message>
+        <source>has a coordinate that is not a number</source>
+        <translation>a une coordonnée qui n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>is of no known mesh format (&quot;%1&quot;)</source>
+        <translation>n’a aucun format de maillage connu (&quot;%1&quot;)</translation>
+    </message>
+    <message>
+        <source>is no surface format (&quot;%1&quot;)</source>
+        <translation>n’est pas un format de surface (&quot;%1&quot;)</translation>
+    </message>
+    <message>
+        <source>is no tetrahedral mesh format (&quot;%1&quot;)</source>
+        <translation>n’est pas un format de maillage tétraédrique (&quot;%1&quot;)</translation>
+    </message>
+    <message>
+        <source>is larger than 300 MB, more than the mesh of an organ needs</source>
+        <translation>dépasse 300 Mo, plus que le maillage d’un organe ne demande</translation>
+    </message>
+    <message>
+        <source>names a vertex that is not there</source>
+        <translation>nomme un sommet qui n’existe pas</translation>
+    </message>
+    <message>
+        <source>names a point that is not there</source>
+        <translation>nomme un point qui n’existe pas</translation>
+    </message>
+    <message>
+        <source>is inverted (volume %1 mm3)</source>
+        <translation>est retourné (volume %1 mm3)</translation>
+    </message>
+    <message>
+        <source>is flat</source>
+        <translation>est plat</translation>
+    </message>
+    <message>
+        <source>the file ends here</source>
+        <translation>le fichier finit ici</translation>
+    </message>
+    <message>
+        <source>is not a PLY file (its first line is not &quot;ply&quot;)</source>
+        <translation>n’est pas un fichier PLY (sa première ligne n’est pas &quot;ply&quot;)</translation>
+    </message>
+    <message>
+        <source>claims %1 x %2 pixels, more than any camera has</source>
+        <translation>annonce %1 x %2 pixels, plus qu’aucune caméra</translation>
+    </message>
+    <message>
+        <source>is not a whole picture that can be read</source>
+        <translation>n’est pas une image entière et lisible</translation>
+    </message>
+    <message>
+        <source>has no extension of a picture</source>
+        <translation>n’a pas l’extension d’une image</translation>
+    </message>
+    <message>
+        <source>is not a video that can be read</source>
+        <translation>n’est pas une vidéo lisible</translation>
+    </message>
+    <message>
+        <source>does not say its size or frame rate</source>
+        <translation>ne dit pas sa taille ou sa cadence</translation>
+    </message>
+    <message>
+        <source>is damaged after %1 frames: the program that reads it broke down</source>
+        <translation>est endommagé après %1 images : le programme qui la lit s’est effondré</translation>
+    </message>
+    <message>
+        <source>breaks off after %1 frames of %2</source>
+        <translation>s’interrompt après %1 images sur %2</translation>
+    </message>
+    <message>
+        <source>is %1, the left video %2</source>
+        <translation>fait %1, la vidéo gauche %2</translation>
+    </message>
+    <message>
+        <source>is %1, the left picture %2</source>
+        <translation>fait %1, l’image gauche %2</translation>
+    </message>
+    <message>
+        <source>is %1, the pictures before %2</source>
+        <translation>fait %1, les images d’avant %2</translation>
+    </message>
+    <message>
+        <source>is for pictures of %1, the pictures are %2</source>
+        <translation>est pour des images de %1, les images font %2</translation>
+    </message>
+    <message>
+        <source>left and right pictures differ in size</source>
+        <translation>les images gauche et droite n’ont pas la même taille</translation>
+    </message>
+    <message>
+        <source>has another frame rate than the left video</source>
+        <translation>n’a pas la cadence de la vidéo gauche</translation>
+    </message>
+    <message>
+        <source>have no frames within %1 ms of each other (%2 s and %3 s)</source>
+        <translation>n’ont pas d’images à moins de %1 ms l’une de l’autre (%2 s et %3 s)</translation>
+    </message>
+    <message>
+        <source>leaves %1 from (%2, %3) of views of %4</source>
+        <translation>ne laisse que %1 depuis (%2, %3) de vues de %4</translation>
+    </message>
+    <message>
+        <source>is no device</source>
+        <translation>n’est pas un périphérique</translation>
+    </message>
+    <message>
+        <source>is an address of a kind that is not opened</source>
+        <translation>est une adresse d’un genre qui n’est pas ouvert</translation>
+    </message>
+    <message>
+        <source>is not a name for a recording</source>
+        <translation>n’est pas un nom d’enregistrement</translation>
+    </message>
+    <message>
+        <source>cannot be opened for recording</source>
+        <translation>ne peut pas être ouvert pour enregistrer</translation>
+    </message>
+    <message>
+        <source>holds no pictures</source>
+        <translation>ne contient pas d’images</translation>
+    </message>
+    <message>
+        <source>holds no pair (%1 left pictures, %2 right ones)</source>
+        <translation>ne contient pas de paire (%1 images gauches, %2 droites)</translation>
+    </message>
+    <message>
+        <source>hold %1 and %2 pictures with no name in common</source>
+        <translation>contiennent %1 et %2 images sans nom commun</translation>
+    </message>
+    <message>
+        <source>is no folder</source>
+        <translation>n’est pas un dossier</translation>
+    </message>
+    <message>
+        <source>is black in both views</source>
+        <translation>est noire dans les deux vues</translation>
+    </message>
+    <message>
+        <source>shows nothing in the left view</source>
+        <translation>ne montre rien dans la vue gauche</translation>
+    </message>
+    <message>
+        <source>shows nothing in the right view</source>
+        <translation>ne montre rien dans la vue droite</translation>
+    </message>
+    <message>
+        <source>is the same picture in both views</source>
+        <translation>est la même image dans les deux vues</translation>
+    </message>
+    <message>
+        <source>fits the calibration better when left and right are swapped</source>
+        <translation>correspond mieux au calibrage si gauche et droite sont échangées</translation>
+    </message>
+    <message>
+        <source>shows nothing in common in its two views</source>
+        <translation>ne montre rien de commun dans ses deux vues</translation>
+    </message>
+    <message>
+        <source>are the same picture</source>
+        <translation>sont la même image</translation>
+    </message>
+    <message>
+        <source>gives %1 points (%2 and %3 features, %4 matches), too few for a surface</source>
+        <translation>donne %1 points (%2 et %3 repères, %4 paires), trop peu pour une surface</translation>
+    </message>
+    <message>
+        <source>hold none of the pair&apos;s %1 points</source>
+        <translation>ne contiennent aucun des %1 points de la paire</translation>
+    </message>
+    <message>
+        <source>belong to frame %1 (%2), not to this pair (%3)</source>
+        <translation>appartiennent à l’image %1 (%2), pas à cette paire (%3)</translation>
+    </message>
+    <message>
+        <source>is not a calibration (too large, or not text)</source>
+        <translation>n’est pas un calibrage (trop grand, ou pas du texte)</translation>
+    </message>
+    <message>
+        <source>is not an OpenCV YAML file</source>
+        <translation>n’est pas un fichier YAML d’OpenCV</translation>
+    </message>
+    <message>
+        <source>is XML, which is not read</source>
+        <translation>est du XML, qui n’est pas lu</translation>
+    </message>
+    <message>
+        <source>is not a rotation (determinant %1)</source>
+        <translation>n’est pas une rotation (déterminant %1)</translation>
+    </message>
+    <message>
+        <source>is zero: the cameras have no baseline</source>
+        <translation>est nul : les caméras n’ont pas d’écart</translation>
+    </message>
+    <message>
+        <source>gives a baseline of %1 mm, where a stereo laparoscope has 1 to 30 mm</source>
+        <translation>donne un écart de %1 mm, un laparoscope stéréo a 1 à 30 mm</translation>
+    </message>
+    <message>
+        <source>puts the right camera %1 mm to the left of the left one</source>
+        <translation>place la caméra droite %1 mm à gauche de la gauche</translation>
+    </message>
+    <message>
+        <source>are swapped: the right camera would lie %1 mm to the left of the left one</source>
+        <translation>sont échangées : la caméra droite serait à %1 mm à gauche de la gauche</translation>
+    </message>
+    <message>
+        <source>is not a matrix</source>
+        <translation>n’est pas une matrice</translation>
+    </message>
+    <message>
+        <source>Check the path</source>
+        <translation>Vérifiez le chemin</translation>
+    </message>
+    <message>
+        <source>Check its permissions</source>
+        <translation>Vérifiez ses droits</translation>
+    </message>
+    <message>
+        <source>Check permissions and space</source>
+        <translation>Vérifiez les droits et l’espace libre</translation>
+    </message>
+    <message>
+        <source>Install Glisson again</source>
+        <translation>Réinstallez Glisson</translation>
+    </message>
+    <message>
+        <source>Free space for temporary files</source>
+        <translation>Libérez de la place pour les fichiers temporaires</translation>
+    </message>
+    <message>
+        <source>Free space for temporary files, or set TMPDIR to a larger disk</source>
+        <translation>Libérez de la place pour les fichiers temporaires, ou mettez TMPDIR sur un disque plus grand</translation>
+    </message>
+    <message>
+        <source>Free some space, set TMPDIR to a larger disk, or unpack it yourself and name the folder</source>
+        <translation>Libérez de la place, mettez TMPDIR sur un disque plus grand, ou décompressez-le vous-même et nommez le dossier</translation>
+    </message>
+    <message>
+        <source>Choose another name</source>
+        <translation>Choisissez un autre nom</translation>
+    </message>
+    <message>
+        <source>Choose another file</source>
+        <translation>Choisissez un autre fichier</translation>
+    </message>
+    <message>
+        <source>Choose such a name</source>
+        <translation>Choisissez un tel nom</translation>
+    </message>
+    <message>
+        <source>Choose a folder NAME.glisson</source>
+        <translation>Choisissez un dossier NOM.glisson</translation>
+    </message>
+    <message>
+        <source>Choose a folder NAME.glisson to save it to</source>
+        <translation>Choisissez un dossier NOM.glisson où l’enregistrer</translation>
+    </message>
+    <message>
+        <source>Correct it there or write the file anew</source>
+        <translation>Corrigez-le à cet endroit ou réécrivez le fichier</translation>
+    </message>
+    <message>
+        <source>Write the file anew</source>
+        <translation>Réécrivez le fichier</translation>
+    </message>
+    <message>
+        <source>Restore the case from a copy</source>
+        <translation>Restaurez le cas depuis une copie</translation>
+    </message>
+    <message>
+        <source>Restore the case from a copy; nothing outside its folder is opened</source>
+        <translation>Restaurez le cas depuis une copie ; rien n’est ouvert hors de son dossier</translation>
+    </message>
+    <message>
+        <source>Put a copy of what it means in its place, or remove it</source>
+        <translation>Mettez à sa place une copie de ce qu’il désigne, ou supprimez-le</translation>
+    </message>
+    <message>
+        <source>Fetch the archive again, or unpack it yourself and name the folder</source>
+        <translation>Récupérez l’archive de nouveau, ou décompressez-la vous-même et nommez le dossier</translation>
+    </message>
+    <message>
+        <source>Unpack it yourself and name the folder of the series</source>
+        <translation>Décompressez-la vous-même et nommez le dossier de la série</translation>
+    </message>
+    <message>
+        <source>Ask where it comes from; unpack it yourself and name the folder if it is good</source>
+        <translation>Demandez d’où elle vient ; si elle est bonne, décompressez-la vous-même et nommez le dossier</translation>
+    </message>
+    <message>
+        <source>The header is damaged, or crop the volume</source>
+        <translation>L’en-tête est endommagé, ou recadrez le volume</translation>
+    </message>
+    <message>
+        <source>The header is damaged: export the volume again</source>
+        <translation>L’en-tête est endommagé : exportez le volume de nouveau</translation>
+    </message>
+    <message>
+        <source>Correct the header, or export the volume again</source>
+        <translation>Corrigez l’en-tête, ou exportez le volume de nouveau</translation>
+    </message>
+    <message>
+        <source>Check that the file&apos;s unit is the millimetre and correct its header</source>
+        <translation>Vérifiez que l’unité du fichier est le millimètre et corrigez son en-tête</translation>
+    </message>
+    <message>
+        <source>Correct the file&apos;s header</source>
+        <translation>Corrigez l’en-tête du fichier</translation>
+    </message>
+    <message>
+        <source>Correct the header</source>
+        <translation>Corrigez l’en-tête</translation>
+    </message>
+    <message>
+        <source>Resample the volume to a rectangular grid</source>
+        <translation>Rééchantillonnez le volume sur une grille rectangulaire</translation>
+    </message>
+    <message>
+        <source>Resample the series to a rectangular grid</source>
+        <translation>Rééchantillonnez la série sur une grille rectangulaire</translation>
+    </message>
+    <message>
+        <source>Export it again</source>
+        <translation>Exportez-le de nouveau</translation>
+    </message>
+    <message>
+        <source>Export the volume again</source>
+        <translation>Exportez le volume de nouveau</translation>
+    </message>
+    <message>
+        <source>Export the series again</source>
+        <translation>Exportez la série de nouveau</translation>
+    </message>
+    <message>
+        <source>Export the series again, uncompressed</source>
+        <translation>Exportez la série de nouveau, non comprimée</translation>
+    </message>
+    <message>
+        <source>Export the series again as 16-bit integers</source>
+        <translation>Exportez la série de nouveau en entiers de 16 bits</translation>
+    </message>
+    <message>
+        <source>Export the series with RescaleSlope and RescaleIntercept</source>
+        <translation>Exportez la série avec RescaleSlope et RescaleIntercept</translation>
+    </message>
+    <message>
+        <source>Export the series from the scanner again, not from a viewer</source>
+        <translation>Exportez la série depuis le scanner, pas depuis une visionneuse</translation>
+    </message>
+    <message>
+        <source>Export the whole series again, or resample it</source>
+        <translation>Exportez de nouveau toute la série, ou rééchantillonnez-la</translation>
+    </message>
+    <message>
+        <source>Export it as 16-bit integers</source>
+        <translation>Exportez-le en entiers de 16 bits</translation>
+    </message>
+    <message>
+        <source>Export a single time point</source>
+        <translation>Exportez un seul instant</translation>
+    </message>
+    <message>
+        <source>Export a single volume</source>
+        <translation>Exportez un seul volume</translation>
+    </message>
+    <message>
+        <source>Export a volume with one value a voxel</source>
+        <translation>Exportez un volume à une valeur par voxel</translation>
+    </message>
+    <message>
+        <source>Export the file anew</source>
+        <translation>Exportez le fichier de nouveau</translation>
+    </message>
+    <message>
+        <source>The file is damaged: export it again</source>
+        <translation>Le fichier est endommagé : exportez-le de nouveau</translation>
+    </message>
+    <message>
+        <source>The file is damaged, or its exporter is: export it anew</source>
+        <translation>Le fichier ou son exporteur est défectueux : exportez-le de nouveau</translation>
+    </message>
+    <message>
+        <source>Remove it from the folder</source>
+        <translation>Retirez-le du dossier</translation>
+    </message>
+    <message>
+        <source>Remove it from the folder (is it a scout view?)</source>
+        <translation>Retirez-le du dossier (est-ce une vue de repérage ?)</translation>
+    </message>
+    <message>
+        <source>Keep one phase or one copy only</source>
+        <translation>Ne gardez qu’une phase ou une copie</translation>
+    </message>
+    <message>
+        <source>Convert it to NIfTI or to single slices</source>
+        <translation>Convertissez-le en NIfTI ou en coupes séparées</translation>
+    </message>
+    <message>
+        <source>Convert the volume to millimetres</source>
+        <translation>Convertissez le volume en millimètres</translation>
+    </message>
+    <message>
+        <source>Name a volume</source>
+        <translation>Nommez un volume</translation>
+    </message>
+    <message>
+        <source>Name the folder that holds the DICOM slices</source>
+        <translation>Nommez le dossier qui contient les coupes DICOM</translation>
+    </message>
+    <message>
+        <source>Name the folder that holds the series</source>
+        <translation>Nommez le dossier qui contient la série</translation>
+    </message>
+    <message>
+        <source>Name a folder with the whole series</source>
+        <translation>Nommez un dossier avec toute la série</translation>
+    </message>
+    <message>
+        <source>Choose one by its number or UID, or put each into a folder of its own</source>
+        <translation>Choisissez-en une par son numéro ou son UID, ou mettez chacune dans son dossier</translation>
+    </message>
+    <message>
+        <source>Choose one of these by its UID</source>
+        <translation>Choisissez l’une d’elles par son UID</translation>
+    </message>
+    <message>
+        <source>Leave the series out, or name the folder that holds the DICOM slices</source>
+        <translation>Omettez la série, ou nommez le dossier des coupes DICOM</translation>
+    </message>
+    <message>
+        <source>Give a folder of DICOM slices, .tar.gz, .nii, .nii.gz, .nrrd, .nhdr, .mha, .mhd or .vti</source>
+        <translation>Donnez un dossier de coupes DICOM, .tar.gz, .nii, .nii.gz, .nrrd, .nhdr, .mha, .mhd ou .vti</translation>
+    </message>
+    <message>
+        <source>Check that this is the right file</source>
+        <translation>Vérifiez que c’est le bon fichier</translation>
+    </message>
+    <message>
+        <source>Scale the intensities so that they span several hundred (a CT&apos;s unit is HU)</source>
+        <translation>Mettez les intensités à l’échelle de plusieurs centaines (l’unité d’un scanner est UH)</translation>
+    </message>
+    <message>
+        <source>Scale the intensities to -32768 ... 32767</source>
+        <translation>Mettez les intensités entre -32768 et 32767</translation>
+    </message>
+    <message>
+        <source>Set one of them, or convert the original DICOM series</source>
+        <translation>Fixez l’un d’eux, ou convertissez la série DICOM d’origine</translation>
+    </message>
+    <message>
+        <source>Find out which is right and write the file anew with that one</source>
+        <translation>Trouvez lequel est juste et réécrivez le fichier avec lui</translation>
+    </message>
+    <message>
+        <source>Resample one of the two volumes to the other&apos;s grid</source>
+        <translation>Rééchantillonnez l’un des deux volumes sur la grille de l’autre</translation>
+    </message>
+    <message>
+        <source>Check origin, spacing and direction of the two volumes</source>
+        <translation>Vérifiez origine, espacement et direction des deux volumes</translation>
+    </message>
+    <message>
+        <source>Use .nrrd, .nii.gz, .nii or .mha</source>
+        <translation>Utilisez .nrrd, .nii.gz, .nii ou .mha</translation>
+    </message>
+    <message>
+        <source>Put it beside the header</source>
+        <translation>Mettez-le à côté de l’en-tête</translation>
+    </message>
+    <message>
+        <source>Save the segmentation from Slicer again</source>
+        <translation>Enregistrez de nouveau la segmentation depuis Slicer</translation>
+    </message>
+    <message>
+        <source>Give the codes of this file: which number is parenchyma, portal_vein and so on</source>
+        <translation>Donnez les codes de ce fichier : quel nombre est parenchyma, portal_vein, etc.</translation>
+    </message>
+    <message>
+        <source>Correct the direction in the file&apos;s header (left and right are swapped)</source>
+        <translation>Corrigez la direction dans l’en-tête (gauche et droite sont échangées)</translation>
+    </message>
+    <message>
+        <source>Say which code means what with --codes FILE (see &apos;glisson model --help&apos;)</source>
+        <translation>Dites quel code signifie quoi avec --codes FICHIER (voir &apos;glisson model --help&apos;)</translation>
+    </message>
+    <message>
+        <source>Click inside the parenchyma of a CT in Hounsfield units</source>
+        <translation>Cliquez dans le parenchyme d’un scanner en unités Hounsfield</translation>
+    </message>
+    <message>
+        <source>Click inside the parenchyma, away from vessels and lesions</source>
+        <translation>Cliquez dans le parenchyme, loin des vaisseaux et des lésions</translation>
+    </message>
+    <message>
+        <source>Click at least one point inside the liver</source>
+        <translation>Cliquez au moins un point dans le foie</translation>
+    </message>
+    <message>
+        <source>Click the largest ones</source>
+        <translation>Cliquez les plus grandes</translation>
+    </message>
+    <message>
+        <source>Segment the liver too, or paint it first</source>
+        <translation>Segmentez aussi le foie, ou peignez-le d’abord</translation>
+    </message>
+    <message>
+        <source>Choose a smaller region or a coarser spacing</source>
+        <translation>Choisissez une région plus petite ou un pas plus grossier</translation>
+    </message>
+    <message>
+        <source>Draw the region around the liver</source>
+        <translation>Tracez la région autour du foie</translation>
+    </message>
+    <message>
+        <source>Import a CT first</source>
+        <translation>Importez d’abord un scanner</translation>
+    </message>
+    <message>
+        <source>Import a portal venous CT, or import labels instead</source>
+        <translation>Importez un scanner portal, ou importez des étiquettes</translation>
+    </message>
+    <message>
+        <source>Check that the seeds belong to this image and are in mm (LPS)</source>
+        <translation>Vérifiez que les clics sont de cette image et en mm (LPS)</translation>
+    </message>
+    <message>
+        <source>Write lists of [x, y, z] in mm, patient coordinates (LPS)</source>
+        <translation>Écrivez des listes de [x, y, z] en mm, coordonnées du patient (LPS)</translation>
+    </message>
+    <message>
+        <source>Use liver, portal_vein, hepatic_veins, vena_cava, gallbladder, lesions or background</source>
+        <translation>Utilisez liver, portal_vein, hepatic_veins, vena_cava, gallbladder, lesions ou background</translation>
+    </message>
+    <message>
+        <source>Edit the labels first</source>
+        <translation>Modifiez d’abord les étiquettes</translation>
+    </message>
+    <message>
+        <source>Only what was undone last can be redone</source>
+        <translation>Seul ce qui vient d’être annulé peut être refait</translation>
+    </message>
+    <message>
+        <source>Choose an earlier frame</source>
+        <translation>Choisissez une image antérieure</translation>
+    </message>
+    <message>
+        <source>Build the model again</source>
+        <translation>Construisez le modèle de nouveau</translation>
+    </message>
+    <message>
+        <source>Build the model anew</source>
+        <translation>Construisez le modèle de nouveau</translation>
+    </message>
+    <message>
+        <source>Reconstruct the surface again</source>
+        <translation>Reconstruisez la surface de nouveau</translation>
+    </message>
+    <message>
+        <source>Reconstruct or export it again</source>
+        <translation>Reconstruisez-le ou exportez-le de nouveau</translation>
+    </message>
+    <message>
+        <source>Register again with a better cloud, or accept it knowing its doubts</source>
+        <translation>Recalez de nouveau avec un meilleur nuage, ou acceptez-le en connaissant ses doutes</translation>
+    </message>
+    <message>
+        <source>Remove the point or export the cloud again</source>
+        <translation>Retirez le point ou exportez le nuage de nouveau</translation>
+    </message>
+    <message>
+        <source>The file is damaged: copy it again</source>
+        <translation>Le fichier est endommagé : copiez-le de nouveau</translation>
+    </message>
+    <message>
+        <source>Use PNG, JPEG, BMP or TIFF, and copy it again if it was cut off</source>
+        <translation>Utilisez PNG, JPEG, BMP ou TIFF, et recopiez-le s’il a été tronqué</translation>
+    </message>
+    <message>
+        <source>Use .png, .jpg or .bmp</source>
+        <translation>Utilisez .png, .jpg ou .bmp</translation>
+    </message>
+    <message>
+        <source>Use a video in .mkv, .mp4 or .avi, and copy it again if it was cut off</source>
+        <translation>Utilisez une vidéo .mkv, .mp4 ou .avi, et recopiez-la si elle a été tronquée</translation>
+    </message>
+    <message>
+        <source>Convert it to .mkv</source>
+        <translation>Convertissez-la en .mkv</translation>
+    </message>
+    <message>
+        <source>Copy the video again, or record it anew</source>
+        <translation>Copiez la vidéo de nouveau, ou réenregistrez-la</translation>
+    </message>
+    <message>
+        <source>Check that the camera is connected, that no other program uses it, and its number</source>
+        <translation>Vérifiez que la caméra est branchée, qu’aucun autre programme ne l’utilise, et son numéro</translation>
+    </message>
+    <message>
+        <source>Write device: and its number, as device:0</source>
+        <translation>Écrivez device: et son numéro, comme device:0</translation>
+    </message>
+    <message>
+        <source>Both views are of one size; give two files otherwise</source>
+        <translation>Les deux vues ont la même taille ; sinon donnez deux fichiers</translation>
+    </message>
+    <message>
+        <source>Both views of a stereo video have one size</source>
+        <translation>Les deux vues d’une vidéo stéréo ont la même taille</translation>
+    </message>
+    <message>
+        <source>Record both views at one rate</source>
+        <translation>Enregistrez les deux vues à la même cadence</translation>
+    </message>
+    <message>
+        <source>Record both views at once, from one trigger</source>
+        <translation>Enregistrez les deux vues ensemble, d’un même déclencheur</translation>
+    </message>
+    <message>
+        <source>Give pictures of one size</source>
+        <translation>Donnez des images d’une même taille</translation>
+    </message>
+    <message>
+        <source>Crop within the picture</source>
+        <translation>Recadrez à l’intérieur de l’image</translation>
+    </message>
+    <message>
+        <source>Use rtsp, rtsps, rtp, srt, udp, http or https</source>
+        <translation>Utilisez rtsp, rtsps, rtp, srt, udp, http ou https</translation>
+    </message>
+    <message>
+        <source>Use .mkv: a recording that is cut off can still be read there</source>
+        <translation>Utilisez .mkv : un enregistrement interrompu y reste lisible</translation>
+    </message>
+    <message>
+        <source>Name them so that only the side differs, as left-001.png and right-001.png, or put them into folders left and right</source>
+        <translation>Nommez-les pour que seul le côté diffère, comme left-001.png et right-001.png, ou mettez-les dans des dossiers left et right</translation>
+    </message>
+    <message>
+        <source>Give the picture of each camera</source>
+        <translation>Donnez l’image de chaque caméra</translation>
+    </message>
+    <message>
+        <source>Give the picture of each camera; one of them may be lost</source>
+        <translation>Donnez l’image de chaque caméra ; l’une est peut-être perdue</translation>
+    </message>
+    <message>
+        <source>Give two pictures of one moment of one scope</source>
+        <translation>Donnez deux images d’un même instant d’un même laparoscope</translation>
+    </message>
+    <message>
+        <source>Give both views of one moment</source>
+        <translation>Donnez les deux vues d’un même instant</translation>
+    </message>
+    <message>
+        <source>Give the mask of this left picture</source>
+        <translation>Donnez le masque de cette image gauche</translation>
+    </message>
+    <message>
+        <source>Draw the mask on the left image</source>
+        <translation>Dessinez le masque sur l’image gauche</translation>
+    </message>
+    <message>
+        <source>Swap the two images, or the calibration&apos;s cameras</source>
+        <translation>Échangez les deux images, ou les caméras du calibrage</translation>
+    </message>
+    <message>
+        <source>Check the light and the connection, or take another frame</source>
+        <translation>Vérifiez la lumière et la liaison, ou prenez une autre image</translation>
+    </message>
+    <message>
+        <source>Check the left camera&apos;s connection, or take another frame</source>
+        <translation>Vérifiez la liaison de la caméra gauche, ou prenez une autre image</translation>
+    </message>
+    <message>
+        <source>Check the right camera&apos;s connection, or take another frame</source>
+        <translation>Vérifiez la liaison de la caméra droite, ou prenez une autre image</translation>
+    </message>
+    <message>
+        <source>Check that both images show the same tissue sharply and lit, that a mask lies on it, and that the calibration is of this laparoscope</source>
+        <translation>Vérifiez que les deux images montrent le même tissu net et éclairé, que le masque est dessus, et que le calibrage est de ce laparoscope</translation>
+    </message>
+    <message>
+        <source>Draw them where the liver is reconstructed, or reconstruct densely</source>
+        <translation>Tracez-les là où le foie est reconstruit, ou reconstruisez densément</translation>
+    </message>
+    <message>
+        <source>Load the pair that they were clicked on, or click them again on this one</source>
+        <translation>Chargez la paire où elles ont été cliquées, ou cliquez-les sur celle-ci</translation>
+    </message>
+    <message>
+        <source>Use the calibration of this laparoscope at this image size</source>
+        <translation>Utilisez le calibrage de ce laparoscope à cette taille d’image</translation>
+    </message>
+    <message>
+        <source>Use the calibration of this scope at this resolution</source>
+        <translation>Utilisez le calibrage de ce laparoscope à cette résolution</translation>
+    </message>
+    <message>
+        <source>Load this laparoscope&apos;s calibration, or calibrate it again</source>
+        <translation>Chargez le calibrage de ce laparoscope, ou calibrez-le de nouveau</translation>
+    </message>
+    <message>
+        <source>Write the calibration anew or calibrate again</source>
+        <translation>Réécrivez le calibrage ou calibrez de nouveau</translation>
+    </message>
+    <message>
+        <source>Save the calibration as YAML (.yml)</source>
+        <translation>Enregistrez le calibrage en YAML (.yml)</translation>
+    </message>
+    <message>
+        <source>Left and right are swapped, or R and T map right to left: x_right = R x_left + T</source>
+        <translation>Gauche et droite sont échangées, ou R et T vont de droite à gauche : x_right = R x_left + T</translation>
+    </message>
+    <message>
+        <source>Check the unit</source>
+        <translation>Vérifiez l’unité</translation>
+    </message>
+    <message>
+        <source>Give .vtp, legacy .vtk, .stl, .obj or .ply</source>
+        <translation>Donnez .vtp, .vtk ancien, .stl, .obj ou .ply</translation>
+    </message>
+</context>
+<context>
     <name>Errors</name>
     <message>
         <source>%1: does not exist. Check the path.</source>
@@ -487,6 +1666,10 @@
     <message>
         <source>case: path: the case has never been saved. Choose a folder NAME.glisson to save it to.</source>
         <translation>cas : chemin : le cas n’a jamais été enregistré. Choisissez un dossier NOM.glisson où l’enregistrer.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
     </message>
 </context>
 <context>

@@ -17,6 +17,7 @@
 #include "glisson/core/file_failure.h"
 #include "glisson/core/files.h"
 #include "glisson/core/log_file.h"
+#include "glisson/ui/common/error_texts.h"
 #include "glisson/ui/scene/headless_gui.h"
 #include "glisson/ui/shell/language.h"
 
@@ -37,6 +38,22 @@ void print_usage() {
     say(QString("  %1 %2").arg(command.name, -12).arg(Cli::tr(command.description)));
 }
 
+/// Runs a command; what the modules say on an error is told in the person's language, while there is one.
+int run_told(const SubCommand& command, const QStringList& arguments) {
+  try {
+    return command.run(arguments);
+  } catch (const UsageError&) {
+    throw;
+  } catch (const Interrupted&) {
+    throw;
+  } catch (const Error& failure) {
+    std::fprintf(stderr, "glisson: %s\n", ui::error_text(failure.what()).toLocal8Bit().constData());
+  } catch (const std::filesystem::filesystem_error& failure) {
+    std::fprintf(stderr, "glisson: %s\n", ui::error_text(sentence_of(failure)).toLocal8Bit().constData());
+  }
+  return kFailed;
+}
+
 int run(int argc, char** argv) {
   const char* first = argc > 1 ? argv[1] : "";
   for (const SubCommand& command : sub_commands()) {
@@ -54,7 +71,7 @@ int run(int argc, char** argv) {
     sweep_leftovers(work_folder());
     QStringList arguments;
     for (int i = 2; i < argc; ++i) arguments << QString::fromLocal8Bit(argv[i]);
-    return command.run(arguments);
+    return run_told(command, arguments);
   }
   if (std::strcmp(first, "--help") == 0 || std::strcmp(first, "-h") == 0 || std::strcmp(first, "help") == 0) {
     QCoreApplication application(argc, argv);

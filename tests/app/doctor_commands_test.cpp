@@ -25,6 +25,8 @@ class DoctorCommandsTest : public QObject, private test::Program {
   void ACrashLeavesAReport();
   void TheLogNamesNobody();
   void SoakLooksAtOpeningAndSaving();
+  void AShortSoakIsNotCalledFlat();
+  void ErrorsAreToldInThePersonsLanguage();
   void WhatAKilledRunUnpackedGoesAtTheNextStart();
 
  private:
@@ -104,6 +106,26 @@ void DoctorCommandsTest::SoakLooksAtOpeningAndSaving() {
   QCOMPARE(found["kill_broken"].toInt(-1), 0);
   QCOMPARE(found["kill_left"].toInt(-1), 0);
   QVERIFY(read_file(at("soak.md")).find("| opens_and_saves | 12 |") != std::string::npos);
+}
+
+void DoctorCommandsTest::AShortSoakIsNotCalledFlat() {
+  test::write_plain_ct(at("ct.nrrd"));
+  QCOMPARE(run({"import", "ct.nrrd", "--case", "a.glisson"}).code, 0);
+  const Ran ran = run({"soak", "--case", "a.glisson", "--frames", "0", "--edits", "0", "--opens", "2",
+                       "--json", "s.json", "--page", "soak.md"});
+  QCOMPARE(ran.code, 1);
+  const QJsonObject found = figures("s.json");
+  QCOMPARE(found["soak_opens_and_saves_long_enough"].toInt(-1), 0);
+  QCOMPARE(found["soak_opens_and_saves_flat"].toInt(-1), 0);
+  QVERIFY(read_file(at("soak.md")).find("too short to say") != std::string::npos);
+}
+
+void DoctorCommandsTest::ErrorsAreToldInThePersonsLanguage() {
+  const Ran german = run({"import", "none.nrrd", "--case", "a.glisson"}, "de_DE.UTF-8");
+  QCOMPARE(german.code, 1);
+  QVERIFY2(german.error.contains("none.nrrd: gibt es nicht. Prüfen Sie den Pfad."), qPrintable(german.error));
+  const Ran french = run({"import", "none.nrrd", "--case", "a.glisson"}, "fr_FR.UTF-8");
+  QVERIFY2(french.error.contains("none.nrrd : n’existe pas. Vérifiez le chemin."), qPrintable(french.error));
 }
 
 void DoctorCommandsTest::WhatAKilledRunUnpackedGoesAtTheNextStart() {

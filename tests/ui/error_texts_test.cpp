@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Errors of files and cases, as they are thrown, are known to the translators: a changed sentence is noticed
 // here.
+#include <QRegularExpression>
+#include <QTranslator>
 #include <QtTest>
 
 #include <fstream>
@@ -27,6 +29,9 @@ class ErrorTextsTest : public QObject {
   void ThrownErrorsAreKnown();
   void OthersStayAsTheyAre();
   void NamesWithPlaceholdersStayWhole();
+  void EveryPhraseStandsInTheModules();
+  void ErrorsAreToldInGerman_data();
+  void ErrorsAreToldInGerman();
 };
 
 using Throws = std::function<void(const fs::path& folder)>;
@@ -97,6 +102,52 @@ void ErrorTextsTest::NamesWithPlaceholdersStayWhole() {
   const char* sentence = "50%2 (a) %1.json: cannot be opened (100 %1). Check the path.";
   QVERIFY(ui::is_error_known(sentence));
   QCOMPARE(ui::error_text(sentence), QString::fromUtf8(sentence));
+}
+
+void ErrorTextsTest::EveryPhraseStandsInTheModules() {
+  // A changed sentence is noticed here. Literals that go on in the next line are one.
+  QString source;
+  const fs::path root = fs::path(qEnvironmentVariable("GLISSON_SOURCE_DIR").toStdString()) / "modules";
+  for (const auto& entry : fs::recursive_directory_iterator(root))
+    if (entry.path().extension() == ".cpp" || entry.path().extension() == ".h")
+      source += QString::fromStdString(read_file(entry.path()));
+  QVERIFY(source.size() > 1000000);
+  source.remove(QRegularExpression("\"\\s*\n\\s*\""));
+  for (const char* phrase : ui::error_phrases())
+    for (QString part : QString::fromUtf8(phrase).split(QRegularExpression("%\\d")))
+      QVERIFY2(source.contains(part.replace("\"", "\\\"")), phrase);
+}
+
+void ErrorTextsTest::ErrorsAreToldInGerman_data() {
+  QTest::addColumn<QString>("sentence");
+  QTest::addColumn<QString>("german");
+  const auto row = [](const Error& error, const char* german) {
+    QTest::newRow(error.what()) << QString(error.what()) << QString::fromUtf8(german);
+  };
+  row(InputError("a.nrrd", "spacing", "is 0 x 1 x 1 mm, which is no patient's",
+                 "Check that the file's unit is the millimetre and correct its header"),
+      "a.nrrd: spacing: ist 0 x 1 x 1 mm, so ist kein Patient. Prüfen Sie, ob die Einheit der Datei der "
+      "Millimeter ist, und berichtigen Sie den Kopf.");
+  row(FileError("50%2 a: b.nii: cannot be opened (%1). Check its permissions."),
+      "50%2 a: b.nii: kann nicht geöffnet werden (%1). Prüfen Sie die Rechte.");
+  row(InputError("film.mkv", "", "breaks off after 3 frames of 90",
+                 "Copy the video again, or record it anew"),
+      "film.mkv: bricht nach 3 von 90 Bildern ab. Kopieren Sie das Video noch einmal, oder nehmen Sie es neu "
+      "auf.");
+  // The problem is not known here: what to do is what counts.
+  row(InputError("a.ply", "", "is something new", "Check the path"),
+      "a.ply: is something new. Prüfen Sie den Pfad.");
+}
+
+void ErrorTextsTest::ErrorsAreToldInGerman() {
+  QFETCH(QString, sentence);
+  QTranslator german;
+  QVERIFY(german.load(QStringLiteral(GLISSON_GERMAN)));
+  QCoreApplication::installTranslator(&german);
+  const QString told = ui::error_text(sentence.toStdString());
+  QCoreApplication::removeTranslator(&german);
+  QTEST(told, "german");
+  QCOMPARE(ui::error_text(sentence.toStdString()), sentence);
 }
 
 }  // namespace glisson

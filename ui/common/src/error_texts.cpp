@@ -3,8 +3,11 @@
 
 #include <QCoreApplication>
 #include <QRegularExpression>
+#include <algorithm>
 #include <optional>
 #include <vector>
+
+#include "error_phrases.h"
 
 namespace glisson::ui {
 namespace {
@@ -76,36 +79,95 @@ std::optional<QStringList> values_in(const QString& sentence, const char* known)
   return match.capturedTexts().mid(1);
 }
 
+/// At once: a file's name may hold a %2 of its own.
+QString filled(const QString& text, const QStringList& values) {
+  QString result;
+  for (qsizetype at = 0; at < text.size(); ++at) {
+    const int number = text[at] == QLatin1Char('%') && at + 1 < text.size() ? text[at + 1].digitValue() : -1;
+    if (number < 1 || number > values.size()) {
+      result += text[at];
+      continue;
+    }
+    result += values[number - 1];
+    ++at;
+  }
+  return result;
+}
+
+/// The text in the person's language, when it is one of those phrases.
+std::optional<QString> translated(const QString& text, const std::vector<const char*>& known,
+                                  const char* context) {
+  for (const char* phrase : known) {
+    const bool is_plain = std::string_view(phrase).find('%') == std::string_view::npos;
+    if (is_plain && text != QLatin1String(phrase)) continue;
+    const auto values = is_plain ? QStringList() : values_in(text, phrase);
+    if (values) return filled(QCoreApplication::translate(context, phrase), *values);
+  }
+  return {};
+}
+
+constexpr const char* kPhrases = "ErrorPhrases";
+
+/// FILE: FIELD: problem. Remedy.
+struct Parts {
+  QString where;  ///< file and field, as they are
+  QString problem, remedy;
+  bool is_problem_known = false, is_remedy_known = false;
+};
+
+Parts parts_of(QString sentence) {
+  Parts parts;
+  if (sentence.endsWith(QLatin1Char('.'))) sentence.chop(1);
+  const QString between = QStringLiteral(". "), behind = QStringLiteral(": ");
+  for (qsizetype at = sentence.lastIndexOf(between); at >= 0 && !parts.is_remedy_known;
+       at = at > 0 ? sentence.lastIndexOf(between, at - 1) : -1) {
+    const auto remedy = translated(sentence.mid(at + between.size()), known_remedies(), kPhrases);
+    if (!remedy) continue;
+    parts.remedy = *remedy;
+    parts.is_remedy_known = true;
+    sentence.truncate(at);
+    break;
+  }
+  parts.problem = sentence;
+  for (qsizetype at = 0; at >= 0;) {
+    if (const auto problem = translated(sentence.mid(at), known_problems(), kPhrases)) {
+      parts.problem = *problem;
+      parts.is_problem_known = true;
+      parts.where = sentence.left(std::max<qsizetype>(0, at - behind.size()));
+      break;
+    }
+    const qsizetype next = sentence.indexOf(behind, at);
+    at = next < 0 ? -1 : next + behind.size();
+  }
+  return parts;
+}
+
+QString told_by(std::string_view sentence) {
+  return QString::fromUtf8(sentence.data(), static_cast<qsizetype>(sentence.size()));
+}
+
 }  // namespace
 
 QString error_text(std::string_view sentence) {
-  const QString told = QString::fromUtf8(sentence.data(), static_cast<qsizetype>(sentence.size()));
-  for (const char* known : Errors::sentences()) {
-    const auto values = values_in(told, known);
-    if (!values) continue;
-    QString text = Errors::tr(known);
-    // At once: a file's name may hold a %2 of its own.
-    QString filled;
-    for (qsizetype at = 0; at < text.size(); ++at) {
-      const int number =
-          text[at] == QLatin1Char('%') && at + 1 < text.size() ? text[at + 1].digitValue() : -1;
-      if (number < 1 || number > values->size()) {
-        filled += text[at];
-        continue;
-      }
-      filled += (*values)[number - 1];
-      ++at;
-    }
-    return filled;
-  }
-  return told;
+  const QString told = told_by(sentence);
+  if (const auto whole = translated(told, Errors::sentences(), "Errors")) return *whole;
+  const Parts parts = parts_of(told);
+  if (!parts.is_problem_known && !parts.is_remedy_known) return told;
+  QString text =
+      parts.where.isEmpty() ? parts.problem : filled(Errors::tr("%1: %2"), {parts.where, parts.problem});
+  if (!parts.remedy.isEmpty()) text += QStringLiteral(". ") + parts.remedy;
+  return text + QLatin1Char('.');
 }
 
 bool is_error_known(std::string_view sentence) {
-  const QString told = QString::fromUtf8(sentence.data(), static_cast<qsizetype>(sentence.size()));
-  for (const char* known : Errors::sentences())
-    if (values_in(told, known)) return true;
-  return false;
+  const QString told = told_by(sentence);
+  return translated(told, Errors::sentences(), "Errors") || parts_of(told).is_problem_known;
+}
+
+std::vector<const char*> error_phrases() {
+  std::vector<const char*> all = known_problems();
+  all.insert(all.end(), known_remedies().begin(), known_remedies().end());
+  return all;
 }
 
 }  // namespace glisson::ui

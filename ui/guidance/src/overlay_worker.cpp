@@ -6,6 +6,7 @@
 
 #include "glisson/core/error.h"
 #include "glisson/stereo/picture_io.h"
+#include "glisson/ui/common/error_texts.h"
 
 namespace glisson::ui {
 namespace {
@@ -71,7 +72,7 @@ struct OverlayWorker::Studio {
     try {
       if (writer) writer->close();
     } catch (const Error& problem) {
-      error = QString::fromStdString(problem.what());
+      error = error_text(problem.what());
     }
     writer.reset();
     wanted.reset();
@@ -148,7 +149,7 @@ void OverlayWorker::run(const std::stop_token& stop) {
                    job->generation);
       if (job->taken) studio.record(picture, *job);
     } catch (const std::exception& problem) {
-      const QString message = QString::fromUtf8(problem.what());
+      const QString message = error_text(problem.what());
       emit failed(message, job->generation);
       end_recording(message);
     }

@@ -4,6 +4,7 @@
 #include "glisson/core/error.h"
 #include "glisson/engine/parts/video.h"
 #include "glisson/stereo/picture_io.h"
+#include "glisson/ui/common/error_texts.h"
 
 namespace glisson::ui {
 namespace {
@@ -60,7 +61,7 @@ void VideoFeed::play(const std::stop_token& stop, const engine::VideoSource& sou
     }
     if (!stop.stop_requested()) emit ended();
   } catch (const Error& error) {
-    emit failed(QString::fromStdString(error.what()));
+    emit failed(error_text(error.what()));
   }
 }
 

@@ -19,6 +19,7 @@
 #include "glisson/engine/parts/image.h"
 #include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/seeds.h"
+#include "glisson/ui/common/error_texts.h"
 #include "glisson/ui/common/panel.h"
 #include "glisson/ui/common/texts.h"
 #include "glisson/ui/segmentation/region_box.h"
@@ -141,7 +142,7 @@ void SeedBox::load_seeds() {
     known_lesions_.clear();
     store();
   } catch (const Error& error) {
-    QMessageBox::warning(this, tr("Load seeds"), QString::fromStdString(error.what()));
+    QMessageBox::warning(this, tr("Load seeds"), error_text(error.what()));
   }
 }
 
@@ -151,7 +152,7 @@ void SeedBox::save_seeds() {
   try {
     segmentation::write_seeds(path.toStdString(), seeds_);
   } catch (const Error& error) {
-    QMessageBox::warning(this, tr("Save seeds"), QString::fromStdString(error.what()));
+    QMessageBox::warning(this, tr("Save seeds"), error_text(error.what()));
   }
 }
 

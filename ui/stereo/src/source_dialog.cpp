@@ -15,6 +15,7 @@
 #include <QSpinBox>
 
 #include "glisson/core/error.h"
+#include "glisson/ui/common/error_texts.h"
 #include "glisson/ui/common/panel.h"
 
 namespace glisson::ui {
@@ -96,7 +97,7 @@ bool SourceDialog::save_as(const QString& file) {
     wanted.validate();
     stereo::write_source(file.toStdString(), wanted);
   } catch (const Error& error) {
-    problem_->setText(QString::fromStdString(error.what()));
+    problem_->setText(error_text(error.what()));
     problem_->show();
     return false;
   }

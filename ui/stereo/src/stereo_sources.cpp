@@ -12,6 +12,7 @@
 #include "glisson/engine/parts/rig.h"
 #include "glisson/stereo/calibration_io.h"
 #include "glisson/stereo/source.h"
+#include "glisson/ui/common/error_texts.h"
 #include "glisson/ui/stereo/calibration_dialog.h"
 #include "glisson/ui/stereo/source_dialog.h"
 #include "glisson/ui/stereo/stereo_panel.h"
@@ -61,8 +62,8 @@ void StereoPanel::save_calibration() {
   try {
     stereo::write_calibration(path.toStdString(), *rig);
   } catch (const Error& error) {
-    auto* box = new QMessageBox(QMessageBox::Warning, tr("Glisson"), QString::fromStdString(error.what()),
-                                QMessageBox::Ok, this);
+    auto* box =
+        new QMessageBox(QMessageBox::Warning, tr("Glisson"), error_text(error.what()), QMessageBox::Ok, this);
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->open();  // does not stop the window
   }
