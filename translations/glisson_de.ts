@@ -3617,6 +3617,14 @@
         <source>The registration was refused: what is known contradicts it (see the notes above). Nothing was written. Give a cloud that shows more of this patient&apos;s liver with less noise, mark margin and notch, or start from --rigid FILE; --accept-doubts writes it nevertheless.</source>
         <translation>Die Registrierung wurde verworfen: Was bekannt ist, widerspricht ihr (siehe die Hinweise oben). Nichts wurde geschrieben. Geben Sie eine Wolke, die mehr von der Leber dieses Patienten mit weniger Rauschen zeigt, markieren Sie Rand und Kerbe oder beginnen Sie mit --rigid FILE; --accept-doubts schreibt sie dennoch.</translation>
     </message>
+    <message>
+        <source>--lock %1: is no label. Use parenchyma, portal_vein, hepatic_veins, vena_cava, gallbladder or lesion_1, lesion_2, ..., with commas.</source>
+        <translation>--lock %1: ist kein Label. Verwenden Sie parenchyma, portal_vein, hepatic_veins, vena_cava, gallbladder oder lesion_1, lesion_2, ..., mit Kommas.</translation>
+    </message>
+    <message>
+        <source>These labels neither lose nor gain a voxel: parenchyma, portal_vein, hepatic_veins, vena_cava, gallbladder, lesion_1, ..., with commas.</source>
+        <translation>Diese Labels verlieren und gewinnen kein Voxel: parenchyma, portal_vein, hepatic_veins, vena_cava, gallbladder, lesion_1, ..., mit Kommas.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AngleHistogram</name>

@@ -3617,6 +3617,14 @@
         <source>The registration was refused: what is known contradicts it (see the notes above). Nothing was written. Give a cloud that shows more of this patient&apos;s liver with less noise, mark margin and notch, or start from --rigid FILE; --accept-doubts writes it nevertheless.</source>
         <translation>Le recalage a été refusé : ce que l&apos;on sait le contredit (voir les notes ci-dessus). Rien n&apos;a été écrit. Donnez un nuage qui montre davantage du foie de ce patient avec moins de bruit, marquez le bord et l&apos;encoche, ou partez de --rigid FILE ; --accept-doubts l&apos;écrit malgré tout.</translation>
     </message>
+    <message>
+        <source>--lock %1: is no label. Use parenchyma, portal_vein, hepatic_veins, vena_cava, gallbladder or lesion_1, lesion_2, ..., with commas.</source>
+        <translation>--lock %1 : n&apos;est pas une étiquette. Utilisez parenchyma, portal_vein, hepatic_veins, vena_cava, gallbladder ou lesion_1, lesion_2, ..., séparés par des virgules.</translation>
+    </message>
+    <message>
+        <source>These labels neither lose nor gain a voxel: parenchyma, portal_vein, hepatic_veins, vena_cava, gallbladder, lesion_1, ..., with commas.</source>
+        <translation>Ces étiquettes ne perdent ni ne gagnent de voxel : parenchyma, portal_vein, hepatic_veins, vena_cava, gallbladder, lesion_1, ..., séparés par des virgules.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AngleHistogram</name>

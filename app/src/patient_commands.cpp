@@ -37,6 +37,20 @@ segmentation::Structures structures_from(const QString& list) {
   return structures;
 }
 
+std::vector<Label> locked_from(const QString& list) {
+  std::vector<Label> locked;
+  for (const QString& part : list.split(',', Qt::SkipEmptyParts)) {
+    const auto label = structure_named(part.toStdString());
+    if (!label || *label == structure::kBackground)
+      throw UsageError(Cli::tr("--lock %1: is no label. Use parenchyma, portal_vein, hepatic_veins, "
+                               "vena_cava, gallbladder or lesion_1, lesion_2, ..., with commas.")
+                           .arg(part)
+                           .toStdString());
+    locked.push_back(*label);
+  }
+  return locked;
+}
+
 /// "x0,y0,z0,x1,y1,z1" in LPS mm.
 std::optional<Eigen::AlignedBox3d> region_from(const QString& text) {
   if (text.isEmpty()) return {};
@@ -90,12 +104,17 @@ int run_segment(const QStringList& given) {
   arguments.option("region",
                    Cli::tr("Only inside this box, and keep the labels outside: X0,Y0,Z0,X1,Y1,Z1, LPS mm."),
                    "BOX");
+  arguments.option("lock",
+                   Cli::tr("These labels neither lose nor gain a voxel: parenchyma, portal_vein, "
+                           "hepatic_veins, vena_cava, gallbladder, lesion_1, ..., with commas."),
+                   "LIST");
   declare_label_output(arguments);
   if (!arguments.parse(given)) return 0;
   const fs::path seeds = arguments.required_path("seeds");
   command.options.working_spacing_mm = arguments.number("resolution", 0.3, 5.0);
   command.options.structures = structures_from(arguments.value("only"));
   command.options.region = region_from(arguments.value("region"));
+  command.options.locked = locked_from(arguments.value("lock"));
   const LabelOutput output(arguments);
   Session session(arguments);
   open_case(arguments, session);

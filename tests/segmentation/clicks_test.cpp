@@ -54,8 +54,13 @@ Seeds clicks_in(const Image& image) {
   return seeds;
 }
 
-Segmented segmented(const Image& image, const Seeds& seeds) {
-  return segment(image, seeds, {}, RunContext()).value();
+Segmented segmented(const Image& image, const Seeds& seeds, const SegmentationOptions& options = {},
+                    const LabelMap* kept = nullptr) {
+  return segment(image, seeds, options, RunContext(), kept).value();
+}
+
+std::vector<std::uint8_t> mask_of(const LabelMap& labels, Label label) {
+  return labels.voxels.mask([=](Label l) { return l == label; });
 }
 
 Label label_at(const Segmented& result, const Eigen::Vector3d& mm) {
@@ -93,6 +98,8 @@ class ClicksTest : public QObject {
   void ANotLiverClickBinds();
   void AClickOnAnIslandIsNamed();
   void OneMoreClickChangesNothingFarAway();
+  void ALockedLesionStaysVoxelByVoxel();
+  void ALockedLiverStaysVoxelByVoxel();
 
  private:
   Phantom phantom_;
@@ -159,6 +166,44 @@ void ClicksTest::OneMoreClickChangesNothingFarAway() {
   QVERIFY2(changed < 0.01 * voxels, qPrintable(QString::number(changed / voxels)));
   QVERIFY(dice(inside_liver(more.labels), phantom_.liver) >
           dice(inside_liver(found_.labels), phantom_.liver) - 0.003);
+}
+
+/// A result with a lesion that a hand added to.
+LabelMap corrected(const Image& image, const Seeds& seeds) {
+  LabelMap labels = segmented(image, seeds).labels;
+  for (int k = 0; k < 4; ++k)
+    for (int j = 0; j < 4; ++j) labels.voxels.set({34, 26 + j, 28 + k}, structure::kFirstLesion);
+  return labels;
+}
+
+void ClicksTest::ALockedLesionStaysVoxelByVoxel() {
+  Seeds seeds = clicks_in(phantom_.image);
+  seeds.lesions = {test::points_at(phantom_.image, {kLesion})};
+  const LabelMap kept = corrected(phantom_.image, seeds);
+  SegmentationOptions options;
+  options.locked = {structure::kFirstLesion};
+  const Segmented again = segmented(phantom_.image, seeds, options, &kept);
+  QVERIFY(mask_of(again.labels, structure::kFirstLesion) == mask_of(kept, structure::kFirstLesion));
+  // Without the lock it is found anew.
+  options.locked.clear();
+  const Segmented anew = segmented(phantom_.image, seeds, options, &kept);
+  QVERIFY(mask_of(anew.labels, structure::kFirstLesion) != mask_of(kept, structure::kFirstLesion));
+}
+
+void ClicksTest::ALockedLiverStaysVoxelByVoxel() {
+  Seeds seeds = clicks_in(phantom_.image);
+  seeds.lesions = {test::points_at(phantom_.image, {kLesion})};
+  const LabelMap kept = corrected(phantom_.image, seeds);
+  // Seeds that would give another liver, and another lesion.
+  seeds.background = test::points_at(phantom_.image, {{96, 72, 56}});
+  seeds.lesions.push_back(test::points_at(phantom_.image, {kTumour}));
+  SegmentationOptions options;
+  options.locked = {structure::kParenchyma};
+  const Segmented again = segmented(phantom_.image, seeds, options, &kept);
+  QVERIFY(mask_of(again.labels, structure::kParenchyma) == mask_of(kept, structure::kParenchyma));
+  options.locked.clear();
+  const Segmented anew = segmented(phantom_.image, seeds, options, &kept);
+  QVERIFY(mask_of(anew.labels, structure::kParenchyma) != mask_of(kept, structure::kParenchyma));
 }
 
 QTEST_APPLESS_MAIN(ClicksTest)

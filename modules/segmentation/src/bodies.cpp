@@ -13,8 +13,10 @@
 namespace glisson::segmentation {
 namespace {
 
-constexpr double kCoarse = 2.0;      // mm: where the contour finds its way; finer is for its last moves
-constexpr double kDiffusion = 15.0;  // HU: noise is below, edges are above
+constexpr double kCoarse = 2.0;        // mm: where the contour finds its way; finer is for its last moves
+constexpr double kParting = 1.5;       // mm: voxels on which organs are parted
+constexpr double kLiverReach = 160.0;  // mm that a liver reaches from a click in it
+constexpr double kDiffusion = 15.0;    // HU: noise is below, edges are above
 constexpr int kDiffusionSteps = 10;
 constexpr double kFineBlur = 0.8;     // mm: fine voxels carry more noise than the diffusion tells from edges
 constexpr double kHeld = 4.0;         // mm around a click that are its side's whatever the CT shows
@@ -114,6 +116,26 @@ void hold_clicks(const VolumeGrid& image, const Seeds& seeds, Field& phi) {
   };
   hold(inside, outside, -1.0F);
   hold(outside, inside, 1.0F);
+}
+
+/// The surroundings of the clicks inside, out to farther than a liver reaches.
+Cancellable<PartingView> parting_view(const Image& image, const Seeds& seeds, const RunContext& context) {
+  VoxelBox box{image.grid.size, Eigen::Vector3i::Zero()};
+  for (Eigen::Index n = 0; n < seeds.liver.rows(); ++n) {
+    const Eigen::Vector3d at =
+        image.grid.index_of(Point<CtFrame>(Eigen::Vector3d(seeds.liver.row(n).transpose())));
+    const Eigen::Vector3d reach = kLiverReach * image.grid.spacing_mm.cwiseInverse();
+    box.low = box.low.cwiseMin((at - reach).array().floor().matrix().cast<int>());
+    box.high = box.high.cwiseMax((at + reach).array().ceil().matrix().cast<int>());
+  }
+  box.low = box.low.cwiseMax(0);
+  box.high = box.high.cwiseMin(image.grid.size);
+  PartingView view;
+  view.raw = resampled(image, box, kParting);
+  view.ct = view.raw;
+  if (context.cancelled()) return std::nullopt;
+  diffuse(view.ct, kDiffusion, kDiffusionSteps);
+  return view;
 }
 
 /// The last moves of the contour once more, on voxels of `spacing_mm`.
@@ -223,7 +245,9 @@ Cancellable<Bodies> find_bodies(const Image& image, const Seeds& seeds, double s
   const bool fine = spacing_mm < kCoarse;
   Mask barred = bodies.cava;
   unite(barred, bodies.gallbladder);
-  auto contour = find_liver(ct, clicks, barred, tumours, context.part(0.1, fine ? 0.4 : 0.7), show);
+  const auto view = parting_view(image, seeds, context);
+  if (!view) return std::nullopt;
+  auto contour = find_liver(ct, *view, clicks, barred, tumours, context.part(0.1, fine ? 0.4 : 0.7), show);
   if (!contour) return std::nullopt;
   bodies.parenchyma = contour->parenchyma;
   const auto whole = with_enclosed(ct, negative_of(contour->phi), contour->like, contour->closed_ground,

@@ -2,6 +2,7 @@
 #include "liver.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <queue>
 
@@ -9,6 +10,7 @@
 #include "glisson/core/statistics.h"
 #include "level_set.h"
 #include "painting.h"
+#include "parting.h"
 
 namespace glisson::segmentation {
 namespace {
@@ -31,8 +33,13 @@ constexpr double kWedgeLength = 20.0;      // mm that the last contours may foll
 constexpr double kHalfWayToMuscle = 25.0;  // HU below the liver
 constexpr double kBorder = 5.0;            // mm that they may go elsewhere
 constexpr double kPartialVolume = 3.0;     // mm beyond liver-like tissue
-constexpr double kAttraction = 1.5;        // mm
-constexpr double kEdgeScale = 6.0;         // HU/mm at which an edge halves the edge map
+constexpr double kSeamWidth = 2.2, kSeamTypical = 10.0;  // of the widest tissue; mm around a click
+/// HU that a liver differs from one end to the other (perfusion, hardened beams).
+constexpr double kDrift = 8.0;
+constexpr double kSeamClosed = 2.0;  // mm
+constexpr int kStartRounds = 2;
+constexpr double kAttraction = 1.5;  // mm
+constexpr double kEdgeScale = 6.0;   // HU/mm at which an edge halves the edge map
 
 Tissue robust_tissue(std::vector<float>& values, double low_sigma, double high_sigma) {
   Tissue tissue;
@@ -56,6 +63,36 @@ Mask liver_like(const Field& ct, const Tissue& tissue, double width, const Mask&
     if (barred.voxels[i] != 0) mask.voxels[i] = 0;
   }
   return mask;
+}
+
+/// A mask of one grid on another one of the same image: the nearest voxel counts, beyond its edge 0.
+Mask nearest(const Mask& mask, const Field& from, const Field& to) {
+  Mask result = to.empty_mask();
+  std::array<std::vector<int>, 3> at;
+  for (int axis = 0; axis < 3; ++axis)
+    for (int n = 0; n < to.size[axis]; ++n)
+      at[static_cast<std::size_t>(axis)].push_back(static_cast<int>(std::lround(
+          (to.first_index[axis] + n * to.step[axis] - from.first_index[axis]) / from.step[axis])));
+  std::size_t voxel = 0;
+  for (int k = 0; k < to.size.z(); ++k)
+    for (int j = 0; j < to.size.y(); ++j)
+      for (int i = 0; i < to.size.x(); ++i, ++voxel) {
+        const Eigen::Vector3i v(at[0][static_cast<std::size_t>(i)], at[1][static_cast<std::size_t>(j)],
+                                at[2][static_cast<std::size_t>(k)]);
+        if (from.contains(v)) result.voxels[voxel] = mask.voxels[from.offset(v)];
+      }
+  return result;
+}
+
+/// Places of one grid on another one of the same image; those beside it are dropped.
+std::vector<Eigen::Vector3i> moved(const std::vector<Eigen::Vector3i>& places, const Field& from,
+                                   const Field& to) {
+  std::vector<Eigen::Vector3i> result;
+  for (const Eigen::Vector3i& p : places) {
+    const Eigen::Vector3i v = to.voxel_of(from.first_index + p.cast<double>().cwiseProduct(from.step));
+    if (to.contains(v)) result.push_back(v);
+  }
+  return result;
 }
 
 struct Entry {
@@ -110,44 +147,76 @@ std::vector<std::uint8_t> compete(const Field& ct, const Mask& open, const std::
   return owner;
 }
 
-/// Where the contour starts: what the seeds inside own of the tissue that is wider than a neck.
-/// @param rival receives what the seeds outside own.
-Mask start_of(const Field& ct, const Mask& open, const LiverSeeds& seeds, Mask& rival) {
-  Mask closed_off = open;
-  for (auto& v : closed_off.voxels) v = v == 0 ? 1 : 0;
-  const std::vector<float> depth2 = squared_distance_mm2(closed_off);
-  std::vector<float> cost;
-  const std::vector<std::uint8_t> owner = compete(ct, open, depth2, seeds, cost);
-  rival = ct.empty_mask();
-  for (std::size_t i = 0; i < owner.size(); ++i) rival.voxels[i] = owner[i] == 2;
-  Mask core = ct.empty_mask();
-  for (std::size_t i = 0; i < core.voxels.size(); ++i)
-    core.voxels[i] = owner[i] == 1 && depth2[i] > static_cast<float>(kNeck * kNeck);
-  std::vector<long> sizes;
-  const std::vector<int> number = connected_components(core, sizes);
-  // Keep the components in which, or close to which, somebody clicked.
-  std::vector<std::uint8_t> keep(sizes.size() + 1, 0);
-  const int reach = static_cast<int>(std::ceil(2.0 * kNeck / ct.spacing_mm.minCoeff()));
-  for (const Eigen::Vector3i& p : seeds.inside) {
-    double best = 1e30;
-    int nearest = 0;
-    for (int k = -reach; k <= reach; ++k)
-      for (int j = -reach; j <= reach; ++j)
-        for (int i = -reach; i <= reach; ++i) {
-          const Eigen::Vector3i v = p + Eigen::Vector3i(i, j, k);
-          if (!ct.contains(v) || number[ct.offset(v)] == 0) continue;
-          const double d = Eigen::Vector3d(i, j, k).squaredNorm();
-          if (d < best) best = d, nearest = number[ct.offset(v)];
-        }
-    keep[static_cast<std::size_t>(nearest)] = nearest > 0 ? 1 : 0;
+/// What the clicks say of the liver: the middle of what they show, and how much that varies within a click
+/// and between them. A click on a tumour is one of several.
+Tissue tissue_at(const Field& ct, const std::vector<Eigen::Vector3i>& clicks) {
+  std::vector<float> means, sigmas;
+  for (const Eigen::Vector3i& click : clicks) {
+    const Tissue one = tissue_around(ct, {click}, kSeedRadius, 0.0, kMostSigma);
+    means.push_back(static_cast<float>(one.mean));
+    sigmas.push_back(static_cast<float>(one.sigma));
   }
-  for (std::size_t i = 0; i < core.voxels.size(); ++i)
-    core.voxels[i] = keep[static_cast<std::size_t>(number[i])];
+  const float middle = upper_median(means);
+  const double between = kDeviationPerMad * median_absolute_deviation(means, middle);
+  return {middle,
+          std::clamp(std::hypot(std::max(between, kDrift), upper_median(sigmas)), kLeastSigma, kMostSigma)};
+}
+
+/// The seams between organs around the clicks, on the parting's voxels.
+Mask seams_of(const PartingView& view, const Tissue& tissue, const LiverSeeds& seeds) {
+  Mask where = view.ct.empty_mask(), typical = where;
+  const auto width = static_cast<float>(kSeamWidth * kMostSigma);
+  for (std::size_t i = 0; i < where.voxels.size(); ++i)
+    where.voxels[i] = std::abs(view.ct.values[i] - static_cast<float>(tissue.mean)) < width;
+  for (const Eigen::Vector3i& p : seeds.inside) typical.voxels[typical.offset(p.x(), p.y(), p.z())] = 1;
+  return dark_sheets(view.raw, where, dilated(typical, kSeamTypical));
+}
+
+/// Who owns the liver-like tissue.
+struct Start {
+  Mask open, start, rival;
+};
+
+/// Where the contour starts: what the clicks inside own of the tissue that is wider than a neck.
+Cancellable<Start> start_of(const Field& ct, const PartingView& view, const Tissue& tissue, const Mask& seams,
+                            const LiverSeeds& seeds, const LiverSeeds& view_seeds, const Mask& barred,
+                            const Mask& included, const RunContext& context) {
+  Mask parted =
+      liver_like(view.ct, tissue, kWidth, nearest(barred, ct, view.ct), nearest(included, ct, view.ct));
+  for (std::size_t i = 0; i < parted.voxels.size(); ++i)
+    if (seams.voxels[i] != 0) parted.voxels[i] = 0;
+  const auto sides = part_at_necks(view.ct, parted, view_seeds, context);
+  if (!sides) return std::nullopt;
+  Start result;
+  result.open = liver_like(ct, tissue, kWidth, barred, included);
+  result.rival = nearest(sides->rival, view.ct, ct);
+  Mask own = closed(nearest(sides->own, view.ct, ct), kSeamClosed);
+  for (std::size_t i = 0; i < own.voxels.size(); ++i)
+    if (result.open.voxels[i] == 0 || result.rival.voxels[i] != 0) own.voxels[i] = 0;
+  // Where no neck parts a click outside from those inside, fronts from both meet half way.
+  Mask beyond = own;
+  for (auto& v : beyond.voxels) v = v == 0 ? 1 : 0;
+  const std::vector<float> depth2 = squared_distance_mm2(beyond);
+  LiverSeeds within;
+  for (const Eigen::Vector3i& p : seeds.inside)
+    if (own.voxels[ct.offset(p)] != 0) within.inside.push_back(p);
+  for (const Eigen::Vector3i& p : seeds.outside)
+    if (own.voxels[ct.offset(p)] != 0) within.outside.push_back(p);
+  std::vector<float> cost;
+  std::vector<std::uint8_t> owner(own.voxels.size(), 1);
+  if (!within.outside.empty() && !within.inside.empty()) owner = compete(ct, own, depth2, within, cost);
+  Mask core = ct.empty_mask();
+  for (std::size_t i = 0; i < core.voxels.size(); ++i) {
+    if (own.voxels[i] != 0 && owner[i] == 2) result.rival.voxels[i] = 1;
+    if (owner[i] != 1) own.voxels[i] = 0;
+    core.voxels[i] = own.voxels[i] != 0 && depth2[i] > static_cast<float>(kNeck * kNeck);
+  }
   for (const Eigen::Vector3i& p : seeds.inside) core.voxels[ct.offset(p)] = 1;
-  Mask start = dilated(core, kNeck);
-  for (std::size_t i = 0; i < start.voxels.size(); ++i)
-    if (owner[i] != 1) start.voxels[i] = 0;
-  return start;
+  result.start = dilated(core, kNeck);
+  for (std::size_t i = 0; i < core.voxels.size(); ++i)
+    if (own.voxels[i] == 0) result.start.voxels[i] = 0;
+  for (const Eigen::Vector3i& p : seeds.inside) result.start.voxels[ct.offset(p)] = 1;
+  return result;
 }
 
 Field edge_map(const Field& ct) {
@@ -380,25 +449,28 @@ Cancellable<Field> run_contours(const Scene& scene, const Tissue& tissue, const 
 
 }  // namespace
 
-Cancellable<LiverContour> find_liver(const Field& ct, const LiverSeeds& seeds, const Mask& barred,
-                                     const Mask& included, const RunContext& context,
+Cancellable<LiverContour> find_liver(const Field& ct, const PartingView& view, const LiverSeeds& seeds,
+                                     const Mask& barred, const Mask& included, const RunContext& context,
                                      const ShowContour& show) {
   require(!seeds.inside.empty(), "the liver has at least one seed");
   LiverContour result;
   Tissue& tissue = result.parenchyma;
-  tissue = tissue_around(ct, seeds.inside, kSeedRadius, kLeastSigma, kMostSigma);
-  Mask open, start, rival;
-  for (int round = 0; round < 3; ++round) {
+  tissue = tissue_at(ct, seeds.inside);
+  const LiverSeeds view_seeds{moved(seeds.inside, ct, view.ct), moved(seeds.outside, ct, view.ct)};
+  const Mask seams = seams_of(view, tissue, view_seeds);
+  Start parted;
+  for (int round = 0; round < kStartRounds; ++round) {
     if (context.cancelled()) return std::nullopt;
-    context.progress(0.1 * round, "segmentation.start");
-    open = liver_like(ct, tissue, kWidth, barred, included);
-    start = start_of(ct, open, seeds, rival);
-    if (round == 2) break;
-    const Tissue next = tissue_within(ct, start, 4.0);
-    if (next.sigma > 0.0) tissue = next;
+    context.progress(0.3 * round / kStartRounds, "segmentation.start");
+    auto next = start_of(ct, view, tissue, seams, seeds, view_seeds, barred, included, context);
+    if (!next) return std::nullopt;
+    parted = std::move(*next);
+    if (round + 1 == kStartRounds) break;
+    const Tissue seen = tissue_within(ct, parted.start, 4.0);
+    if (seen.sigma > 0.0) tissue = {seen.mean, std::max(seen.sigma, tissue.sigma)};
   }
-  // What the clicks outside own is closed to the contour, a rim of it aside: where the fronts met was a
-  // guess.
+  Mask &open = parted.open, &start = parted.start, &rival = parted.rival;
+  // What belongs to others is closed to the contour, a rim of it aside: where they were parted was a guess.
   Mask never = barred;
   const Mask deep = eroded(rival, kRivalRim);
   for (std::size_t i = 0; i < never.voxels.size(); ++i)

@@ -30,14 +30,19 @@ struct LiverContour {
   Mask closed_ground;  ///< what was barred, and what the clicks outside own
 };
 
-/// Steps: robust statistics at the seeds; a start by competition between seeds inside and outside over what
-/// looks like liver, in which narrow necks are long ways; a contour driven by that; new statistics inside and
-/// in a rim outside; a second contour driven by their ratio; last rounds that settle half way between the
-/// liver and what lies beside it, and follow the liver's thin margins.
+/// The image once more, on voxels on which a seam of fat between two organs can be seen.
+struct PartingView {
+  Field raw, ct;  ///< one grid; ct is denoised
+};
+
+/// Steps: robust statistics at the seeds; a start by parting what looks like liver at its necks and seams
+/// (see part_at_necks()); a contour driven by that; new statistics inside and in a rim outside; a second
+/// contour driven by their ratio; last rounds that settle half way between the liver and what lies beside it,
+/// and follow the liver's thin margins.
 /// @param ct denoised. @param barred structures that are known not to be liver (vena cava, gallbladder).
 /// @param included structures that are known to be (lesions).
-Cancellable<LiverContour> find_liver(const Field& ct, const LiverSeeds& seeds, const Mask& barred,
-                                     const Mask& included, const RunContext& context,
+Cancellable<LiverContour> find_liver(const Field& ct, const PartingView& view, const LiverSeeds& seeds,
+                                     const Mask& barred, const Mask& included, const RunContext& context,
                                      const ShowContour& show = {});
 
 /// The last rounds again, from a liver to which bodies were added that do not look like it (see

@@ -120,6 +120,27 @@ Seeds part_of(const Seeds& seeds, const VolumeGrid& part, const std::optional<Ei
   return result;
 }
 
+/// What is locked is not found anew; with the parenchyma locked, nor is what borders on it from within.
+Structures unlocked(Structures asked, const std::vector<Label>& locked) {
+  for (const Label label : locked) {
+    const bool parenchyma = label == structure::kParenchyma;
+    asked.liver = asked.liver && !parenchyma;
+    asked.lesions = asked.lesions && !parenchyma;
+    asked.portal_vein = asked.portal_vein && !parenchyma && label != structure::kPortalVein;
+    asked.hepatic_veins = asked.hepatic_veins && !parenchyma && label != structure::kHepaticVeins;
+    asked.vena_cava = asked.vena_cava && label != structure::kVenaCava;
+    asked.gallbladder = asked.gallbladder && label != structure::kGallbladder;
+  }
+  return asked;
+}
+Seeds unlocked(Seeds seeds, const std::vector<Label>& locked) {
+  for (const Label label : locked) {
+    const auto lesion = static_cast<std::size_t>(label - structure::kFirstLesion);
+    if (is_lesion(label) && lesion < seeds.lesions.size()) seeds.lesions[lesion] = PointsIn<CtFrame>(0, 3);
+  }
+  return seeds;
+}
+
 /// What has seeds, and was asked for.
 Structures found_anew(const Structures& asked, const Seeds& seeds) {
   Structures anew = asked;
@@ -133,7 +154,8 @@ Structures found_anew(const Structures& asked, const Seeds& seeds) {
 }
 
 /// The kept labels, without what is found anew. A kept liver is whole again where vessels or lesions were.
-Painting prepared(const Image& image, const Seeds& seeds, const Structures& anew, const LabelMap* kept) {
+Painting prepared(const Image& image, const Seeds& seeds, const Structures& anew, const LabelMap* kept,
+                  bool parenchyma_held) {
   const auto count = static_cast<std::size_t>(image.grid.voxel_count());
   Painting painting{image.grid, std::vector<Label>(count, 0), std::vector<std::uint8_t>(count, 0)};
   if (kept == nullptr) return painting;
@@ -143,7 +165,7 @@ Painting prepared(const Image& image, const Seeds& seeds, const Structures& anew
   for (std::size_t i = 0; i < count; ++i) {
     Label& label = painting.labels[i];
     if (label != 0 && is_anew(anew, seeds, label)) label = liver[i] != 0 ? structure::kParenchyma : Label{0};
-    painting.held[i] = label != 0 && label != structure::kParenchyma;
+    painting.held[i] = label != 0 && (parenchyma_held || label != structure::kParenchyma);
   }
   return painting;
 }
@@ -313,11 +335,11 @@ Cancellable<Segmented> segment(const Image& whole, const Seeds& all_seeds, const
   if (all_kept != nullptr) require_same_grid(all_kept->voxels.grid(), whole.grid, "labels that are kept");
   const VoxelBox box = box_of(whole.grid, options.region);
   const Image image = part_of(whole, box);
-  const Seeds seeds = part_of(all_seeds, image.grid, options.region);
+  const Seeds seeds = part_of(unlocked(all_seeds, options.locked), image.grid, options.region);
   const std::optional<LabelMap> kept_part =
       all_kept != nullptr ? std::optional(part_of(*all_kept, box)) : std::nullopt;
   const LabelMap* kept = kept_part ? &*kept_part : nullptr;
-  const Structures anew = found_anew(options.structures, seeds);
+  const Structures anew = found_anew(unlocked(options.structures, options.locked), seeds);
   if (anew.liver && seeds.liver.rows() == 0)
     throw InputError("seeds", "liver", options.region ? "has no point in the region" : "has no point",
                      "Click at least one point inside the liver");
@@ -339,7 +361,9 @@ Cancellable<Segmented> segment(const Image& whole, const Seeds& all_seeds, const
   if (!vessels) return std::nullopt;
   context.progress(0.95, "segmentation.finish");
 
-  Painting painting = prepared(image, seeds, anew, kept);
+  const bool parenchyma_held =
+      std::find(options.locked.begin(), options.locked.end(), structure::kParenchyma) != options.locked.end();
+  Painting painting = prepared(image, seeds, anew, kept, parenchyma_held);
   paint_all(*bodies, *vessels, anew, painting);
   Segmented result;
   result.labels = placed(painting, box, options.region, whole.grid, all_kept);

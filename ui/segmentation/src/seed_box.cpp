@@ -193,6 +193,7 @@ segmentation::SegmentationOptions SeedBox::options() const {
   options.working_spacing_mm = region_->resolution_mm();
   options.region = region_->region();
   options.structures = structures();
+  options.locked = {locked_.begin(), locked_.end()};
   return options;
 }
 

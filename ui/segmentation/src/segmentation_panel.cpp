@@ -145,6 +145,7 @@ void SegmentationPanel::toggle(std::set<Label>& labels, Label label) {
 void SegmentationPanel::take_marks() {
   table_->set_marks(hidden_, locked_);
   views_.set_hidden({hidden_.begin(), hidden_.end()});
+  seeds_->set_locked(locked_);
   EditSettings next = session_->settings();
   next.region.locked = {locked_.begin(), locked_.end()};
   session_->set_settings(next);

@@ -43,6 +43,10 @@ struct SegmentationOptions {
   /// outside it the labels given to segment() stay. Seeds outside are left aside.
   std::optional<Eigen::AlignedBox3d> region;
   Structures structures;
+  /// Labels that neither lose nor gain a voxel; what is locked of the labels given to segment() counts as
+  /// known. With the parenchyma locked, the vessels and lesions in it stay, too. Without such labels they
+  /// stay empty.
+  std::vector<Label> locked;
   void validate() const;
 };
 

@@ -6,12 +6,14 @@
 
 namespace glisson::engine {
 
-/// Where only some structures or a region are found anew, the rest of the case's labels is kept. The liver's
-/// contour is shown on its way (see Snapshot::evolving).
+/// Where only some structures or a region are found anew, or labels are locked, the rest of the case's labels
+/// is kept. The liver's contour is shown on its way (see Snapshot::evolving).
 struct Segment {
   segmentation::SegmentationOptions options;
 
-  bool keeps_labels() const { return options.region || !(options.structures == segmentation::Structures{}); }
+  bool keeps_labels() const {
+    return options.region || !(options.structures == segmentation::Structures{}) || !options.locked.empty();
+  }
   CommandTraits traits() const;
   Cancellable<Applied> apply(const CaseState& state, const RunContext& context,
                              const Services& services) const;

@@ -34,6 +34,8 @@ class SeedBox : public QWidget {
   /// Clicks in the slices place seeds of this structure; none: they move the crosshair.
   void choose_structure(std::optional<Label> structure);
   const std::optional<Label>& structure() const { return structure_; }
+  /// Labels that growth must leave as they are.
+  void set_locked(const std::set<Label>& labels) { locked_ = labels; }
   /// Nobody here has the mouse any more.
   void let_go();
   /// Drops what the mouse has begun, else what it means. @return whether there was any of it.
@@ -71,6 +73,7 @@ class SeedBox : public QWidget {
   std::shared_ptr<const Image> image_;
   /// That have had seeds here: who deletes a seed to set a better one finds the lesion's number again.
   std::set<Label> known_lesions_;
+  std::set<Label> locked_;
   bool active_ = false;
   std::optional<Label> structure_;
   std::vector<SeedEntry> entries_;

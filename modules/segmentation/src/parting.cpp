@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "parting.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace glisson::segmentation {
+namespace {
+
+constexpr double kSeamBlur = 1.5;      // mm
+constexpr double kTypical = 0.95;      // of the tissue without seams that counts as such
+constexpr float kSameBody = 0.8F;      // of the shallower body's depth that a neck within a body has
+constexpr double kHalfBall = 1.92;     // area of a half ball's flat face over its volume's power 2/3
+constexpr double kWide = 0.7;          // of that
+constexpr double kFacets = 2.0 / 3.0;  // mean area of a plane over that of the voxels' faces along it
+constexpr double kBesideClick = 4.0;   // mm from a click to the tissue that it means
+constexpr double kSpeck = 300.0;        // mm^3
+constexpr float kThinBody = 5.0F;      // mm of depth from which on a part is a body
+
+/// How much more the intensity curves up across the darkest direction than along the others, HU.
+float sheet_response(const Field& blurred, std::size_t at) {
+  const std::array<std::ptrdiff_t, 3> s = {
+      1, blurred.size.x(),
+      static_cast<std::ptrdiff_t>(blurred.size.x()) * static_cast<std::ptrdiff_t>(blurred.size.y())};
+  const float* p = blurred.values.data() + at;
+  Eigen::Matrix3f h;
+  for (int a = 0; a < 3; ++a)
+    for (int b = a; b < 3; ++b) {
+      const std::ptrdiff_t sa = s[static_cast<std::size_t>(a)], sb = s[static_cast<std::size_t>(b)];
+      const auto scale =
+          static_cast<float>(kSeamBlur * kSeamBlur / (blurred.spacing_mm[a] * blurred.spacing_mm[b]));
+      h(a, b) = h(b, a) = scale * (a == b ? p[sa] - 2.0F * p[0] + p[-sa]
+                                          : 0.25F * (p[sa + sb] - p[sa - sb] - p[sb - sa] + p[-sa - sb]));
+    }
+  if (h.trace() <= 0.0F) return 0.0F;
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
+  solver.computeDirect(h, Eigen::EigenvaluesOnly);
+  return std::max(0.0F, solver.eigenvalues()[2] - std::abs(solver.eigenvalues()[1]));
+}
+
+/// Sets of numbers that are united.
+class Unions {
+ public:
+  explicit Unions(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
+  int of(int n) {
+    auto& parent = parent_;
+    while (parent[static_cast<std::size_t>(n)] != n) {
+      auto& up = parent[static_cast<std::size_t>(n)];
+      up = parent[static_cast<std::size_t>(up)];
+      n = up;
+    }
+    return n;
+  }
+  /// @return the one that stays.
+  int unite(int stays, int goes) { return parent_[static_cast<std::size_t>(goes)] = stays; }
+
+ private:
+  std::vector<int> parent_;
+};
+
+/// Calls visit(voxel, neighbour) for every face between two voxels.
+template <class Visit>
+void each_face(const Eigen::Vector3i& size, const Visit& visit) {
+  const auto sy = static_cast<std::size_t>(size.x()), sz = sy * static_cast<std::size_t>(size.y());
+  std::size_t at = 0;
+  for (int k = 0; k < size.z(); ++k)
+    for (int j = 0; j < size.y(); ++j)
+      for (int i = 0; i < size.x(); ++i, ++at) {
+        if (i + 1 < size.x()) visit(at, at + 1);
+        if (j + 1 < size.y()) visit(at, at + sy);
+        if (k + 1 < size.z()) visit(at, at + sz);
+      }
+}
+
+struct Face {
+  int a, b;  ///< parts, a < b
+  float value;
+  bool operator<(const Face& other) const { return a != other.a ? a < other.a : b < other.b; }
+};
+
+/// The faces between parts, one entry a pair, with what `combine` makes of their values.
+template <class ValueOf, class Combine>
+std::vector<Face> faces_between(const Eigen::Vector3i& size, const std::vector<int>& part,
+                                const ValueOf& value_of, const Combine& combine) {
+  std::vector<Face> faces;
+  each_face(size, [&](std::size_t at, std::size_t next) {
+    const int a = part[at], b = part[next];
+    if (a < 0 || b < 0 || a == b) return;
+    faces.push_back({std::min(a, b), std::max(a, b), value_of(at, next)});
+  });
+  std::stable_sort(faces.begin(), faces.end());
+  std::size_t count = 0;
+  for (const Face& face : faces)
+    if (count > 0 && faces[count - 1].a == face.a && faces[count - 1].b == face.b)
+      faces[count - 1].value = combine(faces[count - 1].value, face.value);
+    else
+      faces[count++] = face;
+  faces.resize(count);
+  return faces;
+}
+
+/// What is not tissue, without specks of noise in it.
+Mask beyond_of(const Mask& tissue) {
+  Mask beyond = tissue;
+  for (auto& voxel : beyond.voxels) voxel = voxel == 0 ? 1 : 0;
+  std::vector<long> sizes;
+  const std::vector<int> number = connected_components(beyond, sizes);
+  const double voxel_mm3 = tissue.spacing_mm.prod();
+  for (std::size_t i = 0; i < number.size(); ++i)
+    if (number[i] > 0 &&
+        static_cast<double>(sizes[static_cast<std::size_t>(number[i]) - 1]) * voxel_mm3 < kSpeck)
+      beyond.voxels[i] = 0;
+  return beyond;
+}
+
+class Parting {
+ public:
+  Parting(const Field& ct, const Mask& tissue) : ct_(ct), tissue_(tissue) {
+    const Mask beyond = beyond_of(tissue);
+    for (std::size_t i = 0; i < beyond.voxels.size(); ++i) tissue_.voxels[i] = beyond.voxels[i] == 0 ? 1 : 0;
+    depth_ = squared_distance_mm2(beyond);
+    for (float& depth : depth_) depth = std::sqrt(depth);
+  }
+
+  /// Every voxel to the part of its highest neighbour, from the deepest ones outwards.
+  void flood() {
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < depth_.size(); ++i)
+      if (tissue_.voxels[i] != 0) order.push_back(i);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return depth_[a] > depth_[b]; });
+    part_.assign(depth_.size(), -1);
+    for (const std::size_t at : order) {
+      int best = -1;
+      each_neighbour(at, [&](std::size_t other) {
+        const int part = part_[other];
+        if (part >= 0 &&
+            (best < 0 || peak_[static_cast<std::size_t>(part)] > peak_[static_cast<std::size_t>(best)]))
+          best = part;
+      });
+      if (best < 0) {
+        best = static_cast<int>(peak_.size());
+        peak_.push_back(depth_[at]);
+      }
+      part_[at] = best;
+    }
+  }
+
+  /// Which parts the clicks mean: bit 1 inside, bit 2 outside.
+  void mark(const LiverSeeds& seeds) {
+    clicked_.assign(peak_.size(), 0);
+    for (const auto& [points, bit] : {std::pair(&seeds.inside, 1), std::pair(&seeds.outside, 2)})
+      for (const Eigen::Vector3i& click : *points)
+        if (const int part = part_near(click); part >= 0)
+          clicked_[static_cast<std::size_t>(part)] =
+              static_cast<std::uint8_t>(clicked_[static_cast<std::size_t>(part)] | bit);
+  }
+
+  void unite_shallow() {
+    std::vector<Face> necks = faces_between(
+        ct_.size, part_, [&](std::size_t a, std::size_t b) { return std::min(depth_[a], depth_[b]); },
+        [](float a, float b) { return std::max(a, b); });
+    std::stable_sort(necks.begin(), necks.end(),
+                     [](const Face& x, const Face& y) { return x.value > y.value; });
+    Unions unions(peak_.size());
+    for (const Face& neck : necks) {
+      auto a = static_cast<std::size_t>(unions.of(neck.a)), b = static_cast<std::size_t>(unions.of(neck.b));
+      if (a == b || (clicked_[a] | clicked_[b]) == 3) continue;
+      if (peak_[a] < peak_[b]) std::swap(a, b);
+      if (neck.value < kSameBody * peak_[b]) continue;
+      unions.unite(static_cast<int>(a), static_cast<int>(b));
+      clicked_[a] |= clicked_[b];
+    }
+    for (int& part : part_)
+      if (part >= 0) part = unions.of(part);
+  }
+
+  Sides sides() const {
+    std::vector<double> volume(peak_.size(), 0.0), shared(peak_.size(), 0.0);
+    const double voxel_mm3 = ct_.spacing_mm.prod();
+    for (const int part : part_)
+      if (part >= 0) volume[static_cast<std::size_t>(part)] += voxel_mm3;
+    const auto face_mm2 = static_cast<float>(kFacets * std::pow(voxel_mm3, 2.0 / 3.0));
+    const std::vector<Face> walls = faces_between(
+        ct_.size, part_, [&](std::size_t, std::size_t) { return face_mm2; },
+        [](float a, float b) { return a + b; });
+    std::vector<std::vector<std::pair<int, float>>> neighbours(peak_.size());
+    for (const Face& wall : walls) {
+      neighbours[static_cast<std::size_t>(wall.a)].emplace_back(wall.b, wall.value);
+      neighbours[static_cast<std::size_t>(wall.b)].emplace_back(wall.a, wall.value);
+    }
+    // What is shared only grows, so that the order does not matter.
+    std::vector<std::uint8_t> owned(peak_.size(), 0);
+    std::vector<std::size_t> waiting;
+    for (std::size_t n = 0; n < owned.size(); ++n)
+      if ((clicked_[n] & 1) != 0) owned[n] = 1, waiting.push_back(n);
+    while (!waiting.empty()) {
+      const std::size_t at = waiting.back();
+      waiting.pop_back();
+      for (const auto& [other, area] : neighbours[at]) {
+        const auto n = static_cast<std::size_t>(other);
+        shared[n] += area;
+        if (owned[n] != 0 || clicked_[n] != 0) continue;
+        if (shared[n] < kWide * kHalfBall * std::pow(volume[n], 2.0 / 3.0)) continue;
+        owned[n] = 1;
+        waiting.push_back(n);
+      }
+    }
+    Sides sides{ct_.empty_mask(), ct_.empty_mask()};
+    for (std::size_t i = 0; i < part_.size(); ++i) {
+      if (part_[i] < 0) continue;
+      const auto n = static_cast<std::size_t>(part_[i]);
+      sides.own.voxels[i] = owned[n];
+      sides.rival.voxels[i] = owned[n] == 0 && (clicked_[n] != 0 || peak_[n] >= kThinBody);
+    }
+    return sides;
+  }
+
+ private:
+  template <class Visit>
+  void each_neighbour(std::size_t at, const Visit& visit) const {
+    const auto sy = static_cast<std::size_t>(ct_.size.x());
+    const std::size_t sz = sy * static_cast<std::size_t>(ct_.size.y());
+    const int i = static_cast<int>(at % sy), j = static_cast<int>((at % sz) / sy),
+              k = static_cast<int>(at / sz);
+    if (i > 0) visit(at - 1);
+    if (i + 1 < ct_.size.x()) visit(at + 1);
+    if (j > 0) visit(at - sy);
+    if (j + 1 < ct_.size.y()) visit(at + sy);
+    if (k > 0) visit(at - sz);
+    if (k + 1 < ct_.size.z()) visit(at + sz);
+  }
+
+  int part_near(const Eigen::Vector3i& click) const {
+    const int reach = static_cast<int>(std::ceil(kBesideClick / ct_.spacing_mm.minCoeff()));
+    double best = kBesideClick;
+    int part = -1;
+    for (int k = -reach; k <= reach; ++k)
+      for (int j = -reach; j <= reach; ++j)
+        for (int i = -reach; i <= reach; ++i) {
+          const Eigen::Vector3i v = click + Eigen::Vector3i(i, j, k);
+          const double d = Eigen::Vector3d(i, j, k).cwiseProduct(ct_.spacing_mm).norm();
+          if (d >= best || !ct_.contains(v) || part_[ct_.offset(v)] < 0) continue;
+          best = d;
+          part = part_[ct_.offset(v)];
+        }
+    return part;
+  }
+
+  const Field& ct_;
+  Mask tissue_;
+  std::vector<float> depth_, peak_;
+  std::vector<int> part_;
+  std::vector<std::uint8_t> clicked_;
+};
+
+}  // namespace
+
+Mask dark_sheets(const Field& ct, const Mask& where, const Mask& typical) {
+  Field blurred = ct;
+  smooth(blurred, kSeamBlur);
+  std::vector<float> response(ct.values.size(), 0.0F), usual;
+  for (int k = 1; k + 1 < ct.size.z(); ++k)
+    for (int j = 1; j + 1 < ct.size.y(); ++j)
+      for (int i = 1; i + 1 < ct.size.x(); ++i) {
+        const std::size_t at = ct.offset(i, j, k);
+        if (where.voxels[at] == 0) continue;
+        response[at] = sheet_response(blurred, at);
+        if (typical.voxels[at] != 0) usual.push_back(response[at]);
+      }
+  Mask sheets = ct.empty_mask();
+  if (usual.empty()) return sheets;
+  const auto limit =
+      usual.begin() + static_cast<std::ptrdiff_t>(kTypical * static_cast<double>(usual.size() - 1));
+  std::nth_element(usual.begin(), limit, usual.end());
+  for (std::size_t i = 0; i < response.size(); ++i) sheets.voxels[i] = response[i] > *limit ? 1 : 0;
+  return sheets;
+}
+
+Cancellable<Sides> part_at_necks(const Field& ct, const Mask& tissue, const LiverSeeds& seeds,
+                                 const RunContext& context) {
+  Parting parting(ct, tissue);
+  if (context.cancelled()) return std::nullopt;
+  parting.flood();
+  parting.mark(seeds);
+  if (context.cancelled()) return std::nullopt;
+  parting.unite_shallow();
+  return parting.sides();
+}
+
+}  // namespace glisson::segmentation

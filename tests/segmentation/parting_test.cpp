@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bodies that hang together by a neck, or across a seam, on phantoms whose parts are known.
+#include "parting.h"
+
+#include <QtTest>
+#include <random>
+
+using namespace glisson;
+using namespace glisson::segmentation;
+
+namespace {
+
+Field box(const Eigen::Vector3i& size, double spacing_mm) {
+  Field field;
+  field.size = size;
+  field.spacing_mm = Eigen::Vector3d::Constant(spacing_mm);
+  field.step = field.spacing_mm;
+  return field.filled(0.0F);
+}
+
+template <class Inside>
+Mask body(const Field& field, const Inside& inside) {
+  Mask mask = field.empty_mask();
+  for (int k = 0; k < field.size.z(); ++k)
+    for (int j = 0; j < field.size.y(); ++j)
+      for (int i = 0; i < field.size.x(); ++i)
+        mask.voxels[field.offset(i, j, k)] =
+            inside(Eigen::Vector3d(i, j, k).cwiseProduct(field.spacing_mm)) ? 1 : 0;
+  return mask;
+}
+
+const Eigen::Vector3d kLarge(40, 36, 36);  // mm
+constexpr double kLargeRadius = 30.0;
+
+/// A large ball and, beside it, a small one; a rod joins the middles.
+Mask two_balls(const Field& field, double small_x, double small_radius, double rod_radius) {
+  return body(field, [=](const Eigen::Vector3d& p) {
+    const Eigen::Vector3d small(small_x, kLarge.y(), kLarge.z());
+    const bool rod = p.x() > kLarge.x() && p.x() < small_x && (p - kLarge).tail<2>().norm() < rod_radius;
+    return rod || (p - kLarge).norm() < kLargeRadius || (p - small).norm() < small_radius;
+  });
+}
+
+Eigen::Vector3i at_mm(double x) { return Eigen::Vector3d(x / 1.5, 24, 24).cast<int>(); }
+
+std::uint8_t side_at(const Field& field, const Mask& mask, double x) {
+  return mask.voxels[field.offset(at_mm(x))];
+}
+
+Sides parted(const Field& field, const Mask& tissue, const LiverSeeds& seeds) {
+  return part_at_necks(field, tissue, seeds, RunContext()).value();
+}
+
+}  // namespace
+
+class PartingTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void WhatHangsByANeckIsARival();
+  void WhatIsBroadlyJoinedIsOwned();
+  void AClickInsideTakesWhatHangsByANeck();
+  void ClicksOnBothSidesPartAtTheNarrowestPlace();
+  void ASeamIsFoundAndNoiseIsNone();
+
+ private:
+  Field field_ = box({90, 48, 48}, 1.5);
+};
+
+void PartingTest::WhatHangsByANeckIsARival() {
+  const Mask tissue = two_balls(field_, 92.0, 18.0, 5.0);
+  const Sides sides = parted(field_, tissue, {{at_mm(30)}, {}});
+  QCOMPARE(side_at(field_, sides.own, 40), 1);
+  QCOMPARE(side_at(field_, sides.own, 95), 0);
+  QCOMPARE(side_at(field_, sides.rival, 95), 1);
+  QCOMPARE(side_at(field_, sides.rival, 40), 0);
+}
+
+void PartingTest::WhatIsBroadlyJoinedIsOwned() {
+  // A lobe: the waist is as wide as the lobe is thick.
+  const Mask tissue = two_balls(field_, 80.0, 20.0, 18.0);
+  const Sides sides = parted(field_, tissue, {{at_mm(30)}, {}});
+  QCOMPARE(side_at(field_, sides.own, 85), 1);
+  QCOMPARE(sides.rival.count(), 0L);
+}
+
+void PartingTest::AClickInsideTakesWhatHangsByANeck() {
+  const Mask tissue = two_balls(field_, 92.0, 18.0, 5.0);
+  const Sides sides = parted(field_, tissue, {{at_mm(30), at_mm(97)}, {}});
+  QCOMPARE(side_at(field_, sides.own, 92), 1);
+}
+
+void PartingTest::ClicksOnBothSidesPartAtTheNarrowestPlace() {
+  // So hardly a waist that both would be one without the click.
+  const Mask tissue = two_balls(field_, 80.0, 22.0, 19.0);
+  const Sides sides = parted(field_, tissue, {{at_mm(30)}, {at_mm(90)}});
+  QCOMPARE(side_at(field_, sides.own, 40), 1);
+  QCOMPARE(side_at(field_, sides.own, 85), 0);
+  QCOMPARE(side_at(field_, sides.rival, 85), 1);
+}
+
+void PartingTest::ASeamIsFoundAndNoiseIsNone() {
+  // Fat of 1.5 mm between two organs, blurred as a CT blurs it.
+  constexpr double kSeam = 70.0;
+  Field ct = field_;
+  std::mt19937 random(3);
+  std::normal_distribution<float> noise(0.0F, 12.0F);
+  for (int k = 0; k < ct.size.z(); ++k)
+    for (int j = 0; j < ct.size.y(); ++j)
+      for (int i = 0; i < ct.size.x(); ++i)
+        ct.values[ct.offset(i, j, k)] = std::abs(1.5 * i - kSeam) < 0.75 ? -90.0F : 108.0F;
+  smooth(ct, 1.2);
+  for (float& value : ct.values) value += noise(random);
+  const Mask all = body(ct, [](const Eigen::Vector3d&) { return true; });
+  const Mask away = body(ct, [&](const Eigen::Vector3d& p) { return p.x() < 40.0; });
+  const Mask seams = dark_sheets(ct, all, away);
+  long found = 0, of = 0, wrong = 0, others = 0;
+  for (int k = 4; k + 4 < ct.size.z(); ++k)
+    for (int j = 4; j + 4 < ct.size.y(); ++j)
+      for (int i = 4; i + 4 < ct.size.x(); ++i) {
+        const double away_mm = std::abs(1.5 * i - kSeam);
+        const bool marked = seams.voxels[ct.offset(i, j, k)] != 0;
+        if (away_mm < 0.75)
+          ++of, found += marked;
+        else if (away_mm > 8.0)
+          ++others, wrong += marked;
+      }
+  QVERIFY2(100 * found > 95 * of, qPrintable(QString("%1 of %2").arg(found).arg(of)));
+  QVERIFY2(100 * wrong < 8 * others, qPrintable(QString("%1 of %2").arg(wrong).arg(others)));
+}
+
+QTEST_APPLESS_MAIN(PartingTest)
+#include "parting_test.moc"
