@@ -174,7 +174,7 @@ Mask seams_of(const PartingView& view, const Tissue& tissue, const LiverSeeds& s
 
 /// Who owns the liver-like tissue.
 struct Start {
-  Mask open, start, rival;
+  Mask open, own, start, rival;
 };
 
 /// Where the contour starts: what the clicks inside own of the tissue that is wider than a neck.
@@ -216,6 +216,7 @@ Cancellable<Start> start_of(const Field& ct, const PartingView& view, const Tiss
   for (std::size_t i = 0; i < core.voxels.size(); ++i)
     if (own.voxels[i] == 0) result.start.voxels[i] = 0;
   for (const Eigen::Vector3i& p : seeds.inside) result.start.voxels[ct.offset(p)] = 1;
+  result.own = std::move(own);
   return result;
 }
 
@@ -232,7 +233,7 @@ Field edge_map(const Field& ct) {
 /// What the contour works on: the surroundings of the start.
 struct Scene {
   Field ct;
-  Mask open, start, barred, included;
+  Mask open, start, barred, included, own;
   std::vector<Eigen::Vector3i> outside;
 };
 
@@ -359,8 +360,8 @@ namespace {
 
 /// Where the last contours must not go. They may leave liver-like tissue only by its partial volume, and from
 /// where the second one came to rest (some 3 mm inside the boundary) go farther than a thick border needs
-/// only into a wedge: tissue too thin to be anything but a margin of the liver with fat or gas on both sides.
-/// A stomach or a muscle against the liver is thick together with it, and stays barred.
+/// only into a wedge of its own tissue: too thin to be anything but a margin with fat or gas on both sides.
+/// A stomach or a muscle against the liver is thick together with it, or not its own.
 Mask out_of_bounds(const Scene& scene, const Tissue& tissue, const Field& phi) {
   Mask found = scene.ct.empty_mask();
   for (std::size_t i = 0; i < found.voxels.size(); ++i) found.voxels[i] = phi.values[i] < 0.0F ? 1 : 0;
@@ -378,8 +379,8 @@ Mask out_of_bounds(const Scene& scene, const Tissue& tissue, const Field& phi) {
              length2 = static_cast<float>(kWedgeLength * kWedgeLength);
   Mask barred = scene.ct.empty_mask();
   for (std::size_t i = 0; i < barred.voxels.size(); ++i)
-    barred.voxels[i] =
-        near.voxels[i] == 0 || distance2[i] > length2 || (distance2[i] > border2 && thick.voxels[i] != 0);
+    barred.voxels[i] = near.voxels[i] == 0 || distance2[i] > length2 ||
+                       (distance2[i] > border2 && (thick.voxels[i] != 0 || scene.own.voxels[i] == 0));
   return barred;
 }
 
@@ -454,8 +455,8 @@ Cancellable<LiverContour> find_liver(const Field& ct, const PartingView& view, c
                                      const ShowContour& show) {
   require(!seeds.inside.empty(), "the liver has at least one seed");
   LiverContour result;
-  Tissue& tissue = result.parenchyma;
-  tissue = tissue_at(ct, seeds.inside);
+  Tissue tissue = tissue_at(ct, seeds.inside);
+  result.parenchyma = tissue;
   const LiverSeeds view_seeds{moved(seeds.inside, ct, view.ct), moved(seeds.outside, ct, view.ct)};
   const Mask seams = seams_of(view, tissue, view_seeds);
   Start parted;
@@ -465,9 +466,11 @@ Cancellable<LiverContour> find_liver(const Field& ct, const PartingView& view, c
     auto next = start_of(ct, view, tissue, seams, seeds, view_seeds, barred, included, context);
     if (!next) return std::nullopt;
     parted = std::move(*next);
-    if (round + 1 == kStartRounds) break;
     const Tissue seen = tissue_within(ct, parted.start, 4.0);
-    if (seen.sigma > 0.0) tissue = {seen.mean, std::max(seen.sigma, tissue.sigma)};
+    if (!(seen.sigma > 0.0)) continue;
+    result.parenchyma = seen;
+    // The whole liver differs more than what was found of it.
+    tissue = {seen.mean, std::max(seen.sigma, tissue.sigma)};
   }
   Mask &open = parted.open, &start = parted.start, &rival = parted.rival;
   // What belongs to others is closed to the contour, a rim of it aside: where they were parted was a guess.
@@ -478,13 +481,14 @@ Cancellable<LiverContour> find_liver(const Field& ct, const PartingView& view, c
   // From here on only the surroundings of the start matter.
   const VoxelBox box = bounding_box(ct.size, ct.spacing_mm, start.voxels, kReach + 16.0);
   const auto cut = [&](const Mask& mask) { return crop(ct.size, ct.spacing_mm, mask.voxels, box); };
-  Scene scene{ct.cropped(box), cut(open), cut(start), cut(never), cut(included), {}};
+  Scene scene{ct.cropped(box), cut(open), cut(start), cut(never), cut(included), cut(parted.own), {}};
   for (const Eigen::Vector3i& p : seeds.outside)
     if (scene.ct.contains(p - box.low)) scene.outside.push_back(p - box.low);
-  const auto phi = run_contours(scene, tissue, context.part(0.3, 1.0), show);
+  const auto phi = run_contours(scene, result.parenchyma, context.part(0.3, 1.0), show);
   if (!phi) return std::nullopt;
   result.phi = on_grid_of(ct, *phi, box);
   result.like = std::move(open);
+  result.own = std::move(parted.own);
   result.closed_ground = std::move(never);
   return result;
 }
@@ -494,7 +498,8 @@ Cancellable<Field> settle_liver(const Field& ct, const Mask& whole, const LiverC
                                 const ShowContour& show) {
   const VoxelBox box = bounding_box(ct.size, ct.spacing_mm, whole.voxels, kReach + 16.0);
   const auto cut = [&](const Mask& mask) { return crop(ct.size, ct.spacing_mm, mask.voxels, box); };
-  Scene scene{ct.cropped(box), cut(contour.like), cut(whole), cut(contour.closed_ground), cut(included), {}};
+  Scene scene{ct.cropped(box), cut(contour.like), cut(whole), cut(contour.closed_ground),
+              cut(included),   cut(contour.own),  {}};
   for (const Eigen::Vector3i& p : seeds.outside)
     if (scene.ct.contains(p - box.low)) scene.outside.push_back(p - box.low);
   const Mask deep = eroded(scene.start, kBorder);
@@ -518,7 +523,7 @@ Cancellable<Field> refine_liver(const Field& ct, const Field& from, const LiverS
   forces.curvature_mm = kLastCurvature;
   forces.edge = ct.filled(1.0F);
   forces.region = ct;
-  const Scene scene{ct, {}, {}, barred, included, seeds.outside};
+  const Scene scene{ct, {}, {}, barred, included, {}, seeds.outside};
   for (int round = 0; round < kFineRounds; ++round) {
     local_region(ct, phi, forces.region);
     for (std::size_t i = 0; i < ct.values.size(); ++i)

@@ -27,6 +27,7 @@ struct LiverContour {
   Field phi;  ///< mm, negative inside
   Tissue parenchyma;
   Mask like;           ///< what looks like liver, anywhere
+  Mask own;            ///< what of it is the liver's
   Mask closed_ground;  ///< what was barred, and what the clicks outside own
 };
 
