@@ -18,6 +18,13 @@ if(GLISSON_PCH)
   endif()
 endif()
 
+# Counts are written when a process ends, and added to by the next: a confined reader could not.
+if(GLISSON_COVERAGE)
+  add_compile_options(--coverage -fprofile-update=atomic)
+  add_compile_definitions(GLISSON_UNCONFINED)
+  add_link_options(--coverage)
+endif()
+
 if(GLISSON_SANITIZER)
   add_compile_options(-fsanitize=${GLISSON_SANITIZER} -fno-omit-frame-pointer -g1)
   add_link_options(-fsanitize=${GLISSON_SANITIZER})

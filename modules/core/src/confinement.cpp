@@ -175,8 +175,8 @@ void limit(int resource, double value) {
   ::setrlimit(static_cast<__rlimit_resource>(resource), &limits);
 }
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kSanitized = true;  // shadow memory and the search for leaks need what is given up here
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || defined(GLISSON_UNCONFINED)
+constexpr bool kSanitized = true;  // shadow memory, the search for leaks and counts of lines need what is given up
 #else
 constexpr bool kSanitized = false;
 #endif

@@ -3,7 +3,6 @@
 
 #include <zlib.h>
 
-#include <array>
 #include <bit>
 #include <cstring>
 #include <limits>
@@ -13,124 +12,21 @@
 #include "mesh_bytes.h"
 #include "text_scanner.h"
 #include "vtk_cell_types.h"
+#include "vtk_xml_bytes.h"
 #include "xml_scanner.h"
 
 namespace glisson {
 namespace {
+
+using vtk_xml::ByteSource;
+using vtk_xml::Number;
+using vtk_xml::number_named;
 
 constexpr const char* kExport = "The file is damaged, or its exporter is: export it anew";
 constexpr long kMost = std::numeric_limits<int>::max();
 constexpr std::size_t kMostBytes =
     1200000000;                             // of all arrays unpacked: organs' meshes have a hundredth of it
 constexpr std::size_t kMostPacking = 1100;  // deflate packs to 1/1032 at the best
-
-enum class Number { i8, u8, i16, u16, i32, u32, i64, u64, f32, f64 };
-
-std::size_t size_of(Number number) {
-  static constexpr std::size_t kSizes[] = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
-  return kSizes[static_cast<int>(number)];
-}
-
-std::optional<Number> number_named(const std::string& name) {
-  static constexpr std::pair<const char*, Number> kNames[] = {
-      {"Int8", Number::i8},     {"UInt8", Number::u8},   {"Int16", Number::i16}, {"UInt16", Number::u16},
-      {"Int32", Number::i32},   {"UInt32", Number::u32}, {"Int64", Number::i64}, {"UInt64", Number::u64},
-      {"Float32", Number::f32}, {"Float64", Number::f64}};
-  for (const auto& [known, number] : kNames)
-    if (name == known) return number;
-  return std::nullopt;
-}
-
-template <class T>
-double as(const unsigned char* raw) {
-  T value;
-  std::memcpy(&value, raw, sizeof(T));
-  return static_cast<double>(value);
-}
-
-double decode(const unsigned char* raw, Number number) {
-  switch (number) {
-    case Number::i8:
-      return as<std::int8_t>(raw);
-    case Number::u8:
-      return as<std::uint8_t>(raw);
-    case Number::i16:
-      return as<std::int16_t>(raw);
-    case Number::u16:
-      return as<std::uint16_t>(raw);
-    case Number::i32:
-      return as<std::int32_t>(raw);
-    case Number::u32:
-      return as<std::uint32_t>(raw);
-    case Number::i64:
-      return as<std::int64_t>(raw);
-    case Number::u64:
-      return as<std::uint64_t>(raw);
-    case Number::f32:
-      return as<float>(raw);
-    case Number::f64:
-      break;
-  }
-  return as<double>(raw);
-}
-
-/// Bytes one after the other, from base64 (where any group of four may be the padded end of a part) or as
-/// they are.
-class ByteSource {
- public:
-  ByteSource(std::string_view text, bool base64) : text_(text), base64_(base64) {}
-
-  /// Upper bound of what is left.
-  std::size_t remaining() const { return base64_ ? text_.size() / 4 * 3 + 3 : text_.size(); }
-  /// False: the data end early, or hold what is no base64.
-  bool take(std::size_t size, std::string& bytes) {
-    if (size > remaining() + pending_.size()) return false;
-    if (!base64_) {
-      bytes.assign(text_.substr(0, size));
-      text_.remove_prefix(size);
-      return true;
-    }
-    while (pending_.size() < size)
-      if (!take_group()) return false;
-    bytes = pending_.substr(0, size);
-    pending_.erase(0, size);
-    return true;
-  }
-
- private:
-  static int value_of(char c) {
-    if (c >= 'A' && c <= 'Z') return c - 'A';
-    if (c >= 'a' && c <= 'z') return c - 'a' + 26;
-    if (c >= '0' && c <= '9') return c - '0' + 52;
-    return c == '+' ? 62 : c == '/' ? 63 : -1;
-  }
-  bool take_group() {
-    std::uint32_t bits = 0;
-    int letters = 0, padding = 0;
-    while (letters + padding < 4) {
-      if (text_.empty()) return false;
-      const char c = text_.front();
-      text_.remove_prefix(1);
-      if (c == ' ' || c == '\n' || c == '\r' || c == '\t') continue;
-      if (c == '=' && letters >= 2) {
-        ++padding;
-        bits <<= 6;
-        continue;
-      }
-      const int value = value_of(c);
-      if (value < 0 || padding > 0) return false;
-      bits = bits << 6 | static_cast<std::uint32_t>(value);
-      ++letters;
-    }
-    for (int byte = 0; byte < 3 - padding; ++byte)
-      pending_ += static_cast<char>(bits >> (16 - 8 * byte) & 0xFFU);
-    return true;
-  }
-
-  std::string_view text_;
-  bool base64_;
-  std::string pending_;
-};
 
 /// A DataArray as it stands in the file.
 struct Array {
@@ -308,7 +204,8 @@ class VtkXmlParser {
   /// Counts what arrays hold together: many may name the same bytes, and packed ones may hold a thousand
   /// times their size.
   void spend(const Array& array, std::size_t bytes) {
-    const std::size_t held = bytes / size_of(number_named(array.type).value_or(Number::i8)) * sizeof(double);
+    const std::size_t held =
+        bytes / vtk_xml::size_of(number_named(array.type).value_or(Number::i8)) * sizeof(double);
     if (held > kMostBytes - spent_)
       refuse(array.field(), "holds more than a mesh does, with the arrays before it");
     spent_ += held;
@@ -374,14 +271,14 @@ class VtkXmlParser {
       return values;
     }
     std::string bytes = bytes_of(array);
-    const std::size_t size = size_of(*number);
+    const std::size_t size = vtk_xml::size_of(*number);
     if (bytes.size() % size != 0) refuse(array.field(), "ends inside a number");
     values.reserve(bytes.size() / size);
     for (std::size_t at = 0; at < bytes.size(); at += size) {
       if (big_)
         std::reverse(bytes.begin() + static_cast<std::ptrdiff_t>(at),
                      bytes.begin() + static_cast<std::ptrdiff_t>(at + size));
-      values.push_back(decode(reinterpret_cast<const unsigned char*>(bytes.data()) + at, *number));
+      values.push_back(vtk_xml::decode(reinterpret_cast<const unsigned char*>(bytes.data()) + at, *number));
     }
     return values;
   }

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fstream>
 #include <map>
 #include <sstream>
 
 #include "claim.h"
-#include "glisson/core/error.h"
+#include "header_lines.h"
 
 /// @file
 /// A MetaImage's header (https://itk.org/Wiki/MetaIO/Documentation), as far as a patient's volume needs it.
@@ -19,19 +18,15 @@ struct Header {
   std::uintmax_t end = 0;  ///< where local data begin
 };
 
-[[noreturn]] void refuse(const Request& request, const std::string& field, const std::string& problem,
-                         const std::string& remedy = "Export the volume again, as one .mha file") {
-  throw InputError(request.name, field, problem, remedy);
-}
+constexpr HeaderRefusal refuse{"Export the volume again, as one .mha file"};
 
 /// "key = value" lines up to ElementDataFile, which ends the header.
 Header header_of(const Request& request) {
-  std::ifstream stream(request.path, std::ios::binary);
+  HeaderLines lines(request, kLongestHeader);
   Header header;
   std::string line;
-  while (header.end < kLongestHeader && std::getline(stream, line)) {
-    header.end += line.size() + 1;
-    if (!line.empty() && line.back() == '\r') line.pop_back();
+  while (lines.next(line)) {
+    header.end = lines.end();
     const std::size_t equals = line.find('=');
     if (equals == std::string::npos) continue;
     std::string name;

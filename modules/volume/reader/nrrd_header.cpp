@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cctype>
-#include <fstream>
 #include <map>
 #include <sstream>
 
 #include "claim.h"
-#include "glisson/core/error.h"
 #include "glisson/core/files.h"
+#include "header_lines.h"
 
 /// @file
 /// A NRRD's header (http://teem.sourceforge.net/nrrd/format.html), as far as a patient's volume needs it.
@@ -22,29 +21,23 @@ struct Header {
   std::uintmax_t end = 0;                     ///< where attached data begin
 };
 
-[[noreturn]] void refuse(const Request& request, const std::string& field, const std::string& problem,
-                         const std::string& remedy = "Correct the header, or export the volume again") {
-  throw InputError(request.name, field, problem, remedy);
-}
+constexpr HeaderRefusal refuse{"Correct the header, or export the volume again"};
 
 Header header_of(const Request& request) {
-  std::ifstream stream(request.path, std::ios::binary);
+  HeaderLines lines(request, kLongestHeader);
   Header header;
   std::string line;
-  if (!std::getline(stream, line) || line.rfind("NRRD000", 0) != 0)
+  if (!lines.next(line) || line.rfind("NRRD000", 0) != 0)
     refuse(request, "", "is not a NRRD file", "Export it again");
-  header.end = line.size() + 1;
-  while (header.end < kLongestHeader && std::getline(stream, line)) {
-    header.end += line.size() + 1;
-    if (!line.empty() && line.back() == '\r') line.pop_back();
-    if (line.empty()) return header;
+  while (lines.next(line) && !line.empty()) {
     const std::size_t colon = line.find(": ");
     const std::size_t pair = line.find(":=");
     if (line.front() == '#' || colon == std::string::npos || pair < colon) continue;
     const std::string name = lower_case(line.substr(0, colon));
     if (!header.fields.emplace(name, line.substr(colon + 2)).second) refuse(request, name, "stands twice");
   }
-  return header;  // a detached one may end with the file
+  header.end = lines.end();  // a detached one may end with the file
+  return header;
 }
 
 class NrrdClaim {
