@@ -123,6 +123,11 @@ void ModelEditsTest::WhatIsKeptOfLabelsStaysAsOldAsItWas() {
   QVERIFY(gallbladder.keeps_labels());
   engine.wait(engine.post(gallbladder));
   QCOMPARE(engine.snapshot()->stage(part::labels), StageState::stale);  // the liver is the former CT's
+  Segment around_a_lock;
+  around_a_lock.options.locked = {structure::kGallbladder};
+  QVERIFY(around_a_lock.keeps_labels());
+  engine.wait(engine.post(around_a_lock));
+  QCOMPARE(engine.snapshot()->stage(part::labels), StageState::stale);
   engine.wait(engine.post(Segment{}));
   QCOMPARE(engine.snapshot()->stage(part::labels), StageState::current);
 }
