@@ -82,10 +82,13 @@ void prove_live(const Arguments& arguments, Session& session, const fs::path& fo
                 experiments::ProofPage& page) {
   experiments::LiveProofOptions options;
   if (arguments.seed() != 1) options.seeds.assign(1, arguments.seed());
+  if (arguments.has("real-only")) options.seeds.clear();
+  options.data = arguments.path("data");
   auto proof = experiments::prove_live(options, folder, session.context());
   if (!proof) throw Interrupted();
   for (const std::string& line : proof->table) say(QString::fromStdString(line));
   session.figures.merge(proof->figures);
+  page.absent = proof->absent;
   page.table = proof->table;
 }
 
@@ -125,8 +128,8 @@ constexpr Proof kProofs[] = {
      experiments::registration_aims, prove_registration},
     {"live", "What the live overlay says of itself when something is wrong",
      "Wrong starts, and faults put into the frames of the theatre (in silico), on patients and films that no "
-     "limit was "
-     "set on.",
+     "limit was set on; and into a real pair of liver tissue that is set in motion in a known way (real "
+     "texture and lens, simulated motion).",
      experiments::live_aims, prove_live},
 };
 

@@ -22,6 +22,9 @@ class FollowerTest : public QObject {
   void ForgottenFrameLeavesThePointsWhereTheyWere();
   void LonelyGapIsInconsistentAndCommonMotionIsNot();
   void PicturesOfAnotherSizeAreRefused();
+  void ABeadDoesNotHidePlainTissue();
+  void NoiseIsNoTexture();
+  void PointsStayInsideTheCircle();
 
  private:
   StereoFollower::Expected expected() const {
@@ -148,9 +151,73 @@ void FollowerTest::PicturesOfAnotherSizeAreRefused() {
   QVERIFY_EXCEPTION_THROWN(follower.begin(wrong, {}), InputError);
   Picture mask = phantom::plain(rig_.left, 255);
   mask.height = 120;
-  QVERIFY_EXCEPTION_THROWN(follower.begin(first_, mask), InputError);
+  QVERIFY_EXCEPTION_THROWN(seen_parts(first_, rig_, mask), InputError);
   follower.begin(first_, {});
   QVERIFY_EXCEPTION_THROWN(follower.keep({1}), PreconditionError);
+}
+
+namespace {
+
+template <class Change>
+Picture changed(const Picture& picture, Change change) {
+  auto bytes = std::make_shared<std::vector<std::uint8_t>>(*picture.bytes);
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x) {
+      std::uint8_t& grey = (*bytes)[static_cast<std::size_t>(y * picture.width + x)];
+      grey = static_cast<std::uint8_t>(std::clamp(change(x, y, static_cast<double>(grey)), 0.0, 255.0));
+    }
+  return {picture.width, picture.height, 1, std::move(bytes)};
+}
+
+}  // namespace
+
+void FollowerTest::ABeadDoesNotHidePlainTissue() {
+  // A real liver's texture is faint, and what lies on it (a clip, the rim of a highlight) is not.
+  const auto faint = [](int, int, double grey) { return 80.0 + 0.25 * (grey - 80.0); };
+  const auto bead = [](int x, int y, double grey) {
+    return std::hypot(x - 160, y - 120) < 6.0 ? 240.0 : grey;
+  };
+  StereoFrame plain = first_;
+  plain.left = changed(first_.left, faint);
+  plain.right = changed(first_.right, faint);
+  StereoFrame beaded = plain;
+  beaded.left = changed(plain.left, bead);
+  StereoFollower without(rig_, options()), with(rig_, options());
+  without.begin(plain, {});
+  with.begin(beaded, {});
+  const int found = without.replenish(expected()), beside = with.replenish(expected());
+  QVERIFY2(found >= 40 && beside >= found - 8, qPrintable(QString("%1, %2").arg(found).arg(beside)));
+}
+
+void FollowerTest::NoiseIsNoTexture() {
+  StereoFrame noise = first_;
+  const auto random = [](int x, int y, double) { return 80.0 + 20.0 * phantom::hashed(x, y, 3); };
+  noise.left = changed(first_.left, random);
+  noise.right = changed(first_.right, random);
+  StereoFollower follower(rig_, options());
+  follower.begin(noise, {});
+  const int found = follower.replenish(expected());
+  QVERIFY2(found <= 2, qPrintable(QString::number(found)));
+}
+
+void FollowerTest::PointsStayInsideTheCircle() {
+  // The rim of the laparoscope's picture is sharp, and stands whatever the tissue does.
+  const auto inside = [](double x, double y) { return std::hypot(x - 160.0, y - 120.0) < 85.0; };
+  const auto scope = [&](int x, int y, double grey) { return inside(x, y) ? grey + 30.0 : 2.0; };
+  const auto seen = [&](const StereoFrame& frame) {
+    StereoFrame round = frame;
+    round.left = changed(frame.left, scope);
+    round.right = changed(frame.right, scope);
+    return round;
+  };
+  const StereoFrame first = seen(first_);
+  StereoFollower follower(rig_, options());
+  follower.begin(first, seen_parts(first, rig_, {}));
+  QVERIFY(follower.replenish(expected()) >= 20);
+  follower.follow(seen(second_));
+  QVERIFY(follower.points().size() >= 15);
+  for (const FollowedPoint& point : follower.points())
+    QVERIFY(inside(point.left.x(), point.left.y()) && inside(point.right.x(), point.right.y()));
 }
 
 QTEST_APPLESS_MAIN(FollowerTest)

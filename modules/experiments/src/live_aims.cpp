@@ -24,6 +24,20 @@ const std::vector<Aim>& live_aims() {
       {"live_return_seconds",
        QT_TRANSLATE_NOOP("cli", "live: longest time until a right overlay is back after a jump, s"),
        in_silico, at_most, 1.0, 2},
+      {"live_tissue_far_hidden_share",
+       QT_TRANSLATE_NOOP("cli", "live, tissue: frames over 10 mm that are not valid, share"), real, at_least,
+       0.99, 3},
+      {"live_tissue_near_sound_valid_share",
+       QT_TRANSLATE_NOOP("cli", "live, tissue: frames under 3 mm without a fault that are valid, share"),
+       real, at_least, 0.95, 3},
+      {"live_tissue_latest_seconds",
+       QT_TRANSLATE_NOOP("cli", "live, tissue: longest time until an overlay goes, s"), real, at_most, 0.5,
+       2},
+      {"live_tissue_scope_mean_mm",
+       QT_TRANSLATE_NOOP("cli",
+                         "live, tissue: largest error at a place below the surface with a scope in a "
+                         "hand, mean over frames, mm"),
+       real, at_most, 1.5, 2},
   };
   return kAims;
 }

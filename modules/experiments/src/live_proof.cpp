@@ -8,76 +8,17 @@
 
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
+#include "glisson/core/statistics.h"
 #include "glisson/guidance/tracker.h"
-#include "glisson/insilico/patient.h"
-#include "glisson/insilico/theatre.h"
-#include "glisson/model/build.h"
+#include "glisson/stereo/picture_io.h"
 #include "live_faults.h"
+#include "live_stage.h"
 
 namespace glisson::experiments {
 namespace {
 
 constexpr double kFar = 10e-3, kNear = 3e-3;  ///< metres: frames over and under
 constexpr int kInTime = 15;                   ///< frames: half a second
-
-struct Filmed {
-  Film film;
-  std::vector<Points> targets;  ///< each frame's, camera's frame
-};
-
-/// A patient in the theatre, filmed by a camera that stands and by one in a hand, with the model that is to
-/// follow.
-struct Stage {
-  PatientModel model;
-  std::unique_ptr<insilico::Theatre> theatre;
-  Filmed standing, held;
-  Points start;  ///< the model's nodes where they truly are in the first frame
-  Points targets_in_ct;
-};
-
-/// @return false: cancelled.
-bool film(const insilico::Theatre& theatre, Filmed& filmed, const RunContext& context) {
-  for (int k = 0; k < theatre.frame_count(); ++k) {
-    if (context.cancelled()) return false;
-    filmed.film.push_back(theatre.render(k));
-    filmed.targets.push_back(theatre.truth(k).targets_in_camera);
-    context.progress((k + 1.0) / theatre.frame_count(), "prove.theatre");
-  }
-  return true;
-}
-
-std::optional<Stage> build_stage(std::uint64_t seed, int frames, const RunContext& context) {
-  insilico::PatientOptions patient_options;
-  patient_options.shape_seed = seed;
-  patient_options.spacing_mm = {2.5, 2.5, 2.5};
-  patient_options.surface_spacing_mm = 2.0;
-  auto patient = insilico::make_patient(patient_options, context.part(0.0, 0.15));
-  if (!patient) return std::nullopt;
-  auto built = model::build_from_labels(patient->truth, {}, context.part(0.15, 0.35));
-  if (!built) return std::nullopt;
-  PatientModel shown;
-  shown.surfaces = std::move(patient->surfaces);
-  shown.vessels = std::move(patient->trees);
-  shown.landmarks = std::move(patient->landmarks);
-  insilico::TheatreOptions theatre_options;
-  theatre_options.seed = seed;
-  theatre_options.frames = frames;
-  auto theatre = insilico::Theatre::build(shown, theatre_options, context.part(0.35, 0.6));
-  if (!theatre) return std::nullopt;
-  Stage stage;
-  stage.model = std::move(built->model);
-  stage.theatre = std::move(*theatre);
-  if (!film(*stage.theatre, stage.standing, context.part(0.6, 0.8))) return std::nullopt;
-  // Up to 10 degrees and 45 mm a second, a third nearer and farther.
-  stage.theatre->move_scope({.pivot_deg = 6.0, .slide_mm = 30.0, .roll_deg = 10.0});
-  if (!film(*stage.theatre, stage.held, context.part(0.8, 1.0))) return std::nullopt;
-  stage.start = stage.theatre->carry(stage.model.mesh.vertices, 0);
-  const auto& targets = stage.theatre->targets();
-  stage.targets_in_ct.resize(static_cast<Eigen::Index>(targets.size()), 3);
-  for (std::size_t i = 0; i < targets.size(); ++i)
-    stage.targets_in_ct.row(static_cast<Eigen::Index>(i)) = targets[i].centre_in_ct.transpose();
-  return stage;
-}
 
 /// One frame of a run, judged with the truth at hand.
 struct Judged {
@@ -101,7 +42,7 @@ struct Judged {
   }
 };
 
-std::vector<Judged> run(const Stage& stage, const LiveFault& fault, int onset) {
+std::vector<Judged> run(const LiveStage& stage, const LiveFault& fault, int onset) {
   Registration start;
   const Eigen::RowVector3d middle = stage.start.colwise().mean();
   start.nodes_in_camera = ((stage.start.rowwise() - middle) * fault.start_turn.transpose()).rowwise() +
@@ -111,8 +52,8 @@ std::vector<Judged> run(const Stage& stage, const LiveFault& fault, int onset) {
   const auto shown = [&, &frames_shown = film](int k) {
     return fault.show ? fault.show(frames_shown, k) : frames_shown[static_cast<std::size_t>(k)];
   };
-  tracker.begin(stage.theatre->rig(), shown(0), {});
-  const Binding targets = bind_points(stage.model.mesh, stage.targets_in_ct);
+  tracker.begin(stage.rig, shown(0), {});
+  const Binding targets = bind_points(stage.model.mesh, stage.targets_in_model);
   std::vector<Judged> frames;
   for (int k = 1; k < static_cast<int>(film.size()); ++k) {
     Judged judged;
@@ -198,15 +139,15 @@ std::string percent(int part, int whole) {
   return text;
 }
 
-std::string csv_line(std::uint64_t seed, const std::string& fault, const Judged& judged) {
+std::string csv_line(const std::string& stage, const std::string& fault, const Judged& judged) {
   const auto& e = judged.overlay.evidence;
   char line[400];
   std::snprintf(line, sizeof line,
-                "%d,%s,%d,%d,%.3f,%s,%d,%.3f,%.3f,%.3f,%.4f,%.3f,%.3f,%.3f,%.3f,%.3f,%.2f\n",
-                static_cast<int>(seed), fault.c_str(), judged.frame, judged.faulty ? 1 : 0,
-                1e3 * judged.error, validity_code(judged.overlay.validity), judged.overlay.pairs,
-                1e3 * judged.overlay.residual, e.supported, e.gap, e.behind, 1e3 * e.pull, 1e3 * e.pull_sigma,
-                e.contrast, e.motion, e.rows, judged.overlay.milliseconds);
+                "%s,%s,%d,%d,%.3f,%s,%d,%.3f,%.3f,%.3f,%.4f,%.3f,%.3f,%.3f,%.3f,%.3f,%.2f\n", stage.c_str(),
+                fault.c_str(), judged.frame, judged.faulty ? 1 : 0, 1e3 * judged.error,
+                validity_code(judged.overlay.validity), judged.overlay.pairs, 1e3 * judged.overlay.residual,
+                e.supported, e.gap, e.behind, 1e3 * e.pull, 1e3 * e.pull_sigma, e.contrast, e.motion, e.rows,
+                judged.overlay.milliseconds);
   return line;
 }
 
@@ -221,19 +162,28 @@ void add_row(const std::string& name, const Tally& tally, LiveProof& proof) {
   proof.table.emplace_back(line);
 }
 
-double percentile(std::vector<double> values, double part) {
-  if (values.empty()) return 0.0;
-  std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
-}
+/// Of one kind of stage.
+struct Gathered {
+  std::vector<std::string> names;  ///< of the faults, in their order
+  std::map<std::string, Tally> tallies;
+  Tally& of(const std::string& name) {
+    if (!tallies.contains(name)) names.push_back(name);
+    return tallies[name];
+  }
+};
 
-void sum_up(const std::vector<std::string>& names, std::map<std::string, Tally>& tallies, LiveProof& proof) {
-  proof.table.emplace_back(
-      "fault                shown as               late  >10mm  hidden was    hidden   <3mm   valid %");
+/// @param prefix of the figures' keys.
+void sum_up(const Gathered& gathered, const char* title, const std::string& prefix, LiveProof& proof) {
+  if (gathered.names.empty()) return;
+  if (!proof.table.empty()) proof.table.emplace_back();
+  char head[200];
+  std::snprintf(head, sizeof head, "%-20s %-20s %6s %6s %9s %9s %6s %9s", title, "shown as", "late", ">10mm",
+                "hidden was", "hidden", "<3mm", "valid %");
+  proof.table.emplace_back(head);
   Tally all;
   int late = 0, returned = 0;
-  for (const std::string& name : names) {
-    const Tally& one = tallies[name];
+  for (const std::string& name : gathered.names) {
+    const Tally& one = gathered.tallies.at(name);
     add_row(name, one, proof);
     all.far += one.far;
     all.far_hidden += one.far_hidden;
@@ -245,29 +195,54 @@ void sum_up(const std::vector<std::string>& names, std::map<std::string, Tally>&
     late = std::max(late, one.latest);
     returned = std::max(returned, one.returned);
     all.milliseconds.insert(all.milliseconds.end(), one.milliseconds.begin(), one.milliseconds.end());
+    if (name == "none") proof.figures[prefix + "still_mean_mm"] = 1e3 * one.error_sum / one.frames;
+    if (name == "scope_moves") proof.figures[prefix + "scope_mean_mm"] = 1e3 * one.error_sum / one.frames;
   }
   add_row("all", all, proof);
-  proof.figures["live_far_frames"] = all.far;
-  proof.figures["live_far_hidden_share"] = share(all.far_hidden, all.far);
-  proof.figures["live_far_hidden_before_share"] = share(all.far_hidden_before, all.far);
-  proof.figures["live_near_valid_share"] = share(all.near_valid, all.near);
-  proof.figures["live_near_sound_valid_share"] = share(all.near_sound_valid, all.near_sound);
-  proof.figures["live_latest_seconds"] = late / 30.0;
-  for (const auto& [figure, name] :
-       {std::pair{"live_still_mean_mm", "none"}, {"live_scope_mean_mm", "scope_moves"}}) {
-    const Tally& one = tallies[name];
-    if (one.frames > 0) proof.figures[figure] = 1e3 * one.error_sum / one.frames;
+  proof.figures[prefix + "far_frames"] = all.far;
+  proof.figures[prefix + "far_hidden_share"] = share(all.far_hidden, all.far);
+  proof.figures[prefix + "far_hidden_before_share"] = share(all.far_hidden_before, all.far);
+  proof.figures[prefix + "near_valid_share"] = share(all.near_valid, all.near);
+  proof.figures[prefix + "near_sound_valid_share"] = share(all.near_sound_valid, all.near_sound);
+  proof.figures[prefix + "latest_seconds"] = late / 30.0;
+  proof.figures[prefix + "return_seconds"] = returned / 30.0;
+  proof.figures[prefix + "frame_p50_ms"] = lower_percentile(all.milliseconds, 0.5);
+  proof.figures[prefix + "frame_p99_ms"] = lower_percentile(all.milliseconds, 0.99);
+}
+
+/// A moment of the tissue's films, to be looked at.
+void write_pictures(const std::filesystem::path& folder, const LiveStage& stage) {
+  const std::size_t k = stage.standing.film.size() / 3;
+  for (const auto& [name, filmed] : {std::pair{"standing", &stage.standing}, {"held", &stage.held}}) {
+    const std::string start = std::string("tissue_") + name;
+    stereo::write_picture(folder / (start + "_left.png"), filmed->film[k].left);
+    stereo::write_picture(folder / (start + "_right.png"), filmed->film[k].right);
   }
-  proof.figures["live_return_seconds"] = returned / 30.0;
-  proof.figures["live_frame_p50_ms"] = percentile(all.milliseconds, 0.5);
-  proof.figures["live_frame_p99_ms"] = percentile(all.milliseconds, 0.99);
+}
+
+/// Every fault on one stage. @return false: cancelled.
+bool try_faults(const LiveStage& stage, const std::string& name, std::uint64_t seed,
+                const LiveProofOptions& options, Gathered& gathered, std::string& csv,
+                const RunContext& context) {
+  const auto faults = live_faults(stage.rig, options.onset, options.frames - 1, seed);
+  for (std::size_t i = 0; i < faults.size(); ++i) {
+    if (context.cancelled()) return false;
+    context.progress(static_cast<double>(i) / static_cast<double>(faults.size()), "demo.track");
+    if (faults[i].name.find(options.only) == std::string::npos) continue;
+    const std::vector<Judged> frames = run(stage, faults[i], options.onset);
+    Tally& tally = gathered.of(faults[i].name);
+    tally.add(frames);
+    tally.add_return(frames, faults[i].good_from);
+    for (const Judged& judged : frames) csv += csv_line(name, faults[i].name, judged);
+  }
+  return true;
 }
 
 }  // namespace
 
 void LiveProofOptions::validate() const {
   const OptionCheck demand("live proof options");
-  demand(!seeds.empty(), "seeds", 0.0, "Give one at least");
+  demand(!seeds.empty() || !data.empty(), "seeds", 0.0, "Give one at least");
   demand(frames >= 60, "frames", frames, "Give 60 at least");
   demand(onset >= 10 && onset + 20 < frames, "onset", onset, "Give a frame well before the last");
 }
@@ -277,31 +252,30 @@ Cancellable<LiveProof> prove_live(const LiveProofOptions& options, const std::fi
   options.validate();
   LiveProof proof;
   std::string csv =
-      "seed,fault,frame,faulty,error_mm,validity,pairs,residual_mm,supported,gap,behind,pull_mm,"
+      "stage,fault,frame,faulty,error_mm,validity,pairs,residual_mm,supported,gap,behind,pull_mm,"
       "pull_sigma_mm,contrast,motion,rows_px,ms\n";
-  std::map<std::string, Tally> tallies;
-  std::vector<std::string> names;
-  const double part = 1.0 / static_cast<double>(options.seeds.size());
-  for (std::size_t s = 0; s < options.seeds.size(); ++s) {
-    const double begin = static_cast<double>(s) * part;
-    const auto stage = build_stage(options.seeds[s], options.frames, context.part(begin, begin + 0.4 * part));
-    if (!stage) return std::nullopt;
-    const auto faults =
-        live_faults(stage->theatre->rig(), options.onset, options.frames - 1, options.seeds[s]);
-    names.clear();
-    const RunContext tracking = context.part(begin + 0.4 * part, begin + part);
-    for (std::size_t i = 0; i < faults.size(); ++i) {
-      if (context.cancelled()) return std::nullopt;
-      tracking.progress(static_cast<double>(i) / static_cast<double>(faults.size()), "demo.track");
-      if (faults[i].name.find(options.only) == std::string::npos) continue;
-      names.push_back(faults[i].name);
-      const std::vector<Judged> frames = run(*stage, faults[i], options.onset);
-      tallies[faults[i].name].add(frames);
-      tallies[faults[i].name].add_return(frames, faults[i].good_from);
-      for (const Judged& judged : frames) csv += csv_line(options.seeds[s], faults[i].name, judged);
-    }
+  Gathered theatre, tissue;
+  const double part = 1.0 / (static_cast<double>(options.seeds.size()) + 1.0);
+  double done = 0.0;
+  for (const std::uint64_t seed : options.seeds) {
+    const auto stage = theatre_stage(seed, options.frames, context.part(done, done + 0.4 * part));
+    if (!stage || !try_faults(*stage, std::to_string(seed), seed, options, theatre, csv,
+                              context.part(done + 0.4 * part, done + part)))
+      return std::nullopt;
+    done += part;
   }
-  sum_up(names, tallies, proof);
+  if (options.data.empty() || !std::filesystem::exists(options.data / "stereo_opencas")) {
+    proof.absent.emplace_back("stereo_opencas");
+  } else {
+    const auto stage =
+        tissue_stage(options.data / "stereo_opencas", options.frames, context.part(done, done + 0.3 * part));
+    if (!stage) return std::nullopt;
+    write_pictures(folder, *stage);
+    if (!try_faults(*stage, "tissue", 1, options, tissue, csv, context.part(done + 0.3 * part, 1.0)))
+      return std::nullopt;
+  }
+  sum_up(theatre, "in the theatre", "live_", proof);
+  sum_up(tissue, "real tissue, moved", "live_tissue_", proof);
   std::string table;
   for (const std::string& line : proof.table) table += line + "\n";
   write_file_atomically(folder / "live.csv", csv);

@@ -14,46 +14,12 @@
 #include "glisson/stereo/faults.h"
 #include "glisson/stereo/picture_io.h"
 #include "glisson/stereo/reconstruct_pair.h"
+#include "real_pairs.h"
 #include "stereo_theatre.h"
 
 namespace glisson::experiments {
 namespace fs = std::filesystem;
 namespace {
-
-/// A real pair with all that is needed.
-struct RealPair {
-  Picture left, right, mask;
-  StereoRig rig;
-};
-
-/// The sets mark with zero what is to be used; masks here mark it with non-zero.
-Picture inverted(const Picture& mask) {
-  auto bytes = std::make_shared<std::vector<std::uint8_t>>();
-  for (std::size_t i = 0; i < mask.bytes->size(); i += static_cast<std::size_t>(mask.channels))
-    bytes->push_back((*mask.bytes)[i] == 0 ? 255 : 0);
-  return {mask.width, mask.height, 1, std::move(bytes)};
-}
-
-RealPair opencas(const fs::path& folder) {
-  const auto file = [&](const char* name) {
-    return folder / (std::string("Stereo_SD_d_complete_22_") + name);
-  };
-  RealPair pair;
-  pair.left = stereo::read_picture(file("IMG_left.bmp"));
-  pair.right = stereo::read_picture(file("IMG_right.bmp"));
-  pair.mask = inverted(stereo::read_picture(file("MASK_eval.png")));
-  pair.rig = stereo::read_text_calibration(folder, pair.left.width, pair.left.height);
-  return pair;
-}
-
-RealPair heart(const fs::path& folder) {
-  RealPair pair;
-  pair.left = stereo::read_picture(folder / "f7_dynamic_deint_L_0100.png");
-  pair.right = stereo::read_picture(folder / "f7_dynamic_deint_R_0100.png");
-  pair.mask = stereo::read_picture(folder / "f7_dynamic_deint_mask_0100.png");
-  pair.rig = stereo::read_text_calibration(folder, pair.left.width, pair.left.height);
-  return pair;
-}
 
 Cancellable<stereo::Reconstructed> reconstruct(const RealPair& pair, stereo::Method method,
                                                stereo::Features kind, const RunContext& context) {
@@ -110,7 +76,7 @@ constexpr Way kWays[] = {{"sparse", stereo::Method::sparse, stereo::Features::su
 
 bool prove_opencas(const fs::path& data, const fs::path& folder, StereoProof& proof,
                    const RunContext& context) {
-  const RealPair pair = opencas(data);
+  const RealPair pair = opencas(data, OpencasPart::with_truth);
   std::vector<stereo::Reconstructed> made;
   for (const Way& way : kWays) {
     auto result = reconstruct(pair, way.method, way.kind, context.quiet());

@@ -29,6 +29,7 @@ void JudgeOptions::validate() const {
   demand(supported >= 0.0 && supported <= 1.0, "supported", supported, "Give a share");
   demand(least_supported >= 0.0 && least_supported <= 1.0, "least_supported", least_supported,
          "Give a share");
+  demand(unknown > 0.0, "unknown", unknown, "Give a positive length");
   demand(contrast >= 0.0 && contrast <= 1.0, "contrast", contrast, "Give a share");
   demand(motion >= 0.0, "motion", motion, "Give a number from zero");
   demand(rows > 0.0, "rows", rows, "Give a positive number of pixels");
@@ -53,7 +54,7 @@ struct Judge::Impl {
     take(surface.check(first.left, first.right, nodes));
     first_supported = evidence.supported;
     apart.set(apartness() >= 1.0);
-    covered.set(evidence.supported < options.least_supported);
+    covered.set(coverage() >= 1.0);
     for (Alarm* alarm : {&poor, &stands, &views}) alarm->set(false);
     evidence.judged = true;
   }
@@ -74,7 +75,8 @@ struct Judge::Impl {
   /// 1 and more: too much is covered.
   double coverage() const {
     const double enough = std::max(options.least_supported, options.supported * first_supported);
-    return (1.0 - evidence.supported) / (1.0 - std::min(enough, 0.99));
+    return std::max((1.0 - evidence.supported) / (1.0 - std::min(enough, 0.99)),
+                    evidence.pull_sigma / options.unknown);
   }
 
   void look_at_surface(const StereoFrame& frame, const Points& nodes) {

@@ -2,10 +2,24 @@
 #pragma once
 
 #include <opencv2/imgproc.hpp>
+#include <string>
 
+#include "glisson/core/error.h"
+#include "glisson/geometry/camera.h"
 #include "glisson/patient/picture.h"
 
 namespace glisson::guidance {
+
+/// @throws InputError an empty picture, or one of another size than the camera's.
+inline void require_view(const Picture& picture, const Camera& camera, const char* name) {
+  if (picture.empty()) throw InputError(name, "picture", "is empty", "Give both views of every frame");
+  if (picture.width != camera.width || picture.height != camera.height)
+    throw InputError(name, "picture size",
+                     "is " + std::to_string(picture.width) + " x " + std::to_string(picture.height) +
+                         ", the calibration's is " + std::to_string(camera.width) + " x " +
+                         std::to_string(camera.height),
+                     "Use the calibration of this video");
+}
 
 /// The picture's own bytes, to be read. @pre not empty.
 inline cv::Mat view_of(const Picture& picture) {

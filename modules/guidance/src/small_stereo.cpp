@@ -6,7 +6,6 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "glisson/core/error.h"
 #include "picture_view.h"
 
 namespace glisson::guidance {
@@ -45,8 +44,7 @@ struct SmallStereo::Impl {
 
   static void rectified(const Picture& picture, const Camera& camera, const char* name, const cv::Mat* map,
                         cv::Mat& out) {
-    if (picture.empty() || picture.width != camera.width || picture.height != camera.height)
-      throw InputError(name, "picture size", "is not the calibration's", "Use the calibration of this video");
+    require_view(picture, camera, name);
     cv::remap(grey_of(picture), out, map[0], map[1], cv::INTER_LINEAR);
   }
 };

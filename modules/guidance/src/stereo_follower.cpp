@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "glisson/core/error.h"
+#include "glisson/core/statistics.h"
 #include "picture_view.h"
 #include "triangulate.h"
 
@@ -17,19 +18,17 @@ namespace {
 /// Grey levels from which a pixel is a highlight: it belongs to the lamp, not to the tissue.
 constexpr int kHighlight = 245;
 
+/// Lucas-Kanade's least eigenvalue, thousandths of squared slopes: a tenth of a grey level a pixel. Corners
+/// were chosen by the noise; this only keeps it from dividing by nothing.
+constexpr double kFlattest = 1e-5;
+
 struct View {
   cv::Mat grey;
   std::vector<cv::Mat> pyramid;
 };
 
 void to_grey(const Picture& picture, const Camera& camera, const char* name, cv::Mat& grey) {
-  if (picture.empty()) throw InputError(name, "picture", "is empty", "Give both views of every frame");
-  if (picture.width != camera.width || picture.height != camera.height)
-    throw InputError(name, "picture size",
-                     "is " + std::to_string(picture.width) + " x " + std::to_string(picture.height) +
-                         ", the calibration's is " + std::to_string(camera.width) + " x " +
-                         std::to_string(camera.height),
-                     "Use the calibration of this video");
+  require_view(picture, camera, name);
   if (picture.channels == 1)
     view_of(picture).copyTo(grey);
   else
@@ -56,9 +55,9 @@ std::vector<char> follow_both_ways(const View& from, const View& next, const std
   std::vector<float> error;
   std::vector<cv::Point2f> returned = start;
   cv::calcOpticalFlowPyrLK(from.pyramid, next.pyramid, start, to, there, error, window, options.levels - 1,
-                           stop, guessed ? cv::OPTFLOW_USE_INITIAL_FLOW : 0, 1e-3);
+                           stop, guessed ? cv::OPTFLOW_USE_INITIAL_FLOW : 0, kFlattest);
   cv::calcOpticalFlowPyrLK(next.pyramid, from.pyramid, to, returned, back, error, window, options.levels - 1,
-                           stop, cv::OPTFLOW_USE_INITIAL_FLOW, 1e-3);
+                           stop, cv::OPTFLOW_USE_INITIAL_FLOW, kFlattest);
   for (std::size_t i = 0; i < start.size(); ++i) {
     const cv::Point2f gap = returned[i] - start[i];
     good[i] = there[i] != 0 && back[i] != 0 &&
@@ -79,11 +78,55 @@ std::vector<cv::Point2f> pixels(const std::vector<FollowedPoint>& points, bool l
 
 Eigen::Vector2d pixel(const cv::Point2f& p) { return {p.x, p.y}; }
 
+bool is_seen(const Camera& camera, const cv::Mat& inside, const Eigen::Vector2d& at) {
+  return camera.sees(at) &&
+         (inside.empty() || inside.at<std::uint8_t>(static_cast<int>(std::lround(at.y())),
+                                                    static_cast<int>(std::lround(at.x()))) != 0);
+}
+
+/// Deviation of a picture's noise where `allowed` (half the size), grey levels: what Immerkaer's mask (1996),
+/// which is blind to slopes, leaves there. The lower quartile, since texture is in it too. At least that of
+/// whole grey levels.
+double noise_of(const cv::Mat& grey, const cv::Mat& allowed) {
+  constexpr double kRounding = 0.29, kGain = 6.0, kQuartile = 0.3186;
+  const cv::Mat mask = (cv::Mat_<float>(3, 3) << 1, -2, 1, -2, 4, -2, 1, -2, 1);
+  cv::Mat left;
+  cv::filter2D(grey, left, CV_16S, mask);
+  std::vector<int> sizes;
+  for (int y = 0; y < allowed.rows; ++y)
+    for (int x = 0; x < allowed.cols; ++x)
+      if (allowed.at<std::uint8_t>(y, x) != 0) sizes.push_back(std::abs(left.at<std::int16_t>(2 * y, 2 * x)));
+  if (sizes.empty()) return kRounding;
+  return std::max(kRounding, lower_percentile(std::move(sizes), 0.25) / (kQuartile * kGain));
+}
+
+/// Corners that noise lets be found again within half a pixel of the whole picture: 2 s^2 / (sum of squared
+/// slopes) is the square of Lucas-Kanade's error. A share of the strongest corner would ask of plain tissue
+/// what beads, clips and the rims of highlights have.
+/// @param half the picture at half its size. @return at most `most`, strongest first, in `half`.
+std::vector<cv::Point2f> corners_of(const cv::Mat& whole, const cv::Mat& half, const cv::Mat& allowed,
+                                    int most, double spacing) {
+  constexpr int kBlock = 5;
+  constexpr double kWithin = 0.25;                      // pixels of `half`
+  const double noise = 0.5 * noise_of(whole, allowed);  // of four pixels' mean
+  // OpenCV gives the least eigenvalue of slopes that are twice as large, over block and grey levels.
+  const double scale = 2.0 / (kBlock * 255.0);
+  const double least = 2.0 * noise * noise / (kWithin * kWithin) * scale * scale;
+  cv::Mat strength;
+  cv::cornerMinEigenVal(half, strength, kBlock);
+  double strongest = 0.0;
+  cv::minMaxLoc(strength, nullptr, &strongest, nullptr, nullptr, allowed);
+  std::vector<cv::Point2f> corners;
+  if (strongest > least)
+    cv::goodFeaturesToTrack(half, corners, most, least / strongest, spacing, allowed, kBlock);
+  return corners;
+}
+
 }  // namespace
 
 struct StereoFollower::Images {
   View left, right, left_before, right_before;
-  cv::Mat mask;
+  cv::Mat tissue, inside_left, inside_right;  ///< empty: everywhere
 };
 
 StereoFollower::StereoFollower(const StereoRig& rig, const FollowerOptions& options)
@@ -91,11 +134,13 @@ StereoFollower::StereoFollower(const StereoRig& rig, const FollowerOptions& opti
 
 StereoFollower::~StereoFollower() = default;
 
-void StereoFollower::begin(const StereoFrame& first, const Picture& mask) {
+void StereoFollower::begin(const StereoFrame& first, const SeenParts& parts) {
   make_view(first.left, rig_.left, "left view", options_, images_->left);
   make_view(first.right, rig_.right, "right view", options_, images_->right);
-  images_->mask.release();
-  if (!mask.empty()) to_grey(mask, rig_.left, "mask", images_->mask);
+  for (const auto& [part, mat] : {std::pair{&parts.tissue, &images_->tissue},
+                                  {&parts.left, &images_->inside_left},
+                                  {&parts.right, &images_->inside_right}})
+    *mat = part->empty() ? cv::Mat() : view_of(*part).clone();
   points_.clear();
   before_.clear();
 }
@@ -139,7 +184,9 @@ StereoFollower::Counts StereoFollower::follow(const StereoFrame& frame) {
     FollowedPoint point = points_[i];
     point.left = pixel(left[i]);
     point.right = pixel(right[i]);
-    if (!rig_.left.sees(point.left) || !rig_.right.sees(point.right)) continue;
+    if (!is_seen(rig_.left, images_->inside_left, point.left) ||
+        !is_seen(rig_.right, images_->inside_right, point.right))
+      continue;
     const Triangulated in_space = triangulate(rig_, point.left, point.right);
     if (!in_space.good || in_space.epipolar_px > options_.epipolar_px) continue;
     point.p_in_camera = in_space.p;
@@ -173,17 +220,16 @@ int StereoFollower::replenish(const Expected& expected) {
   cv::resize(left.grey, half, cv::Size(), 0.5, 0.5, cv::INTER_AREA);
   cv::compare(half, kHighlight, allowed, cv::CMP_LT);
   cv::erode(allowed, allowed, cv::Mat(), cv::Point(-1, -1), 3);
-  if (!images_->mask.empty()) {
-    cv::Mat mask;
-    cv::resize(images_->mask, mask, half.size(), 0, 0, cv::INTER_NEAREST);
-    allowed &= mask > 0;
+  if (!images_->tissue.empty()) {
+    cv::Mat tissue;
+    cv::resize(images_->tissue, tissue, half.size(), 0, 0, cv::INTER_NEAREST);
+    allowed &= tissue > 0;
   }
   const double spacing = 0.4 * std::sqrt(static_cast<double>(left.grey.total()) / options_.points);
   for (const FollowedPoint& point : points_)
     cv::circle(allowed, cv::Point(static_cast<int>(point.left.x() / 2), static_cast<int>(point.left.y() / 2)),
                static_cast<int>(spacing / 2), cv::Scalar(0), cv::FILLED);
-  std::vector<cv::Point2f> corners;
-  cv::goodFeaturesToTrack(half, corners, 3 * wanted, 0.01, spacing / 2, allowed, 5);
+  const std::vector<cv::Point2f> corners = corners_of(left.grey, half, allowed, 3 * wanted, spacing / 2);
 
   std::vector<cv::Point2f> start, guess;
   for (const cv::Point2f& corner : corners) {
@@ -193,7 +239,7 @@ int StereoFollower::replenish(const Expected& expected) {
     const Eigen::Vector3d in_right = rig_.right_from_left.rotation * *p + rig_.right_from_left.translation;
     if (in_right.z() <= 0.0) continue;
     const Eigen::Vector2d there = rig_.right.project(in_right);
-    if (!rig_.right.sees(there)) continue;
+    if (!is_seen(rig_.right, images_->inside_right, there)) continue;
     start.emplace_back(static_cast<float>(at.x()), static_cast<float>(at.y()));
     guess.emplace_back(static_cast<float>(there.x()), static_cast<float>(there.y()));
   }

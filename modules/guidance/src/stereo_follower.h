@@ -9,6 +9,7 @@
 
 #include "glisson/geometry/camera.h"
 #include "glisson/patient/picture.h"
+#include "seen_parts.h"
 
 namespace glisson::guidance {
 
@@ -38,9 +39,9 @@ class StereoFollower {
   StereoFollower(const StereoRig& rig, const FollowerOptions& options);
   ~StereoFollower();
 
-  /// @param mask optional, of the left picture's size; non-zero where points may start.
-  /// @throws InputError when a picture or the mask is not of the calibration's size.
-  void begin(const StereoFrame& first, const Picture& mask);
+  /// @param parts points start where `tissue` is, and go where they leave `left` or `right`.
+  /// @throws InputError when a picture is not of the calibration's size.
+  void begin(const StereoFrame& first, const SeenParts& parts);
 
   /// Follows all points into the next frame; those that fail a gate are gone.
   /// @return how many each camera followed on its own, before the gates between the two.

@@ -29,6 +29,8 @@ constexpr std::size_t kLeastInRegion = 6;
 constexpr double kRegionStereoShare = 0.5;
 constexpr double kReach = 15e-3;  ///< metres; what lies farther off the model is not it
 constexpr int kFitSteps = 8;
+/// Cauchy's scale, standard deviations: a wrong match weighs little, also against what it claims to know.
+constexpr double kCauchy = 3.0;
 constexpr int kFitEvery = 2;  ///< place of the grid, along both axes: what lies between says the same
 /// Before anything is seen, the organ may be anywhere within so much: what stays unknown shows as pull_sigma.
 constexpr double kPriorShift = 0.03, kPriorTurn = 0.35;  ///< metres, radians
@@ -49,6 +51,11 @@ struct Correction {
 struct Wish {
   Eigen::Vector3d at, direction;
   double distance = 0.0, sigma = 1.0;
+  double weight = 0.0;  ///< 1 / m^2
+  double robust_weight() const {
+    const double off = distance / (kCauchy * sigma);
+    return 1.0 / (sigma * sigma * (1.0 + off * off));
+  }
 };
 
 }  // namespace
@@ -186,7 +193,7 @@ struct SurfaceCheck::Impl {
     }
     add_free_space(now, wishes, group, count);
     for (std::size_t i = 0; i < wishes.size(); ++i)
-      wishes[i].sigma *= std::sqrt(std::max(1.0, count[group[i]] / kIndependentInRegion));
+      wishes[i].weight = wishes[i].robust_weight() / std::max(1.0, count[group[i]] / kIndependentInRegion);
   }
 
   /// Where the organ is predicted and stereo looks past it, it should move to where stereo sees it.
@@ -242,9 +249,8 @@ struct SurfaceCheck::Impl {
       for (const Wish& wish : wishes) {
         Eigen::Matrix<double, 6, 1> row;
         row << wish.direction, (wish.at - now.centre - now.shift).cross(wish.direction);
-        const double weight = 1.0 / (wish.sigma * wish.sigma);
-        information += weight * row * row.transpose();
-        side += weight * wish.distance * row;
+        information += wish.weight * row * row.transpose();
+        side += wish.weight * wish.distance * row;
       }
       const Eigen::AngleAxisd so_far(now.turn);
       Eigen::Matrix<double, 6, 1> place;
@@ -287,7 +293,10 @@ SurfaceCheck::~SurfaceCheck() = default;
 SurfaceEvidence SurfaceCheck::check(const Picture& left, const Picture& right,
                                     const Points& nodes_in_camera) {
   SurfaceEvidence evidence;
-  const std::vector<SeenPoint> points = impl_->stereo.see(left, right);
+  std::vector<SeenPoint> points = impl_->stereo.see(left, right);
+  std::erase_if(points, [&](const SeenPoint& point) {
+    return impl_->allowed[impl_->index(point.column, point.row)] == 0;
+  });
   impl_->predict(nodes_in_camera);
   impl_->compare(points, evidence);
   impl_->fit(points, evidence);

@@ -136,19 +136,19 @@ struct Tracker::Impl {
     follow.window_px = options.window_px;
     follow.levels = options.levels;
     if (options.hold_start) rest_here();
+    parts = seen_parts(first, rig, mask);
     follower.emplace(rig, follow);
-    follower->begin(first, mask);
+    follower->begin(first, parts);
     anchors.clear();
     camera = rig.left;
     seen = seen_area();
     replenish();
-    given_mask = mask;
-    relocator = std::make_unique<Relocator>(rig, mask);
+    relocator = std::make_unique<Relocator>(rig, parts.tissue);
     relocator->remember(first.left, surface);
     lost = since_key_frame = 0;
     judge.reset();
     if (!options.judge.enabled) return;
-    judge = std::make_unique<Judge>(patient, rig, mask, options.judge);
+    judge = std::make_unique<Judge>(patient, rig, parts.tissue, options.judge);
     judge->begin(first, integrator.positions());
   }
 
@@ -223,7 +223,7 @@ struct Tracker::Impl {
         validity == Validity::surface_apart)
       return;
     move_all(*found);
-    follower->begin(frame, given_mask);
+    follower->begin(frame, parts);
     anchors.clear();
     replenish();
     if (judge) judge->distrust();
@@ -364,7 +364,7 @@ struct Tracker::Impl {
   AnchoredPoints anchors;
   std::unique_ptr<Judge> judge;          ///< none while clouds are followed
   std::unique_ptr<Relocator> relocator;  ///< likewise
-  Picture given_mask;
+  SeenParts parts;
   int lost = 0;             ///< frames without an overlay
   int since_key_frame = 0;  ///< valid frames
   Camera camera;

@@ -10,17 +10,19 @@
 #include "glisson/experiments/aims.h"
 
 /// @file
-/// What the live overlay says of itself when something is wrong, measured in the theatre, where the truth is
-/// known: wrong starts, and faults put into the frames.
+/// What the live overlay says of itself when something is wrong, measured where the truth is known: in the
+/// theatre, and on real tissue that is set in motion. Wrong starts, and faults put into the frames.
 
 namespace glisson::experiments {
 
 struct LiveProofOptions {
-  /// Patients and theatres. Limits of guidance::JudgeOptions were set on others (101, 102); 7 and 8 were looked
-  /// at before the relocator was written.
+  /// Patients and theatres. Limits of guidance::JudgeOptions were set on others (101, 102); 7 and 8 were
+  /// looked at before the relocator was written.
   std::vector<std::uint64_t> seeds{11, 12};
   int frames = 120;  ///< of each run, 30 a second
   int onset = 30;    ///< frame from which a fault of the frames is there
+  /// The folder with stereo_opencas, liver tissue before a real laparoscope; without it only the theatre.
+  std::filesystem::path data;
   std::string only;  ///< runs whose name contains this; empty: all
   /// @throws InputError naming the option.
   void validate() const;
@@ -28,13 +30,16 @@ struct LiveProofOptions {
 
 struct LiveProof {
   /// Over all runs: share of the frames truly over 10 mm that are not valid, of those under 3 mm that are
-  /// valid (of all, and of those without a fault), seconds to the withdrawal, milliseconds of a frame.
+  /// valid (of all, and of those without a fault), seconds to the withdrawal, milliseconds of a frame. Keys
+  /// begin with "live_", those of real tissue with "live_tissue_".
   Figures figures;
-  std::vector<std::string> table;  ///< a line each fault, the first its heads
+  std::vector<std::string> absent;  ///< sets of real data that were left out
+  std::vector<std::string> table;   ///< a line each fault, the first its heads
 };
 
-/// Leaves `live.csv`, a line each frame with its error and evidence, and `live.txt`, the table, in `folder`,
-/// which exists. A frame's error is the largest over the lesions' centres. Empty: cancelled. @throws Error.
+/// Leaves `live.csv`, a line each frame with its error and evidence, `live.txt`, the table, and pictures
+/// of the moved tissue in `folder`, which exists. A frame's error is the largest over the lesions' centres.
+/// Empty: cancelled. @throws Error.
 Cancellable<LiveProof> prove_live(const LiveProofOptions& options, const std::filesystem::path& folder,
                                   const RunContext& context);
 

@@ -14,10 +14,11 @@ struct JudgeOptions {
   double pull = 6e-3;            ///< metres, Evidence::pull, where it is ...
   double pull_sigmas = 3.0;      ///< ... also so many of its standard deviations
   double supported = 0.7;        ///< Evidence::supported, of what it was at the start: less is covered
-  double least_supported = 0.3;  ///< at the start: less cannot be judged
-  double contrast = 0.55;        ///< Evidence::contrast
-  double motion = 2.5;           ///< Evidence::motion: less is none
-  double rows = 0.35;            ///< pixels, Evidence::rows
+  double least_supported = 0.1;  ///< at the start: less cannot be judged
+  double unknown = 10e-3;  ///< metres, Evidence::pull_sigma: what is seen does not tell where the organ is
+  double contrast = 0.55;  ///< Evidence::contrast
+  double motion = 2.5;     ///< Evidence::motion: less is none
+  double rows = 0.35;      ///< pixels, Evidence::rows
   double relief = 0.8;
   /// @throws InputError naming the option.
   void validate() const;

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "live_stage.h"
+
+#include <utility>
+
+#include "glisson/insilico/patient.h"
+#include "glisson/insilico/theatre.h"
+#include "glisson/model/build.h"
+#include "moved_tissue.h"
+
+namespace glisson::experiments {
+namespace {
+
+/// @return false: cancelled.
+bool film(const insilico::Theatre& theatre, Filmed& filmed, const RunContext& context) {
+  for (int k = 0; k < theatre.frame_count(); ++k) {
+    if (context.cancelled()) return false;
+    filmed.film.push_back(theatre.render(k));
+    filmed.targets.push_back(theatre.truth(k).targets_in_camera);
+    context.progress((k + 1.0) / theatre.frame_count(), "prove.theatre");
+  }
+  return true;
+}
+
+}  // namespace
+
+Cancellable<LiveStage> theatre_stage(std::uint64_t seed, int frames, const RunContext& context) {
+  insilico::PatientOptions patient_options;
+  patient_options.shape_seed = seed;
+  patient_options.spacing_mm = {2.5, 2.5, 2.5};
+  patient_options.surface_spacing_mm = 2.0;
+  auto patient = insilico::make_patient(patient_options, context.part(0.0, 0.15));
+  if (!patient) return std::nullopt;
+  auto built = model::build_from_labels(patient->truth, {}, context.part(0.15, 0.35));
+  if (!built) return std::nullopt;
+  PatientModel shown;
+  shown.surfaces = std::move(patient->surfaces);
+  shown.vessels = std::move(patient->trees);
+  shown.landmarks = std::move(patient->landmarks);
+  insilico::TheatreOptions theatre_options;
+  theatre_options.seed = seed;
+  theatre_options.frames = frames;
+  auto theatre = insilico::Theatre::build(shown, theatre_options, context.part(0.35, 0.6));
+  if (!theatre) return std::nullopt;
+  LiveStage stage;
+  stage.model = std::move(built->model);
+  stage.rig = (*theatre)->rig();
+  if (!film(**theatre, stage.standing, context.part(0.6, 0.8))) return std::nullopt;
+  // Up to 10 degrees and 45 mm a second, a third nearer and farther.
+  (*theatre)->move_scope({.pivot_deg = 6.0, .slide_mm = 30.0, .roll_deg = 10.0});
+  if (!film(**theatre, stage.held, context.part(0.8, 1.0))) return std::nullopt;
+  stage.start = (*theatre)->carry(stage.model.mesh.vertices, 0);
+  const auto& targets = (*theatre)->targets();
+  stage.targets_in_model.resize(static_cast<Eigen::Index>(targets.size()), 3);
+  for (std::size_t i = 0; i < targets.size(); ++i)
+    stage.targets_in_model.row(static_cast<Eigen::Index>(i)) = targets[i].centre_in_ct.transpose();
+  return stage;
+}
+
+Cancellable<LiveStage> tissue_stage(const std::filesystem::path& folder, int frames,
+                                    const RunContext& context) {
+  const RealPair pair = opencas(folder, OpencasPart::tissue);
+  auto tissue = set_in_motion(pair, frames, 1, context);
+  if (!tissue) return std::nullopt;
+  LiveStage stage;
+  stage.start = tissue->model.mesh.vertices;
+  stage.model = std::move(tissue->model);
+  stage.rig = pair.rig;
+  stage.standing = {std::move(tissue->standing), std::move(tissue->standing_targets)};
+  stage.held = {std::move(tissue->held), std::move(tissue->held_targets)};
+  stage.targets_in_model = std::move(tissue->targets);
+  return stage;
+}
+
+}  // namespace glisson::experiments

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "glisson/core/run_context.h"
+#include "glisson/patient/patient_model.h"
+#include "live_faults.h"
+
+namespace glisson::experiments {
+
+/// What was filmed, and where the lesions' centres truly were in each frame: left camera's frame, metres.
+struct Filmed {
+  Film film;
+  std::vector<Points> targets;
+};
+
+/// An organ filmed by a laparoscope that stands and by one in a hand, with the model that is to follow.
+struct LiveStage {
+  PatientModel model;
+  StereoRig rig;
+  Filmed standing, held;
+  Points start;             ///< the model's nodes where they truly are in the first frame
+  Points targets_in_model;  ///< the lesions' centres, in the model's frame
+};
+
+/// A synthetic patient in the theatre. Empty: cancelled.
+Cancellable<LiveStage> theatre_stage(std::uint64_t seed, int frames, const RunContext& context);
+
+/// Real tissue set in motion (moved_tissue.h). @param folder of `stereo_opencas`. Empty: cancelled. @throws
+/// FileError, InputError.
+Cancellable<LiveStage> tissue_stage(const std::filesystem::path& folder, int frames,
+                                    const RunContext& context);
+
+}  // namespace glisson::experiments
