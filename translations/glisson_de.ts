@@ -3625,6 +3625,14 @@
         <source>These labels neither lose nor gain a voxel: parenchyma, portal_vein, hepatic_veins, vena_cava, gallbladder, lesion_1, ..., with commas.</source>
         <translation>Diese Labels verlieren und gewinnen kein Voxel: parenchyma, portal_vein, hepatic_veins, vena_cava, gallbladder, lesion_1, ..., mit Kommas.</translation>
     </message>
+    <message>
+        <source>live, heart: frames over 10 mm that are not valid, share</source>
+        <translation>live, Herz: Bilder über 10 mm, die nicht gültig sind, Anteil</translation>
+    </message>
+    <message>
+        <source>live, heart: frames under 3 mm without a fault that are valid, share</source>
+        <translation>live, Herz: Bilder unter 3 mm ohne Fehler, die gültig sind, Anteil</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AngleHistogram</name>

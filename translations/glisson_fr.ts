@@ -3625,6 +3625,14 @@
         <source>These labels neither lose nor gain a voxel: parenchyma, portal_vein, hepatic_veins, vena_cava, gallbladder, lesion_1, ..., with commas.</source>
         <translation>Ces étiquettes ne perdent ni ne gagnent de voxel : parenchyma, portal_vein, hepatic_veins, vena_cava, gallbladder, lesion_1, ..., séparés par des virgules.</translation>
     </message>
+    <message>
+        <source>live, heart: frames over 10 mm that are not valid, share</source>
+        <translation>en direct, cœur : images à plus de 10 mm qui ne sont pas valides, part</translation>
+    </message>
+    <message>
+        <source>live, heart: frames under 3 mm without a fault that are valid, share</source>
+        <translation>en direct, cœur : images à moins de 3 mm sans défaut qui sont valides, part</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AngleHistogram</name>

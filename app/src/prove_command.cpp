@@ -128,8 +128,8 @@ constexpr Proof kProofs[] = {
      experiments::registration_aims, prove_registration},
     {"live", "What the live overlay says of itself when something is wrong",
      "Wrong starts, and faults put into the frames of the theatre (in silico), on patients and films that no "
-     "limit was set on; and into a real pair of liver tissue that is set in motion in a known way (real "
-     "texture and lens, simulated motion).",
+     "limit was set on; and into real pairs of liver tissue (for development) and of a silicone heart (for "
+     "validation) that are set in motion in a known way: real texture and lens, simulated motion.",
      experiments::live_aims, prove_live},
 };
 

@@ -38,6 +38,12 @@ const std::vector<Aim>& live_aims() {
                          "live, tissue: largest error at a place below the surface with a scope in a "
                          "hand, mean over frames, mm"),
        real, at_most, 1.5, 2},
+      {"live_heart_far_hidden_share",
+       QT_TRANSLATE_NOOP("cli", "live, heart: frames over 10 mm that are not valid, share"), phantom,
+       at_least, 0.99, 3},
+      {"live_heart_near_sound_valid_share",
+       QT_TRANSLATE_NOOP("cli", "live, heart: frames under 3 mm without a fault that are valid, share"),
+       phantom, at_least, 0.95, 3},
   };
   return kAims;
 }

@@ -210,11 +210,23 @@ void sum_up(const Gathered& gathered, const char* title, const std::string& pref
   proof.figures[prefix + "frame_p99_ms"] = lower_percentile(all.milliseconds, 0.99);
 }
 
-/// A moment of the tissue's films, to be looked at.
-void write_pictures(const std::filesystem::path& folder, const LiveStage& stage) {
+/// A real pair that is set in motion.
+struct RealSet {
+  const char* folder;
+  const char* title;
+  const char* prefix;  ///< of the figures' keys
+  RealPair (*read)(const std::filesystem::path& folder);
+};
+constexpr RealSet kRealSets[] = {
+    {"stereo_opencas", "liver tissue, moved", "live_tissue_",
+     [](const std::filesystem::path& folder) { return opencas(folder, OpencasPart::tissue); }},
+    {"stereo_heart", "silicone heart, moved", "live_heart_", heart}};
+
+/// A moment of its films, to be looked at.
+void write_pictures(const std::filesystem::path& folder, const std::string& set, const LiveStage& stage) {
   const std::size_t k = stage.standing.film.size() / 3;
   for (const auto& [name, filmed] : {std::pair{"standing", &stage.standing}, {"held", &stage.held}}) {
-    const std::string start = std::string("tissue_") + name;
+    const std::string start = set + "_" + name;
     stereo::write_picture(folder / (start + "_left.png"), filmed->film[k].left);
     stereo::write_picture(folder / (start + "_right.png"), filmed->film[k].right);
   }
@@ -254,7 +266,7 @@ Cancellable<LiveProof> prove_live(const LiveProofOptions& options, const std::fi
   std::string csv =
       "stage,fault,frame,faulty,error_mm,validity,pairs,residual_mm,supported,gap,behind,pull_mm,"
       "pull_sigma_mm,contrast,motion,rows_px,ms\n";
-  Gathered theatre, tissue;
+  Gathered theatre;
   const double part = 1.0 / (static_cast<double>(options.seeds.size()) + 1.0);
   double done = 0.0;
   for (const std::uint64_t seed : options.seeds) {
@@ -264,18 +276,23 @@ Cancellable<LiveProof> prove_live(const LiveProofOptions& options, const std::fi
       return std::nullopt;
     done += part;
   }
-  if (options.data.empty() || !std::filesystem::exists(options.data / "stereo_opencas")) {
-    proof.absent.emplace_back("stereo_opencas");
-  } else {
-    const auto stage =
-        tissue_stage(options.data / "stereo_opencas", options.frames, context.part(done, done + 0.3 * part));
-    if (!stage) return std::nullopt;
-    write_pictures(folder, *stage);
-    if (!try_faults(*stage, "tissue", 1, options, tissue, csv, context.part(done + 0.3 * part, 1.0)))
-      return std::nullopt;
-  }
   sum_up(theatre, "in the theatre", "live_", proof);
-  sum_up(tissue, "real tissue, moved", "live_tissue_", proof);
+  for (const RealSet& set : kRealSets) {
+    if (options.data.empty() || !std::filesystem::exists(options.data / set.folder)) {
+      proof.absent.emplace_back(set.folder);
+      continue;
+    }
+    const auto stage = pair_stage(set.read(options.data / set.folder), options.frames,
+                                  context.part(done, done + 0.1 * part));
+    if (!stage) return std::nullopt;
+    write_pictures(folder, set.folder, *stage);
+    Gathered gathered;
+    if (!try_faults(*stage, set.folder, 1, options, gathered, csv,
+                    context.part(done + 0.1 * part, done + 0.5 * part)))
+      return std::nullopt;
+    sum_up(gathered, set.title, set.prefix, proof);
+    done += 0.5 * part;
+  }
   std::string table;
   for (const std::string& line : proof.table) table += line + "\n";
   write_file_atomically(folder / "live.csv", csv);

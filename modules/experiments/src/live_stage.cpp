@@ -57,9 +57,7 @@ Cancellable<LiveStage> theatre_stage(std::uint64_t seed, int frames, const RunCo
   return stage;
 }
 
-Cancellable<LiveStage> tissue_stage(const std::filesystem::path& folder, int frames,
-                                    const RunContext& context) {
-  const RealPair pair = opencas(folder, OpencasPart::tissue);
+Cancellable<LiveStage> pair_stage(const RealPair& pair, int frames, const RunContext& context) {
   auto tissue = set_in_motion(pair, frames, 1, context);
   if (!tissue) return std::nullopt;
   LiveStage stage;

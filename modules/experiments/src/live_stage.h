@@ -2,12 +2,12 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <vector>
 
 #include "glisson/core/run_context.h"
 #include "glisson/patient/patient_model.h"
 #include "live_faults.h"
+#include "real_pairs.h"
 
 namespace glisson::experiments {
 
@@ -29,9 +29,7 @@ struct LiveStage {
 /// A synthetic patient in the theatre. Empty: cancelled.
 Cancellable<LiveStage> theatre_stage(std::uint64_t seed, int frames, const RunContext& context);
 
-/// Real tissue set in motion (moved_tissue.h). @param folder of `stereo_opencas`. Empty: cancelled. @throws
-/// FileError, InputError.
-Cancellable<LiveStage> tissue_stage(const std::filesystem::path& folder, int frames,
-                                    const RunContext& context);
+/// A real pair set in motion (moved_tissue.h). Empty: cancelled. @throws InputError.
+Cancellable<LiveStage> pair_stage(const RealPair& pair, int frames, const RunContext& context);
 
 }  // namespace glisson::experiments

@@ -99,7 +99,7 @@ struct Judge::Impl {
     motion.push(before, now, rig);
     const double left = motion.motion_left(), right = motion.motion_right();
     evidence.rows = motion.rows();
-    views.push(std::abs(evidence.rows) / options.rows, 1.0, options.relief);
+    views.push(std::abs(evidence.rows) / std::max(options.rows, motion.rows_scatter()), 1.0, options.relief);
     if (left < 0.0 || right < 0.0) return;
     evidence.motion = std::min(left, right);
     stands.push(options.motion / std::max(evidence.motion, 1e-6), 1.0, options.relief);

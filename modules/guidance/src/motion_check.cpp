@@ -19,10 +19,6 @@ constexpr int kGroups = 4;  ///< along each side of the picture
 constexpr int kFirstFrames = 5;
 constexpr double kUnknown = -1.0;
 
-double median_or_zero(std::vector<double> values) {
-  return values.empty() ? 0.0 : upper_median(std::move(values));
-}
-
 /// Motion of one frame: per group of the picture the squared mean of the points' ways over its expected
 /// variance, which their scatter in the group tells; the mean over groups and both axes.
 double squared_motion(const std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>>& place_and_way,
@@ -83,8 +79,11 @@ void MotionCheck::push(const std::vector<FollowedPoint>& before, const std::vect
   frames_.push_back(frame);
   if (frames_.size() > kFrames) frames_.pop_front();
   if (offsets.empty()) return;
-  const double offset = median_or_zero(std::move(offsets));
-  if (rows_seen_ < kFirstFrames) first_rows_ = (rows_seen_ * first_rows_ + offset) / (rows_seen_ + 1.0);
+  const double offset = upper_median(offsets);
+  if (rows_seen_ < kFirstFrames) {
+    first_rows_ = (rows_seen_ * first_rows_ + offset) / (rows_seen_ + 1.0);
+    rows_scatter_ = std::max(rows_scatter_, kDeviationPerMad * median_absolute_deviation(offsets, offset));
+  }
   ++rows_seen_;
   rows_ = offset - first_rows_;
 }

@@ -25,6 +25,9 @@ class MotionCheck {
   /// Median over the points of how far they are off their epipolar line, signed, less what it was at first:
   /// two views of one moment keep their rows. Pixels.
   double rows() const { return rows_; }
+  /// By how much points differed in that at first, one deviation, pixels: what the calibration leaves changes
+  /// over the picture, and a smaller change of the median may come from seeing another place.
+  double rows_scatter() const { return rows_scatter_; }
 
  private:
   struct Frame {
@@ -34,7 +37,7 @@ class MotionCheck {
   double motion(bool left) const;
 
   std::deque<Frame> frames_;
-  double rows_ = 0.0, first_rows_ = 0.0;
+  double rows_ = 0.0, first_rows_ = 0.0, rows_scatter_ = 0.0;
   int rows_seen_ = 0;
 };
 

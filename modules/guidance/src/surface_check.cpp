@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 
 #include "glisson/core/statistics.h"
 #include "glisson/registration/moving_surface.h"
@@ -157,7 +158,12 @@ struct SurfaceCheck::Impl {
     int regions = 0;
     for (const auto& [group, values] : gaps) {
       if (values.size() < kLeastInRegion) continue;
-      sum += std::pow(upper_median(values) * static_cast<double>(values.size()) / sigmas[group], 2);
+      const auto n = static_cast<double>(values.size());
+      const double median = upper_median(values);
+      // A median of scattered values, as wrong matches are, says little.
+      const double scatter = kDeviationPerMad * median_absolute_deviation(values, median);
+      sum += std::pow(median, 2) /
+             (std::pow(sigmas[group] / n, 2) + 0.5 * std::numbers::pi * scatter * scatter / n);
       ++regions;
     }
     evidence.gap = regions > 0 ? std::sqrt(sum / regions) : 0.0;

@@ -21,7 +21,8 @@ struct LiveProofOptions {
   std::vector<std::uint64_t> seeds{11, 12};
   int frames = 120;  ///< of each run, 30 a second
   int onset = 30;    ///< frame from which a fault of the frames is there
-  /// The folder with stereo_opencas, liver tissue before a real laparoscope; without it only the theatre.
+  /// The folder with stereo_opencas (liver tissue before a real laparoscope; for development) and
+  /// stereo_heart (silicone; for validation); what is absent is left out.
   std::filesystem::path data;
   std::string only;  ///< runs whose name contains this; empty: all
   /// @throws InputError naming the option.
@@ -31,7 +32,8 @@ struct LiveProofOptions {
 struct LiveProof {
   /// Over all runs: share of the frames truly over 10 mm that are not valid, of those under 3 mm that are
   /// valid (of all, and of those without a fault), seconds to the withdrawal, milliseconds of a frame. Keys
-  /// begin with "live_", those of real tissue with "live_tissue_".
+  /// begin with "live_", those of real pairs with "live_tissue_" and
+  /// "live_heart_".
   Figures figures;
   std::vector<std::string> absent;  ///< sets of real data that were left out
   std::vector<std::string> table;   ///< a line each fault, the first its heads
