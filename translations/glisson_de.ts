@@ -3633,6 +3633,22 @@
         <source>live, heart: frames under 3 mm without a fault that are valid, share</source>
         <translation>live, Herz: Bilder unter 3 mm ohne Fehler, die gültig sind, Anteil</translation>
     </message>
+    <message>
+        <source>live, tissue: frames over 10 mm that are not valid, share</source>
+        <translation>live, Gewebe: Bilder über 10 mm, die nicht gültig sind, Anteil</translation>
+    </message>
+    <message>
+        <source>live, tissue: frames under 3 mm without a fault that are valid, share</source>
+        <translation>live, Gewebe: Bilder unter 3 mm ohne Fehler, die gültig sind, Anteil</translation>
+    </message>
+    <message>
+        <source>live, tissue: longest time until an overlay goes, s</source>
+        <translation>live, Gewebe: längste Zeit, bis eine Überlagerung verschwindet, s</translation>
+    </message>
+    <message>
+        <source>live, tissue: largest error at a place below the surface with a scope in a hand, mean over frames, mm</source>
+        <translation>live, Gewebe: größter Fehler an einer Stelle unter der Oberfläche bei gehaltenem Laparoskop, Mittel über die Bilder, mm</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AngleHistogram</name>

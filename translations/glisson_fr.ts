@@ -3633,6 +3633,22 @@
         <source>live, heart: frames under 3 mm without a fault that are valid, share</source>
         <translation>en direct, cœur : images à moins de 3 mm sans défaut qui sont valides, part</translation>
     </message>
+    <message>
+        <source>live, tissue: frames over 10 mm that are not valid, share</source>
+        <translation>en direct, tissu : images à plus de 10 mm qui ne sont pas valides, part</translation>
+    </message>
+    <message>
+        <source>live, tissue: frames under 3 mm without a fault that are valid, share</source>
+        <translation>en direct, tissu : images à moins de 3 mm sans défaut qui sont valides, part</translation>
+    </message>
+    <message>
+        <source>live, tissue: longest time until an overlay goes, s</source>
+        <translation>en direct, tissu : temps le plus long avant que la superposition disparaisse, s</translation>
+    </message>
+    <message>
+        <source>live, tissue: largest error at a place below the surface with a scope in a hand, mean over frames, mm</source>
+        <translation>en direct, tissu : plus grande erreur en un point sous la surface avec un laparoscope tenu à la main, moyenne sur les images, mm</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AngleHistogram</name>
