@@ -98,6 +98,12 @@ void prove_registration(const Arguments& arguments, Session& session, const fs::
   options.seed = arguments.seed();
   options.data = arguments.path("data");
   options.validation = !arguments.has("development-only");
+  options.resume = arguments.has("resume");
+  if (arguments.has("quick")) {
+    options.patients = 2;
+    options.shares = {0.3};
+    options.rivals = false;
+  }
   auto proof = experiments::prove_registration(options, folder, session.context());
   if (!proof) throw Interrupted();
   for (const std::string& line : proof->table) say(QString::fromStdString(line));
@@ -174,6 +180,8 @@ int run_prove(const QStringList& given) {
   arguments.flag("real-only", Cli::tr("Leave out what is measured in silico."));
   arguments.flag("development-only",
                  Cli::tr("registration: leave the validation patients alone, as when limits are set."));
+  arguments.flag("quick", Cli::tr("registration: two patients of either set and one share that is seen."));
+  arguments.flag("resume", Cli::tr("registration: keep what DIR/registration.csv holds already."));
   arguments.option(
       "figures",
       Cli::tr("Folder for the page with the figures. In a checkout they go to packaging/figures, "

@@ -11,7 +11,6 @@
 #include <mutex>
 
 #include "glisson/core/error.h"
-#include "glisson/core/files.h"
 #include "glisson/geometry/rigid.h"
 #include "glisson/registration/register_model.h"
 #include "registration_stage.h"
@@ -22,9 +21,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Work in any order on two threads, `report` by this one alone. Rethrows; false: cancelled.
-bool on_two_threads(std::size_t count, const RunContext& context,
-                    const std::function<void(std::size_t)>& work) {
+/// Work in any order on one thread or two, progress told by this one alone. Rethrows; false: cancelled.
+bool on_threads(int threads, std::size_t count, const RunContext& context,
+                const std::function<void(std::size_t)>& work) {
   std::atomic<std::size_t> next{0};
   const auto run = [&](bool reports) {
     for (std::size_t i = next++; i < count && !context.cancelled(); i = next++) {
@@ -33,21 +32,23 @@ bool on_two_threads(std::size_t count, const RunContext& context,
       work(i);
     }
   };
-  auto other = std::async(std::launch::async, run, false);
+  std::future<void> other;
+  if (threads > 1) other = std::async(std::launch::async, run, false);
   run(true);
-  other.get();
+  if (other.valid()) other.get();
   return !context.cancelled();
 }
 
 std::vector<ProofPatient> chosen_patients(const RegistrationProofOptions& options,
                                           std::vector<std::string>& absent) {
   std::vector<ProofPatient> chosen;
+  std::map<ProofSet, int> counts;
   for (const ProofPatient& patient : proof_patients()) {
     const bool wanted = patient.set == ProofSet::development ? options.development : options.validation;
     if (!wanted || std::string(patient.name).find(options.only) == std::string::npos) continue;
     if (patient.kind != ProofPatient::Kind::synthetic && !fs::exists(options.data / patient.path))
       absent.emplace_back(patient.path);
-    else
+    else if (options.patients == 0 || counts[patient.set]++ < options.patients)
       chosen.push_back(patient);
   }
   return chosen;
@@ -77,20 +78,20 @@ Cancellable<RegistrationProof> prove_registration(const RegistrationProofOptions
   RegistrationProof proof;
   const std::vector<ProofPatient> patients = chosen_patients(options, proof.absent);
   std::vector<std::optional<RegistrationStage>> built(patients.size());
-  const bool all_built = on_two_threads(patients.size(), context.part(0.0, 0.2), [&](std::size_t i) {
-    built[i] = build_stage(patients[i], options.data, options.seed + i, context.quiet());
-  });
+  const bool all_built =
+      on_threads(options.threads, patients.size(), context.part(0.0, 0.2), [&](std::size_t i) {
+        built[i] = build_stage(patients[i], options.data, options.seed + i, context.quiet());
+      });
   if (!all_built) return std::nullopt;
   std::vector<RegistrationStage> stages;
   for (auto& stage : built) stages.push_back(std::move(*stage));
-  std::vector<std::vector<RegistrationTrial>> trials(stages.size());
-  const bool all_done = on_two_threads(stages.size(), context.part(0.2, 1.0), [&](std::size_t i) {
-    trials[i] = run_trials(stages[i], stages[another(stages, i)], options, i, context.quiet());
-  });
+  TrialLog log(folder / "registration.csv", options.resume);
+  const bool all_done =
+      on_threads(options.threads, stages.size(), context.part(0.2, 1.0), [&](std::size_t i) {
+        run_trials(stages[i], stages[another(stages, i)], options, i, log, context.quiet());
+      });
   if (!all_done) return std::nullopt;
-  std::vector<RegistrationTrial> all;
-  for (auto& some : trials) all.insert(all.end(), some.begin(), some.end());
-  write_file_atomically(folder / "registration.csv", csv_of(all));
+  const std::vector<RegistrationTrial> all = log.trials();
   for (const ProofSet set : {ProofSet::validation, ProofSet::development}) sum_up(all, set, proof);
   return proof;
 }

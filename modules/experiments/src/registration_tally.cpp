@@ -4,7 +4,9 @@
 #include <cstdio>
 #include <map>
 #include <set>
+#include <stdexcept>
 
+#include "glisson/core/error.h"
 #include "registration_trials.h"
 
 namespace glisson::experiments {
@@ -120,6 +122,70 @@ std::string csv_of(const std::vector<RegistrationTrial>& trials) {
     csv += "\n";
   }
   return csv;
+}
+
+namespace {
+
+std::vector<std::string> cut(const std::string& line, char at) {
+  std::vector<std::string> parts(1);
+  for (const char c : line)
+    if (c == at)
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  return parts;
+}
+
+RegistrationFault fault_of(const std::string& code) {
+  for (const RegistrationFault fault : kRegistrationFaults)
+    if (code == fault_code(fault)) return fault;
+  throw std::invalid_argument(code);
+}
+
+constexpr std::size_t kOwnColumns = 17;
+
+/// @throws std::invalid_argument, std::out_of_range what is no number.
+RegistrationTrial trial_of(const std::vector<std::string>& keys, const std::vector<std::string>& cells) {
+  RegistrationTrial trial;
+  trial.set = cells[0] == name_of(ProofSet::development) ? ProofSet::development : ProofSet::validation;
+  trial.patient = cells[1];
+  trial.handling = cells[2];
+  trial.share = std::stod(cells[3]);
+  trial.fault = fault_of(cells[4]);
+  trial.mean = 1e-3 * std::stod(cells[5]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!cells[6 + i].empty()) trial.lesions.push_back(1e-3 * std::stod(cells[6 + i]));
+    if (!cells[9 + i].empty()) trial.expected.push_back(1e-3 * std::stod(cells[9 + i]));
+  }
+  trial.rigid_mean = 1e-3 * std::stod(cells[12]);
+  trial.paper_mean = 1e-3 * std::stod(cells[13]);
+  trial.seconds = std::stod(cells[14]);
+  trial.refused = cells[15] == "1";
+  if (!cells[16].empty()) trial.doubts = cut(cells[16], ';');
+  for (std::size_t k = kOwnColumns; k < cells.size(); ++k)
+    if (!cells[k].empty()) trial.figures[keys[k]] = std::stod(cells[k]);
+  trial.cover();
+  return trial;
+}
+
+}  // namespace
+
+std::vector<RegistrationTrial> trials_of(const std::string& csv, const std::filesystem::path& file) {
+  std::vector<RegistrationTrial> trials;
+  const std::vector<std::string> lines = cut(csv, '\n');
+  const std::vector<std::string> keys = cut(lines.front(), ',');
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    if (lines[i].empty()) continue;
+    const std::vector<std::string> cells = cut(lines[i], ',');
+    try {
+      if (cells.size() != keys.size() || cells.size() < kOwnColumns) throw std::invalid_argument("columns");
+      trials.push_back(trial_of(keys, cells));
+    } catch (const std::logic_error&) {
+      throw InputError(file.string(), "line " + std::to_string(i + 1), "is no registration",
+                       "Start without --resume");
+    }
+  }
+  return trials;
 }
 
 void sum_up(const std::vector<RegistrationTrial>& all, ProofSet set, RegistrationProof& proof) {

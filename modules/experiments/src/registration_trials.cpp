@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "glisson/core/error.h"
+#include "glisson/core/files.h"
 #include "glisson/geometry/rigid.h"
 #include "glisson/registration/examined_registration.h"
 #include "glisson/registration/refusal.h"
@@ -42,9 +43,11 @@ void add_figures(const registration::Findings& findings, Figures& figures) {
 /// One patient's registrations; operations are simulated once.
 class Trials {
  public:
-  Trials(const RegistrationStage& stage, const RegistrationProofOptions& options, const RunContext& context)
+  Trials(const RegistrationStage& stage, const RegistrationProofOptions& options, TrialLog& log,
+         const RunContext& context)
       : stage_(stage),
         options_(options),
+        log_(log),
         context_(context),
         lesions_(bind_points(stage.model.mesh, stage.lesions, false)) {
     registration_.elastic = registration::options_for(stage.model);
@@ -57,6 +60,7 @@ class Trials {
     trial.handling = insilico::handling_code(insilico::kHandlings[handling]);
     trial.share = share;
     trial.fault = fault;
+    if (log_.has(trial)) return true;
     registration::RegisterOptions options = registration_;
     if (fault == RegistrationFault::wrong_start) {
       options.start = registration::RegisterOptions::Start::given;
@@ -79,11 +83,9 @@ class Trials {
     trial.seconds = seconds_since(begin);
     const bool compares = fault == RegistrationFault::none && share == kFaultShare;
     if (options_.rivals && compares && !add_paper(cloud, handling, trial)) return false;
-    trials_.push_back(std::move(trial));
+    log_.add(std::move(trial));
     return true;
   }
-
-  std::vector<RegistrationTrial> trials() { return std::move(trials_); }
 
  private:
   void compare(const registration::ExaminedRegistration& examined, std::size_t handling,
@@ -109,7 +111,6 @@ class Trials {
   /// What the registration expects of the lesions' errors, and whether the truth lies in the ellipsoids.
   void add_expected(const registration::ErrorModel& error, const Points& found, const Points& truth,
                     RegistrationTrial& trial) const {
-    constexpr double kChiSquare = 7.8147;  // 95 % of chi-square with three degrees of freedom
     const auto covariances = error.covariances(stage_.model.mesh, lesions_);
     for (std::size_t i = 0; i < covariances.size(); ++i) {
       const Eigen::Vector3d off =
@@ -117,8 +118,8 @@ class Trials {
       trial.expected.push_back(registration::mean_error(covariances[i]));
       const double square = off.dot(covariances[i].ldlt().solve(off));
       trial.figures["lesion_" + std::to_string(i + 1) + "_square"] = square;
-      trial.covered.push_back(square < kChiSquare ? 1 : 0);
     }
+    trial.cover();
   }
 
   bool add_paper(const LabelledCloud& cloud, std::size_t handling, RegistrationTrial& trial) const {
@@ -137,11 +138,11 @@ class Trials {
 
   const RegistrationStage& stage_;
   const RegistrationProofOptions& options_;
+  TrialLog& log_;
   RunContext context_;
   Binding lesions_;
   registration::RegisterOptions registration_;
   registration::KnownOperations known_;
-  std::vector<RegistrationTrial> trials_;
 };
 
 }  // namespace
@@ -150,16 +151,48 @@ double RegistrationTrial::worst_lesion() const {
   return lesions.empty() ? mean : *std::max_element(lesions.begin(), lesions.end());
 }
 
-std::vector<RegistrationTrial> run_trials(const RegistrationStage& stage, const RegistrationStage& other,
-                                          const RegistrationProofOptions& options, std::size_t number,
-                                          const RunContext& context) {
-  Trials trials(stage, options, context);
+void RegistrationTrial::cover() {
+  constexpr double kChiSquare = 7.8147;  // 95 % of chi-square with three degrees of freedom
+  covered.clear();
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    const auto square = figures.find("lesion_" + std::to_string(i + 1) + "_square");
+    covered.push_back(square != figures.end() && square->second < kChiSquare ? 1 : 0);
+  }
+}
+
+TrialLog::TrialLog(std::filesystem::path csv, bool resume) : csv_(std::move(csv)) {
+  if (resume && std::filesystem::exists(csv_)) trials_ = trials_of(read_file(csv_), csv_);
+}
+
+bool TrialLog::has(const RegistrationTrial& trial) const {
+  const std::lock_guard lock(mutex_);
+  return std::any_of(trials_.begin(), trials_.end(), [&](const RegistrationTrial& one) {
+    return one.patient == trial.patient && one.handling == trial.handling && one.fault == trial.fault &&
+           std::abs(one.share - trial.share) < 1e-6;
+  });
+}
+
+void TrialLog::add(RegistrationTrial trial) {
+  const std::lock_guard lock(mutex_);
+  trials_.push_back(std::move(trial));
+  write_file_atomically(csv_, csv_of(trials_));
+}
+
+std::vector<RegistrationTrial> TrialLog::trials() const {
+  const std::lock_guard lock(mutex_);
+  return trials_;
+}
+
+void run_trials(const RegistrationStage& stage, const RegistrationStage& other,
+                const RegistrationProofOptions& options, std::size_t number, TrialLog& log,
+                const RunContext& context) {
+  Trials trials(stage, options, log, context);
   const auto seed = [&](std::size_t k) { return options.seed + 1000 * (number + 1) + k; };
   for (std::size_t handling = 0; handling < stage.handled.size(); ++handling)
     for (std::size_t s = 0; s < options.shares.size(); ++s) {
       const LabelledCloud cloud = faulty_cloud(stage, other, handling, options.shares[s],
                                                RegistrationFault::none, seed(10 * handling + s));
-      if (!trials.run(cloud, handling, options.shares[s], RegistrationFault::none)) return trials.trials();
+      if (!trials.run(cloud, handling, options.shares[s], RegistrationFault::none)) return;
     }
   for (const RegistrationFault fault : kRegistrationFaults) {
     if (fault == RegistrationFault::none) continue;
@@ -168,7 +201,6 @@ std::vector<RegistrationTrial> run_trials(const RegistrationStage& stage, const 
     const LabelledCloud cloud = faulty_cloud(stage, other, handling, kFaultShare, fault, seed(100 + k));
     if (!trials.run(cloud, handling, kFaultShare, fault)) break;
   }
-  return trials.trials();
 }
 
 }  // namespace glisson::experiments

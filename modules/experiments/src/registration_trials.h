@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <mutex>
+
 #include "glisson/experiments/registration_proof.h"
 #include "registration_stage.h"
 
@@ -25,15 +27,35 @@ struct RegistrationTrial {
   Figures figures;  ///< evidence
 
   double worst_lesion() const;
+  void cover();  ///< `covered` from the figures
   bool doubted() const { return refused || !doubts.empty(); }
 };
 
-/// All trials of one patient. @param number of it. Cut short when cancelled.
-std::vector<RegistrationTrial> run_trials(const RegistrationStage& stage, const RegistrationStage& other,
-                                          const RegistrationProofOptions& options, std::size_t number,
-                                          const RunContext& context);
+/// What was tried so far, in a file. Thread-safe.
+class TrialLog {
+ public:
+  /// @param resume begins with what the file holds. @throws FileError when it cannot be read; as trials_of.
+  TrialLog(std::filesystem::path csv, bool resume);
+  /// Whether a trial of the same patient, handling, share and fault is there.
+  bool has(const RegistrationTrial& trial) const;
+  /// @throws FileError when it cannot be written.
+  void add(RegistrationTrial trial);
+  std::vector<RegistrationTrial> trials() const;
+
+ private:
+  std::filesystem::path csv_;
+  mutable std::mutex mutex_;
+  std::vector<RegistrationTrial> trials_;
+};
+
+/// All trials of one patient that the log does not hold yet. @param number of it. Cut short when cancelled.
+void run_trials(const RegistrationStage& stage, const RegistrationStage& other,
+                const RegistrationProofOptions& options, std::size_t number, TrialLog& log,
+                const RunContext& context);
 
 std::string csv_of(const std::vector<RegistrationTrial>& trials);
+/// What csv_of() wrote. @throws InputError naming the file and the line that is no registration.
+std::vector<RegistrationTrial> trials_of(const std::string& csv, const std::filesystem::path& file);
 /// Adds one set's figures and table.
 void sum_up(const std::vector<RegistrationTrial>& trials, ProofSet set, RegistrationProof& proof);
 

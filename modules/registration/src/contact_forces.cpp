@@ -37,6 +37,9 @@ class Fits {
   /// The last one added begins where the most probable one has ended.
   void begin_at_best() { fitters_.back()->begin_at(best()); }
 
+  /// The last one added begins at rest in another place.
+  void begin_at(const CameraFromCt& start) { fitters_.back()->begin_at_rest(start); }
+
   /// Runs those added since. @param from, to share of the work, for the progress. @return false: cancelled.
   bool run(double from, double to) {
     first_ = next_ = done_;
@@ -70,7 +73,10 @@ class Fits {
       const double probability = std::exp(score(fitter->law()) - score(best().law()));
       squares += probability * (other.expected_error.cwiseAbs2() + away.cwiseAbs2());
       total += probability;
+      if (fitter.get() != &best()) fit.rivals.push_back({other.nodes_in_camera, probability});
     }
+    for (RivalFit& rival : fit.rivals) rival.probability /= total;
+    std::erase_if(fit.rivals, [](const RivalFit& rival) { return rival.probability < 1e-3; });
     fit.expected_error = (squares / total).cwiseSqrt();
     return fit;
   }
@@ -155,6 +161,11 @@ Cancellable<ContactForceFit> fit_contact_forces(const PatientModel& model, const
     if (ratio != material.poisson_ratio) {
       fits.add({material.law, ratio}, ground);
       fits.begin_at_best();
+    }
+  if (problem.free_pose)
+    for (const CameraFromCt& other : options.other_starts) {
+      fits.add(material, ground);
+      fits.begin_at(other);
     }
   if (!fits.run(0.7, 1.0)) return std::nullopt;
   if (!std::isfinite(fits.best().law().log_evidence))

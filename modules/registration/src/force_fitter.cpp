@@ -102,6 +102,13 @@ void ForceFitter::begin_at(const CameraFromCt& pose, const Points& x, const std:
                           *std::min_element(problem_.options.sigmas.begin(), problem_.options.sigmas.end()));
 }
 
+void ForceFitter::begin_at_rest(const CameraFromCt& pose) {
+  now_.pose = pose;
+  now_.modes.setZero();
+  if (now_.modes.size() > 0) body_.set_rest(shape(now_.modes));
+  now_.x = body_.rest();
+}
+
 double ForceFitter::apart(const CameraFromCt& pose, const Points& x) {
   const State before = now_;
   now_.pose = pose;

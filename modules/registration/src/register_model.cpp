@@ -70,7 +70,13 @@ std::vector<std::string> doubts_of(const ContactForceFit& fit, double seen) {
   return doubts;
 }
 
-/// @param shapes where operations are known.
+/// Tools act on what is seen and next to it; what they press and pull is no smaller than they are, and a
+/// patient's mesh is coarse.
+constexpr double kToolReach = 40e-3, kToolSpacing = 20e-3, kToolRadius = 30e-3;  // m
+constexpr int kPatientStages = 3;
+
+/// @param shapes where operations are known: their modes and the forces of tools are found together, from the
+/// most probable shape and, without any, from the rigid starts.
 Cancellable<Registration> register_by_forces(const PatientModel& model, const LabelledCloud& cloud,
                                              CameraFromCt start, const ElasticOptions& elastic,
                                              const std::optional<ShapeFits>& shapes,
@@ -79,11 +85,16 @@ Cancellable<Registration> register_by_forces(const PatientModel& model, const La
   forces = forces_with(model, elastic, std::move(forces));
   forces.pose_known = pose_known;
   if (shapes) {
+    forces.other_starts = elastic.other_starts;
+    forces.other_starts.insert(forces.other_starts.begin(), start);
     start = shapes->best().camera_from_ct;
     forces.prior = elastic.prior;
+    forces.patch_reach = kToolReach;
+    forces.patch_spacing = kToolSpacing;
+    forces.patch_radius = kToolRadius;
     forces.amplitudes = shapes->best().amplitudes;
     // Neighbouring points share the error of the patient's surface and of the modes: they count for less.
-    forces.sigmas = {elastic.shape.sigma_surface / std::sqrt(elastic.shape.information)};
+    forces.sigmas.assign(kPatientStages, elastic.shape.sigma_surface / std::sqrt(elastic.shape.information));
   }
   fit = fit_contact_forces(model, cloud, start, forces, context);
   if (!fit) return {};
@@ -122,18 +133,37 @@ void add_rivals(const ShapeFits& shapes, ErrorModel& error) {
     if (odds[k] > 1e-4 * sum) error.add_rival(shapes.fits[k].nodes_in_camera, odds[k] / sum);
 }
 
+/// Motion of the nodes by the forces alone, rms, m.
+double moved_by_forces(const PatientModel& model, const ContactForceFit& fit, const OperationPrior& prior) {
+  const Points without = fit.camera_from_ct.apply(prior.shape(model.mesh.vertices, fit.amplitudes));
+  return std::sqrt((fit.nodes_in_camera - without).rowwise().squaredNorm().mean());
+}
+
 ErrorModel error_of(const PatientModel& model, const LabelledCloud& cloud, const ElasticOptions& elastic,
-                    const std::optional<ShapeFits>& shapes, const Registration& registration) {
+                    const std::optional<ShapeFits>& shapes, const Registered& made,
+                    const Registration& registration) {
   const PreparedCloud prepared = prepare_cloud(cloud, {3.9, 600, 30});
-  const ShapeFit* shape = shapes ? &shapes->best() : nullptr;
+  const ShapeFit* shape = shapes && !made.forces ? &shapes->best() : nullptr;
   ErrorModelOptions known;
   known.fixed_nodes = elastic.fixed_nodes;
   known.pose_known = !elastic.fixed_nodes.empty();
-  ErrorModel error(model, elastic.prior.get(), shape ? shape->amplitudes : Eigen::VectorXd(),
+  const bool together = made.forces && elastic.prior;
+  // Where tools are at work there may be more of them.
+  if (together)
+    known.unknown_forces =
+        std::max(known.unknown_forces, moved_by_forces(model, *made.forces, *elastic.prior));
+  ErrorModel error(model, elastic.prior.get(),
+                   shape      ? shape->amplitudes
+                   : together ? made.forces->amplitudes
+                              : Eigen::VectorXd(),
                    shape ? shape->camera_from_ct : registration.camera_from_ct,
                    shape ? shape->nodes_in_camera : registration.nodes_in_camera, prepared,
                    roughness_of(prepared), known);
-  if (shapes) add_rivals(*shapes, error);
+  if (made.forces)
+    for (const RivalFit& rival : made.forces->rivals)
+      error.add_rival(rival.nodes_in_camera, rival.probability);
+  else if (shapes)
+    add_rivals(*shapes, error);
   return error;
 }
 
@@ -165,13 +195,15 @@ void tell_once(std::vector<std::string>& doubts) {
 Cancellable<double> mirror_odds(const PatientModel& model, const LabelledCloud& cloud,
                                 const RegisterOptions& options, const ElasticOptions& elastic, double cost,
                                 const RunContext& context) {
-  constexpr std::size_t kOthers = 2;
+  constexpr std::size_t kOthers = 1;
+  constexpr int kIterations = 40;
   const LabelledCloud image = mirrored(cloud);
   auto start = align_rigid(model, image, options.rigid, context.part(0.0, 0.6));
   if (!start) return {};
   ElasticOptions control = elastic;
   control.other_starts = std::move(start->alternatives);
   control.other_starts.resize(std::min(control.other_starts.size(), kOthers));
+  control.shape.max_iterations = std::min(control.shape.max_iterations, kIterations);
   const auto shapes = shapes_from(model, image, start->camera_from_ct, control, context.part(0.6, 1.0));
   if (!shapes) return {};
   return 0.5 * (shapes->best().cost - cost);
@@ -230,14 +262,16 @@ Cancellable<ExaminedRegistration> register_and_examine(const PatientModel& model
     done = fitted;
   }
   const RunContext rest = context.part(done, judged);
+  const bool by_forces = takes_forces(options.method, model, options.elastic) ||
+                         (options.method == Method::automatic && shapes.has_value());
   auto registered =
-      takes_forces(options.method, model, options.elastic)
-          ? register_by_forces(model, cloud, start->camera_from_ct, elastic, shapes, options.forces,
-                               options.start == Start::none, result.forces, rest)
-      : shapes ? register_elastic(model, cloud, *shapes, elastic, rest)
-               : register_elastic(model, cloud, start->camera_from_ct, elastic, rest);
+      by_forces ? register_by_forces(model, cloud, start->camera_from_ct, elastic, shapes, options.forces,
+                                     options.start == Start::none, result.forces, rest)
+      : shapes  ? register_elastic(model, cloud, *shapes, elastic, rest)
+                : register_elastic(model, cloud, start->camera_from_ct, elastic, rest);
   if (!registered) return {};
-  examined.error = std::make_shared<const ErrorModel>(error_of(model, cloud, elastic, shapes, *registered));
+  examined.error =
+      std::make_shared<const ErrorModel>(error_of(model, cloud, elastic, shapes, result, *registered));
   examined.lesions = lesions_of(model, *examined.error, *registered);
   examined.findings = examine({model, cloud, *registered, shapes ? &*shapes : nullptr, *examined.error});
   if (is_automatic && shapes) {

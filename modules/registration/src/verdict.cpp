@@ -2,6 +2,7 @@
 #include "verdict.h"
 
 #include <cstdio>
+#include <limits>
 
 namespace glisson::registration {
 namespace {
@@ -11,6 +12,8 @@ namespace {
 constexpr double kUsualNoise = 1.2e-3;
 /// Of the cloud against its mirror image: ln 99.
 constexpr double kSureOdds = 4.595;
+
+constexpr double kMuchExpected = 8e-3;  ///< m, mean over the nodes
 
 std::string told(const char* code, double found, double limit) {
   char text[96];
@@ -29,6 +32,7 @@ Verdict judge(const Findings& found) {
     verdict.refused = verdict.refused || refuses;
   };
   weigh("cloud_noisy", found.roughness, 3.0 * kUsualNoise, 5.0 * kUsualNoise, 1e3);
+  weigh("expected_error_large", found.expected, kMuchExpected, std::numeric_limits<double>::infinity(), 1e3);
   weigh("mirror_fits", -found.mirror_odds, -kSureOdds, 0.0, -1.0);
   return verdict;
 }

@@ -89,6 +89,7 @@ class Notes {
         {"residual_large", tr("The model stays more than 5 mm from the points on average.")},
         {"inverted_elements", tr("Some elements of the mesh turned inside out.")},
         {"cloud_noisy", tr("The cloud's points scatter by %1 mm about a smooth surface (limit %2 mm).")},
+        {"expected_error_large", tr("The organ is expected to be off by %1 mm on average (limit %2 mm).")},
         {"mirror_fits",
          tr("The cloud's mirror image fits as well or nearly so (log odds %1, limit %2): it has "
             "not been recognised as this liver.")},

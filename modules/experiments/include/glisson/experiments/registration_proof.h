@@ -22,6 +22,11 @@ struct RegistrationProofOptions {
   std::vector<double> shares{0.1, 0.2, 0.3, 0.5};  ///< of the surface that is seen
   bool rivals = true;                              ///< the paper's method too
   std::string only;                                ///< patients whose name contains this; empty: all
+  int patients = 0;                                ///< of either set, the first ones; 0: all
+  int threads = 2;                                 ///< 1 or 2, patient by patient
+  /// Registrations that the folder's registration.csv holds already, of a run that was cut short, are taken
+  /// from there.
+  bool resume = false;
   /// @throws InputError naming the option.
   void validate() const;
 };
@@ -33,8 +38,9 @@ struct RegistrationProof {
   std::vector<std::string> absent;  ///< real data that were left out
 };
 
-/// Leaves `registration.csv`, a line each registration, in `folder`, which exists. An error is the largest
-/// over three lesions deep in the liver, far from each other. Empty: cancelled. @throws Error.
+/// Keeps `registration.csv`, a line each registration, in `folder`, which exists: written anew after each. An
+/// error is the largest over three lesions deep in the liver, far from each other. Empty: cancelled. @throws
+/// Error.
 Cancellable<RegistrationProof> prove_registration(const RegistrationProofOptions& options,
                                                   const std::filesystem::path& folder,
                                                   const RunContext& context);

@@ -38,6 +38,9 @@ struct ContactForceOptions {
   /// shape that the prior makes probable, found together with them: y ~ N(0, Sigma + A Gamma A^T + B B^T).
   std::shared_ptr<const OperationPrior> prior;
   Eigen::VectorXd amplitudes;  ///< of the prior's modes to start with; empty: none
+  /// Where the pose is found: other places where the rest shape may be. Each is tried under the law that was
+  /// most probable from the first one; the most probable of all is kept.
+  std::vector<CameraFromCt> other_starts;
   double patch_spacing = 12.5e-3, patch_radius = 20e-3;
   double patch_reach = 8e-3;  ///< of patches from what is seen
   int iterations = 4;         ///< a stage, each with new closest points
@@ -69,6 +72,12 @@ struct ContactForce {
   double deviation = 0.0;                           ///< of each component, posterior, likewise
 };
 
+/// Where the organ is under another law or from another start, and how probable that is.
+struct RivalFit {
+  Points nodes_in_camera;
+  double probability = 0.0;
+};
+
 struct ContactForceFit {
   CameraFromCt camera_from_ct;
   Points nodes_in_camera;
@@ -81,7 +90,8 @@ struct ContactForceFit {
   /// between laws, each as probable as the cloud makes it. It knows of the noise and of forces where
   /// something is seen, not of forces elsewhere.
   Eigen::VectorXd expected_error;
-  double residual = 0.0;       ///< mean distance along the normals, m
+  std::vector<RivalFit> rivals;  ///< of the other fits, those of one in a thousand and more
+  double residual = 0.0;         ///< mean distance along the normals, m
   double outlier_share = 0.0;  ///< of the points, those that weigh less than a half
   int inverted = 0;            ///< tetrahedra
   int iterations = 0;

@@ -17,12 +17,14 @@ namespace glisson::registration {
 
 /// How the shape is found once there is a start.
 enum class Method {
-  automatic,  ///< forces for a bare mesh (no vessels, no vena cava) of which nodes are fixed, else springs
+  /// Forces: together with the operations' modes where those are known, and for a bare mesh (no vessels, no
+  /// vena cava) of which nodes are fixed. Else springs.
+  automatic,
   forces,     ///< fit_contact_forces
   springs     ///< register_elastic: the paper's, with operations before it where they are asked for
 };
 
-/// @return whether the shape is found by contact forces.
+/// @return whether the shape is found by contact forces where no operations are known.
 bool takes_forces(Method method, const PatientModel& model, const ElasticOptions& elastic);
 /// `forces` with the fixed nodes and the lesions' stiffness that hold for the springs.
 ContactForceOptions forces_with(const PatientModel& model, const ElasticOptions& elastic,
