@@ -32,6 +32,7 @@ class RegisterModelTest : public QObject {
   void RestsOnSimulatedOperations();
   void KnownOperationsAreTakenWhereTheyAreThoseAskedFor();
   void WithoutOperationsItIsElasticityFromTheStart();
+  void AToolIsFoundTogetherWithWhatOperationsDo();
   void AHeldNodeOrAPriorOfTheCallersLeavesNoneToSimulate();
   void AutomaticStartIsTheRigidOne();
   void OptionsThatAreUsedAreChecked();
@@ -75,6 +76,33 @@ void RegisterModelTest::WithoutOperationsItIsElasticityFromTheStart() {
   const auto alone = register_elastic(model_, cloud_, options.given, options.elastic, RunContext());
   QVERIFY(made.registration.nodes_in_camera == alone->nodes_in_camera);
   QVERIFY(made.registration.doubts == alone->doubts);
+}
+
+/// No operation pulls at one place alone.
+void RegisterModelTest::AToolIsFoundTogetherWithWhatOperationsDo() {
+  std::vector<int> held;
+  for (int i = 0; i < model_.mesh.vertex_count(); ++i)
+    if (model_.mesh.vertices(i, 1) > 0.055) held.push_back(i);
+  fem::ElasticBody body(model_.mesh, held);
+  body.set_material({fem::BodyLaw::linear, 0.45});
+  Points pull = Points::Zero(body.node_count(), 3);
+  for (const int node : model_.surface.node_of_vertex)
+    if ((model_.mesh.vertex(node) - phantom::shape(0.2, -0.3, 1.0)).norm() < 0.025)
+      pull.row(node) << 0.0, 0.0, 0.01;
+  body.factorise(body.rest(), {});
+  Points moved = body.solve(pull);
+  moved *= 0.025 / moved.rowwise().norm().maxCoeff();
+  const Points truth = phantom::view().apply(Points(body.rest() + moved));
+  const LabelledCloud cloud = phantom::patch(model_, truth, {});
+  RegisterOptions options = brief();
+  const auto together = register_model(model_, cloud, options, RunContext());
+  options.method = Method::springs;
+  const auto springs = register_model(model_, cloud, options, RunContext());
+  QVERIFY(together->forces && !springs->forces);
+  QVERIFY(together->forces->amplitudes.size() > 0 && !together->forces->forces.empty());
+  const double motion = 1e3 * moved.rowwise().norm().mean();
+  const double error = 1e3 * (together->registration.nodes_in_camera - truth).rowwise().norm().mean();
+  QVERIFY2(error < motion, qPrintable(QString("%1 of %2 mm").arg(error).arg(motion)));
 }
 
 void RegisterModelTest::AHeldNodeOrAPriorOfTheCallersLeavesNoneToSimulate() {

@@ -90,6 +90,10 @@ class Notes {
         {"inverted_elements", tr("Some elements of the mesh turned inside out.")},
         {"cloud_noisy", tr("The cloud's points scatter by %1 mm about a smooth surface (limit %2 mm).")},
         {"expected_error_large", tr("The organ is expected to be off by %1 mm on average (limit %2 mm).")},
+        {"points_turned", tr("%1 % of the points face another way than the model there (limit %2 %).")},
+        {"margin_off", tr("The marked margin lies %1 mm from the model's (limit %2 mm).")},
+        {"shape_strange",
+         tr("The organ would be bent %1 times as much as operations and tools explain (limit %2).")},
         {"mirror_fits",
          tr("The cloud's mirror image fits as well or nearly so (log odds %1, limit %2): it has "
             "not been recognised as this liver.")},

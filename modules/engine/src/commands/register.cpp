@@ -45,7 +45,10 @@ void add_figures(Figures& figures, const registration::ContactForceFit& fit) {
 
 /// Expected errors: of the nodes, and of each lesion with the half axes of its 95 % ellipsoid.
 void add_expected(Figures& figures, const registration::ExaminedRegistration& examined) {
-  const Eigen::VectorXd nodes = examined.error->expected();
+  // Where supports are known and forces were found, their own posterior is the nearer one.
+  const registration::Registered& made = examined.registered;
+  const Eigen::VectorXd nodes =
+      made.forces && !made.operations ? made.forces->expected_error : examined.error->expected();
   figures["expected_error_mean_mm"] = 1e3 * nodes.mean();
   figures["expected_error_max_mm"] = 1e3 * nodes.maxCoeff();
   for (const registration::LesionError& lesion : examined.lesions) {
