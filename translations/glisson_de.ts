@@ -2,6 +2,65 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>AtlasTexts</name>
+    <message>
+        <source>Umbilical notch</source>
+        <translation>Nabelkerbe</translation>
+    </message>
+    <message>
+        <source>Falciform ligament</source>
+        <translation>Sichelband</translation>
+    </message>
+    <message>
+        <source>Anterior margin</source>
+        <translation>Vorderrand</translation>
+    </message>
+    <message>
+        <source>Vena cava</source>
+        <translation>Vena cava</translation>
+    </message>
+    <message>
+        <source>Portal vein&apos;s entrance</source>
+        <translation>Eintritt der Pfortader</translation>
+    </message>
+    <message>
+        <source>Gallbladder&apos;s bed</source>
+        <translation>Gallenblasenbett</translation>
+    </message>
+    <message>
+        <source>proposed</source>
+        <translation>vorgeschlagen</translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation>angenommen</translation>
+    </message>
+    <message>
+        <source>moved</source>
+        <translation>verschoben</translation>
+    </message>
+    <message>
+        <source>not visible</source>
+        <translation>nicht sichtbar</translation>
+    </message>
+    <message>
+        <source>from %1 livers (%2), %3 mm</source>
+        <translation>aus %1 Lebern (%2), %3 mm</translation>
+    </message>
+    <message>
+        <source>found in the CT</source>
+        <translation>im CT gefunden</translation>
+    </message>
+    <message>
+        <source>placed by hand</source>
+        <translation>von Hand gesetzt</translation>
+    </message>
+    <message>
+        <source>%1; drawn to the ridge found in the CT on %2 % of its course</source>
+        <translation>%1; auf %2 % des Verlaufs zur im CT gefundenen Kante gezogen</translation>
+    </message>
+</context>
+<context>
     <name>Cli</name>
     <message>
         <source>--review %1: write STRUCTURE=STATE, such as portal_vein=approved; states are not_started, in_progress, to_review, approved.</source>
@@ -1982,6 +2041,74 @@
         <source>The registration was refused, and somebody uses it nevertheless.</source>
         <translation>Die Registrierung wurde verworfen, und jemand verwendet sie dennoch.</translation>
     </message>
+    <message>
+        <source>The model has no vena cava: nothing says where the organ is held. Let the atlas propose it.</source>
+        <translation>Das Modell hat keine Vena cava: nichts sagt, wo das Organ gehalten wird. Lassen Sie den Atlas sie vorschlagen.</translation>
+    </message>
+    <message>
+        <source>Where the organ is held (vena cava) comes from statistics alone, with a deviation of %1 mm.</source>
+        <translation>Wo das Organ gehalten wird (Vena cava), kommt allein aus der Statistik, mit einer Abweichung von %1 mm.</translation>
+    </message>
+    <message>
+        <source>The umbilical notch comes from statistics alone, with a deviation of %1 mm.</source>
+        <translation>Die Nabelkerbe stammt allein aus der Statistik, mit einer Abweichung von %1 mm.</translation>
+    </message>
+    <message>
+        <source>%1 % of the proposed anterior margin come from statistics alone: the registration does not use them.</source>
+        <translation>%1 % des vorgeschlagenen Vorderrands stammen allein aus der Statistik: Die Registrierung verwendet sie nicht.</translation>
+    </message>
+    <message>
+        <source>This liver&apos;s shape is %1 times as unusual as the atlas knows: the proposals are uncertain.</source>
+        <translation>Die Form dieser Leber ist %1-mal so ungewöhnlich, wie der Atlas sie kennt: die Vorschläge sind unsicher.</translation>
+    </message>
+    <message>
+        <source>This liver&apos;s size lies %1 deviations from the atlas&apos; mean: the proposals are uncertain.</source>
+        <translation>Die Größe dieser Leber liegt %1 Standardabweichungen vom Mittel des Atlas: die Vorschläge sind unsicher.</translation>
+    </message>
+    <message>
+        <source>The atlas does not fit this liver: %1 mm apart on average.</source>
+        <translation>Der Atlas passt nicht auf diese Leber: im Mittel %1 mm Abstand.</translation>
+    </message>
+    <message>
+        <source>The atlas is folded on this liver (%1 % of its surface).</source>
+        <translation>Der Atlas ist auf dieser Leber gefaltet (%1 % der Oberfläche).</translation>
+    </message>
+    <message>
+        <source>This liver is turned by %1° against the atlas: check how the patient lies.</source>
+        <translation>Diese Leber ist um %1° gegen den Atlas gedreht: prüfen Sie, wie der Patient liegt.</translation>
+    </message>
+    <message>
+        <source>This is not the shape of a whole liver: a part is missing, it is much changed, or left and right are mixed up.</source>
+        <translation>Das ist nicht die Form einer ganzen Leber: Ein Teil fehlt, sie ist stark verändert, oder links und rechts sind vertauscht.</translation>
+    </message>
+    <message>
+        <source>The mirror image of this liver fits the atlas nearly as well: check left and right.</source>
+        <translation>Das Spiegelbild dieser Leber passt fast ebenso gut auf den Atlas: prüfen Sie links und rechts.</translation>
+    </message>
+    <message>
+        <source>The liver&apos;s surface is open: the proposals are uncertain.</source>
+        <translation>Die Oberfläche der Leber ist offen: die Vorschläge sind unsicher.</translation>
+    </message>
+    <message>
+        <source>The liver&apos;s surface has %1 pieces; the largest was taken.</source>
+        <translation>Die Oberfläche der Leber hat %1 Teile; das größte wurde genommen.</translation>
+    </message>
+    <message>
+        <source>%1: the image shows it %2 mm from where the atlas expects it. Check the segmentation.</source>
+        <translation>%1: Das Bild zeigt es %2 mm von dort, wo der Atlas es erwartet. Prüfen Sie die Segmentierung.</translation>
+    </message>
+    <message>
+        <source>The liver %1 differs from the others and counts less.</source>
+        <translation>Die Leber %1 weicht von den anderen ab und zählt weniger.</translation>
+    </message>
+    <message>
+        <source>%1: too few livers show it, so that the atlas does not know it.</source>
+        <translation>%1: Zu wenige Lebern zeigen es, so dass der Atlas es nicht kennt.</translation>
+    </message>
+    <message>
+        <source>%1: too few livers show it; taken over from the atlas &apos;%2&apos;.</source>
+        <translation>%1: Zu wenige Lebern zeigen es; aus dem Atlas „%2“ übernommen.</translation>
+    </message>
 </context>
 <context>
     <name>Obstacles</name>
@@ -2064,6 +2191,14 @@
     <message>
         <source>%1 is out of date: make it anew.</source>
         <translation>Nicht mehr aktuell: %1. Neu erstellen.</translation>
+    </message>
+    <message>
+        <source>Let the atlas propose the landmarks first.</source>
+        <translation>Lassen Sie zuerst den Atlas die Landmarken vorschlagen.</translation>
+    </message>
+    <message>
+        <source>The proposed landmarks are those of another model: let the atlas propose them again.</source>
+        <translation>Die vorgeschlagenen Landmarken gehören zu einem anderen Modell: lassen Sie den Atlas sie neu vorschlagen.</translation>
     </message>
 </context>
 <context>
@@ -2605,6 +2740,38 @@
     <message>
         <source>Accepting the registration</source>
         <translation>Registrierung wird übernommen</translation>
+    </message>
+    <message>
+        <source>Proposing the landmarks</source>
+        <translation>Landmarken werden vorgeschlagen</translation>
+    </message>
+    <message>
+        <source>Storing the review of a landmark</source>
+        <translation>Prüfung einer Landmarke wird gespeichert</translation>
+    </message>
+    <message>
+        <source>laying the atlas on the liver</source>
+        <translation>Atlas wird auf die Leber gelegt</translation>
+    </message>
+    <message>
+        <source>bending the atlas</source>
+        <translation>Atlas wird gebogen</translation>
+    </message>
+    <message>
+        <source>fitting the atlas to the surface</source>
+        <translation>Atlas wird an die Oberfläche angepasst</translation>
+    </message>
+    <message>
+        <source>bringing the template onto each liver</source>
+        <translation>Vorlage wird auf jede Leber gebracht</translation>
+    </message>
+    <message>
+        <source>foretelling each liver by the others</source>
+        <translation>jede Leber wird aus den anderen vorhergesagt</translation>
+    </message>
+    <message>
+        <source>reading livers</source>
+        <translation>Lebern werden gelesen</translation>
     </message>
 </context>
 <context>
@@ -3470,18 +3637,6 @@
         <translation>live: längste Zeit, bis nach einem Sprung eine richtige Einblendung zurück ist, s</translation>
     </message>
     <message>
-        <source>Measures the proofs&apos; figures again, against experts&apos; labels and known truths: patient (from the CT to the model), stereo (from pictures to clouds), registration (how far off it is, and whether it says so), live (what the overlay says of itself when something is wrong).</source>
-        <translation>Misst die Zahlen der Nachweise neu, gegen Markierungen von Fachleuten und bekannte Wahrheiten: patient (vom CT zum Modell), stereo (von Bildern zu Wolken), registration (wie weit sie daneben liegt und ob sie es sagt), live (was die Einblendung von sich sagt, wenn etwas nicht stimmt).</translation>
-    </message>
-    <message>
-        <source>Which: patient, stereo, registration or live.</source>
-        <translation>Welcher: patient, stereo, registration oder live.</translation>
-    </message>
-    <message>
-        <source>registration: leave the validation patients alone, as when limits are set.</source>
-        <translation>registration: die Validierungspatienten auslassen, wie beim Setzen von Grenzen.</translation>
-    </message>
-    <message>
         <source>registrations over 10 mm at a lesion, refused or doubted, share</source>
         <translation>Registrierungen mit über 10 mm an einem Herd, verworfen oder angezweifelt, Anteil</translation>
     </message>
@@ -3649,6 +3804,166 @@
         <source>live, tissue: largest error at a place below the surface with a scope in a hand, mean over frames, mm</source>
         <translation>live, Gewebe: größter Fehler an einer Stelle unter der Oberfläche bei gehaltenem Laparoskop, Mittel über die Bilder, mm</translation>
     </message>
+    <message>
+        <source>Each liver foretold by the others (mm, in silico where the livers are synthetic):</source>
+        <translation>Jede Leber aus den anderen vorhergesagt (mm, in silico, wo die Lebern synthetisch sind):</translation>
+    </message>
+    <message>
+        <source>surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>%1: %2 livers, %3 vertices, %4 modes</source>
+        <translation>%1: %2 Lebern, %3 Punkte, %4 Moden</translation>
+    </message>
+    <message>
+        <source>%1: from %2 livers (%3), %4 mm</source>
+        <translation>%1: aus %2 Lebern (%3), %4 mm</translation>
+    </message>
+    <message>
+        <source>%1 differs from the others: weight %2</source>
+        <translation>%1 weicht von den anderen ab: Gewicht %2</translation>
+    </message>
+    <message>
+        <source>--accept: %1 is no structure.</source>
+        <translation>--accept: %1 ist keine Struktur.</translation>
+    </message>
+    <message>
+        <source>Landmarks that the CT does not show. &apos;build CASE... --out A&apos; makes an atlas of reviewed cases, &apos;evaluate CASE...&apos; foretells each of them by the others, &apos;show&apos; tells what an atlas knows, &apos;transfer --case C&apos; proposes landmarks on a patient&apos;s liver.</source>
+        <translation>Landmarken, die das CT nicht zeigt. „build FALL... --out A“ macht einen Atlas aus geprüften Fällen, „evaluate FALL...“ sagt jeden aus den anderen vorher, „show“ sagt, was ein Atlas weiß, „transfer --case C“ schlägt Landmarken auf der Leber eines Patienten vor.</translation>
+    </message>
+    <message>
+        <source>build, evaluate, show or transfer.</source>
+        <translation>build, evaluate, show oder transfer.</translation>
+    </message>
+    <message>
+        <source>Cases with a model, for build and evaluate: five at least.</source>
+        <translation>Fälle mit einem Modell, für build und evaluate: mindestens fünf.</translation>
+    </message>
+    <message>
+        <source>An atlas&apos; folder instead of the built-in atlas.</source>
+        <translation>Ordner eines Atlas anstelle des eingebauten.</translation>
+    </message>
+    <message>
+        <source>Folder for the atlas that is built.</source>
+        <translation>Ordner für den Atlas, der gebaut wird.</translation>
+    </message>
+    <message>
+        <source>Name of the atlas that is built.</source>
+        <translation>Name des Atlas, der gebaut wird.</translation>
+    </message>
+    <message>
+        <source>Proposals to accept unseen, with commas: umbilical_notch, vena_cava, ...</source>
+        <translation>Vorschläge, die ungesehen angenommen werden, mit Kommas: umbilical_notch, vena_cava, ...</translation>
+    </message>
+    <message>
+        <source>Add this many livers of the synthetic population, from --seed on.</source>
+        <translation>So viele Lebern der synthetischen Population hinzunehmen, ab --seed.</translation>
+    </message>
+    <message>
+        <source>What the livers do not show of how patients differ, mm, added to every landmark.</source>
+        <translation>Was die Lebern davon nicht zeigen, wie sich Patienten unterscheiden, mm, zu jeder Landmarke hinzugefügt.</translation>
+    </message>
+    <message>
+        <source>Begin with the synthetic template instead of an atlas.</source>
+        <translation>Mit der synthetischen Vorlage statt mit einem Atlas beginnen.</translation>
+    </message>
+    <message>
+        <source>%1: is no action. See &apos;glisson atlas --help&apos;.</source>
+        <translation>%1: ist keine Aktion. Siehe „glisson atlas --help“.</translation>
+    </message>
+    <message>
+        <source>Measures the proofs&apos; figures again, against experts&apos; labels and known truths: patient (from the CT to the model), stereo (from pictures to clouds), registration (how far off it is, and whether it says so), live (what the overlay says of itself when something is wrong), atlas (landmarks that the CT does not show).</source>
+        <translation>Misst die Zahlen der Nachweise neu, gegen die Labels von Fachleuten und bekannte Wahrheiten: patient (von der CT zum Modell), stereo (von Bildern zu Punktwolken), registration (wie weit sie abweicht, und ob sie es sagt), live (was das Overlay von sich sagt, wenn etwas nicht stimmt), atlas (Landmarken, die die CT nicht zeigt).</translation>
+    </message>
+    <message>
+        <source>Which: patient, stereo, registration, live or atlas.</source>
+        <translation>Welcher: patient, stereo, registration, live oder atlas.</translation>
+    </message>
+    <message>
+        <source>registration, atlas: leave the validation patients alone, as when limits are set.</source>
+        <translation>registration, atlas: die Validierungspatienten nicht anrühren, wie beim Festlegen von Grenzen.</translation>
+    </message>
+    <message>
+        <source>Landmarks that the CT does not show: build, show and transfer an atlas</source>
+        <translation>Landmarken, die das CT nicht zeigt: einen Atlas bauen, zeigen und übertragen</translation>
+    </message>
+    <message>
+        <source>real livers by the others: surface, mean, mm</source>
+        <translation>echte Lebern aus den anderen: Oberfläche, Mittel, mm</translation>
+    </message>
+    <message>
+        <source>real livers by the others: surface, worst liver, mm</source>
+        <translation>echte Lebern aus den anderen: Oberfläche, schlechteste Leber, mm</translation>
+    </message>
+    <message>
+        <source>real livers by the others: vena cava&apos;s contact, mean, mm</source>
+        <translation>echte Lebern aus den anderen: Kontakt der Vena cava, Mittel, mm</translation>
+    </message>
+    <message>
+        <source>real livers by the others: vena cava&apos;s contact, worst liver, mm</source>
+        <translation>echte Lebern aus den anderen: Kontakt der Vena cava, schlechteste Leber, mm</translation>
+    </message>
+    <message>
+        <source>real livers by the others: portal vein&apos;s entrance, mean, mm</source>
+        <translation>echte Lebern aus den anderen: Eintritt der Pfortader, Mittel, mm</translation>
+    </message>
+    <message>
+        <source>real livers by the others: portal vein&apos;s entrance, worst liver, mm</source>
+        <translation>echte Lebern aus den anderen: Eintritt der Pfortader, schlechteste Leber, mm</translation>
+    </message>
+    <message>
+        <source>real livers by the others: truth within the 95 % ellipsoids, at least</source>
+        <translation>echte Lebern aus den anderen: Wahrheit in den 95-%-Ellipsoiden, mindestens</translation>
+    </message>
+    <message>
+        <source>real livers by the others: truth within the 95 % ellipsoids, at most</source>
+        <translation>echte Lebern aus den anderen: Wahrheit in den 95-%-Ellipsoiden, höchstens</translation>
+    </message>
+    <message>
+        <source>real livers by the built-in atlas: vena cava&apos;s contact, mean, mm</source>
+        <translation>echte Lebern mit dem eingebauten Atlas: Kontakt der Vena cava, Mittel, mm</translation>
+    </message>
+    <message>
+        <source>real livers by the built-in atlas: truth within the 95 % ellipsoids</source>
+        <translation>echte Lebern mit dem eingebauten Atlas: Wahrheit in den 95-%-Ellipsoiden</translation>
+    </message>
+    <message>
+        <source>real livers mirrored: share that is refused</source>
+        <translation>echte Lebern gespiegelt: Anteil, der abgelehnt wird</translation>
+    </message>
+    <message>
+        <source>transfer to a real liver, slowest, s</source>
+        <translation>Übertragung auf eine echte Leber, langsamste, s</translation>
+    </message>
+    <message>
+        <source>building from the real livers, s</source>
+        <translation>Bau aus den echten Lebern, s</translation>
+    </message>
+    <message>
+        <source>in silico: surface, mean, mm</source>
+        <translation>in silico: Oberfläche, Mittel, mm</translation>
+    </message>
+    <message>
+        <source>in silico: umbilical notch, mean, mm</source>
+        <translation>in silico: Nabelkerbe, Mittel, mm</translation>
+    </message>
+    <message>
+        <source>in silico: umbilical notch, worst liver, mm</source>
+        <translation>in silico: Nabelkerbe, schlechteste Leber, mm</translation>
+    </message>
+    <message>
+        <source>in silico: anterior margin, mean, mm</source>
+        <translation>in silico: Vorderrand, Mittel, mm</translation>
+    </message>
+    <message>
+        <source>in silico: truth within the 95 % ellipsoids, at least</source>
+        <translation>in silico: Wahrheit in den 95-%-Ellipsoiden, mindestens</translation>
+    </message>
+    <message>
+        <source>in silico: truth within the 95 % ellipsoids, at most</source>
+        <translation>in silico: Wahrheit in den 95-%-Ellipsoiden, höchstens</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AngleHistogram</name>
@@ -3742,6 +4057,14 @@
     <message>
         <source>points of the model: %1, the next click replaces them</source>
         <translation>Punkte des Modells: %1, der nächste Klick ersetzt sie</translation>
+    </message>
+    <message>
+        <source>Proposals</source>
+        <translation>Vorschläge</translation>
+    </message>
+    <message>
+        <source>Where they should lie: from the CT where it shows them, else from other livers. Nothing is used before you accept it.</source>
+        <translation>Wo sie liegen sollten: aus der CT, wo sie es zeigt, sonst von anderen Lebern. Nichts wird verwendet, bevor Sie es annehmen.</translation>
     </message>
 </context>
 <context>
@@ -4742,6 +5065,49 @@
     <message>
         <source>Tracking was stopped. Last picture, not live.</source>
         <translation>Die Verfolgung wurde beendet. Letztes Bild, nicht live.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::ProposalReview</name>
+    <message>
+        <source>Propose landmarks</source>
+        <translation>Landmarken vorschlagen</translation>
+    </message>
+    <message>
+        <source>Proposed landmarks</source>
+        <translation>Vorgeschlagene Landmarken</translation>
+    </message>
+    <message>
+        <source>Accept</source>
+        <translation>Annehmen</translation>
+    </message>
+    <message>
+        <source>It lies there</source>
+        <translation>Sie liegt dort</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>Click where it lies, on the liver in 3D or in a slice</source>
+        <translation>Klicken Sie, wo sie liegt: auf der Leber in 3D oder in einer Schicht</translation>
+    </message>
+    <message>
+        <source>Not visible</source>
+        <translation>Nicht sichtbar</translation>
+    </message>
+    <message>
+        <source>It is not used</source>
+        <translation>Sie wird nicht verwendet</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Take the last step of the review back</source>
+        <translation>Den letzten Schritt der Durchsicht zurücknehmen</translation>
     </message>
 </context>
 <context>

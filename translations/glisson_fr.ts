@@ -2,6 +2,65 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="fr" sourcelanguage="en">
 <context>
+    <name>AtlasTexts</name>
+    <message>
+        <source>Umbilical notch</source>
+        <translation>Échancrure ombilicale</translation>
+    </message>
+    <message>
+        <source>Falciform ligament</source>
+        <translation>Ligament falciforme</translation>
+    </message>
+    <message>
+        <source>Anterior margin</source>
+        <translation>Bord antérieur</translation>
+    </message>
+    <message>
+        <source>Vena cava</source>
+        <translation>Veine cave</translation>
+    </message>
+    <message>
+        <source>Portal vein&apos;s entrance</source>
+        <translation>Entrée de la veine porte</translation>
+    </message>
+    <message>
+        <source>Gallbladder&apos;s bed</source>
+        <translation>Lit de la vésicule</translation>
+    </message>
+    <message>
+        <source>proposed</source>
+        <translation>proposé</translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation>accepté</translation>
+    </message>
+    <message>
+        <source>moved</source>
+        <translation>déplacé</translation>
+    </message>
+    <message>
+        <source>not visible</source>
+        <translation>non visible</translation>
+    </message>
+    <message>
+        <source>from %1 livers (%2), %3 mm</source>
+        <translation>d&apos;après %1 foies (%2), %3 mm</translation>
+    </message>
+    <message>
+        <source>found in the CT</source>
+        <translation>trouvé sur le scanner</translation>
+    </message>
+    <message>
+        <source>placed by hand</source>
+        <translation>placé à la main</translation>
+    </message>
+    <message>
+        <source>%1; drawn to the ridge found in the CT on %2 % of its course</source>
+        <translation>%1 ; ramené à la crête trouvée sur le scanner sur %2 % de son trajet</translation>
+    </message>
+</context>
+<context>
     <name>Cli</name>
     <message>
         <source>--review %1: write STRUCTURE=STATE, such as portal_vein=approved; states are not_started, in_progress, to_review, approved.</source>
@@ -1982,6 +2041,74 @@
         <source>The registration was refused, and somebody uses it nevertheless.</source>
         <translation>Le recalage a été refusé, et quelqu&apos;un l&apos;utilise malgré tout.</translation>
     </message>
+    <message>
+        <source>The model has no vena cava: nothing says where the organ is held. Let the atlas propose it.</source>
+        <translation>Le modèle n&apos;a pas de veine cave : rien ne dit où l&apos;organe est tenu. Laissez l&apos;atlas la proposer.</translation>
+    </message>
+    <message>
+        <source>Where the organ is held (vena cava) comes from statistics alone, with a deviation of %1 mm.</source>
+        <translation>L&apos;endroit où l&apos;organe est tenu (veine cave) vient de la seule statistique, avec un écart-type de %1 mm.</translation>
+    </message>
+    <message>
+        <source>The umbilical notch comes from statistics alone, with a deviation of %1 mm.</source>
+        <translation>L&apos;incisure ombilicale ne vient que de la statistique, avec un écart de %1 mm.</translation>
+    </message>
+    <message>
+        <source>%1 % of the proposed anterior margin come from statistics alone: the registration does not use them.</source>
+        <translation>%1 % du bord antérieur proposé ne viennent que de la statistique : le recalage ne les utilise pas.</translation>
+    </message>
+    <message>
+        <source>This liver&apos;s shape is %1 times as unusual as the atlas knows: the proposals are uncertain.</source>
+        <translation>La forme de ce foie est %1 fois plus inhabituelle que ce que l&apos;atlas connaît : les propositions sont incertaines.</translation>
+    </message>
+    <message>
+        <source>This liver&apos;s size lies %1 deviations from the atlas&apos; mean: the proposals are uncertain.</source>
+        <translation>La taille de ce foie est à %1 écarts-types de la moyenne de l&apos;atlas : les propositions sont incertaines.</translation>
+    </message>
+    <message>
+        <source>The atlas does not fit this liver: %1 mm apart on average.</source>
+        <translation>L&apos;atlas ne s&apos;ajuste pas à ce foie : %1 mm d&apos;écart en moyenne.</translation>
+    </message>
+    <message>
+        <source>The atlas is folded on this liver (%1 % of its surface).</source>
+        <translation>L&apos;atlas est replié sur ce foie (%1 % de sa surface).</translation>
+    </message>
+    <message>
+        <source>This liver is turned by %1° against the atlas: check how the patient lies.</source>
+        <translation>Ce foie est tourné de %1° par rapport à l&apos;atlas : vérifiez la position du patient.</translation>
+    </message>
+    <message>
+        <source>This is not the shape of a whole liver: a part is missing, it is much changed, or left and right are mixed up.</source>
+        <translation>Ce n&apos;est pas la forme d&apos;un foie entier : une partie manque, il est très modifié, ou la gauche et la droite sont interverties.</translation>
+    </message>
+    <message>
+        <source>The mirror image of this liver fits the atlas nearly as well: check left and right.</source>
+        <translation>L&apos;image en miroir de ce foie s&apos;ajuste presque aussi bien à l&apos;atlas : vérifiez la gauche et la droite.</translation>
+    </message>
+    <message>
+        <source>The liver&apos;s surface is open: the proposals are uncertain.</source>
+        <translation>La surface du foie est ouverte : les propositions sont incertaines.</translation>
+    </message>
+    <message>
+        <source>The liver&apos;s surface has %1 pieces; the largest was taken.</source>
+        <translation>La surface du foie a %1 morceaux ; le plus grand a été pris.</translation>
+    </message>
+    <message>
+        <source>%1: the image shows it %2 mm from where the atlas expects it. Check the segmentation.</source>
+        <translation>%1 : l&apos;image le montre à %2 mm de là où l&apos;atlas l&apos;attend. Vérifiez la segmentation.</translation>
+    </message>
+    <message>
+        <source>The liver %1 differs from the others and counts less.</source>
+        <translation>Le foie %1 diffère des autres et compte moins.</translation>
+    </message>
+    <message>
+        <source>%1: too few livers show it, so that the atlas does not know it.</source>
+        <translation>%1 : trop peu de foies le montrent, l&apos;atlas ne le connaît donc pas.</translation>
+    </message>
+    <message>
+        <source>%1: too few livers show it; taken over from the atlas &apos;%2&apos;.</source>
+        <translation>%1 : trop peu de foies le montrent ; repris de l&apos;atlas « %2 ».</translation>
+    </message>
 </context>
 <context>
     <name>Obstacles</name>
@@ -2064,6 +2191,14 @@
     <message>
         <source>%1 is out of date: make it anew.</source>
         <translation>Périmé : %1. À refaire.</translation>
+    </message>
+    <message>
+        <source>Let the atlas propose the landmarks first.</source>
+        <translation>Laissez d&apos;abord l&apos;atlas proposer les repères.</translation>
+    </message>
+    <message>
+        <source>The proposed landmarks are those of another model: let the atlas propose them again.</source>
+        <translation>Les repères proposés sont ceux d&apos;un autre modèle : laissez l&apos;atlas les proposer à nouveau.</translation>
     </message>
 </context>
 <context>
@@ -2605,6 +2740,38 @@
     <message>
         <source>Accepting the registration</source>
         <translation>Acceptation du recalage</translation>
+    </message>
+    <message>
+        <source>Proposing the landmarks</source>
+        <translation>Proposition des repères</translation>
+    </message>
+    <message>
+        <source>Storing the review of a landmark</source>
+        <translation>Enregistrement de la révision d&apos;un repère</translation>
+    </message>
+    <message>
+        <source>laying the atlas on the liver</source>
+        <translation>pose de l&apos;atlas sur le foie</translation>
+    </message>
+    <message>
+        <source>bending the atlas</source>
+        <translation>courbure de l&apos;atlas</translation>
+    </message>
+    <message>
+        <source>fitting the atlas to the surface</source>
+        <translation>ajustement de l&apos;atlas à la surface</translation>
+    </message>
+    <message>
+        <source>bringing the template onto each liver</source>
+        <translation>pose du gabarit sur chaque foie</translation>
+    </message>
+    <message>
+        <source>foretelling each liver by the others</source>
+        <translation>prédiction de chaque foie par les autres</translation>
+    </message>
+    <message>
+        <source>reading livers</source>
+        <translation>lecture des foies</translation>
     </message>
 </context>
 <context>
@@ -3470,18 +3637,6 @@
         <translation>live : temps le plus long jusqu&apos;au retour d&apos;une superposition juste après un saut, s</translation>
     </message>
     <message>
-        <source>Measures the proofs&apos; figures again, against experts&apos; labels and known truths: patient (from the CT to the model), stereo (from pictures to clouds), registration (how far off it is, and whether it says so), live (what the overlay says of itself when something is wrong).</source>
-        <translation>Mesure à nouveau les chiffres des preuves, contre des segmentations d&apos;experts et des vérités connues : patient (du scanner au modèle), stereo (des images aux nuages), registration (de combien il se trompe, et s&apos;il le dit), live (ce que la superposition dit d&apos;elle-même quand quelque chose ne va pas).</translation>
-    </message>
-    <message>
-        <source>Which: patient, stereo, registration or live.</source>
-        <translation>Laquelle : patient, stereo, registration ou live.</translation>
-    </message>
-    <message>
-        <source>registration: leave the validation patients alone, as when limits are set.</source>
-        <translation>registration : laisser de côté les patients de validation, comme lorsque les limites sont fixées.</translation>
-    </message>
-    <message>
         <source>registrations over 10 mm at a lesion, refused or doubted, share</source>
         <translation>recalages à plus de 10 mm à une lésion, refusés ou mis en doute, part</translation>
     </message>
@@ -3649,6 +3804,166 @@
         <source>live, tissue: largest error at a place below the surface with a scope in a hand, mean over frames, mm</source>
         <translation>en direct, tissu : plus grande erreur en un point sous la surface avec un laparoscope tenu à la main, moyenne sur les images, mm</translation>
     </message>
+    <message>
+        <source>Each liver foretold by the others (mm, in silico where the livers are synthetic):</source>
+        <translation>Chaque foie prédit par les autres (mm, in silico là où les foies sont synthétiques) :</translation>
+    </message>
+    <message>
+        <source>surface</source>
+        <translation>surface</translation>
+    </message>
+    <message>
+        <source>%1: %2 livers, %3 vertices, %4 modes</source>
+        <translation>%1 : %2 foies, %3 sommets, %4 modes</translation>
+    </message>
+    <message>
+        <source>%1: from %2 livers (%3), %4 mm</source>
+        <translation>%1 : d&apos;après %2 foies (%3), %4 mm</translation>
+    </message>
+    <message>
+        <source>%1 differs from the others: weight %2</source>
+        <translation>%1 diffère des autres : poids %2</translation>
+    </message>
+    <message>
+        <source>--accept: %1 is no structure.</source>
+        <translation>--accept : %1 n&apos;est pas une structure.</translation>
+    </message>
+    <message>
+        <source>Landmarks that the CT does not show. &apos;build CASE... --out A&apos; makes an atlas of reviewed cases, &apos;evaluate CASE...&apos; foretells each of them by the others, &apos;show&apos; tells what an atlas knows, &apos;transfer --case C&apos; proposes landmarks on a patient&apos;s liver.</source>
+        <translation>Repères que le scanner ne montre pas. « build CAS... --out A » fait un atlas de cas révisés, « evaluate CAS... » prédit chacun par les autres, « show » dit ce qu&apos;un atlas sait, « transfer --case C » propose des repères sur le foie d&apos;un patient.</translation>
+    </message>
+    <message>
+        <source>build, evaluate, show or transfer.</source>
+        <translation>build, evaluate, show ou transfer.</translation>
+    </message>
+    <message>
+        <source>Cases with a model, for build and evaluate: five at least.</source>
+        <translation>Cas avec un modèle, pour build et evaluate : cinq au moins.</translation>
+    </message>
+    <message>
+        <source>An atlas&apos; folder instead of the built-in atlas.</source>
+        <translation>Dossier d&apos;un atlas à la place de l&apos;atlas intégré.</translation>
+    </message>
+    <message>
+        <source>Folder for the atlas that is built.</source>
+        <translation>Dossier de l&apos;atlas à construire.</translation>
+    </message>
+    <message>
+        <source>Name of the atlas that is built.</source>
+        <translation>Nom de l&apos;atlas à construire.</translation>
+    </message>
+    <message>
+        <source>Proposals to accept unseen, with commas: umbilical_notch, vena_cava, ...</source>
+        <translation>Propositions à accepter sans les voir, avec des virgules : umbilical_notch, vena_cava, ...</translation>
+    </message>
+    <message>
+        <source>Add this many livers of the synthetic population, from --seed on.</source>
+        <translation>Ajouter autant de foies de la population synthétique, à partir de --seed.</translation>
+    </message>
+    <message>
+        <source>What the livers do not show of how patients differ, mm, added to every landmark.</source>
+        <translation>Ce que les foies ne montrent pas des différences entre patients, mm, ajouté à chaque repère.</translation>
+    </message>
+    <message>
+        <source>Begin with the synthetic template instead of an atlas.</source>
+        <translation>Commencer par le gabarit synthétique au lieu d&apos;un atlas.</translation>
+    </message>
+    <message>
+        <source>%1: is no action. See &apos;glisson atlas --help&apos;.</source>
+        <translation>%1 : n&apos;est pas une action. Voir « glisson atlas --help ».</translation>
+    </message>
+    <message>
+        <source>Measures the proofs&apos; figures again, against experts&apos; labels and known truths: patient (from the CT to the model), stereo (from pictures to clouds), registration (how far off it is, and whether it says so), live (what the overlay says of itself when something is wrong), atlas (landmarks that the CT does not show).</source>
+        <translation>Mesure à nouveau les chiffres des preuves, par rapport aux étiquettes d&apos;experts et à des vérités connues : patient (du scanner au modèle), stereo (des images aux nuages), registration (son erreur, et si elle l&apos;annonce), live (ce que la superposition dit d&apos;elle-même quand quelque chose ne va pas), atlas (repères que le scanner ne montre pas).</translation>
+    </message>
+    <message>
+        <source>Which: patient, stereo, registration, live or atlas.</source>
+        <translation>Laquelle : patient, stereo, registration, live ou atlas.</translation>
+    </message>
+    <message>
+        <source>registration, atlas: leave the validation patients alone, as when limits are set.</source>
+        <translation>registration, atlas : ne pas toucher aux patients de validation, comme lors du choix des limites.</translation>
+    </message>
+    <message>
+        <source>Landmarks that the CT does not show: build, show and transfer an atlas</source>
+        <translation>Repères que le scanner ne montre pas : construire, montrer et transférer un atlas</translation>
+    </message>
+    <message>
+        <source>real livers by the others: surface, mean, mm</source>
+        <translation>foies réels par les autres : surface, moyenne, mm</translation>
+    </message>
+    <message>
+        <source>real livers by the others: surface, worst liver, mm</source>
+        <translation>foies réels par les autres : surface, pire foie, mm</translation>
+    </message>
+    <message>
+        <source>real livers by the others: vena cava&apos;s contact, mean, mm</source>
+        <translation>foies réels par les autres : contact de la veine cave, moyenne, mm</translation>
+    </message>
+    <message>
+        <source>real livers by the others: vena cava&apos;s contact, worst liver, mm</source>
+        <translation>foies réels par les autres : contact de la veine cave, pire foie, mm</translation>
+    </message>
+    <message>
+        <source>real livers by the others: portal vein&apos;s entrance, mean, mm</source>
+        <translation>foies réels par les autres : entrée de la veine porte, moyenne, mm</translation>
+    </message>
+    <message>
+        <source>real livers by the others: portal vein&apos;s entrance, worst liver, mm</source>
+        <translation>foies réels par les autres : entrée de la veine porte, pire foie, mm</translation>
+    </message>
+    <message>
+        <source>real livers by the others: truth within the 95 % ellipsoids, at least</source>
+        <translation>foies réels par les autres : vérité dans les ellipsoïdes à 95 %, au moins</translation>
+    </message>
+    <message>
+        <source>real livers by the others: truth within the 95 % ellipsoids, at most</source>
+        <translation>foies réels par les autres : vérité dans les ellipsoïdes à 95 %, au plus</translation>
+    </message>
+    <message>
+        <source>real livers by the built-in atlas: vena cava&apos;s contact, mean, mm</source>
+        <translation>foies réels par l&apos;atlas intégré : contact de la veine cave, moyenne, mm</translation>
+    </message>
+    <message>
+        <source>real livers by the built-in atlas: truth within the 95 % ellipsoids</source>
+        <translation>foies réels par l&apos;atlas intégré : vérité dans les ellipsoïdes à 95 %</translation>
+    </message>
+    <message>
+        <source>real livers mirrored: share that is refused</source>
+        <translation>foies réels en miroir : part qui est refusée</translation>
+    </message>
+    <message>
+        <source>transfer to a real liver, slowest, s</source>
+        <translation>transfert sur un foie réel, le plus lent, s</translation>
+    </message>
+    <message>
+        <source>building from the real livers, s</source>
+        <translation>construction à partir des foies réels, s</translation>
+    </message>
+    <message>
+        <source>in silico: surface, mean, mm</source>
+        <translation>in silico : surface, moyenne, mm</translation>
+    </message>
+    <message>
+        <source>in silico: umbilical notch, mean, mm</source>
+        <translation>in silico : échancrure ombilicale, moyenne, mm</translation>
+    </message>
+    <message>
+        <source>in silico: umbilical notch, worst liver, mm</source>
+        <translation>in silico : échancrure ombilicale, pire foie, mm</translation>
+    </message>
+    <message>
+        <source>in silico: anterior margin, mean, mm</source>
+        <translation>in silico : bord antérieur, moyenne, mm</translation>
+    </message>
+    <message>
+        <source>in silico: truth within the 95 % ellipsoids, at least</source>
+        <translation>in silico : vérité dans les ellipsoïdes à 95 %, au moins</translation>
+    </message>
+    <message>
+        <source>in silico: truth within the 95 % ellipsoids, at most</source>
+        <translation>in silico : vérité dans les ellipsoïdes à 95 %, au plus</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AngleHistogram</name>
@@ -3742,6 +4057,14 @@
     <message>
         <source>points of the model: %1, the next click replaces them</source>
         <translation>points du modèle : %1, le prochain clic les remplace</translation>
+    </message>
+    <message>
+        <source>Proposals</source>
+        <translation>Propositions</translation>
+    </message>
+    <message>
+        <source>Where they should lie: from the CT where it shows them, else from other livers. Nothing is used before you accept it.</source>
+        <translation>Où ils devraient se trouver : d&apos;après le scanner là où il les montre, sinon d&apos;après d&apos;autres foies. Rien n&apos;est utilisé avant que vous ne l&apos;acceptiez.</translation>
     </message>
 </context>
 <context>
@@ -4742,6 +5065,49 @@
     <message>
         <source>Tracking was stopped. Last picture, not live.</source>
         <translation>Le suivi a été arrêté. Dernière image, pas en direct.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::ProposalReview</name>
+    <message>
+        <source>Propose landmarks</source>
+        <translation>Proposer des repères</translation>
+    </message>
+    <message>
+        <source>Proposed landmarks</source>
+        <translation>Repères proposés</translation>
+    </message>
+    <message>
+        <source>Accept</source>
+        <translation>Accepter</translation>
+    </message>
+    <message>
+        <source>It lies there</source>
+        <translation>Il se trouve là</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Déplacer</translation>
+    </message>
+    <message>
+        <source>Click where it lies, on the liver in 3D or in a slice</source>
+        <translation>Cliquez où il se trouve, sur le foie en 3D ou dans une coupe</translation>
+    </message>
+    <message>
+        <source>Not visible</source>
+        <translation>Non visible</translation>
+    </message>
+    <message>
+        <source>It is not used</source>
+        <translation>Il n&apos;est pas utilisé</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Take the last step of the review back</source>
+        <translation>Annuler la dernière étape de la revue</translation>
     </message>
 </context>
 <context>

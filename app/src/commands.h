@@ -10,6 +10,7 @@
 
 namespace glisson::app {
 
+int run_atlas(const QStringList& arguments);
 int run_demo(const QStringList& arguments);
 int run_import(const QStringList& arguments);
 int run_segment(const QStringList& arguments);

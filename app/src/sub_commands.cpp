@@ -14,6 +14,8 @@ const std::vector<SubCommand>& sub_commands() {
       {"edit", run_edit, false,
        QT_TRANSLATE_NOOP("cli", "Edit the labels by a script of the window's tools")},
       {"model", run_model, false, QT_TRANSLATE_NOOP("cli", "Build the biomechanical model")},
+      {"atlas", run_atlas, false,
+       QT_TRANSLATE_NOOP("cli", "Landmarks that the CT does not show: build, show and transfer an atlas")},
       {"calibrate", run_calibrate, false,
        QT_TRANSLATE_NOOP("cli", "Calibrate a stereo laparoscope from pictures of a board")},
       {"check", run_check, false, QT_TRANSLATE_NOOP("cli", "Look through a stereo video for faults")},

@@ -13,6 +13,7 @@ namespace {
 /// Rooms and declarations whose points are in any one frame, and why.
 const std::map<std::string, std::string>& of_any_frame() {
   static const std::map<std::string, std::string> kReasons = {
+      {"atlas", "brings livers, templates and means into one another's frames; a patient's is the CT"},
       {"geometry", "measures meshes and points where they are; whoever owns them knows the frame"},
       {"fem", "a body is at rest and moves in the frame of its mesh, whichever that is"},
       {"experiments/evaluate.h", "estimate and truth in one frame, whichever"},

@@ -11,6 +11,7 @@
 #include "glisson/engine/obstacle.h"
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/model.h"
+#include "glisson/ui/atlas/proposal_review.h"
 #include "glisson/ui/common/texts.h"
 
 namespace glisson::ui {
@@ -24,7 +25,7 @@ double length_mm(const Points& line) {
 
 }  // namespace
 
-AtlasPanel::AtlasPanel(EngineBridge& engine, LinkedViews& views, QWidget* parent)
+AtlasPanel::AtlasPanel(EngineBridge& engine, LinkedViews& views, ViewState& state, QWidget* parent)
     : Panel(engine, tr("Landmarks"),
             tr("Features that are found again in the laparoscope's pictures. Check them on the 3D surface "
                "and place "
@@ -34,6 +35,13 @@ AtlasPanel::AtlasPanel(EngineBridge& engine, LinkedViews& views, QWidget* parent
   setObjectName(QStringLiteral("atlas_panel"));
   obstacle_ = make_explanation({}, this);
   content()->addWidget(obstacle_);
+  QVBoxLayout* proposals = add_section(
+      tr("Proposals"),
+      tr("Where they should lie: from the CT where it shows them, else from other livers. Nothing "
+         "is used before you accept it."));
+  review_ = new ProposalReview(engine, views, state, this);
+  proposals->addWidget(review_);
+  connect(review_, &ProposalReview::moving_began, this, [this] { choose(Tool::none); });
   QVBoxLayout* margin =
       add_section(tr("Anterior margin"), tr("The sharp lower edge, found on the model (white line)."));
   margin_ = new QLabel(this);
@@ -60,7 +68,10 @@ AtlasPanel::AtlasPanel(EngineBridge& engine, LinkedViews& views, QWidget* parent
     show_case();
   });
   auto* escape = new QShortcut(Qt::Key_Escape, this);
-  connect(escape, &QShortcut::activated, this, [this] { choose(Tool::none); });
+  connect(escape, &QShortcut::activated, this, [this] {
+    choose(Tool::none);
+    review_->stop_moving();
+  });
   watch(part::landmarks);
   show_case();
 }
@@ -103,15 +114,20 @@ QPushButton* AtlasPanel::add_tool(const QString& heading, const QString& explana
   return place;
 }
 
-void AtlasPanel::activate() { active_ = true; }
+void AtlasPanel::activate() {
+  active_ = true;
+  review_->set_active(true);
+}
 
 void AtlasPanel::deactivate() {
   active_ = false;
   choose(Tool::none);
+  review_->set_active(false);
 }
 
 void AtlasPanel::choose(Tool tool) {
   tool_ = tool;
+  if (tool != Tool::none) review_->stop_moving();
   place_notch_->setChecked(tool == Tool::notch);
   place_cava_->setChecked(tool == Tool::vena_cava);
   views_.volume().setCursor(tool == Tool::none ? Qt::ArrowCursor : Qt::CrossCursor);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "glisson/patient/label_map.h"
+#include "glisson/ui/common/atlas_texts.h"
 #include "glisson/ui/common/texts.h"
 
 namespace glisson::ui {
@@ -59,6 +60,34 @@ class Notes {
         {"surfaces.ignored", tr("The file %1 was not used: its name tells no structure.")},
         {"landmarks.no_anterior_margin",
          tr("No anterior margin was found: the registration has one feature less.")},
+        {"landmarks.no_vena_cava",
+         tr("The model has no vena cava: nothing says where the organ is held. Let the atlas propose it.")},
+        {"atlas.cava_from_statistics",
+         tr("Where the organ is held (vena cava) comes from statistics alone, with a deviation of %1 mm.")},
+        {"atlas.notch_from_statistics",
+         tr("The umbilical notch comes from statistics alone, with a deviation of %1 mm.")},
+        {"atlas.margin_left_out",
+         tr("%1 % of the proposed anterior margin come from statistics alone: the registration does not use "
+            "them.")},
+        {"atlas.unusual_shape",
+         tr("This liver's shape is %1 times as unusual as the atlas knows: the proposals are uncertain.")},
+        {"atlas.unusual_size",
+         tr("This liver's size lies %1 deviations from the atlas' mean: the proposals are uncertain.")},
+        {"atlas.poor_fit", tr("The atlas does not fit this liver: %1 mm apart on average.")},
+        {"atlas.folded", tr("The atlas is folded on this liver (%1 % of its surface).")},
+        {"atlas.turned", tr("This liver is turned by %1° against the atlas: check how the patient lies.")},
+        {"atlas.no_whole_liver", tr("This is not the shape of a whole liver: a part is missing, it is much "
+                                    "changed, or left and right "
+                                    "are mixed up.")},
+        {"atlas.perhaps_mirrored",
+         tr("The mirror image of this liver fits the atlas nearly as well: check left and right.")},
+        {"atlas.open_surface", tr("The liver's surface is open: the proposals are uncertain.")},
+        {"atlas.several_pieces", tr("The liver's surface has %1 pieces; the largest was taken.")},
+        {"atlas.contradiction",
+         tr("%1: the image shows it %2 mm from where the atlas expects it. Check the segmentation.")},
+        {"atlas.outlier", tr("The liver %1 differs from the others and counts less.")},
+        {"atlas.too_few", tr("%1: too few livers show it, so that the atlas does not know it.")},
+        {"atlas.taken_over", tr("%1: too few livers show it; taken over from the atlas '%2'.")},
         {"stereo.black", tr("Both pictures are dark.")},
         {"stereo.left_lost", tr("The left camera shows nothing.")},
         {"stereo.right_lost", tr("The right camera shows nothing.")},
@@ -146,6 +175,7 @@ QString structure_named(const QString& code) {
   for (const Label label : {structure::kParenchyma, structure::kPortalVein, structure::kHepaticVeins,
                             structure::kVenaCava, structure::kArtery, structure::kGallbladder})
     if (code == QString::fromStdString(structure_name(label))) return structure_text(label);
+  if (const QString landmark = landmark_text(code); !landmark.isEmpty()) return landmark;
   const QString prefix = QStringLiteral("lesion_");
   bool number = false;
   const int lesion = code.startsWith(prefix) ? code.mid(prefix.size()).toInt(&number) : 0;

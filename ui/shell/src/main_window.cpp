@@ -93,7 +93,7 @@ MainWindow::~MainWindow() {
 void MainWindow::build_panels() {
   add_panel(new SegmentationPanel(engine_, state_), QStringLiteral(":/glisson/icons/segmentation.svg"));
   add_panel(new ModelPanel(engine_, *views_), QStringLiteral(":/glisson/icons/model.svg"));
-  add_panel(new AtlasPanel(engine_, *views_), QStringLiteral(":/glisson/icons/atlas.svg"));
+  add_panel(new AtlasPanel(engine_, *views_, state_), QStringLiteral(":/glisson/icons/atlas.svg"));
   add_panel(new StereoPanel(engine_), QStringLiteral(":/glisson/icons/stereo.svg"));
   add_panel(new GuidancePanel(engine_, drawables_), QStringLiteral(":/glisson/icons/guidance.svg"));
 }

@@ -8,6 +8,7 @@
 #include "glisson/engine/parts/cloud.h"
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/proposals.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/patient/label_map.h"
 #include "glisson/registration/examined_registration.h"
@@ -100,7 +101,7 @@ void add_figures(Figures& figures, const registration::Registered& made) {
 
 CommandTraits Register::traits() const {
   return {.code = "register",
-          .reads = {part::model, part::landmarks, part::cloud},
+          .reads = {part::model, part::landmarks, part::proposals, part::cloud},
           .writes = {part::registration},
           .needs = {part::model, part::cloud},
           .current = {part::model, part::landmarks, part::cloud}};
@@ -119,6 +120,7 @@ Cancellable<Applied> Register::apply(const CaseState& state, const RunContext& c
   applied.figures["registration_refused"] = registration::is_refused(made->registration) ? 1.0 : 0.0;
   applied.figures["registration_doubts"] = static_cast<double>(made->registration.doubts.size());
   applied.notes = made->registration.doubts;
+  for (std::string& note : landmark_notes(state)) applied.notes.push_back(std::move(note));
   if (made->operations && made->operations != known.prior)
     applied.state[part::operations] = std::make_shared<const SimulatedOperations>(SimulatedOperations{
         state[part::model], state[part::landmarks], operation, std::move(made->operations)});

@@ -11,14 +11,16 @@ class QPushButton;
 
 namespace glisson::ui {
 
-/// Review of the anatomical landmarks: the anterior margin that was found is shown, notch and vena cava are
-/// placed by clicking on the surface in three dimensions.
+class ProposalReview;
+
+/// Review of the anatomical landmarks: what the atlas proposes; the anterior margin that was found is shown,
+/// notch and vena cava are placed by clicking on the surface in three dimensions.
 class AtlasPanel : public Panel {
   Q_OBJECT
  public:
   enum class Tool { none, notch, vena_cava };
 
-  AtlasPanel(EngineBridge& engine, LinkedViews& views, QWidget* parent = nullptr);
+  AtlasPanel(EngineBridge& engine, LinkedViews& views, ViewState& state, QWidget* parent = nullptr);
 
   void activate() override;
   void deactivate() override;
@@ -37,6 +39,7 @@ class AtlasPanel : public Panel {
   void show_landmarks();
 
   LinkedViews& views_;
+  ProposalReview* review_ = nullptr;
   Tool tool_ = Tool::none;
   std::set<Tool> begin_anew_;  ///< the next point of these takes the place of the model's own
   Landmarks landmarks_;        ///< effective ones, as on the screen

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "glisson/atlas/member.h"
+#include "glisson/atlas/shape_model.h"
+#include "glisson/atlas/structure.h"
+#include "glisson/core/run_context.h"
+
+/// @file
+/// The atlas: a mean liver with its modes, and where structures lie on it. It is built from livers, kept as a
+/// folder of standard files, and transferred to a patient (transfer.h).
+
+namespace glisson::atlas {
+
+/// Where a structure lies on the mean liver, and how far from there it was found on livers that had no part
+/// in the prediction. K = point_count(structure).
+struct StructureStatistics {
+  Structure structure = Structure::umbilical_notch;
+  std::string origin;  ///< name of the atlas whose members show it: another one's where it was taken over
+  std::vector<std::string> members;  ///< that show it
+  Points mean;                       ///< K x 3, the mean liver's frame, metres
+  /// Change of the K points (x0 y0 z0 x1 ...) per deviation of each of the first modes, metres. May have no
+  /// column.
+  Eigen::MatrixXd slopes;
+  std::vector<Points> residuals;  ///< one a member: truth - prediction without it, metres
+  /// Deviation in any direction that the members do not show (metres): a population of synthetic livers is
+  /// more regular than patients are.
+  double added_deviation = 0.0;
+  /// Areas: for each vertex of the mean the share of members whose area it belongs to.
+  Eigen::VectorXd share;
+};
+
+struct AtlasMember {
+  std::string name;
+  double weight = 1.0;         ///< below 1: it differs from the others
+  double size = 0.0;           ///< metres, see size_of()
+  double unusual = 0.0;        ///< see Atlas::usual, judged by an atlas without it
+  double mean_distance = 0.0;  ///< metres, of its correspondence
+};
+
+struct Atlas {
+  std::string name;
+  Triangles triangles;
+  ShapeModel shape;  ///< CT axes; origin and size those of the members' mean
+  std::vector<AtlasMember> members;
+  std::vector<StructureStatistics> structures;
+  double usual = 0.0;                               ///< how unusual() 95 % of the members are
+  double log_size = 0.0, log_size_deviation = 0.0;  ///< of size_of() in metres
+
+  TriangleMesh mean() const { return {shape.mean, triangles}; }
+  /// Null: nothing is known of it.
+  const StructureStatistics* find(Structure structure) const;
+};
+
+/// How far a shape in the mean's frame lies from the model: root of the mean over modes and what they leave
+/// of (distance / deviation)^2. About 1 for a member.
+double unusual(const ShapeModel& model, const Points& shape);
+
+/// The covariance of one point of a structure (mean's frame, m2), so scaled that the 95 % ellipsoid of a
+/// normal distribution holds 95 % although few livers show it (Hotelling 1931).
+/// @param left_out a member whose residual is not used; -1: none.
+Eigen::Matrix3d covariance(const StructureStatistics& statistics, int point, int left_out = -1);
+/// Squared Mahalanobis distance that holds 95 % of a normal distribution in space.
+inline constexpr double kEllipsoid95 = 7.8147;
+
+/// What became of one structure on a liver that had no part in its prediction.
+struct LeftOutStructure {
+  double mean_error = 0.0, max_error = 0.0;  ///< metres, over its points
+  double area_distance = 0.0;  ///< areas: mean distance between both contacts, both ways, metres
+  int inside = 0, points = 0;  ///< how many of its points lie in their 95 % ellipsoids
+  double deviation = 0.0;      ///< metres, that was foretold (root of the mean trace)
+};
+struct LeftOut {
+  std::string name;
+  double mean_distance = 0.0, max_distance = 0.0;  ///< metres, between the surfaces
+  double turned_deg = 0.0;
+  double misfit = 0.0, mirrored_misfit = 0.0;  ///< see Correspondence
+  int folded = 0;
+  double unusual = 0.0;
+  std::vector<std::string> doubts;
+  std::map<Structure, LeftOutStructure> structures;
+};
+/// How good a shape model is (Styner 2003), metres.
+struct ModelQuality {
+  double compactness_modes = 0;  ///< that explain 90 % of the variance
+  double generality = 0.0;       ///< mean distance of a liver to its best instance by the others' modes
+  double specificity = 0.0;      ///< mean distance of drawn instances to the closest member
+};
+
+struct BuildResult {
+  Atlas atlas;
+  std::vector<LeftOut> left_out;
+  ModelQuality quality;
+  std::vector<std::string> notes;  ///< "atlas.outlier 0009 2.3", ...: codes with values
+};
+
+struct BuildOptions {
+  std::string name = "atlas";
+  double share = 0.9;            ///< of the variance that the modes explain
+  double added_deviation = 0.0;  ///< see StructureStatistics
+  int threads = 2;
+  /// @throws InputError naming the option.
+  void validate() const;
+};
+
+/// Builds an atlas (README: "Build"): every member by the template, alignment, modes; then each once more by
+/// the others' mean and modes, which gives its structures' places and the honest errors.
+/// @param base its mean is the template; what no five members show is taken over from it, and said.
+/// @pre the base has a mean. Empty: cancelled.
+/// @throws InputError fewer than 5 members, two of one name, a mirrored liver.
+Cancellable<BuildResult> build(std::vector<Member> members, const Atlas& base, const BuildOptions& options,
+                               const RunContext& context);
+
+/// An atlas that is but a template: triangles and mean.
+Atlas bare_atlas(const TriangleMesh& mean);
+
+/// A folder with atlas.json and mean.vtp (millimetres), written whole or not at all.
+/// @throws FileError.
+void write_atlas(const std::filesystem::path& folder, const Atlas& atlas);
+/// @throws FileError missing; InputError malformed, of another version, or of files that do not belong
+/// together.
+Atlas read_atlas(const std::filesystem::path& folder);
+
+}  // namespace glisson::atlas

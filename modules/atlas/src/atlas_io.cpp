@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "glisson/atlas/atlas.h"
+#include "glisson/core/error.h"
+#include "glisson/core/files.h"
+#include "glisson/core/json_file.h"
+#include "glisson/geometry/mesh_io.h"
+
+namespace glisson::atlas {
+namespace {
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr int kVersion = 1;
+constexpr const char* kFormat = "glisson-atlas";
+constexpr double kMm = 1e3;
+
+std::string mode_name(Eigen::Index k) { return "mode_" + std::to_string(k + 1); }
+std::string share_name(Structure structure) { return std::string("share_") + code(structure); }
+
+json rows(const Eigen::MatrixXd& matrix, double factor) {
+  json list = json::array();
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    json row = json::array();
+    // Micrometres are enough, and keep the file small.
+    for (Eigen::Index j = 0; j < matrix.cols(); ++j)
+      row.push_back(std::round(factor * matrix(i, j) * 1e3) / 1e3);
+    list.push_back(row);
+  }
+  return list;
+}
+
+/// Reads fields and names the one that is wrong.
+class Sheet {
+ public:
+  Sheet(const json& document, std::string file, std::string path = {})
+      : document_(document), file_(std::move(file)), path_(std::move(path)) {
+    if (!document.is_object()) fail("", "is no object");
+  }
+  Sheet at(const char* key) const { return {field(key), file_, name(key)}; }
+  double number(const char* key) const {
+    const json& value = field(key);
+    if (!value.is_number() || !std::isfinite(value.get<double>())) fail(key, "is no number");
+    return value.get<double>();
+  }
+  std::string text(const char* key) const {
+    const json& value = field(key);
+    if (!value.is_string()) fail(key, "is no text");
+    return value.get<std::string>();
+  }
+  std::vector<Sheet> list(const char* key) const {
+    std::vector<Sheet> sheets;
+    const json& value = field(key);
+    if (!value.is_array()) fail(key, "is no list");
+    for (std::size_t i = 0; i < value.size(); ++i)
+      sheets.emplace_back(value[i], file_, name(key) + "[" + std::to_string(i) + "]");
+    return sheets;
+  }
+  std::vector<std::string> texts(const char* key) const {
+    const json& value = field(key);
+    if (!value.is_array()) fail(key, "is no list");
+    std::vector<std::string> all;
+    for (const json& one : value) {
+      if (!one.is_string()) fail(key, "holds something else than texts");
+      all.push_back(one.get<std::string>());
+    }
+    return all;
+  }
+  const json& field(const char* key) const {
+    const auto found = document_.find(key);
+    if (found == document_.end()) fail(key, "is missing");
+    return *found;
+  }
+  /// rows x cols numbers over `factor`; -1 columns: any number.
+  Eigen::MatrixXd matrix(const json& value, const char* key, Eigen::Index wanted_rows,
+                         Eigen::Index wanted_cols, double factor) const {
+    if (!value.is_array() || static_cast<Eigen::Index>(value.size()) != wanted_rows)
+      fail(key, "needs " + std::to_string(wanted_rows) + " rows");
+    Eigen::Index cols = wanted_cols;
+    if (cols < 0)
+      cols = wanted_rows == 0 || !value[0].is_array() ? 0 : static_cast<Eigen::Index>(value[0].size());
+    Eigen::MatrixXd matrix(wanted_rows, cols);
+    for (Eigen::Index i = 0; i < wanted_rows; ++i) {
+      const json& row = value[static_cast<std::size_t>(i)];
+      if (!row.is_array() || static_cast<Eigen::Index>(row.size()) != cols)
+        fail(key, "needs " + std::to_string(cols) + " numbers a row");
+      for (Eigen::Index j = 0; j < cols; ++j) {
+        if (!row[static_cast<std::size_t>(j)].is_number()) fail(key, "holds something else than numbers");
+        matrix(i, j) = row[static_cast<std::size_t>(j)].get<double>() / factor;
+      }
+    }
+    return matrix;
+  }
+  [[noreturn]] void fail(const char* key, const std::string& problem) const {
+    throw InputError(file_, name(key), problem, "Build the atlas again, or take another one");
+  }
+
+ private:
+  std::string name(const char* key) const {
+    if (path_.empty()) return key;
+    return *key == '\0' ? path_ : path_ + "." + key;
+  }
+  const json& document_;
+  std::string file_, path_;
+};
+
+json sheet_of(const StructureStatistics& one) {
+  json residuals = json::array();
+  for (const Points& residual : one.residuals) residuals.push_back(rows(residual, kMm));
+  return {{"structure", code(one.structure)},
+          {"origin", one.origin},
+          {"members", one.members},
+          {"mean_mm", rows(one.mean, kMm)},
+          {"slopes_mm", rows(one.slopes, kMm)},
+          {"residuals_mm", residuals},
+          {"added_deviation_mm", kMm * one.added_deviation}};
+}
+
+StructureStatistics statistics_of(const Sheet& sheet) {
+  StructureStatistics one;
+  const auto structure = structure_of(sheet.text("structure"));
+  if (!structure) sheet.fail("structure", "is unknown: " + sheet.text("structure"));
+  one.structure = *structure;
+  one.origin = sheet.text("origin");
+  one.members = sheet.texts("members");
+  const Eigen::Index count = point_count(*structure);
+  one.mean = sheet.matrix(sheet.field("mean_mm"), "mean_mm", count, 3, kMm);
+  one.slopes = sheet.matrix(sheet.field("slopes_mm"), "slopes_mm", 3 * count, -1, kMm);
+  const json& residuals = sheet.field("residuals_mm");
+  if (!residuals.is_array() || residuals.size() != one.members.size() || residuals.size() < 3)
+    sheet.fail("residuals_mm", "needs one entry a member, three at least");
+  for (const json& residual : residuals)
+    one.residuals.emplace_back(sheet.matrix(residual, "residuals_mm", count, 3, kMm));
+  one.added_deviation = sheet.number("added_deviation_mm") / kMm;
+  return one;
+}
+
+TriangleFile surface_of(const Atlas& atlas) {
+  TriangleFile file;
+  file.mesh = atlas.mean();
+  for (Eigen::Index k = 0; k < atlas.shape.modes.cols(); ++k) {
+    const Eigen::VectorXd mode = atlas.shape.modes.col(k);
+    file.point_data[mode_name(k)] = Eigen::Map<const Points>(mode.data(), mode.size() / 3, 3);
+  }
+  for (const StructureStatistics& one : atlas.structures)
+    if (one.share.size() > 0) file.point_data[share_name(one.structure)] = one.share;
+  return file;
+}
+
+void take_modes(Atlas& atlas, const TriangleFile& file, const std::string& name, Eigen::Index count) {
+  const Eigen::Index vertices = file.mesh.vertices.rows();
+  atlas.shape.modes.resize(3 * vertices, count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const auto found = file.point_data.find(mode_name(k));
+    if (found == file.point_data.end() || found->second.cols() != 3 || !found->second.allFinite())
+      throw InputError(name, mode_name(k), "is missing, or no vector a vertex",
+                       "Build the atlas again, or take another one");
+    const Points mode = found->second;
+    atlas.shape.modes.col(k) = Eigen::Map<const Eigen::VectorXd>(mode.data(), mode.size());
+  }
+  for (StructureStatistics& one : atlas.structures)
+    if (const auto found = file.point_data.find(share_name(one.structure)); found != file.point_data.end())
+      one.share = found->second.col(0);
+}
+
+}  // namespace
+
+void write_atlas(const fs::path& folder, const Atlas& atlas) {
+  fs::create_directories(folder);
+  write_triangle_mesh(folder / "mean.vtp", surface_of(atlas), LengthUnit::millimetre);
+  json members = json::array(), structures = json::array(), variances = json::array();
+  for (const AtlasMember& one : atlas.members)
+    members.push_back({{"name", one.name},
+                       {"weight", one.weight},
+                       {"size_mm", kMm * one.size},
+                       {"unusual", one.unusual},
+                       {"mean_distance_mm", kMm * one.mean_distance}});
+  for (const StructureStatistics& one : atlas.structures) structures.push_back(sheet_of(one));
+  for (const double variance : atlas.shape.variances) variances.push_back(kMm * kMm * variance);
+  write_json(folder / "atlas.json", {{"format", kFormat},
+                                     {"version", kVersion},
+                                     {"name", atlas.name},
+                                     {"vertices", atlas.shape.mean.rows()},
+                                     {"triangles", atlas.triangles.rows()},
+                                     {"variances_mm2", variances},
+                                     {"total_variance_mm2", kMm * kMm * atlas.shape.total_variance},
+                                     {"usual", atlas.usual},
+                                     {"log_size", atlas.log_size},
+                                     {"log_size_deviation", atlas.log_size_deviation},
+                                     {"members", members},
+                                     {"structures", structures}});
+}
+
+Atlas read_atlas(const fs::path& folder) {
+  const fs::path path = folder / "atlas.json";
+  const json document = read_json(path);
+  const Sheet sheet(document, path.string());
+  if (sheet.text("format") != kFormat) sheet.fail("format", "is no atlas'");
+  if (sheet.number("version") != kVersion)
+    throw InputError(path.string(), "version", "is not " + std::to_string(kVersion),
+                     "Build the atlas again with this program");
+  Atlas atlas;
+  atlas.name = sheet.text("name");
+  atlas.usual = sheet.number("usual");
+  atlas.log_size = sheet.number("log_size");
+  atlas.log_size_deviation = sheet.number("log_size_deviation");
+  if (!(atlas.usual > 0.0)) sheet.fail("usual", "is not above 0");
+  if (!(atlas.log_size_deviation > 0.0)) sheet.fail("log_size_deviation", "is not above 0");
+  for (const Sheet& one : sheet.list("members"))
+    atlas.members.push_back({one.text("name"), one.number("weight"), one.number("size_mm") / kMm,
+                             one.number("unusual"), one.number("mean_distance_mm") / kMm});
+  for (const Sheet& one : sheet.list("structures")) atlas.structures.push_back(statistics_of(one));
+  const json& variances = sheet.field("variances_mm2");
+  if (!variances.is_array()) sheet.fail("variances_mm2", "is no list");
+  atlas.shape.variances.resize(static_cast<Eigen::Index>(variances.size()));
+  for (std::size_t k = 0; k < variances.size(); ++k) {
+    if (!variances[k].is_number() || !(variances[k].get<double>() > 0.0))
+      sheet.fail("variances_mm2", "holds something else than numbers above 0");
+    atlas.shape.variances[static_cast<Eigen::Index>(k)] = variances[k].get<double>() / (kMm * kMm);
+  }
+  atlas.shape.total_variance = sheet.number("total_variance_mm2") / (kMm * kMm);
+  const fs::path surface = folder / "mean.vtp";
+  const TriangleFile file = read_triangle_file(surface, LengthUnit::millimetre);
+  if (static_cast<double>(file.mesh.vertex_count()) != sheet.number("vertices") ||
+      static_cast<double>(file.mesh.triangle_count()) != sheet.number("triangles"))
+    throw InputError(surface.string(), "vertices", "do not belong to this atlas.json",
+                     "Copy both files of one atlas");
+  check_liver_size(file.mesh.vertices, LengthUnit::millimetre, surface.string());
+  atlas.triangles = file.mesh.triangles;
+  atlas.shape.mean = file.mesh.vertices;
+  take_modes(atlas, file, surface.string(), atlas.shape.variances.size());
+  return atlas;
+}
+
+}  // namespace glisson::atlas

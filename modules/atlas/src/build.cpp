@@ -1,0 +1,391 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <set>
+
+#include "glisson/atlas/atlas.h"
+#include "glisson/atlas/correspond.h"
+#include "glisson/core/error.h"
+#include "glisson/core/random.h"
+#include "glisson/core/statistics.h"
+#include "glisson/geometry/closest_point_tree.h"
+#include "mirrored.h"
+#include "side_by_side.h"
+#include "statistics.h"
+
+namespace glisson::atlas {
+namespace {
+
+constexpr std::size_t kLeastMembers = 5;
+constexpr double kOutlierDeviations = 3.0;  // robust, from the median, at which a member's weight falls
+constexpr double kTouching = 0.004;         // metres, between a vertex and an area's points
+constexpr int kDrawn = 60;                  // instances for the specificity
+
+/// What is known of one member on the way.
+struct Work {
+  Member member;
+  TriangleMesh liver;  ///< prepared
+  std::vector<std::string> doubts;
+  Correspondence first, honest;  ///< by the template; by the others' mean and modes
+  double weight = 1.0;
+  double generality = 0.0, unusual = 0.0;
+  std::map<Structure, Points> truth;   ///< ordered points on the member's own liver
+  std::map<Structure, Places> places;  ///< the same on the template
+};
+
+std::string shown(double value, int decimals) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*f", decimals, value);
+  return text;
+}
+
+class Builder {
+ public:
+  Builder(std::vector<Member> members, const Atlas& base, const BuildOptions& options,
+          const RunContext& context)
+      : base_(base), options_(options), context_(context) {
+    std::sort(members.begin(), members.end(),
+              [](const Member& a, const Member& b) { return a.name < b.name; });
+    for (Member& member : members) works_.emplace_back().member = std::move(member);
+  }
+
+  Cancellable<BuildResult> run() {
+    check();
+    if (!correspond_all()) return {};
+    weigh();
+    if (!leave_out_each()) return {};
+    finish_shape();
+    find_places();
+    for (const Structure structure : kStructures) add(structure);
+    judge();
+    return std::move(result_);
+  }
+
+ private:
+  std::size_t count() const { return works_.size(); }
+  void check() {
+    if (count() < kLeastMembers)
+      throw InputError("atlas", "members", "are " + std::to_string(count()),
+                       "Give " + std::to_string(kLeastMembers) + " livers at least");
+    std::set<std::string> names;
+    for (Work& work : works_) {
+      if (!names.insert(work.member.name).second)
+        throw InputError("atlas", "members", "has two of the name " + work.member.name,
+                         "Give each liver once");
+      PreparedLiver prepared = prepare(work.member.liver, work.member.name);
+      work.liver = std::move(prepared.mesh);
+      work.doubts = std::move(prepared.doubts);
+    }
+  }
+
+  /// Work on every member, counted as progress. False: cancelled.
+  bool each(double from, double to, const char* stage, const std::function<bool(std::size_t)>& work) {
+    std::mutex guard;
+    int done = 0;
+    bool whole = true;
+    const RunContext span = context_.part(from, to);
+    side_by_side(static_cast<int>(count()), options_.threads, [&](int i) {
+      const bool finished = !context_.cancelled() && work(static_cast<std::size_t>(i));
+      const std::lock_guard lock(guard);
+      whole = whole && finished;
+      span.progress(static_cast<double>(++done) / static_cast<double>(count()), stage);
+    });
+    return whole && !context_.cancelled();
+  }
+
+  bool correspond_all() {
+    const ShapeModel still{base_.shape.mean, {}, {}, 0.0};
+    return each(0.0, 0.45, "atlas.correspond", [&](std::size_t i) {
+      auto found = correspond(still, base_.triangles, works_[i].liver, context_.quiet());
+      if (!found) return false;
+      works_[i].first = std::move(*found);
+      return true;
+    });
+  }
+
+  /// Members that lie far from the others count less.
+  void weigh() {
+    const auto aligned = aligned_shapes(-1, true);
+    const Points& mean = gauge_;
+    std::vector<double> distances;
+    for (const Points& shape : aligned) distances.push_back((shape - mean).norm());
+    const double middle = upper_median(distances);
+    const double limit =
+        middle + kOutlierDeviations * kDeviationPerMad * median_absolute_deviation(distances, middle);
+    for (std::size_t i = 0; i < count(); ++i) {
+      if (distances[i] <= limit) continue;
+      works_[i].weight = (limit / distances[i]) * (limit / distances[i]);
+      result_.notes.push_back("atlas.outlier " + works_[i].member.name + " " +
+                              shown(distances[i] / middle, 2));
+    }
+  }
+
+  /// All shapes but one in the frame of their mean, which becomes the gauge.
+  std::vector<Points> aligned_shapes(int left_out, bool first) {
+    std::vector<Points> shapes;
+    std::vector<double> weights;
+    for (std::size_t i = 0; i < count(); ++i)
+      if (static_cast<int>(i) != left_out) {
+        shapes.push_back(first ? works_[i].first.vertices : works_[i].honest.vertices);
+        weights.push_back(works_[i].weight);
+      }
+    const Procrustes procrustes = align(shapes, weights, base_.shape.mean);
+    for (std::size_t i = 0; i < shapes.size(); ++i)
+      shapes[i] = procrustes.mean_from_member[i].apply(shapes[i]);
+    if (left_out < 0) gauge_ = procrustes.mean;
+    return shapes;
+  }
+
+  ShapeModel model_of(int left_out, bool first, double share) {
+    std::vector<double> weights;
+    for (std::size_t i = 0; i < count(); ++i)
+      if (static_cast<int>(i) != left_out) weights.push_back(works_[i].weight);
+    return shape_model(aligned_shapes(left_out, first), weights, share);
+  }
+
+  bool leave_out_each() {
+    return each(0.45, 0.95, "atlas.leave_one_out", [&](std::size_t i) {
+      Work& work = works_[i];
+      const ShapeModel others = model_of(static_cast<int>(i), true, options_.share);
+      auto found = correspond(others, base_.triangles, work.liver, context_.quiet());
+      if (!found) return false;
+      work.honest = std::move(*found);
+      const auto side = handedness(others, base_.triangles, work.liver, work.honest, context_.quiet());
+      if (!side) return false;
+      if (*side == Handedness::mirrored) refuse_mirrored(work.member.name);
+      const Similarity back = fit_similarity(work.honest.vertices, others.mean);
+      const Points shape = back.apply(work.honest.vertices);
+      work.unusual = unusual(others, shape);
+      work.generality =
+          (shape - others.instance(others.coefficients(shape))).rowwise().norm().mean() / back.scale;
+      return true;
+    });
+  }
+
+  void finish_shape() {
+    Atlas& atlas = result_.atlas;
+    atlas.name = options_.name;
+    atlas.triangles = base_.triangles;
+    atlas.shape = model_of(-1, false, options_.share);
+    std::vector<double> ratios, sizes;
+    double weights = 0.0, sum = 0.0, squares = 0.0;
+    for (const Work& work : works_) {
+      ratios.push_back(work.unusual);
+      const double size = size_of(work.honest.vertices);
+      atlas.members.push_back({work.member.name, work.weight, size, work.unusual, work.honest.mean_distance});
+      weights += work.weight;
+      sum += work.weight * std::log(size);
+      squares += work.weight * std::log(size) * std::log(size);
+    }
+    atlas.usual = upper_percentile(ratios, 0.95);
+    atlas.log_size = sum / weights;
+    atlas.log_size_deviation = std::sqrt(std::max(1e-6, squares / weights - atlas.log_size * atlas.log_size));
+    for (const Work& work : works_) modes_.push_back(modes_of(work));
+  }
+
+  Eigen::VectorXd modes_of(const Work& work) const {
+    const ShapeModel& shape = result_.atlas.shape;
+    const Points aligned = fit_similarity(work.honest.vertices, shape.mean).apply(work.honest.vertices);
+    return shape.coefficients(aligned).cwiseQuotient(shape.variances.cwiseSqrt());
+  }
+
+  void find_places() {
+    for (Work& work : works_) {
+      const Eigen::Matrix3d upright = work.honest.from_start.rotation.transpose();
+      const TriangleMesh surface{work.honest.vertices, base_.triangles};
+      const auto notch = work.member.structures.find(Structure::umbilical_notch);
+      for (const auto& [structure, raw] : work.member.structures) {
+        const Points points = ordered_points(
+            structure, raw, upright, notch == work.member.structures.end() ? Points(0, 3) : notch->second);
+        if (points.rows() == 0) continue;
+        work.truth[structure] = points;
+        work.places[structure] = places_of(surface, points, size_of(surface.vertices));
+      }
+    }
+  }
+
+  void add(Structure structure) {
+    const Atlas& atlas = result_.atlas;
+    std::vector<Observation> observed;
+    const double size = size_of(atlas.shape.mean);
+    for (std::size_t i = 0; i < count(); ++i)
+      if (const auto at = works_[i].places.find(structure); at != works_[i].places.end())
+        observed.push_back(
+            {works_[i].member.name, works_[i].weight, points_at(at->second, atlas.mean(), size), modes_[i]});
+    if (observed.size() < kLeastMembers) {
+      take_over(structure, observed.size());
+      return;
+    }
+    StructureStatistics statistics;
+    statistics.structure = structure;
+    statistics.origin = options_.name;
+    statistics.added_deviation = options_.added_deviation;
+    observe(statistics, observed);
+    if (is_area(structure)) statistics.share = shares(structure);
+    result_.atlas.structures.push_back(std::move(statistics));
+  }
+
+  /// What too few members show, from the base: the places are the same, for the triangles are.
+  void take_over(Structure structure, std::size_t shown_by) {
+    const StructureStatistics* known = base_.find(structure);
+    if (known == nullptr) {
+      if (shown_by > 0) result_.notes.push_back(std::string("atlas.too_few ") + code(structure));
+      return;
+    }
+    StructureStatistics taken = *known;
+    const TriangleMesh mean = base_.mean();
+    taken.mean = points_at(places_of(mean, known->mean, size_of(mean.vertices)), result_.atlas.mean(),
+                           size_of(result_.atlas.shape.mean));
+    // The slopes belong to the other one's modes: without them the residuals are a little larger.
+    if (taken.slopes.cols() > 0) taken.added_deviation = std::hypot(taken.added_deviation, slope_size(taken));
+    taken.slopes.resize(taken.mean.size(), 0);
+    result_.atlas.structures.push_back(std::move(taken));
+    result_.notes.push_back(std::string("atlas.taken_over ") + code(structure) + " " + known->origin);
+  }
+  static double slope_size(const StructureStatistics& statistics) {
+    return std::sqrt(statistics.slopes.squaredNorm() / static_cast<double>(statistics.slopes.rows()));
+  }
+
+  /// Which vertices of the template touch the area of a member.
+  Eigen::VectorXd touching(const Work& work, Structure structure) const {
+    const Points& raw = work.member.structures.at(structure);
+    const Points& vertices = work.honest.vertices;
+    Eigen::VectorXd inside = Eigen::VectorXd::Zero(vertices.rows());
+    for (Eigen::Index v = 0; v < vertices.rows(); ++v)
+      if ((raw.rowwise() - vertices.row(v)).rowwise().squaredNorm().minCoeff() <= kTouching * kTouching)
+        inside[v] = 1.0;
+    return inside;
+  }
+  Eigen::VectorXd shares(Structure structure) {
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(base_.shape.mean.rows());
+    double n = 0.0;
+    for (const Work& work : works_)
+      if (work.truth.count(structure) > 0) {
+        touching_[{work.member.name, structure}] = touching(work, structure);
+        sum += touching_[{work.member.name, structure}];
+        n += 1.0;
+      }
+    return sum / n;
+  }
+
+  void judge() {
+    for (const Work& work : works_) {
+      LeftOut left{work.member.name,
+                   work.honest.mean_distance,
+                   work.honest.max_distance,
+                   work.honest.turned_deg,
+                   work.first.misfit,
+                   work.first.mirrored_misfit,
+                   work.honest.folded,
+                   work.unusual,
+                   work.doubts,
+                   {}};
+      for (const StructureStatistics& statistics : result_.atlas.structures) judge(left, work, statistics);
+      result_.left_out.push_back(std::move(left));
+    }
+    result_.quality.compactness_modes = result_.atlas.shape.mode_count();
+    for (const Work& work : works_)
+      result_.quality.generality += work.generality / static_cast<double>(count());
+    result_.quality.specificity = specificity();
+  }
+
+  void judge(LeftOut& left, const Work& work, const StructureStatistics& statistics) const {
+    const auto known = work.truth.find(statistics.structure);
+    const auto number = std::find(statistics.members.begin(), statistics.members.end(), work.member.name);
+    if (known == work.truth.end() || number == statistics.members.end()) return;
+    const auto index = static_cast<int>(number - statistics.members.begin());
+    const Points& residual = statistics.residuals[static_cast<std::size_t>(index)];
+    const TriangleMesh mean = result_.atlas.mean();
+    const double size = size_of(mean.vertices);
+    const Points on_mean = points_at(work.places.at(statistics.structure), mean, size) - residual;
+    const TriangleMesh there{work.honest.vertices, base_.triangles};
+    const Points placed = points_at(places_of(mean, on_mean, size), there, size_of(there.vertices));
+    const Eigen::VectorXd errors = (placed - known->second).rowwise().norm();
+    LeftOutStructure found{errors.mean(), errors.maxCoeff(), 0.0, 0, static_cast<int>(errors.size()), 0.0};
+    double traces = 0.0;
+    for (int k = 0; k < found.points; ++k) {
+      const Eigen::Matrix3d spread = covariance(statistics, k, index);
+      const Eigen::Vector3d r = residual.row(k);
+      if (r.dot(spread.ldlt().solve(r)) <= kEllipsoid95) ++found.inside;
+      traces += spread.trace();
+    }
+    found.deviation = std::sqrt(traces / found.points);
+    if (is_area(statistics.structure)) found.area_distance = area_distance(work, statistics);
+    left.structures[statistics.structure] = found;
+  }
+
+  /// Between the contact as the others foretell it and as it is.
+  double area_distance(const Work& work, const StructureStatistics& statistics) const {
+    const Eigen::VectorXd& own = touching_.at({work.member.name, statistics.structure});
+    const auto n = static_cast<double>(statistics.members.size());
+    const std::vector<int> foretold = area_vertices((n * statistics.share - own) / (n - 1.0));
+    const Points& truth = work.member.structures.at(statistics.structure);
+    if (foretold.empty()) return std::numeric_limits<double>::infinity();
+    Points there(static_cast<Eigen::Index>(foretold.size()), 3);
+    for (std::size_t i = 0; i < foretold.size(); ++i)
+      there.row(static_cast<Eigen::Index>(i)) = work.honest.vertices.row(foretold[i]);
+    const auto apart = [](const Points& a, const Points& b) {
+      double sum = 0.0;
+      for (Eigen::Index i = 0; i < a.rows(); ++i)
+        sum += std::sqrt((b.rowwise() - a.row(i)).rowwise().squaredNorm().minCoeff());
+      return sum / static_cast<double>(a.rows());
+    };
+    return 0.5 * (apart(there, truth) + apart(truth, there));
+  }
+
+  double specificity() {
+    auto random = context_.random("atlas.specificity");
+    const ShapeModel& shape = result_.atlas.shape;
+    const auto members = aligned_shapes(-1, false);
+    double sum = 0.0;
+    for (int drawn = 0; drawn < kDrawn; ++drawn) {
+      Eigen::VectorXd b(shape.mode_count());
+      for (Eigen::Index k = 0; k < b.size(); ++k)
+        b[k] = standard_normal(random) * std::sqrt(shape.variances[k]);
+      const Points instance = shape.instance(b);
+      double closest = std::numeric_limits<double>::infinity();
+      for (const Points& member : members)
+        closest = std::min(closest, (instance - member).rowwise().norm().mean());
+      sum += closest;
+    }
+    return sum / kDrawn;
+  }
+
+  const Atlas& base_;
+  const BuildOptions& options_;
+  const RunContext& context_;
+  std::vector<Work> works_;
+  Points gauge_;
+  std::vector<Eigen::VectorXd> modes_;
+  std::map<std::pair<std::string, Structure>, Eigen::VectorXd> touching_;
+  BuildResult result_;
+};
+
+}  // namespace
+
+void BuildOptions::validate() const {
+  const OptionCheck check("atlas options");
+  check(share > 0.0 && share <= 1.0, "share", share, "Choose a share above 0, at most 1");
+  check(added_deviation >= 0.0 && added_deviation < 0.1, "added_deviation", added_deviation,
+        "Choose metres from 0 to 0.1");
+  check(threads >= 1 && threads <= 64, "threads", threads, "Choose 1 to 64");
+}
+
+Cancellable<BuildResult> build(std::vector<Member> members, const Atlas& base, const BuildOptions& options,
+                               const RunContext& context) {
+  options.validate();
+  require(base.shape.mean.rows() >= 4, "the base has a mean");
+  return Builder(std::move(members), base, options, context).run();
+}
+
+Atlas bare_atlas(const TriangleMesh& mean) {
+  Atlas atlas;
+  atlas.name = "template";
+  atlas.triangles = mean.triangles;
+  atlas.shape.mean = mean.vertices;
+  return atlas;
+}
+
+}  // namespace glisson::atlas

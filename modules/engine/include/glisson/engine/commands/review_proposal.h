@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "glisson/atlas/transfer.h"
+#include "glisson/engine/command.h"
+
+namespace glisson::engine {
+
+/// What a person says of one proposal. Accepted and moved ones become landmarks where registration knows the
+/// structure (notch, margin, vena cava); of others, and of what is not visible, no landmark remains.
+struct ReviewProposal {
+  atlas::Structure structure = atlas::Structure::umbilical_notch;
+  atlas::Decision decision = atlas::Decision::accepted;
+  /// Where it was moved to (CT frame, metres): as many points as the proposal has, for areas the points of
+  /// the contact. Empty unless `decision` is moved.
+  Points moved = {};
+
+  CommandTraits traits() const;
+  /// @throws InputError nothing is proposed for the structure, or another number of points.
+  Cancellable<Applied> apply(const CaseState& state, const RunContext& context) const;
+};
+
+}  // namespace glisson::engine

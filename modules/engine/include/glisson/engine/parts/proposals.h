@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "glisson/atlas/transfer.h"
+#include "glisson/engine/case_state.h"
+
+namespace glisson::engine {
+
+namespace part {
+/// Where the atlas says that the structures lie on this patient's liver, and what a person made of it. The
+/// accepted ones are landmarks; nothing else is ever used of it.
+extern const PartOf<atlas::Transfer> proposals;
+}  // namespace part
+
+/// Null: nothing is proposed for it.
+const atlas::Proposal* proposal_of(const CaseState& state, atlas::Structure structure);
+/// The notes of a registration about its landmarks: "atlas.cava_from_statistics 9.1" (mm) when the vena cava
+/// that it holds on to comes from statistics alone, "landmarks.no_vena_cava" when there is none.
+std::vector<std::string> landmark_notes(const CaseState& state);
+
+}  // namespace glisson::engine

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/engine/commands/review_proposal.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "glisson/core/error.h"
+#include "glisson/engine/parts/landmarks.h"
+#include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/proposals.h"
+
+namespace glisson::engine {
+namespace {
+using atlas::Decision;
+using atlas::Proposal;
+using atlas::Source;
+using atlas::Structure;
+
+constexpr double kSpacing = 0.004;        // metres, of the cava's points, as the model has them
+constexpr double kHandDeviation = 0.003;  // metres, of a point that a person placed
+constexpr double kMoved = 0.0005;         // metres, from which on a point was moved
+constexpr Eigen::Index kLeastRun = 5;     // points of a margin
+
+/// Points of an area, none closer to another than kSpacing.
+Points thinned(const Points& area) {
+  std::vector<Eigen::RowVector3d> kept;
+  for (Eigen::Index i = 0; i < area.rows(); ++i) {
+    const Eigen::RowVector3d p = area.row(i);
+    if (std::none_of(kept.begin(), kept.end(),
+                     [&](const Eigen::RowVector3d& q) { return (p - q).norm() < kSpacing; }))
+      kept.push_back(p);
+  }
+  Points points(static_cast<Eigen::Index>(kept.size()), 3);
+  for (std::size_t i = 0; i < kept.size(); ++i) points.row(static_cast<Eigen::Index>(i)) = kept[i];
+  return points;
+}
+
+/// What registration may take for the margin: it knows no doubt of single pieces, so that it gets the longest
+/// run of those that the CT or a person shows. None: too little is shown.
+Points shown_margin(const Proposal& margin) {
+  Eigen::Index best = 0, length = 0, begin = 0;
+  for (Eigen::Index k = 0; k < margin.points.rows(); ++k) {
+    if (margin.sources[static_cast<std::size_t>(k)] == Source::statistics) begin = k + 1;
+    if (k + 1 - begin <= length) continue;
+    length = k + 1 - begin;
+    best = begin;
+  }
+  return length < kLeastRun ? Points(0, 3) : Points(margin.points.middleRows(best, length));
+}
+
+/// What becomes of an accepted or moved proposal.
+Points landmark_points(const Proposal& proposal) {
+  if (atlas::is_area(proposal.structure)) return thinned(proposal.area);
+  return proposal.structure == Structure::anterior_margin ? shown_margin(proposal) : proposal.points;
+}
+
+Points* landmark(Landmarks& landmarks, Structure structure) {
+  if (structure == Structure::umbilical_notch) return &landmarks.umbilical_notch;
+  if (structure == Structure::anterior_margin) return &landmarks.anterior_margin;
+  if (structure == Structure::vena_cava) return &landmarks.vena_cava;
+  return nullptr;
+}
+
+void move(Proposal& proposal, const Points& to) {
+  const Eigen::Matrix3d by_hand = kHandDeviation * kHandDeviation * Eigen::Matrix3d::Identity();
+  if (atlas::is_area(proposal.structure)) {
+    if (to.rows() < 3)
+      throw InputError("ReviewProposal", "moved", "has fewer than 3 points",
+                       "Give the points of the contact");
+    proposal.area = to;
+    proposal.points =
+        (proposal.points.rowwise() - proposal.points.colwise().mean()).rowwise() + to.colwise().mean();
+    std::fill(proposal.sources.begin(), proposal.sources.end(), Source::person);
+    std::fill(proposal.covariances.begin(), proposal.covariances.end(), by_hand);
+  } else {
+    if (to.rows() != proposal.points.rows())
+      throw InputError("ReviewProposal", "moved", "has " + std::to_string(to.rows()) + " points",
+                       "Give as many as are proposed: " + std::to_string(proposal.points.rows()));
+    for (Eigen::Index k = 0; k < to.rows(); ++k) {
+      if ((to.row(k) - proposal.points.row(k)).norm() < kMoved) continue;
+      proposal.sources[static_cast<std::size_t>(k)] = Source::person;
+      proposal.covariances[static_cast<std::size_t>(k)] = by_hand;
+    }
+    proposal.points = to;
+  }
+}
+
+}  // namespace
+
+CommandTraits ReviewProposal::traits() const {
+  return {.code = "review_proposal",
+          .reads = {part::model},  // a later step makes neither part out of date
+          .writes = {part::proposals, part::landmarks},
+          .needs = {part::model, part::proposals},
+          .current = {part::proposals},
+          .lane = Lane::edits,
+          .notice = Notice::quiet};
+}
+
+Cancellable<Applied> ReviewProposal::apply(const CaseState& state, const RunContext&) const {
+  auto transfer = std::make_shared<atlas::Transfer>(*state[part::proposals]);
+  const auto found = std::find_if(transfer->proposals.begin(), transfer->proposals.end(),
+                                  [&](const Proposal& one) { return one.structure == structure; });
+  if (found == transfer->proposals.end())
+    throw InputError("ReviewProposal", atlas::code(structure), "is not proposed",
+                     "Let an atlas that knows it propose it first");
+  if (decision == Decision::moved) move(*found, moved);
+  found->decision = decision;
+  Applied applied{state};
+  auto landmarks = state[part::landmarks] ? *state[part::landmarks] : Landmarks{};
+  if (Points* points = landmark(landmarks, structure)) {
+    if (decision == Decision::accepted || decision == Decision::moved)
+      *points = landmark_points(*found);
+    else
+      points->resize(0, 3);
+    const bool none = landmarks.empty() && landmarks.vena_cava.rows() == 0;
+    applied.state[part::landmarks] = none ? nullptr : std::make_shared<const Landmarks>(std::move(landmarks));
+  }
+  applied.state[part::proposals] = std::move(transfer);
+  return applied;
+}
+
+}  // namespace glisson::engine

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/engine/parts/proposals.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "case_files.h"
+#include "glisson/core/error.h"
+#include "glisson/core/json_file.h"
+#include "glisson/engine/parts/landmarks.h"
+#include "glisson/engine/parts/model.h"
+
+namespace glisson::engine {
+namespace {
+using atlas::Decision;
+using atlas::Proposal;
+using atlas::Source;
+using atlas::Structure;
+using atlas::Transfer;
+using nlohmann::json;
+
+constexpr const char* kFile = "atlas.json";
+constexpr double kSquareMillimetre = 1e-6;
+
+json sheet_of(const Proposal& one) {
+  json covariances = json::array(), sources = json::array();
+  for (const Eigen::Matrix3d& c : one.covariances)
+    covariances.push_back({c(0, 0) / kSquareMillimetre, c(0, 1) / kSquareMillimetre,
+                           c(0, 2) / kSquareMillimetre, c(1, 1) / kSquareMillimetre,
+                           c(1, 2) / kSquareMillimetre, c(2, 2) / kSquareMillimetre});
+  for (const Source source : one.sources) sources.push_back(atlas::code(source));
+  return {{"structure", atlas::code(one.structure)},
+          {"points", points_to_json(one.points)},
+          {"covariances_mm2", covariances},
+          {"sources", sources},
+          {"area", points_to_json(one.area)},
+          {"members", one.members},
+          {"origin", one.origin},
+          {"decision", atlas::code(one.decision)}};
+}
+
+[[noreturn]] void refuse(const std::string& file, const std::string& field, const char* problem) {
+  throw InputError(file, field, problem,
+                   "Remove the file's entry from case.json and transfer the atlas again");
+}
+
+template <class Code, std::size_t N>
+Code code_in(const std::array<Code, N>& all, const json& text, const std::string& file, const char* field) {
+  for (const Code one : all)
+    if (text.is_string() && text.get<std::string>() == atlas::code(one)) return one;
+  refuse(file, field, "is unknown");
+}
+
+Eigen::Matrix3d covariance_in(const json& row, const std::string& file) {
+  if (!row.is_array() || row.size() != 6) refuse(file, "covariances_mm2", "needs six numbers a point");
+  std::array<double, 6> c{};
+  for (std::size_t i = 0; i < 6; ++i) {
+    if (!row[i].is_number()) refuse(file, "covariances_mm2", "holds something else than numbers");
+    c[i] = kSquareMillimetre * row[i].get<double>();
+  }
+  Eigen::Matrix3d matrix;
+  matrix << c[0], c[1], c[2], c[1], c[3], c[4], c[2], c[4], c[5];
+  return matrix;
+}
+
+Proposal proposal_in(const json& sheet, const std::string& file) {
+  constexpr std::array kSources = {Source::statistics, Source::image, Source::both, Source::person};
+  constexpr std::array kDecisions = {Decision::proposed, Decision::accepted, Decision::moved,
+                                     Decision::not_visible};
+  Proposal one;
+  one.structure = code_in(atlas::kStructures, sheet.at("structure"), file, "structure");
+  one.points = points_from_json(sheet.at("points"), file, "points");
+  for (const json& row : sheet.at("covariances_mm2")) one.covariances.push_back(covariance_in(row, file));
+  for (const json& row : sheet.at("sources")) one.sources.push_back(code_in(kSources, row, file, "sources"));
+  const auto count = static_cast<std::size_t>(one.points.rows());
+  if (one.covariances.size() != count || one.sources.size() != count)
+    refuse(file, "points", "are not as many as covariances and sources");
+  if (!sheet.at("area").empty()) one.area = points_from_json(sheet.at("area"), file, "area");
+  one.members = sheet.at("members").get<int>();
+  one.origin = sheet.at("origin").get<std::string>();
+  one.decision = code_in(kDecisions, sheet.at("decision"), file, "decision");
+  return one;
+}
+
+json save(const CaseState& state, const CaseFolder& folder) {
+  const Transfer& transfer = *state[part::proposals];
+  json proposals = json::array();
+  for (const Proposal& one : transfer.proposals) proposals.push_back(sheet_of(one));
+  json modes = json::array();
+  for (const double b : transfer.modes) modes.push_back(b);
+  write_json(folder.path / kFile, {{"frame", "LPS"},
+                                   {"unit", "mm"},
+                                   {"atlas", transfer.atlas},
+                                   {"surface", points_to_json(transfer.surface)},
+                                   {"mean_distance_mm", 1e3 * transfer.mean_distance},
+                                   {"max_distance_mm", 1e3 * transfer.max_distance},
+                                   {"modes", modes},
+                                   {"unusual", transfer.unusual},
+                                   {"doubts", transfer.doubts},
+                                   {"proposals", proposals}});
+  return json::object();
+}
+
+Transfer read(const std::filesystem::path& path) {
+  const json sheet = read_json(path);
+  const std::string file = path.string();
+  Transfer transfer;
+  try {
+    transfer.atlas = sheet.at("atlas").get<std::string>();
+    transfer.surface = points_from_json(sheet.at("surface"), file, "surface");
+    transfer.mean_distance = 1e-3 * sheet.at("mean_distance_mm").get<double>();
+    transfer.max_distance = 1e-3 * sheet.at("max_distance_mm").get<double>();
+    const auto modes = sheet.at("modes").get<std::vector<double>>();
+    transfer.modes = Eigen::Map<const Eigen::VectorXd>(modes.data(), static_cast<Eigen::Index>(modes.size()));
+    transfer.unusual = sheet.at("unusual").get<double>();
+    transfer.doubts = sheet.at("doubts").get<std::vector<std::string>>();
+    for (const json& one : sheet.at("proposals")) transfer.proposals.push_back(proposal_in(one, file));
+  } catch (const json::exception& error) {
+    refuse(file, "", error.what());
+  }
+  return transfer;
+}
+
+/// Somebody else's mesh: what holds it is told by fixed nodes.
+bool is_bare(const PatientModel& model) {
+  return std::none_of(model.surfaces.begin(), model.surfaces.end(),
+                      [](const NamedSurface& surface) { return surface.name == "liver"; });
+}
+
+bool same(const CaseState& written, const CaseState& found) {
+  const Transfer &a = *written[part::proposals], &b = *found[part::proposals];
+  if (a.proposals.size() != b.proposals.size() || !same_points(a.surface, b.surface)) return false;
+  for (std::size_t i = 0; i < a.proposals.size(); ++i)
+    if (a.proposals[i].structure != b.proposals[i].structure ||
+        a.proposals[i].decision != b.proposals[i].decision ||
+        !same_points(a.proposals[i].points, b.proposals[i].points))
+      return false;
+  return true;
+}
+
+}  // namespace
+
+const PartOf<Transfer> part::proposals{{.code = "proposals",
+                                        .made_of = {part::model},
+                                        .remedy = "Let the atlas propose the landmarks first",
+                                        .save = save,
+                                        .load =
+                                            [](CaseState& state, const json&, const CaseFolder& folder) {
+                                              state[part::proposals] =
+                                                  std::make_shared<const Transfer>(read(folder.path / kFile));
+                                            },
+                                        .same = same,
+                                        .is_input = false}};
+
+const Proposal* proposal_of(const CaseState& state, atlas::Structure structure) {
+  if (const auto& transfer = state[part::proposals])
+    for (const Proposal& one : transfer->proposals)
+      if (one.structure == structure) return &one;
+  return nullptr;
+}
+
+std::vector<std::string> landmark_notes(const CaseState& state) {
+  std::vector<std::string> notes;
+  const Landmarks used = effective_landmarks(state);
+  if (used.vena_cava.rows() == 0 && !is_bare(state[part::model]->model))
+    notes.emplace_back("landmarks.no_vena_cava");
+  const Landmarks placed = state[part::landmarks] ? *state[part::landmarks] : Landmarks{};
+  const auto note = [&](const char* code, Structure structure, const Points& points) {
+    const Proposal* one = proposal_of(state, structure);
+    if (one == nullptr || points.rows() == 0 || one->decision != Decision::accepted ||
+        one->source() != Source::statistics)
+      return;
+    char text[64];
+    std::snprintf(text, sizeof text, "%s %.1f", code, 1e3 * one->deviation());
+    notes.emplace_back(text);
+  };
+  note("atlas.cava_from_statistics", Structure::vena_cava, placed.vena_cava);
+  note("atlas.notch_from_statistics", Structure::umbilical_notch, placed.umbilical_notch);
+  const Proposal* margin = proposal_of(state, Structure::anterior_margin);
+  if (margin != nullptr && (margin->decision == Decision::accepted || margin->decision == Decision::moved)) {
+    const auto left_out = margin->points.rows() - placed.anterior_margin.rows();
+    if (left_out > 0)
+      notes.push_back("atlas.margin_left_out " +
+                      std::to_string(100 * left_out / std::max<Eigen::Index>(1, margin->points.rows())));
+  }
+  return notes;
+}
+
+}  // namespace glisson::engine

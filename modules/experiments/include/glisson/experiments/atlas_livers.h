@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "glisson/atlas/atlas.h"
+#include "glisson/atlas/member.h"
+
+/// @file
+/// Livers for atlases: the synthetic population, whose structures are known by formula, and the real label
+/// maps of the shared data.
+
+namespace glisson::experiments {
+
+/// A liver of the synthetic population as an atlas' member, "synthetic_SEED"; every structure is known.
+atlas::Member synthetic_member(std::uint64_t seed);
+/// A template of about 2000 even vertices: a liver of the population that is no atlas' member.
+TriangleMesh synthetic_template();
+
+/// The numbers of the label maps in `data`/liver_labelmaps that are there, ascending: "0001", ...
+std::vector<std::string> label_map_names(const std::filesystem::path& data);
+/// One of them with its header's orientation mended (their README): vena cava's and gallbladder's contact and
+/// the portal vein's entrance as the labels show them. Empty: cancelled. @throws FileError, InputError.
+Cancellable<atlas::Member> label_map_member(const std::filesystem::path& data, const std::string& name,
+                                            const RunContext& context);
+
+}  // namespace glisson::experiments

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "glisson/atlas/atlas.h"
+#include "glisson/core/json_file.h"
+#include "glisson/core/run_context.h"
+#include "glisson/experiments/aims.h"
+
+/// @file
+/// The atlas, measured: on livers of the synthetic population, whose landmarks are known by formula, and on
+/// real livers whose labels show vena cava, portal vein and gallbladder.
+
+namespace glisson::experiments {
+
+struct AtlasProofOptions {
+  std::filesystem::path data;                    ///< with liver_labelmaps; absent: in silico only
+  std::shared_ptr<const atlas::Atlas> built_in;  ///< what comes with the program
+  bool synthetic = true;                         ///< in silico too
+  bool validation = true;                        ///< the label maps with odd numbers too
+  std::uint64_t seed = 1;
+};
+
+struct AtlasProof {
+  /// Keys begin with "synthetic_" (in silico), "real_" (each real liver by all others; "real_even_" for those
+  /// that served development, "real_odd_" for validation), "built_in_" (real livers by the built-in atlas).
+  Figures figures;
+  std::vector<std::string> absent;  ///< real data that were left out
+  std::vector<std::string> table;   ///< a row a real liver
+};
+const std::vector<Aim>& atlas_aims();
+
+/// Empty: cancelled. @pre a built-in atlas. @throws Error.
+Cancellable<AtlasProof> prove_atlas(const AtlasProofOptions& options, const RunContext& context);
+
+}  // namespace glisson::experiments

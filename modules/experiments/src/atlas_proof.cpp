@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/experiments/atlas_proof.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <iterator>
+
+#include "glisson/atlas/correspond.h"
+#include "glisson/atlas/transfer.h"
+#include "glisson/core/error.h"
+#include "glisson/experiments/atlas_livers.h"
+
+namespace glisson::experiments {
+namespace {
+using atlas::LeftOut;
+using atlas::LeftOutStructure;
+using atlas::Member;
+using atlas::Structure;
+
+constexpr int kSyntheticLivers = 10;
+constexpr std::uint64_t kFirstSeed = 9000;  // of livers that the built-in atlas has not
+
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+/// Mean and worst over livers, and the share of points within their ellipsoids.
+void add(Figures& figures, const std::string& prefix, const std::vector<LeftOut>& livers) {
+  std::map<Structure, std::vector<LeftOutStructure>> found;
+  double surface = 0.0, worst = 0.0;
+  for (const LeftOut& liver : livers) {
+    surface += liver.mean_distance / static_cast<double>(livers.size());
+    worst = std::max(worst, liver.mean_distance);
+    for (const auto& [structure, one] : liver.structures) found[structure].push_back(one);
+  }
+  figures[prefix + "surface_mean_mm"] = 1e3 * surface;
+  figures[prefix + "surface_worst_mm"] = 1e3 * worst;
+  double all_inside = 0.0, all_points = 0.0;
+  for (const auto& [structure, all] : found) {
+    const std::string key = prefix + atlas::code(structure) + "_";
+    double inside = 0.0, points = 0.0;
+    Figures sums;
+    for (const LeftOutStructure& one : all) {
+      sums["mean_mm"] += 1e3 * one.mean_error;
+      sums["deviation_mm"] += 1e3 * one.deviation;
+      if (atlas::is_area(structure)) sums["area_mean_mm"] += 1e3 * one.area_distance;
+      figures[key + "worst_mm"] = std::max(figures[key + "worst_mm"], 1e3 * one.mean_error);
+      if (atlas::is_area(structure))
+        figures[key + "area_worst_mm"] = std::max(figures[key + "area_worst_mm"], 1e3 * one.area_distance);
+      inside += one.inside;
+      points += one.points;
+    }
+    for (const auto& [name, sum] : sums) figures[key + name] = sum / static_cast<double>(all.size());
+    figures[key + "livers"] = static_cast<double>(all.size());
+    figures[key + "inside_share"] = inside / points;
+    all_inside += inside;
+    all_points += points;
+  }
+  if (all_points > 0.0) figures[prefix + "inside_share"] = all_inside / all_points;
+}
+
+std::string row(const LeftOut& liver, const char* how) {
+  char text[160];
+  const auto shown = [&](Structure structure, bool of_area) {
+    const auto found = liver.structures.find(structure);
+    if (found == liver.structures.end()) return std::string("      -");
+    char number[16];
+    std::snprintf(number, sizeof number, "%7.1f",
+                  1e3 * (of_area ? found->second.area_distance : found->second.mean_error));
+    return std::string(number);
+  };
+  std::snprintf(text, sizeof text, "%-6s %-9s %7.2f %s %s %s %s %8.2f", liver.name.c_str(), how,
+                1e3 * liver.mean_distance, shown(Structure::vena_cava, false).c_str(),
+                shown(Structure::vena_cava, true).c_str(), shown(Structure::portal_entrance, false).c_str(),
+                shown(Structure::gallbladder_bed, false).c_str(), liver.unusual);
+  return text;
+}
+
+double both_ways(const Points& a, const Points& b) {
+  const auto one_way = [](const Points& from, const Points& to) {
+    double sum = 0.0;
+    for (Eigen::Index i = 0; i < from.rows(); ++i)
+      sum += std::sqrt((to.rowwise() - from.row(i)).rowwise().squaredNorm().minCoeff());
+    return sum / static_cast<double>(from.rows());
+  };
+  return a.rows() == 0 || b.rows() == 0 ? 0.0 : 0.5 * (one_way(a, b) + one_way(b, a));
+}
+
+/// A member's structures as the built-in atlas proposes them from the surface alone.
+Cancellable<LeftOut> by_built_in(const atlas::Atlas& built_in, const Member& member, double& seconds,
+                                 const RunContext& context) {
+  const auto begin = std::chrono::steady_clock::now();
+  const auto made = atlas::transfer(built_in, member.liver, {}, context.quiet());
+  if (!made) return {};
+  seconds = seconds_since(begin);
+  LeftOut liver;
+  liver.name = member.name;
+  liver.mean_distance = made->mean_distance;
+  liver.max_distance = made->max_distance;
+  liver.unusual = made->unusual;
+  liver.doubts = made->doubts;
+  for (const atlas::Proposal& one : made->proposals) {
+    const auto raw = member.structures.find(one.structure);
+    if (raw == member.structures.end()) continue;
+    const auto notch = member.structures.find(Structure::umbilical_notch);
+    const Points truth =
+        atlas::ordered_points(one.structure, raw->second, Eigen::Matrix3d::Identity(),
+                              notch == member.structures.end() ? Points(0, 3) : notch->second);
+    if (truth.rows() == 0) continue;
+    const Eigen::VectorXd errors = (truth - one.points).rowwise().norm();
+    LeftOutStructure found{errors.mean(),
+                           errors.maxCoeff(),
+                           both_ways(one.area, raw->second),
+                           0,
+                           static_cast<int>(errors.size()),
+                           one.deviation()};
+    for (Eigen::Index k = 0; k < truth.rows(); ++k) {
+      const Eigen::Vector3d off = (truth.row(k) - one.points.row(k)).transpose();
+      if (off.dot(one.covariances[static_cast<std::size_t>(k)].inverse() * off) <= atlas::kEllipsoid95)
+        ++found.inside;
+    }
+    liver.structures[one.structure] = found;
+  }
+  return liver;
+}
+
+class Proof {
+ public:
+  Proof(const AtlasProofOptions& options, const RunContext& context) : options_(options), context_(context) {}
+
+  Cancellable<AtlasProof> run() {
+    if (options_.synthetic && !synthetic(context_.part(0.0, 0.2))) return {};
+    std::vector<std::string> names = label_map_names(options_.data);
+    if (!options_.validation) std::erase_if(names, [](const std::string& name) { return !is_even(name); });
+    if (names.empty()) {
+      proof_.absent.emplace_back("liver_labelmaps");
+      return std::move(proof_);
+    }
+    if (!read(names, context_.part(0.2, 0.35))) return {};
+    proof_.table.emplace_back("liver  foretold  surface cava mm area mm  portal     bed  unusual");
+    if (!built_in(context_.part(0.35, 0.5))) return {};
+    if (!real(context_.part(0.5, 1.0))) return {};
+    return std::move(proof_);
+  }
+
+ private:
+  std::optional<atlas::BuildResult> built(const std::vector<Member>& members, const RunContext& context) {
+    atlas::BuildOptions options;
+    const auto begin = std::chrono::steady_clock::now();
+    auto result = atlas::build(members, *options_.built_in, options, context);
+    seconds_ = seconds_since(begin);
+    return result;
+  }
+
+  bool synthetic(const RunContext& context) {
+    std::vector<Member> members;
+    for (int i = 0; i < kSyntheticLivers; ++i)
+      members.push_back(synthetic_member(kFirstSeed + options_.seed * 100 + static_cast<std::uint64_t>(i)));
+    const auto result = built(members, context);
+    if (!result) return false;
+    add(proof_.figures, "synthetic_", result->left_out);
+    return true;
+  }
+
+  bool read(const std::vector<std::string>& names, const RunContext& context) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      auto member = label_map_member(options_.data, names[i], context.quiet());
+      if (!member) return false;
+      members_.push_back(std::move(*member));
+      context.progress(static_cast<double>(i + 1) / static_cast<double>(names.size()), "atlas.livers");
+    }
+    return true;
+  }
+
+  static bool is_even(const std::string& name) { return (name.back() - '0') % 2 == 0; }
+
+  bool real(const RunContext& context) {
+    const auto result = built(members_, context);
+    if (!result) return false;
+    std::vector<LeftOut> even, odd;
+    for (const LeftOut& liver : result->left_out) {
+      (is_even(liver.name) ? even : odd).push_back(liver);
+      proof_.table.push_back(row(liver, "others"));
+    }
+    add(proof_.figures, "real_", result->left_out);
+    add(proof_.figures, "real_even_", even);
+    if (!odd.empty()) add(proof_.figures, "real_odd_", odd);
+    proof_.figures["real_build_s"] = seconds_;
+    proof_.figures["real_modes"] = result->quality.compactness_modes;
+    proof_.figures["real_generality_mm"] = 1e3 * result->quality.generality;
+    proof_.figures["real_specificity_mm"] = 1e3 * result->quality.specificity;
+    return true;
+  }
+
+  /// What is refused here, though it is a liver, stays out of what follows.
+  bool built_in(const RunContext& context) {
+    std::vector<LeftOut> even, odd;
+    std::vector<Member> taken;
+    double slowest = 0.0, refused = 0.0, said = 0.0;
+    for (std::size_t i = 0; i < members_.size(); ++i) {
+      const std::vector<std::string> mirrored = complaints_about_mirrored(members_[i]);
+      if (std::find(mirrored.begin(), mirrored.end(), kRefused) != mirrored.end()) refused += 1.0;
+      if (!mirrored.empty()) said += 1.0;
+      double seconds = 0.0;
+      try {
+        auto liver = by_built_in(*options_.built_in, members_[i], seconds, context);
+        if (!liver) return false;
+        slowest = std::max(slowest, seconds);
+        proof_.table.push_back(row(*liver, "built-in"));
+        (is_even(members_[i].name) ? even : odd).push_back(std::move(*liver));
+        taken.push_back(members_[i]);
+      } catch (const InputError&) {
+        proof_.table.push_back(members_[i].name + "   refused as mirrored, wrongly");
+      }
+      context.progress(static_cast<double>(i + 1) / static_cast<double>(members_.size()), "atlas.fit");
+    }
+    const auto count = static_cast<double>(members_.size());
+    proof_.figures["wrongly_refused_livers"] = count - static_cast<double>(taken.size());
+    proof_.figures["mirrored_refused_share"] = refused / count;
+    proof_.figures["mirrored_refused_or_doubted_share"] = said / count;
+    proof_.figures["transfer_slowest_s"] = slowest;
+    add(proof_.figures, "built_in_even_", even);
+    if (!odd.empty()) add(proof_.figures, "built_in_odd_", odd);
+    even.insert(even.end(), odd.begin(), odd.end());
+    add(proof_.figures, "built_in_", even);
+    members_ = std::move(taken);
+    return true;
+  }
+
+  /// What is said of the mirrored liver's left and right.
+  std::vector<std::string> complaints_about_mirrored(const Member& member) const {
+    TriangleMesh mirrored = member.liver;
+    mirrored.vertices.col(0) *= -1.0;
+    mirrored.triangles.col(1).swap(mirrored.triangles.col(2));
+    try {
+      const auto made = atlas::transfer(*options_.built_in, mirrored, {}, context_.quiet());
+      std::vector<std::string> said;
+      if (made)
+        std::copy_if(made->doubts.begin(), made->doubts.end(), std::back_inserter(said),
+                     [](const std::string& doubt) { return doubt == "atlas.perhaps_mirrored"; });
+      return said;
+    } catch (const InputError&) {
+      return {kRefused};
+    }
+  }
+
+  static constexpr const char* kRefused = "refused";
+  const AtlasProofOptions& options_;
+  const RunContext& context_;
+  AtlasProof proof_;
+  std::vector<Member> members_;
+  double seconds_ = 0.0;
+};
+
+}  // namespace
+
+Cancellable<AtlasProof> prove_atlas(const AtlasProofOptions& options, const RunContext& context) {
+  require(options.built_in != nullptr, "the proof needs the built-in atlas");
+  return Proof(options, context).run();
+}
+
+}  // namespace glisson::experiments

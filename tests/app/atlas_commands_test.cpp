@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The atlas on the command line: show, transfer, and what is refused.
+#include <QtTest>
+
+#include "glisson/geometry/mesh_io.h"
+#include "program.h"
+
+using namespace glisson;
+using test::Ran;
+
+class AtlasCommandsTest : public QObject, private test::Program {
+  Q_OBJECT
+ private slots:
+  void init() { make_folder(); }
+  void cleanup() { remove_folder(); }
+
+  void theBuiltInAtlasTellsWhatItKnows() {
+    const Ran ran = run({"atlas", "show", "--json", "f.json"});
+    QVERIFY2(ran.code == 0, qPrintable(ran.error));
+    const QJsonObject shown = figures("f.json");
+    QVERIFY(shown["atlas_members"].toDouble() >= 5);
+    QVERIFY(shown["atlas_vena_cava_deviation_mm"].toDouble() > 1.0);
+  }
+
+  /// The atlas' own mean is a liver: proposed and accepted, its vena cava is a landmark of the case.
+  void whatIsAcceptedBecomesALandmark() {
+    const auto source = qEnvironmentVariable("GLISSON_SOURCE_DIR").toStdString();
+    const TriangleMesh mean =
+        read_triangle_mesh(source + "/resources/atlas/mean.vtp", LengthUnit::millimetre);
+    write_triangle_mesh(at("liver.ply"), mean, LengthUnit::millimetre);
+    const Ran built = run({"model", "--surfaces", "liver.ply", "--vertices", "300", "--case", "a.glisson"});
+    QVERIFY2(built.code == 0, qPrintable(built.error));
+    QVERIFY(!std::filesystem::exists(at("a.glisson/landmarks.json")));
+    const Ran ran = run({"atlas", "transfer", "--case", "a.glisson", "--accept", "vena_cava,portal_entrance",
+                         "--json", "f.json"});
+    QVERIFY2(ran.code == 0, qPrintable(ran.error));
+    QVERIFY(figures("f.json")["atlas_fit_mean_mm"].toDouble() < 1.5);
+    QVERIFY(std::filesystem::exists(at("a.glisson/atlas.json")));
+    const std::string landmarks = read_file(at("a.glisson/landmarks.json"));
+    QVERIFY(landmarks.find("vena_cava") != std::string::npos);
+    QVERIFY(landmarks.find("umbilical_notch") == std::string::npos);
+  }
+
+  void whatCannotBeIsRefused() {
+    refused({"atlas", "dance"}, "dance", 2);
+    refused({"atlas", "show", "--atlas", "nowhere"}, "nowhere");
+    refused({"atlas", "build", "--out", "a"}, "5 livers");
+    refused({"atlas", "build"}, "--out", 2);
+    refused({"atlas", "transfer", "--case", "a.glisson", "--accept", "navel"}, "navel", 2);
+    refused({"atlas", "transfer", "--case", "none.glisson"}, "none.glisson");
+  }
+};
+
+QTEST_GUILESS_MAIN(AtlasCommandsTest)
+#include "atlas_commands_test.moc"

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <Eigen/LU>
+#include <QtTest>
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "glisson/atlas/transfer.h"
+#include "glisson/core/error.h"
+#include "glisson/core/files.h"
+#include "known_livers.h"
+
+using namespace glisson;
+using namespace glisson::atlas;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kMembers = 5;
+
+BuildResult built(std::vector<Member> members) {
+  return *build(std::move(members), test::built_in(), BuildOptions(), RunContext());
+}
+
+double mean_apart(const Points& a, const Points& b) { return (a - b).rowwise().norm().mean(); }
+
+std::string complaint_of(const fs::path& folder) {
+  try {
+    read_atlas(folder);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return {};
+}
+
+void replace(const fs::path& file, const std::string& what, const std::string& by) {
+  std::string text = read_file(file);
+  const auto at = text.find(what);
+  QVERIFY(at != std::string::npos);
+  text.replace(at, what.size(), by);
+  std::ofstream(file) << text;
+}
+
+}  // namespace
+
+class BuildTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void initTestCase() {
+    for (int i = 0; i < kMembers; ++i)
+      members_.push_back(test::synthetic_member(700 + static_cast<std::uint64_t>(i)));
+    result_ = built(members_);
+  }
+
+  void everyLiverIsForetoldByTheOthers() {
+    QCOMPARE(static_cast<int>(result_.left_out.size()), kMembers);
+    for (const LeftOut& left : result_.left_out) {
+      QVERIFY2(left.mean_distance < 1.5e-3, left.name.c_str());
+      QCOMPARE(left.structures.size(), kStructures.size());
+      // Synthetic livers differ less than patients: 25 mm would be another place.
+      for (const auto& [structure, found] : left.structures)
+        QVERIFY2(found.mean_error < 0.025, code(structure));
+    }
+    QVERIFY(result_.quality.generality > 0.0 && result_.quality.specificity > 0.0);
+  }
+
+  /// Order, names' order and place of the livers are nothing that the atlas could know.
+  void orderAndPlaceOfMembersDoNotMatter() {
+    std::vector<Member> others = members_;
+    std::reverse(others.begin(), others.end());
+    const Eigen::RowVector3d by(0.4, -0.7, 0.9);
+    others[1].liver.vertices.rowwise() += by;
+    for (auto& [structure, points] : others[1].structures) points.rowwise() += by;
+    const BuildResult again = built(others);
+    QVERIFY(mean_apart(again.atlas.shape.mean, result_.atlas.shape.mean) < 1e-5);
+    QCOMPARE(again.atlas.shape.mode_count(), result_.atlas.shape.mode_count());
+    for (const Structure structure : kStructures)
+      QVERIFY(mean_apart(again.atlas.find(structure)->mean, result_.atlas.find(structure)->mean) < 1e-3);
+  }
+
+  void theFolderHoldsTheAtlas() {
+    const TemporaryFolder folder;
+    write_atlas(folder.path(), result_.atlas);
+    const Atlas read = read_atlas(folder.path());
+    QVERIFY((read.shape.mean - result_.atlas.shape.mean).cwiseAbs().maxCoeff() < 1e-9);
+    QVERIFY((read.shape.modes - result_.atlas.shape.modes).cwiseAbs().maxCoeff() < 1e-9);
+    QVERIFY((read.shape.variances - result_.atlas.shape.variances).cwiseAbs().maxCoeff() < 1e-12);
+    for (const Structure structure : kStructures) {
+      const StructureStatistics &a = *result_.atlas.find(structure), &b = *read.find(structure);
+      QVERIFY((a.mean - b.mean).cwiseAbs().maxCoeff() < 1e-6);
+      QVERIFY((covariance(a, 0) - covariance(b, 0)).norm() < 1e-3 * covariance(a, 0).norm());
+      QCOMPARE(a.members, b.members);
+      QCOMPARE(a.share.size(), b.share.size());
+    }
+  }
+
+  void aDamagedFolderIsRefusedByName() {
+    const auto damaged = [&](const char* file, const std::string& what, const std::string& by) {
+      const TemporaryFolder folder;
+      write_atlas(folder.path(), result_.atlas);
+      replace(folder.path() / file, what, by);
+      return complaint_of(folder.path());
+    };
+    QVERIFY(damaged("atlas.json", "\"version\": 1", "\"version\": 2").find("version") != std::string::npos);
+    QVERIFY(damaged("atlas.json", "glisson-atlas", "something").find("format") != std::string::npos);
+    QVERIFY(damaged("atlas.json", "\"usual\"", "\"unusual\"").find("usual") != std::string::npos);
+    QVERIFY(damaged("atlas.json", "umbilical_notch", "navel").find("navel") != std::string::npos);
+    QVERIFY(damaged("atlas.json", "\"vertices\": ", "\"vertices\": 1").find("mean.vtp") != std::string::npos);
+    QVERIFY(damaged("mean.vtp", "mode_1", "mode_x").find("mode_1") != std::string::npos);
+    QVERIFY(!complaint_of("/nowhere/at/all").empty());
+  }
+
+  void whatTheImageShowsWins() {
+    const Member other = test::synthetic_member(911);
+    Evidence evidence;
+    evidence.found[Structure::vena_cava] = other.structures.at(Structure::vena_cava);
+    evidence.ridge = other.structures.at(Structure::anterior_margin).middleRows(20, 40);
+    const Transfer made = *transfer(result_.atlas, other.liver, evidence, RunContext());
+    for (const Proposal& one : made.proposals) {
+      if (one.structure == Structure::vena_cava) {
+        QVERIFY(one.source() == Source::image);
+        QVERIFY(one.deviation() < 0.005);
+        QCOMPARE(one.area.rows(), other.structures.at(Structure::vena_cava).rows());
+      } else if (one.structure == Structure::anterior_margin) {
+        // Where the ridge is known the margin is drawn to it, elsewhere it is statistics.
+        const auto drawn = std::count(one.sources.begin(), one.sources.end(), Source::both);
+        QVERIFY(drawn > 5 && drawn < point_count(one.structure));
+        for (std::size_t k = 0; k < one.sources.size(); ++k)
+          if (one.sources[k] == Source::both) {
+            const auto row = one.points.row(static_cast<Eigen::Index>(k));
+            QVERIFY((evidence.ridge.rowwise() - row).rowwise().norm().minCoeff() < 0.006);
+          }
+      } else {
+        QVERIFY(one.source() == Source::statistics);
+      }
+    }
+  }
+
+  /// Half a liver is no liver: it is doubted, and its ellipsoids are larger than those of the whole one.
+  void halfALiverIsDoubted() {
+    const Member other = test::synthetic_member(911);
+    TriangleMesh half = other.liver;
+    const double cut = half.vertices.col(0).mean();
+    // What lies to the left of the middle is pressed onto the cut: closed, and flat there.
+    for (Eigen::Index v = 0; v < half.vertices.rows(); ++v)
+      half.vertices(v, 0) = std::min(half.vertices(v, 0), cut + 0.02 * (half.vertices(v, 0) - cut));
+    const Transfer whole = *transfer(test::built_in(), other.liver, {}, RunContext());
+    const auto doubted = transfer(test::built_in(), half, {}, RunContext());
+    QVERIFY(!doubted->doubts.empty());
+    QVERIFY(doubted->unusual > 1.0 && doubted->unusual > whole.unusual);
+    for (std::size_t i = 0; i < whole.proposals.size(); ++i)
+      QVERIFY(doubted->proposals[i].deviation() > whole.proposals[i].deviation());
+  }
+
+  void piecesAndHolesAreSaid() {
+    TriangleMesh open = members_[0].liver;
+    open.triangles.conservativeResize(open.triangles.rows() - 30, 3);
+    const PreparedLiver prepared = prepare(open, "liver");
+    QVERIFY(std::find(prepared.doubts.begin(), prepared.doubts.end(), "atlas.open_surface") !=
+            prepared.doubts.end());
+  }
+
+  void badMembersAreRefused() {
+    const auto refused = [](std::vector<Member> members) {
+      try {
+        built(std::move(members));
+      } catch (const InputError& error) {
+        return std::string(error.what());
+      }
+      return std::string();
+    };
+    QVERIFY(refused({members_[0], members_[1]}).find("5 livers") != std::string::npos);
+    std::vector<Member> twice = members_;
+    twice[1].name = twice[0].name;
+    QVERIFY(refused(twice).find(twice[0].name) != std::string::npos);
+    std::vector<Member> tiny = members_;
+    tiny[2].liver.vertices *= 1e-3;
+    QVERIFY(!refused(tiny).empty());
+    BuildOptions options;
+    options.share = 0.0;
+    QVERIFY_EXCEPTION_THROWN(build(members_, test::built_in(), options, RunContext()), InputError);
+  }
+
+ private:
+  std::vector<Member> members_;
+  BuildResult result_;
+};
+
+QTEST_APPLESS_MAIN(BuildTest)
+#include "build_test.moc"

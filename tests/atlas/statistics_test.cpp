@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Ellipsoids hold what they promise on draws whose distribution is known.
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <QtTest>
+
+#include "glisson/atlas/atlas.h"
+#include "glisson/core/random.h"
+#include "glisson/core/run_context.h"
+
+using namespace glisson;
+using namespace glisson::atlas;
+
+class StatisticsTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void ellipsoidsHold95PercentHoweverFewTheMembers_data() {
+    QTest::addColumn<int>("members");
+    QTest::newRow("6") << 6;
+    QTest::newRow("10") << 10;
+    QTest::newRow("20") << 20;
+    QTest::newRow("60") << 60;
+  }
+  /// Residuals of a flat distribution, as surfaces have them; 4000 draws each.
+  void ellipsoidsHold95PercentHoweverFewTheMembers() {
+    QFETCH(int, members);
+    auto random = RunContext().random("test.ellipsoids");
+    const auto draw = [&] {
+      return Eigen::RowVector3d(0.009 * standard_normal(random), 0.006 * standard_normal(random),
+                                0.003 * standard_normal(random));
+    };
+    int inside = 0;
+    constexpr int kDraws = 4000;
+    for (int trial = 0; trial < kDraws; ++trial) {
+      StructureStatistics statistics;
+      for (int i = 0; i < members; ++i) statistics.residuals.emplace_back(draw());
+      const Eigen::Vector3d other = draw();
+      if (other.dot(covariance(statistics, 0).inverse() * other) <= kEllipsoid95) ++inside;
+    }
+    const double share = static_cast<double>(inside) / kDraws;
+    QVERIFY2(share > 0.92 && share < 0.99, qPrintable(QString::number(share)));
+  }
+  void aMemberLeftOutDoesNotCount() {
+    StructureStatistics statistics;
+    for (int i = 0; i < 8; ++i) statistics.residuals.emplace_back(Points::Constant(1, 3, 0.001 * i));
+    StructureStatistics without = statistics;
+    without.residuals.erase(without.residuals.begin() + 5);
+    QVERIFY((covariance(statistics, 0, 5) - covariance(without, 0)).norm() < 1e-15);
+  }
+  void addedDeviationIsAddedInEveryDirection() {
+    StructureStatistics statistics;
+    for (int i = 0; i < 8; ++i) statistics.residuals.emplace_back(Points::Constant(1, 3, 0.001 * i));
+    const Eigen::Matrix3d before = covariance(statistics, 0);
+    statistics.added_deviation = 0.01;
+    QVERIFY((covariance(statistics, 0) - before - 1e-4 * Eigen::Matrix3d::Identity()).norm() < 1e-15);
+  }
+};
+
+QTEST_APPLESS_MAIN(StatisticsTest)
+#include "statistics_test.moc"

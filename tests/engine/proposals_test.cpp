@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the atlas proposes is a part of the case, and nothing of it is a landmark before a person says so.
+#include <QtTest>
+
+#include <Eigen/Eigenvalues>
+#include <cstdlib>
+
+#include "glisson/core/error.h"
+#include "glisson/core/files.h"
+#include "glisson/engine/case_io.h"
+#include "glisson/engine/commands/propose_landmarks.h"
+#include "glisson/engine/commands/review_proposal.h"
+#include "glisson/engine/obstacle.h"
+#include "glisson/engine/parts/landmarks.h"
+#include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/proposals.h"
+
+using namespace glisson;
+using namespace glisson::engine;
+using atlas::Decision;
+using atlas::Source;
+using atlas::Structure;
+
+namespace {
+
+std::shared_ptr<const atlas::Atlas> built_in() {
+  const char* source = std::getenv("GLISSON_SOURCE_DIR");
+  return std::make_shared<const atlas::Atlas>(
+      atlas::read_atlas(std::filesystem::path(source != nullptr ? source : ".") / "resources/atlas"));
+}
+
+/// A patient whose liver is the atlas' mean, larger and elsewhere, without vena cava or margin.
+CaseState patient(const atlas::Atlas& known) {
+  auto built = std::make_shared<model::BuiltModel>();
+  built->model.mesh.vertices.resize(4, 3);
+  built->model.mesh.vertices << 0, 0, 0, 0.2, 0, 0, 0, 0.2, 0, 0, 0, 0.2;
+  built->model.mesh.tetrahedra.resize(1, 4);
+  built->model.mesh.tetrahedra << 0, 1, 2, 3;
+  built->model.mesh.labels = {structure::kParenchyma};
+  built->model.surface = boundary_surface(built->model.mesh);
+  TriangleMesh liver = known.mean();
+  liver.vertices = (1.05 * liver.vertices).rowwise() + Eigen::RowVector3d(0.03, -0.1, 0.2);
+  built->model.surfaces.push_back({structure::kParenchyma, "liver", liver});
+  CaseState state;
+  state[part::model] = built;
+  return state;
+}
+
+double apart(const Points& a, const Points& b) {
+  return a.rows() == b.rows() ? (a - b).rowwise().norm().maxCoeff() : 1.0;
+}
+
+}  // namespace
+
+class ProposalsTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void initTestCase() {
+    atlas_ = built_in();
+    auto applied = ProposeLandmarks{atlas_}.apply(patient(*atlas_), RunContext());
+    QVERIFY(applied);
+    state_ = applied->state;
+    figures_ = applied->figures;
+  }
+
+  void everyStructureIsProposedWhereTheAtlasHasIt() {
+    QVERIFY(figures_.at("atlas_fit_mean_mm") < 1.0);
+    for (const Structure structure : atlas::kStructures) {
+      const atlas::Proposal* one = proposal_of(state_, structure);
+      QVERIFY(one != nullptr);
+      QVERIFY(one->decision == Decision::proposed && one->source() == Source::statistics);
+      const Points expected =
+          (1.05 * atlas_->find(structure)->mean).rowwise() + Eigen::RowVector3d(0.03, -0.1, 0.2);
+      // Means of curves and areas lie a little off the surface, proposals on it.
+      QVERIFY2((one->points - expected).rowwise().norm().mean() < 0.012, atlas::code(structure));
+      for (const Eigen::Matrix3d& spread : one->covariances)
+        QVERIFY(Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvalues()[0] > 0.0);
+    }
+  }
+
+  void nothingIsALandmarkBeforeAPersonSaysSo() {
+    QVERIFY(state_[part::landmarks] == nullptr);
+    QCOMPARE(effective_landmarks(state_).vena_cava.rows(), 0);
+    QCOMPARE(landmark_notes(state_), std::vector<std::string>{"landmarks.no_vena_cava"});
+  }
+
+  void anAcceptedCavaIsUsedAndSaidToBeStatistics() {
+    const auto applied = ReviewProposal{Structure::vena_cava, Decision::accepted}.apply(state_, RunContext());
+    const Points cava = effective_landmarks(applied->state).vena_cava;
+    QVERIFY(cava.rows() >= 3);
+    const auto notes = landmark_notes(applied->state);
+    QCOMPARE(notes.size(), std::size_t{1});
+    QVERIFY(notes[0].starts_with("atlas.cava_from_statistics "));
+    // The notch was not asked for.
+    QCOMPARE(effective_landmarks(applied->state).umbilical_notch.rows(), 0);
+    // Taken back, nothing remains.
+    const auto back =
+        ReviewProposal{Structure::vena_cava, Decision::not_visible}.apply(applied->state, RunContext());
+    QVERIFY(back->state[part::landmarks] == nullptr);
+    QVERIFY(proposal_of(back->state, Structure::vena_cava)->decision == Decision::not_visible);
+  }
+
+  void aMovedPointIsThePersons() {
+    Points to = proposal_of(state_, Structure::umbilical_notch)->points;
+    to.row(0) += Eigen::RowVector3d(0.004, 0.0, 0.0);
+    const auto applied =
+        ReviewProposal{Structure::umbilical_notch, Decision::moved, to}.apply(state_, RunContext());
+    QVERIFY(apart(effective_landmarks(applied->state).umbilical_notch, to) < 1e-12);
+    const atlas::Proposal* notch = proposal_of(applied->state, Structure::umbilical_notch);
+    QVERIFY(notch->source() == Source::person && notch->decision == Decision::moved);
+    QVERIFY(notch->deviation() < proposal_of(state_, Structure::umbilical_notch)->deviation());
+  }
+
+  /// Registration weighs no pieces: what nothing but statistics says stays out, and that is said.
+  void ofAMarginOnlyWhatIsShownIsUsed() {
+    const auto accepted =
+        ReviewProposal{Structure::anterior_margin, Decision::accepted}.apply(state_, RunContext());
+    QCOMPARE(effective_landmarks(accepted->state).anterior_margin.rows(), 0);
+    QVERIFY(landmark_notes(accepted->state).back() == "atlas.margin_left_out 100");
+    Points to = proposal_of(state_, Structure::anterior_margin)->points;
+    to.topRows(10).col(2).array() += 0.004;
+    const auto moved =
+        ReviewProposal{Structure::anterior_margin, Decision::moved, to}.apply(state_, RunContext());
+    QVERIFY(apart(effective_landmarks(moved->state).anterior_margin, to.topRows(10)) < 1e-12);
+    const atlas::Proposal* margin = proposal_of(moved->state, Structure::anterior_margin);
+    QVERIFY(margin->sources[9] == Source::person && margin->sources[10] == Source::statistics);
+    QVERIFY(margin->covariances[0].trace() < margin->covariances[20].trace());
+    QVERIFY(landmark_notes(moved->state).back() == "atlas.margin_left_out 75");
+  }
+
+  void wrongReviewsAreRefused() {
+    const Points two = Points::Zero(2, 3);
+    QVERIFY_EXCEPTION_THROWN(
+        (ReviewProposal{Structure::umbilical_notch, Decision::moved, two}.apply(state_, RunContext())),
+        InputError);
+    CaseState bare = state_;
+    bare[part::proposals] = std::make_shared<const atlas::Transfer>();
+    QVERIFY_EXCEPTION_THROWN((ReviewProposal{Structure::vena_cava}.apply(bare, RunContext())), InputError);
+    const auto first = obstacle(patient(*atlas_), ReviewProposal{Structure::vena_cava});
+    QVERIFY(first && first->part == part::proposals);
+    const auto without_model = obstacle(CaseState(), ProposeLandmarks{atlas_});
+    QVERIFY(without_model && without_model->part == part::model);
+  }
+
+  void proposalsAreKeptWithTheCase() {
+    const auto reviewed =
+        ReviewProposal{Structure::vena_cava, Decision::accepted}.apply(state_, RunContext());
+    const TemporaryFolder folder;
+    QVERIFY(save_case(folder.path() / "a.glisson", reviewed->state, RunContext()));
+    const auto opened = open_case(folder.path() / "a.glisson", RunContext());
+    QVERIFY(opened && (*opened)[part::proposals]);
+    const atlas::Transfer &a = *reviewed->state[part::proposals], &b = *(*opened)[part::proposals];
+    QCOMPARE(b.proposals.size(), a.proposals.size());
+    for (std::size_t i = 0; i < a.proposals.size(); ++i) {
+      QVERIFY(apart(a.proposals[i].points, b.proposals[i].points) < 1e-8);
+      QVERIFY(a.proposals[i].decision == b.proposals[i].decision);
+      QVERIFY(a.proposals[i].sources == b.proposals[i].sources);
+      QVERIFY((a.proposals[i].covariances[0] - b.proposals[i].covariances[0]).norm() < 1e-12);
+    }
+    QVERIFY((a.modes - b.modes).norm() < 1e-9);
+    QCOMPARE(landmark_notes(*opened), landmark_notes(reviewed->state));
+  }
+
+  void cancelLeavesNothing() {
+    auto flag = std::make_shared<CancelFlag>();
+    flag->request();
+    QVERIFY(!ProposeLandmarks{atlas_}.apply(patient(*atlas_), RunContext({}, flag, 1)));
+  }
+
+ private:
+  std::shared_ptr<const atlas::Atlas> atlas_;
+  CaseState state_;
+  Figures figures_;
+};
+
+QTEST_APPLESS_MAIN(ProposalsTest)
+#include "proposals_test.moc"

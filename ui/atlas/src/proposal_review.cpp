@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/ui/atlas/proposal_review.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QPixmap>
+#include <QPushButton>
+#include <QShortcut>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include "glisson/engine/commands/propose_landmarks.h"
+#include "glisson/engine/commands/restore_review.h"
+#include "glisson/engine/commands/review_proposal.h"
+#include "glisson/engine/obstacle.h"
+#include "glisson/engine/parts/landmarks.h"
+#include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/proposals.h"
+#include "glisson/geometry/closest_point_tree.h"
+#include "glisson/ui/atlas/move_proposal.h"
+#include "glisson/ui/common/atlas_texts.h"
+#include "glisson/ui/common/built_in_atlas.h"
+#include "glisson/ui/common/panel.h"
+#include "glisson/ui/common/task_button.h"
+#include "glisson/ui/common/texts.h"
+#include "glisson/ui/scene/colours.h"
+
+namespace glisson::ui {
+namespace {
+using atlas::Decision;
+using atlas::Proposal;
+using atlas::Structure;
+
+/// Whose colour marks in slices have.
+Label label_of(Structure structure) {
+  switch (structure) {
+    case Structure::vena_cava:
+      return structure::kVenaCava;
+    case Structure::portal_entrance:
+      return structure::kPortalVein;
+    case Structure::gallbladder_bed:
+      return structure::kGallbladder;
+    case Structure::umbilical_notch:
+    case Structure::falciform_line:
+    case Structure::anterior_margin:
+      break;
+  }
+  return structure::kBackground;
+}
+
+QColor colour_of(const Proposal& proposal) {
+  if (proposal.decision == Decision::not_visible) return {120, 126, 132};
+  switch (proposal.structure) {
+    case Structure::umbilical_notch:
+      return scene::colour_of(Feature::umbilical_notch);
+    case Structure::anterior_margin:
+      return scene::colour_of(Feature::anterior_margin);
+    case Structure::falciform_line:
+      return {255, 214, 90};
+    case Structure::vena_cava:
+    case Structure::portal_entrance:
+    case Structure::gallbladder_bed:
+      break;
+  }
+  return scene::colour_of(label_of(proposal.structure));
+}
+
+QIcon disc(const QColor& colour) {
+  QPixmap picture(12, 12);
+  picture.fill(colour);
+  return picture;
+}
+
+bool is_line(Structure structure) {
+  return structure == Structure::falciform_line || structure == Structure::anterior_margin;
+}
+
+}  // namespace
+
+ProposalReview::ProposalReview(EngineBridge& engine, LinkedViews& views, ViewState& state, QWidget* parent)
+    : QWidget(parent),
+      engine_(engine),
+      views_(views),
+      state_(state),
+      actors_(views.volume().patient().renderer()) {
+  setObjectName(QStringLiteral("proposal_review"));
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  propose_ = new TaskButton(
+      engine_, tr("Propose landmarks"),
+      []() -> std::optional<engine::Command> { return engine::ProposeLandmarks{built_in_atlas()}; }, this);
+  propose_->setObjectName(QStringLiteral("propose_landmarks"));
+  layout->addWidget(propose_);
+  review_ = new QWidget(this);
+  layout->addWidget(review_);
+  make_list();
+  connect(&engine_, &EngineBridge::case_changed, this, &ProposalReview::show_case);
+  connect(&engine_, &EngineBridge::finished, this, [this](const engine::Outcome& outcome) {
+    if (posted_.erase(outcome.id) == 0) return;
+    show_case();
+    show_chosen();
+  });
+  connect(&views_.volume(), &RenderView::clicked, this, [this](double x, double y) {
+    if (!moving_) return;
+    if (const auto p = views_.surface_point(x, y)) move_to(*p);
+  });
+  connect(&state_, &ViewState::picked, this, [this](const Point<CtFrame>& p) {
+    if (moving_) move_to(p.xyz);
+  });
+  show_list();
+  show_case();
+}
+
+QPushButton* ProposalReview::add_button(const QString& text, const QString& explanation,
+                                        const QKeySequence& key) {
+  auto* button = new QPushButton(text, this);
+  button->setToolTip(QStringLiteral("%1 (%2)").arg(explanation, key.toString(QKeySequence::NativeText)));
+  auto* shortcut = new QShortcut(key, this);
+  connect(shortcut, &QShortcut::activated, button, &QPushButton::click);
+  keys_.push_back(shortcut);
+  return button;
+}
+
+void ProposalReview::make_list() {
+  auto* layout = new QVBoxLayout(review_);
+  layout->setContentsMargins(0, 0, 0, 0);
+  doubts_ = make_warning(review_);
+  layout->addWidget(doubts_);
+  list_ = new QListWidget(review_);
+  list_->setObjectName(QStringLiteral("proposals"));
+  list_->setAccessibleName(tr("Proposed landmarks"));
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  layout->addWidget(list_);
+  reason_ = make_explanation({}, review_);
+  layout->addWidget(reason_);
+  accept_ = add_button(tr("Accept"), tr("It lies there"), Qt::Key_A);
+  move_ = add_button(tr("Move"), tr("Click where it lies, on the liver in 3D or in a slice"), Qt::Key_M);
+  not_visible_ = add_button(tr("Not visible"), tr("It is not used"), Qt::Key_N);
+  undo_ = add_button(tr("Undo"), tr("Take the last step of the review back"), Qt::Key_U);
+  accept_->setObjectName(QStringLiteral("accept_proposal"));
+  move_->setObjectName(QStringLiteral("move_proposal"));
+  not_visible_->setObjectName(QStringLiteral("not_visible_proposal"));
+  undo_->setObjectName(QStringLiteral("undo_review"));
+  for (QShortcut* key : keys_) key->setEnabled(false);
+  move_->setCheckable(true);
+  move_->setProperty("role", "choice");
+  auto* row = new QHBoxLayout;
+  for (QPushButton* button : {accept_, move_, not_visible_, undo_}) row->addWidget(button);
+  layout->addLayout(row);
+  connect(list_, &QListWidget::currentRowChanged, this, &ProposalReview::show_chosen);
+  connect(accept_, &QPushButton::clicked, this, [this] { decide(Decision::accepted); });
+  connect(not_visible_, &QPushButton::clicked, this, [this] { decide(Decision::not_visible); });
+  connect(move_, &QPushButton::clicked, this, &ProposalReview::set_moving);
+  connect(undo_, &QPushButton::clicked, this, &ProposalReview::undo);
+}
+
+void ProposalReview::set_active(bool active) {
+  if (active_ && !active) {
+    set_moving(false);
+    state_.set_markers({});
+  }
+  active_ = active;
+  for (QShortcut* key : keys_) key->setEnabled(active);
+  if (active) list_->setFocus();
+  draw();
+}
+
+const Proposal* ProposalReview::chosen() const {
+  const int row = list_->currentRow();
+  return shown_ && row >= 0 && row < static_cast<int>(shown_->proposals.size())
+             ? &shown_->proposals[static_cast<std::size_t>(row)]
+             : nullptr;
+}
+
+void ProposalReview::show_case() {
+  const engine::CaseState& now = engine_.state();
+  propose_->set_obstacle(obstacle_text(engine::obstacle(now, engine::ProposeLandmarks{})));
+  if (now[part::proposals] == shown_) return;
+  const bool is_new = !shown_ || !now[part::proposals] ||
+                      shown_->surface.rows() != now[part::proposals]->surface.rows() ||
+                      shown_->surface != now[part::proposals]->surface;
+  shown_ = now[part::proposals];
+  if (is_new) {
+    former_.clear();
+    set_moving(false);
+  }
+  show_list();
+  if (is_new && shown_) list_->setCurrentRow(0);
+  show_chosen();
+}
+
+void ProposalReview::show_list() {
+  review_->setVisible(shown_ != nullptr);
+  if (!shown_) return;
+  QStringList doubts;
+  for (const std::string& doubt : shown_->doubts) doubts << note_text(doubt);
+  show_warning(*doubts_, doubts.join(QLatin1Char('\n')));
+  const int row = list_->currentRow();
+  const QSignalBlocker quiet(list_);
+  list_->clear();
+  for (const Proposal& one : shown_->proposals)
+    new QListWidgetItem(
+        disc(colour_of(one)),
+        QStringLiteral("%1: %2").arg(landmark_text(one.structure), decision_text(one.decision)), list_);
+  list_->setCurrentRow(std::clamp(row, 0, list_->count() - 1));
+  list_->setFixedHeight(list_->count() * list_->sizeHintForRow(0) + 2 * list_->frameWidth());
+}
+
+void ProposalReview::show_chosen() {
+  const Proposal* one = chosen();
+  reason_->setText(one == nullptr ? QString() : reason_text(*one));
+  for (QPushButton* button : {accept_, move_, not_visible_})
+    button->setEnabled(one != nullptr && posted_.empty());
+  undo_->setEnabled(!former_.empty() && posted_.empty());
+  if (one != nullptr && active_)
+    state_.set_crosshair(
+        Point<CtFrame>(Eigen::Vector3d(one->points.row(one->points.rows() / 2).transpose())));
+  draw();
+}
+
+void ProposalReview::draw() {
+  std::vector<scene::ProposalMark> marks;
+  std::vector<scene::Marker> markers;
+  const Proposal* of_interest = chosen();
+  if (active_ && shown_)
+    for (const Proposal& one : shown_->proposals) {
+      const bool is_chosen = &one == of_interest;
+      marks.push_back({one.points, one.covariances, is_chosen ? one.area : Points(), colour_of(one),
+                       is_line(one.structure), is_chosen, atlas::kEllipsoid95});
+      if (is_chosen)
+        for (Eigen::Index k = 0; k < one.points.rows(); ++k)
+          markers.push_back({one.points.row(k).transpose(), label_of(one.structure), 1e-3});
+    }
+  actors_.show(marks);
+  if (active_) state_.set_markers(markers);
+  views_.volume().update();
+}
+
+void ProposalReview::decide(Decision decision, const Points& moved) {
+  const Proposal* one = chosen();
+  if (one == nullptr) return;
+  former_.push_back({shown_, engine_.state()[part::landmarks]});
+  posted_.insert(engine_.post(engine::ReviewProposal{one->structure, decision, moved}));
+  if (decision != Decision::moved) go_on();
+  show_chosen();
+}
+
+void ProposalReview::go_on() {
+  set_moving(false);
+  for (int step = 1; step < list_->count(); ++step) {
+    const int row = (list_->currentRow() + step) % list_->count();
+    if (shown_->proposals[static_cast<std::size_t>(row)].decision != Decision::proposed) continue;
+    list_->setCurrentRow(row);
+    return;
+  }
+}
+
+void ProposalReview::undo() {
+  if (former_.empty()) return;
+  const Former last = former_.back();
+  former_.pop_back();
+  for (std::size_t i = 0; i < shown_->proposals.size(); ++i)
+    if (shown_->proposals[i].decision != last.proposals->proposals[i].decision ||
+        shown_->proposals[i].points != last.proposals->proposals[i].points)
+      list_->setCurrentRow(static_cast<int>(i));
+  posted_.insert(engine_.post(engine::RestoreReview{last.proposals, last.landmarks}));
+  show_chosen();
+}
+
+void ProposalReview::set_moving(bool on) {
+  const bool can = on && chosen() != nullptr;
+  if (can && !moving_) emit moving_began();
+  if (moving_ != can) state_.set_hand(can ? Hand::point : Hand::crosshair);
+  moving_ = can;
+  move_->setChecked(can);
+  views_.volume().setCursor(can ? Qt::CrossCursor : Qt::ArrowCursor);
+}
+
+void ProposalReview::move_to(const Eigen::Vector3d& p) {
+  const Proposal* one = chosen();
+  const auto& built = engine_.state()[part::model];
+  if (one == nullptr || !built || !posted_.empty()) return;
+  decide(Decision::moved, moved_points(*one, p, built->model.surface.mesh));
+}
+
+}  // namespace glisson::ui
