@@ -2109,6 +2109,22 @@
         <source>%1: too few livers show it; taken over from the atlas &apos;%2&apos;.</source>
         <translation>%1: Zu wenige Lebern zeigen es; aus dem Atlas „%2“ übernommen.</translation>
     </message>
+    <message>
+        <source>The organ is expected to be off by %1 mm on average (limit %2 mm).</source>
+        <translation>Das Organ liegt voraussichtlich im Mittel um %1 mm falsch (Grenze %2 mm).</translation>
+    </message>
+    <message>
+        <source>%1 % of the points face another way than the model there (limit %2 %).</source>
+        <translation>%1 % der Punkte zeigen in eine andere Richtung als dort das Modell (Grenze %2 %).</translation>
+    </message>
+    <message>
+        <source>The marked margin lies %1 mm from the model&apos;s (limit %2 mm).</source>
+        <translation>Der markierte Rand liegt %1 mm von dem des Modells entfernt (Grenze %2 mm).</translation>
+    </message>
+    <message>
+        <source>The organ would be bent %1 times as much as operations and tools explain (limit %2).</source>
+        <translation>Das Organ wäre %1-mal so stark verformt, wie Operationen und Werkzeuge erklären (Grenze %2).</translation>
+    </message>
 </context>
 <context>
     <name>Obstacles</name>
@@ -3963,6 +3979,14 @@
     <message>
         <source>in silico: truth within the 95 % ellipsoids, at most</source>
         <translation>in silico: Wahrheit in den 95-%-Ellipsoiden, höchstens</translation>
+    </message>
+    <message>
+        <source>registration: two patients of either set and one share that is seen.</source>
+        <translation>registration: zwei Patienten jeder Menge und ein sichtbarer Anteil.</translation>
+    </message>
+    <message>
+        <source>registration: keep what DIR/registration.csv holds already.</source>
+        <translation>registration: behalten, was DIR/registration.csv schon enthält.</translation>
     </message>
 </context>
 <context>

@@ -2109,6 +2109,22 @@
         <source>%1: too few livers show it; taken over from the atlas &apos;%2&apos;.</source>
         <translation>%1 : trop peu de foies le montrent ; repris de l&apos;atlas « %2 ».</translation>
     </message>
+    <message>
+        <source>The organ is expected to be off by %1 mm on average (limit %2 mm).</source>
+        <translation>L&apos;organe est sans doute décalé de %1 mm en moyenne (limite : %2 mm).</translation>
+    </message>
+    <message>
+        <source>%1 % of the points face another way than the model there (limit %2 %).</source>
+        <translation>%1 % des points sont tournés autrement que le modèle à cet endroit (limite : %2 %).</translation>
+    </message>
+    <message>
+        <source>The marked margin lies %1 mm from the model&apos;s (limit %2 mm).</source>
+        <translation>Le bord marqué est à %1 mm de celui du modèle (limite : %2 mm).</translation>
+    </message>
+    <message>
+        <source>The organ would be bent %1 times as much as operations and tools explain (limit %2).</source>
+        <translation>L&apos;organe serait déformé %1 fois plus que les opérations et les instruments ne l&apos;expliquent (limite : %2).</translation>
+    </message>
 </context>
 <context>
     <name>Obstacles</name>
@@ -3963,6 +3979,14 @@
     <message>
         <source>in silico: truth within the 95 % ellipsoids, at most</source>
         <translation>in silico : vérité dans les ellipsoïdes à 95 %, au plus</translation>
+    </message>
+    <message>
+        <source>registration: two patients of either set and one share that is seen.</source>
+        <translation>registration : deux patients de chaque ensemble et une seule part visible.</translation>
+    </message>
+    <message>
+        <source>registration: keep what DIR/registration.csv holds already.</source>
+        <translation>registration : garder ce que DIR/registration.csv contient déjà.</translation>
     </message>
 </context>
 <context>
