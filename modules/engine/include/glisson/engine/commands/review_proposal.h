@@ -13,7 +13,7 @@ struct ReviewProposal {
   atlas::Decision decision = atlas::Decision::accepted;
   /// Where it was moved to (CT frame, metres): as many points as the proposal has, for areas the points of
   /// the contact. Empty unless `decision` is moved.
-  Points moved = {};
+  PointsIn<CtFrame> moved = {};
 
   CommandTraits traits() const;
   /// @throws InputError nothing is proposed for the structure, or another number of points.
