@@ -23,6 +23,7 @@
 #include "glisson/engine/parts/live.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/preview.h"
+#include "glisson/engine/parts/proposals.h"
 #include "glisson/engine/parts/regions.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/engine/parts/review.h"
@@ -54,6 +55,7 @@ void CaseStateTest::EveryPartCanBeTakenAndTold() {
   full[part::model] = std::make_shared<model::BuiltModel>();
   full[part::check] = std::make_shared<ModelCheck>();
   full[part::landmarks] = std::make_shared<Landmarks>();
+  full[part::proposals] = std::make_shared<atlas::Transfer>();
   full[part::rig] = std::make_shared<StereoRig>();
   full[part::video] = std::make_shared<VideoSource>();
   full[part::frame] = std::make_shared<StereoInput>();
