@@ -1990,10 +1990,6 @@
         <translation>Der Fall wurde ohne sein Video geöffnet: Er nennt eine Quelle außerhalb dieses Rechners, die nur Sie öffnen dürfen. (%*)</translation>
     </message>
     <message>
-        <source>This computer&apos;s kernel does not shut in the program that reads volumes: read only files that you trust.</source>
-        <translation>Der Kernel dieses Rechners schließt das Programm, das Volumen liest, nicht ein: Lesen Sie nur Dateien, denen Sie vertrauen.</translation>
-    </message>
-    <message>
         <source>The case is open for writing by %*. It was opened for reading here: saved now, it needs another name.</source>
         <translation>Der Fall ist zum Schreiben geöffnet von %*. Hier wurde er zum Lesen geöffnet: Zum Speichern braucht er einen anderen Namen.</translation>
     </message>
@@ -3987,6 +3983,10 @@
     <message>
         <source>registration: keep what DIR/registration.csv holds already.</source>
         <translation>registration: behalten, was DIR/registration.csv schon enthält.</translation>
+    </message>
+    <message>
+        <source>This computer&apos;s kernel does not shut in the programs that read foreign files: read only files that you trust.</source>
+        <translation>Der Kernel dieses Rechners schließt die Programme nicht ein, die fremde Dateien lesen: nur Dateien lesen, denen Sie vertrauen.</translation>
     </message>
 </context>
 <context>

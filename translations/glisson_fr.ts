@@ -1990,10 +1990,6 @@
         <translation>Le cas a été ouvert sans sa vidéo : il désigne une source hors de cet ordinateur, que vous seul pouvez ouvrir. (%*)</translation>
     </message>
     <message>
-        <source>This computer&apos;s kernel does not shut in the program that reads volumes: read only files that you trust.</source>
-        <translation>Le noyau de cet ordinateur n&apos;enferme pas le programme qui lit les volumes : ne lisez que des fichiers de confiance.</translation>
-    </message>
-    <message>
         <source>The case is open for writing by %*. It was opened for reading here: saved now, it needs another name.</source>
         <translation>Le cas est ouvert en écriture par %*. Il a été ouvert ici en lecture : pour l’enregistrer, il faut un autre nom.</translation>
     </message>
@@ -3987,6 +3983,10 @@
     <message>
         <source>registration: keep what DIR/registration.csv holds already.</source>
         <translation>registration : garder ce que DIR/registration.csv contient déjà.</translation>
+    </message>
+    <message>
+        <source>This computer&apos;s kernel does not shut in the programs that read foreign files: read only files that you trust.</source>
+        <translation>Le noyau de cet ordinateur n&apos;enferme pas les programmes qui lisent des fichiers étrangers : ne lisez que des fichiers auxquels vous vous fiez.</translation>
     </message>
 </context>
 <context>

@@ -18,9 +18,11 @@
 #include "glisson/core/files.h"
 #include "glisson/core/log_file.h"
 #include "glisson/stereo/picture_io.h"
+#include "glisson/stereo/picture_reader.h"
 #include "glisson/stereo/source.h"
 #include "glisson/ui/scene/offscreen_renderer.h"
 #include "glisson/volume/io.h"
+#include "glisson/volume/reader_program.h"
 
 namespace glisson::app {
 namespace fs = std::filesystem;
@@ -99,6 +101,17 @@ void tell_machine(Findings& found) {
   if (!display) found.miss(Cli::tr("There is no display: the window cannot open, all else works."));
 }
 
+/// Of the machine, not of a patient's files: told here, not with each file.
+void tell_confinement(Findings& found) {
+  std::vector<std::string> escapes = reader_escapes();
+  for (const std::string& word : stereo::picture_reader_escapes()) escapes.push_back(word);
+  found.say_number("readers_confined", escapes.empty() ? 1.0 : 0.0);
+  if (!escapes.empty())
+    found.miss(Cli::tr(
+        "This computer's kernel does not shut in the programs that read foreign files: read only files "
+        "that you trust."));
+}
+
 void try_locks() {
   const TemporaryFolder folder;
   Claim one, two;
@@ -163,6 +176,7 @@ int run_doctor(const QStringList& given) {
   Findings found(session);
   tell_versions(found);
   tell_machine(found);
+  tell_confinement(found);
   found.try_out("locks", try_locks);
   found.try_out("volumes", try_volumes);
   found.try_out("recording", try_recording);

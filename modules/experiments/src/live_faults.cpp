@@ -8,20 +8,13 @@
 #include <opencv2/imgproc.hpp>
 #include <random>
 
+#include "cv_picture.h"
+
 namespace glisson::experiments {
 namespace {
 
 constexpr double kBarDepth = 0.06, kDrapeDepth = 0.08;  ///< metres before the camera
 constexpr double kDrapeSpeed = 2.0;                     ///< pixels a frame
-
-cv::Mat view_of(const Picture& picture) {
-  return {picture.height, picture.width, picture.channels == 1 ? CV_8UC1 : CV_8UC3,
-          const_cast<std::uint8_t*>(picture.bytes->data())};  // only read
-}
-Picture picture_of(const cv::Mat& mat) {
-  auto bytes = std::make_shared<std::vector<std::uint8_t>>(mat.data, mat.data + mat.total() * mat.elemSize());
-  return {mat.cols, mat.rows, mat.channels(), std::move(bytes)};
-}
 
 template <class Change>
 StereoFrame both(const StereoFrame& frame, const Change& change) {
@@ -32,15 +25,6 @@ StereoFrame both(const StereoFrame& frame, const Change& change) {
   changed.left = picture_of(left);
   changed.right = picture_of(right);
   return changed;
-}
-
-void add_noise(cv::Mat& picture, double sigma, std::uint64_t seed) {
-  cv::RNG random(seed);
-  cv::Mat noise(picture.size(), CV_16SC(picture.channels())), sum;
-  random.fill(noise, cv::RNG::NORMAL, 0.0, sigma);
-  picture.convertTo(sum, noise.type());
-  sum += noise;
-  sum.convertTo(picture, picture.type());
 }
 
 /// The moment of `from`, at the time of `at`.

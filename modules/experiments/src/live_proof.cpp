@@ -13,6 +13,7 @@
 #include "glisson/stereo/picture_io.h"
 #include "live_faults.h"
 #include "live_stage.h"
+#include "moved_tissue.h"
 
 namespace glisson::experiments {
 namespace {
@@ -282,7 +283,7 @@ Cancellable<LiveProof> prove_live(const LiveProofOptions& options, const std::fi
       proof.absent.emplace_back(set.folder);
       continue;
     }
-    const auto stage = pair_stage(set.read(options.data / set.folder), options.frames,
+    const auto stage = pair_stage(set.read(options.data / set.folder), options.frames, 1,
                                   context.part(done, done + 0.1 * part));
     if (!stage) return std::nullopt;
     write_pictures(folder, set.folder, *stage);

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "live_stage.h"
 
-#include <utility>
-
 #include "glisson/insilico/patient.h"
 #include "glisson/insilico/theatre.h"
 #include "glisson/model/build.h"
-#include "moved_tissue.h"
 
 namespace glisson::experiments {
 namespace {
@@ -54,19 +51,6 @@ Cancellable<LiveStage> theatre_stage(std::uint64_t seed, int frames, const RunCo
   stage.targets_in_model.resize(static_cast<Eigen::Index>(targets.size()), 3);
   for (std::size_t i = 0; i < targets.size(); ++i)
     stage.targets_in_model.row(static_cast<Eigen::Index>(i)) = targets[i].centre_in_ct.transpose();
-  return stage;
-}
-
-Cancellable<LiveStage> pair_stage(const RealPair& pair, int frames, const RunContext& context) {
-  auto tissue = set_in_motion(pair, frames, 1, context);
-  if (!tissue) return std::nullopt;
-  LiveStage stage;
-  stage.start = tissue->model.mesh.vertices;
-  stage.model = std::move(tissue->model);
-  stage.rig = pair.rig;
-  stage.standing = {std::move(tissue->standing), std::move(tissue->standing_targets)};
-  stage.held = {std::move(tissue->held), std::move(tissue->held_targets)};
-  stage.targets_in_model = std::move(tissue->targets);
   return stage;
 }
 

@@ -7,7 +7,6 @@
 #include "glisson/core/run_context.h"
 #include "glisson/patient/patient_model.h"
 #include "live_faults.h"
-#include "real_pairs.h"
 
 namespace glisson::experiments {
 
@@ -28,8 +27,5 @@ struct LiveStage {
 
 /// A synthetic patient in the theatre. Empty: cancelled.
 Cancellable<LiveStage> theatre_stage(std::uint64_t seed, int frames, const RunContext& context);
-
-/// A real pair set in motion (moved_tissue.h). Empty: cancelled. @throws InputError.
-Cancellable<LiveStage> pair_stage(const RealPair& pair, int frames, const RunContext& context);
 
 }  // namespace glisson::experiments

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <opencv2/imgproc.hpp>
 
+#include "cv_picture.h"
 #include "glisson/core/statistics.h"
 #include "glisson/insilico/ray_caster.h"
 #include "glisson/model/build.h"
@@ -139,8 +140,7 @@ TetMesh slab(const TriangleMesh& top, int columns, int rows, int layers, double 
 class MovedView {
  public:
   MovedView(const Picture& picture, const Camera& camera, insilico::RayTable rays, TriangleMesh rest)
-      : picture_(picture.height, picture.width, CV_8UC(picture.channels),
-                 const_cast<std::uint8_t*>(picture.bytes->data())),  // only read
+      : picture_(view_of(picture)),
         tissue_(picture_),
         camera_(camera),
         rays_(std::move(rays)),
@@ -175,15 +175,11 @@ class MovedView {
         map.at<cv::Vec2f>(y, x) = {static_cast<float>(pixel.x()), static_cast<float>(pixel.y())};
       }
     }
-    cv::Mat drawn, noisy;
+    cv::Mat drawn;
     cv::remap(tissue_, drawn, map, cv::noArray(), cv::INTER_LINEAR, cv::BORDER_CONSTANT);
     if (!outside_.empty()) picture_.copyTo(drawn, outside_);
-    cv::Mat noise(drawn.size(), CV_16SC(drawn.channels()));
-    cv::RNG random(seed);
-    random.fill(noise, cv::RNG::NORMAL, 0.0, 2.0);
-    cv::add(drawn, noise, noisy, cv::noArray(), CV_8U);
-    auto bytes = std::make_shared<std::vector<std::uint8_t>>(noisy.datastart, noisy.dataend);
-    return {noisy.cols, noisy.rows, noisy.channels(), std::move(bytes)};
+    add_noise(drawn, 2.0, seed);
+    return picture_of(drawn);
   }
 
  private:
@@ -191,8 +187,7 @@ class MovedView {
   /// at the rim. What is drawn outside of the circle stays as it is: the circle stands.
   void fill_beyond(const stereo::ScopeCircle& circle) {
     const Picture inside = stereo::circle_mask(circle, picture_.cols, picture_.rows);
-    cv::compare(cv::Mat(picture_.size(), CV_8U, const_cast<std::uint8_t*>(inside.bytes->data())), 0, outside_,
-                cv::CMP_EQ);
+    outside_ = view_of(inside) == 0;
     const double radius = circle.radius - 6.0;
     cv::Mat map(picture_.size(), CV_32FC2);
     for (int y = 0; y < map.rows; ++y)
@@ -254,8 +249,8 @@ Eigen::AlignedBox2d inner_box(const LabelledCloud& cloud) {
 
 }  // namespace
 
-Cancellable<MovedTissue> set_in_motion(const RealPair& pair, int frames, std::uint64_t seed,
-                                       const RunContext& context) {
+Cancellable<LiveStage> pair_stage(const RealPair& pair, int frames, std::uint64_t seed,
+                                  const RunContext& context) {
   constexpr int kColumns = 25, kRows = 21;
   const auto seen = stereo::reconstruct_pair({{pair.left, pair.right}, pair.rig, pair.mask, {}}, {},
                                              context.part(0.0, 0.1));
@@ -268,15 +263,17 @@ Cancellable<MovedTissue> set_in_motion(const RealPair& pair, int frames, std::ui
   whole.extend(Eigen::Vector2d(whole.max() + around));
   const TriangleMesh rest = sheet(relief, whole, 73, 59);
   const Eigen::AlignedBox2d inner = inner_box(seen->whole->cloud);
-  MovedTissue tissue;
-  tissue.model =
+  LiveStage stage;
+  stage.rig = pair.rig;
+  stage.model =
       model::build_from_mesh(slab(sheet(relief, whole, kColumns, kRows), kColumns, kRows, 4, 24e-3)).model;
-  tissue.targets.resize(4, 3);
+  stage.targets_in_model.resize(4, 3);
   for (int n = 0; n < 4; ++n) {
     const Eigen::Vector2d share(n % 2 == 0 ? 0.3 : 0.7, n < 2 ? 0.3 : 0.7);
     const Eigen::Vector3d top = relief.surface(inner.min() + share.cwiseProduct(inner.sizes()));
-    tissue.targets.row(n) = below(top.transpose(), 5e-3 * (n + 1));
+    stage.targets_in_model.row(n) = below(top.transpose(), 5e-3 * (n + 1));
   }
+  stage.start = stage.model.mesh.vertices;
   const Eigen::Vector3d pressed_at = relief.surface(inner.center());
 
   insilico::RayCaster caster(rest);
@@ -298,11 +295,11 @@ Cancellable<MovedTissue> set_in_motion(const RealPair& pair, int frames, std::ui
       frame.right = right.draw(caster, to_right, noise + 1);
       frame.index = k;
       frame.seconds = seconds;
-      (in_a_hand ? tissue.held : tissue.standing).push_back(std::move(frame));
-      (in_a_hand ? tissue.held_targets : tissue.standing_targets)
-          .push_back(moved(tissue.targets, pressed_at, seconds, scope));
+      Filmed& filmed = in_a_hand ? stage.held : stage.standing;
+      filmed.film.push_back(std::move(frame));
+      filmed.targets.push_back(moved(stage.targets_in_model, pressed_at, seconds, scope));
     }
-  return tissue;
+  return stage;
 }
 
 }  // namespace glisson::experiments

@@ -67,11 +67,11 @@ const std::vector<Aim>& patient_aims() {
        QT_TRANSLATE_NOOP("cli", "in silico, ill livers, ten clicks of a layperson: Dice of the liver, worst"),
        in_silico, at_least, 0.92, 3},
       {"trial_real_dice_lesion_median",
-       QT_TRANSLATE_NOOP("cli", "real CT, lesions above 1 ml, one click: Dice, median"), real,
-       at_least, 0.8, 3},
+       QT_TRANSLATE_NOOP("cli", "real CT, lesions above 1 ml, one click: Dice, median"), real, at_least, 0.8,
+       3},
       {"trial_synthetic_dice_lesion_median",
-       QT_TRANSLATE_NOOP("cli", "in silico, lesions above 1 ml, one click: Dice, median"),
-       in_silico, at_least, 0.8, 3},
+       QT_TRANSLATE_NOOP("cli", "in silico, lesions above 1 ml, one click: Dice, median"), in_silico,
+       at_least, 0.8, 3},
   };
   return kAims;
 }

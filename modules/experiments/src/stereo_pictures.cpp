@@ -4,27 +4,13 @@
 #include <opencv2/imgproc.hpp>
 #include <random>
 
+#include "cv_picture.h"
 #include "stereo_theatre.h"
 
 namespace glisson::experiments {
-namespace {
-
-cv::Mat copy_of(const Picture& picture) {
-  return cv::Mat(picture.height, picture.width, CV_8UC(picture.channels),
-                 const_cast<std::uint8_t*>(picture.bytes->data()))
-      .clone();
-}
-
-Picture picture_of(const cv::Mat& image) {
-  auto bytes = std::make_shared<std::vector<std::uint8_t>>(image.datastart, image.dataend);
-  return {image.cols, image.rows, image.channels(), std::move(bytes)};
-}
-
-}  // namespace
-
 Picture hardened(const Picture& picture, const Hardship& hardship, std::uint64_t seed) {
   constexpr double kFine = 8.0;
-  cv::Mat image = copy_of(picture);
+  cv::Mat image = view_of(picture).clone();
   std::mt19937_64 random(seed);
   if (hardship.texture != 1.0) {
     cv::Mat coarse;
@@ -46,7 +32,7 @@ Picture hardened(const Picture& picture, const Hardship& hardship, std::uint64_t
 }
 
 Picture with_dots(const Picture& picture, const std::vector<Dot>& dots) {
-  cv::Mat grey, image = copy_of(picture);
+  cv::Mat grey, image = view_of(picture).clone();
   if (image.channels() == 3)
     cv::cvtColor(image, grey, cv::COLOR_BGR2GRAY);
   else

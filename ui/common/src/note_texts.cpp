@@ -130,9 +130,6 @@ class Notes {
         {"refusal_accepted", tr("The registration was refused, and somebody uses it nevertheless.")},
         {"mechanics_failed", tr("The mechanical computation did not come to an end.")},
         {"simulation_not_converged", tr("The simulation had not come to rest at its last step.")},
-        {"reader.unconfined", tr("This computer's kernel does not shut in the program that reads volumes: "
-                                 "read only files that you "
-                                 "trust.")},
         {"image.small", tr("The volume measures only %1 mm along its shortest side: a liver is larger.")},
         {"image.large", tr("The volume is %1 mm wide: no scanner is. Check its unit.")},
         {"image.constant_slices",

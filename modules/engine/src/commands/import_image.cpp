@@ -4,7 +4,6 @@
 #include "glisson/engine/parts/image.h"
 #include "glisson/volume/io.h"
 #include "glisson/volume/plausibility.h"
-#include "glisson/volume/reader_program.h"
 
 namespace glisson::engine {
 
@@ -25,8 +24,6 @@ Cancellable<Applied> ImportImage::apply(const CaseState& state, const RunContext
     applied.figures["image_spacing_" + axis + "_mm"] = image->grid.spacing_mm[k];
   }
   applied.notes = image_doubts(*image);
-  static const bool confined = reader_escapes().empty();  // of this kernel, asked once
-  if (!confined) applied.notes.emplace_back("reader.unconfined");
   applied.state[part::image] = std::make_shared<const Image>(std::move(*image));
   return applied;
 }
