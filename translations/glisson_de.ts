@@ -2785,6 +2785,10 @@
         <source>reading livers</source>
         <translation>Lebern werden gelesen</translation>
     </message>
+    <message>
+        <source>Taking a step of the review back</source>
+        <translation>Einen Schritt der Durchsicht zurücknehmen</translation>
+    </message>
 </context>
 <context>
     <name>cli</name>
@@ -5122,16 +5126,16 @@
         <translation>Nicht sichtbar</translation>
     </message>
     <message>
-        <source>It is not used</source>
-        <translation>Sie wird nicht verwendet</translation>
-    </message>
-    <message>
         <source>Undo</source>
         <translation>Rückgängig</translation>
     </message>
     <message>
         <source>Take the last step of the review back</source>
         <translation>Den letzten Schritt der Durchsicht zurücknehmen</translation>
+    </message>
+    <message>
+        <source>The proposal is not used; what the CT itself shows stays</source>
+        <translation>Der Vorschlag wird nicht verwendet; was das CT selbst zeigt, bleibt</translation>
     </message>
 </context>
 <context>

@@ -2785,6 +2785,10 @@
         <source>reading livers</source>
         <translation>lecture des foies</translation>
     </message>
+    <message>
+        <source>Taking a step of the review back</source>
+        <translation>Annulation d&apos;une étape de la relecture</translation>
+    </message>
 </context>
 <context>
     <name>cli</name>
@@ -5122,16 +5126,16 @@
         <translation>Non visible</translation>
     </message>
     <message>
-        <source>It is not used</source>
-        <translation>Il n&apos;est pas utilisé</translation>
-    </message>
-    <message>
         <source>Undo</source>
         <translation>Annuler</translation>
     </message>
     <message>
         <source>Take the last step of the review back</source>
         <translation>Annuler la dernière étape de la revue</translation>
+    </message>
+    <message>
+        <source>The proposal is not used; what the CT itself shows stays</source>
+        <translation>La proposition n&apos;est pas utilisée ; ce que le scanner montre lui-même reste</translation>
     </message>
 </context>
 <context>

@@ -9,6 +9,7 @@
 #include "glisson/core/files.h"
 #include "glisson/engine/case_io.h"
 #include "glisson/engine/commands/propose_landmarks.h"
+#include "glisson/engine/commands/restore_review.h"
 #include "glisson/engine/commands/review_proposal.h"
 #include "glisson/engine/obstacle.h"
 #include "glisson/engine/parts/landmarks.h"
@@ -126,6 +127,35 @@ class ProposalsTest : public QObject {
     QVERIFY(margin->sources[9] == Source::person && margin->sources[10] == Source::statistics);
     QVERIFY(margin->covariances[0].trace() < margin->covariances[20].trace());
     QVERIFY(landmark_notes(moved->state).back() == "atlas.margin_left_out 75");
+  }
+
+  /// What was done to another structure meanwhile stays.
+  void undoTakesBackOneStructure() {
+    const Points before = placed_points(state_, Structure::umbilical_notch);
+    const atlas::Proposal proposed = *proposal_of(state_, Structure::umbilical_notch);
+    CaseState now =
+        ReviewProposal{Structure::umbilical_notch, Decision::accepted}.apply(state_, RunContext())->state;
+    Landmarks by_hand = *now[part::landmarks];
+    by_hand.vena_cava = Points::Constant(3, 3, 0.01);
+    now[part::landmarks] = std::make_shared<const Landmarks>(by_hand);
+    const auto back = RestoreReview{proposed, before}.apply(now, RunContext());
+    QCOMPARE(back->state[part::landmarks]->umbilical_notch.rows(), 0);
+    QCOMPARE(back->state[part::landmarks]->vena_cava.rows(), 3);
+    QVERIFY(proposal_of(back->state, Structure::umbilical_notch)->decision == Decision::proposed);
+  }
+
+  /// A margin that follows the dragged place is not all the person's word.
+  void whatMerelyFollowsADragKeepsItsSource() {
+    const atlas::Proposal& margin = *proposal_of(state_, Structure::anterior_margin);
+    Points to = margin.points;
+    for (Eigen::Index k = 0; k < to.rows(); ++k)
+      to(k, 2) += 0.01 * std::exp(-0.5 * std::pow(static_cast<double>(k - 20) / 5.0, 2));
+    const auto moved =
+        ReviewProposal{Structure::anterior_margin, Decision::moved, to}.apply(state_, RunContext());
+    const atlas::Proposal& found = *proposal_of(moved->state, Structure::anterior_margin);
+    QVERIFY(found.sources[20] == Source::person && found.sources[24] == Source::person);
+    QVERIFY(found.sources[28] == Source::statistics && found.sources[12] == Source::statistics);
+    QVERIFY(apart(found.points, to) < 1e-12);
   }
 
   void wrongReviewsAreRefused() {

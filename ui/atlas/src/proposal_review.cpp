@@ -97,10 +97,10 @@ ProposalReview::ProposalReview(EngineBridge& engine, LinkedViews& views, ViewSta
   make_list();
   connect(&engine_, &EngineBridge::case_changed, this, &ProposalReview::show_case);
   connect(&engine_, &EngineBridge::finished, this, [this](const engine::Outcome& outcome) {
-    if (posted_.erase(outcome.id) == 0) return;
-    show_case();
+    if (posted_.erase(outcome.id) > 0) show_case();
     show_chosen();
   });
+  connect(&engine_, &EngineBridge::tasks_changed, this, &ProposalReview::show_chosen);
   connect(&views_.volume(), &RenderView::clicked, this, [this](double x, double y) {
     if (!moving_) return;
     if (const auto p = views_.surface_point(x, y)) move_to(*p);
@@ -133,10 +133,10 @@ void ProposalReview::make_list() {
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   layout->addWidget(list_);
   reason_ = make_explanation({}, review_);
-  layout->addWidget(reason_);
   accept_ = add_button(tr("Accept"), tr("It lies there"), Qt::Key_A);
   move_ = add_button(tr("Move"), tr("Click where it lies, on the liver in 3D or in a slice"), Qt::Key_M);
-  not_visible_ = add_button(tr("Not visible"), tr("It is not used"), Qt::Key_N);
+  not_visible_ = add_button(tr("Not visible"), tr("The proposal is not used; what the CT itself shows stays"),
+                            Qt::Key_N);
   undo_ = add_button(tr("Undo"), tr("Take the last step of the review back"), Qt::Key_U);
   accept_->setObjectName(QStringLiteral("accept_proposal"));
   move_->setObjectName(QStringLiteral("move_proposal"));
@@ -148,7 +148,8 @@ void ProposalReview::make_list() {
   auto* row = new QHBoxLayout;
   for (QPushButton* button : {accept_, move_, not_visible_, undo_}) row->addWidget(button);
   layout->addLayout(row);
-  connect(list_, &QListWidget::currentRowChanged, this, &ProposalReview::show_chosen);
+  layout->addWidget(reason_);  // below: its lines come and go, the buttons stay under the pointer
+  connect(list_, &QListWidget::currentRowChanged, this, &ProposalReview::choose);
   connect(accept_, &QPushButton::clicked, this, [this] { decide(Decision::accepted); });
   connect(not_visible_, &QPushButton::clicked, this, [this] { decide(Decision::not_visible); });
   connect(move_, &QPushButton::clicked, this, &ProposalReview::set_moving);
@@ -176,7 +177,7 @@ const Proposal* ProposalReview::chosen() const {
 void ProposalReview::show_case() {
   const engine::CaseState& now = engine_.state();
   propose_->set_obstacle(obstacle_text(engine::obstacle(now, engine::ProposeLandmarks{})));
-  if (now[part::proposals] == shown_) return;
+  if (now[part::proposals] == shown_) return show_chosen();
   const bool is_new = !shown_ || !now[part::proposals] ||
                       shown_->surface.rows() != now[part::proposals]->surface.rows() ||
                       shown_->surface != now[part::proposals]->surface;
@@ -186,7 +187,10 @@ void ProposalReview::show_case() {
     set_moving(false);
   }
   show_list();
-  if (is_new && shown_) list_->setCurrentRow(0);
+  if (is_new && shown_) {
+    list_->setCurrentRow(0);
+    choose(0);
+  }
   show_chosen();
 }
 
@@ -203,20 +207,29 @@ void ProposalReview::show_list() {
     new QListWidgetItem(
         disc(colour_of(one)),
         QStringLiteral("%1: %2").arg(landmark_text(one.structure), decision_text(one.decision)), list_);
-  list_->setCurrentRow(std::clamp(row, 0, list_->count() - 1));
+  list_->setCurrentRow(std::clamp(row, 0, std::max(0, list_->count() - 1)));
   list_->setFixedHeight(list_->count() * list_->sizeHintForRow(0) + 2 * list_->frameWidth());
 }
 
 void ProposalReview::show_chosen() {
   const Proposal* one = chosen();
   reason_->setText(one == nullptr ? QString() : reason_text(*one));
-  for (QPushButton* button : {accept_, move_, not_visible_})
-    button->setEnabled(one != nullptr && posted_.empty());
-  undo_->setEnabled(!former_.empty() && posted_.empty());
+  for (QPushButton* button : {accept_, move_, not_visible_}) button->setEnabled(one != nullptr && is_open());
+  undo_->setEnabled(!former_.empty() && is_open());
+  draw();
+}
+
+bool ProposalReview::is_open() const {
+  return posted_.empty() && !propose_->is_running() &&
+         !engine::obstacle(engine_.state(), engine::ReviewProposal{});
+}
+
+void ProposalReview::choose(int) {
+  const Proposal* one = chosen();
   if (one != nullptr && active_)
     state_.set_crosshair(
         Point<CtFrame>(Eigen::Vector3d(one->points.row(one->points.rows() / 2).transpose())));
-  draw();
+  show_chosen();
 }
 
 void ProposalReview::draw() {
@@ -240,7 +253,7 @@ void ProposalReview::draw() {
 void ProposalReview::decide(Decision decision, const Points& moved) {
   const Proposal* one = chosen();
   if (one == nullptr) return;
-  former_.push_back({shown_, engine_.state()[part::landmarks]});
+  former_.push_back({*one, engine::placed_points(engine_.state(), one->structure)});
   posted_.insert(engine_.post(engine::ReviewProposal{one->structure, decision, moved}));
   if (decision != Decision::moved) go_on();
   show_chosen();
@@ -257,14 +270,12 @@ void ProposalReview::go_on() {
 }
 
 void ProposalReview::undo() {
-  if (former_.empty()) return;
+  if (former_.empty() || !is_open()) return;
   const Former last = former_.back();
   former_.pop_back();
   for (std::size_t i = 0; i < shown_->proposals.size(); ++i)
-    if (shown_->proposals[i].decision != last.proposals->proposals[i].decision ||
-        shown_->proposals[i].points != last.proposals->proposals[i].points)
-      list_->setCurrentRow(static_cast<int>(i));
-  posted_.insert(engine_.post(engine::RestoreReview{last.proposals, last.landmarks}));
+    if (shown_->proposals[i].structure == last.proposal.structure) list_->setCurrentRow(static_cast<int>(i));
+  posted_.insert(engine_.post(engine::RestoreReview{last.proposal, last.landmark}));
   show_chosen();
 }
 
@@ -280,7 +291,7 @@ void ProposalReview::set_moving(bool on) {
 void ProposalReview::move_to(const Eigen::Vector3d& p) {
   const Proposal* one = chosen();
   const auto& built = engine_.state()[part::model];
-  if (one == nullptr || !built || !posted_.empty()) return;
+  if (one == nullptr || !built || !is_open()) return;
   decide(Decision::moved, moved_points(*one, p, built->model.surface.mesh));
 }
 

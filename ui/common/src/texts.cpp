@@ -32,6 +32,7 @@ class Texts {
             {"set_landmarks", tr("Storing the landmarks")},
             {"propose_landmarks", tr("Proposing the landmarks")},
             {"review_proposal", tr("Storing the review of a landmark")},
+            {"restore_review", tr("Taking a step of the review back")},
             {"set_calibration", tr("Reading the calibration")},
             {"calibrate", tr("Calibrating the laparoscope")},
             {"load_stereo_pair", tr("Reading the stereo pair")},

@@ -5,9 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "../review_step.h"
 #include "glisson/core/error.h"
-#include "glisson/engine/parts/landmarks.h"
-#include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/proposals.h"
 
 namespace glisson::engine {
@@ -20,7 +19,9 @@ using atlas::Structure;
 constexpr double kSpacing = 0.004;        // metres, of the cava's points, as the model has them
 constexpr double kHandDeviation = 0.003;  // metres, of a point that a person placed
 constexpr double kMoved = 0.0005;         // metres, from which on a point was moved
-constexpr Eigen::Index kLeastRun = 5;     // points of a margin
+/// What follows a dragged point by less than this share of its way is still what it was.
+constexpr double kCarried = 0.6;
+constexpr Eigen::Index kLeastRun = 5;  // points of a margin
 
 /// Points of an area, none closer to another than kSpacing.
 Points thinned(const Points& area) {
@@ -55,13 +56,6 @@ Points landmark_points(const Proposal& proposal) {
   return proposal.structure == Structure::anterior_margin ? shown_margin(proposal) : proposal.points;
 }
 
-Points* landmark(Landmarks& landmarks, Structure structure) {
-  if (structure == Structure::umbilical_notch) return &landmarks.umbilical_notch;
-  if (structure == Structure::anterior_margin) return &landmarks.anterior_margin;
-  if (structure == Structure::vena_cava) return &landmarks.vena_cava;
-  return nullptr;
-}
-
 void move(Proposal& proposal, const Points& to) {
   const Eigen::Matrix3d by_hand = kHandDeviation * kHandDeviation * Eigen::Matrix3d::Identity();
   if (atlas::is_area(proposal.structure)) {
@@ -77,8 +71,10 @@ void move(Proposal& proposal, const Points& to) {
     if (to.rows() != proposal.points.rows())
       throw InputError("ReviewProposal", "moved", "has " + std::to_string(to.rows()) + " points",
                        "Give as many as are proposed: " + std::to_string(proposal.points.rows()));
+    const Eigen::VectorXd way = (to - proposal.points).rowwise().norm();
+    const double least = std::max(kMoved, kCarried * way.maxCoeff());
     for (Eigen::Index k = 0; k < to.rows(); ++k) {
-      if ((to.row(k) - proposal.points.row(k)).norm() < kMoved) continue;
+      if (way[k] < least) continue;
       proposal.sources[static_cast<std::size_t>(k)] = Source::person;
       proposal.covariances[static_cast<std::size_t>(k)] = by_hand;
     }
@@ -88,37 +84,18 @@ void move(Proposal& proposal, const Points& to) {
 
 }  // namespace
 
-CommandTraits ReviewProposal::traits() const {
-  return {.code = "review_proposal",
-          .reads = {part::model},  // a later step makes neither part out of date
-          .writes = {part::proposals, part::landmarks},
-          .needs = {part::model, part::proposals},
-          .current = {part::proposals},
-          .lane = Lane::edits,
-          .notice = Notice::quiet};
-}
+CommandTraits ReviewProposal::traits() const { return review_traits("review_proposal"); }
 
 Cancellable<Applied> ReviewProposal::apply(const CaseState& state, const RunContext&) const {
-  auto transfer = std::make_shared<atlas::Transfer>(*state[part::proposals]);
-  const auto found = std::find_if(transfer->proposals.begin(), transfer->proposals.end(),
-                                  [&](const Proposal& one) { return one.structure == structure; });
-  if (found == transfer->proposals.end())
+  const Proposal* proposed = proposal_of(state, structure);
+  if (proposed == nullptr)
     throw InputError("ReviewProposal", atlas::code(structure), "is not proposed",
                      "Let an atlas that knows it propose it first");
-  if (decision == Decision::moved) move(*found, moved);
-  found->decision = decision;
-  Applied applied{state};
-  auto landmarks = state[part::landmarks] ? *state[part::landmarks] : Landmarks{};
-  if (Points* points = landmark(landmarks, structure)) {
-    if (decision == Decision::accepted || decision == Decision::moved)
-      *points = landmark_points(*found);
-    else
-      points->resize(0, 3);
-    const bool none = landmarks.empty() && landmarks.vena_cava.rows() == 0;
-    applied.state[part::landmarks] = none ? nullptr : std::make_shared<const Landmarks>(std::move(landmarks));
-  }
-  applied.state[part::proposals] = std::move(transfer);
-  return applied;
+  Proposal reviewed = *proposed;
+  if (decision == Decision::moved) move(reviewed, moved);
+  reviewed.decision = decision;
+  const bool is_used = decision == Decision::accepted || decision == Decision::moved;
+  return with_review(state, reviewed, is_used ? landmark_points(reviewed) : Points(0, 3));
 }
 
 }  // namespace glisson::engine

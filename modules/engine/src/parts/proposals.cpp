@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 
 #include "case_files.h"
 #include "glisson/core/error.h"
@@ -63,6 +64,8 @@ Eigen::Matrix3d covariance_in(const json& row, const std::string& file) {
   }
   Eigen::Matrix3d matrix;
   matrix << c[0], c[1], c[2], c[1], c[3], c[4], c[2], c[4], c[5];
+  if (!(matrix.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff() > 0.0))
+    refuse(file, "covariances_mm2", "holds a matrix that is no covariance");
   return matrix;
 }
 
@@ -75,6 +78,8 @@ Proposal proposal_in(const json& sheet, const std::string& file) {
   one.points = points_from_json(sheet.at("points"), file, "points");
   for (const json& row : sheet.at("covariances_mm2")) one.covariances.push_back(covariance_in(row, file));
   for (const json& row : sheet.at("sources")) one.sources.push_back(code_in(kSources, row, file, "sources"));
+  if (one.points.rows() != atlas::point_count(one.structure))
+    refuse(file, "points", "are not as many as the structure has");
   const auto count = static_cast<std::size_t>(one.points.rows());
   if (one.covariances.size() != count || one.sources.size() != count)
     refuse(file, "points", "are not as many as covariances and sources");
@@ -117,7 +122,13 @@ Transfer read(const std::filesystem::path& path) {
     transfer.modes = Eigen::Map<const Eigen::VectorXd>(modes.data(), static_cast<Eigen::Index>(modes.size()));
     transfer.unusual = sheet.at("unusual").get<double>();
     transfer.doubts = sheet.at("doubts").get<std::vector<std::string>>();
-    for (const json& one : sheet.at("proposals")) transfer.proposals.push_back(proposal_in(one, file));
+    std::set<Structure> known;
+    for (const json& one : sheet.at("proposals")) {
+      transfer.proposals.push_back(proposal_in(one, file));
+      if (!known.insert(transfer.proposals.back().structure).second)
+        refuse(file, "proposals", "name a structure twice");
+    }
+    if (known.empty()) refuse(file, "proposals", "are none");
   } catch (const json::exception& error) {
     refuse(file, "", error.what());
   }
@@ -146,6 +157,7 @@ bool same(const CaseState& written, const CaseState& found) {
 const PartOf<Transfer> part::proposals{{.code = "proposals",
                                         .made_of = {part::model},
                                         .remedy = "Let the atlas propose the landmarks first",
+                                        .files = {kFile},
                                         .save = save,
                                         .load =
                                             [](CaseState& state, const json&, const CaseFolder& folder) {

@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <memory>
-
 #include "glisson/atlas/transfer.h"
 #include "glisson/engine/command.h"
-#include "glisson/patient/patient_model.h"
 
 namespace glisson::engine {
 
-/// Takes steps of the review back: proposals and landmarks as they were before.
+/// Takes a step of the review back: one proposal and its landmark as they were before. What was done to other
+/// structures since stays.
 struct RestoreReview {
-  std::shared_ptr<const atlas::Transfer> proposals;
-  std::shared_ptr<const Landmarks> landmarks;  ///< null: nobody had placed any
+  atlas::Proposal before;
+  PointsIn<CtFrame> landmark = {};  ///< as placed_points() had it; none: there was none
 
   CommandTraits traits() const;
-  /// @pre proposals. @throws InputError they were made for another model.
+  /// @throws InputError nothing is proposed for the structure any more.
   Cancellable<Applied> apply(const CaseState& state, const RunContext& context) const;
 };
 

@@ -7,7 +7,8 @@
 namespace glisson::engine {
 
 /// What a person says of one proposal. Accepted and moved ones become landmarks where registration knows the
-/// structure (notch, margin, vena cava); of others, and of what is not visible, no landmark remains.
+/// structure (notch, margin, vena cava); of others, and of what is not visible, no landmark
+/// remains: registration then goes by what the model itself shows of it, if anything.
 struct ReviewProposal {
   atlas::Structure structure = atlas::Structure::umbilical_notch;
   atlas::Decision decision = atlas::Decision::accepted;

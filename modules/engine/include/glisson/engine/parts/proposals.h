@@ -14,6 +14,9 @@ extern const PartOf<atlas::Transfer> proposals;
 
 /// Null: nothing is proposed for it.
 const atlas::Proposal* proposal_of(const CaseState& state, atlas::Structure structure);
+/// What a person has placed or accepted of a structure on this model, CT frame, metres; none: nothing, or of
+/// a former model.
+PointsIn<CtFrame> placed_points(const CaseState& state, atlas::Structure structure);
 /// The notes of a registration about its landmarks: "atlas.cava_from_statistics 9.1" (mm) when the vena cava
 /// that it holds on to comes from statistics alone, "landmarks.no_vena_cava" when there is none.
 std::vector<std::string> landmark_notes(const CaseState& state);

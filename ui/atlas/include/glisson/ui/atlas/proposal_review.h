@@ -39,15 +39,19 @@ class ProposalReview : public QWidget {
 
  private:
   struct Former {
-    std::shared_ptr<const atlas::Transfer> proposals;
-    std::shared_ptr<const Landmarks> landmarks;
+    atlas::Proposal proposal;
+    Points landmark;  ///< of its structure
   };
   QPushButton* add_button(const QString& text, const QString& explanation, const QKeySequence& key);
   void make_list();
   const atlas::Proposal* chosen() const;
   void show_case();
   void show_list();
+  /// The crosshair goes there, too.
+  void choose(int row);
   void show_chosen();
+  /// Whether a step of the review would be taken now.
+  bool is_open() const;
   void draw();
   void decide(atlas::Decision decision, const Points& moved = {});
   void go_on();

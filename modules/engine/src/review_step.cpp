@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "review_step.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "glisson/core/error.h"
+#include "glisson/engine/parts/landmarks.h"
+#include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/proposals.h"
+
+namespace glisson::engine {
+namespace {
+
+Points* points_of(Landmarks& landmarks, atlas::Structure structure) {
+  if (structure == atlas::Structure::umbilical_notch) return &landmarks.umbilical_notch;
+  if (structure == atlas::Structure::anterior_margin) return &landmarks.anterior_margin;
+  if (structure == atlas::Structure::vena_cava) return &landmarks.vena_cava;
+  return nullptr;
+}
+
+/// Those that are of this model. Empty: none.
+Landmarks placed(const CaseState& state) {
+  const auto& landmarks = state[part::landmarks];
+  return landmarks && stage_state(state, part::landmarks) == StageState::current ? *landmarks : Landmarks{};
+}
+
+}  // namespace
+
+Points placed_points(const CaseState& state, atlas::Structure structure) {
+  Landmarks landmarks = placed(state);
+  const Points* points = points_of(landmarks, structure);
+  return points == nullptr ? Points(0, 3) : *points;
+}
+
+CommandTraits review_traits(std::string_view code) {
+  return {.code = code,
+          .reads = {part::model},  // a later step makes neither part out of date
+          .writes = {part::proposals, part::landmarks},
+          .needs = {part::model, part::proposals},
+          .current = {part::proposals},
+          .lane = Lane::edits,
+          .notice = Notice::quiet};
+}
+
+Applied with_review(const CaseState& state, const atlas::Proposal& proposal, const Points& landmark) {
+  auto transfer = std::make_shared<atlas::Transfer>(*state[part::proposals]);
+  const auto found =
+      std::find_if(transfer->proposals.begin(), transfer->proposals.end(),
+                   [&](const atlas::Proposal& one) { return one.structure == proposal.structure; });
+  if (found == transfer->proposals.end())
+    throw InputError("review", atlas::code(proposal.structure), "is not proposed",
+                     "Let an atlas that knows it propose it first");
+  *found = proposal;
+  Applied applied{state};
+  applied.state[part::proposals] = std::move(transfer);
+  Landmarks landmarks = placed(state);
+  if (Points* points = points_of(landmarks, proposal.structure)) {
+    *points = landmark;
+    const bool none = landmarks.empty() && landmarks.vena_cava.rows() == 0;
+    applied.state[part::landmarks] = none ? nullptr : std::make_shared<const Landmarks>(std::move(landmarks));
+  }
+  return applied;
+}
+
+}  // namespace glisson::engine

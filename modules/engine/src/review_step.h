@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "glisson/atlas/transfer.h"
+#include "glisson/engine/command.h"
+
+namespace glisson::engine {
+
+/// Of a command that changes one proposal and its landmark.
+CommandTraits review_traits(std::string_view code);
+
+/// The case with this proposal in the place of the one of its structure, and with these points as its
+/// landmark (CT frame, metres; none: no landmark), where registration knows the structure. Other landmarks
+/// stay, unless they are of a former model.
+/// @throws InputError nothing is proposed for the structure.
+Applied with_review(const CaseState& state, const atlas::Proposal& proposal, const Points& landmark);
+
+}  // namespace glisson::engine
