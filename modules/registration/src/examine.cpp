@@ -102,7 +102,7 @@ Findings examine(const Examined& examined) {
   findings.expected = error.expected().mean();
   MovingSurface surface(examined.model, SurfaceDetail::fine);
   const Points& final_nodes = examined.registration.nodes_in_camera;
-  surface.move(examined.shapes != nullptr ? examined.shapes->best().nodes_in_camera : final_nodes);
+  surface.move(final_nodes);
   findings.hidden = hidden_share(surface, cloud);
   look_at_pairs(surface, cloud, findings);
   if (examined.shapes != nullptr) {

@@ -9,7 +9,7 @@
 namespace glisson::registration {
 
 /// Deviation of points from a smooth surface: the rms residual of a paraboloid through each point's
-/// neighbours, median over the points. @pre neighbours: 12 and more are taken where there are as many.
+/// neighbours, median over the points. @pre neighbours: 8 and more are taken where there are as many.
 double roughness_of(const PreparedCloud& cloud);
 
 /// The cloud as a mirror would show it: x changes its sign.

@@ -14,7 +14,7 @@ struct Findings {
   /// Deviation of the cloud's points from a smooth surface through their neighbours: its own noise, whatever
   /// the model.
   double roughness = 0.0;
-  /// Distance of the cloud from the most probable shape, without what its own noise explains: rms over places
+  /// Distance of the cloud from the most probable shape: rms over places
   /// of 25 mm of the mean distance along the normals.
   double misfit = 0.0;
   /// The same for places left out one at a time, each predicted from the others; and in the standard
@@ -23,13 +23,13 @@ struct Findings {
   /// Squared amplitudes of the deformation over what is expected of them: about 1 for an operation like those
   /// simulated.
   double strangeness = 0.0;
-  double forced = 0.0;  ///< mean motion by which the springs still changed the most probable shape
+  double forced = 0.0;  ///< mean motion by which forces or springs still changed the most probable shape
   /// How far marked margin (rms) and notch lie from the model's.
   double margin_off = std::numeric_limits<double>::quiet_NaN();
   double notch_off = std::numeric_limits<double>::quiet_NaN();
   double hidden = 0.0;  ///< share of the points that lie 10 mm and more behind the model
   double turned = 0.0;  ///< share of the points whose own normal is against the model's (over 70 degrees)
-  /// Logarithm of the odds of this registration against that of the cloud's mirror image: a liver is not
+  /// Logarithm of the odds of the most probable shape against that of the cloud's mirror image: a liver is not
   /// symmetric, so what fits no better than its mirror image has not been recognised.
   double mirror_odds = std::numeric_limits<double>::infinity();
   /// Logarithm of the odds against the most probable other shape 10 mm away.
