@@ -60,8 +60,8 @@ bool FileStream::grab() {
         "Copy the video again, or record it anew");
   if (grabbed->grabbed != 1) return false;
   const double stamp = 1e-3 * grabbed->milliseconds;
-  // Some containers have no times: counted then.
-  seconds = stamp > 0.0 || taken_ == 0 ? stamp : taken_ / rate;
+  // Some containers have no times, and a reader that was taken over may tell any: counted then.
+  seconds = std::isfinite(stamp) && (stamp > 0.0 || taken_ == 0) ? stamp : taken_ / rate;
   ++taken_;
   return true;
 }
@@ -69,8 +69,9 @@ bool FileStream::grab() {
 bool FileStream::retrieve(cv::Mat& image) { return video_->retrieve(image); }
 
 int FileStream::count_frames() {
+  constexpr int kMost = 20'000'000;  // four days: more is no operation
   int count = 0;
-  while (grab()) ++count;
+  while (count < kMost && grab()) ++count;
   return count;
 }
 
