@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kCoarse = 2.0;        // mm: where the contour finds its way; finer is for its last moves
 constexpr double kParting = 1.5;       // mm: voxels on which organs are parted
-constexpr double kLiverReach = 160.0;  // mm that a liver reaches from a click in it
+constexpr double kLiverReach = 250.0;  // mm: no liver is wider, and a click may lie at its end
 constexpr double kDiffusion = 15.0;    // HU: noise is below, edges are above
 constexpr int kDiffusionSteps = 10;
 constexpr double kFineBlur = 0.8;     // mm: fine voxels carry more noise than the diffusion tells from edges

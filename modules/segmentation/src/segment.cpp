@@ -164,7 +164,9 @@ Painting prepared(const Image& image, const Seeds& seeds, const Structures& anew
       anew.liver ? std::vector<std::uint8_t>(count, 0) : inside_liver(*kept);
   for (std::size_t i = 0; i < count; ++i) {
     Label& label = painting.labels[i];
-    if (label != 0 && is_anew(anew, seeds, label)) label = liver[i] != 0 ? structure::kParenchyma : Label{0};
+    // A locked liver does not grow either.
+    const bool is_liver = liver[i] != 0 && !parenchyma_held;
+    if (label != 0 && is_anew(anew, seeds, label)) label = is_liver ? structure::kParenchyma : Label{0};
     painting.held[i] = label != 0 && (parenchyma_held || label != structure::kParenchyma);
   }
   return painting;
