@@ -156,12 +156,10 @@ constexpr Proof kProofs[] = {
      "validation) that are set in motion in a known way: real texture and lens, simulated motion.",
      experiments::live_aims, prove_live},
     {"atlas", "Landmarks that the CT does not show",
-     "Ten livers of the synthetic population (in silico, landmarks by formula) and twenty real livers, "
-     "each "
+     "Ten livers of the synthetic population (in silico, landmarks by formula) and the real livers of the "
+     "label maps (those of even numbers alone, with --development-only: they served development), each "
      "foretold by the others; the real ones by the built-in atlas, too. Truth of the real ones is what their "
-     "labels "
-     "show: vena cava, portal vein, gallbladder. Maps of even numbers served development, of odd ones "
-     "validation.",
+     "labels show: vena cava, portal vein, gallbladder.",
      experiments::atlas_aims, prove_atlas},
 };
 

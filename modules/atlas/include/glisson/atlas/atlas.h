@@ -112,7 +112,7 @@ struct BuildOptions {
 /// the others' mean and modes, which gives its structures' places and the honest errors.
 /// @param base its mean is the template; what no five members show is taken over from it, and said.
 /// @pre the base has a mean. Empty: cancelled.
-/// @throws InputError fewer than 5 members, two of one name, a mirrored liver.
+/// @throws InputError fewer than 5 members, two of one name, a plainly mirrored liver.
 Cancellable<BuildResult> build(std::vector<Member> members, const Atlas& base, const BuildOptions& options,
                                const RunContext& context);
 

@@ -62,7 +62,8 @@ struct Evidence {
 Evidence evidence_of(const PatientModel& model);
 
 /// Puts the atlas on a patient's liver (README: "Transfer"). Empty: cancelled.
-/// @throws InputError no liver, implausible size, a mirrored liver.
+/// @throws InputError no liver, implausible size, a liver that is plainly mirrored
+///   (of real ones three in ten are recognised).
 Cancellable<Transfer> transfer(const Atlas& atlas, const TriangleMesh& liver, const Evidence& evidence,
                                const RunContext& context);
 
