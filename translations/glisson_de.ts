@@ -1732,6 +1732,57 @@
     </message>
 </context>
 <context>
+    <name>LesionTexts</name>
+    <message>
+        <source>shown</source>
+        <translation>gezeigt</translation>
+    </message>
+    <message>
+        <source>region only</source>
+        <translation>nur Bereich</translation>
+    </message>
+    <message>
+        <source>not shown</source>
+        <translation>nicht gezeigt</translation>
+    </message>
+    <message>
+        <source>±%1 mm</source>
+        <translation>±%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Depth along the sight</source>
+        <translation>Tiefe in Blickrichtung</translation>
+    </message>
+    <message>
+        <source>Depth, shortest way</source>
+        <translation>Tiefe, kürzester Weg</translation>
+    </message>
+    <message>
+        <source>From the mark</source>
+        <translation>Von der Marke</translation>
+    </message>
+    <message>
+        <source>Expected error</source>
+        <translation>Erwarteter Fehler</translation>
+    </message>
+    <message>
+        <source>Nearest tracked points</source>
+        <translation>Nächste verfolgte Punkte</translation>
+    </message>
+    <message>
+        <source>Nothing near it tracked for</source>
+        <translation>In der Nähe nichts verfolgt seit</translation>
+    </message>
+</context>
+<context>
     <name>Notes</name>
     <message>
         <source>The liver is smaller than 400 ml: check it in the slices.</source>
@@ -2312,8 +2363,104 @@
         <translation>dem Bild fehlt Licht oder Kontrast</translation>
     </message>
     <message>
-        <source>Outline and lesions only: %1</source>
-        <translation>Nur Umriss und Läsionen: %1</translation>
+        <source>Outline and lesions&apos; regions only: %1</source>
+        <translation>Nur Umriss und Bereiche der Läsionen: %1</translation>
+    </message>
+    <message>
+        <source>known well enough</source>
+        <translation>genau genug bekannt</translation>
+    </message>
+    <message>
+        <source>as the whole overlay</source>
+        <translation>wie das ganze Overlay</translation>
+    </message>
+    <message>
+        <source>how far off it may be is not known; register again</source>
+        <translation>wie weit sie daneben liegen kann, ist nicht bekannt; neu registrieren</translation>
+    </message>
+    <message>
+        <source>the registration was refused</source>
+        <translation>die Registrierung wurde abgelehnt</translation>
+    </message>
+    <message>
+        <source>the registration does not know it better</source>
+        <translation>die Registrierung weiß es nicht genauer</translation>
+    </message>
+    <message>
+        <source>the organ has changed its shape, and what is tracked lies far away</source>
+        <translation>das Organ hat seine Form geändert, und was verfolgt wird, liegt weit entfernt</translation>
+    </message>
+    <message>
+        <source>nothing near it has been tracked for a while</source>
+        <translation>in ihrer Nähe wurde eine Weile nichts verfolgt</translation>
+    </message>
+    <message>
+        <source>Lesion %1</source>
+        <translation>Läsion %1</translation>
+    </message>
+    <message>
+        <source>±%1 mm</source>
+        <translation>±%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Depth along the sight</source>
+        <translation>Tiefe in Blickrichtung</translation>
+    </message>
+    <message>
+        <source>Depth, shortest way</source>
+        <translation>Tiefe, kürzester Weg</translation>
+    </message>
+    <message>
+        <source>Expected error</source>
+        <translation>Erwarteter Fehler</translation>
+    </message>
+    <message>
+        <source>95 % within</source>
+        <translation>95 % innerhalb</translation>
+    </message>
+    <message>
+        <source>From the mark</source>
+        <translation>Von der Marke</translation>
+    </message>
+    <message>
+        <source>valid</source>
+        <translation>gültig</translation>
+    </message>
+    <message>
+        <source>known roughly</source>
+        <translation>nur ungefähr bekannt</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>%1 not shown: %2</source>
+        <translation>%1 nicht gezeigt: %2</translation>
+    </message>
+    <message>
+        <source>%1 as its region only: %2</source>
+        <translation>%1 nur als Bereich: %2</translation>
+    </message>
+    <message>
+        <source>VALID</source>
+        <translation>GÜLTIG</translation>
+    </message>
+    <message>
+        <source>DEGRADED</source>
+        <translation>EINGESCHRÄNKT</translation>
+    </message>
+    <message>
+        <source>WITHDRAWN</source>
+        <translation>ZURÜCKGEZOGEN</translation>
+    </message>
+    <message>
+        <source>Other lesions not known well enough: %1</source>
+        <translation>Weitere Läsionen nicht genau genug bekannt: %1</translation>
     </message>
 </context>
 <context>
@@ -3992,6 +4139,14 @@
         <source>This computer&apos;s kernel does not shut in the programs that read foreign files: read only files that you trust.</source>
         <translation>Der Kernel dieses Rechners schließt die Programme nicht ein, die fremde Dateien lesen: nur Dateien lesen, denen Sie vertrauen.</translation>
     </message>
+    <message>
+        <source>Tell the numbers of this lesion, as lesion_1.</source>
+        <translation>Die Zahlen dieser Läsion nennen, etwa lesion_1.</translation>
+    </message>
+    <message>
+        <source>A pixel of the left picture where a tool touches the organ: the lesion&apos;s distance from there is told, too.</source>
+        <translation>Ein Pixel des linken Bildes, wo ein Instrument das Organ berührt: auch der Abstand der Läsion von dort wird genannt.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AngleHistogram</name>
@@ -4527,6 +4682,33 @@
     <message>
         <source>Click to lock: it neither loses nor gains voxels</source>
         <translation>Zum Sperren klicken: verliert und bekommt dann keine Voxel</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::LesionBox</name>
+    <message>
+        <source>Lesion</source>
+        <translation>Läsion</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Within (95 %)</source>
+        <translation>Innerhalb (95 %)</translation>
+    </message>
+    <message>
+        <source>How far from the place shown it may be in 95 of 100 cases, as the registration expects.</source>
+        <translation>Wie weit sie in 95 von 100 Fällen vom gezeigten Ort entfernt sein kann, wie es die Registrierung erwartet.</translation>
+    </message>
+    <message>
+        <source>Click a lesion, here or in the picture. Click with the right button where a tool touches the organ: the distance from there is told, too. Esc lets go.</source>
+        <translation>Klicken Sie eine Läsion an, hier oder im Bild. Klicken Sie mit der rechten Taste, wo ein Instrument das Organ berührt: auch der Abstand von dort wird genannt. Esc lässt los.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>

@@ -1732,6 +1732,57 @@
     </message>
 </context>
 <context>
+    <name>LesionTexts</name>
+    <message>
+        <source>shown</source>
+        <translation>montrée</translation>
+    </message>
+    <message>
+        <source>region only</source>
+        <translation>zone seule</translation>
+    </message>
+    <message>
+        <source>not shown</source>
+        <translation>non montrée</translation>
+    </message>
+    <message>
+        <source>±%1 mm</source>
+        <translation>±%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Depth along the sight</source>
+        <translation>Profondeur selon la vue</translation>
+    </message>
+    <message>
+        <source>Depth, shortest way</source>
+        <translation>Profondeur, plus court chemin</translation>
+    </message>
+    <message>
+        <source>From the mark</source>
+        <translation>Depuis la marque</translation>
+    </message>
+    <message>
+        <source>Expected error</source>
+        <translation>Erreur attendue</translation>
+    </message>
+    <message>
+        <source>Nearest tracked points</source>
+        <translation>Points suivis les plus proches</translation>
+    </message>
+    <message>
+        <source>Nothing near it tracked for</source>
+        <translation>Rien de suivi à proximité depuis</translation>
+    </message>
+</context>
+<context>
     <name>Notes</name>
     <message>
         <source>The liver is smaller than 400 ml: check it in the slices.</source>
@@ -2312,8 +2363,104 @@
         <translation>l’image a perdu de la lumière ou du contraste</translation>
     </message>
     <message>
-        <source>Outline and lesions only: %1</source>
-        <translation>Contour et lésions seulement : %1</translation>
+        <source>Outline and lesions&apos; regions only: %1</source>
+        <translation>Contour et zones des lésions seulement : %1</translation>
+    </message>
+    <message>
+        <source>known well enough</source>
+        <translation>assez bien connue</translation>
+    </message>
+    <message>
+        <source>as the whole overlay</source>
+        <translation>comme toute la superposition</translation>
+    </message>
+    <message>
+        <source>how far off it may be is not known; register again</source>
+        <translation>on ignore de combien elle peut être décalée ; recalez de nouveau</translation>
+    </message>
+    <message>
+        <source>the registration was refused</source>
+        <translation>le recalage a été refusé</translation>
+    </message>
+    <message>
+        <source>the registration does not know it better</source>
+        <translation>le recalage ne le sait pas mieux</translation>
+    </message>
+    <message>
+        <source>the organ has changed its shape, and what is tracked lies far away</source>
+        <translation>l&apos;organe a changé de forme, et ce qui est suivi est loin</translation>
+    </message>
+    <message>
+        <source>nothing near it has been tracked for a while</source>
+        <translation>rien n&apos;a été suivi près d&apos;elle depuis un moment</translation>
+    </message>
+    <message>
+        <source>Lesion %1</source>
+        <translation>Lésion %1</translation>
+    </message>
+    <message>
+        <source>±%1 mm</source>
+        <translation>±%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Depth along the sight</source>
+        <translation>Profondeur selon la vue</translation>
+    </message>
+    <message>
+        <source>Depth, shortest way</source>
+        <translation>Profondeur, plus court chemin</translation>
+    </message>
+    <message>
+        <source>Expected error</source>
+        <translation>Erreur attendue</translation>
+    </message>
+    <message>
+        <source>95 % within</source>
+        <translation>95 % à moins de</translation>
+    </message>
+    <message>
+        <source>From the mark</source>
+        <translation>Depuis la marque</translation>
+    </message>
+    <message>
+        <source>valid</source>
+        <translation>valide</translation>
+    </message>
+    <message>
+        <source>known roughly</source>
+        <translation>connue approximativement</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>inconnue</translation>
+    </message>
+    <message>
+        <source>%1 not shown: %2</source>
+        <translation>%1 non montrée : %2</translation>
+    </message>
+    <message>
+        <source>%1 as its region only: %2</source>
+        <translation>%1 seulement en zone : %2</translation>
+    </message>
+    <message>
+        <source>VALID</source>
+        <translation>VALIDE</translation>
+    </message>
+    <message>
+        <source>DEGRADED</source>
+        <translation>DÉGRADÉ</translation>
+    </message>
+    <message>
+        <source>WITHDRAWN</source>
+        <translation>RETIRÉ</translation>
+    </message>
+    <message>
+        <source>Other lesions not known well enough: %1</source>
+        <translation>Autres lésions pas assez bien connues : %1</translation>
     </message>
 </context>
 <context>
@@ -3992,6 +4139,14 @@
         <source>This computer&apos;s kernel does not shut in the programs that read foreign files: read only files that you trust.</source>
         <translation>Le noyau de cet ordinateur n&apos;enferme pas les programmes qui lisent des fichiers étrangers : ne lisez que des fichiers auxquels vous vous fiez.</translation>
     </message>
+    <message>
+        <source>Tell the numbers of this lesion, as lesion_1.</source>
+        <translation>Donner les chiffres de cette lésion, par exemple lesion_1.</translation>
+    </message>
+    <message>
+        <source>A pixel of the left picture where a tool touches the organ: the lesion&apos;s distance from there is told, too.</source>
+        <translation>Un pixel de l&apos;image gauche où un instrument touche l&apos;organe : la distance de la lésion à ce point est aussi donnée.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AngleHistogram</name>
@@ -4527,6 +4682,33 @@
     <message>
         <source>Click to lock: it neither loses nor gains voxels</source>
         <translation>Cliquez pour verrouiller : elle ne perd ni ne gagne plus de voxels</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::LesionBox</name>
+    <message>
+        <source>Lesion</source>
+        <translation>Lésion</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>État</translation>
+    </message>
+    <message>
+        <source>Within (95 %)</source>
+        <translation>À moins de (95 %)</translation>
+    </message>
+    <message>
+        <source>How far from the place shown it may be in 95 of 100 cases, as the registration expects.</source>
+        <translation>À quelle distance du lieu montré elle peut être dans 95 cas sur 100, selon ce que le recalage attend.</translation>
+    </message>
+    <message>
+        <source>Click a lesion, here or in the picture. Click with the right button where a tool touches the organ: the distance from there is told, too. Esc lets go.</source>
+        <translation>Cliquez une lésion, ici ou dans l&apos;image. Cliquez avec le bouton droit là où un instrument touche l&apos;organe : la distance à ce point est aussi donnée. Échap relâche.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
     </message>
 </context>
 <context>

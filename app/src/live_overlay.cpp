@@ -25,13 +25,25 @@ const engine::CaseState& drawable(const engine::CaseState& state) {
 }  // namespace
 
 OverlayDrawer::OverlayDrawer(const engine::CaseState& state)
-    : painter_(engine::effective_model(drawable(state)), state[part::rig]->left),
+    : model_(engine::effective_model(drawable(state))),
+      camera_(state[part::rig]->left),
+      drawable_(scene::make_drawable(std::make_shared<const PatientModel>(model_))),
+      painter_(drawable_, model_.landmarks.anterior_margin, camera_),
       model_unchecked_(!engine::is_model_checked(state)) {}
 
-Picture OverlayDrawer::draw(const StereoFrame& frame, const OverlayFrame& overlay) {
+Picture OverlayDrawer::draw(const StereoFrame& frame, const OverlayFrame& overlay,
+                            const scene::OverlayInterest& interest) {
   scene::OverlayStatus status;
   status.model_unchecked = model_unchecked_;
-  return painter_.paint(frame.left, overlay, status);
+  return painter_.paint(frame.left, overlay, status, interest);
+}
+
+std::optional<guidance::SurfacePlace> OverlayDrawer::place_at(const Eigen::Vector2d& pixel,
+                                                              const OverlayFrame& overlay) const {
+  if (overlay.level() == Level::withdrawn) return {};
+  guidance::LesionMeter meter = scene::surface_meter(*drawable_);
+  meter.move(overlay.nodes_in_camera);
+  return meter.place_on(camera_.ray(pixel));
 }
 
 OverlayRecorder::OverlayRecorder(const engine::CaseState& state, const std::filesystem::path& path,

@@ -20,9 +20,18 @@ class OverlayDrawer {
  public:
   /// @throws InputError when the case has no model or calibration.
   explicit OverlayDrawer(const engine::CaseState& state);
-  Picture draw(const StereoFrame& frame, const OverlayFrame& overlay);
+  Picture draw(const StereoFrame& frame, const OverlayFrame& overlay,
+               const scene::OverlayInterest& interest = {});
+  /// Of the chosen lesion in the picture drawn last; empty: it was not shown.
+  const std::optional<guidance::LesionMeasures>& measures() const { return painter_.measures(); }
+  /// The place of the organ's surface at a pixel of the left picture; empty: there is none.
+  std::optional<guidance::SurfacePlace> place_at(const Eigen::Vector2d& pixel,
+                                                 const OverlayFrame& overlay) const;
 
  private:
+  PatientModel model_;
+  Camera camera_;
+  std::shared_ptr<const scene::DrawableModel> drawable_;
   scene::OverlayPainter painter_;
   bool model_unchecked_;
 };

@@ -2,6 +2,7 @@
 #include "track_record.h"
 
 #include <QRegularExpression>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -10,6 +11,7 @@
 #include "glisson/engine/parts/registration.h"
 #include "glisson/experiments/evaluate.h"
 #include "glisson/geometry/rigid.h"
+#include "glisson/patient/label_map.h"
 
 namespace glisson::app {
 namespace fs = std::filesystem;
@@ -42,6 +44,29 @@ json rows_of(const Eigen::Matrix4d& matrix) {
   return rows;
 }
 
+/// Lengths in the unit, squares in its square.
+json verdict_line(const LesionVerdict& verdict, LengthUnit unit) {
+  const double per = 1.0 / metres_per(unit);
+  json line = {{"lesion", structure_name(verdict.lesion)},
+               {"level", level_code(verdict.level)},
+               {"reason", lesion_reason_code(verdict.reason)},
+               {"centre", {per * verdict.centre.x(), per * verdict.centre.y(), per * verdict.centre.z()}},
+               {"radius", per * verdict.radius}};
+  if (verdict.reach > 0.0) {
+    json rows = json::array();
+    for (int i = 0; i < 3; ++i) {
+      const Eigen::RowVector3d row = per * per * verdict.covariance.row(i);
+      rows.push_back({row[0], row[1], row[2]});
+    }
+    line["covariance"] = rows;
+    line["expected_error"] = per * verdict.expected;
+    line["reach_95"] = per * verdict.reach;
+  }
+  if (std::isfinite(verdict.support)) line["nearest_points"] = per * verdict.support;
+  line["unseen_seconds"] = verdict.unseen;
+  return line;
+}
+
 }  // namespace
 
 TrackRecord::TrackRecord(Session& session, const ModelArgument& argument, const Arguments& arguments,
@@ -65,6 +90,10 @@ void TrackRecord::add(int number, const OverlayFrame& overlay) {
                {"mesh", nullptr},
                {"camera_from_model", nullptr}};
   if (overlay.level() != Level::valid) session_.figures["frames_" + reason] += 1.0;
+  for (const LesionVerdict& verdict : overlay.lesions) {
+    const std::string lesion = structure_name(verdict.lesion);
+    session_.figures[lesion + "_frames_" + level_code(verdict.level)] += 1.0;
+  }
   if (overlay.nodes_in_camera.rows() > 0) {
     const Eigen::Matrix4d pose =
         pose_of(model_->model.mesh.vertices, overlay.nodes_in_camera, argument_.unit);
@@ -84,6 +113,10 @@ void TrackRecord::add(int number, const OverlayFrame& overlay) {
     line["camera_from_model"] = rows_of(pose);
     line["unit"] = unit_code(argument_.unit);
     line["residual_mm"] = 1e3 * overlay.residual;
+    json lesions = json::array();
+    for (const LesionVerdict& verdict : overlay.lesions)
+      lesions.push_back(verdict_line(verdict, argument_.unit));
+    line["lesions"] = lesions;
     if (arguments_.has("truth")) compare(number, overlay);
   }
   lines_ += line.dump() + "\n";

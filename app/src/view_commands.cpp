@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What can be looked at: render, overlay.
 #include <algorithm>
+#include <cmath>
 
 #include "cli.h"
 #include "commands.h"
@@ -9,10 +10,61 @@
 #include "glisson/engine/parts/frame.h"
 #include "glisson/engine/parts/video.h"
 #include "glisson/experiments/track_evaluation.h"
+#include "glisson/patient/label_map.h"
 #include "glisson/stereo/picture_io.h"
 #include "live_overlay.h"
 
 namespace glisson::app {
+
+namespace {
+
+Label lesion_named(const QString& name) {
+  const std::optional<Label> label = structure_named(name.toStdString());
+  if (!label || !is_lesion(*label))
+    throw UsageError("--lesion: '" + name.toStdString() + "' is no lesion. Give lesion_1, lesion_2, ...");
+  return *label;
+}
+
+Eigen::Vector2d pixel_named(const QString& text) {
+  const QStringList numbers = text.split(QLatin1Char(','));
+  bool is_u = false, is_v = false;
+  Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
+  if (numbers.size() == 2) pixel = {numbers[0].toDouble(&is_u), numbers[1].toDouble(&is_v)};
+  if (!is_u || !is_v || !pixel.allFinite())
+    throw UsageError("--mark: '" + text.toStdString() + "' is no pixel. Give two numbers, as 480,270.");
+  return pixel;
+}
+
+/// What the person wants to know.
+struct Question {
+  Label lesion = 0;
+  std::optional<Eigen::Vector2d> mark;  ///< pixel
+
+  explicit Question(const Arguments& arguments) {
+    if (arguments.has("lesion")) lesion = lesion_named(arguments.value("lesion"));
+    if (arguments.has("mark")) mark = pixel_named(arguments.value("mark"));
+  }
+  scene::OverlayInterest interest(const OverlayDrawer& drawer, const OverlayFrame& overlay) const {
+    scene::OverlayInterest interest;
+    interest.lesion = lesion;
+    if (mark) interest.place = drawer.place_at(*mark, overlay);
+    if (mark && !interest.place && overlay.level() != Level::withdrawn)
+      throw InputError("--mark", "the pixel", "is beside the organ", "Give one on it");
+    return interest;
+  }
+};
+
+void add_measures(const guidance::LesionMeasures& measures, Figures& figures) {
+  const std::string lesion = structure_name(measures.lesion);
+  const auto add = [&](const char* name, double metres) {
+    if (std::isfinite(metres)) figures[lesion + name] = 1e3 * metres;
+  };
+  add("_depth_along_sight_mm", measures.along_sight);
+  add("_depth_shortest_mm", measures.shortest);
+  add("_from_mark_mm", measures.from_place);
+}
+
+}  // namespace
 
 int run_render(const QStringList& given) {
   Arguments arguments(
@@ -24,18 +76,35 @@ int run_render(const QStringList& given) {
                    "CASE");
   arguments.option("frame", Cli::tr("Number of the frame, from 0."), "N", "0");
   arguments.option("out", Cli::tr("The picture (.png, .jpg)."), "picture.png");
+  arguments.option("lesion", Cli::tr("Tell the numbers of this lesion, as lesion_1."), "NAME");
+  arguments.option(
+      "mark",
+      Cli::tr("A pixel of the left picture where a tool touches the organ: the lesion's distance "
+              "from there is told, too."),
+      "U,V");
   if (!arguments.parse(given)) return 0;
   const std::filesystem::path out = arguments.output_file("out", {".png", ".jpg", ".jpeg"});
   const int wanted = arguments.integer("frame", 0, 10000000);
+  const Question question(arguments);
   Session session(arguments);
   session.call("case", arguments.required_path("case").string());
   session.post(engine::OpenCase{arguments.required_path("case"), engine::OpenCase::Access::read});
   Picture picture;
   follow_video(session, {}, wanted, [&](const StereoFrame& frame, const OverlayFrame& overlay) {
     if (frame.index != wanted) return;
-    picture = OverlayDrawer(session.state()).draw(frame, overlay);
+    OverlayDrawer drawer(session.state());
+    picture = drawer.draw(frame, overlay, question.interest(drawer, overlay));
+    if (const auto& measures = drawer.measures()) add_measures(*measures, session.figures);
     session.texts["validity"] = validity_code(overlay.validity);
     session.texts["level"] = level_code(overlay.level());
+    for (const LesionVerdict& verdict : overlay.lesions) {
+      const std::string lesion = structure_name(verdict.lesion);
+      session.texts[lesion + "_level"] = level_code(verdict.level);
+      session.texts[lesion + "_reason"] = lesion_reason_code(verdict.reason);
+      if (verdict.reach <= 0.0) continue;
+      session.figures[lesion + "_expected_error_mm"] = 1e3 * verdict.expected;
+      session.figures[lesion + "_reach_95_mm"] = 1e3 * verdict.reach;
+    }
     session.figures["registration_residual_mm"] = 1e3 * overlay.residual;
   });
   if (picture.empty())

@@ -84,6 +84,8 @@ void CommandsTest::WrongUsageIsRefusedWithCodeTwo() {
   refused({"model", "--case", "a.glisson", "--edge", "0.5"}, "--edge", 2);
   refused({"model", "--case", "a.glisson", "--vessel-refinement", "2"}, "--vessel-refinement", 2);
   refused({"render", "--case", "a.glisson", "--out", "p.txt"}, ".png", 2);
+  refused({"render", "--case", "a.glisson", "--out", "p.png", "--lesion", "tumour"}, "--lesion", 2);
+  refused({"render", "--case", "a.glisson", "--out", "p.png", "--mark", "3;4"}, "--mark", 2);
   refused({"reconstruct", "--out", "c.xyz"}, ".ply", 2);
 }
 

@@ -114,6 +114,7 @@ class CaseIoTest : public QObject {
   void LandmarksNameTheirMistakes();
   void ARegistrationOfAnotherModelIsRefused();
   void ARegistrationsDoubtsTravelWithItsFile();
+  void WhatIsNoCovarianceIsRefused();
 };
 
 void CaseIoTest::ACaseComesBackAsItWas() {
@@ -334,6 +335,10 @@ void CaseIoTest::ARegistrationsDoubtsTravelWithItsFile() {
   doubted.termination = Termination::step_limit;
   doubted.residual = 2.5e-3;
   doubted.seen_share = 0.125;
+  Eigen::Matrix3d covariance;
+  covariance << 4.0, 1.0, 0.5, 1.0, 9.0, -2.0, 0.5, -2.0, 16.0;
+  doubted.lesions = {{structure::kFirstLesion, 1e-6 * covariance},
+                     {static_cast<Label>(structure::kFirstLesion + 11), 2e-6 * covariance}};
   write_registration(folder.path() / "r.vtu", state[part::model]->model, doubted, LengthUnit::millimetre);
   const Registration read =
       read_registration(folder.path() / "r.vtu", state[part::model]->model, LengthUnit::millimetre);
@@ -341,6 +346,24 @@ void CaseIoTest::ARegistrationsDoubtsTravelWithItsFile() {
   QVERIFY(read.termination == doubted.termination);
   QCOMPARE(read.residual, doubted.residual);
   QCOMPARE(read.seen_share, doubted.seen_share);
+  QCOMPARE(read.lesions.size(), std::size_t{2});
+  for (const LesionSpread& spread : read.lesions) {
+    const double factor = spread.lesion == structure::kFirstLesion ? 1e-6 : 2e-6;
+    QVERIFY(spread.covariance.isApprox(factor * covariance, 1e-9));
+  }
+}
+
+void CaseIoTest::WhatIsNoCovarianceIsRefused() {
+  const TemporaryFolder folder;
+  const CaseState state = small_case();
+  Registration registration = *state[part::registration];
+  registration.lesions = {
+      {structure::kFirstLesion, 1e-6 * Eigen::Vector3d(4.0, -1.0, 1.0).asDiagonal().toDenseMatrix()}};
+  write_registration(folder.path() / "r.vtu", state[part::model]->model, registration,
+                     LengthUnit::millimetre);
+  const std::string error = error_of(
+      [&] { read_registration(folder.path() / "r.vtu", state[part::model]->model, LengthUnit::millimetre); });
+  QVERIFY(error.find("lesion_1_covariance_mm2") != std::string::npos);
 }
 
 QTEST_APPLESS_MAIN(CaseIoTest)

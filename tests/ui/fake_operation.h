@@ -109,6 +109,17 @@ class FakeOperation {
       overlay.tracked_left = 200;
       overlay.tracked_right = 196;
       overlay.pairs = 181;
+      LesionVerdict lesion;
+      lesion.lesion = structure::kFirstLesion;
+      lesion.level = overlay.level();
+      lesion.reason = lesion.level == Level::valid ? LesionReason::known : LesionReason::with_the_whole;
+      lesion.centre = overlay.nodes_in_camera.colwise().mean().transpose();
+      lesion.radius = 6e-3;
+      lesion.covariance = 4e-6 * Eigen::Matrix3d::Identity();
+      lesion.expected = 3.2e-3;
+      lesion.reach = 5.6e-3;
+      lesion.support = 24e-3;
+      overlay.lesions = {lesion};
       overlay.residual = 0.8e-3;
       overlay.milliseconds = 12.0;
       return overlay;
@@ -243,6 +254,7 @@ class FakeOperation {
     registration.plateaus = 11;
     registration.residual = 1.1e-3;
     registration.doubts = doubts;
+    registration.lesions = {{structure::kFirstLesion, 4e-6 * Eigen::Matrix3d::Identity()}};
     applied.state[part::registration] = std::make_shared<const Registration>(std::move(registration));
     return true;
   }

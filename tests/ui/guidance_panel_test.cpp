@@ -3,6 +3,7 @@
 #include <QCheckBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QTreeWidget>
 #include <QtTest>
 #include <algorithm>
 #include <atomic>
@@ -48,6 +49,8 @@ class GuidancePanelTest : public QObject {
   void NothingOfTheFormerCaseStays();
   void NothingOfTheFormerLiveViewStays();
   void TheLiveLineTellsTheLevelAndWhy();
+  void TheTableTellsOfEachLesion();
+  void AChosenLesionTellsItsNumbers();
   void LastPictureStaysUntilAnotherCaseWhateverItsStyle();
   void ErrorGoesWithItsCause();
   void ObstaclesNameTheStepThatHelps();
@@ -229,6 +232,70 @@ void GuidancePanelTest::TheLiveLineTellsTheLevelAndWhy() {
                            20000);
   operation_->live_validity = Validity::picture_stands;
   QTRY_VERIFY_WITH_TIMEOUT(said().contains(QStringLiteral("NO OVERLAY: the picture stands still")), 20000);
+}
+
+void GuidancePanelTest::TheTableTellsOfEachLesion() {
+  reach_registration(300);
+  auto* table = panel().findChild<QTreeWidget*>(QStringLiteral("lesion_table"));
+  auto* reasons = panel().findChild<QLabel*>(QStringLiteral("lesion_reasons"));
+  const auto row = [table] {
+    const QTreeWidgetItem* item = table->topLevelItem(0);
+    return item == nullptr ? QString() : item->text(0) + "|" + item->text(1) + "|" + item->text(2);
+  };
+  QTRY_COMPARE_WITH_TIMEOUT(row(), QStringLiteral("Lesion 1|shown|±5.6 mm"), 20000);
+  QCOMPARE(table->topLevelItemCount(), 1);
+  QVERIFY(reasons->isHidden());
+  press("start_tracking");
+  QTRY_VERIFY_WITH_TIMEOUT(said().contains(QStringLiteral("LIVE")), 20000);
+  operation_->live_validity = Validity::partly_covered;
+  QTRY_COMPARE_WITH_TIMEOUT(row(), QStringLiteral("Lesion 1|region only|±5.6 mm"), 20000);
+  QVERIFY(reasons->text().contains(QStringLiteral("Lesion 1: as the whole overlay")));
+  operation_->live_validity = Validity::picture_stands;
+  QTRY_COMPARE_WITH_TIMEOUT(row(), QStringLiteral("Lesion 1|not shown|±5.6 mm"), 20000);
+}
+
+void GuidancePanelTest::AChosenLesionTellsItsNumbers() {
+  reach_registration(300);
+  QVERIFY(rests());
+  auto* table = panel().findChild<QTreeWidget*>(QStringLiteral("lesion_table"));
+  auto* numbers = panel().findChild<QWidget*>(QStringLiteral("lesion_numbers"));
+  auto* view = panel().view()->findChild<ui::LivePicture*>();
+  const auto at = [&](const Eigen::Vector3d& p_in_ct) {
+    const Eigen::Vector3d p =
+        operation_->camera_from_ct.rotation * p_in_ct + operation_->camera_from_ct.translation;
+    return view->widget_point(operation_->rig.left.project(p)).toPoint();
+  };
+  const Picture plain = picture();
+  QVERIFY(words_on(*numbers).isEmpty());
+  QTest::mouseClick(view, Qt::LeftButton, {}, at({0.03, 0.0, 0.0}));
+  QTRY_VERIFY_WITH_TIMEOUT(words_on(*numbers).contains(QStringLiteral("Depth, shortest way\n19 mm")), 20000);
+  QVERIFY2(words_on(*numbers).contains(QStringLiteral("Expected error\n3 mm")),
+           qPrintable(words_on(*numbers)));
+  QVERIFY(!words_on(*numbers).contains(QStringLiteral("From the mark")));
+  QVERIFY(table->topLevelItem(0)->isSelected());
+  QVERIFY(*picture().bytes != *plain.bytes);
+
+  // On the near side of the block: 30 mm beside the lesion and 40 mm before it.
+  QTest::mouseClick(view, Qt::RightButton, {}, at({0.0, -0.04, 0.0}));
+  QTRY_VERIFY_WITH_TIMEOUT(words_on(*numbers).contains(QStringLiteral("From the mark")), 20000);
+  QVERIFY2(words_on(*numbers).contains(QStringLiteral("From the mark\n44 mm")),
+           qPrintable(words_on(*numbers)));
+
+  QTest::keyClick(view, Qt::Key_Escape);
+  QTRY_VERIFY_WITH_TIMEOUT(words_on(*numbers).isEmpty(), 20000);
+  QVERIFY(!table->topLevelItem(0)->isSelected());
+  QTRY_VERIFY_WITH_TIMEOUT(*picture().bytes == *plain.bytes, 20000);
+
+  const QRect row = table->visualItemRect(table->topLevelItem(0));
+  QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, row.center());
+  QTRY_VERIFY_WITH_TIMEOUT(words_on(*numbers).contains(QStringLiteral("19 mm")), 20000);
+  press("start_tracking");
+  QTRY_VERIFY_WITH_TIMEOUT(said().contains(QStringLiteral("LIVE")), 20000);
+  QTRY_VERIFY_WITH_TIMEOUT(words_on(*numbers).contains(QStringLiteral("Nearest tracked points\n24 mm")),
+                           20000);
+  // Of a lesion that is not shown nothing is told.
+  operation_->live_validity = Validity::picture_stands;
+  QTRY_VERIFY_WITH_TIMEOUT(words_on(*numbers).isEmpty(), 20000);
 }
 
 void GuidancePanelTest::LastPictureStaysUntilAnotherCaseWhateverItsStyle() {

@@ -25,6 +25,11 @@ OverlayFrame at(const Points& nodes) {
   OverlayFrame overlay;
   overlay.validity = Validity::valid;
   overlay.nodes_in_camera = nodes;
+  LesionVerdict lesion;
+  lesion.lesion = structure::kFirstLesion;
+  lesion.level = Level::valid;
+  lesion.reason = LesionReason::known;
+  overlay.lesions = {lesion};
   return overlay;
 }
 

@@ -11,6 +11,8 @@
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataWriter.h>
 
+#include <Eigen/Eigenvalues>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -20,6 +22,7 @@
 #include "glisson/engine/case_io.h"
 #include "glisson/geometry/mesh_io.h"
 #include "glisson/geometry/vtk_xml_file.h"
+#include "glisson/patient/label_map.h"
 
 namespace glisson::engine {
 namespace fs = std::filesystem;
@@ -211,6 +214,7 @@ void write_landmarks(const fs::path& path, const Landmarks& landmarks) {
 namespace {
 
 const std::string kDoubt = "doubt_";
+const std::string kCovariance = "_covariance_mm2";  ///< behind a lesion's name
 
 Eigen::MatrixXd number(double value) { return Eigen::MatrixXd::Constant(1, 1, value); }
 
@@ -230,6 +234,33 @@ void write_report(const Registration& registration, NamedArrays& fields) {
                                            : Eigen::MatrixXd(Eigen::Map<const Eigen::RowVectorXd>(
                                                  values.data(), static_cast<Eigen::Index>(values.size())));
   }
+  for (const LesionSpread& spread : registration.lesions)
+    fields[structure_name(spread.lesion) + kCovariance] = 1e6 * spread.covariance;
+}
+
+/// @throws InputError it is no covariance.
+Eigen::Matrix3d covariance_of(const fs::path& path, const std::string& name, const Eigen::MatrixXd& values) {
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Constant(std::numeric_limits<double>::quiet_NaN());
+  if (values.size() == 9)  // symmetric: rows or columns, 3 x 3 or one row of 9
+    covariance = 1e-6 * Eigen::Map<const Eigen::Matrix3d>(Eigen::MatrixXd(values).data());
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(covariance, Eigen::EigenvaluesOnly);
+  const bool is_one = covariance.allFinite() && covariance.isApprox(covariance.transpose(), 1e-6) &&
+                      eigen.eigenvalues()[0] >= -1e-6 * eigen.eigenvalues()[2];
+  if (!is_one)
+    throw InputError(path.string(), name, "is no covariance",
+                     "Give 3 x 3 numbers, symmetric and without negative variances, or leave it out");
+  return covariance;
+}
+
+/// Of lesions that are not in it nothing is known.
+std::vector<LesionSpread> read_spreads(const fs::path& path, const NamedArrays& fields) {
+  std::vector<LesionSpread> spreads;
+  for (const auto& [name, array] : fields) {
+    if (!name.ends_with(kCovariance)) continue;
+    const auto label = structure_named(name.substr(0, name.size() - kCovariance.size()));
+    if (label && is_lesion(*label)) spreads.push_back({*label, covariance_of(path, name, array)});
+  }
+  return spreads;
 }
 
 std::string doubt_of(const std::string& code, const Eigen::MatrixXd& values) {
@@ -282,6 +313,7 @@ Registration read_registration(const fs::path& path, const PatientModel& model, 
   Registration registration;
   registration.nodes_in_camera = file.mesh.vertices;
   read_report(file.field_data, registration);
+  registration.lesions = read_spreads(path, file.field_data);
   const auto rigid = file.field_data.find("cloud_from_model");
   if (rigid != file.field_data.end() && rigid->second.size() == 16) {
     // Field data is a table of tuples: 4 x 4 as written, or one row of 16 from other writers.

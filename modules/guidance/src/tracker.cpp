@@ -63,6 +63,7 @@ void TrackerOptions::validate() const {
   materials.validate();
   cloud.validate();
   judge.validate();
+  lesions.validate();
 }
 
 struct Tracker::Impl {
@@ -73,7 +74,8 @@ struct Tracker::Impl {
         integrator(composite, integrator_options()),
         surface(model),
         springs(model, start.nodes_in_camera, options.boundary_young_modulus, options.boundary_length,
-                options.boundary_tether) {
+                options.boundary_tether),
+        lesions(model, start, options.lesions) {
     doubtful = !start.doubts.empty();
     if (registration::takes_forces(options.cloud_method, model, cloud_options()))
       forces.emplace(model, start.camera_from_ct, registration::forces_with(model, cloud_options()));
@@ -266,6 +268,17 @@ struct Tracker::Impl {
     return Validity::valid;
   }
 
+  /// Of the organ, in this frame.
+  Points places_seen(Validity validity) const {
+    const bool unusable = !follower || validity == Validity::too_few_points ||
+                          validity == Validity::inconsistent_motion || validity == Validity::mechanics_failed;
+    if (unusable) return {};
+    Points places(static_cast<Eigen::Index>(follower->points().size()), 3);
+    for (Eigen::Index i = 0; i < places.rows(); ++i)
+      places.row(i) = follower->points()[static_cast<std::size_t>(i)].p_in_camera.transpose();
+    return places;
+  }
+
   OverlayFrame follow(const StereoFrame& frame) {
     OverlayFrame overlay;
     overlay.index = frame.index;
@@ -290,6 +303,7 @@ struct Tracker::Impl {
     overlay.nodes_in_camera = integrator.positions();
     if (judge && overlay.validity == Validity::valid)
       overlay.validity = judge->judge(frame, follower->points_before(), follower->points(), overlay);
+    overlay.lesions = lesions.judge(overlay, places_seen(overlay.validity));
     if (follower) look_for_organ(frame, overlay.validity);
     return overlay;
   }
@@ -300,6 +314,7 @@ struct Tracker::Impl {
     overlay.seconds = seconds;
     overlay.validity = follow_cloud(cloud, steps, overlay);
     overlay.nodes_in_camera = integrator.positions();
+    overlay.lesions = lesions.judge(overlay, overlay.level() == Level::withdrawn ? Points() : cloud.points);
     return overlay;
   }
 
@@ -362,6 +377,7 @@ struct Tracker::Impl {
   std::optional<registration::ForceFollower> forces;  ///< of clouds
   std::optional<StereoFollower> follower;
   AnchoredPoints anchors;
+  LesionJudge lesions;
   std::unique_ptr<Judge> judge;          ///< none while clouds are followed
   std::unique_ptr<Relocator> relocator;  ///< likewise
   SeenParts parts;

@@ -39,16 +39,4 @@ Level level_of(Validity validity) {
   return is_degraded ? Level::degraded : Level::withdrawn;
 }
 
-const char* level_code(Level level) {
-  switch (level) {
-    case Level::valid:
-      return "valid";
-    case Level::degraded:
-      return "degraded";
-    case Level::withdrawn:
-      return "withdrawn";
-  }
-  return "unknown";
-}
-
 }  // namespace glisson

@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 
 #include "glisson/engine/parts/registration.h"
+#include "glisson/ui/guidance/lesion_box.h"
 #include "glisson/ui/guidance/look_box.h"
 #include "glisson/ui/guidance/playback_box.h"
 #include "glisson/ui/guidance/recording_box.h"
@@ -35,6 +36,7 @@ GuidancePanel::GuidancePanel(EngineBridge& engine, DrawableSource& drawables, QW
   auto* figures = new FiguresTable(this);
   live->addWidget(figures);
   couplings_.add(live_.figures, [figures](const FigureRows& rows) { figures->set_rows(rows); });
+  live->addWidget(new LesionBox(live_, this));
   add_section(tr("Overlay"))->addWidget(new LookBox(live_, this));
   watch(part::registration);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/guidance/live_view.h"
 
+#include <QKeyEvent>
 #include <QLabel>
 #include <QVBoxLayout>
 
@@ -14,7 +15,7 @@ constexpr int kLinesHeight = 46;  ///< two lines of the live view's words, pixel
 }  // namespace
 
 LiveView::LiveView(LiveViewModel& model, QWidget* parent)
-    : QWidget(parent), picture_(new PictureView({}, this)) {
+    : QWidget(parent), model_(model), picture_(new LivePicture(this)) {
   setObjectName(QStringLiteral("guidance_view"));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -35,10 +36,17 @@ LiveView::LiveView(LiveViewModel& model, QWidget* parent)
   line->setMinimumHeight(kLinesHeight);
   layout->addWidget(line);
 
+  connect(picture_, &LivePicture::clicked, &model, &LiveViewModel::choose_at);
+  connect(picture_, &LivePicture::marked, &model, &LiveViewModel::mark_at);
   connect(&model, &LiveViewModel::picture_changed, picture_, &PictureView::set_picture);
   couplings_.add(model.banner, [banner](const QString& text) { show_warning(*banner, text); });
   couplings_.add(model.line, [line](const QString& text) { line->setText(text); });
   couplings_.add(model.is_fresh, [line](const QVariant& is) { set_style_property(line, "fresh", is); });
+}
+
+void LiveView::keyPressEvent(QKeyEvent* event) {
+  if (event->key() != Qt::Key_Escape) return QWidget::keyPressEvent(event);
+  model_.let_go();
 }
 
 }  // namespace glisson::ui

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/guidance/live_view_model.h"
-#include "glisson/registration/refusal.h"
 
 #include <algorithm>
 
@@ -11,6 +10,8 @@
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/engine/parts/rig.h"
+#include "glisson/guidance/lesion_judge.h"
+#include "glisson/registration/refusal.h"
 
 namespace glisson::ui {
 namespace {
@@ -35,7 +36,10 @@ LiveViewModel::LiveViewModel(EngineBridge& engine, DrawableSource& drawables, Pl
     if (!why.isEmpty()) show_frozen();
   });
   connect(&engine_, &EngineBridge::live_changed, this, &LiveViewModel::show_live);
-  connect(&drawables_, &DrawableSource::changed, this, &LiveViewModel::redraw);
+  connect(&drawables_, &DrawableSource::changed, this, [this] {
+    interest_.place.reset();  // of another surface
+    redraw();
+  });
   connect(&freshness_, &QTimer::timeout, this, &LiveViewModel::show_freshness);
   freshness_.start(100);
   read_case();
@@ -61,6 +65,7 @@ OverlayJob LiveViewModel::make_job() {
   job.margin = margin_;
   job.rig = now[part::rig];
   job.style = style_;
+  job.interest = interest_;
   job.model_unchecked = now[part::model] && !engine::is_model_checked(now);
   return job;
 }
@@ -80,6 +85,9 @@ void LiveViewModel::put_away() {
   line = QString();
   is_fresh = QVariant();
   figures = FigureRows();
+  lesions = LesionRows();
+  numbers = FigureRows();
+  shown_ = {};
   banner = QString();
 }
 
@@ -97,6 +105,7 @@ void LiveViewModel::redraw() {
   if (!job_) return;
   OverlayJob job = *job_;
   job.style = style_;
+  job.interest = interest_;
   if (drawables_.drawable()) job.model = drawables_.drawable();
   job.taken.reset();  // it is not live any more
   job.frames_per_second = 0.0;
@@ -118,8 +127,16 @@ void LiveViewModel::show_registered() {
     job.overlay.nodes_in_camera = now[part::registration]->nodes_in_camera;
     job.overlay.residual = now[part::registration]->residual;
     job.overlay.doubtful = !now[part::registration]->doubts.empty();
+    job.overlay.lesions = lesions_at_start(job.overlay);
   }
   submit(std::move(job));
+}
+
+std::vector<LesionVerdict> LiveViewModel::lesions_at_start(const OverlayFrame& overlay) {
+  const engine::CaseState& now = engine_.state();
+  if (!now[part::model] || overlay.nodes_in_camera.rows() != now[part::model]->model.mesh.vertex_count())
+    return {};
+  return guidance::LesionJudge(now[part::model]->model, *now[part::registration]).at_start(overlay.validity);
 }
 
 void LiveViewModel::show_live() {
@@ -142,23 +159,63 @@ void LiveViewModel::show_frozen() {
   is_fresh = QVariant(false);
 }
 
-void LiveViewModel::show_painted(const Picture& picture, const OverlayFrame& overlay, double age, double draw,
-                                 int generation) {
-  if (generation != generation_) return;
-  emit picture_changed(picture);
+void LiveViewModel::show_painted(const PaintedOverlay& painted) {
+  if (painted.generation != generation_) return;
+  emit picture_changed(painted.picture);
   ++pictures_shown_;
-  last_age_ = age;
-  shown_index_ = overlay.index;
+  last_age_ = painted.age;
+  shown_ = painted.overlay;
   since_painted_.start();
-  shown_validity_ = overlay.validity;
+  show_lesions(painted);
   if (playback_.is_frozen) {  // the last live pictures may still come in
     banner = playback_.frozen_why.value();
     return;
   }
   const engine::Snapshot& now = *engine_.snapshot();
-  if (!now.tracking || !now.state[part::live]) return show_still(overlay);
-  show_live_figures(overlay, draw);
+  if (!now.tracking || !now.state[part::live]) return show_still(painted.overlay);
+  show_live_figures(painted.overlay, painted.draw);
   show_freshness();
+}
+
+void LiveViewModel::show_lesions(const PaintedOverlay& painted) {
+  const OverlayFrame& overlay = painted.overlay;
+  lesions = lesion_rows(overlay.lesions, overlay.level());
+  const auto found =
+      std::find_if(overlay.lesions.begin(), overlay.lesions.end(),
+                   [this](const LesionVerdict& one) { return one.lesion == interest_.lesion; });
+  numbers = found == overlay.lesions.end() ? FigureRows()
+                                           : lesion_figures(*found, overlay.level(), painted.measures);
+}
+
+void LiveViewModel::choose(Label lesion) {
+  if (interest_.lesion == lesion) return;
+  interest_.lesion = chosen = lesion;
+  redraw();
+}
+
+void LiveViewModel::choose_at(const Eigen::Vector2d& pixel) {
+  const auto& rig = engine_.state()[part::rig];
+  if (rig) choose(lesion_at(shown_, rig->left, pixel));
+}
+
+void LiveViewModel::mark_at(const Eigen::Vector2d& pixel) {
+  const auto& rig = engine_.state()[part::rig];
+  const auto& drawable = drawables_.drawable();
+  if (!rig || !drawable || shown_.level() == Level::withdrawn ||
+      shown_.nodes_in_camera.rows() != drawable->model->mesh.vertex_count())
+    return;
+  guidance::LesionMeter meter = scene::surface_meter(*drawable);
+  meter.move(shown_.nodes_in_camera);
+  interest_.place = meter.place_on(rig->left.ray(pixel));
+  if (interest_.place && interest_.lesion == 0 && shown_.lesions.size() == 1)
+    interest_.lesion = chosen = shown_.lesions.front().lesion;
+  redraw();
+}
+
+void LiveViewModel::let_go() {
+  interest_ = {};
+  chosen = 0;
+  redraw();
 }
 
 void LiveViewModel::show_failed(const QString& message, int generation) {
@@ -204,11 +261,11 @@ void LiveViewModel::show_freshness() {
     return;
   const double age = last_age_ + static_cast<double>(since_painted_.elapsed()) / 1e3;
   QString text = tr("LIVE   frame %1   age %2 ms   %3 frames/s")
-                     .arg(shown_index_)
+                     .arg(shown_.index)
                      .arg(1e3 * age, 0, 'f', 0)
                      .arg(rate(), 0, 'f', 1);
-  const Level level = level_of(shown_validity_);
-  const QString why = QString::fromStdString(scene::validity_text(shown_validity_));
+  const Level level = shown_.level();
+  const QString why = QString::fromStdString(scene::validity_text(shown_.validity));
   if (level == Level::withdrawn) text += tr("   NO OVERLAY: %1").arg(why);
   if (level == Level::degraded) text += tr("   OUTLINE ONLY: %1").arg(why);
   line = text;

@@ -38,7 +38,12 @@ struct OverlayWorker::Studio {
       rig = job.rig;
     }
     painter->set_style(job.style);
-    return painter->paint(job.frame, job.overlay, {age, job.frames_per_second, job.model_unchecked});
+    return painter->paint(job.frame, job.overlay, {age, job.frames_per_second, job.model_unchecked},
+                          job.interest);
+  }
+
+  std::optional<guidance::LesionMeasures> measures() const {
+    return painter ? painter->measures() : std::nullopt;
   }
 
   /// A frame of the file stands for its own moment of the video, so that the recording runs as fast as what
@@ -145,8 +150,8 @@ void OverlayWorker::run(const std::stop_token& stop) {
     };
     try {
       const Picture picture = studio.paint(*job, job->taken ? seconds_since(*job->taken) : 0.0);
-      emit painted(picture, job->overlay, job->taken ? seconds_since(*job->taken) : 0.0, seconds_since(begin),
-                   job->generation);
+      emit painted({picture, job->overlay, studio.measures(), job->taken ? seconds_since(*job->taken) : 0.0,
+                    seconds_since(begin), job->generation});
       if (job->taken) studio.record(picture, *job);
     } catch (const std::exception& problem) {
       const QString message = error_text(problem.what());

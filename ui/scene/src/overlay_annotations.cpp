@@ -1,115 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "overlay_annotations.h"
 
-#include <QCoreApplication>
 #include <QPainter>
 #include <QPainterPath>
 
 #include "glisson/patient/label_map.h"
 #include "glisson/ui/scene/colours.h"
 #include "glisson/ui/scene/picture_image.h"
+#include "overlay_layout.h"
+#include "overlay_words.h"
 
 namespace glisson::scene {
 namespace {
-
-/// Context of the words on the picture for translators.
-class Overlay {
-  Q_DECLARE_TR_FUNCTIONS(Overlay)
- public:
-  static QString reason(Validity validity) {
-    switch (validity) {
-      case Validity::valid:
-        return tr("registered");
-      case Validity::not_started:
-        return tr("not registered yet");
-      case Validity::too_few_points:
-        return tr("too few points are tracked");
-      case Validity::inconsistent_motion:
-        return tr("the tracked points contradict one another");
-      case Validity::residual_too_large:
-        return tr("the model does not fit what the camera sees");
-      case Validity::mechanics_failed:
-        return tr("the mechanical computation failed");
-      case Validity::stale:
-        return tr("an earlier step has changed since the registration");
-      case Validity::surface_apart:
-        return tr("the camera sees the organ elsewhere; register again");
-      case Validity::picture_stands:
-        return tr("the picture stands still; check the camera");
-      case Validity::views_apart:
-        return tr("the two views do not show the same moment; check the cameras");
-      case Validity::partly_covered:
-        return tr("part of the organ is covered");
-      case Validity::poor_picture:
-        return tr("the picture has lost light or contrast");
-    }
-    return {};
-  }
-  static QString limit(Validity validity) {
-    const bool withdrawn = level_of(validity) == Level::withdrawn;
-    return (withdrawn ? tr("No overlay: %1") : tr("Outline and lesions only: %1")).arg(reason(validity));
-  }
-  static QString frame(int index) { return tr("frame %1").arg(index); }
-  static QString age(double seconds) { return tr("age %1 ms").arg(qRound(1e3 * seconds)); }
-  static QString rate(double per_second) { return tr("%1 fps").arg(per_second, 0, 'f', 1); }
-  static QString residual(double metres) { return tr("residual %1 mm").arg(1e3 * metres, 0, 'f', 1); }
-  static QString doubtful() { return tr("Registration in doubt"); }
-  static QString unchecked() { return tr("Model not checked"); }
-  static QString research() { return tr("Research software: not for clinical use"); }
-  static QString structure(Label label) {
-    if (label == structure::kPortalVein) return tr("Portal vein");
-    if (label == structure::kHepaticVeins) return tr("Hepatic veins");
-    if (label == structure::kArtery) return tr("Hepatic artery");
-    return tr("Lesion");
-  }
-};
-
-const QColor kAmber(255, 176, 0);
 
 /// Red where the method has lost the organ, amber where it waits, must be run again or knows less.
 QColor border_colour(Validity validity) {
   const bool waits = validity == Validity::not_started || validity == Validity::stale ||
                      validity == Validity::too_few_points || level_of(validity) == Level::degraded;
   return waits ? kAmber : QColor(229, 57, 53);
-}
-
-/// Sizes that follow the picture's.
-struct Layout {
-  explicit Layout(const QImage& image)
-      : size(image.size()),
-        text(std::max(9, image.height() / 42)),
-        margin(std::max(6, image.height() / 60)) {}
-  QSize size;
-  int text, margin;
-  QFont font(bool bold = false, double scale = 1.0) const {
-    QFont chosen(QStringLiteral("DejaVu Sans"));
-    chosen.setStyleHint(QFont::SansSerif);
-    chosen.setPixelSize(std::max(8, static_cast<int>(text * scale)));
-    chosen.setBold(bold);
-    return chosen;
-  }
-};
-
-void draw_plate(QPainter& painter, const QRectF& box) {
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(QColor(12, 16, 20, 190));
-  painter.drawRoundedRect(box, 4.0, 4.0);
-}
-
-/// Text on a dark plate; `anchor` is one of the picture's corners.
-void draw_text(QPainter& painter, const Layout& layout, const QString& text, const QFont& font,
-               const QColor& colour, Qt::Alignment anchor) {
-  const QFontMetrics metrics(font);
-  const int pad = layout.margin / 2;
-  QRect box(0, 0, metrics.horizontalAdvance(text) + 2 * pad, metrics.height() + pad);
-  box.moveLeft(anchor & Qt::AlignRight     ? layout.size.width() - layout.margin - box.width()
-               : anchor & Qt::AlignHCenter ? (layout.size.width() - box.width()) / 2
-                                           : layout.margin);
-  box.moveTop(anchor & Qt::AlignBottom ? layout.size.height() - layout.margin - box.height() : layout.margin);
-  draw_plate(painter, box);
-  painter.setFont(font);
-  painter.setPen(colour);
-  painter.drawText(box, Qt::AlignCenter, text);
 }
 
 void draw_legend(QPainter& painter, const Layout& layout, const std::vector<Label>& structures) {
@@ -182,17 +90,78 @@ void draw_limit(QPainter& painter, const Layout& layout, Validity validity) {
                    text);
 }
 
+/// The region of a lesion that is not known well enough to be drawn itself: dashed, and never filled.
+void draw_region(QPainter& painter, const Layout& layout, const LesionVerdict& verdict,
+                 const QPolygonF& region) {
+  if (region.isEmpty()) return;
+  const QColor colour = colour_of(verdict.lesion);
+  const double width = std::max(1.5, layout.text / 7.0);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(QColor(0, 0, 0, 170), width + 2.0));
+  painter.drawPolygon(region);
+  QPen dashes(colour, width);
+  dashes.setDashPattern({4.0, 3.0});
+  painter.setPen(dashes);
+  painter.drawPolygon(region);
+  const QString text = Overlay::lesion(verdict.lesion) + QStringLiteral("  ") + Overlay::reach(verdict.reach);
+  const QFont font = layout.font(true, 0.9);
+  const QFontMetrics metrics(font);
+  QRectF box(0, 0, metrics.horizontalAdvance(text) + layout.margin, metrics.height());
+  box.moveCenter({region.boundingRect().center().x(), region.boundingRect().top() - 0.6 * box.height()});
+  const QRectF room(QPointF(0, 0), QSizeF(layout.size));
+  if (!room.intersects(region.boundingRect())) return;
+  box.moveLeft(std::clamp(box.left(), 0.0, std::max(0.0, room.width() - box.width())));
+  box.moveTop(std::clamp(box.top(), 0.0, std::max(0.0, room.height() - box.height())));
+  draw_plate(painter, box);
+  painter.setFont(font);
+  painter.setPen(colour);
+  painter.drawText(box, Qt::AlignCenter, text);
+}
+
+/// Which lesions are not drawn as themselves, and why: under the status line. What holds for all is said of
+/// the whole.
+void draw_lesion_limits(QPainter& painter, const Layout& layout, const std::vector<LesionVerdict>& lesions) {
+  constexpr int kMost = 3;  // more would cover the organ
+  QStringList lines;
+  int rest = 0;
+  for (const LesionVerdict& verdict : lesions) {
+    if (verdict.level == Level::valid || verdict.reason == LesionReason::with_the_whole) continue;
+    if (lines.size() < kMost)
+      lines << Overlay::limit(verdict);
+    else
+      ++rest;
+  }
+  if (lines.isEmpty()) return;
+  if (rest > 0) lines << Overlay::more(rest);
+  const QFont font = layout.font();
+  const QFontMetrics metrics(font);
+  const int top = 2 * layout.margin + QFontMetrics(layout.font()).height();
+  const QRect room(0, 0, layout.size.width() * 3 / 5, layout.size.height());
+  const QString text = lines.join(QLatin1Char('\n'));
+  const QRect words = metrics.boundingRect(room, Qt::AlignLeft | Qt::TextWordWrap, text);
+  const QRect box(layout.margin, top, words.width() + layout.margin, words.height() + layout.margin / 2);
+  draw_plate(painter, box);
+  painter.setFont(font);
+  painter.setPen(kAmber);
+  painter.drawText(box.adjusted(layout.margin / 2, layout.margin / 4, 0, 0), Qt::AlignLeft | Qt::TextWordWrap,
+                   text);
+}
+
 }  // namespace
 
 Picture annotate(const Picture& picture, const OverlayFrame& overlay, const Annotations& annotations,
                  const OverlayStyle& style, const OverlayStatus& status) {
   QImage image = copy_to_image(picture);
-  const Layout layout(image);
+  const Layout layout(image.size());
   QPainter painter(&image);
   painter.setRenderHint(QPainter::Antialiasing);
   const bool drawn = overlay.level() != Level::withdrawn;
   if (drawn) {
     if (style.anterior_margin) draw_margin(painter, layout, annotations.margin);
+    for (std::size_t i = 0; i < annotations.regions.size(); ++i)
+      draw_region(painter, layout, annotations.lesions[i], annotations.regions[i]);
+    draw_lesion_limits(painter, layout, annotations.lesions);
+    if (annotations.card) draw_card(painter, layout, *annotations.card, annotations.camera, style.ruler);
     if (style.legend) draw_legend(painter, layout, annotations.structures);
     QStringList doubts;
     if (overlay.doubtful) doubts << Overlay::doubtful();
@@ -203,11 +172,11 @@ Picture annotate(const Picture& picture, const OverlayFrame& overlay, const Anno
   }
   if (overlay.level() != Level::valid) draw_limit(painter, layout, overlay.validity);
   if (style.status) {
-    QStringList words{Overlay::frame(overlay.index)};
+    QStringList words{Overlay::level(overlay.level()), Overlay::frame(overlay.index)};
     if (status.age_seconds > 0.0) words << Overlay::age(status.age_seconds);
     if (status.frames_per_second > 0.0) words << Overlay::rate(status.frames_per_second);
     if (drawn) words << Overlay::residual(overlay.residual);
-    draw_text(painter, layout, words.join(QStringLiteral("  ·  ")), layout.font(), QColor(225, 230, 233),
+    draw_text(painter, layout, words.join(QStringLiteral("  ·  ")), layout.font(), kWords,
               Qt::AlignLeft | Qt::AlignTop);
     draw_text(painter, layout, Overlay::research(), layout.font(false, 0.8), QColor(190, 197, 202),
               Qt::AlignRight | Qt::AlignBottom);
@@ -217,5 +186,6 @@ Picture annotate(const Picture& picture, const OverlayFrame& overlay, const Anno
 }
 
 std::string validity_text(Validity validity) { return Overlay::reason(validity).toStdString(); }
+std::string lesion_reason_text(LesionReason reason) { return Overlay::reason(reason).toStdString(); }
 
 }  // namespace glisson::scene

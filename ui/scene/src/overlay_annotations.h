@@ -2,11 +2,14 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <QPolygonF>
+#include <optional>
 #include <vector>
 
 #include "glisson/patient/registration.h"
 #include "glisson/ui/scene/overlay_painter.h"
 #include "glisson/volume/label_volume.h"
+#include "lesion_card.h"
 
 namespace glisson::scene {
 
@@ -14,6 +17,10 @@ namespace glisson::scene {
 struct Annotations {
   std::vector<Eigen::Vector2d> margin;  ///< pixels, in order
   std::vector<Label> structures;        ///< drawn ones, for the legend
+  std::vector<LesionVerdict> lesions;   ///< those that are wanted
+  std::vector<QPolygonF> regions;       ///< one a lesion, pixels; empty: none is drawn
+  std::optional<LesionCard> card;       ///< of the chosen one
+  Camera camera;
 };
 Picture annotate(const Picture& picture, const OverlayFrame& overlay, const Annotations& annotations,
                  const OverlayStyle& style, const OverlayStatus& status);

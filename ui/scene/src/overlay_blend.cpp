@@ -90,14 +90,14 @@ void lay(cv::Mat3b& picture, const Veil& veil) {
   });
 }
 
-void lay_lesions(cv::Mat3b& picture, const OverlayLayers& layers) {
-  const cv::Vec3f colour = bgr(structure::kFirstLesion);
+void lay_lesion(cv::Mat3b& picture, const OverlayLayers& layers, std::uint8_t lesion) {
+  const cv::Vec3f colour = bgr(lesion);
   const SurfaceLayer& lesions = layers.lesions;
   cv::Mat1b mask = cv::Mat1b::zeros(picture.size());
   for (int v = 0; v < picture.rows; ++v)
     for (int u = 0; u < picture.cols; ++u) {
       const std::size_t pixel = lesions.at(v, u);
-      if (lesions.kind[pixel] == 0 || layers.liver.kind[pixel] == 0) continue;
+      if (lesions.kind[pixel] != lesion || layers.liver.kind[pixel] == 0) continue;
       mask(v, u) = 255;
       const float facing = static_cast<float>(lesions.facing[pixel]) / 255.0F;
       mix(picture(v, u), colour * (0.6F + 0.4F * facing), (u - v + 4096) % kHatchPeriod < 2 ? 0.45F : 0.22F);
@@ -106,6 +106,13 @@ void lay_lesions(cv::Mat3b& picture, const OverlayLayers& layers) {
   cv::findContours(mask, contours, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_SIMPLE);
   cv::polylines(picture, contours, true, cv::Scalar(20, 20, 20), 4, cv::LINE_AA);
   cv::polylines(picture, contours, true, cv::Scalar(colour), 2, cv::LINE_AA);
+}
+
+void lay_lesions(cv::Mat3b& picture, const OverlayLayers& layers) {
+  std::array<bool, 256> there{};
+  for (const std::uint8_t kind : layers.lesions.kind) there[kind] = true;
+  for (std::size_t lesion = 1; lesion < there.size(); ++lesion)
+    if (there[lesion]) lay_lesion(picture, layers, static_cast<std::uint8_t>(lesion));
 }
 
 void lay_outline(cv::Mat3b& picture, const SurfaceLayer& liver) {
@@ -133,7 +140,7 @@ Picture blend_layers(const Picture& frame, const OverlayLayers& layers, const Ov
     source.copyTo(picture);
   lay(picture, vessel_veil(layers, style));
   if (style.outline) lay_outline(picture, layers.liver);
-  if (style.lesions) lay_lesions(picture, layers);
+  lay_lesions(picture, layers);
   return {frame.width, frame.height, 3, bytes};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "overlay_layers.h"
 
+#include <algorithm>
 #include <array>
 #include <opencv2/core/utility.hpp>
 #include <vector>
@@ -11,7 +12,8 @@
 namespace glisson::scene {
 namespace {
 
-constexpr std::uint8_t kSomething = 1;  ///< liver and lesions need no kinds
+constexpr std::uint8_t kSomething = 1;  ///< the liver needs no kinds
+static_assert(structure::kLastLesion <= 255, "a lesion's label is its kind");
 
 VesselKind vessel_kind(Label structure) {
   switch (structure) {
@@ -26,7 +28,7 @@ VesselKind vessel_kind(Label structure) {
   }
 }
 
-bool is_wanted(Label structure, const OverlayStyle& style) {
+bool is_wanted(Label structure, const OverlayStyle& style, const std::vector<Label>& lesions) {
   switch (vessel_kind(structure)) {
     case kPortal:
       return style.portal_vein;
@@ -37,18 +39,25 @@ bool is_wanted(Label structure, const OverlayStyle& style) {
     case kNoVessel:
       break;
   }
-  return !is_lesion(structure) || style.lesions;
+  return !is_lesion(structure) || std::find(lesions.begin(), lesions.end(), structure) != lesions.end();
+}
+
+std::uint8_t kind_of(Label structure) {
+  if (is_lesion(structure)) return static_cast<std::uint8_t>(structure);
+  const VesselKind vessel = vessel_kind(structure);
+  return vessel == kNoVessel ? kSomething : std::uint8_t{vessel};
 }
 
 }  // namespace
 
 OverlayLayers draw_layers(const DrawableModel& model, const Points& nodes_in_camera,
-                          const SurfaceRaster& raster, const OverlayStyle& style) {
+                          const SurfaceRaster& raster, const OverlayStyle& style,
+                          const std::vector<Label>& lesions) {
   require(nodes_in_camera.rows() == model.model->mesh.vertex_count(),
           "the overlay's nodes are those of the model that it was made for");
   std::array<std::vector<const DrawableSurface*>, 3> groups;  // liver, vessels, lesions
   for (const DrawableSurface& surface : model.surfaces) {
-    if (surface.inside.rows() == 0 || !is_wanted(surface.structure, style)) continue;
+    if (surface.inside.rows() == 0 || !is_wanted(surface.structure, style, lesions)) continue;
     if (surface.structure == structure::kParenchyma)
       groups[0].push_back(&surface);
     else if (vessel_kind(surface.structure) != kNoVessel)
@@ -64,9 +73,7 @@ OverlayLayers draw_layers(const DrawableModel& model, const Points& nodes_in_cam
       *targets[group] = raster.layer();
       for (const DrawableSurface* surface : groups[group]) {
         const Points moved = surface->binding.apply(model.model->mesh, nodes_in_camera);
-        const VesselKind vessel = vessel_kind(surface->structure);
-        raster.draw(moved, surface->inside, vessel == kNoVessel ? kSomething : std::uint8_t{vessel},
-                    *targets[group]);
+        raster.draw(moved, surface->inside, kind_of(surface->structure), *targets[group]);
       }
     }
   });

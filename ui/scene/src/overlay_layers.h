@@ -12,14 +12,16 @@ namespace glisson::scene {
 /// What a pixel of the layer of vessels shows.
 enum VesselKind : std::uint8_t { kNoVessel = 0, kPortal = 1, kHepatic = 2, kArterial = 3 };
 
-/// What the camera would see of the deformed model, class by class.
+/// What the camera would see of the deformed model, class by class. Kinds of lesions are their labels.
 struct OverlayLayers {
   SurfaceLayer liver, vessels, lesions;
 };
 
 /// @param nodes_in_camera N x 3, metres. @pre one row a node of the model's mesh.
 /// @param style structures that it leaves out are not drawn and hide nothing.
+/// @param lesions those that are drawn as bodies.
 OverlayLayers draw_layers(const DrawableModel& model, const Points& nodes_in_camera,
-                          const SurfaceRaster& raster, const OverlayStyle& style);
+                          const SurfaceRaster& raster, const OverlayStyle& style,
+                          const std::vector<Label>& lesions);
 
 }  // namespace glisson::scene

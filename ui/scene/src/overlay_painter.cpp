@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/scene/overlay_painter.h"
 
+#include <algorithm>
 #include <chrono>
 
 #include "glisson/core/error.h"
 #include "glisson/patient/label_map.h"
 #include "glisson/ui/scene/model_surfaces.h"
+#include "lesion_marks.h"
 #include "overlay_annotations.h"
 #include "overlay_blend.h"
 #include "overlay_layers.h"
@@ -40,6 +42,8 @@ struct OverlayPainter::Impl {
   std::shared_ptr<const PatientModel> model;
   std::vector<Label> structures;
   Binding margin;
+  std::optional<guidance::LesionMeter> meter;  ///< made when a lesion is chosen
+  std::optional<guidance::LesionMeasures> measures;
 
   bool shown(Label label) const {
     if (label == structure::kPortalVein) return style.portal_vein;
@@ -47,10 +51,42 @@ struct OverlayPainter::Impl {
     if (label == structure::kArtery) return style.arteries;
     return style.lesions;
   }
-  Annotations annotations(const Points& nodes) const {
+  std::vector<LesionVerdict> verdicts(const OverlayFrame& overlay) const {
+    std::vector<Label> lesions;
+    for (const Label label : structures)
+      if (is_lesion(label) && style.lesions) lesions.push_back(label);
+    return verdicts_of(lesions, overlay);
+  }
+  /// Of the chosen lesion. Of one that is not shown nothing is measured.
+  std::optional<LesionCard> card(const Points& nodes, const std::vector<LesionVerdict>& verdicts,
+                                 const OverlayInterest& interest) {
+    measures.reset();
+    const auto chosen = std::find_if(verdicts.begin(), verdicts.end(),
+                                     [&](const LesionVerdict& one) { return one.lesion == interest.lesion; });
+    if (chosen == verdicts.end()) return {};
+    LesionCard card;
+    card.verdict = *chosen;
+    card.measures.lesion = chosen->lesion;
+    if (chosen->level == Level::withdrawn) return card;
+    if (!meter) meter = surface_meter(*drawable);
+    meter->move(nodes);
+    card.measures = meter->measure(chosen->lesion, interest.place);
+    measures = card.measures;
+    if (!interest.place || !meter->has(*interest.place)) return card;
+    const Eigen::Vector3d place = meter->position(*interest.place);
+    if (place.z() > SurfaceRaster::kNear) card.place = camera.project(place);
+    return card;
+  }
+  Annotations annotations(const Points& nodes, std::vector<LesionVerdict> lesions,
+                          const OverlayInterest& interest) {
     Annotations result;
     for (const Label label : structures)
       if (shown(label)) result.structures.push_back(label);
+    for (const LesionVerdict& verdict : lesions)
+      result.regions.push_back(verdict.level == Level::degraded ? region_of(verdict, camera) : QPolygonF());
+    result.card = card(nodes, lesions, interest);
+    result.camera = camera;
+    result.lesions = std::move(lesions);
     if (margin.weights.rows() == 0) return result;
     const Points line = margin.apply(model->mesh, nodes);
     for (Eigen::Index i = 0; i < line.rows(); ++i)
@@ -59,12 +95,23 @@ struct OverlayPainter::Impl {
   }
 };
 
+guidance::LesionMeter surface_meter(const DrawableModel& model) {
+  guidance::CarriedSurface organ;
+  std::vector<guidance::CarriedSurface> lesions;
+  for (const DrawableSurface& surface : model.surfaces) {
+    const guidance::CarriedSurface carried{surface.structure, surface.mesh, surface.binding};
+    if (surface.structure == structure::kParenchyma) organ = carried;
+    if (is_lesion(surface.structure)) lesions.push_back(carried);
+  }
+  return {*model.model, std::move(organ), std::move(lesions)};
+}
+
 namespace {
 
-/// What is drawn while less is known: where the organ is, and the lesions in it.
+/// What is drawn of the organ while less is known: where it is.
 OverlayStyle outline_only(OverlayStyle style) {
   style.portal_vein = style.hepatic_veins = style.arteries = style.anterior_margin = false;
-  style.outline = style.lesions = true;
+  style.outline = true;
   return style;
 }
 
@@ -91,8 +138,10 @@ void OverlayPainter::set_style(const OverlayStyle& style) {
 }
 const OverlayStyle& OverlayPainter::style() const { return impl_->style; }
 
-Picture OverlayPainter::paint(const Picture& frame, const OverlayFrame& overlay,
-                              const OverlayStatus& status) {
+const std::optional<guidance::LesionMeasures>& OverlayPainter::measures() const { return impl_->measures; }
+
+Picture OverlayPainter::paint(const Picture& frame, const OverlayFrame& overlay, const OverlayStatus& status,
+                              const OverlayInterest& interest) {
   const Camera& camera = impl_->camera;
   if (frame.empty() || frame.width != camera.width || frame.height != camera.height)
     throw InputError("frame", "size",
@@ -100,15 +149,22 @@ Picture OverlayPainter::paint(const Picture& frame, const OverlayFrame& overlay,
                          " and the calibration's is " + std::to_string(camera.width) + " x " +
                          std::to_string(camera.height),
                      "Use the calibration that belongs to this laparoscope.");
+  impl_->measures.reset();
   if (overlay.level() == Level::withdrawn) return annotate(frame, overlay, {}, impl_->style, status);
   const OverlayStyle style = overlay.level() == Level::degraded ? outline_only(impl_->style) : impl_->style;
   const auto begin = std::chrono::steady_clock::now();
-  const OverlayLayers layers = draw_layers(*impl_->drawable, overlay.nodes_in_camera, impl_->raster, style);
+  std::vector<LesionVerdict> verdicts = impl_->verdicts(overlay);
+  std::vector<Label> bodies;
+  for (const LesionVerdict& verdict : verdicts)
+    if (verdict.level == Level::valid) bodies.push_back(verdict.lesion);
+  const OverlayLayers layers =
+      draw_layers(*impl_->drawable, overlay.nodes_in_camera, impl_->raster, style, bodies);
   const Picture blended = blend_layers(frame, layers, style);
   OverlayStatus now = status;
   if (status.age_seconds > 0.0)  // a live picture grows older while it is drawn
     now.age_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  return annotate(blended, overlay, impl_->annotations(overlay.nodes_in_camera), style, now);
+  return annotate(blended, overlay,
+                  impl_->annotations(overlay.nodes_in_camera, std::move(verdicts), interest), style, now);
 }
 
 }  // namespace glisson::scene

@@ -124,6 +124,8 @@ Cancellable<Applied> Register::apply(const CaseState& state, const RunContext& c
   if (made->operations && made->operations != known.prior)
     applied.state[part::operations] = std::make_shared<const SimulatedOperations>(SimulatedOperations{
         state[part::model], state[part::landmarks], operation, std::move(made->operations)});
+  for (const registration::LesionError& lesion : examined->lesions)
+    made->registration.lesions.push_back({lesion.lesion, lesion.covariance});
   applied.state[part::registration] = std::make_shared<const Registration>(std::move(made->registration));
   return applied;
 }

@@ -51,11 +51,13 @@ void write_landmarks(const std::filesystem::path& path, const Landmarks& landmar
 
 /// The registered mesh: node order and units of the model, camera frame, field data `cloud_from_model` (4 x
 /// 4, the rigid part, translation in `unit`), and what the registration says of itself: `residual_mm`,
-/// `seen_share`, `converged`, and `doubt_CODE` for each of its doubts.
+/// `seen_share`, `converged`, `doubt_CODE` for each of its doubts, and `lesion_N_covariance_mm2` (3 x 3) for
+/// each lesion.
 /// @param said more field data.
 void write_registration(const std::filesystem::path& path, const PatientModel& model,
                         const Registration& registration, LengthUnit unit, const NamedArrays& said = {});
-/// @throws InputError when the mesh is not the model's (another number of nodes or other tetrahedra).
+/// @throws InputError when the mesh is not the model's (another number of nodes or other tetrahedra), or a
+/// covariance is none.
 Registration read_registration(const std::filesystem::path& path, const PatientModel& model, LengthUnit unit);
 
 }  // namespace glisson::engine

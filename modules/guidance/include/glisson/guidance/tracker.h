@@ -7,6 +7,7 @@
 #include "glisson/fem/composite_model.h"
 #include "glisson/geometry/camera.h"
 #include "glisson/guidance/judge_options.h"
+#include "glisson/guidance/lesion_judge.h"
 #include "glisson/patient/labelled_cloud.h"
 #include "glisson/patient/patient_model.h"
 #include "glisson/patient/picture.h"
@@ -45,6 +46,7 @@ struct TrackerOptions {
   bool scope_moves = true;
   std::vector<int> fixed_nodes;
   JudgeOptions judge;  ///< of pictures; clouds are judged by their residual alone
+  LesionOptions lesions;
   /// For follow(cloud): form, s, surface stiffness, density, and of contact forces the lesions' stiffness.
   registration::ElasticOptions cloud;
   /// How clouds are followed; automatic as in register_model, by `fixed_nodes`.

@@ -7,6 +7,7 @@
 #include "glisson/core/termination.h"
 #include "glisson/geometry/mesh.h"
 #include "glisson/geometry/rigid.h"
+#include "glisson/patient/lesion_verdict.h"
 
 namespace glisson {
 
@@ -25,6 +26,8 @@ struct Registration {
   /// What the method cannot vouch for; codes, not prose ("few_margin_points", "inverted_elements"). Empty:
   /// none.
   std::vector<std::string> doubts;
+  /// How far off each lesion may be; a lesion that is not in it: not known.
+  std::vector<LesionSpread> lesions;
 };
 
 /// What is known of an overlay. All but `valid` are reasons why less than everything is drawn.
@@ -57,11 +60,7 @@ inline constexpr Validity kValidities[] = {Validity::valid,
                                            Validity::poor_picture};
 const char* validity_code(Validity validity);
 
-/// How much is drawn: everything; the organ's outline and the lesions only, with the reason; nothing but the
-/// reason.
-enum class Level { valid, degraded, withdrawn };
 Level level_of(Validity validity);
-const char* level_code(Level level);
 
 /// What was measured to judge an overlay by, besides the tracker's own points. Standard deviations are what
 /// is expected of a right overlay.
@@ -85,9 +84,10 @@ struct OverlayFrame {
   bool doubtful = false;   ///< the registration that this began with carries doubts: drawn, and said so
   Points nodes_in_camera;  ///< as Registration::nodes_in_camera
   int tracked_left = 0, tracked_right = 0, pairs = 0;
-  double residual = 0.0;      ///< metres, mean over the pairs
-  double milliseconds = 0.0;  ///< tracking, correspondence and mechanics of this frame
-  Evidence evidence;          ///< the last one
+  double residual = 0.0;               ///< metres, mean over the pairs
+  double milliseconds = 0.0;           ///< tracking, correspondence and mechanics of this frame
+  Evidence evidence;                   ///< the last one
+  std::vector<LesionVerdict> lesions;  ///< one a lesion of the model; a lesion without one is not drawn
   Level level() const { return level_of(validity); }
 };
 

@@ -4,7 +4,7 @@
 #include <QWidget>
 
 #include "glisson/ui/common/couplings.h"
-#include "glisson/ui/common/picture_view.h"
+#include "glisson/ui/guidance/live_picture.h"
 #include "glisson/ui/guidance/live_view_model.h"
 
 namespace glisson::ui {
@@ -14,10 +14,14 @@ class LiveView : public QWidget {
   Q_OBJECT
  public:
   explicit LiveView(LiveViewModel& model, QWidget* parent = nullptr);
-  const PictureView& picture() const { return *picture_; }
+  const LivePicture& picture() const { return *picture_; }
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
 
  private:
-  PictureView* picture_;
+  LiveViewModel& model_;
+  LivePicture* picture_;
   Couplings couplings_;
 };
 

@@ -12,6 +12,7 @@
 #include "glisson/ui/common/couplings.h"
 #include "glisson/ui/common/drawable_source.h"
 #include "glisson/ui/common/figures_table.h"
+#include "glisson/ui/guidance/lesion_rows.h"
 #include "glisson/ui/guidance/overlay_worker.h"
 #include "glisson/ui/guidance/playback_model.h"
 
@@ -28,6 +29,15 @@ class LiveViewModel : public QObject {
 
   const scene::OverlayStyle& style() const { return style_; }
   void set_style(const scene::OverlayStyle& style);
+  /// The lesion whose numbers are told; 0: none.
+  void choose(Label lesion);
+  /// The one at a pixel of the picture on the screen; beside all of them: none.
+  void choose_at(const Eigen::Vector2d& pixel);
+  /// Marks the place of the organ's surface at a pixel, where a tool touches it, say; beside the organ: takes
+  /// the mark away. Where there is one lesion only it is chosen.
+  void mark_at(const Eigen::Vector2d& pixel);
+  /// Neither a lesion nor a mark.
+  void let_go();
   /// Augmented pictures shown so far.
   int pictures_shown() const { return pictures_shown_; }
 
@@ -36,6 +46,9 @@ class LiveViewModel : public QObject {
   QProperty<QString> line;        ///< below it
   QProperty<QVariant> is_fresh;   ///< whether it shows where things are now; invalid: there is no picture
   QProperty<FigureRows> figures;  ///< of the live picture
+  QProperty<LesionRows> lesions;  ///< of the picture on the screen
+  QProperty<Label> chosen{0};     ///< lesion
+  QProperty<FigureRows> numbers;  ///< of the chosen one
 
  signals:
   /// @param picture empty: none.
@@ -45,6 +58,8 @@ class LiveViewModel : public QObject {
   void read_case();
   void show_live();
   void show_registered();
+  /// Of the registered frame. @pre there is a registration.
+  std::vector<LesionVerdict> lesions_at_start(const OverlayFrame& overlay);
   void show_frozen();
   /// Draws what is on the screen once more, in the present style. Live, the next picture has it anyway.
   void redraw();
@@ -52,8 +67,8 @@ class LiveViewModel : public QObject {
   void put_away();
   void submit(OverlayJob job);
   OverlayJob make_job();
-  void show_painted(const Picture& picture, const OverlayFrame& overlay, double age, double draw,
-                    int generation);
+  void show_painted(const PaintedOverlay& painted);
+  void show_lesions(const PaintedOverlay& painted);
   void show_failed(const QString& message, int generation);
   void show_still(const OverlayFrame& overlay);
   void show_live_figures(const OverlayFrame& overlay, double draw);
@@ -67,16 +82,16 @@ class LiveViewModel : public QObject {
   OverlayWorker& worker_;
   Couplings couplings_;
   scene::OverlayStyle style_;
+  scene::OverlayInterest interest_;
+  OverlayFrame shown_;  ///< of the picture on the screen
   QTimer freshness_;
   QElapsedTimer clock_, since_painted_;
   std::deque<qint64> painted_at_;  ///< milliseconds
   double last_age_ = 0.0;
-  int shown_index_ = 0;  ///< of the frame on the screen, which may be older than the engine's
   int pictures_shown_ = 0;
   bool was_tracking_ = false;
   std::optional<OverlayJob> job_;  ///< the last one
   int generation_ = 0;             ///< pictures of former ones are not shown any more
-  Validity shown_validity_ = Validity::not_started;
   std::shared_ptr<const Points> margin_;
   std::shared_ptr<const model::BuiltModel> model_source_;
   std::shared_ptr<const Landmarks> landmarks_source_;

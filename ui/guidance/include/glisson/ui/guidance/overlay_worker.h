@@ -28,10 +28,21 @@ struct OverlayJob {
   /// When the picture was taken; empty: not live, age is not counted.
   std::optional<std::chrono::steady_clock::time_point> taken;
   scene::OverlayStyle style;
+  scene::OverlayInterest interest;
   double frames_per_second = 0.0;  ///< of the live view, to be shown
   bool model_unchecked = false;    ///< nobody has said that the model is right
   double source_rate = 30.0;       ///< frames a second of the video, for the recording
   /// Handed back with what became of the job, so that one that is not wanted any more is known.
+  int generation = 0;
+};
+
+/// What became of a job.
+struct PaintedOverlay {
+  Picture picture;
+  OverlayFrame overlay;
+  std::optional<guidance::LesionMeasures> measures;  ///< of the chosen lesion
+  double age = 0.0;   ///< seconds from the camera to the end of drawing; 0 when not live
+  double draw = 0.0;  ///< seconds that drawing took
   int generation = 0;
 };
 
@@ -51,9 +62,7 @@ class OverlayWorker : public QObject {
   void stop_recording();
 
  signals:
-  /// @param age_seconds from the camera to the end of drawing; 0 when not live.
-  void painted(const glisson::Picture& picture, const glisson::OverlayFrame& overlay, double age_seconds,
-               double draw_seconds, int generation);
+  void painted(const glisson::ui::PaintedOverlay& painted);
   void failed(const QString& message, int generation);
   /// @param error empty: all is well.
   void recording_ended(const QString& path, int frames, const QString& error);

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "glisson/patient/patient_model.h"
+#include "glisson/patient/registration.h"
+
+namespace glisson::guidance {
+
+/// From when a lesion is no more drawn as itself. Metres, seconds.
+struct LesionOptions {
+  /// Reach of a lesion's 95 % region up to which it is drawn as a body: the margin with which it is usually
+  /// resected.
+  double margin = 10e-3;
+  double useless = 30e-3;  ///< from that reach on its region is not drawn either: it says too little
+  /// Motion of tissue that is not seen, rms, that forces nobody has simulated cause, and how far from what is
+  /// seen they act; both as in registration::ErrorModelOptions.
+  double unknown_forces = 4e-3, reach = 35e-3;
+  double settle = 2.0;  ///< within about this time they come to act where nothing is tracked
+  double relief = 0.8;  ///< a limit counts again below this share of it, so that nothing flickers
+  /// @throws InputError naming the option.
+  void validate() const;
+};
+
+/// Judges each lesion of a model that is followed, from the registration's error S at it, the distance d of
+/// the tracked points, and the time t since any were near:
+///     S_now = R S R^T + (D^2 + F^2 (1 - exp(-t / settle))) (1 - exp(-d^2 / reach^2)) I / 3,
+/// R the organ's turn since the registration, D the rms of what it has moved besides as a body, F
+/// `unknown_forces`. Not thread-safe.
+class LesionJudge {
+ public:
+  /// @throws InputError options out of range. @pre one node of the registration a node of the model.
+  LesionJudge(const PatientModel& model, const Registration& start, const LesionOptions& options = {});
+  ~LesionJudge();
+  LesionJudge(LesionJudge&&) noexcept;
+  LesionJudge& operator=(LesionJudge&&) noexcept;
+
+  /// Frames in their order. @param tracked places of the organ that were seen in this frame, camera frame.
+  /// @return one verdict a lesion of the model, by label.
+  std::vector<LesionVerdict> judge(const OverlayFrame& overlay, const Points& tracked);
+  /// Of the registered frame itself, which is not followed.
+  std::vector<LesionVerdict> at_start(Validity validity) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace glisson::guidance

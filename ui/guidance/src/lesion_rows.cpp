@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/ui/guidance/lesion_rows.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+
+#include "glisson/ui/common/texts.h"
+#include "glisson/ui/scene/overlay_painter.h"
+
+namespace glisson::ui {
+namespace {
+
+/// Context for translators.
+class LesionTexts {
+  Q_DECLARE_TR_FUNCTIONS(LesionTexts)
+ public:
+  static QString state(Level level) {
+    switch (level) {
+      case Level::valid:
+        return tr("shown");
+      case Level::degraded:
+        return tr("region only");
+      case Level::withdrawn:
+        return tr("not shown");
+    }
+    return {};
+  }
+  static QString within(double metres) {
+    return metres > 0.0 ? tr("±%1 mm").arg(1e3 * metres, 0, 'f', 1) : QStringLiteral("–");
+  }
+  static QString length(double metres) { return tr("%1 mm").arg(1e3 * metres, 0, 'f', 0); }
+  static QString seconds(double seconds) { return tr("%1 s").arg(seconds, 0, 'f', 0); }
+  static QString along_sight() { return tr("Depth along the sight"); }
+  static QString shortest() { return tr("Depth, shortest way"); }
+  static QString from_place() { return tr("From the mark"); }
+  static QString expected() { return tr("Expected error"); }
+  static QString support() { return tr("Nearest tracked points"); }
+  static QString unseen() { return tr("Nothing near it tracked for"); }
+};
+
+}  // namespace
+
+LesionRows lesion_rows(const std::vector<LesionVerdict>& verdicts, Level whole) {
+  LesionRows rows;
+  for (const LesionVerdict& verdict : verdicts) {
+    LesionRow row;
+    row.lesion = verdict.lesion;
+    row.level = std::max(verdict.level, whole);
+    row.name = structure_text(verdict.lesion);
+    row.state = LesionTexts::state(row.level);
+    row.within = LesionTexts::within(verdict.reach);
+    const LesionReason reason = whole > verdict.level ? LesionReason::with_the_whole : verdict.reason;
+    if (row.level != Level::valid) row.why = QString::fromStdString(scene::lesion_reason_text(reason));
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+FigureRows lesion_figures(const LesionVerdict& verdict, Level whole,
+                          const std::optional<guidance::LesionMeasures>& measures) {
+  FigureRows rows;
+  if (std::max(verdict.level, whole) == Level::withdrawn) return rows;
+  const auto add = [&rows](const QString& name, double metres) {
+    if (std::isfinite(metres)) rows.emplace_back(name, LesionTexts::length(metres));
+  };
+  if (measures && measures->lesion == verdict.lesion) {
+    add(LesionTexts::along_sight(), measures->along_sight);
+    add(LesionTexts::shortest(), measures->shortest);
+    add(LesionTexts::from_place(), measures->from_place);
+  }
+  if (verdict.reach > 0.0) add(LesionTexts::expected(), verdict.expected);
+  if (verdict.support > 0.0) add(LesionTexts::support(), verdict.support);
+  if (verdict.unseen >= 1.0) rows.emplace_back(LesionTexts::unseen(), LesionTexts::seconds(verdict.unseen));
+  return rows;
+}
+
+Label lesion_at(const OverlayFrame& overlay, const Camera& camera, const Eigen::Vector2d& pixel) {
+  constexpr double kSmallest = 12.0;  // pixels: what a hand hits
+  Label best = 0;
+  double nearest = 1.0;
+  for (const LesionVerdict& verdict : overlay.lesions) {
+    if (std::max(verdict.level, overlay.level()) == Level::withdrawn || verdict.centre.z() <= 0.0) continue;
+    const bool is_region = std::max(verdict.level, overlay.level()) == Level::degraded;
+    const double size = verdict.radius + (is_region ? verdict.reach : 0.0);
+    const double radius = std::max(kSmallest, size * camera.matrix(0, 0) / verdict.centre.z());
+    const double distance = (camera.project(verdict.centre) - pixel).norm() / radius;
+    if (distance >= nearest) continue;
+    nearest = distance;
+    best = verdict.lesion;
+  }
+  return best;
+}
+
+}  // namespace glisson::ui
