@@ -32,6 +32,7 @@ class LesionJudgeTest : public QObject {
   void PointsFarFromABentOrganSayLittle();
   void WhatIsUnseenIsKnownLessAndLess();
   void NearPointsMakeItKnownAgain();
+  void WhatWasOutOfSightAtFirstIsNotCountedTwice();
   void TheWholeIsNeverBetterThanItsLesions();
   void ARefusedStartIsNeverValid();
   void OneFrameChangesNothing();
@@ -194,7 +195,8 @@ void LesionJudgeTest::NearPointsMakeItKnownAgain() {
   LesionJudge judge(model_, registration, options);
   const Points& nodes = registration.nodes_in_camera;
   LesionVerdict verdict;
-  int k = 0;
+  judge.judge(frame(nodes, 0), points_at(nodes, 1e-3));
+  int k = 1;
   for (; k < 300; ++k) verdict = judge.judge(frame(nodes, k), points_at(nodes, 50e-3))[0];
   QVERIFY(verdict.level == Level::degraded);
   for (; k < 303; ++k) verdict = judge.judge(frame(nodes, k), points_at(nodes, 1e-3))[0];
@@ -203,6 +205,17 @@ void LesionJudgeTest::NearPointsMakeItKnownAgain() {
   // No point at all: what was near stays what it was, and its time runs.
   for (; k < 333; ++k) verdict = judge.judge(frame(nodes, k), {})[0];
   QVERIFY(std::abs(verdict.unseen - 1.0) < 0.05);
+}
+
+void LesionJudgeTest::WhatWasOutOfSightAtFirstIsNotCountedTwice() {
+  const Registration registration = start(round_spread(9e-3));
+  LesionJudge judge(model_, registration);
+  const Points& nodes = registration.nodes_in_camera;
+  LesionVerdict verdict;
+  for (int k = 0; k < 300; ++k) verdict = judge.judge(frame(nodes, k), points_at(nodes, 50e-3))[0];
+  QVERIFY(verdict.level == Level::valid);
+  QCOMPARE(verdict.unseen, 0.0);
+  QVERIFY(std::abs(verdict.reach - 9e-3) < 1e-6);
 }
 
 void LesionJudgeTest::TheWholeIsNeverBetterThanItsLesions() {

@@ -16,6 +16,8 @@ namespace {
 
 /// Points that tell how near what is tracked is: one alone may be a wrong one.
 constexpr Eigen::Index kNearest = 5;
+/// Support that may go without the lesion being unseen.
+constexpr double kLost = 0.1;
 
 /// Places of the lesion's own surface, or of its tetrahedra's nodes; CT frame.
 Points places_of(const PatientModel& model, Label lesion) {
@@ -69,6 +71,7 @@ struct LesionJudge::Impl {
     Alarm wide{2, 3}, useless{2, 3};
     double near_at = 0.0;  ///< seconds of the video
     double support = 0.0;  ///< of the last frame that had points
+    double far_at_start = 0.0;
   };
 
   Impl(const PatientModel& model, const Registration& registration, const LesionOptions& given)
@@ -136,14 +139,16 @@ struct LesionJudge::Impl {
   LesionVerdict judge(Lesion& lesion, const Eigen::Vector3d& centre, const OverlayFrame& overlay,
                       const Points& tracked, const RigidMotion& motion, double changed) {
     // While nothing is tracked, the last support is what it was: the time says that it is not fresh.
-    if (tracked.rows() > 0 || !begun) lesion.support = distance_to(tracked, centre);
+    if (tracked.rows() > 0) lesion.support = distance_to(tracked, centre);
     const double ratio = lesion.support / options.reach, far = 1.0 - std::exp(-ratio * ratio);
-    if (!begun || (tracked.rows() > 0 && far <= 0.5)) lesion.near_at = overlay.seconds;
+    if (!begun) lesion.far_at_start = far;
+    const double lost = std::max(0.0, far - lesion.far_at_start);
+    if (!begun || (tracked.rows() > 0 && lost <= kLost)) lesion.near_at = overlay.seconds;
     const double unseen = std::max(0.0, overlay.seconds - lesion.near_at);
     const Eigen::Matrix3d at_start = motion.rotation * lesion.covariance * motion.rotation.transpose();
     const double by_shape = far * changed * changed;
     const double free = options.unknown_forces * options.unknown_forces;
-    const double by_time = far * free * (1.0 - std::exp(-unseen / options.settle));
+    const double by_time = lost * free * (1.0 - std::exp(-unseen / options.settle));
     const Eigen::Matrix3d now = at_start + Eigen::Matrix3d::Identity() * (by_shape + by_time) / 3.0;
     if (lesion.known) {
       lesion.wide.push(reach_of(now) / options.margin, 1.0, options.relief);
@@ -183,7 +188,7 @@ std::vector<LesionVerdict> LesionJudge::judge(const OverlayFrame& overlay, const
   for (std::size_t i = 0; i < impl_->lesions.size(); ++i)
     verdicts.push_back(impl_->judge(impl_->lesions[i], centres.row(static_cast<Eigen::Index>(i)).transpose(),
                                     overlay, tracked, motion, changed));
-  impl_->begun = true;
+  impl_->begun = impl_->begun || tracked.rows() > 0;
   return verdicts;
 }
 

@@ -26,9 +26,10 @@ struct LesionOptions {
 
 /// Judges each lesion of a model that is followed, from the registration's error S at it, the distance d of
 /// the tracked points, and the time t since any were near:
-///     S_now = R S R^T + (D^2 + F^2 (1 - exp(-t / settle))) (1 - exp(-d^2 / reach^2)) I / 3,
+///     S_now = R S R^T + (D^2 w(d) + F^2 (1 - exp(-t / settle)) max(0, w(d) - w(d at first))) I / 3,
+///     w(d) = 1 - exp(-d^2 / reach^2),
 /// R the organ's turn since the registration, D the rms of what it has moved besides as a body, F
-/// `unknown_forces`. Not thread-safe.
+/// `unknown_forces`: those of what was out of sight at first are in S already. Not thread-safe.
 class LesionJudge {
  public:
   /// @throws InputError options out of range. @pre one node of the registration a node of the model.
@@ -39,7 +40,7 @@ class LesionJudge {
 
   /// Frames in their order. @param tracked places of the organ that were seen in this frame, camera frame.
   /// @return one verdict a lesion of the model, by label.
-  std::vector<LesionVerdict> judge(const OverlayFrame& overlay, const Points& tracked);
+  std::vector<LesionVerdict> judge(const OverlayFrame& overlay, const PointsIn<CameraFrame>& tracked);
   /// Of the registered frame itself, which is not followed.
   std::vector<LesionVerdict> at_start(Validity validity) const;
 
