@@ -1909,10 +1909,6 @@
         <translation>Die Simulation war beim letzten Schritt noch nicht in Ruhe.</translation>
     </message>
     <message>
-        <source>%1 was not found at its seeds.</source>
-        <translation>%1 wurde an den Saatpunkten nicht gefunden.</translation>
-    </message>
-    <message>
         <source>Less than a fifth of the organ&apos;s surface was seen: far from it vessels and tumours may be centimetres off.</source>
         <translation>Weniger als ein Fünftel der Organoberfläche wurde gesehen: Weit davon entfernt können Gefäße und Tumoren um Zentimeter falsch liegen.</translation>
     </message>
@@ -2171,6 +2167,10 @@
     <message>
         <source>The organ would be bent %1 times as much as operations and tools explain (limit %2).</source>
         <translation>Das Organ wäre %1-mal so stark verformt, wie Operationen und Werkzeuge erklären (Grenze %2).</translation>
+    </message>
+    <message>
+        <source>%1 was not found: nothing at its seeds differs from the liver. Drag across it in a slice to tell its diameter, or paint it.</source>
+        <translation>%1 wurde nicht gefunden: An ihren Saatpunkten unterscheidet sich nichts von der Leber. Ziehen Sie in einer Schicht quer darüber, um den Durchmesser anzugeben, oder malen Sie sie.</translation>
     </message>
 </context>
 <context>
@@ -5585,10 +5585,6 @@
         <translation>Nicht Leber</translation>
     </message>
     <message>
-        <source>Choose a structure, then click it in a slice. Esc ends placing.</source>
-        <translation>Struktur wählen, dann in einer Schicht anklicken. Esc beendet das Setzen.</translation>
-    </message>
-    <message>
         <source>Delete</source>
         <translation>Löschen</translation>
     </message>
@@ -5679,6 +5675,14 @@
     <message>
         <source>Place a seed in the liver inside the box.</source>
         <translation>Setzen Sie einen Saatpunkt in der Leber innerhalb des Kastens.</translation>
+    </message>
+    <message>
+        <source>Choose a structure, then click it in a slice; across a lesion you can also drag, to tell its diameter. Esc ends placing.</source>
+        <translation>Wählen Sie eine Struktur und klicken Sie sie in einer Schicht an; quer über eine Läsion können Sie auch ziehen, um ihren Durchmesser anzugeben. Esc beendet das Setzen.</translation>
+    </message>
+    <message>
+        <source>⌀ %1 mm</source>
+        <translation>⌀ %1 mm</translation>
     </message>
 </context>
 <context>

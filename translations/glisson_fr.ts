@@ -1909,10 +1909,6 @@
         <translation>La simulation n&apos;était pas au repos à son dernier pas.</translation>
     </message>
     <message>
-        <source>%1 was not found at its seeds.</source>
-        <translation>%1 n&apos;a pas été trouvée à ses germes.</translation>
-    </message>
-    <message>
         <source>Less than a fifth of the organ&apos;s surface was seen: far from it vessels and tumours may be centimetres off.</source>
         <translation>Moins d&apos;un cinquième de la surface de l&apos;organe a été vu&#xa0;: loin de là, vaisseaux et tumeurs peuvent être décalés de plusieurs centimètres.</translation>
     </message>
@@ -2171,6 +2167,10 @@
     <message>
         <source>The organ would be bent %1 times as much as operations and tools explain (limit %2).</source>
         <translation>L&apos;organe serait déformé %1 fois plus que les opérations et les instruments ne l&apos;expliquent (limite : %2).</translation>
+    </message>
+    <message>
+        <source>%1 was not found: nothing at its seeds differs from the liver. Drag across it in a slice to tell its diameter, or paint it.</source>
+        <translation>%1 n’a pas été trouvée : rien à ses graines ne diffère du foie. Faites glisser à travers elle dans une coupe pour indiquer son diamètre, ou peignez-la.</translation>
     </message>
 </context>
 <context>
@@ -5585,10 +5585,6 @@
         <translation>Pas le foie</translation>
     </message>
     <message>
-        <source>Choose a structure, then click it in a slice. Esc ends placing.</source>
-        <translation>Choisissez une structure, puis cliquez-la dans une coupe. Échap termine.</translation>
-    </message>
-    <message>
         <source>Delete</source>
         <translation>Effacer</translation>
     </message>
@@ -5679,6 +5675,14 @@
     <message>
         <source>Place a seed in the liver inside the box.</source>
         <translation>Placez un germe dans le foie, dans la boîte.</translation>
+    </message>
+    <message>
+        <source>Choose a structure, then click it in a slice; across a lesion you can also drag, to tell its diameter. Esc ends placing.</source>
+        <translation>Choisissez une structure, puis cliquez-la dans une coupe ; à travers une lésion, vous pouvez aussi faire glisser pour indiquer son diamètre. Échap termine.</translation>
+    </message>
+    <message>
+        <source>⌀ %1 mm</source>
+        <translation>⌀ %1 mm</translation>
     </message>
 </context>
 <context>

@@ -106,7 +106,7 @@ void RegionCutTest::ABiteOfATumourIsFilledAndAnOrganThatLeansIsNot() {
   const Field ct = bitten();
   const Mask found = where(ct, 90.0F, 130.0F), nothing = ct.empty_mask();
   const Mask whole =
-      with_enclosed(ct, found, found, nothing, nothing, {{{20, 20, 20}}, {}}, RunContext()).value();
+      with_enclosed(ct, found, found, nothing, nothing, nothing, {{{20, 20, 20}}, {}}, RunContext()).value();
   QCOMPARE(int(whole.voxels[ct.offset(22, 35, 22)]), 1);
   QCOMPARE(int(whole.voxels[ct.offset(22, 41, 22)]), 1);
   QCOMPARE(int(whole.voxels[ct.offset(50, 20, 22)]), 0);
@@ -119,9 +119,9 @@ void RegionCutTest::ANotLiverClickKeepsTheTumourOut() {
   for (int k = 20; k < 25; ++k)
     for (int j = 33; j < 38; ++j)
       for (int i = 20; i < 25; ++i) barred.voxels[ct.offset(i, j, k)] = 1;
-  const Mask whole =
-      with_enclosed(ct, found, found, barred, ct.empty_mask(), {{{20, 20, 20}}, {{22, 35, 22}}}, RunContext())
-          .value();
+  const Mask whole = with_enclosed(ct, found, found, barred, ct.empty_mask(), ct.empty_mask(),
+                                   {{{20, 20, 20}}, {{22, 35, 22}}}, RunContext())
+                         .value();
   QCOMPARE(int(whole.voxels[ct.offset(22, 35, 22)]), 0);
 }
 
@@ -131,7 +131,7 @@ void RegionCutTest::CancelledWorkGivesNothing() {
   const RunContext context({}, cancel, 1);
   const Field ct = bitten();
   const Mask found = where(ct, 90.0F, 130.0F), nothing = ct.empty_mask();
-  QVERIFY(!with_enclosed(ct, found, found, nothing, nothing, {{{20, 20, 20}}, {}}, context));
+  QVERIFY(!with_enclosed(ct, found, found, nothing, nothing, nothing, {{{20, 20, 20}}, {}}, context));
 }
 
 QTEST_APPLESS_MAIN(RegionCutTest)

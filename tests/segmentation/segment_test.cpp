@@ -348,6 +348,7 @@ void SegmentTest::SeedsComeBackFromTheirFile() {
   seeds.background = test::points_at(p.image, {{134, 62, 60}});
   seeds.lesions.emplace_back();  // a lesion of this number was painted, not clicked
   seeds.lesions.push_back(test::points_at(p.image, {{1, 2, 3}, {4, 5, 6}}));
+  seeds.lesion_diameters_mm = {0.0, 0.0, 24.5};
   write_seeds(folder.path() / "seeds.json", seeds);
   const Seeds back = read_seeds(folder.path() / "seeds.json");
   QVERIFY((back.liver - seeds.liver).cwiseAbs().maxCoeff() < 1e-12);
@@ -355,6 +356,7 @@ void SegmentTest::SeedsComeBackFromTheirFile() {
   QCOMPARE(back.lesions.size(), std::size_t(3));
   QCOMPARE(back.lesions[1].rows(), Eigen::Index(0));
   QVERIFY((back.lesions[2] - seeds.lesions[2]).cwiseAbs().maxCoeff() < 1e-12);
+  QCOMPARE(back.lesion_diameters_mm, seeds.lesion_diameters_mm);
   QCOMPARE(back.vena_cava.rows(), Eigen::Index(0));
   QVERIFY(read_file(folder.path() / "seeds.json").find("-28") !=
           std::string::npos);  // millimetres, not metres
@@ -363,6 +365,13 @@ void SegmentTest::SeedsComeBackFromTheirFile() {
 void SegmentTest::BadSeedFilesAreRefused_data() {
   QTest::addColumn<QByteArray>("text");
   QTest::newRow("not JSON") << QByteArray("{");
+  QTest::newRow("diameters are no list") << QByteArray(R"({"lesion_diameters_mm": 12})");
+  QTest::newRow("diameter in words") << QByteArray(
+      R"({"lesions": [[[1, 2, 3]]], "lesion_diameters_mm": ["12"]})");
+  QTest::newRow("diameter of no lesion")
+      << QByteArray(R"({"lesions": [[[1, 2, 3]]], "lesion_diameters_mm": [0, 12]})");
+  QTest::newRow("diameter of a house")
+      << QByteArray(R"({"lesions": [[[1, 2, 3]]], "lesion_diameters_mm": [9000]})");
   QTest::newRow("a list") << QByteArray("[]");
   QTest::newRow("no list") << QByteArray(R"({"liver": 3})");
   QTest::newRow("two numbers") << QByteArray(R"({"liver": [[1, 2]]})");

@@ -32,6 +32,7 @@ class SegmentationPanelTest : public QObject, private SegmentationWindow {
   void HiddenLabelLeavesTheViews();
   void LabelThatToolsWorkOnHasItsRow();
   void PaintedLesionIsNotTheOneThatIsClickedNext();
+  void ADragAcrossALesionTellsItsDiameter();
   void KeysChooseToolsAndEscLetsGo();
   void BoxDrawnInSlicesIsWhereGrowthWorks();
   void BoxIsMovedByItsEdgesTypedAndCleared();
@@ -136,6 +137,38 @@ void SegmentationPanelTest::PaintedLesionIsNotTheOneThatIsClickedNext() {
   QVERIFY(settle());
   QVERIFY(seeds()->lesions.empty());
   QVERIFY(find<QPushButton>("seed_lesion_2")->isVisible());
+}
+
+void SegmentationPanelTest::ADragAcrossALesionTellsItsDiameter() {
+  open_ct();
+  press("mode_seeds");
+  press("seed_lesion_1");
+  const auto seeds = [&] { return window_->engine().state()[part::seeds]; };
+  drag(slice(Plane::axial), {{0.022, 0, 0}, {0.03, 0, 0}, {0.038, 0, 0}});
+  QVERIFY(settle());
+  QCOMPARE(seeds()->lesions.size(), std::size_t{1});
+  QVERIFY((seeds()->lesions[0].row(0).transpose() - Eigen::Vector3d(0.03, 0, 0)).norm() < 1e-3);
+  QVERIFY(std::abs(seeds()->lesion_diameter_mm(0) - 16.0) < 1.0);
+  QVERIFY(find<QListWidget>("seed_list")->item(0)->text().contains("16 mm"));
+  QCOMPARE(shared().line(), nullptr);
+  // A click says only where.
+  press("seed_lesion_2");
+  QTest::mouseClick(&slice(Plane::axial), Qt::LeftButton, {},
+                    slice(Plane::axial).widget_point(Point<CtFrame>(-0.03, 0.01, 0)).toPoint());
+  QVERIFY(settle());
+  QCOMPARE(seeds()->lesions.size(), std::size_t{2});
+  QCOMPARE(seeds()->lesion_diameter_mm(1), 0.0);
+  // A drag that is dropped places nothing; a lesion without a seed has no diameter.
+  const QPoint from = slice(Plane::axial).widget_point(Point<CtFrame>(0.02, 0, 0)).toPoint();
+  QTest::mousePress(&slice(Plane::axial), Qt::LeftButton, {}, from);
+  QTest::keyClick(window_.get(), Qt::Key_Escape);
+  QTest::mouseRelease(&slice(Plane::axial), Qt::LeftButton, {}, from + QPoint(40, 0));
+  QVERIFY(settle());
+  QCOMPARE(seeds()->lesions[1].rows(), Eigen::Index{1});
+  find<QListWidget>("seed_list")->setCurrentRow(0);
+  press("delete_seeds");
+  QVERIFY(settle());
+  QCOMPARE(seeds()->lesion_diameter_mm(0), 0.0);
 }
 
 void SegmentationPanelTest::KeysChooseToolsAndEscLetsGo() {

@@ -40,7 +40,11 @@ void TextsTest::StructuresInNotesHaveTheirNames() {
   // An error's sentence within a note stays as it is.
   QVERIFY(ui::note_text("case.points_lost a/points.json: report: is missing. Try 0.50.")
               .endsWith(QStringLiteral("(a/points.json: report: is missing. Try 0.50.)")));
-  QCOMPARE(ui::note_text("lesion_2.not_found"), QStringLiteral("Lesion 2 was not found at its seeds."));
+  QCOMPARE(
+      ui::note_text("lesion_2.not_found"),
+      QStringLiteral(
+          "Lesion 2 was not found: nothing at its seeds differs from the liver. Drag across it in a slice "
+          "to tell its diameter, or paint it."));
   QVERIFY(ui::note_text("lesion.dropped lesion_3 mm3 12.5").startsWith(QStringLiteral("Lesion 3")));
   QVERIFY(ui::note_text("lesion.dropped lesion_3 mm3 12.5").contains(QStringLiteral("12.5 mm")));
 }

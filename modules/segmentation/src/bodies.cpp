@@ -6,6 +6,7 @@
 
 #include "enclosed.h"
 #include "glisson/core/error.h"
+#include "lesions.h"
 #include "level_set.h"
 #include "organs.h"
 #include "painting.h"
@@ -18,17 +19,13 @@ constexpr double kParting = 1.5;       // mm: voxels on which organs are parted
 constexpr double kLiverReach = 250.0;  // mm: no liver is wider, and a click may lie at its end
 constexpr double kDiffusion = 15.0;    // HU: noise is below, edges are above
 constexpr int kDiffusionSteps = 10;
-constexpr double kFineBlur = 0.8;     // mm: fine voxels carry more noise than the diffusion tells from edges
-constexpr double kHeld = 4.0;         // mm around a click that are its side's whatever the CT shows
+constexpr double kFineBlur = 0.8;  // mm: fine voxels carry more noise than the diffusion tells from edges
+constexpr double kLesionVoxel = 1.5, kLesionRim = 4.0;  // mm
+constexpr double kBite = 50.0;  // mm: a tumour at the rim that the liver's contour leaves out is smaller
+constexpr double kHeld = 4.0;   // mm around a click that are its side's whatever the CT shows
 constexpr double kMostVoxels = 50e6;  // of the fine contour: about 3 GB
 /// HU, from a very fatty liver to far above any enhancement: outside it the clicks, or the units, are wrong.
 constexpr double kLeastLiver = -10.0, kMostLiver = 250.0;
-
-Mask negative_of(const Field& phi) {
-  Mask mask = phi.empty_mask();
-  for (std::size_t i = 0; i < mask.voxels.size(); ++i) mask.voxels[i] = phi.values[i] < 0.0F ? 1 : 0;
-  return mask;
-}
 
 /// The mask's boundary where the contour's sign differs from it; elsewhere the contour's own.
 void correct(Field& phi, const Mask& mask) {
@@ -118,6 +115,77 @@ void hold_clicks(const VolumeGrid& image, const Seeds& seeds, Field& phi) {
   hold(outside, inside, 1.0F);
 }
 
+/// The surroundings of a lesion's clicks. @param hull the liver, its bites closed; null: no liver yet.
+LesionScene lesion_scene(const Image& image, const Points& clicks, double diameter_mm, const Bodies& bodies,
+                         const Mask* hull) {
+  VoxelBox box{image.grid.size, Eigen::Vector3i::Zero()};
+  const Eigen::Vector3d reach =
+      (lesion_reach_mm(diameter_mm) + kLesionRim) * image.grid.spacing_mm.cwiseInverse();
+  for (Eigen::Index n = 0; n < clicks.rows(); ++n) {
+    const Eigen::Vector3d at =
+        image.grid.index_of(Point<CtFrame>(Eigen::Vector3d(clicks.row(n).transpose())));
+    box.low = box.low.cwiseMin((at - reach).array().floor().matrix().cast<int>());
+    box.high = box.high.cwiseMax((at + reach).array().ceil().matrix().cast<int>());
+  }
+  box.low = box.low.cwiseMax(0);
+  box.high = box.high.cwiseMin(image.grid.size);
+  LesionScene scene;
+  scene.raw = resampled(image, box, kLesionVoxel);
+  scene.ct = scene.raw;
+  diffuse(scene.ct, kDiffusion, kDiffusionSteps);
+  scene.liver = bodies.parenchyma;
+  const auto here = [&](const Mask& mask) {
+    return transferred(signed_distance(mask, bodies.grid), scene.ct);
+  };
+  Mask barred = bodies.cava;
+  unite(barred, bodies.gallbladder);
+  scene.barred = here(barred);
+  if (hull == nullptr) return scene;
+  scene.organ = transferred(bodies.liver_phi, scene.ct);
+  scene.bites = here(*hull);
+  return scene;
+}
+
+/// The liver with its bites closed.
+Mask hull_of(const Mask& liver) {
+  const VoxelBox box = bounding_box(liver.size, liver.spacing_mm, liver.voxels, 2.0);
+  Mask hull = liver;
+  paste(closed(crop(liver.size, liver.spacing_mm, liver.voxels, box), kBite), box, liver.size, hull.voxels);
+  return hull;
+}
+
+/// Calls grow(scene, click) for each click of a list. @return their union; no values: nothing was found.
+template <class Grow>
+Field united(const Image& image, const Points& clicks, double diameter_mm, const Bodies& bodies,
+             const Mask* hull, const Grow& grow) {
+  Field all;
+  if (clicks.rows() == 0) return all;
+  const LesionScene scene = lesion_scene(image, clicks, diameter_mm, bodies, hull);
+  for (const Eigen::Vector3i& place : voxels_of(image.grid, scene.ct, clicks)) {
+    const Field one = grow(scene, LesionClick{place, diameter_mm});
+    if (all.values.empty()) all = one;
+    for (std::size_t i = 0; i < one.values.size(); ++i)
+      all.values[i] = std::min(all.values[i], one.values[i]);
+  }
+  return all;
+}
+
+/// Lesions before the liver is known. False: cancelled.
+bool guess_lesions(const Image& image, const Seeds& seeds, const Bodies& bodies, const Field& ct,
+                   const RunContext& context, Mask& sure, Mask& likely) {
+  for (std::size_t n = 0; n < seeds.lesions.size(); ++n) {
+    if (context.cancelled()) return false;
+    united(image, seeds.lesions[n], seeds.lesion_diameter_mm(n), bodies, nullptr,
+           [&](const LesionScene& scene, const LesionClick& click) {
+             LesionGuess guess = guess_lesion(scene, click);
+             if (!guess.sure.values.empty()) unite(sure, covered(guess.sure, ct));
+             if (!guess.likely.values.empty()) unite(likely, covered(guess.likely, ct));
+             return std::move(guess.sure);
+           });
+  }
+  return true;
+}
+
 /// The surroundings of the clicks inside, out to farther than a liver reaches.
 Cancellable<PartingView> parting_view(const Image& image, const Seeds& seeds, const RunContext& context) {
   VoxelBox box{image.grid.size, Eigen::Vector3i::Zero()};
@@ -166,6 +234,23 @@ Cancellable<bool> refine(const Image& image, const LiverSeeds& clicks, double sp
   if (!phi) return std::nullopt;
   bodies.liver_phi = std::move(*phi);
   correct(bodies.liver_phi, holes_filled(largest_component(negative_of(bodies.liver_phi))));
+  return true;
+}
+
+/// The lesions in the liver that was found, or kept. False: cancelled.
+bool add_lesions(const Image& image, const Seeds& seeds, Bodies& bodies, const RunContext& context) {
+  const Mask hull = hull_of(bodies.liver);
+  for (std::size_t n = 0; n < seeds.lesions.size(); ++n) {
+    if (context.cancelled()) return false;
+    GrownLesion lesion;
+    lesion.phi = united(image, seeds.lesions[n], seeds.lesion_diameter_mm(n), bodies, &hull,
+                        [&](const LesionScene& scene, const LesionClick& click) {
+                          GrownLesion one = grow_lesion(scene, click);
+                          lesion.bright = lesion.bright || one.bright;
+                          return std::move(one.phi);
+                        });
+    bodies.lesions.push_back(std::move(lesion));
+  }
   return true;
 }
 
@@ -235,12 +320,12 @@ Cancellable<Bodies> find_bodies(const Image& image, const Seeds& seeds, double s
   bodies.gallbladder = anew.gallbladder ? grow_body(ct, places(seeds.gallbladder), bodies.parenchyma)
                                         : known([](Label label) { return label == structure::kGallbladder; });
   Mask tumours = known([&](Label label) { return is_lesion(label) && !is_anew(anew, seeds, label); });
-  if (anew.lesions)
-    for (const Points& lesion : seeds.lesions) {
-      bodies.lesions.push_back(grow_body(ct, places(lesion), bodies.parenchyma));
-      unite(tumours, bodies.lesions.back());
-    }
-  if (!anew.liver) return bodies;
+  if (!anew.liver) {
+    if (anew.lesions && !add_lesions(image, seeds, bodies, context)) return std::nullopt;
+    return bodies;
+  }
+  Mask likely = ct.empty_mask();
+  if (anew.lesions && !guess_lesions(image, seeds, bodies, ct, context, tumours, likely)) return std::nullopt;
 
   const bool fine = spacing_mm < kCoarse;
   Mask barred = bodies.cava;
@@ -251,7 +336,7 @@ Cancellable<Bodies> find_bodies(const Image& image, const Seeds& seeds, double s
   if (!contour) return std::nullopt;
   bodies.parenchyma = contour->parenchyma;
   const auto whole = with_enclosed(ct, negative_of(contour->phi), contour->like, contour->closed_ground,
-                                   tumours, clicks, context.part(fine ? 0.4 : 0.7, fine ? 0.4 : 0.7));
+                                   tumours, likely, clicks, context.part(fine ? 0.4 : 0.7, fine ? 0.4 : 0.7));
   if (!whole) return std::nullopt;
   auto settled = settle_liver(ct, *whole, *contour, clicks, tumours,
                               context.part(fine ? 0.4 : 0.7, fine ? 0.5 : 1.0), show);
@@ -262,6 +347,8 @@ Cancellable<Bodies> find_bodies(const Image& image, const Seeds& seeds, double s
       !refine(image, clicks, spacing_mm, tumours, bodies, context.part(0.5, 1.0), show))
     return std::nullopt;
   if (bodies.liver.count() > 0) hold_clicks(image.grid, seeds, bodies.liver_phi);
+  if (bodies.liver.count() > 0 && anew.lesions && !add_lesions(image, seeds, bodies, context))
+    return std::nullopt;
   return bodies;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "glisson/segmentation/segment.h"
+#include "lesions.h"
 #include "liver.h"
 
 namespace glisson::segmentation {
@@ -21,7 +22,8 @@ struct Bodies {
   Tissue parenchyma;
   Field grid;  ///< of the masks, without values
   Mask liver, cava, gallbladder;
-  std::vector<Mask> lesions;  ///< found anew, one for each list of seeds; empty where the list is
+  std::vector<GrownLesion> lesions;  ///< found anew, one for each list of seeds; without values where the
+                                     ///< list is empty or nothing was found
 };
 
 /// @param anew what is found; the rest is taken from `kept`, which may be null when all is found.

@@ -16,13 +16,14 @@ constexpr float kFound = 0.1F, kUnlike = -0.01F, kUnlikeFluid = -0.1F;
 }  // namespace
 
 Cancellable<Mask> with_enclosed(const Field& ct, const Mask& found, const Mask& like, const Mask& barred,
-                                const Mask& included, const LiverSeeds& seeds, const RunContext& context) {
+                                const Mask& included, const Mask& likely, const LiverSeeds& seeds,
+                                const RunContext& context) {
   Mask open = closed(found, kHollow);
   if (context.cancelled()) return std::nullopt;
   const Mask deep = eroded(found, kDeep);
   std::vector<float> reward(open.voxels.size(), 0.0F);
   for (std::size_t i = 0; i < reward.size(); ++i) {
-    if (found.voxels[i] != 0)
+    if (found.voxels[i] != 0 || likely.voxels[i] != 0)
       reward[i] = kFound;
     else if (like.voxels[i] == 0)
       reward[i] = ct.values[i] < kFluid ? kUnlikeFluid : kUnlike;

@@ -25,6 +25,12 @@ Mask mask_of(const Field& grid, const Inside& inside) {
 
 }  // namespace
 
+Mask negative_of(const Field& phi) {
+  Mask mask = phi.empty_mask();
+  for (std::size_t i = 0; i < mask.voxels.size(); ++i) mask.voxels[i] = phi.values[i] < 0.0F ? 1 : 0;
+  return mask;
+}
+
 Field smooth_boundary(const Mask& mask, const Field& grid) {
   Field phi = signed_distance(mask, grid);
   smooth(phi, 0.5 * grid.spacing_mm.minCoeff());
@@ -47,6 +53,13 @@ Mask transferred(const Field& phi, const Field& to) {
   return mask_of(to, [&](const Eigen::Vector3d& index) {
     const Eigen::Vector3i v = phi.voxel_of(index).cwiseMax(0).cwiseMin(phi.size - Eigen::Vector3i::Ones());
     return phi.values[phi.offset(v)] < 0.0F;
+  });
+}
+
+Mask covered(const Field& phi, const Field& to) {
+  return mask_of(to, [&](const Eigen::Vector3d& index) {
+    const Eigen::Vector3i v = phi.voxel_of(index);
+    return phi.contains(v) && phi.values[phi.offset(v)] < 0.0F;
   });
 }
 

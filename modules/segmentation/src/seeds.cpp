@@ -36,7 +36,39 @@ nlohmann::json list_of(const Points& points) {
   return list;
 }
 
+constexpr const char* kDiameters = "lesion_diameters_mm";
+
+std::string diameter_field(std::size_t lesion) {
+  std::string field = kDiameters;
+  field += ' ';
+  return field += std::to_string(lesion + 1);
+}
+
+std::vector<double> diameters_from(const std::string& file, const nlohmann::json& list) {
+  const char* remedy = "Write one number for each lesion, in mm; 0 where it is not known";
+  if (!list.is_array()) throw InputError(file, kDiameters, "is not a list of numbers", remedy);
+  std::vector<double> diameters;
+  for (const nlohmann::json& one : list) {
+    if (!one.is_number()) throw InputError(file, diameter_field(diameters.size()), "is not a number", remedy);
+    diameters.push_back(one);
+  }
+  return diameters;
+}
+
 }  // namespace
+
+void check_diameters(const std::string& file, const Seeds& seeds) {
+  for (std::size_t n = 0; n < seeds.lesion_diameters_mm.size(); ++n) {
+    const double mm = seeds.lesion_diameters_mm[n];
+    if (mm == 0.0) continue;
+    const std::string field = diameter_field(n);
+    if (!(mm >= Seeds::kLeastDiameter && mm <= Seeds::kMostDiameter))
+      throw InputError(file, field, "is no lesion's", "Write 3 to 250 mm, or 0 where it is not known");
+    if (n >= seeds.lesions.size() || seeds.lesions[n].rows() == 0)
+      throw InputError(file, field, "belongs to a lesion without a point",
+                       "Write the point of this lesion, too, or 0");
+  }
+}
 
 Seeds read_seeds(const std::filesystem::path& path) {
   const nlohmann::json document = read_json(path);
@@ -57,6 +89,8 @@ Seeds read_seeds(const std::filesystem::path& path) {
       seeds.gallbladder = points_from(file, key, value);
     else if (key == "background")
       seeds.background = points_from(file, key, value);
+    else if (key == kDiameters)
+      seeds.lesion_diameters_mm = diameters_from(file, value);
     else if (key == "lesions") {
       if (!value.is_array()) throw InputError(file, key, "is not a list of lesions", kRemedy);
       for (std::size_t n = 0; n < value.size(); ++n)
@@ -64,9 +98,11 @@ Seeds read_seeds(const std::filesystem::path& path) {
     } else {
       throw InputError(
           file, key, "is no structure that seeds are read for",
-          "Use liver, portal_vein, hepatic_veins, vena_cava, gallbladder, lesions or background");
+          "Use liver, portal_vein, hepatic_veins, vena_cava, gallbladder, lesions, lesion_diameters_mm or "
+          "background");
     }
   }
+  check_diameters(file, seeds);
   return seeds;
 }
 
@@ -79,6 +115,7 @@ void write_seeds(const std::filesystem::path& path, const Seeds& seeds) {
                              {"background", list_of(seeds.background)},
                              {"lesions", nlohmann::json::array()}};
   for (const Points& lesion : seeds.lesions) document["lesions"].push_back(list_of(lesion));
+  if (!seeds.lesion_diameters_mm.empty()) document[kDiameters] = seeds.lesion_diameters_mm;
   write_json(path, document);
 }
 

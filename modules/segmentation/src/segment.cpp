@@ -40,6 +40,7 @@ void check_input(const Image& image, const Seeds& seeds) {
   check_points(image, seeds.gallbladder, "gallbladder");
   check_points(image, seeds.background, "background");
   for (const Points& lesion : seeds.lesions) check_points(image, lesion, "lesions");
+  check_diameters("seeds", seeds);
   if (seeds.lesions.size() > structure::kLastLesion - structure::kFirstLesion + 1U)
     throw InputError("seeds", "lesions", "are more than there are labels for", "Click the largest ones");
 }
@@ -113,10 +114,12 @@ Seeds part_of(const Seeds& seeds, const VolumeGrid& part, const std::optional<Ei
     }
     return Points(points(rows, Eigen::all));
   };
-  Seeds result{inside(seeds.liver),     inside(seeds.portal_vein), inside(seeds.hepatic_veins),
-               inside(seeds.vena_cava), inside(seeds.gallbladder), {},
-               inside(seeds.background)};
+  Seeds result{inside(seeds.liver),         inside(seeds.portal_vein),
+               inside(seeds.hepatic_veins), inside(seeds.vena_cava),
+               inside(seeds.gallbladder),   {},
+               inside(seeds.background),    {}};
   for (const Points& lesion : seeds.lesions) result.lesions.push_back(inside(lesion));
+  result.lesion_diameters_mm = seeds.lesion_diameters_mm;
   return result;
 }
 
@@ -210,6 +213,27 @@ Cancellable<FoundVessels> find_trees(const Image& image, const Seeds& seeds, con
   return found;
 }
 
+/// The largest first, so that a small one beside it is seen. A vessel that runs by or through one that does
+/// not enhance stays.
+void paint_lesions(const std::vector<GrownLesion>& lesions, Painting& painting) {
+  std::vector<std::pair<long, std::size_t>> order;
+  for (std::size_t n = 0; n < lesions.size(); ++n)
+    if (!lesions[n].phi.values.empty()) order.emplace_back(-negative_of(lesions[n].phi).count(), n);
+  std::sort(order.begin(), order.end());
+  const std::vector<std::uint8_t> held = painting.held;
+  std::vector<std::uint8_t> held_with_vessels = held;
+  for (std::size_t i = 0; i < held.size(); ++i)
+    if (painting.labels[i] == structure::kPortalVein || painting.labels[i] == structure::kHepaticVeins)
+      held_with_vessels[i] = 1;
+  for (const auto& [size, n] : order) {
+    const Field& phi = lesions[n].phi;
+    painting.held = lesions[n].bright ? held : held_with_vessels;
+    painting.paint(phi, image_box(painting.grid, phi, negative_of(phi), 4.0),
+                   static_cast<Label>(structure::kFirstLesion + n));
+  }
+  painting.held = held;
+}
+
 /// What is painted later covers what was painted before.
 void paint_all(const Bodies& bodies, const FoundVessels& vessels, const Structures& anew,
                Painting& painting) {
@@ -229,8 +253,7 @@ void paint_all(const Bodies& bodies, const FoundVessels& vessels, const Structur
     painting.paint(signed_distance(vessels.trees.portal, vessels.grid), vessels.box, structure::kPortalVein);
   if (anew.vena_cava) body(bodies.cava, structure::kVenaCava);
   if (anew.gallbladder) body(bodies.gallbladder, structure::kGallbladder);
-  for (std::size_t n = 0; n < bodies.lesions.size(); ++n)
-    body(bodies.lesions[n], static_cast<Label>(structure::kFirstLesion + n));
+  paint_lesions(bodies.lesions, painting);
 }
 
 double ml_of(const LabelVolume& labels, Label label) {

@@ -164,7 +164,10 @@ class Notes {
             "before regions are changed. Saved now, the case loses what is left of them. (%*)")}};
   }
   static QString lesion_not_found(const QString& lesion) {
-    return tr("%1 was not found at its seeds.").arg(lesion);
+    return tr("%1 was not found: nothing at its seeds differs from the liver. Drag across it in a slice to "
+              "tell its "
+              "diameter, or paint it.")
+        .arg(lesion);
   }
 };
 

@@ -317,6 +317,7 @@ void SliceView::begin_gesture(const QMouseEvent& event) {
     case Hand::point:
       state_.pick(p);
       break;
+    case Hand::span:
     case Hand::brush:
     case Hand::lasso:
     case Hand::box:

@@ -195,6 +195,7 @@ void EditSession::hear(const SliceGesture& gesture) {
       click(gesture);
       break;
     case Hand::crosshair:
+    case Hand::span:
     case Hand::box:  // no tool's
       break;
   }

@@ -45,8 +45,12 @@ std::vector<SeedEntry> list_seeds(const segmentation::Seeds& seeds) {
   segmentation::Seeds copy = seeds;
   for (const Label structure : kOrder) {
     if (structure == structure::kBackground)  // lesions stand before what is not liver
-      for (std::size_t i = 0; i < seeds.lesions.size(); ++i)
+      for (std::size_t i = 0; i < seeds.lesions.size(); ++i) {
+        const std::size_t first = entries.size();
         append(entries, seeds.lesions[i], static_cast<Label>(structure::kFirstLesion + i));
+        for (std::size_t n = first; n < entries.size(); ++n)
+          entries[n].diameter_mm = seeds.lesion_diameter_mm(i);
+      }
     append(entries, *points_of(copy, structure), structure);
   }
   return entries;
@@ -64,6 +68,13 @@ void add_seed(segmentation::Seeds& seeds, Label structure, const Eigen::Vector3d
   points->row(points->rows() - 1) = p_in_ct.transpose();
 }
 
+void set_diameter(segmentation::Seeds& seeds, Label lesion, double diameter_mm) {
+  require(is_lesion(lesion) && count_seeds(seeds, lesion) > 0, "a lesion whose diameter is set has a seed");
+  const auto number = static_cast<std::size_t>(lesion - structure::kFirstLesion);
+  if (seeds.lesion_diameters_mm.size() <= number) seeds.lesion_diameters_mm.resize(number + 1, 0.0);
+  seeds.lesion_diameters_mm[number] = diameter_mm;
+}
+
 void remove_seed(segmentation::Seeds& seeds, const SeedEntry& entry) {
   Points* points = points_of(seeds, entry.structure);
   require(points != nullptr && entry.row >= 0 && entry.row < points->rows(), "a seed that is removed exists");
@@ -72,6 +83,10 @@ void remove_seed(segmentation::Seeds& seeds, const SeedEntry& entry) {
   points->conservativeResize(points->rows() - 1, 3);
   points->bottomRows(after) = tail;
   while (!seeds.lesions.empty() && seeds.lesions.back().rows() == 0) seeds.lesions.pop_back();
+  if (seeds.lesion_diameters_mm.size() > seeds.lesions.size())
+    seeds.lesion_diameters_mm.resize(seeds.lesions.size());
+  for (std::size_t n = 0; n < seeds.lesion_diameters_mm.size(); ++n)
+    if (seeds.lesions[n].rows() == 0) seeds.lesion_diameters_mm[n] = 0.0;
 }
 
 int count_seeds(const segmentation::Seeds& seeds, Label structure) {

@@ -60,6 +60,21 @@ std::vector<Find> finds() {
       {SeedBox::tr("Gallbladder"), only({&Structures::gallbladder})}};
 }
 
+/// In the slice of a gesture; metres.
+std::shared_ptr<const SliceLine> circle_of(const SliceGesture& gesture, const Eigen::Vector3d& middle,
+                                           double radius, Label label) {
+  constexpr int kCorners = 48;
+  const int normal = scene::normal_axis(gesture.slice.plane);
+  const Eigen::Vector3d u = Eigen::Vector3d::Unit((normal + 1) % 3),
+                        v = Eigen::Vector3d::Unit((normal + 2) % 3);
+  SliceLine line{{gesture.slice.plane, gesture.p}, Points(kCorners, 3), label, false};
+  for (int n = 0; n < kCorners; ++n) {
+    const double angle = 2.0 * M_PI * n / kCorners;
+    line.corners.row(n) = (middle + radius * (std::cos(angle) * u + std::sin(angle) * v)).transpose();
+  }
+  return std::make_shared<const SliceLine>(std::move(line));
+}
+
 QVBoxLayout* column_of(QWidget* widget) { return static_cast<QVBoxLayout*>(widget->layout()); }
 
 }  // namespace
@@ -74,6 +89,7 @@ SeedBox::SeedBox(EngineBridge& engine, ViewState& views, QWidget* parent)
   connect_seed_list();
   build_growth();
   connect(&views_, &ViewState::picked, this, &SeedBox::place);
+  connect(&views_, &ViewState::gestured, this, &SeedBox::draw_lesion);
   connect(&engine_, &EngineBridge::case_changed, this, &SeedBox::show_case);
   connect(&engine_, &EngineBridge::finished, this, [this](const engine::Outcome& outcome) {
     if (storing_.erase(outcome.id) > 0 && storing_.empty()) show_case();
@@ -87,8 +103,10 @@ SeedBox::SeedBox(EngineBridge& engine, ViewState& views, QWidget* parent)
 }
 
 void SeedBox::build_structures() {
-  column_of(this)->addWidget(
-      make_explanation(tr("Choose a structure, then click it in a slice. Esc ends placing."), this));
+  column_of(this)->addWidget(make_explanation(
+      tr("Choose a structure, then click it in a slice; across a lesion you can also drag, to tell its "
+         "diameter. Esc ends placing."),
+      this));
   grid_ = new QGridLayout;
   grid_->setSpacing(4);
   column_of(this)->addLayout(grid_);
@@ -221,7 +239,9 @@ void SeedBox::choose_structure(std::optional<Label> structure) {
     region_->set_drawing(false);
     emit took_mouse();
   }
-  views_.set_hand(structure ? Hand::point : Hand::crosshair);
+  drawn_from_.reset();
+  views_.set_line(nullptr);
+  views_.set_hand(!structure ? Hand::crosshair : is_lesion(*structure) ? Hand::span : Hand::point);
 }
 
 void SeedBox::let_go() {
@@ -231,6 +251,11 @@ void SeedBox::let_go() {
 
 bool SeedBox::escape() {
   if (region_->escape()) return true;
+  if (drawn_from_) {
+    drawn_from_.reset();
+    views_.set_line(nullptr);
+    return true;
+  }
   if (!structure_) return false;
   choose_structure(std::nullopt);
   return true;
@@ -239,6 +264,23 @@ bool SeedBox::escape() {
 void SeedBox::place(const Point<CtFrame>& p) {
   if (!structure_) return;
   add_seed(seeds_, *structure_, p.xyz);
+  store();
+}
+
+void SeedBox::draw_lesion(const SliceGesture& gesture) {
+  if (!structure_ || views_.hand() != Hand::span) return;
+  if (gesture.phase == SliceGesture::Phase::begin) drawn_from_ = gesture.p;
+  if (!drawn_from_) return;
+  const Eigen::Vector3d middle = 0.5 * (drawn_from_->xyz + gesture.p.xyz);
+  const double mm =
+      std::min(1e3 * (gesture.p.xyz - drawn_from_->xyz).norm(), segmentation::Seeds::kMostDiameter);
+  const bool drawn = mm >= segmentation::Seeds::kLeastDiameter;
+  views_.set_line(drawn ? circle_of(gesture, middle, 0.5e-3 * mm, *structure_) : nullptr);
+  if (gesture.phase != SliceGesture::Phase::end) return;
+  drawn_from_.reset();
+  views_.set_line(nullptr);
+  add_seed(seeds_, *structure_, drawn ? middle : gesture.p.xyz);
+  if (drawn) set_diameter(seeds_, *structure_, mm);
   store();
 }
 
@@ -286,9 +328,12 @@ void SeedBox::show_seeds() {
       QStringList place;
       for (int axis = 0; axis < 3; ++axis)
         place << QString::fromStdString(scene::anatomical_coordinate(axis, entry.p_in_ct[axis]));
-      list_->addItem(new QListWidgetItem(
-          structure_icon(entry.structure),
-          QStringLiteral("%1   %2").arg(seed_name(entry.structure), place.join(QStringLiteral("  ")))));
+      QString text = seed_name(entry.structure);
+      if (entry.diameter_mm > 0.0)
+        text += QStringLiteral("   ") + tr("⌀ %1 mm").arg(qRound(entry.diameter_mm));
+      list_->addItem(
+          new QListWidgetItem(structure_icon(entry.structure),
+                              QStringLiteral("%1   %2").arg(text, place.join(QStringLiteral("  ")))));
     }
     list_->setCurrentRow(std::min(chosen, list_->count() - 1));
   }

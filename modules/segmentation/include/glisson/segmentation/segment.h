@@ -21,7 +21,18 @@ struct Seeds {
   PointsIn<CtFrame> portal_vein, hepatic_veins, vena_cava, gallbladder;
   std::vector<PointsIn<CtFrame>> lesions;  ///< a list for each, in the order of their labels; it may be empty
   PointsIn<CtFrame> background;            ///< "not liver": optional
+  /// About how wide each lesion is, as drawn by hand around its click; 0 or missing: not drawn. File:
+  /// "lesion_diameters_mm": [0, 24, ...]. @throws InputError in segment() outside kLeast- to kMostDiameter.
+  std::vector<double> lesion_diameters_mm;
+
+  static constexpr double kLeastDiameter = 3.0, kMostDiameter = 250.0;  ///< mm
+  double lesion_diameter_mm(std::size_t lesion) const {
+    return lesion < lesion_diameters_mm.size() ? lesion_diameters_mm[lesion] : 0.0;
+  }
 };
+/// @throws InputError naming `file`, the field and the remedy when a diameter is out of range, or of no
+/// lesion.
+void check_diameters(const std::string& file, const Seeds& seeds);
 Seeds read_seeds(const std::filesystem::path& path);
 void write_seeds(const std::filesystem::path& path, const Seeds& seeds);
 

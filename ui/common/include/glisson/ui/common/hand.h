@@ -16,6 +16,7 @@ namespace glisson::ui {
 enum class Hand {
   crosshair,  ///< moves the crosshair
   point,      ///< says where: a seed, a place to work at
+  span,       ///< the same, or is dragged from one end of a body to the other
   brush,      ///< is dragged with a brush at its tip
   lasso,      ///< draws a closed line; in three dimensions, too
   box         ///< drags a rectangle, or an edge of the box that is shown

@@ -86,7 +86,7 @@ class ViewState : public QObject {
   void brush_changed();
   void pointer_changed();
   void picked(const glisson::Point<glisson::CtFrame>& p);
-  /// With Hand::point, brush, lasso and box.
+  /// With Hand::point, span, brush, lasso and box.
   void gestured(const glisson::ui::SliceGesture& gesture);
   void volume_lassoed(const glisson::ui::VolumeLasso& lasso);
   void brush_turned(double notches);

@@ -17,6 +17,7 @@ struct SeedEntry {
   Label structure = 0;
   int row = 0;
   Eigen::Vector3d p_in_ct = Eigen::Vector3d::Zero();  ///< metres
+  double diameter_mm = 0.0;                           ///< a lesion's, as drawn; 0: not drawn
 };
 
 /// All seeds, liver first, in the order of their structures.
@@ -24,6 +25,8 @@ std::vector<SeedEntry> list_seeds(const segmentation::Seeds& seeds);
 /// Appends one. Lesions keep their numbers: those before a new one that have no seeds are empty lists.
 /// @throws PreconditionError for a structure that has no seeds.
 void add_seed(segmentation::Seeds& seeds, Label structure, const Eigen::Vector3d& p_in_ct);
+/// How wide a lesion is. @pre it has a seed.
+void set_diameter(segmentation::Seeds& seeds, Label lesion, double diameter_mm);
 /// Takes one away. A lesion that loses its last seed leaves an empty list, unless it is the last lesion: the
 /// numbers of the others are those of their labels.
 void remove_seed(segmentation::Seeds& seeds, const SeedEntry& entry);

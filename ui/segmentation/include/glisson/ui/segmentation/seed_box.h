@@ -59,6 +59,7 @@ class SeedBox : public QWidget {
   void show_buttons();
   void show_markers();
   void place(const Point<CtFrame>& p);
+  void draw_lesion(const SliceGesture& gesture);
   void store();
   void remove_selected();
   segmentation::SegmentationOptions options() const;
@@ -77,6 +78,7 @@ class SeedBox : public QWidget {
   bool active_ = false;
   std::optional<Label> structure_;
   std::vector<SeedEntry> entries_;
+  std::optional<Point<CtFrame>> drawn_from_;  ///< one end of a lesion's diameter
   std::map<Label, QPushButton*> buttons_;
   QGridLayout* grid_ = nullptr;
   QListWidget* list_ = nullptr;

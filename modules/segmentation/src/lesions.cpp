@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lesions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "glisson/core/statistics.h"
+#include "star.h"
+
+namespace glisson::segmentation {
+namespace {
+
+using Vec = Eigen::Vector3d;
+
+constexpr double kReach = 65.0;                         // mm, without a diameter
+constexpr double kClick = 3.0;                          // mm around a click that is read
+constexpr double kLocal = 35.0;                         // mm around it where the liver is read
+constexpr double kLeastSigma = 4.0, kMostSigma = 12.0;  // HU, of the liver after denoising
+constexpr double kLeastOwn = 5.0, kMostOwn = 15.0;      // HU, of the lesion
+constexpr double kShellFrom = 3.0, kShellTo = 10.0;     // mm outside the body: the liver next to it
+constexpr double kBand = 4.0;                           // mm
+constexpr int kMoves = 5, kLastMoves = 2;
+constexpr float kEmpty = -30.0F;     // HU: fat, lung and gas
+constexpr double kTold = 1.5;        // sigmas of the liver from which on a click tells its own tissue
+constexpr double kLeastFound = 5.0;  // mean evidence of the rays, mm: one of them as sure as can be
+
+template <class Visit>
+void each_within(const Field& ct, const Eigen::Vector3i& middle, double radius_mm, const Visit& visit) {
+  const Eigen::Vector3i reach =
+      (radius_mm * ct.spacing_mm.cwiseInverse()).array().floor().matrix().cast<int>();
+  for (int k = -reach.z(); k <= reach.z(); ++k)
+    for (int j = -reach.y(); j <= reach.y(); ++j)
+      for (int i = -reach.x(); i <= reach.x(); ++i) {
+        const Eigen::Vector3i v = middle + Eigen::Vector3i(i, j, k);
+        if (ct.contains(v) && Vec(i, j, k).cwiseProduct(ct.spacing_mm).norm() <= radius_mm) visit(v);
+      }
+}
+
+bool is_organ(const LesionScene& scene, std::size_t at) {
+  return scene.organ.voxels.empty() || scene.organ.voxels[at] != 0;
+}
+
+Tissue tissue_of(std::vector<float> values, double low_sigma, double high_sigma) {
+  const float middle = upper_median(values);
+  return {middle, std::clamp(kDeviationPerMad * median_absolute_deviation(std::move(values), middle),
+                             low_sigma, high_sigma)};
+}
+
+/// The liver around the click.
+Tissue local_liver(const LesionScene& scene, const Eigen::Vector3i& click) {
+  constexpr std::size_t kEnough = 200;
+  const double wide = std::max(2.5 * scene.liver.sigma, 15.0);
+  std::vector<float> values;
+  each_within(scene.ct, click, kLocal, [&](const Eigen::Vector3i& v) {
+    const std::size_t at = scene.ct.offset(v);
+    if (std::abs(scene.ct.values[at] - scene.liver.mean) < wide && is_organ(scene, at))
+      values.push_back(scene.ct.values[at]);
+  });
+  if (values.size() >= kEnough) return tissue_of(std::move(values), kLeastSigma, kMostSigma);
+  return {scene.liver.mean, std::clamp(scene.liver.sigma, kLeastSigma, kMostSigma)};
+}
+
+double normal(double x, const Tissue& tissue) {
+  const double z = (x - tissue.mean) / tissue.sigma;
+  return std::exp(-0.5 * z * z) / (tissue.sigma * std::sqrt(2.0 * M_PI));
+}
+
+/// Log of how much likelier an intensity is in the lesion than in the liver, from -3 to 3. A lesion is tissue
+/// like that at the click, anything between that and the liver (its border is a mixture of both), and
+/// anything at all (necrosis, fluid, calcification); a liver its parenchyma, and brighter vessels.
+class Evidence {
+ public:
+  static constexpr double kMost = 3.0;
+  /// @param drawn a hand has said where the lesion is: its tissue counts even if it looks like liver.
+  Evidence(const Tissue& own, const Tissue& liver, bool drawn) : own_(own), liver_(liver), drawn_(drawn) {}
+  double operator()(double x) const {
+    const double apart = std::abs(liver_.mean - own_.mean), span = std::max(apart, 4.0 * liver_.sigma);
+    const bool told = drawn_ || apart > kTold * liver_.sigma;
+    const bool between = told && (x - own_.mean) * (x - liver_.mean) < 0.0;
+    const double lesion =
+        (drawn_ ? 0.9 : 0.4) * (told ? normal(x, own_) : kAny) + (between ? 0.3 / span : 0.0) + 0.3 * kAny;
+    const double liver = 0.9 * normal(x, liver_) + (x > liver_.mean ? 0.2 : 0.005) * kAny;
+    return std::clamp(std::log(lesion / liver), -kMost, kMost);
+  }
+  /// In a bite out of the liver that was found: only what is like the click, and that counts for less.
+  double in_bite(double x) const {
+    return std::clamp(std::log((normal(x, own_) + 1e-9) / kAny), -kMost, kMost / 3.0);
+  }
+
+ private:
+  static constexpr double kAny = 1.0 / 200.0;  // 1 / HU
+  Tissue own_, liver_;
+  bool drawn_;
+};
+
+/// @param in_bite the liver's outline leaves the click out; else it is trusted.
+std::vector<float> evidence_in(const LesionScene& scene, const Evidence& evidence, bool in_bite) {
+  std::vector<float> result(scene.ct.values.size(), static_cast<float>(-Evidence::kMost));
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    if (scene.barred.voxels[i] != 0 || (scene.organ.voxels.empty() && scene.ct.values[i] < kEmpty)) continue;
+    if (is_organ(scene, i))
+      result[i] = static_cast<float>(evidence(scene.ct.values[i]));
+    else if (in_bite && scene.bites.voxels[i] != 0)
+      result[i] = static_cast<float>(evidence.in_bite(scene.ct.values[i]));
+  }
+  return result;
+}
+
+/// The place within reach of a click that is most unlike the liver, and darker: what is brighter near a click
+/// in nothing special is a vessel. The click where it is unlike the liver already.
+Eigen::Vector3i most_unlike(const LesionScene& scene, const std::vector<float>& evidence, const Tissue& liver,
+                            const Eigen::Vector3i& click, double within_mm) {
+  constexpr double kAround = 2.5;  // mm
+  const auto mean_at = [&](const Eigen::Vector3i& p) {
+    double sum = 0.0;
+    int count = 0;
+    each_within(scene.ct, p, kAround,
+                [&](const Eigen::Vector3i& v) { sum += evidence[scene.ct.offset(v)], ++count; });
+    return sum / count;
+  };
+  double most = mean_at(click);
+  if (most > 0.0) return click;
+  Eigen::Vector3i best = click;
+  each_within(scene.ct, click, within_mm, [&](const Eigen::Vector3i& v) {
+    if (scene.ct.values[scene.ct.offset(v)] > liver.mean) return;
+    const double here = mean_at(v);
+    if (here > most) most = here, best = v;
+  });
+  return best;
+}
+
+/// Tissue between two distances outside a body, over all of its rays: what only few of them meet does not
+/// count. None where few of them end in the liver.
+std::optional<Tissue> tissue_beyond(const LesionScene& scene, const Field& intensities, const Star& star,
+                                    double from_mm, double to_mm) {
+  std::vector<float> values;
+  for (std::size_t n = 0; n < Rays::kCount; ++n)
+    for (double d = from_mm; d <= to_mm; d += Rays::kStep) {
+      const Vec p = star.middle + (star.radius_mm(n) + d) * rays().way(n).cwiseQuotient(scene.ct.spacing_mm);
+      const Eigen::Vector3i v = p.array().round().matrix().cast<int>();
+      if (!scene.ct.contains(v)) continue;
+      const std::size_t at = scene.ct.offset(v);
+      if (scene.barred.voxels[at] == 0 && is_organ(scene, at)) values.push_back(intensities.values[at]);
+    }
+  if (values.size() < Rays::kCount / 4) return {};
+  return tissue_of(std::move(values), 0.0, 1e3);
+}
+
+/// How thick the bright rim around a body is, mm, to where it has fallen half way; 0: there is none. A rim
+/// stands out of the liver by two of its sigmas, and is thin.
+double rim_mm(const LesionScene& scene, const Star& star, const Tissue& liver) {
+  constexpr double kThickest = 6.0, kFall = 3.0, kFar = 7.0, kFarEnd = 12.0;  // mm
+  constexpr double kStandsOut = 2.0, kThinnest = 1.5;                         // sigmas; mm
+  const auto far = tissue_beyond(scene, scene.raw, star, kFar, kFarEnd);
+  if (!far) return 0.0;
+  const auto above = [&](double d) {
+    const auto here = tissue_beyond(scene, scene.raw, star, d, d);
+    return here ? here->mean - far->mean : 0.0;
+  };
+  double peak = 0.0, at_peak = 0.0;
+  for (double d = 0.0; d <= kThickest; d += Rays::kStep)
+    if (const double here = above(d); here > peak) peak = here, at_peak = d;
+  if (peak < kStandsOut * liver.sigma) return 0.0;
+  for (double d = at_peak; d <= at_peak + kFall; d += 0.5 * Rays::kStep)
+    if (above(d) < 0.5 * peak) return d < kThinnest ? 0.0 : d;
+  return 0.0;
+}
+
+/// The evidence once more, a rim taken for the lesion's: what is bright there, and the partial volume between
+/// it and the dark core, which looks like liver.
+void take_rim(const LesionScene& scene, const Star& star, const Tissue& liver, double rim,
+              std::vector<float>& evidence) {
+  constexpr float kBright = 1.5F;
+  constexpr double kSlack = 1.0, kCoreSide = 1.5;  // mm
+  const Field phi = distance_to(star, scene.ct, rim + 2.0 * kSlack);
+  for (std::size_t i = 0; i < evidence.size(); ++i) {
+    if (phi.values[i] <= 0.0F || phi.values[i] > rim + kSlack) continue;
+    if (scene.ct.values[i] > liver.mean + liver.sigma)
+      evidence[i] = std::max(evidence[i], kBright);
+    else if (phi.values[i] < rim - kCoreSide)
+      evidence[i] = std::max(evidence[i], 0.0F);
+  }
+}
+
+/// What a click says, to begin with.
+struct Beginning {
+  Tissue own, liver;
+  Eigen::Vector3i seed;
+  bool in_bite = false;
+  std::vector<float> evidence;
+  StarOptions options;
+};
+
+Beginning begin(const LesionScene& scene, const LesionClick& click) {
+  constexpr double kSnap = 5.0;  // mm
+  const bool drawn = click.diameter_mm > 0.0;
+  Beginning begun;
+  begun.liver = local_liver(scene, click.place);
+  begun.in_bite = !is_organ(scene, scene.ct.offset(click.place));
+  begun.own = tissue_around(scene.ct, {click.place}, kClick, kLeastOwn, kMostOwn);
+  begun.evidence = evidence_in(scene, Evidence(begun.own, begun.liver, drawn), begun.in_bite);
+  begun.seed = drawn ? click.place : most_unlike(scene, begun.evidence, begun.liver, click.place, kSnap);
+  if (begun.seed != click.place) {
+    begun.own = tissue_around(scene.ct, {begun.seed}, kClick, kLeastOwn, kMostOwn);
+    begun.evidence = evidence_in(scene, Evidence(begun.own, begun.liver, drawn), begun.in_bite);
+  }
+  begun.options.diameter_mm = click.diameter_mm;
+  begun.options.reach_mm = lesion_reach_mm(click.diameter_mm);
+  begun.options.against = -Evidence::kMost;
+  return begun;
+}
+
+}  // namespace
+
+double lesion_reach_mm(double diameter_mm) { return diameter_mm > 0.0 ? 0.75 * diameter_mm + 5.0 : kReach; }
+
+GrownLesion grow_lesion(const LesionScene& scene, const LesionClick& click) {
+  Beginning begun = begin(scene, click);
+  std::vector<float>& evidence = begun.evidence;
+  const Vec inside = begun.seed.cast<double>();
+  const bool drawn = click.diameter_mm > 0.0;
+  Star star = grow_star(scene.ct, evidence, {drawn ? click.place.cast<double>() : inside, {}}, inside, kMoves,
+                        begun.options);
+  // The liver differs from one end to the other: what counts is what lies next to the lesion.
+  if (const auto shell = tissue_beyond(scene, scene.ct, star, kShellFrom, kShellTo);
+      shell && std::abs(shell->mean - begun.liver.mean) < 2.5 * begun.liver.sigma) {
+    begun.liver = {shell->mean, std::clamp(shell->sigma, kLeastSigma, kMostSigma)};
+    evidence = evidence_in(scene, Evidence(begun.own, begun.liver, drawn), begun.in_bite);
+    star = grow_star(scene.ct, evidence, star, inside, kLastMoves, begun.options);
+  }
+  const double rim = rim_mm(scene, star, begun.liver);
+  if (rim > 0.0) {
+    take_rim(scene, star, begun.liver, rim, evidence);
+    star = grow_star(scene.ct, evidence, star, inside, kLastMoves, begun.options);
+  }
+  if (!drawn && gathered(scene.ct, evidence, star, begun.options) < kLeastFound) return {};
+  return {distance_to(star, scene.ct, kBand),
+          rim > 0.0 || begun.own.mean > begun.liver.mean + kTold * begun.liver.sigma};
+}
+
+LesionGuess guess_lesion(const LesionScene& scene, const LesionClick& click) {
+  constexpr double kSure = 0.1;     // of the rays may be shorter
+  constexpr double kOfDrawn = 0.4;  // of the diameter
+  Beginning begun = begin(scene, click);
+  const bool drawn = click.diameter_mm > 0.0;
+  const Vec inside = begun.seed.cast<double>(), middle = drawn ? click.place.cast<double>() : inside;
+  Star star = grow_star(scene.ct, begun.evidence, {middle, {}}, inside, 1, begun.options);
+  if (!drawn && gathered(scene.ct, begun.evidence, star, begun.options) < kLeastFound) return {};
+  std::vector<int> order = star.radii;
+  const auto at = order.begin() + static_cast<std::ptrdiff_t>(kSure * static_cast<double>(order.size()));
+  std::nth_element(order.begin(), at, order.end());
+  const int radius = drawn ? static_cast<int>(kOfDrawn * click.diameter_mm / Rays::kStep) : *at;
+  std::fill(star.radii.begin(), star.radii.end(), std::max(1, radius));
+  LesionGuess guess{distance_to(star, scene.ct, kBand), {}};
+  const Evidence evidence(begun.own, begun.liver, drawn);
+  for (std::size_t i = 0; i < begun.evidence.size(); ++i)
+    begun.evidence[i] = static_cast<float>(
+        scene.barred.voxels[i] != 0 ? -Evidence::kMost : evidence.in_bite(scene.ct.values[i]));
+  guess.likely = distance_to(grow_star(scene.ct, begun.evidence, {middle, {}}, inside, kMoves, begun.options),
+                             scene.ct, kBand);
+  return guess;
+}
+
+}  // namespace glisson::segmentation

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What one click makes of a lesion, on phantoms whose truth is a formula.
+#include <QtTest>
+#include <random>
+
+#include "glisson/core/error.h"
+#include "glisson/segmentation/segment.h"
+#include "points_at.h"
+
+using namespace glisson;
+using namespace glisson::segmentation;
+
+namespace {
+
+using Vec = Eigen::Vector3d;
+
+const Vec kMiddle(60, 54, 50);  // mm from the corner
+constexpr double kRadius = 13.0, kLiver = 108.0;
+
+/// A liver with one lesion, an ellipsoid, and a vessel of 170 HU and 4 mm that touches it; noise of 12 HU.
+struct Phantom {
+  Image image;
+  LabelMap kept;  ///< the whole liver, without the lesion
+  std::vector<std::uint8_t> lesion;
+};
+
+/// @param look HU at a place `f` mm from the lesion's boundary, negative inside.
+Phantom phantom(const std::function<double(const Vec&, double f)>& look) {
+  Phantom result;
+  VolumeGrid& grid = result.image.grid;
+  grid.size = {80, 72, 50};
+  grid.spacing_mm = {1.5, 1.5, 2.0};
+  grid.origin_mm = {-60, -50, 20};
+  std::mt19937 random(11);
+  std::normal_distribution<double> noise(0.0, 12.0);
+  std::vector<std::int16_t> voxels;
+  std::vector<Label> labels;
+  for (int k = 0; k < grid.size.z(); ++k)
+    for (int j = 0; j < grid.size.y(); ++j)
+      for (int i = 0; i < grid.size.x(); ++i) {
+        const Vec p = Vec(i, j, k).cwiseProduct(grid.spacing_mm);
+        const bool liver = (p - kMiddle).cwiseQuotient(Vec(52, 46, 42)).norm() < 1.0;
+        const double f = ((p - kMiddle).cwiseQuotient(Vec(1.15, 0.9, 1.0)).norm() - kRadius);
+        const bool vessel = std::hypot(p.x() - 60.0, p.y() - 54.0 + 0.9 * kRadius + 3.0) < 4.0;
+        double hu = liver ? kLiver : -90.0;
+        if (vessel && liver) hu = 170.0;
+        if (f < 0.0) hu = look(p, f);
+        result.lesion.push_back(f < 0.0 ? 1 : 0);
+        labels.push_back(liver ? structure::kParenchyma : structure::kBackground);
+        voxels.push_back(static_cast<std::int16_t>(std::lround(hu + noise(random))));
+      }
+  result.image.voxels = std::make_shared<const std::vector<std::int16_t>>(std::move(voxels));
+  result.kept.voxels = LabelVolume(grid, labels);
+  result.kept.infos = {structure_info(structure::kParenchyma)};
+  return result;
+}
+
+struct Grown {
+  double dice = 0.0, ml = 0.0;
+  std::vector<std::string> notes;
+};
+/// @param off from the lesion's middle, mm.
+Grown grown(const Phantom& phantom, const Vec& off, double diameter_mm = 0.0) {
+  Seeds seeds;
+  seeds.lesions = {test::points_at(phantom.image, {kMiddle + off})};
+  if (diameter_mm > 0.0) seeds.lesion_diameters_mm = {diameter_mm};
+  SegmentationOptions options;
+  options.structures = {false, false, false, false, false, true};
+  const Segmented found = segment(phantom.image, seeds, options, RunContext(), &phantom.kept).value();
+  const auto is_it = [](Label label) { return label == structure::kFirstLesion; };
+  return {dice(found.labels.voxels.mask(is_it), phantom.lesion), found.report.lesion_ml.front(),
+          found.report.notes};
+}
+
+double dark(const Vec&, double) { return 60.0; }
+
+}  // namespace
+
+class LesionsTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void OneClickAnywhereFindsIt_data();
+  void OneClickAnywhereFindsIt();
+  void WhatIsNoLesionIsNotFound();
+  void ADiameterFindsWhatCannotBeSeen();
+  void ADiameterBoundsIt();
+  void ALesionInAHandsOtherUnitsIsRefused();
+};
+
+void LesionsTest::OneClickAnywhereFindsIt_data() {
+  using Look = std::function<double(const Vec&, double)>;
+  QTest::addColumn<Look>("look");
+  QTest::newRow("hypodense") << Look(dark);
+  QTest::newRow("necrotic") << Look([](const Vec&, double f) { return f < -5.0 ? 22.0 : 72.0; });
+  QTest::newRow("calcified") << Look([](const Vec& p, double) {
+    return std::sin(0.9 * p.x()) * std::sin(0.9 * p.y()) * std::sin(0.7 * p.z()) > 0.5 ? 320.0 : 62.0;
+  });
+  QTest::newRow("rim-enhancing") << Look([](const Vec&, double f) { return f > -3.0 ? 145.0 : 50.0; });
+  QTest::newRow("cyst") << Look([](const Vec&, double) { return 5.0; });
+  QTest::newRow("hyperdense") << Look([](const Vec&, double) { return 155.0; });
+}
+
+void LesionsTest::OneClickAnywhereFindsIt() {
+  QFETCH(std::function<double(const Vec&, double)>, look);
+  const Phantom made = phantom(look);
+  for (const Vec& off : {Vec(0, 0, 0), Vec(7, 2, -3), Vec(-6, -4, 4)}) {
+    const Grown one = grown(made, off);
+    QVERIFY2(one.dice > 0.8,
+             qPrintable(QString("%1 at %2 %3 %4").arg(one.dice).arg(off.x()).arg(off.y()).arg(off.z())));
+  }
+}
+
+void LesionsTest::WhatIsNoLesionIsNotFound() {
+  const Phantom none = phantom([](const Vec&, double) { return kLiver; });
+  const Grown one = grown(none, Vec(3, 0, 2));
+  QCOMPARE(one.ml, 0.0);
+  QVERIFY(std::find(one.notes.begin(), one.notes.end(), "lesion_1.not_found") != one.notes.end());
+}
+
+void LesionsTest::ADiameterFindsWhatCannotBeSeen() {
+  // As bright as the liver: only the hand knows.
+  const Phantom hidden = phantom([](const Vec&, double) { return kLiver; });
+  QVERIFY(grown(hidden, Vec::Zero(), 2.0 * kRadius).dice > 0.75);  // a ball is what is left
+}
+
+void LesionsTest::ADiameterBoundsIt() {
+  // What looks alike reaches on to the liver's rim; the diameter tells where the lesion ends.
+  const Phantom made = phantom(dark);
+  const Grown small = grown(made, Vec::Zero(), kRadius);
+  const double half = 4.0 / 3.0 * M_PI * std::pow(0.5 * kRadius, 3) * 1e-3;
+  QVERIFY2(small.ml < 4.0 * half, qPrintable(QString::number(small.ml)));
+  QVERIFY(grown(made, Vec::Zero(), 2.0 * kRadius).dice > 0.85);
+}
+
+void LesionsTest::ALesionInAHandsOtherUnitsIsRefused() {
+  const Phantom made = phantom(dark);
+  QVERIFY_EXCEPTION_THROWN(grown(made, Vec::Zero(), 0.026), InputError);  // metres, not millimetres
+}
+
+QTEST_GUILESS_MAIN(LesionsTest)
+#include "lesions_test.moc"
