@@ -1416,8 +1416,8 @@
         <translation>Schreiben Sie Listen aus [x, y, z] in mm, Patientenkoordinaten (LPS)</translation>
     </message>
     <message>
-        <source>Use liver, portal_vein, hepatic_veins, vena_cava, gallbladder, lesions or background</source>
-        <translation>Nehmen Sie liver, portal_vein, hepatic_veins, vena_cava, gallbladder, lesions oder background</translation>
+        <source>Use liver, portal_vein, hepatic_veins, vena_cava, gallbladder, lesions, lesion_diameters_mm or background</source>
+        <translation>Nehmen Sie liver, portal_vein, hepatic_veins, vena_cava, gallbladder, lesions, lesion_diameters_mm oder background</translation>
     </message>
     <message>
         <source>Edit the labels first</source>
@@ -1606,6 +1606,34 @@
     <message>
         <source>Give .vtp, legacy .vtk, .stl, .obj or .ply</source>
         <translation>Geben Sie .vtp, altes .vtk, .stl, .obj oder .ply</translation>
+    </message>
+    <message>
+        <source>was corrected by hand and would be replaced</source>
+        <translation>wurde von Hand berichtigt und würde ersetzt</translation>
+    </message>
+    <message>
+        <source>Lock it (--lock), leave it out of what is found anew (--only), or allow it (--replace-edited)</source>
+        <translation>Sperren Sie es (--lock), nehmen Sie es von dem aus, was neu gefunden wird (--only), oder erlauben Sie es (--replace-edited)</translation>
+    </message>
+    <message>
+        <source>is no lesion&apos;s</source>
+        <translation>hat keine Läsion</translation>
+    </message>
+    <message>
+        <source>belongs to a lesion without a point</source>
+        <translation>gehört zu einer Läsion ohne Punkt</translation>
+    </message>
+    <message>
+        <source>Write one number for each lesion, in mm; 0 where it is not known</source>
+        <translation>Schreiben Sie für jede Läsion eine Zahl, in mm; 0, wo sie nicht bekannt ist</translation>
+    </message>
+    <message>
+        <source>Write 3 to 250 mm, or 0 where it is not known</source>
+        <translation>Schreiben Sie 3 bis 250 mm, oder 0, wo er nicht bekannt ist</translation>
+    </message>
+    <message>
+        <source>Write the point of this lesion, too, or 0</source>
+        <translation>Schreiben Sie auch den Punkt dieser Läsion, oder 0</translation>
     </message>
 </context>
 <context>
@@ -4147,6 +4175,10 @@
         <source>A pixel of the left picture where a tool touches the organ: the lesion&apos;s distance from there is told, too.</source>
         <translation>Ein Pixel des linken Bildes, wo ein Instrument das Organ berührt: auch der Abstand der Läsion von dort wird genannt.</translation>
     </message>
+    <message>
+        <source>Replace labels that were corrected by hand; else they must be locked.</source>
+        <translation>Ersetzt Labels, die von Hand berichtigt wurden; sonst müssen sie gesperrt sein.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AngleHistogram</name>
@@ -5683,6 +5715,26 @@
     <message>
         <source>⌀ %1 mm</source>
         <translation>⌀ %1 mm</translation>
+    </message>
+    <message>
+        <source>%1 (%2 ml)</source>
+        <translation>%1 (%2 ml)</translation>
+    </message>
+    <message>
+        <source>Corrected by hand: %1. Are they to be found anew?</source>
+        <translation>Von Hand berichtigt: %1. Soll das neu gefunden werden?</translation>
+    </message>
+    <message>
+        <source>Kept, they neither lose nor gain a voxel. Replaced, your corrections come back with Undo.</source>
+        <translation>Behalten, verlieren und gewinnen sie keinen Voxel. Ersetzt, kommen Ihre Berichtigungen mit Rückgängig wieder.</translation>
+    </message>
+    <message>
+        <source>Keep them</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>Replace them</source>
+        <translation>Ersetzen</translation>
     </message>
 </context>
 <context>

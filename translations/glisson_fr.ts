@@ -1416,8 +1416,8 @@
         <translation>Écrivez des listes de [x, y, z] en mm, coordonnées du patient (LPS)</translation>
     </message>
     <message>
-        <source>Use liver, portal_vein, hepatic_veins, vena_cava, gallbladder, lesions or background</source>
-        <translation>Utilisez liver, portal_vein, hepatic_veins, vena_cava, gallbladder, lesions ou background</translation>
+        <source>Use liver, portal_vein, hepatic_veins, vena_cava, gallbladder, lesions, lesion_diameters_mm or background</source>
+        <translation>Utilisez liver, portal_vein, hepatic_veins, vena_cava, gallbladder, lesions, lesion_diameters_mm ou background</translation>
     </message>
     <message>
         <source>Edit the labels first</source>
@@ -1606,6 +1606,34 @@
     <message>
         <source>Give .vtp, legacy .vtk, .stl, .obj or .ply</source>
         <translation>Donnez .vtp, .vtk ancien, .stl, .obj ou .ply</translation>
+    </message>
+    <message>
+        <source>was corrected by hand and would be replaced</source>
+        <translation>a été corrigé à la main et serait remplacé</translation>
+    </message>
+    <message>
+        <source>Lock it (--lock), leave it out of what is found anew (--only), or allow it (--replace-edited)</source>
+        <translation>Verrouillez-le (--lock), laissez-le hors de ce qui est recherché à nouveau (--only), ou permettez-le (--replace-edited)</translation>
+    </message>
+    <message>
+        <source>is no lesion&apos;s</source>
+        <translation>n’est celui d’aucune lésion</translation>
+    </message>
+    <message>
+        <source>belongs to a lesion without a point</source>
+        <translation>appartient à une lésion sans point</translation>
+    </message>
+    <message>
+        <source>Write one number for each lesion, in mm; 0 where it is not known</source>
+        <translation>Écrivez un nombre pour chaque lésion, en mm ; 0 s’il n’est pas connu</translation>
+    </message>
+    <message>
+        <source>Write 3 to 250 mm, or 0 where it is not known</source>
+        <translation>Écrivez 3 à 250 mm, ou 0 s’il n’est pas connu</translation>
+    </message>
+    <message>
+        <source>Write the point of this lesion, too, or 0</source>
+        <translation>Écrivez aussi le point de cette lésion, ou 0</translation>
     </message>
 </context>
 <context>
@@ -4147,6 +4175,10 @@
         <source>A pixel of the left picture where a tool touches the organ: the lesion&apos;s distance from there is told, too.</source>
         <translation>Un pixel de l&apos;image gauche où un instrument touche l&apos;organe : la distance de la lésion à ce point est aussi donnée.</translation>
     </message>
+    <message>
+        <source>Replace labels that were corrected by hand; else they must be locked.</source>
+        <translation>Remplace les étiquettes corrigées à la main ; sinon elles doivent être verrouillées.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AngleHistogram</name>
@@ -5683,6 +5715,26 @@
     <message>
         <source>⌀ %1 mm</source>
         <translation>⌀ %1 mm</translation>
+    </message>
+    <message>
+        <source>%1 (%2 ml)</source>
+        <translation>%1 (%2 ml)</translation>
+    </message>
+    <message>
+        <source>Corrected by hand: %1. Are they to be found anew?</source>
+        <translation>Corrigé à la main : %1. Faut-il le rechercher à nouveau ?</translation>
+    </message>
+    <message>
+        <source>Kept, they neither lose nor gain a voxel. Replaced, your corrections come back with Undo.</source>
+        <translation>Gardées, elles ne perdent ni ne gagnent aucun voxel. Remplacées, vos corrections reviennent avec Annuler.</translation>
+    </message>
+    <message>
+        <source>Keep them</source>
+        <translation>Les garder</translation>
+    </message>
+    <message>
+        <source>Replace them</source>
+        <translation>Les remplacer</translation>
     </message>
 </context>
 <context>

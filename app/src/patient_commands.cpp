@@ -108,6 +108,8 @@ int run_segment(const QStringList& given) {
                    Cli::tr("These labels neither lose nor gain a voxel: parenchyma, portal_vein, "
                            "hepatic_veins, vena_cava, gallbladder, lesion_1, ..., with commas."),
                    "LIST");
+  arguments.flag("replace-edited",
+                 Cli::tr("Replace labels that were corrected by hand; else they must be locked."));
   declare_label_output(arguments);
   if (!arguments.parse(given)) return 0;
   const fs::path seeds = arguments.required_path("seeds");
@@ -115,6 +117,7 @@ int run_segment(const QStringList& given) {
   command.options.structures = structures_from(arguments.value("only"));
   command.options.region = region_from(arguments.value("region"));
   command.options.locked = locked_from(arguments.value("lock"));
+  command.replace_edited = arguments.has("replace-edited");
   const LabelOutput output(arguments);
   Session session(arguments);
   open_case(arguments, session);

@@ -16,6 +16,7 @@
 #include "glisson/engine/commands/save_case.h"
 #include "glisson/engine/commands/segment.h"
 #include "glisson/engine/commands/set_review.h"
+#include "glisson/engine/commands/set_seeds.h"
 #include "glisson/engine/commands/undo_labels.h"
 #include "glisson/engine/engine.h"
 #include "glisson/engine/parts/image.h"
@@ -113,6 +114,7 @@ class LabelsTest : public QObject {
   void ANewCaseKeepsNothingOfTheFormerOne();
   void WhatIsSavedIsTheCaseAsItWasWhenTheSaveBegan();
   void NothingToUndoOrToDrawOnIsSaid();
+  void WhatAHandCorrectedIsReplacedOnlyWhenThatIsSaid();
   void TheContourIsSeenWhileItEvolvesAndIsGoneThen_data() { both_runners(); }
   void TheContourIsSeenWhileItEvolvesAndIsGoneThen();
 };
@@ -405,6 +407,53 @@ void LabelsTest::NothingToUndoOrToDrawOnIsSaid() {
   QVERIFY(done(engine, ExportLabels{"x.seg.nrrd"}).error.find("Segment the CT") != std::string::npos);
   QVERIFY(done(engine, UndoLabels{}).error.find("no step to undo") != std::string::npos);
   QVERIFY(done(engine, RedoLabels{}).error.find("no step to redo") != std::string::npos);
+}
+
+void LabelsTest::WhatAHandCorrectedIsReplacedOnlyWhenThatIsSaid() {
+  const CtFolder files;
+  const auto engine = engine_of(Runner::inline_, files);
+  segmentation::Seeds seeds;
+  seeds.liver = PointsIn<CtFrame>::Constant(1, 3, 0.03);
+  seeds.lesions = {PointsIn<CtFrame>::Constant(1, 3, 0.03)};
+  QCOMPARE(done(*engine, SetSeeds{seeds}).status, Status::done);
+  const auto state = [&]() -> const CaseState& { return engine->snapshot()->state; };
+  QVERIFY(Segment{}.would_replace(state()).empty());
+  QCOMPARE(done(*engine, EditLabels{ball({40, 36, 42}, 10, structure::kPortalVein)}).status, Status::done);
+  QCOMPARE(done(*engine, EditLabels{ball({20, 20, 22}, 6, structure::kFirstLesion)}).status, Status::done);
+  const std::set<Label> both{structure::kPortalVein, structure::kFirstLesion};
+  QCOMPARE(Segment{}.would_replace(state()), both);
+  const LabelVolume before = state()[part::labels]->voxels;
+  const Outcome refused = done(*engine, Segment{});
+  QCOMPARE(refused.status, Status::failed);
+  QVERIFY2(refused.error.find("portal_vein, lesion_1") != std::string::npos, refused.error.c_str());
+  QVERIFY(refused.error.find("--replace-edited") != std::string::npos);
+  QVERIFY(state()[part::labels]->voxels == before);
+  // Only what is found anew: the portal vein has no seed, the lesion has one.
+  Segment some;
+  some.options.structures = {false, true, false, false, false, true};
+  QCOMPARE(some.would_replace(state()), std::set<Label>{structure::kFirstLesion});
+  some.options.structures.lesions = false;
+  QVERIFY(some.would_replace(state()).empty());
+  Segment locked;
+  locked.options.locked = {structure::kPortalVein, structure::kFirstLesion};
+  QVERIFY(locked.would_replace(state()).empty());
+  // What was undone is no correction, nor is what came with a file.
+  QCOMPARE(done(*engine, UndoLabels{}).status, Status::done);
+  QCOMPARE(Segment{}.would_replace(state()), std::set<Label>{structure::kPortalVein});
+  QCOMPARE(done(*engine, EditLabels{ball({60, 36, 42}, 9)}).status, Status::done);
+  QCOMPARE(done(*engine, ExportLabels{files.path() / "l.seg.nrrd"}).status, Status::done);
+  QCOMPARE(done(*engine, UndoLabels{}).status, Status::done);
+  const Outcome imported = done(*engine, ImportLabels{files.path() / "l.seg.nrrd", {}});
+  QVERIFY2(imported.status == Status::done, imported.error.c_str());
+  QVERIFY(Segment{}.would_replace(state()).empty());
+  // A case that is opened again still knows.
+  QCOMPARE(done(*engine, EditLabels{ball({40, 36, 42}, 14, structure::kPortalVein)}).status, Status::done);
+  QCOMPARE(done(*engine, SaveCase{files.path() / "c.glisson"}).status, Status::done);
+  QCOMPARE(done(*engine, OpenCase{files.path() / "c.glisson"}).status, Status::done);
+  QCOMPARE(Segment{}.would_replace(state()), std::set<Label>{structure::kPortalVein});
+  Segment allowed;
+  allowed.replace_edited = true;
+  QVERIFY(done(*engine, allowed).error.find("corrected by hand") == std::string::npos);
 }
 
 void LabelsTest::TheContourIsSeenWhileItEvolvesAndIsGoneThen() {

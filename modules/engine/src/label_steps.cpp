@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "label_steps.h"
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <utility>
 
 #include "glisson/core/error.h"
+#include "glisson/engine/hand_edits.h"
 #include "glisson/engine/parts/image.h"
 #include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/preview.h"
@@ -67,6 +70,24 @@ std::set<Label> step_to(CaseState& state, const LabelMap& before, LabelMap label
 }
 
 }  // namespace
+
+std::set<Label> edited_by_hand(const CaseState& state) {
+  std::set<Label> edited, renewed;
+  const editing::History history = history_or_none(state);
+  for (std::size_t n = history.done(); n > 0; --n) {
+    const editing::History::Step& step = *history.steps()[n - 1];
+    if (step.name.code == kImportStep) break;
+    const std::set<Label> labels = step.name.label != structure::kBackground
+                                       ? std::set<Label>{step.name.label}
+                                       : labels_touched(step.changes);
+    if (step.name.code == kSegmentStep)
+      renewed.insert(labels.begin(), labels.end());
+    else
+      std::set_difference(labels.begin(), labels.end(), renewed.begin(), renewed.end(),
+                          std::inserter(edited, edited.end()));
+  }
+  return edited;
+}
 
 Parts labels_and_review() { return {part::labels, part::review, part::preview}; }
 

@@ -15,6 +15,10 @@
 
 namespace glisson::engine {
 
+/// Steps that made all labels, or those that were asked for, anew.
+inline constexpr const char* kSegmentStep = "segment";
+inline constexpr const char* kImportStep = "import_labels";
+
 /// What such a command writes, and reads besides the image.
 Parts labels_and_review();
 

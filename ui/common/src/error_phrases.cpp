@@ -8,6 +8,7 @@ namespace glisson::ui {
 const std::vector<const char*>& known_problems() {
   static const std::vector<const char*> kPhrases = {
       QT_TRANSLATE_NOOP("ErrorPhrases", "does not exist"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "was corrected by hand and would be replaced"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is neither a file nor a folder"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "cannot be opened"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "cannot be opened (%1)"),
@@ -99,6 +100,8 @@ const std::vector<const char*>& known_problems() {
       QT_TRANSLATE_NOOP("ErrorPhrases", "is nowhere near a patient"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is not a JSON object of seeds"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is not a list of lesions"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "is no lesion's"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "belongs to a lesion without a point"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is no structure that seeds are read for"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "lies outside the image"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is empty"),
@@ -186,6 +189,9 @@ const std::vector<const char*>& known_problems() {
 const std::vector<const char*>& known_remedies() {
   static const std::vector<const char*> kPhrases = {
       QT_TRANSLATE_NOOP("ErrorPhrases", "Check the path"),
+      QT_TRANSLATE_NOOP("ErrorPhrases",
+                        "Lock it (--lock), leave it out of what is found anew (--only), or allow it "
+                        "(--replace-edited)"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Check its permissions"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Check permissions and space"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Install Glisson again"),
@@ -277,10 +283,13 @@ const std::vector<const char*>& known_remedies() {
       QT_TRANSLATE_NOOP("ErrorPhrases", "Import a portal venous CT, or import labels instead"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Check that the seeds belong to this image and are in mm (LPS)"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Write lists of [x, y, z] in mm, patient coordinates (LPS)"),
-      QT_TRANSLATE_NOOP(
-          "ErrorPhrases",
-          "Use liver, portal_vein, hepatic_veins, vena_cava, gallbladder, lesions or background"),
+      QT_TRANSLATE_NOOP("ErrorPhrases",
+                        "Use liver, portal_vein, hepatic_veins, vena_cava, gallbladder, lesions, "
+                        "lesion_diameters_mm or background"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Edit the labels first"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "Write one number for each lesion, in mm; 0 where it is not known"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "Write 3 to 250 mm, or 0 where it is not known"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "Write the point of this lesion, too, or 0"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Only what was undone last can be redone"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Choose an earlier frame"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Build the model again"),

@@ -39,7 +39,7 @@ Cancellable<Applied> ImportLabels::apply(const CaseState& state, const RunContex
   if (context.cancelled()) return {};
   LabelMap labels = codes.empty() ? LabelMap{file.voxels, file.infos} : recode(file, codes, path.string());
   Applied applied{state};
-  replace_labels(applied.state, std::move(labels), {"import_labels", 0, 0.0});
+  replace_labels(applied.state, std::move(labels), {kImportStep, 0, 0.0});
   put_review(applied.state, review_in(file, codes));
   report_labels(applied.state, applied.figures);
   if (!applied.figures.contains("label_parenchyma_ml"))

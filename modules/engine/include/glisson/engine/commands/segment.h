@@ -1,19 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <set>
+
 #include "glisson/engine/command.h"
 #include "glisson/segmentation/segment.h"
 
 namespace glisson::engine {
 
 /// Where only some structures or a region are found anew, or labels are locked, the rest of the case's labels
-/// is kept. The liver's contour is shown on its way (see Snapshot::evolving).
+/// is kept. What a hand has corrected is replaced only when that was said. The liver's contour is shown on its way (see Snapshot::evolving).
 struct Segment {
   segmentation::SegmentationOptions options;
+  bool replace_edited = false;
 
   bool keeps_labels() const {
     return options.region || !(options.structures == segmentation::Structures{}) || !options.locked.empty();
   }
+  /// Labels that a hand has corrected (see edited_by_hand()) and that would be found anew, or be gone.
+  std::set<Label> would_replace(const CaseState& state) const;
   CommandTraits traits() const;
   Cancellable<Applied> apply(const CaseState& state, const RunContext& context,
                              const Services& services) const;

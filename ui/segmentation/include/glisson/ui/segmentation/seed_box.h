@@ -65,6 +65,8 @@ class SeedBox : public QWidget {
   segmentation::SegmentationOptions options() const;
   segmentation::Structures structures() const;
   QString obstacle() const;
+  /// Growth as it is set; what a hand has corrected is locked or replaced as the person says. None: neither.
+  std::optional<engine::Command> growth();
 
   EngineBridge& engine_;
   ViewState& views_;

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <set>
+
+#include "glisson/engine/case_state.h"
+#include "glisson/volume/label_volume.h"
+
+namespace glisson::engine {
+
+/// Labels that a hand has worked on since growth last changed them, or all were imported; what was undone
+/// does not count, nor what lies around them and gave or took the voxels. Steps that the history had no room
+/// for are not known.
+std::set<Label> edited_by_hand(const CaseState& state);
+
+}  // namespace glisson::engine
