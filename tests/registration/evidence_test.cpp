@@ -95,6 +95,29 @@ class EvidenceTest : public QObject {
     QVERIFY(std::abs(evidence - found.log_evidence) < 0.02);
   }
 
+  void WhatAGroupAddsIsTheEvidenceLostWithoutIt() {
+    const Example e;
+    Eigen::VectorXd gamma(kGroups);
+    gamma << 0.3, 1.0, 0.0, 2.5, 1e-4;
+    const Eigen::VectorXd added = evidence_of_groups(e.problem(), gamma);
+    const double all = posterior(e.problem(), gamma).log_evidence;
+    for (int j = 0; j < kGroups; ++j) {
+      Eigen::VectorXd without = gamma;
+      without[j] = 0.0;
+      const double lost = all - posterior(e.problem(), without).log_evidence;
+      QVERIFY(std::abs(added[j] - lost) < 1e-7 * std::max(1.0, std::abs(lost)));
+    }
+  }
+
+  void OnlyGroupsThatActAreWorthTheirPrice() {
+    const Example e;
+    const Eigen::VectorXd kept = keep_worth(
+        e.problem(), maximise_evidence(e.problem(), Eigen::VectorXd::Constant(kGroups, 1.0), 30), 3.0);
+    for (int j = 0; j < kGroups; ++j) QCOMPARE(kept[j] > 0.0, j == 1 || j == 4);
+    const Eigen::VectorXd none = keep_worth(e.problem(), kept, 1e9);
+    QVERIFY((none.array() == 0.0).all());
+  }
+
   void UpdatesNeverLowerTheEvidence() {
     const Example e;
     Eigen::VectorXd gamma = Eigen::VectorXd::Constant(kGroups, 1.0);

@@ -55,6 +55,7 @@ class OperationTest : public QObject {
   void SameSeedGivesTheSameBits();
   void OtherOperationsLieInTheModes();
   void AmplitudesAreStandardDeviations();
+  void UnforeseenForcesMoveByWhatIsAsked();
   void ShapeAndPoseAreFoundTogether();
   void RegistrationWithThePriorIsTheBetterOne();
   void FineSurfaceIsCarriedByItsTetrahedra();
@@ -100,11 +101,35 @@ void OperationTest::AmplitudesAreStandardDeviations() {
   OperationOptions options;
   options.operations = 120;
   options.modes = 120;
+  options.unforeseen_m = 0.0;
   const OperationPrior prior = simulate_operations(model_, options, RunContext()).value();
   const double root_mean_square =
       std::sqrt(prior.modes.squaredNorm() / static_cast<double>(model_.mesh.vertex_count()));
   // Between the mean and twice the mean: lengths of a few normal components.
   QVERIFY(root_mean_square > prior.mean_motion && root_mean_square < 2.0 * prior.mean_motion);
+}
+
+void OperationTest::UnforeseenForcesMoveByWhatIsAsked() {
+  OperationOptions options;
+  options.operations = 40;
+  options.unforeseen_m = 0.0;
+  const Eigen::MatrixXd foreseen = simulate_operations(model_, options, RunContext()).value().modes;
+  options.unforeseen_m = 5e-3;
+  const Eigen::MatrixXd all = simulate_operations(model_, options, RunContext()).value().modes;
+  QVERIFY(all.leftCols(foreseen.cols()) == foreseen);
+  const Eigen::MatrixXd others = all.rightCols(all.cols() - foreseen.cols());
+  const double motion = std::sqrt(others.squaredNorm() / static_cast<double>(model_.mesh.vertex_count()));
+  QVERIFY(motion > 0.97 * 5e-3 && motion < 1.001 * 5e-3);  // the smallest components are left out
+  // Components: orthogonal, the larger first, and nothing rigid in them.
+  for (Eigen::Index k = 1; k < others.cols(); ++k) {
+    QVERIFY(others.col(k).norm() <= others.col(k - 1).norm() * (1.0 + 1e-9));
+    QVERIFY(std::abs(others.col(k).dot(others.col(0))) < 1e-9 * others.col(0).squaredNorm());
+  }
+  for (int c = 0; c < 3; ++c) {
+    double mean = 0.0;
+    for (Eigen::Index i = c; i < others.rows(); i += 3) mean += others(i, 0);
+    QVERIFY(std::abs(mean) < 1e-9 * others.col(0).norm());
+  }
 }
 
 void OperationTest::ShapeAndPoseAreFoundTogether() {
@@ -229,6 +254,7 @@ void OperationTest::UnusableInputIsRefused() {
   QVERIFY(refused([](OperationOptions& o) { o.bed_m = 0.2; }));
   QVERIFY(refused([](OperationOptions& o) { o.ligament_m = -0.1; }));
   QVERIFY(refused([](OperationOptions& o) { o.contact_spread = 3.0; }));
+  QVERIFY(refused([](OperationOptions& o) { o.unforeseen_m = 0.1; }));
   ShapeFitOptions flat;
   flat.sigma_surface = 0.0;
   const LabelledCloud cloud = phantom::patch(model_, view().apply(model_.mesh.vertices), {});

@@ -133,6 +133,9 @@ void ContactForceOptions::validate() const {
   demand(patch_spacing > 0.0, "patch_spacing", patch_spacing, "Give a positive length in metres");
   demand(patch_radius > 0.0, "patch_radius", patch_radius, "Give a positive length in metres");
   demand(patch_reach > 0.0, "patch_reach", patch_reach, "Give a positive length in metres");
+  demand(!information || (*information > 0.0 && *information <= 1.0), "information",
+         information.value_or(1.0), "Give a share in (0, 1]");
+  demand(patch_price >= 0.0 && std::isfinite(patch_price), "patch_price", patch_price, "Give 0 or more");
   demand(iterations > 0, "iterations", iterations, "Give one at least");
   demand(outlier_distance > 0.0, "outlier_distance", outlier_distance, "Give a positive length in metres");
   demand(max_step > 0.0, "max_step", max_step, "Give a positive length in metres");

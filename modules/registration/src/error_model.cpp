@@ -5,52 +5,20 @@
 #include <algorithm>
 #include <cmath>
 
-#include "force_patches.h"
 #include "force_rows.h"
+#include "unforeseen.h"
 
 namespace glisson::registration {
 namespace {
 
 constexpr double kTurn = 0.5, kShift = 0.05;  ///< rad, m: of the pose beforehand
-constexpr double kGround = 0.05, kGroundLength = 0.1;
-constexpr double kWholeSize = 0.3;   ///< of the organ's size beforehand
-constexpr double kPlace = 25e-3;     ///< m
-constexpr double kTolerance = 25.0;  ///< of the robust weight, squared deviations (shape_fit.cpp)
-constexpr Eigen::Index kAtOnce = 96;
+constexpr double kWholeSize = 0.3;            ///< of the organ's size beforehand
+constexpr double kPlace = 25e-3;              ///< m
+constexpr double kTolerance = 25.0;           ///< of the robust weight, squared deviations (shape_fit.cpp)
 /// Deviations over those of the linear model: it knows nothing of contacts, of other laws, of the
 /// segmentation beyond its mean error. Under this 95 % ellipsoids held 92 % of the development patients'
 /// lesions (EVIDENCE.md).
 constexpr double kLeftOut = 1.6;
-
-/// Motions of the nodes by forces on patches all over the surface, CT frame, one deviation each; their sum is
-/// as large as `motion` on average (rms).
-fem::NodalColumns by_forces(const PatientModel& model, const ErrorModelOptions& options) {
-  fem::ElasticBody body(model.mesh, options.fixed_nodes);
-  body.set_material({fem::BodyLaw::linear, 0.45});
-  Eigen::VectorXd springs;
-  if (options.fixed_nodes.empty()) springs = kGround / (kGroundLength * kGroundLength) * body.node_volumes();
-  if (options.unknown_forces <= 0.0 || !body.factorise(body.rest(), springs))
-    return fem::NodalColumns(3L * body.node_count(), 0);
-  std::vector<char> fixed(static_cast<std::size_t>(body.node_count()), 0);
-  for (const int node : options.fixed_nodes) fixed[static_cast<std::size_t>(node)] = 1;
-  const ForceSurface surface(model.surface, model.mesh.vertices, fixed);
-  const std::vector<ForcePatch> patches =
-      surface.patches(model.surface.mesh.vertices, {options.patch_spacing, options.patch_radius, 1e-3});
-  fem::NodalColumns motions =
-      fem::NodalColumns::Zero(3L * body.node_count(), 3L * static_cast<Eigen::Index>(patches.size()));
-  for (std::size_t j = 0; j < patches.size(); ++j)
-    for (const auto& [node, weight] : patches[j].weights)
-      for (int c = 0; c < 3; ++c) motions(3L * node + c, 3 * static_cast<Eigen::Index>(j) + c) = weight;
-  for (Eigen::Index first = 0; first < motions.cols(); first += kAtOnce) {
-    const Eigen::Index count = std::min(kAtOnce, motions.cols() - first);
-    fem::NodalColumns some = motions.middleCols(first, count);
-    body.solve(some);
-    motions.middleCols(first, count) = some;
-  }
-  const double size = motions.norm() / std::sqrt(static_cast<double>(body.node_count()));
-  if (size > 0.0) motions *= options.unknown_forces / size;
-  return motions;
-}
 
 /// Turns every node's vector.
 void turn(fem::NodalColumns& columns, const Eigen::Matrix3d& rotation) {
@@ -96,7 +64,10 @@ ErrorModel::ErrorModel(const PatientModel& model, const OperationPrior* prior,
                        const ErrorModelOptions& options) {
   nodes_ = nodes;
   modes_ = prior != nullptr ? prior->modes.cols() : 0;
-  const fem::NodalColumns forces = by_forces(model, options);
+  Unforeseen others;
+  others.motion = options.unforeseen;
+  others.fixed_nodes = options.fixed_nodes;
+  const fem::NodalColumns forces = unforeseen_motions(model, others);
   fem::NodalColumns motions(3L * model.mesh.vertex_count(), modes_ + forces.cols());
   if (modes_ > 0) motions.leftCols(modes_) = prior->modes;
   motions.rightCols(forces.cols()) = forces;
@@ -109,17 +80,12 @@ ErrorModel::ErrorModel(const PatientModel& model, const OperationPrior* prior,
   MovingSurface surface(model, SurfaceDetail::fine);
   surface.move(nodes);
   const double sigma = std::hypot(noise, options.surface);
-  const ForceRows rows = find_rows(cloud, surface, sigma, std::sqrt(kTolerance) * sigma);
+  const ForceRows rows =
+      find_rows(cloud, surface, {sigma, std::sqrt(kTolerance) * sigma, options.information});
   const Eigen::MatrixXd all = rows.along(motions);
   rows_ = all.leftCols(unknowns);
   points_ = rows.points;
   variance_ = rows.sigma.cwiseAbs2();
-  // find_rows knows of margin and notch that neighbours share an error; of the surface it does not.
-  Eigen::Index row = 0;
-  for (int i = 0; i < cloud.cloud.size() && row < rows.surface_count; ++i) {
-    if (cloud.cloud.feature(i) != Feature::surface && surface.has(cloud.cloud.feature(i))) continue;
-    variance_[row++] /= options.information * std::max(1e-3, cloud.weight[static_cast<std::size_t>(i)]);
-  }
   Eigen::VectorXd y = rows.gap;
   if (amplitudes.size() == modes_ && modes_ > 0) y += rows_.leftCols(modes_) * amplitudes;
 

@@ -102,4 +102,31 @@ Eigen::VectorXd maximise_evidence(const EvidenceProblem& problem, Eigen::VectorX
   return gamma;
 }
 
+Eigen::VectorXd evidence_of_groups(const EvidenceProblem& problem, const Eigen::VectorXd& gamma) {
+  const EvidencePosterior all = posterior(problem, gamma);
+  const int size = problem.group_size;
+  Eigen::VectorXd added = Eigen::VectorXd::Zero(problem.groups);
+  for (int j = 0; j < problem.groups; ++j) {
+    if (!(gamma[j] > 0.0)) continue;
+    const Eigen::MatrixXd root = all.root.middleRows(j * size, size);
+    const Eigen::LLT<Eigen::MatrixXd> factor(Eigen::MatrixXd(root * root.transpose()));
+    const Eigen::VectorXd mean = all.mean.segment(j * size, size);
+    added[j] = 0.5 * mean.dot(factor.solve(mean)) + factor.matrixLLT().diagonal().array().log().sum() -
+               0.5 * size * std::log(gamma[j]);
+  }
+  return added;
+}
+
+Eigen::VectorXd keep_worth(const EvidenceProblem& problem, Eigen::VectorXd gamma, double price) {
+  for (;;) {
+    const Eigen::VectorXd added = evidence_of_groups(problem, gamma);
+    int least = -1;
+    for (int j = 0; j < problem.groups; ++j)
+      if (gamma[j] > 0.0 && added[j] < price && (least < 0 || added[j] < added[least])) least = j;
+    if (least < 0) return gamma;
+    gamma[least] = 0.0;
+    gamma = maximise_evidence(problem, std::move(gamma), 1);
+  }
+}
+
 }  // namespace glisson::registration

@@ -125,7 +125,9 @@ ForceRows ForceFitter::pair(double sigma) {
   const CameraFromCt& pose = now_.pose;
   cloud.cloud.points = pose.inverse().apply(cloud.cloud.points);
   cloud.cloud.normals = cloud.cloud.normals * pose.rotation;
-  return find_rows(cloud, surface_, sigma, std::max(problem_.options.outlier_distance, 2.0 * sigma));
+  const ContactForceOptions& o = problem_.options;
+  const double shared = sigma / std::sqrt(o.information.value_or(1.0));
+  return find_rows(cloud, surface_, {sigma, std::max(o.outlier_distance, 2.0 * shared), o.information});
 }
 
 Points ForceFitter::shape(const Eigen::VectorXd& amplitudes) const {
@@ -191,10 +193,7 @@ bool ForceFitter::choose_patches(const ForceRows& rows, double sigma, const RunC
   const ContactForceOptions& o = problem_.options;
   now_.patches = problem_.force_surface.patches(seen, {o.patch_spacing, o.patch_radius, o.patch_reach});
   refine_patches(sigma);
-  responses_.setZero(3L * body_.node_count(), 3L * static_cast<Eigen::Index>(now_.patches.size()));
-  for (std::size_t j = 0; j < now_.patches.size(); ++j)
-    for (const auto& [node, weight] : now_.patches[j].weights)
-      for (int c = 0; c < 3; ++c) responses_(3L * node + c, 3 * static_cast<Eigen::Index>(j) + c) = weight;
+  responses_ = unit_forces(now_.patches, body_.node_count());
   constexpr Eigen::Index kAtOnce = 96;  // some 50 ms on 3000 nodes
   for (Eigen::Index first = 0; first < responses_.cols(); first += kAtOnce) {
     if (context.cancelled()) return false;
@@ -326,9 +325,12 @@ bool ForceFitter::stage(double sigma, const RunContext& context) {
     if (iteration == 0) variances_.setConstant(groups, y.squaredNorm() / a.leftCols(columns).squaredNorm());
     const EvidenceProblem problem(a, y, rows.sigma, groups, 3, fixed_variances());
     variances_ = maximise_evidence(problem, variances_, iteration == 0 ? kFirstUpdates : kUpdates, kGone);
+    const double price = problem_.options.patch_price * std::log(static_cast<double>(groups));
+    if (price > 0.0) variances_ = keep_worth(problem, variances_, price);
     if (context.cancelled()) return false;
     found = posterior(problem, variances_);
-    now_.law.log_evidence = found.log_evidence;
+    const auto acting = static_cast<double>((variances_.array() > 0.0).count());
+    now_.law.log_evidence = found.log_evidence - price * acting;
     now_.law.residual = rows.gap.head(rows.surface_count).cwiseAbs().mean();
     now_.outlier_share =
         (rows.sigma.head(rows.surface_count).array() > std::sqrt(2.0) * sigma).cast<double>().mean();

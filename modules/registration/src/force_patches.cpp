@@ -8,6 +8,15 @@ namespace glisson::registration {
 /// Cosine between normals above which a patch goes on: not through a thin lobe to its other face.
 constexpr double kAlike = 0.2;
 
+fem::NodalColumns unit_forces(const std::vector<ForcePatch>& patches, int node_count) {
+  fem::NodalColumns forces =
+      fem::NodalColumns::Zero(3L * node_count, 3L * static_cast<Eigen::Index>(patches.size()));
+  for (std::size_t j = 0; j < patches.size(); ++j)
+    for (const auto& [node, weight] : patches[j].weights)
+      for (int c = 0; c < 3; ++c) forces(3L * node + c, 3 * static_cast<Eigen::Index>(j) + c) = weight;
+  return forces;
+}
+
 ForceSurface::ForceSurface(const BoundarySurface& surface, const Points& rest,
                            const std::vector<char>& fixed) {
   TriangleMesh mesh = surface.mesh;

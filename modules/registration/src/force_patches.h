@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "glisson/fem/elastic_body.h"
 #include "glisson/geometry/topology.h"
 
 namespace glisson::registration {
@@ -14,6 +15,9 @@ struct ForcePatch {
   int node = -1;  ///< at its centre
   std::vector<std::pair<int, double>> weights;
 };
+
+/// A unit force on each patch, along x, y and z. Shape: 3 nodes x 3 patches.
+fem::NodalColumns unit_forces(const std::vector<ForcePatch>& patches, int node_count);
 
 struct PatchGrid {
   double spacing = 12.5e-3;  ///< between neighbouring centres, m

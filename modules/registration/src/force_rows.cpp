@@ -11,6 +11,7 @@ constexpr double kSigmaMargin = 6e-3, kSigmaNotch = 3e-3;  // m
 /// Neighbouring margin points share the model's error: independent information in a reference spacing's
 /// point.
 constexpr double kMarginInformation = 0.2;
+constexpr double kLeastWeight = 1e-3;  ///< of a point between its neighbours, for its division
 
 /// A landmark that the model lacks is a part of the surface like any other.
 bool on_surface(const MovingSurface& surface, Feature feature) {
@@ -62,7 +63,7 @@ Eigen::MatrixXd ForceRows::along(const fem::NodalColumns& columns) const {
   return a;
 }
 
-ForceRows find_rows(const PreparedCloud& cloud, const MovingSurface& surface, double sigma, double half) {
+ForceRows find_rows(const PreparedCloud& cloud, const MovingSurface& surface, const RowNoise& noise) {
   ForceRows rows;
   resize(rows, cloud.cloud.size());
   bool labelled = false;
@@ -79,12 +80,16 @@ ForceRows find_rows(const PreparedCloud& cloud, const MovingSurface& surface, do
     rows.points.row(next) = at.point.transpose();
     rows.directions.row(next) = n.transpose();
     rows.gap[next] = n.dot(p - at.point);
-    rows.sigma[next] = sigma * std::sqrt(1.0 + at.distance * at.distance / (half * half));
+    const double apart = at.distance / noise.half;
+    rows.sigma[next] = noise.sigma * std::sqrt(1.0 + apart * apart);
+    if (noise.information)
+      rows.sigma[next] /=
+          std::sqrt(*noise.information * std::max(kLeastWeight, cloud.weight[static_cast<std::size_t>(i)]));
     ++next;
   }
   resize(rows, next);
   rows.surface_count = next;
-  if (labelled) add_labelled(rows, cloud, surface, sigma);
+  if (labelled) add_labelled(rows, cloud, surface, noise.sigma);
   return rows;
 }
 

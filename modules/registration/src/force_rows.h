@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "glisson/fem/elastic_body.h"
@@ -24,10 +25,18 @@ struct ForceRows {
   Eigen::MatrixXd along(const fem::NodalColumns& columns) const;
 };
 
+/// How far a point of the cloud may lie from the model.
+struct RowNoise {
+  double sigma = 3e-3;  ///< of surface points across the surface, m
+  double half = 6e-3;   ///< distance at which a surface point's weight is a half, m
+  /// Independent information in what the reference density's one surface point stands for
+  /// (ShapeFitOptions); empty: each point of the cloud is independent, whatever it stands for.
+  std::optional<double> information;
+};
+
 /// Surface points count along the normal alone, whatever the distance; margin points and the notch's centroid
-/// in all directions, restricted to their parts (deviations of 6 and 3 mm, not less than `sigma`).
-/// @param surface where the model is now, in the cloud's frame. @param sigma of surface points, m.
-/// @param half distance at which a surface point's weight is a half, m.
-ForceRows find_rows(const PreparedCloud& cloud, const MovingSurface& surface, double sigma, double half);
+/// in all directions, restricted to their parts (deviations of 6 and 3 mm, not less than the surface's).
+/// @param surface where the model is now, in the cloud's frame.
+ForceRows find_rows(const PreparedCloud& cloud, const MovingSurface& surface, const RowNoise& noise);
 
 }  // namespace glisson::registration

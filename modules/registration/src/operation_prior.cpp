@@ -14,16 +14,26 @@
 #include "glisson/fem/integrator.h"
 #include "glisson/geometry/rigid.h"
 #include "glisson/geometry/topology.h"
+#include "unforeseen.h"
 
 namespace glisson::registration {
 namespace {
 
-constexpr int kFewest = 30;  // operations that say anything of a distribution (twice the loads)
+constexpr int kUnforeseenModes = 60;     ///< of 270 they hold 99 % of the square motion
+constexpr double kUnknownMotion = 8e-3;  ///< m, rms: operations move a node by that beyond a rigid motion
+constexpr int kFewest = 30;              // operations that say anything of a distribution (twice the loads)
 // Stiffness of what holds the liver, N/m per m2 of its face, before contact_spread.
 constexpr double kCava = 5e5, kBed = 1e5, kDiaphragm = 1e4, kLigament = 5e4;
 constexpr double kCavaRadius = 0.02, kLigamentHalfWidth = 0.01;
 /// m from the vena cava to about the middle of a lobe: the unit of the bed's polynomial.
 constexpr double kReach = 0.09;
+
+fem::NodalColumns unforeseen_of(const PatientModel& model, double motion) {
+  Unforeseen forces;
+  forces.motion = motion;
+  forces.modes = kUnforeseenModes;
+  return unforeseen_motions(model, forces);
+}
 
 /// One operation's loads, each in standard deviations.
 struct Draw {
@@ -170,6 +180,7 @@ void OperationOptions::validate() const {
   demand(gas_pa >= 0.0 && gas_pa <= 4000.0, "gas_pa", gas_pa, "Give 0 to 4000 Pa");
   demand(bed_m >= 0.0 && bed_m <= 0.1, "bed_m", bed_m, "Give 0 to 0.1 m");
   demand(ligament_m >= 0.0 && ligament_m <= 0.1, "ligament_m", ligament_m, "Give 0 to 0.1 m");
+  demand(unforeseen_m >= 0.0 && unforeseen_m <= 0.05, "unforeseen_m", unforeseen_m, "Give 0 to 0.05 m");
   demand(contact_spread >= 0.0 && contact_spread <= 2.0, "contact_spread", contact_spread, "Give 0 to 2");
 }
 
@@ -178,6 +189,12 @@ Points OperationPrior::shape(const Points& rest, const Eigen::VectorXd& amplitud
           "a prior moves the model that it was made from");
   const Eigen::VectorXd moved = modes * amplitudes;
   return rest + Eigen::Map<const Points>(moved.data(), rest.rows(), 3);
+}
+
+OperationPrior unknown_operations(const PatientModel& model) {
+  OperationPrior prior;
+  prior.modes = unforeseen_of(model, kUnknownMotion);
+  return prior;
 }
 
 bool can_simulate_operations(const PatientModel& model) {
@@ -224,7 +241,10 @@ Cancellable<OperationPrior> simulate_operations(const PatientModel& model, const
     motions.col(prior.operations) = Eigen::Map<const Eigen::VectorXd>(motion.data(), motion.size());
     loads.col(prior.operations++) = draws[i].loads();
   }
-  prior.modes = components(motions, loads, options.modes);
+  const Eigen::MatrixXd foreseen = components(motions, loads, options.modes);
+  const fem::NodalColumns unforeseen = unforeseen_of(model, options.unforeseen_m);
+  prior.modes.resize(foreseen.rows(), foreseen.cols() + unforeseen.cols());
+  prior.modes << foreseen, unforeseen;
   return prior;
 }
 

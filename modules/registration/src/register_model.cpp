@@ -27,9 +27,9 @@ Cancellable<RigidStart> start_of(const PatientModel& model, const LabelledCloud&
   return start;
 }
 
-bool needs_operations(const PatientModel& model, const RegisterOptions& options) {
-  return options.operations && !options.elastic.prior && options.elastic.fixed_nodes.empty() &&
-         can_simulate_operations(model);
+/// Whether shapes are to be told apart by how probable they are.
+bool needs_prior(const RegisterOptions& options) {
+  return options.operations && !options.elastic.prior && options.elastic.fixed_nodes.empty();
 }
 
 Cancellable<std::shared_ptr<const OperationPrior>> operations_of(const PatientModel& model,
@@ -74,6 +74,7 @@ std::vector<std::string> doubts_of(const ContactForceFit& fit, double seen) {
 /// patient's mesh is coarse.
 constexpr double kToolReach = 40e-3, kToolSpacing = 20e-3, kToolRadius = 30e-3;  // m
 constexpr int kPatientStages = 3;
+constexpr double kToolPrice = 1.0;  ///< one of all places is where something acts
 
 /// @param shapes where operations are known: their modes and the forces of tools are found together, from the
 /// most probable shape and, without any, from the rigid starts.
@@ -93,8 +94,10 @@ Cancellable<Registration> register_by_forces(const PatientModel& model, const La
     forces.patch_spacing = kToolSpacing;
     forces.patch_radius = kToolRadius;
     forces.amplitudes = shapes->best().amplitudes;
-    // Neighbouring points share the error of the patient's surface and of the modes: they count for less.
-    forces.sigmas.assign(kPatientStages, elastic.shape.sigma_surface / std::sqrt(elastic.shape.information));
+    forces.patch_price = kToolPrice;
+    // Neighbouring points share the error of the patient's surface and of the modes.
+    forces.information = elastic.shape.information;
+    forces.sigmas.assign(kPatientStages, elastic.shape.sigma_surface);
   }
   fit = fit_contact_forces(model, cloud, start, forces, context);
   if (!fit) return {};
@@ -148,10 +151,8 @@ ErrorModel error_of(const PatientModel& model, const LabelledCloud& cloud, const
   known.fixed_nodes = elastic.fixed_nodes;
   known.pose_known = !elastic.fixed_nodes.empty();
   const bool together = made.forces && elastic.prior;
-  // Where tools are at work there may be more of them.
-  if (together)
-    known.unknown_forces =
-        std::max(known.unknown_forces, moved_by_forces(model, *made.forces, *elastic.prior));
+  // The prior knows of unforeseen forces. Where tools are at work there may be as many again.
+  if (elastic.prior) known.unforeseen = together ? moved_by_forces(model, *made.forces, *elastic.prior) : 0.0;
   ErrorModel error(model, elastic.prior.get(),
                    shape      ? shape->amplitudes
                    : together ? made.forces->amplitudes
@@ -233,62 +234,129 @@ void RegisterOptions::validate() const {
   forces.validate();
 }
 
+namespace {
+
+/// One registration, stage by stage. Each stage returns false when it was cancelled.
+class Run {
+ public:
+  Run(const PatientModel& model, const LabelledCloud& cloud, const RegisterOptions& options,
+      const KnownOperations& known, const RunContext& context)
+      : model_(model),
+        cloud_(cloud),
+        options_(options),
+        known_(known),
+        context_(context),
+        elastic_(options.elastic) {}
+
+  Cancellable<ExaminedRegistration> run() {
+    if (!find_start() || !know_shapes() || !fit_the_shapes() || !deform() || !examine_it()) return {};
+    return std::move(examined_);
+  }
+
+ private:
+  /// The next stage's part of the work, up to this share of all.
+  RunContext up_to(double share) { return context_.part(std::exchange(done_, share), share); }
+  bool is_automatic() const { return options_.start == Start::automatic; }
+  Registered& result() { return examined_.registered; }
+
+  bool find_start() {
+    auto start = start_of(model_, cloud_, options_, up_to(is_automatic() ? 0.2 : 0.0));
+    if (!start) return false;
+    start_ = std::move(*start);
+    if (is_automatic()) result().rigid_residual = start_.residual;
+    return true;
+  }
+
+  bool know_shapes() {
+    if (!needs_prior(options_)) return true;
+    if (can_simulate_operations(model_)) {
+      auto prior = operations_of(model_, options_.operation, known_, up_to(0.7));
+      if (!prior) return false;
+      result().operations = elastic_.prior = *prior;
+    } else {
+      elastic_.prior = std::make_shared<const OperationPrior>(unknown_operations(model_));
+    }
+    elastic_.other_starts = start_.alternatives;
+    return true;
+  }
+
+  bool fit_the_shapes() {
+    if (!elastic_.prior) return true;
+    auto shapes =
+        shapes_from(model_, cloud_, start_.camera_from_ct, elastic_, up_to(done_ + 0.3 * (1.0 - done_)));
+    if (!shapes) return false;
+    shapes_ = std::move(*shapes);
+    return true;
+  }
+
+  bool deform() {
+    const double judged = done_ + 0.7 * (1.0 - done_);  // the control takes about as long as the start
+    const bool either = options_.method == Method::automatic && shapes_.has_value();
+    Cancellable<Registration> made;
+    if (either || takes_forces(options_.method, model_, options_.elastic))
+      made = register_by_forces(model_, cloud_, start_.camera_from_ct, elastic_, shapes_, options_.forces,
+                                options_.start == Start::none, result().forces,
+                                up_to(either ? 0.5 * (done_ + judged) : judged));
+    // Where no force is worth its price the shapes explain what is seen.
+    if (either && made && result().forces->forces.empty()) result().forces.reset();
+    if (context_.cancelled()) return false;
+    if (!result().forces) {
+      const RunContext rest = up_to(judged);
+      made = shapes_ ? register_elastic(model_, cloud_, *shapes_, elastic_, rest)
+                     : register_elastic(model_, cloud_, start_.camera_from_ct, elastic_, rest);
+    }
+    if (!made) return false;
+    registration_ = std::move(*made);
+    return true;
+  }
+
+  bool examine_it() {
+    examined_.error = std::make_shared<const ErrorModel>(
+        error_of(model_, cloud_, elastic_, shapes_, result(), registration_));
+    examined_.lesions = lesions_of(model_, *examined_.error, registration_);
+    examined_.findings =
+        examine({model_, cloud_, registration_, shapes_ ? &*shapes_ : nullptr, *examined_.error});
+    if (is_automatic() && shapes_) {
+      const auto odds = mirror_odds(model_, cloud_, options_, elastic_, shapes_->best().cost, up_to(1.0));
+      if (!odds) return false;
+      examined_.findings.mirror_odds = *odds;
+    }
+    tell(judge(examined_.findings));
+    result().displacement =
+        point_errors(registration_.nodes_in_camera, registration_.camera_from_ct.apply(model_.mesh.vertices));
+    result().registration = std::move(registration_);
+    return true;
+  }
+
+  void tell(const Verdict& verdict) {
+    std::vector<std::string>& doubts = registration_.doubts;
+    doubts.insert(doubts.begin(), start_.doubts.begin(), start_.doubts.end());
+    doubts.insert(doubts.end(), verdict.doubts.begin(), verdict.doubts.end());
+    if (verdict.refused) doubts.insert(doubts.begin(), kRefused);
+    tell_once(doubts);
+  }
+
+  const PatientModel& model_;
+  const LabelledCloud& cloud_;
+  const RegisterOptions& options_;
+  const KnownOperations& known_;
+  const RunContext& context_;
+  ElasticOptions elastic_;
+  double done_ = 0.0;
+  RigidStart start_;
+  std::optional<ShapeFits> shapes_;
+  Registration registration_;
+  ExaminedRegistration examined_;
+};
+
+}  // namespace
+
 Cancellable<ExaminedRegistration> register_and_examine(const PatientModel& model, const LabelledCloud& cloud,
                                                        const RegisterOptions& options,
                                                        const RunContext& context,
                                                        const KnownOperations& known) {
   options.validate();
-  const bool is_automatic = options.start == Start::automatic;
-  ExaminedRegistration examined;
-  Registered& result = examined.registered;
-  double done = 0.0;  ///< share of the work
-  auto start = start_of(model, cloud, options, context.part(0.0, 0.2));
-  if (!start) return {};
-  if (is_automatic) done = 0.2, result.rigid_residual = start->residual;
-  ElasticOptions elastic = options.elastic;
-  if (needs_operations(model, options)) {
-    auto prior = operations_of(model, options.operation, known, context.part(done, 0.7));
-    if (!prior) return {};
-    done = 0.7;
-    result.operations = elastic.prior = *prior;
-    elastic.other_starts = std::move(start->alternatives);
-  }
-  std::optional<ShapeFits> shapes;
-  const double judged = done + 0.7 * (1.0 - done);  // the control takes about as long as the start
-  if (elastic.prior) {
-    const double fitted = done + 0.4 * (judged - done);
-    shapes = shapes_from(model, cloud, start->camera_from_ct, elastic, context.part(done, fitted));
-    if (!shapes) return {};
-    done = fitted;
-  }
-  const RunContext rest = context.part(done, judged);
-  const bool by_forces = takes_forces(options.method, model, options.elastic) ||
-                         (options.method == Method::automatic && shapes.has_value());
-  auto registered =
-      by_forces ? register_by_forces(model, cloud, start->camera_from_ct, elastic, shapes, options.forces,
-                                     options.start == Start::none, result.forces, rest)
-      : shapes  ? register_elastic(model, cloud, *shapes, elastic, rest)
-                : register_elastic(model, cloud, start->camera_from_ct, elastic, rest);
-  if (!registered) return {};
-  examined.error =
-      std::make_shared<const ErrorModel>(error_of(model, cloud, elastic, shapes, result, *registered));
-  examined.lesions = lesions_of(model, *examined.error, *registered);
-  examined.findings = examine({model, cloud, *registered, shapes ? &*shapes : nullptr, *examined.error});
-  if (is_automatic && shapes) {
-    const auto odds =
-        mirror_odds(model, cloud, options, elastic, shapes->best().cost, context.part(judged, 1.0));
-    if (!odds) return {};
-    examined.findings.mirror_odds = *odds;
-  }
-  registered->doubts.insert(registered->doubts.begin(), start->doubts.begin(), start->doubts.end());
-  const Verdict verdict = judge(examined.findings);
-  registered->doubts.insert(registered->doubts.end(), verdict.doubts.begin(), verdict.doubts.end());
-  if (verdict.refused) registered->doubts.insert(registered->doubts.begin(), kRefused);
-  tell_once(registered->doubts);
-  result.displacement =
-      point_errors(registered->nodes_in_camera, registered->camera_from_ct.apply(model.mesh.vertices));
-  result.registration = std::move(*registered);
-  return examined;
+  return Run(model, cloud, options, known, context).run();
 }
 
 Cancellable<Registered> register_model(const PatientModel& model, const LabelledCloud& cloud,

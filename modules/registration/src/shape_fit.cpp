@@ -194,15 +194,4 @@ Cancellable<ShapeFits> fit_shapes(const PatientModel& model, const OperationPrio
   return found;
 }
 
-Cancellable<ShapeFit> fit_most_probable_shape(const PatientModel& model, const OperationPrior& prior,
-                                              const LabelledCloud& cloud,
-                                              const std::vector<CameraFromCt>& starts,
-                                              const ShapeFitOptions& options,
-                                              std::vector<std::string>& doubts, const RunContext& context) {
-  auto shapes = fit_shapes(model, prior, cloud, starts, options, context);
-  if (!shapes) return std::nullopt;
-  doubts.insert(doubts.end(), shapes->doubts.begin(), shapes->doubts.end());
-  return std::move(shapes->fits.front());
-}
-
 }  // namespace glisson::registration

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,12 @@ struct ContactForceOptions {
   /// Standard deviations of the cloud across the surface, stage by stage. The stage under which the cloud is
   /// most probable is the last: the noise is not known.
   std::vector<double> sigmas{8e-3, 4e-3, 2e-3, 1e-3, 0.5e-3};
+  /// Independent information in what the reference density's one point stands for (ShapeFitOptions): the
+  /// error of a patient's surface is shared by neighbours. Empty: each point of the cloud is independent.
+  std::optional<double> information;
+  /// What a force has to add to the log evidence, over the logarithm of the number of patches: 1 is a prior
+  /// under which one of all patches acts. 0: as many act as make the cloud most probable.
+  double patch_price = 0.0;
   std::vector<int> fixed_nodes;   ///< stay where the start puts them
   std::vector<double> stiffness;  ///< of each tetrahedron relative to the others; empty: all alike
   bool pose_known = false;        ///< the start is where the model is, not a guess
@@ -57,9 +64,10 @@ struct ContactForceOptions {
 struct LawFit {
   fem::BodyMaterial material;
   double ground = 0.0;
-  double log_evidence = 0.0;  ///< of the last stage, ln; minus infinity: the mechanics failed
-  double sigma = 0.0;         ///< of the most probable stage, m
-  double residual = 0.0;      ///< mean distance of the cloud along the normals, m
+  /// Of the last stage, ln, less the price of its forces; minus infinity: the mechanics failed.
+  double log_evidence = 0.0;
+  double sigma = 0.0;     ///< of the most probable stage, m
+  double residual = 0.0;  ///< mean distance of the cloud along the normals, m
   /// Mean distance of the nodes from where the chosen law puts them, m.
   double away = 0.0;
   Termination termination = Termination::diverged;  ///< converged: the last step was under sigma
@@ -92,8 +100,8 @@ struct ContactForceFit {
   Eigen::VectorXd expected_error;
   std::vector<RivalFit> rivals;  ///< of the other fits, those of one in a thousand and more
   double residual = 0.0;         ///< mean distance along the normals, m
-  double outlier_share = 0.0;  ///< of the points, those that weigh less than a half
-  int inverted = 0;            ///< tetrahedra
+  double outlier_share = 0.0;    ///< of the points, those that weigh less than a half
+  int inverted = 0;              ///< tetrahedra
   int iterations = 0;
   Termination termination = Termination::diverged;
 };

@@ -29,19 +29,18 @@ struct ErrorModelOptions {
   double surface = 1.5e-3;
   /// Independent information in what the reference density's one point stands for (ShapeFitOptions).
   double information = 0.2;
-  /// Motion of a node, rms, m, that forces nobody has simulated cause beforehand: tools, contacts.
-  double unknown_forces = 4e-3;
-  double patch_spacing = 25e-3, patch_radius = 35e-3;  ///< of those forces, over the whole surface
-  std::vector<int> fixed_nodes;                        ///< known to stay; no springs to the ground then
-  bool pose_known = false;                             ///< the model needs no turning and shifting
+  /// Motion of a node, rms, m, by unforeseen forces beyond those that the prior knows (OperationOptions).
+  double unforeseen = 4e-3;
+  std::vector<int> fixed_nodes;  ///< known to stay
+  bool pose_known = false;       ///< the model needs no turning and shifting
 };
 
 /// What is not known of where a registered organ is: the posterior of pose, amplitudes of the operations'
-/// modes and unknown forces anywhere on the surface, linearised where the registration has put it. Where
+/// modes and unforeseen forces anywhere on the surface, linearised where the registration has put it. Where
 /// something is seen the cloud ties them down; elsewhere they remain, more so the farther away.
 class ErrorModel {
  public:
-  /// @param prior null: unknown forces alone. @param amplitudes of its modes; empty: none.
+  /// @param prior null: unforeseen forces alone. @param amplitudes of its modes; empty: none.
   /// @param nodes where the organ is, camera's frame; @param camera_from_ct its rigid part.
   /// @param noise of the cloud's points, m.
   ErrorModel(const PatientModel& model, const OperationPrior* prior, const Eigen::VectorXd& amplitudes,

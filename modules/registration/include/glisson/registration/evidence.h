@@ -44,4 +44,12 @@ EvidencePosterior posterior(const EvidenceProblem& problem, const Eigen::VectorX
 Eigen::VectorXd maximise_evidence(const EvidenceProblem& problem, Eigen::VectorXd group_variance, int updates,
                                   double gone = 1e-9);
 
+/// Groups that do not earn their price are given zero, the one that loses least first, and the others'
+/// variances raised again. What a group adds to the log evidence is the ratio of its amplitudes' densities at
+/// zero, after and before the observations (Dickey 1971).
+Eigen::VectorXd keep_worth(const EvidenceProblem& problem, Eigen::VectorXd group_variance, double price);
+
+/// What each group adds to the log evidence; 0 where its variance is.
+Eigen::VectorXd evidence_of_groups(const EvidenceProblem& problem, const Eigen::VectorXd& group_variance);
+
 }  // namespace glisson::registration

@@ -29,8 +29,8 @@ struct Findings {
   double notch_off = std::numeric_limits<double>::quiet_NaN();
   double hidden = 0.0;  ///< share of the points that lie 10 mm and more behind the model
   double turned = 0.0;  ///< share of the points whose own normal is against the model's (over 70 degrees)
-  /// Logarithm of the odds of the most probable shape against that of the cloud's mirror image: a liver is not
-  /// symmetric, so what fits no better than its mirror image has not been recognised.
+  /// Logarithm of the odds of the most probable shape against that of the cloud's mirror image: a liver is
+  /// not symmetric, so what fits no better than its mirror image has not been recognised.
   double mirror_odds = std::numeric_limits<double>::infinity();
   /// Logarithm of the odds against the most probable other shape 10 mm away.
   double rival_odds = std::numeric_limits<double>::infinity();

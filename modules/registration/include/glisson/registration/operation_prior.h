@@ -25,22 +25,30 @@ struct OperationOptions {
   double bed_m = 0.014;   ///< by which the organs behind give way at 9 cm from the vena cava
   double ligament_m = 0.007;    ///< by which the abdominal wall takes the falciform ligament along
   double contact_spread = 0.5;  ///< of the logarithm of the stiffness of bed, diaphragm and ligament
+  /// Motion of a node, rms, m, by forces that nobody has simulated (tools, contacts, ligaments cut), anywhere
+  /// on the surface. 0: there are none.
+  double unforeseen_m = 4e-3;
   /// @throws InputError naming the option.
   void validate() const;
   bool operator==(const OperationOptions&) const = default;
 };
 
-/// The deformations of one patient's liver over simulated operations, as principal components.
+/// The deformations of one patient's liver over simulated operations, as principal components, and by what
+/// nobody has simulated.
 struct OperationPrior {
   /// 3 N x K: displacement of each node (x, y, z of the first, then of the second, ...) by one standard
-  /// deviation of each component, metres, in the CT's frame, free of rigid motion, largest first.
+  /// deviation of each component, metres, in the CT's frame, free of rigid motion: first the operations', the
+  /// largest first, then the unforeseen forces'. Their covariances add up.
   Eigen::MatrixXd modes;
   int operations = 0;        ///< of which an equilibrium was found
-  double mean_motion = 0.0;  ///< of a node, over all nodes and operations, metres
+  double mean_motion = 0.0;  ///< of a node, over all nodes and simulated operations, metres
 
   /// The rest shape moved by amplitudes in standard deviations. @pre as many as there are modes.
   Points shape(const Points& rest, const Eigen::VectorXd& amplitudes) const;
 };
+
+/// Where operations cannot be simulated: unforeseen forces alone, which move a node by 8 mm (rms).
+OperationPrior unknown_operations(const PatientModel& model);
 
 /// Whether the model holds what operations are simulated with: its vena cava must be known.
 bool can_simulate_operations(const PatientModel& model);

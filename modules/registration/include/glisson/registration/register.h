@@ -36,10 +36,10 @@ struct RigidStart {
 Cancellable<RigidStart> align_rigid(const PatientModel& model, const LabelledCloud& cloud,
                                     const RigidOptions& options, const RunContext& context);
 
-/// How eq. 14 is read; see "Method" in the README. `corrected`: f = k w(s d)(p - q), w(x) = 1 - (2/pi) atan x:
-/// a spring at contact, saturating far away. `clamped`: the printed magnitude where it attracts, zero beyond
-/// s d = tan 1. `printed`: literally, from the cloud to the model. The last two are forces over a stiffness,
-/// so they are scaled by the length 1/s; they are kept for the comparison only.
+/// How eq. 14 is read; see "Method" in the README. `corrected`: f = k w(s d)(p - q), w(x) = 1 - (2/pi) atan
+/// x: a spring at contact, saturating far away. `clamped`: the printed magnitude where it attracts, zero
+/// beyond s d = tan 1. `printed`: literally, from the cloud to the model. The last two are forces over a
+/// stiffness, so they are scaled by the length 1/s; they are kept for the comparison only.
 enum class PenaltyForm { corrected, clamped, printed };
 
 /// Schedule of eq. 15. Factors are in metres: k = factor * E of the parenchyma.

@@ -20,8 +20,8 @@ enum class Method {
   /// Forces: together with the operations' modes where those are known, and for a bare mesh (no vessels, no
   /// vena cava) of which nodes are fixed. Else springs.
   automatic,
-  forces,     ///< fit_contact_forces
-  springs     ///< register_elastic: the paper's, with operations before it where they are asked for
+  forces,  ///< fit_contact_forces
+  springs  ///< register_elastic: the paper's, with operations before it where they are asked for
 };
 
 /// @return whether the shape is found by contact forces where no operations are known.
@@ -44,8 +44,9 @@ struct RegisterOptions {
   ElasticOptions
       elastic;  ///< of the springs; its fixed nodes and the lesions' stiffness hold for the forces, too
   ContactForceOptions forces;
-  /// Operations are simulated first, where the vena cava is known and no node is fixed, and tell which shapes
-  /// are probable (simulate_operations); false: the paper's method. A prior in `elastic` is taken instead.
+  /// Where no node is fixed: operations are simulated first and tell which shapes are probable
+  /// (simulate_operations; unknown_operations where the vena cava is not known); false: the paper's method. A
+  /// prior in `elastic` is taken instead.
   bool operations = true;
   OperationOptions operation;
   /// What is used of them. @throws InputError naming the option.

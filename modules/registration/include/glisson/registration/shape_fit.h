@@ -43,13 +43,4 @@ Cancellable<ShapeFit> fit_shape(const PatientModel& model, const OperationPrior&
                                 const LabelledCloud& cloud, const CameraFromCt& start,
                                 const ShapeFitOptions& options, const RunContext& context);
 
-/// The best of the fits from all starts. @param doubts receives shape_ambiguous (another shape, 10 mm away on
-/// average and more, is nearly as probable), shape_unusual (an amplitude beyond four standard deviations).
-/// @pre one start at least. @throws as fit_shape.
-Cancellable<ShapeFit> fit_most_probable_shape(const PatientModel& model, const OperationPrior& prior,
-                                              const LabelledCloud& cloud,
-                                              const std::vector<CameraFromCt>& starts,
-                                              const ShapeFitOptions& options,
-                                              std::vector<std::string>& doubts, const RunContext& context);
-
 }  // namespace glisson::registration

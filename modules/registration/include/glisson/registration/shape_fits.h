@@ -12,7 +12,9 @@ namespace glisson::registration {
 /// The fits from all starts, the most probable first.
 struct ShapeFits {
   std::vector<ShapeFit> fits;
-  std::vector<std::string> doubts;  ///< shape_ambiguous, shape_unusual (fit_most_probable_shape)
+  /// shape_ambiguous (another shape, 10 mm away on average and more, is nearly as probable), shape_unusual
+  /// (an amplitude beyond four standard deviations).
+  std::vector<std::string> doubts;
   const ShapeFit& best() const { return fits.front(); }
 };
 /// @pre one start at least. @throws as fit_shape.

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "glisson/fem/elastic_body.h"
+#include "glisson/patient/patient_model.h"
+
+namespace glisson::registration {
+
+/// Forces that nobody has simulated (tools, contacts, ligaments cut), anywhere on the surface.
+struct Unforeseen {
+  double motion = 4e-3;                         ///< that they cause, of a node, rms, m
+  double patch_spacing = 25e-3;                 ///< of their places, m
+  double patch_radius = 35e-3;                  ///< over which one spreads, m
+  std::vector<int> fixed_nodes;                 ///< known to stay
+  int modes = std::numeric_limits<int>::max();  ///< principal components kept, at most
+};
+
+/// The principal components of what such forces do to a linear body, one standard deviation each, the largest
+/// first. Independent forces of one size in every patch and direction; where no node is fixed soft springs to
+/// the ground hold the body and its rigid motion is left out: the pose is sought for itself.
+/// Shape: 3 N x K, CT frame, m; no columns where the body cannot be held.
+fem::NodalColumns unforeseen_motions(const PatientModel& model, const Unforeseen& forces);
+
+}  // namespace glisson::registration
