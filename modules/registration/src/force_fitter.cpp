@@ -332,8 +332,7 @@ bool ForceFitter::stage(double sigma, const RunContext& context) {
     const auto acting = static_cast<double>((variances_.array() > 0.0).count());
     now_.law.log_evidence = found.log_evidence - price * acting;
     now_.law.residual = rows.gap.head(rows.surface_count).cwiseAbs().mean();
-    now_.outlier_share =
-        (rows.sigma.head(rows.surface_count).array() > std::sqrt(2.0) * sigma).cast<double>().mean();
+    now_.outlier_share = rows.outlier_share;
     motion = step(found, relax);
     ++iterations_;
     if (!std::isfinite(motion) || !std::isfinite(found.log_evidence)) {

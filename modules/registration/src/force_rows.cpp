@@ -68,6 +68,7 @@ ForceRows find_rows(const PreparedCloud& cloud, const MovingSurface& surface, co
   resize(rows, cloud.cloud.size());
   bool labelled = false;
   Eigen::Index next = 0;
+  int outliers = 0;
   for (int i = 0; i < cloud.cloud.size(); ++i) {
     if (!on_surface(surface, cloud.cloud.feature(i))) {
       labelled = true;
@@ -81,6 +82,7 @@ ForceRows find_rows(const PreparedCloud& cloud, const MovingSurface& surface, co
     rows.directions.row(next) = n.transpose();
     rows.gap[next] = n.dot(p - at.point);
     const double apart = at.distance / noise.half;
+    outliers += apart > 1.0;
     rows.sigma[next] = noise.sigma * std::sqrt(1.0 + apart * apart);
     if (noise.information)
       rows.sigma[next] /=
@@ -89,6 +91,7 @@ ForceRows find_rows(const PreparedCloud& cloud, const MovingSurface& surface, co
   }
   resize(rows, next);
   rows.surface_count = next;
+  if (next > 0) rows.outlier_share = outliers / static_cast<double>(next);
   if (labelled) add_labelled(rows, cloud, surface, noise.sigma);
   return rows;
 }

@@ -19,6 +19,7 @@ struct ForceRows {
   Eigen::VectorXd gap;             ///< from the model's point to the cloud's, m
   Eigen::VectorXd sigma;           ///< standard deviation, m; larger for what lies apart (Cauchy)
   Eigen::Index surface_count = 0;  ///< rows of surface points; they come first
+  double outlier_share = 0.0;      ///< of these, that weigh less than a half
 
   Eigen::Index size() const { return gap.size(); }
   /// How each row's model point moves along the row's direction with nodal vectors. Shape: size() x columns.

@@ -27,9 +27,11 @@ Cancellable<RigidStart> start_of(const PatientModel& model, const LabelledCloud&
   return start;
 }
 
-/// Whether shapes are to be told apart by how probable they are.
-bool needs_prior(const RegisterOptions& options) {
-  return options.operations && !options.elastic.prior && options.elastic.fixed_nodes.empty();
+/// Whether shapes are to be told apart by how probable they are. Without a vena cava only where the pose is
+/// found with them.
+bool needs_prior(const PatientModel& model, const RegisterOptions& options) {
+  return options.operations && !options.elastic.prior && options.elastic.fixed_nodes.empty() &&
+         (can_simulate_operations(model) || options.start != Start::none);
 }
 
 Cancellable<std::shared_ptr<const OperationPrior>> operations_of(const PatientModel& model,
@@ -136,12 +138,6 @@ void add_rivals(const ShapeFits& shapes, ErrorModel& error) {
     if (odds[k] > 1e-4 * sum) error.add_rival(shapes.fits[k].nodes_in_camera, odds[k] / sum);
 }
 
-/// Motion of the nodes by the forces alone, rms, m.
-double moved_by_forces(const PatientModel& model, const ContactForceFit& fit, const OperationPrior& prior) {
-  const Points without = fit.camera_from_ct.apply(prior.shape(model.mesh.vertices, fit.amplitudes));
-  return std::sqrt((fit.nodes_in_camera - without).rowwise().squaredNorm().mean());
-}
-
 ErrorModel error_of(const PatientModel& model, const LabelledCloud& cloud, const ElasticOptions& elastic,
                     const std::optional<ShapeFits>& shapes, const Registered& made,
                     const Registration& registration) {
@@ -151,8 +147,7 @@ ErrorModel error_of(const PatientModel& model, const LabelledCloud& cloud, const
   known.fixed_nodes = elastic.fixed_nodes;
   known.pose_known = !elastic.fixed_nodes.empty();
   const bool together = made.forces && elastic.prior;
-  // The prior knows of unforeseen forces. Where tools are at work there may be as many again.
-  if (elastic.prior) known.unforeseen = together ? moved_by_forces(model, *made.forces, *elastic.prior) : 0.0;
+  if (elastic.prior) known.unforeseen = 0.0;  // the prior knows of them
   ErrorModel error(model, elastic.prior.get(),
                    shape      ? shape->amplitudes
                    : together ? made.forces->amplitudes
@@ -268,7 +263,7 @@ class Run {
   }
 
   bool know_shapes() {
-    if (!needs_prior(options_)) return true;
+    if (!needs_prior(model_, options_)) return true;
     if (can_simulate_operations(model_)) {
       auto prior = operations_of(model_, options_.operation, known_, up_to(0.7));
       if (!prior) return false;

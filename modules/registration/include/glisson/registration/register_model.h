@@ -45,8 +45,8 @@ struct RegisterOptions {
       elastic;  ///< of the springs; its fixed nodes and the lesions' stiffness hold for the forces, too
   ContactForceOptions forces;
   /// Where no node is fixed: operations are simulated first and tell which shapes are probable
-  /// (simulate_operations; unknown_operations where the vena cava is not known); false: the paper's method. A
-  /// prior in `elastic` is taken instead.
+  /// (simulate_operations; unknown_operations where the vena cava is not known and the pose is not either);
+  /// false: the paper's method. A prior in `elastic` is taken instead.
   bool operations = true;
   OperationOptions operation;
   /// What is used of them. @throws InputError naming the option.
