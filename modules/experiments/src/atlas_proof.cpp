@@ -118,7 +118,7 @@ Cancellable<LeftOut> by_built_in(const atlas::Atlas& built_in, const Member& mem
                            one.deviation()};
     for (Eigen::Index k = 0; k < truth.rows(); ++k) {
       const Eigen::Vector3d off = (truth.row(k) - one.points.row(k)).transpose();
-      if (off.dot(one.covariances[static_cast<std::size_t>(k)].inverse() * off) <= atlas::kEllipsoid95)
+      if (off.dot(one.covariances[static_cast<std::size_t>(k)].inverse() * off) <= kEllipsoid95)
         ++found.inside;
     }
     liver.structures[one.structure] = found;

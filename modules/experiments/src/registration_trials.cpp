@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "glisson/core/chi_square.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/geometry/rigid.h"
@@ -152,11 +153,10 @@ double RegistrationTrial::worst_lesion() const {
 }
 
 void RegistrationTrial::cover() {
-  constexpr double kChiSquare = 7.8147;  // 95 % of chi-square with three degrees of freedom
   covered.clear();
   for (std::size_t i = 0; i < expected.size(); ++i) {
     const auto square = figures.find("lesion_" + std::to_string(i + 1) + "_square");
-    covered.push_back(square != figures.end() && square->second < kChiSquare ? 1 : 0);
+    covered.push_back(square != figures.end() && square->second < kEllipsoid95 ? 1 : 0);
   }
 }
 

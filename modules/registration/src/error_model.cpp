@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "force_rows.h"
+#include "glisson/core/chi_square.h"
 #include "unforeseen.h"
 
 namespace glisson::registration {
@@ -44,9 +45,8 @@ fem::NodalColumns of_pose(const Points& nodes) {
 }  // namespace
 
 Eigen::Vector3d LesionError::half_axes_95() const {
-  constexpr double kChiSquare = 7.8147;  // 95 % of chi-square with three degrees of freedom
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(covariance, Eigen::EigenvaluesOnly);
-  return (kChiSquare * eigen.eigenvalues().cwiseMax(0.0)).cwiseSqrt().reverse();
+  return (kEllipsoid95 * eigen.eigenvalues().cwiseMax(0.0)).cwiseSqrt().reverse();
 }
 
 /// Exact along a line, in a plane and in space where the deviations are alike, between them by the number of

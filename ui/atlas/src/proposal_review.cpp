@@ -240,7 +240,7 @@ void ProposalReview::draw() {
     for (const Proposal& one : shown_->proposals) {
       const bool is_chosen = &one == of_interest;
       marks.push_back({one.points, one.covariances, is_chosen ? one.area : Points(), colour_of(one),
-                       is_line(one.structure), is_chosen, atlas::kEllipsoid95});
+                       is_line(one.structure), is_chosen, kEllipsoid95});
       if (is_chosen)
         for (Eigen::Index k = 0; k < one.points.rows(); ++k)
           markers.push_back({one.points.row(k).transpose(), label_of(one.structure), 1e-3});

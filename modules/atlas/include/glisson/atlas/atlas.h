@@ -9,6 +9,7 @@
 #include "glisson/atlas/member.h"
 #include "glisson/atlas/shape_model.h"
 #include "glisson/atlas/structure.h"
+#include "glisson/core/chi_square.h"
 #include "glisson/core/run_context.h"
 
 /// @file
@@ -65,8 +66,6 @@ double unusual(const ShapeModel& model, const Points& shape);
 /// normal distribution holds 95 % although few livers show it (Hotelling 1931).
 /// @param left_out a member whose residual is not used; -1: none.
 Eigen::Matrix3d covariance(const StructureStatistics& statistics, int point, int left_out = -1);
-/// Squared Mahalanobis distance that holds 95 % of a normal distribution in space.
-inline constexpr double kEllipsoid95 = 7.8147;
 
 /// What became of one structure on a liver that had no part in its prediction.
 struct LeftOutStructure {
