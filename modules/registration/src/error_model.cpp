@@ -183,10 +183,14 @@ ErrorModel::HeldOut ErrorModel::held_out() const {
   return held;
 }
 
-double ErrorModel::strangeness() const {
+double ErrorModel::decided() const {
   const Eigen::Index count = mean_.size() - 6;
-  const double expected = static_cast<double>(count) - root_.topRows(count).squaredNorm();
-  return expected > 1e-3 ? mean_.head(count).squaredNorm() / expected : 0.0;
+  return static_cast<double>(count) - root_.topRows(count).squaredNorm();
+}
+
+double ErrorModel::strangeness() const {
+  const double expected = decided();
+  return expected > 1e-3 ? mean_.head(mean_.size() - 6).squaredNorm() / expected : 0.0;
 }
 
 }  // namespace glisson::registration

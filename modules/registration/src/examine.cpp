@@ -97,6 +97,7 @@ Findings examine(const Examined& examined) {
   findings.held_out_z = held.z;
   findings.misfit = error.misfit();
   findings.strangeness = error.strangeness();
+  findings.decided = error.decided();
   findings.size = error.size().value;
   findings.size_sigma = error.size().sigma;
   findings.expected = error.expected().mean();

@@ -12,7 +12,7 @@
 #include "glisson/registration/moving_surface.h"
 #include "glisson/registration/pairs.h"
 #include "glisson/registration/refusal.h"
-#include "verdict.h"
+#include "glisson/registration/verdict.h"
 
 namespace glisson::registration {
 namespace {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verdict.h"
+#include "glisson/registration/verdict.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <limits>
 
@@ -17,9 +19,6 @@ constexpr double kSureOdds = 10.0, kEvenOdds = 0.0;
 constexpr double kMuchExpected = 8e-3;  ///< m, mean over the nodes
 constexpr double kTurned = 0.15;        ///< share of the points
 constexpr double kMarginOff = 8e-3;     ///< m
-/// An operation like those simulated has about 1; a twentieth of them has more than this (chi-squared of ten
-/// modes that the cloud decides, over their number).
-constexpr double kStrange = 1.8;
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 std::string told(const char* code, double found, double limit) {
@@ -29,6 +28,12 @@ std::string told(const char* code, double found, double limit) {
 }
 
 }  // namespace
+
+double strangest(double modes) {
+  constexpr double kTwentieth = 1.645;  // standard normal
+  const double v = 2.0 / (9.0 * std::max(1.0, modes));
+  return std::pow(1.0 - v + kTwentieth * std::sqrt(v), 3);
+}
 
 Verdict judge(const Findings& found) {
   Verdict verdict;
@@ -43,7 +48,7 @@ Verdict judge(const Findings& found) {
   weigh("mirror_fits", -found.mirror_odds, -kSureOdds, -kEvenOdds, -1.0);
   weigh("points_turned", found.turned, kTurned, kNever, 1e2);
   weigh("margin_off", found.margin_off, kMarginOff, kNever, 1e3);
-  weigh("shape_strange", found.strangeness, kStrange, kNever, 1.0);
+  weigh("shape_strange", found.strangeness, strangest(found.decided), kNever, 1.0);
   return verdict;
 }
 

@@ -67,6 +67,8 @@ class ErrorModel {
   double misfit() const;
   /// Squared amplitudes of modes and forces over what is expected of them.
   double strangeness() const;
+  /// How many of them the cloud decides: their variance beforehand less what is left of it.
+  double decided() const;
   /// By which share the organ would be larger, and its standard deviation.
   struct Size {
     double value = 0.0, sigma = 0.0;

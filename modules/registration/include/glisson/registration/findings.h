@@ -23,7 +23,8 @@ struct Findings {
   /// Squared amplitudes of the deformation over what is expected of them: about 1 for an operation like those
   /// simulated.
   double strangeness = 0.0;
-  double forced = 0.0;  ///< mean motion by which forces or springs still changed the most probable shape
+  double decided = 0.0;  ///< modes of the prior that the cloud decides, as a number
+  double forced = 0.0;   ///< mean motion by which forces or springs still changed the most probable shape
   /// How far marked margin (rms) and notch lie from the model's.
   double margin_off = std::numeric_limits<double>::quiet_NaN();
   double notch_off = std::numeric_limits<double>::quiet_NaN();
