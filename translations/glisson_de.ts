@@ -1635,6 +1635,10 @@
         <source>Write the point of this lesion, too, or 0</source>
         <translation>Schreiben Sie auch den Punkt dieser Läsion, oder 0</translation>
     </message>
+    <message>
+        <source>is named as DICOM, but is none</source>
+        <translation>heißt wie DICOM, ist aber keines</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>

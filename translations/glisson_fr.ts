@@ -1635,6 +1635,10 @@
         <source>Write the point of this lesion, too, or 0</source>
         <translation>Écrivez aussi le point de cette lésion, ou 0</translation>
     </message>
+    <message>
+        <source>is named as DICOM, but is none</source>
+        <translation>porte un nom de fichier DICOM, mais n’en est pas un</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>

@@ -3,6 +3,7 @@
 #include <cstring>
 #include <fstream>
 
+#include "dicom_bytes.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/volume/io.h"
@@ -83,7 +84,13 @@ void RefusalTest::FilesOfAnotherKind() {
   const TemporaryFolder folder;
   put_text(folder.path() / "a.txt", "text");
   QVERIFY(refusal_of(folder.path() / "a.txt").contains("extension"));
-  put_text(folder.path() / "slice.dcm", "x");
+  for (const char* text :
+       {"x", "The patient was seen on Monday; the pictures are on the other disc.\n", ""}) {
+    put_text(folder.path() / "letter.dcm", text);
+    const QString refusal = refusal_of(folder.path() / "letter.dcm");
+    QVERIFY2(refusal.contains("is named as DICOM, but is none"), qPrintable(refusal));
+  }
+  write_file_atomically(folder.path() / "slice.dcm", test::dicom_of(0, {}));
   QVERIFY(refusal_of(folder.path() / "slice.dcm").contains("single DICOM slice"));
   put_text(folder.path() / "a.tar.gz", "no archive");
   QVERIFY(refusal_of(folder.path() / "a.tar.gz").contains("cannot be unpacked"));

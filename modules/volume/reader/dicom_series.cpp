@@ -373,6 +373,13 @@ void append_slice(const Request& request, const Slice& slice, std::vector<float>
 
 }  // namespace
 
+bool is_dicom(const fs::path& path) {
+  gdcm::Reader reader;
+  reader.SetFileName(path.c_str());
+  return has_dicom_mark(path) || (reader.CanRead() && reader.ReadUpToTag(gdcm::Tag(0x0008, 0x0018)) &&
+                                  !reader.GetFile().GetDataSet().IsEmpty());
+}
+
 std::vector<DicomSeries> list_dicom_folder(const Request& request) {
   return series_of(images_below(request));
 }

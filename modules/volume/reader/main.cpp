@@ -79,8 +79,12 @@ RawVolume read_any(const Request& request) {
                      "Leave the series out, or name the folder that holds the DICOM slices");
   const std::string extension = lower_extension(request.path);
   if (extension == ".vti") return reader::read_vti_file(request);
-  if (extension == ".dcm" || extension == ".ima")
+  if (extension == ".dcm" || extension == ".ima") {
+    if (!reader::is_dicom(request.path))
+      throw InputError(request.name, "", "is named as DICOM, but is none",
+                       "Name the folder that holds the series");
     throw InputError(request.name, "", "is a single DICOM slice", "Name the folder that holds the series");
+  }
   return reader::read_itk_file(request);
 }
 

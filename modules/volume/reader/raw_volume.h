@@ -35,6 +35,8 @@ struct Request {
 RawVolume read_dicom_folder(const Request& request);
 /// The series below the folder, by UID.
 std::vector<DicomSeries> list_dicom_folder(const Request& request);
+/// Whether a file is a DICOM object, whatever it is called.
+bool is_dicom(const std::filesystem::path& path);
 RawVolume read_itk_file(const Request& request);
 RawVolume read_vti_file(const Request& request);
 

@@ -33,6 +33,7 @@ const std::vector<const char*>& known_problems() {
       QT_TRANSLATE_NOOP("ErrorPhrases", "unpacks to more than a hundred times its size, which no images do"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "needs more space for temporary files than is free in %1"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is a single DICOM slice"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "is named as DICOM, but is none"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "holds a single slice, not a volume"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "holds no DICOM image"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is no folder of DICOM slices"),
