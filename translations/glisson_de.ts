@@ -2494,6 +2494,10 @@
         <source>Other lesions not known well enough: %1</source>
         <translation>Weitere Läsionen nicht genau genug bekannt: %1</translation>
     </message>
+    <message>
+        <source>Lines: every 10 mm below the surface</source>
+        <translation>Linien: alle 10 mm unter der Oberfläche</translation>
+    </message>
 </context>
 <context>
     <name>Review</name>
@@ -4172,16 +4176,24 @@
         <translation>Der Kernel dieses Rechners schließt die Programme nicht ein, die fremde Dateien lesen: nur Dateien lesen, denen Sie vertrauen.</translation>
     </message>
     <message>
-        <source>Tell the numbers of this lesion, as lesion_1.</source>
-        <translation>Die Zahlen dieser Läsion nennen, etwa lesion_1.</translation>
-    </message>
-    <message>
         <source>A pixel of the left picture where a tool touches the organ: the lesion&apos;s distance from there is told, too.</source>
         <translation>Ein Pixel des linken Bildes, wo ein Instrument das Organ berührt: auch der Abstand der Läsion von dort wird genannt.</translation>
     </message>
     <message>
         <source>Replace labels that were corrected by hand; else they must be locked.</source>
         <translation>Ersetzt Labels, die von Hand berichtigt wurden; sonst müssen sie gesperrt sein.</translation>
+    </message>
+    <message>
+        <source>How depth is told: %1.</source>
+        <translation>Wie Tiefe gezeigt wird: %1.</translation>
+    </message>
+    <message>
+        <source>Draw thin distal branches of vessels, too.</source>
+        <translation>Auch dünne ferne Äste der Gefäße zeichnen.</translation>
+    </message>
+    <message>
+        <source>Look at this lesion and tell its numbers, as lesion_1.</source>
+        <translation>Diese Läsion betrachten und ihre Zahlen nennen, etwa lesion_1.</translation>
     </message>
 </context>
 <context>
@@ -4844,6 +4856,26 @@
         <source>Register the model to a frame of the laparoscope; the augmented picture appears here.</source>
         <translation>Das Modell zu einem Bild des Laparoskops registrieren; hier erscheint dann das Bild mit der Einblendung.</translation>
     </message>
+    <message>
+        <source>Picture…</source>
+        <translation>Bild…</translation>
+    </message>
+    <message>
+        <source>Save the picture as it is drawn (P)</source>
+        <translation>Das Bild so speichern, wie es gezeichnet ist (P)</translation>
+    </message>
+    <message>
+        <source>Whole screen (F11)</source>
+        <translation>Ganzer Bildschirm (F11)</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>Das Bild speichern</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg)</source>
+        <translation>Bilder (*.png *.jpg)</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::LiveViewModel</name>
@@ -4915,6 +4947,26 @@
         <source>   OUTLINE ONLY: %1</source>
         <translation>   NUR UMRISS: %1</translation>
     </message>
+    <message>
+        <source>Looked at again: frame %1 as it was followed, not live.</source>
+        <translation>Nochmals betrachtet: Bild %1, wie es verfolgt wurde, nicht live.</translation>
+    </message>
+    <message>
+        <source>Frame %1, recorded, not live</source>
+        <translation>Bild %1, aufgezeichnet, nicht live</translation>
+    </message>
+    <message>
+        <source>There is no picture to save.</source>
+        <translation>Es gibt kein Bild zu speichern.</translation>
+    </message>
+    <message>
+        <source>Paused. The picture is not live.</source>
+        <translation>Angehalten. Das Bild ist nicht live.</translation>
+    </message>
+    <message>
+        <source>Paused at frame %1, not live</source>
+        <translation>Angehalten bei Bild %1, nicht live</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::LoadTrialBox</name>
@@ -4984,6 +5036,50 @@
     <message>
         <source>Vessel opacity</source>
         <translation>Deckkraft der Gefäße</translation>
+    </message>
+    <message>
+        <source>Tubes</source>
+        <translation>Röhren</translation>
+    </message>
+    <message>
+        <source>Shaded, and fainter with depth</source>
+        <translation>Schattiert und mit der Tiefe blasser</translation>
+    </message>
+    <message>
+        <source>Focus window</source>
+        <translation>Fokusfenster</translation>
+    </message>
+    <message>
+        <source>Around the pointer, or else the chosen lesion: opaque and in depth order; outlines elsewhere</source>
+        <translation>Um den Zeiger, sonst um die gewählte Läsion: deckend und in der Reihenfolge der Tiefe; anderswo Umrisse</translation>
+    </message>
+    <message>
+        <source>Depth contours</source>
+        <translation>Tiefenlinien</translation>
+    </message>
+    <message>
+        <source>A line at every 10 mm of depth below the surface</source>
+        <translation>Eine Linie alle 10 mm Tiefe unter der Oberfläche</translation>
+    </message>
+    <message>
+        <source>Outlines</source>
+        <translation>Umrisse</translation>
+    </message>
+    <message>
+        <source>They hide least of the tissue</source>
+        <translation>Sie verdecken am wenigsten Gewebe</translation>
+    </message>
+    <message>
+        <source>Depth as</source>
+        <translation>Tiefe als</translation>
+    </message>
+    <message>
+        <source>Thin branches</source>
+        <translation>Dünne Äste</translation>
+    </message>
+    <message>
+        <source>Ruler</source>
+        <translation>Lineal</translation>
     </message>
 </context>
 <context>
@@ -6387,6 +6483,56 @@
     <message>
         <source>%1: cancelled</source>
         <translation>%1: abgebrochen</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::TimelineBar</name>
+    <message>
+        <source>One frame back (left arrow)</source>
+        <translation>Ein Bild zurück (Pfeil links)</translation>
+    </message>
+    <message>
+        <source>Play or pause (space)</source>
+        <translation>Abspielen oder anhalten (Leertaste)</translation>
+    </message>
+    <message>
+        <source>One frame on (right arrow)</source>
+        <translation>Ein Bild weiter (Pfeil rechts)</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>%1 ×</source>
+        <translation>%1 ×</translation>
+    </message>
+    <message>
+        <source>Begin again at the end</source>
+        <translation>Am Ende von vorn beginnen</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>Live</translation>
+    </message>
+    <message>
+        <source>Back to the live video (End)</source>
+        <translation>Zurück zum Live-Video (Ende)</translation>
+    </message>
+    <message>
+        <source>%1 / %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::TimelineTrack</name>
+    <message>
+        <source>Timeline</source>
+        <translation>Zeitleiste</translation>
+    </message>
+    <message>
+        <source>Blue: overlay shown. Yellow: outline and regions only. Red: no overlay.</source>
+        <translation>Blau: Overlay gezeigt. Gelb: nur Umriss und Bereiche. Rot: kein Overlay.</translation>
     </message>
 </context>
 <context>

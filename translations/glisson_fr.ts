@@ -2494,6 +2494,10 @@
         <source>Other lesions not known well enough: %1</source>
         <translation>Autres lésions pas assez bien connues : %1</translation>
     </message>
+    <message>
+        <source>Lines: every 10 mm below the surface</source>
+        <translation>Lignes : tous les 10 mm sous la surface</translation>
+    </message>
 </context>
 <context>
     <name>Review</name>
@@ -4172,16 +4176,24 @@
         <translation>Le noyau de cet ordinateur n&apos;enferme pas les programmes qui lisent des fichiers étrangers : ne lisez que des fichiers auxquels vous vous fiez.</translation>
     </message>
     <message>
-        <source>Tell the numbers of this lesion, as lesion_1.</source>
-        <translation>Donner les chiffres de cette lésion, par exemple lesion_1.</translation>
-    </message>
-    <message>
         <source>A pixel of the left picture where a tool touches the organ: the lesion&apos;s distance from there is told, too.</source>
         <translation>Un pixel de l&apos;image gauche où un instrument touche l&apos;organe : la distance de la lésion à ce point est aussi donnée.</translation>
     </message>
     <message>
         <source>Replace labels that were corrected by hand; else they must be locked.</source>
         <translation>Remplace les étiquettes corrigées à la main ; sinon elles doivent être verrouillées.</translation>
+    </message>
+    <message>
+        <source>How depth is told: %1.</source>
+        <translation>Comment la profondeur est montrée : %1.</translation>
+    </message>
+    <message>
+        <source>Draw thin distal branches of vessels, too.</source>
+        <translation>Dessiner aussi les branches distales fines des vaisseaux.</translation>
+    </message>
+    <message>
+        <source>Look at this lesion and tell its numbers, as lesion_1.</source>
+        <translation>Regarder cette lésion et donner ses chiffres, par exemple lesion_1.</translation>
     </message>
 </context>
 <context>
@@ -4844,6 +4856,26 @@
         <source>Register the model to a frame of the laparoscope; the augmented picture appears here.</source>
         <translation>Recalez le modèle sur une image du laparoscope ; l&apos;image augmentée apparaît ici.</translation>
     </message>
+    <message>
+        <source>Picture…</source>
+        <translation>Image…</translation>
+    </message>
+    <message>
+        <source>Save the picture as it is drawn (P)</source>
+        <translation>Enregistrer l&apos;image telle qu&apos;elle est dessinée (P)</translation>
+    </message>
+    <message>
+        <source>Whole screen (F11)</source>
+        <translation>Plein écran (F11)</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>Enregistrer l&apos;image</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg)</source>
+        <translation>Images (*.png *.jpg)</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::LiveViewModel</name>
@@ -4915,6 +4947,26 @@
         <source>   OUTLINE ONLY: %1</source>
         <translation>   CONTOUR SEUL : %1</translation>
     </message>
+    <message>
+        <source>Looked at again: frame %1 as it was followed, not live.</source>
+        <translation>Revue : image %1 telle qu&apos;elle a été suivie, pas en direct.</translation>
+    </message>
+    <message>
+        <source>Frame %1, recorded, not live</source>
+        <translation>Image %1, enregistrée, pas en direct</translation>
+    </message>
+    <message>
+        <source>There is no picture to save.</source>
+        <translation>Il n&apos;y a pas d&apos;image à enregistrer.</translation>
+    </message>
+    <message>
+        <source>Paused. The picture is not live.</source>
+        <translation>En pause. L&apos;image n&apos;est pas en direct.</translation>
+    </message>
+    <message>
+        <source>Paused at frame %1, not live</source>
+        <translation>En pause à l&apos;image %1, pas en direct</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::LoadTrialBox</name>
@@ -4984,6 +5036,50 @@
     <message>
         <source>Vessel opacity</source>
         <translation>Opacité des vaisseaux</translation>
+    </message>
+    <message>
+        <source>Tubes</source>
+        <translation>Tubes</translation>
+    </message>
+    <message>
+        <source>Shaded, and fainter with depth</source>
+        <translation>Ombrés, et plus pâles en profondeur</translation>
+    </message>
+    <message>
+        <source>Focus window</source>
+        <translation>Fenêtre de focus</translation>
+    </message>
+    <message>
+        <source>Around the pointer, or else the chosen lesion: opaque and in depth order; outlines elsewhere</source>
+        <translation>Autour du pointeur, sinon de la lésion choisie : opaque et dans l&apos;ordre des profondeurs ; des contours ailleurs</translation>
+    </message>
+    <message>
+        <source>Depth contours</source>
+        <translation>Lignes de profondeur</translation>
+    </message>
+    <message>
+        <source>A line at every 10 mm of depth below the surface</source>
+        <translation>Une ligne tous les 10 mm de profondeur sous la surface</translation>
+    </message>
+    <message>
+        <source>Outlines</source>
+        <translation>Contours</translation>
+    </message>
+    <message>
+        <source>They hide least of the tissue</source>
+        <translation>Ils cachent le moins de tissu</translation>
+    </message>
+    <message>
+        <source>Depth as</source>
+        <translation>Profondeur en</translation>
+    </message>
+    <message>
+        <source>Thin branches</source>
+        <translation>Branches fines</translation>
+    </message>
+    <message>
+        <source>Ruler</source>
+        <translation>Règle</translation>
     </message>
 </context>
 <context>
@@ -6387,6 +6483,56 @@
     <message>
         <source>%1: cancelled</source>
         <translation>%1 : annulé</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::TimelineBar</name>
+    <message>
+        <source>One frame back (left arrow)</source>
+        <translation>Une image en arrière (flèche gauche)</translation>
+    </message>
+    <message>
+        <source>Play or pause (space)</source>
+        <translation>Lecture ou pause (espace)</translation>
+    </message>
+    <message>
+        <source>One frame on (right arrow)</source>
+        <translation>Une image en avant (flèche droite)</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>%1 ×</source>
+        <translation>%1 ×</translation>
+    </message>
+    <message>
+        <source>Begin again at the end</source>
+        <translation>Recommencer à la fin</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>Direct</translation>
+    </message>
+    <message>
+        <source>Back to the live video (End)</source>
+        <translation>Retour à la vidéo en direct (Fin)</translation>
+    </message>
+    <message>
+        <source>%1 / %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::TimelineTrack</name>
+    <message>
+        <source>Timeline</source>
+        <translation>Ligne du temps</translation>
+    </message>
+    <message>
+        <source>Blue: overlay shown. Yellow: outline and regions only. Red: no overlay.</source>
+        <translation>Bleu : superposition montrée. Jaune : contour et zones seulement. Rouge : aucune superposition.</translation>
     </message>
 </context>
 <context>

@@ -24,11 +24,11 @@ const engine::CaseState& drawable(const engine::CaseState& state) {
 
 }  // namespace
 
-OverlayDrawer::OverlayDrawer(const engine::CaseState& state)
+OverlayDrawer::OverlayDrawer(const engine::CaseState& state, const scene::OverlayStyle& style)
     : model_(engine::effective_model(drawable(state))),
       camera_(state[part::rig]->left),
       drawable_(scene::make_drawable(std::make_shared<const PatientModel>(model_))),
-      painter_(drawable_, model_.landmarks.anterior_margin, camera_),
+      painter_(drawable_, model_.landmarks.anterior_margin, camera_, style),
       model_unchecked_(!engine::is_model_checked(state)) {}
 
 Picture OverlayDrawer::draw(const StereoFrame& frame, const OverlayFrame& overlay,
@@ -47,13 +47,15 @@ std::optional<guidance::SurfacePlace> OverlayDrawer::place_at(const Eigen::Vecto
 }
 
 OverlayRecorder::OverlayRecorder(const engine::CaseState& state, const std::filesystem::path& path,
-                                 double frames_per_second)
-    : drawer_(state),
+                                 double frames_per_second, const scene::OverlayStyle& style,
+                                 const scene::OverlayInterest& interest)
+    : drawer_(state, style),
+      interest_(interest),
       writer_(path, state[part::rig]->left.width, state[part::rig]->left.height, frames_per_second) {}
 
 double OverlayRecorder::add(const StereoFrame& frame, const OverlayFrame& overlay) {
   const auto begin = std::chrono::steady_clock::now();
-  const Picture drawn = drawer_.draw(frame, overlay);
+  const Picture drawn = drawer_.draw(frame, overlay, interest_);
   const double milliseconds =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
   writer_.write(drawn);

@@ -19,7 +19,7 @@ namespace glisson::app {
 class OverlayDrawer {
  public:
   /// @throws InputError when the case has no model or calibration.
-  explicit OverlayDrawer(const engine::CaseState& state);
+  explicit OverlayDrawer(const engine::CaseState& state, const scene::OverlayStyle& style = {});
   Picture draw(const StereoFrame& frame, const OverlayFrame& overlay,
                const scene::OverlayInterest& interest = {});
   /// Of the chosen lesion in the picture drawn last; empty: it was not shown.
@@ -39,14 +39,15 @@ class OverlayDrawer {
 /// Records drawn frames as a video of the left camera. Without close() nothing remains.
 class OverlayRecorder {
  public:
-  OverlayRecorder(const engine::CaseState& state, const std::filesystem::path& path,
-                  double frames_per_second);
+  OverlayRecorder(const engine::CaseState& state, const std::filesystem::path& path, double frames_per_second,
+                  const scene::OverlayStyle& style = {}, const scene::OverlayInterest& interest = {});
   /// @return milliseconds that drawing took.
   double add(const StereoFrame& frame, const OverlayFrame& overlay);
   void close();
 
  private:
   OverlayDrawer drawer_;
+  scene::OverlayInterest interest_;
   stereo::VideoWriter writer_;
 };
 

@@ -35,14 +35,33 @@ Eigen::Vector2d pixel_named(const QString& text) {
   return pixel;
 }
 
+void declare_look(Arguments& arguments) {
+  QStringList codes;
+  for (const scene::Look look : scene::kLooks) codes << scene::look_code(look);
+  arguments.option("look", Cli::tr("How depth is told: %1.").arg(codes.join(", ")), "NAME",
+                   scene::look_code(scene::OverlayStyle().look));
+  arguments.flag("thin-branches", Cli::tr("Draw thin distal branches of vessels, too."));
+  arguments.option("lesion", Cli::tr("Look at this lesion and tell its numbers, as lesion_1."), "NAME");
+}
+
+scene::OverlayStyle style_of(const Arguments& arguments) {
+  scene::OverlayStyle style;
+  style.thin_branches = arguments.has("thin-branches");
+  for (const scene::Look look : scene::kLooks) {
+    style.look = look;
+    if (arguments.value("look") == scene::look_code(look)) return style;
+  }
+  throw UsageError("--look: '" + arguments.value("look").toStdString() + "' is none. See --help.");
+}
+
 /// What the person wants to know.
 struct Question {
   Label lesion = 0;
   std::optional<Eigen::Vector2d> mark;  ///< pixel
 
-  explicit Question(const Arguments& arguments) {
+  explicit Question(const Arguments& arguments, bool with_mark = true) {
     if (arguments.has("lesion")) lesion = lesion_named(arguments.value("lesion"));
-    if (arguments.has("mark")) mark = pixel_named(arguments.value("mark"));
+    if (with_mark && arguments.has("mark")) mark = pixel_named(arguments.value("mark"));
   }
   scene::OverlayInterest interest(const OverlayDrawer& drawer, const OverlayFrame& overlay) const {
     scene::OverlayInterest interest;
@@ -76,7 +95,7 @@ int run_render(const QStringList& given) {
                    "CASE");
   arguments.option("frame", Cli::tr("Number of the frame, from 0."), "N", "0");
   arguments.option("out", Cli::tr("The picture (.png, .jpg)."), "picture.png");
-  arguments.option("lesion", Cli::tr("Tell the numbers of this lesion, as lesion_1."), "NAME");
+  declare_look(arguments);
   arguments.option(
       "mark",
       Cli::tr("A pixel of the left picture where a tool touches the organ: the lesion's distance "
@@ -86,13 +105,14 @@ int run_render(const QStringList& given) {
   const std::filesystem::path out = arguments.output_file("out", {".png", ".jpg", ".jpeg"});
   const int wanted = arguments.integer("frame", 0, 10000000);
   const Question question(arguments);
+  const scene::OverlayStyle style = style_of(arguments);
   Session session(arguments);
   session.call("case", arguments.required_path("case").string());
   session.post(engine::OpenCase{arguments.required_path("case"), engine::OpenCase::Access::read});
   Picture picture;
   follow_video(session, {}, wanted, [&](const StereoFrame& frame, const OverlayFrame& overlay) {
     if (frame.index != wanted) return;
-    OverlayDrawer drawer(session.state());
+    OverlayDrawer drawer(session.state(), style);
     picture = drawer.draw(frame, overlay, question.interest(drawer, overlay));
     if (const auto& measures = drawer.measures()) add_measures(*measures, session.figures);
     session.texts["validity"] = validity_code(overlay.validity);
@@ -123,8 +143,12 @@ int run_overlay(const QStringList& given) {
                    "CASE");
   arguments.option("frames", Cli::tr("Record only so many frames."), "N");
   arguments.option("out", Cli::tr("The video (.mkv)."), "overlay.mkv");
+  declare_look(arguments);
   if (!arguments.parse(given)) return 0;
   const std::filesystem::path out = arguments.output_file("out", {".mkv"});
+  const scene::OverlayStyle style = style_of(arguments);
+  scene::OverlayInterest interest;
+  interest.lesion = Question(arguments, false).lesion;
   Session session(arguments);
   session.call("case", arguments.required_path("case").string());
   session.post(engine::OpenCase{arguments.required_path("case"), engine::OpenCase::Access::read});
@@ -137,7 +161,7 @@ int run_overlay(const QStringList& given) {
   // Under another name until it is whole: a recording that is cut short is kept there.
   const std::filesystem::path unfinished =
       out.parent_path() / (out.stem().string() + ".incomplete" + out.extension().string());
-  OverlayRecorder recorder(session.state(), unfinished, rate);
+  OverlayRecorder recorder(session.state(), unfinished, rate, style, interest);
   const int first = session.state()[part::frame] ? session.state()[part::frame]->frame.index : 0;
   const int last = arguments.has("frames") ? first + arguments.integer("frames", 1, 10000000) - 1 : -1;
   experiments::FrameTimes times(rate);

@@ -18,9 +18,10 @@ GuidancePanel::GuidancePanel(EngineBridge& engine, DrawableSource& drawables, QW
             parent),
       registration_(engine),
       playback_(engine),
+      review_(engine, playback_),
       recording_(worker_, playback_),
-      live_(engine, drawables, playback_, worker_),
-      view_(new LiveView(live_)) {
+      live_(engine, drawables, playback_, review_, worker_),
+      view_(new LiveView(live_, review_)) {
   setObjectName(QStringLiteral("guidance_panel"));
   add_section(tr("1. Initial registration"),
               tr("Rigid start from the labelled features; then the shape that simulated operations on "

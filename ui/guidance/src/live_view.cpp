@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/guidance/live_view.h"
 
+#include <QFileDialog>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QMessageBox>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "glisson/ui/common/panel.h"
@@ -14,8 +17,12 @@ constexpr int kLinesHeight = 46;  ///< two lines of the live view's words, pixel
 
 }  // namespace
 
-LiveView::LiveView(LiveViewModel& model, QWidget* parent)
-    : QWidget(parent), model_(model), picture_(new LivePicture(this)) {
+LiveView::LiveView(LiveViewModel& model, ReviewModel& review, QWidget* parent)
+    : QWidget(parent),
+      model_(model),
+      review_(review),
+      timeline_(new TimelineBar(review, this)),
+      picture_(new LivePicture(this)) {
   setObjectName(QStringLiteral("guidance_view"));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -35,8 +42,27 @@ LiveView::LiveView(LiveViewModel& model, QWidget* parent)
   line->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   line->setMinimumHeight(kLinesHeight);
   layout->addWidget(line);
+  layout->addWidget(timeline_);
+  auto* save = new QToolButton(this);
+  save->setObjectName(QStringLiteral("save_picture"));
+  save->setText(tr("Picture…"));
+  save->setToolTip(tr("Save the picture as it is drawn (P)"));
+  auto* whole = new QToolButton(this);
+  whole->setObjectName(QStringLiteral("whole_screen"));
+  whole->setText(QStringLiteral("F11"));
+  whole->setToolTip(tr("Whole screen (F11)"));
+  for (QToolButton* button : {save, whole}) {
+    button->setFocusPolicy(Qt::NoFocus);
+    timeline_->add_at_end(button);
+  }
+  connect(save, &QToolButton::clicked, this, &LiveView::save_picture);
+  connect(whole, &QToolButton::clicked, this, &LiveView::switch_whole_screen);
+  picture_->set_picture(model.picture());
 
   connect(picture_, &LivePicture::clicked, &model, &LiveViewModel::choose_at);
+  connect(picture_, &LivePicture::pointed, &model,
+          [&model](const Eigen::Vector2d& pixel) { model.point_at(pixel); });
+  connect(picture_, &LivePicture::left, &model, [&model] { model.point_at({}); });
   connect(picture_, &LivePicture::marked, &model, &LiveViewModel::mark_at);
   connect(&model, &LiveViewModel::picture_changed, picture_, &PictureView::set_picture);
   couplings_.add(model.banner, [banner](const QString& text) { show_warning(*banner, text); });
@@ -45,8 +71,45 @@ LiveView::LiveView(LiveViewModel& model, QWidget* parent)
 }
 
 void LiveView::keyPressEvent(QKeyEvent* event) {
-  if (event->key() != Qt::Key_Escape) return QWidget::keyPressEvent(event);
-  model_.let_go();
+  switch (event->key()) {
+    case Qt::Key_Escape:
+      isFullScreen() ? void(close()) : model_.let_go();
+      return;
+    case Qt::Key_F11:
+      return switch_whole_screen();
+    case Qt::Key_P:
+      return save_picture();
+    default:
+      if (!timeline_->press(event->key(), event->modifiers())) QWidget::keyPressEvent(event);
+  }
+}
+
+LiveView::~LiveView() { delete whole_screen_; }
+
+void LiveView::switch_whole_screen() {
+  if (isFullScreen()) {
+    close();
+    return;
+  }
+  if (whole_screen_) {
+    whole_screen_->close();
+    return;
+  }
+  whole_screen_ = new LiveView(model_, review_);
+  whole_screen_->setAttribute(Qt::WA_DeleteOnClose);
+  whole_screen_->setObjectName(QStringLiteral("whole_screen_view"));
+  whole_screen_->setWindowTitle(window()->windowTitle());
+  whole_screen_->showFullScreen();
+  whole_screen_->picture_->setFocus();
+}
+
+void LiveView::save_picture() {
+  const QString path = QFileDialog::getSaveFileName(this, tr("Save the picture"),
+                                                    QStringLiteral("frame_%1.png").arg(model_.shown_index()),
+                                                    tr("Pictures (*.png *.jpg)"));
+  if (path.isEmpty()) return;
+  const QString error = model_.save_picture(path);
+  if (!error.isEmpty()) QMessageBox::warning(this, tr("Save the picture"), error);
 }
 
 }  // namespace glisson::ui

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "glisson/core/error.h"
 #include "glisson/engine/parts/check.h"
 #include "glisson/engine/parts/frame.h"
 #include "glisson/engine/parts/landmarks.h"
@@ -12,6 +13,8 @@
 #include "glisson/engine/parts/rig.h"
 #include "glisson/guidance/lesion_judge.h"
 #include "glisson/registration/refusal.h"
+#include "glisson/stereo/picture_io.h"
+#include "glisson/ui/common/error_texts.h"
 
 namespace glisson::ui {
 namespace {
@@ -22,8 +25,13 @@ constexpr qint64 kRateWindow = 2000;   ///< milliseconds over which the frame ra
 }  // namespace
 
 LiveViewModel::LiveViewModel(EngineBridge& engine, DrawableSource& drawables, PlaybackModel& playback,
-                             OverlayWorker& worker, QObject* parent)
-    : QObject(parent), engine_(engine), drawables_(drawables), playback_(playback), worker_(worker) {
+                             ReviewModel& review, OverlayWorker& worker, QObject* parent)
+    : QObject(parent),
+      engine_(engine),
+      drawables_(drawables),
+      playback_(playback),
+      review_(review),
+      worker_(worker) {
   clock_.start();
   connect(&worker_, &OverlayWorker::painted, this, &LiveViewModel::show_painted);
   connect(&worker_, &OverlayWorker::failed, this, &LiveViewModel::show_failed);
@@ -35,6 +43,9 @@ LiveViewModel::LiveViewModel(EngineBridge& engine, DrawableSource& drawables, Pl
   couplings_.add(playback_.frozen_why, [this](const QString& why) {
     if (!why.isEmpty()) show_frozen();
   });
+  connect(&review_, &ReviewModel::shown, this, &LiveViewModel::show_moment);
+  connect(&review_, &ReviewModel::ended, this, &LiveViewModel::show_present);
+  couplings_.add(playback_.is_paused, [this](bool) { show_freshness(); });
   connect(&engine_, &EngineBridge::live_changed, this, &LiveViewModel::show_live);
   connect(&drawables_, &DrawableSource::changed, this, [this] {
     interest_.place.reset();  // of another surface
@@ -81,7 +92,8 @@ void LiveViewModel::read_case() {
 
 void LiveViewModel::put_away() {
   job_.reset();
-  emit picture_changed({});
+  picture_ = {};
+  emit picture_changed(picture_);
   line = QString();
   is_fresh = QVariant();
   figures = FigureRows();
@@ -98,7 +110,8 @@ void LiveViewModel::submit(OverlayJob job) {
 }
 
 void LiveViewModel::redraw() {
-  if (!playback_.is_frozen) {
+  const bool is_standing = review_.is_reviewing || playback_.is_frozen || playback_.is_paused;
+  if (!is_standing) {
     if (!engine_.snapshot()->tracking) show_registered();
     return;
   }
@@ -142,6 +155,7 @@ std::vector<LesionVerdict> LiveViewModel::lesions_at_start(const OverlayFrame& o
 void LiveViewModel::show_live() {
   const engine::CaseState& now = engine_.state();
   if (!now[part::live] || now[part::live]->frame.left.empty() || !engine_.snapshot()->tracking) return;
+  if (review_.is_reviewing) return;  // one that was on its way
   OverlayJob job = make_job();
   job.frame = now[part::live]->frame.left;
   job.overlay = now[part::live]->overlay;
@@ -150,10 +164,40 @@ void LiveViewModel::show_live() {
   job.taken = playback_.feed().sent_at(now[part::live]->frame.index);
   job.source_rate = playback_.feed().frames_per_second();
   job.frames_per_second = rate();
+  live_job_ = job;
   submit(std::move(job));
 }
 
+void LiveViewModel::show_moment(const Moment& moment) {
+  ++generation_;
+  OverlayJob job = make_job();
+  job.frame = moment.left;
+  job.overlay = moment.overlay;
+  submit(std::move(job));
+}
+
+void LiveViewModel::show_present() {
+  ++generation_;
+  if (!playback_.is_tracking && !playback_.is_frozen) return show_registered();
+  if (!live_job_) return;
+  OverlayJob job = *live_job_;
+  job.style = style_;
+  job.interest = interest_;
+  job.taken.reset();
+  job.frames_per_second = 0.0;
+  submit(std::move(job));
+  if (playback_.is_frozen) show_frozen();
+}
+
+void LiveViewModel::show_recorded(const OverlayFrame& overlay) {
+  banner = tr("Looked at again: frame %1 as it was followed, not live.").arg(overlay.index);
+  line = tr("Frame %1, recorded, not live").arg(overlay.index);
+  is_fresh = QVariant(false);
+  figures = FigureRows();
+}
+
 void LiveViewModel::show_frozen() {
+  if (review_.is_reviewing) return;
   banner = playback_.frozen_why.value();
   line = tr("Not live");
   is_fresh = QVariant(false);
@@ -161,12 +205,14 @@ void LiveViewModel::show_frozen() {
 
 void LiveViewModel::show_painted(const PaintedOverlay& painted) {
   if (painted.generation != generation_) return;
-  emit picture_changed(painted.picture);
+  picture_ = painted.picture;
+  emit picture_changed(picture_);
   ++pictures_shown_;
   last_age_ = painted.age;
   shown_ = painted.overlay;
   since_painted_.start();
   show_lesions(painted);
+  if (review_.is_reviewing) return show_recorded(painted.overlay);
   if (playback_.is_frozen) {  // the last live pictures may still come in
     banner = playback_.frozen_why.value();
     return;
@@ -212,8 +258,14 @@ void LiveViewModel::mark_at(const Eigen::Vector2d& pixel) {
   redraw();
 }
 
+void LiveViewModel::point_at(const std::optional<Eigen::Vector2d>& pixel) {
+  interest_.pointer = pixel;
+  if (style_.look == scene::Look::focus) redraw();
+}
+
 void LiveViewModel::let_go() {
-  interest_ = {};
+  interest_.lesion = 0;
+  interest_.place.reset();
   chosen = 0;
   redraw();
 }
@@ -249,6 +301,16 @@ void LiveViewModel::show_live_figures(const OverlayFrame& overlay, double draw) 
                  {tr("Frames late / dropped"), tr("%1 / %2").arg(live.frames_late).arg(live.frames_dropped)}};
 }
 
+QString LiveViewModel::save_picture(const QString& path) const {
+  if (picture_.empty()) return tr("There is no picture to save.");
+  try {
+    stereo::write_picture(path.toStdString(), picture_);
+  } catch (const Error& error) {
+    return error_text(error.what());
+  }
+  return {};
+}
+
 double LiveViewModel::rate() const {
   if (painted_at_.size() < 2) return 0.0;
   const auto span = std::max<qint64>(1, painted_at_.back() - painted_at_.front());
@@ -257,8 +319,14 @@ double LiveViewModel::rate() const {
 
 void LiveViewModel::show_freshness() {
   if (playback_.is_frozen || !engine_.snapshot()->tracking || !engine_.state()[part::live] ||
-      !since_painted_.isValid())
+      !since_painted_.isValid() || review_.is_reviewing)
     return;
+  if (playback_.is_paused) {
+    banner = tr("Paused. The picture is not live.");
+    line = tr("Paused at frame %1, not live").arg(shown_.index);
+    is_fresh = QVariant(false);
+    return;
+  }
   const double age = last_age_ + static_cast<double>(since_painted_.elapsed()) / 1e3;
   QString text = tr("LIVE   frame %1   age %2 ms   %3 frames/s")
                      .arg(shown_.index)

@@ -41,6 +41,7 @@ void PlaybackModel::begin(const engine::Outcome& outcome) {
   if (outcome.status != engine::Status::done || !now[part::video] || !now[part::frame]) return;
   if (!engine_.snapshot()->tracking) return;  // ended already, as by another case
   unfreeze();
+  is_paused = false;
   emit begun();
   feed_.start(*now[part::video], now[part::frame]->frame.index + 1);
 }
@@ -50,12 +51,19 @@ void PlaybackModel::stop() {
   freeze(tr("Tracking was stopped. Last picture, not live."));
 }
 
+void PlaybackModel::pause(bool on) {
+  if (!is_playing) return;
+  feed_.pause(on);
+  is_paused = on;
+}
+
 void PlaybackModel::freeze(const QString& why) {
   feed_.stop();
   if (engine_.snapshot()->tracking) engine_.post(engine::StopTracking{});
   frozen_registration_ = engine_.state()[part::registration];
   frozen_why = why;
   is_frozen = true;
+  is_paused = false;
 }
 
 void PlaybackModel::unfreeze() {
@@ -73,6 +81,7 @@ void PlaybackModel::read_case() {
                         now.stage(part::registration) != engine::StageState::current;
   if (is_frozen && outdated) unfreeze();
   is_tracking = now.tracking;
+  if (!is_tracking) is_paused = false;
   emit case_read();
   if (!now.tracking && std::exchange(starts_again_, false)) emit start_wanted();
 }

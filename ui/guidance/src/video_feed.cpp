@@ -23,6 +23,8 @@ void VideoFeed::start(const engine::VideoSource& source, int first) {
   {
     const std::lock_guard lock(mutex_);
     sent_.clear();  // this playing has the same indices, at other times
+    paused_ = false;
+    steps_ = 0;
   }
   thread_ = std::jthread([this, source, first](const std::stop_token& token) { play(token, source, first); });
 }
@@ -30,6 +32,37 @@ void VideoFeed::start(const engine::VideoSource& source, int first) {
 void VideoFeed::stop() {
   thread_.request_stop();
   if (thread_.joinable()) thread_.join();  // at most one frame's decoding
+}
+
+void VideoFeed::pause(bool on) {
+  {
+    const std::lock_guard lock(mutex_);
+    paused_ = on;
+    steps_ = 0;
+  }
+  changed_.notify_all();
+}
+
+void VideoFeed::step() {
+  {
+    const std::lock_guard lock(mutex_);
+    ++steps_;
+  }
+  changed_.notify_all();
+}
+
+bool VideoFeed::wait(std::unique_lock<std::mutex>& lock, const std::stop_token& stop,
+                     Clock::time_point& due) {
+  for (;;) {
+    changed_.wait_until(lock, stop, due, [this] { return paused_; });
+    if (stop.stop_requested()) return false;
+    if (!paused_) return true;
+    if (!changed_.wait(lock, stop, [this] { return !paused_ || steps_ > 0; })) return false;
+    due = Clock::now();
+    if (!paused_) continue;
+    --steps_;
+    return true;
+  }
 }
 
 std::optional<VideoFeed::Clock::time_point> VideoFeed::sent_at(int index) const {
@@ -43,20 +76,19 @@ void VideoFeed::play(const std::stop_token& stop, const engine::VideoSource& sou
     stereo::StereoVideo video(source.left, source.right);
     const double rate = video.frames_per_second() > 0.0 ? video.frames_per_second() : 30.0;
     rate_ = rate;
-    const auto period =
-        std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1.0 / rate));
     StereoFrame frame;
     for (int skipped = 0; skipped < first && !stop.stop_requested(); ++skipped)
       if (!video.read(frame)) break;
     Clock::time_point due = Clock::now();
     while (!stop.stop_requested() && video.read(frame)) {
       std::unique_lock lock(mutex_);
-      changed_.wait_until(lock, stop, due, [] { return false; });
-      if (stop.stop_requested()) return;
+      if (!wait(lock, stop, due)) return;
       sent_[frame.index] = Clock::now();
       while (sent_.size() > kRemembered) sent_.erase(sent_.begin());
       lock.unlock();
       sink_(frame);
+      const auto period =
+          std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1.0 / (rate * speed_)));
       due = std::max(due + period, Clock::now() - period);  // a slow disk does not cause a burst
     }
     if (!stop.stop_requested()) emit ended();

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/scene/drawable_model.h"
 
+#include <limits>
+#include <utility>
+
 #include "glisson/core/error.h"
 #include "glisson/geometry/closest_point_tree.h"
 #include "glisson/geometry/rigid.h"
@@ -37,6 +40,49 @@ Triangles triangles_inside(const DrawableSurface& surface) {
     bool near = true;
     for (int k = 0; k < 3; ++k) near = near && !far[static_cast<std::size_t>(surface.mesh.triangles(t, k))];
     if (near) kept.row(count++) = surface.mesh.triangles.row(t);
+  }
+  return kept.topRows(count);
+}
+
+/// Whether each node of a tree is thin, and all that follows behind it.
+std::vector<bool> thin_nodes(const VesselTree& tree) {
+  std::vector<double> widest = tree.radii;
+  // Beams run from the root outwards: from the last to the first, what is behind is known already.
+  for (auto beam = tree.beams.rbegin(); beam != tree.beams.rend(); ++beam) {
+    double& here = widest[static_cast<std::size_t>((*beam)[0])];
+    here = std::max(here, widest[static_cast<std::size_t>((*beam)[1])]);
+  }
+  std::vector<bool> thin(widest.size());
+  for (std::size_t i = 0; i < widest.size(); ++i) thin[i] = widest[i] < kThin;
+  return thin;
+}
+
+/// A triangle belongs to the node of the trees that is nearest, less the node's radius.
+Triangles thick_triangles(const PatientModel& model, const DrawableSurface& surface) {
+  std::vector<std::pair<const VesselTree*, std::vector<bool>>> trees;
+  for (const VesselTree& tree : model.vessels)
+    if (tree.structure == surface.structure &&
+        tree.radii.size() == static_cast<std::size_t>(tree.nodes.rows()))
+      trees.emplace_back(&tree, thin_nodes(tree));
+  const auto is_thin = [&](const Eigen::RowVector3d& place) {
+    double nearest = std::numeric_limits<double>::infinity();
+    bool thin = false;
+    for (const auto& [tree, nodes] : trees)
+      for (Eigen::Index i = 0; i < tree->nodes.rows(); ++i) {
+        const auto node = static_cast<std::size_t>(i);
+        const double distance = (tree->nodes.row(i) - place).norm() - tree->radii[node];
+        if (distance >= nearest) continue;
+        nearest = distance;
+        thin = nodes[node];
+      }
+    return thin;
+  };
+  Triangles kept(surface.inside.rows(), 3);
+  Eigen::Index count = 0;
+  for (Eigen::Index t = 0; t < surface.inside.rows(); ++t) {
+    Eigen::RowVector3d middle = Eigen::RowVector3d::Zero();
+    for (int k = 0; k < 3; ++k) middle += surface.mesh.vertices.row(surface.inside(t, k)) / 3.0;
+    if (!is_thin(middle)) kept.row(count++) = surface.inside.row(t);
   }
   return kept.topRows(count);
 }
@@ -96,6 +142,7 @@ std::shared_ptr<const DrawableModel> make_drawable(std::shared_ptr<const Patient
       if (label != structure::kParenchyma) surface.outside = outside_vertices(surface, skin);
       surface.inside = label == structure::kParenchyma ? surface.mesh.triangles : triangles_inside(surface);
     }
+    surface.thick = thick_triangles(*model, surface);
     drawable->surfaces.push_back(std::move(surface));
   }
   drawable->model = std::move(model);

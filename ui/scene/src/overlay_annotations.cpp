@@ -178,6 +178,9 @@ Picture annotate(const Picture& picture, const OverlayFrame& overlay, const Anno
     if (drawn) words << Overlay::residual(overlay.residual);
     draw_text(painter, layout, words.join(QStringLiteral("  ·  ")), layout.font(), kWords,
               Qt::AlignLeft | Qt::AlignTop);
+    if (drawn && style.look == Look::contours && style.legend)
+      draw_text(painter, layout, Overlay::contours(), layout.font(), kWords,
+                Qt::AlignHCenter | Qt::AlignBottom);
     draw_text(painter, layout, Overlay::research(), layout.font(false, 0.8), QColor(190, 197, 202),
               Qt::AlignRight | Qt::AlignBottom);
   }

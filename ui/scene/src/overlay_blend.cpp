@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "overlay_blend.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <opencv2/core.hpp>
@@ -13,6 +14,8 @@ namespace {
 
 constexpr float kDepthStep = 6e-3F;             ///< metres; a larger step between neighbours is a silhouette
 constexpr int kHatchPeriod = 7;                 ///< pixels
+constexpr float kBand = 10e-3F;                 ///< metres between lines of equal depth
+constexpr float kDarkest = 60e-3F;              ///< metres below the surface; deeper is not drawn darker
 constexpr float kDeepest = 0.35F;               ///< of a vessel's opacity that stays at any depth
 const cv::Vec3f kOutlineColour(235, 235, 235);  // blue, green, red
 
@@ -48,32 +51,126 @@ bool on_edge(const SurfaceLayer& layer, int row, int column, std::size_t pixel) 
   return false;
 }
 
-Veil vessel_veil(const OverlayLayers& layers, const OverlayStyle& style) {
-  const std::array<cv::Vec3f, 4> colours = {cv::Vec3f(), bgr(structure::kPortalVein),
-                                            bgr(structure::kHepaticVeins), bgr(structure::kArtery)};
-  const auto fade_depth = static_cast<float>(style.fade_depth), opacity = static_cast<float>(style.opacity);
+/// The window around what is looked at: 1 inside, 0 outside, smooth between.
+class Window {
+ public:
+  Window(const SurfaceLayer& layer, const OverlayStyle& style, const std::optional<Eigen::Vector2d>& focus)
+      : is_there_(style.look == Look::focus && focus.has_value()),
+        radius_(static_cast<float>(style.window * layer.height)) {
+    if (is_there_) centre_ = focus->cast<float>();
+  }
+  bool is_there() const { return is_there_; }
+  float radius() const { return radius_; }
+  const Eigen::Vector2f& centre() const { return centre_; }
+  float at(int row, int column) const {
+    constexpr float kRim = 6.0F;  // pixels
+    if (!is_there_) return 0.0F;
+    const float distance =
+        (Eigen::Vector2f(static_cast<float>(column), static_cast<float>(row)) - centre_).norm();
+    return std::clamp((radius_ - distance) / kRim, 0.0F, 1.0F);
+  }
+
+ private:
+  bool is_there_;
+  float radius_;
+  Eigen::Vector2f centre_ = Eigen::Vector2f::Zero();
+};
+
+/// Depth of a pixel's structure below the liver's surface, metres.
+float depth_below(const SurfaceLayer& layer, const SurfaceLayer& liver, std::size_t pixel) {
+  return std::max(0.0F, layer.depth(pixel) - liver.depth(pixel));
+}
+
+/// Whether a line of equal depth, two pixels wide, runs through this pixel.
+bool on_contour(const OverlayLayers& layers, int row, int column, std::size_t pixel) {
   const SurfaceLayer& vessels = layers.vessels;
+  const auto band = [&](std::size_t place) {
+    return static_cast<int>(depth_below(vessels, layers.liver, place) / kBand);
+  };
+  for (const auto& [down, right] : {std::pair{0, 1}, {1, 0}, {0, -1}, {-1, 0}}) {
+    const int y = row + down, x = column + right;
+    if (y < 0 || x < 0 || y >= vessels.height || x >= vessels.width) continue;
+    const std::size_t next = vessels.at(y, x);
+    if (vessels.kind[next] == vessels.kind[pixel] && layers.liver.kind[next] != 0 &&
+        band(next) != band(pixel))
+      return true;
+  }
+  return false;
+}
+
+/// One vessel's pixel.
+class VesselInk {
+ public:
+  VesselInk(const OverlayLayers& layers, const OverlayStyle& style, const Window& window)
+      : layers_(layers),
+        style_(style),
+        window_(window),
+        fade_depth_(static_cast<float>(style.fade_depth)),
+        opacity_(static_cast<float>(style.opacity)) {}
+
+  cv::Vec4b at(int v, int u, std::size_t pixel) const {
+    const SurfaceLayer& vessels = layers_.vessels;
+    const float below = depth_below(vessels, layers_.liver, pixel);
+    const float fade = kDeepest + (1.0F - kDeepest) * std::exp(-below / fade_depth_);
+    const bool edge = on_edge(vessels, v, u, pixel);
+    const bool outlines_only = style_.look == Look::outlines || window_.is_there();
+    // Hepatic veins are hatched: colour must not be the only cue.
+    const bool gap = vessels.kind[pixel] == kHepatic && !edge && (u + v) % kHatchPeriod >= kHatchPeriod / 2;
+    const float facing = static_cast<float>(vessels.facing[pixel]) / 255.0F;
+    const float light = edge ? 1.25F : 0.7F + 0.5F * facing * facing;
+    const cv::Vec3f colour = colours_[vessels.kind[pixel]] * light;
+    if (style_.look == Look::contours && !edge) return contour(v, u, pixel, below, colour, fade, gap);
+    const float body = outlines_only ? 0.0F : gap ? 0.3F : 0.8F;
+    const cv::Vec4b outside = veil_of(colour, opacity_ * fade * (edge ? 1.0F : body));
+    const float inside = window_.at(v, u);
+    if (inside <= 0.0F) return outside;
+    // What is deeper is darker; nothing shines through.
+    const float dark = 1.0F - 0.6F * std::min(1.0F, below / kDarkest);
+    const cv::Vec4b solid = veil_of(colour * (dark * (gap ? 0.65F : 1.0F)), 0.97F);
+    return solid * inside + outside * (1.0F - inside);
+  }
+
+ private:
+  cv::Vec4b contour(int v, int u, std::size_t pixel, float below, const cv::Vec3f& colour, float fade,
+                    bool gap) const {
+    if (on_contour(layers_, v, u, pixel)) return veil_of({15, 15, 15}, 0.9F);
+    const bool is_odd = static_cast<int>(below / kBand) % 2 == 1;
+    return veil_of(colour * (is_odd ? 0.6F : 1.1F), opacity_ * fade * (gap ? 0.4F : 0.9F));
+  }
+
+  const OverlayLayers& layers_;
+  const OverlayStyle& style_;
+  const Window& window_;
+  float fade_depth_, opacity_;
+  std::array<cv::Vec3f, 4> colours_ = {cv::Vec3f(), bgr(structure::kPortalVein),
+                                       bgr(structure::kHepaticVeins), bgr(structure::kArtery)};
+};
+
+Veil vessel_veil(const OverlayLayers& layers, const OverlayStyle& style, const Window& window) {
+  const SurfaceLayer& vessels = layers.vessels;
+  const VesselInk ink(layers, style, window);
   Veil veil = Veil::zeros(vessels.height, vessels.width);
   cv::parallel_for_(cv::Range(0, vessels.height), [&](const cv::Range& rows) {
     for (int v = rows.start; v < rows.end; ++v)
       for (int u = 0; u < vessels.width; ++u) {
         const std::size_t pixel = vessels.at(v, u);
-        if (vessels.kind[pixel] == kNoVessel || layers.liver.kind[pixel] == 0) continue;
-        const float below = std::max(0.0F, vessels.depth(pixel) - layers.liver.depth(pixel));
-        const float fade = kDeepest + (1.0F - kDeepest) * std::exp(-below / fade_depth);
-        const bool edge = on_edge(vessels, v, u, pixel);
-        // Hepatic veins are hatched: colour must not be the only cue.
-        const bool gap =
-            vessels.kind[pixel] == kHepatic && !edge && (u + v) % kHatchPeriod >= kHatchPeriod / 2;
-        const float alpha = opacity * fade * (edge ? 1.0F : gap ? 0.3F : 0.8F);
-        const float facing = static_cast<float>(vessels.facing[pixel]) / 255.0F;
-        const cv::Vec3f colour =
-            colours[vessels.kind[pixel]] * (edge ? 1.25F : 0.7F + 0.5F * facing * facing);
-        veil(v, u) = veil_of(colour, alpha);
+        if (vessels.kind[pixel] != kNoVessel && layers.liver.kind[pixel] != 0)
+          veil(v, u) = ink.at(v, u, pixel);
       }
   });
   cv::GaussianBlur(veil, veil, {3, 3}, 0.7, 0.7);  // smooth edges
   return veil;
+}
+
+/// Inside the window tissue steps back: what is drawn there lies in it, not on it.
+void open_window(cv::Mat3b& picture, const OverlayLayers& layers, const Window& window) {
+  if (!window.is_there()) return;
+  for (int v = 0; v < picture.rows; ++v)
+    for (int u = 0; u < picture.cols; ++u)
+      if (layers.liver.kind[layers.liver.at(v, u)] != 0) picture(v, u) *= 1.0F - 0.45F * window.at(v, u);
+  const cv::Point centre(cvRound(window.centre().x()), cvRound(window.centre().y()));
+  cv::circle(picture, centre, cvRound(window.radius()), cv::Scalar(20, 20, 20), 3, cv::LINE_AA);
+  cv::circle(picture, centre, cvRound(window.radius()), cv::Scalar(200, 200, 200), 1, cv::LINE_AA);
 }
 
 void lay(cv::Mat3b& picture, const Veil& veil) {
@@ -90,29 +187,49 @@ void lay(cv::Mat3b& picture, const Veil& veil) {
   });
 }
 
-void lay_lesion(cv::Mat3b& picture, const OverlayLayers& layers, std::uint8_t lesion) {
-  const cv::Vec3f colour = bgr(lesion);
+/// Whether a vessel hides a lesion here: in the window things stand one behind the other.
+bool is_hidden(const OverlayLayers& layers, std::size_t pixel) {
+  return layers.vessels.kind[pixel] != kNoVessel &&
+         layers.vessels.inverse_depth[pixel] > layers.lesions.inverse_depth[pixel];
+}
+
+/// One pass over the picture. @return where each lesion is seen, by its label.
+std::array<cv::Rect, 256> lay_bodies(cv::Mat3b& picture, const OverlayLayers& layers, const Window& window) {
+  std::array<cv::Rect, 256> seen{};
   const SurfaceLayer& lesions = layers.lesions;
-  cv::Mat1b mask = cv::Mat1b::zeros(picture.size());
   for (int v = 0; v < picture.rows; ++v)
     for (int u = 0; u < picture.cols; ++u) {
       const std::size_t pixel = lesions.at(v, u);
-      if (lesions.kind[pixel] != lesion || layers.liver.kind[pixel] == 0) continue;
-      mask(v, u) = 255;
+      if (lesions.kind[pixel] == 0 || layers.liver.kind[pixel] == 0) continue;
+      cv::Rect& box = seen[lesions.kind[pixel]];
+      box = box.empty() ? cv::Rect(u, v, 1, 1) : (box | cv::Rect(u, v, 1, 1));
       const float facing = static_cast<float>(lesions.facing[pixel]) / 255.0F;
-      mix(picture(v, u), colour * (0.6F + 0.4F * facing), (u - v + 4096) % kHatchPeriod < 2 ? 0.45F : 0.22F);
+      const float inside = window.at(v, u);
+      const float veiled = (u - v + 4096) % kHatchPeriod < 2 ? 0.45F : 0.22F;
+      const float solid = is_hidden(layers, pixel) ? 0.0F : 0.85F;
+      mix(picture(v, u), bgr(lesions.kind[pixel]) * (0.6F + 0.4F * facing),
+          inside * solid + (1.0F - inside) * veiled);
     }
-  std::vector<std::vector<cv::Point>> contours;
-  cv::findContours(mask, contours, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_SIMPLE);
-  cv::polylines(picture, contours, true, cv::Scalar(20, 20, 20), 4, cv::LINE_AA);
-  cv::polylines(picture, contours, true, cv::Scalar(colour), 2, cv::LINE_AA);
+  return seen;
 }
 
-void lay_lesions(cv::Mat3b& picture, const OverlayLayers& layers) {
-  std::array<bool, 256> there{};
-  for (const std::uint8_t kind : layers.lesions.kind) there[kind] = true;
-  for (std::size_t lesion = 1; lesion < there.size(); ++lesion)
-    if (there[lesion]) lay_lesion(picture, layers, static_cast<std::uint8_t>(lesion));
+void lay_lesions(cv::Mat3b& picture, const OverlayLayers& layers, const Window& window) {
+  const std::array<cv::Rect, 256> seen = lay_bodies(picture, layers, window);
+  const SurfaceLayer& lesions = layers.lesions;
+  for (std::size_t lesion = 1; lesion < seen.size(); ++lesion) {
+    const cv::Rect& box = seen[lesion];
+    if (box.empty()) continue;
+    cv::Mat1b mask(box.size());
+    for (int v = 0; v < box.height; ++v)
+      for (int u = 0; u < box.width; ++u) {
+        const std::size_t pixel = lesions.at(box.y + v, box.x + u);
+        mask(v, u) = lesions.kind[pixel] == lesion && layers.liver.kind[pixel] != 0 ? 255 : 0;
+      }
+    std::vector<std::vector<cv::Point>> contours;
+    cv::findContours(mask, contours, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_SIMPLE, box.tl());
+    cv::polylines(picture, contours, true, cv::Scalar(20, 20, 20), 4, cv::LINE_AA);
+    cv::polylines(picture, contours, true, cv::Scalar(bgr(static_cast<Label>(lesion))), 2, cv::LINE_AA);
+  }
 }
 
 void lay_outline(cv::Mat3b& picture, const SurfaceLayer& liver) {
@@ -128,7 +245,8 @@ void lay_outline(cv::Mat3b& picture, const SurfaceLayer& liver) {
 
 }  // namespace
 
-Picture blend_layers(const Picture& frame, const OverlayLayers& layers, const OverlayStyle& style) {
+Picture blend_layers(const Picture& frame, const OverlayLayers& layers, const OverlayStyle& style,
+                     const std::optional<Eigen::Vector2d>& focus) {
   const cv::Mat source(frame.height, frame.width, frame.channels == 1 ? CV_8UC1 : CV_8UC3,
                        const_cast<std::uint8_t*>(frame.bytes->data()));
   auto bytes =
@@ -138,9 +256,11 @@ Picture blend_layers(const Picture& frame, const OverlayLayers& layers, const Ov
     cv::cvtColor(source, picture, cv::COLOR_GRAY2BGR);
   else
     source.copyTo(picture);
-  lay(picture, vessel_veil(layers, style));
+  const Window window(layers.liver, style, focus);
+  open_window(picture, layers, window);
+  lay(picture, vessel_veil(layers, style, window));
   if (style.outline) lay_outline(picture, layers.liver);
-  lay_lesions(picture, layers);
+  lay_lesions(picture, layers, window);
   return {frame.width, frame.height, 3, bytes};
 }
 

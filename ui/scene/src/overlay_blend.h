@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "glisson/patient/picture.h"
 #include "glisson/ui/scene/overlay_painter.h"
 #include "overlay_layers.h"
@@ -8,6 +10,8 @@
 namespace glisson::scene {
 
 /// Lays the layers over the frame. Everything outside the liver's silhouette is left as it is.
-Picture blend_layers(const Picture& frame, const OverlayLayers& layers, const OverlayStyle& style);
+/// @param focus what is looked at, pixel.
+Picture blend_layers(const Picture& frame, const OverlayLayers& layers, const OverlayStyle& style,
+                     const std::optional<Eigen::Vector2d>& focus);
 
 }  // namespace glisson::scene

@@ -73,7 +73,8 @@ OverlayLayers draw_layers(const DrawableModel& model, const Points& nodes_in_cam
       *targets[group] = raster.layer();
       for (const DrawableSurface* surface : groups[group]) {
         const Points moved = surface->binding.apply(model.model->mesh, nodes_in_camera);
-        raster.draw(moved, surface->inside, kind_of(surface->structure), *targets[group]);
+        raster.draw(moved, style.thin_branches ? surface->inside : surface->thick,
+                    kind_of(surface->structure), *targets[group]);
       }
     }
   });

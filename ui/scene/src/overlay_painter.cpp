@@ -21,6 +21,23 @@ void OverlayStyle::validate() const {
   if (!(fade_depth > 0.0))
     throw InputError("overlay style", "fade_depth", "is " + std::to_string(fade_depth) + " m",
                      "Give a depth above 0.");
+  if (!(window > 0.0 && window <= 1.0))
+    throw InputError("overlay style", "window", "is " + std::to_string(window),
+                     "Give a share of the picture's height, above 0 and up to 1.");
+}
+
+const char* look_code(Look look) {
+  switch (look) {
+    case Look::tubes:
+      return "tubes";
+    case Look::focus:
+      return "focus";
+    case Look::contours:
+      return "contours";
+    case Look::outlines:
+      return "outlines";
+  }
+  return "unknown";
 }
 
 struct OverlayPainter::Impl {
@@ -56,6 +73,16 @@ struct OverlayPainter::Impl {
     for (const Label label : structures)
       if (is_lesion(label) && style.lesions) lesions.push_back(label);
     return verdicts_of(lesions, overlay);
+  }
+  /// What is looked at, on the picture.
+  std::optional<Eigen::Vector2d> focus(const std::vector<LesionVerdict>& verdicts,
+                                       const OverlayInterest& interest) const {
+    if (interest.pointer) return interest.pointer;
+    for (const LesionVerdict& verdict : verdicts)
+      if (verdict.lesion == interest.lesion && verdict.level == Level::valid &&
+          verdict.centre.z() > SurfaceRaster::kNear)
+        return camera.project(verdict.centre);
+    return {};
   }
   /// Of the chosen lesion. Of one that is not shown nothing is measured.
   std::optional<LesionCard> card(const Points& nodes, const std::vector<LesionVerdict>& verdicts,
@@ -159,7 +186,9 @@ Picture OverlayPainter::paint(const Picture& frame, const OverlayFrame& overlay,
     if (verdict.level == Level::valid) bodies.push_back(verdict.lesion);
   const OverlayLayers layers =
       draw_layers(*impl_->drawable, overlay.nodes_in_camera, impl_->raster, style, bodies);
-  const Picture blended = blend_layers(frame, layers, style);
+  // An empty window would say that there is nothing.
+  const auto focus = overlay.level() == Level::valid ? impl_->focus(verdicts, interest) : std::nullopt;
+  const Picture blended = blend_layers(frame, layers, style, focus);
   OverlayStatus now = status;
   if (status.age_seconds > 0.0)  // a live picture grows older while it is drawn
     now.age_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -68,6 +68,7 @@ class Overlay {
   }
   static QString lesion(Label label) { return tr("Lesion %1").arg(label - structure::kFirstLesion + 1); }
   static QString reach(double metres) { return tr("±%1 mm").arg(1e3 * metres, 0, 'f', 0); }
+  static QString contours() { return tr("Lines: every 10 mm below the surface"); }
   static QString length(double metres) { return tr("%1 mm").arg(1e3 * metres, 0, 'f', 0); }
   static QString along_sight() { return tr("Depth along the sight"); }
   static QString shortest() { return tr("Depth, shortest way"); }

@@ -16,7 +16,7 @@ struct LesionOptions {
   double margin = 10e-3;
   double useless = 30e-3;  ///< from that reach on its region is not drawn either: it says too little
   /// Motion of tissue that is not seen, rms, that forces nobody has simulated cause, and how far from what is
-  /// seen they act; both as in registration::ErrorModelOptions.
+  /// seen they act: as registration::ErrorModelOptions::unforeseen, over a patch of its forces.
   double unknown_forces = 4e-3, reach = 35e-3;
   double settle = 2.0;  ///< within about this time they come to act where nothing is tracked
   double relief = 0.8;  ///< a limit counts again below this share of it, so that nothing flickers

@@ -11,6 +11,7 @@
 #include "glisson/ui/guidance/playback_model.h"
 #include "glisson/ui/guidance/recording_model.h"
 #include "glisson/ui/guidance/registration_model.h"
+#include "glisson/ui/guidance/review_model.h"
 
 namespace glisson::ui {
 
@@ -33,6 +34,7 @@ class GuidancePanel : public Panel {
   OverlayWorker worker_;
   RegistrationModel registration_;
   PlaybackModel playback_;
+  ReviewModel review_;
   RecordingModel recording_;
   LiveViewModel live_;
   Couplings couplings_;

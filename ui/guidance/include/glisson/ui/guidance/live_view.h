@@ -1,26 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QPointer>
 #include <QWidget>
 
 #include "glisson/ui/common/couplings.h"
 #include "glisson/ui/guidance/live_picture.h"
 #include "glisson/ui/guidance/live_view_model.h"
+#include "glisson/ui/guidance/timeline_bar.h"
 
 namespace glisson::ui {
 
-/// The augmented picture, with what is said of it above and below.
+/// The augmented picture, with what is said of it above and below, and the way through the video. Keys, while
+/// it has the focus: space, arrows, Home and End (see TimelineBar), F11 the whole screen, P saves the
+/// picture, Esc lets go of the choice, or of the whole screen.
 class LiveView : public QWidget {
   Q_OBJECT
  public:
-  explicit LiveView(LiveViewModel& model, QWidget* parent = nullptr);
+  /// Both outlive the view.
+  LiveView(LiveViewModel& model, ReviewModel& review, QWidget* parent = nullptr);
+  ~LiveView() override;
   const LivePicture& picture() const { return *picture_; }
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
+  void switch_whole_screen();
+  void save_picture();
+
   LiveViewModel& model_;
+  ReviewModel& review_;
+  TimelineBar* timeline_;
+  QPointer<LiveView> whole_screen_;  ///< shown on the whole screen for this one
   LivePicture* picture_;
   Couplings couplings_;
 };

@@ -15,6 +15,7 @@
 #include "glisson/ui/guidance/lesion_rows.h"
 #include "glisson/ui/guidance/overlay_worker.h"
 #include "glisson/ui/guidance/playback_model.h"
+#include "glisson/ui/guidance/review_model.h"
 
 namespace glisson::ui {
 
@@ -24,7 +25,7 @@ class LiveViewModel : public QObject {
   Q_OBJECT
  public:
   /// All outlive this.
-  LiveViewModel(EngineBridge& engine, DrawableSource& drawables, PlaybackModel& playback,
+  LiveViewModel(EngineBridge& engine, DrawableSource& drawables, PlaybackModel& playback, ReviewModel& review,
                 OverlayWorker& worker, QObject* parent = nullptr);
 
   const scene::OverlayStyle& style() const { return style_; }
@@ -36,8 +37,16 @@ class LiveViewModel : public QObject {
   /// Marks the place of the organ's surface at a pixel, where a tool touches it, say; beside the organ: takes
   /// the mark away. Where there is one lesion only it is chosen.
   void mark_at(const Eigen::Vector2d& pixel);
+  /// Where the pointer is on the picture; empty: elsewhere. The focus follows it.
+  void point_at(const std::optional<Eigen::Vector2d>& pixel);
   /// Neither a lesion nor a mark.
   void let_go();
+  /// The one on the screen; empty: none.
+  const Picture& picture() const { return picture_; }
+  /// Writes it (.png, .jpg). @return what went wrong; empty: nothing.
+  QString save_picture(const QString& path) const;
+  /// Of the frame on the screen.
+  int shown_index() const { return shown_.index; }
   /// Augmented pictures shown so far.
   int pictures_shown() const { return pictures_shown_; }
 
@@ -61,6 +70,11 @@ class LiveViewModel : public QObject {
   /// Of the registered frame. @pre there is a registration.
   std::vector<LesionVerdict> lesions_at_start(const OverlayFrame& overlay);
   void show_frozen();
+  /// A former frame of this playing.
+  void show_moment(const Moment& moment);
+  /// What was on the screen before a former frame was.
+  void show_present();
+  void show_recorded(const OverlayFrame& overlay);
   /// Draws what is on the screen once more, in the present style. Live, the next picture has it anyway.
   void redraw();
   /// Nothing is shown: neither a picture nor what was said of it.
@@ -79,6 +93,7 @@ class LiveViewModel : public QObject {
   EngineBridge& engine_;
   DrawableSource& drawables_;
   PlaybackModel& playback_;
+  ReviewModel& review_;
   OverlayWorker& worker_;
   Couplings couplings_;
   scene::OverlayStyle style_;
@@ -90,8 +105,10 @@ class LiveViewModel : public QObject {
   double last_age_ = 0.0;
   int pictures_shown_ = 0;
   bool was_tracking_ = false;
-  std::optional<OverlayJob> job_;  ///< the last one
-  int generation_ = 0;             ///< pictures of former ones are not shown any more
+  std::optional<OverlayJob> job_;       ///< the last one
+  std::optional<OverlayJob> live_job_;  ///< the last one of a live picture
+  Picture picture_;
+  int generation_ = 0;  ///< pictures of former ones are not shown any more
   std::shared_ptr<const Points> margin_;
   std::shared_ptr<const model::BuiltModel> model_source_;
   std::shared_ptr<const Landmarks> landmarks_source_;

@@ -24,14 +24,20 @@ class PlaybackModel : public QObject {
   void begin(const engine::Outcome& outcome);
   /// The person has seen enough.
   void stop();
+  /// Frames wait, or come again; tracking stays as it is. Nothing happens unless it plays.
+  void pause(bool on);
+  /// One frame more of a paused video.
+  void step() { feed_.step(); }
+  void set_speed(double factor) { feed_.set_speed(factor); }
   const VideoFeed& feed() const { return feed_; }
 
   // For widgets to read.
   QProperty<bool> is_tracking;  ///< the engine follows frames
   QProperty<bool> is_frozen;
   QProperty<QString> frozen_why;  ///< said above the last picture
-  QProperty<bool> is_playing;     ///< tracking, and not frozen: what the feed says concerns it
-  QProperty<QString> obstacle;    ///< why tracking cannot start now
+  QProperty<bool> is_paused{false};
+  QProperty<bool> is_playing;   ///< tracking, and not frozen: what the feed says concerns it
+  QProperty<QString> obstacle;  ///< why tracking cannot start now
   // For widgets to set.
   QProperty<bool> repeats{false};  ///< at the video's end, track again from the registered frame
 

@@ -30,6 +30,11 @@ class VideoFeed : public QObject {
   /// @param first index of the first frame that goes to the sink.
   void start(const engine::VideoSource& source, int first);
   void stop();
+  /// While it is paused no frame goes to the sink but those of step().
+  void pause(bool on);
+  void step();
+  /// 1: at the video's own rate. @pre positive
+  void set_speed(double factor) { speed_ = factor; }
   /// Of the video that plays or played last.
   double frames_per_second() const { return rate_; }
   /// When a frame left for the sink; empty for one long ago or never sent. Any thread.
@@ -41,12 +46,16 @@ class VideoFeed : public QObject {
 
  private:
   void play(const std::stop_token& stop, const engine::VideoSource& source, int first);
+  /// Until a frame is due. @return false: it is to stop.
+  bool wait(std::unique_lock<std::mutex>& lock, const std::stop_token& stop, Clock::time_point& due);
 
   std::function<void(StereoFrame)> sink_;
   mutable std::mutex mutex_;
   std::condition_variable_any changed_;
   std::map<int, Clock::time_point> sent_;
-  std::atomic<double> rate_{30.0};
+  std::atomic<double> rate_{30.0}, speed_{1.0};
+  bool paused_ = false;
+  int steps_ = 0;  ///< frames that a paused feed still sends
   std::jthread thread_;
 };
 

@@ -24,8 +24,13 @@ struct DrawableSurface {
   Binding binding;    ///< empty when the model has no tetrahedra
   /// Triangles within 3 mm of the model's mesh: only there it is known how they move.
   Triangles inside;
+  /// Of these, without thin distal branches: what is under kThin in radius, with all that follows behind it.
+  Triangles thick;
   std::vector<OutsideVertex> outside;  ///< of neighbours and of vessels that run on; not of the liver
 };
+
+/// Metres; a surgeon seals thinner vessels without looking for them.
+inline constexpr double kThin = 1.5e-3;
 
 /// Everything of a model that is drawn. Takes seconds to make for fine surfaces: make it beside the window's
 /// thread, once a model, and share it.

@@ -15,14 +15,28 @@
 
 namespace glisson::scene {
 
+/// How depth is told.
+enum class Look {
+  tubes,     ///< shaded, fainter with depth
+  focus,     ///< a window around what is looked at: opaque and in depth order inside, outlines outside
+  contours,  ///< tubes with a line at every 10 mm of depth, bands lighter and darker in turns
+  outlines   ///< silhouettes alone: they hide least
+};
+inline constexpr Look kLooks[] = {Look::tubes, Look::focus, Look::contours, Look::outlines};
+/// "tubes"; for files and the command line.
+const char* look_code(Look look);
+
 /// What of the model is drawn on the laparoscope's picture, and how strongly.
 struct OverlayStyle {
   bool portal_vein = true, hepatic_veins = true, arteries = true, lesions = true;
   bool outline = true, anterior_margin = true;
   bool legend = true, status = true;
-  bool ruler = true;         ///< from the surface to the chosen lesion
-  double opacity = 0.85;     ///< of a vessel at the liver's surface, in [0, 1]
-  double fade_depth = 0.03;  ///< metres below the surface at which a vessel has lost most of its opacity
+  bool ruler = true;           ///< from the surface to the chosen lesion
+  bool thin_branches = false;  ///< of vessels, too: see DrawableSurface::thick
+  Look look = Look::focus;     ///< while nothing is looked at, it is drawn as tubes
+  double window = 0.2;         ///< radius of the focus, share of the picture's height, in (0, 1]
+  double opacity = 0.85;       ///< of a vessel at the liver's surface, in [0, 1]
+  double fade_depth = 0.03;    ///< metres below the surface at which a vessel has lost most of its opacity
   /// @throws InputError
   void validate() const;
 };
@@ -39,6 +53,7 @@ struct OverlayInterest {
   Label lesion = 0;  ///< the chosen one; 0: none
   /// Marked on the organ's surface as it is drawn (see surface_meter()); moves with its tissue.
   std::optional<guidance::SurfacePlace> place;
+  std::optional<Eigen::Vector2d> pointer;  ///< pixel; the focus follows it, else the chosen lesion
 };
 
 /// Measures in the surfaces that are drawn.
