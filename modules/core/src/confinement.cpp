@@ -176,7 +176,8 @@ void limit(int resource, double value) {
 }
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || defined(GLISSON_UNCONFINED)
-constexpr bool kSanitized = true;  // shadow memory, the search for leaks and counts of lines need what is given up
+constexpr bool kSanitized =
+    true;  // shadow memory, the search for leaks and counts of lines need what is given up
 #else
 constexpr bool kSanitized = false;
 #endif

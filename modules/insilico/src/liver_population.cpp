@@ -68,8 +68,8 @@ PopulationLiver population_liver(std::uint64_t shape_seed, double spacing_mm) {
   liver.umbilical_notch = in_metres({notch});
   liver.anterior_margin = in_metres(shape.anterior_margin(3.0));
   liver.falciform_line = in_metres(falciform(shape, notch));
-  liver.vena_cava = touching(
-      liver.surface, [&](const Vec& p) { return shape.cava(p) <= kTouchingMm && p.z() <= kCavaTop; });
+  liver.vena_cava = touching(liver.surface,
+                             [&](const Vec& p) { return shape.cava(p) <= kTouchingMm && p.z() <= kCavaTop; });
   liver.portal_entrance = in_metres({on_surface(shape, shape.hilum())});
   liver.gallbladder_bed =
       touching(liver.surface, [&](const Vec& p) { return shape.gallbladder(p) <= kTouchingMm; });

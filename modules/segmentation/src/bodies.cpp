@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "enclosed.h"
 #include "glisson/core/error.h"
@@ -115,34 +116,45 @@ void hold_clicks(const VolumeGrid& image, const Seeds& seeds, Field& phi) {
   hold(outside, inside, 1.0F);
 }
 
-/// The surroundings of a lesion's clicks. @param hull the liver, its bites closed; null: no liver yet.
-LesionScene lesion_scene(const Image& image, const Points& clicks, double diameter_mm, const Bodies& bodies,
-                         const Mask* hull) {
-  VoxelBox box{image.grid.size, Eigen::Vector3i::Zero()};
-  const Eigen::Vector3d reach =
-      (lesion_reach_mm(diameter_mm) + kLesionRim) * image.grid.spacing_mm.cwiseInverse();
-  for (Eigen::Index n = 0; n < clicks.rows(); ++n) {
-    const Eigen::Vector3d at =
-        image.grid.index_of(Point<CtFrame>(Eigen::Vector3d(clicks.row(n).transpose())));
+/// The image around points, in voxels, kept inside.
+VoxelBox box_around(const VolumeGrid& image, const Points& points, double reach_mm) {
+  VoxelBox box{image.size, Eigen::Vector3i::Zero()};
+  const Eigen::Vector3d reach = reach_mm * image.spacing_mm.cwiseInverse();
+  for (Eigen::Index n = 0; n < points.rows(); ++n) {
+    const Eigen::Vector3d at = image.index_of(Point<CtFrame>(Eigen::Vector3d(points.row(n).transpose())));
     box.low = box.low.cwiseMin((at - reach).array().floor().matrix().cast<int>());
     box.high = box.high.cwiseMax((at + reach).array().ceil().matrix().cast<int>());
   }
   box.low = box.low.cwiseMax(0);
-  box.high = box.high.cwiseMin(image.grid.size);
+  box.high = box.high.cwiseMin(image.size);
+  return box;
+}
+
+/// What lesions are looked for in, mm to each, negative inside, on the grid of the bodies.
+struct LesionGround {
+  Tissue liver;
+  Field barred;
+  std::optional<Field> organ, hull;  ///< the liver, and with its bites closed; none: not known yet
+};
+
+LesionGround ground_of(const Bodies& bodies) {
+  Mask barred = bodies.cava;
+  unite(barred, bodies.gallbladder);
+  return {bodies.parenchyma, signed_distance(barred, bodies.grid), {}, {}};
+}
+
+/// The surroundings of a lesion's clicks.
+LesionScene lesion_scene(const Image& image, const Points& clicks, double diameter_mm,
+                         const LesionGround& ground) {
+  const VoxelBox box = box_around(image.grid, clicks, lesion_reach_mm(diameter_mm) + kLesionRim);
   LesionScene scene;
   scene.raw = resampled(image, box, kLesionVoxel);
   scene.ct = scene.raw;
   diffuse(scene.ct, kDiffusion, kDiffusionSteps);
-  scene.liver = bodies.parenchyma;
-  const auto here = [&](const Mask& mask) {
-    return transferred(signed_distance(mask, bodies.grid), scene.ct);
-  };
-  Mask barred = bodies.cava;
-  unite(barred, bodies.gallbladder);
-  scene.barred = here(barred);
-  if (hull == nullptr) return scene;
-  scene.organ = transferred(bodies.liver_phi, scene.ct);
-  scene.bites = here(*hull);
+  scene.liver = ground.liver;
+  scene.barred = transferred(ground.barred, scene.ct);
+  if (ground.organ) scene.organ = transferred(*ground.organ, scene.ct);
+  if (ground.hull) scene.bites = transferred(*ground.hull, scene.ct);
   return scene;
 }
 
@@ -156,11 +168,11 @@ Mask hull_of(const Mask& liver) {
 
 /// Calls grow(scene, click) for each click of a list. @return their union; no values: nothing was found.
 template <class Grow>
-Field united(const Image& image, const Points& clicks, double diameter_mm, const Bodies& bodies,
-             const Mask* hull, const Grow& grow) {
+Field united(const Image& image, const Points& clicks, double diameter_mm, const LesionGround& ground,
+             const Grow& grow) {
   Field all;
   if (clicks.rows() == 0) return all;
-  const LesionScene scene = lesion_scene(image, clicks, diameter_mm, bodies, hull);
+  const LesionScene scene = lesion_scene(image, clicks, diameter_mm, ground);
   for (const Eigen::Vector3i& place : voxels_of(image.grid, scene.ct, clicks)) {
     const Field one = grow(scene, LesionClick{place, diameter_mm});
     if (all.values.empty()) all = one;
@@ -173,9 +185,10 @@ Field united(const Image& image, const Points& clicks, double diameter_mm, const
 /// Lesions before the liver is known. False: cancelled.
 bool guess_lesions(const Image& image, const Seeds& seeds, const Bodies& bodies, const Field& ct,
                    const RunContext& context, Mask& sure, Mask& likely) {
+  const LesionGround ground = ground_of(bodies);
   for (std::size_t n = 0; n < seeds.lesions.size(); ++n) {
     if (context.cancelled()) return false;
-    united(image, seeds.lesions[n], seeds.lesion_diameter_mm(n), bodies, nullptr,
+    united(image, seeds.lesions[n], seeds.lesion_diameter_mm(n), ground,
            [&](const LesionScene& scene, const LesionClick& click) {
              LesionGuess guess = guess_lesion(scene, click);
              if (!guess.sure.values.empty()) unite(sure, covered(guess.sure, ct));
@@ -188,16 +201,7 @@ bool guess_lesions(const Image& image, const Seeds& seeds, const Bodies& bodies,
 
 /// The surroundings of the clicks inside, out to farther than a liver reaches.
 Cancellable<PartingView> parting_view(const Image& image, const Seeds& seeds, const RunContext& context) {
-  VoxelBox box{image.grid.size, Eigen::Vector3i::Zero()};
-  for (Eigen::Index n = 0; n < seeds.liver.rows(); ++n) {
-    const Eigen::Vector3d at =
-        image.grid.index_of(Point<CtFrame>(Eigen::Vector3d(seeds.liver.row(n).transpose())));
-    const Eigen::Vector3d reach = kLiverReach * image.grid.spacing_mm.cwiseInverse();
-    box.low = box.low.cwiseMin((at - reach).array().floor().matrix().cast<int>());
-    box.high = box.high.cwiseMax((at + reach).array().ceil().matrix().cast<int>());
-  }
-  box.low = box.low.cwiseMax(0);
-  box.high = box.high.cwiseMin(image.grid.size);
+  const VoxelBox box = box_around(image.grid, seeds.liver, kLiverReach);
   PartingView view;
   view.raw = resampled(image, box, kParting);
   view.ct = view.raw;
@@ -239,11 +243,13 @@ Cancellable<bool> refine(const Image& image, const LiverSeeds& clicks, double sp
 
 /// The lesions in the liver that was found, or kept. False: cancelled.
 bool add_lesions(const Image& image, const Seeds& seeds, Bodies& bodies, const RunContext& context) {
-  const Mask hull = hull_of(bodies.liver);
+  LesionGround ground = ground_of(bodies);
+  ground.organ = bodies.liver_phi;
+  ground.hull = signed_distance(hull_of(bodies.liver), bodies.grid);
   for (std::size_t n = 0; n < seeds.lesions.size(); ++n) {
     if (context.cancelled()) return false;
     GrownLesion lesion;
-    lesion.phi = united(image, seeds.lesions[n], seeds.lesion_diameter_mm(n), bodies, &hull,
+    lesion.phi = united(image, seeds.lesions[n], seeds.lesion_diameter_mm(n), ground,
                         [&](const LesionScene& scene, const LesionClick& click) {
                           GrownLesion one = grow_lesion(scene, click);
                           lesion.bright = lesion.bright || one.bright;

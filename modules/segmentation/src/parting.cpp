@@ -16,7 +16,7 @@ constexpr double kHalfBall = 1.92;     // area of a half ball's flat face over i
 constexpr double kWide = 0.7;          // of that
 constexpr double kFacets = 2.0 / 3.0;  // mean area of a plane over that of the voxels' faces along it
 constexpr double kBesideClick = 4.0;   // mm from a click to the tissue that it means
-constexpr double kSpeck = 300.0;        // mm^3
+constexpr double kSpeck = 300.0;       // mm^3
 constexpr float kThinBody = 5.0F;      // mm of depth from which on a part is a body
 
 /// How much more the intensity curves up across the darkest direction than along the others, HU.

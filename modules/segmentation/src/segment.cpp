@@ -353,6 +353,10 @@ void SegmentationOptions::validate() const {
                      "Choose 0.3 to 5 mm");
 }
 
+bool is_found_anew(Label label, const Structures& asked, const Seeds& seeds) {
+  return is_anew(found_anew(asked, seeds), seeds, label);
+}
+
 Cancellable<Segmented> segment(const Image& whole, const Seeds& all_seeds, const SegmentationOptions& options,
                                const RunContext& context, const LabelMap* all_kept, const ShowLiver& show) {
   options.validate();

@@ -213,9 +213,10 @@ std::optional<engine::Command> SeedBox::growth() {
                  .arg(structure_text(label))
                  .arg(found == figures.end() ? 0.0 : found->second.ml, 0, 'f', 1);
   }
-  QMessageBox question(QMessageBox::Question, tr("Segment"),
-                       tr("Corrected by hand: %1. Are they to be found anew?").arg(names.join(QStringLiteral(", "))),
-                       QMessageBox::Cancel, this);
+  QMessageBox question(
+      QMessageBox::Question, tr("Segment"),
+      tr("Corrected by hand: %1. Are they to be found anew?").arg(names.join(QStringLiteral(", "))),
+      QMessageBox::Cancel, this);
   question.setObjectName(QStringLiteral("replace_edited"));
   question.setInformativeText(
       tr("Kept, they neither lose nor gain a voxel. Replaced, your corrections come back with Undo."));

@@ -11,27 +11,6 @@
 namespace glisson::engine {
 namespace {
 
-/// Whether a label is among the structures that were asked for, and was clicked.
-bool is_asked_for(const segmentation::Structures& asked, const segmentation::Seeds& seeds, Label label) {
-  switch (label) {
-    case structure::kParenchyma:
-      return asked.liver;
-    case structure::kPortalVein:
-      return asked.portal_vein && seeds.portal_vein.rows() > 0;
-    case structure::kHepaticVeins:
-      return asked.hepatic_veins && seeds.hepatic_veins.rows() > 0;
-    case structure::kVenaCava:
-      return asked.vena_cava && seeds.vena_cava.rows() > 0;
-    case structure::kGallbladder:
-      return asked.gallbladder && seeds.gallbladder.rows() > 0;
-    default:
-      break;
-  }
-  const auto lesion = static_cast<std::size_t>(label - structure::kFirstLesion);
-  return is_lesion(label) && asked.lesions && lesion < seeds.lesions.size() &&
-         seeds.lesions[lesion].rows() > 0;
-}
-
 void refuse_to_replace(const std::set<Label>& edited) {
   std::string names;
   for (const Label label : edited) names += (names.empty() ? "" : ", ") + structure_name(label);
@@ -47,7 +26,9 @@ std::set<Label> Segment::would_replace(const CaseState& state) const {
   for (const Label label : options.locked) replaced.erase(label);
   const auto& seeds = state[part::seeds];
   if (keeps_labels() && seeds)
-    std::erase_if(replaced, [&](Label label) { return !is_asked_for(options.structures, *seeds, label); });
+    std::erase_if(replaced, [&](Label label) {
+      return !segmentation::is_found_anew(label, options.structures, *seeds);
+    });
   return replaced;
 }
 

@@ -39,9 +39,9 @@ const std::vector<Aim>& patient_aims();
 
 /// Runs import, segmentation, the scripted edit and two models (the paper's size, and 10,000 tetrahedra) by
 /// engine commands that read files only; the expert's labels are read by the simulated hand that draws the
-/// strokes, and by the comparisons. Then segments CTs as unlike as patients are from a layperson's clicks (see
-/// insilico/pathology.h, layperson.h). Cases and scripts are left in `folder`, which exists.
-/// Empty: cancelled. @throws Error.
+/// strokes, and by the comparisons. Then segments CTs as unlike as patients are from a layperson's clicks
+/// (see insilico/pathology.h, layperson.h). Cases and scripts are left in `folder`, which exists. Empty:
+/// cancelled. @throws Error.
 Cancellable<PatientProof> prove_patient(const PatientProofOptions& options,
                                         const std::filesystem::path& folder, const RunContext& context);
 

@@ -44,6 +44,9 @@ struct Structures {
   bool operator==(const Structures&) const = default;
 };
 
+/// Whether a label is.
+bool is_found_anew(Label label, const Structures& asked, const Seeds& seeds);
+
 struct SegmentationOptions {
   /// Resolution of the liver's contour, 0.3 to 5 mm. Below 2 mm the level set runs at 2 mm first, and its
   /// last rounds once more at this spacing, from where it came to rest. Memory then is an estimated 60 bytes

@@ -9,7 +9,8 @@
 namespace glisson::engine {
 
 /// Where only some structures or a region are found anew, or labels are locked, the rest of the case's labels
-/// is kept. What a hand has corrected is replaced only when that was said. The liver's contour is shown on its way (see Snapshot::evolving).
+/// is kept. What a hand has corrected is replaced only when that was said. The liver's contour is shown on
+/// its way (see Snapshot::evolving).
 struct Segment {
   segmentation::SegmentationOptions options;
   bool replace_edited = false;
