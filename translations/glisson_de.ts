@@ -1790,22 +1790,6 @@
         <translation>%1 s</translation>
     </message>
     <message>
-        <source>Depth along the sight</source>
-        <translation>Tiefe in Blickrichtung</translation>
-    </message>
-    <message>
-        <source>Depth, shortest way</source>
-        <translation>Tiefe, kürzester Weg</translation>
-    </message>
-    <message>
-        <source>From the mark</source>
-        <translation>Von der Marke</translation>
-    </message>
-    <message>
-        <source>Expected error</source>
-        <translation>Erwarteter Fehler</translation>
-    </message>
-    <message>
         <source>Nearest tracked points</source>
         <translation>Nächste verfolgte Punkte</translation>
     </message>
@@ -2203,6 +2187,10 @@
     <message>
         <source>%1 was not found: nothing at its seeds differs from the liver. Drag across it in a slice to tell its diameter, or paint it.</source>
         <translation>%1 wurde nicht gefunden: An ihren Saatpunkten unterscheidet sich nichts von der Leber. Ziehen Sie in einer Schicht quer darüber, um den Durchmesser anzugeben, oder malen Sie sie.</translation>
+    </message>
+    <message>
+        <source>The points are explained by %1 forces of tools (limit %2): by so many nearly anything is.</source>
+        <translation>Die Punkte werden durch %1 Kräfte von Werkzeugen erklärt (Grenze %2): mit so vielen lässt sich fast alles erklären.</translation>
     </message>
 </context>
 <context>

@@ -1790,22 +1790,6 @@
         <translation>%1 s</translation>
     </message>
     <message>
-        <source>Depth along the sight</source>
-        <translation>Profondeur selon la vue</translation>
-    </message>
-    <message>
-        <source>Depth, shortest way</source>
-        <translation>Profondeur, plus court chemin</translation>
-    </message>
-    <message>
-        <source>From the mark</source>
-        <translation>Depuis la marque</translation>
-    </message>
-    <message>
-        <source>Expected error</source>
-        <translation>Erreur attendue</translation>
-    </message>
-    <message>
         <source>Nearest tracked points</source>
         <translation>Points suivis les plus proches</translation>
     </message>
@@ -2203,6 +2187,10 @@
     <message>
         <source>%1 was not found: nothing at its seeds differs from the liver. Drag across it in a slice to tell its diameter, or paint it.</source>
         <translation>%1 n’a pas été trouvée : rien à ses graines ne diffère du foie. Faites glisser à travers elle dans une coupe pour indiquer son diamètre, ou peignez-la.</translation>
+    </message>
+    <message>
+        <source>The points are explained by %1 forces of tools (limit %2): by so many nearly anything is.</source>
+        <translation>Les points sont expliqués par %1 forces d’outils (limite %2) : avec autant, presque tout s’explique.</translation>
     </message>
 </context>
 <context>

@@ -65,6 +65,7 @@ class RegisterModelTest : public QObject {
   void KnownOperationsAreTakenWhereTheyAreThoseAskedFor();
   void WithoutOperationsItIsElasticityFromTheStart();
   void AToolIsFoundTogetherWithWhatOperationsDo();
+  void ManyToolsAreDoubted();
   void NoToolIsSeenWhereNoneActs();
   void ShapesAreFoundWithoutAVenaCava();
   void AHeldNodeOrAPriorOfTheCallersLeavesNoneToSimulate();
@@ -129,6 +130,24 @@ void RegisterModelTest::AToolIsFoundTogetherWithWhatOperationsDo() {
   const ContactForce& strongest = both.forces->forces.front();
   QVERIFY((model_.mesh.vertex(strongest.node) - Pulled::place()).norm() < 0.03);
   QVERIFY(strongest.force.normalized().z() > 0.7);
+}
+
+/// A rough stone of the organ's size: nearly anything is explained by enough forces, and that is said.
+void RegisterModelTest::ManyToolsAreDoubted() {
+  LabelledCloud stone;
+  stone.points = Pulled(model_).truth(model_.surface.node_of_vertex, Eigen::all);
+  const Eigen::RowVector3d middle = stone.points.colwise().mean();
+  for (Eigen::Index i = 0; i < stone.points.rows(); ++i) {
+    const Eigen::RowVector3d p = 130.0 * (stone.points.row(i) - middle);
+    stone.points.row(i) += 0.03 * std::sin(p.x()) * std::sin(p.y() + 1.0) * std::sin(p.z() + 2.0) *
+                           (stone.points.row(i) - middle).normalized();
+  }
+  const Registered made = register_model(model_, stone, brief(), RunContext()).value();
+  const auto is_many = [](const std::string& doubt) { return doubt.starts_with("forces_many "); };
+  const auto& doubts = made.registration.doubts;
+  QVERIFY(std::any_of(doubts.begin(), doubts.end(), is_many));
+  const Registered pulled = register_model(model_, Pulled(model_).cloud, brief(), RunContext()).value();
+  QVERIFY(std::none_of(pulled.registration.doubts.begin(), pulled.registration.doubts.end(), is_many));
 }
 
 /// Where what was simulated explains the cloud no force is worth its price.

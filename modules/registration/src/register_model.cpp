@@ -77,6 +77,8 @@ std::vector<std::string> doubts_of(const ContactForceFit& fit, double seen) {
 constexpr double kToolReach = 40e-3, kToolSpacing = 20e-3, kToolRadius = 30e-3;  // m
 constexpr int kPatientStages = 3;
 constexpr double kToolPrice = 1.0;  ///< one of all places is where something acts
+/// Where one is expected five and more act in 4 of 1,000 (Poisson): then they explain what they should not.
+constexpr std::size_t kMostTools = 4;
 
 /// @param shapes where operations are known: their modes and the forces of tools are found together, from the
 /// most probable shape and, without any, from the rigid starts.
@@ -114,7 +116,11 @@ Cancellable<Registration> register_by_forces(const PatientModel& model, const La
   surface.move(fit->nodes_in_camera);
   made.seen_share = seen_share(surface.mesh(), cloud.points);
   made.doubts = doubts_of(*fit, made.seen_share);
-  if (shapes) made.doubts.insert(made.doubts.end(), shapes->doubts.begin(), shapes->doubts.end());
+  if (!shapes) return made;
+  if (fit->forces.size() > kMostTools)
+    made.doubts.push_back("forces_many " + std::to_string(fit->forces.size()) + " " +
+                          std::to_string(kMostTools));
+  made.doubts.insert(made.doubts.end(), shapes->doubts.begin(), shapes->doubts.end());
   return made;
 }
 

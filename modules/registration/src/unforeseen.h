@@ -6,14 +6,15 @@
 
 #include "glisson/fem/elastic_body.h"
 #include "glisson/patient/patient_model.h"
+#include "glisson/registration/operation_prior.h"
 
 namespace glisson::registration {
 
 /// Forces that nobody has simulated (tools, contacts, ligaments cut), anywhere on the surface.
 struct Unforeseen {
-  double motion = 4e-3;                         ///< that they cause, of a node, rms, m
+  double motion = kUnforeseenMotion;            ///< that they cause, of a node, rms, m
   double patch_spacing = 25e-3;                 ///< of their places, m
-  double patch_radius = 35e-3;                  ///< over which one spreads, m
+  double patch_radius = kUnforeseenSpread;      ///< over which one spreads, m
   std::vector<int> fixed_nodes;                 ///< known to stay
   int modes = std::numeric_limits<int>::max();  ///< principal components kept, at most
 };

@@ -111,6 +111,8 @@ class Notes {
         {"law_ambiguous", tr("Two elastic laws explain the points almost equally well, but place the organ "
                              "differently; the better one was taken.")},
         {"forces_not_at_rest", tr("The search for contact forces ended before it had come to rest.")},
+        {"forces_many", tr("The points are explained by %1 forces of tools (limit %2): by so many nearly "
+                           "anything is.")},
         {"shape_unusual", tr("The organ would be bent as in hardly any simulated operation.")},
         {"shape_inverted", tr("The shape that fits the points would turn the organ inside out.")},
         {"rigid_ambiguous", tr("Two rigid positions fit almost equally well; the better one was taken.")},

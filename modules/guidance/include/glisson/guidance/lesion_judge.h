@@ -6,6 +6,7 @@
 
 #include "glisson/patient/patient_model.h"
 #include "glisson/patient/registration.h"
+#include "glisson/registration/operation_prior.h"
 
 namespace glisson::guidance {
 
@@ -16,8 +17,8 @@ struct LesionOptions {
   double margin = 10e-3;
   double useless = 30e-3;  ///< from that reach on its region is not drawn either: it says too little
   /// Motion of tissue that is not seen, rms, that forces nobody has simulated cause, and how far from what is
-  /// seen they act: as registration::ErrorModelOptions::unforeseen, over a patch of its forces.
-  double unknown_forces = 4e-3, reach = 35e-3;
+  /// seen they act: the registration's.
+  double unknown_forces = registration::kUnforeseenMotion, reach = registration::kUnforeseenSpread;
   double settle = 2.0;  ///< within about this time they come to act where nothing is tracked
   double relief = 0.8;  ///< a limit counts again below this share of it, so that nothing flickers
   /// @throws InputError naming the option.

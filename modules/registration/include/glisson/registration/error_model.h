@@ -30,7 +30,7 @@ struct ErrorModelOptions {
   /// Independent information in what the reference density's one point stands for (ShapeFitOptions).
   double information = 0.2;
   /// Motion of a node, rms, m, by unforeseen forces beyond those that the prior knows (OperationOptions).
-  double unforeseen = 4e-3;
+  double unforeseen = kUnforeseenMotion;
   std::vector<int> fixed_nodes;  ///< known to stay
   bool pose_known = false;       ///< the model needs no turning and shifting
 };

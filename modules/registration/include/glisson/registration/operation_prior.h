@@ -16,6 +16,10 @@
 
 namespace glisson::registration {
 
+/// Forces that nobody has simulated (tools, contacts, ligaments cut), anywhere on the surface: the motion of
+/// a node that they cause, rms, and how far one spreads, m.
+inline constexpr double kUnforeseenMotion = 4e-3, kUnforeseenSpread = 35e-3;
+
 struct OperationOptions {
   int operations = 160;  ///< simulated
   int modes = 60;        ///< principal components kept, at most
@@ -25,9 +29,7 @@ struct OperationOptions {
   double bed_m = 0.014;   ///< by which the organs behind give way at 9 cm from the vena cava
   double ligament_m = 0.007;    ///< by which the abdominal wall takes the falciform ligament along
   double contact_spread = 0.5;  ///< of the logarithm of the stiffness of bed, diaphragm and ligament
-  /// Motion of a node, rms, m, by forces that nobody has simulated (tools, contacts, ligaments cut), anywhere
-  /// on the surface. 0: there are none.
-  double unforeseen_m = 4e-3;
+  double unforeseen_m = kUnforeseenMotion;  ///< 0: there are none
   /// @throws InputError naming the option.
   void validate() const;
   bool operator==(const OperationOptions&) const = default;

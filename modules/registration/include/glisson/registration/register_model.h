@@ -74,7 +74,7 @@ struct Registered {
 /// elasticity alone decides. The same seed gives the same bits. Doubts of the forces: little_surface_seen,
 /// many_outliers, residual_large, inverted_elements (not under the linear law, which knows of none),
 /// law_ambiguous (another law puts the nodes 5 mm away on average and is nearly as probable),
-/// forces_not_at_rest.
+/// forces_not_at_rest, with operations forces_many (how many tools act, the limit).
 /// @param known taken where its options are those of `options`; operations are not simulated again.
 /// @throws InputError as align_rigid, simulate_operations, register_elastic; NumericalError as
 ///   simulate_operations.

@@ -7,8 +7,9 @@
 
 namespace glisson::ui {
 
-/// The modules' sentence on an error in the person's language. Sentences on files, folders and cases are known
-/// whole; of all others the problem and the remedy apart, and what is not known stays as it is, in English.
+/// The modules' sentence on an error in the person's language. Sentences on files, folders and cases are
+/// known whole; of all others the problem and the remedy apart, and what is not known stays as it is, in
+/// English.
 QString error_text(std::string_view sentence);
 bool is_error_known(std::string_view sentence);
 /// The problems and remedies that are known, as they stand in the modules.
