@@ -25,10 +25,10 @@ const engine::CaseState& drawable(const engine::CaseState& state) {
 }  // namespace
 
 OverlayDrawer::OverlayDrawer(const engine::CaseState& state, const scene::OverlayStyle& style)
-    : model_(engine::effective_model(drawable(state))),
-      camera_(state[part::rig]->left),
-      drawable_(scene::make_drawable(std::make_shared<const PatientModel>(model_))),
-      painter_(drawable_, model_.landmarks.anterior_margin, camera_, style),
+    : camera_(state[part::rig]->left),
+      drawable_(scene::make_drawable(
+          std::make_shared<const PatientModel>(engine::effective_model(drawable(state))))),
+      painter_(drawable_, drawable_->model->landmarks.anterior_margin, camera_, style),
       model_unchecked_(!engine::is_model_checked(state)) {}
 
 Picture OverlayDrawer::draw(const StereoFrame& frame, const OverlayFrame& overlay,
@@ -40,10 +40,7 @@ Picture OverlayDrawer::draw(const StereoFrame& frame, const OverlayFrame& overla
 
 std::optional<guidance::SurfacePlace> OverlayDrawer::place_at(const Eigen::Vector2d& pixel,
                                                               const OverlayFrame& overlay) const {
-  if (overlay.level() == Level::withdrawn) return {};
-  guidance::LesionMeter meter = scene::surface_meter(*drawable_);
-  meter.move(overlay.nodes_in_camera);
-  return meter.place_on(camera_.ray(pixel));
+  return scene::place_at(*drawable_, camera_, overlay, pixel);
 }
 
 OverlayRecorder::OverlayRecorder(const engine::CaseState& state, const std::filesystem::path& path,

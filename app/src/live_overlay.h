@@ -29,7 +29,6 @@ class OverlayDrawer {
                                                  const OverlayFrame& overlay) const;
 
  private:
-  PatientModel model_;
   Camera camera_;
   std::shared_ptr<const scene::DrawableModel> drawable_;
   scene::OverlayPainter painter_;

@@ -68,6 +68,19 @@ class FakeOperation {
     return options;
   }
 
+  /// From nothing to a cloud, with a film of so many frames at the scope.
+  std::vector<engine::Command> steps_to_cloud(const std::filesystem::path& scope, int frames) {
+    film(scope, frames);
+    return {engine::ImportImage{"ct.nii"},
+            engine::SetSeeds{},
+            engine::Segment{},
+            engine::BuildModel{},
+            engine::SetCalibration{"scope.yml"},
+            engine::SetVideo{video, {}},
+            engine::LoadVideoFrame{2},
+            engine::Reconstruct{}};
+  }
+
   /// Writes a video of `frames` frames in which everything is grey-red with a moving bar.
   void film(const std::filesystem::path& path, int frames) {
     video = path;

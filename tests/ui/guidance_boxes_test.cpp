@@ -55,15 +55,8 @@ class GuidanceBoxesTest : public QObject {
     QVERIFY(QTest::qWaitFor([this] { return engine_->tasks().empty(); }, 20000));
   }
   void reach_cloud(int frames) {
-    operation_->film(folder_->path() / "scope.mkv", frames);
-    post(engine::ImportImage{"ct.nii"});
-    post(engine::SetSeeds{});
-    post(engine::Segment{});
-    post(engine::BuildModel{});
-    post(engine::SetCalibration{"scope.yml"});
-    post(engine::SetVideo{operation_->video, {}});
-    post(engine::LoadVideoFrame{2});
-    post(engine::Reconstruct{});
+    for (const engine::Command& step : operation_->steps_to_cloud(folder_->path() / "scope.mkv", frames))
+      post(step);
   }
   void reach_registration(int frames) {
     reach_cloud(frames);

@@ -75,15 +75,8 @@ class TimelineTest : public QObject {
     QVERIFY(QTest::qWaitFor([this] { return engine_->tasks().empty(); }, 20000));
   }
   void start(int frames) {
-    operation_->film(folder_->path() / "scope.mkv", frames);
-    post(engine::ImportImage{"ct.nii"});
-    post(engine::SetSeeds{});
-    post(engine::Segment{});
-    post(engine::BuildModel{});
-    post(engine::SetCalibration{"scope.yml"});
-    post(engine::SetVideo{operation_->video, {}});
-    post(engine::LoadVideoFrame{2});
-    post(engine::Reconstruct{});
+    for (const engine::Command& step : operation_->steps_to_cloud(folder_->path() / "scope.mkv", frames))
+      post(step);
     post(engine::Register{});
     guidance_ = std::make_unique<Guidance>(*engine_);
     QTRY_VERIFY_WITH_TIMEOUT(guidance_->drawables.drawable() != nullptr, 20000);
@@ -323,6 +316,17 @@ void TimelineTest::TheStoreKeepsWhatFits() {
   QVERIFY(apart / static_cast<double>(original.bytes->size()) < 4.0);
   store.clear();
   QVERIFY(store.entries().empty());
+  // A video that is repeated: the same frames again, and no more room taken.
+  QObject receiver;
+  int kept = 0;
+  connect(&store, &ui::MomentStore::changed, &receiver, [&kept] { ++kept; });
+  for (int round = 0; round < 12; ++round)
+    for (int i = 0; i < 4; ++i) {
+      const int before = kept;
+      store.add(moment(i));
+      QTRY_COMPARE(kept, before + 1);
+    }
+  QCOMPARE(store.entries().size(), std::size_t{4});
 }
 
 }  // namespace glisson

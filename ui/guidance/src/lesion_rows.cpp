@@ -31,10 +31,6 @@ class LesionTexts {
   }
   static QString length(double metres) { return tr("%1 mm").arg(1e3 * metres, 0, 'f', 0); }
   static QString seconds(double seconds) { return tr("%1 s").arg(seconds, 0, 'f', 0); }
-  static QString along_sight() { return tr("Depth along the sight"); }
-  static QString shortest() { return tr("Depth, shortest way"); }
-  static QString from_place() { return tr("From the mark"); }
-  static QString expected() { return tr("Expected error"); }
   static QString support() { return tr("Nearest tracked points"); }
   static QString unseen() { return tr("Nothing near it tracked for"); }
 };
@@ -61,16 +57,12 @@ FigureRows lesion_figures(const LesionVerdict& verdict, Level whole,
                           const std::optional<guidance::LesionMeasures>& measures) {
   FigureRows rows;
   if (std::max(verdict.level, whole) == Level::withdrawn) return rows;
-  const auto add = [&rows](const QString& name, double metres) {
-    if (std::isfinite(metres)) rows.emplace_back(name, LesionTexts::length(metres));
-  };
-  if (measures && measures->lesion == verdict.lesion) {
-    add(LesionTexts::along_sight(), measures->along_sight);
-    add(LesionTexts::shortest(), measures->shortest);
-    add(LesionTexts::from_place(), measures->from_place);
-  }
-  if (verdict.reach > 0.0) add(LesionTexts::expected(), verdict.expected);
-  if (verdict.support > 0.0) add(LesionTexts::support(), verdict.support);
+  const bool are_its = measures && measures->lesion == verdict.lesion;
+  for (const auto& [name, value] :
+       scene::lesion_numbers(verdict, are_its ? *measures : guidance::LesionMeasures()))
+    rows.emplace_back(QString::fromStdString(name), QString::fromStdString(value));
+  if (verdict.support > 0.0 && std::isfinite(verdict.support))
+    rows.emplace_back(LesionTexts::support(), LesionTexts::length(verdict.support));
   if (verdict.unseen >= 1.0) rows.emplace_back(LesionTexts::unseen(), LesionTexts::seconds(verdict.unseen));
   return rows;
 }

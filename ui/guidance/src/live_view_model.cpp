@@ -247,12 +247,8 @@ void LiveViewModel::choose_at(const Eigen::Vector2d& pixel) {
 void LiveViewModel::mark_at(const Eigen::Vector2d& pixel) {
   const auto& rig = engine_.state()[part::rig];
   const auto& drawable = drawables_.drawable();
-  if (!rig || !drawable || shown_.level() == Level::withdrawn ||
-      shown_.nodes_in_camera.rows() != drawable->model->mesh.vertex_count())
-    return;
-  guidance::LesionMeter meter = scene::surface_meter(*drawable);
-  meter.move(shown_.nodes_in_camera);
-  interest_.place = meter.place_on(rig->left.ray(pixel));
+  if (!rig || !drawable || shown_.level() == Level::withdrawn) return;
+  interest_.place = scene::place_at(*drawable, rig->left, shown_, pixel);
   if (interest_.place && interest_.lesion == 0 && shown_.lesions.size() == 1)
     interest_.lesion = chosen = shown_.lesions.front().lesion;
   redraw();

@@ -79,11 +79,12 @@ void MomentStore::keep(const Moment& moment, int generation) {
   {
     const std::lock_guard lock(mutex_);
     if (generation != generation_) return;
+    Kept& place = kept_[moment.overlay.index];  // a video that is repeated shows a frame again
     bytes_ += kept.bytes();
-    const auto [at, is_new] = kept_.insert_or_assign(moment.overlay.index, std::move(kept));
-    (void)at, (void)is_new;
+    bytes_ -= place.bytes();
+    place = std::move(kept);
     while (bytes_ > most_ && kept_.size() > 1) {
-      bytes_ -= std::min(bytes_, kept_.begin()->second.bytes());
+      bytes_ -= kept_.begin()->second.bytes();
       kept_.erase(kept_.begin());
     }
   }

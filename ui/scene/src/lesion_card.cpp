@@ -6,13 +6,12 @@
 #include <vector>
 
 #include "glisson/ui/scene/colours.h"
+#include "glisson/ui/scene/overlay_painter.h"
 #include "glisson/ui/scene/surface_raster.h"
 #include "overlay_words.h"
 
 namespace glisson::scene {
 namespace {
-
-using Rows = std::vector<std::pair<QString, QString>>;
 
 QPointF on_picture(const Camera& camera, const Eigen::Vector3d& p) {
   const Eigen::Vector2d pixel = camera.project(p);
@@ -76,24 +75,10 @@ void draw_ruler(QPainter& painter, const Layout& layout, const guidance::LesionM
   });
 }
 
-Rows rows_of(const LesionCard& card) {
-  Rows rows;
-  const auto add = [&](const QString& name, double metres) {
-    if (std::isfinite(metres)) rows.emplace_back(name, Overlay::length(metres));
-  };
-  if (card.verdict.level == Level::withdrawn) return rows;
-  add(Overlay::along_sight(), card.measures.along_sight);
-  add(Overlay::shortest(), card.measures.shortest);
-  if (card.verdict.reach > 0.0) {
-    rows.emplace_back(Overlay::expected(), Overlay::length(card.verdict.expected));
-    rows.emplace_back(Overlay::within(), Overlay::reach(card.verdict.reach));
-  }
-  add(Overlay::from_place(), card.measures.from_place);
-  return rows;
-}
-
 void draw_numbers(QPainter& painter, const Layout& layout, const LesionCard& card, const QColor& colour) {
-  const Rows rows = rows_of(card);
+  std::vector<std::pair<QString, QString>> rows;
+  for (const auto& [name, value] : lesion_numbers(card.verdict, card.measures))
+    rows.emplace_back(QString::fromStdString(name), QString::fromStdString(value));
   const QFont font = layout.font(), bold = layout.font(true);
   const QFontMetrics metrics(font), strong(bold);
   const QString head = Overlay::lesion(card.verdict.lesion);
@@ -133,6 +118,23 @@ void draw_numbers(QPainter& painter, const Layout& layout, const LesionCard& car
 }
 
 }  // namespace
+
+std::vector<std::pair<std::string, std::string>> lesion_numbers(const LesionVerdict& verdict,
+                                                                const guidance::LesionMeasures& measures) {
+  std::vector<std::pair<std::string, std::string>> rows;
+  if (verdict.level == Level::withdrawn) return rows;
+  const auto add = [&rows](const QString& name, double metres) {
+    if (std::isfinite(metres)) rows.emplace_back(name.toStdString(), Overlay::length(metres).toStdString());
+  };
+  add(Overlay::along_sight(), measures.along_sight);
+  add(Overlay::shortest(), measures.shortest);
+  if (verdict.reach > 0.0) {
+    add(Overlay::expected(), verdict.expected);
+    rows.emplace_back(Overlay::within().toStdString(), Overlay::reach(verdict.reach).toStdString());
+  }
+  add(Overlay::from_place(), measures.from_place);
+  return rows;
+}
 
 void draw_card(QPainter& painter, const Layout& layout, const LesionCard& card, const Camera& camera,
                bool with_ruler) {

@@ -40,6 +40,36 @@ const char* look_code(Look look) {
   return "unknown";
 }
 
+namespace {
+
+/// Of the surfaces that are drawn.
+guidance::LesionMeter meter_of(const DrawableModel& model, bool with_lesions) {
+  guidance::CarriedSurface organ;
+  std::vector<guidance::CarriedSurface> lesions;
+  for (const DrawableSurface& surface : model.surfaces) {
+    const bool is_organ = surface.structure == structure::kParenchyma;
+    if (!is_organ && !(with_lesions && is_lesion(surface.structure))) continue;
+    guidance::CarriedSurface carried{surface.structure, surface.mesh, surface.binding};
+    if (is_organ)
+      organ = std::move(carried);
+    else
+      lesions.push_back(std::move(carried));
+  }
+  return {*model.model, std::move(organ), std::move(lesions)};
+}
+
+}  // namespace
+
+std::optional<guidance::SurfacePlace> place_at(const DrawableModel& model, const Camera& camera,
+                                               const OverlayFrame& overlay, const Eigen::Vector2d& pixel) {
+  if (overlay.level() == Level::withdrawn ||
+      overlay.nodes_in_camera.rows() != model.model->mesh.vertex_count())
+    return {};
+  guidance::LesionMeter meter = meter_of(model, false);
+  meter.move(overlay.nodes_in_camera);
+  return meter.place_on(camera.ray(pixel));
+}
+
 struct OverlayPainter::Impl {
   Impl(std::shared_ptr<const DrawableModel> surfaces, const Points& anterior_margin, const Camera& view,
        const OverlayStyle& look)
@@ -95,7 +125,7 @@ struct OverlayPainter::Impl {
     card.verdict = *chosen;
     card.measures.lesion = chosen->lesion;
     if (chosen->level == Level::withdrawn) return card;
-    if (!meter) meter = surface_meter(*drawable);
+    if (!meter) meter = meter_of(*drawable, true);
     meter->move(nodes);
     card.measures = meter->measure(chosen->lesion, interest.place);
     measures = card.measures;
@@ -121,17 +151,6 @@ struct OverlayPainter::Impl {
     return result;
   }
 };
-
-guidance::LesionMeter surface_meter(const DrawableModel& model) {
-  guidance::CarriedSurface organ;
-  std::vector<guidance::CarriedSurface> lesions;
-  for (const DrawableSurface& surface : model.surfaces) {
-    const guidance::CarriedSurface carried{surface.structure, surface.mesh, surface.binding};
-    if (surface.structure == structure::kParenchyma) organ = carried;
-    if (is_lesion(surface.structure)) lesions.push_back(carried);
-  }
-  return {*model.model, std::move(organ), std::move(lesions)};
-}
 
 namespace {
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "glisson/geometry/camera.h"
@@ -51,13 +52,15 @@ struct OverlayStatus {
 /// What a person looks at.
 struct OverlayInterest {
   Label lesion = 0;  ///< the chosen one; 0: none
-  /// Marked on the organ's surface as it is drawn (see surface_meter()); moves with its tissue.
+  /// Marked on the organ's surface as it is drawn (see place_at()); moves with its tissue.
   std::optional<guidance::SurfacePlace> place;
   std::optional<Eigen::Vector2d> pointer;  ///< pixel; the focus follows it, else the chosen lesion
 };
 
-/// Measures in the surfaces that are drawn.
-guidance::LesionMeter surface_meter(const DrawableModel& model);
+/// The place of the organ's surface, as it is drawn, at a pixel of the left picture. None: beside the organ,
+/// or the overlay is withdrawn.
+std::optional<guidance::SurfacePlace> place_at(const DrawableModel& model, const Camera& camera,
+                                               const OverlayFrame& overlay, const Eigen::Vector2d& pixel);
 
 /// Draws the deformed model into a frame of the laparoscope: vessels in their structures' colours, fading
 /// with depth below the liver's surface (hepatic veins hatched, so that colour is not the only cue), lesions
@@ -97,5 +100,8 @@ class OverlayPainter {
 std::string validity_text(Validity validity);
 /// "nothing near it has been tracked for a while"
 std::string lesion_reason_text(LesionReason reason);
+/// What is told of a chosen lesion (translated): names and values. None of one that is withdrawn.
+std::vector<std::pair<std::string, std::string>> lesion_numbers(const LesionVerdict& verdict,
+                                                                const guidance::LesionMeasures& measures);
 
 }  // namespace glisson::scene
