@@ -6,6 +6,7 @@
 #include "commands.h"
 #include "exit_code.h"
 #include "glisson/engine/commands/accept_registration.h"
+#include "glisson/engine/commands/choose_rival.h"
 #include "glisson/engine/commands/import_cloud.h"
 #include "glisson/engine/commands/import_registration.h"
 #include "glisson/engine/commands/load_video_frame.h"
@@ -100,6 +101,9 @@ int run_register(const QStringList& given) {
   arguments.option("rigid",
                    Cli::tr("Rigid start: auto, none, or a file with a 4 x 4 matrix cloud_from_model."),
                    "auto|none|FILE", "auto");
+  arguments.flag("near",
+                 Cli::tr("The file of --rigid is near the right place only: refined rigidly first, as "
+                         "a model that was placed by hand."));
   arguments.option("fixed", Cli::tr("Nodes that stay where the rigid start puts them (0-based numbers)."),
                    "FILE");
   arguments.option(
@@ -119,6 +123,10 @@ int run_register(const QStringList& given) {
   arguments.flag("accept-doubts",
                  Cli::tr("Write the result even if it is refused; its doubts stay with it. Without this a "
                          "refused registration writes no file, and the exit code is 3."));
+  arguments.option("rival",
+                   Cli::tr("Takes the N-th of the other places where the organ may be (rival_N_probability, "
+                           "rival_N_away_mm) instead of the most probable one."),
+                   "N");
   arguments.option("out", Cli::tr("The registered mesh (.vtu), or surface (.vtp) when a surface was given."),
                    "registered.vtu");
   if (!arguments.parse(given)) return 0;
@@ -139,11 +147,15 @@ int run_register(const QStringList& given) {
   command.operations = prior == "operations" && arguments.value("method") != "paper";
   if (arguments.value("rigid") == "none") {
     command.start = engine::Register::Start::none;
-  } else if (arguments.value("rigid") != "auto") {
-    command.start = engine::Register::Start::given;
+  } else if (arguments.value("rigid") == "auto") {
+    if (arguments.has("near")) throw UsageError("--near: needs a matrix. Give its file by --rigid FILE.");
+  } else {
+    command.start = arguments.has("near") ? engine::Register::Start::near : engine::Register::Start::given;
     command.given = registration::read_start(arguments.path("rigid"), argument.unit);
   }
   session.post(command);
+  if (arguments.has("rival"))
+    session.post(engine::ChooseRival{static_cast<std::size_t>(arguments.integer("rival", 1, 3) - 1)});
   if (arguments.has("accept-doubts")) session.post(engine::AcceptRegistration{});
   const Registration& registration = *session.state()[part::registration];
   if (arguments.has("truth")) {

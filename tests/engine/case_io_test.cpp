@@ -114,6 +114,8 @@ class CaseIoTest : public QObject {
   void LandmarksNameTheirMistakes();
   void ARegistrationOfAnotherModelIsRefused();
   void ARegistrationsDoubtsTravelWithItsFile();
+  void WhereARegistrationMayBeWrongTravelsWithItsFile();
+  void WhatIsNoErrorAndNoProbabilityIsRefused();
   void WhatIsNoCovarianceIsRefused();
 };
 
@@ -351,6 +353,48 @@ void CaseIoTest::ARegistrationsDoubtsTravelWithItsFile() {
     const double factor = spread.lesion == structure::kFirstLesion ? 1e-6 : 2e-6;
     QVERIFY(spread.covariance.isApprox(factor * covariance, 1e-9));
   }
+}
+
+void CaseIoTest::WhereARegistrationMayBeWrongTravelsWithItsFile() {
+  const TemporaryFolder folder;
+  const CaseState state = small_case();
+  const PatientModel& model = state[part::model]->model;
+  Registration registration = *state[part::registration];
+  registration.expected = Eigen::VectorXd::LinSpaced(5, 1e-3, 9e-3);
+  registration.forces = {{4, Eigen::Vector3d(0.0, 0.5, -1.0)}, {1, Eigen::Vector3d(0.25, 0.0, 0.0)}};
+  const Points there = registration.nodes_in_camera.rowwise() + Eigen::RowVector3d(0.01, -0.02, 0.03);
+  registration.rivals = {{there, 0.25}, {2.0 * there, 0.01}};
+  // Whatever the file's unit, what is said of the nodes is in millimetres.
+  for (const LengthUnit unit : {LengthUnit::millimetre, LengthUnit::metre}) {
+    write_registration(folder.path() / "r.vtu", model, registration, unit);
+    const Registration read = read_registration(folder.path() / "r.vtu", model, unit);
+    QVERIFY((read.expected - registration.expected).norm() < 1e-9);
+    QCOMPARE(read.forces.size(), std::size_t{2});
+    QCOMPARE(read.forces[0].node, 4);
+    QVERIFY((read.forces[1].force - registration.forces[1].force).norm() < 1e-9);
+    QCOMPARE(read.rivals.size(), std::size_t{2});
+    QVERIFY((read.rivals[0].nodes_in_camera - there).norm() < 1e-9);
+    QCOMPARE(read.rivals[1].probability, 0.01);
+  }
+}
+
+void CaseIoTest::WhatIsNoErrorAndNoProbabilityIsRefused() {
+  const TemporaryFolder folder;
+  const CaseState state = small_case();
+  const PatientModel& model = state[part::model]->model;
+  const auto error_with = [&](auto spoil) {
+    Registration registration = *state[part::registration];
+    registration.expected = Eigen::VectorXd::Constant(5, 1e-3);
+    registration.rivals = {{registration.nodes_in_camera, 0.5}};
+    spoil(registration);
+    write_registration(folder.path() / "r.vtu", model, registration, LengthUnit::millimetre);
+    return error_of([&] { read_registration(folder.path() / "r.vtu", model, LengthUnit::millimetre); });
+  };
+  QVERIFY(error_with([](Registration&) {}).empty());
+  QVERIFY(error_with([](Registration& r) { r.expected[2] = -1e-3; }).find("expected_error_mm") !=
+          std::string::npos);
+  QVERIFY(error_with([](Registration& r) { r.rivals[0].probability = 1.5; }).find("rival_1_probability") !=
+          std::string::npos);
 }
 
 void CaseIoTest::WhatIsNoCovarianceIsRefused() {

@@ -2,7 +2,9 @@
 #include <QtTest>
 
 #include "../registration/phantom.h"
+#include "glisson/core/error.h"
 #include "glisson/engine/commands/accept_registration.h"
+#include "glisson/engine/commands/choose_rival.h"
 #include "glisson/engine/commands/register.h"
 #include "glisson/engine/engine.h"
 #include "glisson/engine/parts/cloud.h"
@@ -53,6 +55,8 @@ class RegisterTest : public QObject {
   void OperationsGoWithTheRegistration();
   void ProgressNeverGoesBack();
   void TheMirrorImageIsRefusedUntilSomebodyAcceptsIt();
+  void TheExpectedErrorGoesWithTheRegistration();
+  void AnotherPlaceIsTakenAndGivenBack();
 };
 
 void RegisterTest::OperationsAreSimulatedOnceForAModel() {
@@ -110,6 +114,41 @@ void RegisterTest::TheMirrorImageIsRefusedUntilSomebodyAcceptsIt() {
   const CaseState accepted = apply(done, AcceptRegistration{}, RunContext()).value().state;
   QVERIFY(!registration::is_refused(*accepted[part::registration]));
   QCOMPARE(accepted[part::registration]->doubts.size(), done[part::registration]->doubts.size());
+}
+
+void RegisterTest::TheExpectedErrorGoesWithTheRegistration() {
+  const CaseState state = before_registration();
+  const CaseState done = registered(state, few_operations());
+  const Eigen::VectorXd& expected = done[part::registration]->expected;
+  QCOMPARE(expected.size(), done[part::registration]->nodes_in_camera.rows());
+  QVERIFY(expected.minCoeff() > 0.0);
+  // What is seen is known better than what is not.
+  double near = 0.0, far = 0.0;
+  int near_count = 0, far_count = 0;
+  for (Eigen::Index i = 0; i < expected.size(); ++i) {
+    const double away =
+        (state[part::cloud]->points.rowwise() - done[part::registration]->nodes_in_camera.row(i))
+            .rowwise()
+            .norm()
+            .minCoeff();
+    if (away < 0.01) near += expected[i], ++near_count;
+    if (away > 0.06) far += expected[i], ++far_count;
+  }
+  QVERIFY(near_count > 5 && far_count > 5);
+  QVERIFY(far / far_count > 1.2 * near / near_count);
+}
+
+void RegisterTest::AnotherPlaceIsTakenAndGivenBack() {
+  CaseState done = registered(before_registration(), few_operations());
+  auto told = std::make_shared<Registration>(*done[part::registration]);
+  told->rivals = {{told->nodes_in_camera.rowwise() + Eigen::RowVector3d(0.02, 0, 0), 0.1}};
+  done[part::registration] = told;
+  const CaseState taken = apply(done, ChooseRival{0}, RunContext()).value().state;
+  QVERIFY(taken[part::registration]->nodes_in_camera == told->rivals[0].nodes_in_camera);
+  QVERIFY(taken[part::registration]->residual > told->residual);
+  const CaseState back = apply(taken, ChooseRival{0}, RunContext()).value().state;
+  QVERIFY(back[part::registration]->nodes_in_camera == told->nodes_in_camera);
+  QVERIFY_EXCEPTION_THROWN(apply(done, ChooseRival{1}, RunContext()), InputError);
 }
 
 QTEST_APPLESS_MAIN(RegisterTest)

@@ -16,6 +16,8 @@ class RigidTest : public QObject {
  private slots:
   void AnyOrientationIsFoundFromAPartialNoisyView_data();
   void AnyOrientationIsFoundFromAPartialNoisyView();
+  void APoseSetByHandIsRefined_data();
+  void APoseSetByHandIsRefined();
   void MovingTheCloudMovesTheResult();
   void SameSeedGivesSameBits();
   void WithoutLabelsItSaysSo();
@@ -61,6 +63,31 @@ void RigidTest::AnyOrientationIsFoundFromAPartialNoisyView() {
   QVERIFY2(e < 4e-3, qPrintable(QString("mean error %1 mm").arg(1e3 * e)));
   QVERIFY(start->residual < 2e-3);
   QVERIFY(!has(start->doubts, "no_notch"));
+}
+
+void RigidTest::APoseSetByHandIsRefined_data() {
+  QTest::addColumn<Eigen::Vector3d>("turn");
+  QTest::addColumn<Eigen::Vector3d>("shift");
+  QTest::newRow("beside") << Eigen::Vector3d(0, 0, 0) << Eigen::Vector3d(0.02, -0.01, 0);
+  QTest::newRow("too near, rolled") << Eigen::Vector3d(0, 0, 0.35) << Eigen::Vector3d(0, 0.005, -0.02);
+  QTest::newRow("tipped") << Eigen::Vector3d(0.3, -0.2, 0) << Eigen::Vector3d(-0.01, 0, 0.015);
+}
+
+void RigidTest::APoseSetByHandIsRefined() {
+  QFETCH(Eigen::Vector3d, turn);
+  QFETCH(Eigen::Vector3d, shift);
+  const CameraFromCt pose = phantom::view(0.4);
+  CameraFromCt near = pose;
+  if (turn.norm() > 0.0)
+    near.rotation = Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix() * pose.rotation;
+  near.translation += shift;
+  QVERIFY(error(near, pose) > 0.018);
+  const auto start = align_rigid_near(model_, seen(pose, 0.3), near, {}, RunContext());
+  QVERIFY(start.has_value());
+  const double e = error(start->camera_from_ct, pose);
+  QVERIFY2(e < 4e-3, qPrintable(QString("mean error %1 mm").arg(1e3 * e)));
+  // Where the hand had put it is tried, too.
+  QVERIFY(start->alternatives.back().translation == near.translation);
 }
 
 void RigidTest::MovingTheCloudMovesTheResult() {

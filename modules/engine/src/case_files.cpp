@@ -263,6 +263,65 @@ std::vector<LesionSpread> read_spreads(const fs::path& path, const NamedArrays& 
   return spreads;
 }
 
+const std::string kExpected = "expected_error_mm", kForce = "force_n_per_kpa", kRival = "rival_",
+                  kDisplacement = "_displacement_mm", kProbability = "_probability";
+
+/// What the registration knows of each node: its expected error, the force that acts there, and how far it
+/// is to where it may be as well.
+void write_places(const Registration& registration, TetFile& file) {
+  if (registration.expected.size() > 0) file.point_data[kExpected] = 1e3 * registration.expected;
+  if (!registration.forces.empty()) {
+    Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(registration.nodes_in_camera.rows(), 3);
+    for (const FoundForce& force : registration.forces) forces.row(force.node) = force.force.transpose();
+    file.point_data[kForce] = forces;
+  }
+  for (std::size_t k = 0; k < registration.rivals.size(); ++k) {
+    const RegistrationRival& rival = registration.rivals[k];
+    const std::string name = kRival + std::to_string(k + 1);
+    file.point_data[name + kDisplacement] = 1e3 * (rival.nodes_in_camera - registration.nodes_in_camera);
+    file.field_data[name + kProbability] = number(rival.probability);
+  }
+}
+
+/// @return of this many columns, one row a node; null: it is not there.
+const Eigen::MatrixXd* node_array(const fs::path& path, const TetFile& file, const std::string& name,
+                                  Eigen::Index columns) {
+  const auto found = file.point_data.find(name);
+  if (found == file.point_data.end()) return nullptr;
+  if (found->second.rows() != file.mesh.vertex_count() || found->second.cols() != columns ||
+      !found->second.allFinite())
+    throw InputError(path.string(), name, "is not " + std::to_string(columns) + " finite numbers a node",
+                     "Write it as 'glisson register' does, or leave it out");
+  return &found->second;
+}
+
+void read_places(const fs::path& path, const TetFile& file, Registration& registration) {
+  if (const Eigen::MatrixXd* expected = node_array(path, file, kExpected, 1)) {
+    if (expected->minCoeff() < 0.0)
+      throw InputError(path.string(), kExpected, "is negative", "Give lengths, or leave it out");
+    registration.expected = 1e-3 * *expected;
+  }
+  if (const Eigen::MatrixXd* forces = node_array(path, file, kForce, 3)) {
+    for (int node = 0; node < file.mesh.vertex_count(); ++node)
+      if (!forces->row(node).isZero(0.0))
+        registration.forces.push_back({node, forces->row(node).transpose()});
+    std::stable_sort(registration.forces.begin(), registration.forces.end(),
+                     [](const auto& a, const auto& b) { return a.force.norm() > b.force.norm(); });
+  }
+  for (int k = 1;; ++k) {
+    const std::string name = kRival + std::to_string(k);
+    const Eigen::MatrixXd* away = node_array(path, file, name + kDisplacement, 3);
+    if (away == nullptr) return;
+    const auto probability = file.field_data.find(name + kProbability);
+    const bool is_one = probability != file.field_data.end() && probability->second.size() == 1 &&
+                        probability->second(0, 0) >= 0.0 && probability->second(0, 0) <= 1.0;
+    if (!is_one)
+      throw InputError(path.string(), name + kProbability, "is no probability",
+                       "Give a number from 0 to 1, or leave the rival out");
+    registration.rivals.push_back({file.mesh.vertices + 1e-3 * *away, probability->second(0, 0)});
+  }
+}
+
 std::string doubt_of(const std::string& code, const Eigen::MatrixXd& values) {
   std::ostringstream doubt;
   doubt << code;
@@ -300,6 +359,7 @@ void write_registration(const fs::path& path, const PatientModel& model, const R
   file.point_data[std::string("displacement_") + unit_code(unit)] =
       (registration.nodes_in_camera - registration.camera_from_ct.apply(model.mesh.vertices)) /
       metres_per(unit);
+  write_places(registration, file);
   write_tet_mesh(path, file, unit);
 }
 
@@ -314,6 +374,7 @@ Registration read_registration(const fs::path& path, const PatientModel& model, 
   registration.nodes_in_camera = file.mesh.vertices;
   read_report(file.field_data, registration);
   registration.lesions = read_spreads(path, file.field_data);
+  read_places(path, file, registration);
   const auto rigid = file.field_data.find("cloud_from_model");
   if (rigid != file.field_data.end() && rigid->second.size() == 16) {
     // Field data is a table of tuples: 4 x 4 as written, or one row of 16 from other writers.

@@ -29,13 +29,16 @@ const char* validity_code(Validity validity) {
       return "partly_covered";
     case Validity::poor_picture:
       return "poor_picture";
+    case Validity::proposed:
+      return "proposed";
   }
   return "unknown";
 }
 
 Level level_of(Validity validity) {
   if (validity == Validity::valid) return Level::valid;
-  const bool is_degraded = validity == Validity::partly_covered || validity == Validity::poor_picture;
+  const bool is_degraded = validity == Validity::partly_covered || validity == Validity::poor_picture ||
+                           validity == Validity::proposed;
   return is_degraded ? Level::degraded : Level::withdrawn;
 }
 

@@ -12,6 +12,7 @@
 #include "glisson/registration/moving_surface.h"
 #include "glisson/registration/pairs.h"
 #include "glisson/registration/refusal.h"
+#include "glisson/registration/rivals.h"
 #include "glisson/registration/verdict.h"
 
 namespace glisson::registration {
@@ -22,6 +23,8 @@ using Start = RegisterOptions::Start;
 Cancellable<RigidStart> start_of(const PatientModel& model, const LabelledCloud& cloud,
                                  const RegisterOptions& options, const RunContext& context) {
   if (options.start == Start::automatic) return align_rigid(model, cloud, options.rigid, context);
+  if (options.start == Start::near)
+    return align_rigid_near(model, cloud, options.given, options.rigid, context);
   RigidStart start;
   if (options.start == Start::given) start.camera_from_ct = options.given;
   return start;
@@ -57,7 +60,7 @@ std::vector<double> stiffness_of(const TetMesh& mesh, const fem::CompositeOption
 }
 
 std::vector<std::string> doubts_of(const ContactForceFit& fit, double seen) {
-  constexpr double kRival = 5.0, kRivalDistance = 5e-3;
+  constexpr double kRival = 5.0;
   const LawFit& law = fit.laws[static_cast<std::size_t>(fit.chosen)];
   std::vector<std::string> doubts;
   if (seen < kLittleSeen) doubts.emplace_back("little_surface_seen");
@@ -65,7 +68,7 @@ std::vector<std::string> doubts_of(const ContactForceFit& fit, double seen) {
   if (fit.residual > 5e-3) doubts.emplace_back("residual_large");
   if (fit.inverted > 0 && law.material.law != fem::BodyLaw::linear) doubts.emplace_back("inverted_elements");
   if (std::any_of(fit.laws.begin(), fit.laws.end(), [&](const LawFit& rival) {
-        return rival.log_evidence > law.log_evidence - kRival && rival.away > kRivalDistance;
+        return rival.log_evidence > law.log_evidence - kRival && rival.away > kRivalAway;
       }))
     doubts.emplace_back("law_ambiguous");
   if (fit.termination != Termination::converged) doubts.emplace_back("forces_not_at_rest");
@@ -132,16 +135,31 @@ Cancellable<ShapeFits> shapes_from(const PatientModel& model, const LabelledClou
   return fit_shapes(model, *elastic.prior, cloud, starts, elastic.shape, context);
 }
 
-/// Each of the other shapes is as probable as the cloud makes it.
-void add_rivals(const ShapeFits& shapes, ErrorModel& error) {
-  std::vector<double> odds;
-  double sum = 0.0;
-  for (const ShapeFit& fit : shapes.fits) {
-    odds.push_back(std::exp(-0.5 * (fit.cost - shapes.best().cost)));
-    sum += odds.back();
+/// Where else the organ may be: each of the other fits is as probable as the cloud makes it.
+std::vector<RegistrationRival> rivals_of(const std::optional<ShapeFits>& shapes, const Registered& made) {
+  std::vector<RegistrationRival> rivals;
+  if (made.forces) {
+    for (const RivalFit& rival : made.forces->rivals)
+      rivals.push_back({rival.nodes_in_camera, rival.probability});
+    return rivals;
   }
-  for (std::size_t k = 1; k < odds.size(); ++k)
-    if (odds[k] > 1e-4 * sum) error.add_rival(shapes.fits[k].nodes_in_camera, odds[k] / sum);
+  if (!shapes) return rivals;
+  double sum = 0.0;
+  for (const ShapeFit& fit : shapes->fits) {
+    rivals.push_back({fit.nodes_in_camera, std::exp(-0.5 * (fit.cost - shapes->best().cost))});
+    sum += rivals.back().probability;
+  }
+  rivals.erase(rivals.begin());
+  for (RegistrationRival& rival : rivals) rival.probability /= sum;
+  return rivals;
+}
+
+/// N for a Young's modulus of 1 kPa, before the camera.
+std::vector<FoundForce> found_forces(const ContactForceFit& fit) {
+  std::vector<FoundForce> found;
+  for (const ContactForce& one : fit.forces)
+    found.push_back({one.node, 1e3 * (fit.camera_from_ct.rotation * one.force)});
+  return found;
 }
 
 ErrorModel error_of(const PatientModel& model, const LabelledCloud& cloud, const ElasticOptions& elastic,
@@ -161,11 +179,8 @@ ErrorModel error_of(const PatientModel& model, const LabelledCloud& cloud, const
                    shape ? shape->camera_from_ct : registration.camera_from_ct,
                    shape ? shape->nodes_in_camera : registration.nodes_in_camera, prepared,
                    roughness_of(prepared), known);
-  if (made.forces)
-    for (const RivalFit& rival : made.forces->rivals)
-      error.add_rival(rival.nodes_in_camera, rival.probability);
-  else if (shapes)
-    add_rivals(*shapes, error);
+  for (const RegistrationRival& rival : rivals_of(shapes, made))
+    if (rival.probability > 1e-4) error.add_rival(rival.nodes_in_camera, rival.probability);
   return error;
 }
 
@@ -229,7 +244,7 @@ ContactForceOptions forces_with(const PatientModel& model, const ElasticOptions&
 }
 
 void RegisterOptions::validate() const {
-  if (start == Start::automatic) rigid.validate();
+  if (start == Start::automatic || start == Start::near) rigid.validate();
   if (operations) operation.validate();
   elastic.validate();
   forces.validate();
@@ -257,14 +272,15 @@ class Run {
  private:
   /// The next stage's part of the work, up to this share of all.
   RunContext up_to(double share) { return context_.part(std::exchange(done_, share), share); }
-  bool is_automatic() const { return options_.start == Start::automatic; }
+  /// Whether the pose is to be found: who gives it exactly vouches for it.
+  bool is_sought() const { return options_.start == Start::automatic || options_.start == Start::near; }
   Registered& result() { return examined_.registered; }
 
   bool find_start() {
-    auto start = start_of(model_, cloud_, options_, up_to(is_automatic() ? 0.2 : 0.0));
+    auto start = start_of(model_, cloud_, options_, up_to(is_sought() ? 0.2 : 0.0));
     if (!start) return false;
     start_ = std::move(*start);
-    if (is_automatic()) result().rigid_residual = start_.residual;
+    if (is_sought()) result().rigid_residual = start_.residual;
     return true;
   }
 
@@ -317,16 +333,28 @@ class Run {
     examined_.lesions = lesions_of(model_, *examined_.error, registration_);
     examined_.findings =
         examine({model_, cloud_, registration_, shapes_ ? &*shapes_ : nullptr, *examined_.error});
-    if (is_automatic() && shapes_) {
+    if (is_sought() && shapes_) {
       const auto odds = mirror_odds(model_, cloud_, options_, elastic_, shapes_->best().cost, up_to(1.0));
       if (!odds) return false;
       examined_.findings.mirror_odds = *odds;
     }
     tell(judge(examined_.findings));
+    tell_of_places();
     result().displacement =
         point_errors(registration_.nodes_in_camera, registration_.camera_from_ct.apply(model_.mesh.vertices));
     result().registration = std::move(registration_);
     return true;
+  }
+
+  /// What travels with the registration of where it may be wrong.
+  void tell_of_places() {
+    for (const LesionError& lesion : examined_.lesions)
+      registration_.lesions.push_back({lesion.lesion, lesion.covariance});
+    const std::optional<ContactForceFit>& forces = result().forces;
+    // Where supports are known and forces were found, their own posterior is the nearer one.
+    registration_.expected = forces && !elastic_.prior ? forces->expected_error : examined_.error->expected();
+    registration_.rivals = plausible_rivals(registration_.nodes_in_camera, rivals_of(shapes_, result()));
+    if (forces) registration_.forces = found_forces(*forces);
   }
 
   void tell(const Verdict& verdict) {

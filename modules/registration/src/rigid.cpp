@@ -2,11 +2,14 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <optional>
 #include <random>
 
 #include "glisson/core/error.h"
 #include "glisson/core/statistics.h"
+#include "glisson/registration/hand_pose.h"
 #include "glisson/registration/pairs.h"
 #include "glisson/registration/register.h"
 
@@ -298,8 +301,13 @@ void RigidOptions::validate() const {
          "Give a share from 0 to 0.9");
 }
 
-Cancellable<RigidStart> align_rigid(const PatientModel& model, const LabelledCloud& cloud,
-                                    const RigidOptions& options, const RunContext& context) {
+namespace {
+
+/// The best of the poses that `draw` gives, refined from each.
+Cancellable<RigidStart> best_of(
+    const PatientModel& model, const LabelledCloud& cloud, const RigidOptions& options,
+    const RunContext& context,
+    const std::function<CameraFromCt(int, const Points& normals, const PreparedCloud&)>& draw) {
   options.validate();
   require(model.surface.mesh.triangle_count() > 0, "a model needs a surface to be aligned");
   CloudOptions cloud_options;
@@ -309,14 +317,12 @@ Cancellable<RigidStart> align_rigid(const PatientModel& model, const LabelledClo
   const Points& vertices = model.surface.mesh.vertices;
   const std::vector<int> few = choose(prepared.cloud, 80), many = choose(prepared.cloud, 300),
                          all = choose(prepared.cloud, 1000);
-  const Starts starts(model, prepared.cloud, aligner.normals());
-  std::mt19937_64 random = context.random("registration.rigid");
 
   std::vector<Pose> poses;
   for (int k = 0; k < options.starts; ++k) {
     if (context.cancelled()) return std::nullopt;
     context.progress(0.7 * k / options.starts, "registration.rigid");
-    Pose pose{starts.draw(k, random), 0.0};
+    Pose pose{draw(k, aligner.normals(), prepared), 0.0};
     pose.camera_from_ct = aligner.refine(pose.camera_from_ct, few, 10, 0.5);
     pose.cost = aligner.cost(pose.camera_from_ct, few, false);
     poses.push_back(pose);
@@ -338,6 +344,40 @@ Cancellable<RigidStart> align_rigid(const PatientModel& model, const LabelledClo
   start.residual = aligner.cost(start.camera_from_ct, all, false);
   start.doubts = doubts_about(model, prepared.cloud, poses);
   context.progress(1.0, "registration.rigid");
+  return start;
+}
+
+}  // namespace
+
+Cancellable<RigidStart> align_rigid(const PatientModel& model, const LabelledCloud& cloud,
+                                    const RigidOptions& options, const RunContext& context) {
+  std::mt19937_64 random = context.random("registration.rigid");
+  std::optional<Starts> starts;
+  return best_of(model, cloud, options, context,
+                 [&](int k, const Points& normals, const PreparedCloud& prepared) {
+                   if (!starts) starts.emplace(model, prepared.cloud, normals);
+                   return starts->draw(k, random);
+                 });
+}
+
+Cancellable<RigidStart> align_rigid_near(const PatientModel& model, const LabelledCloud& cloud,
+                                         const CameraFromCt& near, const RigidOptions& options,
+                                         const RunContext& context) {
+  constexpr double kTurn = 0.25, kShift = 10e-3;  // radians, metres: deviations of a hand, each axis
+  std::mt19937_64 random = context.random("registration.rigid_near");
+  std::normal_distribution<double> normal;
+  const auto vector = [&](double deviation) -> Eigen::Vector3d {
+    const double x = normal(random), y = normal(random), z = normal(random);
+    return deviation * Eigen::Vector3d(x, y, z);
+  };
+  const Eigen::Vector3d middle = model.mesh.vertices.colwise().mean().transpose();
+  auto start = best_of(model, cloud, options, context, [&](int k, const Points&, const PreparedCloud&) {
+    if (k == 0) return near;
+    CameraFromCt pose = turned(near, middle, vector(kTurn));
+    pose.translation += vector(kShift);
+    return pose;
+  });
+  if (start) start->alternatives.push_back(near);
   return start;
 }
 

@@ -39,6 +39,8 @@ class Overlay {
         return tr("part of the organ is covered");
       case Validity::poor_picture:
         return tr("the picture has lost light or contrast");
+      case Validity::proposed:
+        return tr("only proposed, not registered");
     }
     return {};
   }

@@ -46,10 +46,8 @@ void add_figures(Figures& figures, const registration::ContactForceFit& fit) {
 
 /// Expected errors: of the nodes, and of each lesion with the half axes of its 95 % ellipsoid.
 void add_expected(Figures& figures, const registration::ExaminedRegistration& examined) {
-  // Where supports are known and forces were found, their own posterior is the nearer one.
-  const registration::Registered& made = examined.registered;
-  const Eigen::VectorXd nodes =
-      made.forces && !made.operations ? made.forces->expected_error : examined.error->expected();
+  const Registration& registration = examined.registered.registration;
+  const Eigen::VectorXd& nodes = registration.expected;
   figures["expected_error_mean_mm"] = 1e3 * nodes.mean();
   figures["expected_error_max_mm"] = 1e3 * nodes.maxCoeff();
   for (const registration::LesionError& lesion : examined.lesions) {
@@ -58,6 +56,13 @@ void add_expected(Figures& figures, const registration::ExaminedRegistration& ex
     const Eigen::Vector3d axes = lesion.half_axes_95();
     for (int k = 0; k < 3; ++k)
       figures[name + "_half_axis_95_" + std::to_string(k + 1) + "_mm"] = 1e3 * axes[k];
+  }
+  figures["rivals"] = static_cast<double>(registration.rivals.size());
+  for (std::size_t k = 0; k < registration.rivals.size(); ++k) {
+    const std::string name = "rival_" + std::to_string(k + 1);
+    figures[name + "_probability"] = registration.rivals[k].probability;
+    figures[name + "_away_mm"] =
+        1e3 * point_errors(registration.rivals[k].nodes_in_camera, registration.nodes_in_camera).mean;
   }
 }
 
@@ -124,8 +129,6 @@ Cancellable<Applied> Register::apply(const CaseState& state, const RunContext& c
   if (made->operations && made->operations != known.prior)
     applied.state[part::operations] = std::make_shared<const SimulatedOperations>(SimulatedOperations{
         state[part::model], state[part::landmarks], operation, std::move(made->operations)});
-  for (const registration::LesionError& lesion : examined->lesions)
-    made->registration.lesions.push_back({lesion.lesion, lesion.covariance});
   applied.state[part::registration] = std::make_shared<const Registration>(std::move(made->registration));
   return applied;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Core>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,18 @@
 #include "glisson/patient/lesion_verdict.h"
 
 namespace glisson {
+
+/// Another place where the organ may be, by what the cloud tells.
+struct RegistrationRival {
+  Points nodes_in_camera;    ///< as Registration::nodes_in_camera
+  double probability = 0.0;  ///< beside the registration's own and the other rivals'
+};
+
+/// A force that acts on the organ where the registration has put it.
+struct FoundForce {
+  int node = -1;                                    ///< of the model's mesh, where its patch has its middle
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< N for a Young's modulus of 1 kPa, camera frame
+};
 
 /// A model brought to what the camera sees.
 struct Registration {
@@ -28,6 +41,11 @@ struct Registration {
   std::vector<std::string> doubts;
   /// How far off each lesion may be; a lesion that is not in it: not known.
   std::vector<LesionSpread> lesions;
+  /// Mean error that is expected of each node, metres; empty: not known.
+  Eigen::VectorXd expected;
+  /// Where else the organ may be, the most probable first: to be looked at by a person.
+  std::vector<RegistrationRival> rivals;
+  std::vector<FoundForce> forces;  ///< of tools, say; the strongest first
 };
 
 /// What is known of an overlay. All but `valid` are reasons why less than everything is drawn.
@@ -44,7 +62,8 @@ enum class Validity {
   picture_stands,  ///< the picture shows the same moment over and over
   views_apart,     ///< the two views do not show one moment of one scene
   partly_covered,  ///< a good part of where the organ should be shows something else, or nothing
-  poor_picture     ///< light or contrast is lost, as in smoke
+  poor_picture,    ///< light or contrast is lost, as in smoke
+  proposed         ///< a place to be looked at: another one than the registered, or one that a hand has set
 };
 inline constexpr Validity kValidities[] = {Validity::valid,
                                            Validity::not_started,
@@ -57,7 +76,8 @@ inline constexpr Validity kValidities[] = {Validity::valid,
                                            Validity::picture_stands,
                                            Validity::views_apart,
                                            Validity::partly_covered,
-                                           Validity::poor_picture};
+                                           Validity::poor_picture,
+                                           Validity::proposed};
 const char* validity_code(Validity validity);
 
 Level level_of(Validity validity);

@@ -24,7 +24,7 @@ struct RigidStart {
   CameraFromCt camera_from_ct;
   double residual = 0.0;  ///< metres, trimmed mean
   /// Other poses that fit well, 10 mm and more from the start and from each other, the better first, four at
-  /// most.
+  /// most (and the one that was set by hand).
   std::vector<CameraFromCt> alternatives;
   std::vector<std::string> doubts;
 };
@@ -35,6 +35,12 @@ struct RigidStart {
 /// @throws InputError fewer than 10 points, not finite, options out of range.
 Cancellable<RigidStart> align_rigid(const PatientModel& model, const LabelledCloud& cloud,
                                     const RigidOptions& options, const RunContext& context);
+/// The same from about a pose that a person has set: starts are drawn around it (15 degrees and 10 mm about
+/// each axis, one deviation). That pose itself is one more alternative, should the cloud draw the model
+/// elsewhere.
+Cancellable<RigidStart> align_rigid_near(const PatientModel& model, const LabelledCloud& cloud,
+                                         const CameraFromCt& near, const RigidOptions& options,
+                                         const RunContext& context);
 
 /// How eq. 14 is read; see "Method" in the README. `corrected`: f = k w(s d)(p - q), w(x) = 1 - (2/pi) atan
 /// x: a spring at contact, saturating far away. `clamped`: the printed magnitude where it attracts, zero

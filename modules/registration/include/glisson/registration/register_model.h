@@ -36,11 +36,12 @@ struct RegisterOptions {
   enum class Start {
     automatic,  ///< align_rigid
     none,       ///< the model is in the camera's frame already
-    given
+    near,       ///< align_rigid_near: from where a hand has put the model, say
+    given       ///< as it is
   };
   Start start = Start::automatic;
-  CameraFromCt given;  ///< for Start::given
-  RigidOptions rigid;  ///< for Start::automatic
+  CameraFromCt given;  ///< for Start::near and Start::given
+  RigidOptions rigid;  ///< for Start::automatic and Start::near
   ElasticOptions
       elastic;  ///< of the springs; its fixed nodes and the lesions' stiffness hold for the forces, too
   ContactForceOptions forces;

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Other places where the organ may be: which are told, and what choosing one does.
+#include <QtTest>
+
+#include "glisson/core/error.h"
+#include "glisson/registration/refusal.h"
+#include "glisson/registration/rivals.h"
+#include "phantom.h"
+
+using namespace glisson;
+using namespace glisson::registration;
+
+namespace {
+
+/// The nodes, all shifted by so many millimetres.
+Points shifted(const Points& nodes, double mm) {
+  return nodes.rowwise() + Eigen::RowVector3d(1e-3 * mm, 0, 0);
+}
+
+Registration with_rival(const PatientModel& model, double away_mm) {
+  Registration registration;
+  registration.camera_from_ct = phantom::view();
+  registration.nodes_in_camera = phantom::view().apply(model.mesh.vertices);
+  registration.rivals = {{shifted(registration.nodes_in_camera, away_mm), 0.2}};
+  registration.forces = {{3, Eigen::Vector3d(0.1, 0, 0)}};
+  registration.doubts = {"few_margin_points"};
+  return registration;
+}
+
+}  // namespace
+
+class RivalsTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void WhatIsNearOrOutOfQuestionIsNotTold();
+  void AtMostThreeAreTold();
+  void TheChosenPlaceExplainsItsPoints();
+  void ChosenTwiceTheFormerPlaceIsBack();
+  void WhatWasRefusedStaysRefused();
+  void ThereMustBeSuchAPlace();
+};
+
+void RivalsTest::WhatIsNearOrOutOfQuestionIsNotTold() {
+  const Points here = phantom::tetrahedra(2, 2, 1).vertices;
+  const auto told = plausible_rivals(here, {{shifted(here, 4.9), 0.3},
+                                            {shifted(here, 30.0), 4.4e-5},
+                                            {shifted(here, 12.0), 0.1},
+                                            {shifted(here, 14.0), 0.05},
+                                            {shifted(here, -6.0), 0.2}});
+  QCOMPARE(told.size(), std::size_t{2});
+  QCOMPARE(told[0].probability, 0.2);
+  QCOMPARE(told[1].probability, 0.1);
+  // exp(-10) is 4.54e-5: just over it is told.
+  QCOMPARE(plausible_rivals(here, {{shifted(here, 30.0), 4.6e-5}}).size(), std::size_t{1});
+}
+
+void RivalsTest::AtMostThreeAreTold() {
+  const Points here = phantom::tetrahedra(2, 2, 1).vertices;
+  std::vector<RegistrationRival> many;
+  for (int k = 1; k <= 5; ++k) many.push_back({shifted(here, 10.0 * k), 0.01 * k});
+  const auto told = plausible_rivals(here, many);
+  QCOMPARE(told.size(), std::size_t{3});
+  QCOMPARE(told[0].probability, 0.05);
+}
+
+void RivalsTest::TheChosenPlaceExplainsItsPoints() {
+  const PatientModel model = phantom::model(6, 5, 3);
+  const Registration registration = with_rival(model, 9.0);
+  const LabelledCloud cloud =
+      phantom::patch(model, registration.rivals[0].nodes_in_camera, {.share = 0.3, .noise = 0.0});
+  const Registration chosen = choose_rival(registration, 0, model, cloud);
+  QVERIFY(chosen.nodes_in_camera == registration.rivals[0].nodes_in_camera);
+  QVERIFY2(chosen.residual < 1e-6, qPrintable(QString::number(chosen.residual)));
+  QVERIFY(chosen.seen_share > 0.05 && chosen.seen_share < 0.6);
+  QVERIFY(
+      (chosen.camera_from_ct.translation - phantom::view().translation - Eigen::Vector3d(9e-3, 0, 0)).norm() <
+      1e-9);
+  QVERIFY(chosen.forces.empty());
+  QCOMPARE(chosen.doubts, (std::vector<std::string>{"few_margin_points", "rival_chosen 20"}));
+  QCOMPARE(chosen.rivals.size(), std::size_t{1});
+  QVERIFY(std::abs(chosen.rivals[0].probability - 0.8) < 1e-12);
+}
+
+void RivalsTest::ChosenTwiceTheFormerPlaceIsBack() {
+  const PatientModel model = phantom::model(6, 5, 3);
+  const Registration registration = with_rival(model, 9.0);
+  const LabelledCloud cloud = phantom::patch(model, registration.nodes_in_camera, {});
+  const Registration back = choose_rival(choose_rival(registration, 0, model, cloud), 0, model, cloud);
+  QVERIFY(back.nodes_in_camera == registration.nodes_in_camera);
+  QVERIFY(std::abs(back.rivals[0].probability - 0.2) < 1e-12);
+  QCOMPARE(back.doubts.back(), std::string("rival_chosen 80"));
+  QCOMPARE(back.doubts.size(), std::size_t{2});
+}
+
+void RivalsTest::WhatWasRefusedStaysRefused() {
+  const PatientModel model = phantom::model(6, 5, 3);
+  Registration registration = with_rival(model, 9.0);
+  registration.doubts.insert(registration.doubts.begin(), kRefused);
+  const LabelledCloud cloud = phantom::patch(model, registration.nodes_in_camera, {});
+  QVERIFY(is_refused(choose_rival(registration, 0, model, cloud)));
+}
+
+void RivalsTest::ThereMustBeSuchAPlace() {
+  const PatientModel model = phantom::model(6, 5, 3);
+  const Registration registration = with_rival(model, 9.0);
+  const LabelledCloud cloud = phantom::patch(model, registration.nodes_in_camera, {});
+  QVERIFY_EXCEPTION_THROWN(choose_rival(registration, 1, model, cloud), InputError);
+}
+
+QTEST_APPLESS_MAIN(RivalsTest)
+#include "rivals_test.moc"
