@@ -2192,6 +2192,10 @@
         <source>The points are explained by %1 forces of tools (limit %2): by so many nearly anything is.</source>
         <translation>Die Punkte werden durch %1 Kräfte von Werkzeugen erklärt (Grenze %2): mit so vielen lässt sich fast alles erklären.</translation>
     </message>
+    <message>
+        <source>A person has chosen this place among several; the points alone gave it %1 %.</source>
+        <translation>Jemand hat diesen Ort unter mehreren gewählt; die Punkte allein gaben ihm %1 %.</translation>
+    </message>
 </context>
 <context>
     <name>Obstacles</name>
@@ -2485,6 +2489,17 @@
     <message>
         <source>Lines: every 10 mm below the surface</source>
         <translation>Linien: alle 10 mm unter der Oberfläche</translation>
+    </message>
+    <message>
+        <source>only proposed, not registered</source>
+        <translation>nur vorgeschlagen, nicht registriert</translation>
+    </message>
+</context>
+<context>
+    <name>QObject</name>
+    <message>
+        <source>%1+ mm</source>
+        <translation>%1+ mm</translation>
     </message>
 </context>
 <context>
@@ -2959,6 +2974,10 @@
     <message>
         <source>Taking a step of the review back</source>
         <translation>Einen Schritt der Durchsicht zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Taking the other place</source>
+        <translation>Der andere Ort wird übernommen</translation>
     </message>
 </context>
 <context>
@@ -4183,6 +4202,14 @@
         <source>Look at this lesion and tell its numbers, as lesion_1.</source>
         <translation>Diese Läsion betrachten und ihre Zahlen nennen, etwa lesion_1.</translation>
     </message>
+    <message>
+        <source>The file of --rigid is near the right place only: refined rigidly first, as a model that was placed by hand.</source>
+        <translation>Die Datei von --rigid liegt nur in der Nähe des richtigen Ortes: wird zuerst starr verfeinert wie ein von Hand angelegtes Modell.</translation>
+    </message>
+    <message>
+        <source>Takes the N-th of the other places where the organ may be (rival_N_probability, rival_N_away_mm) instead of the most probable one.</source>
+        <translation>Nimmt den N-ten der anderen Orte, an denen das Organ liegen kann (rival_N_probability, rival_N_away_mm), statt des wahrscheinlichsten.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AngleHistogram</name>
@@ -4641,6 +4668,29 @@
     <message>
         <source>Overlay</source>
         <translation>Einblendung</translation>
+    </message>
+    <message>
+        <source>Placed by hand: not registered. Refine, or put it back.</source>
+        <translation>Von Hand angelegt: nicht registriert. Verfeinern oder zurücklegen.</translation>
+    </message>
+    <message>
+        <source>Other place %1, to be compared: not the registration.</source>
+        <translation>Anderer Ort %1, zum Vergleich: nicht die Registrierung.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::GuidanceView</name>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Organ in 3D, expected error</source>
+        <translation>Organ in 3D, erwarteter Fehler</translation>
+    </message>
+    <message>
+        <source>The organ as it was registered, in the colours of the error that is expected at each place, with each lesion&apos;s region.</source>
+        <translation>Das Organ, wie es registriert wurde, in den Farben des Fehlers, der an jedem Ort erwartet wird, mit dem Bereich jeder Läsion.</translation>
     </message>
 </context>
 <context>
@@ -5357,10 +5407,28 @@
     </message>
 </context>
 <context>
+    <name>glisson::ui::OrganView</name>
+    <message>
+        <source>Register the model: the organ appears here, as it was found.</source>
+        <translation>Registrieren Sie das Modell: Das Organ erscheint hier, wie es gefunden wurde.</translation>
+    </message>
+</context>
+<context>
     <name>glisson::ui::Panel</name>
     <message>
         <source>Running</source>
         <translation>Läuft</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::PlacingModel</name>
+    <message>
+        <source>Load a stereo frame first (Stereo).</source>
+        <translation>Laden Sie zuerst ein Stereobild (Stereo).</translation>
+    </message>
+    <message>
+        <source>Stop the tracking first.</source>
+        <translation>Beenden Sie zuerst die Verfolgung.</translation>
     </message>
 </context>
 <context>
@@ -5670,6 +5738,42 @@
         <source>The registration was refused: what is known contradicts it. Its doubts stay in the picture.</source>
         <translation>Die Registrierung wurde verworfen: Was bekannt ist, widerspricht ihr. Ihre Zweifel bleiben im Bild.</translation>
     </message>
+    <message>
+        <source>The organ may be elsewhere. Look at the other places over the picture and in 3D before going on.</source>
+        <translation>Das Organ kann anderswo liegen. Sehen Sie sich die anderen Orte über dem Bild und in 3D an, bevor Sie weitergehen.</translation>
+    </message>
+    <message>
+        <source>Use this place</source>
+        <translation>Diesen Ort verwenden</translation>
+    </message>
+    <message>
+        <source>As registered</source>
+        <translation>Wie registriert</translation>
+    </message>
+    <message>
+        <source>Choose another place above to compare.</source>
+        <translation>Wählen Sie oben einen anderen Ort zum Vergleich.</translation>
+    </message>
+    <message>
+        <source>Drag the organ over the picture; with Shift it turns, with Ctrl it rolls, the wheel brings it nearer. Refine when its outline lies about right.</source>
+        <translation>Ziehen Sie das Organ über das Bild; mit Umschalt dreht es sich, mit Strg rollt es, das Rad holt es näher. Verfeinern, wenn sein Umriss etwa stimmt.</translation>
+    </message>
+    <message>
+        <source>Refine from here</source>
+        <translation>Von hier verfeinern</translation>
+    </message>
+    <message>
+        <source>Put it back</source>
+        <translation>Zurücklegen</translation>
+    </message>
+    <message>
+        <source>Place by hand</source>
+        <translation>Von Hand anlegen</translation>
+    </message>
+    <message>
+        <source>Where the rigid start goes wrong: hold the organ before the picture.</source>
+        <translation>Wo der starre Start fehlgeht: Halten Sie das Organ vor das Bild.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::RegistrationModel</name>
@@ -5696,6 +5800,38 @@
     <message>
         <source>refused</source>
         <translation>abgelehnt</translation>
+    </message>
+    <message>
+        <source>Expected error, mean</source>
+        <translation>Erwarteter Fehler, Mittel</translation>
+    </message>
+    <message>
+        <source>Places where forces act</source>
+        <translation>Orte, an denen Kräfte wirken</translation>
+    </message>
+    <message>
+        <source>under 1 %</source>
+        <translation>unter 1 %</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Other place %1: %2, %3 mm away</source>
+        <translation>Anderer Ort %1: %2, %3 mm entfernt</translation>
+    </message>
+    <message>
+        <source>How far off the organ may be is not known: register again.</source>
+        <translation>Wie weit das Organ daneben liegen kann, ist nicht bekannt: erneut registrieren.</translation>
+    </message>
+    <message>
+        <source>Expected error: mean %1 mm, at most %2 mm. Ellipsoids hold a lesion in 95 of 100 cases.</source>
+        <translation>Erwarteter Fehler: im Mittel %1 mm, höchstens %2 mm. Die Ellipsoide enthalten eine Läsion in 95 von 100 Fällen.</translation>
+    </message>
+    <message>
+        <source>Arrows: forces, relative to one another.</source>
+        <translation>Pfeile: Kräfte, im Verhältnis zueinander.</translation>
     </message>
 </context>
 <context>

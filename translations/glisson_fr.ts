@@ -2192,6 +2192,10 @@
         <source>The points are explained by %1 forces of tools (limit %2): by so many nearly anything is.</source>
         <translation>Les points sont expliqués par %1 forces d’outils (limite %2) : avec autant, presque tout s’explique.</translation>
     </message>
+    <message>
+        <source>A person has chosen this place among several; the points alone gave it %1 %.</source>
+        <translation>Une personne a choisi cette position parmi plusieurs ; les points seuls lui donnaient %1 %.</translation>
+    </message>
 </context>
 <context>
     <name>Obstacles</name>
@@ -2485,6 +2489,17 @@
     <message>
         <source>Lines: every 10 mm below the surface</source>
         <translation>Lignes : tous les 10 mm sous la surface</translation>
+    </message>
+    <message>
+        <source>only proposed, not registered</source>
+        <translation>seulement proposé, non recalé</translation>
+    </message>
+</context>
+<context>
+    <name>QObject</name>
+    <message>
+        <source>%1+ mm</source>
+        <translation>%1+ mm</translation>
     </message>
 </context>
 <context>
@@ -2959,6 +2974,10 @@
     <message>
         <source>Taking a step of the review back</source>
         <translation>Annulation d&apos;une étape de la relecture</translation>
+    </message>
+    <message>
+        <source>Taking the other place</source>
+        <translation>Adoption de l’autre position</translation>
     </message>
 </context>
 <context>
@@ -4183,6 +4202,14 @@
         <source>Look at this lesion and tell its numbers, as lesion_1.</source>
         <translation>Regarder cette lésion et donner ses chiffres, par exemple lesion_1.</translation>
     </message>
+    <message>
+        <source>The file of --rigid is near the right place only: refined rigidly first, as a model that was placed by hand.</source>
+        <translation>Le fichier de --rigid n’est que proche de la bonne position : d’abord affiné rigidement, comme un modèle placé à la main.</translation>
+    </message>
+    <message>
+        <source>Takes the N-th of the other places where the organ may be (rival_N_probability, rival_N_away_mm) instead of the most probable one.</source>
+        <translation>Prend la N-ième des autres positions possibles de l’organe (rival_N_probability, rival_N_away_mm) au lieu de la plus probable.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AngleHistogram</name>
@@ -4641,6 +4668,29 @@
     <message>
         <source>Overlay</source>
         <translation>Superposition</translation>
+    </message>
+    <message>
+        <source>Placed by hand: not registered. Refine, or put it back.</source>
+        <translation>Placé à la main : non recalé. Affinez ou remettez en place.</translation>
+    </message>
+    <message>
+        <source>Other place %1, to be compared: not the registration.</source>
+        <translation>Autre position %1, pour comparaison : ce n’est pas le recalage.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::GuidanceView</name>
+    <message>
+        <source>Picture</source>
+        <translation>Image</translation>
+    </message>
+    <message>
+        <source>Organ in 3D, expected error</source>
+        <translation>Organe en 3D, erreur attendue</translation>
+    </message>
+    <message>
+        <source>The organ as it was registered, in the colours of the error that is expected at each place, with each lesion&apos;s region.</source>
+        <translation>L’organe tel qu’il a été recalé, dans les couleurs de l’erreur attendue à chaque endroit, avec la région de chaque lésion.</translation>
     </message>
 </context>
 <context>
@@ -5357,10 +5407,28 @@
     </message>
 </context>
 <context>
+    <name>glisson::ui::OrganView</name>
+    <message>
+        <source>Register the model: the organ appears here, as it was found.</source>
+        <translation>Recalez le modèle : l’organe apparaît ici, tel qu’il a été trouvé.</translation>
+    </message>
+</context>
+<context>
     <name>glisson::ui::Panel</name>
     <message>
         <source>Running</source>
         <translation>En cours</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::PlacingModel</name>
+    <message>
+        <source>Load a stereo frame first (Stereo).</source>
+        <translation>Chargez d’abord une image stéréo (Stéréo).</translation>
+    </message>
+    <message>
+        <source>Stop the tracking first.</source>
+        <translation>Arrêtez d’abord le suivi.</translation>
     </message>
 </context>
 <context>
@@ -5670,6 +5738,42 @@
         <source>The registration was refused: what is known contradicts it. Its doubts stay in the picture.</source>
         <translation>Le recalage a été refusé : ce que l&apos;on sait le contredit. Ses doutes restent dans l&apos;image.</translation>
     </message>
+    <message>
+        <source>The organ may be elsewhere. Look at the other places over the picture and in 3D before going on.</source>
+        <translation>L’organe peut se trouver ailleurs. Regardez les autres positions sur l’image et en 3D avant de poursuivre.</translation>
+    </message>
+    <message>
+        <source>Use this place</source>
+        <translation>Utiliser cette position</translation>
+    </message>
+    <message>
+        <source>As registered</source>
+        <translation>Tel que recalé</translation>
+    </message>
+    <message>
+        <source>Choose another place above to compare.</source>
+        <translation>Choisissez ci-dessus une autre position à comparer.</translation>
+    </message>
+    <message>
+        <source>Drag the organ over the picture; with Shift it turns, with Ctrl it rolls, the wheel brings it nearer. Refine when its outline lies about right.</source>
+        <translation>Glissez l’organe sur l’image ; avec Maj il tourne, avec Ctrl il roule, la molette le rapproche. Affinez quand son contour est à peu près en place.</translation>
+    </message>
+    <message>
+        <source>Refine from here</source>
+        <translation>Affiner à partir d’ici</translation>
+    </message>
+    <message>
+        <source>Put it back</source>
+        <translation>Remettre en place</translation>
+    </message>
+    <message>
+        <source>Place by hand</source>
+        <translation>Placer à la main</translation>
+    </message>
+    <message>
+        <source>Where the rigid start goes wrong: hold the organ before the picture.</source>
+        <translation>Quand le départ rigide se trompe : tenez l’organe devant l’image.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::RegistrationModel</name>
@@ -5696,6 +5800,38 @@
     <message>
         <source>refused</source>
         <translation>refusé</translation>
+    </message>
+    <message>
+        <source>Expected error, mean</source>
+        <translation>Erreur attendue, moyenne</translation>
+    </message>
+    <message>
+        <source>Places where forces act</source>
+        <translation>Endroits où agissent des forces</translation>
+    </message>
+    <message>
+        <source>under 1 %</source>
+        <translation>moins de 1 %</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Other place %1: %2, %3 mm away</source>
+        <translation>Autre position %1 : %2, à %3 mm</translation>
+    </message>
+    <message>
+        <source>How far off the organ may be is not known: register again.</source>
+        <translation>On ne sait pas de combien l’organe peut être décalé : recalez de nouveau.</translation>
+    </message>
+    <message>
+        <source>Expected error: mean %1 mm, at most %2 mm. Ellipsoids hold a lesion in 95 of 100 cases.</source>
+        <translation>Erreur attendue : %1 mm en moyenne, %2 mm au plus. Les ellipsoïdes contiennent une lésion dans 95 cas sur 100.</translation>
+    </message>
+    <message>
+        <source>Arrows: forces, relative to one another.</source>
+        <translation>Flèches : forces, relatives les unes aux autres.</translation>
     </message>
 </context>
 <context>

@@ -10,6 +10,7 @@
 #include "glisson/core/files.h"
 #include "glisson/engine/commands/accept_registration.h"
 #include "glisson/engine/commands/build_model.h"
+#include "glisson/engine/commands/choose_rival.h"
 #include "glisson/engine/commands/import_image.h"
 #include "glisson/engine/commands/list_series.h"
 #include "glisson/engine/commands/load_video_frame.h"
@@ -56,6 +57,8 @@ class FakeOperation {
   /// Of every live frame.
   std::atomic<Validity> live_validity{Validity::valid};
   std::vector<std::string> doubts{"few_margin_points"};  ///< of the registration
+  double rival_away = 0.0;                               ///< metres; 0: the registration has no rival
+  std::optional<CameraFromCt> start;                     ///< that the last registration was to begin near
 
   engine::Engine::Options options() {
     engine::Engine::Options options;
@@ -158,6 +161,11 @@ class FakeOperation {
   Cancellable<engine::Applied> apply(const engine::CaseState& state, const engine::Command& command,
                                      const RunContext& context) {
     if (const auto* accept = command.as<engine::AcceptRegistration>()) return accept->apply(state, context);
+    if (const auto* choose = command.as<engine::ChooseRival>()) return choose->apply(state, context);
+    if (const auto* given = command.as<engine::Register>()) {
+      start.reset();
+      if (given->start == engine::Register::Start::near) start = given->given;
+    }
     engine::Applied applied{state};
     const auto done =
         try_change<engine::ImportImage, engine::ListSeries, engine::SetSeeds, engine::Segment,
@@ -268,6 +276,10 @@ class FakeOperation {
     registration.residual = 1.1e-3;
     registration.doubts = doubts;
     registration.lesions = {{structure::kFirstLesion, 4e-6 * Eigen::Matrix3d::Identity()}};
+    registration.expected = Eigen::VectorXd::LinSpaced(model.mesh.vertex_count(), 1e-3, 13e-3);
+    if (rival_away > 0.0)
+      registration.rivals = {
+          {registration.nodes_in_camera.rowwise() + Eigen::RowVector3d(rival_away, 0, 0), 0.12}};
     applied.state[part::registration] = std::make_shared<const Registration>(std::move(registration));
     return true;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Each box of the guidance panel alone: its widgets say what its model's properties say.
 #include <QCheckBox>
+#include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -40,6 +41,9 @@ class GuidanceBoxesTest : public QObject {
   void RegistrationSaysWhatItNeeds();
   void RegistrationShowsItsFiguresAndDoubts();
   void RefusedRegistrationIsUsedOnlyWhenSomebodySaysSo();
+  void OtherPlacesAreOfferedAndTaken();
+  void PlacedByHandTheModelIsRefinedFromThere();
+  void PlacingEndsWithWhatItBelongsTo();
   void PlaybackSaysWhatItNeeds();
   void PlaybackFreezesWhenItIsStopped();
   void FrozenPictureGoesWithItsRegistration();
@@ -121,7 +125,8 @@ void GuidanceBoxesTest::CouplingShowsNowAndAtEveryChange() {
 
 void GuidanceBoxesTest::RegistrationSaysWhatItNeeds() {
   ui::RegistrationModel model(*engine_);
-  const ui::RegistrationBox box(*engine_, model);
+  ui::PlacingModel placing(*engine_);
+  const ui::RegistrationBox box(*engine_, model, placing);
   QVERIFY(words_on(box).contains(QStringLiteral("Build a model first.")));
   QVERIFY(!task(box, "register")->button()->isEnabled());
   post(engine::ImportImage{"ct.nii"});
@@ -138,7 +143,8 @@ void GuidanceBoxesTest::RegistrationSaysWhatItNeeds() {
 
 void GuidanceBoxesTest::RegistrationShowsItsFiguresAndDoubts() {
   ui::RegistrationModel model(*engine_);
-  const ui::RegistrationBox box(*engine_, model);
+  ui::PlacingModel placing(*engine_);
+  const ui::RegistrationBox box(*engine_, model, placing);
   const auto* doubts = box.findChild<QLabel*>(QStringLiteral("registration_doubts"));
   QVERIFY(doubts->isHidden());
   reach_registration(4);
@@ -150,7 +156,8 @@ void GuidanceBoxesTest::RegistrationShowsItsFiguresAndDoubts() {
 
 void GuidanceBoxesTest::RefusedRegistrationIsUsedOnlyWhenSomebodySaysSo() {
   ui::RegistrationModel model(*engine_);
-  const ui::RegistrationBox box(*engine_, model);
+  ui::PlacingModel placing(*engine_);
+  const ui::RegistrationBox box(*engine_, model, placing);
   ui::TaskButton* accept = task(box, "accept_registration");
   QVERIFY(accept->isHidden());
   operation_->doubts = {"refused", "cloud_noisy 6.3 6"};
@@ -165,6 +172,70 @@ void GuidanceBoxesTest::RefusedRegistrationIsUsedOnlyWhenSomebodySaysSo() {
   QVERIFY(accept->isHidden());
   QVERIFY2(words_on(box).contains(QStringLiteral("scatter by 6.30 mm")),
            qPrintable(words_on(box)));  // it stays
+}
+
+void GuidanceBoxesTest::OtherPlacesAreOfferedAndTaken() {
+  ui::RegistrationModel model(*engine_);
+  ui::PlacingModel placing(*engine_);
+  const ui::RegistrationBox box(*engine_, model, placing);
+  reach_registration(4);
+  const auto* rows = box.findChild<QWidget*>(QStringLiteral("rivals"));
+  QVERIFY(rows->isHidden());
+  QVERIFY(words_on(box).contains(QStringLiteral("7.0 mm")));  // the expected error's mean
+  operation_->rival_away = 0.014;
+  post(engine::Register{});
+  QVERIFY(!rows->isHidden());
+  auto* choice = box.findChild<QComboBox*>(QStringLiteral("rival"));
+  QCOMPARE(choice->count(), 2);
+  QCOMPARE(choice->itemText(1), QStringLiteral("Other place 1: 12 %, 14 mm away"));
+  QVERIFY(!task(box, "choose_rival")->button()->isEnabled());
+  QVERIFY(model.rival_nodes() == nullptr);
+  choice->setCurrentIndex(1);
+  emit choice->activated(1);
+  const Points there = *model.rival_nodes();
+  task(box, "choose_rival")->trigger();
+  QVERIFY(QTest::qWaitFor([this] { return engine_->tasks().empty(); }, 20000));
+  QVERIFY(engine_->state()[part::registration]->nodes_in_camera == there);
+  QCOMPARE(choice->itemText(1), QStringLiteral("Other place 1: 88 %, 14 mm away"));
+  QVERIFY(model.rival_nodes() == nullptr);  // nothing is compared until somebody chooses
+  QVERIFY(words_on(box).contains(QStringLiteral("gave it 12 %")));
+}
+
+void GuidanceBoxesTest::PlacedByHandTheModelIsRefinedFromThere() {
+  ui::RegistrationModel model(*engine_);
+  ui::PlacingModel placing(*engine_);
+  const ui::RegistrationBox box(*engine_, model, placing);
+  QVERIFY(!button(box, "place_by_hand")->isEnabled());
+  reach_cloud(4);
+  button(box, "place_by_hand")->click();
+  QVERIFY(placing.is_placing);
+  const auto where = [&] { return Eigen::Vector3d(placing.nodes().colwise().mean().transpose()); };
+  const Eigen::Vector2d at = operation_->rig.left.project(where()), to = at + Eigen::Vector2d(40.0, -25.0);
+  placing.drag(at, to, ui::PlacingModel::Move::along);
+  QVERIFY((operation_->rig.left.project(where()) - to).norm() < 1e-3);
+  placing.drag({100, 90}, {180, 90}, ui::PlacingModel::Move::turn);
+  // 80 of 320 pixels: a quarter of half a circle, about the vertical.
+  const Eigen::AngleAxisd turn(placing.pose().rotation * operation_->camera_from_ct.rotation.transpose());
+  QVERIFY(std::abs(turn.angle() - M_PI / 4.0) < 1e-9 && turn.axis().y() > 0.999);
+  const double before = where().norm();
+  placing.bring_nearer(1.0);
+  QVERIFY(std::abs(where().norm() / before - 0.97) < 1e-9);
+  const CameraFromCt held = placing.pose();
+  task(box, "refine")->trigger();
+  QVERIFY(QTest::qWaitFor([this] { return engine_->tasks().empty(); }, 20000));
+  QVERIFY(operation_->start && operation_->start->rotation == held.rotation &&
+          operation_->start->translation == held.translation);
+  QTRY_VERIFY(!placing.is_placing);
+}
+
+void GuidanceBoxesTest::PlacingEndsWithWhatItBelongsTo() {
+  ui::PlacingModel placing(*engine_);
+  reach_registration(4);
+  placing.start();
+  QVERIFY(placing.is_placing);
+  QVERIFY(placing.pose().translation == operation_->camera_from_ct.translation);
+  post(engine::LoadVideoFrame{1});
+  QVERIFY(!placing.is_placing);
 }
 
 void GuidanceBoxesTest::PlaybackSaysWhatItNeeds() {

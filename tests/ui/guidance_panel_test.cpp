@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the guidance panel shows and says is of the case that is open, and of now.
 #include <QCheckBox>
+#include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QTreeWidget>
@@ -52,6 +53,9 @@ class GuidancePanelTest : public QObject {
   void TheTableTellsOfEachLesion();
   void AChosenLesionTellsItsNumbers();
   void LastPictureStaysUntilAnotherCaseWhateverItsStyle();
+  void TheOtherPlaceIsLookedAtOverThePicture();
+  void AHandPlacesTheOrganOverThePicture();
+  void TheOrganIsShownInThreeDimensions();
   void ErrorGoesWithItsCause();
   void ObstaclesNameTheStepThatHelps();
 
@@ -117,14 +121,15 @@ class GuidancePanelTest : public QObject {
     return words.join(QLatin1Char('\n'));
   }
   /// Above and below the picture.
-  QString said() const { return words_on(*panel().view()); }
+  QString said() const { return words_on(live_view()); }
+  ui::LiveView& live_view() const { return *panel().view()->findChild<ui::LiveView*>(); }
   /// Under the button; empty: it can be pressed.
   QString obstacle(const char* name) const {
     const QString words = words_on(*task(name));
     return task(name)->button()->isEnabled() ? QString() : words;
   }
   bool is_blank() const {
-    for (const QLabel* label : panel().view()->findChildren<QLabel*>())
+    for (const QLabel* label : live_view().findChildren<QLabel*>())
       if (label->property("fresh").isValid()) return false;
     const bool has_live_figures = words_on(panel()).contains(QStringLiteral("Drawing"));
     return picture().empty() && said().isEmpty() && !has_live_figures;
@@ -316,6 +321,51 @@ void GuidancePanelTest::LastPictureStaysUntilAnotherCaseWhateverItsStyle() {
   QVERIFY2(*with.bytes != *registered.bytes, "it is still the last one, not the registered frame");
   post(engine::OpenCase{"other.glisson"});
   QVERIFY2(is_blank(), qPrintable(said()));
+}
+
+void GuidancePanelTest::TheOtherPlaceIsLookedAtOverThePicture() {
+  operation_->rival_away = 0.02;
+  reach_registration(4);
+  const Picture registered = picture();
+  auto* choice = panel().findChild<QComboBox*>(QStringLiteral("rival"));
+  choice->setCurrentIndex(1);
+  emit choice->activated(1);
+  QTRY_VERIFY_WITH_TIMEOUT(said().contains(QStringLiteral("Other place 1, to be compared")), 20000);
+  QVERIFY(*picture().bytes != *registered.bytes);
+  choice->setCurrentIndex(0);
+  emit choice->activated(0);
+  QTRY_VERIFY_WITH_TIMEOUT(*picture().bytes == *registered.bytes, 20000);
+}
+
+void GuidancePanelTest::AHandPlacesTheOrganOverThePicture() {
+  reach_registration(4);
+  const Picture registered = picture();
+  auto* hold = panel().findChild<QPushButton*>(QStringLiteral("place_by_hand"));
+  hold->click();
+  QTRY_VERIFY_WITH_TIMEOUT(said().contains(QStringLiteral("Placed by hand: not registered")), 20000);
+  const Picture held = picture();
+  auto* view = panel().view()->findChild<ui::LivePicture*>();
+  const QPoint middle = view->rect().center();
+  QTest::mousePress(view, Qt::LeftButton, Qt::NoModifier, middle);
+  QTest::mouseMove(view, middle + QPoint(60, 20));
+  QTest::mouseRelease(view, Qt::LeftButton, Qt::NoModifier, middle + QPoint(60, 20));
+  QTRY_VERIFY_WITH_TIMEOUT(*picture().bytes != *held.bytes, 20000);
+  QVERIFY(said().contains(QStringLiteral("Placed by hand: not registered")));
+  hold->click();
+  QTRY_VERIFY_WITH_TIMEOUT(*picture().bytes == *registered.bytes, 20000);
+}
+
+void GuidancePanelTest::TheOrganIsShownInThreeDimensions() {
+  reach_registration(4);
+  auto* organ = panel().view()->findChild<ui::OrganView*>();
+  QVERIFY(!organ->isVisible());
+  panel().view()->findChild<QPushButton*>(QStringLiteral("show_organ"))->click();
+  QTRY_VERIFY(organ->isVisible());
+  QVERIFY2(words_on(*organ).contains(QStringLiteral("mean 7.0 mm, at most 13.0 mm")),
+           qPrintable(words_on(*organ)));
+  // Whoever places by hand needs the picture.
+  panel().findChild<QPushButton*>(QStringLiteral("place_by_hand"))->click();
+  QTRY_VERIFY(!organ->isVisible() && live_view().isVisible());
 }
 
 void GuidancePanelTest::ErrorGoesWithItsCause() {

@@ -106,6 +106,7 @@ class Notes {
         {"rigid_residual_large", tr("The rigid start fits the points badly (more than 10 mm).")},
         {"little_surface_seen", tr("Less than a fifth of the organ's surface was seen: far from it vessels "
                                    "and tumours may be centimetres off.")},
+        {"rival_chosen", tr("A person has chosen this place among several; the points alone gave it %1 %.")},
         {"shape_ambiguous", tr("Two different shapes of the organ explain the points almost equally well; "
                                "the better one was taken.")},
         {"law_ambiguous", tr("Two elastic laws explain the points almost equally well, but place the organ "

@@ -44,6 +44,7 @@ class Texts {
             {"register", tr("Registering")},
             {"import_registration", tr("Reading the registration")},
             {"accept_registration", tr("Accepting the registration")},
+            {"choose_rival", tr("Taking the other place")},
             {"simulate", tr("Simulating")},
             {"start_tracking", tr("Starting the tracking")},
             {"stop_tracking", tr("Stopping the tracking")},

@@ -7,6 +7,7 @@
 #include "glisson/engine/parts/registration.h"
 #include "glisson/ui/guidance/lesion_box.h"
 #include "glisson/ui/guidance/look_box.h"
+#include "glisson/ui/guidance/organ_view.h"
 #include "glisson/ui/guidance/playback_box.h"
 #include "glisson/ui/guidance/recording_box.h"
 #include "glisson/ui/guidance/registration_box.h"
@@ -17,16 +18,17 @@ GuidancePanel::GuidancePanel(EngineBridge& engine, DrawableSource& drawables, QW
     : Panel(engine, tr("Guidance"), tr("The model brought to what the laparoscope sees, and kept there."),
             parent),
       registration_(engine),
+      placing_(engine),
       playback_(engine),
       review_(engine, playback_),
       recording_(worker_, playback_),
       live_(engine, drawables, playback_, review_, worker_),
-      view_(new LiveView(live_, review_)) {
+      view_(new GuidanceView(new LiveView(live_, review_), new OrganView(engine, drawables, registration_))) {
   setObjectName(QStringLiteral("guidance_panel"));
   add_section(tr("1. Initial registration"),
               tr("Rigid start from the labelled features; then the shape that simulated operations on "
                  "this liver make most probable, drawn to the points."))
-      ->addWidget(new RegistrationBox(engine, registration_, this));
+      ->addWidget(new RegistrationBox(engine, registration_, placing_, this));
   QVBoxLayout* live =
       add_section(tr("2. Live tracking"), tr("Plays the case's stereo video as a live laparoscope."));
   auto* playback = new PlaybackBox(engine, playback_, this);
@@ -40,6 +42,31 @@ GuidancePanel::GuidancePanel(EngineBridge& engine, DrawableSource& drawables, QW
   live->addWidget(new LesionBox(live_, this));
   add_section(tr("Overlay"))->addWidget(new LookBox(live_, this));
   watch(part::registration);
+
+  auto* picture = view_->findChild<LivePicture*>();
+  connect(picture, &LivePicture::dragged, &placing_, [this](const auto& from, const auto& to, auto keys) {
+    placing_.drag(from, to,
+                  keys.testFlag(Qt::ShiftModifier)     ? PlacingModel::Move::turn
+                  : keys.testFlag(Qt::ControlModifier) ? PlacingModel::Move::roll
+                                                       : PlacingModel::Move::along);
+  });
+  connect(picture, &LivePicture::wheeled, &placing_, &PlacingModel::bring_nearer);
+  connect(&placing_, &PlacingModel::moved, this, &GuidancePanel::show_proposed);
+  couplings_.add(placing_.is_placing, [this, picture](bool is) {
+    picture->set_placing(is);
+    if (is) view_->show_picture();
+  });
+  couplings_.add(registration_.shown_rival, [this](int) { show_proposed(); });
+}
+
+void GuidancePanel::show_proposed() {
+  if (placing_.is_placing)
+    return live_.propose({{placing_.nodes(), tr("Placed by hand: not registered. Refine, or put it back.")}});
+  if (const Points* rival = registration_.rival_nodes())
+    return live_.propose(
+        {{*rival,
+          tr("Other place %1, to be compared: not the registration.").arg(registration_.shown_rival + 1)}});
+  live_.propose({});
 }
 
 GuidancePanel::~GuidancePanel() {

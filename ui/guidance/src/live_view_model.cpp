@@ -142,7 +142,22 @@ void LiveViewModel::show_registered() {
     job.overlay.doubtful = !now[part::registration]->doubts.empty();
     job.overlay.lesions = lesions_at_start(job.overlay);
   }
+  const bool is_of_this_model =
+      proposed_ && now[part::model] && proposed_->nodes.rows() == now[part::model]->model.mesh.vertex_count();
+  if (is_of_this_model) {
+    const int index = job.overlay.index;
+    job.overlay = OverlayFrame();
+    job.overlay.index = index;
+    job.overlay.validity = Validity::proposed;
+    job.overlay.nodes_in_camera = proposed_->nodes;
+  }
   submit(std::move(job));
+}
+
+void LiveViewModel::propose(std::optional<Proposed> proposed) {
+  if (!proposed && !proposed_) return;
+  proposed_ = std::move(proposed);
+  if (!playback_.is_tracking && !playback_.is_frozen && !review_.is_reviewing) show_registered();
 }
 
 std::vector<LesionVerdict> LiveViewModel::lesions_at_start(const OverlayFrame& overlay) {
@@ -276,7 +291,8 @@ void LiveViewModel::show_failed(const QString& message, int generation) {
 void LiveViewModel::show_still(const OverlayFrame& overlay) {
   const bool valid = overlay.validity == Validity::valid;
   line = valid ? tr("Registered frame %1, not live").arg(overlay.index)
-               : tr("Frame %1, not live").arg(overlay.index);
+         : overlay.validity == Validity::proposed && proposed_ ? proposed_->line
+                                                               : tr("Frame %1, not live").arg(overlay.index);
   is_fresh = QVariant(valid);
   figures = FigureRows();
   banner = QString();

@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/guidance/registration_box.h"
 
+#include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
 
 #include "box_layout.h"
 #include "glisson/engine/commands/accept_registration.h"
+#include "glisson/engine/commands/choose_rival.h"
 #include "glisson/engine/commands/register.h"
 #include "glisson/ui/common/panel.h"
 #include "glisson/ui/common/task_button.h"
 
 namespace glisson::ui {
 
-RegistrationBox::RegistrationBox(EngineBridge& engine, RegistrationModel& model, QWidget* parent)
+RegistrationBox::RegistrationBox(EngineBridge& engine, RegistrationModel& model, PlacingModel& placing,
+                                 QWidget* parent)
     : QWidget(parent) {
   QVBoxLayout* box = make_box_layout(this);
   QLabel* unchecked = make_warning(this);
@@ -39,11 +42,94 @@ RegistrationBox::RegistrationBox(EngineBridge& engine, RegistrationModel& model,
          "picture."));
   box->addWidget(accept);
 
+  box->addWidget(make_rival_rows(engine, model));
+  box->addWidget(make_placing_rows(engine, placing));
+
   couplings_.add(model.is_refused, [accept](bool is) { accept->setVisible(is); });
   couplings_.add(model.is_unchecked, [unchecked](bool is) { unchecked->setVisible(is); });
   couplings_.add(model.obstacle, [start](const QString& text) { start->set_obstacle(text); });
   couplings_.add(model.figures, [figures](const FigureRows& rows) { figures->set_rows(rows); });
   couplings_.add(model.doubts, [doubts](const QString& text) { show_warning(*doubts, text); });
+}
+
+QWidget* RegistrationBox::make_rival_rows(EngineBridge& engine, RegistrationModel& model) {
+  auto* rows = new QWidget(this);
+  rows->setObjectName(QStringLiteral("rivals"));
+  QVBoxLayout* layout = make_box_layout(rows);
+  layout->addWidget(
+      make_explanation(tr("The organ may be elsewhere. Look at the other places over the picture "
+                          "and in 3D before going on."),
+                       rows));
+  QComboBox* choice = make_narrow_combo(rows);
+  choice->setObjectName(QStringLiteral("rival"));
+  layout->addWidget(choice);
+  auto* use = new TaskButton(
+      engine, tr("Use this place"),
+      [&model]() -> std::optional<engine::Command> {
+        if (model.shown_rival < 0) return {};
+        return engine::Command(engine::ChooseRival{static_cast<std::size_t>(model.shown_rival.value())});
+      },
+      rows);
+  use->setObjectName(QStringLiteral("choose_rival"));
+  use->button()->setProperty("role", QVariant());
+  layout->addWidget(use);
+  connect(choice, &QComboBox::activated, rows, [&model](int index) { model.shown_rival = index - 1; });
+  couplings_.add(model.rivals, [rows, choice](const QStringList& lines) {
+    choice->clear();
+    choice->addItem(tr("As registered"));
+    choice->addItems(lines);
+    rows->setVisible(!lines.isEmpty());
+  });
+  couplings_.add(model.shown_rival, [choice, use](int rival) {
+    choice->setCurrentIndex(rival + 1);
+    use->set_obstacle(rival < 0 ? tr("Choose another place above to compare.") : QString());
+  });
+  return rows;
+}
+
+QWidget* RegistrationBox::make_placing_rows(EngineBridge& engine, PlacingModel& placing) {
+  auto* rows = new QWidget(this);
+  QVBoxLayout* layout = make_box_layout(rows);
+  auto* hold = new QPushButton(rows);
+  hold->setObjectName(QStringLiteral("place_by_hand"));
+  layout->addWidget(hold);
+  QLabel* how = make_explanation(tr("Drag the organ over the picture; with Shift it turns, with Ctrl it "
+                                    "rolls, the wheel brings it nearer. "
+                                    "Refine when its outline lies about right."),
+                                 rows);
+  layout->addWidget(how);
+  auto* refine = new TaskButton(
+      engine, tr("Refine from here"),
+      [&placing]() -> std::optional<engine::Command> {
+        if (!placing.is_placing) return {};
+        engine::Register command;
+        command.start = engine::Register::Start::near;
+        command.given = placing.pose();
+        return engine::Command(command);
+      },
+      rows);
+  refine->setObjectName(QStringLiteral("refine"));
+  layout->addWidget(refine);
+  connect(hold, &QPushButton::clicked, rows, [&placing] {
+    if (placing.is_placing)
+      placing.stop();
+    else
+      placing.start();
+  });
+  connect(refine, &TaskButton::done, &placing, [&placing](const engine::Outcome& outcome) {
+    if (outcome.status == engine::Status::done) placing.stop();
+  });
+  couplings_.add(placing.is_placing, [hold, how, refine](bool is) {
+    hold->setText(is ? tr("Put it back") : tr("Place by hand"));
+    how->setVisible(is);
+    refine->setVisible(is);
+  });
+  couplings_.add(placing.obstacle, [hold](const QString& text) {
+    hold->setEnabled(text.isEmpty());
+    hold->setToolTip(
+        text.isEmpty() ? tr("Where the rigid start goes wrong: hold the organ before the picture.") : text);
+  });
+  return rows;
 }
 
 }  // namespace glisson::ui

@@ -5,6 +5,7 @@
 #include "glisson/engine/parts/check.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/registration.h"
+#include "glisson/geometry/distance.h"
 #include "glisson/registration/refusal.h"
 #include "glisson/ui/common/texts.h"
 
@@ -20,7 +21,11 @@ void RegistrationModel::read_case() {
   const engine::CaseState& now = engine_.state();
   obstacle = obstacle_text(engine::obstacle(*engine_.snapshot(), engine::Register{}));
   is_unchecked = now[part::model] && !engine::is_model_checked(now);
+  if (now[part::registration] != source_) shown_rival = -1;
+  source_ = now[part::registration];
   if (!now[part::registration]) {
+    rivals = QStringList();
+    error_words = QString();
     figures = FigureRows();
     doubts = QString();
     is_refused = false;
@@ -28,12 +33,51 @@ void RegistrationModel::read_case() {
   }
   const Registration& r = *now[part::registration];
   is_refused = registration::is_refused(r);
-  figures = FigureRows{
+  read_rivals(r);
+  read_error(r);
+  FigureRows rows{
       {tr("Residual (not an accuracy)"), tr("%1 mm").arg(1e3 * r.residual, 0, 'f', 2)},
       {tr("Converged"), is_refused                                ? tr("refused")
                         : r.termination == Termination::converged ? tr("yes, %1 plateaus").arg(r.plateaus)
                                                                   : tr("no, %1 steps").arg(r.steps)}};
+  if (r.expected.size() > 0)
+    rows.emplace_back(tr("Expected error, mean"), tr("%1 mm").arg(1e3 * r.expected.mean(), 0, 'f', 1));
+  if (!r.forces.empty()) rows.emplace_back(tr("Places where forces act"), QString::number(r.forces.size()));
+  figures = rows;
   doubts = notes_text(r.doubts);
+}
+
+void RegistrationModel::read_rivals(const Registration& registration) {
+  QStringList lines;
+  for (std::size_t k = 0; k < registration.rivals.size(); ++k) {
+    const RegistrationRival& rival = registration.rivals[k];
+    const double away = point_errors(rival.nodes_in_camera, registration.nodes_in_camera).mean;
+    const QString percent =
+        rival.probability < 0.01 ? tr("under 1 %") : tr("%1 %").arg(100.0 * rival.probability, 0, 'f', 0);
+    lines << tr("Other place %1: %2, %3 mm away").arg(k + 1).arg(percent).arg(1e3 * away, 0, 'f', 0);
+  }
+  rivals = lines;
+}
+
+void RegistrationModel::read_error(const Registration& registration) {
+  if (registration.expected.size() == 0) {
+    error_words = tr("How far off the organ may be is not known: register again.");
+    return;
+  }
+  QString words =
+      tr("Expected error: mean %1 mm, at most %2 mm. Ellipsoids hold a lesion in 95 of 100 cases.")
+          .arg(1e3 * registration.expected.mean(), 0, 'f', 1)
+          .arg(1e3 * registration.expected.maxCoeff(), 0, 'f', 1);
+  if (!registration.forces.empty())
+    words += QLatin1Char(' ') + tr("Arrows: forces, relative to one another.");
+  error_words = words;
+}
+
+const Points* RegistrationModel::rival_nodes() const {
+  const auto& now = engine_.state()[part::registration];
+  const int which = shown_rival;
+  if (!now || which < 0 || which >= static_cast<int>(now->rivals.size())) return nullptr;
+  return &now->rivals[static_cast<std::size_t>(which)].nodes_in_camera;
 }
 
 }  // namespace glisson::ui

@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 #include <QMouseEvent>
 #include <QPixmap>
+#include <QPushButton>
 #include <QSaveFile>
 #include <QTimer>
 #include <array>
@@ -25,13 +26,14 @@ struct Stop {
   const char* name;
   int step;  ///< of the window; -1: none is open
 };
-constexpr std::array<Stop, 8> kStops = {{{"welcome", -1},
+constexpr std::array<Stop, 9> kStops = {{{"welcome", -1},
                                          {"segmentation", MainWindow::segmentation},
                                          {"editing", MainWindow::segmentation},
                                          {"preview", MainWindow::segmentation},
                                          {"model", MainWindow::model},
                                          {"atlas", MainWindow::atlas},
                                          {"stereo", MainWindow::stereo},
+                                         {"organ", MainWindow::guidance},
                                          {"guidance", MainWindow::guidance}}};
 constexpr int kSettle = 700;        ///< milliseconds for a panel to draw itself
 constexpr int kLivePictures = 6;    ///< tracked before the live view is taken
@@ -129,8 +131,11 @@ void ScreenshotTour::visit() {
     show_threshold();
     return shoot_when([this] { return window_.findChild<SegmentationPanel*>()->session().shows_preview(); });
   }
+  if (name == "organ" || name == "guidance")
+    window_.findChild<QPushButton*>(name == "organ" ? "show_organ" : "show_picture")->click();
   const engine::CaseState& now = window_.engine().state();
-  const bool live = stop.step == MainWindow::guidance && now[part::registration] && now[part::video];
+  const bool live =
+      name == "guidance" && stop.step == MainWindow::guidance && now[part::registration] && now[part::video];
   if (!live) {
     QTimer::singleShot(kSettle, this, &ScreenshotTour::shoot);
     return;

@@ -5,9 +5,11 @@
 
 #include "glisson/ui/common/drawable_source.h"
 #include "glisson/ui/common/panel.h"
+#include "glisson/ui/guidance/guidance_view.h"
 #include "glisson/ui/guidance/live_view.h"
 #include "glisson/ui/guidance/live_view_model.h"
 #include "glisson/ui/guidance/overlay_worker.h"
+#include "glisson/ui/guidance/placing_model.h"
 #include "glisson/ui/guidance/playback_model.h"
 #include "glisson/ui/guidance/recording_model.h"
 #include "glisson/ui/guidance/registration_model.h"
@@ -28,17 +30,21 @@ class GuidancePanel : public Panel {
   int pictures_shown() const { return live_.pictures_shown(); }
   /// Records the live view into a file until it is called with an empty path.
   void record_to(const QString& path) { path.isEmpty() ? recording_.stop() : recording_.start(path); }
-  const PictureView& picture() const { return view_->picture(); }
+  const PictureView& picture() const { return view_->live().picture(); }
 
  private:
+  /// Over the picture: where a hand holds the organ, else the place that is compared.
+  void show_proposed();
+
   OverlayWorker worker_;
   RegistrationModel registration_;
+  PlacingModel placing_;
   PlaybackModel playback_;
   ReviewModel review_;
   RecordingModel recording_;
   LiveViewModel live_;
   Couplings couplings_;
-  QPointer<LiveView> view_;  ///< belongs to whoever hosts it
+  QPointer<GuidanceView> view_;  ///< belongs to whoever hosts it
 };
 
 }  // namespace glisson::ui

@@ -41,6 +41,13 @@ class LiveViewModel : public QObject {
   void point_at(const std::optional<Eigen::Vector2d>& pixel);
   /// Neither a lesion nor a mark.
   void let_go();
+  /// A place of the organ to be looked at over the registered picture, as an outline, instead of where the
+  /// registration has put it. Camera's frame, metres.
+  struct Proposed {
+    Points nodes;
+    QString line;  ///< what is said of it below the picture
+  };
+  void propose(std::optional<Proposed> proposed);
   /// The one on the screen; empty: none.
   const Picture& picture() const { return picture_; }
   /// Writes it (.png, .jpg). @return what went wrong; empty: nothing.
@@ -105,6 +112,7 @@ class LiveViewModel : public QObject {
   double last_age_ = 0.0;
   int pictures_shown_ = 0;
   bool was_tracking_ = false;
+  std::optional<Proposed> proposed_;
   std::optional<OverlayJob> job_;       ///< the last one
   std::optional<OverlayJob> live_job_;  ///< the last one of a live picture
   Picture picture_;

@@ -3,7 +3,10 @@
 
 #include <QObject>
 #include <QProperty>
+#include <QStringList>
+#include <memory>
 
+#include "glisson/patient/registration.h"
 #include "glisson/ui/common/engine_bridge.h"
 #include "glisson/ui/common/figures_table.h"
 
@@ -15,16 +18,25 @@ class RegistrationModel : public QObject {
  public:
   explicit RegistrationModel(EngineBridge& engine, QObject* parent = nullptr);
 
-  QProperty<QString> obstacle;    ///< the step to do before a registration; empty: it can be made
-  QProperty<bool> is_unchecked;   ///< nobody has said that the model is right
-  QProperty<FigureRows> figures;  ///< of the registration; none: there is no registration
-  QProperty<QString> doubts;      ///< a line each
-  QProperty<bool> is_refused;     ///< and nobody has accepted it
+  QProperty<QString> obstacle;     ///< the step to do before a registration; empty: it can be made
+  QProperty<bool> is_unchecked;    ///< nobody has said that the model is right
+  QProperty<FigureRows> figures;   ///< of the registration; none: there is no registration
+  QProperty<QString> doubts;       ///< a line each
+  QProperty<bool> is_refused;      ///< and nobody has accepted it
+  QProperty<QString> error_words;  ///< what is expected of its error; empty: not known
+  QProperty<QStringList> rivals;   ///< other places where the organ may be, a line each
+  QProperty<int> shown_rival{-1};  ///< the one that is compared with the registration; -1: none
+
+  /// The nodes of the one that is compared; null: none.
+  const Points* rival_nodes() const;
 
  private:
   void read_case();
+  void read_rivals(const Registration& registration);
+  void read_error(const Registration& registration);
 
   EngineBridge& engine_;
+  std::shared_ptr<const Registration> source_;
 };
 
 }  // namespace glisson::ui

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/ui/scene/registration_actors.h"
+
+#include <vtkActor.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "glisson/core/error.h"
+#include "glisson/ui/scene/colours.h"
+#include "glisson/ui/scene/proposal_actors.h"
+#include "glisson/ui/scene/surface_shapes.h"
+
+namespace glisson::scene {
+namespace {
+
+constexpr double kChiSquare95 = 7.815;  // three degrees of freedom
+constexpr double kLiverOpacity = 0.7, kRegionOpacity = 0.45;
+constexpr double kLongestArrow = 35e-3;            // metres: of the strongest force
+constexpr double kShaft = 1.2e-3, kHead = 3.2e-3;  // radii, metres
+
+const DrawableSurface* liver_of(const DrawableModel& model) {
+  for (const DrawableSurface& surface : model.surfaces)
+    if (surface.structure == structure::kParenchyma) return &surface;
+  return nullptr;
+}
+
+TriangleMesh placed(const DrawableSurface& surface, const PatientModel& model, const Points& nodes) {
+  return {surface.binding.apply(model.mesh, nodes), surface.mesh.triangles};
+}
+
+/// A cone at the tip of an arrow, as a mesh.
+TriangleMesh cone(const Eigen::Vector3d& base, const Eigen::Vector3d& tip, double radius) {
+  constexpr int kSides = 16;
+  const Eigen::Vector3d along = (tip - base).normalized();
+  const Eigen::Vector3d across = along.unitOrthogonal(), other = along.cross(across);
+  TriangleMesh mesh{Points(kSides + 2, 3), Triangles(2 * kSides, 3)};
+  mesh.vertices.row(kSides) = tip.transpose();
+  mesh.vertices.row(kSides + 1) = base.transpose();
+  for (int k = 0; k < kSides; ++k) {
+    const double angle = 2.0 * M_PI * k / kSides;
+    mesh.vertices.row(k) = (base + radius * (std::cos(angle) * across + std::sin(angle) * other)).transpose();
+    const int next = (k + 1) % kSides;
+    mesh.triangles.row(2 * k) << k, next, kSides;
+    mesh.triangles.row(2 * k + 1) << next, k, kSides + 1;
+  }
+  return mesh;
+}
+
+}  // namespace
+
+QColor error_colour(double error) {
+  static constexpr std::array<std::array<double, 3>, 5> kStops = {
+      {{0, 34, 78}, {65, 77, 107}, {124, 123, 120}, {188, 175, 111}, {254, 232, 56}}};
+  const double at = (kStops.size() - 1) * std::clamp(error / kMostErrorShown, 0.0, 1.0);
+  const auto low = std::min(static_cast<std::size_t>(at), kStops.size() - 2);
+  const double share = at - static_cast<double>(low);
+  const auto mix = [&](std::size_t c) {
+    return static_cast<int>(std::lround((1.0 - share) * kStops[low][c] + share * kStops[low + 1][c]));
+  };
+  return {mix(0), mix(1), mix(2)};
+}
+
+struct RegistrationActors::Impl {
+  vtkSmartPointer<vtkRenderer> renderer;
+  std::vector<vtkSmartPointer<vtkActor>> actors;
+
+  explicit Impl(vtkRenderer& to) : renderer(&to) {}
+
+  vtkProperty& add(vtkPolyData* data, const QColor& colour) {
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(data);
+    auto actor = vtkSmartPointer<vtkActor>::New();
+    actor->SetMapper(mapper);
+    actor->GetProperty()->SetColor(colour.redF(), colour.greenF(), colour.blueF());
+    renderer->AddActor(actor);
+    actors.push_back(actor);
+    return *actor->GetProperty();
+  }
+
+  void add_liver(const DrawableSurface& liver, const PatientModel& model, const Registration& registration) {
+    const auto data = make_poly_data(placed(liver, model, registration.nodes_in_camera));
+    add_normals(*data);
+    if (registration.expected.size() == registration.nodes_in_camera.rows()) {
+      // What carries the vertices' places carries their numbers as well.
+      Points numbers = Points::Zero(registration.expected.size(), 3);
+      numbers.col(0) = registration.expected;
+      const Points of_vertices = liver.binding.apply(model.mesh, numbers);
+      vtkNew<vtkUnsignedCharArray> colours;
+      colours->SetNumberOfComponents(3);
+      for (Eigen::Index i = 0; i < of_vertices.rows(); ++i) {
+        const QColor colour = error_colour(of_vertices(i, 0));
+        for (const int part : {colour.red(), colour.green(), colour.blue()})
+          colours->InsertNextValue(static_cast<unsigned char>(part));
+      }
+      data->GetPointData()->SetScalars(colours);
+    }
+    vtkProperty& look = add(data, QColor(120, 126, 132));
+    look.SetOpacity(kLiverOpacity);
+    look.SetBackfaceCulling(1);
+    look.SetAmbient(0.35);  // the colour is read, not the light
+  }
+
+  void add_region(const LesionVerdict& lesion) {
+    if (lesion.covariance.isZero(0.0)) return;
+    const auto data = make_poly_data(ellipsoid(lesion.centre, lesion.covariance, kChiSquare95));
+    add_normals(*data);
+    vtkProperty& look = add(data, colour_of(lesion.lesion));
+    look.SetOpacity(kRegionOpacity);
+    look.SetBackfaceCulling(1);
+  }
+
+  /// An arrow that ends where the force acts.
+  void add_force(const FoundForce& force, const Points& nodes, double strongest) {
+    const Eigen::Vector3d tip = nodes.row(force.node).transpose();
+    const double length = kLongestArrow * force.force.norm() / strongest;
+    if (length < 2.0 * kHead) return;
+    const Eigen::Vector3d along = force.force.normalized(), neck = tip - 3.0 * kHead * along;
+    Points shaft(2, 3);
+    shaft << (tip - length * along).transpose(), neck.transpose();
+    const QColor colour(255, 122, 61);
+    if (length > 3.0 * kHead) add(make_poly_data(polyline_tube(shaft, kShaft)), colour).LightingOff();
+    add(make_poly_data(cone(neck, tip, kHead)), colour).LightingOff();
+  }
+
+  void add_rival(const DrawableSurface& liver, const PatientModel& model, const Points& nodes) {
+    vtkProperty& look = add(make_poly_data(placed(liver, model, nodes)), QColor(87, 181, 232));
+    look.SetRepresentationToWireframe();
+    look.SetOpacity(0.35);
+    look.LightingOff();
+  }
+
+  void clear() {
+    for (const auto& actor : actors) renderer->RemoveActor(actor);
+    actors.clear();
+  }
+};
+
+RegistrationActors::RegistrationActors(vtkRenderer& renderer) : impl_(std::make_unique<Impl>(renderer)) {}
+
+RegistrationActors::~RegistrationActors() { impl_->clear(); }
+
+void RegistrationActors::clear() { impl_->clear(); }
+
+void RegistrationActors::show(const DrawableModel& model, const Registration& registration,
+                              const std::vector<LesionVerdict>& lesions, int rival) {
+  const PatientModel& patient = *model.model;
+  require(registration.nodes_in_camera.rows() == patient.mesh.vertex_count(),
+          "a registration's nodes are those of its model");
+  impl_->clear();
+  const DrawableSurface* liver = liver_of(model);
+  if (liver != nullptr && liver->binding.weights.rows() > 0) {
+    impl_->add_liver(*liver, patient, registration);
+    if (rival >= 0 && rival < static_cast<int>(registration.rivals.size()))
+      impl_->add_rival(*liver, patient, registration.rivals[static_cast<std::size_t>(rival)].nodes_in_camera);
+  }
+  for (const LesionVerdict& lesion : lesions) impl_->add_region(lesion);
+  double strongest = 0.0;
+  for (const FoundForce& force : registration.forces) strongest = std::max(strongest, force.force.norm());
+  for (const FoundForce& force : registration.forces)
+    impl_->add_force(force, registration.nodes_in_camera, strongest);
+}
+
+}  // namespace glisson::scene
