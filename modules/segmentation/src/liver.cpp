@@ -2,28 +2,19 @@
 #include "liver.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <queue>
 
 #include "glisson/core/error.h"
-#include "glisson/core/statistics.h"
 #include "level_set.h"
 #include "painting.h"
-#include "parting.h"
 
 namespace glisson::segmentation {
 namespace {
 
-constexpr double kSeedRadius = 6.0;   // mm, where a click's statistics are taken
-constexpr double kNeck = 6.0;         // mm, half the width of the passages that the start closes
-constexpr double kRivalRim = 2.0;     // mm
-constexpr double kVesselWidth = 5.0;  // mm, closed over in the liver-like tissue
-constexpr double kWidth = 2.2;        // standard deviations that count as liver at first
-constexpr double kLeastSigma = 3.0, kMostSigma = 15.0;  // HU, after denoising
-constexpr double kReach = 8.0;                          // mm that the contour may go beyond its start
-constexpr double kCurvature = 3.0;                      // mm
-constexpr double kLastCurvature = 0.5;                  // mm: more of it eats sharp edges
+constexpr double kRivalRim = 2.0;       // mm
+constexpr double kReach = 8.0;          // mm that the contour may go beyond its start
+constexpr double kCurvature = 3.0;      // mm
+constexpr double kLastCurvature = 0.5;  // mm: more of it eats sharp edges
 /// New samples of both sides each round: the contour comes from 3 mm inside.
 constexpr int kLastRounds = 4, kLastSteps = 20;
 constexpr int kFineRounds = 3, kFineSteps = 24;
@@ -33,192 +24,8 @@ constexpr double kWedgeLength = 20.0;      // mm that the last contours may foll
 constexpr double kHalfWayToMuscle = 25.0;  // HU below the liver
 constexpr double kBorder = 5.0;            // mm that they may go elsewhere
 constexpr double kPartialVolume = 3.0;     // mm beyond liver-like tissue
-constexpr double kSeamWidth = 2.2, kSeamTypical = 10.0;  // of the widest tissue; mm around a click
-/// HU that a liver differs from one end to the other (perfusion, hardened beams).
-constexpr double kDrift = 8.0;
-constexpr double kSeamClosed = 2.0;  // mm
-constexpr int kStartRounds = 2;
-constexpr double kAttraction = 1.5;  // mm
-constexpr double kEdgeScale = 6.0;   // HU/mm at which an edge halves the edge map
-
-Tissue robust_tissue(std::vector<float>& values, double low_sigma, double high_sigma) {
-  Tissue tissue;
-  const float middle = upper_median(values);
-  tissue.mean = middle;
-  tissue.sigma = std::clamp(kDeviationPerMad * median_absolute_deviation(std::move(values), middle),
-                            low_sigma, high_sigma);
-  return tissue;
-}
-
-/// Tissue that could be liver: near its intensity, and the bright vessels enclosed by it.
-Mask liver_like(const Field& ct, const Tissue& tissue, double width, const Mask& barred,
-                const Mask& included) {
-  Mask mask = ct.empty_mask();
-  for (std::size_t i = 0; i < mask.voxels.size(); ++i)
-    mask.voxels[i] = std::abs(ct.values[i] - tissue.mean) < width * tissue.sigma || included.voxels[i] != 0;
-  const Mask around = closed(mask, kVesselWidth);
-  for (std::size_t i = 0; i < mask.voxels.size(); ++i) {
-    if (around.voxels[i] != 0 && ct.values[i] > tissue.mean && ct.values[i] < tissue.mean + 130.0)
-      mask.voxels[i] = 1;
-    if (barred.voxels[i] != 0) mask.voxels[i] = 0;
-  }
-  return mask;
-}
-
-/// A mask of one grid on another one of the same image: the nearest voxel counts, beyond its edge 0.
-Mask nearest(const Mask& mask, const Field& from, const Field& to) {
-  Mask result = to.empty_mask();
-  std::array<std::vector<int>, 3> at;
-  for (int axis = 0; axis < 3; ++axis)
-    for (int n = 0; n < to.size[axis]; ++n)
-      at[static_cast<std::size_t>(axis)].push_back(static_cast<int>(std::lround(
-          (to.first_index[axis] + n * to.step[axis] - from.first_index[axis]) / from.step[axis])));
-  std::size_t voxel = 0;
-  for (int k = 0; k < to.size.z(); ++k)
-    for (int j = 0; j < to.size.y(); ++j)
-      for (int i = 0; i < to.size.x(); ++i, ++voxel) {
-        const Eigen::Vector3i v(at[0][static_cast<std::size_t>(i)], at[1][static_cast<std::size_t>(j)],
-                                at[2][static_cast<std::size_t>(k)]);
-        if (from.contains(v)) result.voxels[voxel] = mask.voxels[from.offset(v)];
-      }
-  return result;
-}
-
-/// Places of one grid on another one of the same image; those beside it are dropped.
-std::vector<Eigen::Vector3i> moved(const std::vector<Eigen::Vector3i>& places, const Field& from,
-                                   const Field& to) {
-  std::vector<Eigen::Vector3i> result;
-  for (const Eigen::Vector3i& p : places) {
-    const Eigen::Vector3i v = to.voxel_of(from.first_index + p.cast<double>().cwiseProduct(from.step));
-    if (to.contains(v)) result.push_back(v);
-  }
-  return result;
-}
-
-struct Entry {
-  float cost;
-  std::size_t at;
-  bool operator>(const Entry& other) const { return cost != other.cost ? cost > other.cost : at > other.at; }
-};
-
-/// Who reaches each voxel first: 1 the seeds inside, 2 those outside, 0 nobody. A step costs its length times
-/// (kNeck / depth)^2, depth being the distance to the edge of `open`: fronts run through wide tissue and meet
-/// in the necks.
-std::vector<std::uint8_t> compete(const Field& ct, const Mask& open, const std::vector<float>& depth2,
-                                  const LiverSeeds& seeds, std::vector<float>& cost) {
-  std::vector<std::uint8_t> owner(open.voxels.size(), 0);
-  cost.assign(open.voxels.size(), 1e30F);
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  const auto place = [&](const std::vector<Eigen::Vector3i>& points, std::uint8_t who) {
-    for (const Eigen::Vector3i& p : points) {
-      const std::size_t at = ct.offset(p);
-      cost[at] = 0.0F;
-      owner[at] = who;
-      queue.push({0.0F, at});
-    }
-  };
-  place(seeds.inside, 1);
-  place(seeds.outside, 2);
-  const std::size_t sy = static_cast<std::size_t>(ct.size.x()),
-                    sz = sy * static_cast<std::size_t>(ct.size.y());
-  const auto neck2 = static_cast<float>(kNeck * kNeck);
-  const auto h = static_cast<float>(ct.spacing_mm.minCoeff());
-  while (!queue.empty()) {
-    const Entry entry = queue.top();
-    queue.pop();
-    if (entry.cost > cost[entry.at]) continue;
-    const int i = static_cast<int>(entry.at % sy), j = static_cast<int>((entry.at % sz) / sy),
-              k = static_cast<int>(entry.at / sz);
-    const auto visit = [&](std::size_t other) {
-      if (open.voxels[other] == 0) return;
-      const float next = entry.cost + h * neck2 / std::max(depth2[other], 1.0F);
-      if (next >= cost[other]) return;
-      cost[other] = next;
-      owner[other] = owner[entry.at];
-      queue.push({next, other});
-    };
-    if (i > 0) visit(entry.at - 1);
-    if (i + 1 < ct.size.x()) visit(entry.at + 1);
-    if (j > 0) visit(entry.at - sy);
-    if (j + 1 < ct.size.y()) visit(entry.at + sy);
-    if (k > 0) visit(entry.at - sz);
-    if (k + 1 < ct.size.z()) visit(entry.at + sz);
-  }
-  return owner;
-}
-
-/// What the clicks say of the liver: the middle of what they show, and how much that varies within a click
-/// and between them. A click on a tumour is one of several.
-Tissue tissue_at(const Field& ct, const std::vector<Eigen::Vector3i>& clicks) {
-  std::vector<float> means, sigmas;
-  for (const Eigen::Vector3i& click : clicks) {
-    const Tissue one = tissue_around(ct, {click}, kSeedRadius, 0.0, kMostSigma);
-    means.push_back(static_cast<float>(one.mean));
-    sigmas.push_back(static_cast<float>(one.sigma));
-  }
-  const float middle = upper_median(means);
-  const double between = kDeviationPerMad * median_absolute_deviation(means, middle);
-  return {middle,
-          std::clamp(std::hypot(std::max(between, kDrift), upper_median(sigmas)), kLeastSigma, kMostSigma)};
-}
-
-/// The seams between organs around the clicks, on the parting's voxels.
-Mask seams_of(const PartingView& view, const Tissue& tissue, const LiverSeeds& seeds) {
-  Mask where = view.ct.empty_mask(), typical = where;
-  const auto width = static_cast<float>(kSeamWidth * kMostSigma);
-  for (std::size_t i = 0; i < where.voxels.size(); ++i)
-    where.voxels[i] = std::abs(view.ct.values[i] - static_cast<float>(tissue.mean)) < width;
-  for (const Eigen::Vector3i& p : seeds.inside) typical.voxels[typical.offset(p.x(), p.y(), p.z())] = 1;
-  return dark_sheets(view.raw, where, dilated(typical, kSeamTypical));
-}
-
-/// Who owns the liver-like tissue.
-struct Start {
-  Mask open, own, start, rival;
-};
-
-/// Where the contour starts: what the clicks inside own of the tissue that is wider than a neck.
-Cancellable<Start> start_of(const Field& ct, const PartingView& view, const Tissue& tissue, const Mask& seams,
-                            const LiverSeeds& seeds, const LiverSeeds& view_seeds, const Mask& barred,
-                            const Mask& included, const RunContext& context) {
-  Mask parted =
-      liver_like(view.ct, tissue, kWidth, nearest(barred, ct, view.ct), nearest(included, ct, view.ct));
-  for (std::size_t i = 0; i < parted.voxels.size(); ++i)
-    if (seams.voxels[i] != 0) parted.voxels[i] = 0;
-  const auto sides = part_at_necks(view.ct, parted, view_seeds, context);
-  if (!sides) return std::nullopt;
-  Start result;
-  result.open = liver_like(ct, tissue, kWidth, barred, included);
-  result.rival = nearest(sides->rival, view.ct, ct);
-  Mask own = closed(nearest(sides->own, view.ct, ct), kSeamClosed);
-  for (std::size_t i = 0; i < own.voxels.size(); ++i)
-    if (result.open.voxels[i] == 0 || result.rival.voxels[i] != 0) own.voxels[i] = 0;
-  // Where no neck parts a click outside from those inside, fronts from both meet half way.
-  Mask beyond = own;
-  for (auto& v : beyond.voxels) v = v == 0 ? 1 : 0;
-  const std::vector<float> depth2 = squared_distance_mm2(beyond);
-  LiverSeeds within;
-  for (const Eigen::Vector3i& p : seeds.inside)
-    if (own.voxels[ct.offset(p)] != 0) within.inside.push_back(p);
-  for (const Eigen::Vector3i& p : seeds.outside)
-    if (own.voxels[ct.offset(p)] != 0) within.outside.push_back(p);
-  std::vector<float> cost;
-  std::vector<std::uint8_t> owner(own.voxels.size(), 1);
-  if (!within.outside.empty() && !within.inside.empty()) owner = compete(ct, own, depth2, within, cost);
-  Mask core = ct.empty_mask();
-  for (std::size_t i = 0; i < core.voxels.size(); ++i) {
-    if (own.voxels[i] != 0 && owner[i] == 2) result.rival.voxels[i] = 1;
-    if (owner[i] != 1) own.voxels[i] = 0;
-    core.voxels[i] = own.voxels[i] != 0 && depth2[i] > static_cast<float>(kNeck * kNeck);
-  }
-  for (const Eigen::Vector3i& p : seeds.inside) core.voxels[ct.offset(p)] = 1;
-  result.start = dilated(core, kNeck);
-  for (std::size_t i = 0; i < core.voxels.size(); ++i)
-    if (own.voxels[i] == 0) result.start.voxels[i] = 0;
-  for (const Eigen::Vector3i& p : seeds.inside) result.start.voxels[ct.offset(p)] = 1;
-  result.own = std::move(own);
-  return result;
-}
+constexpr double kAttraction = 1.5;        // mm
+constexpr double kEdgeScale = 6.0;         // HU/mm at which an edge halves the edge map
 
 Field edge_map(const Field& ct) {
   Field edge = ct;
@@ -288,16 +95,6 @@ class Ratio {
   std::vector<float> table_;
 };
 
-/// The same over the depth of a region, what it encloses included: unlike the window that made the region,
-/// this does not cut the tails off.
-Tissue tissue_within(const Field& ct, const Mask& region, double depth_mm) {
-  const Mask deep = eroded(holes_filled(closed(region, kVesselWidth)), depth_mm);
-  std::vector<float> values;
-  for (std::size_t i = 0; i < deep.voxels.size(); ++i)
-    if (deep.voxels[i] != 0) values.push_back(ct.values[i]);
-  return values.empty() ? Tissue{0.0, 0.0} : robust_tissue(values, kLeastSigma, kMostSigma);
-}
-
 /// The last region force, from what lies on either side close by (Lankton and Tannenbaum 2008): the contour
 /// comes to rest half way between the liver and its neighbour there, be that fat, muscle or lung. Where both
 /// look alike it has no opinion.
@@ -329,35 +126,6 @@ void local_region(const Field& ct, const Field& phi, Field& region) {
   }
 }
 
-}  // namespace
-
-Tissue tissue_around(const Field& ct, const std::vector<Eigen::Vector3i>& points, double radius_mm,
-                     double low_sigma, double high_sigma) {
-  std::vector<float> values;
-  const Eigen::Vector3i reach =
-      (radius_mm * ct.spacing_mm.cwiseInverse()).array().ceil().matrix().cast<int>();
-  for (const Eigen::Vector3i& p : points)
-    for (int k = -reach.z(); k <= reach.z(); ++k)
-      for (int j = -reach.y(); j <= reach.y(); ++j)
-        for (int i = -reach.x(); i <= reach.x(); ++i) {
-          const Eigen::Vector3i v = p + Eigen::Vector3i(i, j, k);
-          if (ct.contains(v) && Eigen::Vector3d(i, j, k).cwiseProduct(ct.spacing_mm).norm() <= radius_mm)
-            values.push_back(ct.values[ct.offset(v)]);
-        }
-  require(!values.empty(), "a tissue is estimated around points inside the volume");
-  return robust_tissue(values, low_sigma, high_sigma);
-}
-
-Tissue tissue_in(const Field& ct, const Mask& mask) {
-  std::vector<float> values;
-  for (std::size_t i = 0; i < mask.voxels.size(); ++i)
-    if (mask.voxels[i] != 0) values.push_back(ct.values[i]);
-  require(!values.empty(), "a tissue is estimated in a mask that holds something");
-  return robust_tissue(values, kLeastSigma, kMostSigma);
-}
-
-namespace {
-
 /// Where the last contours must not go. They may leave liver-like tissue only by its partial volume, and from
 /// where the second one came to rest (some 3 mm inside the boundary) go farther than a thick border needs
 /// only into a wedge of its own tissue: too thin to be anything but a margin with fat or gas on both sides.
@@ -368,7 +136,7 @@ Mask out_of_bounds(const Scene& scene, const Tissue& tissue, const Field& phi) {
   // Half way to muscle and as far above: wider than the start's window, which cuts the border's own tail.
   // Brighter is kidney, cava, portal trunk: the liver's own vessels are within the contour or what it
   // encloses.
-  const auto width = static_cast<float>(std::max(kHalfWayToMuscle, kWidth * tissue.sigma));
+  const auto width = static_cast<float>(std::max(kHalfWayToMuscle, kLiverWidth * tissue.sigma));
   const auto mean = static_cast<float>(tissue.mean);
   Mask like = found;
   for (std::size_t i = 0; i < like.voxels.size(); ++i)
@@ -431,7 +199,7 @@ Cancellable<Field> run_contours(const Scene& scene, const Tissue& tissue, const 
     impose(forces.region, scene);
   };
   for (std::size_t i = 0; i < ct.values.size(); ++i) {
-    const double z = (ct.values[i] - tissue.mean) / (kWidth * tissue.sigma);
+    const double z = (ct.values[i] - tissue.mean) / (kLiverWidth * tissue.sigma);
     forces.region.values[i] =
         scene.open.voxels[i] != 0 ? 1.0F : static_cast<float>(std::clamp(1.0 - z * z, -1.0, 1.0));
   }
@@ -455,24 +223,10 @@ Cancellable<LiverContour> find_liver(const Field& ct, const PartingView& view, c
                                      const ShowContour& show) {
   require(!seeds.inside.empty(), "the liver has at least one seed");
   LiverContour result;
-  Tissue tissue = tissue_at(ct, seeds.inside);
-  result.parenchyma = tissue;
-  const LiverSeeds view_seeds{moved(seeds.inside, ct, view.ct), moved(seeds.outside, ct, view.ct)};
-  const Mask seams = seams_of(view, tissue, view_seeds);
-  Start parted;
-  for (int round = 0; round < kStartRounds; ++round) {
-    if (context.cancelled()) return std::nullopt;
-    context.progress(0.3 * round / kStartRounds, "segmentation.start");
-    auto next = start_of(ct, view, tissue, seams, seeds, view_seeds, barred, included, context);
-    if (!next) return std::nullopt;
-    parted = std::move(*next);
-    const Tissue seen = tissue_within(ct, parted.start, 4.0);
-    if (!(seen.sigma > 0.0)) continue;
-    result.parenchyma = seen;
-    // The whole liver differs more than what was found of it.
-    tissue = {seen.mean, std::max(seen.sigma, tissue.sigma)};
-  }
-  Mask &open = parted.open, &start = parted.start, &rival = parted.rival;
+  auto parted = find_start(ct, view, seeds, barred, included, context.part(0.0, 0.3));
+  if (!parted) return std::nullopt;
+  result.parenchyma = parted->parenchyma;
+  Mask &open = parted->open, &start = parted->start, &rival = parted->rival;
   // What belongs to others is closed to the contour, a rim of it aside: where they were parted was a guess.
   Mask never = barred;
   const Mask deep = eroded(rival, kRivalRim);
@@ -481,14 +235,14 @@ Cancellable<LiverContour> find_liver(const Field& ct, const PartingView& view, c
   // From here on only the surroundings of the start matter.
   const VoxelBox box = bounding_box(ct.size, ct.spacing_mm, start.voxels, kReach + 16.0);
   const auto cut = [&](const Mask& mask) { return crop(ct.size, ct.spacing_mm, mask.voxels, box); };
-  Scene scene{ct.cropped(box), cut(open), cut(start), cut(never), cut(included), cut(parted.own), {}};
+  Scene scene{ct.cropped(box), cut(open), cut(start), cut(never), cut(included), cut(parted->own), {}};
   for (const Eigen::Vector3i& p : seeds.outside)
     if (scene.ct.contains(p - box.low)) scene.outside.push_back(p - box.low);
   const auto phi = run_contours(scene, result.parenchyma, context.part(0.3, 1.0), show);
   if (!phi) return std::nullopt;
   result.phi = on_grid_of(ct, *phi, box);
   result.like = std::move(open);
-  result.own = std::move(parted.own);
+  result.own = std::move(parted->own);
   result.closed_ground = std::move(never);
   return result;
 }

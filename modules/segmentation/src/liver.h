@@ -1,27 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "field.h"
-#include "glisson/core/run_context.h"
 #include "level_set.h"
+#include "liver_start.h"
 
 namespace glisson::segmentation {
-
-/// Normal distribution of a tissue's intensity, estimated robustly.
-struct Tissue {
-  double mean = 0.0, sigma = 1.0;
-};
-/// Median and scaled median absolute deviation within `radius_mm` of the points. sigma is kept in
-/// [low_sigma, high_sigma].
-Tissue tissue_around(const Field& ct, const std::vector<Eigen::Vector3i>& points, double radius_mm,
-                     double low_sigma, double high_sigma);
-
-/// The same over a mask's voxels. @pre any is set.
-Tissue tissue_in(const Field& ct, const Mask& mask);
-
-struct LiverSeeds {
-  std::vector<Eigen::Vector3i> inside, outside;  ///< voxels of the field
-};
 
 struct LiverContour {
   Field phi;  ///< mm, negative inside
@@ -29,11 +12,6 @@ struct LiverContour {
   Mask like;           ///< what looks like liver, anywhere
   Mask own;            ///< what of it is the liver's
   Mask closed_ground;  ///< what was barred, and what the clicks outside own
-};
-
-/// The image once more, on voxels on which a seam of fat between two organs can be seen.
-struct PartingView {
-  Field raw, ct;  ///< one grid; ct is denoised
 };
 
 /// Steps: robust statistics at the seeds; a start by parting what looks like liver at its necks and seams

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "field.h"
-#include "liver.h"
+#include "tissue.h"
 
 namespace glisson::segmentation {
 

@@ -3,7 +3,7 @@
 
 #include "field.h"
 #include "glisson/core/run_context.h"
-#include "liver.h"
+#include "liver_start.h"
 
 namespace glisson::segmentation {
 

@@ -3,7 +3,7 @@
 
 #include "field.h"
 #include "glisson/core/run_context.h"
-#include "liver.h"
+#include "tissue.h"
 
 namespace glisson::segmentation {
 

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "liver_start.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <queue>
+
+#include "painting.h"
+#include "parting.h"
+
+namespace glisson::segmentation {
+namespace {
+
+constexpr double kNeck = 6.0;  // mm, half the width of the passages that the start closes
+constexpr double kSeamWidth = 2.2, kSeamTypical = 10.0;  // of the widest tissue; mm around a click
+constexpr double kSeamClosed = 2.0;                      // mm
+constexpr int kStartRounds = 2;
+
+/// Tissue that could be liver: near its intensity, and the bright vessels enclosed by it.
+Mask liver_like(const Field& ct, const Tissue& tissue, double width, const Mask& barred,
+                const Mask& included) {
+  Mask mask = ct.empty_mask();
+  for (std::size_t i = 0; i < mask.voxels.size(); ++i)
+    mask.voxels[i] = std::abs(ct.values[i] - tissue.mean) < width * tissue.sigma || included.voxels[i] != 0;
+  const Mask around = closed(mask, kVesselWidth);
+  for (std::size_t i = 0; i < mask.voxels.size(); ++i) {
+    if (around.voxels[i] != 0 && ct.values[i] > tissue.mean && ct.values[i] < tissue.mean + 130.0)
+      mask.voxels[i] = 1;
+    if (barred.voxels[i] != 0) mask.voxels[i] = 0;
+  }
+  return mask;
+}
+
+/// A mask of one grid on another one of the same image: the nearest voxel counts, beyond its edge 0.
+Mask nearest(const Mask& mask, const Field& from, const Field& to) {
+  Mask result = to.empty_mask();
+  std::array<std::vector<int>, 3> at;
+  for (int axis = 0; axis < 3; ++axis)
+    for (int n = 0; n < to.size[axis]; ++n)
+      at[static_cast<std::size_t>(axis)].push_back(static_cast<int>(std::lround(
+          (to.first_index[axis] + n * to.step[axis] - from.first_index[axis]) / from.step[axis])));
+  std::size_t voxel = 0;
+  for (int k = 0; k < to.size.z(); ++k)
+    for (int j = 0; j < to.size.y(); ++j)
+      for (int i = 0; i < to.size.x(); ++i, ++voxel) {
+        const Eigen::Vector3i v(at[0][static_cast<std::size_t>(i)], at[1][static_cast<std::size_t>(j)],
+                                at[2][static_cast<std::size_t>(k)]);
+        if (from.contains(v)) result.voxels[voxel] = mask.voxels[from.offset(v)];
+      }
+  return result;
+}
+
+/// Places of one grid on another one of the same image; those beside it are dropped.
+std::vector<Eigen::Vector3i> moved(const std::vector<Eigen::Vector3i>& places, const Field& from,
+                                   const Field& to) {
+  std::vector<Eigen::Vector3i> result;
+  for (const Eigen::Vector3i& p : places) {
+    const Eigen::Vector3i v = to.voxel_of(from.first_index + p.cast<double>().cwiseProduct(from.step));
+    if (to.contains(v)) result.push_back(v);
+  }
+  return result;
+}
+
+struct Entry {
+  float cost;
+  std::size_t at;
+  bool operator>(const Entry& other) const { return cost != other.cost ? cost > other.cost : at > other.at; }
+};
+
+/// Who reaches each voxel first: 1 the seeds inside, 2 those outside, 0 nobody. A step costs its length times
+/// (kNeck / depth)^2, depth being the distance to the edge of `open`: fronts run through wide tissue and meet
+/// in the necks.
+std::vector<std::uint8_t> compete(const Field& ct, const Mask& open, const std::vector<float>& depth2,
+                                  const LiverSeeds& seeds, std::vector<float>& cost) {
+  std::vector<std::uint8_t> owner(open.voxels.size(), 0);
+  cost.assign(open.voxels.size(), 1e30F);
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  const auto place = [&](const std::vector<Eigen::Vector3i>& points, std::uint8_t who) {
+    for (const Eigen::Vector3i& p : points) {
+      const std::size_t at = ct.offset(p);
+      cost[at] = 0.0F;
+      owner[at] = who;
+      queue.push({0.0F, at});
+    }
+  };
+  place(seeds.inside, 1);
+  place(seeds.outside, 2);
+  const std::size_t sy = static_cast<std::size_t>(ct.size.x()),
+                    sz = sy * static_cast<std::size_t>(ct.size.y());
+  const auto neck2 = static_cast<float>(kNeck * kNeck);
+  const auto h = static_cast<float>(ct.spacing_mm.minCoeff());
+  while (!queue.empty()) {
+    const Entry entry = queue.top();
+    queue.pop();
+    if (entry.cost > cost[entry.at]) continue;
+    const int i = static_cast<int>(entry.at % sy), j = static_cast<int>((entry.at % sz) / sy),
+              k = static_cast<int>(entry.at / sz);
+    const auto visit = [&](std::size_t other) {
+      if (open.voxels[other] == 0) return;
+      const float next = entry.cost + h * neck2 / std::max(depth2[other], 1.0F);
+      if (next >= cost[other]) return;
+      cost[other] = next;
+      owner[other] = owner[entry.at];
+      queue.push({next, other});
+    };
+    if (i > 0) visit(entry.at - 1);
+    if (i + 1 < ct.size.x()) visit(entry.at + 1);
+    if (j > 0) visit(entry.at - sy);
+    if (j + 1 < ct.size.y()) visit(entry.at + sy);
+    if (k > 0) visit(entry.at - sz);
+    if (k + 1 < ct.size.z()) visit(entry.at + sz);
+  }
+  return owner;
+}
+
+/// The seams between organs around the clicks, on the parting's voxels.
+Mask seams_of(const PartingView& view, const Tissue& tissue, const LiverSeeds& seeds) {
+  Mask where = view.ct.empty_mask(), typical = where;
+  const auto width = static_cast<float>(kSeamWidth * kMostLiverSigma);
+  for (std::size_t i = 0; i < where.voxels.size(); ++i)
+    where.voxels[i] = std::abs(view.ct.values[i] - static_cast<float>(tissue.mean)) < width;
+  for (const Eigen::Vector3i& p : seeds.inside) typical.voxels[typical.offset(p.x(), p.y(), p.z())] = 1;
+  return dark_sheets(view.raw, where, dilated(typical, kSeamTypical));
+}
+
+/// Where the contour starts: what the clicks inside own of the tissue that is wider than a neck.
+Cancellable<LiverStart> start_of(const Field& ct, const PartingView& view, const Tissue& tissue,
+                                 const Mask& seams, const LiverSeeds& seeds, const LiverSeeds& view_seeds,
+                                 const Mask& barred, const Mask& included, const RunContext& context) {
+  Mask parted =
+      liver_like(view.ct, tissue, kLiverWidth, nearest(barred, ct, view.ct), nearest(included, ct, view.ct));
+  for (std::size_t i = 0; i < parted.voxels.size(); ++i)
+    if (seams.voxels[i] != 0) parted.voxels[i] = 0;
+  const auto sides = part_at_necks(view.ct, parted, view_seeds, context);
+  if (!sides) return std::nullopt;
+  LiverStart result;
+  result.open = liver_like(ct, tissue, kLiverWidth, barred, included);
+  result.rival = nearest(sides->rival, view.ct, ct);
+  Mask own = closed(nearest(sides->own, view.ct, ct), kSeamClosed);
+  for (std::size_t i = 0; i < own.voxels.size(); ++i)
+    if (result.open.voxels[i] == 0 || result.rival.voxels[i] != 0) own.voxels[i] = 0;
+  // Where no neck parts a click outside from those inside, fronts from both meet half way.
+  Mask beyond = own;
+  for (auto& v : beyond.voxels) v = v == 0 ? 1 : 0;
+  const std::vector<float> depth2 = squared_distance_mm2(beyond);
+  LiverSeeds within;
+  for (const Eigen::Vector3i& p : seeds.inside)
+    if (own.voxels[ct.offset(p)] != 0) within.inside.push_back(p);
+  for (const Eigen::Vector3i& p : seeds.outside)
+    if (own.voxels[ct.offset(p)] != 0) within.outside.push_back(p);
+  std::vector<float> cost;
+  std::vector<std::uint8_t> owner(own.voxels.size(), 1);
+  if (!within.outside.empty() && !within.inside.empty()) owner = compete(ct, own, depth2, within, cost);
+  Mask core = ct.empty_mask();
+  for (std::size_t i = 0; i < core.voxels.size(); ++i) {
+    if (own.voxels[i] != 0 && owner[i] == 2) result.rival.voxels[i] = 1;
+    if (owner[i] != 1) own.voxels[i] = 0;
+    core.voxels[i] = own.voxels[i] != 0 && depth2[i] > static_cast<float>(kNeck * kNeck);
+  }
+  for (const Eigen::Vector3i& p : seeds.inside) core.voxels[ct.offset(p)] = 1;
+  result.start = dilated(core, kNeck);
+  for (std::size_t i = 0; i < core.voxels.size(); ++i)
+    if (own.voxels[i] == 0) result.start.voxels[i] = 0;
+  for (const Eigen::Vector3i& p : seeds.inside) result.start.voxels[ct.offset(p)] = 1;
+  result.own = std::move(own);
+  return result;
+}
+
+}  // namespace
+
+Cancellable<LiverStart> find_start(const Field& ct, const PartingView& view, const LiverSeeds& seeds,
+                                   const Mask& barred, const Mask& included, const RunContext& context) {
+  Tissue tissue = liver_at(ct, seeds.inside);
+  Tissue parenchyma = tissue;
+  const LiverSeeds view_seeds{moved(seeds.inside, ct, view.ct), moved(seeds.outside, ct, view.ct)};
+  const Mask seams = seams_of(view, tissue, view_seeds);
+  LiverStart parted;
+  for (int round = 0; round < kStartRounds; ++round) {
+    if (context.cancelled()) return std::nullopt;
+    context.progress(static_cast<double>(round) / kStartRounds, "segmentation.start");
+    auto next = start_of(ct, view, tissue, seams, seeds, view_seeds, barred, included, context);
+    if (!next) return std::nullopt;
+    parted = std::move(*next);
+    const Tissue seen = tissue_within(ct, parted.start, 4.0);
+    if (!(seen.sigma > 0.0)) continue;
+    parenchyma = seen;
+    // The whole liver differs more than what was found of it.
+    tissue = {seen.mean, std::max(seen.sigma, tissue.sigma)};
+  }
+  parted.parenchyma = parenchyma;
+  return parted;
+}
+
+}  // namespace glisson::segmentation

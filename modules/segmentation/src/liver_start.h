@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "glisson/core/run_context.h"
+#include "tissue.h"
+
+namespace glisson::segmentation {
+
+struct LiverSeeds {
+  std::vector<Eigen::Vector3i> inside, outside;  ///< voxels of the field
+};
+
+/// The image once more, on voxels on which a seam of fat between two organs can be seen.
+struct PartingView {
+  Field raw, ct;  ///< one grid; ct is denoised
+};
+
+inline constexpr double kLiverWidth = 2.2;  // standard deviations that count as liver at first
+
+/// Who owns the liver-like tissue.
+struct LiverStart {
+  Mask open;   ///< what looks like liver, anywhere
+  Mask own;    ///< what of it is the liver's
+  Mask start;  ///< what of that is wider than a neck: where the contour starts
+  Mask rival;  ///< what the clicks outside own
+  Tissue parenchyma;
+};
+
+/// Robust statistics at the clicks; what looks like that is parted at its necks and seams (see
+/// part_at_necks()); once more with the statistics of what was found.
+/// @param barred, included known not to be liver, known to be.
+Cancellable<LiverStart> find_start(const Field& ct, const PartingView& view, const LiverSeeds& seeds,
+                                   const Mask& barred, const Mask& included, const RunContext& context);
+
+}  // namespace glisson::segmentation
