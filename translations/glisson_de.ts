@@ -2196,6 +2196,10 @@
         <source>A person has chosen this place among several; the points alone gave it %1 %.</source>
         <translation>Jemand hat diesen Ort unter mehreren gewählt; die Punkte allein gaben ihm %1 %.</translation>
     </message>
+    <message>
+        <source>%1: no border was found where its diameter was drawn. It is a ball of that diameter: check it in the slices.</source>
+        <translation>%1: Wo der Durchmesser gezogen wurde, fand sich kein Rand. Markiert ist eine Kugel dieses Durchmessers: in den Schichten prüfen.</translation>
+    </message>
 </context>
 <context>
     <name>Obstacles</name>

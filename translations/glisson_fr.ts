@@ -2196,6 +2196,10 @@
         <source>A person has chosen this place among several; the points alone gave it %1 %.</source>
         <translation>Une personne a choisi cette position parmi plusieurs ; les points seuls lui donnaient %1 %.</translation>
     </message>
+    <message>
+        <source>%1: no border was found where its diameter was drawn. It is a ball of that diameter: check it in the slices.</source>
+        <translation>%1 : aucun bord n’a été trouvé là où le diamètre a été tracé. C’est une boule de ce diamètre : à vérifier dans les coupes.</translation>
+    </message>
 </context>
 <context>
     <name>Obstacles</name>

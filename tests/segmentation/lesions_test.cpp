@@ -24,8 +24,9 @@ struct Phantom {
   std::vector<std::uint8_t> lesion;
 };
 
-/// @param look HU at a place `f` mm from the lesion's boundary, negative inside.
-Phantom phantom(const std::function<double(const Vec&, double f)>& look) {
+/// @param look HU at a place `f` mm from the lesion's boundary, negative inside. @param blur_mm of the edge
+/// between lesion and liver: sigma of an even point spread.
+Phantom phantom(const std::function<double(const Vec&, double f)>& look, double blur_mm = 0.0) {
   Phantom result;
   VolumeGrid& grid = result.image.grid;
   grid.size = {80, 72, 50};
@@ -44,7 +45,9 @@ Phantom phantom(const std::function<double(const Vec&, double f)>& look) {
         const bool vessel = std::hypot(p.x() - 60.0, p.y() - 54.0 + 0.9 * kRadius + 3.0) < 4.0;
         double hu = liver ? kLiver : -90.0;
         if (vessel && liver) hu = 170.0;
-        if (f < 0.0) hu = look(p, f);
+        if (f < 0.0 && blur_mm == 0.0) hu = look(p, f);
+        const double share = blur_mm > 0.0 ? 0.5 * std::erfc(f / (std::sqrt(2.0) * blur_mm)) : 0.0;
+        if (blur_mm > 0.0 && liver && !vessel) hu += share * (look(p, f) - hu);
         result.lesion.push_back(f < 0.0 ? 1 : 0);
         labels.push_back(liver ? structure::kParenchyma : structure::kBackground);
         voxels.push_back(static_cast<std::int16_t>(std::lround(hu + noise(random))));
@@ -58,7 +61,9 @@ Phantom phantom(const std::function<double(const Vec&, double f)>& look) {
 struct Grown {
   double dice = 0.0, ml = 0.0;
   std::vector<std::string> notes;
+  bool says(const char* note) const { return std::find(notes.begin(), notes.end(), note) != notes.end(); }
 };
+double ball_ml(double diameter_mm) { return M_PI / 6.0 * std::pow(diameter_mm, 3) * 1e-3; }
 /// @param off from the lesion's middle, mm.
 Grown grown(const Phantom& phantom, const Vec& off, double diameter_mm = 0.0) {
   Seeds seeds;
@@ -81,9 +86,12 @@ class LesionsTest : public QObject {
  private slots:
   void OneClickAnywhereFindsIt_data();
   void OneClickAnywhereFindsIt();
+  void ABlurredEdgeIsNotTheLesions();
   void WhatIsNoLesionIsNotFound();
+  void AFaintRimIsFoundOrSaid();
   void ADiameterFindsWhatCannotBeSeen();
   void ADiameterBoundsIt();
+  void ADiameterDoesNotHideABorder();
   void ALesionInAHandsOtherUnitsIsRefused();
 };
 
@@ -110,26 +118,59 @@ void LesionsTest::OneClickAnywhereFindsIt() {
   }
 }
 
+void LesionsTest::ABlurredEdgeIsNotTheLesions() {
+  // A ball's edge is blurred by a known point spread: the boundary lies nearer to it than where a tenth of
+  // the step is left.
+  constexpr double kBlur = 1.2, kTenth = 1.2816;  // mm; sigmas
+  const Phantom made = phantom(dark, kBlur);
+  const double truth = 1.15 * 0.9 * ball_ml(2.0 * kRadius);
+  const double most = truth * std::pow(1.0 + kTenth * kBlur / kRadius, 3);
+  const Grown one = grown(made, Vec(3, 2, -2));
+  QVERIFY2(one.ml > 0.95 * truth && one.ml < most, qPrintable(QString::number(one.ml / truth)));
+}
+
 void LesionsTest::WhatIsNoLesionIsNotFound() {
   const Phantom none = phantom([](const Vec&, double) { return kLiver; });
   const Grown one = grown(none, Vec(3, 0, 2));
   QCOMPARE(one.ml, 0.0);
-  QVERIFY(std::find(one.notes.begin(), one.notes.end(), "lesion_1.not_found") != one.notes.end());
+  QVERIFY(one.says("lesion_1.not_found"));
+}
+
+void LesionsTest::AFaintRimIsFoundOrSaid() {
+  for (const double rim : {114.0, 122.0, 130.0, 140.0}) {
+    const Phantom made = phantom([&](const Vec&, double f) { return f > -3.0 ? rim : kLiver; });
+    const Grown one = grown(made, Vec(3, 0, 2));
+    QVERIFY2(one.dice > 0.7 || (one.ml == 0.0 && one.says("lesion_1.not_found")),
+             qPrintable(QString::number(rim)));
+    QVERIFY(grown(made, Vec::Zero(), 2.0 * kRadius).dice > 0.75);
+  }
 }
 
 void LesionsTest::ADiameterFindsWhatCannotBeSeen() {
   // As bright as the liver: only the hand knows.
   const Phantom hidden = phantom([](const Vec&, double) { return kLiver; });
-  QVERIFY(grown(hidden, Vec::Zero(), 2.0 * kRadius).dice > 0.75);  // a ball is what is left
+  for (const double diameter : {12.0, 2.0 * kRadius, 40.0}) {
+    const Grown one = grown(hidden, Vec(0, 0, 6), diameter);
+    QVERIFY(std::abs(one.ml / ball_ml(diameter) - 1.0) < 0.05);
+    QVERIFY(one.says("lesion_1.as_drawn"));
+  }
 }
 
 void LesionsTest::ADiameterBoundsIt() {
-  // What looks alike reaches on to the liver's rim; the diameter tells where the lesion ends.
+  // What looks alike reaches to twice the diameter: no border lies where it ends.
   const Phantom made = phantom(dark);
   const Grown small = grown(made, Vec::Zero(), kRadius);
-  const double half = 4.0 / 3.0 * M_PI * std::pow(0.5 * kRadius, 3) * 1e-3;
-  QVERIFY2(small.ml < 4.0 * half, qPrintable(QString::number(small.ml)));
-  QVERIFY(grown(made, Vec::Zero(), 2.0 * kRadius).dice > 0.85);
+  QVERIFY2(std::abs(small.ml / ball_ml(kRadius) - 1.0) < 0.05, qPrintable(QString::number(small.ml)));
+  QVERIFY(small.says("lesion_1.as_drawn"));
+}
+
+void LesionsTest::ADiameterDoesNotHideABorder() {
+  const Phantom made = phantom(dark);
+  for (const double diameter : {1.8 * kRadius, 2.0 * kRadius, 2.2 * kRadius}) {
+    const Grown one = grown(made, Vec::Zero(), diameter);
+    QVERIFY2(one.dice > 0.85, qPrintable(QString::number(one.dice)));
+    QVERIFY(!one.says("lesion_1.as_drawn"));
+  }
 }
 
 void LesionsTest::ALesionInAHandsOtherUnitsIsRefused() {

@@ -45,6 +45,10 @@ void TextsTest::StructuresInNotesHaveTheirNames() {
       QStringLiteral(
           "Lesion 2 was not found: nothing at its seeds differs from the liver. Drag across it in a slice "
           "to tell its diameter, or paint it."));
+  QCOMPARE(
+      ui::note_text("lesion_2.as_drawn"),
+      QString("Lesion 2: no border was found where its diameter was drawn. It is a ball of that diameter: "
+              "check it in the slices."));
   QVERIFY(ui::note_text("lesion.dropped lesion_3 mm3 12.5").startsWith(QStringLiteral("Lesion 3")));
   QVERIFY(ui::note_text("lesion.dropped lesion_3 mm3 12.5").contains(QStringLiteral("12.5 mm")));
 }

@@ -253,6 +253,7 @@ bool add_lesions(const Image& image, const Seeds& seeds, Bodies& bodies, const R
                         [&](const LesionScene& scene, const LesionClick& click) {
                           GrownLesion one = grow_lesion(scene, click);
                           lesion.bright = lesion.bright || one.bright;
+                          lesion.borderless = lesion.borderless || one.borderless;
                           return std::move(one.phi);
                         });
     bodies.lesions.push_back(std::move(lesion));

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "edge.h"
 #include "glisson/core/statistics.h"
 #include "star.h"
 
@@ -67,8 +68,9 @@ double normal(double x, const Tissue& tissue) {
 }
 
 /// Log of how much likelier an intensity is in the lesion than in the liver, from -3 to 3. A lesion is tissue
-/// like that at the click, anything between that and the liver (its border is a mixture of both), and
-/// anything at all (necrosis, fluid, calcification); a liver its parenchyma, and brighter vessels.
+/// like that at the click, anything between that and the liver (its border is a mixture of both, and people
+/// draw around it), and anything at all (necrosis, fluid, calcification); a liver its parenchyma, and
+/// brighter vessels.
 class Evidence {
  public:
   static constexpr double kMost = 3.0;
@@ -211,6 +213,40 @@ Beginning begin(const LesionScene& scene, const LesionClick& click) {
   return begun;
 }
 
+/// Denoising smooths a faint edge most, and the evidence takes what is between lesion and liver for the
+/// lesion's: together they carry the boundary outwards. It is placed in the CT as it came.
+void find_edge(const LesionScene& scene, const Evidence& evidence, Star& star) {
+  std::vector<std::uint8_t> may(scene.raw.values.size(), 0);
+  for (std::size_t i = 0; i < may.size(); ++i) may[i] = scene.barred.voxels[i] == 0 && is_organ(scene, i);
+  move_to_edge({scene.raw, may, evidence}, star);
+}
+
+/// Whether a body ends where the hand that drew its diameter saw it end: not so wide that the hand must have
+/// been wrong, and with something else just beyond than just within.
+bool ends_as_drawn(const LesionScene& scene, const Star& star, const Tissue& liver, double diameter_mm) {
+  constexpr double kWidest = 0.5 + Star::kDrawnShare;  // of the diameter
+  constexpr double kFrom = 1.0, kTo = 4.0;             // mm
+  if (star.mean_radius_mm() > kWidest * diameter_mm) return false;
+  const auto within = tissue_beyond(scene, scene.ct, star, -kTo, -kFrom);
+  const auto beyond = tissue_beyond(scene, scene.ct, star, kFrom, kTo);
+  return within && beyond && std::abs(within->mean - beyond->mean) > kTold * liver.sigma;
+}
+
+/// A ball as it was drawn, but for what is barred and what is not in the liver.
+Field drawn_ball(const LesionScene& scene, const LesionClick& click) {
+  const bool in_liver = is_organ(scene, scene.ct.offset(click.place));
+  Field phi = scene.ct.filled(static_cast<float>(kBand));
+  std::size_t at = 0;
+  for (int k = 0; k < phi.size.z(); ++k)
+    for (int j = 0; j < phi.size.y(); ++j)
+      for (int i = 0; i < phi.size.x(); ++i, ++at) {
+        if (scene.barred.voxels[at] != 0 || (in_liver && !is_organ(scene, at))) continue;
+        const Vec off = (Eigen::Vector3i(i, j, k) - click.place).cast<double>().cwiseProduct(phi.spacing_mm);
+        phi.values[at] = static_cast<float>(std::clamp(off.norm() - 0.5 * click.diameter_mm, -kBand, kBand));
+      }
+  return phi;
+}
+
 }  // namespace
 
 double lesion_reach_mm(double diameter_mm) { return diameter_mm > 0.0 ? 0.75 * diameter_mm + 5.0 : kReach; }
@@ -235,8 +271,11 @@ GrownLesion grow_lesion(const LesionScene& scene, const LesionClick& click) {
     star = grow_star(scene.ct, evidence, star, inside, kLastMoves, begun.options);
   }
   if (!drawn && gathered(scene.ct, evidence, star, begun.options) < kLeastFound) return {};
+  if (drawn && rim == 0.0 && !ends_as_drawn(scene, star, begun.liver, click.diameter_mm))
+    return {drawn_ball(scene, click), false, true};
+  if (rim == 0.0) find_edge(scene, Evidence(begun.own, begun.liver, drawn), star);
   return {distance_to(star, scene.ct, kBand),
-          rim > 0.0 || begun.own.mean > begun.liver.mean + kTold * begun.liver.sigma};
+          rim > 0.0 || begun.own.mean > begun.liver.mean + kTold * begun.liver.sigma, false};
 }
 
 LesionGuess guess_lesion(const LesionScene& scene, const LesionClick& click) {

@@ -22,6 +22,7 @@ struct LesionClick {
 struct GrownLesion {
   Field phi;  ///< mm, negative inside, on the scene's grid; no values: nothing there is unlike the liver
   bool bright = false;  ///< it enhances, or its rim does: what is bright in it is no vessel
+  bool borderless = false;  ///< nothing was found where it was drawn: a ball of the diameter
 };
 
 /// How far from a click a lesion is looked for, mm.
@@ -30,7 +31,8 @@ double lesion_reach_mm(double diameter_mm);
 /// A lesion from a click in it: the star-shaped body that best parts what is not this liver from what is
 /// (grow_star()), by the log likelihood ratio of the two tissues, both read at the place. A bright rim
 /// belongs to it where the median over all rays shows one; what only few rays meet is a vessel.
-/// @return with a diameter there is always something.
+/// Its boundary is the edge in the CT that was not denoised (move_to_edge()).
+/// @return with a diameter there is always something: where no border is seen, a ball of that diameter.
 GrownLesion grow_lesion(const LesionScene& scene, const LesionClick& click);
 
 /// What can be said of it before the liver is known: a ball that nearly all rays reach is sure; all that is

@@ -304,7 +304,7 @@ SegmentationReport report_of(const LabelMap& labels, const Seeds& seeds) {
 }
 
 /// Codes, not sentences: what a person should look at.
-void note_doubts(const Seeds& seeds, SegmentationReport& report) {
+void note_doubts(const Seeds& seeds, const std::vector<GrownLesion>& lesions, SegmentationReport& report) {
   if (report.liver_ml < 400.0) report.notes.emplace_back("liver.small");
   if (report.liver_ml > 4000.0) report.notes.emplace_back("liver.large");
   if (seeds.portal_vein.rows() > 0 && report.portal_ml == 0.0)
@@ -314,6 +314,9 @@ void note_doubts(const Seeds& seeds, SegmentationReport& report) {
   for (std::size_t n = 0; n < report.lesion_ml.size(); ++n)
     if (seeds.lesions[n].rows() > 0 && report.lesion_ml[n] == 0.0)
       report.notes.push_back("lesion_" + std::to_string(n + 1) + ".not_found");
+  for (std::size_t n = 0; n < lesions.size(); ++n)
+    if (lesions[n].borderless && report.lesion_ml[n] > 0.0)
+      report.notes.push_back("lesion_" + std::to_string(n + 1) + ".as_drawn");
 }
 
 bool is_in_liver(Label label) {
@@ -397,7 +400,7 @@ Cancellable<Segmented> segment(const Image& whole, const Seeds& all_seeds, const
   Segmented result;
   result.labels = placed(painting, box, options.region, whole.grid, all_kept);
   result.report = report_of(result.labels, seeds);
-  note_doubts(seeds, result.report);
+  note_doubts(seeds, bodies->lesions, result.report);
   if (anew.liver) note_clicks(painting, seeds, result.report);
   context.progress(1.0, "segmentation.finish");
   return result;

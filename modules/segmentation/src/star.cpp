@@ -13,25 +13,10 @@ using Vec = Eigen::Vector3d;
 /// Of each ray, the evidence gathered up to a boundary after so many steps.
 using Sums = std::vector<std::vector<float>>;
 
-double trilinear(const Field& field, const std::vector<float>& values, const Vec& at) {
-  const Eigen::Vector3i last = field.size - Eigen::Vector3i::Ones();
-  const Vec x = at.cwiseMax(0.0).cwiseMin(last.cast<double>());
-  const Eigen::Vector3i low = x.array().floor().matrix().cast<int>();
-  const Vec t = x - low.cast<double>();
-  double sum = 0.0;
-  for (int corner = 0; corner < 8; ++corner) {
-    const Eigen::Vector3i step(corner & 1, (corner >> 1) & 1, corner >> 2);
-    double weight = 1.0;
-    for (int axis = 0; axis < 3; ++axis) weight *= step[axis] != 0 ? t[axis] : 1.0 - t[axis];
-    sum += weight * values[field.offset((low + step).cwiseMin(last))];
-  }
-  return sum;
-}
-
 /// What speaks for a radius of half the diameter.
 double prior(double radius_mm, double diameter_mm) {
-  constexpr double kShare = 0.15, kWeight = 2.0;
-  const double z = (radius_mm - 0.5 * diameter_mm) / (kShare * diameter_mm);
+  constexpr double kWeight = 2.0;
+  const double z = (radius_mm - 0.5 * diameter_mm) / (Star::kDrawnShare * diameter_mm);
   return -kWeight * z * z;
 }
 
@@ -113,6 +98,21 @@ Vec centroid_of(const Star& star) {
 }
 
 }  // namespace
+
+double trilinear(const Field& field, const std::vector<float>& values, const Vec& at) {
+  const Eigen::Vector3i last = field.size - Eigen::Vector3i::Ones();
+  const Vec x = at.cwiseMax(0.0).cwiseMin(last.cast<double>());
+  const Eigen::Vector3i low = x.array().floor().matrix().cast<int>();
+  const Vec t = x - low.cast<double>();
+  double sum = 0.0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Eigen::Vector3i step(corner & 1, (corner >> 1) & 1, corner >> 2);
+    double weight = 1.0;
+    for (int axis = 0; axis < 3; ++axis) weight *= step[axis] != 0 ? t[axis] : 1.0 - t[axis];
+    sum += weight * values[field.offset((low + step).cwiseMin(last))];
+  }
+  return sum;
+}
 
 Rays::Rays() : near_(kCount) {
   const double golden = M_PI * (3.0 - std::sqrt(5.0)), count = static_cast<double>(kCount);

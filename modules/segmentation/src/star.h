@@ -8,6 +8,9 @@
 
 namespace glisson::segmentation {
 
+/// Values of a field's grid at a place, voxels; constant beyond its edge.
+double trilinear(const Field& field, const std::vector<float>& values, const Eigen::Vector3d& at);
+
 /// Directions spread evenly over the sphere (a spiral of golden angles), and of each its nearest ones.
 class Rays {
  public:
@@ -25,8 +28,9 @@ const Rays& rays();
 
 /// A body each of whose points is seen from its middle.
 struct Star {
-  Eigen::Vector3d middle;  ///< voxels of a field, real-valued
-  std::vector<int> radii;  ///< one for each ray, in steps; empty: none
+  static constexpr double kDrawnShare = 0.15;  ///< of a drawn diameter: the deviation of a body's radius
+  Eigen::Vector3d middle;                      ///< voxels of a field, real-valued
+  std::vector<int> radii;                      ///< one for each ray, in steps; empty: none
   double radius_mm(std::size_t ray) const { return Rays::kStep * radii[ray]; }
   double mean_radius_mm() const;
   /// Towards a place: that of the ray nearest to it.

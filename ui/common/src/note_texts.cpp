@@ -172,6 +172,11 @@ class Notes {
               "diameter, or paint it.")
         .arg(lesion);
   }
+  static QString lesion_as_drawn(const QString& lesion) {
+    return tr("%1: no border was found where its diameter was drawn. It is a ball of that diameter: check it "
+              "in the slices.")
+        .arg(lesion);
+  }
 };
 
 QString structure_named(const QString& code) {
@@ -218,6 +223,10 @@ QString note_text(std::string_view note) {
   if (code.endsWith(not_found))
     if (const QString structure = structure_named(code.chopped(not_found.size())); !structure.isEmpty())
       return Notes::lesion_not_found(structure);
+  const QString as_drawn = QStringLiteral(".as_drawn");
+  if (code.endsWith(as_drawn))
+    if (const QString structure = structure_named(code.chopped(as_drawn.size())); !structure.isEmpty())
+      return Notes::lesion_as_drawn(structure);
   QString text = readable_code(code.toStdString());
   for (qsizetype i = 1; i < tokens.size(); ++i) text += QLatin1Char(' ') + value_text(tokens[i]);
   return text;
