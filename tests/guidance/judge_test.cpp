@@ -6,6 +6,7 @@
 #include "filmed_phantom.h"
 #include "glisson/core/error.h"
 #include "glisson/guidance/tracker.h"
+#include "judge.h"
 #include "motion_check.h"
 #include "picture_check.h"
 #include "surface_check.h"
@@ -27,6 +28,8 @@ class JudgeTest : public QObject {
   void WhatIsCoveredIsNotSupported();
   void WrongStartIsWithdrawnAndTheRightOneIsNot();
   void StandingPictureIsWithdrawn();
+  void WhatIsSetElsewhereIsShownOnlyWhenSurfacesAgree_data();
+  void WhatIsSetElsewhereIsShownOnlyWhenSurfacesAgree();
   void VerdictsRepeat();
   void UnusableOptionsAreRefused();
 
@@ -202,6 +205,33 @@ void JudgeTest::StandingPictureIsWithdrawn() {
   OverlayFrame overlay;
   for (int k = 1; k < 15; ++k) overlay = tracker.follow(first_);
   QVERIFY2(overlay.validity == Validity::picture_stands, validity_code(overlay.validity));
+}
+
+void JudgeTest::WhatIsSetElsewhereIsShownOnlyWhenSurfacesAgree_data() {
+  QTest::addColumn<double>("off");
+  QTest::newRow("where it is") << 0.0;
+  QTest::newRow("nearer by 15 mm") << -15e-3;
+}
+
+void JudgeTest::WhatIsSetElsewhereIsShownOnlyWhenSurfacesAgree() {
+  QFETCH(double, off);
+  const JudgeOptions options;
+  Judge judge(model_, rig_, {}, options);
+  judge.begin(first_, nodes_);
+  QVERIFY(!judge.is_undecided());
+  judge.distrust();
+  QVERIFY(judge.is_undecided());
+  const std::vector<FollowedPoint> points = grid(rig_);
+  // The first surface is of the next frame; each takes `lag` frames. Three must agree, two refute.
+  const int confirmed = 1 + 3 * options.lag, refuted = 1 + 2 * options.lag;
+  for (int k = 1; k <= confirmed; ++k) {
+    OverlayFrame overlay;
+    overlay.nodes_in_camera = moved({0.0, 0.0, off});
+    const Validity said = judge.judge(first_, points, points, overlay);
+    const bool is_right = off == 0.0;
+    QCOMPARE(said, is_right && k == confirmed ? Validity::valid : Validity::surface_apart);
+    QCOMPARE(judge.is_undecided(), k < (is_right ? confirmed : refuted));
+  }
 }
 
 void JudgeTest::VerdictsRepeat() {

@@ -44,6 +44,37 @@ class RelocationTest : public QObject {
     QVERIFY2(error < 1.5e-3, qPrintable(QString("%1 mm").arg(1e3 * error)));
   }
 
+  void AScopePutBackElsewhereIsShownAgainWithinASecondAndNeverWrongly() {
+    TrackerOptions options;
+    options.points = 80;
+    options.boundary_young_modulus = 0.0;  // nothing holds this body
+    Tracker tracker(model_, start_, options);
+    tracker.begin(rig_, first_, {});
+    // Tissue that breathes, before a camera that is turned and shifted from frame 12 on.
+    const Eigen::Vector3d middle = nodes_.colwise().mean();
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.3, Eigen::Vector3d(0.2, 0.1, 1.0).normalized()).matrix();
+    const auto truth = [&](int k) {
+      const Points breathing = nodes_.rowwise() + Eigen::RowVector3d(0.0, 0.4e-3 * k, -0.2e-3 * k);
+      if (k < 12) return breathing;
+      return Points(((breathing.rowwise() - middle.transpose()) * turn.transpose()).rowwise() +
+                    (middle + Eigen::Vector3d(0.012, -0.01, 0.004)).transpose());
+    };
+    constexpr int kBack = 12;
+    int shown = -1;
+    for (int k = 1; k < kBack + 30 && shown < 0; ++k) {
+      StereoFrame frame = phantom::film(model_, truth(k), rig_, k);
+      const bool is_dark = k >= 6 && k < kBack;
+      if (is_dark) frame.left = frame.right = phantom::plain(rig_.left, 4);
+      const OverlayFrame overlay = tracker.follow(frame);
+      const double error = point_errors(overlay.nodes_in_camera, truth(k)).mean;
+      if (overlay.validity == Validity::valid)
+        QVERIFY2(error < 3e-3, qPrintable(QString("frame %1: %2 mm").arg(k).arg(1e3 * error)));
+      QVERIFY(!is_dark || overlay.validity != Validity::valid);
+      if (k >= kBack && overlay.validity == Validity::valid) shown = k;
+    }
+    QVERIFY2(shown >= 0, "not within a second");
+  }
+
   void AnotherOrganIsNotTakenForIt() {
     Tracker tracker = begun();
     PatientModel other = model_;

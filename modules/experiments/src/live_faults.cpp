@@ -189,23 +189,18 @@ void add_covers(std::vector<LiveFault>& faults, const StereoRig& rig, int onset,
       }));
 }
 
-/// The picture is somewhere else from one frame to the next. A shift stands for a turn of the camera; much
-/// larger ones would break the rows of two views that are not quite parallel.
-/// @param dark frames between without a picture: the laparoscope is taken out, wiped and put back.
-LiveFault jump(const char* name, const StereoRig& rig, int onset, int dark, double pixels) {
+/// The laparoscope is somewhere else from one frame to the next, and moves there. It is filmed so: to shift
+/// the picture aside would break the rows of two views and shear what they show.
+/// @param dark frames between without a picture: it is taken out, wiped and put back.
+LiveFault jump(const char* name, int onset, int dark) {
   LiveFault fault;
   fault.name = name;
-  fault.good_from = onset + dark;
-  fault.show = ramp(onset, onset + 1, [=](cv::Mat& picture, bool, double, int k) {
-    if (k < onset + dark) {
-      picture.setTo(cv::Scalar::all(3));
-      return;
-    }
-    const cv::Mat slide = (cv::Mat_<double>(2, 3) << 1, 0, pixels, 0, 1, 0);
-    cv::warpAffine(picture.clone(), picture, slide, picture.size(), cv::INTER_LINEAR, cv::BORDER_REPLICATE);
-  });
-  const double angle = std::atan(pixels / rig.left.matrix(0, 0));
-  fault.true_turn = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitY()).toRotationMatrix();
+  fault.elsewhere_from = onset + dark;
+  fault.show = [=](const Film& film, int k) {
+    const StereoFrame& frame = film[static_cast<std::size_t>(k)];
+    if (k < onset || k >= onset + dark) return frame;
+    return both(frame, [](cv::Mat& picture, bool) { picture.setTo(cv::Scalar::all(3)); });
+  };
   return fault;
 }
 
@@ -221,8 +216,8 @@ std::vector<LiveFault> live_faults(const StereoRig& rig, int onset, int last, st
   add_starts(faults);
   add_stale_views(faults, onset, seed);
   add_covers(faults, rig, onset, last, seed);
-  faults.push_back(jump("jump_60px", rig, onset, 0, 60.0));
-  faults.push_back(jump("taken_out", rig, onset, 20, -60.0));
+  faults.push_back(jump("scope_jumps", onset, 0));
+  faults.push_back(jump("scope_taken_out", onset, 20));
   return faults;
 }
 

@@ -25,11 +25,8 @@ struct LiveFault {
   std::function<StereoFrame(const Film& film, int k)> show;
   /// Not a fault: the laparoscope is held by a hand. The film is another one.
   bool scope_moves = false;
-  /// From this frame on the picture shows the organ well again, though elsewhere; -1: never.
-  int good_from = -1;
-  /// From where it truly is to where the camera as calibrated would have to see it, once the fault is there:
-  /// a picture that jumped aside is a camera that turned.
-  Eigen::Matrix3d true_turn = Eigen::Matrix3d::Identity();
+  /// From this frame on the laparoscope is in a hand, elsewhere: the film is the other one. -1: never.
+  int elsewhere_from = -1;
 };
 
 /// All of the table, the first of them none.

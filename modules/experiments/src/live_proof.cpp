@@ -49,20 +49,23 @@ std::vector<Judged> run(const LiveStage& stage, const LiveFault& fault, int onse
   start.nodes_in_camera = ((stage.start.rowwise() - middle) * fault.start_turn.transpose()).rowwise() +
                           (middle + fault.start_shift.transpose());
   guidance::Tracker tracker(stage.model, start, {});
-  const auto& [film, true_targets] = fault.scope_moves ? stage.held : stage.standing;
-  const auto shown = [&, &frames_shown = film](int k) {
-    return fault.show ? fault.show(frames_shown, k) : frames_shown[static_cast<std::size_t>(k)];
+  const auto filmed = [&](int k) -> const Filmed& {
+    const bool held = fault.scope_moves || (fault.elsewhere_from >= 0 && k >= fault.elsewhere_from);
+    return held ? stage.held : stage.standing;
+  };
+  const auto shown = [&](int k) {
+    const Film& film = filmed(k).film;
+    return fault.show ? fault.show(film, k) : film[static_cast<std::size_t>(k)];
   };
   tracker.begin(stage.rig, shown(0), {});
   const Binding targets = bind_points(stage.model.mesh, stage.targets_in_model);
   std::vector<Judged> frames;
-  for (int k = 1; k < static_cast<int>(film.size()); ++k) {
+  for (int k = 1; k < static_cast<int>(stage.standing.film.size()); ++k) {
     Judged judged;
     judged.frame = k;
     judged.overlay = tracker.follow(shown(k));
     judged.faulty = fault.name != "none" && !fault.scope_moves && (!fault.show || k >= onset);
-    Points truth = true_targets[static_cast<std::size_t>(k)];
-    if (fault.show && k >= onset) truth = truth * fault.true_turn.transpose();
+    const Points& truth = filmed(k).targets[static_cast<std::size_t>(k)];
     const Points found = targets.apply(stage.model.mesh, judged.overlay.nodes_in_camera);
     judged.error = (found - truth).rowwise().norm().maxCoeff();
     frames.push_back(std::move(judged));
@@ -82,7 +85,7 @@ struct Tally {
   int latest = -1;    ///< frames from the first over 10 mm (or the fault) to the first not valid
   bool is_in_time = true;
 
-  /// @param good_from of the fault.
+  /// @param good_from the frame from which the picture shows the organ well again; -1: never.
   void add_return(const std::vector<Judged>& run, int good_from) {
     if (good_from < 0) return;
     int first = run.back().frame + 1;
@@ -245,7 +248,7 @@ bool try_faults(const LiveStage& stage, const std::string& name, std::uint64_t s
     const std::vector<Judged> frames = run(stage, faults[i], options.onset);
     Tally& tally = gathered.of(faults[i].name);
     tally.add(frames);
-    tally.add_return(frames, faults[i].good_from);
+    tally.add_return(frames, faults[i].elsewhere_from);
     for (const Judged& judged : frames) csv += csv_line(name, faults[i].name, judged);
   }
   return true;

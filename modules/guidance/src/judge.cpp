@@ -15,6 +15,9 @@ namespace glisson::guidance {
 namespace {
 
 constexpr int kFramesPerPicture = 3;  ///< contrast changes slowly
+constexpr int kRefuted = 2;           ///< bad surfaces in a row, as many as raise a doubt
+/// Surfaces that may neither confirm nor refute a place before it counts as not found.
+constexpr int kMostUndecided = 6;
 
 }  // namespace
 
@@ -48,7 +51,8 @@ struct Judge::Impl {
   void begin(const StereoFrame& first, const Points& nodes) {
     if (pending.valid()) pending.wait();
     pending = {};
-    frames = 0;
+    frames = looked = 0;
+    undecided = false;
     motion = {};
     first_signal = measure(first.left).signal();
     take(surface.check(first.left, first.right, nodes));
@@ -80,14 +84,32 @@ struct Judge::Impl {
   }
 
   void look_at_surface(const StereoFrame& frame, const Points& nodes) {
-    if (frames % options.every == 0 && !pending.valid())
+    compare_surface();
+    // While nothing is shown because the model was set elsewhere, one surface is made after the other.
+    if (!pending.valid() && frames - looked >= (undecided ? options.lag : options.every)) {
+      looked = frames;
       pending = std::async(std::launch::async,
                            [this, frame, nodes] { return surface.check(frame.left, frame.right, nodes); });
-    if (frames % options.every == options.lag && pending.valid()) {
-      take(pending.get());
-      apart.push(apartness(), 1.0, options.relief);
-      covered.push(coverage(), 1.0, options.relief);
+      compare_surface();
     }
+  }
+  /// Of `lag` frames ago.
+  void compare_surface() {
+    if (!pending.valid() || frames - looked < options.lag) return;
+    take(pending.get());
+    apart.push(apartness(), 1.0, options.relief);
+    covered.push(coverage(), 1.0, options.relief);
+    against = apartness() >= 1.0 ? against + 1 : 0;
+    ++looks;
+    undecided = undecided && apart.stands() && against < kRefuted && looks < kMostUndecided;
+  }
+  void distrust() {
+    if (pending.valid()) pending.wait();
+    pending = {};
+    apart.set(true);
+    undecided = true;
+    against = looks = 0;
+    looked = frames - options.every;  // the next frame is looked at
   }
   void look_at_pictures(const StereoFrame& frame) {
     if (frames % kFramesPerPicture != 0) return;
@@ -120,6 +142,10 @@ struct Judge::Impl {
   Evidence evidence;
   double first_supported = 0.0, first_signal = 0.0;
   int frames = 0;
+  int looked = 0;          ///< the frame whose surface was made last
+  bool undecided = false;  ///< set elsewhere, and surfaces have neither confirmed nor refuted it
+  int against = 0;         ///< bad surfaces in a row
+  int looks = 0;           ///< surfaces since it was set elsewhere
   Alarm apart{2, 3}, covered{2, 3}, poor{3, 4}, stands{1, 6}, views{3, 10};
   std::future<SurfaceEvidence> pending;
 };
@@ -133,11 +159,8 @@ void Judge::begin(const StereoFrame& first, const Points& nodes_in_camera) {
   impl_->begin(first, nodes_in_camera);
 }
 
-void Judge::distrust() {
-  if (impl_->pending.valid()) impl_->pending.wait();
-  impl_->pending = {};
-  impl_->apart.set(true);
-}
+void Judge::distrust() { impl_->distrust(); }
+bool Judge::is_undecided() const { return impl_->undecided; }
 
 Validity Judge::judge(const StereoFrame& frame, const std::vector<FollowedPoint>& before,
                       const std::vector<FollowedPoint>& now, OverlayFrame& overlay) {

@@ -23,8 +23,10 @@ class Judge {
   /// Looks at once at how the start fits its frame. @throws InputError pictures of another size.
   void begin(const StereoFrame& first, const Points& nodes_in_camera);
   /// The model was set elsewhere: what was seen of it before is no evidence, and it is not shown until fresh
-  /// surfaces agree.
+  /// surfaces agree; they are made one after the other until then.
   void distrust();
+  /// Since distrust(), surfaces have neither confirmed nor refuted where the model is.
+  bool is_undecided() const;
   /// @param before, now the points that were followed from the last frame into this one.
   /// @param overlay one that the tracker takes for valid; its evidence is filled in.
   /// @return what to say of it.

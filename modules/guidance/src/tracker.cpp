@@ -28,8 +28,10 @@ constexpr double kMissing = 0.1;
 /// A gap counts as consistent up to this difference from its neighbours' median: metres across the line of
 /// sight, or scaled MADs of all differences, whichever is more.
 constexpr double kConsistentFloor = 1.5e-3, kConsistentDeviations = 4.0;
-/// Frames without an overlay after which the organ is looked for by its texture, and between later attempts.
-constexpr int kLost = 3, kLookAgain = 9;
+/// Frames without an overlay after which the organ is looked for by its texture. An attempt takes about as
+/// long as three frames: for a second it is made at every third, then at every ninth, so that a video that
+/// shows nothing of the organ is still followed at most of its rate.
+constexpr int kLost = 3, kEager = 30, kLookAgain = 3, kLookSeldom = 9;
 /// Metres. Where the organ is found this near, it was not lost.
 constexpr double kFoundElsewhere = 2e-3;
 constexpr int kKeyFrameEvery = 90;  ///< frames
@@ -210,12 +212,14 @@ struct Tracker::Impl {
   void look_for_organ(const StereoFrame& frame, Validity validity) {
     const bool is_lost = validity == Validity::too_few_points || validity == Validity::inconsistent_motion ||
                          validity == Validity::residual_too_large || validity == Validity::surface_apart;
-    lost = is_lost ? lost + 1 : 0;
+    // What was found is not looked for again before surfaces have said whether it is right.
+    const bool is_examined = judge && judge->is_undecided() && validity == Validity::surface_apart;
+    lost = is_lost && !is_examined ? lost + 1 : 0;
     if (validity == Validity::valid && ++since_key_frame >= kKeyFrameEvery) {
       relocator->remember(frame.left, surface);
       since_key_frame = 0;
     }
-    if (lost < kLost || (lost - kLost) % kLookAgain != 0) return;
+    if (lost < kLost || (lost - kLost) % (lost < kLost + kEager ? kLookAgain : kLookSeldom) != 0) return;
     const auto found = relocator->find(frame.left, surface);
     if (!found) return;
     const TriangleMesh& mesh = surface.mesh();
