@@ -7,6 +7,7 @@
 #include "glisson/engine/parts/image.h"
 #include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/rig.h"
 #include "glisson/experiments/demo.h"
 #include "glisson/ui/scene/offscreen_renderer.h"
 #include "glisson/ui/scene/patient_scene.h"
@@ -49,6 +50,32 @@ std::function<Picture(const engine::CaseState&, const StereoFrame&, const Overla
       kept->model = state[part::model];
     }
     return kept->drawer->draw(frame, overlay);
+  };
+}
+
+/// The same for the outline, without any words.
+std::function<Picture(const engine::CaseState&, const OverlayFrame&)> outline_hook() {
+  struct Kept {
+    std::shared_ptr<const model::BuiltModel> model;
+    std::unique_ptr<scene::OverlayPainter> painter;
+    Picture black;
+  };
+  return [kept = std::make_shared<Kept>()](const engine::CaseState& state, const OverlayFrame& overlay) {
+    if (kept->model != state[part::model]) {
+      scene::OverlayStyle outline;
+      outline.portal_vein = outline.hepatic_veins = outline.arteries = outline.lesions = false;
+      outline.anterior_margin = outline.legend = outline.status = outline.ruler = false;
+      const Camera& camera = state[part::rig]->left;
+      kept->painter =
+          std::make_unique<scene::OverlayPainter>(engine::effective_model(state), camera, outline);
+      const auto bytes = 3 * static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height);
+      kept->black = {camera.width, camera.height, 3, std::make_shared<std::vector<std::uint8_t>>(bytes)};
+      kept->model = state[part::model];
+    }
+    OverlayFrame drawn = overlay;
+    drawn.validity = Validity::valid;  // a border around the picture is no outline
+    drawn.doubtful = false;
+    return kept->painter->paint(kept->black, drawn);
   };
 }
 
@@ -96,8 +123,8 @@ int run_demo(const QStringList& given) {
   options.theatre.seed = options.clicks.seed = arguments.seed();
   OutputFolder out(arguments.path("out"));
   Session session(arguments);
-  const auto result =
-      experiments::run_demo(options, out.path(), {overlay_hook(), draw_slice, draw_model}, session.context());
+  const auto result = experiments::run_demo(
+      options, out.path(), {overlay_hook(), draw_slice, draw_model, outline_hook()}, session.context());
   if (!result) throw Interrupted();
   out.commit();
   session.figures = result->figures;

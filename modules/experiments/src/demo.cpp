@@ -36,6 +36,7 @@
 #include "glisson/engine/parts/registration.h"
 #include "glisson/engine/parts/video.h"
 #include "glisson/experiments/evaluate.h"
+#include "glisson/experiments/outline_distance.h"
 #include "glisson/experiments/track_evaluation.h"
 #include "glisson/geometry/distance.h"
 #include "glisson/geometry/mesh_io.h"
@@ -48,6 +49,9 @@ namespace fs = std::filesystem;
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+/// Frames between two whose outline is compared: to cast the truth takes as long as to film it.
+constexpr int kOutlineEvery = 5;
 
 double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
@@ -256,6 +260,7 @@ class DemoRun {
       overlay_video = std::make_unique<stereo::VideoWriter>(folder_ / "overlay.mkv", video.width(),
                                                             video.height(), video.frames_per_second());
     double drawing = 0.0;
+    OutlineTally outline;
     const int frames = theatre_->frame_count();
     const RunContext progress = progress_.begin("track");
     for (StereoFrame frame; video.read(frame);) {
@@ -264,6 +269,7 @@ class DemoRun {
       const Points truth = theatre_->carry(model().mesh.vertices, frame.index);
       if (overlay.nodes_in_camera.rows() == truth.rows()) evaluation.compare(overlay, truth, "theatre");
       if (overlay_video) drawing += draw(*overlay_video, frame, overlay);
+      if (frame.index % kOutlineEvery == 0) compare_outline(overlay, outline);
       progress.progress(static_cast<double>(frame.index + 1) / frames, "demo.track");
     }
     if (overlay_video) {
@@ -273,6 +279,14 @@ class DemoRun {
     }
     post(engine::StopTracking{});
     add_track(evaluation);
+    result_.figures.merge(outline.figures());
+  }
+
+  void compare_outline(const OverlayFrame& overlay, OutlineTally& tally) const {
+    if (!pictures_.outline || overlay.level() == Level::withdrawn) return;
+    const auto distance =
+        outline_distance(pictures_.outline(state(), overlay), theatre_->depth(overlay.index));
+    if (distance) tally.add(*distance);
   }
 
   /// @return milliseconds that drawing took.

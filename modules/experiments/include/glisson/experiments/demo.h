@@ -41,6 +41,8 @@ struct DemoPictures {
   std::function<Picture(const engine::CaseState&)> slice;
   /// The model in three dimensions.
   std::function<Picture(const engine::CaseState&)> model;
+  /// The organ's outline alone, as the overlay draws it into a left picture, on black ground.
+  std::function<Picture(const engine::CaseState&, const OverlayFrame&)> outline;
 };
 
 struct DemoResult {
