@@ -4203,6 +4203,10 @@
         <translation>Auch dünne ferne Äste der Gefäße zeichnen.</translation>
     </message>
     <message>
+        <source>A folder that &apos;glisson track&apos; filled for this case and video: what was known then is drawn again, and nothing is followed.</source>
+        <translation>Ein Ordner, den &apos;glisson track&apos; für diesen Fall und dieses Video gefüllt hat: Was damals bekannt war, wird wieder gezeichnet, und nichts wird verfolgt.</translation>
+    </message>
+    <message>
         <source>Look at this lesion and tell its numbers, as lesion_1.</source>
         <translation>Diese Läsion betrachten und ihre Zahlen nennen, etwa lesion_1.</translation>
     </message>

@@ -4203,6 +4203,10 @@
         <translation>Dessiner aussi les branches distales fines des vaisseaux.</translation>
     </message>
     <message>
+        <source>A folder that &apos;glisson track&apos; filled for this case and video: what was known then is drawn again, and nothing is followed.</source>
+        <translation>Un dossier que &apos;glisson track&apos; a rempli pour ce cas et cette vidéo : ce qui était connu alors est dessiné de nouveau, et rien n&apos;est suivi.</translation>
+    </message>
+    <message>
         <source>Look at this lesion and tell its numbers, as lesion_1.</source>
         <translation>Regarder cette lésion et donner ses chiffres, par exemple lesion_1.</translation>
     </message>

@@ -2,8 +2,6 @@
 #include "track_record.h"
 
 #include <QRegularExpression>
-#include <cmath>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "glisson/core/files.h"
@@ -12,10 +10,10 @@
 #include "glisson/experiments/evaluate.h"
 #include "glisson/geometry/rigid.h"
 #include "glisson/patient/label_map.h"
+#include "glisson/patient/overlay_record.h"
 
 namespace glisson::app {
 namespace fs = std::filesystem;
-using nlohmann::json;
 namespace {
 
 /// Those that are there already are replaced.
@@ -29,42 +27,6 @@ QString numbered(const QString& pattern, int number) {
   QString name = pattern;
   return name.replace(match.capturedStart(), match.capturedLength(),
                       QString("%1").arg(number, match.captured(1).toInt(), 10, QChar('0')));
-}
-
-/// The rigid motion that comes nearest to where the nodes are; translation in the unit.
-Eigen::Matrix4d pose_of(const Points& nodes_in_ct, const Points& nodes_in_camera, LengthUnit unit) {
-  Eigen::Matrix4d matrix = fit_rigid<CameraFrame, CtFrame>(nodes_in_ct, nodes_in_camera).matrix();
-  matrix.topRightCorner<3, 1>() /= metres_per(unit);
-  return matrix;
-}
-
-json rows_of(const Eigen::Matrix4d& matrix) {
-  json rows = json::array();
-  for (int i = 0; i < 4; ++i) rows.push_back({matrix(i, 0), matrix(i, 1), matrix(i, 2), matrix(i, 3)});
-  return rows;
-}
-
-/// Lengths in the unit, squares in its square.
-json verdict_line(const LesionVerdict& verdict, LengthUnit unit) {
-  const double per = 1.0 / metres_per(unit);
-  json line = {{"lesion", structure_name(verdict.lesion)},
-               {"level", level_code(verdict.level)},
-               {"reason", lesion_reason_code(verdict.reason)},
-               {"centre", {per * verdict.centre.x(), per * verdict.centre.y(), per * verdict.centre.z()}},
-               {"radius", per * verdict.radius}};
-  if (verdict.reach > 0.0) {
-    json rows = json::array();
-    for (int i = 0; i < 3; ++i) {
-      const Eigen::RowVector3d row = per * per * verdict.covariance.row(i);
-      rows.push_back({row[0], row[1], row[2]});
-    }
-    line["covariance"] = rows;
-    line["expected_error"] = per * verdict.expected;
-    line["reach_95"] = per * verdict.reach;
-  }
-  if (std::isfinite(verdict.support)) line["nearest_points"] = per * verdict.support;
-  line["unseen_seconds"] = verdict.unseen;
-  return line;
 }
 
 }  // namespace
@@ -82,21 +44,20 @@ TrackRecord::TrackRecord(Session& session, const ModelArgument& argument, const 
 void TrackRecord::add(int number, const OverlayFrame& overlay) {
   evaluation_.add(overlay);
   const std::string level = level_code(overlay.level()), reason = validity_code(overlay.validity);
-  json line = {{"frame", number},
-               {"seconds", overlay.seconds},
-               {"level", level},
-               {"reason", reason},
-               {"doubtful", overlay.doubtful},
-               {"mesh", nullptr},
-               {"camera_from_model", nullptr}};
+  OverlayLine line;
+  line.number = number;
+  line.unit = argument_.unit;
+  line.overlay = overlay;
   if (overlay.level() != Level::valid) session_.figures["frames_" + reason] += 1.0;
   for (const LesionVerdict& verdict : overlay.lesions) {
     const std::string lesion = structure_name(verdict.lesion);
     session_.figures[lesion + "_frames_" + level_code(verdict.level)] += 1.0;
   }
   if (overlay.nodes_in_camera.rows() > 0) {
-    const Eigen::Matrix4d pose =
-        pose_of(model_->model.mesh.vertices, overlay.nodes_in_camera, argument_.unit);
+    line.camera_from_model =
+        fit_rigid<CameraFrame, CtFrame>(model_->model.mesh.vertices, overlay.nodes_in_camera).matrix();
+    Eigen::Matrix4d pose = *line.camera_from_model;
+    pose.topRightCorner<3, 1>() /= metres_per(argument_.unit);
     const auto mark = [](double value) { return Eigen::MatrixXd::Constant(1, 1, value); };
     // As the registration's doubts: what is said is a field's name.
     NamedArrays marks = {{"camera_from_model", pose},
@@ -104,22 +65,14 @@ void TrackRecord::add(int number, const OverlayFrame& overlay) {
                          {"level_" + level, mark(1.0)},
                          {"reason_" + reason, mark(1.0)}};
     if (overlay.doubtful) marks["doubtful"] = mark(1.0);
-    const std::string name = QString("registered_%1.%2")
-                                 .arg(number, digits_, 10, QChar('0'))
-                                 .arg(argument_.surface ? "vtp" : "vtu")
-                                 .toStdString();
-    write_mesh(name, overlay, marks);
-    line["mesh"] = name;
-    line["camera_from_model"] = rows_of(pose);
-    line["unit"] = unit_code(argument_.unit);
-    line["residual_mm"] = 1e3 * overlay.residual;
-    json lesions = json::array();
-    for (const LesionVerdict& verdict : overlay.lesions)
-      lesions.push_back(verdict_line(verdict, argument_.unit));
-    line["lesions"] = lesions;
+    line.mesh = QString("registered_%1.%2")
+                    .arg(number, digits_, 10, QChar('0'))
+                    .arg(argument_.surface ? "vtp" : "vtu")
+                    .toStdString();
+    write_mesh(line.mesh, overlay, marks);
     if (arguments_.has("truth")) compare(number, overlay);
   }
-  lines_ += line.dump() + "\n";
+  lines_ += overlay_line(line) + "\n";
 }
 
 void TrackRecord::write_mesh(const std::string& name, const OverlayFrame& overlay,
@@ -131,7 +84,7 @@ void TrackRecord::write_mesh(const std::string& name, const OverlayFrame& overla
 }
 
 void TrackRecord::finish(bool whole) {
-  lines_ += json{{"complete", whole}, {"frames", frames()}}.dump() + "\n";
+  lines_ += overlay_record_end(whole, frames()) + "\n";
   write_file_atomically(folder_ / "frames.jsonl", lines_);
   session_.figures["complete"] = whole ? 1.0 : 0.0;
   append(session_.figures, evaluation_.times().counts());

@@ -8,11 +8,13 @@
 #include "glisson/core/output_file.h"
 #include "glisson/engine/commands/open_case.h"
 #include "glisson/engine/parts/frame.h"
+#include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/video.h"
 #include "glisson/experiments/track_evaluation.h"
 #include "glisson/patient/label_map.h"
 #include "glisson/stereo/picture_io.h"
 #include "live_overlay.h"
+#include "track_replay.h"
 
 namespace glisson::app {
 
@@ -73,6 +75,31 @@ struct Question {
   }
 };
 
+void declare_track(Arguments& arguments) {
+  arguments.option(
+      "track",
+      Cli::tr("A folder that 'glisson track' filled for this case and video: what was known then "
+              "is drawn again, and nothing is followed."),
+      "DIR");
+}
+
+/// What --track names, if it is given.
+std::optional<TrackReplay> replay_of(const Arguments& arguments, const Session& session) {
+  if (!arguments.has("track")) return std::nullopt;
+  if (!session.state()[part::model])
+    throw InputError("case", "model", "there is none to draw", "Run 'glisson model' first");
+  return TrackReplay(arguments.path("track"), session.state()[part::model]->model.mesh.vertex_count());
+}
+
+/// Hands over each frame with what is known of it: from a track's record, or by following the video.
+void show_video(Session& session, const std::optional<TrackReplay>& replay, int last,
+                const std::function<void(const StereoFrame&, const OverlayFrame&)>& frame) {
+  if (replay)
+    replay_video(session, *replay, last, frame);
+  else
+    follow_video(session, {}, last, frame);
+}
+
 void add_measures(const guidance::LesionMeasures& measures, Figures& figures) {
   const std::string lesion = structure_name(measures.lesion);
   const auto add = [&](const char* name, double metres) {
@@ -96,6 +123,7 @@ int run_render(const QStringList& given) {
   arguments.option("frame", Cli::tr("Number of the frame, from 0."), "N", "0");
   arguments.option("out", Cli::tr("The picture (.png, .jpg)."), "picture.png");
   declare_look(arguments);
+  declare_track(arguments);
   arguments.option(
       "mark",
       Cli::tr("A pixel of the left picture where a tool touches the organ: the lesion's distance "
@@ -110,7 +138,8 @@ int run_render(const QStringList& given) {
   session.call("case", arguments.required_path("case").string());
   session.post(engine::OpenCase{arguments.required_path("case"), engine::OpenCase::Access::read});
   Picture picture;
-  follow_video(session, {}, wanted, [&](const StereoFrame& frame, const OverlayFrame& overlay) {
+  const std::optional<TrackReplay> replay = replay_of(arguments, session);
+  show_video(session, replay, wanted, [&](const StereoFrame& frame, const OverlayFrame& overlay) {
     if (frame.index != wanted) return;
     OverlayDrawer drawer(session.state(), style);
     picture = drawer.draw(frame, overlay, question.interest(drawer, overlay));
@@ -129,8 +158,10 @@ int run_render(const QStringList& given) {
   });
   if (picture.empty())
     throw InputError(arguments.path("case").string(), "frame " + std::to_string(wanted),
-                     "is not in the video, or lies before the registered frame",
-                     "Choose a frame between the registered one and the video's end");
+                     replay ? "is not in the video, or was not tracked"
+                            : "is not in the video, or lies before the registered frame",
+                     replay ? "Choose a frame that was tracked"
+                            : "Choose a frame between the registered one and the video's end");
   stereo::write_picture(out, picture);
   session.finish();
   return 0;
@@ -144,6 +175,7 @@ int run_overlay(const QStringList& given) {
   arguments.option("frames", Cli::tr("Record only so many frames."), "N");
   arguments.option("out", Cli::tr("The video (.mkv)."), "overlay.mkv");
   declare_look(arguments);
+  declare_track(arguments);
   if (!arguments.parse(given)) return 0;
   const std::filesystem::path out = arguments.output_file("out", {".mkv"});
   const scene::OverlayStyle style = style_of(arguments);
@@ -158,24 +190,31 @@ int run_overlay(const QStringList& given) {
   const double rate =
       stereo::StereoVideo(session.state()[part::video]->left, session.state()[part::video]->right)
           .frames_per_second();
+  const std::optional<TrackReplay> replay = replay_of(arguments, session);
   // Under another name until it is whole: a recording that is cut short is kept there.
   const std::filesystem::path unfinished =
       out.parent_path() / (out.stem().string() + ".incomplete" + out.extension().string());
   OverlayRecorder recorder(session.state(), unfinished, rate, style, interest);
-  const int first = session.state()[part::frame] ? session.state()[part::frame]->frame.index : 0;
+  const int first = replay                         ? replay->first()
+                    : session.state()[part::frame] ? session.state()[part::frame]->frame.index
+                                                   : 0;
   const int last = arguments.has("frames") ? first + arguments.integer("frames", 1, 10000000) - 1 : -1;
   experiments::FrameTimes times(rate);
   double drawing = 0.0;
   const bool whole = until_interrupted([&] {
-    follow_video(session, {}, last, [&](const StereoFrame& frame, const OverlayFrame& overlay) {
+    show_video(session, replay, last, [&](const StereoFrame& frame, const OverlayFrame& overlay) {
       drawing += recorder.add(frame, overlay);
       times.add(overlay);
     });
   });
   if (!whole && times.frames() == 0) throw Interrupted();
+  if (times.frames() == 0)
+    throw InputError(arguments.path("case").string(), "video", "has no frame to be drawn",
+                     "Give a track of this video, or register a frame that is not its last");
   recorder.close();
   if (whole) std::filesystem::rename(unfinished, place_for_file(out));
-  session.figures["complete"] = whole ? 1.0 : 0.0;
+  // What was cut short is not whole when it is drawn again.
+  session.figures["complete"] = whole && (!replay || replay->is_complete()) ? 1.0 : 0.0;
   session.figures.merge(times.counts());
   session.figures["draw_mean_ms"] = drawing / std::max(1, times.frames());
   session.finish();

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/patient/overlay_record.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <stdexcept>
+
+#include "glisson/core/error.h"
+#include "glisson/core/files.h"
+#include "glisson/geometry/mesh_io.h"
+#include "glisson/patient/label_map.h"
+
+namespace glisson {
+namespace {
+
+using nlohmann::json;
+
+constexpr LengthUnit kUnits[] = {LengthUnit::millimetre, LengthUnit::centimetre, LengthUnit::metre};
+constexpr Level kLevels[] = {Level::valid, Level::degraded, Level::withdrawn};
+
+json rows_of(const Eigen::MatrixXd& matrix) {
+  json rows = json::array();
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    json row = json::array();
+    for (Eigen::Index k = 0; k < matrix.cols(); ++k) row.push_back(matrix(i, k));
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+json verdict_line(const LesionVerdict& verdict, double per) {
+  json line = {{"lesion", structure_name(verdict.lesion)},
+               {"level", level_code(verdict.level)},
+               {"reason", lesion_reason_code(verdict.reason)},
+               {"centre", {per * verdict.centre.x(), per * verdict.centre.y(), per * verdict.centre.z()}},
+               {"radius", per * verdict.radius}};
+  if (verdict.reach > 0.0) {
+    line["covariance"] = rows_of(per * per * verdict.covariance);
+    line["expected_error"] = per * verdict.expected;
+    line["reach_95"] = per * verdict.reach;
+  }
+  if (std::isfinite(verdict.support)) line["nearest_points"] = per * verdict.support;
+  line["unseen_seconds"] = verdict.unseen;
+  return line;
+}
+
+/// The one of `all` whose code this is. @throws std::invalid_argument none is.
+template <class All, class Code>
+auto named(const All& all, const Code& code, const std::string& text, const char* field) {
+  for (const auto one : all)
+    if (text == code(one)) return one;
+  throw std::invalid_argument(std::string(field) + " '" + text + "' is unknown");
+}
+
+double number(const json& object, const char* field) {
+  const double value = object.at(field).get<double>();
+  if (!std::isfinite(value)) throw std::invalid_argument(std::string(field) + " is not a finite number");
+  return value;
+}
+
+template <int Rows>
+Eigen::Matrix<double, Rows, Rows> square_of(const json& rows, const char* field) {
+  Eigen::Matrix<double, Rows, Rows> matrix;
+  if (rows.size() != Rows) throw std::invalid_argument(std::string(field) + " has another size");
+  for (std::size_t i = 0; i < Rows; ++i) {
+    if (rows[i].size() != Rows) throw std::invalid_argument(std::string(field) + " has another size");
+    for (std::size_t k = 0; k < Rows; ++k)
+      matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = rows[i][k].get<double>();
+  }
+  if (!matrix.allFinite()) throw std::invalid_argument(std::string(field) + " is not finite");
+  return matrix;
+}
+
+LesionVerdict verdict_of(const json& line, double metres) {
+  LesionVerdict verdict;
+  const auto name = line.at("lesion").get<std::string>();
+  const std::optional<Label> lesion = structure_named(name);
+  if (!lesion || !is_lesion(*lesion)) throw std::invalid_argument("lesion '" + name + "' is none");
+  verdict.lesion = *lesion;
+  verdict.level = named(kLevels, level_code, line.at("level").get<std::string>(), "a lesion's level");
+  verdict.reason =
+      named(kLesionReasons, lesion_reason_code, line.at("reason").get<std::string>(), "a lesion's reason");
+  const json& centre = line.at("centre");
+  if (centre.size() != 3) throw std::invalid_argument("centre has another size");
+  verdict.centre =
+      metres * Eigen::Vector3d(centre[0].get<double>(), centre[1].get<double>(), centre[2].get<double>());
+  verdict.radius = metres * number(line, "radius");
+  if (line.contains("reach_95")) {
+    verdict.covariance = metres * metres * square_of<3>(line.at("covariance"), "covariance");
+    verdict.expected = metres * number(line, "expected_error");
+    verdict.reach = metres * number(line, "reach_95");
+  }
+  verdict.support = line.contains("nearest_points") ? metres * number(line, "nearest_points")
+                                                    : std::numeric_limits<double>::infinity();
+  verdict.unseen = number(line, "unseen_seconds");
+  return verdict;
+}
+
+OverlayLine line_of(const json& object) {
+  OverlayLine line;
+  line.number = object.at("frame").get<int>();
+  OverlayFrame& overlay = line.overlay;
+  overlay.index = line.number;
+  overlay.seconds = number(object, "seconds");
+  overlay.doubtful = object.at("doubtful").get<bool>();
+  overlay.validity = named(kValidities, validity_code, object.at("reason").get<std::string>(), "reason");
+  if (object.at("level").get<std::string>() != level_code(overlay.level()))
+    throw std::invalid_argument("level and reason contradict each other");
+  if (object.at("mesh").is_null()) return line;
+  line.mesh = object.at("mesh").get<std::string>();
+  if (line.mesh.empty() || std::filesystem::path(line.mesh).filename() != line.mesh)
+    throw std::invalid_argument("mesh '" + line.mesh + "' is no file beside it");
+  line.unit = named(kUnits, unit_code, object.at("unit").get<std::string>(), "unit");
+  const double metres = metres_per(line.unit);
+  line.camera_from_model = square_of<4>(object.at("camera_from_model"), "camera_from_model");
+  line.camera_from_model->topRightCorner<3, 1>() *= metres;
+  overlay.residual = 1e-3 * number(object, "residual_mm");
+  for (const json& lesion : object.at("lesions")) overlay.lesions.push_back(verdict_of(lesion, metres));
+  return line;
+}
+
+}  // namespace
+
+std::string overlay_line(const OverlayLine& line) {
+  const OverlayFrame& overlay = line.overlay;
+  json object = {{"frame", line.number},
+                 {"seconds", overlay.seconds},
+                 {"level", level_code(overlay.level())},
+                 {"reason", validity_code(overlay.validity)},
+                 {"doubtful", overlay.doubtful},
+                 {"mesh", nullptr},
+                 {"camera_from_model", nullptr}};
+  if (line.mesh.empty()) return object.dump();
+  require(line.camera_from_model.has_value(), "a line with a mesh has its pose");
+  const double per = 1.0 / metres_per(line.unit);
+  Eigen::Matrix4d pose = *line.camera_from_model;
+  pose.topRightCorner<3, 1>() *= per;
+  object["mesh"] = line.mesh;
+  object["camera_from_model"] = rows_of(pose);
+  object["unit"] = unit_code(line.unit);
+  object["residual_mm"] = 1e3 * overlay.residual;
+  object["lesions"] = json::array();
+  for (const LesionVerdict& verdict : overlay.lesions)
+    object["lesions"].push_back(verdict_line(verdict, per));
+  return object.dump();
+}
+
+std::string overlay_record_end(bool complete, int frames) {
+  return json{{"complete", complete}, {"frames", frames}}.dump();
+}
+
+OverlayRecord read_overlay_record(const std::filesystem::path& path) {
+  OverlayRecord record;
+  std::istringstream lines(read_file(path));
+  int count = 0;
+  for (std::string text; std::getline(lines, text);) {
+    ++count;
+    if (text.empty()) continue;
+    try {
+      const json object = json::parse(text);
+      if (object.contains("complete"))
+        record.complete = object.at("complete").get<bool>();
+      else
+        record.frames.push_back(line_of(object));
+    } catch (const std::exception& problem) {
+      throw InputError(path.string(), "line " + std::to_string(count),
+                       std::string("cannot be used: ") + problem.what(), "Give what 'glisson track' wrote");
+    }
+  }
+  return record;
+}
+
+}  // namespace glisson

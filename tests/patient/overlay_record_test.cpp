@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a track's lines hold comes back as it was.
+#include "glisson/patient/overlay_record.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QtTest>
+#include <cmath>
+#include <limits>
+
+#include "glisson/core/error.h"
+#include "glisson/core/files.h"
+#include "glisson/patient/label_map.h"
+
+using namespace glisson;
+
+namespace {
+
+LesionVerdict verdict(int number, Level level, LesionReason reason) {
+  LesionVerdict verdict;
+  verdict.lesion = static_cast<Label>(structure::kFirstLesion + number);
+  verdict.level = level;
+  verdict.reason = reason;
+  verdict.centre = {0.0123 + number, -0.0456, 0.1201};
+  verdict.radius = 7.1e-3;
+  verdict.covariance << 4e-6, 1e-6, 0.0, 1e-6, 3e-6, -2e-7, 0.0, -2e-7, 9e-6;
+  verdict.expected = 3.3e-3;
+  verdict.reach = 8.4e-3;
+  verdict.support = 11.7e-3;
+  verdict.unseen = 0.4;
+  return verdict;
+}
+
+OverlayLine line(LengthUnit unit = LengthUnit::millimetre) {
+  OverlayLine line;
+  line.number = 42;
+  line.unit = unit;
+  line.mesh = "registered_00042.vtu";
+  line.camera_from_model = Eigen::Matrix4d::Identity();
+  line.camera_from_model->topRightCorner<3, 1>() << 0.01, -0.02, 0.12;
+  line.overlay.validity = Validity::partly_covered;
+  line.overlay.seconds = 1.4;
+  line.overlay.doubtful = true;
+  line.overlay.residual = 0.7e-3;
+  line.overlay.lesions = {verdict(0, Level::valid, LesionReason::known),
+                          verdict(1, Level::degraded, LesionReason::far_from_points),
+                          verdict(2, Level::withdrawn, LesionReason::error_unknown)};
+  LesionVerdict& unknown = line.overlay.lesions.back();
+  unknown.covariance.setZero();
+  unknown.expected = unknown.reach = 0.0;
+  unknown.support = std::numeric_limits<double>::infinity();
+  return line;
+}
+
+bool is_near(double a, double b) { return a == b || std::abs(a - b) < 1e-14; }
+
+QJsonObject object_of(const OverlayLine& line) {
+  return QJsonDocument::fromJson(QByteArray::fromStdString(overlay_line(line))).object();
+}
+
+}  // namespace
+
+class OverlayRecordTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void ALesionsVerdictIsWrittenInTheUnitOfItsLine_data() {
+    QTest::addColumn<int>("unit");
+    QTest::addColumn<double>("per_metre");
+    QTest::newRow("mm") << static_cast<int>(LengthUnit::millimetre) << 1e3;
+    QTest::newRow("m") << static_cast<int>(LengthUnit::metre) << 1.0;
+  }
+  void ALesionsVerdictIsWrittenInTheUnitOfItsLine() {
+    QFETCH(int, unit);
+    QFETCH(double, per_metre);
+    const QJsonObject object = object_of(line(static_cast<LengthUnit>(unit)));
+    QCOMPARE(object["level"].toString(), QString("degraded"));
+    QCOMPARE(object["reason"].toString(), QString("partly_covered"));
+    const QJsonArray lesions = object["lesions"].toArray();
+    QCOMPARE(lesions.size(), 3);
+    const QJsonObject second = lesions[1].toObject();
+    QCOMPARE(second["lesion"].toString(), QString("lesion_2"));
+    QCOMPARE(second["level"].toString(), QString("degraded"));
+    QCOMPARE(second["reason"].toString(), QString("far_from_points"));
+    QCOMPARE(second["reach_95"].toDouble(), 8.4e-3 * per_metre);
+    QCOMPARE(second["expected_error"].toDouble(), 3.3e-3 * per_metre);
+    QCOMPARE(second["nearest_points"].toDouble(), 11.7e-3 * per_metre);
+    QCOMPARE(second["radius"].toDouble(), 7.1e-3 * per_metre);
+    QCOMPARE(second["centre"].toArray()[1].toDouble(), -0.0456 * per_metre);
+    QCOMPARE(second["covariance"].toArray()[0].toArray()[1].toDouble(), 1e-6 * per_metre * per_metre);
+    QCOMPARE(second["unseen_seconds"].toDouble(), 0.4);
+    // What is not known is not written as a number.
+    const QJsonObject third = lesions[2].toObject();
+    for (const char* field : {"reach_95", "expected_error", "covariance", "nearest_points"})
+      QVERIFY2(!third.contains(field), field);
+    QCOMPARE(third["level"].toString(), QString("withdrawn"));
+  }
+
+  void ALineComesBackAsItWas() {
+    const TemporaryFolder folder;
+    const OverlayLine written = line();
+    OverlayLine lost;
+    lost.number = 43;
+    lost.overlay.validity = Validity::not_started;
+    write_file_atomically(folder.path() / "frames.jsonl", overlay_line(written) + "\n" + overlay_line(lost) +
+                                                              "\n" + overlay_record_end(true, 2) + "\n");
+    const OverlayRecord record = read_overlay_record(folder.path() / "frames.jsonl");
+    QVERIFY(record.complete);
+    QCOMPARE(record.frames.size(), std::size_t{2});
+    const OverlayLine& read = record.frames[0];
+    QCOMPARE(read.number, 42);
+    QCOMPARE(read.overlay.index, 42);
+    QCOMPARE(read.mesh, written.mesh);
+    QVERIFY(read.overlay.validity == Validity::partly_covered && read.overlay.doubtful);
+    QVERIFY(is_near(read.overlay.seconds, 1.4) && is_near(read.overlay.residual, 0.7e-3));
+    QVERIFY(read.camera_from_model->isApprox(*written.camera_from_model, 1e-14));
+    QCOMPARE(read.overlay.lesions.size(), std::size_t{3});
+    for (std::size_t i = 0; i < 3; ++i) {
+      const LesionVerdict &there = read.overlay.lesions[i], &here = written.overlay.lesions[i];
+      QCOMPARE(there.lesion, here.lesion);
+      QVERIFY(there.level == here.level && there.reason == here.reason);
+      QVERIFY(there.centre.isApprox(here.centre, 1e-14));
+      QVERIFY(there.covariance.isApprox(here.covariance, 1e-12));
+      QVERIFY(is_near(there.radius, here.radius) && is_near(there.expected, here.expected) &&
+              is_near(there.reach, here.reach) && is_near(there.support, here.support) &&
+              is_near(there.unseen, here.unseen));
+    }
+    QVERIFY(record.frames[1].mesh.empty() && record.frames[1].overlay.level() == Level::withdrawn);
+  }
+
+  void ARecordThatWasCutShortIsNotWhole() {
+    const TemporaryFolder folder;
+    write_file_atomically(folder.path() / "a.jsonl", overlay_line(line()) + "\n");
+    QVERIFY(!read_overlay_record(folder.path() / "a.jsonl").complete);
+    write_file_atomically(folder.path() / "a.jsonl", overlay_record_end(false, 0) + "\n");
+    QVERIFY(!read_overlay_record(folder.path() / "a.jsonl").complete);
+  }
+
+  void WhatIsNotALineIsRefusedWithItsNumber_data() {
+    QTest::addColumn<QString>("from");
+    QTest::addColumn<QString>("to");
+    QTest::newRow("no JSON") << "{"
+                             << "";
+    QTest::newRow("unknown reason") << "\"partly_covered\""
+                                    << "\"sunshine\"";
+    QTest::newRow("level of another reason") << "\"level\":\"degraded\",\"mesh\""
+                                             << "\"level\":\"valid\",\"mesh\"";
+    QTest::newRow("no lesion") << "\"lesion_2\""
+                               << "\"parenchyma\"";
+    QTest::newRow("unknown unit") << "\"unit\":\"mm\""
+                                  << "\"unit\":\"inch\"";
+    QTest::newRow("a mesh elsewhere") << "registered_00042"
+                                      << "../registered";
+    QTest::newRow("a text for a number") << "\"unseen_seconds\":0.4"
+                                         << "\"unseen_seconds\":\"long\"";
+    QTest::newRow("a matrix of another size") << "\"covariance\":[["
+                                              << "\"covariance\":[[1.0],[";
+  }
+  void WhatIsNotALineIsRefusedWithItsNumber() {
+    QFETCH(QString, from);
+    QFETCH(QString, to);
+    const TemporaryFolder folder;
+    QString text = QString::fromStdString(overlay_line(line()));
+    const qsizetype at = text.indexOf(from);
+    QVERIFY2(at >= 0, qPrintable(text));
+    text.replace(at, from.size(), to);
+    write_file_atomically(folder.path() / "frames.jsonl",
+                          overlay_line(line()) + "\n" + text.toStdString() + "\n");
+    try {
+      read_overlay_record(folder.path() / "frames.jsonl");
+      QFAIL("was read");
+    } catch (const InputError& problem) {
+      QVERIFY2(QString(problem.what()).contains("frames.jsonl") && problem.field() == "line 2",
+               problem.what());
+    }
+  }
+};
+
+QTEST_APPLESS_MAIN(OverlayRecordTest)
+#include "overlay_record_test.moc"
