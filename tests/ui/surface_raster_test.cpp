@@ -62,6 +62,7 @@ class SurfaceRasterTest : public QObject {
   void SurfaceThroughTheCameraIsCutNotFolded();
   void NearerOneHidesTheOther();
   void FacingIsTheCosineToTheLineOfSight();
+  void AClearedLayerIsAsGoodAsNew();
   void BadInputIsRefused();
 };
 
@@ -126,6 +127,32 @@ void SurfaceRasterTest::FacingIsTheCosineToTheLineOfSight() {
         layer.at(static_cast<int>(std::lround(pixel.y())), static_cast<int>(std::lround(pixel.x())));
     QVERIFY(std::abs(layer.facing[at] / 255.0 - expected) < 0.03);
   }
+}
+
+void SurfaceRasterTest::AClearedLayerIsAsGoodAsNew() {
+  const scene::SurfaceRaster raster(laparoscope(kHalf));
+  const TriangleMesh large = ball_mesh({0.01, 0.0, 0.1}, 0.04, 20),
+                     small = ball_mesh({-0.02, 0.01, 0.1}, 0.01, 20);
+  scene::SurfaceLayer used = raster.layer(), fresh = raster.layer(), empty;
+  QVERIFY(fresh.touched.empty());
+  raster.draw(large.vertices, large.triangles, 1, used);
+  raster.clear(used);
+  raster.clear(empty);  // has no size yet
+  for (scene::SurfaceLayer* layer : {&used, &fresh, &empty})
+    raster.draw(small.vertices, small.triangles, 2, *layer);
+  for (const scene::SurfaceLayer* layer : {&used, &empty})
+    QVERIFY(layer->kind == fresh.kind && layer->facing == fresh.facing &&
+            layer->inverse_depth == fresh.inverse_depth);
+  // Nothing lies outside of what is said to be touched, which is about as large as the ball.
+  const scene::PixelBox& box = fresh.touched;
+  for (int v = 0; v < fresh.height; ++v)
+    for (int u = 0; u < fresh.width; ++u)
+      if (fresh.kind[fresh.at(v, u)] != 0)
+        QVERIFY(u >= box.left && u < box.right() && v >= box.top && v < box.bottom());
+  QVERIFY(!box.empty() && box.width < fresh.width / 3);
+  const scene::PixelBox wide = box.around(10000, fresh.width, fresh.height);
+  QVERIFY(wide.left == 0 && wide.top == 0 && wide.width == fresh.width && wide.height == fresh.height);
+  QVERIFY(scene::PixelBox().around(5, 100, 100).empty());
 }
 
 void SurfaceRasterTest::BadInputIsRefused() {

@@ -147,11 +147,20 @@ void draw_lesion_limits(QPainter& painter, const Layout& layout, const std::vect
                    text);
 }
 
+/// A copy in blue, green and red, and an image that paints into its bytes.
+std::pair<QImage, std::shared_ptr<std::vector<std::uint8_t>>> paintable(const Picture& picture) {
+  const Picture colour = picture.channels == 3 ? picture : to_picture(view_as_image(picture));
+  auto bytes = std::make_shared<std::vector<std::uint8_t>>(*colour.bytes);
+  QImage image(bytes->data(), picture.width, picture.height, static_cast<qsizetype>(picture.width) * 3,
+               QImage::Format_BGR888);
+  return {std::move(image), std::move(bytes)};
+}
+
 }  // namespace
 
 Picture annotate(const Picture& picture, const OverlayFrame& overlay, const Annotations& annotations,
                  const OverlayStyle& style, const OverlayStatus& status) {
-  QImage image = copy_to_image(picture);
+  auto [image, bytes] = paintable(picture);
   const Layout layout(image.size());
   QPainter painter(&image);
   painter.setRenderHint(QPainter::Antialiasing);
@@ -185,7 +194,7 @@ Picture annotate(const Picture& picture, const OverlayFrame& overlay, const Anno
               Qt::AlignRight | Qt::AlignBottom);
   }
   painter.end();
-  return to_picture(image);
+  return {picture.width, picture.height, 3, std::move(bytes)};
 }
 
 std::string validity_text(Validity validity) { return Overlay::reason(validity).toStdString(); }

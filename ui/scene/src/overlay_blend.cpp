@@ -25,6 +25,8 @@ cv::Vec3f bgr(Label structure) {
           static_cast<float>(255 * rgb[0])};
 }
 
+cv::Rect rect_of(const PixelBox& box) { return {box.left, box.top, box.width, box.height}; }
+
 /// Colours weighted by their opacity, and the opacity: what is to be laid over the frame at each pixel.
 using Veil = cv::Mat4b;
 
@@ -62,6 +64,12 @@ class Window {
   bool is_there() const { return is_there_; }
   float radius() const { return radius_; }
   const Eigen::Vector2f& centre() const { return centre_; }
+  /// All that is inside.
+  cv::Rect box() const {
+    const int reach = static_cast<int>(std::ceil(radius_)) + 1;
+    return {static_cast<int>(std::floor(centre_.x())) - reach,
+            static_cast<int>(std::floor(centre_.y())) - reach, 2 * reach + 1, 2 * reach + 1};
+  }
   float at(int row, int column) const {
     constexpr float kRim = 6.0F;  // pixels
     if (!is_there_) return 0.0F;
@@ -146,16 +154,18 @@ class VesselInk {
                                        bgr(structure::kHepaticVeins), bgr(structure::kArtery)};
 };
 
-Veil vessel_veil(const OverlayLayers& layers, const OverlayStyle& style, const Window& window) {
+/// Of the part `box` of the picture.
+Veil vessel_veil(const OverlayLayers& layers, const OverlayStyle& style, const Window& window,
+                 const cv::Rect& box) {
   const SurfaceLayer& vessels = layers.vessels;
   const VesselInk ink(layers, style, window);
-  Veil veil = Veil::zeros(vessels.height, vessels.width);
-  cv::parallel_for_(cv::Range(0, vessels.height), [&](const cv::Range& rows) {
+  Veil veil = Veil::zeros(box.size());
+  cv::parallel_for_(cv::Range(0, box.height), [&](const cv::Range& rows) {
     for (int v = rows.start; v < rows.end; ++v)
-      for (int u = 0; u < vessels.width; ++u) {
-        const std::size_t pixel = vessels.at(v, u);
+      for (int u = 0; u < box.width; ++u) {
+        const std::size_t pixel = vessels.at(box.y + v, box.x + u);
         if (vessels.kind[pixel] != kNoVessel && layers.liver.kind[pixel] != 0)
-          veil(v, u) = ink.at(v, u, pixel);
+          veil(v, u) = ink.at(box.y + v, box.x + u, pixel);
       }
   });
   cv::GaussianBlur(veil, veil, {3, 3}, 0.7, 0.7);  // smooth edges
@@ -165,15 +175,16 @@ Veil vessel_veil(const OverlayLayers& layers, const OverlayStyle& style, const W
 /// Inside the window tissue steps back: what is drawn there lies in it, not on it.
 void open_window(cv::Mat3b& picture, const OverlayLayers& layers, const Window& window) {
   if (!window.is_there()) return;
-  for (int v = 0; v < picture.rows; ++v)
-    for (int u = 0; u < picture.cols; ++u)
+  const cv::Rect box = window.box() & cv::Rect(0, 0, picture.cols, picture.rows);
+  for (int v = box.y; v < box.y + box.height; ++v)
+    for (int u = box.x; u < box.x + box.width; ++u)
       if (layers.liver.kind[layers.liver.at(v, u)] != 0) picture(v, u) *= 1.0F - 0.45F * window.at(v, u);
   const cv::Point centre(cvRound(window.centre().x()), cvRound(window.centre().y()));
   cv::circle(picture, centre, cvRound(window.radius()), cv::Scalar(20, 20, 20), 3, cv::LINE_AA);
   cv::circle(picture, centre, cvRound(window.radius()), cv::Scalar(200, 200, 200), 1, cv::LINE_AA);
 }
 
-void lay(cv::Mat3b& picture, const Veil& veil) {
+void lay(cv::Mat3b picture, const Veil& veil) {
   cv::parallel_for_(cv::Range(0, picture.rows), [&](const cv::Range& rows) {
     for (int v = rows.start; v < rows.end; ++v)
       for (int u = 0; u < picture.cols; ++u) {
@@ -197,8 +208,9 @@ bool is_hidden(const OverlayLayers& layers, std::size_t pixel) {
 std::array<cv::Rect, 256> lay_bodies(cv::Mat3b& picture, const OverlayLayers& layers, const Window& window) {
   std::array<cv::Rect, 256> seen{};
   const SurfaceLayer& lesions = layers.lesions;
-  for (int v = 0; v < picture.rows; ++v)
-    for (int u = 0; u < picture.cols; ++u) {
+  const PixelBox& touched = lesions.touched;
+  for (int v = touched.top; v < touched.bottom(); ++v)
+    for (int u = touched.left; u < touched.right(); ++u) {
       const std::size_t pixel = lesions.at(v, u);
       if (lesions.kind[pixel] == 0 || layers.liver.kind[pixel] == 0) continue;
       cv::Rect& box = seen[lesions.kind[pixel]];
@@ -234,12 +246,16 @@ void lay_lesions(cv::Mat3b& picture, const OverlayLayers& layers, const Window& 
 
 void lay_outline(cv::Mat3b& picture, const SurfaceLayer& liver) {
   const cv::Mat1b mask(liver.height, liver.width, const_cast<std::uint8_t*>(liver.kind.data()));
+  // With room for a smooth line's width.
+  const cv::Rect box = rect_of(liver.touched.around(3, liver.width, liver.height));
+  if (box.empty()) return;
   std::vector<std::vector<cv::Point>> contours;
-  cv::findContours(mask, contours, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_SIMPLE);
+  cv::findContours(mask(box), contours, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_SIMPLE, box.tl());
   cv::Mat1b line = cv::Mat1b::zeros(picture.size());
   cv::polylines(line, contours, true, cv::Scalar(255), 1, cv::LINE_AA);
-  for (int v = 1; v + 1 < picture.rows; ++v)
-    for (int u = 1; u + 1 < picture.cols; ++u)  // the picture's own border is no outline
+  const cv::Rect inside = box & cv::Rect(1, 1, picture.cols - 2, picture.rows - 2);
+  for (int v = inside.y; v < inside.y + inside.height; ++v)
+    for (int u = inside.x; u < inside.x + inside.width; ++u)  // the picture's own border is no outline
       if (line(v, u) != 0) mix(picture(v, u), kOutlineColour, 0.5F * static_cast<float>(line(v, u)) / 255.0F);
 }
 
@@ -258,7 +274,9 @@ Picture blend_layers(const Picture& frame, const OverlayLayers& layers, const Ov
     source.copyTo(picture);
   const Window window(layers.liver, style, focus);
   open_window(picture, layers, window);
-  lay(picture, vessel_veil(layers, style, window));
+  // With room for the smoothing.
+  const cv::Rect box = rect_of(layers.vessels.touched.around(3, frame.width, frame.height));
+  if (!box.empty()) lay(picture(box), vessel_veil(layers, style, window, box));
   if (style.outline) lay_outline(picture, layers.liver);
   lay_lesions(picture, layers, window);
   return {frame.width, frame.height, 3, bytes};

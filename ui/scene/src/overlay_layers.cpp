@@ -50,9 +50,8 @@ std::uint8_t kind_of(Label structure) {
 
 }  // namespace
 
-OverlayLayers draw_layers(const DrawableModel& model, const Points& nodes_in_camera,
-                          const SurfaceRaster& raster, const OverlayStyle& style,
-                          const std::vector<Label>& lesions) {
+void draw_layers(const DrawableModel& model, const Points& nodes_in_camera, const SurfaceRaster& raster,
+                 const OverlayStyle& style, const std::vector<Label>& lesions, OverlayLayers& layers) {
   require(nodes_in_camera.rows() == model.model->mesh.vertex_count(),
           "the overlay's nodes are those of the model that it was made for");
   std::array<std::vector<const DrawableSurface*>, 3> groups;  // liver, vessels, lesions
@@ -65,12 +64,11 @@ OverlayLayers draw_layers(const DrawableModel& model, const Points& nodes_in_cam
     else if (is_lesion(surface.structure))
       groups[2].push_back(&surface);
   }
-  OverlayLayers layers;
   const std::array<SurfaceLayer*, 3> targets = {&layers.liver, &layers.vessels, &layers.lesions};
   cv::parallel_for_(cv::Range(0, 3), [&](const cv::Range& range) {
     for (int g = range.start; g < range.end; ++g) {
       const auto group = static_cast<std::size_t>(g);
-      *targets[group] = raster.layer();
+      raster.clear(*targets[group]);
       for (const DrawableSurface* surface : groups[group]) {
         const Points moved = surface->binding.apply(model.model->mesh, nodes_in_camera);
         raster.draw(moved, style.thin_branches ? surface->inside : surface->thick,
@@ -78,7 +76,6 @@ OverlayLayers draw_layers(const DrawableModel& model, const Points& nodes_in_cam
       }
     }
   });
-  return layers;
 }
 
 }  // namespace glisson::scene

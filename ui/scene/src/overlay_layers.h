@@ -17,11 +17,11 @@ struct OverlayLayers {
   SurfaceLayer liver, vessels, lesions;
 };
 
+/// Draws into layers that may hold a former picture: what is there is taken away, its memory is used again.
 /// @param nodes_in_camera N x 3, metres. @pre one row a node of the model's mesh.
 /// @param style structures that it leaves out are not drawn and hide nothing.
 /// @param lesions those that are drawn as bodies.
-OverlayLayers draw_layers(const DrawableModel& model, const Points& nodes_in_camera,
-                          const SurfaceRaster& raster, const OverlayStyle& style,
-                          const std::vector<Label>& lesions);
+void draw_layers(const DrawableModel& model, const Points& nodes_in_camera, const SurfaceRaster& raster,
+                 const OverlayStyle& style, const std::vector<Label>& lesions, OverlayLayers& layers);
 
 }  // namespace glisson::scene

@@ -89,6 +89,7 @@ struct OverlayPainter::Impl {
   std::shared_ptr<const PatientModel> model;
   std::vector<Label> structures;
   Binding margin;
+  OverlayLayers layers;                        ///< of the last picture; their memory serves the next
   std::optional<guidance::LesionMeter> meter;  ///< made when a lesion is chosen
   std::optional<guidance::LesionMeasures> measures;
 
@@ -203,8 +204,8 @@ Picture OverlayPainter::paint(const Picture& frame, const OverlayFrame& overlay,
   std::vector<Label> bodies;
   for (const LesionVerdict& verdict : verdicts)
     if (verdict.level == Level::valid) bodies.push_back(verdict.lesion);
-  const OverlayLayers layers =
-      draw_layers(*impl_->drawable, overlay.nodes_in_camera, impl_->raster, style, bodies);
+  OverlayLayers& layers = impl_->layers;
+  draw_layers(*impl_->drawable, overlay.nodes_in_camera, impl_->raster, style, bodies, layers);
   // An empty window would say that there is nothing.
   const auto focus = overlay.level() == Level::valid ? impl_->focus(verdicts, interest) : std::nullopt;
   const Picture blended = blend_layers(frame, layers, style, focus);

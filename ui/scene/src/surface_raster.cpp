@@ -85,6 +85,8 @@ void fill(const std::array<ScreenCorner, 3>& corners, std::uint8_t kind, Surface
   const int right = std::min(layer.width - 1, static_cast<int>(std::floor(std::max({a.x, b.x, c.x}))));
   const int top = std::max(0, static_cast<int>(std::ceil(std::min({a.y, b.y, c.y}))));
   const int bottom = std::min(layer.height - 1, static_cast<int>(std::floor(std::max({a.y, b.y, c.y}))));
+  if (left > right || top > bottom) return;
+  layer.touched.add(left, right, top, bottom);
   const float scale = 1.0F / area;
   // The corners' weights are linear over the picture.
   const Weight weight_a((b.y - c.y) * scale, (c.x - b.x) * scale, b.x, b.y);
@@ -117,6 +119,26 @@ void fill(const std::array<ScreenCorner, 3>& corners, std::uint8_t kind, Surface
 
 }  // namespace
 
+void PixelBox::add(int from, int to, int first, int last) {
+  const bool is_first = empty();
+  const int new_left = is_first ? from : std::min(left, from),
+            new_top = is_first ? first : std::min(top, first);
+  width = (is_first ? to + 1 : std::max(right(), to + 1)) - new_left;
+  height = (is_first ? last + 1 : std::max(bottom(), last + 1)) - new_top;
+  left = new_left;
+  top = new_top;
+}
+
+PixelBox PixelBox::around(int pixels, int picture_width, int picture_height) const {
+  if (empty()) return {};
+  PixelBox box;
+  box.left = std::max(0, left - pixels);
+  box.top = std::max(0, top - pixels);
+  box.width = std::min(picture_width, right() + pixels) - box.left;
+  box.height = std::min(picture_height, bottom() + pixels) - box.top;
+  return box;
+}
+
 SurfaceRaster::SurfaceRaster(const Camera& camera) : camera_(camera) {
   require(camera.width > 0 && camera.height > 0 && camera.matrix(0, 0) > 0.0 && camera.matrix(1, 1) > 0.0,
           "a camera has a picture size and focal lengths");
@@ -133,6 +155,21 @@ SurfaceLayer SurfaceRaster::layer() const {
   layer.facing.assign(pixels, 0);
   layer.inverse_depth.assign(pixels, 0.0F);
   return layer;
+}
+
+void SurfaceRaster::clear(SurfaceLayer& layer) const {
+  if (layer.empty() || layer.width != camera_.width || layer.height != camera_.height) {
+    layer = this->layer();
+    return;
+  }
+  const PixelBox& box = layer.touched;
+  for (int row = box.top; row < box.bottom(); ++row) {
+    const auto first = static_cast<std::ptrdiff_t>(layer.at(row, box.left));
+    std::fill_n(layer.kind.begin() + first, box.width, std::uint8_t{0});
+    std::fill_n(layer.facing.begin() + first, box.width, std::uint8_t{0});
+    std::fill_n(layer.inverse_depth.begin() + first, box.width, 0.0F);
+  }
+  layer.touched = {};
 }
 
 void SurfaceRaster::project(Corner& corner) const {

@@ -9,12 +9,25 @@
 
 namespace glisson::scene {
 
+/// A rectangle of whole pixels; empty when nothing is in it.
+struct PixelBox {
+  int left = 0, top = 0, width = 0, height = 0;
+  bool empty() const { return width <= 0 || height <= 0; }
+  int right() const { return left + width; }   ///< one beyond
+  int bottom() const { return top + height; }  ///< likewise
+  /// Grows to hold columns `from` to `to` and rows `first` to `last`, all included.
+  void add(int from, int to, int first, int last);
+  /// Wider by `pixels` on all sides, cut to a picture of this size.
+  PixelBox around(int pixels, int picture_width, int picture_height) const;
+};
+
 /// What a camera sees of some surfaces: for each pixel (rows from the top) the nearest one.
 struct SurfaceLayer {
   int width = 0, height = 0;
   std::vector<std::uint8_t> kind;    ///< as given to SurfaceRaster::draw(); 0: nothing there
   std::vector<std::uint8_t> facing;  ///< 255 where the surface faces the camera, 0 where it is seen edge-on
   std::vector<float> inverse_depth;  ///< 1 / z, per metre; 0: nothing there
+  PixelBox touched;                  ///< there is nothing outside of it
 
   bool empty() const { return kind.empty(); }
   std::size_t at(int row, int column) const {
@@ -35,6 +48,9 @@ class SurfaceRaster {
   explicit SurfaceRaster(const Camera& camera);
 
   SurfaceLayer layer() const;
+  /// Takes everything away, in the time of what was drawn. A layer of another camera, or a fresh one, is made
+  /// anew.
+  void clear(SurfaceLayer& layer) const;
   /// @param vertices camera frame, metres. What is closer than 5 mm, or so far off the axis that the lens's
   /// polynomial no longer grows, is not drawn. @pre kind is not 0.
   void draw(const Points& vertices, const Triangles& triangles, std::uint8_t kind, SurfaceLayer& layer) const;
