@@ -64,6 +64,7 @@ class RegionCutTest : public QObject {
   void NoRegionIsWorthMore();
   void ABiteOfATumourIsFilledAndAnOrganThatLeansIsNot();
   void ANotLiverClickKeepsTheTumourOut();
+  void WhatWasPartedFromTheLiverStaysOut();
   void CancelledWorkGivesNothing();
 };
 
@@ -106,7 +107,8 @@ void RegionCutTest::ABiteOfATumourIsFilledAndAnOrganThatLeansIsNot() {
   const Field ct = bitten();
   const Mask found = where(ct, 90.0F, 130.0F), nothing = ct.empty_mask();
   const Mask whole =
-      with_enclosed(ct, found, found, nothing, nothing, nothing, {{{20, 20, 20}}, {}}, RunContext()).value();
+      with_enclosed(ct, found, found, found, nothing, nothing, nothing, {{{20, 20, 20}}, {}}, RunContext())
+          .value();
   QCOMPARE(int(whole.voxels[ct.offset(22, 35, 22)]), 1);
   QCOMPARE(int(whole.voxels[ct.offset(22, 41, 22)]), 1);
   QCOMPARE(int(whole.voxels[ct.offset(50, 20, 22)]), 0);
@@ -119,10 +121,30 @@ void RegionCutTest::ANotLiverClickKeepsTheTumourOut() {
   for (int k = 20; k < 25; ++k)
     for (int j = 33; j < 38; ++j)
       for (int i = 20; i < 25; ++i) barred.voxels[ct.offset(i, j, k)] = 1;
-  const Mask whole = with_enclosed(ct, found, found, barred, ct.empty_mask(), ct.empty_mask(),
+  const Mask whole = with_enclosed(ct, found, found, found, barred, ct.empty_mask(), ct.empty_mask(),
                                    {{{20, 20, 20}}, {{22, 35, 22}}}, RunContext())
                          .value();
   QCOMPARE(int(whole.voxels[ct.offset(22, 35, 22)]), 0);
+}
+
+void RegionCutTest::WhatWasPartedFromTheLiverStaysOut() {
+  // A neighbour as bright as the liver lies in the bite, behind a seam.
+  Field ct = bitten();
+  const Mask found = where(ct, 90.0F, 130.0F), nothing = ct.empty_mask();
+  Mask like = found;
+  for (int k = 0; k < ct.size.z(); ++k)
+    for (int j = 0; j < ct.size.y(); ++j)
+      for (int i = 0; i < ct.size.x(); ++i)
+        if ((Eigen::Vector3d(i, j, k) * 2.0 - Eigen::Vector3d(45, 70, 45)).norm() < 15.0)
+          ct.values[ct.offset(i, j, k)] = 108.0F, like.voxels[ct.offset(i, j, k)] = 1;
+  const auto in_bite = [&](const Mask& own) {
+    const LiverSeeds seeds{{{20, 20, 20}}, {}};
+    const Mask whole =
+        with_enclosed(ct, found, like, own, nothing, nothing, nothing, seeds, RunContext()).value();
+    return int(whole.voxels[ct.offset(22, 35, 22)]);
+  };
+  QCOMPARE(in_bite(like), 1);
+  QCOMPARE(in_bite(found), 0);
 }
 
 void RegionCutTest::CancelledWorkGivesNothing() {
@@ -131,7 +153,7 @@ void RegionCutTest::CancelledWorkGivesNothing() {
   const RunContext context({}, cancel, 1);
   const Field ct = bitten();
   const Mask found = where(ct, 90.0F, 130.0F), nothing = ct.empty_mask();
-  QVERIFY(!with_enclosed(ct, found, found, nothing, nothing, nothing, {{{20, 20, 20}}, {}}, context));
+  QVERIFY(!with_enclosed(ct, found, found, found, nothing, nothing, nothing, {{{20, 20, 20}}, {}}, context));
 }
 
 QTEST_APPLESS_MAIN(RegionCutTest)

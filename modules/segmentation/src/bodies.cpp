@@ -342,8 +342,9 @@ Cancellable<Bodies> find_bodies(const Image& image, const Seeds& seeds, double s
   auto contour = find_liver(ct, *view, clicks, barred, tumours, context.part(0.1, fine ? 0.4 : 0.7), show);
   if (!contour) return std::nullopt;
   bodies.parenchyma = contour->parenchyma;
-  const auto whole = with_enclosed(ct, negative_of(contour->phi), contour->like, contour->closed_ground,
-                                   tumours, likely, clicks, context.part(fine ? 0.4 : 0.7, fine ? 0.4 : 0.7));
+  const auto whole =
+      with_enclosed(ct, negative_of(contour->phi), contour->like, contour->own, contour->closed_ground,
+                    tumours, likely, clicks, context.part(fine ? 0.4 : 0.7, fine ? 0.4 : 0.7));
   if (!whole) return std::nullopt;
   auto settled = settle_liver(ct, *whole, *contour, clicks, tumours,
                               context.part(fine ? 0.4 : 0.7, fine ? 0.5 : 1.0), show);

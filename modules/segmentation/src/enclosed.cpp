@@ -15,9 +15,9 @@ constexpr float kFound = 0.1F, kUnlike = -0.01F, kUnlikeFluid = -0.1F;
 
 }  // namespace
 
-Cancellable<Mask> with_enclosed(const Field& ct, const Mask& found, const Mask& like, const Mask& barred,
-                                const Mask& included, const Mask& likely, const LiverSeeds& seeds,
-                                const RunContext& context) {
+Cancellable<Mask> with_enclosed(const Field& ct, const Mask& found, const Mask& like, const Mask& own,
+                                const Mask& barred, const Mask& included, const Mask& likely,
+                                const LiverSeeds& seeds, const RunContext& context) {
   Mask open = closed(found, kHollow);
   if (context.cancelled()) return std::nullopt;
   const Mask deep = eroded(found, kDeep);
@@ -28,7 +28,8 @@ Cancellable<Mask> with_enclosed(const Field& ct, const Mask& found, const Mask& 
     else if (like.voxels[i] == 0)
       reward[i] = ct.values[i] < kFluid ? kUnlikeFluid : kUnlike;
     if (deep.voxels[i] != 0 || included.voxels[i] != 0) reward[i] = kKnown;
-    if (barred.voxels[i] != 0) reward[i] = -kKnown;
+    const bool parted = like.voxels[i] != 0 && own.voxels[i] == 0 && reward[i] == 0.0F;
+    if (barred.voxels[i] != 0 || parted) reward[i] = -kKnown;
     open.voxels[i] = (open.voxels[i] != 0 && ct.values[i] > kEmpty) || reward[i] == kKnown;
   }
   for (const Eigen::Vector3i& p : seeds.inside) {

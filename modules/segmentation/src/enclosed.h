@@ -13,11 +13,11 @@ namespace glisson::segmentation {
 /// border with the liver than with what lies beside it, edges counting little. A neighbour that only leans on
 /// the liver stays outside.
 /// @param found the liver so far; what lies 4 mm deep in it stays. @param like what looks like liver.
-/// @param barred known not to be liver. @param included known to be. @param likely more
-/// likely than not. @return one piece without holes but
-/// those that are barred. Empty: cancelled.
-Cancellable<Mask> with_enclosed(const Field& ct, const Mask& found, const Mask& like, const Mask& barred,
-                                const Mask& included, const Mask& likely, const LiverSeeds& seeds,
-                                const RunContext& context);
+/// @param own what of that is the liver's: the rest was parted from it at necks and seams, and stays so.
+/// @param barred known not to be liver. @param included known to be. @param likely more likely than not.
+/// @return one piece without holes but those that are barred. Empty: cancelled.
+Cancellable<Mask> with_enclosed(const Field& ct, const Mask& found, const Mask& like, const Mask& own,
+                                const Mask& barred, const Mask& included, const Mask& likely,
+                                const LiverSeeds& seeds, const RunContext& context);
 
 }  // namespace glisson::segmentation
