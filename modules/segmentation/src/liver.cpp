@@ -18,7 +18,7 @@ constexpr double kLastCurvature = 0.5;  // mm: more of it eats sharp edges
 /// New samples of both sides each round: the contour comes from 3 mm inside.
 constexpr int kLastRounds = 4, kLastSteps = 20;
 constexpr int kFineRounds = 3, kFineSteps = 24;
-constexpr float kFineReach = 3.0F;         // mm that a finer contour may leave a coarser one
+constexpr float kFineReach = 3.0F;         // mm that a contour may leave one that had come to rest
 constexpr double kWedge = 6.0;             // mm, half the width of what may be a margin of the liver
 constexpr double kWedgeLength = 20.0;      // mm that the last contours may follow it
 constexpr double kHalfWayToMuscle = 25.0;  // HU below the liver
@@ -126,11 +126,16 @@ void local_region(const Field& ct, const Field& phi, Field& region) {
   }
 }
 
+/// How far the last contours may go outwards.
+struct Reach {
+  double border_mm = kBorder, wedge_mm = kWedgeLength;
+};
+
 /// Where the last contours must not go. They may leave liver-like tissue only by its partial volume, and from
 /// where the second one came to rest (some 3 mm inside the boundary) go farther than a thick border needs
 /// only into a wedge of its own tissue: too thin to be anything but a margin with fat or gas on both sides.
 /// A stomach or a muscle against the liver is thick together with it, or not its own.
-Mask out_of_bounds(const Scene& scene, const Tissue& tissue, const Field& phi) {
+Mask out_of_bounds(const Scene& scene, const Tissue& tissue, const Field& phi, const Reach& reach) {
   Mask found = scene.ct.empty_mask();
   for (std::size_t i = 0; i < found.voxels.size(); ++i) found.voxels[i] = phi.values[i] < 0.0F ? 1 : 0;
   // Half way to muscle and as far above: wider than the start's window, which cuts the border's own tail.
@@ -143,8 +148,8 @@ Mask out_of_bounds(const Scene& scene, const Tissue& tissue, const Field& phi) {
     if (scene.open.voxels[i] != 0 || std::abs(scene.ct.values[i] - mean) < width) like.voxels[i] = 1;
   const Mask thick = opened(like, kWedge), near = dilated(like, kPartialVolume);
   const std::vector<float> distance2 = squared_distance_mm2(found);
-  const auto border2 = static_cast<float>(kBorder * kBorder),
-             length2 = static_cast<float>(kWedgeLength * kWedgeLength);
+  const auto border2 = static_cast<float>(reach.border_mm * reach.border_mm),
+             length2 = static_cast<float>(reach.wedge_mm * reach.wedge_mm);
   Mask barred = scene.ct.empty_mask();
   for (std::size_t i = 0; i < barred.voxels.size(); ++i)
     barred.voxels[i] = near.voxels[i] == 0 || distance2[i] > length2 ||
@@ -153,11 +158,11 @@ Mask out_of_bounds(const Scene& scene, const Tissue& tissue, const Field& phi) {
 }
 
 /// The rounds that settle half way between the liver and what lies beside it. False: cancelled.
-bool run_last_rounds(const Scene& scene, const Tissue& tissue, Field& phi, ContourForces& forces,
-                     const RunContext& context, const ShowContour& show) {
+bool run_last_rounds(const Scene& scene, const Tissue& tissue, const Reach& reach, Field& phi,
+                     ContourForces& forces, const RunContext& context, const ShowContour& show) {
   forces.attraction_mm = 0.0;
   forces.curvature_mm = kLastCurvature;
-  const Mask closed_ground = out_of_bounds(scene, tissue, phi);
+  const Mask closed_ground = out_of_bounds(scene, tissue, phi, reach);
   for (int round = 0; round < kLastRounds; ++round) {
     local_region(scene.ct, phi, forces.region);
     for (std::size_t i = 0; i < phi.values.size(); ++i)
@@ -212,7 +217,7 @@ Cancellable<Field> run_contours(const Scene& scene, const Tissue& tissue, const 
   bound();
   if (!evolve(phi, forces, 80, context.part(0.4, 0.7), show)) return std::nullopt;
 
-  if (!run_last_rounds(scene, tissue, phi, forces, context.part(0.7, 1.0), show)) return std::nullopt;
+  if (!run_last_rounds(scene, tissue, {}, phi, forces, context.part(0.7, 1.0), show)) return std::nullopt;
   return phi;
 }
 
@@ -263,7 +268,8 @@ Cancellable<Field> settle_liver(const Field& ct, const Mask& whole, const LiverC
   ContourForces forces;
   forces.edge = scene.ct.filled(1.0F);
   forces.region = scene.ct;
-  if (!run_last_rounds(scene, contour.parenchyma, phi, forces, context, show)) return std::nullopt;
+  if (!run_last_rounds(scene, contour.parenchyma, {kFineReach, kFineReach}, phi, forces, context, show))
+    return std::nullopt;
   return on_grid_of(ct, phi, box);
 }
 

@@ -25,7 +25,7 @@ Cancellable<LiverContour> find_liver(const Field& ct, const PartingView& view, c
                                      const ShowContour& show = {});
 
 /// The last rounds again, from a liver to which bodies were added that do not look like it (see
-/// with_enclosed()). What lies 5 mm deep in it stays.
+/// with_enclosed()). What lies 5 mm deep in it stays, and what lies 3 mm outside: it had come to rest.
 /// @param contour its tissue and what looks like it. @return mm, negative inside, on the grid of `ct`.
 Cancellable<Field> settle_liver(const Field& ct, const Mask& whole, const LiverContour& contour,
                                 const LiverSeeds& seeds, const Mask& included, const RunContext& context,
