@@ -3,24 +3,12 @@
 
 #include <cmath>
 
+#include "glisson/volume/voxel_neighbours.h"
+
 namespace glisson::editing {
 namespace {
 
 constexpr double kBesideMm = 12.0;  ///< how far what is erased looks for what it becomes
-
-/// Calls visit(offset) for the neighbours through faces inside the volume.
-template <class Visit>
-void for_each_neighbour(const Eigen::Vector3i& size, std::size_t at, Visit&& visit) {
-  const auto nx = static_cast<std::size_t>(size.x()), ny = static_cast<std::size_t>(size.y()),
-             nz = static_cast<std::size_t>(size.z());
-  const std::size_t i = at % nx, j = (at / nx) % ny, k = at / (nx * ny);
-  if (i > 0) visit(at - 1);
-  if (i + 1 < nx) visit(at + 1);
-  if (j > 0) visit(at - nx);
-  if (j + 1 < ny) visit(at + nx);
-  if (k > 0) visit(at - nx * ny);
-  if (k + 1 < nz) visit(at + nx * ny);
-}
 
 }  // namespace
 
@@ -54,7 +42,7 @@ std::vector<Label> given_away(const Mask& lost, const std::vector<Label>& before
     for (std::size_t at = 0; at < lost.voxels.size(); ++at) {
       if (lost.voxels[at] == 0 || taken[at] != 0) continue;
       bool touches = false;
-      for_each_neighbour(lost.size, at, [&](std::size_t beside) {
+      each_face_neighbour(lost.size, at, [&](std::size_t beside, int) {
         touches = touches || (lost.voxels[beside] == 0 && before[beside] == owners[side]);
       });
       if (touches) take(at, side, front[side]);
@@ -63,7 +51,7 @@ std::vector<Label> given_away(const Mask& lost, const std::vector<Label>& before
     for (const std::size_t side : {0U, 1U}) {
       next.clear();
       for (const std::size_t at : front[side])
-        for_each_neighbour(lost.size, at, [&](std::size_t beside) { take(beside, side, next); });
+        each_face_neighbour(lost.size, at, [&](std::size_t beside, int) { take(beside, side, next); });
       front[side].swap(next);
     }
   return after;

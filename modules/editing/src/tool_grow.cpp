@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "describe.h"
+#include "glisson/volume/voxel_neighbours.h"
 
 namespace glisson::editing {
 namespace {
@@ -113,15 +114,8 @@ class Race {
 
  private:
   void visit_neighbours(std::size_t at, Buckets& waiting) {
-    const auto nx = static_cast<std::size_t>(size_.x()), ny = static_cast<std::size_t>(size_.y()),
-               nz = static_cast<std::size_t>(size_.z());
-    const std::size_t i = at % nx, j = (at / nx) % ny, k = at / (nx * ny);
-    if (i > 0) reach(at, at - 1, 0, waiting);
-    if (i + 1 < nx) reach(at, at + 1, 0, waiting);
-    if (j > 0) reach(at, at - nx, 1, waiting);
-    if (j + 1 < ny) reach(at, at + nx, 1, waiting);
-    if (k > 0) reach(at, at - nx * ny, 2, waiting);
-    if (k + 1 < nz) reach(at, at + nx * ny, 2, waiting);
+    each_face_neighbour(
+        size_, at, [&](std::size_t to, int axis) { reach(at, to, static_cast<std::size_t>(axis), waiting); });
   }
   void reach(std::size_t from, std::size_t to, std::size_t axis, Buckets& waiting) {
     if (free_[to] == 0 || cost_[from] > kUnreached - kDearest) return;

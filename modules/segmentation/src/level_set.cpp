@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <queue>
+#include "glisson/volume/voxel_neighbours.h"
 
 namespace glisson::segmentation {
 namespace {
@@ -31,7 +32,7 @@ struct Entry {
 /// not on the volume's edge go to `band`, in memory order.
 class Rebuilder {
  public:
-  explicit Rebuilder(const Field& phi) : h_(static_cast<float>(phi.spacing_mm.minCoeff())), step_(phi) {
+  explicit Rebuilder(const Field& phi) : h_(static_cast<float>(phi.spacing_mm.minCoeff())) {
     distance_.resize(phi.values.size());
     done_.resize(phi.values.size());
   }
@@ -56,18 +57,6 @@ class Rebuilder {
   }
 
  private:
-  template <class Visit>
-  void each_neighbour(const Field& phi, std::size_t at, Visit&& visit) const {
-    const auto i = static_cast<int>(at % step_.y), j = static_cast<int>((at % step_.z) / step_.y),
-               k = static_cast<int>(at / step_.z);
-    if (i > 0) visit(0, at - step_.x);
-    if (i + 1 < phi.size.x()) visit(0, at + step_.x);
-    if (j > 0) visit(1, at - step_.y);
-    if (j + 1 < phi.size.y()) visit(1, at + step_.y);
-    if (k > 0) visit(2, at - step_.z);
-    if (k + 1 < phi.size.z()) visit(2, at + step_.z);
-  }
-
   /// Voxels beside the interface: their distance by linear interpolation along each axis.
   template <class Queue>
   void start(const Field& phi, Queue& queue) {
@@ -76,7 +65,7 @@ class Rebuilder {
       if (std::abs(here) > 4.0F * h_) continue;
       std::array<float, 3> nearest = {1e30F, 1e30F, 1e30F};
       bool crossed = false;
-      each_neighbour(phi, at, [&](int axis, std::size_t other) {
+      each_face_neighbour(phi.size, at, [&](std::size_t other, int axis) {
         const float there = phi.values[other];
         if ((here < 0.0F) == (there < 0.0F)) return;
         crossed = true;
@@ -95,7 +84,7 @@ class Rebuilder {
   /// |grad d| = 1 solved upwind from the accepted neighbours (Sethian 1996).
   float solve(const Field& phi, std::size_t at) const {
     std::array<float, 3> smallest = {1e30F, 1e30F, 1e30F};
-    each_neighbour(phi, at, [&](int axis, std::size_t other) {
+    each_face_neighbour(phi.size, at, [&](std::size_t other, int axis) {
       if (done_[other] != 0)
         smallest[static_cast<std::size_t>(axis)] =
             std::min(smallest[static_cast<std::size_t>(axis)], distance_[other]);
@@ -121,7 +110,7 @@ class Rebuilder {
       queue.pop();
       if (done_[entry.at] != 0) continue;
       done_[entry.at] = 1;
-      each_neighbour(phi, entry.at, [&](int, std::size_t other) {
+      each_face_neighbour(phi.size, entry.at, [&](std::size_t other, int) {
         if (done_[other] != 0) return;
         const float d = solve(phi, other);
         if (d < distance_[other] && d < limit) {
@@ -133,7 +122,6 @@ class Rebuilder {
   }
 
   float h_;
-  Neighbours step_;
   std::vector<float> distance_;
   std::vector<std::uint8_t> done_;
 };

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <queue>
 
+#include "glisson/volume/voxel_neighbours.h"
 #include "painting.h"
 #include "parting.h"
 
@@ -86,30 +87,20 @@ std::vector<std::uint8_t> compete(const Field& ct, const Mask& open, const std::
   };
   place(seeds.inside, 1);
   place(seeds.outside, 2);
-  const std::size_t sy = static_cast<std::size_t>(ct.size.x()),
-                    sz = sy * static_cast<std::size_t>(ct.size.y());
   const auto neck2 = static_cast<float>(kNeck * kNeck);
   const auto h = static_cast<float>(ct.spacing_mm.minCoeff());
   while (!queue.empty()) {
     const Entry entry = queue.top();
     queue.pop();
     if (entry.cost > cost[entry.at]) continue;
-    const int i = static_cast<int>(entry.at % sy), j = static_cast<int>((entry.at % sz) / sy),
-              k = static_cast<int>(entry.at / sz);
-    const auto visit = [&](std::size_t other) {
+    each_face_neighbour(ct.size, entry.at, [&](std::size_t other, int) {
       if (open.voxels[other] == 0) return;
       const float next = entry.cost + h * neck2 / std::max(depth2[other], 1.0F);
       if (next >= cost[other]) return;
       cost[other] = next;
       owner[other] = owner[entry.at];
       queue.push({next, other});
-    };
-    if (i > 0) visit(entry.at - 1);
-    if (i + 1 < ct.size.x()) visit(entry.at + 1);
-    if (j > 0) visit(entry.at - sy);
-    if (j + 1 < ct.size.y()) visit(entry.at + sy);
-    if (k > 0) visit(entry.at - sz);
-    if (k + 1 < ct.size.z()) visit(entry.at + sz);
+    });
   }
   return owner;
 }

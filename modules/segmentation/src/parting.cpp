@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include "glisson/volume/voxel_neighbours.h"
 
 namespace glisson::segmentation {
 namespace {
@@ -134,7 +135,7 @@ class Parting {
     part_.assign(depth_.size(), -1);
     for (const std::size_t at : order) {
       int best = -1;
-      each_neighbour(at, [&](std::size_t other) {
+      each_face_neighbour(ct_.size, at, [&](std::size_t other, int) {
         const int part = part_[other];
         if (part >= 0 &&
             (best < 0 || peak_[static_cast<std::size_t>(part)] > peak_[static_cast<std::size_t>(best)]))
@@ -219,20 +220,6 @@ class Parting {
   }
 
  private:
-  template <class Visit>
-  void each_neighbour(std::size_t at, const Visit& visit) const {
-    const auto sy = static_cast<std::size_t>(ct_.size.x());
-    const std::size_t sz = sy * static_cast<std::size_t>(ct_.size.y());
-    const int i = static_cast<int>(at % sy), j = static_cast<int>((at % sz) / sy),
-              k = static_cast<int>(at / sz);
-    if (i > 0) visit(at - 1);
-    if (i + 1 < ct_.size.x()) visit(at + 1);
-    if (j > 0) visit(at - sy);
-    if (j + 1 < ct_.size.y()) visit(at + sy);
-    if (k > 0) visit(at - sz);
-    if (k + 1 < ct_.size.z()) visit(at + sz);
-  }
-
   int part_near(const Eigen::Vector3i& click) const {
     const int reach = static_cast<int>(std::ceil(kBesideClick / ct_.spacing_mm.minCoeff()));
     double best = kBesideClick;

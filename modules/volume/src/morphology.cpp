@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "glisson/core/error.h"
+#include "glisson/volume/voxel_neighbours.h"
 
 namespace glisson {
 namespace {
@@ -119,12 +120,9 @@ std::vector<float> squared_distance_to(const Mask& mask, std::uint8_t wanted) {
 template <class Open, class Take>
 void flood(const Eigen::Vector3i& size, std::size_t seed, std::vector<std::size_t>& stack, Open&& open,
            Take&& take) {
-  const auto nx = static_cast<std::size_t>(size.x());
-  const auto slice = nx * static_cast<std::size_t>(size.y());
-  const auto ny = static_cast<std::size_t>(size.y()), nz = static_cast<std::size_t>(size.z());
   stack.assign(1, seed);
   take(seed);
-  const auto visit = [&](std::size_t at) {
+  const auto visit = [&](std::size_t at, int) {
     if (!open(at)) return;
     take(at);
     stack.push_back(at);
@@ -132,13 +130,7 @@ void flood(const Eigen::Vector3i& size, std::size_t seed, std::vector<std::size_
   while (!stack.empty()) {
     const std::size_t at = stack.back();
     stack.pop_back();
-    const std::size_t i = at % nx, j = (at / nx) % ny, k = at / slice;
-    if (i > 0) visit(at - 1);
-    if (i + 1 < nx) visit(at + 1);
-    if (j > 0) visit(at - nx);
-    if (j + 1 < ny) visit(at + nx);
-    if (k > 0) visit(at - slice);
-    if (k + 1 < nz) visit(at + slice);
+    each_face_neighbour(size, at, visit);
   }
 }
 
