@@ -16,6 +16,7 @@
 #include "complaint.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
+#include "take_soon.h"
 
 using namespace glisson;
 namespace fs = std::filesystem;
@@ -69,6 +70,7 @@ class OutputFileTest : public QObject {
   void WhatIsBeingWrittenIsNotSwept();
   void WhatWasKilledIsSweptAndNothingElse();
   void WhatAChildOfTheKilledHoldsForAMomentIsSwept();
+  void WhatIsHeldLongerIsAtWork();
   void ARecordingThatWasKilledIsKept();
   void TemporaryFoldersAreForOneUserAlone();
   void WorkIsNotDoneInTheSharedFolder();
@@ -195,19 +197,46 @@ void OutputFileTest::WhatWasKilledIsSweptAndNothingElse() {
 void OutputFileTest::WhatAChildOfTheKilledHoldsForAMomentIsSwept() {
   // Killed while it starts another program: until that is there, a child shares what was held.
   const TemporaryFolder folder;
+  fs::path left;
+  int gate[2] = {-1, -1};
+  QCOMPARE(::pipe(gate), 0);
   pid_t child = 0;
   {
     Claim claim;
-    const fs::path left = Claim::make_folder(folder.path(), claim);
+    left = Claim::make_folder(folder.path(), claim);
     QVERIFY(!left.empty());
     child = ::fork();
     if (child == 0) {
-      ::usleep(30000);
+      char byte = 0;
+      ::close(gate[1]);
+      (void)!::read(gate[0], &byte, 1);  // until the gate is shut
       ::_exit(0);
     }
   }
-  QCOMPARE(sweep_leftovers(folder.path()), 1);
-  ::waitpid(child, nullptr, 0);
+  const Claim claim(::open(left.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  int waits = 5, pauses = 0;
+  QVERIFY(take_soon(claim, waits, [&] {
+    if (++pauses < 3) return;
+    ::close(gate[1]);
+    ::waitpid(child, nullptr, 0);
+  }));
+  QCOMPARE(pauses, 3);
+  QCOMPARE(waits, 2);
+  ::close(gate[0]);
+}
+
+void OutputFileTest::WhatIsHeldLongerIsAtWork() {
+  const TemporaryFolder folder;
+  Claim claim;
+  const fs::path path = Claim::make_folder(folder.path(), claim);
+  const Claim other(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  int waits = 3, pauses = 0;
+  const auto pause = [&pauses] { ++pauses; };
+  QVERIFY(!take_soon(other, waits, pause));
+  QCOMPARE(pauses, 3);
+  claim.release();
+  QVERIFY(take_soon(other, waits, pause));  // what nobody holds needs no wait
+  QCOMPARE(pauses, 3);
 }
 
 void OutputFileTest::ARecordingThatWasKilledIsKept() {

@@ -5,29 +5,13 @@
 #include <QtTest>
 #include <random>
 
+#include "phantom_field.h"
+
 using namespace glisson;
 using namespace glisson::segmentation;
+using namespace glisson::test;
 
 namespace {
-
-Field box(const Eigen::Vector3i& size, double spacing_mm) {
-  Field field;
-  field.size = size;
-  field.spacing_mm = Eigen::Vector3d::Constant(spacing_mm);
-  field.step = field.spacing_mm;
-  return field.filled(0.0F);
-}
-
-template <class Inside>
-Mask body(const Field& field, const Inside& inside) {
-  Mask mask = field.empty_mask();
-  for (int k = 0; k < field.size.z(); ++k)
-    for (int j = 0; j < field.size.y(); ++j)
-      for (int i = 0; i < field.size.x(); ++i)
-        mask.voxels[field.offset(i, j, k)] =
-            inside(Eigen::Vector3d(i, j, k).cwiseProduct(field.spacing_mm)) ? 1 : 0;
-  return mask;
-}
 
 const Eigen::Vector3d kLarge(40, 36, 36);  // mm
 constexpr double kLargeRadius = 30.0;
@@ -63,7 +47,7 @@ class PartingTest : public QObject {
   void ASeamIsFoundAndNoiseIsNone();
 
  private:
-  Field field_ = box({90, 48, 48}, 1.5);
+  Field field_ = field_of({90, 48, 48}, 1.5);
 };
 
 void PartingTest::WhatHangsByANeckIsARival() {
@@ -104,10 +88,7 @@ void PartingTest::ASeamIsFoundAndNoiseIsNone() {
   Field ct = field_;
   std::mt19937 random(3);
   std::normal_distribution<float> noise(0.0F, 12.0F);
-  for (int k = 0; k < ct.size.z(); ++k)
-    for (int j = 0; j < ct.size.y(); ++j)
-      for (int i = 0; i < ct.size.x(); ++i)
-        ct.values[ct.offset(i, j, k)] = std::abs(1.5 * i - kSeam) < 0.75 ? -90.0F : 108.0F;
+  fill(ct, [](const Eigen::Vector3d& p) { return std::abs(p.x() - kSeam) < 0.75 ? -90.0 : 108.0; });
   smooth(ct, 1.2);
   for (float& value : ct.values) value += noise(random);
   const Mask all = body(ct, [](const Eigen::Vector3d&) { return true; });

@@ -6,19 +6,13 @@
 #include <random>
 
 #include "enclosed.h"
+#include "phantom_field.h"
 
 using namespace glisson;
 using namespace glisson::segmentation;
+using namespace glisson::test;
 
 namespace {
-
-Field field_of(const Eigen::Vector3i& size, double spacing_mm) {
-  Field field;
-  field.size = size;
-  field.spacing_mm = Eigen::Vector3d::Constant(spacing_mm);
-  field.step = field.spacing_mm;
-  return field.filled(0.0F);
-}
 
 /// As the header has it.
 double worth(const Field& ct, const std::vector<float>& reward, std::size_t region) {
@@ -38,15 +32,6 @@ double worth(const Field& ct, const std::vector<float>& reward, std::size_t regi
         }
       }
   return sum;
-}
-
-template <class Value>
-void fill(Field& field, const Value& value) {
-  for (int k = 0; k < field.size.z(); ++k)
-    for (int j = 0; j < field.size.y(); ++j)
-      for (int i = 0; i < field.size.x(); ++i)
-        field.values[field.offset(i, j, k)] =
-            static_cast<float>(value(Eigen::Vector3d(i, j, k).cwiseProduct(field.spacing_mm)));
 }
 
 Mask where(const Field& field, float low, float high) {

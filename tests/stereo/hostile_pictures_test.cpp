@@ -9,6 +9,7 @@
 #include "glisson/core/files.h"
 #include "glisson/stereo/picture_io.h"
 #include "glisson/stereo/picture_reader.h"
+#include "mutant.h"
 
 using namespace glisson;
 using namespace glisson::stereo;
@@ -77,18 +78,6 @@ std::string tiff_of(std::uint16_t width, std::uint16_t height) {
   return bytes + std::string(static_cast<std::size_t>(width) * height, '\x55');
 }
 
-std::string damaged(std::string bytes, std::mt19937_64& random) {
-  for (int n = 0; n < 3; ++n) {
-    const std::size_t where = random() % bytes.size();
-    if (random() % 4 == 0)
-      bytes.erase(where, 1 + random() % 40);
-    else
-      bytes[where] = static_cast<char>(random() % 3 == 0 ? 0xFF : random() % 256);
-    if (bytes.size() < 16) break;
-  }
-  return bytes;
-}
-
 void write_film(const fs::path& path, int frames) {
   VideoWriter writer(path, 64, 48, 25.0);
   for (int n = 0; n < frames; ++n) writer.write(pattern(64, 48, n));
@@ -126,7 +115,7 @@ void HostilePicturesTest::ScansWithoutEndAreEnded() {
 }
 
 void HostilePicturesTest::DamagedPicturesEndNothing() {
-  std::mt19937_64 random(20);
+  std::mt19937 random(20);
   PictureReader reader;
   write_file_atomically(at("a.tif"), tiff_of(32, 24));
   QCOMPARE(reader.read(at("a.tif")).bytes->at(100), std::uint8_t{0x55});
@@ -135,7 +124,7 @@ void HostilePicturesTest::DamagedPicturesEndNothing() {
     const std::string good = read_file(at(name));
     int refused = 0;
     for (int n = 0; n < 100; ++n) {
-      write_file_atomically(at(name), damaged(good, random));
+      write_file_atomically(at(name), test::mutant_of(good, random, 40));
       try {
         const Picture picture = reader.read(at(name));
         QCOMPARE(picture.bytes->size(), static_cast<std::size_t>(picture.width) *
@@ -150,11 +139,11 @@ void HostilePicturesTest::DamagedPicturesEndNothing() {
 }
 
 void HostilePicturesTest::DamagedVideosEndNothing() {
-  std::mt19937_64 random(21);
+  std::mt19937 random(21);
   write_film(at("a.mkv"), 6);
   const std::string good = read_file(at("a.mkv"));
   for (int n = 0; n < 20; ++n) {
-    write_file_atomically(at("a.mkv"), damaged(good, random));
+    write_file_atomically(at("a.mkv"), test::mutant_of(good, random, 40));
     try {
       StereoVideo video(at("a.mkv"));
       int frames = 0;

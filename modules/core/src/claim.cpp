@@ -17,6 +17,7 @@
 #include <thread>
 #include <utility>
 #include <vector>
+#include "take_soon.h"
 
 namespace glisson {
 namespace fs = std::filesystem;
@@ -104,20 +105,6 @@ void Claim::release() {
   descriptor_ = -1;
 }
 
-namespace {
-
-/// A program that is killed while it starts another leaves a child that shares what it held until that
-/// becomes the other program: a moment. Whoever holds it longer is at work.
-bool take_soon(const Claim& claim, int& waits) {
-  while (!claim.take()) {
-    if (errno != EWOULDBLOCK || waits-- <= 0) return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-  return true;
-}
-
-}  // namespace
-
 int sweep_leftovers(const fs::path& folder) {
   std::error_code failure;
   std::vector<fs::path> found;
@@ -125,12 +112,13 @@ int sweep_leftovers(const fs::path& folder) {
        entry.increment(failure))
     if (is_work_in_progress(entry->path().filename().string())) found.push_back(entry->path());
   int removed = 0, waits = 10;  // of all together
+  const auto pause = [] { std::this_thread::sleep_for(std::chrono::milliseconds(10)); };
   for (const fs::path& path : found) {
     const Claim claim(::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
     struct stat held = {};
     if (claim.descriptor() < 0 || ::fstat(claim.descriptor(), &held) != 0) continue;
     const bool ours = held.st_uid == ::geteuid() && (S_ISREG(held.st_mode) || S_ISDIR(held.st_mode));
-    if (!ours || !take_soon(claim, waits) || !claim.is_at(path)) continue;
+    if (!ours || !take_soon(claim, waits, pause) || !claim.is_at(path)) continue;
     if (S_ISREG(held.st_mode) && held.st_size > 0 && path.extension() == kRecording)
       fs::rename(path, recovered_name(path), failure);
     else

@@ -6,14 +6,14 @@
 #include <cmath>
 
 #include "glisson/core/statistics.h"
+#include "rival_shapes.h"
 
 namespace glisson::registration {
 namespace {
 
 constexpr int kNeighbours = 30;
-constexpr double kBehind = 10e-3;     ///< m
-constexpr double kRivalAway = 10e-3;  ///< m
-constexpr double kAgainst = 0.34;     ///< cosine of 70 degrees
+constexpr double kBehind = 10e-3;  ///< m
+constexpr double kAgainst = 0.34;  ///< cosine of 70 degrees
 
 /// Of one point: rms about a paraboloid through its neighbours, freedom taken into account.
 double roughness_at(const Points& points, const std::vector<int>& neighbours, Eigen::Index i) {
@@ -110,7 +110,7 @@ Findings examine(const Examined& examined) {
     const ShapeFit& best = examined.shapes->best();
     findings.forced = (final_nodes - best.nodes_in_camera).rowwise().norm().mean();
     for (const ShapeFit& fit : examined.shapes->fits)
-      if ((fit.nodes_in_camera - best.nodes_in_camera).rowwise().norm().mean() > kRivalAway)
+      if (are_rivals(fit, best))
         findings.rival_odds = std::min(findings.rival_odds, 0.5 * (fit.cost - best.cost));
   }
   return findings;

@@ -7,6 +7,7 @@
 
 #include "glisson/core/error.h"
 #include "glisson/registration/pairs.h"
+#include "rival_shapes.h"
 
 namespace glisson::registration {
 namespace {
@@ -143,10 +144,6 @@ class ShapeFitter {
   int notch_points_ = 0;
 };
 
-double apart(const ShapeFit& a, const ShapeFit& b) {
-  return (a.nodes_in_camera - b.nodes_in_camera).rowwise().norm().mean();
-}
-
 }  // namespace
 
 void ShapeFitOptions::validate() const {
@@ -171,8 +168,8 @@ Cancellable<ShapeFit> fit_shape(const PatientModel& model, const OperationPrior&
 Cancellable<ShapeFits> fit_shapes(const PatientModel& model, const OperationPrior& prior,
                                   const LabelledCloud& cloud, const std::vector<CameraFromCt>& starts,
                                   const ShapeFitOptions& options, const RunContext& context) {
-  // A posterior e^4 times smaller is no rival; nor is a shape that is nearly the same.
-  constexpr double kRivalCost = 8.0, kRivalDistance = 10e-3, kUnusual = 4.0;
+  // A posterior e^4 times smaller is no rival.
+  constexpr double kRivalCost = 8.0, kUnusual = 4.0;
   require(!starts.empty(), "a shape is fitted from one start at least");
   ShapeFits found;
   std::vector<ShapeFit>& fits = found.fits;
@@ -187,7 +184,7 @@ Cancellable<ShapeFits> fit_shapes(const PatientModel& model, const OperationPrio
                    [](const ShapeFit& a, const ShapeFit& b) { return a.cost < b.cost; });
   const ShapeFit& best = fits.front();
   if (std::any_of(fits.begin(), fits.end(), [&](const ShapeFit& fit) {
-        return fit.cost < best.cost + kRivalCost && apart(fit, best) > kRivalDistance;
+        return fit.cost < best.cost + kRivalCost && are_rivals(fit, best);
       }))
     found.doubts.emplace_back("shape_ambiguous");
   if (best.amplitudes.cwiseAbs().maxCoeff() > kUnusual) found.doubts.emplace_back("shape_unusual");

@@ -14,7 +14,6 @@ namespace glisson::stereo {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr long kMostPixels = 64000000;  // a file of a few kilobytes may claim gigabytes
 /// By the clock, beyond the reader's own limit of processor time: it is killed then.
 constexpr double kPatience = 60.0;
 

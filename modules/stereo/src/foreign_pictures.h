@@ -14,6 +14,9 @@
 
 namespace glisson::stereo {
 
+/// More than any camera has: a file of a few kilobytes may claim gigabytes.
+inline constexpr long kMostPixels = 64000000;
+
 /// The frames of one video file, decoded in a process of its own, one frame ahead.
 class ForeignVideo {
  public:

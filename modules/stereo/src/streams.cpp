@@ -13,11 +13,6 @@
 
 namespace glisson::stereo {
 namespace fs = std::filesystem;
-namespace {
-
-constexpr int kMostPixels = 64000000;  // more than any camera has
-
-}  // namespace
 
 FileStream::FileStream(const fs::path& path) : path_(path) {
   name = path.string();
