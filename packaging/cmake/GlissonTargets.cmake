@@ -73,10 +73,13 @@ function(glisson_test)
     set(ARG_TIMEOUT 300)
   endif()
   set(environment "GLISSON_SOURCE_DIR=${PROJECT_SOURCE_DIR}" "OPENBLAS_NUM_THREADS=1" "LC_ALL=C.UTF-8")
-  if(GLISSON_SANITIZER)
+  if(GLISSON_SANITIZER OR GLISSON_COVERAGE)
     # Instrumented code is 3 to 30 times slower.
     math(EXPR ARG_TIMEOUT "10 * ${ARG_TIMEOUT}")
-    list(APPEND environment "UBSAN_OPTIONS=print_stacktrace=1" "QTEST_FUNCTION_TIMEOUT=3000000"
+    list(APPEND environment "QTEST_FUNCTION_TIMEOUT=3000000")
+  endif()
+  if(GLISSON_SANITIZER)
+    list(APPEND environment "UBSAN_OPTIONS=print_stacktrace=1"
       "LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/packaging/sanitizers/lsan.supp:print_suppressions=0"
       "TSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/packaging/sanitizers/tsan.supp")
     # Mesa's software driver, and those of cameras, leave small objects and are unloaded before leaks are counted, so that
