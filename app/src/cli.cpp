@@ -57,14 +57,12 @@ void require_place_for(const fs::path& file) {
   sweep_leftovers(folder);
 }
 
-bool is_case(const fs::path& folder) { return fs::exists(folder / "case.json"); }
-
 /// Moves what a folder holds to another one, folder by folder: what is there besides stays. A case is
 /// replaced whole.
 void merge(const fs::path& from, const fs::path& to) {
   for (const auto& entry : fs::directory_iterator(from)) {
     const fs::path target = to / entry.path().filename();
-    if (is_case(entry.path()) && is_case(target))
+    if (engine::holds_case(entry.path()) && engine::holds_case(target))
       engine::put_case(entry.path(), target);
     else if (entry.is_directory() && fs::is_directory(fs::symlink_status(target)))
       merge(entry.path(), target);

@@ -39,7 +39,7 @@ ModelArgument load_model(const Arguments& arguments, Session& session) {
   const bool is_folder = fs::is_directory(argument.path);
   if (is_folder && argument.path.lexically_normal().filename().empty())
     argument.path = argument.path.parent_path();
-  if (is_folder && (fs::exists(argument.path / "case.json") || argument.path.extension() == ".glisson")) {
+  if (engine::is_case(argument.path)) {
     session.post(engine::OpenCase{argument.path, engine::OpenCase::Access::read});
     if (!session.state()[part::model])
       throw InputError(argument.path.string(), "model", "the case has none yet",

@@ -258,17 +258,10 @@ int run_reconstruct(const QStringList& given) {
   if (!plain_text) session.post(calibration);
   session.post(pair);
   if (plain_text) session.post(calibration);
-  const engine::StereoInput& input = *session.state()[part::frame];
-  stereo::PairCheck check;
-  session.with_names([&] {
-    check = stereo::check_pair(input.frame.left, input.frame.right, *session.state()[part::rig]);
-    stereo::require_sound(check);
-  });
-  session.figures["pair_matches"] = check.matches;
-  session.figures["pair_rows_px"] = check.rows_px;
   if (arguments.has("regions"))
     session.post(engine::SetRegions{stereo::read_regions(arguments.path("regions"))});
   engine::Reconstruct command;
+  command.check_pair = true;
   command.options.method = arguments.has("dense") ? stereo::Method::dense : method_of(arguments);
   command.options.kind = features_of(arguments);
   session.post(command);
@@ -279,7 +272,7 @@ int run_reconstruct(const QStringList& given) {
   const stereo::DensityMap& density = session.state()[part::points]->density;
   session.figures["cloud_area_cm2"] = density.area_cm2;
   if (arguments.has("density"))
-    stereo::write_picture(arguments.path("density"), stereo::density_picture(density, input.frame.left));
+    stereo::write_picture(arguments.path("density"), stereo::density_picture(density, session.state()[part::frame]->frame.left));
   write_cloud(out, cloud, arguments.unit("unit"));
   session.finish();
   return 0;

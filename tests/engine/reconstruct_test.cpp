@@ -25,6 +25,7 @@ class ReconstructTest : public QObject {
   void APairBecomesDenseOnceItsRegionsAreThinAndStaysSo();
   void TheNextPairIsJudgedAnew();
   void WhoChoosesSparseGetsSparse();
+  void ThePairIsLookedAtFirstWhereThatIsAsked();
 
  private:
   static stereo::Regions square(double x, double y) {
@@ -117,6 +118,21 @@ void ReconstructTest::WhoChoosesSparseGetsSparse() {
   const CaseState state = labelled(*scope, thin_, sparse);
   QVERIFY(!dense(state));
   QCOMPARE(state[part::points]->density_per_cm2, thin_density_);
+}
+
+void ReconstructTest::ThePairIsLookedAtFirstWhereThatIsAsked() {
+  const auto scope = engine();
+  Reconstruct command = automatic_;
+  command.options.method = stereo::Method::sparse;
+  QVERIFY(!scope->wait(scope->post(command)).figures.contains("pair_matches"));
+  command.check_pair = true;
+  const Outcome looked = scope->wait(scope->post(command));
+  QVERIFY(looked.figures.at("pair_matches") >= 20.0);
+  QVERIFY(looked.figures.at("pair_rows_px") < 2.0);
+  after(*scope, LoadStereoPair{folder_.path() / "right.png", folder_.path() / "left.png", {}});
+  const Outcome refused = scope->wait(scope->post(command));
+  QCOMPARE(refused.status, Status::failed);
+  QVERIFY2(refused.error.find("swapped") != std::string::npos, refused.error.c_str());
 }
 
 QTEST_APPLESS_MAIN(ReconstructTest)

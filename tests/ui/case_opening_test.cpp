@@ -23,7 +23,10 @@ void CaseOpeningTest::PathsAreTakenForWhatTheyAre() {
   std::filesystem::create_directories(root / "a.glisson");
   std::filesystem::create_directories(root / "surfaces");
   write_file_atomically(root / "surfaces" / "liver.vtk", std::string("x"));
+  std::filesystem::create_directories(root / "renamed");
+  write_file_atomically(root / "renamed" / "case.json", std::string("{}"));
   QCOMPARE(code(root / "dicom"), std::string("import_image"));
+  QCOMPARE(code(root / "renamed"), std::string("open_case"));
   QCOMPARE(code(root / "a.glisson"), std::string("open_case"));
   QCOMPARE(code((root / "a.glisson").string() + "/"), std::string("open_case"));
   QCOMPARE(code(root / "surfaces"), std::string("import_surfaces"));

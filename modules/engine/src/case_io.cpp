@@ -124,9 +124,19 @@ void exchange(const fs::path& fresh, const fs::path& path) {
 
 }  // namespace
 
-std::string edition_on_disk(const fs::path& folder) {
+bool holds_case(const fs::path& folder) {
   std::error_code ignored;
-  if (!fs::exists(folder / "case.json", ignored)) return {};
+  return fs::exists(folder / "case.json", ignored);
+}
+
+bool is_case(const fs::path& path) {
+  std::error_code ignored;
+  const fs::path name = path.has_filename() ? path.filename() : path.parent_path().filename();
+  return fs::is_directory(path, ignored) && (holds_case(path) || name.extension() == ".glisson");
+}
+
+std::string edition_on_disk(const fs::path& folder) {
+  if (!holds_case(folder)) return {};
   // FNV-1a, 64 bits: case.json lists every file with its sum.
   std::uint64_t sum = 14695981039346656037ULL;
   for (const char byte : read_file(folder / "case.json"))
@@ -153,7 +163,7 @@ bool save(const fs::path& given, const CaseState& state, const RunContext& conte
   if (path.extension() != ".glisson")
     throw InputError(given.string(), "", "a case is a folder whose name ends in .glisson",
                      "Choose such a name");
-  if (fs::exists(path) && !fs::exists(path / "case.json"))
+  if (fs::exists(path) && !holds_case(path))
     throw InputError(given.string(), "", "exists and is not a case", "Choose another name");
   if (!fs::is_directory(path.parent_path()))
     throw FileError(given.string() + ": its folder does not exist. Create it or choose another.");
@@ -199,9 +209,9 @@ Cancellable<CaseState> read_case(const fs::path& given, const RunContext& contex
                                  std::vector<std::string>* lost, const std::shared_ptr<const Image>& known) {
   fs::path path = case_place(given);
   sweep_leftovers(path.parent_path());
-  if (!fs::exists(path) && fs::exists(former_name(path) / "case.json")) path = former_name(path);
+  if (!fs::exists(path) && holds_case(former_name(path))) path = former_name(path);
   if (!fs::exists(path)) throw FileError(given.string() + ": does not exist. Check the path.");
-  if (!fs::exists(path / "case.json"))
+  if (!holds_case(path))
     throw InputError(given.string(), "case.json", "is missing: this folder is not a case",
                      "Choose a folder NAME.glisson");
   require_own_files(path);

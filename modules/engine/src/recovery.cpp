@@ -13,6 +13,7 @@
 #include "glisson/core/files.h"
 #include "glisson/core/json_file.h"
 #include "glisson/core/log_file.h"
+#include "glisson/engine/case_io.h"
 #include "recovery_copy.h"
 
 namespace glisson::engine {
@@ -24,7 +25,7 @@ namespace {
 Recoverable copy_in(const fs::path& folder) {
   Recoverable found{folder, folder / kCopyName, {}, {}, {}};
   try {
-    if (!fs::exists(found.copy / "case.json")) return {};
+    if (!holds_case(found.copy)) return {};
     const json said = read_json(folder / kSaidName);
     found.of = said.at("of").get<std::string>();
     found.edition = said.at("edition");

@@ -349,8 +349,7 @@ class DemoRun {
 
 DemoInput input_of(const DemoOptions& options) {
   if (options.patient.empty()) return DemoInput::synthetic;
-  if (fs::is_directory(options.patient) && fs::exists(options.patient / "case.json"))
-    return DemoInput::open_case;
+  if (engine::is_case(options.patient)) return DemoInput::open_case;
   return is_volume(options.patient) ? DemoInput::labels : DemoInput::surfaces;
 }
 

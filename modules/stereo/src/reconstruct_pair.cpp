@@ -12,6 +12,21 @@ namespace {
 
 using Whole = std::shared_ptr<const Reconstructed>;
 
+/// The pair is looked at once, when that is first asked for.
+class Look {
+ public:
+  explicit Look(const PairInput& input) : input_(input) {}
+  const PairCheck& check() {
+    if (!made_) made_ = check_pair(input_.frame.left, input_.frame.right, input_.rig);
+    return *made_;
+  }
+  const std::optional<PairCheck>& made() const { return made_; }
+
+ private:
+  const PairInput& input_;
+  std::optional<PairCheck> made_;
+};
+
 Cancellable<Whole> whole_of(const PairInput& input, const ReconstructOptions& options,
                             const KnownPoints& known, const RunContext& context) {
   if (known.whole && known.options == options) return known.whole;
@@ -23,11 +38,11 @@ Cancellable<Whole> whole_of(const PairInput& input, const ReconstructOptions& op
 
 /// As asked for. Where the pair itself is at fault, that is the better answer.
 Cancellable<Whole> asked_whole(const PairInput& input, const ReconstructOptions& options,
-                               const KnownPoints& known, const RunContext& context) {
+                               const KnownPoints& known, Look& look, const RunContext& context) {
   try {
     return whole_of(input, options, known, context);
   } catch (const InputError&) {
-    require_sound(check_pair(input.frame.left, input.frame.right, input.rig));
+    require_sound(look.check());
     throw;
   }
 }
@@ -50,8 +65,8 @@ bool is_suspicious(const PairCloud& result, const ReconstructOptions& options) {
 }
 
 /// What follows from the points that were chosen.
-PairCloud described(Whole whole, LabelledPart part, const PairInput& input,
-                    const ReconstructOptions& options) {
+PairCloud described(Whole whole, LabelledPart part, const PairInput& input, const ReconstructOptions& options,
+                    Look& look) {
   if (part.cloud.size() == 0)
     throw InputError("regions", "",
                      "hold none of the pair's " + std::to_string(whole->cloud.size()) + " points",
@@ -65,8 +80,8 @@ PairCloud described(Whole whole, LabelledPart part, const PairInput& input,
   result.part = std::move(part);
   result.density = density_map(result.part.cloud, input.rig.left, input.mask, input.regions);
   result.frame_identity = frame_identity(input.frame.left, input.frame.right);
-  if (is_suspicious(result, options))
-    result.faults = check_pair(input.frame.left, input.frame.right, input.rig).faults;
+  if (is_suspicious(result, options)) (void)look.check();
+  result.check = look.made();
   return result;
 }
 
@@ -77,9 +92,11 @@ Cancellable<PairCloud> reconstruct_pair(const PairInput& input, const Reconstruc
   options.validate();
   require_rig_of(input.rig, input.frame.left);
   require_regions_of(input.regions, input.frame.left, input.frame.right);
+  Look look(input);
+  if (input.check) require_sound(look.check());
   const bool labels = !input.regions.regions.empty();
   const bool may_be_dense = labels && options.method == Method::automatic;
-  auto whole = asked_whole(input, options, known, context.part(0.0, may_be_dense ? 0.6 : 1.0));
+  auto whole = asked_whole(input, options, known, look, context.part(0.0, may_be_dense ? 0.6 : 1.0));
   if (!whole) return {};
   LabelledPart part = label((*whole)->cloud, input.rig, input.mask, input.regions);
   if (may_be_dense && (*whole)->report.method == Method::sparse &&
@@ -91,7 +108,7 @@ Cancellable<PairCloud> reconstruct_pair(const PairInput& input, const Reconstruc
       if (denser.density_per_cm2 > part.density_per_cm2) whole = dense, part = std::move(denser);
     }
   }
-  return described(std::move(*whole), std::move(part), input, options);
+  return described(std::move(*whole), std::move(part), input, options, look);
 }
 
 }  // namespace glisson::stereo

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/shell/case_opening.h"
 #include "glisson/core/files.h"
+#include "glisson/engine/case_io.h"
 #include "glisson/engine/commands/import_cloud.h"
 #include "glisson/engine/commands/import_image.h"
 #include "glisson/engine/commands/import_labels.h"
@@ -46,8 +47,8 @@ std::optional<Opening> opening_of(const fs::path& given) {
   };
   const Opening image{Way::import_image, path, engine::ImportImage{path}};
   std::error_code problem;
+  if (engine::is_case(path)) return a_case(path);
   if (fs::is_directory(path, problem)) {
-    if (name.ends_with(".glisson")) return a_case(path);
     if (holds_surfaces(path)) return plain(engine::ImportSurfaces{path, LengthUnit::millimetre, {}});
     return image;
   }

@@ -17,6 +17,12 @@ namespace glisson::engine {
 /// The edition of the folder's layout that this program writes; older ones are read, newer ones refused.
 inline constexpr int kCaseFormatVersion = 1;
 
+/// Whether a case stands in a folder, whole or not.
+bool holds_case(const std::filesystem::path& folder);
+/// Whether a path is to be opened as a case: a folder that holds one, or is named as one (open_case() says
+/// then what it lacks).
+bool is_case(const std::filesystem::path& path);
+
 /// Writes a case as a folder NAME.glisson of standard files (see the module's README). Written beside,
 /// flushed, read back and compared, then exchanged in one step: killed at any moment it leaves the old case
 /// or the new one. Files in its folder that are not the case's stay, and what others have changed is kept

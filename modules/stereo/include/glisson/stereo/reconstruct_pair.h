@@ -2,8 +2,8 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
-#include <vector>
 
 #include "glisson/core/run_context.h"
 #include "glisson/stereo/density.h"
@@ -19,6 +19,7 @@ struct PairInput {
   StereoRig rig;
   Picture mask;     ///< one byte a pixel of the left image, non-zero is to be used; empty: everything
   Regions regions;  ///< of this frame; without any, everything is surface
+  bool check = false;  ///< the pair is looked at first and refused for its faults, whatever its points are
 };
 
 /// Points of a whole pair that are there already.
@@ -35,9 +36,9 @@ struct PairCloud {
   LabelledPart part;
   DensityMap density;          ///< where in the left picture the part's points are missing
   std::string frame_identity;  ///< of the pair
-  /// What is wrong with the pair; looked for only where the points give cause to (rows that are off, too few
-  /// points), since it takes a second.
-  std::vector<Fault> faults;
+  /// Of the pair. Without being asked for it is made only where the points give cause (rows that are off, too
+  /// few points), since it takes a second.
+  std::optional<PairCheck> check;
 };
 
 /// Stereo pair to labelled cloud: the points of the whole pair, then those within the regions. Points: SURF
@@ -50,7 +51,8 @@ struct PairCloud {
 /// @param known taken where their options are those that are needed; they are not made again.
 /// @throws InputError pictures of another size than the calibration's, mask of another size, regions of
 ///   another frame or without points, fewer than ten points; where a fault of the pair itself is found
-///   (black, lost, swapped, of another scope, ...; see require_sound), that one.
+///   (black, lost, swapped, of another scope, ...; see require_sound), that one. It is looked for where points
+///   are refused, or where the input asks.
 /// @throws PreconditionError options out of range.
 Cancellable<PairCloud> reconstruct_pair(const PairInput& input, const ReconstructOptions& options,
                                         const RunContext& context, const KnownPoints& known = {});

@@ -10,6 +10,8 @@ namespace glisson::engine {
 /// since the last time, the points are not made again.
 struct Reconstruct {
   stereo::ReconstructOptions options;
+  /// The pair is looked at first and refused for its faults; the figures pair_matches and pair_rows_px tell.
+  bool check_pair = false;
 
   CommandTraits traits() const;
   Cancellable<Applied> apply(const CaseState& state, const RunContext& context) const;
