@@ -4179,8 +4179,8 @@
         <translation>registration: zwei Patienten jeder Menge und ein sichtbarer Anteil.</translation>
     </message>
     <message>
-        <source>registration: keep what DIR/registration.csv holds already.</source>
-        <translation>registration: behalten, was DIR/registration.csv schon enthält.</translation>
+        <source>registration: keep what DIR/registration_SEED.csv holds already.</source>
+        <translation>registration: behalten, was DIR/registration_SEED.csv schon enthält.</translation>
     </message>
     <message>
         <source>This computer&apos;s kernel does not shut in the programs that read foreign files: read only files that you trust.</source>
@@ -4217,6 +4217,10 @@
     <message>
         <source>Takes the N-th of the other places where the organ may be (rival_N_probability, rival_N_away_mm) instead of the most probable one.</source>
         <translation>Nimmt den N-ten der anderen Orte, an denen das Organ liegen kann (rival_N_probability, rival_N_away_mm), statt des wahrscheinlichsten.</translation>
+    </message>
+    <message>
+        <source>How unusual the livers were that --added-deviation was set on, over what is usual: it grows only beyond that.</source>
+        <translation>Wie ungewöhnlich die Lebern waren, an denen --added-deviation festgelegt wurde, über dem Üblichen: erst darüber hinaus wächst es.</translation>
     </message>
 </context>
 <context>

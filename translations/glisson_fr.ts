@@ -4179,8 +4179,8 @@
         <translation>registration : deux patients de chaque ensemble et une seule part visible.</translation>
     </message>
     <message>
-        <source>registration: keep what DIR/registration.csv holds already.</source>
-        <translation>registration : garder ce que DIR/registration.csv contient déjà.</translation>
+        <source>registration: keep what DIR/registration_SEED.csv holds already.</source>
+        <translation>registration : garder ce que DIR/registration_SEED.csv contient déjà.</translation>
     </message>
     <message>
         <source>This computer&apos;s kernel does not shut in the programs that read foreign files: read only files that you trust.</source>
@@ -4217,6 +4217,10 @@
     <message>
         <source>Takes the N-th of the other places where the organ may be (rival_N_probability, rival_N_away_mm) instead of the most probable one.</source>
         <translation>Prend la N-ième des autres positions possibles de l’organe (rival_N_probability, rival_N_away_mm) au lieu de la plus probable.</translation>
+    </message>
+    <message>
+        <source>How unusual the livers were that --added-deviation was set on, over what is usual: it grows only beyond that.</source>
+        <translation>À quel point les foies sur lesquels --added-deviation a été fixé étaient inhabituels, par rapport à l’usuel : il ne croît qu’au-delà.</translation>
     </message>
 </context>
 <context>

@@ -100,6 +100,7 @@ atlas::BuildResult built(const Arguments& arguments, Session& session) {
   atlas::BuildOptions options;
   options.name = arguments.value("name").toStdString();
   options.added_deviation = 1e-3 * arguments.number("added-deviation", 0.0, 50.0);
+  options.added_unusual = arguments.number("added-unusual", 1.0, 99.0);
   const atlas::Atlas base =
       arguments.has("fresh") ? atlas::bare_atlas(experiments::synthetic_template()) : *atlas_of(arguments);
   auto result = atlas::build(std::move(members), base, options, session.context());
@@ -196,6 +197,11 @@ int run_atlas(const QStringList& given) {
   arguments.option(
       "added-deviation",
       Cli::tr("What the livers do not show of how patients differ, mm, added to every landmark."), "MM", 0.0);
+  arguments.option(
+      "added-unusual",
+      Cli::tr("How unusual the livers were that --added-deviation was set on, over what is usual: "
+              "it grows only beyond that."),
+      "X", 1.0);
   arguments.flag("fresh", Cli::tr("Begin with the synthetic template instead of an atlas."));
   if (!arguments.parse(given)) return 0;
   const QString name = arguments.positionals(1, 10000).front();

@@ -207,7 +207,7 @@ int run_prove(const QStringList& given) {
       "development-only",
       Cli::tr("registration, atlas: leave the validation patients alone, as when limits are set."));
   arguments.flag("quick", Cli::tr("registration: two patients of either set and one share that is seen."));
-  arguments.flag("resume", Cli::tr("registration: keep what DIR/registration.csv holds already."));
+  arguments.flag("resume", Cli::tr("registration: keep what DIR/registration_SEED.csv holds already."));
   arguments.option(
       "figures",
       Cli::tr("Folder for the page with the figures. In a checkout they go to packaging/figures, "

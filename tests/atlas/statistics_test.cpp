@@ -54,6 +54,18 @@ class StatisticsTest : public QObject {
     statistics.added_deviation = 0.01;
     QVERIFY((covariance(statistics, 0) - before - 1e-4 * Eigen::Matrix3d::Identity()).norm() < 1e-15);
   }
+  void whatIsUnusualWidensTheMembersPartAndTheAddedOneOnlyBeyondWhereItWasSet() {
+    StructureStatistics statistics;
+    for (int i = 0; i < 8; ++i) statistics.residuals.emplace_back(Points::Constant(1, 3, 0.001 * i));
+    const Eigen::Matrix3d members = covariance(statistics, 0);
+    statistics.added_deviation = 0.01;
+    statistics.added_unusual = 2.5;
+    const auto added = [&](double growth) -> Eigen::Matrix3d {
+      return covariance(statistics, 0, -1, growth) - growth * growth * members;
+    };
+    QVERIFY((added(2.0) - 1e-4 * Eigen::Matrix3d::Identity()).norm() < 1e-15);
+    QVERIFY((added(5.0) - 4e-4 * Eigen::Matrix3d::Identity()).norm() < 1e-15);
+  }
 };
 
 QTEST_APPLESS_MAIN(StatisticsTest)

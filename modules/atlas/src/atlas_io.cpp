@@ -46,6 +46,7 @@ class Sheet {
     if (!value.is_number() || !std::isfinite(value.get<double>())) fail(key, "is no number");
     return value.get<double>();
   }
+  bool has(const char* key) const { return document_.contains(key); }
   std::string text(const char* key) const {
     const json& value = field(key);
     if (!value.is_string()) fail(key, "is no text");
@@ -116,7 +117,8 @@ json sheet_of(const StructureStatistics& one) {
           {"mean_mm", rows(one.mean, kMm)},
           {"slopes_mm", rows(one.slopes, kMm)},
           {"residuals_mm", residuals},
-          {"added_deviation_mm", kMm * one.added_deviation}};
+          {"added_deviation_mm", kMm * one.added_deviation},
+          {"added_unusual", one.added_unusual}};
 }
 
 StructureStatistics statistics_of(const Sheet& sheet) {
@@ -135,6 +137,8 @@ StructureStatistics statistics_of(const Sheet& sheet) {
   for (const json& residual : residuals)
     one.residuals.emplace_back(sheet.matrix(residual, "residuals_mm", count, 3, kMm));
   one.added_deviation = sheet.number("added_deviation_mm") / kMm;
+  if (sheet.has("added_unusual")) one.added_unusual = sheet.number("added_unusual");  // older ones have none
+  if (one.added_unusual < 1.0) sheet.fail("added_unusual", "is below 1");
   return one;
 }
 

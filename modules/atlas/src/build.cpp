@@ -222,6 +222,7 @@ class Builder {
     statistics.structure = structure;
     statistics.origin = options_.name;
     statistics.added_deviation = options_.added_deviation;
+    statistics.added_unusual = options_.added_unusual;
     observe(statistics, observed);
     if (is_area(structure)) statistics.share = shares(structure);
     result_.atlas.structures.push_back(std::move(statistics));
@@ -370,6 +371,8 @@ void BuildOptions::validate() const {
   check(share > 0.0 && share <= 1.0, "share", share, "Choose a share above 0, at most 1");
   check(added_deviation >= 0.0 && added_deviation < 0.1, "added_deviation", added_deviation,
         "Choose metres from 0 to 0.1");
+  check(added_unusual >= 1.0 && added_unusual < 100.0, "added_unusual", added_unusual,
+        "Choose 1 and more: over what is usual");
   check(threads >= 1 && threads <= 64, "threads", threads, "Choose 1 to 64");
 }
 

@@ -120,7 +120,7 @@ Points predicted(const StructureStatistics& statistics, const Eigen::VectorXd& m
   return points;
 }
 
-Eigen::Matrix3d covariance(const StructureStatistics& statistics, int point, int left_out) {
+Eigen::Matrix3d covariance(const StructureStatistics& statistics, int point, int left_out, double growth) {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   int n = 0;
   for (std::size_t i = 0; i < statistics.residuals.size(); ++i) {
@@ -135,9 +135,9 @@ Eigen::Matrix3d covariance(const StructureStatistics& statistics, int point, int
   // A new residual's T^2 with the covariance of n others about a known mean is 3 n / (n - 2) F(3, n - 2).
   const double degrees = std::max(1.0, n + kEven - 2.0);
   const double widening = 3.0 * (n + kEven) / degrees * fisher95(degrees) / kEllipsoid95;
-  const double added =
-      statistics.added_deviation * statistics.added_deviation + kLeastDeviation * kLeastDeviation;
-  return widening * own + added * Eigen::Matrix3d::Identity();
+  const double added = statistics.added_deviation * std::max(1.0, growth / statistics.added_unusual);
+  const double even_part = added * added + growth * growth * kLeastDeviation * kLeastDeviation;
+  return growth * growth * widening * own + even_part * Eigen::Matrix3d::Identity();
 }
 
 std::vector<int> area_vertices(const Eigen::VectorXd& share) {

@@ -60,8 +60,8 @@ class Placed {
     for (Eigen::Index k = 0; k < on_mean.rows(); ++k) {
       const Eigen::Matrix3d map =
           local_map(mean_.vertices, there_.vertices, on_mean.row(k).transpose(), kReach, overall_);
-      const Eigen::Matrix3d spread = covariance(statistics, static_cast<int>(k));
-      proposal.covariances.push_back(growth_ * growth_ * map * spread * map.transpose());
+      const Eigen::Matrix3d spread = covariance(statistics, static_cast<int>(k), -1, growth_);
+      proposal.covariances.push_back(fit_growth_ * fit_growth_ * map * spread * map.transpose());
       proposal.sources.push_back(Source::statistics);
     }
     if (statistics.share.size() == there_.vertices.rows()) {
@@ -87,12 +87,12 @@ class Placed {
     }
     if (found.mean_distance > kGoodFit) {
       doubts.push_back(note("atlas.poor_fit", 1e3 * found.mean_distance, 1));
-      growth_ *= found.mean_distance / kGoodFit;
+      fit_growth_ *= found.mean_distance / kGoodFit;
     }
     const double folded = static_cast<double>(found.folded) / static_cast<double>(atlas_.triangles.rows());
     if (folded > kManyFolded) {
       doubts.push_back(note("atlas.folded", 100.0 * folded, 0));
-      growth_ *= std::sqrt(folded / kManyFolded);
+      fit_growth_ *= std::sqrt(folded / kManyFolded);
     }
     if (side == Handedness::uncertain) doubts.emplace_back("atlas.perhaps_mirrored");
     if (side == Handedness::no_liver) doubts.emplace_back("atlas.no_whole_liver");
@@ -101,7 +101,9 @@ class Placed {
 
   const Atlas& atlas_;
   TriangleMesh there_, mean_;
-  double size_, growth_ = 1.0;
+  double size_;
+  double growth_ = 1.0;      ///< of deviations, by what is unusual of the shape
+  double fit_growth_ = 1.0;  ///< of all, by what is wrong with the correspondence
   Eigen::Matrix3d upright_, overall_;
   Transfer& out_;
 };

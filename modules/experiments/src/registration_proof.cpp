@@ -85,7 +85,8 @@ Cancellable<RegistrationProof> prove_registration(const RegistrationProofOptions
   if (!all_built) return std::nullopt;
   std::vector<RegistrationStage> stages;
   for (auto& stage : built) stages.push_back(std::move(*stage));
-  TrialLog log(folder / "registration.csv", options.resume);
+  // A file a seed: what another seed gave is no registration of this run.
+  TrialLog log(folder / ("registration_" + std::to_string(options.seed) + ".csv"), options.resume);
   const bool all_done =
       on_threads(options.threads, stages.size(), context.part(0.2, 1.0), [&](std::size_t i) {
         run_trials(stages[i], stages[another(stages, i)], options, i, log, context.quiet());

@@ -32,6 +32,9 @@ struct StructureStatistics {
   /// Deviation in any direction that the members do not show (metres): a population of synthetic livers is
   /// more regular than patients are.
   double added_deviation = 0.0;
+  /// How unusual (over Atlas::usual) the livers were that it was set on: only beyond that it grows with what
+  /// is doubted of a shape. 1: as the members.
+  double added_unusual = 1.0;
   /// Areas: for each vertex of the mean the share of members whose area it belongs to.
   Eigen::VectorXd share;
 };
@@ -65,7 +68,10 @@ double unusual(const ShapeModel& model, const Points& shape);
 /// The covariance of one point of a structure (mean's frame, m2), so scaled that the 95 % ellipsoid of a
 /// normal distribution holds 95 % although few livers show it (Hotelling 1931).
 /// @param left_out a member whose residual is not used; -1: none.
-Eigen::Matrix3d covariance(const StructureStatistics& statistics, int point, int left_out = -1);
+/// @param growth of the deviations, for a shape that is more unusual than the members are: the members' own
+///   grow by it, the added one by what it is over added_unusual.
+Eigen::Matrix3d covariance(const StructureStatistics& statistics, int point, int left_out = -1,
+                           double growth = 1.0);
 
 /// What became of one structure on a liver that had no part in its prediction.
 struct LeftOutStructure {
@@ -100,8 +106,8 @@ struct BuildResult {
 
 struct BuildOptions {
   std::string name = "atlas";
-  double share = 0.9;            ///< of the variance that the modes explain
-  double added_deviation = 0.0;  ///< see StructureStatistics
+  double share = 0.9;                                 ///< of the variance that the modes explain
+  double added_deviation = 0.0, added_unusual = 1.0;  ///< see StructureStatistics
   int threads = 2;
   /// @throws InputError naming the option.
   void validate() const;

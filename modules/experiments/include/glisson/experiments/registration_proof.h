@@ -24,8 +24,8 @@ struct RegistrationProofOptions {
   std::string only;                                ///< patients whose name contains this; empty: all
   int patients = 0;                                ///< of either set, the first ones; 0: all
   int threads = 2;                                 ///< 1 or 2, patient by patient
-  /// Registrations that the folder's registration.csv holds already, of a run that was cut short, are taken
-  /// from there.
+  /// Registrations that the folder's registration_SEED.csv holds already, of a run that was cut short, are
+  /// taken from there.
   bool resume = false;
   /// @throws InputError naming the option.
   void validate() const;
@@ -38,9 +38,9 @@ struct RegistrationProof {
   std::vector<std::string> absent;  ///< real data that were left out
 };
 
-/// Keeps `registration.csv`, a line each registration, in `folder`, which exists: written anew after each. An
-/// error is the largest over three lesions deep in the liver, far from each other. Empty: cancelled. @throws
-/// Error.
+/// Keeps `registration_SEED.csv`, a line each registration, in `folder`, which exists: written anew after
+/// each. An error is the largest over three lesions deep in the liver, far from each other. Empty: cancelled.
+/// @throws Error.
 Cancellable<RegistrationProof> prove_registration(const RegistrationProofOptions& options,
                                                   const std::filesystem::path& folder,
                                                   const RunContext& context);
