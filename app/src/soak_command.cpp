@@ -12,6 +12,7 @@
 #include "commands.h"
 #include "exit_code.h"
 #include "glisson/core/files.h"
+#include "glisson/editing/tools/paint.h"
 #include "glisson/engine/commands/edit_labels.h"
 #include "glisson/engine/commands/open_case.h"
 #include "glisson/engine/commands/save_case.h"

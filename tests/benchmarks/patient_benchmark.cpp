@@ -14,6 +14,8 @@
 
 #include "data_folder.h"
 #include "glisson/core/files.h"
+#include "glisson/editing/tools/paint.h"
+#include "glisson/editing/tools/smooth.h"
 #include "glisson/engine/commands/build_model.h"
 #include "glisson/engine/commands/edit_labels.h"
 #include "glisson/engine/commands/import_image.h"

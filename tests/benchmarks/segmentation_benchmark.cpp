@@ -13,6 +13,17 @@
 #include <vector>
 
 #include "glisson/editing/edit.h"
+#include "glisson/editing/tools/fill_holes.h"
+#include "glisson/editing/tools/grow.h"
+#include "glisson/editing/tools/interpolate.h"
+#include "glisson/editing/tools/islands.h"
+#include "glisson/editing/tools/level_tracing.h"
+#include "glisson/editing/tools/logical.h"
+#include "glisson/editing/tools/margin.h"
+#include "glisson/editing/tools/paint.h"
+#include "glisson/editing/tools/scissors.h"
+#include "glisson/editing/tools/smooth.h"
+#include "glisson/editing/tools/threshold.h"
 #include "large_scene.h"
 
 namespace {

@@ -10,6 +10,19 @@
 #include <tuple>
 
 #include "glisson/editing/edit.h"
+#include "glisson/editing/tools/fill_holes.h"
+#include "glisson/editing/tools/grow.h"
+#include "glisson/editing/tools/interpolate.h"
+#include "glisson/editing/tools/islands.h"
+#include "glisson/editing/tools/level_tracing.h"
+#include "glisson/editing/tools/logical.h"
+#include "glisson/editing/tools/margin.h"
+#include "glisson/editing/tools/paint.h"
+#include "glisson/editing/tools/reassign.h"
+#include "glisson/editing/tools/scissors.h"
+#include "glisson/editing/tools/smooth.h"
+#include "glisson/editing/tools/threshold.h"
+#include "glisson/volume/morphology.h"
 
 /// What the editing tools should do, written as one would on dense arrays with all the time in the world.
 namespace glisson::test {

@@ -5,6 +5,8 @@
 #include "gate.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
+#include "glisson/editing/tools/margin.h"
+#include "glisson/editing/tools/paint.h"
 #include "glisson/engine/commands/build_model.h"
 #include "glisson/engine/commands/edit_labels.h"
 #include "glisson/engine/commands/export_labels.h"

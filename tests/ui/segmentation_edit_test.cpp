@@ -10,6 +10,7 @@
 
 #include "segmentation_window.h"
 
+#include "glisson/editing/tools/threshold.h"
 #include "glisson/engine/parts/preview.h"
 
 namespace glisson {
@@ -205,7 +206,10 @@ void SegmentationEditTest::TypedEndOfARangeLeavesTheOther() {
     QTest::keyClicks(number, QString::fromLatin1(digits));
     QTest::keyClick(number, key);
   };
-  const auto range = [&] { return Range{session().settings().low, session().settings().high}; };
+  const auto range = [&] {
+    const auto& threshold = session().settings().of<editing::Threshold>();
+    return Range{threshold.low, threshold.high};
+  };
   QTest::keyClick(window_.get(), Qt::Key_T);
   type("threshold_high", "250", Qt::Key_Tab);
   QVERIFY((range() == Range{100.0, 250.0}));

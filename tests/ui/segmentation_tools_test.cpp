@@ -7,6 +7,18 @@
 
 #include "glisson/core/error.h"
 #include "glisson/editing/history.h"
+#include "glisson/editing/tools/fill_holes.h"
+#include "glisson/editing/tools/grow.h"
+#include "glisson/editing/tools/interpolate.h"
+#include "glisson/editing/tools/islands.h"
+#include "glisson/editing/tools/level_tracing.h"
+#include "glisson/editing/tools/logical.h"
+#include "glisson/editing/tools/margin.h"
+#include "glisson/editing/tools/paint.h"
+#include "glisson/editing/tools/reassign.h"
+#include "glisson/editing/tools/scissors.h"
+#include "glisson/editing/tools/smooth.h"
+#include "glisson/editing/tools/threshold.h"
 #include "glisson/ui/segmentation/edit_texts.h"
 #include "glisson/ui/segmentation/label_rows.h"
 #include "glisson/ui/segmentation/seed_book.h"
@@ -29,6 +41,13 @@ Points path_of(int count) {
   Points path(count, 3);
   for (int i = 0; i < count; ++i) path.row(i) << 1e-3 * i, 2e-3, 3e-3;
   return path;
+}
+
+/// As a hand sets it on the tool's page.
+void set_field(EditSettings& settings, const char* tool, const char* object, double value) {
+  for (const ui::PageField& field : edit_tool(tool)->page)
+    if (field.object == std::string(object)) return field.set(settings, value);
+  QFAIL(object);
 }
 
 Eigen::Vector2d seen(const Scissors& cut, const Eigen::Vector3d& p) {
@@ -214,12 +233,13 @@ void SegmentationToolsTest::SliceCutIsOneLayerASlabOrEverything() {
     return std::abs(cut.slab->normal.dot(p) - cut.slab->offset) <= cut.slab->half_thickness;
   };
   QVERIFY(depth_of(20) && !depth_of(21) && !depth_of(19));
-  settings.depth = ui::CutDepth::slab;
-  settings.slab = 11e-3;
+  auto& how = settings.of<ui::Cut>();
+  how.depth = ui::CutDepth::slab;
+  how.slab = 11e-3;
   QVERIFY(depth_of(18) && depth_of(22) && !depth_of(17) && !depth_of(23));
-  settings.slab = 1e-3;  // thinner than a layer: the layer all the same
+  how.slab = 1e-3;  // thinner than a layer: the layer all the same
   QVERIFY(depth_of(20) && !depth_of(21));
-  settings.depth = ui::CutDepth::through;
+  how.depth = ui::CutDepth::through;
   QVERIFY(depth_of(0) && depth_of(39));
 }
 
@@ -228,7 +248,7 @@ void SegmentationToolsTest::CtrlInvertsTheCut() {
   const auto slice = scene::slice_geometry(grid, Plane::axial, grid.p_in_ct({20, 25, 30}));
   EditSettings settings;
   const auto operation = [&](Scissors::Operation cut, bool invert) {
-    settings.cut = cut;
+    settings.of<Scissors>().operation = cut;
     return ui::slice_cut(settings, grid, slice, {}, invert).tool.as<Scissors>().operation;
   };
   using Operation = Scissors::Operation;
@@ -236,8 +256,8 @@ void SegmentationToolsTest::CtrlInvertsTheCut() {
   QCOMPARE(operation(Operation::erase_inside, true), Operation::fill_inside);
   QCOMPARE(operation(Operation::fill_inside, true), Operation::erase_inside);
   QCOMPARE(operation(Operation::erase_outside, true), Operation::erase_inside);
-  settings.cut_any = true;
-  settings.cut = Operation::erase_inside;
+  settings.of<ui::Cut>().any_label = true;
+  settings.of<Scissors>().operation = Operation::erase_inside;
   QCOMPARE(ui::slice_cut(settings, grid, slice, {}, false).tool.as<Scissors>().label, structure::kBackground);
   QCOMPARE(ui::slice_cut(settings, grid, slice, {}, true).tool.as<Scissors>().label,
            structure::kParenchyma);  // what is filled needs a label
@@ -261,7 +281,7 @@ void SegmentationToolsTest::ClicksCarryThePlace() {
   const auto& tracing = traced->tool.as<editing::LevelTracing>();
   QVERIFY(tracing.p_in_ct == p.xyz && tracing.label == structure::kFirstLesion && tracing.erase);
   QCOMPARE(tracing.normal_axis, 0);
-  settings.islands = Islands::Operation::remove_clicked;
+  settings.of<Islands>().operation = Islands::Operation::remove_clicked;
   const auto clicked = ui::click_edit(edit_tool("islands"), settings, grid, Plane::axial, p, 0, false);
   QVERIFY(clicked->tool.as<Islands>().p_in_ct == p.xyz);
   QCOMPARE(clicked->tool.as<Islands>().operation, Islands::Operation::remove_clicked);
@@ -284,7 +304,7 @@ void SegmentationToolsTest::BranchGoesToTheOtherTree() {
   QCOMPARE(to(structure::kPortalVein, false).label, structure::kPortalVein);
   QCOMPARE(to(structure::kHepaticVeins, false).to, structure::kPortalVein);
   QCOMPARE(to(structure::kHepaticVeins, true).to, structure::kBackground);
-  settings.cut_branch_off = true;
+  set_field(settings, "move_branch", "branch_goes", 1.0);
   QCOMPARE(to(structure::kPortalVein, false).to, structure::kBackground);
   QVERIFY(!branch(structure::kParenchyma, false) && !branch(structure::kBackground, false));
 }
@@ -293,31 +313,28 @@ void SegmentationToolsTest::WholeToolsTakeTheirSettings() {
   const VolumeGrid grid = permuted_grid();
   EditSettings settings;
   settings.label = structure::kVenaCava;
-  settings.low = 120;
-  settings.high = 240;
-  settings.replace = true;
-  settings.shrink = true;
-  settings.margin = 2e-3;
-  settings.between = Plane::sagittal;
-  settings.logical = Logical::Operation::subtract;
-  settings.other = structure::kGallbladder;
+  settings.of<editing::Threshold>() = {structure::kParenchyma, 120, 240, true};
+  set_field(settings, "margin", "margin_direction", 1.0);
+  set_field(settings, "margin", "margin_distance", 2.0);
+  set_field(settings, "interpolate", "interpolate_plane", 2.0);
+  settings.of<Logical>().operation = Logical::Operation::subtract;
+  set_field(settings, "logical", "logical_other", structure::kGallbladder);
   const auto made = [&](EditTool tool) { return ui::whole_edit(tool, settings, grid, {1, 2}).tool; };
   QVERIFY((made(edit_tool("threshold")).as<editing::Threshold>() ==
            editing::Threshold{structure::kVenaCava, 120, 240, true}));
   QCOMPARE(made(edit_tool("margin")).as<editing::Margin>().distance, -2e-3);
   QCOMPARE(made(edit_tool("interpolate")).as<editing::InterpolateSlices>().normal_axis, 1);
   QCOMPARE(made(edit_tool("logical")).as<Logical>().other, structure::kGallbladder);
-  settings.logical = Logical::Operation::clear;
+  settings.of<Logical>().operation = Logical::Operation::clear;
   QCOMPARE(made(edit_tool("logical")).as<Logical>().other, structure::kBackground);
-  QCOMPARE(made(edit_tool("smooth")).as<editing::Smooth>().radius, settings.smooth_radius);
+  QCOMPARE(made(edit_tool("smooth")).as<editing::Smooth>().radius, editing::Smooth().radius);
   QVERIFY(!made(edit_tool("fill_holes")).as<editing::FillHoles>().in_slices);
   QCOMPARE(made(edit_tool("islands")).as<Islands>().operation, Islands::Operation::keep_largest);
 }
 
 void SegmentationToolsTest::GrowLeavesOutWhatIsLockedOrOther() {
   EditSettings settings;
-  settings.region.locked = {structure::kVenaCava};
-  settings.not_growing = {structure::kHepaticVeins};
+  settings.region.locked = {structure::kVenaCava, structure::kHepaticVeins};
   const std::vector<Label> present = {structure::kParenchyma,   structure::kPortalVein,
                                       structure::kHepaticVeins, structure::kVenaCava,
                                       structure::kFirstOther,   structure::kFirstLesion};
@@ -352,7 +369,7 @@ void SegmentationToolsTest::ObstaclesAreNamed() {
   QCOMPARE(ui::obstacle_of(edit_tool("smooth"), settings, liver), EditObstacle::none);
   QCOMPARE(ui::obstacle_of(edit_tool("grow"), settings, liver), EditObstacle::one_label);
   QCOMPARE(ui::obstacle_of(edit_tool("logical"), settings, liver), EditObstacle::other_empty);
-  settings.other = settings.label;
+  set_field(settings, "logical", "logical_other", settings.label);
   QCOMPARE(ui::obstacle_of(edit_tool("logical"), settings, liver), EditObstacle::same_label);
   settings.region.locked = liver;
   QCOMPARE(ui::obstacle_of(edit_tool("paint"), settings, liver), EditObstacle::label_locked);
@@ -370,7 +387,7 @@ void SegmentationToolsTest::ToolsOfTheMouseHaveNoWholeEdit() {
     QVERIFY_EXCEPTION_THROWN(ui::whole_edit(tool, settings, permuted_grid(), {1, 2}), PreconditionError);
   }
   QVERIFY(ui::is_previewed(edit_tool("islands"), settings));
-  settings.islands = Islands::Operation::keep_clicked;
+  settings.of<Islands>().operation = Islands::Operation::keep_clicked;
   QVERIFY(!ui::is_previewed(edit_tool("islands"), settings));
   QVERIFY(!ui::is_previewed(nullptr, settings));
 }

@@ -198,6 +198,7 @@ std::vector<std::string> steps_of(const char* code, const Names<E>& names) {
 template <class T>
 struct Description {
   std::string code;
+  int place = 0;  ///< among the kinds, see ToolKind::place
   Fields<T> fields;
   std::vector<std::string> steps;
   StepName (*step)(const T&);
@@ -212,6 +213,7 @@ class Described final : public ToolKind {
   explicit Described(Description<T> description) : d_(std::move(description)) {}
 
   const std::string& code() const override { return d_.code; }
+  int place() const override { return d_.place; }
   std::vector<ToolField> fields() const override { return about(d_.fields); }
   const std::vector<std::string>& steps() const override { return d_.steps; }
   Tool with_defaults() const override { return T(); }

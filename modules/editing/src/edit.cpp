@@ -7,26 +7,6 @@
 #include "glisson/core/error.h"
 
 namespace glisson::editing {
-namespace {
-
-template <class Matrix>
-bool same_matrix(const Matrix& a, const Matrix& b) {
-  return a.rows() == b.rows() && a.cols() == b.cols() && (a.array() == b.array()).all();
-}
-
-}  // namespace
-
-bool Paint::operator==(const Paint& other) const {
-  return label == other.label && erase == other.erase && brush == other.brush && radius == other.radius &&
-         normal_axis == other.normal_axis && same_matrix(path, other.path);
-}
-
-bool Scissors::operator==(const Scissors& other) const {
-  return label == other.label && operation == other.operation &&
-         same_matrix(view_from_ct, other.view_from_ct) && same_matrix(outline, other.outline) &&
-         slab == other.slab;
-}
-
 StepName step_name(const Edit& edit) { return edit.tool.kind().step(edit.tool); }
 
 bool is_local(const Tool& tool) { return tool.kind().is_local(tool); }

@@ -21,6 +21,11 @@ struct Task {
   Canvas canvas(const VoxelBox& box) const { return {labels, image, region, box}; }
 };
 
+/// Also of different sizes.
+template <class Matrix>
+bool same_matrix(const Matrix& a, const Matrix& b) {
+  return a.rows() == b.rows() && a.cols() == b.cols() && (a.array() == b.array()).all();
+}
 /// @throws InputError settings that no image can make good; names the tool as file and its setting as field.
 void check_edit(const Edit& edit);
 /// Where voxels can change at all, as the editable region says without a look at single voxels.

@@ -7,10 +7,6 @@
 
 namespace glisson::editing {
 
-// Metres: beyond it a slip of the unit is likelier than a wish.
-inline constexpr double kLargestBrush = 0.1, kLargestReach = 0.2, kLargestSmooth = 0.02,
-                        kLargestMargin = 0.05;
-
 /// The checks of settings that tools share. Each throws an InputError that names the tool as file and the
 /// setting as field.
 class SettingsCheck {

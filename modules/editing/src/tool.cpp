@@ -5,6 +5,7 @@
 
 #include "glisson/core/error.h"
 #include "glisson/editing/edit.h"
+#include "glisson/editing/tools/paint.h"
 #include "region_fields.h"
 
 namespace glisson::editing {

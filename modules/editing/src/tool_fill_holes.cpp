@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/editing/tools/fill_holes.h"
+
 #include "describe.h"
 #include "edit_runs.h"
 #include "edit_shape.h"
@@ -36,6 +38,7 @@ Cancellable<Canvas> apply(const FillHoles& tool, Task& task) {
 
 Description<FillHoles> description() {
   return {"fill_holes",
+          70,
           {label_field("label", &FillHoles::label), flag_field("in_slices", &FillHoles::in_slices)},
           {"fill_holes"},
           [](const FillHoles& t) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/editing/tools/grow.h"
+
 #include <cmath>
 #include <limits>
 
@@ -7,6 +9,8 @@
 
 namespace glisson::editing {
 namespace {
+
+constexpr double kLongest = 0.2;  ///< metres: beyond it a slip of the unit is likelier than a wish
 
 /// A step costs the square of the difference between two neighbours (HU), and so much for each mm. Squares,
 /// because many small steps of noise must not cost what one step across an edge does: with this an edge of
@@ -231,9 +235,10 @@ Label grown_label(const GrowFromSeeds& tool) {
 
 Description<GrowFromSeeds> description() {
   return {"grow_from_seeds",
+          40,
           {labels_field("labels", &GrowFromSeeds::labels),
            labels_field("rivals", &GrowFromSeeds::rivals).with_default().checked(check_labels),
-           length_field("reach_mm", &GrowFromSeeds::reach, kLargestReach).with_default()},
+           length_field("reach_mm", &GrowFromSeeds::reach, kLongest).with_default()},
           {"grow_from_seeds"},
           [](const GrowFromSeeds& t) {
             return StepName{"grow_from_seeds", grown_label(t), t.reach};

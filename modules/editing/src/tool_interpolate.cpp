@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/editing/tools/interpolate.h"
+
 #include <cmath>
 
 #include "describe.h"
@@ -91,6 +93,7 @@ Cancellable<Canvas> apply(const InterpolateSlices& tool, Task& task) {
 
 Description<InterpolateSlices> description() {
   return {"interpolate_slices",
+          100,
           {label_field("label", &InterpolateSlices::label), axis_field(&InterpolateSlices::normal_axis)},
           {"interpolate_slices"},
           [](const InterpolateSlices& t) {

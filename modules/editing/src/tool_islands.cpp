@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/editing/tools/islands.h"
+
 #include <numeric>
 
 #include "describe.h"
@@ -137,6 +139,7 @@ void check_smallest(const SettingsCheck& check, const Islands& t) {
 Description<Islands> description() {
   return {
       kName,
+      60,
       {label_field("label", &Islands::label), choice_field("operation", &Islands::operation, operations()),
        number_field("smallest_ml", &Islands::smallest_ml, "ml")
            .needed("for `remove_small`", removes_small)

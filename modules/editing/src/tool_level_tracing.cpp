@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/editing/tools/level_tracing.h"
+
 #include "describe.h"
 #include "edit_shape.h"
 #include "level_region.h"
@@ -36,6 +38,7 @@ Cancellable<Canvas> apply(const LevelTracing& tool, Task& task) {
 
 Description<LevelTracing> description() {
   return {"level_tracing",
+          50,
           {label_field<LevelTracing>("label", &LevelTracing::label,
                                      [](const LevelTracing& t) { return t.erase; }),
            flag_field("erase", &LevelTracing::erase), axis_field(&LevelTracing::normal_axis),

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/editing/tools/logical.h"
+
 #include "describe.h"
 
 namespace glisson::editing {
@@ -74,6 +76,7 @@ void check_other(const SettingsCheck& check, const Logical& t) {
 Description<Logical> description() {
   return {
       "logical",
+      110,
       {label_field("label", &Logical::label), choice_field("operation", &Logical::operation, operations()),
        label_field("other", &Logical::other).needed("for the first four", has_other).checked(check_other)},
       steps_of("logical", operations()),

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/editing/tools/margin.h"
+
 #include <cmath>
 
 #include "describe.h"
@@ -6,6 +8,8 @@
 
 namespace glisson::editing {
 namespace {
+
+constexpr double kLargest = 0.05;  ///< metres: beyond it a slip of the unit is likelier than a wish
 
 Cancellable<Canvas> apply(const Margin& tool, Task& task) {
   const double distance_mm = 1e3 * std::abs(tool.distance);
@@ -26,10 +30,10 @@ Cancellable<Canvas> apply(const Margin& tool, Task& task) {
 Description<Margin> description() {
   return {
       "margin",
-      {label_field("label", &Margin::label), length_field("distance_mm", &Margin::distance, kLargestMargin)
+      90,
+      {label_field("label", &Margin::label), length_field("distance_mm", &Margin::distance, kLargest)
                                                  .checked([](const SettingsCheck& check, const Margin& t) {
-                                                   check.length(std::abs(t.distance), "distance",
-                                                                kLargestMargin);
+                                                   check.length(std::abs(t.distance), "distance", kLargest);
                                                  })
                                                  .noted("negative: shrinks")},
       {"margin.grow", "margin.shrink"},

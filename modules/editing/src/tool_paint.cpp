@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/editing/tools/paint.h"
+
 #include <cmath>
 
 #include "describe.h"
@@ -7,6 +9,8 @@
 
 namespace glisson::editing {
 namespace {
+
+constexpr double kLargest = 0.1;  ///< metres: beyond it a slip of the unit is likelier than a wish
 
 /// A segment of a stroke, in millimetres along the voxel axes (index times spacing): rotations and flips of
 /// the volume in the patient play no part there, as its axes are at right angles.
@@ -207,9 +211,10 @@ Field<Paint> path_field() {
 
 Description<Paint> description() {
   return {"paint",
+          10,
           {label_field<Paint>("label", &Paint::label, [](const Paint& t) { return t.erase; }),
            flag_field("erase", &Paint::erase), choice_field("brush", &Paint::brush, brushes()),
-           length_field("radius_mm", &Paint::radius, kLargestBrush),
+           length_field("radius_mm", &Paint::radius, kLargest),
            axis_field(&Paint::normal_axis)
                .needed("for a disc", [](const Paint& t) { return t.brush == Paint::Brush::disc; }),
            path_field()},
@@ -222,6 +227,11 @@ Description<Paint> description() {
 }
 
 }  // namespace
+
+bool Paint::operator==(const Paint& other) const {
+  return label == other.label && erase == other.erase && brush == other.brush && radius == other.radius &&
+         normal_axis == other.normal_axis && same_matrix(path, other.path);
+}
 
 const ToolKind& Paint::kind() {
   static const Described<Paint> kKind(description());

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/editing/tools/reassign.h"
+
 #include "describe.h"
 #include "edit_shape.h"
 #include "glisson/core/error.h"
@@ -44,6 +46,7 @@ Cancellable<Canvas> apply(const ReassignBranch& tool, Task& task) {
 
 Description<ReassignBranch> description() {
   return {"reassign_branch",
+          120,
           {label_field("label", &ReassignBranch::label),
            label_field("to", &ReassignBranch::to)
                .checked([](const SettingsCheck& check, const ReassignBranch& t) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/editing/tools/scissors.h"
+
 #include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
@@ -202,6 +204,7 @@ Field<Scissors> slab_field() {
 
 Description<Scissors> description() {
   return {"scissors",
+          30,
           {label_field<Scissors>("label", &Scissors::label,
                                  [](const Scissors& t) { return t.operation != Operation::fill_inside; }),
            choice_field("operation", &Scissors::operation, operations()),
@@ -217,6 +220,12 @@ Description<Scissors> description() {
 }
 
 }  // namespace
+
+bool Scissors::operator==(const Scissors& other) const {
+  return label == other.label && operation == other.operation &&
+         same_matrix(view_from_ct, other.view_from_ct) && same_matrix(outline, other.outline) &&
+         slab == other.slab;
+}
 
 const ToolKind& Scissors::kind() {
   static const Described<Scissors> kKind(description());

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/editing/tools/smooth.h"
+
 #include <cmath>
 
 #include "describe.h"
@@ -6,6 +8,8 @@
 
 namespace glisson::editing {
 namespace {
+
+constexpr double kLargest = 0.02;  ///< metres: beyond it a slip of the unit is likelier than a wish
 
 /// Labels (or a mask as 0 and 1) in a box of the volume.
 struct Block {
@@ -232,13 +236,14 @@ bool has_label(const Smooth& t) { return t.method != Method::joint; }
 
 Description<Smooth> description() {
   return {"smooth",
+          80,
           {choice_field("method", &Smooth::method, methods()),
            label_field("label", &Smooth::label)
                .needed("but for `joint`", has_label)
                .checked([](const SettingsCheck& check, const Smooth& t) {
                  if (has_label(t)) check.target(t.label, "label");
                }),
-           length_field("radius_mm", &Smooth::radius, kLargestSmooth)},
+           length_field("radius_mm", &Smooth::radius, kLargest)},
           steps_of("smooth", methods()),
           [](const Smooth& t) {
             return StepName{"smooth." + name_of(methods(), t.method),

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/editing/tools/threshold.h"
+
 #include <cmath>
 
 #include "describe.h"
@@ -30,6 +32,7 @@ void check_range(const SettingsCheck& check, const Threshold& t) {
 
 Description<Threshold> description() {
   return {"threshold",
+          20,
           {label_field("label", &Threshold::label),
            number_field("low_hu", &Threshold::low, "HU").checked(check_range),
            number_field("high_hu", &Threshold::high, "HU"), flag_field("replace", &Threshold::replace)},

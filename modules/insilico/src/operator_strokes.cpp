@@ -5,7 +5,9 @@
 #include <queue>
 
 #include "glisson/core/error.h"
+#include "glisson/editing/tools/paint.h"
 #include "glisson/insilico/operator.h"
+#include "glisson/volume/morphology.h"
 #include "operator_hand.h"
 
 namespace glisson::insilico {

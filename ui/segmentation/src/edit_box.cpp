@@ -44,13 +44,14 @@ QLabel* heading(const QString& text, QWidget* parent) {
 
 }  // namespace
 
-EditBox::EditBox(EditSession& session, QWidget& page, QWidget* parent) : QWidget(parent), session_(session) {
+EditBox::EditBox(EditSession& session, QWidget& page, QWidget* parent, const EditTools& tools)
+    : QWidget(parent), session_(session), known_(tools) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(6);
   build_history();
   build_tools(page);
-  column->addWidget(new ToolPages(session_, this));
+  column->addWidget(new ToolPages(session_, this, known_));
   build_confirmation(page);
   build_region();
   connect(&session_, &EditSession::tool_changed, this, &EditBox::show_tool);
@@ -97,7 +98,7 @@ void EditBox::build_tools(QWidget& page) {
   auto* grid = new QGridLayout;
   grid->setSpacing(4);
   int cell = 0;
-  for (const EditTool tool : edit_tools()) {
+  for (const EditTool tool : known_) {
     auto* button = new QToolButton(this);
     button->setObjectName(QStringLiteral("tool_%1").arg(QString::fromStdString(tool->code)));
     button->setProperty("role", "tool");
@@ -275,8 +276,8 @@ void EditBox::show_state() {
   redo_->setEnabled(session_.is_active() && session_.can_redo());
   const auto& history = session_.history();
   const bool undo = history && history->can_undo(), redo = history && history->can_redo();
-  undo_->setText(undo ? tr("Undo: %1").arg(step_text(history->undo_name())) : tr("Undo"));
-  redo_->setText(redo ? tr("Redo: %1").arg(step_text(history->redo_name())) : tr("Redo"));
+  undo_->setText(undo ? tr("Undo: %1").arg(step_text(history->undo_name(), known_)) : tr("Undo"));
+  redo_->setText(redo ? tr("Redo: %1").arg(step_text(history->redo_name(), known_)) : tr("Redo"));
   undo_->setToolTip(undo_->text() + QStringLiteral(" (Ctrl+Z)"));
   redo_->setToolTip(redo_->text() + QStringLiteral(" (Ctrl+Shift+Z)"));
   show_region();

@@ -51,9 +51,9 @@ class EditTexts {
     }
     return {};
   }
-  static QHash<QString, QString> steps() {
+  static QHash<QString, QString> steps(const EditTools& tools) {
     QHash<QString, QString> texts = {{"segment", tr("Segment")}, {"import_labels", tr("Import labels")}};
-    for (const EditTool tool : edit_tools())
+    for (const EditTool tool : tools)
       for (const WindowTool::Step& step : tool->steps) texts.insert(step.code, tr(step.text));
     return texts;
   }
@@ -70,10 +70,13 @@ QString tool_hint(EditTool tool, const EditSettings& settings) { return EditText
 QString obstacle_text(EditObstacle obstacle) { return EditTexts::obstacle(obstacle); }
 QString review_text(ReviewState state) { return EditTexts::review(state); }
 
-bool knows_step(const std::string& code) { return EditTexts::steps().contains(QString::fromStdString(code)); }
+bool knows_step(const std::string& code) {
+  return EditTexts::steps(edit_tools()).contains(QString::fromStdString(code));
+}
 
-QString step_text(const editing::StepName& step) {
-  QStringList parts = {EditTexts::steps().value(QString::fromStdString(step.code), readable_code(step.code))};
+QString step_text(const editing::StepName& step, const EditTools& tools) {
+  QStringList parts = {
+      EditTexts::steps(tools).value(QString::fromStdString(step.code), readable_code(step.code))};
   // A brush is known by its diameter, all else by its radius or distance.
   const bool brush = step.code == "paint" || step.code == "erase";
   if (step.size > 0.0) parts << EditTexts::millimetres(brush ? 2.0 * step.size : step.size);

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "glisson/core/error.h"
+#include "glisson/editing/tools/paint.h"
+#include "glisson/editing/tools/scissors.h"
 
 namespace glisson::ui {
 namespace {
@@ -82,13 +84,12 @@ Points path_of(const VolumeGrid& grid, int axis, const Stretch& stretch) {
 }
 
 Scissors cut_of(const EditSettings& settings, bool invert) {
-  Scissors cut;
-  cut.operation = settings.cut;
+  auto cut = settings.of<Scissors>();
   if (invert)
-    cut.operation = settings.cut == Scissors::Operation::erase_inside ? Scissors::Operation::fill_inside
-                                                                      : Scissors::Operation::erase_inside;
+    cut.operation = cut.operation == Scissors::Operation::erase_inside ? Scissors::Operation::fill_inside
+                                                                       : Scissors::Operation::erase_inside;
   const bool erases = cut.operation != Scissors::Operation::fill_inside;
-  cut.label = erases && settings.cut_any ? structure::kBackground : settings.label;
+  cut.label = erases && settings.of<Cut>().any_label ? structure::kBackground : settings.label;
   return cut;
 }
 
@@ -152,7 +153,8 @@ Edit slice_cut(const EditSettings& settings, const VolumeGrid& grid, const scene
   Scissors cut = cut_of(settings, invert);
   cut.view_from_ct = view_of(slice);
   cut.outline = outline;
-  if (settings.depth != CutDepth::through) {
+  const auto& how = settings.of<Cut>();
+  if (how.depth != CutDepth::through) {
     // The layer of voxels that the slice shows.
     const ShownLayers layers(grid, slice);
     Eigen::Vector3d middle = grid.index_of(slice.p_in_ct({0.5 * slice.width, 0.5 * slice.height}));
@@ -161,7 +163,7 @@ Edit slice_cut(const EditSettings& settings, const VolumeGrid& grid, const scene
     slab.normal = slice.right.cross(slice.down).normalized();
     slab.offset = slab.normal.dot(grid.p_in_ct(middle).xyz);
     const double layer = 0.5e-3 * grid.spacing_mm[layers.axis()];
-    slab.half_thickness = settings.depth == CutDepth::slice ? layer : std::max(layer, 0.5 * settings.slab);
+    slab.half_thickness = how.depth == CutDepth::slice ? layer : std::max(layer, 0.5 * how.slab);
     cut.slab = slab;
   }
   return {cut, settings.region};

@@ -25,10 +25,11 @@ bool has_name_before(const PageField& field) {
 
 }  // namespace
 
-ToolPages::ToolPages(EditSession& session, QWidget* parent) : QWidget(parent), session_(session) {
+ToolPages::ToolPages(EditSession& session, QWidget* parent, const EditTools& tools)
+    : QWidget(parent), session_(session), tools_(tools) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  for (const EditTool tool : edit_tools()) add_page(tool);
+  for (const EditTool tool : tools_) add_page(tool);
   connect(&session_, &EditSession::tool_changed, this, &ToolPages::show_tool);
   connect(&session_, &EditSession::settings_changed, this, &ToolPages::show_settings);
   connect(&session_, &EditSession::changed, this, &ToolPages::show_settings);  // labels that can be chosen
@@ -38,7 +39,7 @@ ToolPages::ToolPages(EditSession& session, QWidget* parent) : QWidget(parent), s
 
 void ToolPages::add_page(EditTool tool) {
   if (tool->page_of != nullptr) {
-    pages_[tool] = pages_.at(edit_tool(tool->page_of));
+    pages_[tool] = pages_.at(edit_tool(tool->page_of, tools_));
     return;
   }
   if (tool->page.empty()) return;
@@ -168,7 +169,7 @@ QWidget* ToolPages::make_labels(const PageField& field) {
 QWidget* ToolPages::make_button(const PageField& field) {
   auto* button = new QPushButton(tr(field.text), this);
   connect(button, &QPushButton::clicked, this, [this, set = field.set, then = field.then] {
-    if (then != nullptr) session_.set_tool(edit_tool(then));
+    if (then != nullptr) session_.set_tool(edit_tool(then, tools_));
     change([&](EditSettings& settings) { set(settings, 0.0); });
   });
   return button;

@@ -7,8 +7,8 @@
 
 namespace glisson::ui {
 
-EditTool edit_tool(std::string_view code) {
-  for (const EditTool tool : edit_tools())
+EditTool edit_tool(std::string_view code, const EditTools& tools) {
+  for (const EditTool tool : tools)
     if (tool->code == code) return tool;
   throw PreconditionError("the window has no tool \"" + std::string(code) + "\"");
 }
@@ -22,12 +22,12 @@ PageField::Range range_of(std::string_view tool, std::string_view field, double 
   throw PreconditionError("no field \"" + std::string(field) + "\" with a largest value");
 }
 
-std::string tool_table() {
+std::string tool_table(const EditTools& tools) {
   struct Row {
     std::string names, keys, manual;
   };
   std::vector<Row> rows;
-  for (const EditTool tool : edit_tools()) {
+  for (const EditTool tool : tools) {
     if (*tool->manual != '\0' || rows.empty()) {
       rows.push_back({tool->name, std::string(1, tool->key), tool->manual});
     } else {

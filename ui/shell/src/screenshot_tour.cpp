@@ -10,6 +10,7 @@
 #include <QTimer>
 #include <array>
 
+#include "glisson/editing/tools/threshold.h"
 #include "glisson/engine/parts/image.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/registration.h"
@@ -103,8 +104,9 @@ void ScreenshotTour::show_threshold() {
   EditSession& session = window_.findChild<SegmentationPanel*>()->session();
   EditSettings settings = session.settings();
   settings.label = structure::kHepaticVeins;
-  settings.low = 140.0;
-  settings.high = 220.0;
+  auto& threshold = settings.of<editing::Threshold>();
+  threshold.low = 140.0;
+  threshold.high = 220.0;
   settings.region.area = editing::EditableRegion::Area::inside_liver;
   session.set_settings(settings);
   session.set_tool(edit_tool("threshold"));

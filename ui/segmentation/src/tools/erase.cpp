@@ -8,6 +8,7 @@ namespace glisson::ui {
 const WindowTool& erase_window_tool() {
   static const WindowTool kTool = [] {
     WindowTool tool{"erase",
+                    20,
                     'E',
                     QT_TRANSLATE_NOOP("EditTexts", "Erase"),
                     {{"erase", QT_TRANSLATE_NOOP("EditTexts", "Erase")}},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QCoreApplication>
 
+#include "glisson/editing/tools/islands.h"
 #include "glisson/ui/segmentation/window_tool.h"
 
 namespace glisson::ui {
@@ -8,8 +9,15 @@ namespace {
 
 using editing::Islands;
 
+Islands set_up(const EditSettings& s) {
+  auto islands = s.of<Islands>();
+  islands.label = s.label;
+  return islands;
+}
+
 bool by_click(const EditSettings& s) {
-  return s.islands == Islands::Operation::keep_clicked || s.islands == Islands::Operation::remove_clicked;
+  const auto operation = s.of<Islands>().operation;
+  return operation == Islands::Operation::keep_clicked || operation == Islands::Operation::remove_clicked;
 }
 
 }  // namespace
@@ -17,6 +25,7 @@ bool by_click(const EditSettings& s) {
 const WindowTool& islands_window_tool() {
   static const WindowTool kTool = [] {
     WindowTool tool{"islands",
+                    70,
                     'I',
                     QT_TRANSLATE_NOOP("EditTexts", "Islands"),
                     {{"islands.keep_largest", QT_TRANSLATE_NOOP("EditTexts", "Islands: keep largest")},
@@ -38,21 +47,21 @@ const WindowTool& islands_window_tool() {
                              QT_TRANSLATE_NOOP("glisson::ui::ToolPages", "Keep the one that is clicked"),
                              QT_TRANSLATE_NOOP("glisson::ui::ToolPages", "Remove the one that is clicked"),
                              QT_TRANSLATE_NOOP("glisson::ui::ToolPages", "Split: a label for each")},
-                            &EditSettings::islands),
+                            &Islands::operation),
                  number_box("islands_smallest", QT_TRANSLATE_NOOP("glisson::ui::ToolPages", "Smaller than"),
-                            {0.01, 100.0, 0.1, 2, "ml"}, &EditSettings::smallest_ml)};
+                            {0.01, 100.0, 0.1, 2, "ml"}, &Islands::smallest_ml)};
     tool.hand = [](const EditSettings& s) { return by_click(s) ? Hand::point : Hand::crosshair; };
     tool.obstacle = empty_label;
     tool.click = [](const EditSettings& s, const ToolClick& at) {
-      Islands islands{s.label, s.islands, s.smallest_ml, at.p.xyz};
+      Islands islands = set_up(s);
+      islands.p_in_ct = at.p.xyz;
       if (at.invert)
-        islands.operation = s.islands == Islands::Operation::keep_clicked ? Islands::Operation::remove_clicked
-                                                                          : Islands::Operation::keep_clicked;
+        islands.operation = islands.operation == Islands::Operation::keep_clicked
+                                ? Islands::Operation::remove_clicked
+                                : Islands::Operation::keep_clicked;
       return islands;
     };
-    tool.whole = [](const EditSettings& s, const WholeVolume&) {
-      return Islands{s.label, s.islands, s.smallest_ml, Eigen::Vector3d::Zero()};
-    };
+    tool.whole = [](const EditSettings& s, const WholeVolume&) { return set_up(s); };
     return tool;
   }();
   return kTool;

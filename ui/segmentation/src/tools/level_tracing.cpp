@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QCoreApplication>
 
+#include "glisson/editing/tools/level_tracing.h"
 #include "glisson/ui/segmentation/window_tool.h"
 
 namespace glisson::ui {
@@ -9,6 +10,7 @@ const WindowTool& level_tracing_window_tool() {
   static const WindowTool kTool = [] {
     WindowTool tool{
         "level_tracing",
+        60,
         'L',
         QT_TRANSLATE_NOOP("EditTexts", "Level tracing"),
         {{"level_tracing", QT_TRANSLATE_NOOP("EditTexts", "Level tracing")},

@@ -1,29 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QCoreApplication>
 
+#include "glisson/editing/tools/logical.h"
 #include "glisson/ui/segmentation/window_tool.h"
 
 namespace glisson::ui {
 namespace {
 
-using Operation = editing::Logical::Operation;
+using editing::Logical;
+using Operation = Logical::Operation;
+
+/// The label that is chosen, also while the operation asks for none.
+struct Second {
+  Label label = structure::kPortalVein;
+  bool operator==(const Second&) const = default;
+};
 
 /// Whether it asks for no second label.
-bool is_alone(const EditSettings& s) {
-  return s.logical == Operation::invert || s.logical == Operation::clear || s.logical == Operation::fill;
+bool is_alone(Operation operation) {
+  return operation == Operation::invert || operation == Operation::clear || operation == Operation::fill;
 }
 
 EditObstacle obstacle(const EditSettings& s, const std::vector<Label>& present) {
-  if (s.logical == Operation::invert || s.logical == Operation::fill) return EditObstacle::none;
-  if (s.logical == Operation::clear) return empty_label(s, present);
-  if (s.other == s.label) return EditObstacle::same_label;
-  if (!is_among(present, s.other)) return EditObstacle::other_empty;
-  const bool gains = s.logical == Operation::copy || s.logical == Operation::add;
+  const Operation operation = s.of<Logical>().operation;
+  if (operation == Operation::invert || operation == Operation::fill) return EditObstacle::none;
+  if (operation == Operation::clear) return empty_label(s, present);
+  const Label second = s.of<Second>().label;
+  if (second == s.label) return EditObstacle::same_label;
+  if (!is_among(present, second)) return EditObstacle::other_empty;
+  const bool gains = operation == Operation::copy || operation == Operation::add;
   return gains ? EditObstacle::none : empty_label(s, present);
 }
 
 PageField other_label() {
-  PageField field = coupled(&EditSettings::other);
+  PageField field = coupled(&Second::label);
   field.kind = PageField::Kind::label;
   field.object = "logical_other";
   field.text = QT_TRANSLATE_NOOP("glisson::ui::ToolPages", "Other label");
@@ -36,6 +46,7 @@ const WindowTool& logical_window_tool() {
   static const WindowTool kTool = [] {
     WindowTool tool{
         "logical",
+        120,
         'O',
         QT_TRANSLATE_NOOP("EditTexts", "Logical"),
         {{"logical.copy", QT_TRANSLATE_NOOP("EditTexts", "Logical: copy")},
@@ -55,11 +66,14 @@ const WindowTool& logical_window_tool() {
                              QT_TRANSLATE_NOOP("glisson::ui::ToolPages", "Invert"),
                              QT_TRANSLATE_NOOP("glisson::ui::ToolPages", "Clear"),
                              QT_TRANSLATE_NOOP("glisson::ui::ToolPages", "Fill everything")},
-                            &EditSettings::logical),
+                            &Logical::operation),
                  other_label()};
     tool.obstacle = obstacle;
     tool.whole = [](const EditSettings& s, const WholeVolume&) {
-      return editing::Logical{s.label, s.logical, is_alone(s) ? structure::kBackground : s.other};
+      auto logical = s.of<Logical>();
+      logical.label = s.label;
+      if (!is_alone(logical.operation)) logical.other = s.of<Second>().label;
+      return logical;
     };
     return tool;
   }();

@@ -1,13 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QCoreApplication>
 
+#include "glisson/editing/tools/reassign.h"
 #include "glisson/ui/segmentation/window_tool.h"
 
 namespace glisson::ui {
+namespace {
+
+struct BranchGoes {
+  bool off = false;  ///< else to the other tree
+  bool operator==(const BranchGoes&) const = default;
+};
+
+}  // namespace
 
 const WindowTool& move_branch_window_tool() {
   static const WindowTool kTool = [] {
     WindowTool tool{"move_branch",
+                    130,
                     'B',
                     QT_TRANSLATE_NOOP("EditTexts", "Move branch"),
                     {{"reassign_branch", QT_TRANSLATE_NOOP("EditTexts", "Move branch")},
@@ -23,7 +33,7 @@ const WindowTool& move_branch_window_tool() {
     tool.page = {choice_box("branch_goes", QT_TRANSLATE_NOOP("glisson::ui::ToolPages", "The branch"),
                             {QT_TRANSLATE_NOOP("glisson::ui::ToolPages", "goes to the other tree"),
                              QT_TRANSLATE_NOOP("glisson::ui::ToolPages", "is cut off")},
-                            &EditSettings::cut_branch_off)};
+                            &BranchGoes::off)};
     tool.hand = [](const EditSettings&) { return Hand::point; };
     tool.at_pointer = WindowTool::AtPointer::branch;
     tool.works_on_label = [](const EditSettings&) { return false; };
@@ -31,7 +41,7 @@ const WindowTool& move_branch_window_tool() {
       const bool portal = at.clicked == structure::kPortalVein;
       if (!portal && at.clicked != structure::kHepaticVeins) return std::nullopt;
       const Label other = portal ? structure::kHepaticVeins : structure::kPortalVein;
-      const Label to = s.cut_branch_off != at.invert ? structure::kBackground : other;
+      const Label to = s.of<BranchGoes>().off != at.invert ? structure::kBackground : other;
       return editing::ReassignBranch{at.clicked, to, at.p.xyz};
     };
     return tool;

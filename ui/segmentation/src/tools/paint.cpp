@@ -33,6 +33,7 @@ PageField brush_slider() {
 const WindowTool& paint_window_tool() {
   static const WindowTool kTool = [] {
     WindowTool tool{"paint",
+                    10,
                     'P',
                     QT_TRANSLATE_NOOP("EditTexts", "Paint"),
                     {{"paint", QT_TRANSLATE_NOOP("EditTexts", "Paint")}},

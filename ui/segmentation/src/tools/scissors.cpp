@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QCoreApplication>
 
+#include "glisson/editing/tools/scissors.h"
 #include "glisson/ui/segmentation/window_tool.h"
 
 namespace glisson::ui {
@@ -9,6 +10,7 @@ const WindowTool& scissors_window_tool() {
   static const WindowTool kTool = [] {
     WindowTool tool{
         "scissors",
+        30,
         'X',
         QT_TRANSLATE_NOOP("EditTexts", "Scissors"),
         {{"scissors.fill_inside", QT_TRANSLATE_NOOP("EditTexts", "Scissors: fill inside")},
@@ -27,16 +29,16 @@ const WindowTool& scissors_window_tool() {
                             {QT_TRANSLATE_NOOP("glisson::ui::ToolPages", "Fill inside"),
                              QT_TRANSLATE_NOOP("glisson::ui::ToolPages", "Erase inside"),
                              QT_TRANSLATE_NOOP("glisson::ui::ToolPages", "Erase outside")},
-                            &EditSettings::cut),
+                            &editing::Scissors::operation),
                  choice_box("scissors_depth", QT_TRANSLATE_NOOP("glisson::ui::ToolPages", "In slices"),
                             {QT_TRANSLATE_NOOP("glisson::ui::ToolPages", "This slice only"),
                              QT_TRANSLATE_NOOP("glisson::ui::ToolPages", "A slab around it"),
                              QT_TRANSLATE_NOOP("glisson::ui::ToolPages", "Through the whole volume")},
-                            &EditSettings::depth),
+                            &Cut::depth),
                  number_box("scissors_slab", QT_TRANSLATE_NOOP("glisson::ui::ToolPages", "Slab"),
-                            {1.0, 200.0, 1.0, 0, "mm"}, &EditSettings::slab, 1e3),
+                            {1.0, 200.0, 1.0, 0, "mm"}, &Cut::slab, 1e3),
                  check_box("scissors_any", QT_TRANSLATE_NOOP("glisson::ui::ToolPages", "Erase any label"),
-                           &EditSettings::cut_any)};
+                           &Cut::any_label)};
     return tool;
   }();
   return kTool;

@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QCoreApplication>
 
+#include "glisson/editing/tools/smooth.h"
 #include "glisson/ui/segmentation/window_tool.h"
 
 namespace glisson::ui {
 namespace {
 
-bool is_joint(const EditSettings& s) { return s.smooth == editing::Smooth::Method::joint; }
+using editing::Smooth;
+
+bool is_joint(const EditSettings& s) { return s.of<Smooth>().method == Smooth::Method::joint; }
 
 }  // namespace
 
 const WindowTool& smooth_window_tool() {
   static const WindowTool kTool = [] {
     WindowTool tool{"smooth",
+                    90,
                     'S',
                     QT_TRANSLATE_NOOP("EditTexts", "Smooth"),
                     {{"smooth.median", QT_TRANSLATE_NOOP("EditTexts", "Smooth: median")},
@@ -31,15 +35,17 @@ const WindowTool& smooth_window_tool() {
                              QT_TRANSLATE_NOOP("glisson::ui::ToolPages", "Closing: fills gaps"),
                              QT_TRANSLATE_NOOP("glisson::ui::ToolPages", "Opening: takes spikes"),
                              QT_TRANSLATE_NOOP("glisson::ui::ToolPages", "Joint: all labels")},
-                            &EditSettings::smooth),
+                            &Smooth::method),
                  number_box("smooth_radius", QT_TRANSLATE_NOOP("glisson::ui::ToolPages", "Radius"),
-                            range_of("smooth", "radius_mm", 0.5, 0.5, 1), &EditSettings::smooth_radius, 1e3)};
+                            range_of("smooth", "radius_mm", 0.5, 0.5, 1), &Smooth::radius, 1e3)};
     tool.works_on_label = [](const EditSettings& s) { return !is_joint(s); };
     tool.obstacle = [](const EditSettings& s, const std::vector<Label>& present) {
       return is_joint(s) ? EditObstacle::none : empty_label(s, present);
     };
     tool.whole = [](const EditSettings& s, const WholeVolume&) {
-      return editing::Smooth{s.label, s.smooth, s.smooth_radius};
+      auto smooth = s.of<Smooth>();
+      smooth.label = s.label;
+      return smooth;
     };
     return tool;
   }();

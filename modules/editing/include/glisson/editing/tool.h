@@ -49,6 +49,8 @@ class ToolKind {
 
   /// "paint", "grow_from_seeds": in scripts, refusals and histories.
   virtual const std::string& code() const = 0;
+  /// Kinds are listed by rising place; those that are there stand 10 apart.
+  virtual int place() const = 0;
   virtual std::vector<ToolField> fields() const = 0;
   /// All codes of StepName that its edits can have.
   virtual const std::vector<std::string>& steps() const = 0;

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "glisson/editing/edit.h"
+#include "glisson/editing/tools/reassign.h"
 #include "glisson/ui/common/preview_service.h"
 #include "glisson/ui/common/view_state.h"
 

@@ -23,7 +23,8 @@ class EditBox : public QWidget {
   Q_OBJECT
  public:
   /// @param page the tools' keys work while it is in sight.
-  EditBox(EditSession& session, QWidget& page, QWidget* parent = nullptr);
+  EditBox(EditSession& session, QWidget& page, QWidget* parent = nullptr,
+          const EditTools& tools = edit_tools());
 
   /// Puts a widget below the tool's settings and what is said of its edit.
   void add_below_settings(QWidget* widget);
@@ -42,6 +43,7 @@ class EditBox : public QWidget {
   void show_region();
 
   EditSession& session_;
+  const EditTools known_;
   QAction* undo_ = nullptr;
   QAction* redo_ = nullptr;
   QToolButton* undo_button_ = nullptr;

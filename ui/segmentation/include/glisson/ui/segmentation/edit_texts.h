@@ -13,7 +13,7 @@ QString tool_hint(EditTool tool, const EditSettings& settings);
 QString obstacle_text(EditObstacle obstacle);
 QString review_text(ReviewState state);
 /// A step of the history: "Paint, 10 mm, Portal vein" (the brush's diameter).
-QString step_text(const editing::StepName& step);
+QString step_text(const editing::StepName& step, const EditTools& tools = edit_tools());
 /// Whether a step of this code has a word of its own.
 bool knows_step(const std::string& code);
 

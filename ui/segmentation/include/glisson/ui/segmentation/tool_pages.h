@@ -14,7 +14,7 @@ namespace glisson::ui {
 class ToolPages : public QWidget {
   Q_OBJECT
  public:
-  explicit ToolPages(EditSession& session, QWidget* parent = nullptr);
+  explicit ToolPages(EditSession& session, QWidget* parent = nullptr, const EditTools& tools = edit_tools());
 
  private:
   void add_page(EditTool tool);
@@ -31,6 +31,7 @@ class ToolPages : public QWidget {
   void show_settings();
 
   EditSession& session_;
+  const EditTools tools_;
   std::map<EditTool, QWidget*> pages_;
   std::vector<std::function<void(const EditSettings&)>> refresh_;
 };

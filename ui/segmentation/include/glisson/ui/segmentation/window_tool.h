@@ -46,31 +46,42 @@ struct PageField {
   const char* then = nullptr;
 };
 
-/// A member of the settings as the number of a page's field.
-template <class Member>
-PageField coupled(Member EditSettings::*which, double factor = 1.0) {
+/// The settings themselves, or those of one tool among them.
+template <class Owner>
+auto& settings_of(auto& settings) {
+  if constexpr (std::is_same_v<Owner, EditSettings>)
+    return settings;
+  else
+    return settings.template of<Owner>();
+}
+/// A member of the settings, or of a tool's own (`&editing::Smooth::radius`), as the number of a page's
+/// field.
+template <class Owner, class Member>
+PageField coupled(Member Owner::*which, double factor = 1.0) {
   PageField field;
-  field.get = [=](const EditSettings& s) { return factor * static_cast<double>(s.*which); };
+  field.get = [=](const EditSettings& s) {
+    return factor * static_cast<double>(settings_of<Owner>(s).*which);
+  };
   field.set = [=](EditSettings& s, double value) {
     if constexpr (std::is_same_v<Member, double>)
-      s.*which = value / factor;
+      settings_of<Owner>(s).*which = value / factor;
     else
-      s.*which = static_cast<Member>(static_cast<int>(value));
+      settings_of<Owner>(s).*which = static_cast<Member>(static_cast<int>(value));
   };
   return field;
 }
-template <class Member>
+template <class Owner, class Member>
 PageField number_box(const char* object, const char* text, const PageField::Range& range,
-                     Member EditSettings::*which, double factor = 1.0) {
+                     Member Owner::*which, double factor = 1.0) {
   PageField field = coupled(which, factor);
   field.object = object;
   field.text = text;
   field.range = range;
   return field;
 }
-template <class Member>
+template <class Owner, class Member>
 PageField choice_box(const char* object, const char* text, std::vector<const char*> choices,
-                     Member EditSettings::*which) {
+                     Member Owner::*which) {
   PageField field = coupled(which);
   field.kind = PageField::Kind::choice;
   field.object = object;
@@ -78,7 +89,8 @@ PageField choice_box(const char* object, const char* text, std::vector<const cha
   field.choices = std::move(choices);
   return field;
 }
-inline PageField check_box(const char* object, const char* text, bool EditSettings::*which) {
+template <class Owner>
+PageField check_box(const char* object, const char* text, bool Owner::*which) {
   PageField field = coupled(which);
   field.kind = PageField::Kind::check;
   field.object = object;
@@ -114,6 +126,7 @@ struct WindowTool {
   };
 
   std::string code;         ///< for names of widgets and icons: "level_tracing"
+  int place;                ///< tools are listed by rising place; those that are there stand 10 apart
   char key;                 ///< chooses it
   const char* name;         ///< for translators, like the hint and the steps
   std::vector<Step> steps;  ///< names of what it did, for undo and redo
@@ -142,12 +155,13 @@ struct WindowTool {
   std::function<editing::Tool(const EditSettings&, const WholeVolume&)> whole = {};
 };
 
+using EditTools = std::vector<EditTool>;
 /// All tools, in the order of their buttons and of the manual.
-const std::vector<EditTool>& edit_tools();
+const EditTools& edit_tools();
 /// @throws PreconditionError there is none.
-EditTool edit_tool(std::string_view code);
+EditTool edit_tool(std::string_view code, const EditTools& tools = edit_tools());
 /// The manual's table of the window's tools: name, key, what it does.
-std::string tool_table();
+std::string tool_table(const EditTools& tools = edit_tools());
 
 /// The voxel axis across slices of a plane.
 int voxel_axis_across(const VolumeGrid& grid, scene::Plane plane);
