@@ -18,6 +18,7 @@
 #include "glisson/core/log_file.h"
 #include "glisson/core/output_file.h"
 #include "glisson/engine/case_io.h"
+#include "glisson/engine/obstacle.h"
 #include "glisson/engine/outcome_log.h"
 #include "glisson/ui/common/texts.h"
 
@@ -251,6 +252,10 @@ engine::Outcome Session::post(engine::Command command) {
   figures["seconds_" + outcome->command] = outcome->seconds;
   notes.insert(notes.end(), outcome->notes.begin(), outcome->notes.end());
   return *outcome;
+}
+
+void Session::need(const std::vector<engine::Part>& parts) const {
+  with_names([&] { engine::require_parts(state(), parts); });
 }
 
 void Session::with_names(const std::function<void()>& work) const {

@@ -103,12 +103,12 @@ class Session {
   /// What the person calls what the modules know by another name: their sentences begin with the files then.
   /// "stereo pair" -> "l.png, r.png".
   void call(const std::string& name, const std::string& files) { files_of_[name] = files; }
-  /// Does something outside the engine with sentences as post() has them.
-  void with_names(const std::function<void()>& work) const;
   /// Follows one input, however long it takes. `fraction` of all inputs is done with it, for the terminal.
   /// @pre tracking was started. @throws Interrupted.
   OverlayFrame follow(engine::LiveInput input, double fraction);
   const engine::CaseState& state() const { return script_.state(); }
+  /// @throws Error the engine's sentence on the first of these parts that the case does not have.
+  void need(const std::vector<engine::Part>& parts) const;
   /// Progress, cancel and seed, for work outside the engine.
   const RunContext& context() const { return context_; }
 
@@ -120,6 +120,9 @@ class Session {
   void finish();
 
  private:
+  /// Does something whose sentences name what call() has named.
+  void with_names(const std::function<void()>& work) const;
+
   const Arguments& arguments_;
   std::map<std::string, std::string> files_of_;
   std::string command_;  ///< that is running, for the terminal

@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "glisson/engine/commands/start_tracking.h"
+#include "glisson/engine/obstacle.h"
 #include "glisson/engine/parts/check.h"
 #include "glisson/engine/parts/frame.h"
 #include "glisson/engine/parts/model.h"
@@ -14,11 +15,7 @@ namespace glisson::app {
 namespace {
 
 const engine::CaseState& drawable(const engine::CaseState& state) {
-  if (!state[part::model])
-    throw InputError("case", "model", "there is none to draw", "Run 'glisson model' first");
-  if (!state[part::rig])
-    throw InputError("case", "calibration", "there is none, so nothing can be drawn in its place",
-                     "Load the laparoscope's calibration");
+  engine::require_parts(state, {part::model, part::rig});
   return state;
 }
 
@@ -64,10 +61,7 @@ void OverlayRecorder::close() { writer_.close(); }
 void follow_video(Session& session, const guidance::TrackerOptions& options, int last,
                   const std::function<void(const StereoFrame&, const OverlayFrame&)>& frame) {
   const engine::CaseState& state = session.state();
-  if (!state[part::video])
-    throw InputError("case", "video", "there is none", "Open the operation's stereo video first");
-  if (!state[part::frame])
-    throw InputError("case", "frame", "no frame was registered", "Register a frame of the video first");
+  session.need({part::video, part::frame});
   engine::StartTracking start;
   start.options = options;
   const int first = state[part::frame]->frame.index;

@@ -41,9 +41,8 @@ ModelArgument load_model(const Arguments& arguments, Session& session) {
     argument.path = argument.path.parent_path();
   if (engine::is_case(argument.path)) {
     session.post(engine::OpenCase{argument.path, engine::OpenCase::Access::read});
-    if (!session.state()[part::model])
-      throw InputError(argument.path.string(), "model", "the case has none yet",
-                       "Run 'glisson model --case CASE' first");
+    session.call("case", argument.path.string());
+    session.need({part::model});
   } else if (!is_folder && is_tetrahedral(argument.path)) {
     session.post(engine::ImportMesh{argument.path, argument.unit});
   } else {

@@ -172,8 +172,7 @@ void open_and_save(Session& session, Run& run, const fs::path& place) {
 
 /// A stroke through the liver's middle, a different one each time, and back.
 void edit_and_undo(Session& session, Run& run) {
-  if (!session.state()[part::labels])
-    throw InputError("case", "labels", "there are none to edit", "Give a case with labels");
+  session.need({part::labels, part::model});
   const Eigen::RowVector3d middle =
       session.state()[part::model]->model.surface.mesh.vertices.colwise().mean();
   const LabelVolume before = session.state()[part::labels]->voxels;

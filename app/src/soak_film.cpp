@@ -4,14 +4,14 @@
 #include <algorithm>
 
 #include "glisson/core/error.h"
+#include "glisson/engine/obstacle.h"
 #include "glisson/engine/parts/video.h"
 #include "glisson/stereo/picture_io.h"
 
 namespace glisson::app {
 
 SoakFilm::SoakFilm(const engine::CaseState& state) {
-  if (!state[part::video])
-    throw InputError("case", "video", "there is none", "Give one that 'glisson demo' has made");
+  engine::require_parts(state, {part::video});
   stereo::StereoVideo video(state[part::video]->left, state[part::video]->right);
   constexpr std::size_t kMost = 60;
   for (StereoFrame frame; frames_.size() < kMost && video.read(frame);) frames_.push_back(frame);

@@ -184,9 +184,7 @@ int run_overlay(const QStringList& given) {
   Session session(arguments);
   session.call("case", arguments.required_path("case").string());
   session.post(engine::OpenCase{arguments.required_path("case"), engine::OpenCase::Access::read});
-  if (!session.state()[part::video])
-    throw InputError(arguments.path("case").string(), "video", "there is none",
-                     "Open the operation's stereo video first");
+  session.need({part::video});
   const double rate =
       stereo::StereoVideo(session.state()[part::video]->left, session.state()[part::video]->right)
           .frames_per_second();

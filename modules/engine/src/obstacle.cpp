@@ -61,4 +61,8 @@ InputError error_of(const Obstacle& obstacle) {
   return {"case", code, "is out of date" + cause, "Make it anew"};
 }
 
+void require_parts(const CaseState& state, const std::vector<Part>& needs) {
+  if (const auto first = obstacle(state, needs)) throw error_of(*first);
+}
+
 }  // namespace glisson::engine

@@ -36,5 +36,8 @@ std::optional<Obstacle> obstacle(const Snapshot& snapshot, const Command& comman
 
 /// The same as an error: "case: labels: there is none yet. Segment the CT or import labels first."
 InputError error_of(const Obstacle& obstacle);
+/// For what is done with a case's parts outside commands. @throws InputError error_of() the first that is
+/// missing.
+void require_parts(const CaseState& state, const std::vector<Part>& needs);
 
 }  // namespace glisson::engine
