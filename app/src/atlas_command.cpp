@@ -83,7 +83,7 @@ void add_figures(Figures& figures, const atlas::BuildResult& built) {
     for (const auto& [structure, one] : left.structures) found[structure].push_back(one);
   }
   for (const auto& [structure, all] : found) {
-    const std::string key = std::string("atlas_") + atlas::code(structure);
+    const std::string key = std::string("atlas_") + atlas::structure_code(structure);
     double inside = 0.0, points = 0.0;
     for (const atlas::LeftOutStructure& one : all) {
       figures[key + "_mean_mm"] += 1e3 * one.mean_error / static_cast<double>(all.size());
@@ -134,7 +134,7 @@ void show_atlas(const Arguments& arguments, Session& session) {
             .arg(ui::landmark_text(one.structure))
             .arg(one.members.size())
             .arg(QString::fromStdString(one.origin), mm(deviation)));
-    session.figures[std::string("atlas_") + atlas::code(one.structure) + "_deviation_mm"] = 1e3 * deviation;
+    session.figures[std::string("atlas_") + atlas::structure_code(one.structure) + "_deviation_mm"] = 1e3 * deviation;
   }
   for (const atlas::AtlasMember& member : shown->members)
     if (member.weight < 1.0)

@@ -59,7 +59,7 @@ class BuildTest : public QObject {
       QCOMPARE(left.structures.size(), kStructures.size());
       // Synthetic livers differ less than patients: 25 mm would be another place.
       for (const auto& [structure, found] : left.structures)
-        QVERIFY2(found.mean_error < 0.025, code(structure));
+        QVERIFY2(found.mean_error < 0.025, structure_code(structure));
     }
     QVERIFY(result_.quality.generality > 0.0 && result_.quality.specificity > 0.0);
   }

@@ -110,7 +110,7 @@ void LoadTrialTest::AHeldPullEndsInTheStaticSolution() {
   const TrialPull pull = corner_pull(model);
   const auto held = settle(engine, pull);
   QVERIFY(held != nullptr);
-  QCOMPARE(held->end, TrialEnd::none);
+  QVERIFY(!held->termination);
   const Points expected = equilibrium(model, pull, command.options);
   QCOMPARE(expected.rows(), held->nodes.rows());
   // The organ moves by 15 mm; what is left is the last steps' way, far below what anybody sees.
@@ -140,7 +140,7 @@ void LoadTrialTest::ThePullIsNoStrongerThanItsLimit() {
   pull.target += Eigen::Vector3d(0.05, -0.2, 0.1);
   const auto held = settle(engine, pull);
   QVERIFY(held != nullptr);
-  QCOMPARE(held->end, TrialEnd::none);
+  QVERIFY(!held->termination);
   QVERIFY(std::abs(held->force.norm() - 2.0) < 1e-9);
   const Points expected = equilibrium(model, pull, command.options);
   const double error = (held->nodes - expected).rowwise().norm().maxCoeff();
@@ -155,7 +155,7 @@ void LoadTrialTest::AReleasedOrganReturnsToRest() {
   QVERIFY(held && held->nodes.rows() > 0);
   const auto released = settle(engine, std::nullopt);
   QVERIFY(released != nullptr);
-  QCOMPARE(released->end, TrialEnd::none);
+  QVERIFY(!released->termination);
   QCOMPARE(released->nodes.rows(), Eigen::Index{0});  // at rest, exactly
   QCOMPARE(released->displacement_max, 0.0);
   QVERIFY(!released->pull);
@@ -192,7 +192,8 @@ void LoadTrialTest::ElementsInsideOutEndIt() {
   pull.target = {0.0, 0.1, 0.0};  // through the organ
   const auto trial = settle(engine, pull);
   QVERIFY(trial != nullptr);
-  QCOMPARE(trial->end, TrialEnd::inverted);
+  QVERIFY(trial->termination == Termination::diverged);
+  QVERIFY(trial->inverted_tetrahedra > 0);
   QCOMPARE(trial->nodes.rows(), Eigen::Index{0});
 }
 

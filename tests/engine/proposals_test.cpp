@@ -73,7 +73,7 @@ class ProposalsTest : public QObject {
       const Points expected =
           (1.05 * atlas_->find(structure)->mean).rowwise() + Eigen::RowVector3d(0.03, -0.1, 0.2);
       // Means of curves and areas lie a little off the surface, proposals on it.
-      QVERIFY2((one->points - expected).rowwise().norm().mean() < 0.012, atlas::code(structure));
+      QVERIFY2((one->points - expected).rowwise().norm().mean() < 0.012, atlas::structure_code(structure));
       for (const Eigen::Matrix3d& spread : one->covariances)
         QVERIFY(Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvalues()[0] > 0.0);
     }

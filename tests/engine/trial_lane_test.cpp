@@ -153,14 +153,16 @@ void TrialLaneTest::AStepThatFailsEndsItAndSaysWhy() {
     Engine engine(puppet(runner, [throws](const std::optional<TrialPull>&, TrialState& state) {
       if (throws) throw NumericalError("no");
       state.nodes.resize(0, 3);
-      state.end = TrialEnd::inverted;
+      state.termination = Termination::diverged;
+      state.inverted_tetrahedra = 1;
     }));
     start(engine);
     engine.submit_pull(at(3, {0.0, 0.0, 0.1}));
     engine.wait_for_trial();
     const auto trial = engine.snapshot()->trial;
     QVERIFY(trial != nullptr);
-    QCOMPARE(trial->end, throws ? TrialEnd::diverged : TrialEnd::inverted);
+    QVERIFY(trial->termination == Termination::diverged);
+    QCOMPARE(trial->inverted_tetrahedra, throws ? 0 : 1);
     QCOMPARE(trial->nodes.rows(), Eigen::Index{0});
     engine.submit_pull(at(3, {0.0, 0.0, 0.1}));
     engine.wait_for_trial();

@@ -19,7 +19,7 @@ constexpr const char* kFormat = "glisson-atlas";
 constexpr double kMm = 1e3;
 
 std::string mode_name(Eigen::Index k) { return "mode_" + std::to_string(k + 1); }
-std::string share_name(Structure structure) { return std::string("share_") + code(structure); }
+std::string share_name(Structure structure) { return std::string("share_") + structure_code(structure); }
 
 json rows(const Eigen::MatrixXd& matrix, double factor) {
   json list = json::array();
@@ -111,7 +111,7 @@ class Sheet {
 json sheet_of(const StructureStatistics& one) {
   json residuals = json::array();
   for (const Points& residual : one.residuals) residuals.push_back(rows(residual, kMm));
-  return {{"structure", code(one.structure)},
+  return {{"structure", structure_code(one.structure)},
           {"origin", one.origin},
           {"members", one.members},
           {"mean_mm", rows(one.mean, kMm)},

@@ -19,7 +19,7 @@ int point_count(Structure structure) {
   return 0;
 }
 
-const char* code(Structure structure) {
+const char* structure_code(Structure structure) {
   switch (structure) {
     case Structure::umbilical_notch:
       return "umbilical_notch";
@@ -39,7 +39,7 @@ const char* code(Structure structure) {
 
 std::optional<Structure> structure_of(const std::string& name) {
   for (const Structure structure : kStructures)
-    if (name == code(structure)) return structure;
+    if (name == structure_code(structure)) return structure;
   return {};
 }
 

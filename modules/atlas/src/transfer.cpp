@@ -120,7 +120,7 @@ void show(Proposal& proposal, const Points& seen, const Points& raw, std::vector
   }
   if (worst > kContradiction)
     doubts.push_back(
-        note((std::string("atlas.contradiction ") + code(proposal.structure)).c_str(), 1e3 * apart, 0));
+        note((std::string("atlas.contradiction ") + structure_code(proposal.structure)).c_str(), 1e3 * apart, 0));
   proposal.points = seen;
   std::fill(proposal.covariances.begin(), proposal.covariances.end(),
             Eigen::Matrix3d(kImageDeviation * kImageDeviation * Eigen::Matrix3d::Identity()));
@@ -164,12 +164,12 @@ void onto_liver(Proposal& proposal, const ClosestPointTree& tree) {
 
 }  // namespace
 
-const char* code(Source source) {
+const char* source_code(Source source) {
   constexpr std::array kCodes = {"statistics", "image", "both", "person"};
   return kCodes[static_cast<std::size_t>(source)];
 }
 
-const char* code(Decision decision) {
+const char* decision_code(Decision decision) {
   constexpr std::array kCodes = {"proposed", "accepted", "moved", "not_visible"};
   return kCodes[static_cast<std::size_t>(decision)];
 }

@@ -143,9 +143,10 @@ class ElasticTrial : public LoadTrial {
     const Points& rest = composite_->mesh().vertices;
     const double moved = (integrator_.positions() - rest).rowwise().norm().maxCoeff();
     if (!summary.ok || !(moved < kFurthest)) {
-      state.end = TrialEnd::diverged;
+      state.termination = Termination::diverged;
     } else if (summary.inverted_tetrahedra > 0) {
-      state.end = TrialEnd::inverted;
+      state.termination = Termination::diverged;
+      state.inverted_tetrahedra = summary.inverted_tetrahedra;
     } else if (!pull && moved < kAtRest &&
                integrator_.velocities().rowwise().norm().maxCoeff() * options_.time_step < kAtRest) {
       integrator_.set_state(rest);
@@ -153,7 +154,7 @@ class ElasticTrial : public LoadTrial {
       state.nodes = integrator_.positions();
       state.displacement_max = moved;
     }
-    if (!pull || state.end != TrialEnd::none) return;
+    if (!pull || state.termination) return;
     state.grabbed = grabbed(*pull);
     state.force = pull_force(*pull);
   }

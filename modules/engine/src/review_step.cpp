@@ -49,7 +49,7 @@ Applied with_review(const CaseState& state, const atlas::Proposal& proposal, con
       std::find_if(transfer->proposals.begin(), transfer->proposals.end(),
                    [&](const atlas::Proposal& one) { return one.structure == proposal.structure; });
   if (found == transfer->proposals.end())
-    throw InputError("review", atlas::code(proposal.structure), "is not proposed",
+    throw InputError("review", atlas::structure_code(proposal.structure), "is not proposed",
                      "Let an atlas that knows it propose it first");
   *found = proposal;
   Applied applied{state};

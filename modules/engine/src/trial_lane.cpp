@@ -66,13 +66,13 @@ std::shared_ptr<const TrialState> TrialLane::step(std::unique_lock<std::mutex>& 
   try {
     *state = mechanics_->step(pull);
   } catch (const std::exception&) {
-    state->end = TrialEnd::diverged;  // whatever went wrong, there is no shape to be shown
+    state->termination = Termination::diverged;  // whatever went wrong, there is no shape to be shown
   }
   lock.lock();
   if (!on_) return nullptr;
   shown_ = taken;
   count(*state, started);
-  if (state->end != TrialEnd::none)
+  if (state->termination)
     end();
   else if (!is_behind() && !pull_ && state->nodes.rows() == 0)
     awake_ = false;

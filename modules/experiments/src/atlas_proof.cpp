@@ -39,7 +39,7 @@ void add(Figures& figures, const std::string& prefix, const std::vector<LeftOut>
   figures[prefix + "surface_worst_mm"] = 1e3 * worst;
   double all_inside = 0.0, all_points = 0.0;
   for (const auto& [structure, all] : found) {
-    const std::string key = prefix + atlas::code(structure) + "_";
+    const std::string key = prefix + atlas::structure_code(structure) + "_";
     double inside = 0.0, points = 0.0;
     Figures sums;
     for (const LeftOutStructure& one : all) {

@@ -140,7 +140,7 @@ Cancellable<RegistrationStage> build_stage(const ProofPatient& patient, const st
   return stage;
 }
 
-const char* fault_code(RegistrationFault fault) {
+const char* registration_fault_code(RegistrationFault fault) {
   switch (fault) {
     case RegistrationFault::none:
       return "none";

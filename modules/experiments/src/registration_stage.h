@@ -37,7 +37,7 @@ inline constexpr RegistrationFault kRegistrationFaults[] = {
     RegistrationFault::none,       RegistrationFault::noise,         RegistrationFault::another_patient,
     RegistrationFault::mirrored,   RegistrationFault::foreign_organ, RegistrationFault::wrong_labels,
     RegistrationFault::wrong_start};
-const char* fault_code(RegistrationFault fault);
+const char* registration_fault_code(RegistrationFault fault);
 /// Whether the cloud shows this patient's liver at all: otherwise any registration is wrong.
 bool shows_the_organ(RegistrationFault fault);
 

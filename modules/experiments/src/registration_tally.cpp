@@ -16,7 +16,9 @@ constexpr double kFar = 10e-3, kNear = 3e-3;  ///< metres: registrations over an
 
 double millimetres(double metres) { return 1e3 * metres; }
 
-const char* name_of(ProofSet set) { return set == ProofSet::development ? "development" : "validation"; }
+const char* proof_set_code(ProofSet set) {
+  return set == ProofSet::development ? "development" : "validation";
+}
 
 template <class... Values>
 std::string text(const char* format, Values... values) {
@@ -107,8 +109,9 @@ std::string csv_of(const std::vector<RegistrationTrial>& trials) {
   for (const std::string& key : keys) csv += "," + key;
   csv += "\n";
   for (const RegistrationTrial& trial : trials) {
-    csv += text("%s,%s,%s,%.2f,%s,%.3f", name_of(trial.set), trial.patient.c_str(), trial.handling.c_str(),
-                trial.share, fault_code(trial.fault), millimetres(trial.mean));
+    csv += text("%s,%s,%s,%.2f,%s,%.3f", proof_set_code(trial.set), trial.patient.c_str(),
+                trial.handling.c_str(), trial.share, registration_fault_code(trial.fault),
+                millimetres(trial.mean));
     for (const auto* list : {&trial.lesions, &trial.expected})
       for (std::size_t i = 0; i < 3; ++i)
         csv += i < list->size() ? text(",%.3f", millimetres((*list)[i])) : ",";
@@ -138,7 +141,7 @@ std::vector<std::string> cut(const std::string& line, char at) {
 
 RegistrationFault fault_of(const std::string& code) {
   for (const RegistrationFault fault : kRegistrationFaults)
-    if (code == fault_code(fault)) return fault;
+    if (code == registration_fault_code(fault)) return fault;
   throw std::invalid_argument(code);
 }
 
@@ -147,7 +150,8 @@ constexpr std::size_t kOwnColumns = 17;
 /// @throws std::invalid_argument, std::out_of_range what is no number.
 RegistrationTrial trial_of(const std::vector<std::string>& keys, const std::vector<std::string>& cells) {
   RegistrationTrial trial;
-  trial.set = cells[0] == name_of(ProofSet::development) ? ProofSet::development : ProofSet::validation;
+  trial.set =
+      cells[0] == proof_set_code(ProofSet::development) ? ProofSet::development : ProofSet::validation;
   trial.patient = cells[1];
   trial.handling = cells[2];
   trial.share = std::stod(cells[3]);
@@ -206,7 +210,7 @@ void sum_up(const std::vector<RegistrationTrial>& all, ProofSet set, Registratio
     shares[trial.share].add(trial);
     if (!trial.doubted()) undoubted[trial.share].add(trial.mean);
   }
-  const std::string name = name_of(set), prefix = "registration_" + name + "_";
+  const std::string name = proof_set_code(set), prefix = "registration_" + name + "_";
   proof.table.push_back(name);
   proof.table.emplace_back("handled    seen %  trials  ours mm  paper mm  rigid mm  lesion mm  doubted");
   const auto row = [&](const std::string& what, double share, const Cell& cell) {
@@ -234,7 +238,7 @@ void sum_up(const std::vector<RegistrationTrial>& all, ProofSet set, Registratio
     proof.table.push_back(text("%-17s %6d %8d %8d %7d %5d %6d %8d", what.c_str(), tally.count, tally.refused,
                                tally.told, tally.far, tally.far_told, tally.near, tally.near_told));
   };
-  for (const auto& [fault, tally] : faults) tell(fault_code(fault), tally);
+  for (const auto& [fault, tally] : faults) tell(registration_fault_code(fault), tally);
   tell("all", sum);
   proof.figures[prefix + "trials"] = sum.count;
   proof.figures[prefix + "far"] = sum.far;

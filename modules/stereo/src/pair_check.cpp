@@ -130,7 +130,7 @@ void judge(PairCheck& check, const std::vector<FeaturePair>& matches, const Ster
 
 }  // namespace
 
-std::string_view fault_code(Fault fault) {
+const char* fault_code(Fault fault) {
   switch (fault) {
     case Fault::black:
       return "black";

@@ -93,18 +93,14 @@ void LoadTrialBox::show_trial() {
   if (!on_ || !started_) return;
   const std::shared_ptr<const engine::TrialState> trial = engine_.snapshot()->trial;
   if (!trial) return end(tr("The model has changed: the trial has ended."));
-  switch (trial->end) {
-    case engine::TrialEnd::none:
-      break;
-    case engine::TrialEnd::diverged:
-      return end(tr("Stopped: the computation did not converge under this pull. The rest shape is drawn."),
-                 true);
-    case engine::TrialEnd::inverted:
-      return end(
-          tr("Stopped: this pull turns elements of the mesh inside out. The rest shape is drawn. Pull less, "
-             "or elsewhere."),
-          true);
-  }
+  if (trial->inverted_tetrahedra > 0)
+    return end(
+        tr("Stopped: this pull turns elements of the mesh inside out. The rest shape is drawn. Pull less, "
+           "or elsewhere."),
+        true);
+  if (trial->termination)
+    return end(tr("Stopped: the computation did not converge under this pull. The rest shape is drawn."),
+               true);
   draw(*trial);
   show_figures(*trial);
 }

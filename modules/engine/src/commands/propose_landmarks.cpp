@@ -43,7 +43,7 @@ Cancellable<Applied> ProposeLandmarks::apply(const CaseState& state, const RunCo
   applied.figures["atlas_fit_max_mm"] = 1e3 * made->max_distance;
   applied.figures["atlas_unusual"] = made->unusual;
   for (const atlas::Proposal& one : made->proposals)
-    applied.figures["atlas_" + std::string(atlas::code(one.structure)) + "_deviation_mm"] =
+    applied.figures["atlas_" + std::string(atlas::structure_code(one.structure)) + "_deviation_mm"] =
         1e3 * one.deviation();
   applied.notes = made->doubts;
   applied.state[part::proposals] = std::make_shared<const atlas::Transfer>(std::move(*made));

@@ -89,7 +89,7 @@ CommandTraits ReviewProposal::traits() const { return review_traits("review_prop
 Cancellable<Applied> ReviewProposal::apply(const CaseState& state, const RunContext&) const {
   const Proposal* proposed = proposal_of(state, structure);
   if (proposed == nullptr)
-    throw InputError("ReviewProposal", atlas::code(structure), "is not proposed",
+    throw InputError("ReviewProposal", atlas::structure_code(structure), "is not proposed",
                      "Let an atlas that knows it propose it first");
   Proposal reviewed = *proposed;
   if (decision == Decision::moved) move(reviewed, moved);

@@ -32,15 +32,15 @@ json sheet_of(const Proposal& one) {
     covariances.push_back({c(0, 0) / kSquareMillimetre, c(0, 1) / kSquareMillimetre,
                            c(0, 2) / kSquareMillimetre, c(1, 1) / kSquareMillimetre,
                            c(1, 2) / kSquareMillimetre, c(2, 2) / kSquareMillimetre});
-  for (const Source source : one.sources) sources.push_back(atlas::code(source));
-  return {{"structure", atlas::code(one.structure)},
+  for (const Source source : one.sources) sources.push_back(atlas::source_code(source));
+  return {{"structure", atlas::structure_code(one.structure)},
           {"points", points_to_json(one.points)},
           {"covariances_mm2", covariances},
           {"sources", sources},
           {"area", points_to_json(one.area)},
           {"members", one.members},
           {"origin", one.origin},
-          {"decision", atlas::code(one.decision)}};
+          {"decision", atlas::decision_code(one.decision)}};
 }
 
 [[noreturn]] void refuse(const std::string& file, const std::string& field, const char* problem) {
@@ -49,9 +49,10 @@ json sheet_of(const Proposal& one) {
 }
 
 template <class Code, std::size_t N>
-Code code_in(const std::array<Code, N>& all, const json& text, const std::string& file, const char* field) {
+Code code_in(const char* (*code_of)(Code), const std::array<Code, N>& all, const json& text,
+             const std::string& file, const char* field) {
   for (const Code one : all)
-    if (text.is_string() && text.get<std::string>() == atlas::code(one)) return one;
+    if (text.is_string() && text.get<std::string>() == code_of(one)) return one;
   refuse(file, field, "is unknown");
 }
 
@@ -74,10 +75,12 @@ Proposal proposal_in(const json& sheet, const std::string& file) {
   constexpr std::array kDecisions = {Decision::proposed, Decision::accepted, Decision::moved,
                                      Decision::not_visible};
   Proposal one;
-  one.structure = code_in(atlas::kStructures, sheet.at("structure"), file, "structure");
+  one.structure =
+      code_in(atlas::structure_code, atlas::kStructures, sheet.at("structure"), file, "structure");
   one.points = points_from_json(sheet.at("points"), file, "points");
   for (const json& row : sheet.at("covariances_mm2")) one.covariances.push_back(covariance_in(row, file));
-  for (const json& row : sheet.at("sources")) one.sources.push_back(code_in(kSources, row, file, "sources"));
+  for (const json& row : sheet.at("sources"))
+    one.sources.push_back(code_in(atlas::source_code, kSources, row, file, "sources"));
   if (one.points.rows() != atlas::point_count(one.structure))
     refuse(file, "points", "are not as many as the structure has");
   const auto count = static_cast<std::size_t>(one.points.rows());
@@ -86,7 +89,7 @@ Proposal proposal_in(const json& sheet, const std::string& file) {
   if (!sheet.at("area").empty()) one.area = points_from_json(sheet.at("area"), file, "area");
   one.members = sheet.at("members").get<int>();
   one.origin = sheet.at("origin").get<std::string>();
-  one.decision = code_in(kDecisions, sheet.at("decision"), file, "decision");
+  one.decision = code_in(atlas::decision_code, kDecisions, sheet.at("decision"), file, "decision");
   return one;
 }
 

@@ -24,7 +24,7 @@ inline constexpr std::array<Structure, 6> kStructures = {
 /// How many ordered points a structure has, the same on every liver.
 int point_count(Structure structure);
 /// For files and figures: "umbilical_notch", ... Not translated.
-const char* code(Structure structure);
+const char* structure_code(Structure structure);
 std::optional<Structure> structure_of(const std::string& code);
 
 }  // namespace glisson::atlas

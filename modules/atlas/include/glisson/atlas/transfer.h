@@ -19,12 +19,12 @@ enum class Source {
   person       ///< somebody placed it
 };
 /// "statistics", "image", "both", "person".
-const char* code(Source source);
+const char* source_code(Source source);
 
 /// What a person made of a proposal.
 enum class Decision { proposed, accepted, moved, not_visible };
 /// "proposed", "accepted", "moved", "not_visible".
-const char* code(Decision decision);
+const char* decision_code(Decision decision);
 
 /// A structure where it should lie on the patient's liver. CT frame, metres.
 struct Proposal {

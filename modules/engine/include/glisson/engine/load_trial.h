@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "glisson/core/run_context.h"
+#include "glisson/core/termination.h"
 #include "glisson/engine/case_state.h"
 #include "glisson/fem/composite_model.h"
 
@@ -39,9 +40,6 @@ struct TrialPull {
   bool operator==(const TrialPull&) const = default;
 };
 
-/// Why a trial ended by itself.
-enum class TrialEnd { none, diverged, inverted };
-
 /// The trial after a step. Immutable once published.
 struct TrialState {
   PointsIn<CtFrame> nodes;  ///< one row a node of the model, CT frame, metres; empty: at rest
@@ -55,7 +53,9 @@ struct TrialState {
   double hertz = 0.0;                               ///< steps of the last second; 0: not known yet
   int steps = 0;                                    ///< since the trial began
   int tetrahedra = 0;
-  TrialEnd end = TrialEnd::none;  ///< else no more steps are done and `nodes` is empty
+  /// How the trial ended by itself: no more steps are done and `nodes` is empty. Empty: it goes on.
+  std::optional<Termination> termination;
+  int inverted_tetrahedra = 0;  ///< that it ended for
 };
 
 /// The mechanics of a trial. One thread at a time.

@@ -5,7 +5,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "glisson/core/run_context.h"
@@ -32,7 +31,7 @@ enum class Fault {
   out_of_order   ///< two frames have changed places
 };
 /// "black", "left_lost", ...
-std::string_view fault_code(Fault fault);
+const char* fault_code(Fault fault);
 
 struct PairCheck {
   std::vector<Fault> faults;
