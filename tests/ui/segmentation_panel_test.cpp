@@ -2,12 +2,8 @@
 // The segmentation panel by mouse and keyboard: the list of labels, seeds and growth, the history.
 #include <QDoubleSpinBox>
 #include <QLabel>
-#include <QListWidget>
-#include <QMessageBox>
 #include <QPushButton>
 #include <QScrollArea>
-#include <QScrollBar>
-#include <QTimer>
 #include <QToolButton>
 #include <QTranslator>
 
@@ -16,7 +12,6 @@
 #include "glisson/engine/parts/review.h"
 #include "glisson/engine/parts/seeds.h"
 #include "glisson/ui/common/task_button.h"
-#include "glisson/ui/scene/slice_drawing.h"
 #include "segmentation_window.h"
 
 namespace glisson {
@@ -31,39 +26,14 @@ class SegmentationPanelTest : public QObject, private SegmentationWindow {
   void init() { show_window(); }
   void cleanup() { window_.reset(); }
   void LockedLabelIsNotTouched();
-  void WhatAHandCorrectedIsAskedForBeforeItIsReplaced();
   void HiddenLabelLeavesTheViews();
   void LabelThatToolsWorkOnHasItsRow();
-  void PaintedLesionIsNotTheOneThatIsClickedNext();
-  void ADragAcrossALesionTellsItsDiameter();
   void KeysChooseToolsAndEscLetsGo();
-  void BoxDrawnInSlicesIsWhereGrowthWorks();
-  void BoxIsMovedByItsEdgesTypedAndCleared();
-  void BoxWithoutALiverSeedIsSaid();
-  void ContourIsDrawnWhileItEvolvesAndGoneWhenCancelled();
   void UndoWorksWhileANumberHasTheKeyboard();
   void ApprovalIsTakenBackByAnEdit();
   void EditPanelFitsItsColumnInEveryLanguage_data();
   void EditPanelFitsItsColumnInEveryLanguage();
   void WholePathByHandIsSavedWithItsHistory();
-
- private:
-  /// What the views share.
-  const ui::ViewState& shared() { return window_->views().state(); }
-  void seed_liver() {
-    press("seed_parenchyma");
-    for (const Eigen::Vector3d& p : {Eigen::Vector3d(-0.03, 0.01, 0), {0.0, 0.02, 0}, {0.045, -0.01, 0}})
-      QTest::mouseClick(&slice(Plane::axial), Qt::LeftButton, {},
-                        slice(Plane::axial).widget_point(Point<CtFrame>(p)).toPoint());
-    QVERIFY(settle());
-    QCOMPARE(window_->engine().state()[part::seeds]->liver.rows(), 3);
-    QTest::keyClick(window_.get(), Qt::Key_Escape);
-  }
-  void grow() {
-    QTest::mouseClick(window_->findChild<ui::TaskButton*>(QStringLiteral("segment"))->button(),
-                      Qt::LeftButton);
-    QVERIFY(settle());
-  }
 };
 
 void SegmentationPanelTest::LockedLabelIsNotTouched() {
@@ -82,48 +52,6 @@ void SegmentationPanelTest::LockedLabelIsNotTouched() {
   QVERIFY(settle());
   QVERIFY(labels() == before);
   QVERIFY(find<QLabel>("edit_outcome")->text().contains(QStringLiteral("locked")));
-}
-
-void SegmentationPanelTest::WhatAHandCorrectedIsAskedForBeforeItIsReplaced() {
-  open_labels();
-  choose(structure::kPortalVein);
-  press("tool_paint");
-  drag(slice(Plane::axial), {{-0.02, 0.01, 0}, {-0.01, 0.01, 0}});
-  QVERIFY(settle());
-  press("mode_seeds");
-  seed_liver();
-  const LabelVolume before = labels();
-  const auto portal = [](Label label) { return label == structure::kPortalVein; };
-  QString told;
-  const auto grow_and_answer = [&](const QString& answer) {
-    told.clear();
-    QTimer poll;
-    connect(&poll, &QTimer::timeout, this, [&] {
-      auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-      if (question == nullptr) return;
-      told = question->text();
-      for (QAbstractButton* button : question->buttons())
-        if (button->text().remove('&') == answer) QTest::mouseClick(button, Qt::LeftButton);
-    });
-    poll.start(20);
-    grow();
-  };
-  grow_and_answer("Cancel");
-  QVERIFY2(told.contains("Portal vein (") && !told.contains("Liver"), qPrintable(told));
-  QVERIFY(labels() == before);
-  grow_and_answer("Keep them");
-  QVERIFY(!(labels() == before));
-  QVERIFY(labels().mask(portal) == before.mask(portal));
-  press("seed_portal_vein");
-  QTest::mouseClick(&slice(Plane::axial), Qt::LeftButton, {},
-                    slice(Plane::axial).widget_point(Point<CtFrame>(0.02, -0.015, 0)).toPoint());
-  QVERIFY(settle());
-  // What was kept is a hand's still; what was replaced no more.
-  grow_and_answer("Replace them");
-  QVERIFY(told.contains("Portal vein ("));
-  QVERIFY(!(labels().mask(portal) == before.mask(portal)));
-  grow_and_answer("Replace them");
-  QVERIFY2(told.isEmpty(), qPrintable(told));
 }
 
 void SegmentationPanelTest::HiddenLabelLeavesTheViews() {
@@ -163,59 +91,6 @@ void SegmentationPanelTest::LabelThatToolsWorkOnHasItsRow() {
   QVERIFY(is_chosen(structure::kFirstOther));
 }
 
-void SegmentationPanelTest::PaintedLesionIsNotTheOneThatIsClickedNext() {
-  open_labels();  // with a lesion that has no seed
-  press("mode_seeds");
-  QVERIFY(!find<QPushButton>("seed_lesion_1")->isVisible());
-  press("seed_lesion_2");
-  QTest::mouseClick(&slice(Plane::axial), Qt::LeftButton, {},
-                    slice(Plane::axial).widget_point(Point<CtFrame>(-0.03, 0.01, 0)).toPoint());
-  QVERIFY(settle());
-  const auto seeds = [&] { return window_->engine().state()[part::seeds]; };
-  QCOMPARE(seeds()->lesions.size(), std::size_t{2});
-  QCOMPARE(seeds()->lesions[0].rows(), Eigen::Index{0});
-  QCOMPARE(seeds()->lesions[1].rows(), Eigen::Index{1});
-  QVERIFY(!find<QPushButton>("seed_lesion_1")->isVisible());
-  // A better seed gets the number of the one that was deleted for it.
-  find<QListWidget>("seed_list")->setCurrentRow(0);
-  press("delete_seeds");
-  QVERIFY(settle());
-  QVERIFY(seeds()->lesions.empty());
-  QVERIFY(find<QPushButton>("seed_lesion_2")->isVisible());
-}
-
-void SegmentationPanelTest::ADragAcrossALesionTellsItsDiameter() {
-  open_ct();
-  press("mode_seeds");
-  press("seed_lesion_1");
-  const auto seeds = [&] { return window_->engine().state()[part::seeds]; };
-  drag(slice(Plane::axial), {{0.022, 0, 0}, {0.03, 0, 0}, {0.038, 0, 0}});
-  QVERIFY(settle());
-  QCOMPARE(seeds()->lesions.size(), std::size_t{1});
-  QVERIFY((seeds()->lesions[0].row(0).transpose() - Eigen::Vector3d(0.03, 0, 0)).norm() < 1e-3);
-  QVERIFY(std::abs(seeds()->lesion_diameter_mm(0) - 16.0) < 1.0);
-  QVERIFY(find<QListWidget>("seed_list")->item(0)->text().contains("16 mm"));
-  QCOMPARE(shared().line(), nullptr);
-  // A click says only where.
-  press("seed_lesion_2");
-  QTest::mouseClick(&slice(Plane::axial), Qt::LeftButton, {},
-                    slice(Plane::axial).widget_point(Point<CtFrame>(-0.03, 0.01, 0)).toPoint());
-  QVERIFY(settle());
-  QCOMPARE(seeds()->lesions.size(), std::size_t{2});
-  QCOMPARE(seeds()->lesion_diameter_mm(1), 0.0);
-  // A drag that is dropped places nothing; a lesion without a seed has no diameter.
-  const QPoint from = slice(Plane::axial).widget_point(Point<CtFrame>(0.02, 0, 0)).toPoint();
-  QTest::mousePress(&slice(Plane::axial), Qt::LeftButton, {}, from);
-  QTest::keyClick(window_.get(), Qt::Key_Escape);
-  QTest::mouseRelease(&slice(Plane::axial), Qt::LeftButton, {}, from + QPoint(40, 0));
-  QVERIFY(settle());
-  QCOMPARE(seeds()->lesions[1].rows(), Eigen::Index{1});
-  find<QListWidget>("seed_list")->setCurrentRow(0);
-  press("delete_seeds");
-  QVERIFY(settle());
-  QCOMPARE(seeds()->lesion_diameter_mm(0), 0.0);
-}
-
 void SegmentationPanelTest::KeysChooseToolsAndEscLetsGo() {
   open_labels();
   press("mode_seeds");
@@ -239,158 +114,6 @@ void SegmentationPanelTest::KeysChooseToolsAndEscLetsGo() {
   QVERIFY(settle());
   QVERIFY(labels() == before);
   QCOMPARE(window_->engine().state()[part::seeds]->portal_vein.rows(), 1);
-}
-
-void SegmentationPanelTest::BoxDrawnInSlicesIsWhereGrowthWorks() {
-  open_ct();
-  seed_liver();
-  press("draw_region");
-  // The right half of the liver, in the axial slice; then its depth, by an edge in the coronal one.
-  drag(slice(Plane::axial), {{-0.08, -0.06, 0}, {-0.02, 0.0, 0}, {0.011, 0.062, 0}});
-  const auto drawn = shared().box();
-  QVERIFY(drawn.has_value());
-  QVERIFY(std::abs(drawn->max().x() - 0.011) < 1e-3 && std::abs(drawn->min().y() + 0.06) < 1e-3);
-  QCOMPARE(drawn->min().z(), 1e-3 * ct_.grid.origin_mm.z());  // as deep as the volume
-  QCOMPARE(drawn->max().z(), -1e-3 * ct_.grid.origin_mm.z());
-  drag(slice(Plane::coronal), {{-0.03, 0, -1e-3 * ct_.grid.origin_mm.z()}, {-0.03, 0, 0.021}});
-  QVERIFY(std::abs(shared().box()->max().z() - 0.021) < 1e-3);
-  QCOMPARE(shared().box()->max().x(), drawn->max().x());
-  press("own_resolution");
-  QCOMPARE(find<QDoubleSpinBox>("segment_resolution")->value(), 2.0);  // the CT's voxels
-  QTest::keyClick(window_.get(), Qt::Key_Escape);                      // the mouse is the crosshair's again
-  QCOMPARE(shared().hand(), ui::Hand::crosshair);
-  QVERIFY(shared().box().has_value());
-  grow();
-  QVERIFY(window_->engine().state()[part::labels] != nullptr);
-  QCOMPARE(at({-0.03, 0.01, 0}), structure::kParenchyma);
-  const Eigen::AlignedBox3d box = *shared().box();
-  long inside = 0;
-  const VolumeGrid& grid = labels().grid();
-  for (int k = 0; k < grid.size.z(); ++k)
-    for (int j = 0; j < grid.size.y(); ++j)
-      for (int i = 0; i < grid.size.x(); ++i) {
-        if (labels().at({i, j, k}) == 0) continue;
-        QVERIFY(box.contains(grid.p_in_ct({double(i), double(j), double(k)}).xyz));
-        ++inside;
-      }
-  QVERIFY(inside > 10000);
-  // The rest of the liver is found by growing everywhere, and the box is then only in the way.
-  press("clear_region");
-  grow();
-  QCOMPARE(at({0.05, -0.01, 0}), structure::kParenchyma);
-}
-
-void SegmentationPanelTest::BoxIsMovedByItsEdgesTypedAndCleared() {
-  open_ct();
-  const QImage plain = slice(Plane::sagittal).grab().toImage();
-  press("draw_region");
-  drag(slice(Plane::axial), {{-0.05, -0.04, 0}, {0.03, 0.03, 0}});
-  const Eigen::AlignedBox3d drawn = *shared().box();
-  QVERIFY(slice(Plane::sagittal).grab().toImage() != plain);  // all slices show it
-  // A corner is two edges.
-  drag(slice(Plane::axial), {drawn.max(), {0.045, 0.035, 0}});
-  QVERIFY((shared().box()->max().head<2>() - Eigen::Vector2d(0.045, 0.035)).norm() < 1.5e-3);
-  QCOMPARE(shared().box()->min(), drawn.min());
-  const Eigen::AlignedBox3d moved = *shared().box();
-  // A click that draws nothing leaves it; Esc takes a drag back.
-  drag(slice(Plane::axial), {{0.0, 0.0, 0}});
-  QCOMPARE(shared().box()->min(), moved.min());
-  QTest::mousePress(&slice(Plane::axial), Qt::LeftButton, {}, slice(Plane::axial).widget_point({}).toPoint());
-  QTest::mouseMove(&slice(Plane::axial), slice(Plane::axial).widget_point({0.02, 0.02, 0}).toPoint());
-  QTRY_VERIFY(shared().box()->min() != moved.min());
-  QTest::keyClick(window_.get(), Qt::Key_Escape);
-  QTest::mouseRelease(&slice(Plane::axial), Qt::LeftButton, {},
-                      slice(Plane::axial).widget_point({0.02, 0.02, 0}).toPoint());
-  QCOMPARE(shared().box()->min(), moved.min());
-  QCOMPARE(shared().box()->max(), moved.max());
-  // Typed: the side that was typed and no other.
-  auto* top = find<QDoubleSpinBox>("region_z_high");
-  QVERIFY(top->isVisible());
-  top->setFocus();
-  top->selectAll();
-  QTest::keyClicks(top, QStringLiteral("20"));
-  QTest::keyClick(top, Qt::Key_Return);
-  QCOMPARE(shared().box()->max().z(), 0.02);
-  top->selectAll();
-  QTest::keyClicks(top, QStringLiteral("-43"));  // no box is as thin as that: the last good one stays
-  QVERIFY(shared().box()->sizes().minCoeff() > 0.0);
-  top->selectAll();
-  QTest::keyClicks(top, QStringLiteral("20"));
-  QCOMPARE(shared().box()->max().z(), 0.02);
-  QCOMPARE(shared().box()->min(), moved.min());
-  // The tools' page has no use for it; a tool takes the mouse.
-  press("draw_region");
-  press("draw_region");
-  QTest::keyClick(window_.get(), Qt::Key_P);
-  QCOMPARE(shared().hand(), ui::Hand::brush);
-  QVERIFY(!shared().box().has_value());
-  press("mode_seeds");
-  QVERIFY(shared().box().has_value());
-  press("seed_parenchyma");
-  QCOMPARE(shared().hand(), ui::Hand::point);
-  press("clear_region");
-  QVERIFY(!shared().box().has_value());
-  QVERIFY(!top->isVisible());
-}
-
-void SegmentationPanelTest::BoxWithoutALiverSeedIsSaid() {
-  open_ct();
-  seed_liver();
-  auto* segment = window_->findChild<ui::TaskButton*>(QStringLiteral("segment"));
-  QVERIFY(segment->button()->isEnabled());
-  press("draw_region");
-  drag(slice(Plane::axial), {{-0.08, 0.04, 0}, {-0.04, 0.06, 0}});  // no seed is there
-  QVERIFY(!segment->button()->isEnabled());
-  drag(slice(Plane::axial), {{-0.04, 0.04, 0}, {0.01, -0.04, 0}});  // a corner is moved beyond it
-  QVERIFY(segment->button()->isEnabled());
-}
-
-void SegmentationPanelTest::ContourIsDrawnWhileItEvolvesAndGoneWhenCancelled() {
-  open_ct();
-  seed_liver();
-  find<QDoubleSpinBox>("segment_resolution")->setValue(0.5);  // long enough to be looked at
-  const QImage before = slice(Plane::axial).grab().toImage();
-  auto* segment = window_->findChild<ui::TaskButton*>(QStringLiteral("segment"));
-  QTest::mouseClick(segment->button(), Qt::LeftButton);
-  std::vector<std::shared_ptr<const LabelVolume>> contours;
-  QVERIFY(QTest::qWaitFor(
-      [&] {
-        const auto& evolving = shared().evolving();
-        if (evolving && (contours.empty() || contours.back() != evolving)) contours.push_back(evolving);
-        return contours.size() >= 3 || !segment->is_running();
-      },
-      60000));
-  QVERIFY2(contours.size() >= 3, qPrintable(window_->status_text()));
-  QVERIFY(segment->is_running());
-  // It is the liver on its way: about the seeds, and another one from time to time.
-  const VolumeGrid& grid = contours.back()->grid();
-  QVERIFY(grid.same_as(ct_.grid));
-  const Eigen::Vector3i seed =
-      grid.index_of(Point<CtFrame>(-0.03, 0.01, 0)).array().round().cast<int>().matrix();
-  QCOMPARE(contours.back()->at(seed), structure::kParenchyma);
-  QVERIFY(!(*contours.front() == *contours.back()));
-  // Its outline is drawn where the contour meets the slice.
-  const QImage now = slice(Plane::axial).grab().toImage();
-  const QImage outline = scene::outline_overlay(*shared().evolving(), slice(Plane::axial).geometry_in_ct());
-  QVERIFY(!outline.isNull());
-  const scene::SliceGeometry& geometry = slice(Plane::axial).geometry_in_ct();
-  int drawn = 0, wanted = 0;
-  for (int v = 0; v < outline.height(); ++v)
-    for (int u = 0; u < outline.width(); ++u) {
-      if (outline.pixelColor(u, v).alpha() == 0) continue;
-      const QPoint at = slice(Plane::axial).widget_point(geometry.p_in_ct({double(u), double(v)})).toPoint();
-      if (!now.rect().contains(at)) continue;
-      ++wanted;
-      drawn += now.pixel(at) != before.pixel(at) ? 1 : 0;
-    }
-  QVERIFY2(wanted > 50 && drawn > 0.9 * wanted,
-           qPrintable(QStringLiteral("%1 of %2").arg(drawn).arg(wanted)));
-  QTest::mouseClick(segment->cancel_button(), Qt::LeftButton);
-  QVERIFY(settle());
-  QVERIFY(!shared().evolving());
-  QVERIFY(!window_->engine().snapshot()->evolving);
-  QVERIFY(window_->engine().state()[part::labels] == nullptr);
-  QCOMPARE(slice(Plane::axial).grab().toImage(), before);
 }
 
 void SegmentationPanelTest::UndoWorksWhileANumberHasTheKeyboard() {

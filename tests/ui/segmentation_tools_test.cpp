@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From a tool's settings and what the mouse did to an edit; and the rows of the list of labels.
+// From a tool's settings and what the mouse did to an edit.
 #include <QFile>
 #include <QtTest>
 #include <map>
@@ -20,8 +20,6 @@
 #include "glisson/editing/tools/smooth.h"
 #include "glisson/editing/tools/threshold.h"
 #include "glisson/ui/segmentation/edit_texts.h"
-#include "glisson/ui/segmentation/label_rows.h"
-#include "glisson/ui/segmentation/seed_book.h"
 #include "segmentation_strokes.h"
 
 namespace glisson {
@@ -81,8 +79,6 @@ class SegmentationToolsTest : public QObject {
   void EveryToolOfTheEditorHasAnIconAndNamesForItsSteps();
   void PagesOfferWhatTheToolsTake();
   void TheManualHasTheTable();
-  void RowsShowUsualLabelsFirstAndAFreeLesion();
-  void LesionsThatAreSeededKeepTheirNumbers();
 };
 
 void SegmentationToolsTest::EveryToolHasItsOwnKeyAndName() {
@@ -448,66 +444,6 @@ void SegmentationToolsTest::TheManualHasTheTable() {
   QVERIFY(manual.open(QIODevice::ReadOnly));
   QVERIFY2(manual.readAll().contains(QByteArray::fromStdString(ui::tool_table())),
            ("packaging/manual/manual.md must hold, word for word:\n" + ui::tool_table()).c_str());
-}
-
-void SegmentationToolsTest::RowsShowUsualLabelsFirstAndAFreeLesion() {
-  const auto labels_of = [](const std::vector<ui::LabelRow>& rows) {
-    std::vector<Label> labels;
-    for (const ui::LabelRow& row : rows) labels.push_back(row.label);
-    return labels;
-  };
-  QVERIFY((labels_of(ui::label_rows(nullptr, nullptr)) == std::vector<Label>{1, 2, 3, 4, 6, 16}));
-  // And what is worked on, though nothing of it is there.
-  QVERIFY((labels_of(ui::label_rows(nullptr, nullptr, structure::kFirstOther)) ==
-           std::vector<Label>{1, 2, 3, 4, 6, 7, 16}));
-  QVERIFY((labels_of(ui::label_rows(nullptr, nullptr, structure::kFirstLesion)) ==
-           std::vector<Label>{1, 2, 3, 4, 6, 16}));
-  Image image;
-  image.grid.size = {8, 8, 8};
-  image.voxels = std::make_shared<const std::vector<std::int16_t>>(512, std::int16_t{90});
-  LabelMap map;
-  map.voxels = LabelVolume(image.grid);
-  map.voxels.set({1, 1, 1}, structure::kFirstLesion);
-  map.voxels.set({2, 1, 1}, structure::kPortalVein);
-  map.voxels.set({5, 5, 5}, structure::kFirstLesion + 2);
-  const segmentation::LabelStatistics statistics(map, &image);
-  const Review review = {{structure::kPortalVein, ReviewState::approved}};
-  const auto rows = ui::label_rows(&statistics, &review);
-  QVERIFY((labels_of(rows) == std::vector<Label>{1, 2, 3, 4, 6, 16, 17, 18}));  // 17 is free
-  QCOMPARE(rows[1].review, ReviewState::approved);
-  QCOMPARE(rows[1].figures.voxels, 1L);
-  QCOMPARE(rows[1].figures.mean_hu, 90.0);
-  QCOMPARE(rows[6].figures.voxels, 0L);
-}
-
-void SegmentationToolsTest::LesionsThatAreSeededKeepTheirNumbers() {
-  VolumeGrid grid;
-  grid.size = {8, 8, 8};
-  LabelMap map{LabelVolume(grid), {}};
-  map.voxels.set({1, 1, 1}, structure::kFirstLesion);
-  const segmentation::LabelStatistics painted(map, nullptr);
-  segmentation::Seeds seeds;
-  const auto offered = [&](const segmentation::LabelStatistics* statistics) {
-    return ui::lesions_to_seed(seeds, statistics);
-  };
-  QVERIFY(offered(nullptr) == std::set<Label>{16});
-  QVERIFY(offered(&painted) == std::set<Label>{17});  // the first one was painted by a hand
-  ui::add_seed(seeds, 17, {0.0, 0.0, 0.01});
-  QCOMPARE(seeds.lesions.size(), std::size_t{2});
-  QCOMPARE(seeds.lesions[0].rows(), Eigen::Index{0});
-  QVERIFY((offered(&painted) == std::set<Label>{17, 18}));
-  QVERIFY((offered(nullptr) == std::set<Label>{16, 17}));
-  ui::add_seed(seeds, 16, {0.0, 0.01, 0.0});
-  ui::add_seed(seeds, 18, {0.01, 0.0, 0.0});
-  ui::remove_seed(seeds, {16, 0});
-  std::vector<Label> listed;
-  for (const ui::SeedEntry& entry : ui::list_seeds(seeds)) listed.push_back(entry.structure);
-  QVERIFY((listed == std::vector<Label>{17, 18}));
-  QCOMPARE(seeds.lesions[1](0, 2), 0.01);
-  ui::remove_seed(seeds, {17, 0});
-  QCOMPARE(seeds.lesions.size(), std::size_t{3});
-  ui::remove_seed(seeds, {18, 0});  // nothing behind it keeps a number
-  QVERIFY(seeds.lesions.empty());
 }
 
 }  // namespace glisson

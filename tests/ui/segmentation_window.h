@@ -8,6 +8,8 @@
 #include "glisson/engine/commands/import_labels.h"
 #include "glisson/engine/parts/image.h"
 #include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/seeds.h"
+#include "glisson/ui/common/task_button.h"
 #include "glisson/ui/segmentation/label_table.h"
 #include "glisson/ui/segmentation/segmentation_panel.h"
 #include "glisson/ui/shell/main_window.h"
@@ -130,6 +132,21 @@ class SegmentationWindow {
     QVERIFY(settle());
     QVERIFY(window_->engine().state()[part::labels] != nullptr);
     press("mode_edit");
+  }
+
+  void seed_liver() {
+    press("seed_parenchyma");
+    for (const Eigen::Vector3d& p : {Eigen::Vector3d(-0.03, 0.01, 0), {0.0, 0.02, 0}, {0.045, -0.01, 0}})
+      QTest::mouseClick(&slice(scene::Plane::axial), Qt::LeftButton, {},
+                        slice(scene::Plane::axial).widget_point(Point<CtFrame>(p)).toPoint());
+    QVERIFY(settle());
+    QCOMPARE(window_->engine().state()[part::seeds]->liver.rows(), 3);
+    QTest::keyClick(window_.get(), Qt::Key_Escape);
+  }
+  void grow() {
+    QTest::mouseClick(window_->findChild<ui::TaskButton*>(QStringLiteral("segment"))->button(),
+                      Qt::LeftButton);
+    QVERIFY(settle());
   }
 
   std::unique_ptr<TemporaryFolder> folder_;
