@@ -136,8 +136,7 @@ void ScreenshotTour::visit() {
   if (name == "organ" || name == "guidance")
     window_.findChild<QPushButton*>(name == "organ" ? "show_organ" : "show_picture")->click();
   const engine::CaseState& now = window_.engine().state();
-  const bool live =
-      name == "guidance" && stop.step == MainWindow::guidance && now[part::registration] && now[part::video];
+  const bool live = name == "guidance" && now[part::registration] && now[part::video];
   if (!live) {
     QTimer::singleShot(kSettle, this, &ScreenshotTour::shoot);
     return;
@@ -151,7 +150,7 @@ void ScreenshotTour::visit() {
 void ScreenshotTour::shoot() {
   const QString file = QStringLiteral("%1/%2.png").arg(folder_, QString::fromLatin1(kStops[stop_].name));
   all_saved_ = save_light(window_.grab().toImage(), file) && all_saved_;
-  if (kStops[stop_].step == MainWindow::guidance) {
+  if (stop_ + 1 == kStops.size()) {
     const Picture& augmented = window_.findChild<GuidancePanel*>()->picture().picture();
     if (!augmented.empty())
       all_saved_ =
