@@ -134,7 +134,8 @@ void show_atlas(const Arguments& arguments, Session& session) {
             .arg(ui::landmark_text(one.structure))
             .arg(one.members.size())
             .arg(QString::fromStdString(one.origin), mm(deviation)));
-    session.figures[std::string("atlas_") + atlas::structure_code(one.structure) + "_deviation_mm"] = 1e3 * deviation;
+    session.figures[std::string("atlas_") + atlas::structure_code(one.structure) + "_deviation_mm"] =
+        1e3 * deviation;
   }
   for (const atlas::AtlasMember& member : shown->members)
     if (member.weight < 1.0)

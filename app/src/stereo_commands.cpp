@@ -272,7 +272,8 @@ int run_reconstruct(const QStringList& given) {
   const stereo::DensityMap& density = session.state()[part::points]->density;
   session.figures["cloud_area_cm2"] = density.area_cm2;
   if (arguments.has("density"))
-    stereo::write_picture(arguments.path("density"), stereo::density_picture(density, session.state()[part::frame]->frame.left));
+    stereo::write_picture(arguments.path("density"),
+                          stereo::density_picture(density, session.state()[part::frame]->frame.left));
   write_cloud(out, cloud, arguments.unit("unit"));
   session.finish();
   return 0;

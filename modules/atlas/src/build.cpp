@@ -243,7 +243,8 @@ class Builder {
     if (taken.slopes.cols() > 0) taken.added_deviation = std::hypot(taken.added_deviation, slope_size(taken));
     taken.slopes.resize(taken.mean.size(), 0);
     result_.atlas.structures.push_back(std::move(taken));
-    result_.notes.push_back(std::string("atlas.taken_over ") + structure_code(structure) + " " + known->origin);
+    result_.notes.push_back(std::string("atlas.taken_over ") + structure_code(structure) + " " +
+                            known->origin);
   }
   static double slope_size(const StructureStatistics& statistics) {
     return std::sqrt(statistics.slopes.squaredNorm() / static_cast<double>(statistics.slopes.rows()));

@@ -119,8 +119,8 @@ void show(Proposal& proposal, const Points& seen, const Points& raw, std::vector
     apart = off.norm();
   }
   if (worst > kContradiction)
-    doubts.push_back(
-        note((std::string("atlas.contradiction ") + structure_code(proposal.structure)).c_str(), 1e3 * apart, 0));
+    doubts.push_back(note((std::string("atlas.contradiction ") + structure_code(proposal.structure)).c_str(),
+                          1e3 * apart, 0));
   proposal.points = seen;
   std::fill(proposal.covariances.begin(), proposal.covariances.end(),
             Eigen::Matrix3d(kImageDeviation * kImageDeviation * Eigen::Matrix3d::Identity()));

@@ -21,7 +21,7 @@ struct LesionClick {
 
 struct GrownLesion {
   Field phi;  ///< mm, negative inside, on the scene's grid; no values: nothing there is unlike the liver
-  bool bright = false;  ///< it enhances, or its rim does: what is bright in it is no vessel
+  bool bright = false;      ///< it enhances, or its rim does: what is bright in it is no vessel
   bool borderless = false;  ///< nothing was found where it was drawn: a ball of the diameter
 };
 

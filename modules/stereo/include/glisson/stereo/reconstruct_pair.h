@@ -17,8 +17,8 @@ namespace glisson::stereo {
 struct PairInput {
   StereoFrame frame;
   StereoRig rig;
-  Picture mask;     ///< one byte a pixel of the left image, non-zero is to be used; empty: everything
-  Regions regions;  ///< of this frame; without any, everything is surface
+  Picture mask;        ///< one byte a pixel of the left image, non-zero is to be used; empty: everything
+  Regions regions;     ///< of this frame; without any, everything is surface
   bool check = false;  ///< the pair is looked at first and refused for its faults, whatever its points are
 };
 
@@ -51,8 +51,8 @@ struct PairCloud {
 /// @param known taken where their options are those that are needed; they are not made again.
 /// @throws InputError pictures of another size than the calibration's, mask of another size, regions of
 ///   another frame or without points, fewer than ten points; where a fault of the pair itself is found
-///   (black, lost, swapped, of another scope, ...; see require_sound), that one. It is looked for where points
-///   are refused, or where the input asks.
+///   (black, lost, swapped, of another scope, ...; see require_sound), that one. It is looked for where
+///   points are refused, or where the input asks.
 /// @throws PreconditionError options out of range.
 Cancellable<PairCloud> reconstruct_pair(const PairInput& input, const ReconstructOptions& options,
                                         const RunContext& context, const KnownPoints& known = {});
