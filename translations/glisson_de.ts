@@ -2500,13 +2500,6 @@
     </message>
 </context>
 <context>
-    <name>QObject</name>
-    <message>
-        <source>%1+ mm</source>
-        <translation>%1+ mm</translation>
-    </message>
-</context>
-<context>
     <name>Review</name>
     <message>
         <source>Labels that nobody has reviewed: %1.</source>
@@ -5424,6 +5417,10 @@
         <source>Register the model: the organ appears here, as it was found.</source>
         <translation>Registrieren Sie das Modell: Das Organ erscheint hier, wie es gefunden wurde.</translation>
     </message>
+    <message>
+        <source>%1+ mm</source>
+        <translation>%1+ mm</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::Panel</name>
@@ -5844,6 +5841,14 @@
     <message>
         <source>Arrows: forces, relative to one another.</source>
         <translation>Pfeile: Kräfte, im Verhältnis zueinander.</translation>
+    </message>
+    <message>
+        <source>Out of date: an earlier step has changed since the registration.</source>
+        <translation>Veraltet: Ein früherer Schritt hat sich seit der Registrierung geändert.</translation>
+    </message>
+    <message>
+        <source>Refused: what is known contradicts that the organ lies here.</source>
+        <translation>Abgelehnt: Was bekannt ist, widerspricht dem, dass das Organ hier liegt.</translation>
     </message>
 </context>
 <context>

@@ -155,7 +155,7 @@ int run_register(const QStringList& given) {
   }
   session.post(command);
   if (arguments.has("rival"))
-    session.post(engine::ChooseRival{static_cast<std::size_t>(arguments.integer("rival", 1, 3) - 1)});
+    session.post(engine::ChooseRival{static_cast<std::size_t>(arguments.integer("rival", 1, 99) - 1)});
   if (arguments.has("accept-doubts")) session.post(engine::AcceptRegistration{});
   const Registration& registration = *session.state()[part::registration];
   if (arguments.has("truth")) {

@@ -42,10 +42,9 @@ std::optional<OverlayFrame> TrackReplay::at(int frame) const {
 
 void replay_video(Session& session, const TrackReplay& replay, int last,
                   const std::function<void(const StereoFrame&, const OverlayFrame&)>& frame) {
-  const auto& video_part = session.state()[part::video];
-  if (!video_part)
-    throw InputError("case", "video", "there is none", "Open the operation's stereo video first");
-  stereo::StereoVideo video(video_part->left, video_part->right);
+  session.need({part::video});
+  const engine::VideoSource& source = *session.state()[part::video];
+  stereo::StereoVideo video(source.left, source.right);
   const double half_a_frame = 0.5 / video.frames_per_second();
   for (StereoFrame next; video.read(next);) {
     if (session.context().cancelled()) throw Interrupted();

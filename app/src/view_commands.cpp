@@ -86,8 +86,7 @@ void declare_track(Arguments& arguments) {
 /// What --track names, if it is given.
 std::optional<TrackReplay> replay_of(const Arguments& arguments, const Session& session) {
   if (!arguments.has("track")) return std::nullopt;
-  if (!session.state()[part::model])
-    throw InputError("case", "model", "there is none to draw", "Run 'glisson model' first");
+  session.need({part::model});
   return TrackReplay(arguments.path("track"), session.state()[part::model]->model.mesh.vertex_count());
 }
 

@@ -165,6 +165,7 @@ void GuidanceBoxesTest::RefusedRegistrationIsUsedOnlyWhenSomebodySaysSo() {
   QVERIFY(!accept->isHidden());
   QVERIFY(words_on(box).contains(QStringLiteral("refused")));
   QVERIFY(!words_on(box).contains(QStringLiteral("plateaus")));  // nothing that sounds like success
+  QVERIFY(model.error_words.value().startsWith(QStringLiteral("Refused")));
   QVERIFY_EXCEPTION_THROWN(engine::StartTracking{}.apply(engine_->state(), RunContext(), engine::Services{}),
                            InputError);
   accept->trigger();
@@ -172,6 +173,9 @@ void GuidanceBoxesTest::RefusedRegistrationIsUsedOnlyWhenSomebodySaysSo() {
   QVERIFY(accept->isHidden());
   QVERIFY2(words_on(box).contains(QStringLiteral("scatter by 6.30 mm")),
            qPrintable(words_on(box)));  // it stays
+  QVERIFY(model.error_words.value().startsWith(QStringLiteral("Expected error")));
+  post(engine::SetSeeds{});
+  QVERIFY(model.error_words.value().startsWith(QStringLiteral("Out of date")));
 }
 
 void GuidanceBoxesTest::OtherPlacesAreOfferedAndTaken() {

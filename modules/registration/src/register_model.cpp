@@ -164,7 +164,7 @@ std::vector<FoundForce> found_forces(const ContactForceFit& fit) {
 
 ErrorModel error_of(const PatientModel& model, const LabelledCloud& cloud, const ElasticOptions& elastic,
                     const std::optional<ShapeFits>& shapes, const Registered& made,
-                    const Registration& registration) {
+                    const Registration& registration, const std::vector<RegistrationRival>& rivals) {
   const PreparedCloud prepared = prepare_cloud(cloud, {3.9, 600, 30});
   const ShapeFit* shape = shapes && !made.forces ? &shapes->best() : nullptr;
   ErrorModelOptions known;
@@ -179,7 +179,7 @@ ErrorModel error_of(const PatientModel& model, const LabelledCloud& cloud, const
                    shape ? shape->camera_from_ct : registration.camera_from_ct,
                    shape ? shape->nodes_in_camera : registration.nodes_in_camera, prepared,
                    roughness_of(prepared), known);
-  for (const RegistrationRival& rival : rivals_of(shapes, made))
+  for (const RegistrationRival& rival : rivals)
     if (rival.probability > 1e-4) error.add_rival(rival.nodes_in_camera, rival.probability);
   return error;
 }
@@ -328,8 +328,9 @@ class Run {
   }
 
   bool examine_it() {
+    std::vector<RegistrationRival> rivals = rivals_of(shapes_, result());
     examined_.error = std::make_shared<const ErrorModel>(
-        error_of(model_, cloud_, elastic_, shapes_, result(), registration_));
+        error_of(model_, cloud_, elastic_, shapes_, result(), registration_, rivals));
     examined_.lesions = lesions_of(model_, *examined_.error, registration_);
     examined_.findings =
         examine({model_, cloud_, registration_, shapes_ ? &*shapes_ : nullptr, *examined_.error});
@@ -339,7 +340,7 @@ class Run {
       examined_.findings.mirror_odds = *odds;
     }
     tell(judge(examined_.findings));
-    tell_of_places();
+    tell_of_places(std::move(rivals));
     result().displacement =
         point_errors(registration_.nodes_in_camera, registration_.camera_from_ct.apply(model_.mesh.vertices));
     result().registration = std::move(registration_);
@@ -347,13 +348,13 @@ class Run {
   }
 
   /// What travels with the registration of where it may be wrong.
-  void tell_of_places() {
+  void tell_of_places(std::vector<RegistrationRival> rivals) {
     for (const LesionError& lesion : examined_.lesions)
       registration_.lesions.push_back({lesion.lesion, lesion.covariance});
     const std::optional<ContactForceFit>& forces = result().forces;
     // Where supports are known and forces were found, their own posterior is the nearer one.
     registration_.expected = forces && !elastic_.prior ? forces->expected_error : examined_.error->expected();
-    registration_.rivals = plausible_rivals(registration_.nodes_in_camera, rivals_of(shapes_, result()));
+    registration_.rivals = plausible_rivals(registration_.nodes_in_camera, std::move(rivals));
     if (forces) registration_.forces = found_forces(*forces);
   }
 

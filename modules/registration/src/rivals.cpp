@@ -38,6 +38,10 @@ std::vector<RegistrationRival> plausible_rivals(const PointsIn<CameraFrame>& cho
   return kept;
 }
 
+double distance_of(const RegistrationRival& rival, const Registration& registration) {
+  return apart(rival.nodes_in_camera, registration.nodes_in_camera);
+}
+
 Registration choose_rival(const Registration& registration, std::size_t which, const PatientModel& model,
                           const LabelledCloud& cloud) {
   if (which >= registration.rivals.size())

@@ -34,7 +34,7 @@ class ErrorScale : public QWidget {
     painter.setPen(palette().color(QPalette::WindowText));
     for (int k = 0; k <= kSteps; ++k) {
       const double mm = 1e3 * scene::kMostErrorShown * k / kSteps;
-      const QString text = k < kSteps ? QString::number(mm) : QObject::tr("%1+ mm").arg(mm);
+      const QString text = k < kSteps ? QString::number(mm) : OrganView::tr("%1+ mm").arg(mm);
       const int x = kLeft + wide * k / kSteps;
       painter.drawText(QRect(x - 40, kTop + kHeight + 2, 80, 20), Qt::AlignHCenter | Qt::AlignTop, text);
     }

@@ -5,8 +5,8 @@
 #include "glisson/engine/parts/check.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/registration.h"
-#include "glisson/geometry/distance.h"
 #include "glisson/registration/refusal.h"
+#include "glisson/registration/rivals.h"
 #include "glisson/ui/common/texts.h"
 
 namespace glisson::ui {
@@ -51,7 +51,7 @@ void RegistrationModel::read_rivals(const Registration& registration) {
   QStringList lines;
   for (std::size_t k = 0; k < registration.rivals.size(); ++k) {
     const RegistrationRival& rival = registration.rivals[k];
-    const double away = point_errors(rival.nodes_in_camera, registration.nodes_in_camera).mean;
+    const double away = registration::distance_of(rival, registration);
     const QString percent =
         rival.probability < 0.01 ? tr("under 1 %") : tr("%1 %").arg(100.0 * rival.probability, 0, 'f', 0);
     lines << tr("Other place %1: %2, %3 mm away").arg(k + 1).arg(percent).arg(1e3 * away, 0, 'f', 0);
@@ -60,17 +60,19 @@ void RegistrationModel::read_rivals(const Registration& registration) {
 }
 
 void RegistrationModel::read_error(const Registration& registration) {
-  if (registration.expected.size() == 0) {
-    error_words = tr("How far off the organ may be is not known: register again.");
-    return;
-  }
-  QString words =
-      tr("Expected error: mean %1 mm, at most %2 mm. Ellipsoids hold a lesion in 95 of 100 cases.")
-          .arg(1e3 * registration.expected.mean(), 0, 'f', 1)
-          .arg(1e3 * registration.expected.maxCoeff(), 0, 'f', 1);
-  if (!registration.forces.empty())
-    words += QLatin1Char(' ') + tr("Arrows: forces, relative to one another.");
-  error_words = words;
+  QStringList words;
+  if (engine_.snapshot()->stage(part::registration) != engine::StageState::current)
+    words << tr("Out of date: an earlier step has changed since the registration.");
+  else if (is_refused)
+    words << tr("Refused: what is known contradicts that the organ lies here.");
+  if (registration.expected.size() == 0)
+    words << tr("How far off the organ may be is not known: register again.");
+  else
+    words << tr("Expected error: mean %1 mm, at most %2 mm. Ellipsoids hold a lesion in 95 of 100 cases.")
+                 .arg(1e3 * registration.expected.mean(), 0, 'f', 1)
+                 .arg(1e3 * registration.expected.maxCoeff(), 0, 'f', 1);
+  if (!registration.forces.empty()) words << tr("Arrows: forces, relative to one another.");
+  error_words = words.join(QLatin1Char(' '));
 }
 
 const Points* RegistrationModel::rival_nodes() const {

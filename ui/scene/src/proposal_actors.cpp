@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/scene/proposal_actors.h"
 
-#include <vtkActor.h>
-#include <vtkNew.h>
-#include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkProperty.h>
-#include <vtkRenderer.h>
-
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <numbers>
 
+#include "actor_group.h"
 #include "glisson/ui/scene/surface_shapes.h"
 
 namespace glisson::scene {
@@ -70,29 +64,17 @@ TriangleMesh ellipsoid(const Eigen::Vector3d& centre, const Eigen::Matrix3d& cov
 }
 
 struct ProposalActors::Impl {
-  vtkSmartPointer<vtkRenderer> renderer;
-  std::vector<vtkSmartPointer<vtkActor>> actors;
+  ActorGroup actors;
 
-  explicit Impl(vtkRenderer& to) : renderer(&to) {}
-
-  vtkProperty& add(vtkPolyData* data, const QColor& colour) {
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputData(data);
-    auto actor = vtkSmartPointer<vtkActor>::New();
-    actor->SetMapper(mapper);
-    actor->GetProperty()->SetColor(colour.redF(), colour.greenF(), colour.blueF());
-    renderer->AddActor(actor);
-    actors.push_back(actor);
-    return *actor->GetProperty();
-  }
+  explicit Impl(vtkRenderer& to) : actors(to) {}
 
   void add(const ProposalMark& mark) {
     const double thick = mark.is_chosen ? kChosen : 1.0;
-    if (mark.area.rows() > 0) add(balls(mark.area, thick * kDot), mark.colour);
+    if (mark.area.rows() > 0) actors.add(balls(mark.area, thick * kDot), mark.colour);
     if (mark.is_line && mark.points.rows() > 1)
-      add(make_poly_data(polyline_tube(mark.points, thick * kTube)), mark.colour);
+      actors.add(make_poly_data(polyline_tube(mark.points, thick * kTube)), mark.colour);
     else
-      add(balls(mark.points, thick * kBall), mark.colour);
+      actors.add(balls(mark.points, thick * kBall), mark.colour);
     if (!mark.is_chosen) return;
     std::vector<TriangleMesh> parts;
     const Eigen::Index count = mark.points.rows();
@@ -103,26 +85,21 @@ struct ProposalActors::Impl {
                                 mark.ellipsoid2));
     const auto data = make_poly_data(joined(parts));
     add_normals(*data);
-    vtkProperty& look = add(data, mark.colour);
+    vtkProperty& look = actors.add(data, mark.colour);
     look.SetOpacity(parts.size() > 1 ? 0.5 * kEllipsoidOpacity : kEllipsoidOpacity);
     look.SetBackfaceCulling(1);
-  }
-
-  void clear() {
-    for (const auto& actor : actors) renderer->RemoveActor(actor);
-    actors.clear();
   }
 };
 
 ProposalActors::ProposalActors(vtkRenderer& renderer) : impl_(std::make_unique<Impl>(renderer)) {}
 
-ProposalActors::~ProposalActors() { impl_->clear(); }
+ProposalActors::~ProposalActors() = default;
 
 void ProposalActors::show(const std::vector<ProposalMark>& marks) {
-  impl_->clear();
+  impl_->actors.clear();
   for (const ProposalMark& mark : marks) impl_->add(mark);
 }
 
-int ProposalActors::actor_count() const { return static_cast<int>(impl_->actors.size()); }
+int ProposalActors::actor_count() const { return impl_->actors.size(); }
 
 }  // namespace glisson::scene

@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/scene/registration_actors.h"
 
-#include <vtkActor.h>
-#include <vtkNew.h>
+#include <vtkConeSource.h>
 #include <vtkPointData.h>
-#include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkProperty.h>
-#include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "actor_group.h"
+#include "glisson/core/chi_square.h"
 #include "glisson/core/error.h"
 #include "glisson/ui/scene/colours.h"
 #include "glisson/ui/scene/proposal_actors.h"
@@ -22,7 +19,6 @@
 namespace glisson::scene {
 namespace {
 
-constexpr double kChiSquare95 = 7.815;  // three degrees of freedom
 constexpr double kLiverOpacity = 0.7, kRegionOpacity = 0.45;
 constexpr double kLongestArrow = 35e-3;            // metres: of the strongest force
 constexpr double kShaft = 1.2e-3, kHead = 3.2e-3;  // radii, metres
@@ -37,22 +33,17 @@ TriangleMesh placed(const DrawableSurface& surface, const PatientModel& model, c
   return {surface.binding.apply(model.mesh, nodes), surface.mesh.triangles};
 }
 
-/// A cone at the tip of an arrow, as a mesh.
-TriangleMesh cone(const Eigen::Vector3d& base, const Eigen::Vector3d& tip, double radius) {
-  constexpr int kSides = 16;
-  const Eigen::Vector3d along = (tip - base).normalized();
-  const Eigen::Vector3d across = along.unitOrthogonal(), other = along.cross(across);
-  TriangleMesh mesh{Points(kSides + 2, 3), Triangles(2 * kSides, 3)};
-  mesh.vertices.row(kSides) = tip.transpose();
-  mesh.vertices.row(kSides + 1) = base.transpose();
-  for (int k = 0; k < kSides; ++k) {
-    const double angle = 2.0 * M_PI * k / kSides;
-    mesh.vertices.row(k) = (base + radius * (std::cos(angle) * across + std::sin(angle) * other)).transpose();
-    const int next = (k + 1) % kSides;
-    mesh.triangles.row(2 * k) << k, next, kSides;
-    mesh.triangles.row(2 * k + 1) << next, k, kSides + 1;
-  }
-  return mesh;
+/// The head of an arrow.
+vtkSmartPointer<vtkPolyData> head(const Eigen::Vector3d& base, const Eigen::Vector3d& tip, double radius) {
+  const Eigen::Vector3d along = tip - base, middle = 0.5 * (base + tip);
+  vtkNew<vtkConeSource> cone;
+  cone->SetCenter(middle.x(), middle.y(), middle.z());
+  cone->SetDirection(along.x(), along.y(), along.z());
+  cone->SetHeight(along.norm());
+  cone->SetRadius(radius);
+  cone->SetResolution(16);
+  cone->Update();
+  return cone->GetOutput();
 }
 
 }  // namespace
@@ -70,21 +61,9 @@ QColor error_colour(double error) {
 }
 
 struct RegistrationActors::Impl {
-  vtkSmartPointer<vtkRenderer> renderer;
-  std::vector<vtkSmartPointer<vtkActor>> actors;
+  ActorGroup actors;
 
-  explicit Impl(vtkRenderer& to) : renderer(&to) {}
-
-  vtkProperty& add(vtkPolyData* data, const QColor& colour) {
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputData(data);
-    auto actor = vtkSmartPointer<vtkActor>::New();
-    actor->SetMapper(mapper);
-    actor->GetProperty()->SetColor(colour.redF(), colour.greenF(), colour.blueF());
-    renderer->AddActor(actor);
-    actors.push_back(actor);
-    return *actor->GetProperty();
-  }
+  explicit Impl(vtkRenderer& to) : actors(to) {}
 
   void add_liver(const DrawableSurface& liver, const PatientModel& model, const Registration& registration) {
     const auto data = make_poly_data(placed(liver, model, registration.nodes_in_camera));
@@ -103,7 +82,7 @@ struct RegistrationActors::Impl {
       }
       data->GetPointData()->SetScalars(colours);
     }
-    vtkProperty& look = add(data, QColor(120, 126, 132));
+    vtkProperty& look = actors.add(data, QColor(120, 126, 132));
     look.SetOpacity(kLiverOpacity);
     look.SetBackfaceCulling(1);
     look.SetAmbient(0.35);  // the colour is read, not the light
@@ -111,9 +90,9 @@ struct RegistrationActors::Impl {
 
   void add_region(const LesionVerdict& lesion) {
     if (lesion.covariance.isZero(0.0)) return;
-    const auto data = make_poly_data(ellipsoid(lesion.centre, lesion.covariance, kChiSquare95));
+    const auto data = make_poly_data(ellipsoid(lesion.centre, lesion.covariance, kEllipsoid95));
     add_normals(*data);
-    vtkProperty& look = add(data, colour_of(lesion.lesion));
+    vtkProperty& look = actors.add(data, colour_of(lesion.lesion));
     look.SetOpacity(kRegionOpacity);
     look.SetBackfaceCulling(1);
   }
@@ -127,35 +106,30 @@ struct RegistrationActors::Impl {
     Points shaft(2, 3);
     shaft << (tip - length * along).transpose(), neck.transpose();
     const QColor colour(255, 122, 61);
-    if (length > 3.0 * kHead) add(make_poly_data(polyline_tube(shaft, kShaft)), colour).LightingOff();
-    add(make_poly_data(cone(neck, tip, kHead)), colour).LightingOff();
+    if (length > 3.0 * kHead) actors.add(make_poly_data(polyline_tube(shaft, kShaft)), colour).LightingOff();
+    actors.add(head(neck, tip, kHead), colour).LightingOff();
   }
 
   void add_rival(const DrawableSurface& liver, const PatientModel& model, const Points& nodes) {
-    vtkProperty& look = add(make_poly_data(placed(liver, model, nodes)), QColor(87, 181, 232));
+    vtkProperty& look = actors.add(make_poly_data(placed(liver, model, nodes)), QColor(87, 181, 232));
     look.SetRepresentationToWireframe();
     look.SetOpacity(0.35);
     look.LightingOff();
-  }
-
-  void clear() {
-    for (const auto& actor : actors) renderer->RemoveActor(actor);
-    actors.clear();
   }
 };
 
 RegistrationActors::RegistrationActors(vtkRenderer& renderer) : impl_(std::make_unique<Impl>(renderer)) {}
 
-RegistrationActors::~RegistrationActors() { impl_->clear(); }
+RegistrationActors::~RegistrationActors() = default;
 
-void RegistrationActors::clear() { impl_->clear(); }
+void RegistrationActors::clear() { impl_->actors.clear(); }
 
 void RegistrationActors::show(const DrawableModel& model, const Registration& registration,
                               const std::vector<LesionVerdict>& lesions, int rival) {
   const PatientModel& patient = *model.model;
   require(registration.nodes_in_camera.rows() == patient.mesh.vertex_count(),
           "a registration's nodes are those of its model");
-  impl_->clear();
+  impl_->actors.clear();
   const DrawableSurface* liver = liver_of(model);
   if (liver != nullptr && liver->binding.weights.rows() > 0) {
     impl_->add_liver(*liver, patient, registration);

@@ -13,6 +13,7 @@
 #include "glisson/patient/label_map.h"
 #include "glisson/registration/examined_registration.h"
 #include "glisson/registration/refusal.h"
+#include "glisson/registration/rivals.h"
 
 namespace glisson::engine {
 namespace {
@@ -61,8 +62,7 @@ void add_expected(Figures& figures, const registration::ExaminedRegistration& ex
   for (std::size_t k = 0; k < registration.rivals.size(); ++k) {
     const std::string name = "rival_" + std::to_string(k + 1);
     figures[name + "_probability"] = registration.rivals[k].probability;
-    figures[name + "_away_mm"] =
-        1e3 * point_errors(registration.rivals[k].nodes_in_camera, registration.nodes_in_camera).mean;
+    figures[name + "_away_mm"] = 1e3 * registration::distance_of(registration.rivals[k], registration);
   }
 }
 

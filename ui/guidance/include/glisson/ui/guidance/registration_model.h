@@ -18,12 +18,13 @@ class RegistrationModel : public QObject {
  public:
   explicit RegistrationModel(EngineBridge& engine, QObject* parent = nullptr);
 
-  QProperty<QString> obstacle;     ///< the step to do before a registration; empty: it can be made
-  QProperty<bool> is_unchecked;    ///< nobody has said that the model is right
-  QProperty<FigureRows> figures;   ///< of the registration; none: there is no registration
-  QProperty<QString> doubts;       ///< a line each
-  QProperty<bool> is_refused;      ///< and nobody has accepted it
-  QProperty<QString> error_words;  ///< what is expected of its error; empty: not known
+  QProperty<QString> obstacle;    ///< the step to do before a registration; empty: it can be made
+  QProperty<bool> is_unchecked;   ///< nobody has said that the model is right
+  QProperty<FigureRows> figures;  ///< of the registration; none: there is no registration
+  QProperty<QString> doubts;      ///< a line each
+  QProperty<bool> is_refused;     ///< and nobody has accepted it
+  QProperty<QString>
+      error_words;  ///< whether it holds, and what is expected of its error; empty: there is none
   QProperty<QStringList> rivals;   ///< other places where the organ may be, a line each
   QProperty<int> shown_rival{-1};  ///< the one that is compared with the registration; -1: none
 
