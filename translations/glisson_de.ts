@@ -2498,6 +2498,14 @@
         <source>only proposed, not registered</source>
         <translation>nur vorgeschlagen, nicht registriert</translation>
     </message>
+    <message>
+        <source>Outline and margin: %1</source>
+        <translation>Umriss und Rand: %1</translation>
+    </message>
+    <message>
+        <source>PROPOSED</source>
+        <translation>VORGESCHLAGEN</translation>
+    </message>
 </context>
 <context>
     <name>Review</name>

@@ -2498,6 +2498,14 @@
         <source>only proposed, not registered</source>
         <translation>seulement proposé, non recalé</translation>
     </message>
+    <message>
+        <source>Outline and margin: %1</source>
+        <translation>Contour et bord : %1</translation>
+    </message>
+    <message>
+        <source>PROPOSED</source>
+        <translation>PROPOSÉ</translation>
+    </message>
 </context>
 <context>
     <name>Review</name>

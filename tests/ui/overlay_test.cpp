@@ -80,6 +80,7 @@ class OverlayTest : public QObject {
   void StructuresLeftOutHideNothing();
   void NothingIsDrawnWhenWithdrawn();
   void DegradedIsTheOutlineAndTheReason();
+  void AProposedPlaceIsABoldOutlineAndNoFigures();
   void ADoubtIsSaidInThePicture_data();
   void ADoubtIsSaidInThePicture();
   void InvalidFramesSayWhyAndCarryABorder();
@@ -233,6 +234,33 @@ void OverlayTest::DegradedIsTheOutlineAndTheReason() {
     QVERIFY((*picture.bytes)[left_edge + 2] > 200 && (*picture.bytes)[left_edge + 1] > 130);  // amber
     QVERIFY(scene::validity_text(why) != scene::validity_text(Validity::valid));
   }
+}
+
+void OverlayTest::AProposedPlaceIsABoldOutlineAndNoFigures() {
+  const Camera camera = laparoscope();
+  const PatientModel model = box_patient();
+  const Picture frame = grey_frame(camera);
+  OverlayFrame overlay = at(bent(model.mesh.vertices, {0, 0, 0.13}));
+  scene::OverlayPainter painter(model, camera, {});
+  const auto bright = [&](const Picture& picture) {
+    int count = 0;
+    for (int v = camera.height / 2; v < camera.height - 20; ++v)
+      for (int u = 20; u < camera.width - 20; ++u)
+        count += (*picture.bytes)[static_cast<std::size_t>(3 * (v * camera.width + u))] > 200;
+    return count;
+  };
+  scene::OverlayStyle thin = only_lesions();
+  thin.lesions = false;
+  thin.outline = true;
+  scene::OverlayPainter thin_painter(model, camera, thin);
+  const int of_thin = bright(thin_painter.paint(frame, overlay));
+  overlay.validity = Validity::proposed;
+  const Picture proposed = painter.paint(frame, overlay);
+  QVERIFY2(bright(proposed) > of_thin + 200, qPrintable(QString("%1").arg(bright(proposed))));
+  // A residual and lesions belong to a registration: of a place that is only proposed they would lie.
+  overlay.residual = 7e-3;
+  overlay.lesions.clear();
+  QVERIFY(*painter.paint(frame, overlay).bytes == *proposed.bytes);
 }
 
 void OverlayTest::ADoubtIsSaidInThePicture_data() {

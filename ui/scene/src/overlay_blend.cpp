@@ -17,6 +17,7 @@ constexpr int kHatchPeriod = 7;                 ///< pixels
 constexpr float kBand = 10e-3F;                 ///< metres between lines of equal depth
 constexpr float kDarkest = 60e-3F;              ///< metres below the surface; deeper is not drawn darker
 constexpr float kDeepest = 0.35F;               ///< of a vessel's opacity that stays at any depth
+constexpr int kBoldLine = 3;                    ///< pixels
 const cv::Vec3f kOutlineColour(235, 235, 235);  // blue, green, red
 
 cv::Vec3f bgr(Label structure) {
@@ -244,19 +245,24 @@ void lay_lesions(cv::Mat3b& picture, const OverlayLayers& layers, const Window& 
   }
 }
 
-void lay_outline(cv::Mat3b& picture, const SurfaceLayer& liver) {
+void lay_outline(cv::Mat3b& picture, const SurfaceLayer& liver, bool is_bold) {
   const cv::Mat1b mask(liver.height, liver.width, const_cast<std::uint8_t*>(liver.kind.data()));
   // With room for a smooth line's width.
-  const cv::Rect box = rect_of(liver.touched.around(3, liver.width, liver.height));
+  const cv::Rect box = rect_of(liver.touched.around(kBoldLine + 2, liver.width, liver.height));
   if (box.empty()) return;
   std::vector<std::vector<cv::Point>> contours;
   cv::findContours(mask(box), contours, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_SIMPLE, box.tl());
-  cv::Mat1b line = cv::Mat1b::zeros(picture.size());
-  cv::polylines(line, contours, true, cv::Scalar(255), 1, cv::LINE_AA);
   const cv::Rect inside = box & cv::Rect(1, 1, picture.cols - 2, picture.rows - 2);
-  for (int v = inside.y; v < inside.y + inside.height; ++v)
-    for (int u = inside.x; u < inside.x + inside.width; ++u)  // the picture's own border is no outline
-      if (line(v, u) != 0) mix(picture(v, u), kOutlineColour, 0.5F * static_cast<float>(line(v, u)) / 255.0F);
+  const auto draw = [&](int width, const cv::Vec3f& colour, float opacity) {
+    cv::Mat1b line = cv::Mat1b::zeros(picture.size());
+    cv::polylines(line, contours, true, cv::Scalar(255), width, cv::LINE_AA);
+    for (int v = inside.y; v < inside.y + inside.height; ++v)
+      for (int u = inside.x; u < inside.x + inside.width; ++u)  // the picture's own border is no outline
+        if (line(v, u) != 0) mix(picture(v, u), colour, opacity * static_cast<float>(line(v, u)) / 255.0F);
+  };
+  if (!is_bold) return draw(1, kOutlineColour, 0.5F);
+  draw(kBoldLine + 2, {20, 20, 20}, 0.6F);
+  draw(kBoldLine, kOutlineColour, 0.9F);
 }
 
 }  // namespace
@@ -277,7 +283,7 @@ Picture blend_layers(const Picture& frame, const OverlayLayers& layers, const Ov
   // With room for the smoothing.
   const cv::Rect box = rect_of(layers.vessels.touched.around(3, frame.width, frame.height));
   if (!box.empty()) lay(picture(box), vessel_veil(layers, style, window, box));
-  if (style.outline) lay_outline(picture, layers.liver);
+  if (style.outline) lay_outline(picture, layers.liver, style.bold_outline);
   lay_lesions(picture, layers, window);
   return {frame.width, frame.height, 3, bytes};
 }

@@ -158,8 +158,22 @@ namespace {
 /// What is drawn of the organ while less is known: where it is.
 OverlayStyle outline_only(OverlayStyle style) {
   style.portal_vein = style.hepatic_veins = style.arteries = style.anterior_margin = false;
-  style.outline = true;
+  style.outline = style.bold_outline = true;
   return style;
+}
+
+/// What of a proposed place is laid beside what is seen: outline and margin, which the picture shows, too.
+OverlayStyle proposal_only(OverlayStyle style) {
+  style = outline_only(style);
+  style.anterior_margin = true;
+  style.lesions = style.legend = false;
+  return style;
+}
+
+/// How an overlay is drawn that is not withdrawn.
+OverlayStyle style_of(const OverlayFrame& overlay, const OverlayStyle& wanted) {
+  if (overlay.validity == Validity::proposed) return proposal_only(wanted);
+  return overlay.level() == Level::degraded ? outline_only(wanted) : wanted;
 }
 
 }  // namespace
@@ -198,9 +212,10 @@ Picture OverlayPainter::paint(const Picture& frame, const OverlayFrame& overlay,
                      "Use the calibration that belongs to this laparoscope.");
   impl_->measures.reset();
   if (overlay.level() == Level::withdrawn) return annotate(frame, overlay, {}, impl_->style, status);
-  const OverlayStyle style = overlay.level() == Level::degraded ? outline_only(impl_->style) : impl_->style;
+  const OverlayStyle style = style_of(overlay, impl_->style);
   const auto begin = std::chrono::steady_clock::now();
-  std::vector<LesionVerdict> verdicts = impl_->verdicts(overlay);
+  std::vector<LesionVerdict> verdicts =
+      style.lesions ? impl_->verdicts(overlay) : std::vector<LesionVerdict>();
   std::vector<Label> bodies;
   for (const LesionVerdict& verdict : verdicts)
     if (verdict.level == Level::valid) bodies.push_back(verdict.lesion);

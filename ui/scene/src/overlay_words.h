@@ -45,6 +45,7 @@ class Overlay {
     return {};
   }
   static QString limit(Validity validity) {
+    if (validity == Validity::proposed) return tr("Outline and margin: %1").arg(reason(validity));
     const bool withdrawn = level_of(validity) == Level::withdrawn;
     return (withdrawn ? tr("No overlay: %1") : tr("Outline and lesions' regions only: %1"))
         .arg(reason(validity));
@@ -94,6 +95,7 @@ class Overlay {
         .arg(lesion(verdict.lesion), reason(verdict.reason));
   }
   static QString more(int lesions) { return tr("Other lesions not known well enough: %1").arg(lesions); }
+  static QString proposed() { return tr("PROPOSED"); }
   static QString level(Level level) {
     switch (level) {
       case Level::valid:

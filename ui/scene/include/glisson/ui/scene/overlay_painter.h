@@ -31,6 +31,7 @@ const char* look_code(Look look);
 struct OverlayStyle {
   bool portal_vein = true, hepatic_veins = true, arteries = true, lesions = true;
   bool outline = true, anterior_margin = true;
+  bool bold_outline = false;  ///< seen at a glance: where the outline is all that there is
   bool legend = true, status = true;
   bool ruler = true;           ///< from the surface to the chosen lesion
   bool thin_branches = false;  ///< of vessels, too: see DrawableSurface::thick
