@@ -30,6 +30,8 @@ class JudgeTest : public QObject {
   void StandingPictureIsWithdrawn();
   void WhatIsSetElsewhereIsShownOnlyWhenSurfacesAgree_data();
   void WhatIsSetElsewhereIsShownOnlyWhenSurfacesAgree();
+  void WhatStaysOffIsToldFromWhatErrsOnce_data();
+  void WhatStaysOffIsToldFromWhatErrsOnce();
   void VerdictsRepeat();
   void UnusableOptionsAreRefused();
 
@@ -234,6 +236,33 @@ void JudgeTest::WhatIsSetElsewhereIsShownOnlyWhenSurfacesAgree() {
   }
 }
 
+void JudgeTest::WhatStaysOffIsToldFromWhatErrsOnce_data() {
+  QTest::addColumn<double>("off");
+  QTest::newRow("right") << 0.0;
+  QTest::newRow("farther by 9 mm") << 9e-3;
+}
+
+void JudgeTest::WhatStaysOffIsToldFromWhatErrsOnce() {
+  QFETCH(double, off);
+  JudgeOptions options;
+  options.gap = options.pull = 100.0;  // no single surface speaks
+  options.behind = 1.0;
+  options.motion = options.supported = options.least_supported = 0.0;
+  options.unknown = 100.0;
+  Judge judge(model_, rig_, {}, options);
+  const Points nodes = moved({0.0, 0.0, off});
+  judge.begin(first_, nodes);
+  const std::vector<FollowedPoint> points = grid(rig_);
+  for (int k = 1; k <= 10 * options.every + options.lag; ++k) {
+    OverlayFrame overlay;
+    overlay.nodes_in_camera = nodes;
+    const Validity said = judge.judge(first_, points, points, overlay);
+    // The tenth surface is made in frame 60 and compared in frame 63.
+    const bool is_late = k == 10 * options.every + options.lag;
+    QCOMPARE(said, off > 0.0 && is_late ? Validity::surface_apart : Validity::valid);
+  }
+}
+
 void JudgeTest::VerdictsRepeat() {
   std::vector<double> gaps;
   for (int turn = 0; turn < 2; ++turn) {
@@ -258,6 +287,7 @@ void JudgeTest::UnusableOptionsAreRefused() {
   refused([](JudgeOptions& o) { o.every = 0; });
   refused([](JudgeOptions& o) { o.lag = o.every; });
   refused([](JudgeOptions& o) { o.gap = 0.0; });
+  refused([](JudgeOptions& o) { o.mean_gap = 0.0; });
   refused([](JudgeOptions& o) { o.behind = 1.5; });
   refused([](JudgeOptions& o) { o.pull = 0.0; });
   refused([](JudgeOptions& o) { o.pull_sigmas = 0.0; });

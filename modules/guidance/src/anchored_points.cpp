@@ -20,7 +20,7 @@ bool AnchoredPoints::bind(const FollowedPoint& point, const registration::Moving
   if (at.triangle < 0 || at.distance > radius) return false;
   const Eigen::Vector3d normal = surface.normal(at);
   if (normal.dot(point.p_in_camera) > 0.0) return false;  // it faces away from the camera: not seen
-  anchors_[point.id] = {at.triangle, at.barycentric, normal.dot(point.p_in_camera - at.point)};
+  anchors_[point.id] = {at, normal.dot(point.p_in_camera - at.point)};
   return true;
 }
 
@@ -37,10 +37,7 @@ void AnchoredPoints::retain(const std::vector<FollowedPoint>& points) {
 Eigen::Vector3d AnchoredPoints::place(const FollowedPoint& point,
                                       const registration::MovingSurface& surface) const {
   const Anchor& anchor = anchors_.at(point.id);
-  ClosestPoint at;
-  at.triangle = anchor.triangle;
-  at.barycentric = anchor.barycentric;
-  return surface.place(at) + anchor.height * surface.normal(at);
+  return surface.place(anchor.at) + anchor.height * surface.normal(anchor.at);
 }
 
 std::vector<Eigen::Vector3d> AnchoredPoints::gaps(const std::vector<FollowedPoint>& points,
@@ -54,11 +51,7 @@ std::vector<Eigen::Vector3d> AnchoredPoints::gaps(const std::vector<FollowedPoin
 void AnchoredPoints::add(const std::vector<FollowedPoint>& points, const registration::MovingSurface& surface,
                          double stiffness, std::vector<fem::AttachedLoad>& loads) const {
   for (const FollowedPoint& point : points) {
-    const Anchor& anchor = anchors_.at(point.id);
-    ClosestPoint at;
-    at.triangle = anchor.triangle;
-    at.barycentric = anchor.barycentric;
-    const registration::Carrier carrier = surface.carrier(at);
+    const registration::Carrier carrier = surface.carrier(anchors_.at(point.id).at);
     fem::AttachedLoad load;
     load.nodes = carrier.nodes;
     load.weights = carrier.weights;

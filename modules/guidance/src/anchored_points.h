@@ -11,6 +11,12 @@
 
 namespace glisson::guidance {
 
+/// A place of the surface's material.
+struct Anchor {
+  ClosestPoint at;      ///< triangle and weights
+  double height = 0.0;  ///< along the surface's normal, metres
+};
+
 /// Where followed points sit on the model. A point is bound to the material of the surface when it is first
 /// seen, and keeps its place: so it also tells how the tissue moves along the surface, which no closest point
 /// can. How high above the surface it lay then (stereo's depth error, the coarse mesh's chords) stays with
@@ -20,6 +26,10 @@ class AnchoredPoints {
   /// Binds to the closest place of the surface as it is now. @return false, and nothing bound, farther than
   /// `radius` from it.
   bool bind(const FollowedPoint& point, const registration::MovingSurface& surface, double radius);
+  /// A place that is known already.
+  void bind(int id, const Anchor& anchor) { anchors_[id] = anchor; }
+  /// @pre bound.
+  const Anchor& anchor(int id) const { return anchors_.at(id); }
   /// Forgets all that are not among `points`.
   void retain(const std::vector<FollowedPoint>& points);
 
@@ -33,11 +43,6 @@ class AnchoredPoints {
   void clear() { anchors_.clear(); }
 
  private:
-  struct Anchor {
-    int triangle = -1;
-    Eigen::Vector3d barycentric = Eigen::Vector3d::Zero();
-    double height = 0.0;  ///< along the surface's normal, metres
-  };
   Eigen::Vector3d place(const FollowedPoint& point, const registration::MovingSurface& surface) const;
 
   std::unordered_map<int, Anchor> anchors_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <future>
 
 #include "alarm.h"
@@ -18,6 +19,8 @@ constexpr int kFramesPerPicture = 3;  ///< contrast changes slowly
 constexpr int kRefuted = 2;           ///< bad surfaces in a row, as many as raise a doubt
 /// Surfaces that may neither confirm nor refute a place before it counts as not found.
 constexpr int kMostUndecided = 6;
+/// Over so many surfaces in a row the gap's mean square is held against its own, lower limit.
+constexpr std::size_t kSurfacesInMean = 10;
 
 }  // namespace
 
@@ -26,6 +29,7 @@ void JudgeOptions::validate() const {
   demand(every >= 1, "every", every, "Give one at least");
   demand(lag >= 0 && lag < every, "lag", lag, "Give fewer frames than lie between two checks");
   demand(gap > 0.0, "gap", gap, "Give a positive number");
+  demand(mean_gap > 0.0, "mean_gap", mean_gap, "Give a positive number");
   demand(behind > 0.0 && behind <= 1.0, "behind", behind, "Give a share");
   demand(pull > 0.0, "pull", pull, "Give a positive length");
   demand(pull_sigmas > 0.0, "pull_sigmas", pull_sigmas, "Give a positive number");
@@ -53,6 +57,8 @@ struct Judge::Impl {
     pending = {};
     frames = looked = 0;
     undecided = false;
+    last_gaps.clear();
+    misplaced.set(false);
     motion = {};
     first_signal = measure(first.left).signal();
     take(surface.check(first.left, first.right, nodes));
@@ -99,14 +105,27 @@ struct Judge::Impl {
     take(pending.get());
     apart.push(apartness(), 1.0, options.relief);
     covered.push(coverage(), 1.0, options.relief);
+    look_at_mean_gap();
     against = apartness() >= 1.0 ? against + 1 : 0;
     ++looks;
     undecided = undecided && apart.stands() && against < kRefuted && looks < kMostUndecided;
+  }
+  /// Matching's errors change from picture to picture, a wrong place stays.
+  void look_at_mean_gap() {
+    last_gaps.push_back(evidence.gap);
+    if (last_gaps.size() > kSurfacesInMean) last_gaps.pop_front();
+    if (last_gaps.size() < kSurfacesInMean) return;
+    double squares = 0.0;
+    for (const double gap : last_gaps) squares += gap * gap;
+    misplaced.push(std::sqrt(squares / static_cast<double>(kSurfacesInMean)), options.mean_gap,
+                   options.mean_gap);
   }
   void distrust() {
     if (pending.valid()) pending.wait();
     pending = {};
     apart.set(true);
+    misplaced.set(false);
+    last_gaps.clear();
     undecided = true;
     against = looks = 0;
     looked = frames - options.every;  // the next frame is looked at
@@ -127,10 +146,11 @@ struct Judge::Impl {
     stands.push(options.motion / std::max(evidence.motion, 1e-6), 1.0, options.relief);
   }
 
+  bool refutes() const { return apart.stands() || misplaced.stands(); }
   Validity verdict() const {
     if (views.stands()) return Validity::views_apart;
     if (stands.stands()) return Validity::picture_stands;
-    if (apart.stands()) return Validity::surface_apart;
+    if (refutes()) return Validity::surface_apart;
     if (poor.stands()) return Validity::poor_picture;
     return covered.stands() ? Validity::partly_covered : Validity::valid;
   }
@@ -147,6 +167,8 @@ struct Judge::Impl {
   int against = 0;         ///< bad surfaces in a row
   int looks = 0;           ///< surfaces since it was set elsewhere
   Alarm apart{2, 3}, covered{2, 3}, poor{3, 4}, stands{1, 6}, views{3, 10};
+  Alarm misplaced{1, 1};         ///< a mean needs no more patience
+  std::deque<double> last_gaps;  ///< of the surfaces since begin() or distrust(), the newest last
   std::future<SurfaceEvidence> pending;
 };
 
@@ -160,6 +182,7 @@ void Judge::begin(const StereoFrame& first, const Points& nodes_in_camera) {
 }
 
 void Judge::distrust() { impl_->distrust(); }
+bool Judge::refutes() const { return impl_->refutes(); }
 bool Judge::is_undecided() const { return impl_->undecided; }
 
 Validity Judge::judge(const StereoFrame& frame, const std::vector<FollowedPoint>& before,

@@ -25,6 +25,8 @@ class Judge {
   /// The model was set elsewhere: what was seen of it before is no evidence, and it is not shown until fresh
   /// surfaces agree; they are made one after the other until then.
   void distrust();
+  /// Surfaces speak against where the model is.
+  bool refutes() const;
   /// Since distrust(), surfaces have neither confirmed nor refuted where the model is.
   bool is_undecided() const;
   /// @param before, now the points that were followed from the last frame into this one.

@@ -184,17 +184,51 @@ StereoFollower::Counts StereoFollower::follow(const StereoFrame& frame) {
     FollowedPoint point = points_[i];
     point.left = pixel(left[i]);
     point.right = pixel(right[i]);
-    if (!is_seen(rig_.left, images_->inside_left, point.left) ||
-        !is_seen(rig_.right, images_->inside_right, point.right))
-      continue;
-    const Triangulated in_space = triangulate(rig_, point.left, point.right);
-    if (!in_space.good || in_space.epipolar_px > options_.epipolar_px) continue;
-    point.p_in_camera = in_space.p;
-    point.information = in_space.information;
-    kept.push_back(point);
+    if (!is_seen_by_both(point)) continue;
+    if (triangulate_into(point)) kept.push_back(point);
   }
   points_ = std::move(kept);
   return counts;
+}
+
+bool StereoFollower::is_seen_by_both(const FollowedPoint& point) const {
+  return is_seen(rig_.left, images_->inside_left, point.left) &&
+         is_seen(rig_.right, images_->inside_right, point.right);
+}
+
+bool StereoFollower::triangulate_into(FollowedPoint& point) const {
+  const Triangulated in_space = triangulate(rig_, point.left, point.right);
+  if (!in_space.good || in_space.epipolar_px > options_.epipolar_px) return false;
+  point.p_in_camera = in_space.p;
+  point.information = in_space.information;
+  return true;
+}
+
+bool StereoFollower::put(std::size_t index, const Eigen::Vector2d& left, const Eigen::Vector2d& right) {
+  FollowedPoint point = points_[index];
+  point.left = left;
+  point.right = right;
+  if (!triangulate_into(point)) return false;
+  points_[index] = point;
+  return true;
+}
+
+bool StereoFollower::add(int id, const Eigen::Vector2d& left, const Eigen::Vector2d& right) {
+  FollowedPoint point;
+  point.id = id;
+  point.left = left;
+  point.right = right;
+  if (!is_seen_by_both(point) || !triangulate_into(point)) return false;
+  points_.push_back(point);
+  return true;
+}
+
+const cv::Mat& StereoFollower::grey(bool left) const {
+  return left ? images_->left.grey : images_->right.grey;
+}
+
+double StereoFollower::spacing() const {
+  return 0.4 * std::sqrt(static_cast<double>(images_->left.grey.total()) / options_.points);
 }
 
 void StereoFollower::keep(const std::vector<char>& kept) {
@@ -225,7 +259,7 @@ int StereoFollower::replenish(const Expected& expected) {
     cv::resize(images_->tissue, tissue, half.size(), 0, 0, cv::INTER_NEAREST);
     allowed &= tissue > 0;
   }
-  const double spacing = 0.4 * std::sqrt(static_cast<double>(left.grey.total()) / options_.points);
+  const double spacing = this->spacing();
   for (const FollowedPoint& point : points_)
     cv::circle(allowed, cv::Point(static_cast<int>(point.left.x() / 2), static_cast<int>(point.left.y() / 2)),
                static_cast<int>(spacing / 2), cv::Scalar(0), cv::FILLED);
@@ -250,11 +284,8 @@ int StereoFollower::replenish(const Expected& expected) {
     FollowedPoint point;
     point.left = pixel(start[i]);
     point.right = pixel(guess[i]);
-    const Triangulated in_space = triangulate(rig_, point.left, point.right);
-    if (!in_space.good || in_space.epipolar_px > options_.epipolar_px) continue;
+    if (!triangulate_into(point)) continue;
     point.id = next_id_++;
-    point.p_in_camera = in_space.p;
-    point.information = in_space.information;
     points_.push_back(point);
     ++added;
   }

@@ -11,11 +11,15 @@
 #include "glisson/patient/picture.h"
 #include "seen_parts.h"
 
+namespace cv {
+class Mat;
+}
+
 namespace glisson::guidance {
 
 /// A point that both cameras follow.
 struct FollowedPoint {
-  int id = 0;                                                                       ///< never used twice
+  int id = 0;  ///< of a place of the tissue: one that comes back has its own again
   Eigen::Vector2d left = Eigen::Vector2d::Zero(), right = Eigen::Vector2d::Zero();  ///< pixels
   Eigen::Vector3d p_in_camera = Eigen::Vector3d::Zero();                            ///< metres
   Eigen::Matrix3d information = Eigen::Matrix3d::Identity();                        ///< see Triangulated
@@ -58,6 +62,15 @@ class StereoFollower {
   /// Finds new points in the present frame, away from those that there are, up to the number wanted.
   /// @return how many were added, at the end of points().
   int replenish(const Expected& expected);
+  /// Pixels that new points keep from others.
+  double spacing() const;
+
+  /// Puts a point elsewhere. @return false: the two rays do not meet, and it stays.
+  bool put(std::size_t index, const Eigen::Vector2d& left, const Eigen::Vector2d& right);
+  /// Adds a known point. @return false: outside of what is seen, or the rays do not meet.
+  bool add(int id, const Eigen::Vector2d& left, const Eigen::Vector2d& right);
+  /// The present frame's view.
+  const cv::Mat& grey(bool left) const;
 
   const std::vector<FollowedPoint>& points() const { return points_; }
   /// Those of the frame before the last follow().
@@ -65,6 +78,10 @@ class StereoFollower {
 
  private:
   struct Images;
+  bool is_seen_by_both(const FollowedPoint& point) const;
+  /// @return false: the rays do not meet.
+  bool triangulate_into(FollowedPoint& point) const;
+
   StereoRig rig_;
   FollowerOptions options_;
   std::vector<FollowedPoint> points_, before_;

@@ -15,6 +15,7 @@
 #include "glisson/registration/moving_surface.h"
 #include "glisson/registration/pairs.h"
 #include "judge.h"
+#include "point_memory.h"
 #include "relocator.h"
 #include "stereo_follower.h"
 
@@ -144,6 +145,8 @@ struct Tracker::Impl {
     follower.emplace(rig, follow);
     follower->begin(first, parts);
     anchors.clear();
+    memory.emplace(rig);
+    frames = last_valid = 0;
     camera = rig.left;
     seen = seen_area();
     replenish();
@@ -151,9 +154,11 @@ struct Tracker::Impl {
     relocator->remember(first.left, surface);
     lost = since_key_frame = 0;
     judge.reset();
+    is_believed = true;
     if (!options.judge.enabled) return;
     judge = std::make_unique<Judge>(patient, rig, parts.tissue, options.judge);
     judge->begin(first, integrator.positions());
+    is_believed = !judge->refutes();
   }
 
   /// Of the model, in the left picture, square metres.
@@ -177,10 +182,15 @@ struct Tracker::Impl {
       if (hit.triangle < 0) return std::nullopt;
       return hit.point;
     };
+    const int missing = options.points - static_cast<int>(follower->points().size());
+    memory->recall(*follower, anchors, surface, missing, follower->spacing(), frames);
     const int added = follower->replenish(expected);
     std::vector<char> kept(follower->points().size(), 1);
-    for (std::size_t i = kept.size() - static_cast<std::size_t>(added); i < kept.size(); ++i)
-      kept[i] = anchors.bind(follower->points()[i], surface, kBindRadius);
+    for (std::size_t i = kept.size() - static_cast<std::size_t>(added); i < kept.size(); ++i) {
+      const FollowedPoint& point = follower->points()[i];
+      kept[i] = anchors.bind(point, surface, kBindRadius);
+      if (kept[i] != 0) memory->remember(point, anchors.anchor(point.id), *follower, surface, frames);
+    }
     follower->keep(kept);
     anchors.retain(follower->points());
   }
@@ -219,6 +229,8 @@ struct Tracker::Impl {
       relocator->remember(frame.left, surface);
       since_key_frame = 0;
     }
+    // A start that was refuted binds the texture to wrong places: it would be found there again.
+    if (!is_believed) return;
     if (lost < kLost || (lost - kLost) % (lost < kLost + kEager ? kLookAgain : kLookSeldom) != 0) return;
     const auto found = relocator->find(frame.left, surface);
     if (!found) return;
@@ -231,6 +243,7 @@ struct Tracker::Impl {
     move_all(*found);
     follower->begin(frame, parts);
     anchors.clear();
+    memory->forget_since(last_valid);
     replenish();
     if (judge) judge->distrust();
   }
@@ -250,6 +263,7 @@ struct Tracker::Impl {
   }
 
   Validity follow_points(OverlayFrame& overlay) {
+    follower->keep(memory->confirm(*follower, surface, frames));
     std::vector<Eigen::Vector3d> gaps = anchors.gaps(follower->points(), surface);
     const std::vector<char> good =
         consistent(follower->points(), gaps, kConsistentDeviations, kConsistentFloor);
@@ -284,6 +298,7 @@ struct Tracker::Impl {
   }
 
   OverlayFrame follow(const StereoFrame& frame) {
+    ++frames;
     OverlayFrame overlay;
     overlay.index = frame.index;
     overlay.seconds = frame.seconds;
@@ -307,6 +322,10 @@ struct Tracker::Impl {
     overlay.nodes_in_camera = integrator.positions();
     if (judge && overlay.validity == Validity::valid)
       overlay.validity = judge->judge(frame, follower->points_before(), follower->points(), overlay);
+    if (overlay.validity == Validity::valid) {
+      last_valid = frames;
+      is_believed = true;
+    }
     overlay.lesions = lesions.judge(overlay, places_seen(overlay.validity));
     if (follower) look_for_organ(frame, overlay.validity);
     return overlay;
@@ -381,10 +400,13 @@ struct Tracker::Impl {
   std::optional<registration::ForceFollower> forces;  ///< of clouds
   std::optional<StereoFollower> follower;
   AnchoredPoints anchors;
+  std::optional<PointMemory> memory;
+  int frames = 0, last_valid = 0;  ///< since begin(); the last that was valid
   LesionJudge lesions;
   std::unique_ptr<Judge> judge;          ///< none while clouds are followed
   std::unique_ptr<Relocator> relocator;  ///< likewise
   SeenParts parts;
+  bool is_believed = true;  ///< surfaces did not refute the start, or a frame was valid since
   int lost = 0;             ///< frames without an overlay
   int since_key_frame = 0;  ///< valid frames
   Camera camera;

@@ -10,6 +10,9 @@ struct JudgeOptions {
   int every = 6;     ///< frames between two fresh surfaces
   int lag = 3;       ///< frames until one has been compared; it is waited for then, so that results repeat
   double gap = 2.0;  ///< standard deviations, Evidence::gap
+  /// Likewise, its root mean square over ten surfaces (two seconds). Both are what a right overlay exceeds
+  /// once in a thousand: chi-square of 4.5 regions that err on their own in one surface, of 45 in ten.
+  double mean_gap = 1.33;
   double behind = 0.06;          ///< share, Evidence::behind
   double pull = 6e-3;            ///< metres, Evidence::pull, where it is ...
   double pull_sigmas = 3.0;      ///< ... also so many of its standard deviations

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "point_memory.h"
+
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+
+namespace glisson::guidance {
+namespace {
+
+/// Frames: each point's turn comes so often; one that was not found for so long is lost.
+constexpr int kEvery = 6, kLost = 90;
+/// Below this, what is found may be another place of the same sort of tissue.
+constexpr double kAlike = 0.8;
+/// Pixels: farther off what is followed it is another place; off what the model predicts, likewise.
+constexpr double kMostOff = 3.0, kMostRecalled = 5.0;
+/// A look that must be stretched by more says nothing; by more than the second, a nearer one is taken.
+constexpr double kMostStretch = 1.5, kNewLook = 1.2;
+constexpr std::size_t kLooks = 4, kPlaces = 1500;
+/// Frames between two looks for a place that is not followed; so many in vain (a minute, in which something
+/// may have covered it), and it does not look like that any more.
+constexpr int kTryAgain = 10, kMisses = 180;
+
+double stretch_of(const Eigen::Matrix2d& warp) {
+  const Eigen::Vector2d sizes = Eigen::JacobiSVD<Eigen::Matrix2d>(warp).singularValues();
+  return sizes[1] > 0.0 ? std::max(std::abs(std::log(sizes[0])), std::abs(std::log(sizes[1]))) : 1e9;
+}
+
+}  // namespace
+
+Eigen::Matrix2d PointMemory::pixels_of(const Anchor& anchor, bool left,
+                                       const registration::MovingSurface& surface) const {
+  // A small step along two sides of the triangle; the size of the step cancels between two of these.
+  constexpr double kStep = 0.02;
+  const auto pixel = [&](double u, double v) -> Eigen::Vector2d {
+    ClosestPoint at = anchor.at;
+    at.barycentric += Eigen::Vector3d(-u - v, u, v);
+    const Eigen::Vector3d p = surface.place(at);
+    return left ? rig_.left.project(p)
+                : rig_.right.project(rig_.right_from_left.rotation * p + rig_.right_from_left.translation);
+  };
+  Eigen::Matrix2d columns;
+  columns.col(0) = pixel(kStep, 0.0) - pixel(-kStep, 0.0);
+  columns.col(1) = pixel(0.0, kStep) - pixel(0.0, -kStep);
+  return columns;
+}
+
+void PointMemory::add_look(Place& place, const FollowedPoint& point, const StereoFollower& pictures,
+                           const registration::MovingSurface& surface) const {
+  const auto left = patch_at(pictures.grey(true), point.left);
+  const auto right = patch_at(pictures.grey(false), point.right);
+  if (!left || !right) return;
+  if (place.looks.size() == kLooks) place.looks.erase(place.looks.begin() + 1);
+  place.looks.push_back(
+      {*left, *right, pixels_of(place.anchor, true, surface), pixels_of(place.anchor, false, surface)});
+}
+
+void PointMemory::remember(const FollowedPoint& point, const Anchor& anchor, const StereoFollower& pictures,
+                           const registration::MovingSurface& surface, int frame) {
+  if (places_.size() >= kPlaces) make_room();
+  if (places_.size() >= kPlaces) return;
+  Place place;
+  place.anchor = anchor;
+  place.born = place.confirmed = frame;
+  add_look(place, point, pictures, surface);
+  if (!place.looks.empty()) places_[point.id] = std::move(place);
+}
+
+void PointMemory::make_room() {
+  const auto worst = std::max_element(places_.begin(), places_.end(), [](const auto& a, const auto& b) {
+    return a.second.misses < b.second.misses;
+  });
+  if (worst->second.misses > 0) places_.erase(worst);
+}
+
+std::optional<PointMemory::Seen> PointMemory::find(const Place& place, const Eigen::Vector2d& left,
+                                                   const Eigen::Vector2d& right, double most,
+                                                   const StereoFollower& pictures,
+                                                   const registration::MovingSurface& surface) const {
+  const Eigen::Matrix2d left_now = pixels_of(place.anchor, true, surface),
+                        right_now = pixels_of(place.anchor, false, surface);
+  const Look* best = nullptr;
+  double stretch = std::log(kMostStretch);
+  for (const Look& look : place.looks) {
+    const double s = stretch_of(left_now * look.left_pixels.inverse());
+    if (s < stretch) stretch = s, best = &look;
+  }
+  if (best == nullptr) return std::nullopt;
+  const auto in_left =
+      find_patch(pictures.grey(true), best->left, left_now * best->left_pixels.inverse(), left, most);
+  if (!in_left || in_left->likeness < kAlike) return std::nullopt;
+  const auto in_right =
+      find_patch(pictures.grey(false), best->right, right_now * best->right_pixels.inverse(), right, most);
+  if (!in_right || in_right->likeness < kAlike) return std::nullopt;
+  return Seen{*in_left, *in_right, stretch};
+}
+
+std::vector<char> PointMemory::confirm(StereoFollower& follower, const registration::MovingSurface& surface,
+                                       int frame) {
+  const std::size_t n = follower.points().size();
+  std::vector<char> kept(n, 1);
+  std::size_t lost = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const FollowedPoint point = follower.points()[i];
+    const auto known = places_.find(point.id);
+    if (known == places_.end()) continue;
+    Place& place = known->second;
+    if ((point.id + frame) % kEvery == 0) {
+      const auto seen = find(place, point.left, point.right, kMostOff, follower, surface);
+      if (seen && follower.put(i, seen->left.at, seen->right.at)) {
+        place.confirmed = frame;
+        if (seen->stretch > std::log(kNewLook)) add_look(place, follower.points()[i], follower, surface);
+      }
+    }
+    kept[i] = frame - place.confirmed <= kLost;
+    lost += kept[i] == 0;
+  }
+  // Where most have gone the picture has changed (smoke, light): that says nothing of single points.
+  if (2 * lost > n) kept.assign(n, 1);
+  return kept;
+}
+
+int PointMemory::recall(StereoFollower& follower, AnchoredPoints& anchors,
+                        const registration::MovingSurface& surface, int wanted, double spacing, int frame) {
+  std::vector<Eigen::Vector2d> taken;
+  std::vector<int> ids;
+  for (const FollowedPoint& point : follower.points()) {
+    taken.push_back(point.left);
+    ids.push_back(point.id);
+  }
+  std::sort(ids.begin(), ids.end());
+  int added = 0, tried = 0;
+  std::vector<int> gone;
+  for (auto& [id, place] : places_) {
+    if (added == wanted || tried == 3 * wanted) break;
+    if (std::binary_search(ids.begin(), ids.end(), id)) continue;
+    if (place.tried > 0 && frame - place.tried < kTryAgain) continue;
+    const Eigen::Vector3d normal = surface.normal(place.anchor.at);
+    const Eigen::Vector3d p = surface.place(place.anchor.at) + place.anchor.height * normal;
+    if (p.z() <= 0.0 || normal.dot(p) > 0.0) continue;
+    const Eigen::Vector3d in_right = rig_.right_from_left.rotation * p + rig_.right_from_left.translation;
+    if (in_right.z() <= 0.0) continue;
+    const Eigen::Vector2d left = rig_.left.project(p), right = rig_.right.project(in_right);
+    if (!rig_.left.sees(left) || !rig_.right.sees(right)) continue;
+    const bool is_near = std::any_of(taken.begin(), taken.end(), [&](const Eigen::Vector2d& other) {
+      return (other - left).norm() < spacing;
+    });
+    if (is_near) continue;
+    ++tried;
+    place.tried = frame;
+    const auto seen = find(place, left, right, kMostRecalled, follower, surface);
+    if (!seen || !follower.add(id, seen->left.at, seen->right.at)) {
+      if (++place.misses >= kMisses) gone.push_back(id);
+      continue;
+    }
+    anchors.bind(id, place.anchor);
+    place.misses = 0;
+    place.confirmed = frame;
+    taken.push_back(seen->left.at);
+    ++added;
+  }
+  for (const int id : gone) places_.erase(id);
+  return added;
+}
+
+void PointMemory::forget_since(int frame) {
+  std::erase_if(places_, [&](const auto& entry) { return entry.second.born > frame; });
+}
+
+}  // namespace glisson::guidance

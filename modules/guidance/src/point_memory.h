@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "anchored_points.h"
+#include "patch.h"
+#include "stereo_follower.h"
+
+namespace glisson::guidance {
+
+/// Every place of the tissue that was ever followed, with how it looked when it was bound to the surface.
+/// From one frame to the next Lucas-Kanade errs by little, but what it errs adds up; a point that is found in
+/// its first picture again has lost that (Matthews, Ishikawa and Baker, The template update problem, 2004).
+/// And a place that comes back into sight is bound where it was at first, not to where the model is now: so
+/// nothing that is seen again drifts. The model says how a patch has turned and stretched since.
+class PointMemory {
+ public:
+  explicit PointMemory(const StereoRig& rig) : rig_(rig) {}
+
+  /// Keeps how a newly bound point looks. @param frame number, ascending.
+  void remember(const FollowedPoint& point, const Anchor& anchor, const StereoFollower& pictures,
+                const registration::MovingSurface& surface, int frame);
+  /// Puts those points whose turn it is (each every sixth frame) where their first looks are found. A point
+  /// that has not been found for three seconds goes, if most others are: Lucas-Kanade has lost it.
+  /// @return one decision a point, false: let it go.
+  std::vector<char> confirm(StereoFollower& follower, const registration::MovingSurface& surface, int frame);
+  /// Follows places again that are not followed, and should be in sight: oldest first, since the first were
+  /// bound next to the registration. @param spacing pixels between points. @return how many.
+  int recall(StereoFollower& follower, AnchoredPoints& anchors, const registration::MovingSurface& surface,
+             int wanted, double spacing, int frame);
+  /// Forgets what was bound after that frame: the model was not where the organ is.
+  void forget_since(int frame);
+  std::size_t size() const { return places_.size(); }
+
+ private:
+  /// How a place looked once.
+  struct Look {
+    Patch left, right;
+    /// Pixels from the surface's own coordinates there (barycentric), then.
+    Eigen::Matrix2d left_pixels, right_pixels;
+  };
+  struct Place {
+    Anchor anchor;
+    std::vector<Look> looks;
+    int born = 0;       ///< frame
+    int confirmed = 0;  ///< frame in which it was found last
+    int tried = 0;      ///< frame in which recall() looked for it last
+    int misses = 0;     ///< times in a row that it did so in vain
+  };
+  struct Seen {
+    PatchFound left, right;
+    double stretch = 0.0;  ///< the logarithm of how much the best look had to be stretched
+  };
+  /// @param most pixels off the guesses.
+  std::optional<Seen> find(const Place& place, const Eigen::Vector2d& left, const Eigen::Vector2d& right,
+                           double most, const StereoFollower& pictures,
+                           const registration::MovingSurface& surface) const;
+  void add_look(Place& place, const FollowedPoint& point, const StereoFollower& pictures,
+                const registration::MovingSurface& surface) const;
+  Eigen::Matrix2d pixels_of(const Anchor& anchor, bool left,
+                            const registration::MovingSurface& surface) const;
+  void make_room();
+
+  StereoRig rig_;
+  std::map<int, Place> places_;  ///< by the point's id
+};
+
+}  // namespace glisson::guidance
