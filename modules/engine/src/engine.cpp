@@ -2,7 +2,6 @@
 #include "glisson/engine/engine.h"
 
 #include <algorithm>
-#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <exception>
@@ -14,6 +13,7 @@
 
 #include "glisson/core/error.h"
 #include "glisson/core/file_failure.h"
+#include "glisson/core/stopwatch.h"
 #include "glisson/engine/obstacle.h"
 #include "glisson/engine/parts/live.h"
 #include "job.h"
@@ -149,7 +149,7 @@ struct Engine::Impl final : LiveLanes {
       base = current->state;
     }
     Outcome outcome = outcome_of(*job);
-    const auto begin = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     std::optional<Applied> applied;
     const RunContext context(
         [this, &job](double fraction, std::string_view stage) { report_progress(*job, fraction, stage); },
@@ -180,7 +180,7 @@ struct Engine::Impl final : LiveLanes {
     } else {
       end_live(job->traits().live);
     }
-    outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    outcome.seconds = watch.seconds();
     std::erase(running, job);
     finish(lock, std::move(outcome));
   }

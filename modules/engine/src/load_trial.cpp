@@ -3,10 +3,10 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <chrono>
 #include <vector>
 
 #include "glisson/core/error.h"
+#include "glisson/core/stopwatch.h"
 #include "glisson/engine/obstacle.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/fem/integrator.h"
@@ -20,10 +20,6 @@ constexpr double kFixedEnds = 1e9;  ///< N/m of what the vessels hang on: none o
 constexpr double kAtRest = 1e-5;
 /// No liver goes further, metres: the step has diverged.
 constexpr double kFurthest = 0.5;
-
-double milliseconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
 
 fem::IntegratorOptions integration(const TrialOptions& options, int tetrahedra) {
   fem::IntegratorOptions made;
@@ -60,7 +56,7 @@ class ElasticTrial : public LoadTrial {
         integrator_(composite, integration(options, composite->mesh().tetrahedron_count())) {}
 
   TrialState step(const std::optional<TrialPull>& pull) override {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     lead_target(pull);
     fem::Loads loads;
     hold(loads);
@@ -71,7 +67,7 @@ class ElasticTrial : public LoadTrial {
     state.pull = pull;
     state.residual = summary.residual;
     describe(summary, pull, state);
-    state.milliseconds = milliseconds_since(start);
+    state.milliseconds = watch.milliseconds();
     return state;
   }
 

@@ -3,13 +3,13 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <iterator>
 
 #include "glisson/atlas/correspond.h"
 #include "glisson/atlas/transfer.h"
 #include "glisson/core/error.h"
+#include "glisson/core/stopwatch.h"
 #include "glisson/experiments/atlas_livers.h"
 
 namespace glisson::experiments {
@@ -21,10 +21,6 @@ using atlas::Structure;
 
 constexpr int kSyntheticLivers = 10;
 constexpr std::uint64_t kFirstSeed = 9000;  // of livers that the built-in atlas has not
-
-double seconds_since(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
 
 /// Mean and worst over livers, and the share of points within their ellipsoids.
 void add(Figures& figures, const std::string& prefix, const std::vector<LeftOut>& livers) {
@@ -91,10 +87,10 @@ double both_ways(const Points& a, const Points& b) {
 /// A member's structures as the built-in atlas proposes them from the surface alone.
 Cancellable<LeftOut> by_built_in(const atlas::Atlas& built_in, const Member& member, double& seconds,
                                  const RunContext& context) {
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   const auto made = atlas::transfer(built_in, member.liver, {}, context.quiet());
   if (!made) return {};
-  seconds = seconds_since(begin);
+  seconds = watch.seconds();
   LeftOut liver;
   liver.name = member.name;
   liver.mean_distance = made->mean_distance;
@@ -148,9 +144,9 @@ class Proof {
  private:
   std::optional<atlas::BuildResult> built(const std::vector<Member>& members, const RunContext& context) {
     atlas::BuildOptions options;
-    const auto begin = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     auto result = atlas::build(members, *options_.built_in, options, context);
-    seconds_ = seconds_since(begin);
+    seconds_ = watch.seconds();
     return result;
   }
 

@@ -2,12 +2,12 @@
 #include "glisson/experiments/demo.h"
 
 #include <algorithm>
-#include <chrono>
 
 #include "demo_input.h"
 #include "demo_progress.h"
 #include "demo_report.h"
 #include "glisson/core/error.h"
+#include "glisson/core/stopwatch.h"
 #include "glisson/engine/case_io.h"
 #include "glisson/engine/commands/accept_registration.h"
 #include "glisson/engine/commands/build_model.h"
@@ -48,14 +48,8 @@ namespace glisson::experiments {
 namespace fs = std::filesystem;
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 /// Frames between two whose outline is compared: to cast the truth takes as long as to film it.
 constexpr int kOutlineEvery = 5;
-
-double seconds_since(Clock::time_point begin) {
-  return std::chrono::duration<double>(Clock::now() - begin).count();
-}
 
 bool is_volume(const fs::path& path) {
   const std::string name = path.filename().string();
@@ -131,13 +125,13 @@ class DemoRun {
   }
 
   void make_synthetic_patient(const model::ModelOptions& model_options) {
-    const auto begin = Clock::now();
+    const Stopwatch watch;
     insilico::SyntheticPatient patient =
         take(insilico::make_patient(options_.synthetic, progress_.begin("synthetic_patient")));
     write_image(folder_ / "ct.nrrd", patient.ct);
     segmentation::write_seeds(folder_ / "operator/seeds.json",
                               insilico::click_seeds(patient.truth, options_.clicks));
-    result_.figures["seconds_synthetic_patient"] = seconds_since(begin);
+    result_.figures["seconds_synthetic_patient"] = watch.seconds();
     // From here on the stages see files only; the truth waits for the comparison.
     post(engine::ImportImage{folder_ / "ct.nrrd"});
     post(engine::SetSeeds{segmentation::read_seeds(folder_ / "operator/seeds.json")});
@@ -153,11 +147,11 @@ class DemoRun {
   // ---- the operating theatre ----
 
   void open_theatre() {
-    const auto begin = Clock::now();
+    const Stopwatch watch;
     theatre_ = take(insilico::Theatre::build(theatre_patient_, options_.theatre, progress_.begin("theatre")));
     const insilico::Film film =
         take(insilico::film(*theatre_, folder_ / "theatre", {}, progress_.begin("film")));
-    result_.figures["seconds_theatre"] = seconds_since(begin);
+    result_.figures["seconds_theatre"] = watch.seconds();
     film_ = film;
     const insilico::TheatreFigures& figures = theatre_->figures();
     result_.figures["theatre_pressure_pa"] = figures.pressure_pa;
@@ -203,11 +197,11 @@ class DemoRun {
     registration::KnownOperations known;
     if (state()[part::operations])
       known = {state()[part::operations]->options, state()[part::operations]->prior};
-    const Clock::time_point begin = Clock::now();
+    const Stopwatch watch;
     const auto made = registration::register_model(engine::effective_model(state()), *state()[part::cloud],
                                                    options, context_.quiet(), known);
     if (!made) throw Cancelled{};
-    result_.figures[prefix + "forces_seconds"] = seconds_since(begin);
+    result_.figures[prefix + "forces_seconds"] = watch.seconds();
     for (const auto& [key, value] :
          target_errors(model(), made->registration.nodes_in_camera, truth_, "theatre"))
       result_.figures[prefix + "forces_" + key] = value;
@@ -291,9 +285,9 @@ class DemoRun {
 
   /// @return milliseconds that drawing took.
   double draw(stereo::VideoWriter& video, const StereoFrame& frame, const OverlayFrame& overlay) {
-    const auto begin = Clock::now();
+    const Stopwatch watch;
     const Picture drawn = pictures_.overlay(state(), frame, overlay);
-    const double milliseconds = 1e3 * seconds_since(begin);
+    const double milliseconds = watch.milliseconds();
     video.write(drawn);
     const int frames = theatre_->frame_count();
     if (frame.index == 0 || frame.index == frames / 3 || frame.index == 2 * frames / 3)

@@ -2,11 +2,11 @@
 #include "patient_proof_trials.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 
 #include "glisson/core/statistics.h"
+#include "glisson/core/stopwatch.h"
 #include "glisson/insilico/layperson.h"
 #include "glisson/insilico/pathology.h"
 #include "glisson/segmentation/evaluate.h"
@@ -136,9 +136,9 @@ class Trials {
  private:
   Cancellable<segmentation::Segmented> segment(const Trial& trial, const segmentation::Seeds& seeds,
                                                const RunContext& context) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     auto result = segmentation::segment(trial.ct, seeds, {}, context);
-    seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    seconds_ = watch.seconds();
     return result;
   }
 

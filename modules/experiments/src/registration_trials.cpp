@@ -3,13 +3,13 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
 #include "glisson/core/chi_square.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
+#include "glisson/core/stopwatch.h"
 #include "glisson/geometry/rigid.h"
 #include "glisson/registration/examined_registration.h"
 #include "glisson/registration/refusal.h"
@@ -18,10 +18,6 @@ namespace glisson::experiments {
 namespace {
 
 constexpr double kFaultShare = 0.3;  ///< that is seen where a fault is tried, and rivals are
-
-double seconds_since(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
 
 void add_figures(const registration::Findings& findings, Figures& figures) {
   figures["roughness_mm"] = 1e3 * findings.roughness;
@@ -67,7 +63,7 @@ class Trials {
       options.start = registration::RegisterOptions::Start::given;
       options.given = mistaken(stage_, handling);
     }
-    const auto begin = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     try {
       const auto examined = register_and_examine(stage_.model, cloud, options, context_, known_);
       if (!examined) return false;
@@ -81,7 +77,7 @@ class Trials {
       trial.mean = std::numeric_limits<double>::infinity();
       trial.lesions.assign(static_cast<std::size_t>(stage_.lesions.rows()), trial.mean);
     }
-    trial.seconds = seconds_since(begin);
+    trial.seconds = watch.seconds();
     const bool compares = fault == RegistrationFault::none && share == kFaultShare;
     if (options_.rivals && compares && !add_paper(cloud, handling, trial)) return false;
     log_.add(std::move(trial));

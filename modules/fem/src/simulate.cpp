@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/fem/simulate.h"
 
-#include <chrono>
 #include <sstream>
 
 #include "external_loads.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
+#include "glisson/core/stopwatch.h"
 
 namespace glisson::fem {
 namespace {
-
-double milliseconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
 
 /// What is left over of the forces on free nodes, relative to the external ones.
 double force_residual(const CompositeModel& model, const AppliedLoad& load, const Points& x, double time,
@@ -50,12 +46,12 @@ Cancellable<SimulationResult> simulate_static(
   held.max_iterations = options.max_iterations;
   held.tolerance = options.tolerance;
   held.fixed_nodes = load.fixed_nodes();
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   auto solution = solve_static(
       model, load.start(model), [&](const Points& x) { return load.at(x); }, held, context);
   if (!solution) return std::nullopt;
   SimulationRecord record;
-  record.milliseconds = milliseconds_since(start);
+  record.milliseconds = watch.milliseconds();
   record.step = solution->iterations;
   describe(model, solution->positions, record);
   record.force_residual = force_residual(model, load, solution->positions, 0.0, true);
@@ -99,9 +95,9 @@ Cancellable<SimulationResult> simulate(
     SimulationRecord record;
     record.step = n;
     record.time = n * options.time_step;
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     const StepSummary step = integrator.step(load.at(integrator.positions(), record.time));
-    record.milliseconds = milliseconds_since(start);
+    record.milliseconds = watch.milliseconds();
     if (!step.ok)
       throw NumericalError("Step " + std::to_string(n) +
                            " of the simulation failed: the system is not positive definite, the state not "

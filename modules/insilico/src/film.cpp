@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -16,6 +15,7 @@
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/core/json_file.h"
+#include "glisson/core/stopwatch.h"
 #include "glisson/geometry/mesh_io.h"
 #include "glisson/stereo/calibration_io.h"
 #include "glisson/stereo/picture_io.h"
@@ -97,7 +97,7 @@ Cancellable<Film> film(const Theatre& theatre, const std::filesystem::path& fold
   wanted.validate(theatre);
   FilmOptions options = wanted;
   if (options.frames == 0) options.frames = theatre.frame_count();
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   Film made;
   made.video = folder / "stereo.mkv";
   made.calibration = folder / "calibration.yaml";
@@ -134,7 +134,7 @@ Cancellable<Film> film(const Theatre& theatre, const std::filesystem::path& fold
     if (picture) write_loss_free(theatre, folder, seen, made);
   }
   video->close();
-  made.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  made.seconds = watch.seconds();
   context.progress(1.0, "theatre.film");
   return made;
 }
