@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The atlas: built from cases, measured, shown, and transferred to a case.
 #include <algorithm>
-#include <map>
 
 #include "case_argument.h"
 #include "cli.h"
 #include "commands.h"
 #include "glisson/atlas/atlas.h"
+#include "glisson/engine/atlas_member.h"
 #include "glisson/engine/commands/open_case.h"
 #include "glisson/engine/commands/propose_landmarks.h"
 #include "glisson/engine/commands/review_proposal.h"
-#include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/proposals.h"
 #include "glisson/experiments/atlas_livers.h"
@@ -29,21 +28,11 @@ std::shared_ptr<const atlas::Atlas> atlas_of(const Arguments& arguments) {
 
 QString mm(double metres) { return QString::number(1e3 * metres, 'f', 1); }
 
-/// What a case's model and its person's landmarks show. A vena cava that an atlas proposed is no evidence.
 atlas::Member member_of_case(const fs::path& folder, Session& session) {
+  session.call("case", folder.string());
   session.post(engine::OpenCase{folder});
-  const engine::CaseState& state = session.state();
-  if (!state[part::model])
-    throw InputError(folder.string(), "model", "is not there", "Build it with 'glisson model --case'");
-  Landmarks placed = state[part::landmarks] ? *state[part::landmarks] : Landmarks{};
-  for (const atlas::Structure structure : atlas::kStructures) {
-    const atlas::Proposal* one = engine::proposal_of(state, structure);
-    if (one == nullptr || one->decision != atlas::Decision::accepted) continue;
-    if (structure == atlas::Structure::umbilical_notch) placed.umbilical_notch.resize(0, 3);
-    if (structure == atlas::Structure::anterior_margin) placed.anterior_margin.resize(0, 3);
-    if (structure == atlas::Structure::vena_cava) placed.vena_cava.resize(0, 3);
-  }
-  return atlas::member_of(folder.stem().string(), state[part::model]->model, placed);
+  session.need({part::model});
+  return engine::atlas_member(folder.stem().string(), session.state());
 }
 
 std::vector<atlas::Member> members_of(const Arguments& arguments, Session& session) {
@@ -71,30 +60,6 @@ void say_left_out(const atlas::BuildResult& built) {
   }
 }
 
-void add_figures(Figures& figures, const atlas::BuildResult& built) {
-  const auto count = static_cast<double>(built.left_out.size());
-  figures["atlas_members"] = count;
-  figures["atlas_modes"] = built.quality.compactness_modes;
-  figures["atlas_generality_mm"] = 1e3 * built.quality.generality;
-  figures["atlas_specificity_mm"] = 1e3 * built.quality.specificity;
-  std::map<atlas::Structure, std::vector<atlas::LeftOutStructure>> found;
-  for (const atlas::LeftOut& left : built.left_out) {
-    figures["atlas_surface_mean_mm"] += 1e3 * left.mean_distance / count;
-    for (const auto& [structure, one] : left.structures) found[structure].push_back(one);
-  }
-  for (const auto& [structure, all] : found) {
-    const std::string key = std::string("atlas_") + atlas::structure_code(structure);
-    double inside = 0.0, points = 0.0;
-    for (const atlas::LeftOutStructure& one : all) {
-      figures[key + "_mean_mm"] += 1e3 * one.mean_error / static_cast<double>(all.size());
-      figures[key + "_worst_mm"] = std::max(figures[key + "_worst_mm"], 1e3 * one.mean_error);
-      inside += one.inside;
-      points += one.points;
-    }
-    figures[key + "_inside_share"] = inside / points;
-  }
-}
-
 atlas::BuildResult built(const Arguments& arguments, Session& session) {
   std::vector<atlas::Member> members = members_of(arguments, session);
   atlas::BuildOptions options;
@@ -105,7 +70,7 @@ atlas::BuildResult built(const Arguments& arguments, Session& session) {
       arguments.has("fresh") ? atlas::bare_atlas(experiments::synthetic_template()) : *atlas_of(arguments);
   auto result = atlas::build(std::move(members), base, options, session.context());
   if (!result) throw Interrupted();
-  add_figures(session.figures, *result);
+  session.figures.merge(atlas::figures_of(*result));
   session.notes.insert(session.notes.end(), result->notes.begin(), result->notes.end());
   say_left_out(*result);
   return std::move(*result);
@@ -127,9 +92,7 @@ void show_atlas(const Arguments& arguments, Session& session) {
           .arg(shown->shape.mean.rows())
           .arg(shown->shape.mode_count()));
   for (const atlas::StructureStatistics& one : shown->structures) {
-    double traces = 0.0;
-    for (int k = 0; k < atlas::point_count(one.structure); ++k) traces += atlas::covariance(one, k).trace();
-    const double deviation = std::sqrt(traces / atlas::point_count(one.structure));
+    const double deviation = atlas::deviation(one);
     say(Cli::tr("%1: from %2 livers (%3), %4 mm")
             .arg(ui::landmark_text(one.structure))
             .arg(one.members.size())

@@ -10,6 +10,7 @@
 #include "glisson/atlas/shape_model.h"
 #include "glisson/atlas/structure.h"
 #include "glisson/core/chi_square.h"
+#include "glisson/core/json_file.h"
 #include "glisson/core/run_context.h"
 
 /// @file
@@ -47,10 +48,11 @@ struct AtlasMember {
   double mean_distance = 0.0;  ///< metres, of its correspondence
 };
 
+/// What is known of livers. Its frame, the mean's: CT axes, metres, the members' mean origin and size.
 struct Atlas {
   std::string name;
-  Triangles triangles;
-  ShapeModel shape;  ///< CT axes; origin and size those of the members' mean
+  Triangles triangles;  ///< of the mean's surface
+  ShapeModel shape;     ///< CT axes; origin and size those of the members' mean
   std::vector<AtlasMember> members;
   std::vector<StructureStatistics> structures;
   double usual = 0.0;                               ///< how unusual() 95 % of the members are
@@ -72,6 +74,9 @@ double unusual(const ShapeModel& model, const Points& shape);
 ///   grow by it, the added one by what it is over added_unusual.
 Eigen::Matrix3d covariance(const StructureStatistics& statistics, int point, int left_out = -1,
                            double growth = 1.0);
+
+/// Root of the mean trace of the covariances of a structure's points, metres.
+double deviation(const StructureStatistics& statistics);
 
 /// What became of one structure on a liver that had no part in its prediction.
 struct LeftOutStructure {
@@ -97,12 +102,17 @@ struct ModelQuality {
   double specificity = 0.0;      ///< mean distance of drawn instances to the closest member
 };
 
+/// An atlas, and what is to be expected of it.
 struct BuildResult {
   Atlas atlas;
-  std::vector<LeftOut> left_out;
+  std::vector<LeftOut> left_out;  ///< each member foretold by the others; in the members' order
   ModelQuality quality;
   std::vector<std::string> notes;  ///< "atlas.outlier 0009 2.3", ...: codes with values
 };
+
+/// `atlas_...`: how many livers and modes, the model's quality, and how far off each structure was on a liver
+/// that had no part in its prediction (mean and worst, mm; share of points in their 95 % ellipsoids).
+Figures figures_of(const BuildResult& built);
 
 struct BuildOptions {
   std::string name = "atlas";
