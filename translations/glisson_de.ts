@@ -2984,6 +2984,10 @@
         <source>Taking the other place</source>
         <translation>Der andere Ort wird übernommen</translation>
     </message>
+    <message>
+        <source>killing the program at work</source>
+        <translation>das Programm mitten in der Arbeit abbrechen</translation>
+    </message>
 </context>
 <context>
     <name>cli</name>

@@ -2984,6 +2984,10 @@
         <source>Taking the other place</source>
         <translation>Adoption de l’autre position</translation>
     </message>
+    <message>
+        <source>killing the program at work</source>
+        <translation>interruption brutale du programme au travail</translation>
+    </message>
 </context>
 <context>
     <name>cli</name>

@@ -37,23 +37,7 @@ Picture draw_slice(const engine::CaseState& state) {
                               state[part::labels] ? &state[part::labels]->voxels : nullptr, geometry, {});
 }
 
-/// Makes the drawer when the first frame comes, and again only for another model.
-std::function<Picture(const engine::CaseState&, const StereoFrame&, const OverlayFrame&)> overlay_hook() {
-  struct Kept {
-    std::shared_ptr<const model::BuiltModel> model;
-    std::unique_ptr<OverlayDrawer> drawer;
-  };
-  return [kept = std::make_shared<Kept>()](const engine::CaseState& state, const StereoFrame& frame,
-                                           const OverlayFrame& overlay) {
-    if (kept->model != state[part::model]) {
-      kept->drawer = std::make_unique<OverlayDrawer>(state);
-      kept->model = state[part::model];
-    }
-    return kept->drawer->draw(frame, overlay);
-  };
-}
-
-/// The same for the outline, without any words.
+/// Draws the organ's outline, without any words; makes its painter again for another model.
 std::function<Picture(const engine::CaseState&, const OverlayFrame&)> outline_hook() {
   struct Kept {
     std::shared_ptr<const model::BuiltModel> model;

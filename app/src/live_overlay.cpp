@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "live_overlay.h"
 
-#include <chrono>
-
+#include "glisson/core/stopwatch.h"
 #include "glisson/engine/commands/start_tracking.h"
 #include "glisson/engine/obstacle.h"
 #include "glisson/engine/parts/check.h"
@@ -48,29 +47,55 @@ OverlayRecorder::OverlayRecorder(const engine::CaseState& state, const std::file
       writer_(path, state[part::rig]->left.width, state[part::rig]->left.height, frames_per_second) {}
 
 double OverlayRecorder::add(const StereoFrame& frame, const OverlayFrame& overlay) {
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   const Picture drawn = drawer_.draw(frame, overlay, interest_);
-  const double milliseconds =
-      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+  const double milliseconds = watch.milliseconds();
   writer_.write(drawn);
   return milliseconds;
 }
 
 void OverlayRecorder::close() { writer_.close(); }
 
+std::function<Picture(const engine::CaseState&, const StereoFrame&, const OverlayFrame&)> overlay_hook() {
+  struct Kept {
+    std::shared_ptr<const model::BuiltModel> model;
+    std::unique_ptr<OverlayDrawer> drawer;
+  };
+  return [kept = std::make_shared<Kept>()](const engine::CaseState& state, const StereoFrame& frame,
+                                           const OverlayFrame& overlay) {
+    if (kept->model != state[part::model]) {
+      kept->drawer = std::make_unique<OverlayDrawer>(state);
+      kept->model = state[part::model];
+    }
+    return kept->drawer->draw(frame, overlay);
+  };
+}
+
 void follow_video(Session& session, const guidance::TrackerOptions& options, int last,
-                  const std::function<void(const StereoFrame&, const OverlayFrame&)>& frame) {
-  const engine::CaseState& state = session.state();
-  session.need({part::video, part::frame});
+                  const FrameTaker& frame) {
   engine::StartTracking start;
   start.options = options;
-  const int first = state[part::frame]->frame.index;
+  session.need({part::video});
   session.post(start);
-  stereo::StereoVideo video(session.state()[part::video]->left, session.state()[part::video]->right);
+  const int first = session.state()[part::frame]->frame.index;
+  const engine::VideoSource& source = *session.state()[part::video];
+  stereo::StereoVideo video(source.left, source.right);
   const int end = last >= 0 ? last + 1 : video.frame_count();
   for (StereoFrame next; video.read(next);) {
     if (next.index < first) continue;
     frame(next, session.follow(next, static_cast<double>(next.index - first + 1) / (end - first)));
+    if (last >= 0 && next.index >= last) break;
+  }
+}
+
+void replay_video(Session& session, const TrackReplay& replay, int last, const FrameTaker& frame) {
+  session.need({part::video});
+  const engine::VideoSource& source = *session.state()[part::video];
+  stereo::StereoVideo video(source.left, source.right);
+  for (StereoFrame next; video.read(next);) {
+    if (session.context().cancelled()) throw Interrupted();
+    const auto overlay = replay.at(next.index, next.seconds, video.frames_per_second());
+    if (overlay) frame(next, *overlay);
     if (last >= 0 && next.index >= last) break;
   }
 }

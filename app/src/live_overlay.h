@@ -7,11 +7,12 @@
 
 #include "cli.h"
 #include "glisson/guidance/tracker.h"
+#include "glisson/patient/track_replay.h"
 #include "glisson/stereo/picture_io.h"
 #include "glisson/ui/scene/overlay_painter.h"
 
 /// @file
-/// Follows the case's video and draws what was found: shared by render, overlay and demo.
+/// Follows the case's video and draws what was found: shared by render, overlay, demo and soak.
 
 namespace glisson::app {
 
@@ -50,9 +51,17 @@ class OverlayRecorder {
   stereo::VideoWriter writer_;
 };
 
+/// Draws a frame of a case. Makes the drawer when the first frame comes, and again only for another model.
+std::function<Picture(const engine::CaseState&, const StereoFrame&, const OverlayFrame&)> overlay_hook();
+
+using FrameTaker = std::function<void(const StereoFrame&, const OverlayFrame&)>;
 /// Follows the case's video from its registered frame and hands each frame over; every frame is processed.
 /// @param last number of the last frame, or -1 for all. @throws Error, Interrupted.
 void follow_video(Session& session, const guidance::TrackerOptions& options, int last,
-                  const std::function<void(const StereoFrame&, const OverlayFrame&)>& frame);
+                  const FrameTaker& frame);
+/// Hands over each tracked frame of the case's video with what was known of it.
+/// @param last number of the last frame, or -1 for all.
+/// @throws Error, Interrupted; InputError where the track's time of a frame is not the video's.
+void replay_video(Session& session, const TrackReplay& replay, int last, const FrameTaker& frame);
 
 }  // namespace glisson::app

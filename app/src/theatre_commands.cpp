@@ -17,11 +17,11 @@
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/experiments/evaluate.h"
+#include "glisson/experiments/track_record.h"
 #include "glisson/registration/refusal.h"
 #include "glisson/registration/registration_files.h"
 #include "glisson/stereo/picture_io.h"
 #include "model_argument.h"
-#include "track_record.h"
 
 namespace glisson::app {
 namespace fs = std::filesystem;
@@ -39,20 +39,34 @@ registration::Method method_of(const QString& name) {
   throw UsageError("--method " + name.toStdString() + ": must be automatic, forces, springs or paper.");
 }
 
-/// The files that a printf-like pattern ('cloud_%02d.ply') stands for, in order, with their numbers.
-std::vector<std::pair<int, fs::path>> expand(const QString& pattern) {
+/// Where a printf-like pattern ('cloud_%02d.ply') holds its number. @throws UsageError nowhere.
+QRegularExpressionMatch number_in(const QString& pattern) {
   static const QRegularExpression kNumber("%(0?)(\\d*)d");
   const QRegularExpressionMatch match = kNumber.match(pattern);
   if (!match.hasMatch())
     throw UsageError(pattern.toStdString() + ": must hold a number such as %02d, as in 'cloud_%02d.ply'.");
-  const int width = match.captured(2).toInt();
+  return match;
+}
+
+int digits_of(const QString& pattern) { return number_in(pattern).captured(2).toInt(); }
+
+/// The file that the pattern stands for at a number.
+fs::path numbered(const QString& pattern, int number) {
+  const QRegularExpressionMatch match = number_in(pattern);
   const QChar fill = match.captured(1).isEmpty() ? QChar(' ') : QChar('0');
+  QString name = pattern;
+  name.replace(match.capturedStart(), match.capturedLength(),
+               QString("%1").arg(number, match.captured(2).toInt(), 10, fill));
+  return name.toStdString();
+}
+
+/// The files that a pattern stands for, in order, with their numbers.
+std::vector<std::pair<int, fs::path>> expand(const QString& pattern) {
   std::vector<std::pair<int, fs::path>> files;
   for (int number = 0; number < 100000; ++number) {
-    QString name = pattern;
-    name.replace(match.capturedStart(), match.capturedLength(), QString("%1").arg(number, width, 10, fill));
-    if (fs::exists(name.toStdString()))
-      files.emplace_back(number, name.toStdString());
+    const fs::path file = numbered(pattern, number);
+    if (fs::exists(file))
+      files.emplace_back(number, file);
     else if (!files.empty() || number > 1000)
       break;
   }
@@ -62,13 +76,8 @@ std::vector<std::pair<int, fs::path>> expand(const QString& pattern) {
   return files;
 }
 
-int digits_of(const QString& pattern) {
-  static const QRegularExpression kNumber("%0?(\\d*)d");
-  return kNumber.match(pattern).captured(1).toInt();
-}
-
 void follow_clouds(Session& session, const Arguments& arguments, const ModelArgument& argument,
-                   const std::vector<std::pair<int, fs::path>>& clouds, TrackRecord& record) {
+                   const std::vector<std::pair<int, fs::path>>& clouds, experiments::TrackRecord& record) {
   const LengthUnit unit = arguments.has("cloud-unit") ? arguments.unit("cloud-unit") : argument.unit;
   double done = 0.0;
   for (const auto& [number, path] : clouds)
@@ -76,10 +85,25 @@ void follow_clouds(Session& session, const Arguments& arguments, const ModelArgu
                                       ++done / static_cast<double>(clouds.size())));
 }
 
-void follow_film(Session& session, const Arguments& arguments, TrackRecord& record) {
+void follow_film(Session& session, const Arguments& arguments, experiments::TrackRecord& record) {
   stereo::StereoVideo video(arguments.path("video"), arguments.path("video-right"));
   for (StereoFrame frame; video.read(frame);)
     record.add(frame.index, session.follow(frame, (frame.index + 1.0) / video.frame_count()));
+}
+
+experiments::TrackOutput output_of(const Arguments& arguments, const ModelArgument& argument,
+                                   const Session& session, const fs::path& folder) {
+  experiments::TrackOutput output;
+  output.folder = folder;
+  if (arguments.has("clouds")) output.digits = digits_of(arguments.value("clouds"));
+  if (argument.surface) output.ending = "vtp";
+  output.unit = argument.unit;
+  output.write_mesh = [&](const fs::path& path, const Registration& registration, const NamedArrays& said) {
+    write_deformed(path, argument, session, registration, said);
+  };
+  if (arguments.has("truth"))
+    output.truth = [pattern = arguments.value("truth")](int frame) { return numbered(pattern, frame); };
+  return output;
 }
 
 }  // namespace
@@ -233,9 +257,9 @@ int run_track(const QStringList& given) {
     session.post(engine::SetCalibration{calibration});  // last: its size and its crop are the video's
   }
   session.post(command);
-  constexpr int kVideoDigits = 5;
-  TrackRecord record(session, argument, arguments, out.path(),
-                     from_clouds ? digits_of(arguments.value("clouds")) : kVideoDigits);
+  const std::shared_ptr<const model::BuiltModel> tracked = session.state()[part::model];
+  experiments::TrackRecord record(tracked->model, *session.state()[part::registration],
+                                  output_of(arguments, argument, session, out.path()));
   const bool whole = until_interrupted([&] {
     if (from_clouds)
       follow_clouds(session, arguments, argument, clouds, record);
@@ -243,6 +267,7 @@ int run_track(const QStringList& given) {
       follow_film(session, arguments, record);
   });
   record.finish(whole);
+  append(session.figures, record.figures());
   if (whole || record.frames() > 0) out.commit(whole);
   session.finish();
   if (!whole) throw Interrupted(kept_text(record.frames(), arguments.path("out")));

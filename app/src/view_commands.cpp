@@ -14,7 +14,6 @@
 #include "glisson/patient/label_map.h"
 #include "glisson/stereo/picture_io.h"
 #include "live_overlay.h"
-#include "track_replay.h"
 
 namespace glisson::app {
 
@@ -92,7 +91,7 @@ std::optional<TrackReplay> replay_of(const Arguments& arguments, const Session& 
 
 /// Hands over each frame with what is known of it: from a track's record, or by following the video.
 void show_video(Session& session, const std::optional<TrackReplay>& replay, int last,
-                const std::function<void(const StereoFrame&, const OverlayFrame&)>& frame) {
+                const FrameTaker& frame) {
   if (replay)
     replay_video(session, *replay, last, frame);
   else

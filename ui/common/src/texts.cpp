@@ -125,7 +125,9 @@ class Texts {
             {"theatre.camera", tr("placing the laparoscope")},
             {"theatre.ready", tr("placing the laparoscope")},
             {"theatre.film", tr("filming the liver")},
-            {"demo.track", tr("following the film")}};
+            {"demo.track", tr("following the film")},
+            {"soak.frames", tr("following the film")},
+            {"soak.kills", tr("killing the program at work")}};
   }
   static QHash<QString, QString> structures() {
     return {{"background", tr("Background")},   {"parenchyma", tr("Liver")},

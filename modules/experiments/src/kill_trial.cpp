@@ -1,19 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kill_trial.h"
+#include "glisson/experiments/kill_trial.h"
 
-#include <QElapsedTimer>
-#include <QProcess>
 #include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
 #include <random>
 #include <set>
+#include <thread>
+#include <vector>
 
+#include "glisson/core/child_process.h"
+#include "glisson/core/error.h"
 #include "glisson/core/files.h"
+#include "glisson/core/stopwatch.h"
 #include "glisson/engine/case_io.h"
 #include "glisson/engine/parts/image.h"
 #include "glisson/stereo/picture_io.h"
 #include "glisson/volume/io.h"
 
-namespace glisson::app {
+namespace glisson::experiments {
 namespace fs = std::filesystem;
 namespace {
 
@@ -38,10 +44,46 @@ std::set<std::string> names_in(const fs::path& folder) {
   return names;
 }
 
+/// Asks for a cancel when its time has come, and not any more once it is gone.
+class Deadline {
+ public:
+  Deadline(std::shared_ptr<CancelFlag> flag, double seconds)
+      : thread_([this, flag = std::move(flag), seconds] {
+          std::unique_lock lock(mutex_);
+          if (!over_.wait_for(lock, std::chrono::duration<double>(seconds), [this] { return gone_; }))
+            flag->request();
+        }) {}
+  ~Deadline() {
+    {
+      const std::lock_guard lock(mutex_);
+      gone_ = true;
+    }
+    over_.notify_all();
+    thread_.join();
+  }
+  Deadline(const Deadline&) = delete;
+  Deadline& operator=(const Deadline&) = delete;
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable over_;
+  bool gone_ = false;
+  std::thread thread_;  // last: it uses the others
+};
+
+/// Thrown inside a trial that was cancelled; never leaves kill_at_work.
+struct Cancelled {};
+
+using Words = std::vector<std::string>;
+
 class Trial {
  public:
-  Trial(const fs::path& folder, fs::path patient, const RunContext& context)
-      : folder_(folder), patient_(std::move(patient)), context_(context), random_(context.random("kills")) {
+  Trial(fs::path program, const fs::path& folder, fs::path patient, const RunContext& context)
+      : program_(std::move(program)),
+        folder_(folder),
+        patient_(std::move(patient)),
+        context_(context),
+        random_(context.random("kills")) {
     voxels_[0] = write_ct(folder_ / "one.nrrd", 0, random_);
     voxels_[1] = write_ct(folder_ / "two.nrrd", 1, random_);
     for (int n = 0; n < 2; ++n) seconds_import_ = in_peace(import(n));
@@ -51,7 +93,7 @@ class Trial {
 
   KillTrial run(int kills) {
     for (int n = 0; found_.kills + found_.came_through < kills; ++n) {
-      if (context_.cancelled()) throw Interrupted();
+      if (context_.cancelled()) throw Cancelled();
       context_.progress(static_cast<double>(n) / kills, "soak.kills");
       const bool records = !patient_.empty() && n % 4 == 3;
       kill_once(records ? record() : import(n), records ? seconds_record_ : seconds_import_);
@@ -63,37 +105,32 @@ class Trial {
   }
 
  private:
-  QStringList import(int n) const {
-    return {"import", n % 2 == 0 ? "one.nrrd" : "two.nrrd", "--case", "a.glisson"};
+  Words import(int n) const {
+    return {"import", (folder_ / (n % 2 == 0 ? "one.nrrd" : "two.nrrd")).string(), "--case",
+            (folder_ / "a.glisson").string()};
   }
-  QStringList record() const {
-    return {
-        "overlay", "--case", QString::fromStdString(patient_.string()), "--frames", QString::number(kFrames),
-        "--out",   "o.mkv"};
+  Words record() const {
+    return {"overlay",
+            "--case",
+            patient_.string(),
+            "--frames",
+            std::to_string(kFrames),
+            "--out",
+            (folder_ / "o.mkv").string()};
   }
-  void start(QProcess& process, const QStringList& arguments) const {
-    process.setWorkingDirectory(QString::fromStdString(folder_.string()));
-    process.setStandardOutputFile(QProcess::nullDevice());
-    process.start(QCoreApplication::applicationFilePath(), arguments);
-    if (!process.waitForStarted()) throw FileError("glisson: could not be started for the trial.");
+  double in_peace(const Words& arguments) const {
+    const Stopwatch watch;
+    const auto end = run_child(program_.string(), arguments, context_, {});
+    if (!end) throw Cancelled();
+    if (end->code != 0)
+      throw Error("trial: 'glisson " + arguments.front() + "' failed with nobody in its way. Try it alone.");
+    return watch.seconds();
   }
-  double in_peace(const QStringList& arguments) const {
-    QProcess process;
-    QElapsedTimer timer;
-    timer.start();
-    start(process, arguments);
-    process.waitForFinished(-1);
-    if (process.exitCode() != 0)
-      throw Error("trial: " + process.readAllStandardError().trimmed().toStdString());
-    return 1e-3 * static_cast<double>(timer.elapsed());
-  }
-  void kill_once(const QStringList& arguments, double seconds) {
-    QProcess process;
-    start(process, arguments);
-    const double at = std::uniform_real_distribution<double>(0.02, 1.05)(random_) * seconds;
-    const bool ended = process.waitForFinished(static_cast<int>(1e3 * at));
-    process.kill();  // SIGKILL
-    process.waitForFinished(-1);
+  void kill_once(const Words& arguments, double seconds) {
+    const auto killed = std::make_shared<CancelFlag>();
+    const Deadline deadline(killed, std::uniform_real_distribution<double>(0.02, 1.05)(random_) * seconds);
+    const bool ended =
+        run_child(program_.string(), arguments, RunContext({}, killed, context_.seed()), {}).has_value();
     ended ? ++found_.came_through : ++found_.kills;
     found_.littered += names_in(folder_) != expected_;
   }
@@ -126,7 +163,7 @@ class Trial {
     }
   }
 
-  fs::path folder_, patient_;
+  fs::path program_, folder_, patient_;
   RunContext context_;
   std::mt19937_64 random_;
   std::vector<std::int16_t> voxels_[2];
@@ -137,9 +174,19 @@ class Trial {
 
 }  // namespace
 
-KillTrial kill_at_work(const fs::path& folder, const fs::path& patient, int kills,
-                       const RunContext& context) {
-  return Trial(folder, patient, context).run(kills);
+Figures KillTrial::figures() const {
+  return {{"kill_times", kills},       {"kill_came_through", came_through},
+          {"kill_littered", littered}, {"kill_recovered", recovered},
+          {"kill_broken", broken},     {"kill_left", left}};
 }
 
-}  // namespace glisson::app
+Cancellable<KillTrial> kill_at_work(const fs::path& program, const fs::path& folder, const fs::path& patient,
+                                    int kills, const RunContext& context) {
+  try {
+    return Trial(program, folder, patient, context).run(kills);
+  } catch (const Cancelled&) {
+    return {};
+  }
+}
+
+}  // namespace glisson::experiments

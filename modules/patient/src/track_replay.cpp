@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "track_replay.h"
+#include "glisson/patient/track_replay.h"
 
 #include <cmath>
 #include <utility>
 
 #include "glisson/core/error.h"
-#include "glisson/engine/parts/video.h"
 #include "glisson/geometry/mesh_io.h"
-#include "glisson/stereo/picture_io.h"
 
-namespace glisson::app {
+namespace glisson {
 
 TrackReplay::TrackReplay(std::filesystem::path folder, int nodes)
     : folder_(std::move(folder)), nodes_(nodes) {
@@ -21,11 +19,15 @@ TrackReplay::TrackReplay(std::filesystem::path folder, int nodes)
   complete_ = record.complete;
 }
 
-std::optional<OverlayFrame> TrackReplay::at(int frame) const {
+std::optional<OverlayFrame> TrackReplay::at(int frame, double seconds, double frames_per_second) const {
   const auto found = lines_.find(frame);
   if (found == lines_.end()) return std::nullopt;
   const OverlayLine& line = found->second;
   OverlayFrame overlay = line.overlay;
+  const double half_a_frame = 0.5 / frames_per_second;
+  if (std::abs(overlay.seconds - seconds) > half_a_frame)
+    throw InputError("track", "frame " + std::to_string(frame), "is of another moment than the video's",
+                     "Give the track of this video");
   if (overlay.level() == Level::withdrawn) return overlay;
   const std::filesystem::path mesh = folder_ / line.mesh;
   if (line.mesh.empty() || mesh.extension() != ".vtu")
@@ -40,22 +42,4 @@ std::optional<OverlayFrame> TrackReplay::at(int frame) const {
   return overlay;
 }
 
-void replay_video(Session& session, const TrackReplay& replay, int last,
-                  const std::function<void(const StereoFrame&, const OverlayFrame&)>& frame) {
-  session.need({part::video});
-  const engine::VideoSource& source = *session.state()[part::video];
-  stereo::StereoVideo video(source.left, source.right);
-  const double half_a_frame = 0.5 / video.frames_per_second();
-  for (StereoFrame next; video.read(next);) {
-    if (session.context().cancelled()) throw Interrupted();
-    if (const auto overlay = replay.at(next.index)) {
-      if (std::abs(overlay->seconds - next.seconds) > half_a_frame)
-        throw InputError("track", "frame " + std::to_string(next.index),
-                         "is of another moment than the video's", "Give the track of this video");
-      frame(next, *overlay);
-    }
-    if (last >= 0 && next.index >= last) break;
-  }
-}
-
-}  // namespace glisson::app
+}  // namespace glisson

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "soak_film.h"
+#include "glisson/experiments/soak_film.h"
 
 #include <algorithm>
 
@@ -8,7 +8,7 @@
 #include "glisson/engine/parts/video.h"
 #include "glisson/stereo/picture_io.h"
 
-namespace glisson::app {
+namespace glisson::experiments {
 
 SoakFilm::SoakFilm(const engine::CaseState& state) {
   engine::require_parts(state, {part::video});
@@ -48,7 +48,8 @@ void SoakLosses::add(int n, const OverlayFrame& overlay) {
   loss.at_turns += film_.picture(n) <= kNear || film_.picture(n) >= film_.last() - kNear;
 }
 
-void SoakLosses::tell(Figures& figures) const {
+Figures SoakLosses::figures() const {
+  Figures figures;
   figures["soak_frames_withdrawn"] = figures["soak_frames_degraded"] = 0.0;
   for (const auto& [reason, loss] : losses_) {
     figures[loss.level == Level::withdrawn ? "soak_frames_withdrawn" : "soak_frames_degraded"] += loss.frames;
@@ -56,6 +57,7 @@ void SoakLosses::tell(Figures& figures) const {
     figures["soak_frames_" + reason + "_spells"] = loss.spells;
     figures["soak_frames_" + reason + "_spells_at_turns"] = loss.at_turns;
   }
+  return figures;
 }
 
 std::string SoakLosses::table() const {
@@ -80,4 +82,4 @@ std::string SoakLosses::table() const {
   return text;
 }
 
-}  // namespace glisson::app
+}  // namespace glisson::experiments

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/experiments/track_record.h"
+
+#include <utility>
+
+#include "glisson/core/files.h"
+#include "glisson/experiments/evaluate.h"
+#include "glisson/geometry/rigid.h"
+#include "glisson/patient/label_map.h"
+#include "glisson/patient/overlay_record.h"
+
+namespace glisson::experiments {
+namespace fs = std::filesystem;
+namespace {
+
+/// Those that are there already are replaced.
+void append(Figures& figures, const Figures& more) {
+  for (const auto& [key, value] : more) figures[key] = value;
+}
+
+/// With zeros in front.
+std::string padded(int number, int digits) {
+  std::string text = std::to_string(number);
+  const auto wanted = static_cast<std::size_t>(digits);
+  return text.size() < wanted ? std::string(wanted - text.size(), '0') + text : text;
+}
+
+}  // namespace
+
+TrackRecord::TrackRecord(const PatientModel& model, Registration start, TrackOutput output)
+    : model_(model),
+      start_(std::move(start)),
+      output_(std::move(output)),
+      evaluation_(model_, start_, 30.0) {}
+
+void TrackRecord::add(int number, const OverlayFrame& overlay) {
+  evaluation_.add(overlay);
+  const std::string level = level_code(overlay.level()), reason = validity_code(overlay.validity);
+  OverlayLine line;
+  line.number = number;
+  line.unit = output_.unit;
+  line.overlay = overlay;
+  if (overlay.level() != Level::valid) figures_["frames_" + reason] += 1.0;
+  for (const LesionVerdict& verdict : overlay.lesions) {
+    const std::string lesion = structure_name(verdict.lesion);
+    figures_[lesion + "_frames_" + level_code(verdict.level)] += 1.0;
+  }
+  if (overlay.nodes_in_camera.rows() > 0) {
+    line.camera_from_model =
+        fit_rigid<CameraFrame, CtFrame>(model_.mesh.vertices, overlay.nodes_in_camera).matrix();
+    Eigen::Matrix4d pose = *line.camera_from_model;
+    pose.topRightCorner<3, 1>() /= metres_per(output_.unit);
+    const auto mark = [](double value) { return Eigen::MatrixXd::Constant(1, 1, value); };
+    // As the registration's doubts: what is said is a field's name.
+    NamedArrays marks = {{"camera_from_model", pose},
+                         {"frame", mark(number)},
+                         {"level_" + level, mark(1.0)},
+                         {"reason_" + reason, mark(1.0)}};
+    if (overlay.doubtful) marks["doubtful"] = mark(1.0);
+    line.mesh = "registered_" + padded(number, output_.digits) + "." + output_.ending;
+    Registration registration = start_;
+    registration.nodes_in_camera = overlay.nodes_in_camera;
+    registration.residual = overlay.residual;
+    output_.write_mesh(output_.folder / line.mesh, registration, marks);
+    if (output_.truth) compare(number, overlay);
+  }
+  lines_ += overlay_line(line) + "\n";
+}
+
+void TrackRecord::finish(bool whole) {
+  lines_ += overlay_record_end(whole, frames()) + "\n";
+  write_file_atomically(output_.folder / "frames.jsonl", lines_);
+  figures_["complete"] = whole ? 1.0 : 0.0;
+  append(figures_, evaluation_.times().counts());
+  append(figures_, evaluation_.times().percentiles());
+  append(figures_, evaluation_.displacement());
+  if (!output_.truth) return;
+  append(figures_, evaluation_.errors());
+  figures_["frames_compared"] = evaluation_.compared();
+}
+
+void TrackRecord::compare(int number, const OverlayFrame& overlay) {
+  const fs::path path = output_.truth(number);
+  if (!fs::exists(path)) return;  // truth may be given for some frames only
+  const Points truth = read_true_nodes(path, output_.unit);
+  const Figures errors = evaluation_.compare(overlay, truth, path.string());
+  figures_["frame_" + padded(number, output_.digits) + "_tre_volume_mean_mm"] =
+      errors.at("tre_volume_mean_mm");
+}
+
+}  // namespace glisson::experiments

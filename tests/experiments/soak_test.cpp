@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/experiments/soak.h"
+
+#include <QtTest>
+
+#include "glisson/core/error.h"
+#include "glisson/core/files.h"
+#include "glisson/experiments/kill_trial.h"
+#include "glisson/experiments/soak_film.h"
+#include "glisson/experiments/soak_run.h"
+
+using namespace glisson;
+using namespace glisson::experiments;
+
+class SoakTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void ALeakIsSeen();
+  void WhatStaysIsFlat();
+  void OneMoreDescriptorIsALeak();
+  void TooFewTimesSayNothing();
+  void ACancelEndsTheWork();
+  void TheProcessIsMeasured();
+  void TheFilmTurnsRoundWithoutAJump();
+  void LossesAreCountedInSpells();
+  void WrongOptionsAreRefused();
+  void AProgramThatFailsInPeaceIsNoTrial();
+
+ private:
+  /// After `times` of work, each of which leaves so much behind. Once a second for a day.
+  static SoakRun after(int times, double megabytes_each, double descriptors_each = 0.0) {
+    const auto n = std::make_shared<int>(0);
+    SoakRun run("work", times, 86400.0, [=] {
+      return Usage{500.0 + megabytes_each * *n, 10.0 + descriptors_each * *n, 4.0};
+    });
+    run.work([=](int) { return ++*n > 0; });
+    return run;
+  }
+};
+
+void SoakTest::ALeakIsSeen() {
+  // Of 10,000 times half lie between the second quarter's middle and the last's: 50 MB, more than 24.
+  const SoakRun run = after(10000, 0.01);
+  QVERIFY(run.is_long_enough() && !run.is_flat());
+  const Figures figures = run.figures();
+  QVERIFY(std::abs(figures.at("soak_work_growth_mb") - 50.0) < 0.5);
+  QCOMPARE(figures.at("soak_work_flat"), 0.0);
+  QVERIFY(run.row().find("**no**") != std::string::npos);
+}
+
+void SoakTest::WhatStaysIsFlat() {
+  // 5 MB between the quarters: the allocator's.
+  const SoakRun run = after(10000, 0.001);
+  QVERIFY(run.is_flat());
+  QCOMPARE(run.figures().at("soak_work_flat"), 1.0);
+  QVERIFY(run.row().find("| yes |") != std::string::npos);
+}
+
+void SoakTest::OneMoreDescriptorIsALeak() {
+  QVERIFY(!after(10000, 0.0, 1.0 / 4000.0).is_flat());
+  QVERIFY(after(10000, 0.0, 1.0 / 40000.0).is_flat());
+}
+
+void SoakTest::TooFewTimesSayNothing() {
+  // What 24 MB over half of 60 times hides would fill 2 GB long before the day is over.
+  const SoakRun run = after(60, 0.0);
+  QVERIFY(!run.is_long_enough() && !run.is_flat());
+  QVERIFY(run.row().find("too short to say") != std::string::npos);
+}
+
+void SoakTest::ACancelEndsTheWork() {
+  SoakRun run("work", 100, 1.0, [] { return Usage{}; });
+  int done = 0;
+  QVERIFY(!run.work([&](int n) { return ++done, n < 3; }));
+  QCOMPARE(done, 4);
+}
+
+void SoakTest::TheProcessIsMeasured() {
+  const Usage before = usage_now();
+  QVERIFY(before.memory_mb > 1.0 && before.descriptors >= 3.0 && before.threads >= 1.0);
+  std::vector<char> held(std::size_t{64} << 20, 'x');
+  QFile opened(QCoreApplication::applicationFilePath());
+  QVERIFY(opened.open(QIODevice::ReadOnly));
+  const Usage now = usage_now();
+  QVERIFY(now.memory_mb - before.memory_mb > 50.0);
+  QCOMPARE(now.descriptors, before.descriptors + 1.0);
+  QCOMPARE(held.back(), 'x');
+}
+
+void SoakTest::TheFilmTurnsRoundWithoutAJump() {
+  const SoakFilm film(std::vector<StereoFrame>(4));
+  std::vector<int> shown;
+  for (int n = 0; n < 8; ++n) shown.push_back(film.picture(n));
+  QVERIFY((shown == std::vector<int>{0, 1, 2, 3, 2, 1, 0, 1}));
+  QCOMPARE(film.at(7).index, 7);
+  QVERIFY(std::abs(film.at(7).seconds - 7.0 / 30.0) < 1e-12);
+}
+
+void SoakTest::LossesAreCountedInSpells() {
+  const SoakFilm film(std::vector<StereoFrame>(40));
+  SoakLosses losses(film);
+  const auto add = [&](int from, int to, Validity validity) {
+    OverlayFrame overlay;
+    overlay.validity = validity;
+    for (int n = from; n < to; ++n) losses.add(n, overlay);
+  };
+  add(0, 10, Validity::valid);
+  QVERIFY(losses.table().empty());
+  add(10, 15, Validity::surface_apart);
+  add(15, 37, Validity::valid);
+  add(37, 39, Validity::surface_apart);  // where the film turns round
+  add(39, 42, Validity::partly_covered);
+  const Figures figures = losses.figures();
+  QCOMPARE(figures.at("soak_frames_withdrawn"), 7.0);
+  QCOMPARE(figures.at("soak_frames_degraded"), 3.0);
+  QCOMPARE(figures.at("soak_frames_surface_apart"), 7.0);
+  QCOMPARE(figures.at("soak_frames_surface_apart_spells"), 2.0);
+  QCOMPARE(figures.at("soak_frames_surface_apart_spells_at_turns"), 1.0);
+  QVERIFY(losses.table().find("of 42.") != std::string::npos);
+}
+
+void SoakTest::WrongOptionsAreRefused() {
+  const TemporaryFolder folder;
+  SoakOptions options;
+  options.opens = -1;
+  QVERIFY_EXCEPTION_THROWN(soak(options, folder.path(), {}, RunContext()), InputError);
+  options = {};
+  options.kills = 1;
+  options.program = folder.path() / "none";
+  QVERIFY_EXCEPTION_THROWN(soak(options, folder.path(), {}, RunContext()), InputError);
+}
+
+void SoakTest::AProgramThatFailsInPeaceIsNoTrial() {
+  const TemporaryFolder folder;
+  QVERIFY_EXCEPTION_THROWN(kill_at_work("/bin/false", folder.path(), {}, 1, RunContext()), Error);
+}
+
+QTEST_GUILESS_MAIN(SoakTest)
+#include "soak_test.moc"
