@@ -136,8 +136,8 @@ struct Judge::Impl {
         std::min(measure(frame.left).signal(), measure(frame.right).signal()) / std::max(first_signal, 1e-6);
     poor.push(options.contrast / std::max(evidence.contrast, 1e-6), 1.0, options.relief);
   }
-  void look_at_motion(const std::vector<FollowedPoint>& before, const std::vector<FollowedPoint>& now) {
-    motion.push(before, now, rig);
+  void look_at_motion(const std::vector<FollowedPoint>& points) {
+    motion.push(points, rig);
     const double left = motion.motion_left(), right = motion.motion_right();
     evidence.rows = motion.rows();
     views.push(std::abs(evidence.rows) / std::max(options.rows, motion.rows_scatter()), 1.0, options.relief);
@@ -185,12 +185,12 @@ void Judge::distrust() { impl_->distrust(); }
 bool Judge::refutes() const { return impl_->refutes(); }
 bool Judge::is_undecided() const { return impl_->undecided; }
 
-Validity Judge::judge(const StereoFrame& frame, const std::vector<FollowedPoint>& before,
-                      const std::vector<FollowedPoint>& now, OverlayFrame& overlay) {
+Validity Judge::judge(const StereoFrame& frame, const std::vector<FollowedPoint>& points,
+                      OverlayFrame& overlay) {
   ++impl_->frames;
   impl_->look_at_surface(frame, overlay.nodes_in_camera);
   impl_->look_at_pictures(frame);
-  impl_->look_at_motion(before, now);
+  impl_->look_at_motion(points);
   overlay.evidence = impl_->evidence;
   return impl_->verdict();
 }

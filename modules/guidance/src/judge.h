@@ -29,11 +29,10 @@ class Judge {
   bool refutes() const;
   /// Since distrust(), surfaces have neither confirmed nor refuted where the model is.
   bool is_undecided() const;
-  /// @param before, now the points that were followed from the last frame into this one.
+  /// @param points that were followed into this frame.
   /// @param overlay one that the tracker takes for valid; its evidence is filled in.
   /// @return what to say of it.
-  Validity judge(const StereoFrame& frame, const std::vector<FollowedPoint>& before,
-                 const std::vector<FollowedPoint>& now, OverlayFrame& overlay);
+  Validity judge(const StereoFrame& frame, const std::vector<FollowedPoint>& points, OverlayFrame& overlay);
 
  private:
   struct Impl;

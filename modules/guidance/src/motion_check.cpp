@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <unordered_map>
 
 #include "glisson/core/statistics.h"
 
@@ -19,33 +18,19 @@ constexpr int kGroups = 4;  ///< along each side of the picture
 constexpr int kFirstFrames = 5;
 constexpr double kUnknown = -1.0;
 
-/// Motion of one frame: per group of the picture the squared mean of the points' ways over its expected
-/// variance, which their scatter in the group tells; the mean over groups and both axes.
-double squared_motion(const std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>>& place_and_way,
-                      const Camera& camera) {
-  std::map<int, std::vector<Eigen::Vector2d>> groups;
-  for (const auto& [place, way] : place_and_way) {
-    const int column = std::clamp(static_cast<int>(kGroups * place.x() / camera.width), 0, kGroups - 1);
-    const int row = std::clamp(static_cast<int>(kGroups * place.y() / camera.height), 0, kGroups - 1);
-    groups[kGroups * row + column].push_back(way);
-  }
-  std::vector<double> ratios;
-  for (const auto& [group, ways] : groups) {
-    if (ways.size() < kLeastInGroup) continue;
-    const auto n = static_cast<double>(ways.size());
-    for (int axis = 0; axis < 2; ++axis) {
-      double sum = 0.0, squares = 0.0;
-      for (const Eigen::Vector2d& way : ways) sum += way[axis];
-      for (const Eigen::Vector2d& way : ways) squares += std::pow(way[axis] - sum / n, 2);
-      // What a corner's place is known to at best keeps a codec's perfect stillness from dividing by zero.
-      const double variance = std::max(squares / (n - 1.0), 1e-6) / n;
-      ratios.push_back(std::pow(sum / n, 2) / variance);
-    }
-  }
-  if (ratios.empty()) return kUnknown;
-  double sum = 0.0;
-  for (const double ratio : ratios) sum += ratio;
-  return sum / static_cast<double>(ratios.size());
+/// Places of one group's points over frames: a row each point, a column each frame.
+using Paths = Eigen::MatrixXd;
+
+/// What all points of a group do alike from frame to frame, over what each does on its own. Breath that
+/// turns has no speed for some frames; over the whole time it has gone somewhere.
+double common_motion(const Paths& paths) {
+  const auto n = static_cast<double>(paths.rows()), k = static_cast<double>(paths.cols());
+  const Paths from_own_middle = paths.colwise() - paths.rowwise().mean();
+  const Eigen::RowVectorXd together = from_own_middle.colwise().mean();
+  const Paths alone = from_own_middle.rowwise() - together;
+  // What a corner's place is known to at best keeps a codec's perfect stillness from dividing by zero.
+  const double noise = std::max(alone.squaredNorm() / ((n - 1.0) * (k - 1.0)), 1e-6);
+  return n * together.squaredNorm() / (k - 1.0) / noise;
 }
 
 }  // namespace
@@ -59,25 +44,16 @@ double epipolar_offset(const StereoRig& rig, const Eigen::Vector2d& left, const 
   return across > 0.0 ? rig.right.matrix(1, 1) * normal.dot(seen) / across : 0.0;
 }
 
-void MotionCheck::push(const std::vector<FollowedPoint>& before, const std::vector<FollowedPoint>& now,
-                       const StereoRig& rig) {
-  std::unordered_map<int, const FollowedPoint*> earlier;
-  for (const FollowedPoint& point : before) earlier[point.id] = &point;
-  std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> left, right;
+void MotionCheck::push(const std::vector<FollowedPoint>& points, const StereoRig& rig) {
+  Pixels pixels;
   std::vector<double> offsets;
-  for (const FollowedPoint& point : now) {
+  for (const FollowedPoint& point : points) {
     offsets.push_back(epipolar_offset(rig, point.left, point.right));
-    const auto found = earlier.find(point.id);
-    if (found == earlier.end()) continue;
-    left.emplace_back(point.left, point.left - found->second->left);
-    right.emplace_back(point.right, point.right - found->second->right);
+    pixels[point.id] << point.left, point.right;
   }
-  Frame frame;
-  frame.left = squared_motion(left, rig.left);
-  frame.right = squared_motion(right, rig.right);
-  frame.known = frame.left >= 0.0 && frame.right >= 0.0;
-  frames_.push_back(frame);
+  frames_.push_back(std::move(pixels));
   if (frames_.size() > kFrames) frames_.pop_front();
+  look_at_motion(rig);
   if (offsets.empty()) return;
   const double offset = upper_median(offsets);
   if (rows_seen_ < kFirstFrames) {
@@ -88,16 +64,33 @@ void MotionCheck::push(const std::vector<FollowedPoint>& before, const std::vect
   rows_ = offset - first_rows_;
 }
 
-double MotionCheck::motion(bool left) const {
-  if (frames_.size() < kFrames) return kUnknown;
-  double sum = 0.0;
-  int known = 0;
-  for (const Frame& frame : frames_) {
-    if (!frame.known) continue;
-    sum += left ? frame.left : frame.right;
-    ++known;
+void MotionCheck::look_at_motion(const StereoRig& rig) {
+  motion_ = {kUnknown, kUnknown};
+  if (frames_.size() < kFrames) return;
+  // Points that were followed all the time, by where they are now in the left view.
+  std::map<int, std::vector<int>> groups;
+  for (const auto& [id, place] : frames_.back()) {
+    const bool is_in_all = std::all_of(frames_.begin(), frames_.end(),
+                                       [id = id](const Pixels& frame) { return frame.contains(id); });
+    if (!is_in_all) continue;
+    const int column = std::clamp(static_cast<int>(kGroups * place.x() / rig.left.width), 0, kGroups - 1);
+    const int row = std::clamp(static_cast<int>(kGroups * place.y() / rig.left.height), 0, kGroups - 1);
+    groups[kGroups * row + column].push_back(id);
   }
-  return known * 2 < static_cast<int>(kFrames) ? kUnknown : sum / known;
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  int known = 0;
+  for (const auto& [group, ids] : groups) {
+    if (ids.size() < kLeastInGroup) continue;
+    ++known;
+    for (int axis = 0; axis < 4; ++axis) {
+      Paths paths(static_cast<Eigen::Index>(ids.size()), static_cast<Eigen::Index>(kFrames));
+      for (Eigen::Index i = 0; i < paths.rows(); ++i)
+        for (Eigen::Index k = 0; k < paths.cols(); ++k)
+          paths(i, k) = frames_[static_cast<std::size_t>(k)].at(ids[static_cast<std::size_t>(i)])[axis];
+      sum[axis / 2] += 0.5 * common_motion(paths);
+    }
+  }
+  if (known > 0) motion_ = {sum[0] / known, sum[1] / known};
 }
 
 }  // namespace glisson::guidance

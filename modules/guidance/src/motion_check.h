@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <deque>
+#include <map>
 #include <vector>
 
 #include "stereo_follower.h"
@@ -12,16 +14,19 @@ namespace glisson::guidance {
 /// always does: heart and breath), and whether both views show the same moment.
 class MotionCheck {
  public:
-  /// The points of two frames in turn; those that are in both are compared.
-  void push(const std::vector<FollowedPoint>& before, const std::vector<FollowedPoint>& now,
-            const StereoRig& rig);
+  /// The points of the next frame.
+  void push(const std::vector<FollowedPoint>& points, const StereoRig& rig);
   /// Forgets what it has seen, but not the calibration's own offset of rows.
-  void clear() { frames_.clear(); }
+  void clear() {
+    frames_.clear();
+    motion_ = {-1.0, -1.0};
+  }
 
-  /// Squared motion of groups of neighbouring points over the last frames, as a multiple of what their noise
-  /// alone makes (1: nothing moves), in either view; negative: too little is known yet.
-  double motion_left() const { return motion(true); }
-  double motion_right() const { return motion(false); }
+  /// How much groups of neighbouring points move together over the last 0.4 s, squared, as a multiple of what
+  /// their noise alone makes (1: nothing moves), in either view: the F ratio of an analysis of variance by
+  /// points and frames. Negative: too little is known yet.
+  double motion_left() const { return motion_[0]; }
+  double motion_right() const { return motion_[1]; }
   /// Median over the points of how far they are off their epipolar line, signed, less what it was at first:
   /// two views of one moment keep their rows. Pixels.
   double rows() const { return rows_; }
@@ -30,13 +35,13 @@ class MotionCheck {
   double rows_scatter() const { return rows_scatter_; }
 
  private:
-  struct Frame {
-    double left = 0.0, right = 0.0;
-    bool known = false;
-  };
-  double motion(bool left) const;
+  /// A point's pixels: left x and y, right x and y.
+  using Pixels = std::map<int, Eigen::Vector4d>;
 
-  std::deque<Frame> frames_;
+  void look_at_motion(const StereoRig& rig);
+
+  std::deque<Pixels> frames_;
+  std::array<double, 2> motion_{-1.0, -1.0};  ///< left, right
   double rows_ = 0.0, first_rows_ = 0.0, rows_scatter_ = 0.0;
   int rows_seen_ = 0;
 };

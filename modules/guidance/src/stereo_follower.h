@@ -73,8 +73,6 @@ class StereoFollower {
   const cv::Mat& grey(bool left) const;
 
   const std::vector<FollowedPoint>& points() const { return points_; }
-  /// Those of the frame before the last follow().
-  const std::vector<FollowedPoint>& points_before() const { return before_; }
 
  private:
   struct Images;

@@ -321,7 +321,7 @@ struct Tracker::Impl {
     }
     overlay.nodes_in_camera = integrator.positions();
     if (judge && overlay.validity == Validity::valid)
-      overlay.validity = judge->judge(frame, follower->points_before(), follower->points(), overlay);
+      overlay.validity = judge->judge(frame, follower->points(), overlay);
     if (overlay.validity == Validity::valid) {
       last_valid = frames;
       is_believed = true;
