@@ -428,6 +428,14 @@
         <source>%1 mm</source>
         <translation>%1 mm</translation>
     </message>
+    <message>
+        <source>Vessel path</source>
+        <translation>Gefäßweg</translation>
+    </message>
+    <message>
+        <source>Click the two ends of a missing piece of vessel. Ctrl adds a point between.</source>
+        <translation>Klicken Sie die beiden Enden des fehlenden Gefäßstücks an. Strg fügt einen Punkt dazwischen hinzu.</translation>
+    </message>
 </context>
 <context>
     <name>ErrorPhrases</name>
@@ -2199,6 +2207,14 @@
     <message>
         <source>%1: no border was found where its diameter was drawn. It is a ball of that diameter: check it in the slices.</source>
         <translation>%1: Wo der Durchmesser gezogen wurde, fand sich kein Rand. Markiert ist eine Kugel dieses Durchmessers: in den Schichten prüfen.</translation>
+    </message>
+    <message>
+        <source>The image shows no vessel on the way: it was made as thin as can be. Check it in the slices.</source>
+        <translation>Das Bild zeigt auf dem Weg kein Gefäß: Es wurde so dünn wie möglich gemacht. Prüfen Sie es in den Schichten.</translation>
+    </message>
+    <message>
+        <source>On %1 % of the way the image shows no radius: it was taken from the rest. Check it there.</source>
+        <translation>Auf %1 % des Weges zeigt das Bild keinen Radius: Er wurde vom Rest übernommen. Prüfen Sie es dort.</translation>
     </message>
 </context>
 <context>
@@ -4655,6 +4671,14 @@
         <source>A click here moves %1 ml: %2 → %3.</source>
         <translation>Ein Klick hier verschiebt %1 ml: %2 → %3.</translation>
     </message>
+    <message>
+        <source>A click here makes a vessel of %1 ml.</source>
+        <translation>Ein Klick hier macht ein Gefäß von %1 ml.</translation>
+    </message>
+    <message>
+        <source>Click the other end. Ctrl adds a point between, Esc drops the way.</source>
+        <translation>Klicken Sie das andere Ende an. Strg fügt einen Punkt dazwischen hinzu, Esc verwirft den Weg.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::GuidancePanel</name>
@@ -6909,6 +6933,10 @@
     <message>
         <source>is cut off</source>
         <translation>wird abgeschnitten</translation>
+    </message>
+    <message>
+        <source>Radius at most</source>
+        <translation>Radius höchstens</translation>
     </message>
 </context>
 <context>

@@ -428,6 +428,14 @@
         <source>%1 mm</source>
         <translation>%1 mm</translation>
     </message>
+    <message>
+        <source>Vessel path</source>
+        <translation>Chemin du vaisseau</translation>
+    </message>
+    <message>
+        <source>Click the two ends of a missing piece of vessel. Ctrl adds a point between.</source>
+        <translation>Cliquez les deux extrémités du morceau de vaisseau manquant. Ctrl ajoute un point entre elles.</translation>
+    </message>
 </context>
 <context>
     <name>ErrorPhrases</name>
@@ -2199,6 +2207,14 @@
     <message>
         <source>%1: no border was found where its diameter was drawn. It is a ball of that diameter: check it in the slices.</source>
         <translation>%1 : aucun bord n’a été trouvé là où le diamètre a été tracé. C’est une boule de ce diamètre : à vérifier dans les coupes.</translation>
+    </message>
+    <message>
+        <source>The image shows no vessel on the way: it was made as thin as can be. Check it in the slices.</source>
+        <translation>L&apos;image ne montre aucun vaisseau sur le chemin : il a été fait aussi fin que possible. Vérifiez-le dans les coupes.</translation>
+    </message>
+    <message>
+        <source>On %1 % of the way the image shows no radius: it was taken from the rest. Check it there.</source>
+        <translation>Sur %1 % du chemin, l&apos;image ne montre pas de rayon : il a été repris du reste. Vérifiez-le à cet endroit.</translation>
     </message>
 </context>
 <context>
@@ -4655,6 +4671,14 @@
         <source>A click here moves %1 ml: %2 → %3.</source>
         <translation>Un clic ici déplace %1 ml : %2 → %3.</translation>
     </message>
+    <message>
+        <source>A click here makes a vessel of %1 ml.</source>
+        <translation>Un clic ici crée un vaisseau de %1 ml.</translation>
+    </message>
+    <message>
+        <source>Click the other end. Ctrl adds a point between, Esc drops the way.</source>
+        <translation>Cliquez l&apos;autre extrémité. Ctrl ajoute un point intermédiaire, Échap abandonne le chemin.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::GuidancePanel</name>
@@ -6909,6 +6933,10 @@
     <message>
         <source>is cut off</source>
         <translation>est coupée</translation>
+    </message>
+    <message>
+        <source>Radius at most</source>
+        <translation>Rayon maximal</translation>
     </message>
 </context>
 <context>

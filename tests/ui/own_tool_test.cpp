@@ -149,7 +149,7 @@ void OwnToolTest::ToolsAreListedByTheirPlaces() {
   std::string codes;
   for (const ui::EditTool tool : ui::edit_tools()) codes += tool->code + ' ';
   QCOMPARE(codes, std::string("paint erase scissors threshold grow level_tracing islands fill_holes smooth "
-                              "margin interpolate logical move_branch "));
+                              "margin interpolate logical move_branch vessel_path "));
 }
 
 void OwnToolTest::PageShowsAndSetsTheToolsOwnSettings() {

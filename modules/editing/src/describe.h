@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "edit_tools.h"
+#include "glisson/geometry/mesh.h"
 #include "script_entry.h"
 #include "settings_check.h"
 
@@ -161,6 +162,28 @@ Field<T> point_field(Eigen::Vector3d T::*member) {
                  [=](nlohmann::json& json, const T& t) { json[kCode] = in_mm(t.*member); },
                  [=](const SettingsCheck& check, const T& t) { check.point(t.*member, kSetting); }};
   return field;
+}
+/// Points of the CT's frame, a row each; one at least.
+template <class T>
+Field<T> path_field(PointsIn<CtFrame> T::*member) {
+  constexpr const char *kCode = "path_mm", *kSetting = "path";
+  return {field_of(kCode, ToolField::Kind::path, "mm"),
+          [=](ScriptEntry& e, T& t) {
+            const std::vector<double> path = e.rows(kCode, 3);
+            t.*member =
+                Eigen::Map<const Points>(path.data(), static_cast<Eigen::Index>(path.size() / 3), 3) / 1e3;
+          },
+          [=](nlohmann::json& json, const T& t) {
+            nlohmann::json path = nlohmann::json::array();
+            for (Eigen::Index n = 0; n < (t.*member).rows(); ++n)
+              path.push_back(in_mm(Eigen::Vector3d((t.*member).row(n).transpose())));
+            json[kCode] = std::move(path);
+          },
+          [=](const SettingsCheck& check, const T& t) {
+            if ((t.*member).rows() == 0) check.refuse(kSetting, "has no point", "Give at least one");
+            for (Eigen::Index n = 0; n < (t.*member).rows(); ++n)
+              check.point((t.*member).row(n).transpose(), kSetting);
+          }};
 }
 /// Rows of numbers as they are. @param rows 0: any number of them.
 template <class T, class Matrix>

@@ -189,26 +189,6 @@ const Names<Paint::Brush>& brushes() {
   return kNames;
 }
 
-Field<Paint> path_field() {
-  constexpr const char *kCode = "path_mm", *kSetting = "path";
-  return {field_of(kCode, ToolField::Kind::path, "mm"),
-          [=](ScriptEntry& e, Paint& t) {
-            const std::vector<double> path = e.rows(kCode, 3);
-            t.path =
-                Eigen::Map<const Points>(path.data(), static_cast<Eigen::Index>(path.size() / 3), 3) / 1e3;
-          },
-          [=](nlohmann::json& json, const Paint& t) {
-            nlohmann::json path = nlohmann::json::array();
-            for (Eigen::Index n = 0; n < t.path.rows(); ++n)
-              path.push_back(in_mm(Eigen::Vector3d(t.path.row(n).transpose())));
-            json[kCode] = std::move(path);
-          },
-          [=](const SettingsCheck& check, const Paint& t) {
-            if (t.path.rows() == 0) check.refuse(kSetting, "has no point", "Give at least one");
-            for (Eigen::Index n = 0; n < t.path.rows(); ++n) check.point(t.path.row(n).transpose(), kSetting);
-          }};
-}
-
 Description<Paint> description() {
   return {"paint",
           10,
@@ -217,7 +197,7 @@ Description<Paint> description() {
            length_field("radius_mm", &Paint::radius, kLargest),
            axis_field(&Paint::normal_axis)
                .needed("for a disc", [](const Paint& t) { return t.brush == Paint::Brush::disc; }),
-           path_field()},
+           path_field(&Paint::path)},
           {"paint", "erase"},
           [](const Paint& t) {
             return StepName{t.erase ? "erase" : "paint", t.label, t.radius};

@@ -6,10 +6,15 @@
 namespace glisson::ui {
 namespace {
 
-/// Whether that click would move the voxel that this one is on: along a branch little changes.
-bool moves_place_of(const BranchPreview::Shown& shown, const LabelMap& labels,
-                    const editing::ReassignBranch& click) {
-  if (!shown.problem.empty() || shown.edit.label != click.label || shown.edit.to != click.to) return false;
+/// Whether what is shown may stay in sight until it is known what that click would do. One that makes a
+/// vessel is drawn again as the pointer moves; one that moves a branch must move the voxel that the click is
+/// on: along a branch little changes.
+bool stands_for(const BranchPreview::Shown& shown, const LabelMap& labels, const editing::Tool& tool) {
+  if (!shown.problem.empty() || &shown.edit.tool.kind() != &tool.kind()) return false;
+  if (tool.get_if<editing::ReassignBranch>() == nullptr) return true;
+  const auto &moves = shown.edit.tool.as<editing::ReassignBranch>(),
+             &click = tool.as<editing::ReassignBranch>();
+  if (moves.label != click.label || moves.to != click.to) return false;
   const VolumeGrid& grid = labels.voxels.grid();
   const Eigen::Vector3i v = grid.index_of(Point<CtFrame>(click.p_in_ct)).array().round().matrix().cast<int>();
   return grid.contains(v) && shown.result.labels.voxels.at(v) != labels.voxels.at(v);
@@ -18,7 +23,7 @@ bool moves_place_of(const BranchPreview::Shown& shown, const LabelMap& labels,
 }  // namespace
 
 Cancellable<BranchPreview::Shown> BranchPreview::compute(const Order& order, const RunContext& context) {
-  Shown shown{order.edit.tool.as<editing::ReassignBranch>(), {}, {}};
+  Shown shown{order.edit, {}, {}};
   try {
     auto edited = editing::apply_edit(*order.labels, *order.image, order.edit, context);
     if (!edited) return std::nullopt;
@@ -61,8 +66,7 @@ void BranchPreview::follow() {
   else
     computing_.cancel();
   // Until a click there is known, the one that is shown stands for it only where it moves the same branch.
-  if (shown_ && !(wanted_ && moves_place_of(*shown_, *labels_, wanted_->tool.as<editing::ReassignBranch>())))
-    show(nullptr);
+  if (shown_ && !(wanted_ && stands_for(*shown_, *labels_, wanted_->tool))) show(nullptr);
 }
 
 void BranchPreview::show(std::shared_ptr<const Shown> shown) {

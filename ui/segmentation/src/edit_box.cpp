@@ -271,6 +271,20 @@ void EditBox::show_region() {
   }
 }
 
+QString EditBox::text_of(const BranchPreview::Shown& shown) const {
+  if (!shown.problem.empty()) return QString::fromStdString(shown.problem);
+  const QString ml = QString::number(session_.ml_of(shown.result.voxels_changed), 'f', 2);
+  const auto* moved = shown.edit.tool.get_if<editing::ReassignBranch>();
+  if (moved == nullptr) {
+    const QString text = tr("A click here makes a vessel of %1 ml.").arg(ml);
+    return shown.result.notes.empty() ? text : text + QLatin1Char('\n') + notes_text(shown.result.notes);
+  }
+  const QString from = structure_text(moved->label);
+  return moved->to == structure::kBackground
+             ? tr("A click here cuts %1 ml off: %2.").arg(ml, from)
+             : tr("A click here moves %1 ml: %2 → %3.").arg(ml, from, structure_text(moved->to));
+}
+
 void EditBox::show_state() {
   undo_->setEnabled(session_.is_active() && session_.can_undo());
   redo_->setEnabled(session_.is_active() && session_.can_redo());
@@ -306,14 +320,9 @@ void EditBox::show_state() {
     text = voxels == 0 ? tr("Nothing would change.")
                        : tr("%1 ml would change.").arg(session_.ml_of(voxels), 0, 'f', 2);
   } else if (const auto branch = session_.branch()) {
-    const QString from = structure_text(branch->edit.label);
-    const double ml = session_.ml_of(branch->result.voxels_changed);
-    text = !branch->problem.empty() ? QString::fromStdString(branch->problem)
-           : branch->edit.to == structure::kBackground
-               ? tr("A click here cuts %1 ml off: %2.").arg(ml, 0, 'f', 2).arg(from)
-               : tr("A click here moves %1 ml: %2 → %3.")
-                     .arg(ml, 0, 'f', 2)
-                     .arg(from, structure_text(branch->edit.to));
+    text = text_of(*branch);
+  } else if (session_.clicked() > 0) {
+    text = tr("Click the other end. Ctrl adds a point between, Esc drops the way.");
   } else {
     text = notes_text(session_.notes());
   }

@@ -30,6 +30,19 @@ Points points_of(const std::vector<Eigen::Vector3d>& path) {
   return points;
 }
 
+/// A ring about a click, in its slice.
+std::shared_ptr<const SliceLine> ring_about(const SliceGesture& gesture, Label label) {
+  constexpr int kCorners = 32;
+  constexpr double kRadius = 2e-3;
+  SliceLine line{{gesture.slice.plane, gesture.p}, Points(kCorners, 3), label, false};
+  const Eigen::Vector3d u = gesture.slice.right.normalized(), v = gesture.slice.down.normalized();
+  for (int n = 0; n < kCorners; ++n) {
+    const double angle = 2.0 * M_PI * n / kCorners;
+    line.corners.row(n) = (gesture.p.xyz + kRadius * (std::cos(angle) * u + std::sin(angle) * v)).transpose();
+  }
+  return std::make_shared<const SliceLine>(std::move(line));
+}
+
 /// Whether a line encloses anything: three corners, some pixels wide and high.
 bool encloses(const Outline& outline, double pixel) {
   if (outline.rows() < 3) return false;
@@ -76,6 +89,7 @@ EditSession::EditSession(EngineBridge& engine, ViewState& views, QObject* parent
 void EditSession::set_tool(EditTool tool) {
   if (tool == tool_) return;
   finish_stroke();
+  drop_clicks();
   drop_preview();
   problem_.clear();
   notes_.clear();
@@ -100,7 +114,7 @@ void EditSession::show_pointer() {
   };
   const bool traces = shows(WindowTool::AtPointer::outline);
   traced_->set_label(traces ? std::optional(settings_.label) : std::nullopt);
-  const bool moves = shows(WindowTool::AtPointer::branch);
+  const bool moves = shows(WindowTool::AtPointer::branch) || shows(WindowTool::AtPointer::way);
   branch_->set_case(moves ? engine_.state()[part::image] : nullptr,
                     moves ? engine_.state()[part::labels] : nullptr);
 }
@@ -140,6 +154,10 @@ EditObstacle EditSession::obstacle() const {
 }
 
 void EditSession::show_case() {
+  if (engine_.state()[part::image] != clicked_in_) {
+    clicked_in_ = engine_.state()[part::image];
+    drop_clicks();
+  }
   const auto& labels = engine_.state()[part::labels];
   if (labels != listed_) {
     listed_ = labels;
@@ -270,6 +288,12 @@ void EditSession::cut_volume(const VolumeLasso& lasso) {
 
 std::optional<editing::Edit> EditSession::edit_at(const PointerPlace& place,
                                                   Qt::KeyboardModifiers keys) const {
+  if (tool_->chain) {
+    if (clicked_.empty()) return std::nullopt;
+    std::vector<Eigen::Vector3d> path = clicked_;
+    path.push_back(place.p.xyz);
+    return editing::Edit{tool_->chain(settings_, points_of(path)), settings_.region};
+  }
   const Image& image = *engine_.state()[part::image];
   const LabelVolume* labels =
       engine_.state()[part::labels] ? &engine_.state()[part::labels]->voxels : nullptr;
@@ -280,7 +304,30 @@ std::optional<editing::Edit> EditSession::edit_at(const PointerPlace& place,
 
 void EditSession::click(const SliceGesture& gesture) {
   if (gesture.phase != SliceGesture::Phase::begin || obstacle() != EditObstacle::none) return;
+  if (tool_->chain) return add_click(gesture);
   if (const auto edit = edit_at({gesture.slice.plane, gesture.p}, gesture.keys)) post_edit(*edit);
+}
+
+void EditSession::add_click(const SliceGesture& gesture) {
+  const bool last = !clicked_.empty() && !gesture.keys.testFlag(Qt::ControlModifier);
+  const auto edit = last ? edit_at({gesture.slice.plane, gesture.p}, gesture.keys) : std::nullopt;
+  problem_.clear();
+  notes_.clear();
+  if (edit) {
+    drop_clicks();
+    return post_edit(*edit);
+  }
+  clicked_.push_back(gesture.p.xyz);
+  views_.set_line(ring_about(gesture, settings_.label));
+  show_pointer();
+  emit changed();
+}
+
+void EditSession::drop_clicks() {
+  if (clicked_.empty()) return;
+  clicked_.clear();
+  views_.set_line(nullptr);
+  show_pointer();
 }
 
 void EditSession::post_edit(const editing::Edit& edit) {
@@ -365,6 +412,11 @@ void EditSession::escape() {
   if (stroke_ || !outline_.empty()) {
     finish_stroke();
     views_.drop_gesture();
+    return;
+  }
+  if (!clicked_.empty()) {
+    drop_clicks();
+    emit changed();
     return;
   }
   if (applying_ || previewing_ || soon_->isActive() || shows_preview()) return cancel();

@@ -29,7 +29,8 @@ void LevelOutline::follow() {
     tracing_.give({image, *pointer, *label_});
   } else {
     tracing_.cancel();
-    views_.set_line(nullptr);
+    if (draws_) views_.set_line(nullptr);
+    draws_ = false;
   }
 }
 
@@ -42,7 +43,9 @@ SliceLine LevelOutline::trace(const Order& order) {
 
 void LevelOutline::accept(const std::shared_ptr<const SliceLine>& line) {
   // The pointer may have left, and the tool with it; another slice does not draw it.
-  if (label_ == line->label && views_.pointer()) views_.set_line(line);
+  if (label_ != line->label || !views_.pointer()) return;
+  draws_ = true;
+  views_.set_line(line);
 }
 
 }  // namespace glisson::ui

@@ -14,15 +14,15 @@
 
 namespace glisson::ui {
 
-/// What a click of the tool that moves branches would do where the pointer is, computed before it happens,
-/// beside the window's thread.
+/// What a click of the tools that move or make branches would do where the pointer is, computed before it
+/// happens, beside the window's thread.
 class BranchPreview : public QObject {
   Q_OBJECT
  public:
   /// The edit that a click there would be; empty: a click there does nothing.
   using EditAt = std::function<std::optional<editing::Edit>(const PointerPlace& place)>;
   struct Shown {
-    editing::ReassignBranch edit;
+    editing::Edit edit;
     editing::Edited result;  ///< empty labels where there is a problem
     std::string problem;     ///< why the click could do nothing
   };

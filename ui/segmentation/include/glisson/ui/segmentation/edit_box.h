@@ -39,6 +39,8 @@ class EditBox : public QWidget {
   /// The number that is being typed, if one is, counts as entered.
   void take_typed();
   void show_tool();
+  /// What a click at the pointer would do.
+  QString text_of(const BranchPreview::Shown& shown) const;
   void show_state();
   void show_region();
 

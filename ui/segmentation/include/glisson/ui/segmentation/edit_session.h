@@ -52,9 +52,11 @@ class EditSession : public QObject {
   double ml_of(long voxels) const;
   /// What a click at the pointer would move; null: nothing, or another tool is at hand.
   const std::shared_ptr<const BranchPreview::Shown>& branch() const { return branch_->shown(); }
+  /// Clicks of a tool that takes several, so far.
+  std::size_t clicked() const { return clicked_.size(); }
   /// A preview or an edit is being computed: its part that is done.
   std::optional<double> progress() const;
-  /// Drops the line that is drawn, else what is computed or previewed, else the tool.
+  /// Drops the line that is drawn or the clicks so far, else what is computed or previewed, else the tool.
   void escape();
   void cancel();
 
@@ -82,6 +84,8 @@ class EditSession : public QObject {
   void drag_brush(const SliceGesture& gesture);
   void drag_lasso(const SliceGesture& gesture);
   void click(const SliceGesture& gesture);
+  void add_click(const SliceGesture& gesture);
+  void drop_clicks();
   /// What a click there is; empty: nothing. @pre there is an image
   std::optional<editing::Edit> edit_at(const PointerPlace& place, Qt::KeyboardModifiers keys) const;
   void cut_volume(const VolumeLasso& lasso);
@@ -115,6 +119,9 @@ class EditSession : public QObject {
   std::optional<Stroke> stroke_;
   std::uint64_t gestures_ = 0;
   std::vector<Eigen::Vector2d> outline_;  ///< of a lasso in a slice, pixels
+
+  std::vector<Eigen::Vector3d> clicked_;     ///< of a tool that takes several; CT frame
+  std::shared_ptr<const Image> clicked_in_;  ///< the case's
 
   LevelOutline* traced_ = nullptr;
   BranchPreview* branch_ = nullptr;

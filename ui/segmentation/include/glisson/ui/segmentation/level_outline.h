@@ -34,6 +34,7 @@ class LevelOutline : public QObject {
 
   ViewState& views_;
   std::optional<Label> label_;
+  bool draws_ = false;                        ///< the line in the views is its own
   editing::LevelTracer tracer_;               ///< the thread's
   PreviewService<Order, SliceLine> tracing_;  ///< last: its thread uses the tracer
 };

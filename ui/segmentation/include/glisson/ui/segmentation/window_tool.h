@@ -119,7 +119,7 @@ struct WholeVolume {
 
 struct WindowTool {
   /// What shows at the pointer before it clicks.
-  enum class AtPointer { nothing, outline, branch };
+  enum class AtPointer { nothing, outline, branch, way };
   struct Step {
     const char* code;  ///< of editing::ToolKind::steps()
     const char* text;
@@ -151,6 +151,9 @@ struct WindowTool {
       [](const EditSettings&, const std::vector<Label>&) { return EditObstacle::none; };
   /// What a click does; nothing: nothing there. Empty function: it is not clicked.
   std::function<std::optional<editing::Tool>(const EditSettings&, const ToolClick&)> click = {};
+  /// What a row of clicks does; path: CT frame, metres, two points or more. Ctrl adds a point, a click
+  /// without it is the last. Empty function: each click stands alone.
+  std::function<editing::Tool(const EditSettings&, const Points& path)> chain = {};
   /// What it does to the whole volume. Empty function: it works where the mouse is.
   std::function<editing::Tool(const EditSettings&, const WholeVolume&)> whole = {};
 };
