@@ -2307,6 +2307,30 @@
         <source>The proposed landmarks are those of another model: let the atlas propose them again.</source>
         <translation>Die vorgeschlagenen Landmarken gehören zu einem anderen Modell: lassen Sie den Atlas sie neu vorschlagen.</translation>
     </message>
+    <message>
+        <source>Draw regions on the frame first (Stereo).</source>
+        <translation>Zuerst Bereiche auf das Bild zeichnen (Stereo).</translation>
+    </message>
+    <message>
+        <source>Look at the model and say whether it is right first (Model).</source>
+        <translation>Zuerst das Modell ansehen und sagen, ob es stimmt (Modell).</translation>
+    </message>
+    <message>
+        <source>Review the labels first (Segmentation).</source>
+        <translation>Zuerst die Beschriftung prüfen (Segmentierung).</translation>
+    </message>
+    <message>
+        <source>The registration was refused: register again, or use it nevertheless (see its doubts).</source>
+        <translation>Die Registrierung wurde abgelehnt: neu registrieren oder dennoch verwenden (siehe ihre Zweifel).</translation>
+    </message>
+    <message>
+        <source>%1 was refused: make it anew, or accept it.</source>
+        <translation>%1 wurde abgelehnt: neu machen oder annehmen.</translation>
+    </message>
+    <message>
+        <source>The seeds are those of another CT: place them again (Segmentation).</source>
+        <translation>Die Saatpunkte sind die eines anderen CTs: neu setzen (Segmentierung).</translation>
+    </message>
 </context>
 <context>
     <name>Overlay</name>
@@ -3003,6 +3027,10 @@
     <message>
         <source>killing the program at work</source>
         <translation>das Programm mitten in der Arbeit abbrechen</translation>
+    </message>
+    <message>
+        <source>Looking for series</source>
+        <translation>Serien suchen</translation>
     </message>
 </context>
 <context>
@@ -5467,10 +5495,6 @@
 </context>
 <context>
     <name>glisson::ui::PlacingModel</name>
-    <message>
-        <source>Load a stereo frame first (Stereo).</source>
-        <translation>Laden Sie zuerst ein Stereobild (Stereo).</translation>
-    </message>
     <message>
         <source>Stop the tracking first.</source>
         <translation>Beenden Sie zuerst die Verfolgung.</translation>

@@ -2307,6 +2307,30 @@
         <source>The proposed landmarks are those of another model: let the atlas propose them again.</source>
         <translation>Les repères proposés sont ceux d&apos;un autre modèle : laissez l&apos;atlas les proposer à nouveau.</translation>
     </message>
+    <message>
+        <source>Draw regions on the frame first (Stereo).</source>
+        <translation>Tracez d’abord des régions sur l’image (Stéréo).</translation>
+    </message>
+    <message>
+        <source>Look at the model and say whether it is right first (Model).</source>
+        <translation>Examinez d’abord le modèle et dites s’il est juste (Modèle).</translation>
+    </message>
+    <message>
+        <source>Review the labels first (Segmentation).</source>
+        <translation>Vérifiez d’abord les étiquettes (Segmentation).</translation>
+    </message>
+    <message>
+        <source>The registration was refused: register again, or use it nevertheless (see its doubts).</source>
+        <translation>Le recalage a été refusé : recalez de nouveau, ou utilisez-le malgré tout (voir ses doutes).</translation>
+    </message>
+    <message>
+        <source>%1 was refused: make it anew, or accept it.</source>
+        <translation>%1 a été refusé : refaites-le ou acceptez-le.</translation>
+    </message>
+    <message>
+        <source>The seeds are those of another CT: place them again (Segmentation).</source>
+        <translation>Les germes sont ceux d’un autre scanner : placez-les de nouveau (Segmentation).</translation>
+    </message>
 </context>
 <context>
     <name>Overlay</name>
@@ -3003,6 +3027,10 @@
     <message>
         <source>killing the program at work</source>
         <translation>interruption brutale du programme au travail</translation>
+    </message>
+    <message>
+        <source>Looking for series</source>
+        <translation>Recherche des séries</translation>
     </message>
 </context>
 <context>
@@ -5467,10 +5495,6 @@
 </context>
 <context>
     <name>glisson::ui::PlacingModel</name>
-    <message>
-        <source>Load a stereo frame first (Stereo).</source>
-        <translation>Chargez d’abord une image stéréo (Stéréo).</translation>
-    </message>
     <message>
         <source>Stop the tracking first.</source>
         <translation>Arrêtez d’abord le suivi.</translation>

@@ -75,7 +75,7 @@ void follow_video(Session& session, const guidance::TrackerOptions& options, int
                   const FrameTaker& frame) {
   engine::StartTracking start;
   start.options = options;
-  session.need({part::video});
+  start.source = engine::StartTracking::Source::video;
   session.post(start);
   const int first = session.state()[part::frame]->frame.index;
   const engine::VideoSource& source = *session.state()[part::video];

@@ -7,6 +7,7 @@
 #include "glisson/engine/commands/import_surfaces.h"
 #include "glisson/engine/commands/open_case.h"
 #include "glisson/engine/commands/set_landmarks.h"
+#include "glisson/engine/model_source.h"
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/fem/materials.h"
@@ -39,11 +40,12 @@ ModelArgument load_model(const Arguments& arguments, Session& session) {
   const bool is_folder = fs::is_directory(argument.path);
   if (is_folder && argument.path.lexically_normal().filename().empty())
     argument.path = argument.path.parent_path();
-  if (engine::is_case(argument.path)) {
+  const engine::ModelSource kind = engine::model_source(argument.path);
+  if (kind == engine::ModelSource::a_case) {
     session.post(engine::OpenCase{argument.path, engine::OpenCase::Access::read});
     session.call("case", argument.path.string());
     session.need({part::model});
-  } else if (!is_folder && is_tetrahedral(argument.path)) {
+  } else if (kind == engine::ModelSource::tetrahedra) {
     session.post(engine::ImportMesh{argument.path, argument.unit});
   } else {
     model::ModelOptions options;
@@ -84,12 +86,10 @@ fem::CompositeOptions materials(const Arguments& arguments) {
   return options;
 }
 
-registration::ElasticOptions elastic_options(const Arguments& arguments, const Session& session) {
-  registration::ElasticOptions options = registration::options_for(
-      engine::effective_model(session.state()), session.state()[part::landmarks] != nullptr);
+std::optional<fem::CompositeOptions> given_materials(const Arguments& arguments) {
   for (const char* name : {"materials", "homogeneous", "young", "poisson"})
-    if (arguments.has(name)) options.materials = materials(arguments);
-  return options;
+    if (arguments.has(name)) return materials(arguments);
+  return {};
 }
 
 std::vector<int> fixed_nodes(const Arguments& arguments, const Session& session) {

@@ -6,8 +6,9 @@
 
 #include "cli.h"
 
+#include "glisson/fem/composite_model.h"
 #include "glisson/geometry/mesh_io.h"
-#include "glisson/registration/register.h"
+#include "glisson/patient/registration.h"
 
 /// @file
 /// "M" of the command line: a case, a tetrahedral mesh, or a closed surface.
@@ -35,9 +36,8 @@ void write_deformed(const std::filesystem::path& path, const ModelArgument& argu
 /// Declares what the mechanics is made of: --materials, --homogeneous, --young, --poisson.
 void declare_materials(Arguments& arguments);
 fem::CompositeOptions materials(const Arguments& arguments);
-/// The registration's defaults for what was given (a bare mesh is taken for homogeneous), changed by the
-/// material options that were given.
-registration::ElasticOptions elastic_options(const Arguments& arguments, const Session& session);
+/// The same where one of them was given; empty: the model decides.
+std::optional<fem::CompositeOptions> given_materials(const Arguments& arguments);
 /// Node numbers of --fixed, or none.
 std::vector<int> fixed_nodes(const Arguments& arguments, const Session& session);
 

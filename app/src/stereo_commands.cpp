@@ -261,7 +261,6 @@ int run_reconstruct(const QStringList& given) {
   if (arguments.has("regions"))
     session.post(engine::SetRegions{stereo::read_regions(arguments.path("regions"))});
   engine::Reconstruct command;
-  command.check_pair = true;
   command.options.method = arguments.has("dense") ? stereo::Method::dense : method_of(arguments);
   command.options.kind = features_of(arguments);
   session.post(command);

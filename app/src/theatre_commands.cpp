@@ -35,7 +35,8 @@ void append(Figures& figures, const Figures& more) {
 registration::Method method_of(const QString& name) {
   if (name == "automatic") return registration::Method::automatic;
   if (name == "forces") return registration::Method::forces;
-  if (name == "springs" || name == "paper") return registration::Method::springs;
+  if (name == "springs") return registration::Method::springs;
+  if (name == "paper") return registration::Method::paper;
   throw UsageError("--method " + name.toStdString() + ": must be automatic, forces, springs or paper.");
 }
 
@@ -162,13 +163,13 @@ int run_register(const QStringList& given) {
   session.post(
       engine::ImportCloud{cloud, arguments.has("cloud-unit") ? arguments.unit("cloud-unit") : argument.unit});
   engine::Register command;
-  command.elastic = elastic_options(arguments, session);
-  command.elastic.fixed_nodes = fixed_nodes(arguments, session);
+  command.materials = given_materials(arguments);
+  command.fixed_nodes = fixed_nodes(arguments, session);
   command.method = method_of(arguments.value("method"));
   const QString prior = arguments.value("prior");
   if (prior != "operations" && prior != "none")
     throw UsageError("--prior " + prior.toStdString() + ": must be operations or none.");
-  command.operations = prior == "operations" && arguments.value("method") != "paper";
+  command.operations = prior == "operations";
   if (arguments.value("rigid") == "none") {
     command.start = engine::Register::Start::none;
   } else if (arguments.value("rigid") == "auto") {
@@ -242,8 +243,7 @@ int run_track(const QStringList& given) {
   const ModelArgument argument = load_model(arguments, session);
   session.post(engine::ImportRegistration{arguments.required_path("start"), argument.unit});
   engine::StartTracking command;
-  command.options.cloud = elastic_options(arguments, session);
-  command.options.materials = command.options.cloud.materials;
+  command.materials = given_materials(arguments);
   command.options.fixed_nodes = fixed_nodes(arguments, session);
   command.options.cloud_method = method_of(arguments.value("method"));
   command.steps_per_cloud = arguments.integer("cloud-steps", 1, 10000);

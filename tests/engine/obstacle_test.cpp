@@ -4,7 +4,9 @@
 
 #include <QtTest>
 
+#include "glisson/engine/commands/accept_registration.h"
 #include "glisson/engine/commands/build_model.h"
+#include "glisson/engine/commands/choose_rival.h"
 #include "glisson/engine/commands/reconstruct.h"
 #include "glisson/engine/commands/register.h"
 #include "glisson/engine/commands/segment.h"
@@ -19,6 +21,7 @@
 #include "glisson/engine/parts/registration.h"
 #include "glisson/engine/parts/rig.h"
 #include "glisson/engine/parts/video.h"
+#include "glisson/registration/refusal.h"
 
 using namespace glisson;
 using namespace glisson::engine;
@@ -63,6 +66,8 @@ class ObstacleTest : public QObject {
   void TheFirstMissingPartIsNamed();
   void BeingOutOfDateIsFollowedToWhereItBegins_data();
   void BeingOutOfDateIsFollowedToWhereItBegins();
+  void WhatIsRefusedIsInTheWayUntilSomebodyAcceptsIt();
+  void TheVideoIsNeededWhereItIsFollowed();
   void ErrorsNamePartAndRemedy();
 };
 
@@ -117,6 +122,34 @@ void ObstacleTest::BeingOutOfDateIsFollowedToWhereItBegins() {
   QCOMPARE(QString::fromStdString(std::string(first->part.code())), part);
   QCOMPARE(QString::fromStdString(std::string(first->input->code())), changed);
   QCOMPARE(obstacle(state, Register{}).has_value(), part != "registration");
+}
+
+void ObstacleTest::WhatIsRefusedIsInTheWayUntilSomebodyAcceptsIt() {
+  CaseState state = registered_case();
+  Registration refused;
+  refused.doubts = {registration::kRefused};
+  state[part::registration] = std::make_shared<const Registration>(refused);
+  const auto first = obstacle(state, StartTracking{});
+  QVERIFY(first == (Obstacle{Kind::refused, part::registration, std::nullopt}));
+  const std::string sentence = error_of(*first).what();
+  QVERIFY2(sentence.find("registration: was refused") != std::string::npos, sentence.c_str());
+  QVERIFY(!obstacle(state, AcceptRegistration{}));
+  QVERIFY(!obstacle(state, ChooseRival{}));
+  registration::accept_refusal(refused);
+  state[part::registration] = std::make_shared<const Registration>(refused);
+  QVERIFY(!obstacle(state, StartTracking{}));
+}
+
+void ObstacleTest::TheVideoIsNeededWhereItIsFollowed() {
+  CaseState state = registered_case();
+  StartTracking command;
+  command.source = StartTracking::Source::video;
+  QVERIFY(!obstacle(state, command));
+  state[part::video] = nullptr;
+  QVERIFY(obstacle(state, command) == (Obstacle{Kind::missing, part::video, std::nullopt}));
+  command.source = StartTracking::Source::frames;
+  state.stamp(part::frame).made_from.clear();  // from another source
+  QVERIFY(!obstacle(state, command));
 }
 
 void ObstacleTest::ErrorsNamePartAndRemedy() {

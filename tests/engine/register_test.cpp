@@ -57,6 +57,7 @@ class RegisterTest : public QObject {
   void TheMirrorImageIsRefusedUntilSomebodyAcceptsIt();
   void TheExpectedErrorGoesWithTheRegistration();
   void AnotherPlaceIsTakenAndGivenBack();
+  void ABareMeshIsRegisteredAsWhatItIs();
 };
 
 void RegisterTest::OperationsAreSimulatedOnceForAModel() {
@@ -149,6 +150,29 @@ void RegisterTest::AnotherPlaceIsTakenAndGivenBack() {
   const CaseState back = apply(taken, ChooseRival{0}, RunContext()).value().state;
   QVERIFY(back[part::registration]->nodes_in_camera == told->nodes_in_camera);
   QVERIFY_EXCEPTION_THROWN(apply(done, ChooseRival{1}, RunContext()), InputError);
+}
+
+/// The window posts Register with nothing said, the command line says materials where somebody has: one law.
+void RegisterTest::ABareMeshIsRegisteredAsWhatItIs() {
+  CaseState state = before_registration();
+  auto bare = std::make_shared<model::BuiltModel>(*state[part::model]);
+  bare->model.vessels.clear();
+  state[part::model] = bare;
+  state[part::landmarks] = nullptr;  // those of the model were only detected
+  Register said;
+  said.start = Register::Start::given;
+  said.given = phantom::view();
+  said.method = registration::Method::paper;
+  const Points silent = registered(state, said)[part::registration]->nodes_in_camera;
+  const PatientModel model = effective_model(state);
+  const auto alone = registration::register_elastic(model, *state[part::cloud], said.given,
+                                                    registration::options_for(model, false), RunContext());
+  QVERIFY(silent == alone->nodes_in_camera);
+  said.materials.emplace().with_capsule = false;
+  QVERIFY(registered(state, said)[part::registration]->nodes_in_camera == silent);
+  said.materials.reset();
+  state[part::landmarks] = std::make_shared<const Landmarks>(bare->model.landmarks);  // a person says so
+  QVERIFY(registered(state, said)[part::registration]->nodes_in_camera != silent);
 }
 
 QTEST_APPLESS_MAIN(RegisterTest)

@@ -39,8 +39,9 @@ inline std::shared_ptr<const model::BuiltModel> patient() {
 }
 
 /// The engine's only other command here gives it that patient; whatever it writes is new.
-inline Cancellable<Applied> give_patient(const CaseState& state, const Command& command, const RunContext&,
-                                         const Services&) {
+inline Cancellable<Applied> give_patient(const CaseState& state, const Command& command,
+                                         const RunContext& context, const Services& services) {
+  if (command.traits().live != LiveLane::none) return apply(state, command, context, services);
   Applied applied;
   applied.state = state;
   if (command.traits().writes.has(part::model)) applied.state[part::model] = patient();

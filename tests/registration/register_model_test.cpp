@@ -17,7 +17,7 @@ RegisterOptions brief() {
   RegisterOptions options;
   options.start = RegisterOptions::Start::given;
   options.given = phantom::view();
-  options.elastic.max_steps = 30;
+  options.elastic.emplace().max_steps = 30;
   options.operation.operations = 40;
   options.operation.gravity = 1.0;
   options.operation.gas_pa = 80.0;
@@ -72,6 +72,7 @@ class RegisterModelTest : public QObject {
   void AutomaticStartIsTheRigidOne();
   void OptionsThatAreUsedAreChecked();
   void ABareMeshIsTakenForHomogeneous();
+  void WhatIsLeftEmptyTheModelDecides();
   void CancelGivesNothing();
 
  private:
@@ -108,7 +109,7 @@ void RegisterModelTest::WithoutOperationsItIsElasticityFromTheStart() {
   options.operations = false;
   const Registered made = registered(options);
   QVERIFY(!made.operations);
-  const auto alone = register_elastic(model_, cloud_, options.given, options.elastic, RunContext());
+  const auto alone = register_elastic(model_, cloud_, options.given, *options.elastic, RunContext());
   QVERIFY(made.registration.nodes_in_camera == alone->nodes_in_camera);
   QVERIFY(made.registration.doubts == alone->doubts);
 }
@@ -179,10 +180,10 @@ void RegisterModelTest::ShapesAreFoundWithoutAVenaCava() {
 
 void RegisterModelTest::AHeldNodeOrAPriorOfTheCallersLeavesNoneToSimulate() {
   RegisterOptions held = brief();
-  held.elastic.fixed_nodes = {0};
+  held.fixed_nodes = {0};
   QVERIFY(!registered(held).operations);
   RegisterOptions given = brief();
-  given.elastic.prior = registered(brief()).operations;
+  given.elastic->prior = registered(brief()).operations;
   QVERIFY(!registered(given).operations);
   PatientModel unknown = model_;
   unknown.landmarks.vena_cava.resize(0, 3);
@@ -214,7 +215,7 @@ void RegisterModelTest::OptionsThatAreUsedAreChecked() {
   options.start = RegisterOptions::Start::automatic;
   QVERIFY_EXCEPTION_THROWN(registered(options), InputError);
   options = brief();
-  options.elastic.max_steps = 0;
+  options.elastic->max_steps = 0;
   QVERIFY_EXCEPTION_THROWN(registered(options), InputError);
 }
 
@@ -228,6 +229,33 @@ void RegisterModelTest::ABareMeshIsTakenForHomogeneous() {
   QCOMPARE(options_for(model).final_stiffening, 1.0);
   model.vessels.emplace_back();
   QVERIFY(options_for(model, false).materials.with_capsule);
+}
+
+/// What nobody says the model decides, and the paper's method is one name.
+void RegisterModelTest::WhatIsLeftEmptyTheModelDecides() {
+  PatientModel bare = model_;
+  bare.vessels.clear();
+  bare.landmarks = {};
+  RegisterOptions options;
+  options.landmarks_are_placed = false;
+  const ElasticOptions decided = elastic_of(options, bare), expected = options_for(bare, false);
+  QVERIFY(!decided.materials.with_capsule);
+  QCOMPARE(decided.final_stiffening, expected.final_stiffening);
+  QCOMPARE(decided.tangential, expected.tangential);
+  options.materials.emplace();  // with a capsule
+  options.fixed_nodes = {3};
+  const ElasticOptions given = elastic_of(options, bare);
+  QVERIFY(given.materials.with_capsule);
+  QVERIFY((given.fixed_nodes == std::vector<int>{3}));
+  QCOMPARE(given.final_stiffening, expected.final_stiffening);
+
+  RegisterOptions paper = brief(), springs = brief();
+  paper.method = Method::paper;
+  springs.method = Method::springs;
+  springs.operations = false;
+  const Registered published = registered(paper);
+  QVERIFY(!published.operations);
+  QVERIFY(published.registration.nodes_in_camera == registered(springs).registration.nodes_in_camera);
 }
 
 void RegisterModelTest::CancelGivesNothing() {

@@ -2,6 +2,7 @@
 #include <QtTest>
 
 #include "glisson/core/files.h"
+#include "glisson/geometry/mesh_io.h"
 #include "glisson/ui/shell/case_opening.h"
 
 namespace glisson {
@@ -30,6 +31,18 @@ void CaseOpeningTest::PathsAreTakenForWhatTheyAre() {
   QCOMPARE(code(root / "a.glisson"), std::string("open_case"));
   QCOMPARE(code((root / "a.glisson").string() + "/"), std::string("open_case"));
   QCOMPARE(code(root / "surfaces"), std::string("import_surfaces"));
+  // A legacy .vtk by what is in it.
+  TetMesh tetrahedron;
+  tetrahedron.vertices.resize(4, 3);
+  tetrahedron.vertices << 0, 0, 0, 0.1, 0, 0, 0, 0.1, 0, 0, 0, 0.1;
+  tetrahedron.tetrahedra.resize(1, 4);
+  tetrahedron.tetrahedra << 0, 1, 2, 3;
+  write_tet_mesh(root / "volume.vtk", tetrahedron, LengthUnit::millimetre);
+  write_triangle_mesh(root / "skin.vtk", boundary_surface(tetrahedron).mesh, LengthUnit::millimetre);
+  QCOMPARE(code(root / "volume.vtk"), std::string("import_mesh"));
+  QCOMPARE(code(root / "skin.vtk"), std::string("import_surfaces"));
+  QCOMPARE(code(root / "gone.vtk"), std::string("import_surfaces"));
+  QCOMPARE(code("mesh.vtu"), std::string("import_mesh"));
   QCOMPARE(code("ct.NII.gz"), std::string("import_image"));
   QCOMPARE(code("liver.seg.nrrd"), std::string("import_labels"));
   QCOMPARE(code("scope.yaml"), std::string("set_calibration"));

@@ -63,8 +63,11 @@ class FakeOperation {
   engine::Engine::Options options() {
     engine::Engine::Options options;
     options.apply = [this](const engine::CaseState& state, const engine::Command& command,
-                           const RunContext& context,
-                           const engine::Services&) { return apply(state, command, context); };
+                           const RunContext& context, const engine::Services& services) {
+      if (command.traits().live != engine::LiveLane::none)
+        return engine::apply(state, command, context, services);
+      return apply(state, command, context);
+    };
     options.make_follower = [this](const engine::CaseState& state, const engine::StartTracking&) {
       return std::make_unique<Breathing>(state[part::registration]->nodes_in_camera, live_validity);
     };

@@ -20,6 +20,7 @@
 #include "glisson/engine/commands/set_seeds.h"
 #include "glisson/engine/commands/set_video.h"
 #include "glisson/engine/commands/start_tracking.h"
+#include "glisson/engine/obstacle.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/ui/common/task_button.h"
 #include "glisson/ui/guidance/playback_box.h"
@@ -166,8 +167,12 @@ void GuidanceBoxesTest::RefusedRegistrationIsUsedOnlyWhenSomebodySaysSo() {
   QVERIFY(words_on(box).contains(QStringLiteral("refused")));
   QVERIFY(!words_on(box).contains(QStringLiteral("plateaus")));  // nothing that sounds like success
   QVERIFY(model.error_words.value().startsWith(QStringLiteral("Refused")));
-  QVERIFY_EXCEPTION_THROWN(engine::StartTracking{}.apply(engine_->state(), RunContext(), engine::Services{}),
-                           InputError);
+  const auto first = engine::obstacle(*engine_->snapshot(), engine::StartTracking{});
+  QVERIFY(first && first->kind == engine::Obstacle::Kind::refused);
+  ui::PlaybackModel playback(*engine_);
+  QVERIFY(playback.obstacle.value().contains(QStringLiteral("refused")));
+  QVERIFY_EXCEPTION_THROWN(
+      engine::apply(engine_->state(), engine::StartTracking{}, RunContext(), engine::Services{}), InputError);
   accept->trigger();
   QVERIFY(QTest::qWaitFor([this] { return engine_->tasks().empty(); }, 20000));
   QVERIFY(accept->isHidden());

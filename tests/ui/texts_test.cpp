@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/common/texts.h"
+#include "glisson/engine/obstacle.h"
 
 #include <QDirIterator>
 #include <QRegularExpression>
@@ -16,6 +17,8 @@ class TextsTest : public QObject {
   void StructuresInNotesHaveTheirNames();
   void UnknownNotesStayReadable();
   void EveryStageOfTheModulesHasAWord();
+  void EveryCommandHasItsWords();
+  void EveryPartHasItsWords();
   void TranslationsKeepThePlaceholders_data();
   void TranslationsKeepThePlaceholders();
 };
@@ -72,6 +75,44 @@ void TextsTest::EveryStageOfTheModulesHasAWord() {
     }
   }
   QVERIFY(found > 30);
+}
+
+void TextsTest::EveryCommandHasItsWords() {
+  static const QRegularExpression kCode(QStringLiteral("(?:\\.code = |_traits\\()\"([a-z_]+)\""));
+  int found = 0;
+  QDirIterator files(
+      qEnvironmentVariable("GLISSON_SOURCE_DIR") + QStringLiteral("/modules/engine/src/commands"),
+      {QStringLiteral("*.cpp")}, QDir::Files);
+  for (; files.hasNext(); ++found) {
+    QFile file(files.next());
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const auto code = kCode.match(QString::fromUtf8(file.readAll()));
+    QVERIFY2(code.hasMatch(), qPrintable(file.fileName()));
+    const std::string name = code.captured(1).toStdString();
+    QVERIFY2(ui::command_text(name) != ui::readable_code(name), name.c_str());
+  }
+  QVERIFY(found > 35);
+}
+
+/// Of each part that is kept it is said in words what to do when it is missing, out of date or refused.
+void TextsTest::EveryPartHasItsWords() {
+  using Kind = engine::Obstacle::Kind;
+  for (const engine::Part part : engine::all_parts()) {
+    if (!part.type().is_saved()) continue;
+    const engine::PartSpec& spec = part.type().spec();
+    const auto is_told = [&](Kind kind) {
+      const QString words = ui::obstacle_text(engine::Obstacle{kind, part, std::nullopt});
+      const QString code = QString::fromUtf8(part.code().data(), static_cast<qsizetype>(part.code().size()));
+      return words != QStringLiteral("There is no %1 yet.").arg(code) &&
+             words != QStringLiteral("%1 is out of date: make it anew.").arg(code) &&
+             words != QStringLiteral("%1 was refused: make it anew, or accept it.").arg(code);
+    };
+    const std::string code(part.code());
+    QVERIFY2(!spec.remedy.empty(), code.c_str());
+    QVERIFY2(is_told(Kind::missing), code.c_str());
+    QVERIFY2(spec.made_of.empty() || spec.stands_alone || is_told(Kind::stale), code.c_str());
+    QVERIFY2(!spec.is_refused || (is_told(Kind::refused) && !spec.refused_remedy.empty()), code.c_str());
+  }
 }
 
 void TextsTest::TranslationsKeepThePlaceholders_data() {

@@ -71,18 +71,19 @@ std::optional<json> write_parts(const CaseFolder& folder, const CaseState& state
   return json{{"format", kFormat}, {"version", kCaseFormatVersion}, {"parts", parts}};
 }
 
-/// As open_case. @param known the image, when its file need not be read; null: it is read.
-Cancellable<CaseState> read_case(const fs::path& given, const RunContext& context,
+/// As open_case. @param home where the case stands in the end; empty: where it is read.
+/// @param known the image, when its file need not be read; null: it is read.
+Cancellable<CaseState> read_case(const fs::path& given, const fs::path& home, const RunContext& context,
                                  std::vector<std::string>* lost, const std::shared_ptr<const Image>& known);
 
 /// Compares what was written with what was to be. @param linked the image's file is that of the copy before:
 /// it was read back then, and its sum is still that. @throws FileError.
-void verify(const fs::path& folder, const CaseState& state, bool linked) {
-  const auto read = read_case(folder, RunContext(), nullptr, linked ? state[part::image] : nullptr);
+void verify(const fs::path& folder, const fs::path& home, const CaseState& state, bool linked) {
+  const auto read = read_case(folder, home, RunContext(), nullptr, linked ? state[part::image] : nullptr);
   const bool same = read && std::all_of(all_parts().begin(), all_parts().end(), [&](Part part) {
                       const PartSpec& spec = part.type().spec();
                       const bool kept = is_kept(state, part);
-                      return read->has(part) == kept && (!kept || !spec.same || spec.same(state, *read));
+                      return read->has(part) == kept && (!kept || spec.same(state, *read));
                     });
   if (!same)
     throw FileError(folder.string() +
@@ -178,7 +179,7 @@ bool save(const fs::path& given, const CaseState& state, const RunContext& conte
   (*document)["files"] = list_files(fresh);
   write_json(fresh / "case.json", *document);
   context.progress(0.85, "case.verify");
-  verify(fresh, state, linked);
+  verify(fresh, path, state, linked);
   if (saved != nullptr && !linked) saved->remember(state, fresh);
   if (context.cancelled()) return false;
   const std::vector<std::string> told = put_case(fresh, path);
@@ -200,12 +201,12 @@ bool save_copy(const fs::path& path, const CaseState& state, const RunContext& c
 
 Cancellable<CaseState> open_case(const fs::path& given, const RunContext& context,
                                  std::vector<std::string>* lost) {
-  return read_case(given, context, lost, nullptr);
+  return read_case(given, {}, context, lost, nullptr);
 }
 
 namespace {
 
-Cancellable<CaseState> read_case(const fs::path& given, const RunContext& context,
+Cancellable<CaseState> read_case(const fs::path& given, const fs::path& home, const RunContext& context,
                                  std::vector<std::string>* lost, const std::shared_ptr<const Image>& known) {
   fs::path path = case_place(given);
   sweep_leftovers(path.parent_path());
@@ -227,7 +228,7 @@ Cancellable<CaseState> read_case(const fs::path& given, const RunContext& contex
                        "Open it with a newer Glisson");
     CaseState state;
     state.path = fs::absolute(given).lexically_normal();
-    const CaseFolder folder{path, path, context, lost};
+    const CaseFolder folder{path, home.empty() ? path : home, context, lost};
     const json& parts = document.at("parts");
     double done = 0.0;
     for (const Part part : all_parts()) {

@@ -11,7 +11,6 @@
 #include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <system_error>
 #include <utility>
 
@@ -28,12 +27,12 @@ constexpr const char* kCaseFile = "case.json";
 
 /// Whether a name is one that this or an earlier edition gives to a file of a case.
 bool is_of_layout(const fs::path& relative) {
-  static const std::set<std::string> kEndings = {".json", ".nrrd", ".vtu", ".vtp", ".png", ".ply"};
-  const std::vector<std::string_view> names = files_of_parts();
-  const bool is_named = std::find(names.begin(), names.end(), relative.begin()->string()) != names.end();
-  const auto parts = std::distance(relative.begin(), relative.end());
-  if (parts == 1) return relative == kCaseFile || (is_named && relative.has_extension());
-  return parts == 2 && is_named && kEndings.contains(relative.extension().string());
+  if (relative == kCaseFile) return true;
+  const std::vector<std::string_view> files = files_of_parts();
+  return std::any_of(files.begin(), files.end(), [&](const fs::path& file) {
+    if (file.stem() != "*") return relative == file;
+    return relative.parent_path() == file.parent_path() && relative.extension() == file.extension();
+  });
 }
 
 /// What the former save says that it wrote; null: it was of an edition that said nothing.

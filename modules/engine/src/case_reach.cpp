@@ -2,6 +2,7 @@
 #include "case_reach.h"
 
 #include <algorithm>
+#include <set>
 #include <string_view>
 #include <system_error>
 #include <vector>
@@ -46,9 +47,9 @@ void require_own_files(const fs::path& folder) {
   std::error_code failure;
   const fs::path root = fs::canonical(folder, failure);
   // Anything else in the folder is somebody's own, and nobody opens it.
-  std::vector<std::string_view> names = files_of_parts();
-  names.emplace_back("case.json");
-  for (const std::string_view name : names) {
+  std::set<fs::path> names = {"case.json"};
+  for (const fs::path file : files_of_parts()) names.insert(*file.begin());  // a file, or its folder
+  for (const fs::path& name : names) {
     if (failure) break;
     std::error_code absent;
     require_own(root / name, root);

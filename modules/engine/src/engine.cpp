@@ -196,8 +196,7 @@ struct Engine::Impl final : LiveLanes {
   Cancellable<Applied> perform(const CaseState& base, const Job& job, const RunContext& context) {
     const Services services{options.make_follower, options.make_trial,
                             [this, id = job.id](const LabelVolume& liver) { show_evolving(id, liver); }};
-    return job.traits().live == LiveLane::none ? options.apply(base, job.command, context, services)
-                                               : job.command.apply(base, context, services);
+    return options.apply(base, job.command, context, services);
   }
 
   /// Called without the lock, on the work's thread.

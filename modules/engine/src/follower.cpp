@@ -2,8 +2,8 @@
 // What follows the operation: the tracker on the case's parts.
 #include "glisson/core/error.h"
 #include "glisson/engine/commands/start_tracking.h"
-#include "glisson/engine/obstacle.h"
 #include "glisson/engine/parts/frame.h"
+#include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/engine/parts/rig.h"
@@ -12,12 +12,24 @@
 namespace glisson::engine {
 namespace {
 
+/// The mechanics by which this model is registered, too.
+guidance::TrackerOptions tracker_options(const CaseState& state, const PatientModel& model,
+                                         const StartTracking& command) {
+  guidance::TrackerOptions options = command.options;
+  const registration::ElasticOptions own =
+      registration::options_for(model, state[part::landmarks] != nullptr);
+  options.cloud.final_stiffening = own.final_stiffening;
+  options.cloud.tangential = own.tangential;
+  options.materials = options.cloud.materials = command.materials.value_or(own.materials);
+  return options;
+}
+
 class TrackerFollower : public Follower {
  public:
-  TrackerFollower(const CaseState& state, const StartTracking& command)
-      : tracker_(effective_model(state), *state[part::registration], command.options),
+  TrackerFollower(const CaseState& state, const PatientModel& model, const StartTracking& command)
+      : tracker_(model, *state[part::registration], tracker_options(state, model, command)),
         steps_per_cloud_(command.steps_per_cloud) {
-    if (command.source == StartTracking::Source::frames)
+    if (command.source != StartTracking::Source::clouds)
       tracker_.begin(*state[part::rig], state[part::frame]->frame, state[part::frame]->mask);
   }
   OverlayFrame follow(const LiveInput& input) override {
@@ -34,10 +46,10 @@ class TrackerFollower : public Follower {
 }  // namespace
 
 std::unique_ptr<Follower> make_follower(const CaseState& state, const StartTracking& command) {
-  if (const auto first = obstacle(state, command)) throw error_of(*first);
-  if (command.source == StartTracking::Source::frames)
+  require(state.has(part::model) && state.has(part::registration), "a registered model is followed");
+  if (command.source != StartTracking::Source::clouds)
     stereo::require_rig_of(*state[part::rig], state[part::frame]->frame.left);
-  return std::make_unique<TrackerFollower>(state, command);
+  return std::make_unique<TrackerFollower>(state, effective_model(state), command);
 }
 
 }  // namespace glisson::engine

@@ -7,7 +7,6 @@
 
 #include "glisson/core/error.h"
 #include "glisson/core/stopwatch.h"
-#include "glisson/engine/obstacle.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/fem/integrator.h"
 #include "glisson/guidance/boundary_springs.h"
@@ -183,7 +182,7 @@ void TrialOptions::validate() const {
 
 Cancellable<std::unique_ptr<LoadTrial>> make_load_trial(const CaseState& state, const TrialOptions& options,
                                                         const RunContext& context) {
-  if (const auto first = obstacle(state, {part::model})) throw error_of(*first);
+  require(state.has(part::model), "a load is tried on a model");
   options.validate();
   const PatientModel model = effective_model(state);
   if (model.mesh.tetrahedron_count() == 0)

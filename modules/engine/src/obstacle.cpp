@@ -35,17 +35,23 @@ Obstacle origin(const CaseState& state, Part part) {
 
 }  // namespace
 
-std::optional<Obstacle> obstacle(const CaseState& state, const std::vector<Part>& needs,
-                                 const Parts& current) {
+std::optional<Obstacle> obstacle(const CaseState& state, const std::vector<Part>& needs, const Parts& current,
+                                 const Parts& accepted) {
   for (const Part part : needs)
     if (!state.has(part)) return Obstacle{Obstacle::Kind::missing, part, missing_input(state, part)};
   for (const Part part : all_parts())
     if (current.has(part) && is_stale(state, part)) return origin(state, part);
+  for (const Part part : all_parts()) {
+    const auto& is_refused = part.type().spec().is_refused;
+    if (accepted.has(part) && state.has(part) && is_refused && is_refused(state))
+      return Obstacle{Obstacle::Kind::refused, part, std::nullopt};
+  }
   return std::nullopt;
 }
 
 std::optional<Obstacle> obstacle(const CaseState& state, const Command& command) {
-  return obstacle(state, command.traits().needs, command.traits().current);
+  const CommandTraits& traits = command.traits();
+  return obstacle(state, traits.needs, traits.current, traits.accepted);
 }
 
 std::optional<Obstacle> obstacle(const Snapshot& snapshot, const Command& command) {
@@ -56,6 +62,9 @@ InputError error_of(const Obstacle& obstacle) {
   const std::string code(obstacle.part.code());
   const std::string remedy(obstacle.part.type().spec().remedy);
   if (obstacle.kind == Obstacle::Kind::missing) return {"case", code, "there is none yet", remedy};
+  if (obstacle.kind == Obstacle::Kind::refused)
+    return {"case", code, "was refused: what is known contradicts it",
+            std::string(obstacle.part.type().spec().refused_remedy)};
   const std::string cause =
       obstacle.input ? ": its " + std::string(obstacle.input->code()) + " changed since it was made" : "";
   return {"case", code, "is out of date" + cause, "Make it anew"};

@@ -32,6 +32,7 @@
 #include "glisson/engine/parts/frame.h"
 #include "glisson/engine/parts/image.h"
 #include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/engine/parts/video.h"
@@ -194,6 +195,7 @@ class DemoRun {
   void compare_forces(const std::string& prefix) {
     registration::RegisterOptions options = engine::Register{};
     options.method = registration::Method::forces;
+    options.landmarks_are_placed = state()[part::landmarks] != nullptr;
     registration::KnownOperations known;
     if (state()[part::operations])
       known = {state()[part::operations]->options, state()[part::operations]->prior};

@@ -46,9 +46,7 @@ class Trials {
         options_(options),
         log_(log),
         context_(context),
-        lesions_(bind_points(stage.model.mesh, stage.lesions, false)) {
-    registration_.elastic = registration::options_for(stage.model);
-  }
+        lesions_(bind_points(stage.model.mesh, stage.lesions, false)) {}
 
   bool run(const LabelledCloud& cloud, std::size_t handling, double share, RegistrationFault fault) {
     RegistrationTrial trial;
@@ -58,7 +56,7 @@ class Trials {
     trial.share = share;
     trial.fault = fault;
     if (log_.has(trial)) return true;
-    registration::RegisterOptions options = registration_;
+    registration::RegisterOptions options;
     if (fault == RegistrationFault::wrong_start) {
       options.start = registration::RegisterOptions::Start::given;
       options.given = mistaken(stage_, handling);
@@ -120,9 +118,8 @@ class Trials {
   }
 
   bool add_paper(const LabelledCloud& cloud, std::size_t handling, RegistrationTrial& trial) const {
-    registration::RegisterOptions paper = registration_;
-    paper.method = registration::Method::springs;
-    paper.operations = false;
+    registration::RegisterOptions paper;
+    paper.method = registration::Method::paper;
     const auto made = register_model(stage_.model, cloud, paper, context_);
     if (!made) return false;
     trial.paper_mean =
@@ -138,7 +135,6 @@ class Trials {
   TrialLog& log_;
   RunContext context_;
   Binding lesions_;
-  registration::RegisterOptions registration_;
   registration::KnownOperations known_;
 };
 

@@ -32,9 +32,9 @@ Cancellable<RigidStart> start_of(const PatientModel& model, const LabelledCloud&
 
 /// Whether shapes are to be told apart by how probable they are. Without a vena cava only where the pose is
 /// found with them.
-bool needs_prior(const PatientModel& model, const RegisterOptions& options) {
-  return options.operations && !options.elastic.prior && options.elastic.fixed_nodes.empty() &&
-         (can_simulate_operations(model) || options.start != Start::none);
+bool needs_prior(const PatientModel& model, const RegisterOptions& options, const ElasticOptions& elastic) {
+  return options.operations && options.method != Method::paper && !elastic.prior &&
+         elastic.fixed_nodes.empty() && (can_simulate_operations(model) || options.start != Start::none);
 }
 
 Cancellable<std::shared_ptr<const OperationPrior>> operations_of(const PatientModel& model,
@@ -243,10 +243,19 @@ ContactForceOptions forces_with(const PatientModel& model, const ElasticOptions&
   return forces;
 }
 
+ElasticOptions elastic_of(const RegisterOptions& options, const PatientModel& model) {
+  ElasticOptions elastic =
+      options.elastic ? *options.elastic : options_for(model, options.landmarks_are_placed);
+  if (options.materials) elastic.materials = *options.materials;
+  if (!options.fixed_nodes.empty()) elastic.fixed_nodes = options.fixed_nodes;
+  return elastic;
+}
+
 void RegisterOptions::validate() const {
   if (start == Start::automatic || start == Start::near) rigid.validate();
   if (operations) operation.validate();
-  elastic.validate();
+  if (elastic) elastic->validate();
+  if (materials) materials->validate();
   forces.validate();
 }
 
@@ -262,7 +271,7 @@ class Run {
         options_(options),
         known_(known),
         context_(context),
-        elastic_(options.elastic) {}
+        elastic_(elastic_of(options, model)) {}
 
   Cancellable<ExaminedRegistration> run() {
     if (!find_start() || !know_shapes() || !fit_the_shapes() || !deform() || !examine_it()) return {};
@@ -285,7 +294,7 @@ class Run {
   }
 
   bool know_shapes() {
-    if (!needs_prior(model_, options_)) return true;
+    if (!needs_prior(model_, options_, elastic_)) return true;
     if (can_simulate_operations(model_)) {
       auto prior = operations_of(model_, options_.operation, known_, up_to(0.7));
       if (!prior) return false;
@@ -310,7 +319,7 @@ class Run {
     const double judged = done_ + 0.7 * (1.0 - done_);  // the control takes about as long as the start
     const bool either = options_.method == Method::automatic && shapes_.has_value();
     Cancellable<Registration> made;
-    if (either || takes_forces(options_.method, model_, options_.elastic))
+    if (either || takes_forces(options_.method, model_, elastic_))
       made = register_by_forces(model_, cloud_, start_.camera_from_ct, elastic_, shapes_, options_.forces,
                                 options_.start == Start::none, result().forces,
                                 up_to(either ? 0.5 * (done_ + judged) : judged));

@@ -93,7 +93,7 @@ Cancellable<PairCloud> reconstruct_pair(const PairInput& input, const Reconstruc
   require_rig_of(input.rig, input.frame.left);
   require_regions_of(input.regions, input.frame.left, input.frame.right);
   Look look(input);
-  if (input.check) require_sound(look.check());
+  if (!known.whole) require_sound(look.check());
   const bool labels = !input.regions.regions.empty();
   const bool may_be_dense = labels && options.method == Method::automatic;
   auto whole = asked_whole(input, options, known, look, context.part(0.0, may_be_dense ? 0.6 : 1.0));

@@ -26,12 +26,16 @@ class Obstacles {
             {"rig", tr("Load the laparoscope's calibration first.")},
             {"video", tr("The case has no stereo video (Stereo, Video…).")},
             {"frame", tr("Load a stereo pair or a video frame first.")},
+            {"regions", tr("Draw regions on the frame first (Stereo).")},
+            {"check", tr("Look at the model and say whether it is right first (Model).")},
+            {"review", tr("Review the labels first (Segmentation).")},
             {"cloud", tr("Reconstruct the surface first (Stereo).")},
             {"registration", tr("Register first.")}};
   }
   /// The same for one that is out of date.
   static QHash<QString, QString> stale() {
     return {
+        {"seeds", tr("The seeds are those of another CT: place them again (Segmentation).")},
         {"labels", tr("The labels are out of date: segment or import them again (Segmentation).")},
         {"model", tr("The model is out of date: build it again (Model).")},
         {"check", tr("The model is another one than was checked: look at it again (Model).")},
@@ -44,9 +48,15 @@ class Obstacles {
         {"cloud", tr("The points are out of date: reconstruct the surface again (Stereo).")},
         {"registration", tr("The registration is out of date: register again.")}};
   }
+  /// The same for one that stands refused.
+  static QHash<QString, QString> refused() {
+    return {{"registration",
+             tr("The registration was refused: register again, or use it nevertheless (see its doubts).")}};
+  }
   /// A part that came after these sentences.
   static QString other_missing() { return tr("There is no %1 yet."); }
   static QString other_stale() { return tr("%1 is out of date: make it anew."); }
+  static QString other_refused() { return tr("%1 was refused: make it anew, or accept it."); }
 };
 
 }  // namespace
@@ -56,6 +66,8 @@ QString obstacle_text(const std::optional<engine::Obstacle>& obstacle) {
   const QString part = to_q(obstacle->part.code());
   if (obstacle->kind == engine::Obstacle::Kind::missing)
     return Obstacles::missing().value(part, Obstacles::other_missing().arg(part));
+  if (obstacle->kind == engine::Obstacle::Kind::refused)
+    return Obstacles::refused().value(part, Obstacles::other_refused().arg(part));
   return Obstacles::stale().value(part, Obstacles::other_stale().arg(part));
 }
 

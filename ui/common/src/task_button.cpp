@@ -59,8 +59,19 @@ void TaskButton::set_obstacle(const QString& obstacle) {
   show_state();
 }
 
+void TaskButton::watch(engine::Command command) {
+  if (!watched_) connect(&engine_, &EngineBridge::case_changed, this, &TaskButton::ask);
+  watched_ = std::move(command);
+  ask();
+}
+
+void TaskButton::ask() {
+  asked_ = obstacle_text(engine::obstacle(*engine_.snapshot(), *watched_));
+  show_state();
+}
+
 void TaskButton::trigger() {
-  if (!running_ && obstacle_.isEmpty()) start();
+  if (!running_ && obstacle().isEmpty()) start();
 }
 
 void TaskButton::start() {
@@ -107,10 +118,11 @@ void TaskButton::show_outcome(const engine::Outcome& outcome) {
 
 void TaskButton::show_state() {
   progress_row_->setVisible(running_.has_value());
-  stage_->setVisible(running_.has_value() || !obstacle_.isEmpty());
-  button_->setEnabled(!running_ && obstacle_.isEmpty());
-  if (!running_) stage_->setText(obstacle_);
-  if (!obstacle_.isEmpty()) outcome_->hide();
+  const QString first = obstacle();
+  stage_->setVisible(running_.has_value() || !first.isEmpty());
+  button_->setEnabled(!running_ && first.isEmpty());
+  if (!running_) stage_->setText(first);
+  if (!first.isEmpty()) outcome_->hide();
 }
 
 }  // namespace glisson::ui

@@ -22,6 +22,7 @@ class Texts {
             {"undo_labels", tr("Undoing")},
             {"redo_labels", tr("Redoing")},
             {"set_review", tr("Storing the review")},
+            {"list_series", tr("Looking for series")},
             {"set_seeds", tr("Storing the seeds")},
             {"segment", tr("Segmenting")},
             {"build_model", tr("Building the model")},

@@ -27,9 +27,9 @@ PlacingModel::PlacingModel(EngineBridge& engine, QObject* parent) : QObject(pare
 
 void PlacingModel::read_case() {
   const engine::CaseState& now = engine_.state();
-  QString missing = obstacle_text(engine::obstacle(*engine_.snapshot(), engine::Register{}));
-  if (missing.isEmpty() && (!now[part::frame] || !now[part::rig]))
-    missing = tr("Load a stereo frame first (Stereo).");
+  auto first = engine::obstacle(*engine_.snapshot(), engine::Register{});
+  if (!first) first = engine::obstacle(now, {part::rig, part::frame});  // it is held before the picture
+  QString missing = obstacle_text(first);
   if (missing.isEmpty() && engine_.snapshot()->tracking) missing = tr("Stop the tracking first.");
   obstacle = missing;
   const bool is_the_same =

@@ -15,7 +15,7 @@ PlaybackBox::PlaybackBox(EngineBridge& engine, PlaybackModel& model, QWidget* pa
     : QWidget(parent), row_(new QHBoxLayout) {
   QVBoxLayout* box = make_box_layout(this);
   auto* start = new TaskButton(
-      engine, tr("Start tracking"), [] { return engine::Command(engine::StartTracking{}); }, this);
+      engine, tr("Start tracking"), [] { return engine::Command(PlaybackModel::command()); }, this);
   start->setObjectName(QStringLiteral("start_tracking"));
   box->addWidget(start);
   auto* stop = new QPushButton(tr("Stop"), this);

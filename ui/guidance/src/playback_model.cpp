@@ -3,7 +3,6 @@
 
 #include <utility>
 
-#include "glisson/engine/commands/start_tracking.h"
 #include "glisson/engine/commands/stop_tracking.h"
 #include "glisson/engine/parts/frame.h"
 #include "glisson/engine/parts/registration.h"
@@ -30,10 +29,14 @@ PlaybackModel::PlaybackModel(EngineBridge& engine, QObject* parent)
   read_case();
 }
 
+engine::StartTracking PlaybackModel::command() {
+  engine::StartTracking start;
+  start.source = engine::StartTracking::Source::video;
+  return start;
+}
+
 QString PlaybackModel::requirement(const engine::Snapshot& now) {
-  if (const auto first = engine::obstacle(now, engine::StartTracking{})) return obstacle_text(first);
-  // What is followed in the window comes from the case's video.
-  return obstacle_text(engine::obstacle(now.state, {part::video}));
+  return obstacle_text(engine::obstacle(now, command()));
 }
 
 void PlaybackModel::begin(const engine::Outcome& outcome) {

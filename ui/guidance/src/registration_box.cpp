@@ -26,6 +26,7 @@ RegistrationBox::RegistrationBox(EngineBridge& engine, RegistrationModel& model,
   auto* start = new TaskButton(
       engine, tr("Register"), [] { return engine::Command(engine::Register{}); }, this);
   start->setObjectName(QStringLiteral("register"));
+  start->watch(engine::Register{});
   box->addWidget(start);
   auto* figures = new FiguresTable(this);
   box->addWidget(figures);
@@ -36,6 +37,7 @@ RegistrationBox::RegistrationBox(EngineBridge& engine, RegistrationModel& model,
   auto* accept = new TaskButton(
       engine, tr("Use it nevertheless"), [] { return engine::Command(engine::AcceptRegistration{}); }, this);
   accept->setObjectName(QStringLiteral("accept_registration"));
+  accept->watch(engine::AcceptRegistration{});
   accept->button()->setProperty("role", QVariant());  // not the step that one takes in passing
   accept->setToolTip(
       tr("The registration was refused: what is known contradicts it. Its doubts stay in the "
@@ -47,7 +49,6 @@ RegistrationBox::RegistrationBox(EngineBridge& engine, RegistrationModel& model,
 
   couplings_.add(model.is_refused, [accept](bool is) { accept->setVisible(is); });
   couplings_.add(model.is_unchecked, [unchecked](bool is) { unchecked->setVisible(is); });
-  couplings_.add(model.obstacle, [start](const QString& text) { start->set_obstacle(text); });
   couplings_.add(model.figures, [figures](const FigureRows& rows) { figures->set_rows(rows); });
   couplings_.add(model.doubts, [doubts](const QString& text) { show_warning(*doubts, text); });
 }
@@ -71,6 +72,7 @@ QWidget* RegistrationBox::make_rival_rows(EngineBridge& engine, RegistrationMode
       },
       rows);
   use->setObjectName(QStringLiteral("choose_rival"));
+  use->watch(engine::ChooseRival{});
   use->button()->setProperty("role", QVariant());
   layout->addWidget(use);
   connect(choice, &QComboBox::activated, rows, [&model](int index) { model.shown_rival = index - 1; });
@@ -109,6 +111,7 @@ QWidget* RegistrationBox::make_placing_rows(EngineBridge& engine, PlacingModel& 
       },
       rows);
   refine->setObjectName(QStringLiteral("refine"));
+  refine->watch(engine::Register{});
   layout->addWidget(refine);
   connect(hold, &QPushButton::clicked, rows, [&placing] {
     if (placing.is_placing)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/guidance/registration_model.h"
 
-#include "glisson/engine/commands/register.h"
 #include "glisson/engine/parts/check.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/registration.h"
@@ -19,7 +18,6 @@ RegistrationModel::RegistrationModel(EngineBridge& engine, QObject* parent)
 
 void RegistrationModel::read_case() {
   const engine::CaseState& now = engine_.state();
-  obstacle = obstacle_text(engine::obstacle(*engine_.snapshot(), engine::Register{}));
   is_unchecked = now[part::model] && !engine::is_model_checked(now);
   if (now[part::registration] != source_) shown_rival = -1;
   source_ = now[part::registration];

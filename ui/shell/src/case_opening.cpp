@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/shell/case_opening.h"
+#include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/engine/case_io.h"
 #include "glisson/engine/commands/import_cloud.h"
@@ -10,6 +11,7 @@
 #include "glisson/engine/commands/open_case.h"
 #include "glisson/engine/commands/set_calibration.h"
 #include "glisson/engine/commands/set_video.h"
+#include "glisson/engine/model_source.h"
 
 #include <algorithm>
 #include <array>
@@ -26,6 +28,17 @@ bool ends_with_any(const std::string& name, std::initializer_list<const char*> e
 }
 
 bool is_surface(const std::string& name) { return ends_with_any(name, {".vtk", ".vtp", ".stl", ".obj"}); }
+
+/// A mesh by what is in it. One that cannot be read goes by its name: who opens it says what is wrong.
+engine::Command mesh_import(const fs::path& path) {
+  bool tetrahedra = ends_with_any(lower_name(path), {".vtu", ".msh"});
+  try {
+    tetrahedra = engine::model_source(path) == engine::ModelSource::tetrahedra;
+  } catch (const Error&) {
+  }
+  if (tetrahedra) return engine::ImportMesh{path, LengthUnit::millimetre};
+  return engine::ImportSurfaces{path, LengthUnit::millimetre, {}};
+}
 
 bool holds_surfaces(const fs::path& folder) {
   std::error_code problem;
@@ -56,8 +69,7 @@ std::optional<Opening> opening_of(const fs::path& given) {
   if (ends_with_any(name, {".seg.nrrd"})) return plain(engine::ImportLabels{path, {}});
   if (ends_with_any(name, {".nii", ".nii.gz", ".nrrd", ".nhdr", ".mha", ".mhd", ".vti", ".tar.gz", ".tgz"}))
     return image;
-  if (is_surface(name)) return plain(engine::ImportSurfaces{path, LengthUnit::millimetre, {}});
-  if (ends_with_any(name, {".vtu", ".msh"})) return plain(engine::ImportMesh{path, LengthUnit::millimetre});
+  if (is_surface(name) || ends_with_any(name, {".vtu", ".msh"})) return plain(mesh_import(path));
   if (ends_with_any(name, {".yml", ".yaml"})) return plain(engine::SetCalibration{path});
   if (ends_with_any(name, {".ply"})) return plain(engine::ImportCloud{path, LengthUnit::millimetre});
   if (ends_with_any(name, {".mkv", ".mp4", ".avi", ".mov"}))

@@ -45,19 +45,17 @@ Cancellable<Applied> Reconstruct::apply(const CaseState& state, const RunContext
   const auto& frame = state[part::frame];
   const auto& regions = state[part::regions];
   const auto& rig = state[part::rig];
-  const stereo::PairInput input{frame->frame, *rig, frame->mask, regions ? *regions : stereo::Regions{},
-                                check_pair};
+  const stereo::PairInput input{frame->frame, *rig, frame->mask, regions ? *regions : stereo::Regions{}};
   auto made = stereo::reconstruct_pair(input, options, context, known_points(state));
   if (!made) return {};
   Applied applied{state};
   add_figures(applied.figures, *made);
-  if (check_pair) {
+  if (made->check) {
     applied.figures["pair_matches"] = made->check->matches;
     applied.figures["pair_rows_px"] = made->check->rows_px;
-  }
-  if (made->check)
     for (const stereo::Fault fault : made->check->faults)
       applied.notes.push_back("stereo." + std::string(stereo::fault_code(fault)));
+  }
   applied.state[part::points] = std::make_shared<const PairPoints>(
       PairPoints{frame, rig, options, std::move(made->whole), made->part.area_cm2, made->part.density_per_cm2,
                  std::move(made->density), std::move(made->frame_identity)});

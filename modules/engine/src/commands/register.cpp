@@ -114,8 +114,10 @@ CommandTraits Register::traits() const {
 
 Cancellable<Applied> Register::apply(const CaseState& state, const RunContext& context) const {
   const registration::KnownOperations known = known_operations(state);
-  auto examined =
-      registration::register_and_examine(effective_model(state), *state[part::cloud], *this, context, known);
+  registration::RegisterOptions options = *this;
+  options.landmarks_are_placed = state[part::landmarks] != nullptr;
+  auto examined = registration::register_and_examine(effective_model(state), *state[part::cloud], options,
+                                                     context, known);
   if (!examined) return {};
   registration::Registered* made = &examined->registered;
   Applied applied{state};

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/engine/commands/start_tracking.h"
 
-#include "glisson/core/error.h"
 #include "glisson/engine/parts/frame.h"
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/live.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/engine/parts/rig.h"
-#include "glisson/registration/refusal.h"
+#include "glisson/engine/parts/video.h"
 
 namespace glisson::engine {
 
@@ -18,19 +17,17 @@ CommandTraits StartTracking::traits() const {
                        .writes = {part::live},
                        .needs = {part::registration, part::model},
                        .current = {part::registration},
+                       .accepted = {part::registration},
                        .lane = Lane::edits,
                        .notice = Notice::quiet,
                        .live = LiveLane::tracking};
-  if (source == Source::frames) traits.needs.insert(traits.needs.end(), {part::rig, part::frame});
+  if (source != Source::clouds) traits.needs.insert(traits.needs.end(), {part::rig, part::frame});
+  if (source == Source::video) traits.needs.push_back(part::video);
   return traits;
 }
 
 Cancellable<Applied> StartTracking::apply(const CaseState& state, const RunContext&,
                                           const Services& services) const {
-  const auto& registered = state[part::registration];  // null: the follower says what is missing
-  if (registered && registration::is_refused(*registered))
-    throw InputError("registration", "", "was refused: what is known contradicts it",
-                     "Register again with a better cloud, or accept it knowing its doubts");
   const std::shared_ptr<Follower> follower = services.make_follower(state, *this);
   Applied applied{state};
   applied.state[part::live] = std::make_shared<const LiveState>();

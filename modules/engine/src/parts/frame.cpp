@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/engine/parts/frame.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "glisson/engine/parts/video.h"
@@ -34,13 +35,26 @@ void load(CaseState& state, const json& entry, const CaseFolder& folder) {
   state[part::frame] = std::make_shared<const StereoInput>(std::move(input));
 }
 
+bool same_picture(const Picture& a, const Picture& b) {
+  if (a.empty() || b.empty()) return a.empty() == b.empty();
+  return a.width == b.width && a.height == b.height && a.channels == b.channels && *a.bytes == *b.bytes;
+}
+
+bool same(const CaseState& written, const CaseState& read) {
+  const StereoInput &a = *written[part::frame], &b = *read[part::frame];
+  return a.frame.index == b.frame.index && std::abs(a.frame.seconds - b.frame.seconds) < 1e-9 &&
+         same_picture(a.frame.left, b.frame.left) && same_picture(a.frame.right, b.frame.right) &&
+         same_picture(a.mask, b.mask);
+}
+
 }  // namespace
 
 const PartOf<StereoInput> part::frame{{.code = "frame",
                                        .made_of = {part::video},
                                        .remedy = "Load a stereo pair first",
-                                       .files = {"frame"},
+                                       .files = {"frame/*.png"},
                                        .save = save,
-                                       .load = load}};
+                                       .load = load,
+                                       .same = same}};
 
 }  // namespace glisson::engine

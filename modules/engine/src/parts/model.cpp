@@ -93,7 +93,7 @@ const PartOf<model::BuiltModel> part::model{
     {.code = "model",
      .made_of = {part::labels},
      .remedy = "Build or import a model first",
-     .files = {"model"},
+     .files = {"model/*.vtu", "model/*.vtp", "model/*.json"},
      .save = [](const CaseState& state,
                 const CaseFolder& folder) { return write_model(folder.path, *state[part::model]); },
      .load =

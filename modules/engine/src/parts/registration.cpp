@@ -9,6 +9,7 @@
 #include "glisson/engine/parts/cloud.h"
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/model.h"
+#include "glisson/registration/refusal.h"
 
 namespace glisson::engine {
 namespace {
@@ -49,6 +50,8 @@ bool is_of_its_model(const CaseState& state) {
          registration->nodes_in_camera.rows() == state[part::model]->model.mesh.vertex_count();
 }
 
+bool is_refused(const CaseState& state) { return registration::is_refused(*state[part::registration]); }
+
 bool same(const CaseState& written, const CaseState& read) {
   return same_points(read[part::registration]->nodes_in_camera, written[part::registration]->nodes_in_camera);
 }
@@ -64,6 +67,9 @@ const PartOf<Registration> part::registration{{.code = "registration",
                                                .load = load,
                                                .same = same,
                                                .is_savable = is_of_its_model,
-                                               .companions = {&part::operations}}};
+                                               .companions = {&part::operations},
+                                               .is_refused = is_refused,
+                                               .refused_remedy = "Register again with a better cloud, or "
+                                                                 "accept it knowing its doubts"}};
 
 }  // namespace glisson::engine

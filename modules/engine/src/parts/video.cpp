@@ -52,7 +52,7 @@ void load(CaseState& state, const json& entry, const CaseFolder& folder) {
     const fs::path video = entry.at(side).get<std::string>();
     return video.empty() || video.is_absolute() || stereo::is_device(video.string())
                ? video
-               : (folder.path / video).lexically_normal();
+               : (folder.home / video).lexically_normal();
   };
   const VideoSource video{place("left"), place("right")};
   const VideoSource named{entry.at("left").get<std::string>(), entry.at("right").get<std::string>()};
@@ -67,6 +67,16 @@ void load(CaseState& state, const json& entry, const CaseFolder& folder) {
   folder.lost->push_back(std::string("case.video_lost ") + error.what());
 }
 
+bool same_place(const fs::path& a, const fs::path& b) {
+  if (a.empty() || b.empty() || stereo::is_device(a.string())) return a == b;
+  return fs::absolute(a).lexically_normal() == fs::absolute(b).lexically_normal();
+}
+
+bool same(const CaseState& written, const CaseState& read) {
+  const VideoSource &a = *written[part::video], &b = *read[part::video];
+  return same_place(a.left, b.left) && same_place(a.right, b.right);
+}
+
 }  // namespace
 
 const PartOf<VideoSource> part::video{
@@ -74,6 +84,7 @@ const PartOf<VideoSource> part::video{
      .remedy = "Open a stereo video first",
      .save = save,
      .load = load,
+     .same = same,
      .is_savable = [](const CaseState& state) { return stays_here(*state[part::video]); }}};
 
 }  // namespace glisson::engine

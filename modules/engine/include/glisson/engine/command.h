@@ -43,6 +43,7 @@ struct CommandTraits {
   Parts reads = {}, writes = {};
   std::vector<Part> needs = {};  ///< cannot be done without them; what to see to first comes first
   Parts current = {};            ///< must not be out of date where they are there
+  Parts accepted = {};           ///< must not stand refused
   Lane lane = Lane::work;
   Notice notice = Notice::ordinary;
   LiveLane live = LiveLane::none;

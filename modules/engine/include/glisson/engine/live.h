@@ -35,7 +35,8 @@ class Follower {
   virtual ~Follower() = default;
   virtual OverlayFrame follow(const LiveInput& input) = 0;
 };
-/// Makes a follower from the state. @throws Error when a part is missing or stale.
+/// Makes a follower from the state. @pre nothing is in the command's way (obstacle.h). @throws Error the
+/// mechanics cannot be made, a calibration of other pictures.
 using MakeFollower = std::function<std::unique_ptr<Follower>(const CaseState&, const StartTracking&)>;
 std::unique_ptr<Follower> make_follower(const CaseState& state, const StartTracking& command);
 

@@ -16,7 +16,8 @@ struct Snapshot;
 struct Obstacle {
   enum class Kind {
     missing,  ///< `part` is not there
-    stale     ///< `part` is out of date and has to be made anew
+    stale,    ///< `part` is out of date and has to be made anew
+    refused   ///< `part` contradicts what is known, and nobody has accepted it
   };
   Kind kind = Kind::missing;
   Part part;
@@ -27,9 +28,10 @@ struct Obstacle {
 };
 
 /// The first of `needs` that is not there; else the first of `current` that is out of date, followed back to
-/// where that begins: made again of an input that is itself out of date, a part would be so as before.
+/// where that begins: made again of an input that is itself out of date, a part would be so as before. Else
+/// the first of `accepted` that stands refused.
 std::optional<Obstacle> obstacle(const CaseState& state, const std::vector<Part>& needs,
-                                 const Parts& current = {});
+                                 const Parts& current = {}, const Parts& accepted = {});
 /// What stands in the way of a command, by its traits.
 std::optional<Obstacle> obstacle(const CaseState& state, const Command& command);
 std::optional<Obstacle> obstacle(const Snapshot& snapshot, const Command& command);

@@ -84,8 +84,8 @@ struct PartSpec {
   std::vector<Part> made_of = {};
   /// What brings it, for errors: "Segment the CT or import labels first".
   std::string_view remedy = {};
-  /// Its files and folders in the case's folder, as any edition names them: what else lies there is
-  /// somebody's own.
+  /// Its files in the case's folder, as any edition names them ("cloud.ply"), and the kinds of files in its
+  /// folders ("frame/*.png"): what else lies there is somebody's own.
   std::vector<std::string_view> files = {};
   /// Writes its files and gives its entry in case.json. Empty: it is not kept on the disk.
   /// @throws FileError.
@@ -93,12 +93,18 @@ struct PartSpec {
   /// Reads it back into the state. Leaves it out when cancelled, or when it is lost (CaseFolder::lost).
   /// @throws FileError, InputError naming file and field.
   std::function<void(CaseState&, const nlohmann::json& entry, const CaseFolder&)> load = {};
-  /// Whether what was read back is what was written, but for what files round. Empty: being there is enough.
+  /// Whether what was read back is what was written, but for what files round. Every part that is saved says
+  /// so.
   std::function<bool(const CaseState& written, const CaseState& read)> same = {};
   /// Whether what the state holds is fit to be kept. Empty: always.
   std::function<bool(const CaseState&)> is_savable = {};
   /// What is copied along with it: values of their own without a stamp. Saved and read by this part.
   std::vector<const PartType*> companions = {};
+  /// Whether it stands refused: it is there, and nothing may go on from it before a person has accepted it.
+  /// Empty: never.
+  std::function<bool(const CaseState&)> is_refused = {};
+  /// What to do then, for errors.
+  std::string_view refused_remedy = {};
   /// Changes with every frame of the live view: no reason to draw the case anew.
   bool is_live = false;
   /// A person's word: made from nothing, and nothing becomes stale by it.
@@ -137,7 +143,7 @@ class PartOf final : public PartType {
   }
 };
 
-/// Names of the files and folders that any part may have in a case's folder.
+/// PartSpec::files of all parts.
 std::vector<std::string_view> files_of_parts();
 
 /// Makes a part known that is not below parts/: define one of namespace scope beside it.

@@ -18,8 +18,9 @@ struct ExaminedRegistration {
   std::vector<LesionError> lesions;         ///< of the model
 };
 
-/// register_model() with what it knows of itself. Where a prior is known and the start is sought, the cloud's
-/// mirror image is registered, too.
+/// The door by which a model is registered: register_model() with what it knows of itself. Where a prior is
+/// known and the start is sought, the cloud's mirror image is registered, too.
+/// @throws InputError, NumericalError as register_model.
 Cancellable<ExaminedRegistration> register_and_examine(const PatientModel& model, const LabelledCloud& cloud,
                                                        const RegisterOptions& options,
                                                        const RunContext& context,

@@ -20,8 +20,9 @@ enum class Method {
   /// Forces: together with the operations' modes where those are known, and for a bare mesh (no vessels, no
   /// vena cava) of which nodes are fixed. Else springs.
   automatic,
-  forces,  ///< fit_contact_forces
-  springs  ///< register_elastic: the paper's, with operations before it where they are asked for
+  forces,   ///< fit_contact_forces
+  springs,  ///< register_elastic, with operations before it where they are asked for
+  paper     ///< the paper's: springs, and elasticity alone (no operations)
 };
 
 /// @return whether the shape is found by contact forces where no operations are known.
@@ -30,7 +31,8 @@ bool takes_forces(Method method, const PatientModel& model, const ElasticOptions
 ContactForceOptions forces_with(const PatientModel& model, const ElasticOptions& elastic,
                                 ContactForceOptions forces = {});
 
-/// Rigid start, then elastic.
+/// Rigid start, then elastic. What is left empty the model decides: window, command line and proofs say
+/// nothing of it, and so register one model under one law.
 struct RegisterOptions {
   Method method = Method::automatic;
   enum class Start {
@@ -42,17 +44,27 @@ struct RegisterOptions {
   Start start = Start::automatic;
   CameraFromCt given;  ///< for Start::near and Start::given
   RigidOptions rigid;  ///< for Start::automatic and Start::near
-  ElasticOptions
-      elastic;  ///< of the springs; its fixed nodes and the lesions' stiffness hold for the forces, too
+  /// What the liver is made of, for springs and forces. Empty: as options_for() takes this model.
+  std::optional<fem::CompositeOptions> materials;
+  std::vector<int> fixed_nodes;  ///< stay where the start puts them, in springs and forces
+  /// A person has placed or accepted the model's landmarks; false: they were only detected, which says
+  /// nothing of the material of a bare mesh.
+  bool landmarks_are_placed = true;
+  /// Of the springs. Empty: options_for() this model.
+  std::optional<ElasticOptions> elastic;
   ContactForceOptions forces;
   /// Where no node is fixed: operations are simulated first and tell which shapes are probable
   /// (simulate_operations; unknown_operations where the vena cava is not known and the pose is not either);
-  /// false: the paper's method. A prior in `elastic` is taken instead.
+  /// false: elasticity alone. A prior in `elastic` is taken instead.
   bool operations = true;
   OperationOptions operation;
   /// What is used of them. @throws InputError naming the option.
   void validate() const;
 };
+
+/// What the springs work with on a model: `options.elastic` or what the model decides, with the materials and
+/// fixed nodes of `options` in it.
+ElasticOptions elastic_of(const RegisterOptions& options, const PatientModel& model);
 
 /// Operations that are simulated already.
 struct KnownOperations {
@@ -70,7 +82,8 @@ struct Registered {
   DistanceSummary displacement;  ///< of the nodes, from where the rigid part alone puts them, metres
 };
 
-/// Brings a model to what the camera sees: rigid start, the shapes that operations make probable, the most
+/// The first half of the door (register_and_examine in examined_registration.h is all of it): brings a model
+/// to what the camera sees. Rigid start, the shapes that operations make probable, the most
 /// probable of them from each start that fits, elastic. Where operations cannot be simulated on the model,
 /// elasticity alone decides. The same seed gives the same bits. Doubts of the forces: little_surface_seen,
 /// many_outliers, residual_large, inverted_elements (not under the linear law, which knows of none),

@@ -6,12 +6,11 @@
 
 namespace glisson::engine {
 
-/// The points of the whole pair, then those in regions with their labels. Where only the regions have changed
-/// since the last time, the points are not made again.
+/// The points of the whole pair, then those in regions with their labels (stereo::reconstruct_pair). A new
+/// pair is looked at first and refused for its faults; the figures pair_matches and pair_rows_px tell. Where
+/// only the regions have changed since the last time, the points are not made again.
 struct Reconstruct {
   stereo::ReconstructOptions options;
-  /// The pair is looked at first and refused for its faults; the figures pair_matches and pair_rows_px tell.
-  bool check_pair = false;
 
   CommandTraits traits() const;
   Cancellable<Applied> apply(const CaseState& state, const RunContext& context) const;

@@ -6,7 +6,8 @@
 
 namespace glisson::engine {
 
-/// Brings the model to the cloud (see registration::register_model).
+/// Brings the model to the cloud (see registration::register_and_examine). Whether
+/// landmarks are placed the case says.
 struct Register : registration::RegisterOptions {
   CommandTraits traits() const;
   Cancellable<Applied> apply(const CaseState& state, const RunContext& context) const;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "glisson/engine/command.h"
+#include "glisson/fem/composite_model.h"
 #include "glisson/guidance/tracker.h"
 
 namespace glisson::engine {
@@ -9,9 +12,14 @@ namespace glisson::engine {
 /// From now on frames, or clouds, are followed (see Engine::submit_frame). For frames, the frame part is the
 /// one that was registered.
 struct StartTracking {
-  enum class Source { frames, clouds };
+  /// Frames of any stereo source, those of the case's video, or clouds.
+  enum class Source { frames, video, clouds };
   Source source = Source::frames;
+  /// Materials, and of `cloud` final stiffening and tangential share, are those of the model
+  /// (registration::options_for), whatever is said here.
   guidance::TrackerOptions options;
+  /// What the liver is made of; empty: as in a registration the model decides.
+  std::optional<fem::CompositeOptions> materials;
   int steps_per_cloud = 50;  ///< implicit Euler steps towards each cloud
 
   CommandTraits traits() const;

@@ -25,6 +25,9 @@ class TaskButton : public QWidget {
 
   /// Why the button cannot be pressed now; empty: it can.
   void set_obstacle(const QString& obstacle);
+  /// From now on what stands in the way of a command like this one (engine::obstacle) is told, too, and comes
+  /// first.
+  void watch(engine::Command command);
   /// As pressing the button, where it can be pressed.
   void trigger();
   bool is_running() const { return running_.has_value(); }
@@ -36,6 +39,8 @@ class TaskButton : public QWidget {
 
  private:
   void start();
+  void ask();
+  QString obstacle() const { return asked_.isEmpty() ? obstacle_ : asked_; }
   void show_tasks();
   void show_outcome(const engine::Outcome& outcome);
   void show_state();
@@ -43,7 +48,8 @@ class TaskButton : public QWidget {
   EngineBridge& engine_;
   std::function<std::optional<engine::Command>()> make_;
   std::optional<engine::CommandId> running_;
-  QString obstacle_;
+  std::optional<engine::Command> watched_;
+  QString asked_, obstacle_;  ///< what the engine says; what set_obstacle() has said
   QPushButton* button_;
   QWidget* progress_row_;
   QProgressBar* bar_;

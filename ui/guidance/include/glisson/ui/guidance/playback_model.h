@@ -5,6 +5,7 @@
 #include <QProperty>
 #include <memory>
 
+#include "glisson/engine/commands/start_tracking.h"
 #include "glisson/ui/common/engine_bridge.h"
 #include "glisson/ui/guidance/video_feed.h"
 
@@ -17,6 +18,8 @@ class PlaybackModel : public QObject {
  public:
   explicit PlaybackModel(EngineBridge& engine, QObject* parent = nullptr);
 
+  /// What starts it: the case's video is followed.
+  static engine::StartTracking command();
   /// The step to do before tracking; empty: it can start.
   static QString requirement(const engine::Snapshot& now);
 

@@ -18,7 +18,6 @@ class RegistrationModel : public QObject {
  public:
   explicit RegistrationModel(EngineBridge& engine, QObject* parent = nullptr);
 
-  QProperty<QString> obstacle;    ///< the step to do before a registration; empty: it can be made
   QProperty<bool> is_unchecked;   ///< nobody has said that the model is right
   QProperty<FigureRows> figures;  ///< of the registration; none: there is no registration
   QProperty<QString> doubts;      ///< a line each
