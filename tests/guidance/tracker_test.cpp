@@ -19,6 +19,7 @@ class TrackerTest : public QObject {
   void StillTissueKeepsTheRegisteredShape();
   void StiffBoundaryHoldsItsPlace();
   void BlackFramesAreNotValidAndTheNextGoodOneIs();
+  void ALampThatChangesLosesNothing();
   void PicturesOfAnotherSizeAreNotValid();
   void NoisePicturesAreNotValid();
   void ADoubtOfTheStartStaysWithEveryFrame();
@@ -124,6 +125,28 @@ void TrackerTest::BlackFramesAreNotValidAndTheNextGoodOneIs() {
     QVERIFY(overlay.nodes_in_camera.allFinite());
   }
   QVERIFY(tracker.follow(film_[2]).validity == Validity::valid);
+}
+
+void TrackerTest::ALampThatChangesLosesNothing() {
+  const auto lit = [](const Picture& picture, double gain) {
+    auto bytes = std::make_shared<std::vector<std::uint8_t>>(*picture.bytes);
+    for (auto& byte : *bytes) byte = static_cast<std::uint8_t>(std::min(255.0, gain * byte));
+    Picture changed = picture;
+    changed.bytes = bytes;
+    return changed;
+  };
+  Tracker tracker = begun(), plain = begun();
+  for (int k = 1; k < kFrames; ++k) {
+    StereoFrame frame = film_[static_cast<std::size_t>(k)];
+    const int even = plain.follow(frame).pairs;
+    const double gain = k % 2 == 0 ? 1.2 : 0.7;
+    frame.left = lit(frame.left, gain);
+    frame.right = lit(frame.right, gain);
+    const OverlayFrame overlay = tracker.follow(frame);
+    QVERIFY(overlay.validity == Validity::valid || overlay.validity == Validity::poor_picture);
+    QVERIFY2(10 * overlay.pairs >= 9 * even, qPrintable(QString("%1 of %2").arg(overlay.pairs).arg(even)));
+    QVERIFY(point_errors(overlay.nodes_in_camera, at(share(k))).mean < 2e-3);
+  }
 }
 
 void TrackerTest::PicturesOfAnotherSizeAreNotValid() {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <random>
 
@@ -15,6 +16,7 @@ namespace {
 
 constexpr double kBarDepth = 0.06, kDrapeDepth = 0.08;  ///< metres before the camera
 constexpr double kDrapeSpeed = 2.0;                     ///< pixels a frame
+constexpr double kToolDepth = 0.08;                     ///< metres before the camera
 
 template <class Change>
 StereoFrame both(const StereoFrame& frame, const Change& change) {
@@ -189,6 +191,114 @@ void add_covers(std::vector<LiveFault>& faults, const StereoRig& rig, int onset,
       }));
 }
 
+/// A shaft of steel that comes in from the right and sweeps over the organ: dark edges, a bright line.
+class Tool {
+ public:
+  explicit Tool(const StereoRig& rig)
+      : disparity_(rig.left.matrix(0, 0) * rig.baseline() / kToolDepth),
+        width_(0.06 * rig.left.width),
+        reach_(0.55 * rig.left.width) {}
+  void show(cv::Mat& picture, bool is_right, double way, int frame) const {
+    const double sway = 0.3 * picture.rows * std::sin(0.09 * frame);
+    const double shift = is_right ? disparity_ : 0.0;
+    const cv::Point2d root(picture.cols + 2.0 * width_ - shift, 0.65 * picture.rows);
+    const cv::Point2d tip(picture.cols - way * reach_ - shift, 0.5 * picture.rows + sway);
+    constexpr int kLayers = 6;
+    for (int layer = 0; layer < kLayers; ++layer) {
+      const double grey = 40.0 + 215.0 * layer / (kLayers - 1.0);
+      cv::line(picture, tip, root, cv::Scalar::all(grey),
+               static_cast<int>(width_ * (1.0 - layer / static_cast<double>(kLayers))) + 1, cv::LINE_AA);
+    }
+  }
+
+ private:
+  double disparity_, width_, reach_;
+};
+
+/// What comes into every operation, and is no reason for a wrong overlay.
+void add_scene(std::vector<LiveFault>& faults, const StereoRig& rig, int onset, int last,
+               std::uint64_t seed) {
+  const auto add = [&](const char* name, const Show& show) {
+    LiveFault fault;
+    fault.name = name;
+    fault.show = show;
+    faults.push_back(fault);
+  };
+  const Tool tool(rig);
+  add("tool", ramp(onset, onset + 20, [tool](cv::Mat& picture, bool is_right, double share, int k) {
+        tool.show(picture, is_right, share, k);
+      }));
+  add("blood_ramp", ramp(onset, last, [](cv::Mat& picture, bool is_right, double share, int) {
+        cv::Mat pool = picture.clone();
+        cv::ellipse(pool, cv::Point(picture.cols * 45 / 100 - (is_right ? 20 : 0), picture.rows * 55 / 100),
+                    cv::Size(static_cast<int>(0.38 * share * picture.cols),
+                             static_cast<int>(0.38 * share * picture.rows)),
+                    20.0, 0.0, 360.0, cv::Scalar(25, 15, 95), cv::FILLED, cv::LINE_AA);
+        cv::addWeighted(pool, 0.85, picture, 0.15, 0.0, picture);
+      }));
+  add("drops", ramp(onset, onset + 1, [seed](cv::Mat& picture, bool is_right, double, int) {
+        cv::Mat soft, on = cv::Mat::zeros(picture.size(), CV_8U);
+        cv::GaussianBlur(picture, soft, cv::Size(), 9.0);
+        std::mt19937 random(static_cast<std::uint32_t>(seed) + (is_right ? 1U : 0U));
+        for (int i = 0; i < 12; ++i) {
+          const int x = static_cast<int>(random() % static_cast<unsigned>(picture.cols));
+          const int y = static_cast<int>(random() % static_cast<unsigned>(picture.rows));
+          cv::circle(on, cv::Point(x, y), picture.cols / 22, cv::Scalar(255), cv::FILLED);
+        }
+        soft.copyTo(picture, on);
+      }));
+  add("flicker", ramp(onset, onset + 1, [](cv::Mat& picture, bool, double, int k) {
+        picture = (k % 2 == 0 ? 0.75 : 1.2) * picture;
+      }));
+  add("noise", ramp(onset, onset + 1, [seed](cv::Mat& picture, bool is_right, double, int k) {
+        add_noise(picture, 12.0, seed + static_cast<std::uint64_t>(2 * k) + (is_right ? 1 : 0));
+      }));
+  add("lossy", ramp(onset, onset + 1, [](cv::Mat& picture, bool, double, int) {
+        std::vector<std::uint8_t> bytes;
+        cv::imencode(".jpg", picture, bytes, {cv::IMWRITE_JPEG_QUALITY, 12});
+        picture = cv::imdecode(bytes, cv::IMREAD_COLOR);
+      }));
+  add("stutter", [=](const Film& film, int k) {
+    const int shown = k < onset ? k : k - (k - onset) % 4;
+    return shown_at(film[static_cast<std::size_t>(shown)], film[static_cast<std::size_t>(k)]);
+  });
+  add("blinks", ramp(onset, onset + 1, [](cv::Mat& picture, bool, double, int k) {
+        if (k % 15 < 3) picture.setTo(cv::Scalar::all(3));
+      }));
+}
+
+/// Another organ, or another laparoscope than the one that was calibrated: from the first frame on.
+void add_foreign(std::vector<LiveFault>& faults) {
+  LiveFault mirrored;
+  mirrored.name = "mirrored";
+  mirrored.show = [](const Film& film, int k) {
+    // Both views flipped and exchanged: a right pair of views, of an organ that is the mirror image.
+    StereoFrame frame = both(film[static_cast<std::size_t>(k)],
+                             [](cv::Mat& picture, bool) { cv::flip(picture.clone(), picture, 1); });
+    std::swap(frame.left, frame.right);
+    return frame;
+  };
+  faults.push_back(mirrored);
+  const auto add = [&](const char* name, const std::function<StereoRig(const StereoRig&)>& calibration) {
+    LiveFault fault;
+    fault.name = name;
+    fault.calibration = calibration;
+    faults.push_back(fault);
+  };
+  add("focal_85", [](StereoRig rig) {
+    for (Camera* camera : {&rig.left, &rig.right}) camera->matrix(0, 0) *= 0.85, camera->matrix(1, 1) *= 0.85;
+    return rig;
+  });
+  add("baseline_120", [](StereoRig rig) {
+    rig.right_from_left.translation *= 1.2;
+    return rig;
+  });
+  add("centre_20px", [](StereoRig rig) {
+    rig.right.matrix(0, 2) += 20.0;
+    return rig;
+  });
+}
+
 /// The laparoscope is somewhere else from one frame to the next, and moves there. It is filmed so: to shift
 /// the picture aside would break the rows of two views and shear what they show.
 /// @param dark frames between without a picture: it is taken out, wiped and put back.
@@ -216,6 +326,8 @@ std::vector<LiveFault> live_faults(const StereoRig& rig, int onset, int last, st
   add_starts(faults);
   add_stale_views(faults, onset, seed);
   add_covers(faults, rig, onset, last, seed);
+  add_scene(faults, rig, onset, last, seed);
+  add_foreign(faults);
   faults.push_back(jump("scope_jumps", onset, 0));
   faults.push_back(jump("scope_taken_out", onset, 20));
   return faults;

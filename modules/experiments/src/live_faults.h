@@ -23,6 +23,8 @@ struct LiveFault {
   Eigen::Vector3d start_shift = Eigen::Vector3d::Zero();
   /// What the laparoscope shows at frame k instead of film[k]; empty: film[k].
   std::function<StereoFrame(const Film& film, int k)> show;
+  /// The calibration that the program is given instead of the true one; empty: the true one.
+  std::function<StereoRig(const StereoRig&)> calibration;
   /// Not a fault: the laparoscope is held by a hand. The film is another one.
   bool scope_moves = false;
   /// From this frame on the laparoscope is in a hand, elsewhere: the film is the other one. -1: never.

@@ -57,7 +57,7 @@ std::vector<Judged> run(const LiveStage& stage, const LiveFault& fault, int onse
     const Film& film = filmed(k).film;
     return fault.show ? fault.show(film, k) : film[static_cast<std::size_t>(k)];
   };
-  tracker.begin(stage.rig, shown(0), {});
+  tracker.begin(fault.calibration ? fault.calibration(stage.rig) : stage.rig, shown(0), {});
   const Binding targets = bind_points(stage.model.mesh, stage.targets_in_model);
   std::vector<Judged> frames;
   for (int k = 1; k < static_cast<int>(stage.standing.film.size()); ++k) {

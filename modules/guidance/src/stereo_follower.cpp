@@ -24,6 +24,7 @@ constexpr double kFlattest = 1e-5;
 
 struct View {
   cv::Mat grey;
+  double level = 1.0, gain = 1.0;  ///< mean of what the camera gave; what it was multiplied by
   std::vector<cv::Mat> pyramid;
 };
 
@@ -36,9 +37,22 @@ void to_grey(const Picture& picture, const Camera& camera, const char* name, cv:
 }
 
 /// Into buffers that are used again: fresh ones would cost milliseconds of page faults a frame.
+/// @param before the view that is followed from; null: none. Where the light has changed between the two
+/// (lamp, exposure), the new one is brought to its level: Lucas-Kanade would find nothing. A slow change is
+/// left alone: it may be what is seen, and would be taken for motion.
 void make_view(const Picture& picture, const Camera& camera, const char* name, const FollowerOptions& options,
-               View& view) {
+               const View* before, View& view) {
+  constexpr double kMostGain = 2.0, kSudden = 0.08;
   to_grey(picture, camera, name, view.grey);
+  view.level = std::max(1.0, cv::mean(view.grey)[0]);
+  view.gain = 1.0;
+  if (before != nullptr) {
+    const double change = view.level / before->level;
+    view.gain = before->gain;
+    if (std::abs(change - 1.0) > kSudden)
+      view.gain = std::clamp(before->gain / change, 1.0 / kMostGain, kMostGain);
+    if (view.gain != 1.0) view.grey.convertTo(view.grey, -1, view.gain);
+  }
   cv::buildOpticalFlowPyramid(view.grey, view.pyramid, cv::Size(options.window_px, options.window_px),
                               options.levels - 1, true);
 }
@@ -135,8 +149,8 @@ StereoFollower::StereoFollower(const StereoRig& rig, const FollowerOptions& opti
 StereoFollower::~StereoFollower() = default;
 
 void StereoFollower::begin(const StereoFrame& first, const SeenParts& parts) {
-  make_view(first.left, rig_.left, "left view", options_, images_->left);
-  make_view(first.right, rig_.right, "right view", options_, images_->right);
+  make_view(first.left, rig_.left, "left view", options_, nullptr, images_->left);
+  make_view(first.right, rig_.right, "right view", options_, nullptr, images_->right);
   for (const auto& [part, mat] : {std::pair{&parts.tissue, &images_->tissue},
                                   {&parts.left, &images_->inside_left},
                                   {&parts.right, &images_->inside_right}})
@@ -154,7 +168,8 @@ StereoFollower::Counts StereoFollower::follow(const StereoFrame& frame) {
   const auto one_side = [&](bool is_left) {
     View& now = is_left ? images_->left : images_->right;
     make_view(is_left ? frame.left : frame.right, is_left ? rig_.left : rig_.right,
-              is_left ? "left view" : "right view", options_, now);
+              is_left ? "left view" : "right view", options_,
+              is_left ? &images_->left_before : &images_->right_before, now);
     auto& to = is_left ? left : right;
     to.clear();
     (is_left ? good_left : good_right) =

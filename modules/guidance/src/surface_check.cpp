@@ -24,6 +24,7 @@ constexpr double kModelSigma = 1.5e-3;
 constexpr double kSupported = 3.0;  ///< standard deviations
 constexpr double kApart = 8e-3;     ///< metres beyond those: something else is seen
 constexpr int kInside = 2;          ///< places of the grid from the outline: well inside
+constexpr int kOccluded = 4;        ///< places of the grid beside something nearer
 constexpr int kRegions = 5;         ///< along each side of the picture
 constexpr std::size_t kLeastInRegion = 6;
 /// Of one region's median: its points' errors are alike (locking of the matcher, the mesh's chords).
@@ -116,14 +117,27 @@ struct SurfaceCheck::Impl {
     return true;
   }
 
+  /// Beside something nearer (a tool) one view sees what is hidden from the other, and matching errs there:
+  /// that is no looking past the organ.
+  void leave_out_occluded() {
+    for (int r = 0; r < stereo.rows(); ++r)
+      for (int c = 0; c < stereo.columns(); ++c) {
+        if (is_before[index(c, r)] == 0) continue;
+        for (int y = std::max(0, r - kOccluded); y <= std::min(stereo.rows() - 1, r + kOccluded); ++y)
+          for (int x = std::max(0, c - kOccluded); x <= std::min(stereo.columns() - 1, c + kOccluded); ++x)
+            is_behind[index(x, y)] = 0;
+      }
+  }
+
   void compare(const std::vector<SeenPoint>& points, SurfaceEvidence& evidence) {
     for (const double z : depth) evidence.predicted += z > 0.0;
-    int inside = 0, inside_seen = 0, supported = 0, behind = 0, before = 0;
+    int inside = 0, inside_seen = 0, supported = 0, before = 0;
     for (int r = 0; r < stereo.rows(); ++r)
       for (int c = 0; c < stereo.columns(); ++c) inside += depth[index(c, r)] > 0.0 && is_inside(c, r);
     std::map<int, std::vector<double>> gaps;
     std::map<int, double> sigmas;
     is_behind.assign(depth.size(), 0);
+    is_before.assign(depth.size(), 0);
     is_supported.assign(depth.size(), 0);
     for (const SeenPoint& point : points) {
       const std::size_t i = index(point.column, point.row);
@@ -139,16 +153,18 @@ struct SurfaceCheck::Impl {
         ++supported;
         is_supported[i] = 1;
       } else if (is_in && gap > kSupported * sigma + kApart) {
-        ++behind;
         is_behind[i] = 1;
-      } else if (is_in && gap < -kSupported * sigma - kApart) {
-        ++before;
+      } else if (gap < -kSupported * sigma - kApart) {
+        before += is_in;
+        is_before[i] = 1;
       }
       if (std::abs(gap) > kSupported * sigma + kApart) continue;
       const int group = region(point.column, point.row);
       gaps[group].push_back(gap);
       sigmas[group] += std::hypot(kRegionStereoShare * point.sigma * slope, kModelSigma);
     }
+    leave_out_occluded();
+    const auto behind = std::count(is_behind.begin(), is_behind.end(), char{1});
     if (evidence.predicted > 0) evidence.supported = supported / static_cast<double>(evidence.predicted);
     if (inside > 0) {
       evidence.behind = behind / static_cast<double>(inside);
@@ -287,7 +303,7 @@ struct SurfaceCheck::Impl {
   registration::MovingSurface surface;
   SmallStereo stereo;
   Picture mask;
-  std::vector<char> allowed, is_behind, is_supported;
+  std::vector<char> allowed, is_behind, is_before, is_supported;
   std::vector<ClosestPoint> hit;
   std::vector<double> depth, inclination;
 };
