@@ -47,6 +47,16 @@ void say_absent(const std::vector<std::string>& absent) {
     say(Cli::tr("%1 is not there and is left out.").arg(QString::fromStdString(name)));
 }
 
+/// What any proof leaves: its table on the terminal and on the page, its figures. @throws Interrupted.
+template <class P>
+void tell(const Cancellable<P>& proof, Session& session, experiments::ProofPage& page) {
+  if (!proof) throw Interrupted();
+  for (const std::string& line : proof->table) say(QString::fromStdString(line));
+  for (const auto& [key, value] : proof->figures) session.figures.emplace(key, value);
+  page.absent = proof->absent;
+  page.table = proof->table;
+}
+
 void prove_patient(const Arguments& arguments, Session& session, const fs::path& folder,
                    experiments::ProofPage& page) {
   experiments::PatientProofOptions options;
@@ -54,15 +64,12 @@ void prove_patient(const Arguments& arguments, Session& session, const fs::path&
   options.data = arguments.path("data");
   options.clicks = arguments.path("clicks");
   options.synthetic = !arguments.has("real-only");
-  auto proof = experiments::prove_patient(options, folder, session.context());
-  if (!proof) throw Interrupted();
-  session.figures.merge(proof->figures);
+  const auto proof = experiments::prove_patient(options, folder, session.context());
+  tell(proof, session, page);
   session.notes = proof->notes;
-  for (const std::string& line : proof->table) say(QString::fromStdString(line));
-  page.absent = proof->absent;
   // The page holds no times.
   constexpr std::size_t kSeconds = 9;
-  for (const std::string& line : proof->table) page.table.push_back(line.substr(0, line.size() - kSeconds));
+  for (std::string& line : page.table) line.resize(line.size() - kSeconds);
 }
 
 void prove_stereo(const Arguments& arguments, Session& session, const fs::path& folder,
@@ -71,12 +78,8 @@ void prove_stereo(const Arguments& arguments, Session& session, const fs::path& 
   options.seed = arguments.seed();
   options.data = arguments.path("data");
   options.theatre = !arguments.has("real-only");
-  auto proof = experiments::prove_stereo(options, folder, session.context());
-  if (!proof) throw Interrupted();
-  for (const std::string& line : proof->table) say(QString::fromStdString(line));
-  session.figures.merge(proof->figures);
-  page.absent = proof->absent;
-  page.table = proof->table;
+  const auto proof = experiments::prove_stereo(options, folder, session.context());
+  tell(proof, session, page);
 }
 
 /// --seed 1 measures on the default patients, another one on the patient of that seed alone.
@@ -86,12 +89,8 @@ void prove_live(const Arguments& arguments, Session& session, const fs::path& fo
   if (arguments.seed() != 1) options.seeds.assign(1, arguments.seed());
   if (arguments.has("real-only")) options.seeds.clear();
   options.data = arguments.path("data");
-  auto proof = experiments::prove_live(options, folder, session.context());
-  if (!proof) throw Interrupted();
-  for (const std::string& line : proof->table) say(QString::fromStdString(line));
-  session.figures.merge(proof->figures);
-  page.absent = proof->absent;
-  page.table = proof->table;
+  const auto proof = experiments::prove_live(options, folder, session.context());
+  tell(proof, session, page);
 }
 
 void prove_registration(const Arguments& arguments, Session& session, const fs::path& folder,
@@ -106,12 +105,8 @@ void prove_registration(const Arguments& arguments, Session& session, const fs::
     options.shares = {0.3};
     options.rivals = false;
   }
-  auto proof = experiments::prove_registration(options, folder, session.context());
-  if (!proof) throw Interrupted();
-  for (const std::string& line : proof->table) say(QString::fromStdString(line));
-  session.figures.merge(proof->figures);
-  page.absent = proof->absent;
-  page.table = proof->table;
+  const auto proof = experiments::prove_registration(options, folder, session.context());
+  tell(proof, session, page);
 }
 
 void prove_atlas(const Arguments& arguments, Session& session, const fs::path&,
@@ -122,12 +117,8 @@ void prove_atlas(const Arguments& arguments, Session& session, const fs::path&,
   options.built_in = ui::built_in_atlas();
   options.synthetic = !arguments.has("real-only");
   options.validation = !arguments.has("development-only");
-  auto proof = experiments::prove_atlas(options, session.context());
-  if (!proof) throw Interrupted();
-  for (const std::string& line : proof->table) say(QString::fromStdString(line));
-  session.figures.merge(proof->figures);
-  page.absent = proof->absent;
-  page.table = proof->table;
+  const auto proof = experiments::prove_atlas(options, session.context());
+  tell(proof, session, page);
 }
 
 constexpr Proof kProofs[] = {

@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "cofactor.h"
 #include "glisson/core/error.h"
 #include "glisson/fem/polar.h"
 
@@ -27,14 +28,6 @@ struct Logarithm {
     second = -1.0 / (kTaylor * kTaylor);
   }
 };
-
-Eigen::Matrix3d cofactor(const Eigen::Matrix3d& m) {
-  Eigen::Matrix3d c;
-  c.col(0) = m.col(1).cross(m.col(2));
-  c.col(1) = m.col(2).cross(m.col(0));
-  c.col(2) = m.col(0).cross(m.col(1));
-  return c;
-}
 
 bool positive_definite(const Eigen::Matrix3d& m) {
   return m(0, 0) > 0.0 && m(0, 0) * m(1, 1) - m(0, 1) * m(1, 0) > 0.0 && m.determinant() > 0.0;

@@ -4,16 +4,10 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "cofactor.h"
+
 namespace glisson::fem {
 namespace {
-
-Eigen::Matrix3d cofactor(const Eigen::Matrix3d& m) {
-  Eigen::Matrix3d c;
-  c.col(0) = m.col(1).cross(m.col(2));
-  c.col(1) = m.col(2).cross(m.col(0));
-  c.col(2) = m.col(0).cross(m.col(1));
-  return c;
-}
 
 /// @return false when it did not settle.
 bool newton_polar(const Eigen::Matrix3d& f, Eigen::Matrix3d& q) {

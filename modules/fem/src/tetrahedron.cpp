@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "cofactor.h"
 #include "glisson/fem/polar.h"
 
 namespace glisson::fem {
@@ -15,14 +16,6 @@ struct StableNeoHookean {
   explicit StableNeoHookean(const Tetrahedron& e)
       : mu(4.0 / 3.0 * e.mu), lambda(e.lambda + 5.0 / 6.0 * e.mu), alpha(1.0 + 0.75 * mu / lambda) {}
 };
-
-Eigen::Matrix3d cofactor(const Eigen::Matrix3d& m) {
-  Eigen::Matrix3d c;
-  c.col(0) = m.col(1).cross(m.col(2));
-  c.col(1) = m.col(2).cross(m.col(0));
-  c.col(2) = m.col(0).cross(m.col(1));
-  return c;
-}
 
 Eigen::Matrix3d linear_stress(const Tetrahedron& e, const Eigen::Matrix3d& stretch) {
   const Eigen::Matrix3d strain = stretch - Eigen::Matrix3d::Identity();

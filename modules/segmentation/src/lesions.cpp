@@ -286,10 +286,9 @@ LesionGuess guess_lesion(const LesionScene& scene, const LesionClick& click) {
   const Vec inside = begun.seed.cast<double>(), middle = drawn ? click.place.cast<double>() : inside;
   Star star = grow_star(scene.ct, begun.evidence, {middle, {}}, inside, 1, begun.options);
   if (!drawn && gathered(scene.ct, begun.evidence, star, begun.options) < kLeastFound) return {};
-  std::vector<int> order = star.radii;
-  const auto at = order.begin() + static_cast<std::ptrdiff_t>(kSure * static_cast<double>(order.size()));
-  std::nth_element(order.begin(), at, order.end());
-  const int radius = drawn ? static_cast<int>(kOfDrawn * click.diameter_mm / Rays::kStep) : *at;
+  const auto sure = static_cast<std::size_t>(kSure * static_cast<double>(star.radii.size()));
+  const int radius =
+      drawn ? static_cast<int>(kOfDrawn * click.diameter_mm / Rays::kStep) : at_rank(star.radii, sure);
   std::fill(star.radii.begin(), star.radii.end(), std::max(1, radius));
   LesionGuess guess{distance_to(star, scene.ct, kBand), {}};
   const Evidence evidence(begun.own, begun.liver, drawn);

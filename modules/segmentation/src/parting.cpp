@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
+
+#include "glisson/core/statistics.h"
 #include "glisson/volume/voxel_neighbours.h"
 
 namespace glisson::segmentation {
@@ -259,10 +262,8 @@ Mask dark_sheets(const Field& ct, const Mask& where, const Mask& typical) {
       }
   Mask sheets = ct.empty_mask();
   if (usual.empty()) return sheets;
-  const auto limit =
-      usual.begin() + static_cast<std::ptrdiff_t>(kTypical * static_cast<double>(usual.size() - 1));
-  std::nth_element(usual.begin(), limit, usual.end());
-  for (std::size_t i = 0; i < response.size(); ++i) sheets.voxels[i] = response[i] > *limit ? 1 : 0;
+  const float limit = lower_percentile(std::move(usual), kTypical);
+  for (std::size_t i = 0; i < response.size(); ++i) sheets.voxels[i] = response[i] > limit ? 1 : 0;
   return sheets;
 }
 

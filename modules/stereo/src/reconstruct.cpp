@@ -154,8 +154,8 @@ MatchLimits narrowed(const Pair& pair, const std::vector<Match>& features) {
   std::vector<double> disparities;
   disparities.reserve(features.size());
   for (const Match& m : features) disparities.push_back(pair.rectification.disparity(m.left, m.right));
-  std::sort(disparities.begin(), disparities.end());
-  const double low = disparities[disparities.size() / 20], high = disparities[disparities.size() * 19 / 20];
+  const double low = at_rank(disparities, disparities.size() / 20),
+               high = at_rank(disparities, disparities.size() * 19 / 20);
   const double room = std::max(8.0, 0.4 * (high - low));
   limits.least_disparity = std::max(limits.least_disparity, low - room);
   limits.largest_disparity = std::min(limits.largest_disparity, high + room);
