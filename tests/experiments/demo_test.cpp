@@ -6,10 +6,14 @@
 #include <QtTest>
 #include <cmath>
 
+#include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/engine/case_io.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/engine/parts/video.h"
+#include "glisson/experiments/atlas_proof.h"
+#include "glisson/experiments/patient_proof.h"
+#include "glisson/insilico/layperson.h"
 
 using namespace glisson;
 namespace fs = std::filesystem;
@@ -19,6 +23,7 @@ class DemoTest : public QObject {
  private slots:
   void FromCtToTrackedVideo();
   void ACancelIsAStatusNotAnError();
+  void WrongOptionsAreRefused();
 };
 
 namespace {
@@ -82,6 +87,26 @@ void DemoTest::ACancelIsAStatusNotAnError() {
   const auto cancel = std::make_shared<CancelFlag>();
   cancel->request();
   QVERIFY(!experiments::run_demo(small_options(), folder.path(), {}, RunContext({}, cancel, 1)).has_value());
+}
+
+void DemoTest::WrongOptionsAreRefused() {
+  experiments::DemoOptions options;
+  options.validate();
+  options.patch_share = 0.0;
+  QVERIFY_EXCEPTION_THROWN(options.validate(), InputError);
+  options = {};
+  options.vertices = 3;
+  QVERIFY_EXCEPTION_THROWN(options.validate(), InputError);
+  options = {};
+  options.theatre.frames = 0;
+  QVERIFY_EXCEPTION_THROWN(options.validate(), InputError);
+  experiments::PatientProofOptions proof;
+  proof.strokes = -1;
+  QVERIFY_EXCEPTION_THROWN(proof.validate(), InputError);
+  QVERIFY_EXCEPTION_THROWN(experiments::AtlasProofOptions().validate(), InputError);
+  insilico::LaypersonOptions layperson;
+  layperson.inside = 0;
+  QVERIFY_EXCEPTION_THROWN(layperson.validate(), InputError);
 }
 
 QTEST_APPLESS_MAIN(DemoTest)

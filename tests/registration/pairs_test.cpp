@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QtTest>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <set>
@@ -25,6 +26,7 @@ class PairsTest : public QObject {
   void LargeCloudIsThinnedAndKeepsItsWeight();
   void EstimatedNormalsFaceTheCamera();
   void UnusableCloudsAreRefused();
+  void UnusableOptionsAreRefused();
 };
 
 namespace {
@@ -221,6 +223,27 @@ void PairsTest::UnusableCloudsAreRefused() {
   LabelledCloud short_normals = cloud;
   short_normals.normals.conservativeResize(3, 3);
   QVERIFY_EXCEPTION_THROWN(prepare_cloud(short_normals, {}), InputError);
+}
+
+void PairsTest::UnusableOptionsAreRefused() {
+  CloudOptions().validate();
+  PairOptions().validate();
+  const auto cloud_refuses = [](const std::function<void(CloudOptions&)>& change) {
+    CloudOptions options;
+    change(options);
+    QVERIFY_EXCEPTION_THROWN(options.validate(), InputError);
+  };
+  cloud_refuses([](CloudOptions& o) { o.reference_density_per_cm2 = 0.0; });
+  cloud_refuses([](CloudOptions& o) { o.maximum_points = 9; });
+  cloud_refuses([](CloudOptions& o) { o.neighbours = 0; });
+  const auto pairs_refuse = [](const std::function<void(PairOptions&)>& change) {
+    PairOptions options;
+    change(options);
+    QVERIFY_EXCEPTION_THROWN(options.validate(), InputError);
+  };
+  pairs_refuse([](PairOptions& o) { o.minimum_normal_cosine = 1.5; });
+  pairs_refuse([](PairOptions& o) { o.outlier_deviations = 0.0; });
+  pairs_refuse([](PairOptions& o) { o.outlier_floor = -1.0; });
 }
 
 QTEST_APPLESS_MAIN(PairsTest)

@@ -182,7 +182,7 @@ Landmarks read_landmarks(const fs::path& path) {
   const json document = read_json(path);
   const std::string file = path.string();
   if (!document.is_object())
-    throw InputError(file, "", "is not a JSON object", "See the engine module's README for the format");
+    throw InputError(file, "", "is not a JSON object", "Give anterior_margin, umbilical_notch or vena_cava");
   const auto other = [&](const char* key, const char* than) {
     return document.contains(key) && document[key] != than;
   };

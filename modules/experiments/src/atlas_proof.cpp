@@ -252,7 +252,12 @@ class Proof {
 
 }  // namespace
 
+void AtlasProofOptions::validate() const {
+  if (!built_in) throw InputError("atlas proof", "built_in", "is not there", "Give the built-in atlas");
+}
+
 Cancellable<AtlasProof> prove_atlas(const AtlasProofOptions& options, const RunContext& context) {
+  options.validate();
   require(options.built_in != nullptr, "the proof needs the built-in atlas");
   return Proof(options, context).run();
 }

@@ -343,6 +343,15 @@ class DemoRun {
 
 }  // namespace
 
+void DemoOptions::validate() const {
+  const OptionCheck demand("demo");
+  demand(vertices >= 50 && vertices <= 200000, "vertices", vertices, "Give 50 to 200000");
+  demand(patch_share > 0.0 && patch_share <= 1.0, "patch_share", patch_share, "Give a share up to 1");
+  synthetic.validate();
+  theatre.validate();
+  clicks.validate();
+}
+
 DemoInput input_of(const DemoOptions& options) {
   if (options.patient.empty()) return DemoInput::synthetic;
   if (engine::is_case(options.patient)) return DemoInput::open_case;
@@ -351,6 +360,7 @@ DemoInput input_of(const DemoOptions& options) {
 
 Cancellable<DemoResult> run_demo(const DemoOptions& options, const fs::path& folder,
                                  const DemoPictures& pictures, const RunContext& context) {
+  options.validate();
   try {
     return DemoRun(options, folder, pictures, context).run();
   } catch (const Cancelled&) {

@@ -176,8 +176,14 @@ void add_sizes(Figures& figures) {
 
 }  // namespace
 
+void PatientProofOptions::validate() const {
+  const OptionCheck demand("patient proof");
+  demand(strokes >= 0, "strokes", strokes, "Give 0 or more");
+}
+
 Cancellable<PatientProof> prove_patient(const PatientProofOptions& options, const fs::path& folder,
                                         const RunContext& context) {
+  options.validate();
   PatientProof proof;
   try {
     const fs::path real = options.data / "ct_ircad1";

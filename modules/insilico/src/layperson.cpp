@@ -106,8 +106,16 @@ class Eye {
 
 }  // namespace
 
+void LaypersonOptions::validate() const {
+  const OptionCheck demand("layperson");
+  demand(inside >= 1, "inside", inside, "Give one click at least");
+  demand(outside >= 0, "outside", outside, "Give 0 clicks or more");
+  demand(least_lesion_ml >= 0.0, "least_lesion_ml", least_lesion_ml, "Give a volume from zero, in ml");
+}
+
 segmentation::Seeds click_as_layperson(const Image& ct, const LabelMap& truth,
                                        const LaypersonOptions& options) {
+  options.validate();
   Eye eye(ct, truth, options.seed);
   segmentation::Seeds seeds;
   seeds.liver = eye.inside(options.inside);

@@ -7,6 +7,7 @@
 
 #include "force_rows.h"
 #include "glisson/core/chi_square.h"
+#include "glisson/core/error.h"
 #include "unforeseen.h"
 
 namespace glisson::registration {
@@ -58,10 +59,18 @@ double mean_error(const Eigen::Matrix3d& covariance) {
   return std::sqrt(2.0 * trace / n) * std::exp(std::lgamma(0.5 * (n + 1.0)) - std::lgamma(0.5 * n));
 }
 
+void ErrorModelOptions::validate() const {
+  const OptionCheck demand("error model");
+  demand(surface >= 0.0, "surface", surface, "Give a length from zero, in metres");
+  demand(information > 0.0, "information", information, "Give a positive number");
+  demand(unforeseen >= 0.0, "unforeseen", unforeseen, "Give a length from zero, in metres");
+}
+
 ErrorModel::ErrorModel(const PatientModel& model, const OperationPrior* prior,
                        const Eigen::VectorXd& amplitudes, const CameraFromCt& camera_from_ct,
                        const Points& nodes, const PreparedCloud& cloud, double noise,
                        const ErrorModelOptions& options) {
+  options.validate();
   nodes_ = nodes;
   modes_ = prior != nullptr ? prior->modes.cols() : 0;
   Unforeseen others;

@@ -147,7 +147,24 @@ void reject_outliers(const PreparedCloud& cloud, const PairOptions& options, std
 
 }  // namespace
 
+void CloudOptions::validate() const {
+  const OptionCheck demand("cloud options");
+  demand(reference_density_per_cm2 > 0.0, "reference_density_per_cm2", reference_density_per_cm2,
+         "Give a positive number");
+  demand(maximum_points >= 10, "maximum_points", maximum_points, "Give ten at least");
+  demand(neighbours >= 1, "neighbours", neighbours, "Give one at least");
+}
+
+void PairOptions::validate() const {
+  const OptionCheck demand("pair options");
+  demand(minimum_normal_cosine >= -1.0 && minimum_normal_cosine <= 1.0, "minimum_normal_cosine",
+         minimum_normal_cosine, "Give a cosine, from -1 to 1");
+  demand(outlier_deviations > 0.0, "outlier_deviations", outlier_deviations, "Give a positive number");
+  demand(outlier_floor >= 0.0, "outlier_floor", outlier_floor, "Give a length from zero, in metres");
+}
+
 PreparedCloud prepare_cloud(const LabelledCloud& cloud, const CloudOptions& options) {
+  options.validate();
   check(cloud);
   require(options.reference_density_per_cm2 > 0.0 && options.maximum_points >= kMinimumPoints &&
               options.neighbours >= 3,
@@ -183,6 +200,7 @@ Points estimate_normals(const PreparedCloud& prepared) {
 
 std::vector<Pair> find_pairs(const PreparedCloud& prepared, const MovingSurface& surface,
                              const PairOptions& options) {
+  options.validate();
   const LabelledCloud& cloud = prepared.cloud;
   std::vector<Pair> pairs(static_cast<std::size_t>(cloud.size()));
   const ClosestPoint notch = surface.notch();

@@ -17,12 +17,16 @@
 
 namespace glisson::experiments {
 
+/// What is measured.
 struct AtlasProofOptions {
   std::filesystem::path data;                    ///< with liver_labelmaps; absent: in silico only
   std::shared_ptr<const atlas::Atlas> built_in;  ///< what comes with the program
   bool synthetic = true;                         ///< in silico too
   bool validation = true;                        ///< the label maps with odd numbers too
   std::uint64_t seed = 1;
+
+  /// @throws InputError there is no built-in atlas.
+  void validate() const;
 };
 
 struct AtlasProof {
@@ -34,7 +38,7 @@ struct AtlasProof {
 };
 const std::vector<Aim>& atlas_aims();
 
-/// Empty: cancelled. @pre a built-in atlas. @throws Error.
+/// Empty: cancelled. @throws InputError options; Error of any stage.
 Cancellable<AtlasProof> prove_atlas(const AtlasProofOptions& options, const RunContext& context);
 
 }  // namespace glisson::experiments

@@ -20,17 +20,21 @@
 
 namespace glisson::experiments {
 
+/// Whose liver, filmed how.
 struct DemoOptions {
   /// Empty: the synthetic patient. Else a case, a label map, or surfaces (a folder by structure, or one
   /// file).
   std::filesystem::path patient;
   LengthUnit unit = LengthUnit::millimetre;  ///< of surfaces
   LabelCodes codes;                          ///< of a foreign label map
-  int vertices = 550;                        ///< of the registration's mesh
-  double patch_share = 0.3;                  ///< the paper's protocol
+  int vertices = 550;                        ///< of the registration's mesh, 50 to 200,000
+  double patch_share = 0.3;                  ///< of the surface, in (0, 1]: the paper's protocol
   insilico::PatientOptions synthetic;
   insilico::TheatreOptions theatre;
   insilico::OperatorOptions clicks;
+
+  /// @throws InputError naming the option.
+  void validate() const;
 };
 
 /// How results are drawn; the experiment knows no renderer. Any may be absent.

@@ -15,6 +15,7 @@
 
 namespace glisson::experiments {
 
+/// What is measured.
 struct PatientProofOptions {
   /// The folder with ct_ircad1 (PATIENT_DICOM.tar.gz, 3Dircadb0101Labeled.vti); absent: the synthetic patient
   /// only.
@@ -24,6 +25,9 @@ struct PatientProofOptions {
   int strokes = 20;       ///< of the scripted edit of the vessels
   bool synthetic = true;  ///< the patient in silico too
   std::uint64_t seed = 1;
+
+  /// @throws InputError naming the option.
+  void validate() const;
 };
 
 struct PatientProof {

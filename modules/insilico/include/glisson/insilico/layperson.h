@@ -9,17 +9,20 @@
 
 namespace glisson::insilico {
 
+/// How much somebody clicks.
 struct LaypersonOptions {
-  int inside = 5, outside = 5;
+  int inside = 5, outside = 5;  ///< clicks
   /// A click in the inner half of every lesion from this size on, ml.
   double least_lesion_ml = 1e9;
   std::uint64_t seed = 1;
+  /// @throws InputError naming the option.
+  void validate() const;
 };
 
 /// What somebody clicks who has seen livers but no segmentation program: random places well inside what an
 /// eye would call liver (tumours and vessels included, 8 mm from its border, 30 mm apart), and random places
 /// in soft tissue 8 to 40 mm beside it (25 mm apart). The places are never derived from a result.
-/// @param truth of the CT, on its grid. @throws InputError when it holds no liver.
+/// @param truth of the CT, on its grid. @throws InputError options; when it holds no liver.
 segmentation::Seeds click_as_layperson(const Image& ct, const LabelMap& truth,
                                        const LaypersonOptions& options);
 

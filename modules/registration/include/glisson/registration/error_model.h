@@ -24,6 +24,7 @@ struct LesionError {
 /// Mean length of a normal vector of this covariance, metres.
 double mean_error(const Eigen::Matrix3d& covariance);
 
+/// What an ErrorModel takes for granted.
 struct ErrorModelOptions {
   /// Deviation of the patient's surface from the true one, m: segmentation and mesh.
   double surface = 1.5e-3;
@@ -33,6 +34,8 @@ struct ErrorModelOptions {
   double unforeseen = kUnforeseenMotion;
   std::vector<int> fixed_nodes;  ///< known to stay
   bool pose_known = false;       ///< the model needs no turning and shifting
+  /// @throws InputError naming the option.
+  void validate() const;
 };
 
 /// What is not known of where a registered organ is: the posterior of pose, amplitudes of the operations'
@@ -42,7 +45,7 @@ class ErrorModel {
  public:
   /// @param prior null: unforeseen forces alone. @param amplitudes of its modes; empty: none.
   /// @param nodes where the organ is, camera's frame; @param camera_from_ct its rigid part.
-  /// @param noise of the cloud's points, m.
+  /// @param noise of the cloud's points, m. @throws InputError options.
   ErrorModel(const PatientModel& model, const OperationPrior* prior, const Eigen::VectorXd& amplitudes,
              const CameraFromCt& camera_from_ct, const PointsIn<CameraFrame>& nodes,
              const PreparedCloud& cloud, double noise, const ErrorModelOptions& options = {});

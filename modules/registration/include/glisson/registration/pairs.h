@@ -20,14 +20,17 @@ struct PreparedCloud {
   std::vector<std::vector<int>> neighbours;
 };
 
+/// How a cloud is weighed, thinned and linked.
 struct CloudOptions {
-  double reference_density_per_cm2 = 3.9;
-  int maximum_points = 2000;  ///< a larger cloud is thinned evenly; the weights make up for it
-  int neighbours = 10;
+  double reference_density_per_cm2 = 3.9;  ///< at which a point of the surface weighs 1
+  int maximum_points = 2000;               ///< a larger cloud is thinned evenly; the weights make up for it
+  int neighbours = 10;                     ///< of each point
+  /// @throws InputError naming the option.
+  void validate() const;
 };
 
-/// Weighs, thins and links a cloud. @throws InputError fewer than 10 points, not finite, arrays of unequal
-/// length.
+/// Weighs, thins and links a cloud. @throws InputError options, fewer than 10 points, not finite, arrays of
+/// unequal length.
 PreparedCloud prepare_cloud(const LabelledCloud& cloud, const CloudOptions& options);
 
 /// Unit normals from the neighbours' plane (principal components), turned towards the camera (the origin).
@@ -43,18 +46,22 @@ struct Pair {
   bool kept = true;
 };
 
+/// Which pairs are not believed.
 struct PairOptions {
   /// Cosine between the normals below which a pair is refused; used where the cloud has normals.
   double minimum_normal_cosine = 0.3;
   /// A distance is an outlier when it differs from its neighbours' median by more than `outlier_deviations`
   /// scaled MADs of all such differences, and by more than `outlier_floor` metres.
   double outlier_deviations = 4.0, outlier_floor = 3e-3;
+  /// @throws InputError naming the option.
+  void validate() const;
 };
 
 /// One pair a point, label-restricted: margin points go to the margin's part, the notch's points together to
 /// the carried landmark (all with the gap of their centroid: the region clicked around a notch says where it
 /// is, not what its outline is); those against the normal and outliers are not `kept`. Coherent
 /// distances, however large, are no outliers: a lobe that has moved far is what is looked for.
+/// @throws InputError options.
 std::vector<Pair> find_pairs(const PreparedCloud& cloud, const MovingSurface& surface,
                              const PairOptions& options);
 
@@ -62,7 +69,7 @@ std::vector<Pair> find_pairs(const PreparedCloud& cloud, const MovingSurface& su
 /// paper needs (0.7 points per cm2) the points of a patch are 12 mm apart. Both in one frame.
 double seen_share(const TriangleMesh& surface, const Points& cloud);
 /// Below a fifth of the surface the paper's error is over its 3 mm (Fig. 8), and ours up to centimetres far
-/// from what is seen (see the README).
+/// from what is seen.
 inline constexpr double kLittleSeen = 0.2;
 
 /// Mean distance over the kept pairs, metres; 0 when there are none.
