@@ -43,6 +43,7 @@ struct Proposal {
   Source source() const;
 };
 
+/// An atlas laid on a patient's liver, and what it proposes there. CT frame.
 struct Transfer {
   std::string atlas;                               ///< its name
   Points surface;                                  ///< the atlas' mean on the patient's liver, metres

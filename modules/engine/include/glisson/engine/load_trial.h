@@ -68,7 +68,8 @@ class LoadTrial {
 
 /// Implicit Euler on the composite model of the case, held at its vena cava and where its vessels enter; the
 /// springs that hold it are damped like the tissue. Empty: cancelled.
-/// @throws InputError no model, a model without tetrahedra, nothing known that holds it, or only
+/// @pre a model (the engine asks for what is in a command's way before).
+/// @throws InputError a model without tetrahedra, nothing known that holds it, or only
 /// places on one line, options out of range.
 Cancellable<std::unique_ptr<LoadTrial>> make_load_trial(const CaseState& state, const TrialOptions& options,
                                                         const RunContext& context);

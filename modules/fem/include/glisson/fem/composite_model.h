@@ -11,9 +11,10 @@
 
 namespace glisson::fem {
 
+/// What a constituent of the liver is made of: isotropic, under small strains linear.
 struct Material {
   double young_modulus = 3500.0;  ///< Pa
-  double poisson_ratio = 0.45;
+  double poisson_ratio = 0.45;    ///< in [0, 0.5)
 };
 
 enum class TetrahedronLaw { corotational, neo_hookean };
@@ -22,7 +23,7 @@ enum class TetrahedronLaw { corotational, neo_hookean };
 /// rho V / 20 (1 + delta_ij), the integral of the shape functions' products.
 enum class MassMatrix { lumped, consistent };
 
-/// The constituents of the composite (paper, 2.1.2 and 3.2). validate() throws InputError.
+/// The constituents of the composite (paper, 2.1.2 and 3.2).
 struct CompositeOptions {
   Material parenchyma{3500.0, 0.45};
   std::map<Label, Material> by_label;  ///< other sub-domains (lesions); missing ones are parenchyma
@@ -37,6 +38,7 @@ struct CompositeOptions {
   bool with_vessels = true, with_capsule = true;
   TetrahedronLaw law = TetrahedronLaw::corotational;
 
+  /// @throws InputError naming the option.
   void validate() const;
 };
 

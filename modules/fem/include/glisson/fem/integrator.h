@@ -16,6 +16,7 @@ namespace glisson::fem {
 /// step too (nothing lags). It is faster than `direct` from some 3,000 tetrahedra on.
 enum class LinearSolver { reference, direct, fast };
 
+/// How time goes on in an Integrator.
 struct IntegratorOptions {
   double time_step = 0.02;  ///< s
   LinearSolver solver = LinearSolver::direct;
@@ -29,6 +30,7 @@ struct IntegratorOptions {
   void validate() const;
 };
 
+/// What became of one step of time.
 struct StepSummary {
   /// false: the matrix was not positive definite, the state not finite, or `fast` not converged; the state is
   /// unchanged.
@@ -36,7 +38,7 @@ struct StepSummary {
   double residual = 0.0;        ///< relative, of the linear solve
   int iterations = 0;           ///< of `fast`
   double kinetic_energy = 0.0;  ///< J, after the step
-  int inverted_tetrahedra = 0;
+  int inverted_tetrahedra = 0;  ///< after the step: of negative volume
 };
 
 /// Implicit backward Euler (Baraff and Witkin 1998), one linear system a step: (M/dt2 + B/dt + K + K_ext) dx
@@ -48,8 +50,8 @@ class Integrator {
   Integrator(Integrator&&) noexcept;
   Integrator& operator=(Integrator&&) noexcept;
 
-  const Points& positions() const;
-  const Points& velocities() const;
+  const Points& positions() const;   ///< of the nodes, metres, in the frame of set_state()
+  const Points& velocities() const;  ///< m/s, likewise
   /// Puts the model somewhere, at rest (its rest shape, rigidly moved, is a fine start: no force arises).
   void set_state(const Points& positions);
   void set_state(const Points& positions, const Points& velocities);
@@ -63,6 +65,7 @@ class Integrator {
   std::unique_ptr<Impl> impl_;
 };
 
+/// How an equilibrium is looked for.
 struct StaticOptions {
   int max_iterations = 200;
   /// The residual force over the external force, in (0, 1). Where there is no external force (nodes were only
@@ -75,6 +78,7 @@ struct StaticOptions {
   void validate() const;
 };
 
+/// The equilibrium that was found, or how far the search came.
 struct StaticSummary {
   Points positions;  ///< of all nodes, in the start's frame, metres
   Termination termination = Termination::step_limit;

@@ -11,6 +11,7 @@
 
 namespace glisson::fem {
 
+/// How a load is run.
 struct SimulationOptions {
   int steps = 100;                             ///< of the dynamics
   double time_step = 0.02;                     ///< s
@@ -20,6 +21,7 @@ struct SimulationOptions {
   int max_iterations = 300;                    ///< of the static solve
   double tolerance = 1e-8;                     ///< of the static solve
 
+  /// @throws InputError naming the option.
   void validate() const;
 };
 
@@ -38,9 +40,10 @@ struct SimulationRecord {
   double milliseconds = 0.0;  ///< of the step alone, by the clock on the wall
 };
 
+/// All steps, and where they end.
 struct SimulationResult {
   std::vector<SimulationRecord> records;
-  Points positions;
+  Points positions;  ///< of the nodes at the end, metres, the model's frame
   /// Static: whether the tolerance was reached. Dynamic: whether every step succeeded.
   bool converged = true;
 };

@@ -19,6 +19,7 @@ struct OperatorOptions {
   double click_noise_px = 3.0;  ///< on the screen, standard deviation a coordinate
   bool click_margin = false;    ///< the anterior margin too (otherwise the model stage detects it)
   std::uint64_t seed = 1;
+  /// @throws InputError naming the option.
   void validate() const;
 };
 

@@ -14,14 +14,15 @@
 
 namespace glisson::insilico {
 
+/// What is filmed, by which laparoscope, and what moves the liver meanwhile.
 struct TheatreOptions {
   std::uint64_t seed = 1;
-  int width = 960, height = 540;
+  int width = 960, height = 540;  ///< of either picture, pixels
   double frames_per_second = 30.0;
   int frames = 300;
-  double camera_distance_mm = 120.0;  ///< to the middle of what is seen, 80 to 160
-  double horizontal_view_deg = 70.0;  ///< field of view
-  double baseline_mm = 5.0;
+  double camera_distance_mm = 120.0;   ///< to the middle of what is seen, 80 to 160
+  double horizontal_view_deg = 70.0;   ///< field of view
+  double baseline_mm = 5.0;            ///< between both optical centres
   double pneumoperitoneum_pa = 0.0;    ///< on the anterior face; 0: chosen so that elastic_motion_mm remains
   double mean_displacement_mm = 22.0;  ///< of the first frame from the CT, 20 to 60
   double elastic_motion_mm = 8.4;      ///< of it, after the best rigid alignment: 8 and more prove something
@@ -79,8 +80,10 @@ struct PatchOptions {
   double hole_mm = 12.0;
   double margin_mm = 5.0, notch_mm = 8.0;  ///< within which distance a point is labelled so
   std::uint64_t seed = 1;
+  /// @throws InputError naming the option.
   void validate() const;
 };
+/// Points of the liver's surface as a camera would give them.
 struct Patch {
   LabelledCloud cloud;  ///< left camera's frame
   double share = 0.0;   ///< of the surface that was covered

@@ -58,6 +58,7 @@ struct BuiltModel {
   std::vector<VesselTree> trees_as_built;
 };
 
+/// What a model is built of, and how finely.
 struct ModelOptions {
   MeshOptions mesh;
   bool vessels = true;
@@ -69,6 +70,7 @@ struct ModelOptions {
   /// Where trees enter, one point a tree if given (CT, metres); otherwise the thickest end near the hilum or
   /// the cava.
   PointsIn<CtFrame> portal_root, hepatic_root;
+  /// @throws InputError naming the option.
   void validate() const;
 };
 

@@ -15,18 +15,21 @@
 
 namespace glisson::registration {
 
+/// How the rigid start is sought.
 struct RigidOptions {
-  int starts = 200;  ///< seeded orientations tried
-  double outlier_share = 0.1;
+  int starts = 200;            ///< seeded orientations tried
+  double outlier_share = 0.1;  ///< of the points that are farthest off, left out of each fit, in [0, 0.9)
+  /// @throws InputError naming the option.
   void validate() const;
 };
+/// Where the model is before it is bent: CT frame to the left camera's, metres.
 struct RigidStart {
   CameraFromCt camera_from_ct;
-  double residual = 0.0;  ///< metres, trimmed mean
+  double residual = 0.0;  ///< metres: trimmed mean distance of the cloud from the model
   /// Other poses that fit well, 10 mm and more from the start and from each other, the better first, four at
   /// most (and the one that was set by hand).
   std::vector<CameraFromCt> alternatives;
-  std::vector<std::string> doubts;
+  std::vector<std::string> doubts;  ///< codes with values, see align_rigid
 };
 /// Rigid alignment from the labelled features, robust to a partial view and a wrong start: seeded starts,
 /// trimmed label-restricted ICP, the better ones refined and judged along the camera's rays too. The camera
@@ -51,12 +54,12 @@ enum class PenaltyForm { corrected, clamped, printed };
 /// Schedule of eq. 15. Factors are in metres: k = factor * E of the parenchyma.
 struct ElasticOptions {
   PenaltyForm form = PenaltyForm::corrected;
-  double s = 20.0;  ///< 1/m; chosen by the in-silico study in the README
+  double s = 20.0;  ///< 1/m; chosen in silico
   double k_notch = 1e-3, k_margin_min = 1e-4, k_margin_max = 1e-3, k_surface_min = 0.0, k_surface_max = 1e-3;
   int r_margin = 2, r_surface = 10;
   double reference_density_per_cm2 = 3.9;
-  /// After eq. 15's last plateau every k is multiplied by this, and one more plateau is waited for. 1: the
-  /// paper's method. Why more: see the README.
+  /// After eq. 15's last plateau every k is multiplied by this, and one more plateau is waited for: springs
+  /// in balance with the tissue end before the cloud, the stiffer the nearer. 1: the paper's method.
   double final_stiffening = 10.0;
   /// Share of k that resists sliding along the surface, in [0, 1]; 1: eq. 14's isotropic spring.
   double tangential = 0.1;
@@ -76,12 +79,13 @@ struct ElasticOptions {
   /// With a prior: poses from which the shape is fitted too; the most probable shape of all is taken. A rigid
   /// fit of a bent organ may well rank the wrong pose first.
   std::vector<CameraFromCt> other_starts;
+  /// @throws InputError naming the option.
   void validate() const;
 };
 
 /// The defaults for a model. One that is a bare mesh (no vessels, and no landmarks that a person placed; a
 /// margin that was detected on a mesh says nothing of its material) is taken for homogeneous: no capsule, and
-/// the paper's schedule without the final stiffening (see the README).
+/// the paper's schedule without the final stiffening, its springs isotropic.
 ElasticOptions options_for(const PatientModel& model, bool landmarks_are_placed = true);
 
 /// Initial elastic registration (paper 2.2.3; eq. 14 and 15 as the README corrects them): label-restricted

@@ -11,6 +11,7 @@
 
 namespace glisson::registration {
 
+/// How far the cloud is believed when the most probable shape is looked for.
 struct ShapeFitOptions {
   /// Standard deviations, metres: of a surface point across the surface (the reconstruction's noise and the
   /// segmentation's), of a margin point, of the notch as a whole.
@@ -19,6 +20,7 @@ struct ShapeFitOptions {
   /// the error of the model's surface, they do not average it away. In (0, 1].
   double information = 0.2;
   int max_iterations = 80;
+  /// @throws InputError naming the option.
   void validate() const;
 };
 

@@ -47,6 +47,7 @@ struct Structures {
 /// Whether a label is.
 bool is_found_anew(Label label, const Structures& asked, const Seeds& seeds);
 
+/// What is found anew, where, and how finely.
 struct SegmentationOptions {
   /// Resolution of the liver's contour, 0.3 to 5 mm. Below 2 mm the level set runs at 2 mm first, and its
   /// last rounds once more at this spacing, from where it came to rest. Memory then is an estimated 60 bytes
@@ -61,6 +62,7 @@ struct SegmentationOptions {
   /// known. With the parenchyma locked, the vessels and lesions in it stay, too. Without such labels they
   /// stay empty.
   std::vector<Label> locked;
+  /// @throws InputError naming the option.
   void validate() const;
 };
 

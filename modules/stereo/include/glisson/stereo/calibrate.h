@@ -12,6 +12,7 @@
 
 namespace glisson::stereo {
 
+/// Which unknowns a calibration has, and which views it believes.
 struct CalibrateOptions {
   bool third_radial = false;           ///< k3 too; without many corners near the borders it is noise
   bool leave_one_out = true;           ///< calibrate again without each view (5 views and more)
@@ -37,6 +38,7 @@ struct ViewReport {
   double epipolar_left_out = 0.0, epipolar_reference = 0.0;
 };
 
+/// A laparoscope's two cameras, and how well they are known.
 struct Calibration {
   StereoRig rig;
   double rms = 0.0;                            ///< joint stereo, over all corners of both pictures, pixels

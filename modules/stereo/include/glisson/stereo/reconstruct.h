@@ -19,6 +19,7 @@ enum class Method {
 /// SURF is the paper's. All go the same way afterwards.
 enum class Features { surf, sift, akaze };
 
+/// Which points are made of a pair, and which are believed.
 struct ReconstructOptions {
   Method method = Method::sparse;
   Features kind = Features::surf;
@@ -38,6 +39,7 @@ struct ReconstructOptions {
   bool operator==(const ReconstructOptions&) const = default;
 };
 
+/// What became of a pair. Lengths as the names say, else metres.
 struct ReconstructReport {
   Method method = Method::sparse;  ///< that made the points
   int features_left = 0, features_right = 0;

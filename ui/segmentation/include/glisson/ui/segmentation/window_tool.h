@@ -117,6 +117,7 @@ struct WholeVolume {
   const std::vector<Label>& present;
 };
 
+/// A tool of the window: its button, its page, and what the mouse does with it. One a file (tools/NAME.cpp).
 struct WindowTool {
   /// What shows at the pointer before it clicks.
   enum class AtPointer { nothing, outline, branch, way };

@@ -51,9 +51,9 @@ class MainWindow : public QMainWindow {
   void build_panels();
   void add_panel(Panel* panel, const QString& icon);
   void open_case();
-  /// Asks first when the present one has changes.
   /// Asks whose it is, where a case is open.
   void import_image(const std::filesystem::path& path);
+  /// Asks first when the present one has changes.
   void replace_case(const std::filesystem::path& path);
   void open_dicom();
   void open_volume();
