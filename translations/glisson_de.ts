@@ -2563,6 +2563,81 @@
     </message>
 </context>
 <context>
+    <name>SeriesTexts</name>
+    <message>
+        <source>derived from other images</source>
+        <translation>aus anderen Bildern abgeleitet</translation>
+    </message>
+    <message>
+        <source>neither CT nor MR</source>
+        <translation>weder CT noch MRT</translation>
+    </message>
+    <message>
+        <source>few slices</source>
+        <translation>wenige Schichten</translation>
+    </message>
+    <message>
+        <source>not axial</source>
+        <translation>nicht axial</translation>
+    </message>
+    <message>
+        <source>reformatted</source>
+        <translation>reformatiert</translation>
+    </message>
+    <message>
+        <source>screenshot or sheet</source>
+        <translation>Bildschirmfoto oder Blatt</translation>
+    </message>
+    <message>
+        <source>scout (localizer)</source>
+        <translation>Übersichtsaufnahme (Localizer)</translation>
+    </message>
+    <message>
+        <source>several frames in a file: cannot be read</source>
+        <translation>mehrere Bilder in einer Datei: nicht lesbar</translation>
+    </message>
+    <message>
+        <source>mask: two grey values only</source>
+        <translation>Maske: nur zwei Grauwerte</translation>
+    </message>
+    <message>
+        <source>no images (report, contours or segmentation)</source>
+        <translation>keine Bilder (Befund, Konturen oder Segmentierung)</translation>
+    </message>
+    <message>
+        <source>native</source>
+        <translation>nativ</translation>
+    </message>
+    <message>
+        <source>arterial</source>
+        <translation>arteriell</translation>
+    </message>
+    <message>
+        <source>portal venous</source>
+        <translation>portalvenös</translation>
+    </message>
+    <message>
+        <source>delayed</source>
+        <translation>spät</translation>
+    </message>
+    <message>
+        <source>slices %1 mm thick</source>
+        <translation>Schichten %1 mm dick</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1, slices %2 mm thick</source>
+        <translation>%1, Schichten %2 mm dick</translation>
+    </message>
+    <message>
+        <source>no description</source>
+        <translation>ohne Beschreibung</translation>
+    </message>
+</context>
+<context>
     <name>Texts</name>
     <message>
         <source>Reading the volume</source>
@@ -4271,6 +4346,18 @@
         <source>How unusual the livers were that --added-deviation was set on, over what is usual: it grows only beyond that.</source>
         <translation>Wie ungewöhnlich die Lebern waren, an denen --added-deviation festgelegt wurde, über dem Üblichen: erst darüber hinaus wächst es.</translation>
     </message>
+    <message>
+        <source>number %1</source>
+        <translation>Nummer %1</translation>
+    </message>
+    <message>
+        <source>%1 slices</source>
+        <translation>%1 Schichten</translation>
+    </message>
+    <message>
+        <source>Only tell which DICOM series there are, the likeliest first.</source>
+        <translation>Nur sagen, welche DICOM-Serien es gibt, die wahrscheinlichste zuerst.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AngleHistogram</name>
@@ -4760,28 +4847,6 @@
     <message>
         <source>The organ as it was registered, in the colours of the error that is expected at each place, with each lesion&apos;s region.</source>
         <translation>Das Organ, wie es registriert wurde, in den Farben des Fehlers, der an jedem Ort erwartet wird, mit dem Bereich jeder Läsion.</translation>
-    </message>
-</context>
-<context>
-    <name>glisson::ui::ImageImport</name>
-    <message>
-        <source>no description</source>
-        <translation>keine Beschreibung</translation>
-    </message>
-    <message>
-        <source>%1  %2  %3 slices  (series %4)</source>
-        <translation>%1  %2  %3 Schichten  (Serie %4)</translation>
-    </message>
-    <message>
-        <source>Several series</source>
-        <translation>Mehrere Serien</translation>
-    </message>
-    <message numerus="yes">
-        <source>This folder holds %n series. Which one shows the liver in the portal venous phase?</source>
-        <translation>
-            <numerusform>Dieser Ordner enthält %n Serie. Zeigt sie die Leber in der portalvenösen Phase?</numerusform>
-            <numerusform>Dieser Ordner enthält %n Serien. Welche zeigt die Leber in der portalvenösen Phase?</numerusform>
-        </translation>
     </message>
 </context>
 <context>
@@ -6107,6 +6172,64 @@
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::SeriesDialog</name>
+    <message>
+        <source>Several series</source>
+        <translation>Mehrere Serien</translation>
+    </message>
+    <message numerus="yes">
+        <source>This folder holds %n series. Which one shows the liver in the portal venous phase? The likeliest is at the top.</source>
+        <translation>
+            <numerusform>In diesem Ordner ist %n Serie. Welche zeigt die Leber in der portalvenösen Phase? Die wahrscheinlichste steht oben.</numerusform>
+            <numerusform>In diesem Ordner sind %n Serien. Welche zeigt die Leber in der portalvenösen Phase? Die wahrscheinlichste steht oben.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Patient: %1</source>
+        <translation>Patient: %1</translation>
+    </message>
+    <message>
+        <source>Series</source>
+        <translation>Serie</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Phase</translation>
+    </message>
+    <message>
+        <source>Slices</source>
+        <translation>Schichten</translation>
+    </message>
+    <message>
+        <source>Pixels and spacing</source>
+        <translation>Pixel und Abstände</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Bemerkungen</translation>
+    </message>
+    <message>
+        <source>series %1</source>
+        <translation>Serie %1</translation>
+    </message>
+    <message>
+        <source>%1, series %2</source>
+        <translation>%1, Serie %2</translation>
+    </message>
+    <message>
+        <source>contrast agent</source>
+        <translation>Kontrastmittel</translation>
+    </message>
+    <message>
+        <source>likeliest</source>
+        <translation>am wahrscheinlichsten</translation>
     </message>
 </context>
 <context>

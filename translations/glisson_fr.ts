@@ -2563,6 +2563,81 @@
     </message>
 </context>
 <context>
+    <name>SeriesTexts</name>
+    <message>
+        <source>derived from other images</source>
+        <translation>dérivée d&apos;autres images</translation>
+    </message>
+    <message>
+        <source>neither CT nor MR</source>
+        <translation>ni CT ni IRM</translation>
+    </message>
+    <message>
+        <source>few slices</source>
+        <translation>peu de coupes</translation>
+    </message>
+    <message>
+        <source>not axial</source>
+        <translation>non axiale</translation>
+    </message>
+    <message>
+        <source>reformatted</source>
+        <translation>reformatée</translation>
+    </message>
+    <message>
+        <source>screenshot or sheet</source>
+        <translation>capture d&apos;écran ou feuille</translation>
+    </message>
+    <message>
+        <source>scout (localizer)</source>
+        <translation>image de repérage (localizer)</translation>
+    </message>
+    <message>
+        <source>several frames in a file: cannot be read</source>
+        <translation>plusieurs images dans un fichier : illisible</translation>
+    </message>
+    <message>
+        <source>mask: two grey values only</source>
+        <translation>masque : deux niveaux de gris seulement</translation>
+    </message>
+    <message>
+        <source>no images (report, contours or segmentation)</source>
+        <translation>pas d&apos;images (compte rendu, contours ou segmentation)</translation>
+    </message>
+    <message>
+        <source>native</source>
+        <translation>sans injection</translation>
+    </message>
+    <message>
+        <source>arterial</source>
+        <translation>artérielle</translation>
+    </message>
+    <message>
+        <source>portal venous</source>
+        <translation>portale</translation>
+    </message>
+    <message>
+        <source>delayed</source>
+        <translation>tardive</translation>
+    </message>
+    <message>
+        <source>slices %1 mm thick</source>
+        <translation>coupes de %1 mm d&apos;épaisseur</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1, slices %2 mm thick</source>
+        <translation>%1, coupes de %2 mm d&apos;épaisseur</translation>
+    </message>
+    <message>
+        <source>no description</source>
+        <translation>sans description</translation>
+    </message>
+</context>
+<context>
     <name>Texts</name>
     <message>
         <source>Reading the volume</source>
@@ -4271,6 +4346,18 @@
         <source>How unusual the livers were that --added-deviation was set on, over what is usual: it grows only beyond that.</source>
         <translation>À quel point les foies sur lesquels --added-deviation a été fixé étaient inhabituels, par rapport à l’usuel : il ne croît qu’au-delà.</translation>
     </message>
+    <message>
+        <source>number %1</source>
+        <translation>numéro %1</translation>
+    </message>
+    <message>
+        <source>%1 slices</source>
+        <translation>%1 coupes</translation>
+    </message>
+    <message>
+        <source>Only tell which DICOM series there are, the likeliest first.</source>
+        <translation>Dire seulement quelles séries DICOM il y a, la plus probable d&apos;abord.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AngleHistogram</name>
@@ -4760,28 +4847,6 @@
     <message>
         <source>The organ as it was registered, in the colours of the error that is expected at each place, with each lesion&apos;s region.</source>
         <translation>L’organe tel qu’il a été recalé, dans les couleurs de l’erreur attendue à chaque endroit, avec la région de chaque lésion.</translation>
-    </message>
-</context>
-<context>
-    <name>glisson::ui::ImageImport</name>
-    <message>
-        <source>no description</source>
-        <translation>sans description</translation>
-    </message>
-    <message>
-        <source>%1  %2  %3 slices  (series %4)</source>
-        <translation>%1  %2  %3 coupes  (série %4)</translation>
-    </message>
-    <message>
-        <source>Several series</source>
-        <translation>Plusieurs séries</translation>
-    </message>
-    <message numerus="yes">
-        <source>This folder holds %n series. Which one shows the liver in the portal venous phase?</source>
-        <translation>
-            <numerusform>Ce dossier contient %n série. Montre-t-elle le foie en phase portale ?</numerusform>
-            <numerusform>Ce dossier contient %n séries. Laquelle montre le foie en phase portale ?</numerusform>
-        </translation>
     </message>
 </context>
 <context>
@@ -6107,6 +6172,64 @@
     <message>
         <source>%1: %2</source>
         <translation>%1 : %2</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::SeriesDialog</name>
+    <message>
+        <source>Several series</source>
+        <translation>Plusieurs séries</translation>
+    </message>
+    <message numerus="yes">
+        <source>This folder holds %n series. Which one shows the liver in the portal venous phase? The likeliest is at the top.</source>
+        <translation>
+            <numerusform>Ce dossier contient %n série. Laquelle montre le foie à la phase portale ? La plus probable est en haut.</numerusform>
+            <numerusform>Ce dossier contient %n séries. Laquelle montre le foie à la phase portale ? La plus probable est en haut.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Patient: %1</source>
+        <translation>Patient : %1</translation>
+    </message>
+    <message>
+        <source>Series</source>
+        <translation>Série</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Phase</translation>
+    </message>
+    <message>
+        <source>Slices</source>
+        <translation>Coupes</translation>
+    </message>
+    <message>
+        <source>Pixels and spacing</source>
+        <translation>Pixels et espacement</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Date</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Remarques</translation>
+    </message>
+    <message>
+        <source>series %1</source>
+        <translation>série %1</translation>
+    </message>
+    <message>
+        <source>%1, series %2</source>
+        <translation>%1, série %2</translation>
+    </message>
+    <message>
+        <source>contrast agent</source>
+        <translation>produit de contraste</translation>
+    </message>
+    <message>
+        <source>likeliest</source>
+        <translation>la plus probable</translation>
     </message>
 </context>
 <context>

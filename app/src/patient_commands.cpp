@@ -6,8 +6,10 @@
 #include "label_output.h"
 
 #include "glisson/engine/commands/import_image.h"
+#include "glisson/engine/commands/list_series.h"
 #include "glisson/engine/commands/segment.h"
 #include "glisson/engine/commands/set_seeds.h"
+#include "glisson/ui/common/series_texts.h"
 
 namespace glisson::app {
 namespace fs = std::filesystem;
@@ -68,6 +70,34 @@ std::optional<Eigen::AlignedBox3d> region_from(const QString& text) {
   return box;
 }
 
+/// The series of a folder in the order of the window's list, and what speaks against each.
+int tell_series(const Arguments& arguments, const fs::path& input) {
+  Session session(arguments);
+  const auto all = session.post(engine::ListSeries{input}).result.as<engine::ListSeries::Result>();
+  session.figures["series"] = static_cast<double>(all->size());
+  int number = 0;
+  for (const DicomSeries& series : *all) {
+    const std::string key = QStringLiteral("series_%1").arg(++number, 2, 10, QLatin1Char('0')).toStdString();
+    QStringList parts = {
+        Cli::tr("number %1")
+            .arg(series.number.empty() ? QStringLiteral("?") : QString::fromStdString(series.number)),
+        QString::fromStdString(series.modality),
+        ui::description_text(series),
+        ui::phase_text(phase_of(series)),
+        Cli::tr("%1 slices").arg(series.slices),
+        ui::spacing_text(series),
+        QString::fromStdString(series.date),
+        QString::fromStdString(series.patient)};
+    parts.removeAll(QString());
+    session.texts[key] = parts.join(QStringLiteral(" | ")).toStdString();
+    session.texts[key + "_uid"] = series.uid;
+    if (const QString doubts = ui::doubts_text(series); !doubts.isEmpty())
+      session.texts[key + "_doubts"] = doubts.toStdString();
+  }
+  session.finish();
+  return 0;
+}
+
 }  // namespace
 
 int run_import(const QStringList& given) {
@@ -76,11 +106,13 @@ int run_import(const QStringList& given) {
       Cli::tr("Reads a CT (a folder of DICOM slices, a .tar.gz of one, NIfTI, NRRD, MetaImage) into a case, "
               "which is made if there is none."));
   arguments.positional("INPUT", Cli::tr("The volume."));
+  arguments.flag("list", Cli::tr("Only tell which DICOM series there are, the likeliest first."));
   arguments.option("series", Cli::tr("Which DICOM series, where there are several: its UID or number."),
                    "SERIES");
   declare_case(arguments);
   if (!arguments.parse(given)) return 0;
   const QString input = arguments.positionals(1, 1).front();
+  if (arguments.has("list")) return tell_series(arguments, input.toStdString());
   const fs::path folder = arguments.required_path("case");
   Session session(arguments);
   if (fs::exists(folder)) open_case(arguments, session);

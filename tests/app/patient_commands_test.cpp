@@ -10,6 +10,8 @@
 #include "glisson/volume/io.h"
 #include "program.h"
 
+#include "../volume/dicom_bytes.h"
+
 using namespace glisson;
 using test::ball;
 using test::Ran;
@@ -22,6 +24,7 @@ class PatientCommandsTest : public QObject, private test::Program {
   void init() { make_folder(); }
   void cleanup() { remove_folder(); }
 
+  void SeriesOfAFolderAreListed();
   void LabelsOfAnotherGridAreRefusedAndTheCaseStands();
   void ACaseOfAnotherVersionIsRefused();
   void SeveralLargeComponentsAreRefused();
@@ -42,6 +45,38 @@ void PatientCommandsTest::import_small_ct() const {
       std::vector<std::int16_t>(static_cast<std::size_t>(image.grid.voxel_count()), 70));
   write_image(at("ct.nrrd"), image);
   QCOMPARE(run({"import", "ct.nrrd", "--case", "a.glisson"}).code, 0);
+}
+
+void PatientCommandsTest::SeriesOfAFolderAreListed() {
+  fs::create_directories(at("ct"));
+  const auto write = [&](const char* name, int slices, const char* kind) {
+    test::HandSlice slice;
+    slice.series += std::string(".") + std::to_string(slices);
+    slice.description = name;
+    slice.other["0008|0008"] = kind;
+    for (int k = 0; k < slices; ++k)
+      write_text(at("ct") / (std::string(name) + std::to_string(k)), test::dicom_of(k, slice));
+  };
+  write("scout", 1, "ORIGINAL\\PRIMARY\\LOCALIZER");
+  write("copy", 40, "DERIVED\\SECONDARY");
+  write("venous", 24, "ORIGINAL\\PRIMARY\\AXIAL");
+  const Ran ran = run({"import", "ct", "--list", "--json", "series.json"});
+  QCOMPARE(ran.code, 0);
+  const QJsonObject json =
+      QJsonDocument::fromJson(QByteArray::fromStdString(read_file(at("series.json")))).object();
+  const QString all = QString::fromStdString(read_file(at("series.json")));
+  QVERIFY2(ran.out.contains("venous | portal venous | 24 slices | 0.80 × 1.10 × 2.50 mm"),
+           qPrintable(ran.out));
+  QVERIFY2(ran.out.indexOf("venous") < ran.out.indexOf("copy") &&
+               ran.out.indexOf("copy") < ran.out.indexOf("scout"),
+           qPrintable(ran.out));
+  QVERIFY(ran.out.contains("derived from other images") && ran.out.contains("few slices; scout (localizer)"));
+  QVERIFY(!json.isEmpty() && all.contains("1.2.826.0.1.3680043.2.1125.1.24"));
+  QVERIFY(!fs::exists(at("a.glisson")));
+  // What is first can be taken by its UID.
+  QCOMPARE(run({"import", "ct", "--series", "1.2.826.0.1.3680043.2.1125.1.24", "--case", "a.glisson"}).code,
+           0);
+  refused({"import", "nowhere", "--list"}, "nowhere");
 }
 
 void PatientCommandsTest::LabelsOfAnotherGridAreRefusedAndTheCaseStands() {

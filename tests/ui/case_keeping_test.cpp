@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is the case's stays the case's: while it is saved, when another CT or video comes, when a frame loads.
 #include <QDialog>
-#include <QListWidget>
 #include <QMessageBox>
 #include <QPointer>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTimer>
+#include <QTreeWidget>
 #include <QtTest>
 
 #include "fake_operation.h"
@@ -165,11 +165,11 @@ void CaseKeepingTest::OneOfSeveralSeriesIsAskedFor() {
   QTest::mouseClick(window_->findChild<QPushButton*>(QStringLiteral("same_patient")), Qt::LeftButton);
   QTRY_VERIFY(window_->findChild<QDialog*>(QStringLiteral("choose_series")) != nullptr);
   auto* dialog = window_->findChild<QDialog*>(QStringLiteral("choose_series"));
-  auto* list = dialog->findChild<QListWidget*>();
-  QCOMPARE(list->count(), 2);
-  QCOMPARE(list->currentRow(), 0);  // the one with the most slices
-  QVERIFY(list->item(1)->text().contains(QStringLiteral("arterial")));
-  list->setCurrentRow(1);
+  auto* list = dialog->findChild<QTreeWidget*>();
+  QCOMPARE(list->topLevelItemCount(), 2);
+  QCOMPARE(list->currentItem(), list->topLevelItem(0));  // the likeliest
+  QVERIFY(list->topLevelItem(1)->text(0).contains(QStringLiteral("arterial")));
+  list->setCurrentItem(list->topLevelItem(1));
   QTest::keyClick(dialog, Qt::Key_Return);
   QTRY_COMPARE(window_->engine().state()[part::image]->description, std::string("1.2.4"));
 }

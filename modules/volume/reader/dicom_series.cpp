@@ -56,10 +56,11 @@ bool has_dicom_mark(const fs::path& path) {
   return stream.gcount() == 4 && std::string(mark, 4) == "DICM";
 }
 
-/// A DICOM image file and the series that it says it belongs to.
+/// A DICOM file and the series that it says it belongs to.
 struct Found {
   fs::path path;
   DicomSeries series;
+  std::optional<Eigen::Vector3d> origin_mm = {};
 };
 
 std::string text_of(const gdcm::DataSet& data, const gdcm::Tag& tag) {
@@ -73,11 +74,102 @@ std::string text_of(const gdcm::DataSet& data, const gdcm::Tag& tag) {
   return text;
 }
 
-/// Empty: the file is no DICOM image; other DICOM objects (directories, reports) and foreign files are not.
-std::optional<Found> find_image(const Request& request, const fs::path& path) {
+/// A text for people, in UTF-8: what is none is taken for Latin-1, the standard's commonest other one. Names
+/// have carets between their parts.
+std::string words_of(const gdcm::DataSet& data, const gdcm::Tag& tag) {
+  constexpr std::size_t kLongest = 200;
+  const std::string text = text_of(data, tag).substr(0, kLongest);
+  std::string utf8;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const auto byte = static_cast<unsigned char>(text[at]);
+    const int follow = byte >= 0xF0 ? 3 : byte >= 0xE0 ? 2 : byte >= 0xC2 ? 1 : 0;
+    bool whole = byte < 0xF5 && follow > 0 && at + static_cast<std::size_t>(follow) < text.size();
+    for (int n = 1; whole && n <= follow; ++n)
+      whole = (static_cast<unsigned char>(text[at + static_cast<std::size_t>(n)]) & 0xC0U) == 0x80U;
+    if (byte < 0x20) {
+      utf8.push_back(' ');
+    } else if (byte < 0x80) {
+      utf8.push_back(byte == '^' ? ' ' : text[at]);
+    } else if (whole) {
+      utf8 += text.substr(at, static_cast<std::size_t>(follow) + 1);
+      at += static_cast<std::size_t>(follow);
+    } else {
+      utf8.push_back(static_cast<char>(0xC0U | byte >> 6U));
+      utf8.push_back(static_cast<char>(0x80U | (byte & 0x3FU)));
+    }
+  }
+  while (!utf8.empty() && utf8.back() == ' ') utf8.pop_back();
+  return utf8;
+}
+
+/// Numbers parted by backslashes; empty where they are not so many finite ones. Only for people to read and
+/// to sort by: what is measured with is read strictly, see read_place().
+std::vector<double> loose_numbers(const gdcm::DataSet& data, const gdcm::Tag& tag, std::size_t count) {
+  std::istringstream text(text_of(data, tag));
+  std::vector<double> numbers;
+  for (std::string part; std::getline(text, part, '\\');) {
+    char* end = nullptr;
+    const double number = std::strtod(part.c_str(), &end);
+    if (end == part.c_str() || !std::isfinite(number) || std::abs(number) > 1e6) return {};
+    numbers.push_back(number);
+  }
+  return numbers.size() == count ? numbers : std::vector<double>();
+}
+
+/// A whole number in two bytes; 0: there is none.
+int short_in(const gdcm::DataSet& data, const gdcm::Tag& tag) {
+  if (!data.FindDataElement(tag)) return 0;
+  const gdcm::ByteValue* bytes = data.GetDataElement(tag).GetByteValue();
+  if (bytes == nullptr || bytes->GetPointer() == nullptr || bytes->GetLength() < 2) return 0;
+  std::uint16_t value = 0;
+  std::memcpy(&value, bytes->GetPointer(), sizeof(value));
+  return value;
+}
+
+/// "20260131" -> "2026-01-31"; others as they are.
+std::string date_of(const std::string& text) {
+  const bool digits = text.size() == 8 && text.find_first_not_of("0123456789") == std::string::npos;
+  return digits ? text.substr(0, 4) + '-' + text.substr(4, 2) + '-' + text.substr(6) : text;
+}
+
+/// What one file says of its series.
+Found described(const fs::path& path, const gdcm::DataSet& data) {
+  Found found;
+  found.path = path;
+  DicomSeries& series = found.series;
+  series.uid = text_of(data, {0x0020, 0x000e});
+  series.number = text_of(data, {0x0020, 0x0011});
+  series.description = words_of(data, {0x0008, 0x103e});
+  series.modality = text_of(data, {0x0008, 0x0060});
+  series.slices = 1;
+  series.patient = words_of(data, {0x0010, 0x0010});
+  series.patient_id = words_of(data, {0x0010, 0x0020});
+  series.date = date_of(words_of(data, {0x0008, 0x0021}));
+  if (series.date.empty()) series.date = date_of(words_of(data, {0x0008, 0x0020}));
+  series.study = words_of(data, {0x0008, 0x1030});
+  series.protocol = words_of(data, {0x0018, 0x1030});
+  series.kind = words_of(data, {0x0008, 0x0008});
+  series.contrast_agent = !text_of(data, {0x0018, 0x0010}).empty();
+  series.pixels = {short_in(data, {0x0028, 0x0011}), short_in(data, {0x0028, 0x0010})};
+  if (const auto mm = loose_numbers(data, {0x0028, 0x0030}, 2); !mm.empty()) series.pixel_mm = {mm[1], mm[0]};
+  if (const auto mm = loose_numbers(data, {0x0018, 0x0050}, 1); !mm.empty()) series.thickness_mm = mm[0];
+  if (const auto count = loose_numbers(data, {0x0028, 0x0008}, 1); !count.empty())
+    series.frames = static_cast<int>(std::clamp(count[0], 1.0, 1e6));
+  if (const auto axes = loose_numbers(data, {0x0020, 0x0037}, 6); !axes.empty())
+    series.normal = Eigen::Vector3d(axes[0], axes[1], axes[2])
+                        .cross(Eigen::Vector3d(axes[3], axes[4], axes[5]))
+                        .normalized();
+  if (const auto p = loose_numbers(data, {0x0020, 0x0032}, 3); !p.empty())
+    found.origin_mm = Eigen::Vector3d(p[0], p[1], p[2]);
+  return found;
+}
+
+/// Empty: the file is foreign, or a DICOM object of no series (a directory). Other objects than images
+/// (reports, contours) say so.
+std::optional<Found> find_object(const Request& request, const fs::path& path) {
   gdcm::Reader reader;
   reader.SetFileName(path.c_str());
-  if (!reader.CanRead() || !reader.ReadUpToTag(gdcm::Tag(0x0020, 0x0037))) {
+  if (!reader.CanRead() || !reader.ReadUpToTag(gdcm::Tag(0x0028, 0x0100))) {
     if (has_dicom_mark(path))
       refuse(request, path.filename().string(), "is a DICOM file that cannot be read",
              "Export the series again");
@@ -85,11 +177,12 @@ std::optional<Found> find_image(const Request& request, const fs::path& path) {
   }
   gdcm::MediaStorage storage;
   storage.SetFromFile(reader.GetFile());
-  if (!gdcm::MediaStorage::IsImage(storage)) return std::nullopt;
-  const gdcm::DataSet& data = reader.GetFile().GetDataSet();
-  return Found{path,
-               {text_of(data, {0x0020, 0x000e}), text_of(data, {0x0020, 0x0011}),
-                text_of(data, {0x0008, 0x103e}), text_of(data, {0x0008, 0x0060}), 1}};
+  Found found = described(path, reader.GetFile().GetDataSet());
+  const std::string& modality = found.series.modality;
+  // A segmentation object's pixels are bits, all its structures in one file.
+  found.series.images = gdcm::MediaStorage::IsImage(storage) && modality != "SEG";
+  if (!found.series.images && (found.series.uid.empty() || modality.empty())) return std::nullopt;
+  return found;
 }
 
 /// The numbers of a tag, by ourselves: ITK takes 1 mm where it can make nothing of them.
@@ -201,31 +294,54 @@ std::vector<fs::path> files_below(const Request& request) {
   return files;
 }
 
-std::vector<Found> images_below(const Request& request) {
+/// @param all other objects than images, too.
+std::vector<Found> objects_below(const Request& request, bool all) {
   std::vector<Found> images;
+  bool any = false;
   const std::vector<fs::path> files = files_below(request);
   for (std::size_t i = 0; i < files.size(); ++i) {
-    if (auto image = find_image(request, files[i])) images.push_back(std::move(*image));
+    if (auto object = find_object(request, files[i]); object && (all || object->series.images)) {
+      any = any || object->series.images;
+      images.push_back(std::move(*object));
+    }
     request.progress(0.2 * static_cast<double>(i + 1) / static_cast<double>(files.size()));
   }
-  if (images.empty())
-    refuse(request, "", "holds no DICOM image", "Name the folder that holds the DICOM slices");
+  if (!any) refuse(request, "", "holds no DICOM image", "Name the folder that holds the DICOM slices");
   return images;
 }
 
-/// By UID, each once.
-std::vector<DicomSeries> series_of(const std::vector<Found>& images) {
-  std::map<std::string, DicomSeries> all;
-  for (const Found& image : images) {
-    const auto [place, fresh] = all.try_emplace(image.series.uid, image.series);
-    if (!fresh) ++place->second.slices;
+/// One series of its files: the first one's texts, and how far its slices lie apart.
+ListedSeries listed(const Request& request, const std::vector<const Found*>& files) {
+  ListedSeries result{files.front()->series, {}};
+  DicomSeries& series = result.series;
+  series.slices = static_cast<int>(files.size());
+  const Eigen::Vector3d normal = series.normal;
+  std::vector<std::pair<double, const Found*>> places;
+  for (const Found* file : files) {
+    series.frames = std::max(series.frames, file->series.frames);
+    series.images = series.images && file->series.images;
+    if ((file->series.normal - normal).norm() > 1e-2) series.normal.setZero();
+    places.emplace_back(file->origin_mm ? file->origin_mm->dot(normal) : 0.0, file);
   }
-  std::vector<DicomSeries> list;
-  for (const auto& [uid, series] : all) list.push_back(series);
+  std::ranges::stable_sort(places, {}, [](const auto& place) { return place.first; });
+  std::vector<double> gaps;
+  for (std::size_t n = 1; n < places.size(); ++n) gaps.push_back(places[n].first - places[n - 1].first);
+  if (!gaps.empty() && series.normal.norm() > 0.5) series.gap_mm = upper_median(gaps);
+  if (series.images) result.middle = places[places.size() / 2].second->path.lexically_relative(request.path);
+  return result;
+}
+
+/// By UID, each once.
+std::vector<ListedSeries> series_of(const Request& request, const std::vector<Found>& objects) {
+  std::map<std::string, std::vector<const Found*>> all;
+  for (const Found& object : objects) all[object.series.uid].push_back(&object);
+  std::vector<ListedSeries> list;
+  for (const auto& [uid, files] : all) list.push_back(listed(request, files));
   return list;
 }
 
-std::string list_of(const std::vector<DicomSeries>& all) {
+std::string list_of(std::vector<DicomSeries> all) {
+  sort_by_likelihood(all);
   std::ostringstream list;
   for (std::size_t n = 0; n < all.size(); ++n) {
     if (n == 4) return list.str() + ", ...";
@@ -238,7 +354,8 @@ std::string list_of(const std::vector<DicomSeries>& all) {
 
 /// The slices of the series that is wanted, or of the only one.
 std::vector<Found> chosen_series(const Request& request, const std::vector<Found>& images) {
-  const std::vector<DicomSeries> all = series_of(images);
+  std::vector<DicomSeries> all;
+  for (ListedSeries& each : series_of(request, images)) all.push_back(std::move(each.series));
   if (request.series.empty()) {
     if (all.size() > 1)
       refuse(request, "", "holds " + std::to_string(all.size()) + " series: " + list_of(all),
@@ -328,6 +445,23 @@ bool fragments_are_closed(const fs::path& path) {
   return start != std::string::npos && bytes.find(kEnd, start) != std::string::npos;
 }
 
+/// Whether a file is as long as its plain pixels, so many bytes, say: GDCM fills up one that was cut off.
+/// True where they are not found (a deflated file).
+bool pixels_are_whole(const fs::path& path, std::uint32_t length) {
+  std::string little, big;
+  for (unsigned n = 0; n < 4; ++n) {
+    little.push_back(static_cast<char>(length >> (8 * n) & 0xFFU));
+    big.insert(big.begin(), little.back());
+  }
+  const std::string tag("\xE0\x7F\x10\x00", 4), swapped("\x7F\xE0\x00\x10", 4), none("\0\0", 2);
+  const std::string bytes = read_file(path);
+  for (const std::string& start : {tag + "OW" + none + little, tag + "OB" + none + little, tag + little,
+                                   swapped + "OW" + none + big, swapped + "OB" + none + big})
+    if (const std::size_t at = bytes.find(start); at != std::string::npos)
+      return bytes.size() - at - start.size() >= length;
+  return true;
+}
+
 /// By GDCM and not by ITK, which turns the numbers of MONOCHROME1 round: that says how to draw them only.
 void append_slice(const Request& request, const Slice& slice, std::vector<float>& voxels) {
   const auto refuse_pixels = [&] {
@@ -347,7 +481,9 @@ void append_slice(const Request& request, const Slice& slice, std::vector<float>
   std::vector<char> bytes(image.GetBufferLength());
   // GDCM fills up what an uncompressed slice lacks.
   const gdcm::ByteValue* plain = image.GetDataElement().GetByteValue();
-  if (plain != nullptr ? plain->GetLength() < bytes.size() : !fragments_are_closed(slice.path))
+  if (plain != nullptr
+          ? plain->GetLength() < bytes.size() || !pixels_are_whole(slice.path, plain->GetLength())
+          : !fragments_are_closed(slice.path))
     refuse_pixels();
   if (format.GetSamplesPerPixel() != 1 || bytes.size() != pixels * format.GetPixelSize() ||
       !image.GetBuffer(bytes.data()))
@@ -371,6 +507,42 @@ void append_slice(const Request& request, const Slice& slice, std::vector<float>
   }
 }
 
+/// At most 128 pixels a side, each the mean of those that it stands for. A CT in a window for soft tissue,
+/// others from their second to their last but second percent.
+SeriesPicture reduced(const std::vector<float>& values, const DicomSeries& series) {
+  constexpr int kSide = 128;
+  constexpr std::size_t kMostValues = 256;
+  constexpr float kLow = -160.0F, kHigh = 240.0F;  // HU
+  const int width = series.pixels.x(), height = series.pixels.y();
+  SeriesPicture picture;
+  std::vector<float> sorted = values;
+  std::ranges::sort(sorted);
+  for (std::size_t n = 0; n < sorted.size() && picture.values < static_cast<int>(kMostValues); ++n)
+    if (n == 0 || sorted[n] != sorted[n - 1]) ++picture.values;
+  const bool hounsfield = series.modality == "CT" && picture.values > 2;
+  const std::size_t rim = sorted.size() / 50;
+  const float low = hounsfield ? kLow : sorted[picture.values > 2 ? rim : 0];
+  const float high = hounsfield ? kHigh : sorted[sorted.size() - 1 - (picture.values > 2 ? rim : 0)];
+  const int step = (std::max(width, height) + kSide - 1) / kSide;
+  picture.width = (width + step - 1) / step;
+  picture.height = (height + step - 1) / step;
+  if (series.pixel_mm.minCoeff() > 0.0)
+    picture.pixel_aspect = std::clamp(series.pixel_mm.y() / series.pixel_mm.x(), 0.1, 10.0);
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x) {
+      double sum = 0.0;
+      int count = 0;
+      for (int j = y * step; j < std::min(height, (y + 1) * step); ++j)
+        for (int i = x * step; i < std::min(width, (x + 1) * step); ++i, ++count)
+          sum += static_cast<double>(values[static_cast<std::size_t>(i) +
+                                            static_cast<std::size_t>(width) * static_cast<std::size_t>(j)]);
+      const double share =
+          high > low ? (sum / count - static_cast<double>(low)) / static_cast<double>(high - low) : 0.0;
+      picture.grey.push_back(static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(share, 0.0, 1.0))));
+    }
+  return picture;
+}
+
 }  // namespace
 
 bool is_dicom(const fs::path& path) {
@@ -380,12 +552,34 @@ bool is_dicom(const fs::path& path) {
                                   !reader.GetFile().GetDataSet().IsEmpty());
 }
 
-std::vector<DicomSeries> list_dicom_folder(const Request& request) {
-  return series_of(images_below(request));
+std::vector<ListedSeries> list_dicom_folder(const Request& request) {
+  return series_of(request, objects_below(request, true));
+}
+
+SeriesPicture dicom_picture(const Request& request) {
+  gdcm::Reader header;
+  header.SetFileName(request.path.c_str());
+  if (!header.CanRead() || !header.ReadUpToTag(gdcm::Tag(0x0028, 0x0100)))
+    refuse(request, request.path.filename().string(), "is a DICOM file that cannot be read",
+           "Export the series again");
+  const gdcm::DataSet& data = header.GetFile().GetDataSet();
+  const DicomSeries series = described(request.path, data).series;
+  if (series.pixels.minCoeff() < 1 || series.pixels.maxCoeff() > kMostPixels || series.frames > 1)
+    refuse(request, request.path.filename().string(), "holds no slice", "Choose another series");
+  Slice slice;
+  slice.path = request.path;
+  slice.size = series.pixels;
+  raise_limits(total_bytes({request.path}), static_cast<double>(slice.size.x()) * slice.size.y());
+  std::vector<float> values;
+  append_slice(request, slice, values);
+  SeriesPicture picture = reduced(values, series);
+  if (text_of(data, {0x0028, 0x0004}) == "MONOCHROME1" && series.modality != "CT")
+    for (std::uint8_t& grey : picture.grey) grey = static_cast<std::uint8_t>(255 - grey);
+  return picture;
 }
 
 RawVolume read_dicom_folder(const Request& request) {
-  const std::vector<Found> images = chosen_series(request, images_below(request));
+  const std::vector<Found> images = chosen_series(request, objects_below(request, false));
   std::vector<Slice> slices;
   for (std::size_t i = 0; i < images.size(); ++i) {
     slices.push_back(slice_of(request, images[i].path));

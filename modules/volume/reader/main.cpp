@@ -4,10 +4,11 @@
 //
 // Reads INPUT (MODE: image or labels) and leaves FOLDER/header.json and FOLDER/voxels.raw, or only lists the
 // series of a DICOM folder (MODE: series) in FOLDER/series.json, or unpacks an archive into FOLDER/archive
-// (MODE: unpack); with exit code 3 it leaves FOLDER/refusal.json. MODE escapes leaves in FOLDER/escapes.json
-// what it could do that it must not. NAME is what messages call the input, SERIES chooses one of several.
-// Progress goes to standard output, one fraction a line. A program of its own because the parsers abort on
-// some malformed files; it gives up all but reading INPUT and writing FOLDER before it parses.
+// (MODE: unpack), or makes a small picture of one DICOM file in FOLDER/picture.json (MODE: picture); with
+// exit code 3 it leaves FOLDER/refusal.json. MODE escapes leaves in FOLDER/escapes.json what it could do that
+// it must not. NAME is what messages call the input, SERIES chooses one of several. Progress goes to standard
+// output, one fraction a line. A program of its own because the parsers abort on some malformed files; it
+// gives up all but reading INPUT and writing FOLDER before it parses.
 
 #include <sys/statvfs.h>
 
@@ -186,13 +187,37 @@ void list_series(const Request& request, const fs::path& folder) {
     throw InputError(request.name, "", "is no folder of DICOM slices",
                      "Name the folder that holds the series");
   nlohmann::json list = nlohmann::json::array();
-  for (const DicomSeries& series : reader::list_dicom_folder(request))
+  for (const auto& [series, middle] : reader::list_dicom_folder(request))
     list.push_back({{"uid", series.uid},
                     {"number", series.number},
                     {"description", series.description},
                     {"modality", series.modality},
-                    {"slices", series.slices}});
+                    {"slices", series.slices},
+                    {"images", series.images},
+                    {"patient", series.patient},
+                    {"patient_id", series.patient_id},
+                    {"date", series.date},
+                    {"study", series.study},
+                    {"protocol", series.protocol},
+                    {"kind", series.kind},
+                    {"contrast_agent", series.contrast_agent},
+                    {"pixels", {series.pixels.x(), series.pixels.y()}},
+                    {"pixel_mm", {series.pixel_mm.x(), series.pixel_mm.y()}},
+                    {"thickness_mm", series.thickness_mm},
+                    {"gap_mm", series.gap_mm},
+                    {"normal", {series.normal.x(), series.normal.y(), series.normal.z()}},
+                    {"frames", series.frames},
+                    {"middle", middle.string()}});
   write_json_file(folder / "series.json", list);
+}
+
+void make_picture(const Request& request, const fs::path& folder) {
+  const SeriesPicture picture = reader::dicom_picture(request);
+  write_json_file(folder / "picture.json", {{"width", picture.width},
+                                            {"height", picture.height},
+                                            {"pixel_aspect", picture.pixel_aspect},
+                                            {"values", picture.values},
+                                            {"grey", picture.grey}});
 }
 
 int refuse(const fs::path& folder, const InputError& error) {
@@ -228,6 +253,8 @@ int main(int count, char** words) {
       reader::unpack_archive(request, folder / "archive");
     else if (mode == "series")
       list_series(request, folder);
+    else if (mode == "picture")
+      make_picture(request, folder);
     else
       deliver(request, mode == "labels", folder, read_any(request));
     return 0;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "glisson/volume/io.h"
+#include "glisson/volume/series.h"
 
 namespace glisson::reader {
 
@@ -33,8 +34,15 @@ struct Request {
 
 /// @throws InputError, FileError, or whatever the libraries throw (they may also abort).
 RawVolume read_dicom_folder(const Request& request);
-/// The series below the folder, by UID.
-std::vector<DicomSeries> list_dicom_folder(const Request& request);
+/// A series below a folder, and the file of the slice in its middle.
+struct ListedSeries {
+  DicomSeries series;
+  std::filesystem::path middle;  ///< in the folder; empty: it has no images
+};
+/// The series below the folder, by UID, without pictures; those of other objects than images, too.
+std::vector<ListedSeries> list_dicom_folder(const Request& request);
+/// A small picture of one DICOM file. @throws InputError as read_dicom_folder.
+SeriesPicture dicom_picture(const Request& request);
 /// Whether a file is a DICOM object, whatever it is called.
 bool is_dicom(const std::filesystem::path& path);
 RawVolume read_itk_file(const Request& request);

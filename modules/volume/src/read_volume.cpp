@@ -11,6 +11,7 @@
 #include "glisson/core/json_file.h"
 #include "glisson/volume/io.h"
 #include "glisson/volume/reader_program.h"
+#include "glisson/volume/series.h"
 #include "slicer_segments.h"
 
 namespace glisson {
@@ -118,6 +119,53 @@ std::optional<fs::path> unpacked(const fs::path& path, const fs::path& work, con
   return input;
 }
 
+DicomSeries series_from(const nlohmann::json& json) {
+  DicomSeries series;
+  series.uid = json.at("uid");
+  series.number = json.at("number");
+  series.description = json.at("description");
+  series.modality = json.at("modality");
+  series.slices = json.at("slices");
+  series.images = json.at("images");
+  series.patient = json.at("patient");
+  series.patient_id = json.at("patient_id");
+  series.date = json.at("date");
+  series.study = json.at("study");
+  series.protocol = json.at("protocol");
+  series.kind = json.at("kind");
+  series.contrast_agent = json.at("contrast_agent");
+  fill(json.at("pixels"), series.pixels);
+  fill(json.at("pixel_mm"), series.pixel_mm);
+  series.thickness_mm = json.at("thickness_mm");
+  series.gap_mm = json.at("gap_mm");
+  fill(json.at("normal"), series.normal);
+  series.frames = json.at("frames");
+  return series;
+}
+
+/// A picture of one file; none where the reading program cannot make one. No value: cancelled.
+Cancellable<SeriesPicture> picture_of(const fs::path& file, const RunContext& context) {
+  const TemporaryFolder work;
+  SeriesPicture picture;
+  try {
+    if (!run_reader("picture", file, file.string(), work.path(), "", context.quiet())) return std::nullopt;
+    const nlohmann::json json = read_json(work.path() / "picture.json");
+    picture.width = json.at("width");
+    picture.height = json.at("height");
+    picture.pixel_aspect = json.at("pixel_aspect");
+    picture.values = json.at("values");
+    picture.grey = json.at("grey").get<std::vector<std::uint8_t>>();
+    const bool fits = picture.width > 0 && picture.height > 0 && picture.width <= 1024 &&
+                      picture.height <= 1024 &&
+                      picture.grey.size() ==
+                          static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
+    if (!fits) picture = {};
+  } catch (const Error&) {
+    picture = {};  // the series is listed without one; whether it can be read says its reading
+  }
+  return picture;
+}
+
 std::vector<LabelInfo> infos_of(const LabelVolume& voxels) {
   std::vector<LabelInfo> infos;
   const std::vector<long> counts = voxels.histogram();
@@ -139,11 +187,28 @@ Cancellable<std::vector<DicomSeries>> list_series(const fs::path& path, const Ru
   const TemporaryFolder work;
   RunContext reading = context;
   const auto input = unpacked(path, work.path(), context, reading);
-  if (!input || !run_reader("series", *input, path.string(), work.path(), "", reading)) return std::nullopt;
+  if (!input || !run_reader("series", *input, path.string(), work.path(), "",
+                            is_archive(path) ? reading : context.part(0.0, 0.7)))
+    return std::nullopt;
   std::vector<DicomSeries> all;
-  for (const nlohmann::json& series : read_json(work.path() / "series.json"))
-    all.push_back({series.at("uid"), series.at("number"), series.at("description"), series.at("modality"),
-                   series.at("slices")});
+  std::map<std::string, fs::path> middles;  // by UID
+  for (const nlohmann::json& json : read_json(work.path() / "series.json")) {
+    all.push_back(series_from(json));
+    middles[all.back().uid] = json.at("middle").get<std::string>();
+  }
+  sort_by_likelihood(all);
+  constexpr std::size_t kPictures = 60;
+  for (std::size_t n = 0; n < std::min(all.size(), kPictures); ++n) {
+    const fs::path& middle = middles[all[n].uid];
+    // Named by a program that has read foreign files: nowhere but below the folder.
+    if (middle.empty() || middle.is_absolute() || std::ranges::find(middle, fs::path("..")) != middle.end())
+      continue;
+    auto picture = picture_of(*input / middle, context);
+    if (!picture) return std::nullopt;
+    all[n].picture = std::move(*picture);
+    context.progress(0.7 + 0.3 * static_cast<double>(n + 1) / static_cast<double>(all.size()), "volume.read");
+  }
+  sort_by_likelihood(all);  // by now masks are known
   return all;
 }
 

@@ -21,18 +21,6 @@ namespace glisson {
 Cancellable<Image> read_image(const std::filesystem::path& path, const RunContext& context,
                               const std::string& series = {});
 
-/// A series of DICOM images, as its files say it.
-struct DicomSeries {
-  std::string uid;     ///< SeriesInstanceUID; may be empty in broken files
-  std::string number;  ///< SeriesNumber; may be empty, and need not be unique
-  std::string description, modality;
-  int slices = 0;  ///< files
-};
-/// The series below a folder, or in an archive of one, by UID: to let a person choose. @throws as read_image,
-/// also when there is no DICOM image.
-Cancellable<std::vector<DicomSeries>> list_series(const std::filesystem::path& path,
-                                                  const RunContext& context);
-
 /// What a label file says of one of its labels (from .seg.nrrd; elsewhere only the code is known).
 struct LabelInfo {
   Label code = 0;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "glisson/engine/command.h"
-#include "glisson/volume/io.h"
+#include "glisson/volume/series.h"
 
 namespace glisson::engine {
 

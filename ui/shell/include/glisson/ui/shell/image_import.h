@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "glisson/ui/common/engine_bridge.h"
+#include "glisson/volume/series.h"
 
 namespace glisson::ui {
 
