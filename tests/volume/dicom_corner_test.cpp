@@ -68,7 +68,7 @@ class DicomCornerTest : public QObject {
   Q_OBJECT
  private slots:
   void FileNamesAndInstanceNumbersDoNotMatter();
-  void SlopeAndInterceptMayChangeBySlice();
+  void SlopeAndInterceptMayChangeBySliceInMr();
   void SignedPixelsKeepTheirSign();
   void RubbishAboveTheStoredBitsIsIgnored();
   void MonochromeOneIsNotInverted();
@@ -95,11 +95,12 @@ void DicomCornerTest::FileNamesAndInstanceNumbersDoNotMatter() {
   QVERIFY(test::shows_world(image_in(folder.path())));
 }
 
-void DicomCornerTest::SlopeAndInterceptMayChangeBySlice() {
+void DicomCornerTest::SlopeAndInterceptMayChangeBySliceInMr() {
   const TemporaryFolder folder;
   write_series(folder.path(), {}, [](int k, HandSlice& slice) {
     slice.slope = std::array{1.0, 2.0, 0.5, 2.5}[static_cast<std::size_t>(k)];
     slice.intercept = -1000.0 + k;
+    slice.other["0008|0060"] = "MR";
   });
   QVERIFY(test::shows_world(image_in(folder.path())));
 }

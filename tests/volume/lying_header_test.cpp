@@ -27,6 +27,9 @@ class LyingHeaderTest : public QObject {
   void Dicom();
   void Vti_data();
   void Vti();
+  void PackedMetaImagesTellTheirSize_data();
+  void PackedMetaImagesTellTheirSize();
+  void NumbersAsTextAreCounted();
   void FilesElsewhereAreNotFollowed();
 };
 
@@ -147,6 +150,9 @@ void LyingHeaderTest::Nifti_data() {
   QTest::newRow("data in the header") << 108 << 12.0 << "vox_offset";
   QTest::newRow("data nowhere") << 108 << nan << "vox_offset";
   QTest::newRow("a scale that is none") << 112 << nan << "scl_slope, scl_inter";
+  QTest::newRow("an offset without a scale") << 116 << 100.0 << "scl_slope, scl_inter";
+  QTest::newRow("a negative scale") << 112 << -1.0 << "scl_slope, scl_inter";
+  QTest::newRow("a scale of nothing") << 112 << 1e-30 << "scl_slope, scl_inter";
   QTest::newRow("no rotation") << 256 << 7.0 << "quatern";
   QTest::newRow("a parallel axis") << 284 << 1.1 << "sform";
   QTest::newRow("an axis without length") << 280 << 0.0 << "sform";
@@ -162,6 +168,7 @@ void LyingHeaderTest::Nifti() {
   write_image(path, test::stored_world(0));
   QVERIFY(test::shows_world(read_image(path, RunContext()).value()));
   std::string bytes = read_file(path);
+  if (offset == 116) put(bytes, 112, 0.0F);
   if (offset < 76)
     put(bytes, static_cast<std::size_t>(offset), static_cast<std::int16_t>(value));
   else
@@ -213,6 +220,11 @@ void LyingHeaderTest::Vti_data() {
   change("zero spacing", "Spacing=\"1 1 2\"", "Spacing=\"0 1 2\"", "spacing");
   change("endless spacing", "Spacing=\"1 1 2\"", "Spacing=\"1e400 1 2\"", "Spacing");
   change("two numbers", "Spacing=\"1 1 2\"", "Spacing=\"1 1\"", "Spacing");
+  change("too many values", "7 8<", "7 8 9<", "DataArray");
+  change("too few values", "7 8<", "7<", "DataArray");
+  change("a type that is too narrow", "type=\"Int16\" Name=\"s\" format=\"ascii\">1",
+         "type=\"UInt8\" Name=\"s\" format=\"ascii\">-500", "DataArray");
+  change("too large a value", "7 8<", "7 40000<", "DataArray");
 }
 void LyingHeaderTest::Vti() {
   QFETCH(QByteArray, what);
@@ -231,6 +243,49 @@ void LyingHeaderTest::Vti() {
   QCOMPARE(field_of(path), QString("none"));
   write_file_atomically(path, replaced(good, what.toStdString(), by.toStdString()));
   QCOMPARE(field_of(path), field);
+}
+
+void LyingHeaderTest::PackedMetaImagesTellTheirSize_data() {
+  QTest::addColumn<QByteArray>("size");
+  for (const char* size : {"", "0", "10", "less", "more"}) QTest::newRow(size) << QByteArray(size);
+}
+
+void LyingHeaderTest::PackedMetaImagesTellTheirSize() {
+  QFETCH(QByteArray, size);
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / "a.mha";
+  const std::string voxels = bytes_of(test::stored_world(0));
+  const QByteArray packed = qCompress(QByteArray::fromStdString(voxels)).mid(4);  // without Qt's own length
+  const auto write = [&](const std::string& said) {
+    const std::string field = said.empty() ? "" : "\nCompressedDataSize = " + said;
+    write_file_atomically(path, replaced(kMeta, "CompressedData = False", "CompressedData = True" + field) +
+                                    packed.toStdString());
+  };
+  write(std::to_string(packed.size()));
+  QVERIFY(test::shows_world(read_image(path, RunContext()).value()));
+  write(size == "less"   ? std::to_string(packed.size() - 30)
+        : size == "more" ? std::to_string(packed.size() + 1)
+                         : size.toStdString());
+  QCOMPARE(field_of(path), QString("CompressedDataSize"));
+}
+
+void LyingHeaderTest::NumbersAsTextAreCounted() {
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / "a.nrrd";
+  const std::string header = replaced(kNrrd, "encoding: raw", "encoding: ascii");
+  const Image world = test::stored_world(0);
+  std::string text;
+  for (const std::int16_t value : *world.voxels) text += std::to_string(value) + " ";
+  write_file_atomically(path, header + text);
+  QVERIFY(test::shows_world(read_image(path, RunContext()).value()));
+  for (const std::string& bad :
+       {header + text + "7", header + text.substr(0, text.rfind(' ', text.size() - 2)), header + "a" + text,
+        header + "70000" + text.substr(text.find(' ')),
+        replaced(header, "sizes: 6 5 4", "sizes: 6 5 3") + text,
+        replaced(header, "short", "uchar") + "-500" + text.substr(text.find(' '))}) {
+    write_file_atomically(path, bad);
+    QCOMPARE(field_of(path), QString("voxels"));
+  }
 }
 
 void LyingHeaderTest::FilesElsewhereAreNotFollowed() {

@@ -16,6 +16,7 @@
 #include <sstream>
 
 #include "claim.h"
+#include "dicom_pixels.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/core/statistics.h"
@@ -34,6 +35,7 @@ struct Slice {
   Eigen::Vector2d spacing_mm;
   Eigen::Vector3d origin_mm, row, column;
   double along_mm = 0.0;  ///< position on the slices' normal
+  PixelRule rule;
 };
 
 [[noreturn]] void refuse(const Request& request, const std::string& field, const std::string& problem,
@@ -224,17 +226,24 @@ void read_place(const Request& request, const std::string& file, const itk::Meta
 }
 
 /// What pixels are multiplied with and what is added must be numbers that keep them apart.
-void check_rescale(const Request& request, const std::string& file, const itk::MetaDataDictionary& tags) {
+PixelRule rule_of(const Request& request, const std::string& file, const itk::MetaDataDictionary& tags) {
+  // Below it all of 16 bits fall on one whole number.
+  constexpr double kLeastSlope = 1.0 / 65536.0;
+  PixelRule rule;
   for (const char* tag : {"0028|1052", "0028|1053"}) {
     const bool slope = tag[8] == '3';
     const char* name = slope ? "RescaleSlope" : "RescaleIntercept";
     if (text_of(tags, tag).empty()) continue;
     const double value = numbers_of(request, file, tags, tag, name, 1).front();
-    if (std::abs(value) > 1e6 || (slope && !(value > 0.0)))
+    if (std::abs(value) > 1e6 || (slope && !(value > kLeastSlope)))
       refuse(request, file + ", " + name + " (" + tag + ")",
              "is " + text_of(tags, tag) + ", which makes no intensities of the pixels",
              "Export the series again");
+    (slope ? rule.slope : rule.intercept) = value;
   }
+  rule.bits = {text_of(tags, "0028|0100"), text_of(tags, "0028|0101"), text_of(tags, "0028|0102"),
+               text_of(tags, "0028|0103")};
+  return rule;
 }
 
 Slice slice_of(const Request& request, const fs::path& path) {
@@ -262,7 +271,7 @@ Slice slice_of(const Request& request, const fs::path& path) {
            "Export the series again");
   slice.size = {static_cast<int>(io->GetDimensions(0)), static_cast<int>(io->GetDimensions(1))};
   read_place(request, file, tags, slice);
-  check_rescale(request, file, tags);
+  slice.rule = rule_of(request, file, tags);
   return slice;
 }
 
@@ -391,6 +400,8 @@ void order_and_check(const Request& request, std::vector<Slice>& slices, double&
       refuse(request, slice.path.filename().string(),
              "has another orientation or pixel spacing than the other slices",
              "Remove it from the folder (is it a scout view?)");
+    check_same_rule(request, first.modality, first.path.filename().string(), first.rule,
+                    slice.path.filename().string(), slice.rule);
   }
   const Eigen::Vector3d normal = first.row.cross(first.column).normalized();
   for (Slice& slice : slices) slice.along_mm = slice.origin_mm.dot(normal);
@@ -435,33 +446,6 @@ void append_rescaled(const std::vector<char>& bytes, const gdcm::Image& image, s
   }
 }
 
-/// Whether a file with compressed pixels ends as it should: GDCM takes what there is of one that was cut.
-/// Such pixels are a list of fragments in explicit little endian, closed by a mark of its own.
-bool fragments_are_closed(const fs::path& path) {
-  static const std::string kStart("\xE0\x7F\x10\x00OB\x00\x00\xFF\xFF\xFF\xFF", 12);
-  static const std::string kEnd("\xFE\xFF\xDD\xE0\x00\x00\x00\x00", 8);
-  const std::string bytes = read_file(path);
-  const std::size_t start = bytes.rfind(kStart);
-  return start != std::string::npos && bytes.find(kEnd, start) != std::string::npos;
-}
-
-/// Whether a file is as long as its plain pixels, so many bytes, say: GDCM fills up one that was cut off.
-/// True where they are not found (a deflated file).
-bool pixels_are_whole(const fs::path& path, std::uint32_t length) {
-  std::string little, big;
-  for (unsigned n = 0; n < 4; ++n) {
-    little.push_back(static_cast<char>(length >> (8 * n) & 0xFFU));
-    big.insert(big.begin(), little.back());
-  }
-  const std::string tag("\xE0\x7F\x10\x00", 4), swapped("\x7F\xE0\x00\x10", 4), none("\0\0", 2);
-  const std::string bytes = read_file(path);
-  for (const std::string& start : {tag + "OW" + none + little, tag + "OB" + none + little, tag + little,
-                                   swapped + "OW" + none + big, swapped + "OB" + none + big})
-    if (const std::size_t at = bytes.find(start); at != std::string::npos)
-      return bytes.size() - at - start.size() >= length;
-  return true;
-}
-
 /// By GDCM and not by ITK, which turns the numbers of MONOCHROME1 round: that says how to draw them only.
 void append_slice(const Request& request, const Slice& slice, std::vector<float>& voxels) {
   const auto refuse_pixels = [&] {
@@ -479,12 +463,7 @@ void append_slice(const Request& request, const Slice& slice, std::vector<float>
   const gdcm::PixelFormat& format = image.GetPixelFormat();
   const auto pixels = static_cast<std::size_t>(slice.size.x()) * static_cast<std::size_t>(slice.size.y());
   std::vector<char> bytes(image.GetBufferLength());
-  // GDCM fills up what an uncompressed slice lacks.
-  const gdcm::ByteValue* plain = image.GetDataElement().GetByteValue();
-  if (plain != nullptr
-          ? plain->GetLength() < bytes.size() || !pixels_are_whole(slice.path, plain->GetLength())
-          : !fragments_are_closed(slice.path))
-    refuse_pixels();
+  check_pixel_bytes(request, slice.path, image, bytes.size());
   if (format.GetSamplesPerPixel() != 1 || bytes.size() != pixels * format.GetPixelSize() ||
       !image.GetBuffer(bytes.data()))
     refuse_pixels();

@@ -159,6 +159,21 @@ class MetaClaim {
         stored.offset += static_cast<std::uintmax_t>(bytes);
     }
     check_stored(request_, stored);
+    if (stored.packed) check_packed_size(stored, local);
+  }
+
+  /// The library inflates so many bytes and fills up the rest with zeros.
+  void check_packed_size(const Stored& stored, bool local) const {
+    const std::string said = value({"CompressedDataSize"});
+    if (said.empty() && !local) return;  // all of the file
+    if (said.empty()) refuse(request_, "CompressedDataSize", "is missing");
+    std::error_code failure;
+    const std::uintmax_t size = std::filesystem::file_size(stored.file, failure);
+    const auto there = static_cast<double>(size - stored.offset);
+    if (failure || numbers_in(request_, "CompressedDataSize", said, 1).front() != there)
+      refuse(request_, "CompressedDataSize",
+             "is " + said.substr(0, 40) + " where the file holds " +
+                 std::to_string(static_cast<long>(there)) + " bytes of voxels");
   }
 
   const Request& request_;

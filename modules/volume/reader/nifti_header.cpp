@@ -120,8 +120,11 @@ void check_units_and_scale(const Request& request, const Header& header) {
            : unit == 3 ? "says micrometres"
                        : "is no unit of length",
            "Convert the volume to millimetres");
+  // No slope means no scale (nifti1.h): an intercept beside it says the opposite. A negative one turns light
+  // into dark, a tiny one makes all voxels one value.
   const double slope = header.number(112), intercept = header.number(116);
-  if (!std::isfinite(slope) || (slope != 0.0 && !std::isfinite(intercept)) || std::abs(slope) > 1e6)
+  if (!(slope >= 0.0 && slope <= 1e6) || (slope > 0.0 && slope < 1e-6) || !(std::abs(intercept) <= 1e6) ||
+      (slope == 0.0 && intercept != 0.0))
     refuse(request, "scl_slope, scl_inter", "are no scale of intensities", "Set them to 1 and 0");
 }
 

@@ -7,6 +7,7 @@
 #include "claim.h"
 #include "glisson/core/files.h"
 #include "header_lines.h"
+#include "text_values.h"
 
 /// @file
 /// A NRRD's header (http://teem.sourceforge.net/nrrd/format.html), as far as a patient's volume needs it.
@@ -121,6 +122,7 @@ class NrrdClaim {
       refuse(request_, "type", "is \"" + type.substr(0, 40) + "\", which is no number format that is known",
              "Export it as 16-bit integers");
     bytes_ = known->second;
+    type_ = {bytes_, type.front() != 'u', type != "float" && type != "double"};
     if (bytes_ > 1 && !text_ && !header_.fields.contains("endian")) refuse(request_, "endian", "is missing");
   }
 
@@ -188,7 +190,7 @@ class NrrdClaim {
   }
 
   void check_data() const {
-    if (text_) return;  // the library counts words
+    if (text_) return check_text();
     Stored stored;
     stored.packed = packed_;
     const double row = static_cast<double>(bytes_) * claim_.components * claim_.size.x();
@@ -211,6 +213,18 @@ class NrrdClaim {
     check_stored(request_, stored);
   }
 
+  void check_text() const {
+    if (!skipped("line skip").empty() || !skipped("byte skip").empty())
+      refuse(request_, "line skip, byte skip", "is not read here",
+             "Write the data without bytes before them");
+    const std::string place = header_.fields.contains("data file") ? field("data file") : field("datafile");
+    const std::string content =
+        read_file(place.empty() ? request_.path : file_beside(request_, "data file", place));
+    const std::size_t begin = place.empty() ? std::min<std::size_t>(header_.end, content.size()) : 0;
+    check_text_values(request_, "voxels", std::string_view(content).substr(begin),
+                      claim_.size.cast<double>().prod() * claim_.components, type_);
+  }
+
   std::string skipped(const char* name) const {
     std::string skip = field(name);
     if (skip.empty()) {
@@ -225,6 +239,7 @@ class NrrdClaim {
   Header header_;
   Claim claim_;
   int bytes_ = 0;
+  NumberType type_;
   bool packed_ = false, text_ = false;
 };
 

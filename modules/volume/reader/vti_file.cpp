@@ -9,10 +9,14 @@
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkXMLImageDataReader.h>
 
+#include <algorithm>
 #include <fstream>
+#include <map>
 
 #include "claim.h"
 #include "glisson/core/error.h"
+#include "glisson/core/files.h"
+#include "text_values.h"
 
 namespace glisson::reader {
 namespace {
@@ -55,6 +59,60 @@ void check_attributes(const Request& request) {
   }
 }
 
+/// The value of an attribute in an element's text, "" without one.
+std::string attribute(std::string_view element, const std::string& name) {
+  for (const char quote : {'"', '\''}) {
+    const std::size_t at = element.find(" " + name + "=" + quote);
+    if (at == std::string_view::npos) continue;
+    const std::size_t begin = at + name.size() + 3;
+    return std::string(element.substr(begin, element.find(quote, begin) - begin));
+  }
+  return {};
+}
+
+NumberType type_of(const Request& request, const std::string& name) {
+  static const std::map<std::string, NumberType> kTypes = {
+      {"Int8", {1, true, true}},    {"UInt8", {1, false, true}},  {"Int16", {2, true, true}},
+      {"UInt16", {2, false, true}}, {"Int32", {4, true, true}},   {"UInt32", {4, false, true}},
+      {"Int64", {8, true, true}},   {"UInt64", {8, false, true}}, {"Float32", {4, true, false}},
+      {"Float64", {8, true, false}}};
+  const auto known = kTypes.find(name);
+  if (known == kTypes.end())
+    throw InputError(request.name, "DataArray, type",
+                     "is \"" + name.substr(0, 40) + "\", which is no number format that is known",
+                     "Export it as 16-bit integers");
+  return known->second;
+}
+
+/// VTK reads as many words as it needs, each into the type that it is told.
+void check_text_arrays(const Request& request) {
+  const std::string file = read_file(request.path);
+  const std::string_view text = file;
+  double points = 0.0;
+  bool on_points = false;
+  for (std::size_t at = text.find('<'); at != std::string_view::npos; at = text.find('<', at + 1)) {
+    const std::size_t end = std::min(text.find('>', at), text.size());
+    std::string element(text.substr(at, end - at));
+    std::replace_if(
+        element.begin(), element.end(), [](char c) { return c == '\n' || c == '\t' || c == '\r'; }, ' ');
+    if (element.starts_with("<AppendedData")) return;  // what follows is no XML
+    if (element.starts_with("<Piece")) {
+      const auto extent = numbers_in(request, "Piece, Extent", attribute(element, "Extent"), 6);
+      points = 1.0;
+      for (std::size_t axis = 0; axis < 3; ++axis) points *= extent[2 * axis + 1] - extent[2 * axis] + 1.0;
+    }
+    if (element.starts_with("<PointData")) on_points = true;
+    if (element.starts_with("</PointData")) on_points = false;
+    if (!on_points || !element.starts_with("<DataArray") || attribute(element, "format") != "ascii") continue;
+    const std::string parts = attribute(element, "NumberOfComponents");
+    const double components =
+        parts.empty() ? 1.0 : numbers_in(request, "NumberOfComponents", parts, 1).front();
+    const std::size_t begin = std::min(end + 1, text.size());
+    check_text_values(request, "DataArray", text.substr(begin, text.find('<', begin) - begin),
+                      points * components, type_of(request, attribute(element, "type")));
+  }
+}
+
 }  // namespace
 
 RawVolume read_vti_file(const Request& request) {
@@ -64,6 +122,7 @@ RawVolume read_vti_file(const Request& request) {
   if (reader->CanReadFile(request.path.c_str()) == 0)
     throw InputError(request.name, "", "is not a VTK image file (.vti)", "Export it again");
   check_attributes(request);
+  check_text_arrays(request);
   reader->SetFileName(request.path.c_str());
   reader->UpdateInformation();
   if (watch->seen) throw InputError(request.name, "", "is damaged", "Export it again");

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dicom_pixels.h"
+
+#include <gdcmByteValue.h>
+
+#include "glisson/core/error.h"
+#include "glisson/core/files.h"
+
+namespace glisson::reader {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const Request& request, const std::string& field, const std::string& problem,
+                         const std::string& remedy) {
+  throw InputError(request.name, field, problem, remedy);
+}
+
+/// Such pixels are a list of fragments in explicit little endian, closed by a mark of its own.
+bool fragments_are_closed(const std::string& bytes) {
+  static const std::string kStart("\xE0\x7F\x10\x00OB\x00\x00\xFF\xFF\xFF\xFF", 12);
+  static const std::string kEnd("\xFE\xFF\xDD\xE0\x00\x00\x00\x00", 8);
+  const std::size_t start = bytes.rfind(kStart);
+  return start != std::string::npos && bytes.find(kEnd, start) != std::string::npos;
+}
+
+std::string bytes_of(std::uint32_t value, bool big) {
+  std::string bytes(4, '\0');
+  for (unsigned n = 0; n < 4; ++n) bytes[big ? 3 - n : n] = static_cast<char>(value >> (8 * n) & 0xFFU);
+  return bytes;
+}
+
+/// Whether the file holds an element of pixels of that length, and as many bytes behind it. GDCM keeps the
+/// length that the element announces, whatever it has read. The length keeps the element apart from that of
+/// an icon, which has the same tag. True where none is found: the file is deflated.
+bool value_is_there(const std::string& bytes, std::uint32_t length) {
+  for (const bool big : {false, true}) {
+    const std::string tag = big ? std::string("\x7F\xE0\x00\x10", 4) : std::string("\xE0\x7F\x10\x00", 4);
+    for (const char* type : {"OW", "OB", ""}) {
+      const std::string head =
+          tag + (*type == '\0' ? "" : type + std::string(2, '\0')) + bytes_of(length, big);
+      const std::size_t at = bytes.find(head);
+      if (at != std::string::npos) return bytes.size() - at - head.size() >= length;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+void check_same_rule(const Request& request, const std::string& modality, const std::string& first_file,
+                     const PixelRule& first, const std::string& file, const PixelRule& rule) {
+  static constexpr std::array kBits = {"BitsAllocated (0028|0100)", "BitsStored (0028|0101)",
+                                       "HighBit (0028|0102)", "PixelRepresentation (0028|0103)"};
+  const std::string remedy = "Export the series again";
+  for (std::size_t n = 0; n < kBits.size(); ++n)
+    if (rule.bits[n] != first.bits[n])
+      refuse(request, file + ", " + kBits[n],
+             "is \"" + rule.bits[n] + "\" where " + first_file + " says \"" + first.bits[n] + "\"", remedy);
+  const bool each_its_own = modality == "MR" || modality == "PT" || modality == "NM";
+  const auto compare = [&](const char* field, const std::optional<double>& value,
+                           const std::optional<double>& other) {
+    if (value.has_value() != other.has_value())
+      refuse(request, file + ", " + field, "stands in some slices and is missing in others", remedy);
+    if (!each_its_own && value != other)
+      refuse(request, file + ", " + field, "is another than in " + first_file, remedy);
+  };
+  compare("RescaleSlope (0028|1053)", rule.slope, first.slope);
+  compare("RescaleIntercept (0028|1052)", rule.intercept, first.intercept);
+}
+
+void check_pixel_bytes(const Request& request, const fs::path& path, const gdcm::Image& image,
+                       std::size_t bytes) {
+  const std::string file = path.filename().string();
+  const gdcm::ByteValue* plain = image.GetDataElement().GetByteValue();
+  const std::string content = read_file(path);
+  if (plain == nullptr) {
+    if (!fragments_are_closed(content))
+      refuse(request, file, "has pixels that cannot be decoded", "Export the series again, uncompressed");
+    return;
+  }
+  const std::size_t announced = plain->GetLength();
+  if (announced < bytes || !value_is_there(content, static_cast<std::uint32_t>(announced)))
+    refuse(request, file + ", PixelData (7fe0|0010)", "ends early: the slice was cut",
+           "Export the series again");
+  if (announced > bytes + 1)  // lengths are even
+    refuse(request, file + ", Rows, Columns (0028|0010, 0028|0011)", "say fewer pixels than the slice holds",
+           "Export the series again");
+}
+
+}  // namespace glisson::reader
