@@ -28,6 +28,7 @@ class MeshFormatsTest : public QObject {
   void IndexOutOfRangeIsRefused();
   void PlyEncodingsSayTheSame();
   void PlyWithInflatedCountIsRefused();
+  void PlyOfEmptyListsIsRefused();
   void MutatedFilesNeverCrash_data();
   void MutatedFilesNeverCrash();
   void ObjPolygonsAndNegativeIndices();
@@ -174,6 +175,15 @@ void MeshFormatsTest::PlyEncodingsSayTheSame() {
     QCOMPARE(elements[0].scalars.at("z")[0], 0.5);
     QVERIFY((elements[0].lists.at("many")[0] == std::vector<double>{7.0, -1.0}));
   }
+}
+
+void MeshFormatsTest::PlyOfEmptyListsIsRefused() {
+  const auto field_of = [](const std::string& header, std::size_t bytes) {
+    const std::string content = "ply\nformat binary_little_endian 1.0\n" + header + "end_header\n";
+    return test::refused_field([&] { (void)parse_ply(content + std::string(bytes, '\0'), "test"); });
+  };
+  QCOMPARE(field_of("element thing 6000000\nproperty list uchar uchar a\n", 6000000), std::string("thing"));
+  QCOMPARE(field_of("element thing 4000000\nproperty list uchar uchar a\n", 4000000), std::string("thing 0"));
 }
 
 void MeshFormatsTest::PlyWithInflatedCountIsRefused() {

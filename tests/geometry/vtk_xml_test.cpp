@@ -39,6 +39,7 @@ class VtkXmlTest : public QObject {
   void WhatCannotBeIsRefused_data();
   void WhatCannotBeIsRefused();
   void SmallFilesDoNotBecomeLarge();
+  void ZerosDoNotBecomeCells();
   void MutantsAreReadOrRefused_data();
   void MutantsAreReadOrRefused();
 };
@@ -201,7 +202,11 @@ void VtkXmlTest::WhatCannotBeIsRefused_data() {
     QTest::newRow(name) << QByteArray(what) << QByteArray(by) << QByteArray(field);
   };
   row("a negative count of points", "NumberOfPoints=\"4\"", "NumberOfPoints=\"-5\"", "NumberOfPoints");
-  row("too many points", "NumberOfPoints=\"4\"", "NumberOfPoints=\"2000000000\"", "Points");
+  row("too many points", "NumberOfPoints=\"4\"", "NumberOfPoints=\"2000000000\"", "NumberOfPoints");
+  row("points that the file does not hold", "NumberOfPoints=\"4\"", "NumberOfPoints=\"4000000\"", "Points");
+  row("too many cells", "NumberOfCells=\"1\"", "NumberOfCells=\"6000000\"", "NumberOfCells");
+  row("a cell without points", ">4<", ">0<", "Cells, cell 0");
+  row("more offsets than cells", ">4<", ">4 4<", "Cells");
   row("components without end", "Name=\"label\"", "Name=\"label\" NumberOfComponents=\"99999999999\"",
       "NumberOfComponents");
   row("many components", "Name=\"label\"", "Name=\"label\" NumberOfComponents=\"2000000000\"", "label");
@@ -244,6 +249,37 @@ void VtkXmlTest::SmallFilesDoNotBecomeLarge() {
           std::string(reinterpret_cast<const char*>(&size), 4) + data + "</AppendedData></VTKFile>";
   const std::string told = test::complaint([&] { (void)parse_vtk_xml(text, "a.vtp"); });
   QVERIFY2(told.find("more than a mesh does") != std::string::npos, told.c_str());
+}
+
+void VtkXmlTest::ZerosDoNotBecomeCells() {
+  // 16 MB of zeros in some 16 kB, as offsets of as many cells: refused before they are unpacked.
+  constexpr int kBlock = 1 << 20, kBlocks = 16;
+  const QByteArray packed = qCompress(QByteArray(kBlock, '\0'), 9).mid(4);
+  std::string head;
+  for (const long word : {long(kBlocks), long(kBlock), 0L})
+    head.append(reinterpret_cast<const char*>(&word), 4);
+  for (int n = 0; n < kBlocks; ++n) {
+    const auto size = static_cast<std::uint32_t>(packed.size());
+    head.append(reinterpret_cast<const char*>(&size), 4);
+  }
+  std::string data = head;
+  for (int n = 0; n < kBlocks; ++n) data += packed.toStdString();
+  for (const char* count : {"16777216", "4000000"}) {
+    const std::string text =
+        "<VTKFile type=\"PolyData\" byte_order=\"LittleEndian\" "
+        "compressor=\"vtkZLibDataCompressor\"><PolyData>"
+        "<Piece NumberOfPoints=\"1\" NumberOfPolys=\"" +
+        std::string(count) +
+        "\"><Points><DataArray type=\"Float32\" NumberOfComponents=\"3\" format=\"ascii\">0 0 "
+        "0</DataArray></Points>"
+        "<Polys><DataArray type=\"Int32\" Name=\"connectivity\" format=\"ascii\">0 0 0</DataArray>"
+        "<DataArray type=\"UInt8\" Name=\"offsets\" format=\"appended\" "
+        "offset=\"0\"/></Polys></Piece></PolyData>"
+        "<AppendedData encoding=\"raw\">_" +
+        data + "</AppendedData></VTKFile>";
+    const std::string field = test::refused_field([&] { (void)parse_vtk_xml(text, "a.vtp"); });
+    QCOMPARE(field, std::string(count[0] == '1' ? "NumberOfCells" : "offsets"));
+  }
 }
 
 void VtkXmlTest::MutantsAreReadOrRefused_data() {

@@ -21,4 +21,18 @@ inline std::string mesh_bytes(const std::filesystem::path& path) {
   return read_file(path);
 }
 
+/// Points, cells or rows that one file may hold: the surface of a liver from a fine CT has half a million
+/// triangles. Each costs some hundred bytes, so that no file takes more than about a gigabyte or some
+/// seconds.
+constexpr long kMostRows = 5000000;
+
+/// @throws InputError more rows than a mesh needs.
+inline void check_rows(const std::string& name, const std::string& field, double rows) {
+  if (rows > static_cast<double>(kMostRows))
+    throw InputError(name, field,
+                     "holds more than " + std::to_string(kMostRows) +
+                         " points or cells, more than the mesh of an organ needs",
+                     "Make the mesh coarser");
+}
+
 }  // namespace glisson

@@ -196,6 +196,7 @@ class LegacyParser {
   /// @param type 0: by CELL_TYPES.
   void read_cells(int type) {
     const long first = scan_.integer(), second = scan_.integer();
+    if (first > kMostRows) scan_.fail("announces more cells than the mesh of an organ needs");
     std::vector<long> offsets, connectivity;
     if (version_ >= 5.0) {  // OFFSETS and CONNECTIVITY
       if (first == 0) return;
@@ -208,6 +209,7 @@ class LegacyParser {
       offsets.push_back(0);
       for (auto at = values.begin(); at != values.end();) {
         const long length = *at++;
+        if (length == 0) scan_.fail("cell " + std::to_string(offsets.size() - 1) + " has no points");
         if (length < 0 || length > values.end() - at)
           scan_.fail("cell " + std::to_string(offsets.size() - 1) + " has a list longer than the section");
         connectivity.insert(connectivity.end(), at, at + length);
@@ -220,7 +222,7 @@ class LegacyParser {
     }
     for (std::size_t c = 1; c < offsets.size(); ++c) {
       const long begin = offsets[c - 1], end = offsets[c];
-      if (begin < 0 || begin > end || end > static_cast<long>(connectivity.size()))
+      if (begin < 0 || begin >= end || end > static_cast<long>(connectivity.size()))
         scan_.fail("cell " + std::to_string(c - 1) + " has offsets out of range");
       lists_.emplace_back(connectivity.begin() + begin, connectivity.begin() + end);
       list_types_.push_back(type);
@@ -232,6 +234,7 @@ class LegacyParser {
     const auto most = static_cast<long>(scan_.remaining()) * 8 + 8;  // bits are the smallest
     if (rows < 0 || width < 0 || (width > 0 && rows > most / width))
       scan_.fail("announces more numbers than the file holds");
+    if (width > 0 && rows > 12 * kMostRows / width) scan_.fail("announces more numbers than a mesh needs");
     return rows * width;
   }
 

@@ -56,7 +56,10 @@ TriangleMesh read_stl(const std::filesystem::path& path) {
   if (content.size() >= kStlHeader) {
     std::uint32_t facets = 0;
     std::memcpy(&facets, content.data() + 80, sizeof facets);
-    if (content.size() == kStlHeader + kStlFacet * facets) return read_binary_stl(content, facets);
+    if (content.size() == kStlHeader + kStlFacet * facets) {
+      check_rows(path.string(), "facets", facets);
+      return read_binary_stl(content, facets);
+    }
   }
   if (content.rfind("solid", 0) != 0)
     throw InputError(path.string(), "", "is neither a whole binary STL nor an ascii one",
@@ -65,6 +68,7 @@ TriangleMesh read_stl(const std::filesystem::path& path) {
   std::vector<double> coordinates;
   bool ended = false;
   for (std::string_view word = scanner.token(); !word.empty(); word = scanner.token()) {
+    if (word == "facet") check_rows(path.string(), "facets", static_cast<double>(coordinates.size()) / 9.0);
     if (word == "vertex")
       for (int k = 0; k < 3; ++k) coordinates.push_back(scanner.number());
     ended = word == "endsolid" || (ended && word != "solid");
@@ -85,6 +89,8 @@ TriangleMesh read_obj(const std::filesystem::path& path) {
     const auto fail = [&](const std::string& problem) {
       throw InputError(path.string(), "line " + std::to_string(number), problem, "Export the surface anew");
     };
+    check_rows(path.string(), "line " + std::to_string(number),
+               static_cast<double>(std::max(coordinates.size(), corners.size())) / 3.0);
     if (key == "v") {
       for (int k = 0; k < 3; ++k) {
         double value = 0.0;

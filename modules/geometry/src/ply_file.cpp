@@ -217,6 +217,7 @@ void check_count(const Body& body, const PlyElement& element, const std::vector<
                  const std::string& name) {
   std::size_t least = 0;
   for (const Property& p : properties) least += body.least_size(p.is_list ? p.count_type : p.type);
+  check_rows(name, element.name, static_cast<double>(element.count));
   if (least == 0 && element.count > 0)
     throw InputError(name, element.name, "has rows but no properties", kExport);
   const std::size_t fitting = least == 0 ? 0 : body.remaining() / least;
@@ -237,16 +238,38 @@ std::vector<double> read_list(Body& body, const Property& property, const std::s
   return list;
 }
 
-void read_element(Body& body, PlyElement& element, const std::vector<Property>& properties,
+/// What all rows of a file hold, bytes: short lists take many times what they take in the file.
+class Held {
+ public:
+  explicit Held(const std::string& name) : name_(name) {}
+  void add(std::size_t bytes, const std::string& field) {
+    bytes_ += bytes;
+    if (bytes_ > kMost)
+      throw InputError(name_, field, "holds more than a mesh does, with the rows before it",
+                       "Make the mesh coarser, or leave out what is no point and no face");
+  }
+
+ private:
+  static constexpr std::size_t kMost = 800000000;
+  const std::string& name_;
+  std::size_t bytes_ = 0;
+};
+
+void read_element(Body& body, PlyElement& element, const std::vector<Property>& properties, Held& held,
                   const std::string& name) {
   check_count(body, element, properties, name);
   for (long i = 0; i < element.count; ++i) {
     const std::string field = element.name + " " + std::to_string(i);
     for (const Property& p : properties)
-      if (p.is_list)
-        element.lists[p.name].push_back(read_list(body, p, field, name));
-      else
+      if (p.is_list) {
+        std::vector<double> list = read_list(body, p, field, name);
+        if (list.empty()) throw InputError(name, field, "has a list without entries", kExport);
+        held.add(sizeof list + 16 + list.size() * sizeof(double), field);
+        element.lists[p.name].push_back(std::move(list));
+      } else {
+        held.add(sizeof(double), field);
         element.scalars[p.name].push_back(body.read(p.type, field));
+      }
   }
 }
 
@@ -255,8 +278,9 @@ void read_element(Body& body, PlyElement& element, const std::vector<Property>& 
 std::vector<PlyElement> parse_ply(std::string_view content, const std::string& name) {
   Header header = HeaderParser(content, name).parse();
   Body body(content, header, name);
+  Held held(name);
   for (std::size_t e = 0; e < header.elements.size(); ++e)
-    read_element(body, header.elements[e], header.properties[e], name);
+    read_element(body, header.elements[e], header.properties[e], held, name);
   return std::move(header.elements);
 }
 

@@ -25,7 +25,7 @@ using vtk_xml::number_named;
 constexpr const char* kExport = "The file is damaged, or its exporter is: export it anew";
 constexpr long kMost = std::numeric_limits<int>::max();
 constexpr std::size_t kMostBytes =
-    1200000000;                             // of all arrays unpacked: organs' meshes have a hundredth of it
+    600000000;  // of all arrays as they are held: organs' meshes have a tenth of it
 constexpr std::size_t kMostPacking = 1100;  // deflate packs to 1/1032 at the best
 
 /// A DataArray as it stands in the file.
@@ -53,9 +53,15 @@ class VtkXmlParser {
     VtkXmlFile file;
     for (const Array& array : field_data_)
       if (number_named(array.type)) file.field_data[array.name] = matrix_of(array, array.tuples);
-    long points = 0;
-    for (const Piece& piece : pieces_) points += piece.points;
-    if (points > kMost) refuse("NumberOfPoints", "is more than can be held");
+    double points = 0.0, cells = 0.0;
+    for (const Piece& piece : pieces_) {
+      points += static_cast<double>(piece.points);
+      cells += static_cast<double>(piece.cells) + static_cast<double>(piece.verts) +
+               static_cast<double>(piece.lines) + static_cast<double>(piece.strips) +
+               static_cast<double>(piece.polys);
+    }
+    check_rows(name_, "NumberOfPoints", points);
+    check_rows(name_, "NumberOfCells", cells);
     file.points.resize(0, 3);
     for (const Piece& piece : pieces_) add(piece, file);
     return file;
@@ -203,22 +209,25 @@ class VtkXmlParser {
 
   /// Counts what arrays hold together: many may name the same bytes, and packed ones may hold a thousand
   /// times their size.
-  void spend(const Array& array, std::size_t bytes) {
-    const std::size_t held =
-        bytes / vtk_xml::size_of(number_named(array.type).value_or(Number::i8)) * sizeof(double);
+  void spend(const Array& array, std::size_t bytes, std::size_t most) {
+    const std::size_t numbers = bytes / vtk_xml::size_of(number_named(array.type).value_or(Number::i8));
+    if (numbers > most)
+      refuse(array.field(), "holds " + std::to_string(numbers) + " numbers or more where " +
+                                std::to_string(most) + " are announced");
+    const std::size_t held = numbers * sizeof(double);
     if (held > kMostBytes - spent_)
       refuse(array.field(), "holds more than a mesh does, with the arrays before it");
     spent_ += held;
   }
 
-  std::string bytes_of(const Array& array) {
+  std::string bytes_of(const Array& array, std::size_t most) {
     const bool appended = array.format == "appended";
     if (appended && array.offset > appended_.size()) refuse(array.field(), "lies beyond the file's end");
     ByteSource source(appended ? appended_.substr(array.offset) : std::string_view(array.text),
                       !appended || base64_);
-    if (packed_) return unpacked(source, array);
+    if (packed_) return unpacked(source, array, most);
     const std::uint64_t size = header_word(source, array);
-    spend(array, static_cast<std::size_t>(std::min<std::uint64_t>(size, source.remaining())));
+    spend(array, static_cast<std::size_t>(std::min<std::uint64_t>(size, source.remaining())), most);
     std::string bytes;
     if (size > source.remaining() || !source.take(static_cast<std::size_t>(size), bytes))
       refuse(array.field(), "ends early, or is no base64");
@@ -227,7 +236,7 @@ class VtkXmlParser {
 
   /// Number of blocks, size of a block, of the last one (0: a whole one), packed size of each; then the
   /// blocks.
-  std::string unpacked(ByteSource& source, const Array& array) {
+  std::string unpacked(ByteSource& source, const Array& array, std::size_t most) {
     const std::uint64_t blocks = header_word(source, array);
     if (blocks == 0) return {};
     const std::uint64_t whole = header_word(source, array), last = header_word(source, array);
@@ -235,6 +244,10 @@ class VtkXmlParser {
       refuse(array.field(), "announces more blocks than the file holds");
     std::vector<std::uint64_t> sizes(static_cast<std::size_t>(blocks));
     for (std::uint64_t& size : sizes) size = header_word(source, array);
+    // Before a block is unpacked: of small ones there may be many.
+    const double all = static_cast<double>(blocks - 1) * static_cast<double>(whole) +
+                       static_cast<double>(last > 0 ? last : whole);
+    spend(array, static_cast<std::size_t>(std::min(all, 1e15)), most);
     std::string bytes, packed, block;
     for (std::size_t b = 0; b < sizes.size(); ++b) {
       const std::uint64_t size = b + 1 == sizes.size() && last > 0 ? last : whole;
@@ -242,7 +255,6 @@ class VtkXmlParser {
         refuse(array.field(), "ends early, or is no base64");
       if (size > kMostPacking * packed.size())
         refuse(array.field(), "announces a block larger than it can be");
-      spend(array, static_cast<std::size_t>(size));
       block.resize(static_cast<std::size_t>(size));
       uLongf length = static_cast<uLongf>(block.size());
       if (::uncompress(reinterpret_cast<Bytef*>(block.data()), &length,
@@ -255,7 +267,8 @@ class VtkXmlParser {
     return bytes;
   }
 
-  std::vector<double> values_of(const Array& array) {
+  /// @param most refused as soon as there are more: an array's length is known from what it belongs to.
+  std::vector<double> values_of(const Array& array, std::size_t most = std::size_t{1} << 40) {
     const std::optional<Number> number = number_named(array.type);
     if (!number)
       refuse(array.field(), "has the type \"" + array.type.substr(0, 40) + "\", which is no number's");
@@ -266,11 +279,12 @@ class VtkXmlParser {
         double one = 0.0;
         if (!TextScanner::parse(word, one))
           refuse(array.field(), "holds \"" + std::string(word.substr(0, 40)) + "\", which is no number");
+        if (values.size() % 1000 == 0) spend(array, 1000 * vtk_xml::size_of(*number), 1000 + most);
         values.push_back(one);
       }
       return values;
     }
-    std::string bytes = bytes_of(array);
+    std::string bytes = bytes_of(array, most);
     const std::size_t size = vtk_xml::size_of(*number);
     if (bytes.size() % size != 0) refuse(array.field(), "ends inside a number");
     values.reserve(bytes.size() / size);
@@ -285,7 +299,8 @@ class VtkXmlParser {
 
   /// @param rows as many as there must be; negative: as many as there are.
   Eigen::MatrixXd matrix_of(const Array& array, long rows) {
-    const std::vector<double> values = values_of(array);
+    const std::vector<double> values =
+        rows < 0 ? values_of(array) : values_of(array, static_cast<std::size_t>(rows * array.components));
     const auto size = static_cast<long>(values.size());
     if (rows < 0) rows = size / array.components;
     if ((array.components > 0 && rows > kMost / array.components) || rows * array.components != size)
@@ -296,9 +311,9 @@ class VtkXmlParser {
   }
 
   /// Where a point, a type or a place in a list is meant.
-  std::vector<long> whole_numbers(const Array& array) {
+  std::vector<long> whole_numbers(const Array& array, std::size_t most = std::size_t{1} << 40) {
     std::vector<long> whole;
-    for (const double value : values_of(array)) {
+    for (const double value : values_of(array, most)) {
       if (!(value >= 0.0 && value < 1e15) || value != std::trunc(value))
         refuse(array.field(), "holds a number that is not whole, negative or far too large");
       whole.push_back(static_cast<long>(value));
@@ -349,8 +364,9 @@ class VtkXmlParser {
     const Array* types = array_in(piece, section, "types");
     if (connectivity == nullptr || offsets == nullptr || (type == 0 && types == nullptr))
       refuse(section, "have no connectivity, offsets or types");
-    const std::vector<long> corners = whole_numbers(*connectivity), ends = whole_numbers(*offsets),
-                            kinds = type == 0 ? whole_numbers(*types) : std::vector<long>();
+    const auto most = static_cast<std::size_t>(count);
+    const std::vector<long> corners = whole_numbers(*connectivity), ends = whole_numbers(*offsets, most),
+                            kinds = type == 0 ? whole_numbers(*types, most) : std::vector<long>();
     if (static_cast<long>(ends.size()) != count || (type == 0 && static_cast<long>(kinds.size()) != count))
       refuse(section, "hold " + std::to_string(ends.size()) + " offsets where " + std::to_string(count) +
                           " cells are announced");
@@ -359,6 +375,7 @@ class VtkXmlParser {
       const std::string field = std::string(section) + ", cell " + std::to_string(c);
       if (ends[c] < begin || ends[c] > static_cast<long>(corners.size()))
         refuse(field, "has offsets out of range");
+      if (ends[c] == begin) refuse(field, "has no points");
       std::vector<long> cell(corners.begin() + begin, corners.begin() + ends[c]);
       for (long& corner : cell) {
         if (corner >= piece.points) refuse(field, "names a point that is not there");
