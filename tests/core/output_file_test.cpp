@@ -16,6 +16,7 @@
 #include "complaint.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
+#include "remove_tree.h"
 #include "take_soon.h"
 
 using namespace glisson;
@@ -69,6 +70,7 @@ class OutputFileTest : public QObject {
   void WhatTookItsPlaceIsNotCommitted();
   void WhatIsBeingWrittenIsNotSwept();
   void WhatWasKilledIsSweptAndNothingElse();
+  void TreesAreRemovedInParts();
   void WhatAChildOfTheKilledHoldsForAMomentIsSwept();
   void WhatIsHeldLongerIsAtWork();
   void ARecordingThatWasKilledIsKept();
@@ -192,6 +194,26 @@ void OutputFileTest::WhatWasKilledIsSweptAndNothingElse() {
   QCOMPARE(read_file(folder.path() / "x.txt"), std::string("foreign"));
   QCOMPARE(read_file(folder.path() / "outside/kept"), std::string("kept"));
   QCOMPARE(sweep_leftovers(folder.path() / "absent"), 0);
+}
+
+void OutputFileTest::TreesAreRemovedInParts() {
+  const TemporaryFolder folder;
+  const fs::path tree = folder.path() / "tree";
+  fs::path deep = tree;
+  for (int n = 0; n < 40; ++n) deep /= "a";
+  fs::create_directories(deep);
+  for (int n = 0; n < 20; ++n) std::ofstream(tree / std::to_string(n)) << "x";
+  std::ofstream(folder.path() / "kept") << "kept";
+  fs::create_symlink(folder.path() / "kept", tree / "link");
+  int steps = 10, starts = 1;
+  const auto may_go_on = [&steps] { return steps-- > 0; };
+  for (; !remove_tree(AT_FDCWD, tree.c_str(), may_go_on); ++starts) {
+    QVERIFY(starts < 100);
+    steps = 100;
+  }
+  QVERIFY(starts > 1);
+  QVERIFY(!fs::exists(tree));
+  QCOMPARE(read_file(folder.path() / "kept"), std::string("kept"));
 }
 
 void OutputFileTest::WhatAChildOfTheKilledHoldsForAMomentIsSwept() {

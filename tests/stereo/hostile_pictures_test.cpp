@@ -94,7 +94,7 @@ void HostilePicturesTest::use_reader(const std::string& script) const {
 
 void HostilePicturesTest::TheReaderIsConfined() {
   std::vector<std::string> escapes = picture_reader_escapes();
-  if (escapes.size() == 4) QSKIP("this kernel confines nothing, or this is a build with sanitizers");
+  if (escapes.size() >= 7) QSKIP("this kernel confines nothing, or this is a build with sanitizers");
   if (std::count(escapes.begin(), escapes.end(), "read") != 0) {
     std::erase(escapes, "read");  // no Landlock
     std::erase(escapes, "write");

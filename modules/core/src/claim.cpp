@@ -17,6 +17,7 @@
 #include <thread>
 #include <utility>
 #include <vector>
+#include "remove_tree.h"
 #include "take_soon.h"
 
 namespace glisson {
@@ -26,6 +27,7 @@ namespace {
 constexpr std::string_view kPrefix = ".glisson-";
 constexpr std::size_t kDigits = 16;
 constexpr int kTrials = 100;
+constexpr std::chrono::seconds kLongestSweep{2};
 /// What was filmed cannot be made again, and is readable as far as it came.
 constexpr const char* kRecording = ".mkv";
 
@@ -112,6 +114,9 @@ int sweep_leftovers(const fs::path& folder) {
        entry.increment(failure))
     if (is_work_in_progress(entry->path().filename().string())) found.push_back(entry->path());
   int removed = 0, waits = 10;  // of all together
+  // Every start sweeps: what takes longer goes on at the next.
+  const auto end = std::chrono::steady_clock::now() + kLongestSweep;
+  const auto in_time = [end] { return std::chrono::steady_clock::now() < end; };
   const auto pause = [] { std::this_thread::sleep_for(std::chrono::milliseconds(10)); };
   for (const fs::path& path : found) {
     const Claim claim(::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
@@ -119,11 +124,12 @@ int sweep_leftovers(const fs::path& folder) {
     if (claim.descriptor() < 0 || ::fstat(claim.descriptor(), &held) != 0) continue;
     const bool ours = held.st_uid == ::geteuid() && (S_ISREG(held.st_mode) || S_ISDIR(held.st_mode));
     if (!ours || !take_soon(claim, waits, pause) || !claim.is_at(path)) continue;
-    if (S_ISREG(held.st_mode) && held.st_size > 0 && path.extension() == kRecording)
+    if (S_ISREG(held.st_mode) && held.st_size > 0 && path.extension() == kRecording) {
       fs::rename(path, recovered_name(path), failure);
-    else
-      fs::remove_all(path, failure);
-    removed += !failure;
+      removed += !failure;
+    } else {
+      removed += remove_tree(AT_FDCWD, path.c_str(), in_time);
+    }
   }
   return removed;
 }

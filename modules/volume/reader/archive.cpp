@@ -10,7 +10,10 @@
 #include <array>
 #include <charconv>
 #include <cstring>
+#include <iterator>
 #include <limits>
+#include <set>
+#include <string>
 
 #include "glisson/core/error.h"
 
@@ -24,7 +27,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kBlock = 512;
-constexpr int kMostFiles = 100000;
+constexpr int kMostFiles = 100000;  // and folders
+constexpr int kDeepest = 32;        // folders in folders
 constexpr double kMostRatio = 100.0, kAlwaysAllowed = 256e6, kStaysFree = 1e9;
 constexpr std::uint64_t kLongestName = 1U << 16;
 
@@ -150,6 +154,7 @@ class Unpacker {
     Entry pending;
     bool has_name = false, has_size = false;
     while (bytes_.read(block.data(), kBlock)) {
+      spend(kBlock, -1);
       if (std::all_of(block.begin(), block.end(), [](char c) { return c == '\0'; })) {
         ended_ = true;
         continue;  // the end's mark, and padding
@@ -179,6 +184,7 @@ class Unpacker {
  private:
   std::string small_content(std::uint64_t size) {
     std::string content(static_cast<std::size_t>(size + kBlock - 1) / kBlock * kBlock, '\0');
+    spend(static_cast<double>(content.size()), -1);
     if (!content.empty() && !bytes_.read(content.data(), content.size())) damaged(request_);
     content.resize(static_cast<std::size_t>(size));
     return content;
@@ -203,12 +209,30 @@ class Unpacker {
     if (file >= 0) ::close(file);
   }
 
-  int make(const fs::path& name) {
+  void count_one() {
     if (++files_ > kMostFiles)
       refuse(request_, "holds more than 100000 files, which no series has",
              "Unpack it yourself and name the folder of the series");
-    std::error_code failure;
-    fs::create_directories((folder_ / name).parent_path(), failure);
+  }
+
+  /// The folders above a file, each once.
+  void make_folders(const fs::path& name) {
+    if (std::distance(name.begin(), name.end()) > kDeepest + 1)
+      refuse(request_, "holds folders in folders more than 32 deep, which no series has",
+             "Unpack it yourself and name the folder of the series");
+    fs::path above;
+    for (const fs::path& part : name.parent_path()) {
+      above /= part;
+      if (!folders_.insert(above.string()).second) continue;
+      count_one();
+      std::error_code failure;
+      fs::create_directory(folder_ / above, failure);
+    }
+  }
+
+  int make(const fs::path& name) {
+    count_one();
+    make_folders(name);
     const int file =
         ::open((folder_ / name).c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0600);
     if (file < 0)
@@ -235,6 +259,7 @@ class Unpacker {
   Bytes bytes_;
   double free_ = std::numeric_limits<double>::infinity(), packed_size_ = 1.0, total_ = 0.0;
   int files_ = 0;
+  std::set<std::string> folders_;
   bool ended_ = false;
 };
 

@@ -15,7 +15,7 @@ namespace {
 constexpr double kSmallestSpacing = 0.02,
                  kLargestSpacing = 50.0;   // mm: microscopes and metres are neither CT
 constexpr double kLargestExtent = 4000.0;  // mm
-constexpr long kMostValues = 2000000000L;
+constexpr long kMostValues = 600000000L;   // 512 x 512 x 2000 of a whole body are 5e8
 
 std::string text(const Eigen::Vector3d& v) {
   std::ostringstream stream;

@@ -17,7 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kExport = "The header is damaged: export the volume again";
-constexpr double kMostPacking = 1100.0;  // deflate packs to 1/1032 at the best
+constexpr double kMostRatio = 100.0, kAlwaysAllowed = 256e6;  // as of archives
+constexpr double kMostPacking = 1100.0;                       // deflate packs to 1/1032 at the best
 
 /// Inflates a file from `offset` on, member after member, and counts. Negative: it cannot be inflated.
 class Inflation {
@@ -151,6 +152,10 @@ void check_stored(const Request& request, const Stored& stored) {
     throw InputError(request.name, "voxels", "end early: the file is damaged", "Export it again");
   const auto there = static_cast<double>(size - stored.offset);
   double bytes = there;
+  if (stored.packed && stored.bytes > kAlwaysAllowed + kMostRatio * there)
+    throw InputError(request.name, stored.packed_field,
+                     "unpacks to more than a hundred times its size, which no images do",
+                     "Ask where it comes from; unpack it yourself and name the file if it is good");
   if (stored.packed) {
     bytes = stored.bytes > kMostPacking * there
                 ? 0.0

@@ -38,8 +38,37 @@ void fill(const nlohmann::json& from, Vector& to) {
   for (Eigen::Index i = 0; i < to.size(); ++i) to[i] = from.at(static_cast<std::size_t>(i));
 }
 
+[[noreturn]] void throw_fault() {
+  throw FileError(
+      "glisson-read-volume: left what is no result of it. Do not trust the file; export it again.");
+}
+
+/// A program that a file has taken over may leave links and pipes: only a file of its own is a result.
+fs::path result_in(const fs::path& folder, const char* name, double most_bytes) {
+  const fs::path path = folder / name;
+  std::error_code failure;
+  const bool is_file = fs::is_regular_file(fs::symlink_status(path, failure));
+  if (!is_file || !(static_cast<double>(fs::file_size(path, failure)) <= most_bytes) || failure)
+    throw_fault();
+  return path;
+}
+
+nlohmann::json told_in(const fs::path& folder, const char* name) {
+  constexpr double kLongest = 1e8;  // segmentations carry long texts
+  return read_json(result_in(folder, name, kLongest));
+}
+
+/// What the reader itself refuses, see reader/checks.cpp: nothing is allocated for it here, either.
+void check(const VolumeGrid& grid, int components) {
+  const double values = grid.size.cast<double>().prod() * components;
+  const bool is_one = (grid.size.array() >= 1).all() && components >= 1 && values <= 6e8 &&
+                      grid.spacing_mm.allFinite() && (grid.spacing_mm.array() > 0.0).all() &&
+                      grid.origin_mm.allFinite() && grid.direction.allFinite();
+  if (!is_one) throw_fault();
+}
+
 Delivered delivered_in(const fs::path& folder) {
-  const nlohmann::json header = read_json(folder / "header.json");
+  const nlohmann::json header = told_in(folder, "header.json");
   Delivered result;
   fill(header.at("size"), result.grid.size);
   fill(header.at("spacing"), result.grid.spacing_mm);
@@ -51,12 +80,13 @@ Delivered delivered_in(const fs::path& folder) {
   result.modality = header.at("modality");
   result.description = header.at("description");
   result.texts = header.at("texts").get<Texts>();
-  result.voxels = folder / "voxels.raw";
+  check(result.grid, result.components);
+  result.voxels = result_in(folder, "voxels.raw", 5e9);
   return result;
 }
 
 [[noreturn]] void throw_refusal(const fs::path& folder) {
-  const nlohmann::json refusal = read_json(folder / "refusal.json");
+  const nlohmann::json refusal = told_in(folder, "refusal.json");
   throw InputError(refusal.at("file"), refusal.at("field"), refusal.at("problem"), refusal.at("remedy"));
 }
 
@@ -78,6 +108,11 @@ bool run_reader(const char* mode, const fs::path& input, const std::string& name
 
 template <class T>
 std::vector<T> read_raw(const fs::path& path, std::size_t count) {
+  std::error_code failure;
+  const std::uintmax_t bytes = fs::file_size(path, failure);
+  if (!failure && bytes > count * sizeof(T)) throw_fault();
+  if (failure || bytes < count * sizeof(T))
+    throw FileError(path.string() + ": is shorter than expected. Free space for temporary files.");
   std::vector<T> values(count);
   std::ifstream stream(path, std::ios::binary);
   stream.read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(count * sizeof(T)));
@@ -149,7 +184,7 @@ Cancellable<SeriesPicture> picture_of(const fs::path& file, const RunContext& co
   SeriesPicture picture;
   try {
     if (!run_reader("picture", file, file.string(), work.path(), "", context.quiet())) return std::nullopt;
-    const nlohmann::json json = read_json(work.path() / "picture.json");
+    const nlohmann::json json = told_in(work.path(), "picture.json");
     picture.width = json.at("width");
     picture.height = json.at("height");
     picture.pixel_aspect = json.at("pixel_aspect");
@@ -179,7 +214,7 @@ std::vector<LabelInfo> infos_of(const LabelVolume& voxels) {
 std::vector<std::string> reader_escapes() {
   const TemporaryFolder work;
   run_reader("escapes", work.path(), "", work.path(), "", RunContext());
-  return read_json(work.path() / "escapes.json").get<std::vector<std::string>>();
+  return told_in(work.path(), "escapes.json").get<std::vector<std::string>>();
 }
 
 Cancellable<std::vector<DicomSeries>> list_series(const fs::path& path, const RunContext& context) {
@@ -192,7 +227,7 @@ Cancellable<std::vector<DicomSeries>> list_series(const fs::path& path, const Ru
     return std::nullopt;
   std::vector<DicomSeries> all;
   std::map<std::string, fs::path> middles;  // by UID
-  for (const nlohmann::json& json : read_json(work.path() / "series.json")) {
+  for (const nlohmann::json& json : told_in(work.path(), "series.json")) {
     all.push_back(series_from(json));
     middles[all.back().uid] = json.at("middle").get<std::string>();
   }
