@@ -177,12 +177,12 @@ void HostileTest::FoldersCountAsFilesDo() {
   for (int n = 0; n < 40; ++n) deep += "a/";
   write_file_atomically(archive, test::tar_entry(deep + "b", "") + test::tar_end());
   QVERIFY2(says(complaint_of(archive), "more than 32 deep"), complaint_of(archive).c_str());
-  // Some thousand files, each below thirty folders of its own.
+  // Few files, each below thirty folders of its own.
   std::string bytes, above;
   for (int n = 0; n < 30; ++n) above += "/a";
-  for (int n = 0; n < 3400; ++n) bytes += test::tar_entry(std::to_string(n) + above + "/b", "");
+  for (int n = 0; n < 170; ++n) bytes += test::tar_entry(std::to_string(n) + above + "/b", "");
   write_file_atomically(archive, bytes + test::tar_end());
-  QVERIFY2(says(complaint_of(archive), "more than 100000 files"), complaint_of(archive).c_str());
+  QVERIFY2(says(complaint_of(archive), "more than 5000 folders"), complaint_of(archive).c_str());
 }
 
 void HostileTest::PackedVolumesAreMeasured() {

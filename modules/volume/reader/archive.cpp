@@ -27,7 +27,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kBlock = 512;
-constexpr int kMostFiles = 100000;  // and folders
+constexpr int kMostFiles = 100000;
+constexpr int kMostFolders = 5000;  // to make and remove them takes longest
 constexpr int kDeepest = 32;        // folders in folders
 constexpr double kMostRatio = 100.0, kAlwaysAllowed = 256e6, kStaysFree = 1e9;
 constexpr std::uint64_t kLongestName = 1U << 16;
@@ -209,12 +210,6 @@ class Unpacker {
     if (file >= 0) ::close(file);
   }
 
-  void count_one() {
-    if (++files_ > kMostFiles)
-      refuse(request_, "holds more than 100000 files, which no series has",
-             "Unpack it yourself and name the folder of the series");
-  }
-
   /// The folders above a file, each once.
   void make_folders(const fs::path& name) {
     if (std::distance(name.begin(), name.end()) > kDeepest + 1)
@@ -224,14 +219,18 @@ class Unpacker {
     for (const fs::path& part : name.parent_path()) {
       above /= part;
       if (!folders_.insert(above.string()).second) continue;
-      count_one();
+      if (folders_.size() > kMostFolders)
+        refuse(request_, "holds more than 5000 folders, which no series has",
+               "Unpack it yourself and name the folder of the series");
       std::error_code failure;
       fs::create_directory(folder_ / above, failure);
     }
   }
 
   int make(const fs::path& name) {
-    count_one();
+    if (++files_ > kMostFiles)
+      refuse(request_, "holds more than 100000 files, which no series has",
+             "Unpack it yourself and name the folder of the series");
     make_folders(name);
     const int file =
         ::open((folder_ / name).c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0600);
