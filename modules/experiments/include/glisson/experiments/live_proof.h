@@ -16,9 +16,9 @@
 namespace glisson::experiments {
 
 struct LiveProofOptions {
-  /// Patients and theatres. Limits of guidance::JudgeOptions were set on others (101, 102); 7, 8, 11 and 12
-  /// were looked at before.
-  std::vector<std::uint64_t> seeds{13, 14};
+  /// Patients and theatres. Limits of guidance::JudgeOptions were set on others (101, 102); 7, 8 and 11
+  /// to 14 were looked at before.
+  std::vector<std::uint64_t> seeds{15, 16};
   int frames = 120;  ///< of each run, 30 a second
   int onset = 30;    ///< frame from which a fault of the frames is there
   /// The folder with stereo_opencas (liver tissue before a real laparoscope; for development) and
