@@ -496,6 +496,58 @@
         <translation>ist beschädigt</translation>
     </message>
     <message>
+        <source>ends early: the slice was cut</source>
+        <translation>endet zu früh: Die Schicht wurde abgeschnitten</translation>
+    </message>
+    <message>
+        <source>say fewer pixels than the slice holds</source>
+        <translation>nennen weniger Bildpunkte, als die Schicht enthält</translation>
+    </message>
+    <message>
+        <source>stands in some slices and is missing in others</source>
+        <translation>steht in einigen Schichten und fehlt in anderen</translation>
+    </message>
+    <message>
+        <source>is another than in %1</source>
+        <translation>ist anders als in %1</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot; where %2 says &quot;%3&quot;</source>
+        <translation>ist „%1“, während %2 „%3“ sagt</translation>
+    </message>
+    <message>
+        <source>is %1 where the file holds %2 bytes of voxels</source>
+        <translation>ist %1, die Datei enthält aber %2 Bytes an Voxeln</translation>
+    </message>
+    <message>
+        <source>holds &quot;%1&quot;, which its number type does not hold</source>
+        <translation>enthält „%1“, was sein Zahlentyp nicht fasst</translation>
+    </message>
+    <message>
+        <source>holds more than 5000 folders, which no series has</source>
+        <translation>enthält mehr als 5000 Ordner, was keine Serie hat</translation>
+    </message>
+    <message>
+        <source>holds folders in folders more than 32 deep, which no series has</source>
+        <translation>enthält Ordner in Ordnern mehr als 32 tief, was keine Serie hat</translation>
+    </message>
+    <message>
+        <source>holds more than %1 points or cells, more than the mesh of an organ needs</source>
+        <translation>enthält mehr als %1 Punkte oder Zellen, mehr als das Netz eines Organs braucht</translation>
+    </message>
+    <message>
+        <source>Correct the type, or export the volume again</source>
+        <translation>Berichtigen Sie den Typ, oder exportieren Sie das Volumen erneut</translation>
+    </message>
+    <message>
+        <source>Ask where it comes from; unpack it yourself and name the file if it is good</source>
+        <translation>Fragen Sie, woher es kommt; entpacken Sie es selbst und nennen Sie die Datei, wenn sie gut ist</translation>
+    </message>
+    <message>
+        <source>Make the mesh coarser</source>
+        <translation>Vergröbern Sie das Netz</translation>
+    </message>
+    <message>
         <source>is damaged or ends early</source>
         <translation>ist beschädigt oder endet zu früh</translation>
     </message>

@@ -496,6 +496,58 @@
         <translation>est endommagé</translation>
     </message>
     <message>
+        <source>ends early: the slice was cut</source>
+        <translation>se termine trop tôt : la coupe a été tronquée</translation>
+    </message>
+    <message>
+        <source>say fewer pixels than the slice holds</source>
+        <translation>annoncent moins de pixels que la coupe n&apos;en contient</translation>
+    </message>
+    <message>
+        <source>stands in some slices and is missing in others</source>
+        <translation>figure dans certaines coupes et manque dans d&apos;autres</translation>
+    </message>
+    <message>
+        <source>is another than in %1</source>
+        <translation>est autre que dans %1</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot; where %2 says &quot;%3&quot;</source>
+        <translation>est « %1 » alors que %2 dit « %3 »</translation>
+    </message>
+    <message>
+        <source>is %1 where the file holds %2 bytes of voxels</source>
+        <translation>est %1 alors que le fichier contient %2 octets de voxels</translation>
+    </message>
+    <message>
+        <source>holds &quot;%1&quot;, which its number type does not hold</source>
+        <translation>contient « %1 », que son type de nombre ne peut contenir</translation>
+    </message>
+    <message>
+        <source>holds more than 5000 folders, which no series has</source>
+        <translation>contient plus de 5000 dossiers, ce qu&apos;aucune série n&apos;a</translation>
+    </message>
+    <message>
+        <source>holds folders in folders more than 32 deep, which no series has</source>
+        <translation>contient des dossiers imbriqués sur plus de 32 niveaux, ce qu&apos;aucune série n&apos;a</translation>
+    </message>
+    <message>
+        <source>holds more than %1 points or cells, more than the mesh of an organ needs</source>
+        <translation>contient plus de %1 points ou cellules, plus que n&apos;en demande le maillage d&apos;un organe</translation>
+    </message>
+    <message>
+        <source>Correct the type, or export the volume again</source>
+        <translation>Corrigez le type ou exportez à nouveau le volume</translation>
+    </message>
+    <message>
+        <source>Ask where it comes from; unpack it yourself and name the file if it is good</source>
+        <translation>Demandez d&apos;où cela vient ; décompressez-le vous-même et indiquez le fichier s&apos;il est bon</translation>
+    </message>
+    <message>
+        <source>Make the mesh coarser</source>
+        <translation>Rendez le maillage plus grossier</translation>
+    </message>
+    <message>
         <source>is damaged or ends early</source>
         <translation>est endommagé ou finit trop tôt</translation>
     </message>

@@ -20,6 +20,7 @@
 #include "glisson/engine/case_io.h"
 #include "glisson/engine/obstacle.h"
 #include "glisson/engine/outcome_log.h"
+#include "glisson/ui/common/error_texts.h"
 #include "glisson/ui/common/texts.h"
 
 namespace glisson::app {
@@ -58,17 +59,39 @@ void require_place_for(const fs::path& file) {
   sweep_leftovers(folder);
 }
 
+/// Where an entry of an own folder goes: through links of this user, never in the place of a device.
+fs::path place_in(const fs::path& folder, const fs::directory_entry& entry) {
+  const fs::path target = folder / entry.path().filename();
+  if (!entry.is_directory()) return place_for_file(target);
+  const fs::path place = end_of_links(target);
+  if (fs::exists(place) && !fs::is_directory(place))
+    throw FileError(target.string() + ": is a file, a folder is needed here. Choose another name.");
+  return place;
+}
+
+/// Finds out before anything is moved.
+void check_places(const fs::path& from, const fs::path& to) {
+  for (const auto& entry : fs::directory_iterator(from)) {
+    if (engine::holds_case(entry.path())) continue;  // put_case looks for itself
+    const fs::path place = place_in(to, entry);
+    if (entry.is_directory() && fs::is_directory(place)) check_places(entry.path(), place);
+  }
+}
+
 /// Moves what a folder holds to another one, folder by folder: what is there besides stays. A case is
 /// replaced whole.
 void merge(const fs::path& from, const fs::path& to) {
   for (const auto& entry : fs::directory_iterator(from)) {
     const fs::path target = to / entry.path().filename();
-    if (engine::holds_case(entry.path()) && engine::holds_case(target))
+    if (engine::holds_case(entry.path()) && engine::holds_case(target)) {
       engine::put_case(entry.path(), target);
-    else if (entry.is_directory() && fs::is_directory(fs::symlink_status(target)))
-      merge(entry.path(), target);
+      continue;
+    }
+    const fs::path place = place_in(to, entry);
+    if (entry.is_directory() && fs::is_directory(place))
+      merge(entry.path(), place);
     else
-      fs::rename(entry.path(), target);
+      fs::rename(entry.path(), place);
   }
 }
 
@@ -246,7 +269,7 @@ engine::Outcome Session::post(engine::Command command) {
   std::optional<engine::Outcome> outcome;
   with_names([&] { outcome = script_.run(std::move(command)); });
   if (!outcome) throw Interrupted();
-  engine::log_outcome(log_, *outcome);
+  engine::log_outcome(log_, *outcome, ui::logged_error);
   clear_progress();
   for (const auto& [key, value] : outcome->figures) figures[key] = value;
   figures["seconds_" + outcome->command] = outcome->seconds;
@@ -265,7 +288,7 @@ void Session::with_names(const std::function<void()>& work) const {
     throw;
   } catch (const Error& failure) {
     const std::string sentence = failure.what();
-    log_.write(LogLevel::error, command_ + ' ' + without_names(sentence));
+    log_.write(LogLevel::error, command_ + ' ' + ui::logged_error(sentence));
     for (const auto& [name, files] : files_of_)
       if (sentence.starts_with(name + ": ")) throw Error(files + sentence.substr(name.size()));
     throw;
@@ -314,6 +337,7 @@ void OutputFolder::commit(bool whole) {
     write_file_atomically(path() / kIncomplete,
                           Cli::tr("This was cut short: what is here is not all.").toStdString() + "\n");
   try {
+    if (fs::exists(wanted_)) check_places(path(), wanted_);
     if (whole) fs::remove(wanted_ / kIncomplete);
     if (!fs::exists(wanted_))
       fs::rename(path(), wanted_);

@@ -18,6 +18,7 @@
 #include "glisson/engine/parts/registration.h"
 #include "glisson/experiments/evaluate.h"
 #include "glisson/experiments/track_record.h"
+#include "glisson/patient/overlay_record.h"
 #include "glisson/registration/refusal.h"
 #include "glisson/registration/registration_files.h"
 #include "glisson/stereo/picture_io.h"
@@ -105,6 +106,26 @@ experiments::TrackOutput output_of(const Arguments& arguments, const ModelArgume
   if (arguments.has("truth"))
     output.truth = [pattern = arguments.value("truth")](int frame) { return numbered(pattern, frame); };
   return output;
+}
+
+/// The meshes of a former run, as its own list names them: beside the new ones they would pass for theirs.
+void remove_former(const fs::path& folder, const fs::path& fresh) {
+  const fs::path list = folder / "frames.jsonl";
+  std::error_code failure;
+  if (!fs::is_regular_file(list, failure)) return;
+  OverlayRecord former;
+  try {
+    former = read_overlay_record(list);
+  } catch (const Error&) {
+    return;  // no list of ours
+  }
+  for (const OverlayLine& line : former.frames) {
+    const fs::path mesh = folder / line.mesh;
+    // Only what lies beside the list: anybody may have written it.
+    if (line.mesh.empty() || fs::path(line.mesh).filename() != line.mesh) continue;
+    const bool is_file = fs::is_regular_file(fs::symlink_status(mesh, failure));
+    if (is_file && !fs::exists(fresh / line.mesh, failure)) fs::remove(mesh, failure);
+  }
 }
 
 }  // namespace
@@ -268,7 +289,10 @@ int run_track(const QStringList& given) {
   });
   record.finish(whole);
   append(session.figures, record.figures());
-  if (whole || record.frames() > 0) out.commit(whole);
+  if (whole || record.frames() > 0) {
+    remove_former(arguments.path("out"), out.path());
+    out.commit(whole);
+  }
   session.finish();
   if (!whole) throw Interrupted(kept_text(record.frames(), arguments.path("out")));
   return 0;

@@ -35,6 +35,7 @@ class KeepingCommandsTest : public QObject, private test::Program {
   void ALoopOfLinksIsNamed();
   void ACaseThatAnotherHasOpenIsNotEdited();
   void ForeignFilesInAnOutputFolderStay();
+  void AnOutputFolderReplacesNoDeviceAndNoLink();
   void ReconstructNamesThePictures();
   void EachFrameOfATrackIsMarked();
   void ATrackThatIsCutShortKeepsWhatWasDone();
@@ -193,8 +194,25 @@ void KeepingCommandsTest::ATrackThatIsCutShortKeepsWhatWasDone() {
   // A whole run takes the mark away.
   for (int frame = 2; frame < 200; ++frame)
     fs::remove(at(qPrintable(QString("cloud_%1.ply").arg(frame, 3, 10, QChar('0')))));
+  write_text(at("tracked/registered_900.vtu"), "another's");
   QCOMPARE(run(track_).code, 0);
   QVERIFY(!fs::exists(at("tracked/INCOMPLETE")));
+  // So do meshes of frames that the new run has not got, and no others.
+  QVERIFY(fs::exists(at("tracked/registered_001.vtu")) && !fs::exists(at("tracked/registered_002.vtu")));
+  QCOMPARE(read_file(at("tracked/registered_900.vtu")), std::string("another's"));
+}
+
+void KeepingCommandsTest::AnOutputFolderReplacesNoDeviceAndNoLink() {
+  make_clouds(1, 300);
+  fs::create_directory(at("tracked"));
+  QCOMPARE(::mkfifo(at("tracked/frames.jsonl").c_str(), 0600), 0);
+  refused(track_, "frames.jsonl: is a device or a pipe", 1);
+  QVERIFY(fs::is_fifo(at("tracked/frames.jsonl")) && !fs::exists(at("tracked/registered_000.vtu")));
+  fs::remove(at("tracked/frames.jsonl"));
+  fs::create_symlink("../elsewhere.jsonl", at("tracked/frames.jsonl"));
+  const Ran ran = run(track_);
+  QVERIFY2(ran.code == 0, qPrintable(ran.error));
+  QVERIFY(fs::is_symlink(at("tracked/frames.jsonl")) && fs::exists(at("elsewhere.jsonl")));
 }
 
 QTEST_GUILESS_MAIN(KeepingCommandsTest)

@@ -38,8 +38,6 @@ class LogFileTest : public QObject {
   void FullFilesGoRound();
   void TwoProgramsLoseNoLine();
   void WhereNothingCanBeWrittenNothingFails();
-  void NamesDoNotGetIn_data();
-  void NamesDoNotGetIn();
 };
 
 void LogFileTest::LinesGoToTheFile() {
@@ -85,30 +83,6 @@ void LogFileTest::WhereNothingCanBeWrittenNothingFails() {
   write_file_atomically(folder.path() / "file", "");
   log_to_file(folder.path() / "file/log").write(LogLevel::error, "x");
   log_to_file({}).write(LogLevel::error, "x");
-}
-
-void LogFileTest::NamesDoNotGetIn_data() {
-  QTest::addColumn<QString>("sentence");
-  QTest::addColumn<QString>("logged");
-  QTest::newRow("a file") << "/data/Smith_Anna/ct.nii: direction: is singular. Correct the header."
-                          << "direction: is singular. _ the header.";
-  QTest::newRow("a file with spaces") << "anna maria smith.nrrd: is no volume"
-                                      << "is no volume";
-  QTest::newRow("a path in the middle")
-      << "case: could not be moved to /home/anna smith/liver of smith.glisson while open"
-      << "could not be moved to _";
-  QTest::newRow("a number") << "x: patient 1234567 is another"
-                            << "patient _ is another";
-  QTest::newRow("a name") << "x: is open for writing by Anna on OR-2"
-                          << "is open for writing by _ on _";
-  QTest::newRow("nothing") << ""
-                           << "";
-}
-
-void LogFileTest::NamesDoNotGetIn() {
-  QFETCH(QString, sentence);
-  QFETCH(QString, logged);
-  QCOMPARE(QString::fromStdString(without_names(sentence.toStdString())), logged);
 }
 
 QTEST_APPLESS_MAIN(LogFileTest)

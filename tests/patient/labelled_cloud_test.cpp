@@ -167,7 +167,8 @@ class LabelledCloudTest : public QObject {
     row("no points", ascii(xyz(), "", 0), "vertex");
     row("no vertices", "ply\nformat ascii 1.0\nend_header\n", "vertex");
     row("no z", ascii("property float x\nproperty float y\n", "1 2\n", 1), "vertex");
-    row("count beyond the file", ascii(xyz(), "1 2 3\n", 2000000000), "vertex 2");
+    row("count beyond the file", ascii(xyz(), "1 2 3\n", 4000000), "vertex 2");
+    row("count beyond any organ", ascii(xyz(), "1 2 3\n", 2000000000), "vertex");
     row("huge count", "ply\nformat ascii 1.0\nelement vertex 99999999999999999999999\n", "header, line 3");
     row("property twice", ascii(xyz("property float x\n"), "1 2 3 4\n", 1), "header, line 7");
     row("unknown entry", "ply\nformat ascii 1.0\nvertices 3\n", "header, line 3");

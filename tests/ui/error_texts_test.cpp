@@ -29,6 +29,8 @@ class ErrorTextsTest : public QObject {
   void ThrownErrorsAreKnown();
   void OthersStayAsTheyAre();
   void NamesWithPlaceholdersStayWhole();
+  void NamesDoNotGetIntoTheLog_data();
+  void NamesDoNotGetIntoTheLog();
   void EveryPhraseStandsInTheModules();
   void ErrorsAreToldInGerman_data();
   void ErrorsAreToldInGerman();
@@ -102,6 +104,36 @@ void ErrorTextsTest::NamesWithPlaceholdersStayWhole() {
   const char* sentence = "50%2 (a) %1.json: cannot be opened (100 %1). Check the path.";
   QVERIFY(ui::is_error_known(sentence));
   QCOMPARE(ui::error_text(sentence), QString::fromUtf8(sentence));
+}
+
+void ErrorTextsTest::NamesDoNotGetIntoTheLog_data() {
+  QTest::addColumn<QString>("sentence");
+  QTest::addColumn<QString>("logged");
+  QTest::newRow("a file in small letters")
+      << "mueller.anna.dcm: is a DICOM file that cannot be read. Export the series again."
+      << "is a DICOM file that cannot be read. Export the series again";
+  QTest::newRow("two files") << "mueller: anna.dcm, smith (0028|0030): stands twice. Export it again."
+                             << "stands twice. Export it again";
+  QTest::newRow("a name in a place")
+      << "volume: holds no series mueller anna, but \"smith\". Choose one of these by its UID."
+      << "another error. Choose one of these by its UID";
+  QTest::newRow("a person")
+      << "/home/mueller anna/x.glisson: is open for writing by smith. Close it there, or save "
+         "under another name. If that program runs no longer, remove mueller."
+      << "_: is open for writing by _. Close it there, or save under another name. If that "
+         "program runs no longer, remove _.";
+  QTest::newRow("another sentence") << "mueller anna is no volume"
+                                    << "another error";
+  QTest::newRow("nothing") << ""
+                           << "another error";
+}
+
+void ErrorTextsTest::NamesDoNotGetIntoTheLog() {
+  QFETCH(QString, sentence);
+  QFETCH(QString, logged);
+  const QString line = QString::fromStdString(ui::logged_error(sentence.toStdString()));
+  for (const char* name : {"mueller", "anna", "smith"}) QVERIFY2(!line.contains(name), qPrintable(line));
+  QCOMPARE(line, logged);
 }
 
 void ErrorTextsTest::EveryPhraseStandsInTheModules() {

@@ -69,13 +69,6 @@ class LogFile {
   std::mutex mutex_;
 };
 
-bool is_plain(std::string_view word) {
-  return std::all_of(word.begin(), word.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || c == '\'' || c == '-' || c == '(' || c == ')' || c == ',' || c == ';' ||
-           c == '.' || c == ':';
-  });
-}
-
 }  // namespace
 
 fs::path state_folder() {
@@ -99,23 +92,6 @@ Log log_to_file(const fs::path& folder, std::size_t bytes, int kept) {
   if (failure) return {};
   const auto file = std::make_shared<LogFile>(folder, bytes, kept);
   return Log([file](LogLevel level, std::string_view line) { file->write(level, line); });
-}
-
-std::string without_names(std::string_view sentence) {
-  const std::size_t colon = sentence.find(": ");
-  std::string rest(colon == std::string_view::npos ? sentence : sentence.substr(colon + 2));
-  if (const std::size_t slash = rest.find('/'); slash != std::string::npos) {
-    const std::size_t begin = rest.rfind(' ', slash);
-    rest = (begin == std::string::npos ? std::string() : rest.substr(0, begin + 1)) + "_";
-  }
-  std::string kept;
-  for (std::size_t at = 0; at < rest.size();) {
-    const std::size_t end = std::min(rest.find(' ', at), rest.size());
-    const std::string word = rest.substr(at, end - at);
-    if (!word.empty()) kept += (kept.empty() ? "" : " ") + (is_plain(word) ? word : std::string("_"));
-    at = end + 1;
-  }
-  return kept;
 }
 
 }  // namespace glisson

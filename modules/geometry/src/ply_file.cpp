@@ -263,7 +263,6 @@ void read_element(Body& body, PlyElement& element, const std::vector<Property>& 
     for (const Property& p : properties)
       if (p.is_list) {
         std::vector<double> list = read_list(body, p, field, name);
-        if (list.empty()) throw InputError(name, field, "has a list without entries", kExport);
         held.add(sizeof list + 16 + list.size() * sizeof(double), field);
         element.lists[p.name].push_back(std::move(list));
       } else {

@@ -94,16 +94,35 @@ QString filled(const QString& text, const QStringList& values) {
   return result;
 }
 
-/// The text in the person's language, when it is one of those phrases.
-std::optional<QString> translated(const QString& text, const std::vector<const char*>& known,
-                                  const char* context) {
+/// A phrase, and what a text says in its places.
+struct Match {
+  const char* phrase;
+  QStringList values;
+};
+
+std::optional<Match> match_of(const QString& text, const std::vector<const char*>& known) {
   for (const char* phrase : known) {
     const bool is_plain = std::string_view(phrase).find('%') == std::string_view::npos;
     if (is_plain && text != QLatin1String(phrase)) continue;
     const auto values = is_plain ? QStringList() : values_in(text, phrase);
-    if (values) return filled(QCoreApplication::translate(context, phrase), *values);
+    if (values) return Match{phrase, *values};
   }
   return {};
+}
+
+QString translated(const Match& match, const char* context) {
+  return filled(QCoreApplication::translate(context, match.phrase), match.values);
+}
+
+/// Without what stands in its places: that may name a file or a person.
+std::string anonymous(const char* phrase) {
+  std::string text;
+  for (const char* at = phrase; *at != '\0'; ++at) {
+    const bool place = at[0] == '%' && at[1] >= '1' && at[1] <= '9';
+    text += place ? '_' : *at;
+    if (place) ++at;
+  }
+  return text;
 }
 
 constexpr const char* kPhrases = "ErrorPhrases";
@@ -111,28 +130,25 @@ constexpr const char* kPhrases = "ErrorPhrases";
 /// FILE: FIELD: problem. Remedy.
 struct Parts {
   QString where;  ///< file and field, as they are
-  QString problem, remedy;
-  bool is_problem_known = false, is_remedy_known = false;
+  QString problem;
+  std::optional<Match> known_problem, known_remedy;
 };
 
 Parts parts_of(QString sentence) {
   Parts parts;
   if (sentence.endsWith(QLatin1Char('.'))) sentence.chop(1);
   const QString between = QStringLiteral(". "), behind = QStringLiteral(": ");
-  for (qsizetype at = sentence.lastIndexOf(between); at >= 0 && !parts.is_remedy_known;
+  for (qsizetype at = sentence.lastIndexOf(between); at >= 0;
        at = at > 0 ? sentence.lastIndexOf(between, at - 1) : -1) {
-    const auto remedy = translated(sentence.mid(at + between.size()), known_remedies(), kPhrases);
-    if (!remedy) continue;
-    parts.remedy = *remedy;
-    parts.is_remedy_known = true;
+    parts.known_remedy = match_of(sentence.mid(at + between.size()), known_remedies());
+    if (!parts.known_remedy) continue;
     sentence.truncate(at);
     break;
   }
   parts.problem = sentence;
   for (qsizetype at = 0; at >= 0;) {
-    if (const auto problem = translated(sentence.mid(at), known_problems(), kPhrases)) {
-      parts.problem = *problem;
-      parts.is_problem_known = true;
+    parts.known_problem = match_of(sentence.mid(at), known_problems());
+    if (parts.known_problem) {
       parts.where = sentence.left(std::max<qsizetype>(0, at - behind.size()));
       break;
     }
@@ -150,18 +166,27 @@ QString told_by(std::string_view sentence) {
 
 QString error_text(std::string_view sentence) {
   const QString told = told_by(sentence);
-  if (const auto whole = translated(told, Errors::sentences(), "Errors")) return *whole;
+  if (const auto whole = match_of(told, Errors::sentences())) return translated(*whole, "Errors");
   const Parts parts = parts_of(told);
-  if (!parts.is_problem_known && !parts.is_remedy_known) return told;
-  QString text =
-      parts.where.isEmpty() ? parts.problem : filled(Errors::tr("%1: %2"), {parts.where, parts.problem});
-  if (!parts.remedy.isEmpty()) text += QStringLiteral(". ") + parts.remedy;
+  if (!parts.known_problem && !parts.known_remedy) return told;
+  const QString problem = parts.known_problem ? translated(*parts.known_problem, kPhrases) : parts.problem;
+  QString text = parts.where.isEmpty() ? problem : filled(Errors::tr("%1: %2"), {parts.where, problem});
+  if (parts.known_remedy) text += QStringLiteral(". ") + translated(*parts.known_remedy, kPhrases);
   return text + QLatin1Char('.');
 }
 
 bool is_error_known(std::string_view sentence) {
   const QString told = told_by(sentence);
-  return translated(told, Errors::sentences(), "Errors") || parts_of(told).is_problem_known;
+  return match_of(told, Errors::sentences()) || parts_of(told).known_problem;
+}
+
+std::string logged_error(std::string_view sentence) {
+  const QString told = told_by(sentence);
+  if (const auto whole = match_of(told, Errors::sentences())) return anonymous(whole->phrase);
+  const Parts parts = parts_of(told);
+  std::string text = parts.known_problem ? anonymous(parts.known_problem->phrase) : "another error";
+  if (parts.known_remedy) text += ". " + anonymous(parts.known_remedy->phrase);
+  return text;
 }
 
 std::vector<const char*> error_phrases() {

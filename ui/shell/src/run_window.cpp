@@ -11,6 +11,7 @@
 #include "glisson/core/files.h"
 #include "glisson/core/log_file.h"
 #include "glisson/engine/outcome_log.h"
+#include "glisson/ui/common/error_texts.h"
 #include "glisson/ui/common/render_view.h"
 #include "glisson/ui/shell/autosaver.h"
 #include "glisson/ui/shell/language.h"
@@ -43,7 +44,7 @@ Autosaver* make_autosaver(MainWindow& window) {
     const std::filesystem::path root = engine::recovery_root();
     return root.empty() ? nullptr : new Autosaver(window.engine(), window, root);
   } catch (const Error& failure) {
-    log_to_file(log_folder()).write(LogLevel::warning, "no recovery: " + without_names(failure.what()));
+    log_to_file(log_folder()).write(LogLevel::warning, "no recovery: " + logged_error(failure.what()));
     return nullptr;
   }
 }
@@ -57,8 +58,9 @@ int run_window(int argc, char** argv, const std::filesystem::path& path) {
   MainWindow window;
   window.show();
   const Log log = log_to_file(log_folder());
-  QObject::connect(&window.engine(), &EngineBridge::finished, &application,
-                   [&log](const engine::Outcome& outcome) { engine::log_outcome(log, outcome); });
+  QObject::connect(
+      &window.engine(), &EngineBridge::finished, &application,
+      [&log](const engine::Outcome& outcome) { engine::log_outcome(log, outcome, logged_error); });
   sweep_leftovers(work_folder());
   Autosaver* autosaver = make_autosaver(window);
   if (!path.empty()) window.open(path);

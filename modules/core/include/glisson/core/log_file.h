@@ -25,9 +25,4 @@ std::filesystem::path crash_folder();
 /// @return a log that discards everything where it cannot be written: no work fails for its log.
 Log log_to_file(const std::filesystem::path& folder, std::size_t bytes = std::size_t{1} << 20U, int kept = 4);
 
-/// What may be logged of a sentence for a person: no file, no number of a patient, no name. What stands
-/// before the first ": " goes, for that is a file; so does everything from the first word with a slash
-/// on; of the rest only words in small letters stay.
-std::string without_names(std::string_view sentence);
-
 }  // namespace glisson
