@@ -39,7 +39,6 @@ class SegmentationEditTest : public QObject, private SegmentationWindow {
   void PaintingWithinIntensitiesSparesTheRest();
   void LevelTracingShowsWhatAClickTakes();
   void BranchThatAClickWouldMoveIsShownBefore();
-  void VesselPathIsShownAfterOneClickAndMadeByTheSecond();
   void SurfacesFollowTheEdit();
   void TouchingTreesAreListedAndGoneTo();
   void MouseMeansWhatItMeantBesideTheTool();
@@ -405,84 +404,6 @@ void SegmentationEditTest::BranchThatAClickWouldMoveIsShownBefore() {
   QVERIFY(told->text().contains(QStringLiteral("Hepatic veins → Portal vein")));
   QTest::keyClick(window_.get(), Qt::Key_P);
   QVERIFY(!shared.preview() && !session().branch());
-}
-
-void SegmentationEditTest::VesselPathIsShownAfterOneClickAndMadeByTheSecond() {
-  open_labels();
-  ui::SliceView& axial = slice(Plane::axial);
-  const ui::ViewState& shared = window_->views().state();
-  // A piece of the portal vein is lost.
-  choose(structure::kPortalVein);
-  const Eigen::Vector3d left(-0.02, -0.015, 0), right(0.02, -0.015, 0), between(0.0, -0.015, 0);
-  session().set_tool(edit_tool("paint"));
-  ui::EditSettings settings = session().settings();
-  settings.ball = true;
-  settings.brush_radius = 8e-3;
-  session().set_settings(settings);
-  drag(axial, {{-0.004, -0.015, 0}, {0.004, -0.015, 0}}, Qt::ControlModifier);
-  QVERIFY(settle());
-  QVERIFY(at(between) != structure::kPortalVein && at(left) == structure::kPortalVein);
-  const LabelVolume before = labels();
-  const auto click = [&](const Eigen::Vector3d& p, Qt::KeyboardModifiers keys = {}) {
-    QTest::mouseClick(&axial, Qt::LeftButton, keys, axial.widget_point(Point<CtFrame>(p)).toPoint());
-  };
-  const auto point_at = [&](const Eigen::Vector3d& p) {
-    QTest::mouseMove(&axial, axial.widget_point(Point<CtFrame>(p)).toPoint());
-  };
-  QTest::keyClick(window_.get(), Qt::Key_V);
-  QCOMPARE(session().tool(), edit_tool("vessel_path"));
-  const auto* told = find<QLabel>("edit_outcome");
-  point_at(right);
-  QVERIFY(!shared.preview() && !told->isVisible());  // of what nobody has begun nothing is shown
-  click(left);
-  QVERIFY(told->text().contains(QStringLiteral("Click the other end")));
-  QVERIFY(shared.line());
-  QVERIFY(labels() == before);
-  point_at(right);
-  QTRY_VERIFY(shared.preview() && session().branch());
-  QVERIFY(shared.line());  // the first click stays marked
-  QVERIFY2(told->text().contains(QStringLiteral("A click here makes a vessel of")), qPrintable(told->text()));
-  const LabelVolume shown = shared.preview()->voxels;
-  // Esc drops the click, not the tool.
-  QTest::keyClick(window_.get(), Qt::Key_Escape);
-  QCOMPARE(session().clicked(), std::size_t(0));
-  QCOMPARE(session().tool(), edit_tool("vessel_path"));
-  QTRY_VERIFY(!shared.preview() && !shared.line());
-  click(left);
-  point_at(right);
-  QTRY_VERIFY(shared.preview());
-  click(right);
-  QVERIFY(settle());
-  QVERIFY(labels() == shown);
-  QCOMPARE(at(between), structure::kPortalVein);
-  QCOMPARE(session().clicked(), std::size_t(0));
-  QVERIFY(!shared.line());
-  QCOMPARE(find<QToolButton>("undo")->text(), QStringLiteral("Undo: Vessel path, Portal vein"));
-  session().undo();
-  QVERIFY(settle());
-  QVERIFY(labels() == before);
-  // Ctrl adds a point between: still nothing is made.
-  click(left);
-  click(between, Qt::ControlModifier);
-  QVERIFY(settle());
-  QCOMPARE(session().clicked(), std::size_t(2));
-  QVERIFY(labels() == before);
-  click(right);
-  QVERIFY(settle());
-  QCOMPARE(at(between), structure::kPortalVein);
-  // A locked label is not worked on, and a refusal is told.
-  session().undo();
-  QVERIFY(settle());
-  click(left);
-  click(left);
-  QVERIFY(settle());
-  QVERIFY2(told->text().contains(QStringLiteral("same place twice")), qPrintable(told->text()));
-  QVERIFY(labels() == before);
-  settings = session().settings();
-  settings.region.locked = {structure::kPortalVein};
-  session().set_settings(settings);
-  click(left);
-  QCOMPARE(session().clicked(), std::size_t(0));
 }
 
 void SegmentationEditTest::SurfacesFollowTheEdit() {

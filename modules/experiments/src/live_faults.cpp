@@ -100,6 +100,13 @@ void add_starts(std::vector<LiveFault>& faults) {
 
 using Show = std::function<StereoFrame(const Film&, int)>;
 
+LiveFault shown(const char* name, const Show& show) {
+  LiveFault fault;
+  fault.name = name;
+  fault.show = show;
+  return fault;
+}
+
 /// @param change of a frame that is `share` of the way from the onset to the end of a ramp.
 template <class Change>
 Show ramp(int onset, int last, Change change) {
@@ -115,12 +122,7 @@ void add_stale_views(std::vector<LiveFault>& faults, int onset, std::uint64_t se
   const auto at = [](const Film& film, int k) -> const StereoFrame& {
     return film[static_cast<std::size_t>(std::max(0, k))];
   };
-  const auto add = [&](const char* name, const Show& show) {
-    LiveFault fault;
-    fault.name = name;
-    fault.show = show;
-    faults.push_back(fault);
-  };
+  const auto add = [&](const char* name, const Show& show) { faults.push_back(shown(name, show)); };
   add("frozen", [=](const Film& film, int k) { return shown_at(at(film, std::min(k, onset)), at(film, k)); });
   add("frozen_noise", [=](const Film& film, int k) {
     if (k < onset) return at(film, k);
@@ -157,12 +159,7 @@ void add_stale_views(std::vector<LiveFault>& faults, int onset, std::uint64_t se
 
 void add_covers(std::vector<LiveFault>& faults, const StereoRig& rig, int onset, int last,
                 std::uint64_t seed) {
-  const auto add = [&](const char* name, const Show& show) {
-    LiveFault fault;
-    fault.name = name;
-    fault.show = show;
-    faults.push_back(fault);
-  };
+  const auto add = [&](const char* name, const Show& show) { faults.push_back(shown(name, show)); };
   const auto hung = [&](double share, double depth, double speed, bool textured) {
     const Curtain curtain(rig, share, depth, speed, textured, seed);
     return ramp(onset, onset + 1,
@@ -218,12 +215,7 @@ class Tool {
 /// What comes into every operation, and is no reason for a wrong overlay.
 void add_scene(std::vector<LiveFault>& faults, const StereoRig& rig, int onset, int last,
                std::uint64_t seed) {
-  const auto add = [&](const char* name, const Show& show) {
-    LiveFault fault;
-    fault.name = name;
-    fault.show = show;
-    faults.push_back(fault);
-  };
+  const auto add = [&](const char* name, const Show& show) { faults.push_back(shown(name, show)); };
   const Tool tool(rig);
   add("tool", ramp(onset, onset + 20, [tool](cv::Mat& picture, bool is_right, double share, int k) {
         tool.show(picture, is_right, share, k);
@@ -269,16 +261,14 @@ void add_scene(std::vector<LiveFault>& faults, const StereoRig& rig, int onset, 
 
 /// Another organ, or another laparoscope than the one that was calibrated: from the first frame on.
 void add_foreign(std::vector<LiveFault>& faults) {
-  LiveFault mirrored;
-  mirrored.name = "mirrored";
-  mirrored.show = [](const Film& film, int k) {
+  const Show mirrored = [](const Film& film, int k) {
     // Both views flipped and exchanged: a right pair of views, of an organ that is the mirror image.
     StereoFrame frame = both(film[static_cast<std::size_t>(k)],
                              [](cv::Mat& picture, bool) { cv::flip(picture.clone(), picture, 1); });
     std::swap(frame.left, frame.right);
     return frame;
   };
-  faults.push_back(mirrored);
+  faults.push_back(shown("mirrored", mirrored));
   const auto add = [&](const char* name, const std::function<StereoRig(const StereoRig&)>& calibration) {
     LiveFault fault;
     fault.name = name;

@@ -34,29 +34,25 @@ void AnchoredPoints::retain(const std::vector<FollowedPoint>& points) {
   anchors_ = std::move(kept);
 }
 
-Eigen::Vector3d AnchoredPoints::place(const FollowedPoint& point,
-                                      const registration::MovingSurface& surface) const {
-  const Anchor& anchor = anchors_.at(point.id);
-  return surface.place(anchor.at) + anchor.height * surface.normal(anchor.at);
-}
-
 std::vector<Eigen::Vector3d> AnchoredPoints::gaps(const std::vector<FollowedPoint>& points,
                                                   const registration::MovingSurface& surface) const {
   std::vector<Eigen::Vector3d> gaps;
   gaps.reserve(points.size());
-  for (const FollowedPoint& point : points) gaps.push_back(point.p_in_camera - place(point, surface));
+  for (const FollowedPoint& point : points)
+    gaps.push_back(point.p_in_camera - anchor(point.id).place(surface));
   return gaps;
 }
 
 void AnchoredPoints::add(const std::vector<FollowedPoint>& points, const registration::MovingSurface& surface,
                          double stiffness, std::vector<fem::AttachedLoad>& loads) const {
   for (const FollowedPoint& point : points) {
-    const registration::Carrier carrier = surface.carrier(anchors_.at(point.id).at);
+    const Anchor& bound = anchor(point.id);
+    const registration::Carrier carrier = surface.carrier(bound.at);
     fem::AttachedLoad load;
     load.nodes = carrier.nodes;
     load.weights = carrier.weights;
     load.tangent = stiffness * point.information;
-    load.force = load.tangent * (point.p_in_camera - place(point, surface));
+    load.force = load.tangent * (point.p_in_camera - bound.place(surface));
     loads.push_back(load);
   }
 }

@@ -15,6 +15,11 @@ namespace glisson::guidance {
 struct Anchor {
   ClosestPoint at;      ///< triangle and weights
   double height = 0.0;  ///< along the surface's normal, metres
+
+  /// Where it is on the surface as that is now.
+  Eigen::Vector3d place(const registration::MovingSurface& surface) const {
+    return surface.place(at) + height * surface.normal(at);
+  }
 };
 
 /// Where followed points sit on the model. A point is bound to the material of the surface when it is first
@@ -43,8 +48,6 @@ class AnchoredPoints {
   void clear() { anchors_.clear(); }
 
  private:
-  Eigen::Vector3d place(const FollowedPoint& point, const registration::MovingSurface& surface) const;
-
   std::unordered_map<int, Anchor> anchors_;
 };
 

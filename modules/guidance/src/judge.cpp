@@ -58,7 +58,7 @@ struct Judge::Impl {
     frames = looked = 0;
     undecided = false;
     last_gaps.clear();
-    misplaced.set(false);
+    is_misplaced = false;
     motion = {};
     first_signal = measure(first.left).signal();
     take(surface.check(first.left, first.right, nodes));
@@ -117,14 +117,13 @@ struct Judge::Impl {
     if (last_gaps.size() < kSurfacesInMean) return;
     double squares = 0.0;
     for (const double gap : last_gaps) squares += gap * gap;
-    misplaced.push(std::sqrt(squares / static_cast<double>(kSurfacesInMean)), options.mean_gap,
-                   options.mean_gap);
+    is_misplaced = std::sqrt(squares / static_cast<double>(kSurfacesInMean)) >= options.mean_gap;
   }
   void distrust() {
     if (pending.valid()) pending.wait();
     pending = {};
     apart.set(true);
-    misplaced.set(false);
+    is_misplaced = false;
     last_gaps.clear();
     undecided = true;
     against = looks = 0;
@@ -146,7 +145,7 @@ struct Judge::Impl {
     stands.push(options.motion / std::max(evidence.motion, 1e-6), 1.0, options.relief);
   }
 
-  bool refutes() const { return apart.stands() || misplaced.stands(); }
+  bool refutes() const { return apart.stands() || is_misplaced; }
   Validity verdict() const {
     if (views.stands()) return Validity::views_apart;
     if (stands.stands()) return Validity::picture_stands;
@@ -167,7 +166,7 @@ struct Judge::Impl {
   int against = 0;         ///< bad surfaces in a row
   int looks = 0;           ///< surfaces since it was set elsewhere
   Alarm apart{2, 3}, covered{2, 3}, poor{3, 4}, stands{1, 6}, views{3, 10};
-  Alarm misplaced{1, 1};         ///< a mean needs no more patience
+  bool is_misplaced = false;     ///< by the mean, which needs no more patience
   std::deque<double> last_gaps;  ///< of the surfaces since begin() or distrust(), the newest last
   std::future<SurfaceEvidence> pending;
 };

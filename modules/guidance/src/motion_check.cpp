@@ -82,13 +82,17 @@ void MotionCheck::look_at_motion(const StereoRig& rig) {
   for (const auto& [group, ids] : groups) {
     if (ids.size() < kLeastInGroup) continue;
     ++known;
-    for (int axis = 0; axis < 4; ++axis) {
-      Paths paths(static_cast<Eigen::Index>(ids.size()), static_cast<Eigen::Index>(kFrames));
-      for (Eigen::Index i = 0; i < paths.rows(); ++i)
-        for (Eigen::Index k = 0; k < paths.cols(); ++k)
-          paths(i, k) = frames_[static_cast<std::size_t>(k)].at(ids[static_cast<std::size_t>(i)])[axis];
-      sum[axis / 2] += 0.5 * common_motion(paths);
-    }
+    std::array<Paths, 4> paths;  // left x and y, right x and y
+    paths.fill(Paths(static_cast<Eigen::Index>(ids.size()), static_cast<Eigen::Index>(kFrames)));
+    for (std::size_t k = 0; k < kFrames; ++k)
+      for (std::size_t i = 0; i < ids.size(); ++i) {
+        const Eigen::Vector4d& pixels = frames_[k].at(ids[i]);
+        for (std::size_t axis = 0; axis < 4; ++axis)
+          paths[axis](static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) =
+              pixels[static_cast<Eigen::Index>(axis)];
+      }
+    sum[0] += 0.5 * (common_motion(paths[0]) + common_motion(paths[1]));
+    sum[1] += 0.5 * (common_motion(paths[2]) + common_motion(paths[3]));
   }
   if (known > 0) motion_ = {sum[0] / known, sum[1] / known};
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "point_memory.h"
 
+#include <Eigen/LU>
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
@@ -36,8 +37,7 @@ Eigen::Matrix2d PointMemory::pixels_of(const Anchor& anchor, bool left,
     ClosestPoint at = anchor.at;
     at.barycentric += Eigen::Vector3d(-u - v, u, v);
     const Eigen::Vector3d p = surface.place(at);
-    return left ? rig_.left.project(p)
-                : rig_.right.project(rig_.right_from_left.rotation * p + rig_.right_from_left.translation);
+    return left ? rig_.left.project(p) : rig_.right.project(in_right(p));
   };
   Eigen::Matrix2d columns;
   columns.col(0) = pixel(kStep, 0.0) - pixel(-kStep, 0.0);
@@ -51,8 +51,8 @@ void PointMemory::add_look(Place& place, const FollowedPoint& point, const Stere
   const auto right = patch_at(pictures.grey(false), point.right);
   if (!left || !right) return;
   if (place.looks.size() == kLooks) place.looks.erase(place.looks.begin() + 1);
-  place.looks.push_back(
-      {*left, *right, pixels_of(place.anchor, true, surface), pixels_of(place.anchor, false, surface)});
+  place.looks.push_back({{*left, pixels_of(place.anchor, true, surface).inverse()},
+                         {*right, pixels_of(place.anchor, false, surface).inverse()}});
 }
 
 void PointMemory::remember(const FollowedPoint& point, const Anchor& anchor, const StereoFollower& pictures,
@@ -77,21 +77,24 @@ std::optional<PointMemory::Seen> PointMemory::find(const Place& place, const Eig
                                                    const Eigen::Vector2d& right, double most,
                                                    const StereoFollower& pictures,
                                                    const registration::MovingSurface& surface) const {
-  const Eigen::Matrix2d left_now = pixels_of(place.anchor, true, surface),
-                        right_now = pixels_of(place.anchor, false, surface);
+  const Eigen::Matrix2d left_now = pixels_of(place.anchor, true, surface);
   const Look* best = nullptr;
   double stretch = std::log(kMostStretch);
   for (const Look& look : place.looks) {
-    const double s = stretch_of(left_now * look.left_pixels.inverse());
+    const double s = stretch_of(left_now * look.left.surface_from_pixels);
     if (s < stretch) stretch = s, best = &look;
   }
   if (best == nullptr) return std::nullopt;
-  const auto in_left =
-      find_patch(pictures.grey(true), best->left, left_now * best->left_pixels.inverse(), left, most);
-  if (!in_left || in_left->likeness < kAlike) return std::nullopt;
-  const auto in_right =
-      find_patch(pictures.grey(false), best->right, right_now * best->right_pixels.inverse(), right, most);
-  if (!in_right || in_right->likeness < kAlike) return std::nullopt;
+  const auto found = [&](bool is_left, const View& view, const Eigen::Vector2d& guess) {
+    const Eigen::Matrix2d now = is_left ? left_now : pixels_of(place.anchor, false, surface);
+    auto patch = find_patch(pictures.grey(is_left), view.patch, now * view.surface_from_pixels, guess, most);
+    if (patch && patch->likeness < kAlike) patch.reset();
+    return patch;
+  };
+  const auto in_left = found(true, best->left, left);
+  if (!in_left) return std::nullopt;
+  const auto in_right = found(false, best->right, right);
+  if (!in_right) return std::nullopt;
   return Seen{*in_left, *in_right, stretch};
 }
 
@@ -134,20 +137,17 @@ int PointMemory::recall(StereoFollower& follower, AnchoredPoints& anchors,
   for (auto& [id, place] : places_) {
     if (added == wanted || tried == 3 * wanted) break;
     if (std::binary_search(ids.begin(), ids.end(), id)) continue;
-    if (place.tried > 0 && frame - place.tried < kTryAgain) continue;
-    const Eigen::Vector3d normal = surface.normal(place.anchor.at);
-    const Eigen::Vector3d p = surface.place(place.anchor.at) + place.anchor.height * normal;
-    if (p.z() <= 0.0 || normal.dot(p) > 0.0) continue;
-    const Eigen::Vector3d in_right = rig_.right_from_left.rotation * p + rig_.right_from_left.translation;
-    if (in_right.z() <= 0.0) continue;
-    const Eigen::Vector2d left = rig_.left.project(p), right = rig_.right.project(in_right);
+    if (frame < place.try_from) continue;
+    const Eigen::Vector3d p = place.anchor.place(surface), q = in_right(p);
+    if (p.z() <= 0.0 || q.z() <= 0.0 || surface.normal(place.anchor.at).dot(p) > 0.0) continue;
+    const Eigen::Vector2d left = rig_.left.project(p), right = rig_.right.project(q);
     if (!rig_.left.sees(left) || !rig_.right.sees(right)) continue;
     const bool is_near = std::any_of(taken.begin(), taken.end(), [&](const Eigen::Vector2d& other) {
       return (other - left).norm() < spacing;
     });
     if (is_near) continue;
     ++tried;
-    place.tried = frame;
+    place.try_from = frame + kTryAgain;
     const auto seen = find(place, left, right, kMostRecalled, follower, surface);
     if (!seen || !follower.add(id, seen->left.at, seen->right.at)) {
       if (++place.misses >= kMisses) gone.push_back(id);

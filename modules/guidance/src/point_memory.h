@@ -35,18 +35,20 @@ class PointMemory {
   std::size_t size() const { return places_.size(); }
 
  private:
-  /// How a place looked once.
+  /// How a place looked once in one view.
+  struct View {
+    Patch patch;
+    Eigen::Matrix2d surface_from_pixels;  ///< the surface's own coordinates there (barycentric), then
+  };
   struct Look {
-    Patch left, right;
-    /// Pixels from the surface's own coordinates there (barycentric), then.
-    Eigen::Matrix2d left_pixels, right_pixels;
+    View left, right;
   };
   struct Place {
     Anchor anchor;
     std::vector<Look> looks;
     int born = 0;       ///< frame
     int confirmed = 0;  ///< frame in which it was found last
-    int tried = 0;      ///< frame in which recall() looked for it last
+    int try_from = 0;   ///< frame from which recall() looks for it again
     int misses = 0;     ///< times in a row that it did so in vain
   };
   struct Seen {
@@ -59,6 +61,10 @@ class PointMemory {
                            const registration::MovingSurface& surface) const;
   void add_look(Place& place, const FollowedPoint& point, const StereoFollower& pictures,
                 const registration::MovingSurface& surface) const;
+  Eigen::Vector3d in_right(const Eigen::Vector3d& p_in_camera) const {
+    return rig_.right_from_left.rotation * p_in_camera + rig_.right_from_left.translation;
+  }
+  /// Pixels from the surface's own coordinates, as it is now.
   Eigen::Matrix2d pixels_of(const Anchor& anchor, bool left,
                             const registration::MovingSurface& surface) const;
   void make_room();

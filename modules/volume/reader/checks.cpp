@@ -7,6 +7,7 @@
 
 #include "glisson/core/confinement.h"
 #include "glisson/core/error.h"
+#include "glisson/volume/limits.h"
 #include "raw_volume.h"
 
 namespace glisson::reader {
@@ -15,7 +16,6 @@ namespace {
 constexpr double kSmallestSpacing = 0.02,
                  kLargestSpacing = 50.0;   // mm: microscopes and metres are neither CT
 constexpr double kLargestExtent = 4000.0;  // mm
-constexpr long kMostValues = 600000000L;   // 512 x 512 x 2000 of a whole body are 5e8
 
 std::string text(const Eigen::Vector3d& v) {
   std::ostringstream stream;
@@ -24,6 +24,11 @@ std::string text(const Eigen::Vector3d& v) {
 }
 
 }  // namespace
+
+void refuse(const Request& request, const std::string& field, const std::string& problem,
+            const std::string& remedy) {
+  throw InputError(request.name, field, problem, remedy);
+}
 
 void raise_limits(double file_bytes, double values) {
   const double machine =
@@ -34,7 +39,7 @@ void raise_limits(double file_bytes, double values) {
 
 void check_value_count(const Request& request, const Eigen::Vector3i& size, int components) {
   const double values = static_cast<double>(size.x()) * size.y() * size.z() * components;
-  if ((size.array() < 1).any() || components < 1 || values > static_cast<double>(kMostValues))
+  if ((size.array() < 1).any() || components < 1 || values > kMostVolumeValues)
     throw InputError(
         request.name, "size",
         "claims " + text(size.cast<double>()) + " voxels of " + std::to_string(components) + " value(s)",

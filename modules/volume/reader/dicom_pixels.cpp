@@ -3,6 +3,8 @@
 
 #include <gdcmByteValue.h>
 
+#include <cstring>
+
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 
@@ -10,11 +12,6 @@ namespace glisson::reader {
 namespace {
 
 namespace fs = std::filesystem;
-
-[[noreturn]] void refuse(const Request& request, const std::string& field, const std::string& problem,
-                         const std::string& remedy) {
-  throw InputError(request.name, field, problem, remedy);
-}
 
 /// Such pixels are a list of fragments in explicit little endian, closed by a mark of its own.
 bool fragments_are_closed(const std::string& bytes) {
@@ -44,6 +41,16 @@ bool value_is_there(const std::string& bytes, std::uint32_t length) {
     }
   }
   return true;
+}
+
+template <class T>
+void append_rescaled(const std::vector<char>& bytes, const gdcm::Image& image, std::vector<float>& voxels) {
+  for (std::size_t at = 0; at < bytes.size(); at += sizeof(T)) {
+    T stored{};
+    std::memcpy(&stored, bytes.data() + at, sizeof(T));
+    voxels.push_back(
+        static_cast<float>(image.GetSlope() * static_cast<double>(stored) + image.GetIntercept()));
+  }
 }
 
 }  // namespace
@@ -86,6 +93,46 @@ void check_pixel_bytes(const Request& request, const fs::path& path, const gdcm:
   if (announced > bytes + 1)  // lengths are even
     refuse(request, file + ", Rows, Columns (0028|0010, 0028|0011)", "say fewer pixels than the slice holds",
            "Export the series again");
+}
+
+void append_slice(const Request& request, const fs::path& path, const Eigen::Vector2i& size,
+                  std::vector<float>& voxels) {
+  const auto refuse_pixels = [&] {
+    refuse(request, path.filename().string(), "has pixels that cannot be decoded",
+           "Export the series again, uncompressed");
+  };
+  gdcm::ImageReader reader;
+  reader.SetFileName(path.c_str());
+  if (!reader.Read()) refuse_pixels();
+  if (reader.GetFile().GetDataSet().FindDataElement(gdcm::Tag(0x0028, 0x3000)))
+    refuse(request, path.filename().string(),
+           "gives its intensities by a table (Modality LUT), which is not read",
+           "Export the series with RescaleSlope and RescaleIntercept");
+  const gdcm::Image& image = reader.GetImage();
+  const gdcm::PixelFormat& format = image.GetPixelFormat();
+  const auto pixels = static_cast<std::size_t>(size.x()) * static_cast<std::size_t>(size.y());
+  std::vector<char> bytes(image.GetBufferLength());
+  check_pixel_bytes(request, path, image, bytes.size());
+  if (format.GetSamplesPerPixel() != 1 || bytes.size() != pixels * format.GetPixelSize() ||
+      !image.GetBuffer(bytes.data()))
+    refuse_pixels();
+  switch (format.GetScalarType()) {
+    case gdcm::PixelFormat::UINT8:
+      return append_rescaled<std::uint8_t>(bytes, image, voxels);
+    case gdcm::PixelFormat::INT8:
+      return append_rescaled<std::int8_t>(bytes, image, voxels);
+    case gdcm::PixelFormat::UINT16:
+      return append_rescaled<std::uint16_t>(bytes, image, voxels);
+    case gdcm::PixelFormat::INT16:
+      return append_rescaled<std::int16_t>(bytes, image, voxels);
+    case gdcm::PixelFormat::UINT32:
+      return append_rescaled<std::uint32_t>(bytes, image, voxels);
+    case gdcm::PixelFormat::INT32:
+      return append_rescaled<std::int32_t>(bytes, image, voxels);
+    default:
+      refuse(request, path.filename().string(), "has pixels in a number format that is not known",
+             "Export the series again as 16-bit integers");
+  }
 }
 
 }  // namespace glisson::reader

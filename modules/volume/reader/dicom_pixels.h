@@ -34,4 +34,11 @@ void check_same_rule(const Request& request, const std::string& modality, const 
 void check_pixel_bytes(const Request& request, const std::filesystem::path& path, const gdcm::Image& image,
                        std::size_t bytes);
 
+/// Appends a slice's intensities, row by row. By GDCM and not by ITK, which turns the numbers of MONOCHROME1
+/// round: that says how to draw them only.
+/// @param size pixels along a row, and rows. @throws InputError pixels that are cut, cannot be decoded, are
+/// in a format that is not known or not of that size.
+void append_slice(const Request& request, const std::filesystem::path& path, const Eigen::Vector2i& size,
+                  std::vector<float>& voxels);
+
 }  // namespace glisson::reader

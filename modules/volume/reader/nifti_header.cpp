@@ -75,9 +75,8 @@ Affine sform(const Header& header) {
   return affine;
 }
 
-[[noreturn]] void refuse(const Request& request, const std::string& field, const std::string& problem,
-                         const std::string& remedy = "Correct the header, or export the volume again") {
-  throw InputError(request.name, field, problem, remedy);
+[[noreturn]] void refuse(const Request& request, const std::string& field, const std::string& problem) {
+  refuse(request, field, problem, "Correct the header, or export the volume again");
 }
 
 /// nifti1.h: bytes of a number by its code.

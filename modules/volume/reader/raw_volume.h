@@ -48,6 +48,10 @@ bool is_dicom(const std::filesystem::path& path);
 RawVolume read_itk_file(const Request& request);
 RawVolume read_vti_file(const Request& request);
 
+/// @throws InputError of what is being read.
+[[noreturn]] void refuse(const Request& request, const std::string& field, const std::string& problem,
+                         const std::string& remedy);
+
 /// Allows for what a file and its volume need: memory 16 bytes for each byte and each value, and a second of
 /// processor time for each megabyte and two million values, beyond 1 GB and 20 s. A malformed length makes a
 /// parser ask for gigabytes or loop, which a small computer pays for with its other programs.

@@ -10,6 +10,7 @@
 #include "glisson/core/files.h"
 #include "glisson/core/json_file.h"
 #include "glisson/volume/io.h"
+#include "glisson/volume/limits.h"
 #include "glisson/volume/reader_program.h"
 #include "glisson/volume/series.h"
 #include "slicer_segments.h"
@@ -61,7 +62,7 @@ nlohmann::json told_in(const fs::path& folder, const char* name) {
 /// What the reader itself refuses, see reader/checks.cpp: nothing is allocated for it here, either.
 void check(const VolumeGrid& grid, int components) {
   const double values = grid.size.cast<double>().prod() * components;
-  const bool is_one = (grid.size.array() >= 1).all() && components >= 1 && values <= 6e8 &&
+  const bool is_one = (grid.size.array() >= 1).all() && components >= 1 && values <= kMostVolumeValues &&
                       grid.spacing_mm.allFinite() && (grid.spacing_mm.array() > 0.0).all() &&
                       grid.origin_mm.allFinite() && grid.direction.allFinite();
   if (!is_one) throw_fault();
