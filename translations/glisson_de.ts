@@ -5609,6 +5609,10 @@
         <source>Running</source>
         <translation>Läuft</translation>
     </message>
+    <message>
+        <source>Refused</source>
+        <translation>Abgelehnt</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::PlacingModel</name>
@@ -6439,6 +6443,10 @@
     <message>
         <source>running…</source>
         <translation>läuft…</translation>
+    </message>
+    <message>
+        <source>✕ refused</source>
+        <translation>✕ abgelehnt</translation>
     </message>
 </context>
 <context>

@@ -5609,6 +5609,10 @@
         <source>Running</source>
         <translation>En cours</translation>
     </message>
+    <message>
+        <source>Refused</source>
+        <translation>Refusé</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::PlacingModel</name>
@@ -6439,6 +6443,10 @@
     <message>
         <source>running…</source>
         <translation>en cours…</translation>
+    </message>
+    <message>
+        <source>✕ refused</source>
+        <translation>✕ refusé</translation>
     </message>
 </context>
 <context>

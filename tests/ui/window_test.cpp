@@ -43,6 +43,7 @@ class WindowTest : public QObject, private OperatedWindow {
   void UnsavedChangesAreNotLostUnasked();
   void CancelLeavesTheCaseAsItWas();
   void EditMakesLaterStepsStale();
+  void RefusedRegistrationDoesNotLookDone();
   void LiveViewPlaysShowsAgeAndRecords();
   void WholePathByMouse();
 };
@@ -170,6 +171,16 @@ void WindowTest::EditMakesLaterStepsStale() {
   QCOMPARE(window_->panel(MainWindow::guidance).step_state(), ui::StepState::stale);
   QCOMPARE(window_->panel(MainWindow::stereo).step_state(), ui::StepState::done);
   QVERIFY(!task("start_tracking")->button()->isEnabled());
+}
+
+void WindowTest::RefusedRegistrationDoesNotLookDone() {
+  operation_->doubts = {"refused", "cloud_noisy 6.3 6"};
+  reach_registration();
+  QCOMPARE(window_->panel(MainWindow::guidance).step_state(), ui::StepState::refused);
+  window_->show_step(MainWindow::guidance);
+  press("accept_registration");
+  QVERIFY(settle());
+  QCOMPARE(window_->panel(MainWindow::guidance).step_state(), ui::StepState::done);
 }
 
 void WindowTest::LiveViewPlaysShowsAgeAndRecords() {

@@ -41,12 +41,15 @@ std::optional<Obstacle> obstacle(const CaseState& state, const std::vector<Part>
     if (!state.has(part)) return Obstacle{Obstacle::Kind::missing, part, missing_input(state, part)};
   for (const Part part : all_parts())
     if (current.has(part) && is_stale(state, part)) return origin(state, part);
-  for (const Part part : all_parts()) {
-    const auto& is_refused = part.type().spec().is_refused;
-    if (accepted.has(part) && state.has(part) && is_refused && is_refused(state))
+  for (const Part part : all_parts())
+    if (accepted.has(part) && is_refused(state, part))
       return Obstacle{Obstacle::Kind::refused, part, std::nullopt};
-  }
   return std::nullopt;
+}
+
+bool is_refused(const CaseState& state, Part part) {
+  const auto& of_type = part.type().spec().is_refused;
+  return of_type && state.has(part) && of_type(state);
 }
 
 std::optional<Obstacle> obstacle(const CaseState& state, const Command& command) {

@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "glisson/engine/obstacle.h"
 #include "glisson/ui/common/texts.h"
 #include "glisson/ui/scene/colours.h"
 
@@ -107,12 +108,15 @@ void Panel::update_step_state() {
   const bool running = std::any_of(engine_.tasks().begin(), engine_.tasks().end(), [&](const Task& task) {
     return task.traits.writes.has(*part_) && task.traits.notice != engine::Notice::quiet;
   });
-  const StepState now = running                               ? StepState::running
-                        : stage == engine::StageState::absent ? StepState::waiting
-                        : stage == engine::StageState::stale  ? StepState::stale
-                                                              : StepState::done;
-  static constexpr std::array<const char*, 4> kNames = {"waiting", "done", "stale", "running"};
-  chip_->setText(running ? tr("Running") : stage_state_text(stage));
+  const StepState now = running                                       ? StepState::running
+                        : stage == engine::StageState::absent         ? StepState::waiting
+                        : stage == engine::StageState::stale          ? StepState::stale
+                        : engine::is_refused(engine_.state(), *part_) ? StepState::refused
+                                                                      : StepState::done;
+  static constexpr std::array<const char*, 5> kNames = {"waiting", "done", "stale", "refused", "running"};
+  chip_->setText(now == StepState::running   ? tr("Running")
+                 : now == StepState::refused ? tr("Refused")
+                                             : stage_state_text(stage));
   set_style_property(chip_, "state", QString::fromLatin1(kNames[static_cast<std::size_t>(now)]));
   if (now == step_state_) return;
   step_state_ = now;

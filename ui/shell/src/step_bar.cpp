@@ -72,6 +72,10 @@ void StepBar::set_state(int step, StepState state) {
       label->setText(tr("! out of date"));
       set_style_property(label, "state", "stale");
       break;
+    case StepState::refused:
+      label->setText(tr("✕ refused"));
+      set_style_property(label, "state", "refused");
+      break;
     case StepState::running:
       label->setText(tr("running…"));
       set_style_property(label, "state", "running");

@@ -36,6 +36,9 @@ std::optional<Obstacle> obstacle(const CaseState& state, const std::vector<Part>
 std::optional<Obstacle> obstacle(const CaseState& state, const Command& command);
 std::optional<Obstacle> obstacle(const Snapshot& snapshot, const Command& command);
 
+/// Whether a part contradicts what is known and nobody has accepted it.
+bool is_refused(const CaseState& state, Part part);
+
 /// The same as an error: "case: labels: there is none yet. Segment the CT or import labels first."
 InputError error_of(const Obstacle& obstacle);
 /// For what is done with a case's parts outside commands. @throws InputError error_of() the first that is

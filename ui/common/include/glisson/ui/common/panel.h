@@ -14,7 +14,7 @@ class QVBoxLayout;
 namespace glisson::ui {
 
 /// How a step of the work stands, for the step bar and the panel's head.
-enum class StepState { waiting, done, stale, running };
+enum class StepState { waiting, done, stale, refused, running };
 
 /// One module of the window: controls on the right, and optionally a view of its own in the middle (otherwise
 /// the linked slices stay).
