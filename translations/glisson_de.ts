@@ -1699,6 +1699,10 @@
         <source>is named as DICOM, but is none</source>
         <translation>heißt wie DICOM, ist aber keines</translation>
     </message>
+    <message>
+        <source>is %1, not between %2 and %3</source>
+        <translation>ist %1, nicht zwischen %2 und %3</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -2267,6 +2271,10 @@
     <message>
         <source>On %1 % of the way the image shows no radius: it was taken from the rest. Check it there.</source>
         <translation>Auf %1 % des Weges zeigt das Bild keinen Radius: Er wurde vom Rest übernommen. Prüfen Sie es dort.</translation>
+    </message>
+    <message>
+        <source>A file of the case was changed outside of Glisson since it was saved: %*. Check what it holds.</source>
+        <translation>Eine Datei des Falls wurde seit dem Sichern außerhalb von Glisson geändert: %*. Prüfen Sie, was sie enthält.</translation>
     </message>
 </context>
 <context>

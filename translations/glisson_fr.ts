@@ -1699,6 +1699,10 @@
         <source>is named as DICOM, but is none</source>
         <translation>porte un nom de fichier DICOM, mais n’en est pas un</translation>
     </message>
+    <message>
+        <source>is %1, not between %2 and %3</source>
+        <translation>est %1, pas entre %2 et %3</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -2267,6 +2271,10 @@
     <message>
         <source>On %1 % of the way the image shows no radius: it was taken from the rest. Check it there.</source>
         <translation>Sur %1 % du chemin, l&apos;image ne montre pas de rayon : il a été repris du reste. Vérifiez-le à cet endroit.</translation>
+    </message>
+    <message>
+        <source>A file of the case was changed outside of Glisson since it was saved: %*. Check what it holds.</source>
+        <translation>Un fichier du cas a été modifié hors de Glisson depuis l’enregistrement : %*. Vérifiez ce qu’il contient.</translation>
     </message>
 </context>
 <context>

@@ -62,6 +62,8 @@ class CaseForeignTest : public QObject {
   void ForeignFilesStay();
   void ForeignFilesOfAnOlderEditionStay();
   void WhatOthersChangedIsKeptBeside();
+  void WhatOthersChangedIsToldAtOpening();
+  void NumbersOfACaseStayInTheirRange();
   void WhatTheCaseNoLongerHasGoes();
   void AForeignFileOfOneOfItsNamesIsNotReadAsItsOwn();
   void ALinkToACaseStaysOne();
@@ -122,6 +124,29 @@ void CaseForeignTest::WhatOthersChangedIsKeptBeside() {
   QCOMPARE(seed_on_disk(path()), 0.2);
   QVERIFY(save(state_with(0.3)).empty());
   QCOMPARE(read_file(path() / "seeds.json.kept-1"), edited);
+}
+
+void CaseForeignTest::WhatOthersChangedIsToldAtOpening() {
+  const auto told = [this] {
+    std::vector<std::string> notes;
+    (void)open_case(path(), RunContext(), &notes);
+    return notes;
+  };
+  QVERIFY(told().empty());
+  write_file_atomically(path() / "letter.txt", "Dear colleague");  // no file of the case
+  QVERIFY(told().empty());
+  write_file_atomically(path() / "seeds.json", read_file(path() / "seeds.json") + "\n");
+  QCOMPARE(told(), std::vector<std::string>{"case.changed_outside seeds.json"});
+}
+
+void CaseForeignTest::NumbersOfACaseStayInTheirRange() {
+  const std::string good = read_file(path() / "case.json");
+  for (const char* value : {"-5", "1e300", "0.5", "99999999999999999999", "\"1\""}) {
+    nlohmann::json document = nlohmann::json::parse(good);
+    document["parts"]["seeds"]["revision"] = nlohmann::json::parse(value);
+    write_json(path() / "case.json", document);
+    QCOMPARE(test::refused_field([&] { (void)open_case(path(), RunContext()); }), std::string("revision"));
+  }
 }
 
 void CaseForeignTest::WhatTheCaseNoLongerHasGoes() {

@@ -8,11 +8,13 @@
 #include <QtTest>
 
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "complaint.h"
 #include "full_disk.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
+#include "glisson/core/json_file.h"
 #include "glisson/engine/parts/check.h"
 #include "glisson/engine/parts/cloud.h"
 #include "glisson/engine/parts/image.h"
@@ -117,6 +119,8 @@ class CaseIoTest : public QObject {
   void WhereARegistrationMayBeWrongTravelsWithItsFile();
   void WhatIsNoErrorAndNoProbabilityIsRefused();
   void WhatIsNoCovarianceIsRefused();
+  void NumbersBeyondTheirRangeAreRefused_data();
+  void NumbersBeyondTheirRangeAreRefused();
 };
 
 void CaseIoTest::ACaseComesBackAsItWas() {
@@ -395,6 +399,39 @@ void CaseIoTest::WhatIsNoErrorAndNoProbabilityIsRefused() {
           std::string::npos);
   QVERIFY(error_with([](Registration& r) { r.rivals[0].probability = 1.5; }).find("rival_1_probability") !=
           std::string::npos);
+}
+
+void CaseIoTest::NumbersBeyondTheirRangeAreRefused_data() {
+  QTest::addColumn<QByteArray>("place");
+  QTest::addColumn<QByteArray>("value");
+  QTest::addColumn<QByteArray>("field");
+  QTest::newRow("structure") << QByteArray("/parts/model/surfaces/0/structure") << QByteArray("99999999999")
+                             << QByteArray("structure");
+  QTest::newRow("modality") << QByteArray("/parts/image/modality") << QByteArray("99999999999")
+                            << QByteArray("modality");
+  QTest::newRow("seconds") << QByteArray("/parts/frame/seconds") << QByteArray("1e300")
+                           << QByteArray("seconds");
+  QTest::newRow("index") << QByteArray("/parts/frame/index") << QByteArray("-7") << QByteArray("index");
+  QTest::newRow("revision") << QByteArray("/parts/labels/revision") << QByteArray("-5")
+                            << QByteArray("revision");
+}
+
+void CaseIoTest::NumbersBeyondTheirRangeAreRefused() {
+  QFETCH(QByteArray, place);
+  QFETCH(QByteArray, value);
+  QFETCH(QByteArray, field);
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / "a.glisson";
+  save_case(path, small_case(), RunContext());
+  nlohmann::json document = read_json(path / "case.json");
+  nlohmann::json& parts = document["parts"];
+  parts["frame"] = {{"index", 0}, {"seconds", 0.0}};
+  parts["model"]["surfaces"].push_back({{"file", "model/surface_0.vtp"}, {"structure", 1}, {"name", "a"}});
+  const nlohmann::json::json_pointer pointer(place.toStdString());
+  QVERIFY(document.contains(pointer));
+  document[pointer] = nlohmann::json::parse(value.toStdString());
+  write_json(path / "case.json", document);
+  QCOMPARE(test::refused_field([&] { (void)open_case(path, RunContext()); }), field.toStdString());
 }
 
 void CaseIoTest::WhatIsNoCovarianceIsRefused() {

@@ -303,9 +303,10 @@ void CaseStereoTest::ALostCloudLeavesTheRestAndASaveKeepsIt() {
   const auto opened = engine();
   const Outcome outcome = opened->wait(opened->post(OpenCase{path}));
   QVERIFY2(outcome.status == Status::done, outcome.error.c_str());
-  QCOMPARE(outcome.notes.size(), std::size_t{1});
+  QCOMPARE(outcome.notes.size(), std::size_t{2});
   QVERIFY(outcome.notes[0].starts_with("case.cloud_lost ") &&
           outcome.notes[0].find("cloud.ply") != std::string::npos);
+  QCOMPARE(outcome.notes[1], std::string("case.changed_outside cloud.ply"));
   const CaseState state = opened->snapshot()->state;
   QVERIFY(!state[part::cloud] && !state[part::points] && state[part::frame] && state[part::rig] &&
           state[part::regions]);

@@ -96,6 +96,31 @@ class OverlayRecordTest : public QObject {
     QCOMPARE(third["level"].toString(), QString("withdrawn"));
   }
 
+  void NegativeLengthsAreRefused_data() {
+    QTest::addColumn<QByteArray>("field");
+    for (const char* field : {"expected_error", "reach_95", "radius", "nearest_points", "unseen_seconds"})
+      QTest::newRow(field) << QByteArray(field);
+  }
+  void NegativeLengthsAreRefused() {
+    QFETCH(QByteArray, field);
+    const TemporaryFolder folder;
+    QJsonObject object = object_of(line());
+    QJsonArray lesions = object["lesions"].toArray();
+    QJsonObject second = lesions[1].toObject();
+    QVERIFY(second.contains(field));
+    second[field] = -second[field].toDouble();
+    lesions[1] = second;
+    object["lesions"] = lesions;
+    const QByteArray text = QJsonDocument(object).toJson(QJsonDocument::Compact);
+    write_file_atomically(folder.path() / "frames.jsonl", text.toStdString() + "\n");
+    try {
+      (void)read_overlay_record(folder.path() / "frames.jsonl");
+      QFAIL("was read");
+    } catch (const InputError& error) {
+      QVERIFY2(QByteArray(error.what()).contains(field + " is negative"), error.what());
+    }
+  }
+
   void ALineComesBackAsItWas() {
     const TemporaryFolder folder;
     const OverlayLine written = line();

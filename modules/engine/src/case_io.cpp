@@ -22,6 +22,7 @@
 #include "glisson/engine/parts/image.h"
 #include "glisson/engine/saved_image.h"
 #include "image_entry.h"
+#include "ranged.h"
 
 namespace glisson::engine {
 namespace fs = std::filesystem;
@@ -42,12 +43,15 @@ json written(const Stamp& stamp) {
   return made_from;
 }
 
-Stamp read_stamp(const json& entry) {
+Stamp read_stamp(const fs::path& folder, const json& entry) {
+  constexpr double kMost = 9007199254740992.0;  // doubles count so far
   Stamp stamp;
-  stamp.revision = entry.at("revision");
+  stamp.revision = ranged<std::uint64_t>(folder, entry, "revision", 0.0, kMost);
   for (const Part part : all_parts()) {
-    const auto known = entry.at("made_from").find(part.code());
-    if (known != entry.at("made_from").end()) stamp.made_from[part] = *known;
+    const json& inputs = entry.at("made_from");
+    const std::string code(part.code());
+    if (inputs.contains(code))
+      stamp.made_from[part] = ranged<std::uint64_t>(folder, inputs, code.c_str(), 0.0, kMost);
   }
   return stamp;
 }
@@ -240,8 +244,11 @@ Cancellable<CaseState> read_case(const fs::path& given, const fs::path& home, co
       else
         part.type().spec().load(state, *entry, folder);
       if (context.cancelled()) return {};
-      if (state.has(part)) state.stamp(part) = read_stamp(*entry);
+      if (state.has(part)) state.stamp(part) = read_stamp(path, *entry);
     }
+    if (lost != nullptr)
+      for (const std::string& changed : changed_files(path, document))
+        lost->push_back("case.changed_outside " + changed);
     return state;
   } catch (const json::exception& failure) {
     throw InputError(file, "", std::string("is malformed (") + failure.what() + ")",

@@ -17,6 +17,10 @@ std::string sum_of(const std::filesystem::path& path);
 /// Each file below a folder but case.json, with a sum over what it holds, for case.json's "files".
 nlohmann::json list_files(const std::filesystem::path& folder);
 
+/// The listed files that are no longer what was saved, or gone: somebody else changed them. None where an
+/// earlier edition listed nothing. @param document case.json.
+std::vector<std::string> changed_files(const std::filesystem::path& folder, const nlohmann::json& document);
+
 /// What a save would lose: everything in `former` that no save of this case wrote, or that somebody has
 /// changed since. Puts it into `fresh` as well: files by a second name for the same content, so that it costs
 /// no space and nothing is lost when the program is killed. What has a name of the case's is kept as

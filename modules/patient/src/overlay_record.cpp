@@ -61,6 +61,12 @@ double number(const json& object, const char* field) {
   return value;
 }
 
+double length(const json& object, const char* field) {
+  const double value = number(object, field);
+  if (value < 0.0) throw std::invalid_argument(std::string(field) + " is negative");
+  return value;
+}
+
 template <int Rows>
 Eigen::Matrix<double, Rows, Rows> square_of(const json& rows, const char* field) {
   Eigen::Matrix<double, Rows, Rows> matrix;
@@ -87,15 +93,15 @@ LesionVerdict verdict_of(const json& line, double metres) {
   if (centre.size() != 3) throw std::invalid_argument("centre has another size");
   verdict.centre =
       metres * Eigen::Vector3d(centre[0].get<double>(), centre[1].get<double>(), centre[2].get<double>());
-  verdict.radius = metres * number(line, "radius");
+  verdict.radius = metres * length(line, "radius");
   if (line.contains("reach_95")) {
     verdict.covariance = metres * metres * square_of<3>(line.at("covariance"), "covariance");
-    verdict.expected = metres * number(line, "expected_error");
-    verdict.reach = metres * number(line, "reach_95");
+    verdict.expected = metres * length(line, "expected_error");
+    verdict.reach = metres * length(line, "reach_95");
   }
-  verdict.support = line.contains("nearest_points") ? metres * number(line, "nearest_points")
+  verdict.support = line.contains("nearest_points") ? metres * length(line, "nearest_points")
                                                     : std::numeric_limits<double>::infinity();
-  verdict.unseen = number(line, "unseen_seconds");
+  verdict.unseen = length(line, "unseen_seconds");
   return verdict;
 }
 
@@ -117,7 +123,7 @@ OverlayLine line_of(const json& object) {
   const double metres = metres_per(line.unit);
   line.camera_from_model = square_of<4>(object.at("camera_from_model"), "camera_from_model");
   line.camera_from_model->topRightCorner<3, 1>() *= metres;
-  overlay.residual = 1e-3 * number(object, "residual_mm");
+  overlay.residual = 1e-3 * length(object, "residual_mm");
   for (const json& lesion : object.at("lesions")) overlay.lesions.push_back(verdict_of(lesion, metres));
   return line;
 }

@@ -33,7 +33,15 @@ std::optional<OverlayFrame> TrackReplay::at(int frame, double seconds, double fr
   if (line.mesh.empty() || mesh.extension() != ".vtu")
     throw InputError((folder_ / "frames.jsonl").string(), "frame " + std::to_string(frame),
                      "has no mesh of tetrahedra", "Track the case itself: --model CASE");
-  overlay.nodes_in_camera = read_tet_mesh(mesh, line.unit).vertices;
+  const TetFile file = read_tet_file(mesh, line.unit);
+  const std::string shift = "displacement_";  // and the unit in which the mesh was written
+  for (const auto& [name, values] : file.point_data)
+    if (name.starts_with(shift) && name != shift + unit_code(line.unit))
+      throw InputError(
+          (folder_ / "frames.jsonl").string(), "frame " + std::to_string(frame) + ", unit",
+          std::string("is ") + unit_code(line.unit) + ", and the mesh's is " + name.substr(shift.size()),
+          "Give what 'glisson track' wrote");
+  overlay.nodes_in_camera = file.mesh.vertices;
   if (overlay.nodes_in_camera.rows() != nodes_)
     throw InputError(mesh.string(), "nodes",
                      "there are " + std::to_string(overlay.nodes_in_camera.rows()) +

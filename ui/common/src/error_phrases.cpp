@@ -34,6 +34,7 @@ const std::vector<const char*>& known_problems() {
       QT_TRANSLATE_NOOP("ErrorPhrases", "holds more than 5000 folders, which no series has"),
       QT_TRANSLATE_NOOP("ErrorPhrases",
                         "holds more than %1 points or cells, more than the mesh of an organ needs"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "is %1, not between %2 and %3"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is damaged or not of the format that its name claims"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is damaged: the program that reads it broke down"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is an empty folder"),

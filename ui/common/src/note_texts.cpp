@@ -160,6 +160,8 @@ class Notes {
         {"case.kept_changed",
          tr("A file of the case was changed by another program since it was saved. What it held is kept as "
             "%*.")},
+        {"case.changed_outside", tr("A file of the case was changed outside of Glisson since it was saved: "
+                                    "%*. Check what it holds.")},
         {"case.video_lost",
          tr("The case was opened without its video: it names a source outside this computer, which only "
             "you may open. (%*)")},

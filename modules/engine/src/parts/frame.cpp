@@ -7,6 +7,7 @@
 #include "glisson/engine/parts/video.h"
 #include "glisson/stereo/picture_io.h"
 #include "glisson/stereo/picture_reader.h"
+#include "ranged.h"
 
 namespace glisson::engine {
 namespace {
@@ -25,13 +26,13 @@ json save(const CaseState& state, const CaseFolder& folder) {
 
 void load(CaseState& state, const json& entry, const CaseFolder& folder) {
   StereoInput input;
+  input.frame.index = ranged<int>(folder.path, entry, "index", 0.0, 1e9);
+  input.frame.seconds = ranged<double>(folder.path, entry, "seconds", 0.0, 1e6);
   stereo::PictureReader pictures;
   input.frame.left = pictures.read(folder.path / "frame/left.png");
   input.frame.right = pictures.read(folder.path / "frame/right.png");
   const fs::path mask = folder.path / "frame/mask.png";
   if (fs::exists(mask)) input.mask = pictures.read(mask);
-  input.frame.index = entry.at("index");
-  input.frame.seconds = entry.at("seconds");
   state[part::frame] = std::make_shared<const StereoInput>(std::move(input));
 }
 

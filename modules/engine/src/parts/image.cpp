@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "../image_entry.h"
+#include "../ranged.h"
 #include "glisson/volume/io.h"
 
 namespace glisson::engine {
@@ -23,7 +24,7 @@ json save(const CaseState& state, const CaseFolder& folder) {
 void load(CaseState& state, const json& entry, const CaseFolder& folder) {
   auto image = read_image(folder.path / kImageFile, folder.context);
   if (!image) return;
-  image->modality = static_cast<Modality>(entry.at("modality").get<int>());
+  image->modality = static_cast<Modality>(ranged<int>(folder.path, entry, "modality", 0.0, 2.0));
   image->description = entry.at("description");
   state[part::image] = std::make_shared<const Image>(std::move(*image));
 }

@@ -11,6 +11,7 @@
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/geometry/mesh_io.h"
 #include "glisson/model/tree_edits.h"
+#include "ranged.h"
 
 namespace glisson::engine {
 namespace {
@@ -64,7 +65,7 @@ model::BuiltModel read_model(const fs::path& folder, const json& entry) {
     built.model.landmarks = read_landmarks(folder / "model/landmarks.json");
   for (const json& surface : entry.at("surfaces"))
     built.model.surfaces.push_back(
-        {surface.at("structure").get<Label>(), surface.at("name").get<std::string>(),
+        {ranged<Label>(folder, surface, "structure", 0.0, 65535.0), surface.at("name").get<std::string>(),
          read_triangle_mesh(file_of_case(folder, "surfaces", surface.at("file").get<std::string>()), kUnit)});
   built.report.notes = entry.at("notes").get<std::vector<std::string>>();
   model::MeshQuality& q = built.report.quality;
