@@ -4418,6 +4418,14 @@
         <source>Only tell which DICOM series there are, the likeliest first.</source>
         <translation>Nur sagen, welche DICOM-Serien es gibt, die wahrscheinlichste zuerst.</translation>
     </message>
+    <message>
+        <source>real CT, lesions above 1 ml, a line drawn across: Dice, median</source>
+        <translation>echtes CT, Läsionen über 1 ml, ein Strich quer durch: Dice, Median</translation>
+    </message>
+    <message>
+        <source>in silico, lesions above 1 ml, a line drawn across: Dice, median</source>
+        <translation>in silico, Läsionen über 1 ml, ein Strich quer durch: Dice, Median</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AngleHistogram</name>

@@ -4418,6 +4418,14 @@
         <source>Only tell which DICOM series there are, the likeliest first.</source>
         <translation>Dire seulement quelles séries DICOM il y a, la plus probable d&apos;abord.</translation>
     </message>
+    <message>
+        <source>real CT, lesions above 1 ml, a line drawn across: Dice, median</source>
+        <translation>CT réel, lésions de plus de 1 ml, un trait en travers : Dice, médiane</translation>
+    </message>
+    <message>
+        <source>in silico, lesions above 1 ml, a line drawn across: Dice, median</source>
+        <translation>in silico, lésions de plus de 1 ml, un trait en travers : Dice, médiane</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AngleHistogram</name>

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "glisson/insilico/layperson.h"
+#include "glisson/segmentation/lesion_size.h"
 
 using namespace glisson;
 using namespace glisson::insilico;
@@ -121,6 +122,13 @@ void PathologyTest::LaypersonClicksWhereTheEyeSees() {
   QCOMPARE(patient.truth.voxels.at(voxel(grid, seeds.lesions[0], 0)), structure::kFirstLesion);
   options.seed = 6;
   QVERIFY(!click_as_layperson(patient.ct, patient.truth, options).liver.isApprox(seeds.liver));
+  // Drawn across: in the lesion, as wide as it is in a slice, but for the hand's slips.
+  options.draws_lesions = true;
+  const auto drawn = click_as_layperson(patient.ct, patient.truth, options);
+  QCOMPARE(patient.truth.voxels.at(voxel(grid, drawn.lesions.at(0), 0)), structure::kFirstLesion);
+  const double longest = segmentation::longest_diameter(patient.truth.voxels, structure::kFirstLesion).mm;
+  QVERIFY(drawn.lesion_diameter_mm(0) > 0.5 * longest && drawn.lesion_diameter_mm(0) < 1.3 * longest);
+  QCOMPARE(seeds.lesion_diameter_mm(0), 0.0);
 }
 
 QTEST_APPLESS_MAIN(PathologyTest)

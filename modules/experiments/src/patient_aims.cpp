@@ -71,6 +71,12 @@ const std::vector<Aim>& patient_aims() {
       {"trial_synthetic_dice_lesion_median",
        QT_TRANSLATE_NOOP("cli", "in silico, lesions above 1 ml, one click: Dice, median"), in_silico,
        at_least, 0.8, 3},
+      {"trial_real_dice_drawn_lesion_median",
+       QT_TRANSLATE_NOOP("cli", "real CT, lesions above 1 ml, a line drawn across: Dice, median"), real,
+       at_least, 0.8, 3},
+      {"trial_synthetic_dice_drawn_lesion_median",
+       QT_TRANSLATE_NOOP("cli", "in silico, lesions above 1 ml, a line drawn across: Dice, median"),
+       in_silico, at_least, 0.8, 3},
   };
   return kAims;
 }

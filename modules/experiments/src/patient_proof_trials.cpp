@@ -51,11 +51,15 @@ Bytes is(const LabelMap& labels, Label wanted) {
   return labels.voxels.mask([&](Label label) { return label == wanted; });
 }
 
-/// The truth's lesion under a click.
-Label lesion_under(const LabelMap& truth, const Points& click) {
-  const Eigen::Vector3d index =
-      truth.voxels.grid().index_of(Point<CtFrame>(Eigen::Vector3d(click.row(0).transpose())));
-  return truth.voxels.at(index.array().round().matrix().cast<int>());
+/// The truth's lesions that are clicked, in the order of the seeds.
+std::vector<Label> clicked_lesions(const LabelMap& truth) {
+  std::vector<Label> clicked;
+  const std::vector<long> counts = truth.voxels.histogram();
+  for (std::size_t label = 0; label < counts.size(); ++label)
+    if (is_lesion(static_cast<Label>(label)) && counts[label] > 0 &&
+        1e-3 * static_cast<double>(counts[label]) * truth.voxels.grid().voxel_volume_mm3() >= kLeastLesion)
+      clicked.push_back(static_cast<Label>(label));
+  return clicked;
 }
 
 double median(std::vector<double> values) {
@@ -78,31 +82,36 @@ std::string number(const char* format, double value) {
 class Trials {
  public:
   explicit Trials(PatientProof& proof) : proof_(proof) {
-    proof_.table.push_back(
-        line_of("%-24s%s", "trial", "clicks  Dice  worst mm    ml  true ml  clicks  Dice  lesions  seconds"));
+    proof_.table.push_back(line_of(
+        "%-24s%s", "trial", "clicks  Dice  worst mm    ml  true ml  clicks  Dice  lesions  drawn  seconds"));
   }
 
-  /// Ten clicks; then with a click on each lesion. False: cancelled.
+  /// Ten clicks; then with a click on each lesion, and with a line across each instead. False: cancelled.
   bool run(const Trial& trial, std::uint64_t seed, const RunContext& context) {
     insilico::LaypersonOptions hand;
     hand.seed = seed;
     const Bytes truth = inside_liver(trial.truth);
     const auto plain =
-        segment(trial, insilico::click_as_layperson(trial.ct, trial.truth, hand), context.part(0.0, 0.5));
+        segment(trial, insilico::click_as_layperson(trial.ct, trial.truth, hand), context.part(0.0, 0.4));
     if (!plain) return false;
     const double seconds = seconds_;
     hand.least_lesion_ml = kLeastLesion;
     const segmentation::Seeds seeds = insilico::click_as_layperson(trial.ct, trial.truth, hand);
-    const auto more = segment(trial, seeds, context.part(0.5, 1.0));
+    const auto more = segment(trial, seeds, context.part(0.4, 0.7));
     if (!more) return false;
+    const std::vector<double> lesions = lesion_dice(trial, more->labels);
+    std::vector<double> drawn;
+    if (!lesions.empty()) {
+      hand.draws_lesions = true;
+      const auto across =
+          segment(trial, insilico::click_as_layperson(trial.ct, trial.truth, hand), context.part(0.7, 1.0));
+      if (!across) return false;
+      drawn = lesion_dice(trial, across->labels);
+    }
     const Bytes found = inside_liver(plain->labels);
     const double voxel_mm3 = trial.ct.grid.voxel_volume_mm3();
     const auto all = segmentation::agreement(found, truth, voxel_mm3);
     const double with_lesions = segmentation::dice(inside_liver(more->labels), truth);
-    std::vector<double> lesions;
-    for (std::size_t n = 0; n < seeds.lesions.size(); ++n)
-      lesions.push_back(segmentation::dice(is(more->labels, static_cast<Label>(structure::kFirstLesion + n)),
-                                           is(trial.truth, lesion_under(trial.truth, seeds.lesions[n]))));
     const auto clicks = seeds.liver.rows() + seeds.background.rows();
     proof_.table.push_back(
         line_of("%-24s%s", trial.name + (trial.real ? " (real)" : ""),
@@ -112,10 +121,14 @@ class Trials {
                     number("%8.0f", static_cast<double>(clicks) + static_cast<double>(seeds.lesions.size())) +
                     number("%6.3f", with_lesions) +
                     (lesions.empty() ? std::string(9, ' ') : number("%9.3f", median(lesions))) +
+                    (drawn.empty() ? std::string(7, ' ') : number("%7.3f", median(drawn))) +
                     number("%9.1f", seconds)));
     (trial.real ? real_ : synthetic_).push_back(all.dice);
-    std::vector<double>& all_lesions = trial.real ? real_lesions_ : synthetic_lesions_;
-    all_lesions.insert(all_lesions.end(), lesions.begin(), lesions.end());
+    const auto add = [](std::vector<double>& to, const std::vector<double>& these) {
+      to.insert(to.end(), these.begin(), these.end());
+    };
+    add(trial.real ? real_lesions_ : synthetic_lesions_, lesions);
+    add(trial.real ? real_drawn_ : synthetic_drawn_, drawn);
     slowest_ = std::max(slowest_, seconds);
     return true;
   }
@@ -130,10 +143,20 @@ class Trials {
     put("synthetic_dice_liver", synthetic_);
     put("real_dice_lesion", real_lesions_);
     put("synthetic_dice_lesion", synthetic_lesions_);
+    put("real_dice_drawn_lesion", real_drawn_);
+    put("synthetic_dice_drawn_lesion", synthetic_drawn_);
     proof_.figures["trial_seconds_longest"] = slowest_;
   }
 
  private:
+  static std::vector<double> lesion_dice(const Trial& trial, const LabelMap& found) {
+    std::vector<double> each;
+    for (const Label truth : clicked_lesions(trial.truth))
+      each.push_back(segmentation::dice(is(found, static_cast<Label>(structure::kFirstLesion + each.size())),
+                                        is(trial.truth, truth)));
+    return each;
+  }
+
   Cancellable<segmentation::Segmented> segment(const Trial& trial, const segmentation::Seeds& seeds,
                                                const RunContext& context) {
     const Stopwatch watch;
@@ -143,7 +166,7 @@ class Trials {
   }
 
   PatientProof& proof_;
-  std::vector<double> real_, synthetic_, real_lesions_, synthetic_lesions_;
+  std::vector<double> real_, synthetic_, real_lesions_, synthetic_lesions_, real_drawn_, synthetic_drawn_;
   double seconds_ = 0.0, slowest_ = 0.0;
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "glisson/core/error.h"
+#include "glisson/segmentation/lesion_size.h"
 #include "glisson/volume/morphology.h"
 #include "operator_hand.h"
 
@@ -13,6 +14,7 @@ namespace {
 
 constexpr double kDeep = 8.0;                       // mm from the liver's border that an eye keeps
 constexpr double kNearest = 8.0, kFarthest = 40.0;  // mm beside the liver
+constexpr double kSlip = 0.05;                      // of a drawn line's length
 constexpr double kInsideApart = 30.0, kOutsideApart = 25.0;
 constexpr double kSoftLow = -20.0, kSoftHigh = 260.0;  // HU of what looks like an organ
 constexpr double kAround = 4.0;                        // mm around the click that must look so, too
@@ -42,6 +44,32 @@ class Eye {
                   return away2[at] > kNearest * kNearest && away2[at] < kFarthest * kFarthest && is_soft(v);
                 }),
                 count, kOutsideApart);
+  }
+
+  /// A line drawn across a body of voxels.
+  struct Drag {
+    Points middle;
+    double mm = 0.0;
+  };
+  Drag across(const LabelMap& truth, Label label) {
+    std::vector<long> in_slice(static_cast<std::size_t>(grid_.size.z()), 0);
+    const std::vector<std::uint8_t> body = truth.voxels.mask([&](Label other) { return other == label; });
+    const auto slice_size =
+        static_cast<std::size_t>(grid_.size.x()) * static_cast<std::size_t>(grid_.size.y());
+    for (std::size_t at = 0; at < body.size(); ++at) in_slice[at / slice_size] += body[at];
+    const auto most = std::max_element(in_slice.begin(), in_slice.end()) - in_slice.begin();
+    Mask slice({grid_.size.x(), grid_.size.y(), 1}, grid_.spacing_mm);
+    std::copy_n(body.begin() + most * static_cast<std::ptrdiff_t>(slice_size), slice_size,
+                slice.voxels.begin());
+    const segmentation::LongestDiameter line = segmentation::longest_diameter(slice);
+    const auto end = [&](Eigen::Vector3d at) {
+      at.z() = static_cast<double>(most);
+      const Eigen::Vector2d slip = kSlip * line.mm * hand_.tremor2();
+      at.head<2>() += slip.cwiseQuotient(grid_.spacing_mm.head<2>());
+      return grid_.p_in_ct(at).xyz;
+    };
+    const Eigen::Vector3d from = end(line.from.cast<double>()), to = end(line.to.cast<double>());
+    return {0.5 * (from + to).transpose(), 1e3 * (to - from).norm()};
   }
 
   /// Within the inner half of a body of voxels.
@@ -126,7 +154,14 @@ segmentation::Seeds click_as_layperson(const Image& ct, const LabelMap& truth,
     if (!is_lesion(code)) continue;
     const double ml = 1e-3 * static_cast<double>(counts[label]) * ct.grid.voxel_volume_mm3();
     if (counts[label] == 0 || ml < options.least_lesion_ml) continue;
-    seeds.lesions.push_back(eye.middle_of(truth, code));
+    if (!options.draws_lesions) {
+      seeds.lesions.push_back(eye.middle_of(truth, code));
+      continue;
+    }
+    const auto [middle, mm] = eye.across(truth, code);
+    seeds.lesions.push_back(middle);
+    seeds.lesion_diameters_mm.push_back(
+        std::clamp(mm, segmentation::Seeds::kLeastDiameter, segmentation::Seeds::kMostDiameter));
   }
   return seeds;
 }

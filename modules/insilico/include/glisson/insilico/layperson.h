@@ -14,6 +14,9 @@ struct LaypersonOptions {
   int inside = 5, outside = 5;  ///< clicks
   /// A click in the inner half of every lesion from this size on, ml.
   double least_lesion_ml = 1e9;
+  /// Lesions are drawn instead: across the longest diameter of the axial slice that shows most of them, each
+  /// end off by 5 % of it (standard deviation, along each axis of the slice).
+  bool draws_lesions = false;
   std::uint64_t seed = 1;
   /// @throws InputError naming the option.
   void validate() const;
