@@ -112,44 +112,54 @@ void JudgeTest::SmokeAndDarknessLoseSignalAndNoiseIsNone() {
 void JudgeTest::RowsStayWithBothViewsOfOneMoment() {
   MotionCheck check;
   std::vector<FollowedPoint> now = grid(rig_);
-  for (int k = 0; k < 8; ++k) check.push(now, rig_);
+  for (int k = 0; k < 8; ++k) check.push(now, rig_, k / 30.0);
   QVERIFY(std::abs(check.rows()) < 1e-6);
   for (FollowedPoint& point : now) point.right.y() += 0.5;  // the right view shows another moment
-  check.push(now, rig_);
+  check.push(now, rig_, 8 / 30.0);
   QVERIFY2(std::abs(std::abs(check.rows()) - 0.5) < 0.05, qPrintable(QString::number(check.rows())));
 }
 
 void JudgeTest::NoiseIsNoMotionAndBreathIs_data() {
   QTest::addColumn<QString>("way");
   QTest::addColumn<bool>("moves");
-  QTest::newRow("still, each picture with its own noise") << "still" << false;
-  QTest::newRow("still, points that slip") << "slip" << false;
-  QTest::newRow("breath") << "breath" << true;
-  QTest::newRow("breath that turns") << "turn" << true;
-  QTest::newRow("still, one point that moves") << "one" << false;
+  QTest::addColumn<int>("rate");   // frames a second
+  QTest::addColumn<int>("first");  // frame that can be judged
+  for (const auto& [rate, first] : {std::pair{30, 11}, {60, 22}, {25, 9}, {12, 4}, {5, 3}}) {
+    const auto row = [&, rate = rate, first = first](const char* name, const char* way, bool moves) {
+      QTest::addRow("%s, %d frames a second", name, rate) << way << moves << rate << first;
+    };
+    row("still, each picture with its own noise", "still", false);
+    row("still, points that slip", "slip", false);
+    row("breath", "breath", true);
+    row("breath that turns", "turn", true);
+    row("still, one point that moves", "one", false);
+  }
 }
 
 void JudgeTest::NoiseIsNoMotionAndBreathIs() {
   QFETCH(QString, way);
   QFETCH(bool, moves);
+  QFETCH(int, rate);
+  QFETCH(int, first);
   std::mt19937 random(9);
   std::normal_distribution<double> noise(0.0, 0.05);
   MotionCheck check;
-  const std::vector<FollowedPoint> first = grid(rig_);
-  std::vector<FollowedPoint> now = first;
-  for (int k = 0; k < 14; ++k) {
+  const std::vector<FollowedPoint> start = grid(rig_);
+  std::vector<FollowedPoint> now = start;
+  for (int k = 0; k <= first + 2; ++k) {
+    const double frame = 30.0 * k / rate;  // in thirtieths of a second
     // Four pixels of breath in four seconds, at half way and at its end.
-    const double along = way == "breath" ? 0.1 * k
-                         : way == "turn" ? 2.0 - 2.0 * std::cos(0.052 * (k - 7))
+    const double along = way == "breath" ? 0.1 * frame
+                         : way == "turn" ? 2.0 - 2.0 * std::cos(0.052 * (frame - 7.0))
                                          : 0.0;
     for (std::size_t i = 0; i < now.size(); ++i) {
-      const FollowedPoint& from = way == "slip" ? now[i] : first[i];
-      const double down = along + (way == "one" && i == 20 ? 0.3 * k : 0.0);
+      const FollowedPoint& from = way == "slip" ? now[i] : start[i];
+      const double down = along + (way == "one" && i == 20 ? 0.3 * frame : 0.0);
       now[i].left = from.left + Eigen::Vector2d(noise(random), noise(random) + down);
       now[i].right = from.right + Eigen::Vector2d(noise(random), noise(random) + down);
     }
-    check.push(now, rig_);
-    QCOMPARE(check.motion_left() < 0.0, k < 11);
+    check.push(now, rig_, frame / 30.0);
+    QCOMPARE(check.motion_left() < 0.0, k < first);
   }
   const double limit = JudgeOptions().motion, left = check.motion_left(), right = check.motion_right();
   const QByteArray found = QByteArray::number(left) + " and " + QByteArray::number(right);

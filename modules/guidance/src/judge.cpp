@@ -135,8 +135,8 @@ struct Judge::Impl {
         std::min(measure(frame.left).signal(), measure(frame.right).signal()) / std::max(first_signal, 1e-6);
     poor.push(options.contrast / std::max(evidence.contrast, 1e-6), 1.0, options.relief);
   }
-  void look_at_motion(const std::vector<FollowedPoint>& points) {
-    motion.push(points, rig);
+  void look_at_motion(const std::vector<FollowedPoint>& points, double seconds) {
+    motion.push(points, rig, seconds);
     const double left = motion.motion_left(), right = motion.motion_right();
     evidence.rows = motion.rows();
     views.push(std::abs(evidence.rows) / std::max(options.rows, motion.rows_scatter()), 1.0, options.relief);
@@ -189,7 +189,7 @@ Validity Judge::judge(const StereoFrame& frame, const std::vector<FollowedPoint>
   ++impl_->frames;
   impl_->look_at_surface(frame, overlay.nodes_in_camera);
   impl_->look_at_pictures(frame);
-  impl_->look_at_motion(points);
+  impl_->look_at_motion(points, frame.seconds);
   overlay.evidence = impl_->evidence;
   return impl_->verdict();
 }

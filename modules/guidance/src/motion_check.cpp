@@ -11,7 +11,10 @@
 namespace glisson::guidance {
 namespace {
 
-constexpr std::size_t kFrames = 12;  ///< over which motion is judged: 0.4 s at 30 a second
+/// Over which motion is judged, however many frames a source gives in it: 0.4 s, less what containers round.
+constexpr double kSeconds = 0.38;
+constexpr std::size_t kLeastFrames = 4, kMostFrames = 60;
+constexpr double kUsual = 1.0 / 30.0;  ///< seconds from frame to frame where a source does not say
 constexpr std::size_t kLeastInGroup = 6;
 constexpr int kGroups = 4;  ///< along each side of the picture
 /// Frames from which the calibration's own offset of rows is learned.
@@ -44,15 +47,30 @@ double epipolar_offset(const StereoRig& rig, const Eigen::Vector2d& left, const 
   return across > 0.0 ? rig.right.matrix(1, 1) * normal.dot(seen) / across : 0.0;
 }
 
-void MotionCheck::push(const std::vector<FollowedPoint>& points, const StereoRig& rig) {
+void MotionCheck::keep(Frame now) {
+  // A source whose time stands, or that has none, must not escape.
+  const double passed = now.seconds - source_seconds_;
+  source_seconds_ = now.seconds;
+  now.seconds = frames_.empty() ? 0.0 : frames_.back().seconds + (passed > 0.0 ? passed : kUsual);
+  frames_.push_back(std::move(now));
+  const auto is_old = [this] { return frames_.front().seconds < frames_.back().seconds - kSeconds; };
+  while (frames_.size() > kMostFrames || (frames_.size() > kLeastFrames && is_old())) frames_.pop_front();
+}
+
+bool MotionCheck::is_whole() const {
+  if (frames_.size() < kLeastFrames) return false;
+  const double one = frames_.back().seconds - frames_[frames_.size() - 2].seconds;
+  return frames_.size() == kMostFrames || frames_.back().seconds - frames_.front().seconds > kSeconds - one;
+}
+
+void MotionCheck::push(const std::vector<FollowedPoint>& points, const StereoRig& rig, double seconds) {
   Pixels pixels;
   std::vector<double> offsets;
   for (const FollowedPoint& point : points) {
     offsets.push_back(epipolar_offset(rig, point.left, point.right));
     pixels[point.id] << point.left, point.right;
   }
-  frames_.push_back(std::move(pixels));
-  if (frames_.size() > kFrames) frames_.pop_front();
+  keep({seconds, std::move(pixels)});
   look_at_motion(rig);
   if (offsets.empty()) return;
   const double offset = upper_median(offsets);
@@ -66,12 +84,12 @@ void MotionCheck::push(const std::vector<FollowedPoint>& points, const StereoRig
 
 void MotionCheck::look_at_motion(const StereoRig& rig) {
   motion_ = {kUnknown, kUnknown};
-  if (frames_.size() < kFrames) return;
+  if (!is_whole()) return;
   // Points that were followed all the time, by where they are now in the left view.
   std::map<int, std::vector<int>> groups;
-  for (const auto& [id, place] : frames_.back()) {
+  for (const auto& [id, place] : frames_.back().pixels) {
     const bool is_in_all = std::all_of(frames_.begin(), frames_.end(),
-                                       [id = id](const Pixels& frame) { return frame.contains(id); });
+                                       [id = id](const Frame& frame) { return frame.pixels.contains(id); });
     if (!is_in_all) continue;
     const int column = std::clamp(static_cast<int>(kGroups * place.x() / rig.left.width), 0, kGroups - 1);
     const int row = std::clamp(static_cast<int>(kGroups * place.y() / rig.left.height), 0, kGroups - 1);
@@ -83,10 +101,10 @@ void MotionCheck::look_at_motion(const StereoRig& rig) {
     if (ids.size() < kLeastInGroup) continue;
     ++known;
     std::array<Paths, 4> paths;  // left x and y, right x and y
-    paths.fill(Paths(static_cast<Eigen::Index>(ids.size()), static_cast<Eigen::Index>(kFrames)));
-    for (std::size_t k = 0; k < kFrames; ++k)
+    paths.fill(Paths(static_cast<Eigen::Index>(ids.size()), static_cast<Eigen::Index>(frames_.size())));
+    for (std::size_t k = 0; k < frames_.size(); ++k)
       for (std::size_t i = 0; i < ids.size(); ++i) {
-        const Eigen::Vector4d& pixels = frames_[k].at(ids[i]);
+        const Eigen::Vector4d& pixels = frames_[k].pixels.at(ids[i]);
         for (std::size_t axis = 0; axis < 4; ++axis)
           paths[axis](static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) =
               pixels[static_cast<Eigen::Index>(axis)];

@@ -14,8 +14,8 @@ namespace glisson::guidance {
 /// always does: heart and breath), and whether both views show the same moment.
 class MotionCheck {
  public:
-  /// The points of the next frame.
-  void push(const std::vector<FollowedPoint>& points, const StereoRig& rig);
+  /// The points of the next frame. @param seconds its time.
+  void push(const std::vector<FollowedPoint>& points, const StereoRig& rig, double seconds);
   /// Forgets what it has seen, but not the calibration's own offset of rows.
   void clear() {
     frames_.clear();
@@ -38,9 +38,17 @@ class MotionCheck {
   /// A point's pixels: left x and y, right x and y.
   using Pixels = std::map<int, Eigen::Vector4d>;
 
+  struct Frame {
+    double seconds = 0.0;
+    Pixels pixels;
+  };
+
+  void keep(Frame now);
+  bool is_whole() const;
   void look_at_motion(const StereoRig& rig);
 
-  std::deque<Pixels> frames_;
+  std::deque<Frame> frames_;                  ///< seconds since some moment
+  double source_seconds_ = 0.0;               ///< of the last frame, as its source has them
   std::array<double, 2> motion_{-1.0, -1.0};  ///< left, right
   double rows_ = 0.0, first_rows_ = 0.0, rows_scatter_ = 0.0;
   int rows_seen_ = 0;
