@@ -4426,6 +4426,10 @@
         <source>in silico, lesions above 1 ml, a line drawn across: Dice, median</source>
         <translation>in silico, Läsionen über 1 ml, ein Strich quer durch: Dice, Median</translation>
     </message>
+    <message>
+        <source>A video in %1 could not be written and read back here: OpenCV&apos;s FFmpeg lacks it.</source>
+        <translation>Ein Video in %1 ließ sich hier nicht schreiben und wieder lesen: OpenCVs FFmpeg kann es nicht.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AngleHistogram</name>

@@ -4426,6 +4426,10 @@
         <source>in silico, lesions above 1 ml, a line drawn across: Dice, median</source>
         <translation>in silico, lésions de plus de 1 ml, un trait en travers : Dice, médiane</translation>
     </message>
+    <message>
+        <source>A video in %1 could not be written and read back here: OpenCV&apos;s FFmpeg lacks it.</source>
+        <translation>Une vidéo en %1 n’a pas pu être écrite puis relue ici : le FFmpeg d’OpenCV ne le sait pas.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AngleHistogram</name>

@@ -17,6 +17,7 @@
 #include "glisson/core/claim.h"
 #include "glisson/core/files.h"
 #include "glisson/core/log_file.h"
+#include "glisson/stereo/codecs.h"
 #include "glisson/stereo/picture_io.h"
 #include "glisson/stereo/picture_reader.h"
 #include "glisson/stereo/source.h"
@@ -141,6 +142,17 @@ void try_recording() {
   writer.close();  // counts the frames that can be read back
 }
 
+void tell_codecs(Findings& found) {
+  const std::vector<std::string> codecs = stereo::video_codecs();
+  std::string list;
+  for (const std::string& codec : codecs) list += (list.empty() ? "" : ", ") + codec;
+  found.say_text("video_codecs", list);
+  for (const char* codec : {"mpeg4", "h264"})
+    if (std::find(codecs.begin(), codecs.end(), codec) == codecs.end())
+      found.miss(Cli::tr("A video in %1 could not be written and read back here: OpenCV's FFmpeg lacks it.")
+                     .arg(QString::fromLatin1(codec)));
+}
+
 /// Draws, and asks the driver meanwhile who it is: the context is current only then.
 void try_drawing(Findings& found) {
   vtkNew<vtkRenderer> renderer;
@@ -180,6 +192,7 @@ int run_doctor(const QStringList& given) {
   found.try_out("locks", try_locks);
   found.try_out("volumes", try_volumes);
   found.try_out("recording", try_recording);
+  tell_codecs(found);
   found.try_out("drawing", [&] { try_drawing(found); });
   session.figures["missing"] = static_cast<double>(found.missing().size());
   session.finish();

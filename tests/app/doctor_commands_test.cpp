@@ -48,6 +48,7 @@ void DoctorCommandsTest::DoctorTriesOutWhatThereIs() {
        {"version_glisson", "version_qt", "version_vtk", "built_with_itk", "built_with_opencv",
         "built_with_cgal", "built_with_embree", "opengl_renderer", "system"})
     QVERIFY2(!found[key].toString().isEmpty(), key);
+  QVERIFY2(found["video_codecs"].toString().contains("mpeg4"), qPrintable(found["video_codecs"].toString()));
   QCOMPARE(found["version_qt"].toString(), QString(qVersion()));
   QVERIFY(found["cores"].toInt() >= 1 && found["memory_gb"].toDouble() > 0.1);
   // Without a display the window cannot open: said, and no failure.

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/stereo/codecs.h"
+
+#include <array>
+#include <opencv2/core.hpp>
+#include <opencv2/videoio.hpp>
+
+#include "glisson/core/error.h"
+#include "glisson/core/files.h"
+#include "streams.h"
+
+namespace glisson::stereo {
+namespace {
+
+struct Codec {
+  const char* name;
+  std::array<char, 4> tag;
+};
+constexpr std::array kCodecs{Codec{"mpeg4", {'m', 'p', '4', 'v'}}, Codec{"h264", {'H', '2', '6', '4'}},
+                             Codec{"mjpeg", {'M', 'J', 'P', 'G'}}, Codec{"ffv1", {'F', 'F', 'V', '1'}}};
+
+bool comes_back(const Codec& codec, const std::filesystem::path& path) {
+  constexpr int kFrames = 5;
+  const cv::Mat grey(240, 320, CV_8UC3, cv::Scalar(128, 128, 128));
+  try {
+    const auto& [a, b, c, d] = codec.tag;
+    cv::VideoWriter writer;
+    if (!writer.open(path.string(), cv::CAP_FFMPEG, cv::VideoWriter::fourcc(a, b, c, d), 25.0, grey.size()))
+      return false;
+    for (int frame = 0; frame < kFrames; ++frame) writer.write(grey);
+    writer.release();
+    return FileStream(path).count_frames() == kFrames;
+  } catch (const cv::Exception&) {
+    return false;
+  } catch (const InputError&) {
+    return false;  // written, but not read
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> video_codecs() {
+  const TemporaryFolder folder;
+  std::vector<std::string> found;
+  for (const Codec& codec : kCodecs)
+    if (comes_back(codec, folder.path() / (std::string(codec.name) + ".mkv"))) found.emplace_back(codec.name);
+  return found;
+}
+
+}  // namespace glisson::stereo
