@@ -195,7 +195,8 @@ struct Engine::Impl final : LiveLanes {
 
   Cancellable<Applied> perform(const CaseState& base, const Job& job, const RunContext& context) {
     const Services services{options.make_follower, options.make_trial,
-                            [this, id = job.id](const LabelVolume& liver) { show_evolving(id, liver); }};
+                            [this, id = job.id](const LabelVolume& liver) { show_evolving(id, liver); },
+                            job.traits().lane == Lane::edits ? follower : nullptr};
     return options.apply(base, job.command, context, services);
   }
 
@@ -281,6 +282,7 @@ struct Engine::Impl final : LiveLanes {
     following = true;
     lock.unlock();
     OverlayFrame overlay;
+    std::vector<CorrectionMade> corrections;
     std::visit(
         [&](const auto& input) {
           overlay.index = input.index;
@@ -289,7 +291,10 @@ struct Engine::Impl final : LiveLanes {
         taken);
     overlay.validity = Validity::mechanics_failed;
     try {
-      if (follower) overlay = follower->follow(taken);
+      if (follower) {
+        overlay = follower->follow(taken);
+        corrections = follower->corrections();
+      }
     } catch (const std::exception&) {
       // Whatever went wrong, there is no overlay for this frame; the next one may do better.
       overlay.nodes_in_camera.resize(0, 3);
@@ -301,6 +306,7 @@ struct Engine::Impl final : LiveLanes {
       ++live.frames;
       live.frames_late += overlay.milliseconds > 1e3 * options.frame_seconds;
       live.overlay = std::move(overlay);
+      live.corrections = std::move(corrections);
       if (const auto* pictures = std::get_if<StereoFrame>(&taken)) live.frame = *pictures;
       CaseState state = current->state;
       state[part::live] = std::make_shared<const LiveState>(live);
@@ -366,7 +372,7 @@ struct Engine::Impl final : LiveLanes {
   }
 };
 
-Services plain_services() { return {make_follower, make_load_trial, {}}; }
+Services plain_services() { return {make_follower, make_load_trial, {}, {}}; }
 
 Cancellable<Applied> apply(const CaseState& state, const Command& command, const RunContext& context,
                            const Services& services) {

@@ -37,6 +37,9 @@ class TrackerFollower : public Follower {
       return tracker_.follow(cloud->cloud, cloud->index, cloud->seconds, steps_per_cloud_);
     return tracker_.follow(std::get<StereoFrame>(input));
   }
+  OverlayFrame correct(const Correction& correction) override { return tracker_.correct(correction); }
+  OverlayFrame undo_correction() override { return tracker_.undo_correction(); }
+  std::vector<CorrectionMade> corrections() const override { return tracker_.corrections(); }
 
  private:
   guidance::Tracker tracker_;
@@ -44,6 +47,14 @@ class TrackerFollower : public Follower {
 };
 
 }  // namespace
+
+OverlayFrame Follower::correct(const Correction&) {
+  throw InputError("correction", "the organ", "is not followed in pictures", "Track a stereo video");
+}
+
+OverlayFrame Follower::undo_correction() {
+  throw InputError("correction", "the last one", "is none", "Correct first");
+}
 
 std::unique_ptr<Follower> make_follower(const CaseState& state, const StartTracking& command) {
   require(state.has(part::model) && state.has(part::registration), "a registered model is followed");

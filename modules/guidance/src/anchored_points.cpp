@@ -24,6 +24,19 @@ bool AnchoredPoints::bind(const FollowedPoint& point, const registration::Moving
   return true;
 }
 
+std::vector<char> AnchoredPoints::rebind(const std::vector<FollowedPoint>& points, const Rebind& rebind) {
+  std::vector<char> kept;
+  for (const FollowedPoint& point : points) {
+    const std::optional<Anchor> now = rebind(point.id, anchor(point.id));
+    kept.push_back(now ? 1 : 0);
+    if (now)
+      anchors_[point.id] = *now;
+    else
+      anchors_.erase(point.id);
+  }
+  return kept;
+}
+
 void AnchoredPoints::retain(const std::vector<FollowedPoint>& points) {
   std::unordered_map<int, Anchor> kept;
   kept.reserve(points.size());

@@ -63,6 +63,10 @@ void BoundarySprings::move(const RigidMotion& motion) {
   for (Spring& spring : springs_) spring.anchor = motion.rotation * spring.anchor + motion.translation;
 }
 
+void BoundarySprings::shift(const Points& node_motions) {
+  for (Spring& spring : springs_) spring.anchor += place(spring.nodes, spring.weights, node_motions);
+}
+
 void BoundarySprings::add(const Points& nodes_in_camera, std::vector<fem::AttachedLoad>& loads) const {
   for (const Spring& spring : springs_) {
     fem::AttachedLoad load;

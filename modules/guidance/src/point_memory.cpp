@@ -163,6 +163,35 @@ int PointMemory::recall(StereoFollower& follower, AnchoredPoints& anchors,
   return added;
 }
 
+void PointMemory::rebind(const Rebind& rebind, const registration::MovingSurface& before,
+                         const registration::MovingSurface& after) {
+  for (auto entry = places_.begin(); entry != places_.end();) {
+    Place& place = entry->second;
+    const std::optional<Anchor> now = rebind(entry->first, place.anchor);
+    if (!now) {
+      entry = places_.erase(entry);
+      continue;
+    }
+    // A look knows the coordinates of its triangle: those of the new one, through what both show now.
+    for (const bool left : {true, false}) {
+      const Eigen::Matrix2d new_from_old =
+          pixels_of(*now, left, after).inverse() * pixels_of(place.anchor, left, before);
+      for (Look& look : place.looks) {
+        View& view = left ? look.left : look.right;
+        view.surface_from_pixels = new_from_old * view.surface_from_pixels;
+      }
+    }
+    place.anchor = *now;
+    ++entry;
+  }
+}
+
+std::unordered_map<int, Anchor> PointMemory::anchors() const {
+  std::unordered_map<int, Anchor> anchors;
+  for (const auto& [id, place] : places_) anchors.emplace(id, place.anchor);
+  return anchors;
+}
+
 void PointMemory::forget_since(int frame) {
   std::erase_if(places_, [&](const auto& entry) { return entry.second.born > frame; });
 }

@@ -32,6 +32,11 @@ class PointMemory {
              int wanted, double spacing, int frame);
   /// Forgets what was bound after that frame: the model was not where the organ is.
   void forget_since(int frame);
+  /// The material lies elsewhere in the model than was believed. Places that the model has no room for go.
+  /// @param before, after the surface as it is now, by either belief.
+  void rebind(const Rebind& rebind, const registration::MovingSurface& before,
+              const registration::MovingSurface& after);
+  std::unordered_map<int, Anchor> anchors() const;
   std::size_t size() const { return places_.size(); }
 
  private:

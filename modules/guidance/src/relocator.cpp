@@ -34,9 +34,23 @@ struct Features {
 };
 
 struct KeyFrame {
+  int number = 0;                    ///< ascending
   std::vector<ClosestPoint> places;  ///< on the surface's material
   cv::Mat descriptors;
 };
+
+KeyFrame rebound(const KeyFrame& key,
+                 const std::function<std::optional<ClosestPoint>(const ClosestPoint&)>& rebind) {
+  KeyFrame result;
+  result.number = key.number;
+  for (std::size_t i = 0; i < key.places.size(); ++i) {
+    const std::optional<ClosestPoint> now = rebind(key.places[i]);
+    if (!now) continue;
+    result.places.push_back(*now);
+    result.descriptors.push_back(key.descriptors.row(static_cast<int>(i)));
+  }
+  return result;
+}
 
 /// Matches that pass the ratio test: index of the key frame's feature, of the picture's.
 std::vector<std::pair<int, int>> match(const cv::Mat& key, const cv::Mat& now) {
@@ -61,6 +75,10 @@ double narrow_spread(const std::vector<cv::Point2f>& pixels) {
 }
 
 }  // namespace
+
+struct Relocator::Saved {
+  std::vector<KeyFrame> keys;
+};
 
 struct Relocator::Impl {
   Impl(const StereoRig& given, const Picture& given_mask)
@@ -141,12 +159,14 @@ struct Relocator::Impl {
     if (!pending.valid()) return;
     if (keys.size() == kKeyFrames) keys.erase(keys.begin() + 1);
     keys.push_back(pending.get());
+    keys.back().number = made++;
   }
 
   StereoRig rig;
   double scale;
   cv::Mat mask, matrix, distortion;
   std::vector<KeyFrame> keys;
+  int made = 0;
   std::future<KeyFrame> pending;  ///< last: it reads the others
 };
 
@@ -157,6 +177,26 @@ void Relocator::remember(const Picture& left, const registration::MovingSurface&
   impl_->take_pending();
   impl_->pending = std::async(std::launch::async,
                               [impl = impl_.get(), left, surface] { return impl->key_frame(left, surface); });
+}
+
+void Relocator::rebind(const std::function<std::optional<ClosestPoint>(const ClosestPoint&)>& rebind) {
+  impl_->take_pending();
+  for (KeyFrame& key : impl_->keys) key = rebound(key, rebind);
+}
+
+std::shared_ptr<const Relocator::Saved> Relocator::save() {
+  impl_->take_pending();
+  return std::make_shared<const Saved>(Saved{impl_->keys});
+}
+
+void Relocator::restore(const Saved& saved,
+                        const std::function<std::optional<ClosestPoint>(const ClosestPoint&)>& rebind) {
+  impl_->take_pending();
+  for (KeyFrame& key : impl_->keys) {
+    const auto same = std::find_if(saved.keys.begin(), saved.keys.end(),
+                                   [&](const KeyFrame& one) { return one.number == key.number; });
+    key = same == saved.keys.end() ? rebound(key, rebind) : *same;
+  }
 }
 
 std::optional<RigidMotion> Relocator::find(const Picture& left, const registration::MovingSurface& surface) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -24,6 +25,15 @@ class Relocator {
   /// A key frame: the surface is where the picture shows the organ. The first is kept for good, of the later
   /// ones the newest few. Returns at once: the work is done beside the live loop.
   void remember(const Picture& left, const registration::MovingSurface& surface);
+
+  /// The material lies elsewhere in the model than was believed. Places that come back empty go.
+  void rebind(const std::function<std::optional<ClosestPoint>(const ClosestPoint&)>& rebind);
+  /// The key frames as they are bound now; restore() takes those back that were there, with `rebind` for the
+  /// later ones.
+  struct Saved;
+  std::shared_ptr<const Saved> save();
+  void restore(const Saved& saved,
+               const std::function<std::optional<ClosestPoint>(const ClosestPoint&)>& rebind);
 
   /// @param surface where the model stands now, camera's frame.
   /// @return the motion (metres, camera's frame) that carries it to where the picture shows the organ; empty:

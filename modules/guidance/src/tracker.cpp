@@ -14,6 +14,7 @@
 #include "glisson/registration/force_follower.h"
 #include "glisson/registration/moving_surface.h"
 #include "glisson/registration/pairs.h"
+#include "hand_corrections.h"
 #include "judge.h"
 #include "point_memory.h"
 #include "relocator.h"
@@ -44,30 +45,6 @@ double mean_norm(const std::vector<Eigen::Vector3d>& vectors) {
 }
 
 }  // namespace
-
-void TrackerOptions::validate() const {
-  const OptionCheck demand("tracker options");
-  demand(points >= 10, "points", points, "Give ten at least");
-  demand(forward_backward_px > 0.0, "forward_backward_px", forward_backward_px, "Give a positive number");
-  demand(epipolar_px > 0.0, "epipolar_px", epipolar_px, "Give a positive number");
-  demand(window_px >= 5 && window_px % 2 == 1, "window_px", window_px, "Give an odd number from 5");
-  demand(levels >= 1 && levels <= 6, "levels", levels, "Give a number from 1 to 6");
-  demand(minimum_pairs >= 3, "minimum_pairs", minimum_pairs, "Give three at least");
-  demand(maximum_residual > 0.0, "maximum_residual", maximum_residual, "Give a positive length");
-  demand(minimum_consistent_share >= 0.0 && minimum_consistent_share <= 1.0, "minimum_consistent_share",
-         minimum_consistent_share, "Give a share from 0 to 1");
-  demand(time_step > 0.0, "time_step", time_step, "Give a positive number of seconds");
-  demand(steps_per_frame >= 1, "steps_per_frame", steps_per_frame, "Give one at least");
-  demand(point_stiffness > 0.0, "point_stiffness", point_stiffness, "Give a positive length");
-  demand(boundary_young_modulus >= 0.0, "boundary_young_modulus", boundary_young_modulus,
-         "Give a number from zero");
-  demand(boundary_length > 0.0, "boundary_length", boundary_length, "Give a positive length");
-  demand(boundary_tether > 0.0, "boundary_tether", boundary_tether, "Give a positive stiffness");
-  materials.validate();
-  cloud.validate();
-  judge.validate();
-  lesions.validate();
-}
 
 struct Tracker::Impl {
   Impl(const PatientModel& model, const Registration& start, const TrackerOptions& given)
@@ -123,14 +100,18 @@ struct Tracker::Impl {
   void rest_here() {
     const Points here = integrator.positions();
     try {
-      const PatientModel rest = registration::moved_to(mechanics, here);
-      composite = std::make_shared<fem::CompositeModel>(rest.mesh, rest.vessels, options.materials);
+      composite = resting_in(here);
     } catch (const InputError& failure) {
       throw InputError("start", "mesh", std::string("cannot be followed: ") + failure.what(),
                        "Register again, from more of the surface");
     }
     integrator = fem::Integrator(composite, integrator_options());
     integrator.set_state(here);
+  }
+
+  std::shared_ptr<const fem::CompositeModel> resting_in(const Points& shape) const {
+    const PatientModel rest = registration::moved_to(mechanics, shape);
+    return std::make_shared<fem::CompositeModel>(rest.mesh, rest.vessels, options.materials);
   }
 
   void begin(const StereoRig& rig, const StereoFrame& first, const Picture& mask) {
@@ -146,7 +127,9 @@ struct Tracker::Impl {
     follower->begin(first, parts);
     anchors.clear();
     memory.emplace(rig);
+    hand.emplace(patient, rig, options.hold_start ? composite : resting_in(integrator.positions()), surface);
     frames = last_valid = 0;
+    last = {};
     camera = rig.left;
     seen = seen_area();
     replenish();
@@ -262,6 +245,60 @@ struct Tracker::Impl {
     return true;
   }
 
+  /// The registered shape is another one: mechanics, springs and all that is bound go along, and the tissue
+  /// that is followed stays where it is.
+  void take_shape(const Points& shape, const BindingChange& change) {
+    std::shared_ptr<const fem::CompositeModel> resting = options.hold_start ? resting_in(shape) : composite;
+    const Points motion = hand->carried(shape - hand->shape(), integrator.positions());
+    const Points there = integrator.positions() + motion, speed = integrator.velocities();
+    const registration::MovingSurface before = surface;
+    composite = std::move(resting);
+    integrator = fem::Integrator(composite, integrator_options());
+    integrator.set_state(there, speed);
+    surface.move(there);
+    springs.shift(motion);
+    follower->keep(anchors.rebind(follower->points(), change.of_followed));
+    anchors.retain(follower->points());
+    memory->rebind(change.of_remembered, before, surface);
+    seen = seen_area();
+  }
+
+  OverlayFrame corrected() {
+    last.nodes_in_camera = integrator.positions();
+    last.lesions = lesions.judge(last, places_seen(last.validity));
+    return last;
+  }
+
+  OverlayFrame correct(const Correction& correction) {
+    if (!follower || is_unusable(last.validity))
+      throw InputError("correction", "the organ", "is not followed in the last frame",
+                       "Wait until it is followed again");
+    const HandCorrections::Proposal proposal =
+        hand->propose(correction, integrator.positions(), anchors.anchors());
+    HandCorrections::Step former{hand->shape(),     integrator.positions(), integrator.velocities(), springs,
+                                 anchors.anchors(), memory->anchors(),      relocator->save(),       frames};
+    take_shape(proposal.shape, hand->change_to(proposal.shape));
+    relocator->rebind(hand->change_to(proposal.shape).of_surface);
+    hand->accept(proposal, std::move(former), last);
+    return corrected();
+  }
+
+  OverlayFrame undo_correction() {
+    if (!hand || hand->made().empty())
+      throw InputError("correction", "the last one", "is none", "Correct first");
+    const HandCorrections::Step& former = hand->last();
+    const BindingChange change = hand->change_back();
+    take_shape(former.shape, change);
+    relocator->restore(*former.keys, change.of_surface);
+    if (former.frame == frames) {  // nothing has moved since
+      springs = former.springs;
+      integrator.set_state(former.positions, former.velocities);
+      surface.move(former.positions);
+    }
+    hand->take_back();
+    return corrected();
+  }
+
   Validity follow_points(OverlayFrame& overlay) {
     follower->keep(memory->confirm(*follower, surface, frames));
     std::vector<Eigen::Vector3d> gaps = anchors.gaps(follower->points(), surface);
@@ -286,11 +323,15 @@ struct Tracker::Impl {
     return Validity::valid;
   }
 
+  /// What was followed in this frame is not the organ.
+  static bool is_unusable(Validity validity) {
+    return validity == Validity::not_started || validity == Validity::too_few_points ||
+           validity == Validity::inconsistent_motion || validity == Validity::mechanics_failed;
+  }
+
   /// Of the organ, in this frame.
   Points places_seen(Validity validity) const {
-    const bool unusable = !follower || validity == Validity::too_few_points ||
-                          validity == Validity::inconsistent_motion || validity == Validity::mechanics_failed;
-    if (unusable) return {};
+    if (!follower || is_unusable(validity)) return {};
     Points places(static_cast<Eigen::Index>(follower->points().size()), 3);
     for (Eigen::Index i = 0; i < places.rows(); ++i)
       places.row(i) = follower->points()[static_cast<std::size_t>(i)].p_in_camera.transpose();
@@ -327,6 +368,7 @@ struct Tracker::Impl {
       is_believed = true;
     }
     overlay.lesions = lesions.judge(overlay, places_seen(overlay.validity));
+    last = overlay;
     if (follower) look_for_organ(frame, overlay.validity);
     return overlay;
   }
@@ -401,7 +443,9 @@ struct Tracker::Impl {
   std::optional<StereoFollower> follower;
   AnchoredPoints anchors;
   std::optional<PointMemory> memory;
-  int frames = 0, last_valid = 0;  ///< since begin(); the last that was valid
+  std::optional<HandCorrections> hand;  ///< from begin() on
+  OverlayFrame last;                    ///< of pictures
+  int frames = 0, last_valid = 0;       ///< since begin(); the last that was valid
   LesionJudge lesions;
   std::unique_ptr<Judge> judge;          ///< none while clouds are followed
   std::unique_ptr<Relocator> relocator;  ///< likewise
@@ -441,6 +485,19 @@ void Tracker::begin(const StereoRig& rig, const StereoFrame& first, const Pictur
 
 OverlayFrame Tracker::follow(const StereoFrame& frame) {
   return timed(impl_->doubtful, [&] { return impl_->follow(frame); });
+}
+
+OverlayFrame Tracker::correct(const Correction& correction) {
+  return timed(impl_->doubtful, [&] { return impl_->correct(correction); });
+}
+
+OverlayFrame Tracker::undo_correction() {
+  return timed(impl_->doubtful, [&] { return impl_->undo_correction(); });
+}
+
+const std::vector<CorrectionMade>& Tracker::corrections() const {
+  static const std::vector<CorrectionMade> kNone;
+  return impl_->hand ? impl_->hand->made() : kNone;
 }
 
 OverlayFrame Tracker::follow(const LabelledCloud& cloud, int index, double seconds, int steps) {

@@ -4,9 +4,11 @@
 #include <functional>
 #include <memory>
 #include <variant>
+#include <vector>
 
 #include "glisson/engine/case_state.h"
 #include "glisson/engine/load_trial.h"
+#include "glisson/patient/correction.h"
 #include "glisson/patient/label_map.h"
 #include "glisson/patient/labelled_cloud.h"
 #include "glisson/patient/picture.h"
@@ -34,6 +36,13 @@ class Follower {
  public:
   virtual ~Follower() = default;
   virtual OverlayFrame follow(const LiveInput& input) = 0;
+  /// Somebody has seen a place of the organ elsewhere than in the last frame's overlay.
+  /// @return that overlay as it is now. @throws InputError why it cannot be done; nothing has changed.
+  virtual OverlayFrame correct(const Correction& correction);
+  /// Takes the last correction back. @throws InputError there is none.
+  virtual OverlayFrame undo_correction();
+  /// Those that stand, the oldest first.
+  virtual std::vector<CorrectionMade> corrections() const { return {}; }
 };
 /// Makes a follower from the state. @pre nothing is in the command's way (obstacle.h). @throws Error the
 /// mechanics cannot be made, a calibration of other pictures.
@@ -50,6 +59,8 @@ struct Services {
   MakeTrial make_trial;
   /// Shows the liver's contour on its way (see Snapshot::evolving), until the command ends.
   std::function<void(const LabelVolume&)> show_evolving;
+  /// What follows frames just now; null: nothing. For commands of the edits' lane, which is its own.
+  std::shared_ptr<Follower> follower = {};
 };
 /// Those of a command that is done outside of an engine: the real makers, and nobody looks.
 Services plain_services();

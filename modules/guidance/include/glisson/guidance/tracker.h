@@ -2,12 +2,14 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "glisson/core/run_context.h"
 #include "glisson/fem/composite_model.h"
 #include "glisson/geometry/camera.h"
 #include "glisson/guidance/judge_options.h"
 #include "glisson/guidance/lesion_judge.h"
+#include "glisson/patient/correction.h"
 #include "glisson/patient/labelled_cloud.h"
 #include "glisson/patient/patient_model.h"
 #include "glisson/patient/picture.h"
@@ -76,6 +78,21 @@ class Tracker {
   /// contact forces (registration/force_follower.h), or eq. 14 on the whole surface at its final stiffness,
   /// `steps` implicit steps with new pairs each.
   OverlayFrame follow(const LabelledCloud& cloud, int index, double seconds, int steps);
+
+  /// A hand says where a place of the organ is in the last frame. The registered shape goes there, as
+  /// elasticity and the tissue that is tracked make most probable, with all that is bound to it: what is
+  /// followed stays where it is, and shows other places of the model from now on. A piece of the last
+  /// correction's gesture takes its place. No evidence is touched: a place that surfaces refuted is shown
+  /// again only when they agree.
+  /// @return the last frame's overlay as it is now. @throws InputError the organ was not followed in pictures
+  ///   there, the place is out of sight, farther than 40 mm from where it is drawn, or no shape of the organ
+  ///   meets it; nothing has changed.
+  OverlayFrame correct(const Correction& correction);
+  /// Takes the last correction back: registered shape, springs and bindings are what they were.
+  /// @throws InputError there is none.
+  OverlayFrame undo_correction();
+  /// Those that stand, the oldest first.
+  const std::vector<CorrectionMade>& corrections() const;
 
  private:
   struct Impl;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
 #include "glisson/engine/case_state.h"
+#include "glisson/patient/correction.h"
 #include "glisson/patient/picture.h"
 #include "glisson/patient/registration.h"
 
@@ -14,6 +17,7 @@ struct LiveState {
   int frames = 0;          ///< followed since tracking began
   int frames_late = 0;     ///< that took longer than a frame's time
   int frames_dropped = 0;  ///< never followed because a newer one had come
+  std::vector<CorrectionMade> corrections;  ///< by hand, that stand; the oldest first
 };
 
 namespace part {

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <utility>
+
+#include "glisson/core/error.h"
+#include "glisson/engine/command.h"
+#include "glisson/engine/parts/live.h"
+
+namespace glisson::engine {
+
+/// @throws InputError nothing is followed.
+inline Follower& follower_of(const Services& services) {
+  if (!services.follower)
+    throw InputError("correction", "the organ", "is not followed", "Start tracking first");
+  return *services.follower;
+}
+
+/// The live part with what hands have said.
+inline Applied corrected_live(const CaseState& state, OverlayFrame overlay, const Follower& follower) {
+  Applied applied{state};
+  LiveState live = *state[part::live];
+  live.overlay = std::move(overlay);
+  live.corrections = follower.corrections();
+  applied.figures["corrections"] = static_cast<double>(live.corrections.size());
+  applied.state[part::live] = std::make_shared<const LiveState>(std::move(live));
+  return applied;
+}
+
+}  // namespace glisson::engine

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hand_corrections.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "glisson/core/error.h"
+#include "glisson/geometry/rigid.h"
+
+namespace glisson::guidance {
+namespace {
+
+constexpr double kFarthest = 40e-3;  ///< metres; a start that is farther off is registered again
+/// Metres: tissue beyond this from the corrected surface is not the organ's, and one beside its rim has no
+/// place on it.
+constexpr double kBindRadius = 8e-3, kBeside = 2e-3;
+
+std::optional<Anchor> moved(const Anchor& anchor, const registration::MovingSurface& before,
+                            const registration::MovingSurface& after) {
+  const Eigen::Vector3d tissue = anchor.place(before);
+  const ClosestPoint at = after.closest(Feature::surface, tissue);
+  if (at.triangle < 0 || at.distance > kBindRadius) return std::nullopt;
+  const Anchor now{at, after.normal(at).dot(tissue - at.point)};
+  if ((now.place(after) - tissue).norm() > kBeside) return std::nullopt;
+  return now;
+}
+
+Rebind with_known(const std::unordered_map<int, Anchor>& known, const Rebind& otherwise) {
+  return [&known, otherwise](int id, const Anchor& anchor) -> std::optional<Anchor> {
+    const auto found = known.find(id);
+    return found == known.end() ? otherwise(id, anchor) : std::optional(found->second);
+  };
+}
+
+}  // namespace
+
+HandCorrections::HandCorrections(const PatientModel& model, const StereoRig& rig,
+                                 std::shared_ptr<const fem::CompositeModel> at_rest,
+                                 registration::MovingSurface surface)
+    : model_(model),
+      rig_(rig),
+      corrector_(std::move(at_rest), surface),
+      surface_(std::move(surface)),
+      shape_(corrector_.registered()) {}
+
+Points HandCorrections::carried(const Points& motions, const Points& present) const {
+  return motions * fit_rigid_motion(shape_, present, {}).rotation.transpose();
+}
+
+SightPull HandCorrections::pull_of(const Correction& correction, const Points& shape,
+                                   const Points& present) const {
+  const auto refuse = [](const char* what, const char* remedy) {
+    throw InputError("correction", "the place", what, remedy);
+  };
+  SightPull pull;
+  const Binding binding = bind_points(model_.mesh, correction.place_in_ct.transpose());
+  for (int k = 0; k < 4; ++k) {
+    pull.nodes[static_cast<std::size_t>(k)] = model_.mesh.tetrahedra(binding.tetrahedron[0], k);
+    pull.weights[static_cast<std::size_t>(k)] = binding.weights(0, k);
+  }
+  const bool is_left = correction.view == StereoView::left;
+  const Camera& camera = is_left ? rig_.left : rig_.right;
+  const Rigid<CameraFrame, RightCameraFrame> left_from_right = rig_.right_from_left.inverse();
+  const Eigen::Matrix3d turn = is_left ? Eigen::Matrix3d::Identity() : left_from_right.rotation;
+  const Eigen::Vector3d eye = is_left ? Eigen::Vector3d::Zero() : left_from_right.translation;
+  const Eigen::Vector3d place = pull.place(present), in_view = turn.transpose() * (place - eye);
+  if (!(in_view.z() > 0.0)) refuse("is behind the camera", "Correct what the picture shows");
+  // The hand saw a picture that may be older than the last one: how far it dragged is what it said.
+  const Eigen::Vector2d target = camera.project(in_view) + correction.to - correction.from;
+  if (!camera.sees(target)) refuse("would be outside of the picture", "Drag to where the picture shows it");
+  const Eigen::Vector3d sight = (turn * camera.ray(target)).normalized();
+  const Eigen::Vector3d way = eye + sight * sight.dot(place - eye) - place;
+  if (way.norm() > kFarthest) refuse("is more than 40 mm from where it is drawn", "Register again");
+  const RigidMotion motion = fit_rigid_motion(shape, present, {});
+  pull.target = pull.place(shape) + motion.rotation.transpose() * way;
+  pull.sight = motion.rotation.transpose() * sight;
+  pull.sigma = correction.sigma_px * in_view.z() / camera.matrix(0, 0);
+  return pull;
+}
+
+Points HandCorrections::places(const std::unordered_map<int, Anchor>& anchors, const Points& shape) const {
+  registration::MovingSurface surface = surface_;
+  surface.move(shape);
+  std::vector<int> ids;  // in an order that repeats
+  for (const auto& [id, anchor] : anchors) ids.push_back(id);
+  std::sort(ids.begin(), ids.end());
+  Points places(static_cast<Eigen::Index>(ids.size()), 3);
+  for (Eigen::Index i = 0; i < places.rows(); ++i)
+    places.row(i) = anchors.at(ids[static_cast<std::size_t>(i)]).place(surface).transpose();
+  return places;
+}
+
+HandCorrections::Proposal HandCorrections::propose(const Correction& correction, const Points& present,
+                                                   const std::unordered_map<int, Anchor>& anchors) const {
+  correction.validate();
+  Proposal proposal;
+  proposal.correction = correction;
+  proposal.replaces =
+      correction.gesture != 0 && !made_.empty() && made_.back().correction.gesture == correction.gesture;
+  const Points& shape = proposal.replaces ? last().shape : shape_;
+  const Points before = proposal.replaces ? Points(present + carried(shape - shape_, present)) : present;
+  proposal.pull = pull_of(correction, shape, before);
+  std::vector<SightPull> pulls = pulls_;
+  if (proposal.replaces) pulls.pop_back();
+  pulls.push_back(proposal.pull);
+  proposal.shape = corrector_.solve(
+      pulls, proposal.replaces ? places(last().followed, last().shape) : places(anchors, shape_));
+  return proposal;
+}
+
+void HandCorrections::accept(const Proposal& proposal, Step former, const OverlayFrame& overlay) {
+  if (proposal.replaces) {
+    made_.pop_back();
+    pulls_.pop_back();
+  } else {
+    steps_.push_back(std::move(former));
+  }
+  CorrectionMade made;
+  made.correction = proposal.correction;
+  made.frame = overlay.index;
+  made.seconds = overlay.seconds;
+  made.moved = (proposal.shape - last().shape).rowwise().norm().mean();
+  made_.push_back(made);
+  pulls_.push_back(proposal.pull);
+  shape_ = proposal.shape;
+  surface_.move(shape_);
+}
+
+void HandCorrections::take_back() {
+  shape_ = std::move(steps_.back().shape);
+  surface_.move(shape_);
+  steps_.pop_back();
+  made_.pop_back();
+  pulls_.pop_back();
+}
+
+BindingChange HandCorrections::change_to(const Points& shape) const {
+  auto after = std::make_shared<registration::MovingSurface>(surface_);
+  after->move(shape);
+  BindingChange change;
+  change.of_followed = change.of_remembered = [this, after](int, const Anchor& anchor) {
+    return moved(anchor, surface_, *after);
+  };
+  change.of_surface = [this, after](const ClosestPoint& at) -> std::optional<ClosestPoint> {
+    const std::optional<Anchor> now = moved({at, 0.0}, surface_, *after);
+    return now ? std::optional(now->at) : std::nullopt;
+  };
+  return change;
+}
+
+BindingChange HandCorrections::change_back() const {
+  BindingChange change = change_to(last().shape);
+  change.of_followed = with_known(last().followed, change.of_followed);
+  change.of_remembered = with_known(last().remembered, change.of_remembered);
+  return change;
+}
+
+}  // namespace glisson::guidance
