@@ -1703,6 +1703,50 @@
         <source>is %1, not between %2 and %3</source>
         <translation>ist %1, nicht zwischen %2 und %3</translation>
     </message>
+    <message>
+        <source>is not followed in the last frame</source>
+        <translation>wird im letzten Bild nicht verfolgt</translation>
+    </message>
+    <message>
+        <source>is not followed in pictures</source>
+        <translation>wird nicht in Bildern verfolgt</translation>
+    </message>
+    <message>
+        <source>would be outside of the picture</source>
+        <translation>läge außerhalb des Bildes</translation>
+    </message>
+    <message>
+        <source>is behind the camera</source>
+        <translation>liegt hinter der Kamera</translation>
+    </message>
+    <message>
+        <source>is more than 40 mm from where it is drawn</source>
+        <translation>ist mehr als 40 mm von dort entfernt, wo sie gezeichnet ist</translation>
+    </message>
+    <message>
+        <source>takes no shape that would meet it</source>
+        <translation>nimmt keine Form an, die dazu passt</translation>
+    </message>
+    <message>
+        <source>Wait until it is followed again</source>
+        <translation>Warten Sie, bis es wieder verfolgt wird</translation>
+    </message>
+    <message>
+        <source>Track a stereo video</source>
+        <translation>Verfolgen Sie ein Stereovideo</translation>
+    </message>
+    <message>
+        <source>Drag to where the picture shows it</source>
+        <translation>Ziehen Sie dorthin, wo das Bild es zeigt</translation>
+    </message>
+    <message>
+        <source>Correct what the picture shows</source>
+        <translation>Korrigieren Sie, was das Bild zeigt</translation>
+    </message>
+    <message>
+        <source>Drag less far, or register again</source>
+        <translation>Ziehen Sie weniger weit, oder registrieren Sie neu</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -3167,6 +3211,14 @@
         <source>Looking for series</source>
         <translation>Serien suchen</translation>
     </message>
+    <message>
+        <source>Correcting by hand</source>
+        <translation>Korrektur von Hand</translation>
+    </message>
+    <message>
+        <source>Taking a correction back</source>
+        <translation>Zurücknehmen einer Korrektur</translation>
+    </message>
 </context>
 <context>
     <name>cli</name>
@@ -4430,6 +4482,10 @@
         <source>A video in %1 could not be written and read back here: OpenCV&apos;s FFmpeg lacks it.</source>
         <translation>Ein Video in %1 ließ sich hier nicht schreiben und wieder lesen: OpenCVs FFmpeg kann es nicht.</translation>
     </message>
+    <message>
+        <source>Corrections by hand, a line of JSON each: {&quot;frame&quot;: 12, &quot;correct&quot;: {&quot;view&quot;: &quot;left&quot;, &quot;from&quot;: [480, 270], &quot;to&quot;: [492, 274]}}: what is drawn at the one pixel is seen at the other; &quot;correct&quot;: &quot;undo&quot; takes the last one back. What frames.jsonl says of corrections can be given.</source>
+        <translation>Korrekturen von Hand, je eine Zeile JSON: {&quot;frame&quot;: 12, &quot;correct&quot;: {&quot;view&quot;: &quot;left&quot;, &quot;from&quot;: [480, 270], &quot;to&quot;: [492, 274]}}: Was an dem einen Pixel gezeichnet ist, wird an dem anderen gesehen; &quot;correct&quot;: &quot;undo&quot; nimmt die letzte zurück. Was frames.jsonl an Korrekturen nennt, kann angegeben werden.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AngleHistogram</name>
@@ -4747,6 +4803,60 @@
     <message>
         <source>Fits far worse than the others: proposed for removal</source>
         <translation>Passt viel schlechter als die anderen: zum Weglassen vorgeschlagen</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::CorrectionBox</name>
+    <message>
+        <source>Correct by hand</source>
+        <translation>Von Hand korrigieren</translation>
+    </message>
+    <message>
+        <source>Drag a place of the drawn organ (margin, notch, vessel, surface) to where the picture shows it (C, or drag with Shift).</source>
+        <translation>Ziehen Sie eine Stelle des gezeichneten Organs (Rand, Kerbe, Gefäß, Oberfläche) dorthin, wo das Bild sie zeigt (C, oder mit Umschalt ziehen).</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Take the last correction back (Ctrl+Z in the picture)</source>
+        <translation>Die letzte Korrektur zurücknehmen (Strg+Z im Bild)</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::CorrectionModel</name>
+    <message>
+        <source>There is no overlay that could be corrected.</source>
+        <translation>Es gibt kein Overlay, das korrigiert werden könnte.</translation>
+    </message>
+    <message>
+        <source>There is nothing of the drawn organ. Take hold of its margin, its notch, a vessel or its surface.</source>
+        <translation>Dort ist nichts vom gezeichneten Organ. Fassen Sie den Rand, die Kerbe, ein Gefäß oder die Oberfläche an.</translation>
+    </message>
+    <message>
+        <source>a place of the surface</source>
+        <translation>eine Stelle der Oberfläche</translation>
+    </message>
+    <message>
+        <source>the anterior margin</source>
+        <translation>der vordere Rand</translation>
+    </message>
+    <message>
+        <source>the notch</source>
+        <translation>die Kerbe</translation>
+    </message>
+    <message>
+        <source>a vessel</source>
+        <translation>ein Gefäß</translation>
+    </message>
+    <message>
+        <source>In the hand: %1. Drag it to where the picture shows it.</source>
+        <translation>In der Hand: %1. Ziehen Sie dorthin, wo das Bild es zeigt.</translation>
+    </message>
+    <message>
+        <source>Corrected by hand: %1. The last one moved the organ by %2 mm on average.</source>
+        <translation>Von Hand korrigiert: %1. Die letzte Korrektur hat das Organ im Mittel um %2 mm bewegt.</translation>
     </message>
 </context>
 <context>
@@ -5861,6 +5971,10 @@
     <message>
         <source>Recording to %1</source>
         <translation>Aufnahme in %1</translation>
+    </message>
+    <message>
+        <source>Corrections by hand: %1</source>
+        <translation>Korrekturen von Hand: %1</translation>
     </message>
 </context>
 <context>

@@ -1703,6 +1703,50 @@
         <source>is %1, not between %2 and %3</source>
         <translation>est %1, pas entre %2 et %3</translation>
     </message>
+    <message>
+        <source>is not followed in the last frame</source>
+        <translation>n’est pas suivi dans la dernière image</translation>
+    </message>
+    <message>
+        <source>is not followed in pictures</source>
+        <translation>n’est pas suivi dans des images</translation>
+    </message>
+    <message>
+        <source>would be outside of the picture</source>
+        <translation>serait hors de l’image</translation>
+    </message>
+    <message>
+        <source>is behind the camera</source>
+        <translation>est derrière la caméra</translation>
+    </message>
+    <message>
+        <source>is more than 40 mm from where it is drawn</source>
+        <translation>est à plus de 40 mm de l’endroit où il est dessiné</translation>
+    </message>
+    <message>
+        <source>takes no shape that would meet it</source>
+        <translation>ne prend aucune forme qui y réponde</translation>
+    </message>
+    <message>
+        <source>Wait until it is followed again</source>
+        <translation>Attendez qu’il soit suivi de nouveau</translation>
+    </message>
+    <message>
+        <source>Track a stereo video</source>
+        <translation>Suivez une vidéo stéréo</translation>
+    </message>
+    <message>
+        <source>Drag to where the picture shows it</source>
+        <translation>Tirez-le là où l’image le montre</translation>
+    </message>
+    <message>
+        <source>Correct what the picture shows</source>
+        <translation>Corrigez ce que l’image montre</translation>
+    </message>
+    <message>
+        <source>Drag less far, or register again</source>
+        <translation>Tirez moins loin, ou recalez de nouveau</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -3167,6 +3211,14 @@
         <source>Looking for series</source>
         <translation>Recherche des séries</translation>
     </message>
+    <message>
+        <source>Correcting by hand</source>
+        <translation>Correction à la main</translation>
+    </message>
+    <message>
+        <source>Taking a correction back</source>
+        <translation>Annulation d’une correction</translation>
+    </message>
 </context>
 <context>
     <name>cli</name>
@@ -4430,6 +4482,10 @@
         <source>A video in %1 could not be written and read back here: OpenCV&apos;s FFmpeg lacks it.</source>
         <translation>Une vidéo en %1 n’a pas pu être écrite puis relue ici : le FFmpeg d’OpenCV ne le sait pas.</translation>
     </message>
+    <message>
+        <source>Corrections by hand, a line of JSON each: {&quot;frame&quot;: 12, &quot;correct&quot;: {&quot;view&quot;: &quot;left&quot;, &quot;from&quot;: [480, 270], &quot;to&quot;: [492, 274]}}: what is drawn at the one pixel is seen at the other; &quot;correct&quot;: &quot;undo&quot; takes the last one back. What frames.jsonl says of corrections can be given.</source>
+        <translation>Corrections à la main, une ligne JSON chacune : {&quot;frame&quot;: 12, &quot;correct&quot;: {&quot;view&quot;: &quot;left&quot;, &quot;from&quot;: [480, 270], &quot;to&quot;: [492, 274]}} : ce qui est dessiné au premier pixel se voit au second ; &quot;correct&quot;: &quot;undo&quot; annule la dernière. Ce que frames.jsonl dit de corrections peut être donné.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AngleHistogram</name>
@@ -4747,6 +4803,60 @@
     <message>
         <source>Fits far worse than the others: proposed for removal</source>
         <translation>S’ajuste bien moins que les autres : retrait proposé</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::CorrectionBox</name>
+    <message>
+        <source>Correct by hand</source>
+        <translation>Corriger à la main</translation>
+    </message>
+    <message>
+        <source>Drag a place of the drawn organ (margin, notch, vessel, surface) to where the picture shows it (C, or drag with Shift).</source>
+        <translation>Tirez un point de l’organe dessiné (bord, échancrure, vaisseau, surface) là où l’image le montre (C, ou tirer avec Maj).</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Take the last correction back (Ctrl+Z in the picture)</source>
+        <translation>Annuler la dernière correction (Ctrl+Z dans l’image)</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::CorrectionModel</name>
+    <message>
+        <source>There is no overlay that could be corrected.</source>
+        <translation>Il n’y a pas de superposition à corriger.</translation>
+    </message>
+    <message>
+        <source>There is nothing of the drawn organ. Take hold of its margin, its notch, a vessel or its surface.</source>
+        <translation>Il n’y a rien de l’organe dessiné à cet endroit. Saisissez son bord, son échancrure, un vaisseau ou sa surface.</translation>
+    </message>
+    <message>
+        <source>a place of the surface</source>
+        <translation>un point de la surface</translation>
+    </message>
+    <message>
+        <source>the anterior margin</source>
+        <translation>le bord antérieur</translation>
+    </message>
+    <message>
+        <source>the notch</source>
+        <translation>l’échancrure</translation>
+    </message>
+    <message>
+        <source>a vessel</source>
+        <translation>un vaisseau</translation>
+    </message>
+    <message>
+        <source>In the hand: %1. Drag it to where the picture shows it.</source>
+        <translation>Saisi : %1. Tirez-le là où l’image le montre.</translation>
+    </message>
+    <message>
+        <source>Corrected by hand: %1. The last one moved the organ by %2 mm on average.</source>
+        <translation>Corrections à la main : %1. La dernière a déplacé l’organe de %2 mm en moyenne.</translation>
     </message>
 </context>
 <context>
@@ -5861,6 +5971,10 @@
     <message>
         <source>Recording to %1</source>
         <translation>Enregistrement dans %1</translation>
+    </message>
+    <message>
+        <source>Corrections by hand: %1</source>
+        <translation>Corrections à la main : %1</translation>
     </message>
 </context>
 <context>

@@ -7,6 +7,7 @@
 #include "exit_code.h"
 #include "glisson/engine/commands/accept_registration.h"
 #include "glisson/engine/commands/choose_rival.h"
+#include "glisson/engine/commands/correct_tracking.h"
 #include "glisson/engine/commands/import_cloud.h"
 #include "glisson/engine/commands/import_registration.h"
 #include "glisson/engine/commands/load_video_frame.h"
@@ -14,10 +15,16 @@
 #include "glisson/engine/commands/set_calibration.h"
 #include "glisson/engine/commands/set_video.h"
 #include "glisson/engine/commands/start_tracking.h"
+#include "glisson/engine/commands/undo_correction.h"
+#include "glisson/engine/parts/landmarks.h"
+#include "glisson/engine/parts/live.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/registration.h"
+#include "glisson/engine/parts/rig.h"
 #include "glisson/experiments/evaluate.h"
 #include "glisson/experiments/track_record.h"
+#include "glisson/guidance/place_picker.h"
+#include "glisson/patient/correction.h"
 #include "glisson/patient/overlay_record.h"
 #include "glisson/registration/refusal.h"
 #include "glisson/registration/registration_files.h"
@@ -87,10 +94,66 @@ void follow_clouds(Session& session, const Arguments& arguments, const ModelArgu
                                       ++done / static_cast<double>(clouds.size())));
 }
 
+/// A file of corrections, done after the frames that they name.
+class Corrections {
+ public:
+  /// @param frames of the video.
+  Corrections(Session& session, const fs::path& path, int frames) : session_(session), path_(path) {
+    if (!path.empty()) lines_ = read_corrections(path);
+    for (const CorrectionLine& line : lines_)
+      if (line.frame < 0 || line.frame >= frames)
+        throw InputError(path.string(), "frame " + std::to_string(line.frame), "is not in the video",
+                         "Give frames from 0 to " + std::to_string(frames - 1));
+  }
+
+  void after(int frame, experiments::TrackRecord& record) {
+    for (; next_ < lines_.size() && lines_[next_].frame == frame; ++next_) {
+      const CorrectionLine& line = lines_[next_];
+      if (line.correction) {
+        session_.post(engine::CorrectTracking{placed(line)});
+        record.add(session_.state()[part::live]->corrections.back());
+      } else {
+        session_.post(engine::UndoCorrection{});
+        record.add_undone(session_.state()[part::live]->overlay);
+      }
+    }
+  }
+
+ private:
+  Correction placed(const CorrectionLine& line) const {
+    Correction correction = *line.correction;
+    const engine::CaseState& now = session_.state();
+    if (line.has_place) {  // where it is seen counts; where it is drawn the frame says
+      const auto drawn = guidance::pixel_of(now[part::model]->model, now[part::live]->overlay.nodes_in_camera,
+                                            *now[part::rig], correction.view, correction.place_in_ct);
+      correction.from = drawn.value_or(correction.from);
+      return correction;
+    }
+    const auto picked =
+        guidance::pick_place(engine::effective_model(now), now[part::live]->overlay.nodes_in_camera,
+                             *now[part::rig], correction.view, correction.from);
+    if (!picked)
+      throw InputError(path_.string(), "from of frame " + std::to_string(line.frame), "is beside the organ",
+                       "Give a pixel of the drawn organ");
+    correction.feature = picked->feature;
+    correction.place_in_ct = picked->place_in_ct;
+    correction.from = picked->pixel;
+    return correction;
+  }
+
+  Session& session_;
+  fs::path path_;
+  std::vector<CorrectionLine> lines_;
+  std::size_t next_ = 0;
+};
+
 void follow_film(Session& session, const Arguments& arguments, experiments::TrackRecord& record) {
   stereo::StereoVideo video(arguments.path("video"), arguments.path("video-right"));
-  for (StereoFrame frame; video.read(frame);)
+  Corrections corrections(session, arguments.path("correct"), video.frame_count());
+  for (StereoFrame frame; video.read(frame);) {
     record.add(frame.index, session.follow(frame, (frame.index + 1.0) / video.frame_count()));
+    corrections.after(frame.index, record);
+  }
 }
 
 experiments::TrackOutput output_of(const Arguments& arguments, const ModelArgument& argument,
@@ -237,6 +300,13 @@ int run_track(const QStringList& given) {
   arguments.option("video-right", Cli::tr("The right view, when it is a file of its own."), "V");
   arguments.option("calibration", Cli::tr("OpenCV YAML of the laparoscope."), "C");
   arguments.option("mask", Cli::tr("What of the left picture is tissue (non-zero)."), "M");
+  arguments.option(
+      "correct",
+      Cli::tr("Corrections by hand, a line of JSON each: {\"frame\": 12, \"correct\": {\"view\": "
+              "\"left\", \"from\": [480, 270], \"to\": [492, 274]}}: what is drawn at the one "
+              "pixel is seen at the other; \"correct\": \"undo\" takes the last one back. What "
+              "frames.jsonl says of corrections can be given."),
+      "FILE");
   arguments.option("clouds", Cli::tr("Series of clouds instead of a video, e.g. 'cloud_%02d.ply'."),
                    "PATTERN");
   arguments.option("cloud-unit", Cli::tr("Unit of the clouds: mm, cm or m. Without it, the model's."),
@@ -258,6 +328,9 @@ int run_track(const QStringList& given) {
   OutputFolder out(arguments.required_path("out"));
   if (arguments.has("video") == arguments.has("clouds"))
     throw UsageError("Give either --video with --calibration, or --clouds.");
+  if (arguments.has("correct") && !arguments.has("video"))
+    throw UsageError("--correct: needs pictures. Give --video with --calibration.");
+  arguments.require_existing("correct");
   std::vector<std::pair<int, fs::path>> clouds;
   if (arguments.has("clouds")) clouds = expand(arguments.value("clouds"));
   Session session(arguments);

@@ -11,6 +11,7 @@
 #include "glisson/engine/commands/accept_registration.h"
 #include "glisson/engine/commands/build_model.h"
 #include "glisson/engine/commands/choose_rival.h"
+#include "glisson/engine/commands/correct_tracking.h"
 #include "glisson/engine/commands/import_image.h"
 #include "glisson/engine/commands/list_series.h"
 #include "glisson/engine/commands/load_video_frame.h"
@@ -25,6 +26,7 @@
 #include "glisson/engine/commands/set_seeds.h"
 #include "glisson/engine/commands/set_video.h"
 #include "glisson/engine/commands/start_tracking.h"
+#include "glisson/engine/commands/undo_correction.h"
 #include "glisson/engine/engine.h"
 #include "glisson/engine/parts/cloud.h"
 #include "glisson/engine/parts/frame.h"
@@ -64,7 +66,9 @@ class FakeOperation {
     engine::Engine::Options options;
     options.apply = [this](const engine::CaseState& state, const engine::Command& command,
                            const RunContext& context, const engine::Services& services) {
-      if (command.traits().live != engine::LiveLane::none)
+      const bool is_of_follower =
+          command.as<engine::CorrectTracking>() || command.as<engine::UndoCorrection>();
+      if (command.traits().live != engine::LiveLane::none || is_of_follower)
         return engine::apply(state, command, context, services);
       return apply(state, command, context);
     };
@@ -141,11 +145,39 @@ class FakeOperation {
       overlay.lesions = {lesion};
       overlay.residual = 0.8e-3;
       overlay.milliseconds = 12.0;
+      last_ = overlay;
+      return handled();
+    }
+    /// It goes as a whole, to the right only, as far as a pixel is at 120 mm.
+    OverlayFrame correct(const Correction& correction) override {
+      const double right = 0.12 / 260.0 * (correction.to - correction.from).x();
+      if (std::abs(right) > 0.05)
+        throw InputError("correction", "the place", "would be outside of the picture",
+                         "Drag to where the picture shows it");
+      const bool goes_on = !made_.empty() && made_.back().correction.gesture == correction.gesture;
+      if (!goes_on) made_.emplace_back();
+      made_.back().correction = correction;
+      made_.back().frame = last_.index;
+      made_.back().moved += right;
+      return handled();
+    }
+    OverlayFrame undo_correction() override {
+      if (made_.empty()) return Follower::undo_correction();
+      made_.pop_back();
+      return handled();
+    }
+    std::vector<CorrectionMade> corrections() const override { return made_; }
+
+   private:
+    OverlayFrame handled() const {
+      OverlayFrame overlay = last_;
+      for (const CorrectionMade& made : made_) overlay.nodes_in_camera.col(0).array() += made.moved;
       return overlay;
     }
 
-   private:
     Points nodes_;
+    OverlayFrame last_;
+    std::vector<CorrectionMade> made_;
     const std::atomic<Validity>& validity_;
   };
 

@@ -311,7 +311,9 @@ void GuidanceBoxesTest::PlaybackRepeatsOnlyWhenItShould() {
 void GuidanceBoxesTest::RecordingIsOfferedWhileThereIsSomethingToRecord() {
   ui::OverlayWorker worker;
   ui::PlaybackModel playback(*engine_);
-  ui::RecordingModel model(worker, playback);
+  ui::ReviewModel review(*engine_, playback);
+  ui::CorrectionModel correction(*engine_, playback, review);
+  ui::RecordingModel model(worker, playback, correction);
   const ui::RecordingBox box(model);
   QVERIFY(!box.button()->isEnabled());
   QCOMPARE(box.button()->text(), QStringLiteral("Record…"));
@@ -332,7 +334,9 @@ void GuidanceBoxesTest::RecordingIsOfferedWhileThereIsSomethingToRecord() {
 void GuidanceBoxesTest::RecordingEndsWithThePlaying() {
   ui::OverlayWorker worker;
   ui::PlaybackModel playback(*engine_);
-  ui::RecordingModel model(worker, playback);
+  ui::ReviewModel review(*engine_, playback);
+  ui::CorrectionModel correction(*engine_, playback, review);
+  ui::RecordingModel model(worker, playback, correction);
   model.start(QString::fromStdString((folder_->path() / "early.mkv").string()));
   QVERIFY(model.is_recording && model.is_offered);  // asked for before the playing begins
   playback.is_tracking = true;
@@ -345,7 +349,9 @@ void GuidanceBoxesTest::RecordingEndsWithThePlaying() {
 void GuidanceBoxesTest::RecordingThatFailsSaysWhy() {
   ui::OverlayWorker worker;
   ui::PlaybackModel playback(*engine_);
-  ui::RecordingModel model(worker, playback);
+  ui::ReviewModel review(*engine_, playback);
+  ui::CorrectionModel correction(*engine_, playback, review);
+  ui::RecordingModel model(worker, playback, correction);
   const ui::RecordingBox box(model);
   model.start(QString::fromStdString((folder_->path() / "no_such_folder" / "live.mkv").string()));
   worker.submit(live_job(0));

@@ -34,7 +34,8 @@ struct Guidance {
         review(engine, playback),
         live(engine, drawables, playback, review, worker),
         box(engine, playback),
-        view(live, review) {
+        correction(engine, playback, review),
+        view(live, review, correction) {
     view.resize(640, 480);
     view.show();
   }
@@ -44,6 +45,7 @@ struct Guidance {
   ui::ReviewModel review;
   ui::LiveViewModel live;
   ui::PlaybackBox box;
+  ui::CorrectionModel correction;
   ui::LiveView view;
 
   QString line() { return live.line; }

@@ -67,6 +67,16 @@ void TrackRecord::add(int number, const OverlayFrame& overlay) {
   lines_ += overlay_line(line) + "\n";
 }
 
+void TrackRecord::add(const CorrectionMade& made) {
+  lines_ += correction_line(made) + "\n";
+  figures_["corrections"] += 1.0;
+}
+
+void TrackRecord::add_undone(const OverlayFrame& overlay) {
+  lines_ += undone_line(overlay.index, overlay.seconds) + "\n";
+  figures_["corrections_undone"] += 1.0;
+}
+
 void TrackRecord::finish(bool whole) {
   lines_ += overlay_record_end(whole, frames()) + "\n";
   write_file_atomically(output_.folder / "frames.jsonl", lines_);

@@ -15,6 +15,26 @@ constexpr double kFarthest = 40e-3;  ///< metres; a start that is farther off is
 /// place on it.
 constexpr double kBindRadius = 8e-3, kBeside = 2e-3;
 
+/// One of the two cameras, in the left one's frame.
+struct OneView {
+  OneView(const StereoRig& rig, StereoView view) : camera(view == StereoView::left ? rig.left : rig.right) {
+    if (view == StereoView::left) return;
+    right_from_left = {rig.right_from_left.rotation, rig.right_from_left.translation};
+    eye = -right_from_left.rotation.transpose() * right_from_left.translation;
+  }
+  Eigen::Vector3d from_left(const Eigen::Vector3d& p) const {
+    return right_from_left.rotation * p + right_from_left.translation;
+  }
+  /// Unit.
+  Eigen::Vector3d ray(const Eigen::Vector2d& pixel) const {
+    return (right_from_left.rotation.transpose() * camera.ray(pixel)).normalized();
+  }
+
+  const Camera& camera;
+  RigidMotion right_from_left{Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero()};
+  Eigen::Vector3d eye = Eigen::Vector3d::Zero();
+};
+
 std::optional<Anchor> moved(const Anchor& anchor, const registration::MovingSurface& before,
                             const registration::MovingSurface& after) {
   const Eigen::Vector3d tissue = anchor.place(before);
@@ -47,34 +67,30 @@ Points HandCorrections::carried(const Points& motions, const Points& present) co
   return motions * fit_rigid_motion(shape_, present, {}).rotation.transpose();
 }
 
-SightPull HandCorrections::pull_of(const Correction& correction, const Points& shape,
-                                   const Points& present) const {
+SightPull HandCorrections::pull_of(const Correction& correction, const Points& present) const {
   const auto refuse = [](const char* what, const char* remedy) {
     throw InputError("correction", "the place", what, remedy);
   };
   SightPull pull;
-  const Binding binding = bind_points(model_.mesh, correction.place_in_ct.transpose());
+  const Binding binding = bind_points(model_.mesh, correction.place_in_ct.transpose(), false);
   for (int k = 0; k < 4; ++k) {
     pull.nodes[static_cast<std::size_t>(k)] = model_.mesh.tetrahedra(binding.tetrahedron[0], k);
     pull.weights[static_cast<std::size_t>(k)] = binding.weights(0, k);
   }
-  const bool is_left = correction.view == StereoView::left;
-  const Camera& camera = is_left ? rig_.left : rig_.right;
-  const Rigid<CameraFrame, RightCameraFrame> left_from_right = rig_.right_from_left.inverse();
-  const Eigen::Matrix3d turn = is_left ? Eigen::Matrix3d::Identity() : left_from_right.rotation;
-  const Eigen::Vector3d eye = is_left ? Eigen::Vector3d::Zero() : left_from_right.translation;
-  const Eigen::Vector3d place = pull.place(present), in_view = turn.transpose() * (place - eye);
+  const OneView view(rig_, correction.view);
+  const Eigen::Vector3d place = pull.place(present), in_view = view.from_left(place);
   if (!(in_view.z() > 0.0)) refuse("is behind the camera", "Correct what the picture shows");
   // The hand saw a picture that may be older than the last one: how far it dragged is what it said.
-  const Eigen::Vector2d target = camera.project(in_view) + correction.to - correction.from;
-  if (!camera.sees(target)) refuse("would be outside of the picture", "Drag to where the picture shows it");
-  const Eigen::Vector3d sight = (turn * camera.ray(target)).normalized();
-  const Eigen::Vector3d way = eye + sight * sight.dot(place - eye) - place;
+  const Eigen::Vector2d target = view.camera.project(in_view) + correction.to - correction.from;
+  if (!view.camera.sees(target))
+    refuse("would be outside of the picture", "Drag to where the picture shows it");
+  const Eigen::Vector3d sight = view.ray(target);
+  const Eigen::Vector3d way = view.eye + sight * sight.dot(place - view.eye) - place;
   if (way.norm() > kFarthest) refuse("is more than 40 mm from where it is drawn", "Register again");
-  const RigidMotion motion = fit_rigid_motion(shape, present, {});
-  pull.target = pull.place(shape) + motion.rotation.transpose() * way;
-  pull.sight = motion.rotation.transpose() * sight;
-  pull.sigma = correction.sigma_px * in_view.z() / camera.matrix(0, 0);
+  const Eigen::Matrix3d back = fit_rigid_motion(present, shape_, {}).rotation;
+  pull.target = pull.place(shape_) + back * way;
+  pull.sight = back * sight;
+  pull.sigma = correction.sigma_px * in_view.z() / view.camera.matrix(0, 0);
   return pull;
 }
 
@@ -97,9 +113,14 @@ HandCorrections::Proposal HandCorrections::propose(const Correction& correction,
   proposal.correction = correction;
   proposal.replaces =
       correction.gesture != 0 && !made_.empty() && made_.back().correction.gesture == correction.gesture;
-  const Points& shape = proposal.replaces ? last().shape : shape_;
-  const Points before = proposal.replaces ? Points(present + carried(shape - shape_, present)) : present;
-  proposal.pull = pull_of(correction, shape, before);
+  proposal.pull = pull_of(correction, present);
+  // Told as one drag in the last frame, from where the place would be without it.
+  const OneView view(rig_, correction.view);
+  proposal.correction.to =
+      view.camera.project(view.from_left(proposal.pull.place(present))) + correction.to - correction.from;
+  const Points before =
+      proposal.replaces ? Points(present + carried(last().shape - shape_, present)) : present;
+  proposal.correction.from = view.camera.project(view.from_left(proposal.pull.place(before)));
   std::vector<SightPull> pulls = pulls_;
   if (proposal.replaces) pulls.pop_back();
   pulls.push_back(proposal.pull);

@@ -39,7 +39,7 @@ class HandCorrections {
 
   struct Proposal {
     Points shape;
-    Correction correction;
+    Correction correction;  ///< in pixels of the last frame
     SightPull pull;
     bool replaces = false;  ///< the last one, whose gesture goes on
   };
@@ -69,7 +69,7 @@ class HandCorrections {
  private:
   /// Of followed tissue in the registered shape, bound to the model in `shape`.
   Points places(const std::unordered_map<int, Anchor>& anchors, const Points& shape) const;
-  SightPull pull_of(const Correction& correction, const Points& shape, const Points& present) const;
+  SightPull pull_of(const Correction& correction, const Points& present) const;
 
   PatientModel model_;
   StereoRig rig_;

@@ -54,7 +54,7 @@ class Shown {
   std::optional<PickedPlace> on_lines(const Points& in_ct, const Segments& segments, CorrectedFeature feature,
                                       const Eigen::Vector2d& pixel, double reach) const {
     if (in_ct.rows() == 0) return std::nullopt;
-    const Points now = bind_points(model_.mesh, in_ct).apply(model_.mesh, nodes_);
+    const Points now = bind_points(model_.mesh, in_ct, false).apply(model_.mesh, nodes_);
     std::optional<PickedPlace> best;
     for (const auto& [a, b] : segments) {
       if (now(a, 2) <= 0.0 || now(b, 2) <= 0.0) continue;
@@ -129,6 +129,17 @@ std::optional<PickedPlace> pick_place(const PatientModel& model, const Points& n
             shown.on_lines(tree.nodes, shallow(model, tree), CorrectedFeature::vessel, pixel, reach))
       return vessel;
   return shown.on_surface(pixel);
+}
+
+std::optional<Eigen::Vector2d> pixel_of(const PatientModel& model, const Points& nodes_in_camera,
+                                        const StereoRig& rig, StereoView view,
+                                        const Eigen::Vector3d& place_in_ct) {
+  const Points place =
+      bind_points(model.mesh, place_in_ct.transpose(), false).apply(model.mesh, nodes_in_camera);
+  Eigen::Vector3d p = place.row(0).transpose();
+  if (view == StereoView::right) p = rig.right_from_left.rotation * p + rig.right_from_left.translation;
+  if (!(p.z() > 0.0)) return std::nullopt;
+  return (view == StereoView::left ? rig.left : rig.right).project(p);
 }
 
 }  // namespace glisson::guidance

@@ -169,7 +169,7 @@ OverlayRecord read_overlay_record(const std::filesystem::path& path) {
       const json object = json::parse(text);
       if (object.contains("complete"))
         record.complete = object.at("complete").get<bool>();
-      else
+      else if (!object.contains("correct"))  // by hand: see correction.h
         record.frames.push_back(line_of(object));
     } catch (const std::exception& problem) {
       throw InputError(path.string(), "line " + std::to_string(count),

@@ -8,6 +8,12 @@ namespace glisson::ui {
 const std::vector<const char*>& known_problems() {
   static const std::vector<const char*> kPhrases = {
       QT_TRANSLATE_NOOP("ErrorPhrases", "does not exist"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "is not followed in the last frame"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "is not followed in pictures"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "would be outside of the picture"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "is behind the camera"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "is more than 40 mm from where it is drawn"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "takes no shape that would meet it"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "was corrected by hand and would be replaced"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is neither a file nor a folder"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "cannot be opened"),
@@ -202,6 +208,11 @@ const std::vector<const char*>& known_problems() {
 const std::vector<const char*>& known_remedies() {
   static const std::vector<const char*> kPhrases = {
       QT_TRANSLATE_NOOP("ErrorPhrases", "Check the path"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "Wait until it is followed again"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "Track a stereo video"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "Drag to where the picture shows it"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "Correct what the picture shows"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "Drag less far, or register again"),
       QT_TRANSLATE_NOOP("ErrorPhrases",
                         "Lock it (--lock), leave it out of what is found anew (--only), or allow it "
                         "(--replace-edited)"),

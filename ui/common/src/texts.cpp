@@ -48,6 +48,8 @@ class Texts {
             {"choose_rival", tr("Taking the other place")},
             {"simulate", tr("Simulating")},
             {"start_tracking", tr("Starting the tracking")},
+            {"correct_tracking", tr("Correcting by hand")},
+            {"undo_correction", tr("Taking a correction back")},
             {"stop_tracking", tr("Stopping the tracking")},
             {"start_trial", tr("Preparing the trial of a load")},
             {"stop_trial", tr("Ending the trial of a load")},

@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 
 #include "glisson/engine/parts/registration.h"
+#include "glisson/ui/guidance/correction_box.h"
 #include "glisson/ui/guidance/lesion_box.h"
 #include "glisson/ui/guidance/look_box.h"
 #include "glisson/ui/guidance/organ_view.h"
@@ -21,9 +22,11 @@ GuidancePanel::GuidancePanel(EngineBridge& engine, DrawableSource& drawables, QW
       placing_(engine),
       playback_(engine),
       review_(engine, playback_),
-      recording_(worker_, playback_),
+      correction_(engine, playback_, review_),
+      recording_(worker_, playback_, correction_),
       live_(engine, drawables, playback_, review_, worker_),
-      view_(new GuidanceView(new LiveView(live_, review_), new OrganView(engine, drawables, registration_))) {
+      view_(new GuidanceView(new LiveView(live_, review_, correction_),
+                             new OrganView(engine, drawables, registration_))) {
   setObjectName(QStringLiteral("guidance_panel"));
   add_section(tr("1. Initial registration"),
               tr("Rigid start from the labelled features; then the shape that simulated operations on "
@@ -36,6 +39,7 @@ GuidancePanel::GuidancePanel(EngineBridge& engine, DrawableSource& drawables, QW
   playback->add_beside_stop(recording->button());
   live->addWidget(playback);
   live->addWidget(recording);
+  live->addWidget(new CorrectionBox(correction_, this));
   auto* figures = new FiguresTable(this);
   live->addWidget(figures);
   couplings_.add(live_.figures, [figures](const FigureRows& rows) { figures->set_rows(rows); });
@@ -56,6 +60,7 @@ GuidancePanel::GuidancePanel(EngineBridge& engine, DrawableSource& drawables, QW
     picture->set_placing(is);
     if (is) view_->show_picture();
   });
+  couplings_.add(correction_.is_correcting, [this](bool is) { live_.show_refuted(is); });
   couplings_.add(registration_.shown_rival, [this](int) { show_proposed(); });
 }
 

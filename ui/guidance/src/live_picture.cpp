@@ -2,6 +2,7 @@
 #include "glisson/ui/guidance/live_picture.h"
 
 #include <QMouseEvent>
+#include <QPainter>
 #include <QWheelEvent>
 
 namespace glisson::ui {
@@ -23,6 +24,12 @@ void LivePicture::mousePressEvent(QMouseEvent* event) {
     if (event->button() == Qt::LeftButton) grabbed_ = pixel;
     return;
   }
+  const bool takes_hold = correcting_ || event->modifiers().testFlag(Qt::ShiftModifier);
+  if (event->button() == Qt::LeftButton && takes_hold) {
+    holding_ = true;
+    emit taken_hold(pixel);
+    return;
+  }
   const bool with_control = event->modifiers().testFlag(Qt::ControlModifier);
   if (event->button() == Qt::RightButton || (event->button() == Qt::LeftButton && with_control))
     emit marked(pixel);
@@ -33,12 +40,44 @@ void LivePicture::mousePressEvent(QMouseEvent* event) {
 void LivePicture::set_placing(bool on) {
   placing_ = on;
   grabbed_.reset();
-  setCursor(on ? Qt::OpenHandCursor : Qt::ArrowCursor);
+  show_cursor();
+}
+
+void LivePicture::set_correcting(bool on) {
+  correcting_ = on;
+  show_cursor();
+}
+
+void LivePicture::show_cursor() {
+  setCursor(placing_ ? Qt::OpenHandCursor : correcting_ ? Qt::CrossCursor : Qt::ArrowCursor);
+}
+
+void LivePicture::set_drag_line(const std::optional<std::pair<Eigen::Vector2d, Eigen::Vector2d>>& line) {
+  drag_line_ = line;
+  update();
+}
+
+void LivePicture::paint_over(QPainter& painter) {
+  if (!drag_line_) return;
+  const QPointF from = widget_point(drag_line_->first), to = widget_point(drag_line_->second);
+  // Dark below light: seen on any tissue.
+  for (const auto& [colour, width] : {std::pair{QColor(12, 16, 20), 5.0}, {QColor(240, 228, 66), 2.0}}) {
+    painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawLine(from, to);
+    painter.drawEllipse(from, 4.0, 4.0);
+    painter.drawLine(to - QPointF(7.0, 0.0), to + QPointF(7.0, 0.0));
+    painter.drawLine(to - QPointF(0.0, 7.0), to + QPointF(0.0, 7.0));
+  }
 }
 
 void LivePicture::mouseReleaseEvent(QMouseEvent* event) {
   PictureView::mouseReleaseEvent(event);
   grabbed_.reset();
+  if (holding_ && event->button() == Qt::LeftButton) {
+    holding_ = false;
+    if (!picture().empty()) emit let_go(pixel_at(event->position()));
+  }
 }
 
 void LivePicture::wheelEvent(QWheelEvent* event) {
@@ -57,6 +96,7 @@ void LivePicture::mouseMoveEvent(QMouseEvent* event) {
     grabbed_ = pixel;
     return;
   }
+  if (holding_) emit held_at(pixel_at(event->position()));
   if (holds(event->position()))
     emit pointed(pixel_at(event->position()));
   else

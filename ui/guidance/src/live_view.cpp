@@ -17,10 +17,11 @@ constexpr int kLinesHeight = 46;  ///< two lines of the live view's words, pixel
 
 }  // namespace
 
-LiveView::LiveView(LiveViewModel& model, ReviewModel& review, QWidget* parent)
+LiveView::LiveView(LiveViewModel& model, ReviewModel& review, CorrectionModel& correction, QWidget* parent)
     : QWidget(parent),
       model_(model),
       review_(review),
+      correction_(correction),
       timeline_(new TimelineBar(review, this)),
       picture_(new LivePicture(this)) {
   setObjectName(QStringLiteral("guidance_view"));
@@ -64,6 +65,13 @@ LiveView::LiveView(LiveViewModel& model, ReviewModel& review, QWidget* parent)
           [&model](const Eigen::Vector2d& pixel) { model.point_at(pixel); });
   connect(picture_, &LivePicture::left, &model, [&model] { model.point_at({}); });
   connect(picture_, &LivePicture::marked, &model, &LiveViewModel::mark_at);
+  connect(picture_, &LivePicture::taken_hold, &correction, &CorrectionModel::grab);
+  connect(picture_, &LivePicture::held_at, &correction, &CorrectionModel::drag_to);
+  connect(picture_, &LivePicture::let_go, &correction, &CorrectionModel::let_go);
+  couplings_.add(correction.is_correcting, [this](bool is) { picture_->set_correcting(is); });
+  couplings_.add(correction.line, [this](const std::optional<CorrectionModel::Line>& drag) {
+    picture_->set_drag_line(drag ? std::optional(std::pair(drag->from, drag->to)) : std::nullopt);
+  });
   connect(&model, &LiveViewModel::picture_changed, picture_, &PictureView::set_picture);
   couplings_.add(model.banner, [banner](const QString& text) { show_warning(*banner, text); });
   couplings_.add(model.line, [line](const QString& text) { line->setText(text); });
@@ -73,12 +81,19 @@ LiveView::LiveView(LiveViewModel& model, ReviewModel& review, QWidget* parent)
 void LiveView::keyPressEvent(QKeyEvent* event) {
   switch (event->key()) {
     case Qt::Key_Escape:
+      if (correction_.line.value()) return correction_.give_up();
       isFullScreen() ? void(close()) : model_.let_go();
       return;
     case Qt::Key_F11:
       return switch_whole_screen();
     case Qt::Key_P:
       return save_picture();
+    case Qt::Key_C:
+      if (correction_.is_offered) correction_.is_correcting = !correction_.is_correcting;
+      return;
+    case Qt::Key_Z:
+      if (event->modifiers().testFlag(Qt::ControlModifier)) return correction_.undo();
+      return QWidget::keyPressEvent(event);
     default:
       if (!timeline_->press(event->key(), event->modifiers())) QWidget::keyPressEvent(event);
   }
@@ -95,7 +110,7 @@ void LiveView::switch_whole_screen() {
     whole_screen_->close();
     return;
   }
-  whole_screen_ = new LiveView(model_, review_);
+  whole_screen_ = new LiveView(model_, review_, correction_);
   whole_screen_->setAttribute(Qt::WA_DeleteOnClose);
   whole_screen_->setObjectName(QStringLiteral("whole_screen_view"));
   whole_screen_->setWindowTitle(window()->windowTitle());

@@ -176,11 +176,19 @@ void LiveViewModel::show_live() {
   job.overlay = now[part::live]->overlay;
   if (engine_.snapshot()->stage(part::live) == engine::StageState::stale)
     job.overlay.validity = Validity::stale;
+  if (shows_refuted_ && job.overlay.validity == Validity::surface_apart)
+    job.overlay.validity = Validity::proposed;
   job.taken = playback_.feed().sent_at(now[part::live]->frame.index);
   job.source_rate = playback_.feed().frames_per_second();
   job.frames_per_second = rate();
   live_job_ = job;
   submit(std::move(job));
+}
+
+void LiveViewModel::show_refuted(bool on) {
+  if (shows_refuted_ == on) return;
+  shows_refuted_ = on;
+  show_live();
 }
 
 void LiveViewModel::show_moment(const Moment& moment) {

@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/guidance/recording_model.h"
 
+#include <string>
+
+#include "glisson/core/error.h"
+#include "glisson/core/files.h"
+#include "glisson/ui/common/error_texts.h"
+
 namespace glisson::ui {
 
-RecordingModel::RecordingModel(OverlayWorker& worker, PlaybackModel& playback, QObject* parent)
-    : QObject(parent), worker_(worker) {
+RecordingModel::RecordingModel(OverlayWorker& worker, PlaybackModel& playback, CorrectionModel& correction,
+                               QObject* parent)
+    : QObject(parent), worker_(worker), correction_(correction) {
   is_offered.setBinding([this, &playback] { return playback.is_tracking || is_recording; });
   const auto end_with = [this](bool goes_on) {
     if (!goes_on) stop();
@@ -15,7 +22,7 @@ RecordingModel::RecordingModel(OverlayWorker& worker, PlaybackModel& playback, Q
           [this](const QString& path, int frames, const QString& error) {
             is_recording = false;
             if (error.isEmpty())
-              say(tr("Frames recorded: %1, in %2").arg(frames).arg(path), QStringLiteral("good"));
+              tell_end(path, frames);
             else
               say(error, QStringLiteral("error"));
           });
@@ -29,6 +36,22 @@ void RecordingModel::start(const QString& path) {
 
 void RecordingModel::stop() {
   if (is_recording) worker_.stop_recording();
+}
+
+void RecordingModel::tell_end(const QString& path, int frames) {
+  QString text = tr("Frames recorded: %1, in %2").arg(frames).arg(path);
+  if (!correction_.record().empty()) {
+    std::string lines;
+    for (const std::string& line : correction_.record()) lines += line + "\n";
+    const QString beside = path + QStringLiteral(".corrections.jsonl");
+    try {
+      write_file_atomically(beside.toStdString(), lines);
+    } catch (const Error& problem) {
+      return say(error_text(problem.what()), QStringLiteral("error"));
+    }
+    text += QLatin1Char('\n') + tr("Corrections by hand: %1").arg(beside);
+  }
+  say(text, QStringLiteral("good"));
 }
 
 void RecordingModel::say(const QString& text, const QString& how) {

@@ -10,6 +10,7 @@
 #include "glisson/core/units.h"
 #include "glisson/experiments/track_evaluation.h"
 #include "glisson/geometry/mesh_io.h"
+#include "glisson/patient/correction.h"
 #include "glisson/patient/patient_model.h"
 #include "glisson/patient/registration.h"
 
@@ -36,6 +37,9 @@ class TrackRecord {
 
   /// @throws FileError; InputError the truth is not of this model.
   void add(int number, const OverlayFrame& overlay);
+  /// A correction by hand that was made after the last frame that was added; and one that was taken back.
+  void add(const CorrectionMade& made);
+  void add_undone(const OverlayFrame& overlay);
   /// Writes frames.jsonl. @param whole false: it was cut short. @throws FileError.
   void finish(bool whole);
   int frames() const { return evaluation_.times().frames(); }

@@ -26,4 +26,10 @@ std::optional<PickedPlace> pick_place(const PatientModel& model, const Points& n
                                       const StereoRig& rig, StereoView view, const Eigen::Vector2d& pixel,
                                       double reach_px = -1.0);
 
+/// Where a view shows a place of the model. @param place_in_ct metres. @param nodes_in_camera as above.
+/// @return empty: behind the camera.
+std::optional<Eigen::Vector2d> pixel_of(const PatientModel& model, const Points& nodes_in_camera,
+                                        const StereoRig& rig, StereoView view,
+                                        const Eigen::Vector3d& place_in_ct);
+
 }  // namespace glisson::guidance

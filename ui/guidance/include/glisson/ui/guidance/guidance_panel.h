@@ -5,6 +5,7 @@
 
 #include "glisson/ui/common/drawable_source.h"
 #include "glisson/ui/common/panel.h"
+#include "glisson/ui/guidance/correction_model.h"
 #include "glisson/ui/guidance/guidance_view.h"
 #include "glisson/ui/guidance/live_view.h"
 #include "glisson/ui/guidance/live_view_model.h"
@@ -41,6 +42,7 @@ class GuidancePanel : public Panel {
   PlacingModel placing_;
   PlaybackModel playback_;
   ReviewModel review_;
+  CorrectionModel correction_;
   RecordingModel recording_;
   LiveViewModel live_;
   Couplings couplings_;

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <utility>
 
 #include "glisson/ui/common/picture_view.h"
 
@@ -15,6 +16,10 @@ class LivePicture : public PictureView {
   explicit LivePicture(QWidget* parent = nullptr);
   /// From now on drags and the wheel move the organ instead of pointing at it.
   void set_placing(bool on);
+  /// From now on drags take hold of a place of the organ. With Shift they always do.
+  void set_correcting(bool on);
+  /// Drawn over the picture, pixels: from where a place was drawn to where a hand holds it; empty: nothing.
+  void set_drag_line(const std::optional<std::pair<Eigen::Vector2d, Eigen::Vector2d>>& line);
 
  signals:
   void clicked(const Eigen::Vector2d& pixel);
@@ -25,6 +30,10 @@ class LivePicture : public PictureView {
   void left();
   /// While the organ is placed: the left button went from one pixel to the next, with these keys.
   void dragged(const Eigen::Vector2d& from, const Eigen::Vector2d& to, Qt::KeyboardModifiers keys);
+  /// A place of the organ: a hand takes hold of it, drags it, lets go.
+  void taken_hold(const Eigen::Vector2d& pixel);
+  void held_at(const Eigen::Vector2d& pixel);
+  void let_go(const Eigen::Vector2d& pixel);
   /// Notches of the wheel, away from the hand positive.
   void wheeled(double notches);
 
@@ -34,12 +43,17 @@ class LivePicture : public PictureView {
   void mouseReleaseEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void leaveEvent(QEvent* event) override;
+  void paint_over(QPainter& painter) override;
 
  private:
   /// Whether a place of the widget lies on the picture.
   bool holds(const QPointF& widget) const;
 
-  bool placing_ = false;
+  void show_cursor();
+
+  bool placing_ = false, correcting_ = false;
+  bool holding_ = false;  ///< a place of the organ
+  std::optional<std::pair<Eigen::Vector2d, Eigen::Vector2d>> drag_line_;
   std::optional<Eigen::Vector2d> grabbed_;  ///< where the drag was last
 };
 

@@ -5,6 +5,7 @@
 #include <QWidget>
 
 #include "glisson/ui/common/couplings.h"
+#include "glisson/ui/guidance/correction_model.h"
 #include "glisson/ui/guidance/live_picture.h"
 #include "glisson/ui/guidance/live_view_model.h"
 #include "glisson/ui/guidance/timeline_bar.h"
@@ -13,12 +14,13 @@ namespace glisson::ui {
 
 /// The augmented picture, with what is said of it above and below, and the way through the video. Keys, while
 /// it has the focus: space, arrows, Home and End (see TimelineBar), F11 the whole screen, P saves the
-/// picture, Esc lets go of the choice, or of the whole screen.
+/// picture, C corrects by hand, Ctrl+Z takes a correction back, Esc lets go of what the hand holds, of the
+/// choice, or of the whole screen.
 class LiveView : public QWidget {
   Q_OBJECT
  public:
-  /// Both outlive the view.
-  LiveView(LiveViewModel& model, ReviewModel& review, QWidget* parent = nullptr);
+  /// All outlive the view.
+  LiveView(LiveViewModel& model, ReviewModel& review, CorrectionModel& correction, QWidget* parent = nullptr);
   ~LiveView() override;
   const LivePicture& picture() const { return *picture_; }
 
@@ -31,6 +33,7 @@ class LiveView : public QWidget {
 
   LiveViewModel& model_;
   ReviewModel& review_;
+  CorrectionModel& correction_;
   TimelineBar* timeline_;
   QPointer<LiveView> whole_screen_;  ///< shown on the whole screen for this one
   LivePicture* picture_;

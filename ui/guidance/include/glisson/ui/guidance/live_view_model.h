@@ -48,6 +48,9 @@ class LiveViewModel : public QObject {
     QString line;  ///< what is said of it below the picture
   };
   void propose(std::optional<Proposed> proposed);
+  /// Outline and margin are shown as a proposal where surfaces speak against the live organ's place, so that
+  /// a hand can take hold of them and correct it.
+  void show_refuted(bool on);
   /// The one on the screen; empty: none.
   const Picture& picture() const { return picture_; }
   /// Writes it (.png, .jpg). @return what went wrong; empty: nothing.
@@ -111,7 +114,7 @@ class LiveViewModel : public QObject {
   std::deque<qint64> painted_at_;  ///< milliseconds
   double last_age_ = 0.0;
   int pictures_shown_ = 0;
-  bool was_tracking_ = false;
+  bool was_tracking_ = false, shows_refuted_ = false;
   std::optional<Proposed> proposed_;
   std::optional<OverlayJob> job_;       ///< the last one
   std::optional<OverlayJob> live_job_;  ///< the last one of a live picture

@@ -5,16 +5,19 @@
 #include <QProperty>
 
 #include "glisson/ui/common/couplings.h"
+#include "glisson/ui/guidance/correction_model.h"
 #include "glisson/ui/guidance/overlay_worker.h"
 #include "glisson/ui/guidance/playback_model.h"
 
 namespace glisson::ui {
 
 /// Records the live view. It may be asked for before the playing begins; it ends with the playing.
+/// Corrections by hand are written beside it, into NAME.corrections.jsonl.
 class RecordingModel : public QObject {
   Q_OBJECT
  public:
-  RecordingModel(OverlayWorker& worker, PlaybackModel& playback, QObject* parent = nullptr);
+  RecordingModel(OverlayWorker& worker, PlaybackModel& playback, CorrectionModel& correction,
+                 QObject* parent = nullptr);
 
   void start(const QString& path);
   /// The file is closed; `said` tells how that went.
@@ -28,8 +31,10 @@ class RecordingModel : public QObject {
 
  private:
   void say(const QString& text, const QString& how);
+  void tell_end(const QString& path, int frames);
 
   OverlayWorker& worker_;
+  CorrectionModel& correction_;
   Couplings couplings_;
 };
 

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <QElapsedTimer>
+#include <QObject>
+#include <QProperty>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "glisson/engine/parts/live.h"
+#include "glisson/patient/correction.h"
+#include "glisson/ui/common/couplings.h"
+#include "glisson/ui/common/engine_bridge.h"
+#include "glisson/ui/guidance/playback_model.h"
+#include "glisson/ui/guidance/review_model.h"
+
+namespace glisson::ui {
+
+/// A hand takes hold of a place of the tracked organ in the left picture and drags it to where it is seen.
+/// While it drags, pieces of the one gesture go to the engine: the next when the one before is done.
+class CorrectionModel : public QObject {
+  Q_OBJECT
+ public:
+  /// All outlive this.
+  CorrectionModel(EngineBridge& engine, PlaybackModel& playback, ReviewModel& review,
+                  QObject* parent = nullptr);
+
+  /// Takes hold of what lies at a pixel of the left picture. @return false: of nothing; `said` tells why.
+  bool grab(const Eigen::Vector2d& pixel);
+  void drag_to(const Eigen::Vector2d& pixel);
+  /// The place is there.
+  void let_go(const Eigen::Vector2d& pixel);
+  /// Lets go without having said anything.
+  void give_up();
+  /// Takes the last correction back.
+  void undo();
+  /// Lines of what was corrected and taken back since tracking began, oldest first (see correction_line).
+  const std::vector<std::string>& record() const { return record_; }
+
+  /// Pixels of the left picture.
+  struct Line {
+    Eigen::Vector2d from, to;
+    bool operator==(const Line&) const = default;
+  };
+
+  // For widgets to read.
+  QProperty<bool> is_offered{false};    ///< there is a live organ to be corrected
+  QProperty<bool> can_undo{false};      ///< a correction stands
+  QProperty<std::optional<Line>> line;  ///< while a hand drags
+  QProperty<QString> said, tone;
+  // For widgets to set.
+  QProperty<bool> is_correcting{false};  ///< drags correct, without a key
+
+ private:
+  void read_case();
+  void read_live();
+  void finish(const engine::Outcome& outcome);
+  void send_piece(bool is_last);
+  void say(const QString& text, const QString& how = {});
+  QString standing() const;
+  const engine::LiveState* live() const;
+
+  EngineBridge& engine_;
+  PlaybackModel& playback_;
+  ReviewModel& review_;
+  Couplings couplings_;
+  std::optional<Correction> held_;  ///< of the present gesture
+  QElapsedTimer since_piece_;
+  std::optional<engine::CommandId> piece_;    ///< on its way
+  std::optional<engine::CommandId> undoing_;  ///< likewise
+  bool is_last_ = false;                      ///< the piece on its way ends the gesture
+  bool ends_ = false;                         ///< the hand has let go, and the last piece waits for its turn
+  bool gives_up_ = false;                     ///< what of the gesture has arrived is to be taken back
+  bool has_arrived_ = false;                  ///< a piece of the gesture has
+  int gesture_ = 0;
+  std::vector<std::string> record_;
+};
+
+}  // namespace glisson::ui
