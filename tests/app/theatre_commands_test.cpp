@@ -123,6 +123,9 @@ void TheatreCommandsTest::AVideoThatEndsEarlyIsRecognised() {
       at("small.png"),
       {160, 120, 1, std::make_shared<std::vector<std::uint8_t>>(19200UL, std::uint8_t{255})});
   refused(track + QStringList{"--mask", "small.png"}, "160x120");
+  refused(track + QStringList{"--correct", "none.jsonl"}, "none.jsonl");
+  write_text(at("late.jsonl"), R"({"frame": 60, "correct": "undo"})");
+  refused(track + QStringList{"--correct", "late.jsonl"}, "frame 60");
   const std::string whole = read_file(at("whole.mkv"));
   write_text(at("cut.mkv"), whole.substr(0, whole.size() * 3 / 5));
   fs::remove(at("whole.mkv"));

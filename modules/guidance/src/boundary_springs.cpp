@@ -63,8 +63,8 @@ void BoundarySprings::move(const RigidMotion& motion) {
   for (Spring& spring : springs_) spring.anchor = motion.rotation * spring.anchor + motion.translation;
 }
 
-void BoundarySprings::shift(const Points& node_motions) {
-  for (Spring& spring : springs_) spring.anchor += place(spring.nodes, spring.weights, node_motions);
+void BoundarySprings::shift(const Points& motions_in_camera) {
+  for (Spring& spring : springs_) spring.anchor += place(spring.nodes, spring.weights, motions_in_camera);
 }
 
 void BoundarySprings::add(const Points& nodes_in_camera, std::vector<fem::AttachedLoad>& loads) const {

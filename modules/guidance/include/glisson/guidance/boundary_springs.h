@@ -21,8 +21,9 @@ class BoundarySprings {
 
   /// The camera has moved: what holds the organ is elsewhere in its frame.
   void move(const RigidMotion& motion);
-  /// The model was put elsewhere in what holds it: each spring's place goes along with the node motions.
-  void shift(const Points& node_motions);
+  /// The model was put elsewhere in what holds it: each spring's place goes along with the nodes' motions
+  /// (metres).
+  void shift(const Points& motions_in_camera);
   void add(const Points& nodes_in_camera, std::vector<fem::AttachedLoad>& loads) const;
   int count() const { return static_cast<int>(springs_.size()); }
 
