@@ -436,6 +436,10 @@
         <source>Click the two ends of a missing piece of vessel. Ctrl adds a point between.</source>
         <translation>Klicken Sie die beiden Enden des fehlenden Gefäßstücks an. Strg fügt einen Punkt dazwischen hinzu.</translation>
     </message>
+    <message>
+        <source>First choose a vessel in the list of labels: portal vein, hepatic veins, vena cava or artery.</source>
+        <translation>Erst ein Gefäß in der Liste der Labels wählen: Pfortader, Lebervenen, Hohlvene oder Arterie.</translation>
+    </message>
 </context>
 <context>
     <name>ErrorPhrases</name>
@@ -2435,6 +2439,10 @@
         <source>The seeds are those of another CT: place them again (Segmentation).</source>
         <translation>Die Saatpunkte sind die eines anderen CTs: neu setzen (Segmentierung).</translation>
     </message>
+    <message>
+        <source>The CT was not opened from its DICOM folder, so whose it is is not known.</source>
+        <translation>Das CT wurde nicht aus seinem DICOM-Ordner geöffnet; von wem es ist, ist nicht bekannt.</translation>
+    </message>
 </context>
 <context>
     <name>Overlay</name>
@@ -3357,10 +3365,6 @@
     <message>
         <source>What the expert&apos;s codes mean (JSON).</source>
         <translation>Was die Codes des Experten bedeuten (JSON).</translation>
-    </message>
-    <message>
-        <source>Also write the labels here (.seg.nrrd, .nii.gz).</source>
-        <translation>Labels auch hierhin schreiben (.seg.nrrd, .nii.gz).</translation>
     </message>
     <message>
         <source>Builds the biomechanical model: tetrahedra, vessels, anterior margin.</source>
@@ -4486,6 +4490,10 @@
         <source>Corrections by hand, a line of JSON each: {&quot;frame&quot;: 12, &quot;correct&quot;: {&quot;view&quot;: &quot;left&quot;, &quot;from&quot;: [480, 270], &quot;to&quot;: [492, 274]}}: what is drawn at the one pixel is seen at the other; &quot;correct&quot;: &quot;undo&quot; takes the last one back. What frames.jsonl says of corrections can be given.</source>
         <translation>Korrekturen von Hand, je eine Zeile JSON: {&quot;frame&quot;: 12, &quot;correct&quot;: {&quot;view&quot;: &quot;left&quot;, &quot;from&quot;: [480, 270], &quot;to&quot;: [492, 274]}}: Was an dem einen Pixel gezeichnet ist, wird an dem anderen gesehen; &quot;correct&quot;: &quot;undo&quot; nimmt die letzte zurück. Was frames.jsonl an Korrekturen nennt, kann angegeben werden.</translation>
     </message>
+    <message>
+        <source>Also write the labels here (.seg.nrrd, .nii.gz; .dcm: DICOM segmentation).</source>
+        <translation>Die Labels auch hierher schreiben (.seg.nrrd, .nii.gz; .dcm: DICOM-Segmentierung).</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AngleHistogram</name>
@@ -5559,10 +5567,6 @@
         <translation>Labels exportieren</translation>
     </message>
     <message>
-        <source>Labels (*.seg.nrrd *.nii.gz *.nrrd *.mha)</source>
-        <translation>Labels (*.seg.nrrd *.nii.gz *.nrrd *.mha)</translation>
-    </message>
-    <message>
         <source>Open a CT</source>
         <translation>CT öffnen</translation>
     </message>
@@ -5589,6 +5593,14 @@
     <message>
         <source>%1 (for reading)[*] – Glisson</source>
         <translation>%1 (zum Lesen)[*] – Glisson</translation>
+    </message>
+    <message>
+        <source>%1 is not there any more. It was taken from the list.</source>
+        <translation>%1 ist nicht mehr da. Der Eintrag wurde aus der Liste genommen.</translation>
+    </message>
+    <message>
+        <source>Labels (*.seg.nrrd *.dcm *.nii.gz *.nrrd *.mha)</source>
+        <translation>Labels (*.seg.nrrd *.dcm *.nii.gz *.nrrd *.mha)</translation>
     </message>
 </context>
 <context>
@@ -5742,6 +5754,21 @@
     <message>
         <source>Refused</source>
         <translation>Abgelehnt</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::PatientIdentity</name>
+    <message>
+        <source>ID %1</source>
+        <translation>ID %1</translation>
+    </message>
+    <message>
+        <source>born %1</source>
+        <translation>geboren %1</translation>
+    </message>
+    <message>
+        <source>Anonymous</source>
+        <translation>Anonym</translation>
     </message>
 </context>
 <context>
@@ -5941,6 +5968,17 @@
     <message>
         <source>%1 mm, tips: %2, beams: %3</source>
         <translation>%1 mm, Spitzen: %2, Balken: %3</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::RecentCases</name>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>&amp;Clear the list</source>
+        <translation>Liste &amp;leeren</translation>
     </message>
 </context>
 <context>
@@ -6304,10 +6342,6 @@
         <translation>Labels importieren</translation>
     </message>
     <message>
-        <source>Labels (*.nrrd *.nii *.nii.gz *.mha *.mhd *.vti)</source>
-        <translation>Labels (*.nrrd *.nii *.nii.gz *.mha *.mhd *.vti)</translation>
-    </message>
-    <message>
         <source>%1 ml</source>
         <translation>%1 ml</translation>
     </message>
@@ -6336,10 +6370,6 @@
         <translation>Importieren…</translation>
     </message>
     <message>
-        <source>Labels that were made elsewhere: .seg.nrrd, NIfTI</source>
-        <translation>Labels, die anderswo gemacht wurden: .seg.nrrd, NIfTI</translation>
-    </message>
-    <message>
         <source>Opacity of the labels in the slices</source>
         <translation>Deckkraft der Labels in den Schichten</translation>
     </message>
@@ -6362,6 +6392,14 @@
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Labels that were made elsewhere: DICOM segmentation, .seg.nrrd, NIfTI</source>
+        <translation>Anderswo gemachte Labels: DICOM-Segmentierung, .seg.nrrd, NIfTI</translation>
+    </message>
+    <message>
+        <source>Labels (*.nrrd *.dcm *.nii *.nii.gz *.mha *.mhd *.vti)</source>
+        <translation>Labels (*.nrrd *.dcm *.nii *.nii.gz *.mha *.mhd *.vti)</translation>
     </message>
 </context>
 <context>

@@ -436,6 +436,10 @@
         <source>Click the two ends of a missing piece of vessel. Ctrl adds a point between.</source>
         <translation>Cliquez les deux extrémités du morceau de vaisseau manquant. Ctrl ajoute un point entre elles.</translation>
     </message>
+    <message>
+        <source>First choose a vessel in the list of labels: portal vein, hepatic veins, vena cava or artery.</source>
+        <translation>Choisissez d’abord un vaisseau dans la liste des étiquettes : veine porte, veines hépatiques, veine cave ou artère.</translation>
+    </message>
 </context>
 <context>
     <name>ErrorPhrases</name>
@@ -2435,6 +2439,10 @@
         <source>The seeds are those of another CT: place them again (Segmentation).</source>
         <translation>Les germes sont ceux d’un autre scanner : placez-les de nouveau (Segmentation).</translation>
     </message>
+    <message>
+        <source>The CT was not opened from its DICOM folder, so whose it is is not known.</source>
+        <translation>Le scanner n’a pas été ouvert depuis son dossier DICOM : on ne sait pas de qui il est.</translation>
+    </message>
 </context>
 <context>
     <name>Overlay</name>
@@ -3357,10 +3365,6 @@
     <message>
         <source>What the expert&apos;s codes mean (JSON).</source>
         <translation>Ce que signifient les codes de l&apos;expert (JSON).</translation>
-    </message>
-    <message>
-        <source>Also write the labels here (.seg.nrrd, .nii.gz).</source>
-        <translation>Écrire aussi les étiquettes ici (.seg.nrrd, .nii.gz).</translation>
     </message>
     <message>
         <source>Builds the biomechanical model: tetrahedra, vessels, anterior margin.</source>
@@ -4486,6 +4490,10 @@
         <source>Corrections by hand, a line of JSON each: {&quot;frame&quot;: 12, &quot;correct&quot;: {&quot;view&quot;: &quot;left&quot;, &quot;from&quot;: [480, 270], &quot;to&quot;: [492, 274]}}: what is drawn at the one pixel is seen at the other; &quot;correct&quot;: &quot;undo&quot; takes the last one back. What frames.jsonl says of corrections can be given.</source>
         <translation>Corrections à la main, une ligne JSON chacune : {&quot;frame&quot;: 12, &quot;correct&quot;: {&quot;view&quot;: &quot;left&quot;, &quot;from&quot;: [480, 270], &quot;to&quot;: [492, 274]}} : ce qui est dessiné au premier pixel se voit au second ; &quot;correct&quot;: &quot;undo&quot; annule la dernière. Ce que frames.jsonl dit de corrections peut être donné.</translation>
     </message>
+    <message>
+        <source>Also write the labels here (.seg.nrrd, .nii.gz; .dcm: DICOM segmentation).</source>
+        <translation>Écrire aussi les étiquettes ici (.seg.nrrd, .nii.gz ; .dcm : segmentation DICOM).</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AngleHistogram</name>
@@ -5559,10 +5567,6 @@
         <translation>Exporter les étiquettes</translation>
     </message>
     <message>
-        <source>Labels (*.seg.nrrd *.nii.gz *.nrrd *.mha)</source>
-        <translation>Étiquettes (*.seg.nrrd *.nii.gz *.nrrd *.mha)</translation>
-    </message>
-    <message>
         <source>Open a CT</source>
         <translation>Ouvrir un scanner</translation>
     </message>
@@ -5589,6 +5593,14 @@
     <message>
         <source>%1 (for reading)[*] – Glisson</source>
         <translation>%1 (en lecture)[*] – Glisson</translation>
+    </message>
+    <message>
+        <source>%1 is not there any more. It was taken from the list.</source>
+        <translation>%1 n’existe plus. L’entrée a été retirée de la liste.</translation>
+    </message>
+    <message>
+        <source>Labels (*.seg.nrrd *.dcm *.nii.gz *.nrrd *.mha)</source>
+        <translation>Étiquettes (*.seg.nrrd *.dcm *.nii.gz *.nrrd *.mha)</translation>
     </message>
 </context>
 <context>
@@ -5742,6 +5754,21 @@
     <message>
         <source>Refused</source>
         <translation>Refusé</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::PatientIdentity</name>
+    <message>
+        <source>ID %1</source>
+        <translation>ID %1</translation>
+    </message>
+    <message>
+        <source>born %1</source>
+        <translation>naissance %1</translation>
+    </message>
+    <message>
+        <source>Anonymous</source>
+        <translation>Anonyme</translation>
     </message>
 </context>
 <context>
@@ -5941,6 +5968,17 @@
     <message>
         <source>%1 mm, tips: %2, beams: %3</source>
         <translation>%1 mm, bouts : %2, poutres : %3</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::RecentCases</name>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Ouvrir &amp;récent</translation>
+    </message>
+    <message>
+        <source>&amp;Clear the list</source>
+        <translation>&amp;Vider la liste</translation>
     </message>
 </context>
 <context>
@@ -6304,10 +6342,6 @@
         <translation>Importer des étiquettes</translation>
     </message>
     <message>
-        <source>Labels (*.nrrd *.nii *.nii.gz *.mha *.mhd *.vti)</source>
-        <translation>Étiquettes (*.nrrd *.nii *.nii.gz *.mha *.mhd *.vti)</translation>
-    </message>
-    <message>
         <source>%1 ml</source>
         <translation>%1 ml</translation>
     </message>
@@ -6336,10 +6370,6 @@
         <translation>Importer…</translation>
     </message>
     <message>
-        <source>Labels that were made elsewhere: .seg.nrrd, NIfTI</source>
-        <translation>Étiquettes faites ailleurs : .seg.nrrd, NIfTI</translation>
-    </message>
-    <message>
         <source>Opacity of the labels in the slices</source>
         <translation>Opacité des étiquettes dans les coupes</translation>
     </message>
@@ -6362,6 +6392,14 @@
     <message>
         <source>%1: %2</source>
         <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>Labels that were made elsewhere: DICOM segmentation, .seg.nrrd, NIfTI</source>
+        <translation>Étiquettes faites ailleurs : segmentation DICOM, .seg.nrrd, NIfTI</translation>
+    </message>
+    <message>
+        <source>Labels (*.nrrd *.dcm *.nii *.nii.gz *.mha *.mhd *.vti)</source>
+        <translation>Étiquettes (*.nrrd *.dcm *.nii *.nii.gz *.mha *.mhd *.vti)</translation>
     </message>
 </context>
 <context>

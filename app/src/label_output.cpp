@@ -2,8 +2,8 @@
 #include "label_output.h"
 
 #include "case_argument.h"
+#include "glisson/engine/label_export.h"
 #include "glisson/engine/parts/labels.h"
-#include "glisson/engine/review.h"
 #include "glisson/segmentation/evaluate.h"
 
 namespace glisson::app {
@@ -12,11 +12,14 @@ void declare_label_output(Arguments& arguments) {
   arguments.option(
       "truth", Cli::tr("Labels of an expert: adds Dice coefficients. Read after everything else."), "FILE");
   arguments.option("truth-codes", Cli::tr("What the expert's codes mean (JSON)."), "FILE");
-  arguments.option("labels-out", Cli::tr("Also write the labels here (.seg.nrrd, .nii.gz)."), "FILE");
+  arguments.option("labels-out",
+                   Cli::tr("Also write the labels here (.seg.nrrd, .nii.gz; .dcm: DICOM segmentation)."),
+                   "FILE");
 }
 
 LabelOutput::LabelOutput(const Arguments& arguments) : arguments_(arguments) {
-  if (arguments.has("labels-out")) arguments.output_file("labels-out", {".nrrd", ".nii.gz", ".nii", ".mha"});
+  if (arguments.has("labels-out"))
+    arguments.output_file("labels-out", {".nrrd", ".nii.gz", ".nii", ".mha", ".dcm"});
   arguments.require_existing("truth");
   truth_codes_ = codes_of(arguments, "truth-codes");
 }
@@ -32,8 +35,7 @@ void LabelOutput::finish(Session& session) const {
                                      : recode(file, truth_codes_, path.string())));
   }
   save_case(arguments_, session);
-  if (arguments_.has("labels-out"))
-    write_labels(arguments_.path("labels-out"), labels.voxels, engine::reviewed_infos(session.state()));
+  if (arguments_.has("labels-out")) engine::write_case_labels(arguments_.path("labels-out"), session.state());
   session.finish();
 }
 

@@ -21,4 +21,5 @@ find_package(OpenCV 4.6 REQUIRED COMPONENTS core imgproc imgcodecs calib3d aruco
 find_package(CGAL 5.5 REQUIRED)
 find_package(embree 3.13 REQUIRED)
 find_package(dlib REQUIRED)
+find_package(DCMTK 3.6.7 REQUIRED CONFIG)
 find_package(SuiteSparse REQUIRED)

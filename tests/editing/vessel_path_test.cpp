@@ -337,6 +337,11 @@ void VesselPathTest::WhatCannotBeDoneIsRefused() {
   const LabelMap before = all_parenchyma(arc.grid);
   const Points good = arc.clicks({0.4, 1.4}, 0.0);
   QVERIFY(refusal(before, image, way_of(good)).isEmpty());
+  for (const Label label : {structure::kParenchyma, structure::kGallbladder, structure::kFirstLesion}) {
+    const QString said = refusal(before, image, way_of(good, label));
+    QVERIFY2(said.startsWith("vessel_path, label: ") && said.contains("which is no vessel"),
+             qPrintable(said));
+  }
   QVERIFY(
       refusal(before, image, way_of(good.topRows(1))).startsWith("vessel_path, path: has fewer than two"));
   Points path = good;

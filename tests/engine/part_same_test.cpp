@@ -8,6 +8,7 @@
 #include "glisson/engine/parts/regions.h"
 #include "glisson/engine/parts/rig.h"
 #include "glisson/engine/parts/seeds.h"
+#include "glisson/engine/parts/source.h"
 #include "glisson/engine/parts/video.h"
 
 using namespace glisson;
@@ -65,6 +66,10 @@ VideoSource video(std::filesystem::path left, std::filesystem::path right = {}) 
   return {std::move(left), std::move(right)};
 }
 
+DicomSource source() {
+  return {"Doe Jane", "4711", "1960-01-31", "1.2", "1.2.3", "1.2.4", "1.2.5", {"1.2.6", "1.2.7"}};
+}
+
 template <class T>
 void put(CaseState& state, const PartOf<T>& part, T value) {
   state[part] = std::make_shared<const T>(std::move(value));
@@ -77,6 +82,7 @@ CaseState stereo_case(const std::filesystem::path& film) {
   put(state, part::seeds, seeds());
   put(state, part::frame, frame());
   put(state, part::video, video(film));
+  put(state, part::source, source());
   std::uint64_t revision = 0;
   for (const Part part : all_parts())
     if (state.has(part)) state.stamp(part).revision = ++revision;
@@ -124,6 +130,11 @@ void PartSameTest::WhatDiffersIsSeen() {
     change(other);
     return part.type().spec().same(good, good) && !part.type().spec().same(good, other);
   };
+  QVERIFY(differs(part::source, [](CaseState& state) {
+    DicomSource other = source();
+    other.patient_id = "4712";
+    put(state, part::source, other);
+  }));
   const auto rig_differs = [&](const std::function<void(StereoRig&)>& change) {
     return differs(part::rig, [&](CaseState& state) {
       StereoRig changed = rig();

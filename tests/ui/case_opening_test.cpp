@@ -45,6 +45,7 @@ void CaseOpeningTest::PathsAreTakenForWhatTheyAre() {
   QCOMPARE(code("mesh.vtu"), std::string("import_mesh"));
   QCOMPARE(code("ct.NII.gz"), std::string("import_image"));
   QCOMPARE(code("liver.seg.nrrd"), std::string("import_labels"));
+  QCOMPARE(code("liver.dcm"), std::string("import_labels"));
   QCOMPARE(code("scope.yaml"), std::string("set_calibration"));
   QCOMPARE(code("film.mkv"), std::string("set_video"));
   QCOMPARE(code("letter.pdf"), std::string());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QApplication>
+#include <QTemporaryDir>
 #include <QtTest>
 
 #include "glisson/ui/shell/run_window.h"
@@ -14,6 +15,8 @@ template <class Test>
 int run_in_window(int argc, char** argv) {
   qputenv("LC_ALL", "C.UTF-8");
   qunsetenv("LANGUAGE");
+  const QTemporaryDir settings;  // not the user's own
+  qputenv("GLISSON_SETTINGS", settings.path().toUtf8());
   ui::prepare_application();
   QApplication application(argc, argv);
   ui::dress_application(application);

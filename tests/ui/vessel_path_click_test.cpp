@@ -82,9 +82,21 @@ void VesselPathClickTest::VesselPathIsShownAfterOneClickAndMadeByTheSecond() {
   click(right);
   QVERIFY(settle());
   QCOMPARE(at(between), structure::kPortalVein);
-  // A locked label is not worked on, and a refusal is told.
+  // With a label that is no vessel the tool says what to choose, before and after the clicks.
   session().undo();
   QVERIFY(settle());
+  choose(structure::kParenchyma);
+  bool hinted = false;
+  for (const QLabel* label : window_->findChildren<QLabel*>())
+    hinted = hinted || (label->isVisible() && label->text().startsWith("First choose a vessel"));
+  QVERIFY(hinted);
+  click(left);
+  click(right);
+  QVERIFY(settle());
+  QVERIFY2(told->text().contains(QStringLiteral("which is no vessel")), qPrintable(told->text()));
+  QVERIFY(labels() == before);
+  choose(structure::kPortalVein);
+  // A locked label is not worked on, and a refusal is told.
   click(left);
   click(left);
   QVERIFY(settle());

@@ -150,7 +150,15 @@ bool add_stretch(const VesselPath& tool, const Task& task, const Eigen::Vector3i
   return true;
 }
 
+bool is_vessel(Label label) {
+  return label == structure::kPortalVein || label == structure::kHepaticVeins ||
+         label == structure::kVenaCava || label == structure::kArtery;
+}
+
 Cancellable<Canvas> apply(const VesselPath& tool, Task& task) {
+  if (!is_vessel(tool.label))
+    throw InputError(kName, "label", "is " + structure_name(tool.label) + ", which is no vessel",
+                     "Choose the portal vein, the hepatic veins, the vena cava or the artery");
   const VolumeGrid& grid = task.grid();
   std::vector<Eigen::Vector3i> points;
   for (Eigen::Index n = 0; n < tool.path.rows(); ++n) {

@@ -14,47 +14,12 @@
 
 #include "glisson/core/error.h"
 #include "glisson/core/statistics.h"
+#include "glisson/volume/dicom_segmentation.h"
 
 namespace glisson::reader {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool has_dicom_mark(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  char mark[4] = {};
-  stream.seekg(128);
-  stream.read(mark, 4);
-  return stream.gcount() == 4 && std::string(mark, 4) == "DICM";
-}
-
-/// A text for people, in UTF-8: what is none is taken for Latin-1, the standard's commonest other one. Names
-/// have carets between their parts.
-std::string words_of(const gdcm::DataSet& data, const gdcm::Tag& tag) {
-  constexpr std::size_t kLongest = 200;
-  const std::string text = text_of(data, tag).substr(0, kLongest);
-  std::string utf8;
-  for (std::size_t at = 0; at < text.size(); ++at) {
-    const auto byte = static_cast<unsigned char>(text[at]);
-    const int follow = byte >= 0xF0 ? 3 : byte >= 0xE0 ? 2 : byte >= 0xC2 ? 1 : 0;
-    bool whole = byte < 0xF5 && follow > 0 && at + static_cast<std::size_t>(follow) < text.size();
-    for (int n = 1; whole && n <= follow; ++n)
-      whole = (static_cast<unsigned char>(text[at + static_cast<std::size_t>(n)]) & 0xC0U) == 0x80U;
-    if (byte < 0x20) {
-      utf8.push_back(' ');
-    } else if (byte < 0x80) {
-      utf8.push_back(byte == '^' ? ' ' : text[at]);
-    } else if (whole) {
-      utf8 += text.substr(at, static_cast<std::size_t>(follow) + 1);
-      at += static_cast<std::size_t>(follow);
-    } else {
-      utf8.push_back(static_cast<char>(0xC0U | byte >> 6U));
-      utf8.push_back(static_cast<char>(0x80U | (byte & 0x3FU)));
-    }
-  }
-  while (!utf8.empty() && utf8.back() == ' ') utf8.pop_back();
-  return utf8;
-}
 
 /// Numbers parted by backslashes; empty where they are not so many finite ones. Only for people to read and
 /// to sort by: what is measured with is read strictly, see dicom_series.cpp.
@@ -159,6 +124,33 @@ std::string text_of(const gdcm::DataSet& data, const gdcm::Tag& tag) {
   return text;
 }
 
+// What is no UTF-8 is taken for Latin-1, the standard's commonest other one.
+std::string words_of(const gdcm::DataSet& data, const gdcm::Tag& tag) {
+  constexpr std::size_t kLongest = 200;
+  const std::string text = text_of(data, tag).substr(0, kLongest);
+  std::string utf8;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const auto byte = static_cast<unsigned char>(text[at]);
+    const int follow = byte >= 0xF0 ? 3 : byte >= 0xE0 ? 2 : byte >= 0xC2 ? 1 : 0;
+    bool whole = byte < 0xF5 && follow > 0 && at + static_cast<std::size_t>(follow) < text.size();
+    for (int n = 1; whole && n <= follow; ++n)
+      whole = (static_cast<unsigned char>(text[at + static_cast<std::size_t>(n)]) & 0xC0U) == 0x80U;
+    if (byte < 0x20) {
+      utf8.push_back(' ');
+    } else if (byte < 0x80) {
+      utf8.push_back(byte == '^' ? ' ' : text[at]);
+    } else if (whole) {
+      utf8 += text.substr(at, static_cast<std::size_t>(follow) + 1);
+      at += static_cast<std::size_t>(follow);
+    } else {
+      utf8.push_back(static_cast<char>(0xC0U | byte >> 6U));
+      utf8.push_back(static_cast<char>(0x80U | (byte & 0x3FU)));
+    }
+  }
+  while (!utf8.empty() && utf8.back() == ' ') utf8.pop_back();
+  return utf8;
+}
+
 DicomObject described(const fs::path& path, const gdcm::DataSet& data) {
   DicomObject found;
   found.path = path;
@@ -170,6 +162,7 @@ DicomObject described(const fs::path& path, const gdcm::DataSet& data) {
   series.slices = 1;
   series.patient = words_of(data, {0x0010, 0x0010});
   series.patient_id = words_of(data, {0x0010, 0x0020});
+  found.birth_date = date_of(words_of(data, {0x0010, 0x0030}));
   series.date = date_of(words_of(data, {0x0008, 0x0021}));
   if (series.date.empty()) series.date = date_of(words_of(data, {0x0008, 0x0020}));
   series.study = words_of(data, {0x0008, 0x1030});

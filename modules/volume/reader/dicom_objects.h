@@ -22,10 +22,13 @@ struct DicomObject {
   std::filesystem::path path;
   DicomSeries series;
   std::optional<Eigen::Vector3d> origin_mm = {};  ///< of its first pixel
+  std::string birth_date = {};                    ///< of the patient
 };
 
 /// A tag's text without the blanks about it; empty: there is none.
 std::string text_of(const gdcm::DataSet& data, const gdcm::Tag& tag);
+/// The same for people, in UTF-8, at most 200 bytes; names without the carets between their parts.
+std::string words_of(const gdcm::DataSet& data, const gdcm::Tag& tag);
 /// What one file says of its series.
 DicomObject described(const std::filesystem::path& path, const gdcm::DataSet& data);
 /// All below the folder. @param all other objects than images, too. @throws InputError, FileError when there

@@ -27,9 +27,18 @@ std::string bytes_of(std::uint32_t value, bool big) {
   return bytes;
 }
 
-/// Whether the file holds an element of pixels of that length, and as many bytes behind it. GDCM keeps the
-/// length that the element announces, whatever it has read. The length keeps the element apart from that of
-/// an icon, which has the same tag. True where none is found: the file is deflated.
+template <class T>
+void append_rescaled(const std::vector<char>& bytes, const gdcm::Image& image, std::vector<float>& voxels) {
+  for (std::size_t at = 0; at < bytes.size(); at += sizeof(T)) {
+    T stored{};
+    std::memcpy(&stored, bytes.data() + at, sizeof(T));
+    voxels.push_back(
+        static_cast<float>(image.GetSlope() * static_cast<double>(stored) + image.GetIntercept()));
+  }
+}
+
+}  // namespace
+
 bool value_is_there(const std::string& bytes, std::uint32_t length) {
   for (const bool big : {false, true}) {
     const std::string tag = big ? std::string("\x7F\xE0\x00\x10", 4) : std::string("\xE0\x7F\x10\x00", 4);
@@ -42,18 +51,6 @@ bool value_is_there(const std::string& bytes, std::uint32_t length) {
   }
   return true;
 }
-
-template <class T>
-void append_rescaled(const std::vector<char>& bytes, const gdcm::Image& image, std::vector<float>& voxels) {
-  for (std::size_t at = 0; at < bytes.size(); at += sizeof(T)) {
-    T stored{};
-    std::memcpy(&stored, bytes.data() + at, sizeof(T));
-    voxels.push_back(
-        static_cast<float>(image.GetSlope() * static_cast<double>(stored) + image.GetIntercept()));
-  }
-}
-
-}  // namespace
 
 void check_same_rule(const Request& request, const std::string& modality, const std::string& first_file,
                      const PixelRule& first, const std::string& file, const PixelRule& rule) {

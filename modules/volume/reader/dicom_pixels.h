@@ -34,6 +34,11 @@ void check_same_rule(const Request& request, const std::string& modality, const 
 void check_pixel_bytes(const Request& request, const std::filesystem::path& path, const gdcm::Image& image,
                        std::size_t bytes);
 
+/// Whether the file holds an element of pixels of that length, and as many bytes behind it. GDCM keeps the
+/// length that the element announces, whatever it has read. The length keeps the element apart from that of
+/// an icon, which has the same tag. True where none is found: the file is deflated.
+bool value_is_there(const std::string& bytes, std::uint32_t length);
+
 /// Appends a slice's intensities, row by row. By GDCM and not by ITK, which turns the numbers of MONOCHROME1
 /// round: that says how to draw them only.
 /// @param size pixels along a row, and rows. @throws InputError pixels that are cut, cannot be decoded, are

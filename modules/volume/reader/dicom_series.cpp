@@ -21,6 +21,7 @@ namespace fs = std::filesystem;
 struct Slice {
   fs::path path;
   std::string modality, description;
+  std::string study_uid, series_uid, frame_of_reference_uid, class_uid, uid;
   Eigen::Vector2i size;
   Eigen::Vector2d spacing_mm;
   Eigen::Vector3d origin_mm, row, column;
@@ -114,6 +115,11 @@ Slice slice_of(const Request& request, const fs::path& path) {
   slice.path = path;
   slice.modality = text_of(tags, "0008|0060");
   slice.description = text_of(tags, "0008|103e");
+  slice.study_uid = text_of(tags, "0020|000d");
+  slice.series_uid = text_of(tags, "0020|000e");
+  slice.frame_of_reference_uid = text_of(tags, "0020|0052");
+  slice.class_uid = text_of(tags, "0008|0016");
+  slice.uid = text_of(tags, "0008|0018");
   if (io->GetDimensions(0) > kMostPixels || io->GetDimensions(1) > kMostPixels)
     refuse(request, file, "claims more than 8192 pixels a side, which no scanner's slices have",
            "Export the series again");
@@ -210,10 +216,29 @@ void order_and_check(const Request& request, std::vector<Slice>& slices, double&
   gap_mm = run.dot(normal) / static_cast<double>(gaps.size());
 }
 
+void check_one_patient(const Request& request, const std::vector<DicomObject>& images) {
+  const DicomObject& first = images.front();
+  for (const DicomObject& image : images)
+    if (image.series.patient != first.series.patient || image.series.patient_id != first.series.patient_id ||
+        image.birth_date != first.birth_date)
+      refuse(request, image.path.filename().string(),
+             "names another patient (0010|0010, 0010|0020, 0010|0030) than " + first.path.filename().string(),
+             "Export the series again, of one patient");
+}
+
+DicomSource source_of(const DicomObject& of, const std::vector<Slice>& slices) {
+  const Slice& first = slices.front();
+  DicomSource source{of.series.patient, of.series.patient_id,         of.birth_date,   first.study_uid,
+                     first.series_uid,  first.frame_of_reference_uid, first.class_uid, {}};
+  for (const Slice& slice : slices) source.slice_uids.push_back(slice.uid);
+  return source;
+}
+
 }  // namespace
 
 RawVolume read_dicom_folder(const Request& request) {
   const std::vector<DicomObject> images = chosen_series(request, objects_below(request, false));
+  check_one_patient(request, images);
   std::vector<Slice> slices;
   for (std::size_t i = 0; i < images.size(); ++i) {
     slices.push_back(slice_of(request, images[i].path));
@@ -233,6 +258,7 @@ RawVolume read_dicom_folder(const Request& request) {
                           first.origin_mm, direction);
   raw.modality = first.modality == "CT" ? "ct" : first.modality == "MR" ? "mr" : "other";
   raw.description = first.description;
+  raw.source = source_of(images.front(), slices);
   std::vector<fs::path> paths;
   for (const Slice& slice : slices) paths.push_back(slice.path);
   raise_limits(total_bytes(paths), static_cast<double>(raw.grid.voxel_count()));

@@ -23,6 +23,7 @@
 #include "glisson/core/confinement.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
+#include "glisson/volume/dicom_segmentation.h"
 #include "raw_volume.h"
 
 namespace {
@@ -71,7 +72,7 @@ void confine_to(const Request& request, const fs::path& folder) {
   confine(readable, {folder});
 }
 
-RawVolume read_any(const Request& request) {
+RawVolume read_any(const Request& request, bool labels) {
   if (fs::is_directory(request.path)) return reader::read_dicom_folder(request);
   if (!is_file(request.path))
     throw InputError(request.name, "", "is neither a file nor a folder", "Name a volume");
@@ -79,6 +80,8 @@ RawVolume read_any(const Request& request) {
     throw InputError(request.name, "series", "cannot be chosen in a file that holds one volume",
                      "Leave the series out, or name the folder that holds the DICOM slices");
   const std::string extension = lower_extension(request.path);
+  if (labels && (has_dicom_mark(request.path) || extension == ".dcm"))
+    return reader::read_dicom_segmentation(request);
   if (extension == ".vti") return reader::read_vti_file(request);
   if (extension == ".dcm" || extension == ".ima") {
     if (!reader::is_dicom(request.path))
@@ -179,7 +182,16 @@ void deliver(const Request& request, bool labels, const fs::path& folder, const 
                    {"components", raw.components},
                    {"modality", modality},
                    {"description", raw.description},
-                   {"texts", raw.texts}});
+                   {"texts", raw.texts},
+                   {"source",
+                    {{"patient", raw.source.patient},
+                     {"patient_id", raw.source.patient_id},
+                     {"birth_date", raw.source.birth_date},
+                     {"study_uid", raw.source.study_uid},
+                     {"series_uid", raw.source.series_uid},
+                     {"frame_of_reference_uid", raw.source.frame_of_reference_uid},
+                     {"slice_class_uid", raw.source.slice_class_uid},
+                     {"slice_uids", raw.source.slice_uids}}}});
 }
 
 void list_series(const Request& request, const fs::path& folder) {
@@ -256,7 +268,7 @@ int main(int count, char** words) {
     else if (mode == "picture")
       make_picture(request, folder);
     else
-      deliver(request, mode == "labels", folder, read_any(request));
+      deliver(request, mode == "labels", folder, read_any(request, mode == "labels"));
     return 0;
   } catch (const InputError& error) {
     return refuse(folder, error);

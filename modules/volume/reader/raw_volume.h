@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "glisson/volume/dicom_source.h"
 #include "glisson/volume/io.h"
 #include "glisson/volume/series.h"
 
@@ -21,6 +22,7 @@ struct RawVolume {
   std::string modality;       ///< "ct", "mr", "other"; empty: the file does not say
   std::string description;
   std::map<std::string, std::string> texts;  ///< the file's own key/value pairs
+  DicomSource source = {};                   ///< of a DICOM series
 };
 
 /// What is being read, and what to call it in messages.
@@ -45,6 +47,9 @@ std::vector<ListedSeries> list_dicom_folder(const Request& request);
 SeriesPicture dicom_picture(const Request& request);
 /// Whether a file is a DICOM object, whatever it is called.
 bool is_dicom(const std::filesystem::path& path);
+/// A DICOM segmentation object; its segments become keys as Slicer writes them, in one layer. Key
+/// "glisson_own": written by Glisson. @throws InputError as read_dicom_folder.
+RawVolume read_dicom_segmentation(const Request& request);
 RawVolume read_itk_file(const Request& request);
 RawVolume read_vti_file(const Request& request);
 

@@ -9,6 +9,7 @@
 #include "glisson/core/file_failure.h"
 #include "glisson/core/files.h"
 #include "glisson/core/json_file.h"
+#include "glisson/volume/dicom_segmentation.h"
 #include "glisson/volume/io.h"
 #include "glisson/volume/limits.h"
 #include "glisson/volume/reader_program.h"
@@ -31,6 +32,7 @@ struct Delivered {
   int components = 1;
   std::string modality, description;
   Texts texts;
+  DicomSource source;
   fs::path voxels;
 };
 
@@ -68,6 +70,29 @@ void check(const VolumeGrid& grid, int components) {
   if (!is_one) throw_fault();
 }
 
+/// Of a DICOM UID's form, else empty: what is written again must be one.
+std::string uid_in(const nlohmann::json& json) {
+  const std::string uid = json;
+  const bool is_one =
+      !uid.empty() && uid.size() <= 64 && uid.find_first_not_of("0123456789.") == std::string::npos;
+  return is_one ? uid : std::string();
+}
+
+DicomSource source_in(const nlohmann::json& json) {
+  DicomSource source{json.at("patient"),
+                     json.at("patient_id"),
+                     json.at("birth_date"),
+                     uid_in(json.at("study_uid")),
+                     uid_in(json.at("series_uid")),
+                     uid_in(json.at("frame_of_reference_uid")),
+                     uid_in(json.at("slice_class_uid")),
+                     {}};
+  for (const nlohmann::json& uid : json.at("slice_uids")) source.slice_uids.push_back(uid_in(uid));
+  if (std::ranges::find(source.slice_uids, std::string()) != source.slice_uids.end())
+    source.slice_uids.clear();
+  return source;
+}
+
 Delivered delivered_in(const fs::path& folder) {
   const nlohmann::json header = told_in(folder, "header.json");
   Delivered result;
@@ -81,6 +106,7 @@ Delivered delivered_in(const fs::path& folder) {
   result.modality = header.at("modality");
   result.description = header.at("description");
   result.texts = header.at("texts").get<Texts>();
+  if (header.contains("source")) result.source = source_in(header.at("source"));
   check(result.grid, result.components);
   result.voxels = result_in(folder, "voxels.raw", 5e9);
   return result;
@@ -210,6 +236,26 @@ std::vector<LabelInfo> infos_of(const LabelVolume& voxels) {
   return infos;
 }
 
+LabelFile read_labels_of(const fs::path& path, bool* own) {
+  require_exists(path);
+  const TemporaryFolder work;
+  run_reader("labels", path, path.string(), work.path(), "", RunContext());
+  const Delivered delivered = delivered_in(work.path());
+  if (own != nullptr) *own = delivered.texts.contains("glisson_own");
+  const auto values =
+      read_raw<Label>(delivered.voxels, static_cast<std::size_t>(delivered.grid.voxel_count()) *
+                                            static_cast<std::size_t>(delivered.components));
+  const std::vector<SlicerSegment> segments =
+      slicer_segments(path.string(), delivered.texts, delivered.components);
+  if (delivered.components > 1) return flattened(delivered.grid, delivered.components, values, segments);
+  LabelFile file;
+  file.voxels = LabelVolume(delivered.grid, values);
+  for (const SlicerSegment& segment : segments)
+    file.infos.push_back({segment.value, segment.name, segment.terminology, segment.colour, segment.status});
+  if (segments.empty()) file.infos = infos_of(file.voxels);
+  return file;
+}
+
 }  // namespace
 
 std::vector<std::string> reader_escapes() {
@@ -249,6 +295,12 @@ Cancellable<std::vector<DicomSeries>> list_series(const fs::path& path, const Ru
 }
 
 Cancellable<Image> read_image(const fs::path& path, const RunContext& context, const std::string& series) {
+  auto scan = read_scan(path, context, series);
+  if (!scan) return std::nullopt;
+  return std::move(scan->image);
+}
+
+Cancellable<Scan> read_scan(const fs::path& path, const RunContext& context, const std::string& series) {
   require_exists(path);
   const TemporaryFolder work;
   RunContext reading = context.part(0.0, 0.95);
@@ -265,27 +317,16 @@ Cancellable<Image> read_image(const fs::path& path, const RunContext& context, c
   image.voxels = std::make_shared<const std::vector<std::int16_t>>(
       read_raw<std::int16_t>(delivered.voxels, static_cast<std::size_t>(image.grid.voxel_count())));
   context.progress(1.0, "volume.read");
-  return image;
+  return Scan{std::move(image), delivered.source};
 }
 
-LabelFile read_labels(const fs::path& path) {
-  require_exists(path);
-  const TemporaryFolder work;
-  run_reader("labels", path, path.string(), work.path(), "", RunContext());
-  const Delivered delivered = delivered_in(work.path());
-  const auto values =
-      read_raw<Label>(delivered.voxels, static_cast<std::size_t>(delivered.grid.voxel_count()) *
-                                            static_cast<std::size_t>(delivered.components));
-  const std::vector<SlicerSegment> segments =
-      slicer_segments(path.string(), delivered.texts, delivered.components);
-  if (delivered.components > 1) return flattened(delivered.grid, delivered.components, values, segments);
-  LabelFile file;
-  file.voxels = LabelVolume(delivered.grid, values);
-  for (const SlicerSegment& segment : segments)
-    file.infos.push_back({segment.value, segment.name, segment.terminology, segment.colour, segment.status});
-  if (segments.empty()) file.infos = infos_of(file.voxels);
-  return file;
+DicomLabels read_dicom_labels(const fs::path& path) {
+  DicomLabels result;
+  result.file = read_labels_of(path, &result.own);
+  return result;
 }
+
+LabelFile read_labels(const fs::path& path) { return read_labels_of(path, nullptr); }
 
 void require_same_grid(const VolumeGrid& a, const VolumeGrid& b, const std::string& name) {
   if (a.same_as(b)) return;

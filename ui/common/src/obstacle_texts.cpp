@@ -28,6 +28,7 @@ class Obstacles {
             {"frame", tr("Load a stereo pair or a video frame first.")},
             {"regions", tr("Draw regions on the frame first (Stereo).")},
             {"check", tr("Look at the model and say whether it is right first (Model).")},
+            {"source", tr("The CT was not opened from its DICOM folder, so whose it is is not known.")},
             {"review", tr("Review the labels first (Segmentation).")},
             {"cloud", tr("Reconstruct the surface first (Stereo).")},
             {"registration", tr("Register first.")}};

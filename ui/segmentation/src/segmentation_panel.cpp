@@ -112,7 +112,7 @@ void SegmentationPanel::build_labels() {
   approve_->setToolTip(tr("You have looked at the chosen label and it is right. An edit takes that back."));
   auto* import = new QPushButton(tr("Import…"), this);
   import->setProperty("role", "small");
-  import->setToolTip(tr("Labels that were made elsewhere: .seg.nrrd, NIfTI"));
+  import->setToolTip(tr("Labels that were made elsewhere: DICOM segmentation, .seg.nrrd, NIfTI"));
   auto* opacity = new QSlider(Qt::Horizontal, this);
   opacity->setRange(0, 100);
   opacity->setValue(static_cast<int>(100 * views_.style().label_opacity));
@@ -152,8 +152,8 @@ void SegmentationPanel::take_marks() {
 }
 
 void SegmentationPanel::import_labels() {
-  const QString path = QFileDialog::getOpenFileName(this, tr("Import labels"), {},
-                                                    tr("Labels (*.nrrd *.nii *.nii.gz *.mha *.mhd *.vti)"));
+  const QString path = QFileDialog::getOpenFileName(
+      this, tr("Import labels"), {}, tr("Labels (*.nrrd *.dcm *.nii *.nii.gz *.mha *.mhd *.vti)"));
   if (!path.isEmpty()) engine().post(engine::ImportLabels{path.toStdString(), {}});
 }
 

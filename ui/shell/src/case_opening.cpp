@@ -66,7 +66,7 @@ std::optional<Opening> opening_of(const fs::path& given) {
     return image;
   }
   if (name == "case.json") return a_case(path.parent_path());
-  if (ends_with_any(name, {".seg.nrrd"})) return plain(engine::ImportLabels{path, {}});
+  if (ends_with_any(name, {".seg.nrrd", ".dcm"})) return plain(engine::ImportLabels{path, {}});
   if (ends_with_any(name, {".nii", ".nii.gz", ".nrrd", ".nhdr", ".mha", ".mhd", ".vti", ".tar.gz", ".tgz"}))
     return image;
   if (is_surface(name) || ends_with_any(name, {".vtu", ".msh"})) return plain(mesh_import(path));

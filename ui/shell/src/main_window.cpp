@@ -35,6 +35,8 @@
 #include "glisson/ui/shell/case_opening.h"
 #include "glisson/ui/shell/image_import.h"
 #include "glisson/ui/stereo/stereo_panel.h"
+#include "patient_identity.h"
+#include "recent_cases.h"
 #include "step_bar.h"
 #include "task_status.h"
 #include "welcome_page.h"
@@ -74,6 +76,8 @@ MainWindow::MainWindow(engine::Engine::Options options, QWidget* parent)
   statusBar()->setSizeGripEnabled(false);
   import_ = new ImageImport(engine_, this);
   build_menu();
+  identity_ = new PatientIdentity(this);
+  menuBar()->setCornerWidget(identity_);
   connect(welcome_, &WelcomePage::open_case, this, &MainWindow::open_case);
   connect(welcome_, &WelcomePage::open_dicom, this, &MainWindow::open_dicom);
   connect(welcome_, &WelcomePage::open_volume, this, &MainWindow::open_volume);
@@ -119,6 +123,13 @@ void MainWindow::build_menu() {
   open->addAction(tr("&DICOM folder…"), this, &MainWindow::open_dicom);
   open->addAction(tr("&Volume…"), this, &MainWindow::open_volume);
   open->addAction(tr("&Case…"), QKeySequence::Open, this, &MainWindow::open_case);
+  recent_ = new RecentCases(file);
+  file->addMenu(recent_);
+  connect(recent_, &RecentCases::chosen, this,
+          [this](const QString& path) { replace_case(path.toStdString()); });
+  connect(recent_, &RecentCases::missing, this, [this](const QString& path) {
+    show_problem(tr("%1 is not there any more. It was taken from the list.").arg(path));
+  });
   file->addSeparator();
   save_ = file->addAction(tr("&Save"), QKeySequence::Save, this, [this] { save(); });
   save_as_ = file->addAction(tr("Save &as…"), QKeySequence::SaveAs, this, [this] { save_as(); });
@@ -237,7 +248,7 @@ std::optional<engine::CommandId> MainWindow::save_as() {
 void MainWindow::export_labels() {
   const QString path =
       QFileDialog::getSaveFileName(this, tr("Export labels"), QStringLiteral("labels.seg.nrrd"),
-                                   tr("Labels (*.seg.nrrd *.nii.gz *.nrrd *.mha)"));
+                                   tr("Labels (*.seg.nrrd *.dcm *.nii.gz *.nrrd *.mha)"));
   if (!path.isEmpty()) engine_.post(engine::ExportLabels{path.toStdString()});
 }
 
@@ -271,6 +282,8 @@ void MainWindow::show_case() {
   setWindowTitle(name.isEmpty() ? tr("Glisson")
                  : for_reading  ? tr("%1 (for reading)[*] – Glisson").arg(name)
                                 : tr("%1[*] – Glisson").arg(name));
+  identity_->show_case(now);
+  menuBar()->setCornerWidget(identity_);  // laid out anew: its width changes
   save_->setEnabled(!name.isEmpty());
   save_as_->setEnabled(!name.isEmpty());
   export_labels_->setEnabled(!engine::obstacle(now, engine::ExportLabels{}));
@@ -284,6 +297,7 @@ void MainWindow::show_outcome(const engine::Outcome& outcome) {
   if (const auto on_disk = outcome.result.as<engine::CaseOnDisk>()) {
     // The case may have gone on while it was being saved.
     saved_ = on_disk->editions;
+    recent_->add(engine_.state().path);
     show_case();
     if (closes) close();  // and asks again where it has
   }

@@ -2,20 +2,21 @@
 #include "glisson/engine/commands/import_image.h"
 
 #include "glisson/engine/parts/image.h"
-#include "glisson/volume/io.h"
+#include "glisson/engine/parts/source.h"
 #include "glisson/volume/plausibility.h"
 
 namespace glisson::engine {
 
 CommandTraits ImportImage::traits() const {
   return {.code = "import_image",
-          .writes = new_case ? Parts::all() : Parts{part::image},
+          .writes = new_case ? Parts::all() : Parts{part::image, part::source},
           .notice = Notice::files};
 }
 
 Cancellable<Applied> ImportImage::apply(const CaseState& state, const RunContext& context) const {
-  auto image = read_image(path, context, series);
-  if (!image) return {};
+  auto scan = read_scan(path, context, series);
+  if (!scan) return {};
+  Image* image = &scan->image;
   Applied applied;
   if (!new_case) applied.state = state;
   for (int k = 0; k < 3; ++k) {
@@ -25,6 +26,8 @@ Cancellable<Applied> ImportImage::apply(const CaseState& state, const RunContext
   }
   applied.notes = image_doubts(*image);
   applied.state[part::image] = std::make_shared<const Image>(std::move(*image));
+  applied.state[part::source] =
+      scan->source.empty() ? nullptr : std::make_shared<const DicomSource>(std::move(scan->source));
   return applied;
 }
 

@@ -3,7 +3,8 @@
 
 #include "glisson/core/error.h"
 #include "glisson/engine/parts/image.h"
-#include "glisson/volume/io.h"
+#include "glisson/patient/segment_meaning.h"
+#include "glisson/volume/dicom_segmentation.h"
 #include "label_steps.h"
 
 namespace glisson::engine {
@@ -23,6 +24,27 @@ Review review_in(const LabelFile& file, const LabelCodes& codes) {
   return review;
 }
 
+/// A DICOM segmentation on the image's grid: empty slices need not be in it. Segments of others say by code
+/// or name what they are, not by their number. @param codes taken as they are where there are any.
+LabelFile read_dicom(const std::filesystem::path& path, const Image* image, LabelCodes& codes) {
+  DicomLabels labels = read_dicom_labels(path);
+  if (image != nullptr) {
+    auto placed = placed_on(labels.file.voxels, image->grid);
+    if (!placed)
+      throw InputError(path.string(), "position",
+                       "lies on other voxels than the CT (origin, spacing, direction or size)",
+                       "Resample the segmentation to the CT's grid, or open the CT that it was drawn on");
+    labels.file.voxels = std::move(*placed);
+  }
+  if (labels.own || !codes.empty()) return labels.file;
+  codes = codes_meant(labels.file.infos);
+  if (codes.empty())
+    throw InputError(path.string(), "SegmentedPropertyTypeCodeSequence (0062|000f)",
+                     "names nothing of the liver in any segment",
+                     "Say which segment means what with --codes FILE (see 'glisson model --help')");
+  return labels.file;
+}
+
 }  // namespace
 
 CommandTraits ImportLabels::traits() const {
@@ -34,13 +56,16 @@ CommandTraits ImportLabels::traits() const {
 
 Cancellable<Applied> ImportLabels::apply(const CaseState& state, const RunContext& context) const {
   context.progress(0.0, "labels.read");
-  const LabelFile file = read_labels(path);
+  LabelCodes meanings = codes;
+  const LabelFile file =
+      has_dicom_mark(path) ? read_dicom(path, state[part::image].get(), meanings) : read_labels(path);
   if (state[part::image]) require_same_grid(file.voxels.grid(), state[part::image]->grid, path.string());
   if (context.cancelled()) return {};
-  LabelMap labels = codes.empty() ? LabelMap{file.voxels, file.infos} : recode(file, codes, path.string());
+  LabelMap labels =
+      meanings.empty() ? LabelMap{file.voxels, file.infos} : recode(file, meanings, path.string());
   Applied applied{state};
   replace_labels(applied.state, std::move(labels), {kImportStep, 0, 0.0});
-  put_review(applied.state, review_in(file, codes));
+  put_review(applied.state, review_in(file, meanings));
   report_labels(applied.state, applied.figures);
   if (!applied.figures.contains("label_parenchyma_ml"))
     throw InputError(path.string(), "labels", "none of them is the liver's parenchyma",

@@ -15,9 +15,15 @@ const WindowTool& vessel_path_window_tool() {
         'V',
         QT_TRANSLATE_NOOP("EditTexts", "Vessel path"),
         {{"vessel_path", QT_TRANSLATE_NOOP("EditTexts", "Vessel path")}},
-        [](const EditSettings&) {
-          return QT_TRANSLATE_NOOP(
-              "EditTexts", "Click the two ends of a missing piece of vessel. Ctrl adds a point between.");
+        [](const EditSettings& s) {
+          const bool is_vessel = s.label == structure::kPortalVein || s.label == structure::kHepaticVeins ||
+                                 s.label == structure::kVenaCava || s.label == structure::kArtery;
+          return is_vessel ? QT_TRANSLATE_NOOP("EditTexts",
+                                               "Click the two ends of a missing piece of vessel. Ctrl adds a "
+                                               "point between.")
+                           : QT_TRANSLATE_NOOP("EditTexts",
+                                               "First choose a vessel in the list of labels: portal vein, "
+                                               "hepatic veins, vena cava or artery.");
         },
         "click the two ends of a gap in a vessel: the cheapest way through the CT between them becomes a "
         "tube "

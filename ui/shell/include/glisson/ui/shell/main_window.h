@@ -16,6 +16,8 @@ class QStackedWidget;
 namespace glisson::ui {
 
 class ImageImport;
+class PatientIdentity;
+class RecentCases;
 class StepBar;
 class TaskStatus;
 class WelcomePage;
@@ -70,6 +72,8 @@ class MainWindow : public QMainWindow {
   ViewState state_;
   DrawableSource drawables_;
   ImageImport* import_ = nullptr;
+  PatientIdentity* identity_ = nullptr;
+  RecentCases* recent_ = nullptr;
   StepBar* steps_ = nullptr;
   QStackedWidget* middle_ = nullptr;
   QStackedWidget* controls_ = nullptr;

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "glisson/patient/label_map.h"
+
+/// @file
+/// What segments mean in SNOMED CT (as PS3.16 codes them), and which structures those are.
+
+namespace glisson {
+
+/// Slicer's terminology entry of a structure: "liver" for the parenchyma, "lesion" in the region of the liver
+/// for lesions; "tissue" for what has no meaning of its own.
+std::string structure_terminology(Label label);
+
+/// Which structure each segment is, by its name where that is Glisson's, else by the coded meaning in
+/// LabelInfo::terminology; lesions are numbered in the segments' order. Segments that mean something else are
+/// left out.
+LabelCodes codes_meant(const std::vector<LabelInfo>& segments);
+
+}  // namespace glisson

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "glisson/volume/dicom_source.h"
+#include "glisson/volume/io.h"
+
+/// @file
+/// Labels as a DICOM segmentation object (PS3.3 A.51), as archives of hospitals keep them.
+
+namespace glisson {
+
+/// Writes a binary DICOM segmentation: a segment for each label present, with its name, colour and the codes
+/// of LabelInfo::terminology (else SCT "Tissue"), frames where it has voxels, in LPS mm. It refers to study,
+/// series, frame of reference and slices of `source` where these are known; the patient's name, ID and birth
+/// date stay out. Atomic. @throws InputError no label, more pixels a side than DICOM counts; FileError.
+void write_dicom_labels(const std::filesystem::path& path, const LabelVolume& labels,
+                        const std::vector<LabelInfo>& infos, const DicomSource& source);
+
+struct DicomLabels {
+  LabelFile file;
+  /// Written by Glisson: the codes are those that were written. Else they are the segments' numbers.
+  bool own = false;
+};
+/// Reads one in the confined reading program. The grid reaches from the first slice with a frame to the last:
+/// see placed_on(). Where segments overlap the smaller wins. @throws as read_labels.
+DicomLabels read_dicom_labels(const std::filesystem::path& path);
+
+/// Whether the file bears DICOM's mark, whatever it is called.
+bool has_dicom_mark(const std::filesystem::path& path);
+
+/// The labels on `grid`, voxel by voxel, where theirs is a part of it: the same lattice to a hundredth of a
+/// voxel, axes flipped or permuted as may be. What lies outside theirs is 0. No value: it is no part of it.
+std::optional<LabelVolume> placed_on(const LabelVolume& labels, const VolumeGrid& grid);
+
+}  // namespace glisson

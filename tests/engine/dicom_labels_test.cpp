@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Labels leave a case as a DICOM segmentation and come in again unchanged.
+#include <QtTest>
+
+#include "../volume/dicom_bytes.h"
+#include "glisson/core/error.h"
+#include "glisson/core/files.h"
+#include "glisson/engine/commands/export_labels.h"
+#include "glisson/engine/commands/import_image.h"
+#include "glisson/engine/commands/import_labels.h"
+#include "glisson/engine/commands/set_review.h"
+#include "glisson/engine/parts/image.h"
+#include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/review.h"
+#include "glisson/engine/parts/source.h"
+#include "glisson/engine/script.h"
+#include "glisson/patient/segment_meaning.h"
+#include "glisson/volume/dicom_segmentation.h"
+
+using namespace glisson;
+using namespace glisson::engine;
+namespace fs = std::filesystem;
+
+constexpr Label kThird = structure::kFirstLesion + 2;  // lesions one and two are gone
+
+class DicomLabelsTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void init();
+  void LabelsComeInAgainUnchanged();
+  void SegmentsOfOthersAreTakenByTheirMeaning();
+  void AnotherGridIsRefused();
+  void WhatMeansNothingOfTheLiverIsRefused();
+  void EveryStructureHasAMeaning();
+
+ private:
+  fs::path at(const char* name) const { return folder_->path() / name; }
+  /// A DICOM segmentation that does not say that it is of Glisson.
+  void write_foreign(const LabelVolume& labels, const std::vector<LabelInfo>& infos) const {
+    write_dicom_labels(at("own.dcm"), labels, infos, {});
+    std::string bytes = read_file(at("own.dcm"));
+    for (std::size_t found = 0; (found = bytes.find("Glisson label ", found)) != std::string::npos;)
+      bytes.replace(found, 14, "Another label ");
+    write_file_atomically(at("foreign.dcm"), bytes);
+  }
+  std::unique_ptr<TemporaryFolder> folder_;
+  std::unique_ptr<Script> script_;
+  LabelVolume labels_;
+};
+
+void DicomLabelsTest::init() {
+  folder_ = std::make_unique<TemporaryFolder>();
+  fs::create_directory(at("ct"));
+  for (int k = 0; k < 4; ++k) write_file_atomically(at("ct") / std::to_string(k), test::dicom_of(k, {}));
+  script_ = std::make_unique<Script>(RunContext());
+  script_->run(ImportImage{at("ct")});
+  // The first and the last slice are empty, so that the file has another grid than the CT.
+  labels_ = LabelVolume(script_->state()[part::image]->grid);
+  for (int i = 0; i < 6; ++i) labels_.set({i, 2, 1}, structure::kParenchyma);
+  labels_.set({1, 1, 1}, structure::kPortalVein);
+  labels_.set({2, 1, 2}, kThird);
+}
+
+void DicomLabelsTest::LabelsComeInAgainUnchanged() {
+  write_labels(at("a.seg.nrrd"), labels_,
+               {structure_info(structure::kParenchyma), structure_info(structure::kPortalVein),
+                structure_info(kThird)});
+  script_->run(ImportLabels{at("a.seg.nrrd"), {}});
+  script_->run(SetReview{structure::kPortalVein, ReviewState::approved});
+  const std::vector<LabelInfo> before = script_->state()[part::labels]->infos;
+  script_->run(ExportLabels{at("a.dcm")});
+
+  script_->run(ImportLabels{at("a.dcm"), {}});
+  const LabelMap& after = *script_->state()[part::labels];
+  QVERIFY(after.voxels == labels_);
+  QCOMPARE(after.infos.size(), before.size());
+  for (std::size_t n = 0; n < before.size(); ++n) {
+    QCOMPARE(after.infos[n].code, before[n].code);
+    QCOMPARE(after.infos[n].name, before[n].name);
+    QCOMPARE(after.infos[n].terminology, structure_terminology(before[n].code));
+    for (std::size_t c = 0; c < 3; ++c)
+      QVERIFY(std::abs(after.infos[n].colour[c] - before[n].colour[c]) < 2e-3);
+  }
+  QCOMPARE(script_->state()[part::review]->at(structure::kPortalVein), ReviewState::approved);
+  // It names the CT's slices, which the case knows.
+  const std::string bytes = read_file(at("a.dcm"));
+  for (const std::string& uid : script_->state()[part::source]->slice_uids)
+    QVERIFY(bytes.find(uid) != std::string::npos);
+}
+
+void DicomLabelsTest::SegmentsOfOthersAreTakenByTheirMeaning() {
+  // Numbered otherwise: 1 is a lesion, 2 the spleen, 3 the liver.
+  LabelVolume theirs(labels_.grid());
+  theirs.set({1, 1, 1}, 1);
+  theirs.set({2, 2, 2}, 2);
+  theirs.set({3, 3, 2}, 3);
+  write_foreign(theirs, {{1, "Tumor", structure_terminology(structure::kFirstLesion)},
+                         {2, "Spleen", "c~SCT^123037004^Anatomical Structure~SCT^78961009^Spleen~^^~c~^^~^^"},
+                         {3, "Leber", structure_terminology(structure::kParenchyma)}});
+  script_->run(ImportLabels{at("foreign.dcm"), {}});
+  const LabelVolume& taken = script_->state()[part::labels]->voxels;
+  QCOMPARE(taken.at({1, 1, 1}), structure::kFirstLesion);
+  QCOMPARE(taken.at({2, 2, 2}), structure::kBackground);
+  QCOMPARE(taken.at({3, 3, 2}), structure::kParenchyma);
+}
+
+void DicomLabelsTest::AnotherGridIsRefused() {
+  VolumeGrid elsewhere = labels_.grid();
+  elsewhere.origin_mm.x() += 0.4;
+  LabelVolume shifted(elsewhere, labels_.dense());
+  write_dicom_labels(at("a.dcm"), shifted, {}, {});
+  try {
+    script_->run(ImportLabels{at("a.dcm"), {}});
+    QFAIL("is taken");
+  } catch (const Error& error) {
+    QVERIFY2(std::string(error.what()).find("a.dcm: ") != std::string::npos, error.what());
+    QVERIFY2(std::string(error.what()).find("Resample") != std::string::npos, error.what());
+  }
+  QVERIFY(!script_->state()[part::labels]);
+}
+
+void DicomLabelsTest::WhatMeansNothingOfTheLiverIsRefused() {
+  write_foreign(labels_, {});
+  try {
+    script_->run(ImportLabels{at("foreign.dcm"), {}});
+    QFAIL("is taken");
+  } catch (const Error& error) {
+    QVERIFY2(std::string(error.what()).find("--codes") != std::string::npos, error.what());
+  }
+  script_->run(ImportLabels{at("foreign.dcm"), {{1, structure::kParenchyma}}});
+  QCOMPARE(script_->state()[part::labels]->voxels.at({0, 2, 1}), structure::kParenchyma);
+}
+
+void DicomLabelsTest::EveryStructureHasAMeaning() {
+  for (const Label label :
+       {structure::kParenchyma, structure::kPortalVein, structure::kHepaticVeins, structure::kVenaCava,
+        structure::kArtery, structure::kGallbladder, structure::kFirstLesion})
+    QCOMPARE(codes_meant({{9, "", structure_terminology(label)}}).at(9), label);
+  QVERIFY(codes_meant({{9, "", structure_terminology(structure::kFirstOther)}}).empty());
+}
+
+QTEST_APPLESS_MAIN(DicomLabelsTest)
+#include "dicom_labels_test.moc"
