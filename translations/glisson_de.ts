@@ -2324,6 +2324,10 @@
         <source>A file of the case was changed outside of Glisson since it was saved: %*. Check what it holds.</source>
         <translation>Eine Datei des Falls wurde seit dem Sichern außerhalb von Glisson geändert: %*. Prüfen Sie, was sie enthält.</translation>
     </message>
+    <message>
+        <source>The seeds in the liver are a proposal: look at what is segmented from them, slice by slice.</source>
+        <translation>Die Saatpunkte in der Leber sind ein Vorschlag: Sehen Sie Schicht für Schicht an, was daraus segmentiert wird.</translation>
+    </message>
 </context>
 <context>
     <name>Obstacles</name>
@@ -3226,6 +3230,14 @@
     <message>
         <source>Taking a correction back</source>
         <translation>Zurücknehmen einer Korrektur</translation>
+    </message>
+    <message>
+        <source>Looking for the liver</source>
+        <translation>Die Leber suchen</translation>
+    </message>
+    <message>
+        <source>looking for the liver</source>
+        <translation>die Leber suchen</translation>
     </message>
 </context>
 <context>
@@ -4493,6 +4505,10 @@
     <message>
         <source>Also write the labels here (.seg.nrrd, .nii.gz; .dcm: DICOM segmentation).</source>
         <translation>Die Labels auch hierher schreiben (.seg.nrrd, .nii.gz; .dcm: DICOM-Segmentierung).</translation>
+    </message>
+    <message>
+        <source>Look for the liver without a click in it. Look at what comes of it.</source>
+        <translation>Die Leber ohne einen Klick suchen. Sehen Sie sich an, was daraus wird.</translation>
     </message>
 </context>
 <context>
@@ -6329,6 +6345,18 @@
     <message>
         <source>Replace them</source>
         <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>Propose the liver</source>
+        <translation>Leber vorschlagen</translation>
+    </message>
+    <message>
+        <source>Looks for the liver without a click in it: seeds that you can delete or add to.</source>
+        <translation>Sucht die Leber ohne einen Klick: Saatpunkte, die Sie löschen oder ergänzen können.</translation>
+    </message>
+    <message>
+        <source>There are seeds in the liver already.</source>
+        <translation>In der Leber sind schon Saatpunkte.</translation>
     </message>
 </context>
 <context>

@@ -2324,6 +2324,10 @@
         <source>A file of the case was changed outside of Glisson since it was saved: %*. Check what it holds.</source>
         <translation>Un fichier du cas a été modifié hors de Glisson depuis l’enregistrement : %*. Vérifiez ce qu’il contient.</translation>
     </message>
+    <message>
+        <source>The seeds in the liver are a proposal: look at what is segmented from them, slice by slice.</source>
+        <translation>Les germes dans le foie sont une proposition : regardez coupe par coupe ce qui en est segmenté.</translation>
+    </message>
 </context>
 <context>
     <name>Obstacles</name>
@@ -3226,6 +3230,14 @@
     <message>
         <source>Taking a correction back</source>
         <translation>Annulation d’une correction</translation>
+    </message>
+    <message>
+        <source>Looking for the liver</source>
+        <translation>Recherche du foie</translation>
+    </message>
+    <message>
+        <source>looking for the liver</source>
+        <translation>recherche du foie</translation>
     </message>
 </context>
 <context>
@@ -4493,6 +4505,10 @@
     <message>
         <source>Also write the labels here (.seg.nrrd, .nii.gz; .dcm: DICOM segmentation).</source>
         <translation>Écrire aussi les étiquettes ici (.seg.nrrd, .nii.gz ; .dcm : segmentation DICOM).</translation>
+    </message>
+    <message>
+        <source>Look for the liver without a click in it. Look at what comes of it.</source>
+        <translation>Chercher le foie sans un clic. Regardez ce qui en résulte.</translation>
     </message>
 </context>
 <context>
@@ -6329,6 +6345,18 @@
     <message>
         <source>Replace them</source>
         <translation>Les remplacer</translation>
+    </message>
+    <message>
+        <source>Propose the liver</source>
+        <translation>Proposer le foie</translation>
+    </message>
+    <message>
+        <source>Looks for the liver without a click in it: seeds that you can delete or add to.</source>
+        <translation>Cherche le foie sans un clic : des germes que vous pouvez supprimer ou compléter.</translation>
+    </message>
+    <message>
+        <source>There are seeds in the liver already.</source>
+        <translation>Il y a déjà des germes dans le foie.</translation>
     </message>
 </context>
 <context>

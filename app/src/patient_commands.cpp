@@ -7,6 +7,7 @@
 
 #include "glisson/engine/commands/import_image.h"
 #include "glisson/engine/commands/list_series.h"
+#include "glisson/engine/commands/propose_seeds.h"
 #include "glisson/engine/commands/segment.h"
 #include "glisson/engine/commands/set_seeds.h"
 #include "glisson/ui/common/series_texts.h"
@@ -126,6 +127,7 @@ int run_segment(const QStringList& given) {
   Arguments arguments("segment", Cli::tr("Segments the liver, its vessels and lesions from seeds."));
   declare_case(arguments);
   arguments.option("seeds", Cli::tr("What was clicked (JSON, LPS mm)."), "FILE");
+  arguments.flag("propose", Cli::tr("Look for the liver without a click in it. Look at what comes of it."));
   engine::Segment command;
   arguments.option("resolution", Cli::tr("Of the liver's contour, mm."), "MM",
                    command.options.working_spacing_mm);
@@ -144,7 +146,8 @@ int run_segment(const QStringList& given) {
                  Cli::tr("Replace labels that were corrected by hand; else they must be locked."));
   declare_label_output(arguments);
   if (!arguments.parse(given)) return 0;
-  const fs::path seeds = arguments.required_path("seeds");
+  const bool proposes = arguments.has("propose");
+  const fs::path seeds = proposes ? arguments.path("seeds") : arguments.required_path("seeds");
   command.options.working_spacing_mm = arguments.number("resolution", 0.3, 5.0);
   command.options.structures = structures_from(arguments.value("only"));
   command.options.region = region_from(arguments.value("region"));
@@ -153,7 +156,8 @@ int run_segment(const QStringList& given) {
   const LabelOutput output(arguments);
   Session session(arguments);
   open_case(arguments, session);
-  session.post(engine::SetSeeds{segmentation::read_seeds(seeds)});
+  session.post(engine::SetSeeds{seeds.empty() ? segmentation::Seeds{} : segmentation::read_seeds(seeds)});
+  if (proposes) session.post(engine::ProposeSeeds{});
   session.post(command);
   output.finish(session);
   return 0;

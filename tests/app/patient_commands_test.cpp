@@ -10,6 +10,7 @@
 #include "glisson/volume/io.h"
 #include "program.h"
 
+#include "../support/ball_ct.h"
 #include "../volume/dicom_bytes.h"
 
 using namespace glisson;
@@ -25,6 +26,7 @@ class PatientCommandsTest : public QObject, private test::Program {
   void cleanup() { remove_folder(); }
 
   void SeriesOfAFolderAreListed();
+  void ALiverIsFoundWithoutAClick();
   void LabelsOfAnotherGridAreRefusedAndTheCaseStands();
   void ACaseOfAnotherVersionIsRefused();
   void SeveralLargeComponentsAreRefused();
@@ -77,6 +79,18 @@ void PatientCommandsTest::SeriesOfAFolderAreListed() {
   QCOMPARE(run({"import", "ct", "--series", "1.2.826.0.1.3680043.2.1125.1.24", "--case", "a.glisson"}).code,
            0);
   refused({"import", "nowhere", "--list"}, "nowhere");
+}
+
+void PatientCommandsTest::ALiverIsFoundWithoutAClick() {
+  write_image(at("ct.nrrd"), test::ball_ct(60.0));
+  QCOMPARE(run({"import", "ct.nrrd", "--case", "a.glisson"}).code, 0);
+  refused({"segment", "--case", "a.glisson"}, "--seeds", 2);
+  const Ran ran = run({"segment", "--case", "a.glisson", "--propose", "--json", "s.json"});
+  QVERIFY2(ran.code == 0, qPrintable(ran.error));
+  QVERIFY2(ran.out.contains("proposal"), qPrintable(ran.out));
+  const double ml = figures("s.json")["label_parenchyma_ml"].toDouble(),
+               ball_ml = 4.0 / 3.0 * M_PI * 6.0 * 6.0 * 6.0;
+  QVERIFY2(std::abs(ml - ball_ml) < 0.1 * ball_ml, qPrintable(QString::number(ml)));
 }
 
 void PatientCommandsTest::LabelsOfAnotherGridAreRefusedAndTheCaseStands() {

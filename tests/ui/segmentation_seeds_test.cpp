@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Seeds, the box in which growth works, and growth itself, by mouse and keyboard.
 #include <QDoubleSpinBox>
+#include <QLabel>
 #include <QListWidget>
 #include <QMessageBox>
 #include <QPushButton>
@@ -25,6 +26,7 @@ class SegmentationSeedsTest : public QObject, private SegmentationWindow {
   void WhatAHandCorrectedIsAskedForBeforeItIsReplaced();
   void PaintedLesionIsNotTheOneThatIsClickedNext();
   void ADragAcrossALesionTellsItsDiameter();
+  void AProposalThatFindsNoLiverSaysSoAndASeedIsNotReplaced();
   void BoxDrawnInSlicesIsWhereGrowthWorks();
   void BoxIsMovedByItsEdgesTypedAndCleared();
   void BoxWithoutALiverSeedIsSaid();
@@ -128,6 +130,21 @@ void SegmentationSeedsTest::ADragAcrossALesionTellsItsDiameter() {
   press("delete_seeds");
   QVERIFY(settle());
   QCOMPARE(seeds()->lesion_diameter_mm(0), 0.0);
+}
+
+void SegmentationSeedsTest::AProposalThatFindsNoLiverSaysSoAndASeedIsNotReplaced() {
+  open_labels();
+  press("mode_seeds");
+  auto* propose = find<ui::TaskButton>("propose_seeds");
+  QTest::mouseClick(propose->button(), Qt::LeftButton);  // this liver lies in the patient's middle
+  QVERIFY(settle());
+  QStringList said;
+  for (const QLabel* label : propose->findChildren<QLabel*>()) said << label->text();
+  QVERIFY2(said.join(' ').contains("Click the liver yourself"), qPrintable(said.join(' ')));
+  QVERIFY(!window_->engine().state()[part::seeds] ||
+          window_->engine().state()[part::seeds]->liver.rows() == 0);
+  seed_liver();
+  QVERIFY(!propose->button()->isEnabled());
 }
 
 void SegmentationSeedsTest::BoxDrawnInSlicesIsWhereGrowthWorks() {

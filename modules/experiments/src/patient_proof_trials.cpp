@@ -5,11 +5,13 @@
 #include <cmath>
 #include <cstdio>
 
+#include "glisson/core/error.h"
 #include "glisson/core/statistics.h"
 #include "glisson/core/stopwatch.h"
 #include "glisson/insilico/layperson.h"
 #include "glisson/insilico/pathology.h"
 #include "glisson/segmentation/evaluate.h"
+#include "glisson/segmentation/propose_seeds.h"
 #include "glisson/volume/io.h"
 #include "glisson/volume/morphology.h"
 
@@ -82,8 +84,9 @@ std::string number(const char* format, double value) {
 class Trials {
  public:
   explicit Trials(PatientProof& proof) : proof_(proof) {
-    proof_.table.push_back(line_of(
-        "%-24s%s", "trial", "clicks  Dice  worst mm    ml  true ml  clicks  Dice  lesions  drawn  seconds"));
+    proof_.table.push_back(
+        line_of("%-24s%s", "trial",
+                "clicks  Dice  worst mm    ml  true ml  clicks  Dice  lesions  drawn  unclicked  seconds"));
   }
 
   /// Ten clicks; then with a click on each lesion, and with a line across each instead. False: cancelled.
@@ -108,6 +111,8 @@ class Trials {
       if (!across) return false;
       drawn = lesion_dice(trial, across->labels);
     }
+    const auto unclicked = dice_unclicked(trial, truth, context.quiet());
+    if (!unclicked) return false;
     const Bytes found = inside_liver(plain->labels);
     const double voxel_mm3 = trial.ct.grid.voxel_volume_mm3();
     const auto all = segmentation::agreement(found, truth, voxel_mm3);
@@ -122,8 +127,9 @@ class Trials {
                     number("%6.3f", with_lesions) +
                     (lesions.empty() ? std::string(9, ' ') : number("%9.3f", median(lesions))) +
                     (drawn.empty() ? std::string(7, ' ') : number("%7.3f", median(drawn))) +
-                    number("%9.1f", seconds)));
+                    number("%11.3f", *unclicked) + number("%9.1f", seconds)));
     (trial.real ? real_ : synthetic_).push_back(all.dice);
+    (trial.real ? real_unclicked_ : synthetic_unclicked_).push_back(*unclicked);
     const auto add = [](std::vector<double>& to, const std::vector<double>& these) {
       to.insert(to.end(), these.begin(), these.end());
     };
@@ -143,12 +149,30 @@ class Trials {
     put("synthetic_dice_liver", synthetic_);
     put("real_dice_lesion", real_lesions_);
     put("synthetic_dice_lesion", synthetic_lesions_);
+    put("real_dice_unclicked_liver", real_unclicked_);
+    put("synthetic_dice_unclicked_liver", synthetic_unclicked_);
     put("real_dice_drawn_lesion", real_drawn_);
     put("synthetic_dice_drawn_lesion", synthetic_drawn_);
     proof_.figures["trial_seconds_longest"] = slowest_;
   }
 
  private:
+  /// Of the liver that is proposed; 0 where none is. Cancelled: empty.
+  Cancellable<double> dice_unclicked(const Trial& trial, const Bytes& truth, const RunContext& context) {
+    segmentation::Seeds seeds;
+    try {
+      auto proposed = segmentation::propose_liver_seeds(trial.ct, context);
+      if (!proposed) return std::nullopt;
+      seeds.liver = std::move(*proposed);
+    } catch (const InputError&) {
+      return 0.0;
+    }
+    const auto result = segment(trial, seeds, context);
+    if (!result) return std::nullopt;
+    return segmentation::dice(inside_liver(result->labels), truth);
+  }
+
+  /// Of each lesion with the truth's that was clicked.
   static std::vector<double> lesion_dice(const Trial& trial, const LabelMap& found) {
     std::vector<double> each;
     for (const Label truth : clicked_lesions(trial.truth))
@@ -166,7 +190,8 @@ class Trials {
   }
 
   PatientProof& proof_;
-  std::vector<double> real_, synthetic_, real_lesions_, synthetic_lesions_, real_drawn_, synthetic_drawn_;
+  std::vector<double> real_, synthetic_, real_lesions_, synthetic_lesions_, real_drawn_, synthetic_drawn_,
+      real_unclicked_, synthetic_unclicked_;
   double seconds_ = 0.0, slowest_ = 0.0;
 };
 

@@ -29,10 +29,7 @@ void check_points(const Image& image, const Points& points, const char* name) {
 }
 
 void check_input(const Image& image, const Seeds& seeds) {
-  if (image.empty()) throw InputError("image", "", "is empty", "Import a CT first");
-  if (image.modality != Modality::ct)
-    throw InputError("image", "modality", "is not CT, and the statistics are those of Hounsfield units",
-                     "Import a portal venous CT, or import labels instead");
+  require_ct(image);
   check_points(image, seeds.liver, "liver");
   check_points(image, seeds.portal_vein, "portal_vein");
   check_points(image, seeds.hepatic_veins, "hepatic_veins");

@@ -13,6 +13,9 @@ struct Tissue {
 inline constexpr double kLeastLiverSigma = 3.0, kMostLiverSigma = 15.0;  // HU, after denoising
 inline constexpr double kVesselWidth = 5.0;  // mm, closed over in the liver-like tissue
 
+/// @throws InputError an empty image, or no CT.
+void require_ct(const Image& image);
+
 /// Median and scaled median absolute deviation within `radius_mm` of the points. sigma is kept in
 /// [low_sigma, high_sigma].
 Tissue tissue_around(const Field& ct, const std::vector<Eigen::Vector3i>& points, double radius_mm,

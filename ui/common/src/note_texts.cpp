@@ -26,6 +26,8 @@ class Notes {
         {"seed.liver_taken", tr("Liver seed %%1 had no effect: %%2 lies there. Take one of the two away.")},
         {"seed.not_liver_taken",
          tr("\"Not liver\" seed %%1 had no effect: %%2 lies there. Take one of the two away.")},
+        {"seeds.proposed", tr("The seeds in the liver are a proposal: look at what is segmented from them, "
+                              "slice by slice.")},
         {"liver.large", tr("The liver is larger than 4000 ml: check it in the slices.")},
         {"liver.piece_dropped", tr("A separate piece of the liver's surface was left out (%2 ml).")},
         {"liver.pieces_dropped", tr("Separate specks of liver were left out: %1 (%3 ml).")},

@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 
 #include "glisson/core/error.h"
+#include "glisson/engine/commands/propose_seeds.h"
 #include "glisson/engine/commands/segment.h"
 #include "glisson/engine/commands/set_seeds.h"
 #include "glisson/engine/obstacle.h"
@@ -94,11 +95,12 @@ SeedBox::SeedBox(EngineBridge& engine, ViewState& views, QWidget* parent)
   connect(&engine_, &EngineBridge::finished, this, [this](const engine::Outcome& outcome) {
     if (storing_.erase(outcome.id) > 0 && storing_.empty()) show_case();
   });
-  connect(run_, &TaskButton::done, this, [this](const engine::Outcome& outcome) {
-    if (outcome.status != engine::Status::done) return;
-    notes_->setText(notes_text(outcome.notes));
-    notes_->setVisible(!outcome.notes.empty());
-  });
+  for (const TaskButton* button : {run_, propose_})
+    connect(button, &TaskButton::done, this, [this](const engine::Outcome& outcome) {
+      if (outcome.status != engine::Status::done) return;
+      notes_->setText(notes_text(outcome.notes));
+      notes_->setVisible(!outcome.notes.empty());
+    });
   show_case();
 }
 
@@ -110,6 +112,12 @@ void SeedBox::build_structures() {
   grid_ = new QGridLayout;
   grid_->setSpacing(4);
   column_of(this)->addLayout(grid_);
+  propose_ = new TaskButton(
+      engine_, tr("Propose the liver"), [] { return engine::Command(engine::ProposeSeeds{}); }, this);
+  propose_->setObjectName(QStringLiteral("propose_seeds"));
+  propose_->setToolTip(tr("Looks for the liver without a click in it: seeds that you can delete or add to."));
+  propose_->watch(engine::ProposeSeeds{});
+  column_of(this)->addWidget(propose_);
 }
 
 void SeedBox::build_seed_list() {
@@ -339,7 +347,7 @@ void SeedBox::show_case() {
     seeds_ = taken_ ? *taken_ : segmentation::Seeds{};
     show_seeds();
   }
-  if (!engine_.state()[part::labels]) notes_->hide();
+  if (!engine_.state()[part::labels] && seeds_.liver.rows() == 0) notes_->hide();
   show_buttons();
 }
 
@@ -407,6 +415,7 @@ void SeedBox::show_buttons() {
   remove_->setEnabled(!list_->selectedItems().isEmpty());
   for (QPushButton* button : {clear_, save_}) button->setEnabled(!entries_.empty());
   run_->set_obstacle(obstacle());
+  propose_->set_obstacle(seeds_.liver.rows() == 0 ? QString() : tr("There are seeds in the liver already."));
 }
 
 void SeedBox::show_markers() {

@@ -83,6 +83,7 @@ class SeedBox : public QWidget {
   std::optional<Point<CtFrame>> drawn_from_;  ///< one end of a lesion's diameter
   std::map<Label, QPushButton*> buttons_;
   QGridLayout* grid_ = nullptr;
+  TaskButton* propose_ = nullptr;
   QListWidget* list_ = nullptr;
   QPushButton* remove_ = nullptr;
   QPushButton* clear_ = nullptr;
