@@ -14,9 +14,9 @@ namespace glisson::engine {
 struct LiveState {
   OverlayFrame overlay;
   StereoFrame frame;
-  int frames = 0;          ///< followed since tracking began
-  int frames_late = 0;     ///< that took longer than a frame's time
-  int frames_dropped = 0;  ///< never followed because a newer one had come
+  int frames = 0;                           ///< followed since tracking began
+  int frames_late = 0;                      ///< that took longer than a frame's time
+  int frames_dropped = 0;                   ///< never followed because a newer one had come
   std::vector<CorrectionMade> corrections;  ///< by hand, that stand; the oldest first
 };
 
