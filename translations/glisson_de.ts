@@ -1751,6 +1751,22 @@
         <source>Drag less far, or register again</source>
         <translation>Ziehen Sie weniger weit, oder registrieren Sie neu</translation>
     </message>
+    <message>
+        <source>has seeds already</source>
+        <translation>hat schon Saatpunkte</translation>
+    </message>
+    <message>
+        <source>shows nothing as large, compact and even as a liver</source>
+        <translation>zeigt nichts, das so groß, kompakt und gleichmäßig ist wie eine Leber</translation>
+    </message>
+    <message>
+        <source>Click the liver yourself</source>
+        <translation>Klicken Sie die Leber selbst an</translation>
+    </message>
+    <message>
+        <source>Delete them first, or add more by hand</source>
+        <translation>Löschen Sie sie zuerst, oder fügen Sie von Hand weitere hinzu</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -6353,10 +6369,6 @@
     <message>
         <source>Looks for the liver without a click in it: seeds that you can delete or add to.</source>
         <translation>Sucht die Leber ohne einen Klick: Saatpunkte, die Sie löschen oder ergänzen können.</translation>
-    </message>
-    <message>
-        <source>There are seeds in the liver already.</source>
-        <translation>In der Leber sind schon Saatpunkte.</translation>
     </message>
 </context>
 <context>

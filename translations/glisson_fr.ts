@@ -1751,6 +1751,22 @@
         <source>Drag less far, or register again</source>
         <translation>Tirez moins loin, ou recalez de nouveau</translation>
     </message>
+    <message>
+        <source>has seeds already</source>
+        <translation>a déjà des germes</translation>
+    </message>
+    <message>
+        <source>shows nothing as large, compact and even as a liver</source>
+        <translation>ne montre rien d’aussi grand, compact et homogène qu’un foie</translation>
+    </message>
+    <message>
+        <source>Click the liver yourself</source>
+        <translation>Cliquez vous-même le foie</translation>
+    </message>
+    <message>
+        <source>Delete them first, or add more by hand</source>
+        <translation>Supprimez-les d’abord, ou ajoutez-en à la main</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -6353,10 +6369,6 @@
     <message>
         <source>Looks for the liver without a click in it: seeds that you can delete or add to.</source>
         <translation>Cherche le foie sans un clic : des germes que vous pouvez supprimer ou compléter.</translation>
-    </message>
-    <message>
-        <source>There are seeds in the liver already.</source>
-        <translation>Il y a déjà des germes dans le foie.</translation>
     </message>
 </context>
 <context>

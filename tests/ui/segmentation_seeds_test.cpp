@@ -138,13 +138,18 @@ void SegmentationSeedsTest::AProposalThatFindsNoLiverSaysSoAndASeedIsNotReplaced
   auto* propose = find<ui::TaskButton>("propose_seeds");
   QTest::mouseClick(propose->button(), Qt::LeftButton);  // this liver lies in the patient's middle
   QVERIFY(settle());
-  QStringList said;
-  for (const QLabel* label : propose->findChildren<QLabel*>()) said << label->text();
-  QVERIFY2(said.join(' ').contains("Click the liver yourself"), qPrintable(said.join(' ')));
+  const auto said = [&] {
+    QStringList all;
+    for (const QLabel* label : propose->findChildren<QLabel*>()) all << label->text();
+    return all.join(' ');
+  };
+  QVERIFY2(said().contains("Click the liver yourself"), qPrintable(said()));
   QVERIFY(!window_->engine().state()[part::seeds] ||
           window_->engine().state()[part::seeds]->liver.rows() == 0);
   seed_liver();
-  QVERIFY(!propose->button()->isEnabled());
+  QTest::mouseClick(propose->button(), Qt::LeftButton);
+  QVERIFY(settle());
+  QVERIFY2(said().contains("has seeds already"), qPrintable(said()));
 }
 
 void SegmentationSeedsTest::BoxDrawnInSlicesIsWhereGrowthWorks() {

@@ -415,7 +415,6 @@ void SeedBox::show_buttons() {
   remove_->setEnabled(!list_->selectedItems().isEmpty());
   for (QPushButton* button : {clear_, save_}) button->setEnabled(!entries_.empty());
   run_->set_obstacle(obstacle());
-  propose_->set_obstacle(seeds_.liver.rows() == 0 ? QString() : tr("There are seeds in the liver already."));
 }
 
 void SeedBox::show_markers() {
