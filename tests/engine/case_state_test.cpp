@@ -29,6 +29,7 @@
 #include "glisson/engine/parts/review.h"
 #include "glisson/engine/parts/rig.h"
 #include "glisson/engine/parts/seeds.h"
+#include "glisson/engine/parts/source.h"
 #include "glisson/engine/parts/video.h"
 
 using namespace glisson;
@@ -48,6 +49,7 @@ class CaseStateTest : public QObject {
 void CaseStateTest::EveryPartCanBeTakenAndTold() {
   CaseState full;
   full[part::image] = std::make_shared<Image>();
+  full[part::source] = std::make_shared<DicomSource>();
   full[part::seeds] = std::make_shared<segmentation::Seeds>();
   full[part::labels] = std::make_shared<LabelMap>();
   full[part::review] = std::make_shared<Review>();
