@@ -98,6 +98,7 @@ Points HandCorrections::places(const std::unordered_map<int, Anchor>& anchors, c
   registration::MovingSurface surface = surface_;
   surface.move(shape);
   std::vector<int> ids;  // in an order that repeats
+  ids.reserve(anchors.size());
   for (const auto& [id, anchor] : anchors) ids.push_back(id);
   std::sort(ids.begin(), ids.end());
   Points places(static_cast<Eigen::Index>(ids.size()), 3);
