@@ -271,6 +271,8 @@ void SeriesTest::PhasesAreRead_data() {
   row("Spätphase 5 min", delayed);
   row("Delayed venous", delayed);
   row("nativ 3.0", native);
+  row("Nativphase 2.0", native);
+  row("alternative recon 2.0", unsaid);
   row("start of the series", unsaid);
   row("Abdomen 3.0", unsaid);
   row("", unsaid);

@@ -116,13 +116,15 @@ SeriesPhase phase_of(const DicomSeries& series) {
   static constexpr std::array<std::string_view, 2> kVenous = {"ven\xc3\xb6s", "venoes"};
   static constexpr std::array<std::string_view, 4> kDelayed = {"delay", "sp\xc3\xa4t", "spaet", "tardi"};
   static constexpr std::array<std::string_view, 2> kArterial = {"arteri", "art\xc3\xa9ri"};
-  static constexpr std::array<std::string_view, 5> kNative = {"native", "nativ", "unenhanced", "non-contrast",
+  // "native" stands in "alternative", too; "nativphase" is one word.
+  static constexpr std::array<std::string_view, 4> kNative = {"nativphase", "unenhanced", "non-contrast",
                                                               "sans injection"};
   if (has_any(text, kDelayed)) return SeriesPhase::delayed;
   if (has_any(text, kPortal) || has_any(text, kVenous) || any("pv", "pvp", "ven"))
     return SeriesPhase::portal_venous;
   if (has_any(text, kArterial) || any("art", "hap")) return SeriesPhase::arterial;
-  if (has_any(text, kNative) || any("nc", "w/o", "without contrast", "ohne km")) return SeriesPhase::native;
+  if (has_any(text, kNative) || any("native", "nativ", "nc", "w/o", "without contrast", "ohne km"))
+    return SeriesPhase::native;
   return SeriesPhase::unsaid;
 }
 
