@@ -11,7 +11,7 @@ namespace glisson::ui {
 
 PatientIdentity::PatientIdentity(QWidget* parent) : QLabel(parent) {
   setObjectName(QStringLiteral("patient_identity"));
-  setTextFormat(Qt::PlainText);  // it comes from a foreign file
+  setTextFormat(Qt::PlainText);     // it comes from a foreign file
   setContentsMargins(8, 5, 12, 0);  // on the menus' line
 }
 
