@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string_view>
 #include <utility>
 
 #include "glisson/core/error.h"
@@ -8,6 +9,17 @@
 #include "glisson/engine/parts/live.h"
 
 namespace glisson::engine {
+
+/// Of what hands say while the organ is followed: on the lane that has the follower.
+inline CommandTraits correction_traits(std::string_view code) {
+  return {.code = code,
+          .reads = {part::live},
+          .writes = {part::live},
+          .needs = {part::live},
+          .current = {part::live},
+          .lane = Lane::edits,
+          .notice = Notice::quiet};
+}
 
 /// @throws InputError nothing is followed.
 inline Follower& follower_of(const Services& services) {

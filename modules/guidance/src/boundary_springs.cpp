@@ -3,6 +3,8 @@
 
 #include <numbers>
 
+#include "node_place.h"
+
 namespace glisson::guidance {
 namespace {
 
@@ -12,13 +14,6 @@ constexpr double kCavaRadius = 12e-3, kWallShare = 0.1;
 double wall_section(double radius) {
   const double inner = radius * (1.0 - kWallShare);
   return std::numbers::pi * (radius * radius - inner * inner);
-}
-
-Eigen::Vector3d place(const std::array<int, 4>& nodes, const std::array<double, 4>& weights,
-                      const Points& positions) {
-  Eigen::Vector3d p = Eigen::Vector3d::Zero();
-  for (std::size_t k = 0; k < 4; ++k) p += weights[k] * positions.row(nodes[k]).transpose();
-  return p;
 }
 
 }  // namespace
@@ -54,7 +49,7 @@ void BoundarySprings::attach(const PatientModel& model, const Points& places_in_
       spring.weights[k] = binding.weights(i, column);
     }
     spring.stiffness = stiffness[static_cast<std::size_t>(i)];
-    spring.anchor = place(spring.nodes, spring.weights, start_in_camera);
+    spring.anchor = place_of(spring.nodes, spring.weights, start_in_camera);
     springs_.push_back(spring);
   }
 }
@@ -64,7 +59,7 @@ void BoundarySprings::move(const RigidMotion& motion) {
 }
 
 void BoundarySprings::shift(const Points& motions_in_camera) {
-  for (Spring& spring : springs_) spring.anchor += place(spring.nodes, spring.weights, motions_in_camera);
+  for (Spring& spring : springs_) spring.anchor += place_of(spring.nodes, spring.weights, motions_in_camera);
 }
 
 void BoundarySprings::add(const Points& nodes_in_camera, std::vector<fem::AttachedLoad>& loads) const {
@@ -72,7 +67,7 @@ void BoundarySprings::add(const Points& nodes_in_camera, std::vector<fem::Attach
     fem::AttachedLoad load;
     load.nodes = spring.nodes;
     load.weights = spring.weights;
-    load.force = spring.stiffness * (spring.anchor - place(spring.nodes, spring.weights, nodes_in_camera));
+    load.force = spring.stiffness * (spring.anchor - place_of(spring.nodes, spring.weights, nodes_in_camera));
     load.tangent = spring.stiffness * Eigen::Matrix3d::Identity();
     loads.push_back(load);
   }

@@ -7,6 +7,7 @@
 
 #include "glisson/core/error.h"
 #include "glisson/fem/integrator.h"
+#include "node_place.h"
 
 namespace glisson::guidance {
 namespace {
@@ -71,21 +72,15 @@ void add_slide(const Slide& slide, const Points& now, std::vector<fem::AttachedL
   fem::AttachedLoad load;
   load.nodes = slide.carrier.nodes;
   load.weights = slide.carrier.weights;
-  Eigen::Vector3d place = Eigen::Vector3d::Zero();
-  for (std::size_t k = 0; k < 4; ++k)
-    if (load.nodes[k] >= 0) place += load.weights[k] * now.row(load.nodes[k]).transpose();
   load.tangent = slide.stiffness * slide.normal * slide.normal.transpose();
-  load.force = load.tangent * (slide.tissue - place);
+  load.force = load.tangent * (slide.tissue - place_of(load.nodes, load.weights, now));
   loads.push_back(load);
 }
 
 }  // namespace
 
 Eigen::Vector3d SightPull::place(const Points& nodes_now) const {
-  Eigen::Vector3d p = Eigen::Vector3d::Zero();
-  for (std::size_t k = 0; k < 4; ++k)
-    if (nodes[k] >= 0) p += weights[k] * nodes_now.row(nodes[k]).transpose();
-  return p;
+  return place_of(nodes, weights, nodes_now);
 }
 
 Corrector::Corrector(std::shared_ptr<const fem::CompositeModel> at_rest, registration::MovingSurface surface)

@@ -277,8 +277,9 @@ struct Tracker::Impl {
         hand->propose(correction, integrator.positions(), anchors.anchors());
     HandCorrections::Step former{hand->shape(),     integrator.positions(), integrator.velocities(), springs,
                                  anchors.anchors(), memory->anchors(),      relocator->save(),       frames};
-    take_shape(proposal.shape, hand->change_to(proposal.shape));
-    relocator->rebind(hand->change_to(proposal.shape).of_surface);
+    const BindingChange change = hand->change_to(proposal.shape);
+    take_shape(proposal.shape, change);
+    relocator->rebind(change.of_surface);
     hand->accept(proposal, std::move(former), last);
     return corrected();
   }

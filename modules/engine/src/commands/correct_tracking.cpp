@@ -2,19 +2,10 @@
 #include "glisson/engine/commands/correct_tracking.h"
 
 #include "corrected_live.h"
-#include "glisson/engine/parts/live.h"
 
 namespace glisson::engine {
 
-CommandTraits CorrectTracking::traits() const {
-  return {.code = "correct_tracking",
-          .reads = {part::live},
-          .writes = {part::live},
-          .needs = {part::live},
-          .current = {part::live},
-          .lane = Lane::edits,
-          .notice = Notice::quiet};
-}
+CommandTraits CorrectTracking::traits() const { return correction_traits("correct_tracking"); }
 
 Cancellable<Applied> CorrectTracking::apply(const CaseState& state, const RunContext&,
                                             const Services& services) const {

@@ -2,19 +2,10 @@
 #include "glisson/engine/commands/undo_correction.h"
 
 #include "corrected_live.h"
-#include "glisson/engine/parts/live.h"
 
 namespace glisson::engine {
 
-CommandTraits UndoCorrection::traits() const {
-  return {.code = "undo_correction",
-          .reads = {part::live},
-          .writes = {part::live},
-          .needs = {part::live},
-          .current = {part::live},
-          .lane = Lane::edits,
-          .notice = Notice::quiet};
-}
+CommandTraits UndoCorrection::traits() const { return correction_traits("undo_correction"); }
 
 Cancellable<Applied> UndoCorrection::apply(const CaseState& state, const RunContext&,
                                            const Services& services) const {
