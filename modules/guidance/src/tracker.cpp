@@ -8,9 +8,8 @@
 #include <optional>
 
 #include "anchored_points.h"
+#include "followed_body.h"
 #include "glisson/core/error.h"
-#include "glisson/fem/integrator.h"
-#include "glisson/guidance/boundary_springs.h"
 #include "glisson/registration/force_follower.h"
 #include "glisson/registration/moving_surface.h"
 #include "glisson/registration/pairs.h"
@@ -50,19 +49,11 @@ struct Tracker::Impl {
   Impl(const PatientModel& model, const Registration& start, const TrackerOptions& given)
       : options(checked(model, start, given)),
         patient(model),
-        composite(std::make_shared<fem::CompositeModel>(model.mesh, model.vessels, options.materials)),
-        integrator(composite, integrator_options()),
-        surface(model),
-        springs(model, start.nodes_in_camera, options.boundary_young_modulus, options.boundary_length,
-                options.boundary_tether),
+        body(model, start.nodes_in_camera, options),
         lesions(model, start, options.lesions) {
     doubtful = !start.doubts.empty();
     if (registration::takes_forces(options.cloud_method, model, cloud_options()))
       forces.emplace(model, start.camera_from_ct, registration::forces_with(model, cloud_options()));
-    integrator.set_state(start.nodes_in_camera);
-    surface.move(start.nodes_in_camera);
-    mechanics.mesh = model.mesh;
-    mechanics.vessels = model.vessels;
   }
 
   static TrackerOptions checked(const PatientModel& model, const Registration& start,
@@ -89,31 +80,6 @@ struct Tracker::Impl {
     return result;
   }
 
-  fem::IntegratorOptions integrator_options() const {
-    fem::IntegratorOptions result;
-    result.time_step = options.time_step;
-    result.fixed_nodes = options.fixed_nodes;
-    return result;
-  }
-
-  /// From now on the registered shape is the one at rest.
-  void rest_here() {
-    const Points here = integrator.positions();
-    try {
-      composite = resting_in(here);
-    } catch (const InputError& failure) {
-      throw InputError("start", "mesh", std::string("cannot be followed: ") + failure.what(),
-                       "Register again, from more of the surface");
-    }
-    integrator = fem::Integrator(composite, integrator_options());
-    integrator.set_state(here);
-  }
-
-  std::shared_ptr<const fem::CompositeModel> resting_in(const Points& shape) const {
-    const PatientModel rest = registration::moved_to(mechanics, shape);
-    return std::make_shared<fem::CompositeModel>(rest.mesh, rest.vessels, options.materials);
-  }
-
   void begin(const StereoRig& rig, const StereoFrame& first, const Picture& mask) {
     FollowerOptions follow;
     follow.points = options.points;
@@ -121,32 +87,33 @@ struct Tracker::Impl {
     follow.epipolar_px = options.epipolar_px;
     follow.window_px = options.window_px;
     follow.levels = options.levels;
-    if (options.hold_start) rest_here();
+    if (options.hold_start) body.rest_here();
     parts = seen_parts(first, rig, mask);
     follower.emplace(rig, follow);
     follower->begin(first, parts);
     anchors.clear();
     memory.emplace(rig);
-    hand.emplace(patient, rig, options.hold_start ? composite : resting_in(integrator.positions()), surface);
+    hand.emplace(patient, rig, options.hold_start ? body.composite() : body.resting_in(body.positions()),
+                 body.surface());
     frames = last_valid = 0;
     last = {};
     camera = rig.left;
     seen = seen_area();
     replenish();
     relocator = std::make_unique<Relocator>(rig, parts.tissue);
-    relocator->remember(first.left, surface);
+    relocator->remember(first.left, body.surface());
     lost = since_key_frame = 0;
     judge.reset();
     is_believed = true;
     if (!options.judge.enabled) return;
     judge = std::make_unique<Judge>(patient, rig, parts.tissue, options.judge);
-    judge->begin(first, integrator.positions());
+    judge->begin(first, body.positions());
     is_believed = !judge->refutes();
   }
 
   /// Of the model, in the left picture, square metres.
   double seen_area() const {
-    const TriangleMesh& mesh = surface.mesh();
+    const TriangleMesh& mesh = body.surface().mesh();
     const Eigen::VectorXd areas = triangle_areas(mesh);
     double sum = 0.0;
     for (int t = 0; t < mesh.triangle_count(); ++t) {
@@ -160,31 +127,22 @@ struct Tracker::Impl {
 
   void replenish() {
     const auto expected = [&](const Eigen::Vector2d& pixel) -> std::optional<Eigen::Vector3d> {
-      const ClosestPoint hit = surface.first_hit(Eigen::Vector3d::Zero(), camera.ray(pixel), 0.0,
-                                                 std::numeric_limits<double>::infinity());
+      const ClosestPoint hit = body.surface().first_hit(Eigen::Vector3d::Zero(), camera.ray(pixel), 0.0,
+                                                        std::numeric_limits<double>::infinity());
       if (hit.triangle < 0) return std::nullopt;
       return hit.point;
     };
     const int missing = options.points - static_cast<int>(follower->points().size());
-    memory->recall(*follower, anchors, surface, missing, follower->spacing(), frames);
+    memory->recall(*follower, anchors, body.surface(), missing, follower->spacing(), frames);
     const int added = follower->replenish(expected);
     std::vector<char> kept(follower->points().size(), 1);
     for (std::size_t i = kept.size() - static_cast<std::size_t>(added); i < kept.size(); ++i) {
       const FollowedPoint& point = follower->points()[i];
-      kept[i] = anchors.bind(point, surface, kBindRadius);
-      if (kept[i] != 0) memory->remember(point, anchors.anchor(point.id), *follower, surface, frames);
+      kept[i] = anchors.bind(point, body.surface(), kBindRadius);
+      if (kept[i] != 0) memory->remember(point, anchors.anchor(point.id), *follower, body.surface(), frames);
     }
     follower->keep(kept);
     anchors.retain(follower->points());
-  }
-
-  /// The camera has moved, or is somewhere else: the patient is another way in its frame, with what holds.
-  void move_all(const RigidMotion& motion) {
-    const Points moved =
-        (integrator.positions() * motion.rotation.transpose()).rowwise() + motion.translation.transpose();
-    integrator.set_state(moved);
-    springs.move(motion);
-    surface.move(moved);
   }
 
   /// The common rigid motion of the points that agree is taken over at once, with what holds the organ:
@@ -192,13 +150,13 @@ struct Tracker::Impl {
   void follow_camera() {
     if (!options.scope_moves || !options.fixed_nodes.empty()) return;
     const std::vector<FollowedPoint>& points = follower->points();
-    const std::vector<Eigen::Vector3d> gaps = anchors.gaps(points, surface);
+    const std::vector<Eigen::Vector3d> gaps = anchors.gaps(points, body.surface());
     Points seen_now(static_cast<Eigen::Index>(points.size()), 3), modelled = seen_now;
     for (std::size_t i = 0; i < points.size(); ++i) {
       seen_now.row(static_cast<Eigen::Index>(i)) = points[i].p_in_camera.transpose();
       modelled.row(static_cast<Eigen::Index>(i)) = (points[i].p_in_camera - gaps[i]).transpose();
     }
-    move_all(fit_rigid_motion(modelled, seen_now, {}));
+    body.move(fit_rigid_motion(modelled, seen_now, {}));
   }
 
   /// Counts frames without an overlay, and looks for the organ by its texture.
@@ -209,21 +167,21 @@ struct Tracker::Impl {
     const bool is_examined = judge && judge->is_undecided() && validity == Validity::surface_apart;
     lost = is_lost && !is_examined ? lost + 1 : 0;
     if (validity == Validity::valid && ++since_key_frame >= kKeyFrameEvery) {
-      relocator->remember(frame.left, surface);
+      relocator->remember(frame.left, body.surface());
       since_key_frame = 0;
     }
     // A start that was refuted binds the texture to wrong places: it would be found there again.
     if (!is_believed) return;
     if (lost < kLost || (lost - kLost) % (lost < kLost + kEager ? kLookAgain : kLookSeldom) != 0) return;
-    const auto found = relocator->find(frame.left, surface);
+    const auto found = relocator->find(frame.left, body.surface());
     if (!found) return;
-    const TriangleMesh& mesh = surface.mesh();
+    const TriangleMesh& mesh = body.surface().mesh();
     const Points there =
         (mesh.vertices * found->rotation.transpose()).rowwise() + found->translation.transpose();
     if ((there - mesh.vertices).rowwise().norm().mean() < kFoundElsewhere &&
         validity == Validity::surface_apart)
       return;
-    move_all(*found);
+    body.move(*found);
     follower->begin(frame, parts);
     anchors.clear();
     memory->forget_since(last_valid);
@@ -231,40 +189,21 @@ struct Tracker::Impl {
     if (judge) judge->distrust();
   }
 
-  /// One implicit step under loads that `pull` adds. @return false: the mechanics failed, nothing has moved.
-  template <class Pull>
-  bool step(const Pull& pull) {
-    fem::Loads loads;
-    springs.add(integrator.positions(), loads.attached);
-    pull(loads.attached);
-    if (!integrator.step(loads).ok) {
-      integrator.stop();
-      return false;
-    }
-    surface.move(integrator.positions());
-    return true;
-  }
-
   /// The registered shape is another one: mechanics, springs and all that is bound go along, and the tissue
   /// that is followed stays where it is.
   void take_shape(const Points& shape, const BindingChange& change) {
-    std::shared_ptr<const fem::CompositeModel> resting = options.hold_start ? resting_in(shape) : composite;
-    const Points motion = hand->carried(shape - hand->shape(), integrator.positions());
-    const Points there = integrator.positions() + motion, speed = integrator.velocities();
-    const registration::MovingSurface before = surface;
-    composite = std::move(resting);
-    integrator = fem::Integrator(composite, integrator_options());
-    integrator.set_state(there, speed);
-    surface.move(there);
-    springs.shift(motion);
+    auto resting = options.hold_start ? body.resting_in(shape) : body.composite();
+    const Points motion = hand->carried(shape - hand->shape(), body.positions());
+    const registration::MovingSurface before = body.surface();
+    body.take(std::move(resting), motion);
     follower->keep(anchors.rebind(follower->points(), change.of_followed));
     anchors.retain(follower->points());
-    memory->rebind(change.of_remembered, before, surface);
+    memory->rebind(change.of_remembered, before, body.surface());
     seen = seen_area();
   }
 
   OverlayFrame corrected() {
-    last.nodes_in_camera = integrator.positions();
+    last.nodes_in_camera = body.positions();
     last.lesions = lesions.judge(last, places_seen(last.validity));
     return last;
   }
@@ -273,10 +212,9 @@ struct Tracker::Impl {
     if (!follower || is_unusable(last.validity))
       throw InputError("correction", "the organ", "is not followed in the last frame",
                        "Wait until it is followed again");
-    const HandCorrections::Proposal proposal =
-        hand->propose(correction, integrator.positions(), anchors.anchors());
-    HandCorrections::Step former{hand->shape(),     integrator.positions(), integrator.velocities(), springs,
-                                 anchors.anchors(), memory->anchors(),      relocator->save(),       frames};
+    const HandCorrections::Proposal proposal = hand->propose(correction, body.positions(), anchors.anchors());
+    HandCorrections::Step former{hand->shape(),     body.positions(),  body.velocities(), body.springs(),
+                                 anchors.anchors(), memory->anchors(), relocator->save(), frames};
     const BindingChange change = hand->change_to(proposal.shape);
     take_shape(proposal.shape, change);
     relocator->rebind(change.of_surface);
@@ -291,18 +229,15 @@ struct Tracker::Impl {
     const BindingChange change = hand->change_back();
     take_shape(former.shape, change);
     relocator->restore(*former.keys, change.of_surface);
-    if (former.frame == frames) {  // nothing has moved since
-      springs = former.springs;
-      integrator.set_state(former.positions, former.velocities);
-      surface.move(former.positions);
-    }
+    if (former.frame == frames)  // nothing has moved since
+      body.restore(former.positions, former.velocities, former.springs);
     hand->take_back();
     return corrected();
   }
 
   Validity follow_points(OverlayFrame& overlay) {
-    follower->keep(memory->confirm(*follower, surface, frames));
-    std::vector<Eigen::Vector3d> gaps = anchors.gaps(follower->points(), surface);
+    follower->keep(memory->confirm(*follower, body.surface(), frames));
+    std::vector<Eigen::Vector3d> gaps = anchors.gaps(follower->points(), body.surface());
     const std::vector<char> good =
         consistent(follower->points(), gaps, kConsistentDeviations, kConsistentFloor);
     const auto agreeing = std::count(good.begin(), good.end(), char{1});
@@ -316,9 +251,9 @@ struct Tracker::Impl {
     const double stiffness = options.point_stiffness * options.materials.parenchyma.young_modulus * seen /
                              (reference_area * static_cast<double>(agreeing));
     for (int k = 0; k < options.steps_per_frame; ++k)
-      if (!step([&](auto& loads) { anchors.add(follower->points(), surface, stiffness, loads); }))
+      if (!body.step([&](auto& loads) { anchors.add(follower->points(), body.surface(), stiffness, loads); }))
         return Validity::mechanics_failed;
-    overlay.residual = mean_norm(anchors.gaps(follower->points(), surface));
+    overlay.residual = mean_norm(anchors.gaps(follower->points(), body.surface()));
     if (overlay.residual > options.maximum_residual) return Validity::residual_too_large;
     if (static_cast<int>(follower->points().size()) < (1.0 - kMissing) * options.points) replenish();
     return Validity::valid;
@@ -358,10 +293,10 @@ struct Tracker::Impl {
       // What could not be used is followed again from the last frame that could.
       if (overlay.validity == Validity::too_few_points || overlay.validity == Validity::inconsistent_motion) {
         follower->forget_last();
-        integrator.stop();
+        body.stop();
       }
     }
-    overlay.nodes_in_camera = integrator.positions();
+    overlay.nodes_in_camera = body.positions();
     if (judge && overlay.validity == Validity::valid)
       overlay.validity = judge->judge(frame, follower->points(), overlay);
     if (overlay.validity == Validity::valid) {
@@ -379,7 +314,7 @@ struct Tracker::Impl {
     overlay.index = index;
     overlay.seconds = seconds;
     overlay.validity = follow_cloud(cloud, steps, overlay);
-    overlay.nodes_in_camera = integrator.positions();
+    overlay.nodes_in_camera = body.positions();
     overlay.lesions = lesions.judge(overlay, overlay.level() == Level::withdrawn ? Points() : cloud.points);
     return overlay;
   }
@@ -398,8 +333,7 @@ struct Tracker::Impl {
   Validity follow_by_forces(const LabelledCloud& cloud, OverlayFrame& overlay) {
     try {
       const auto fit = forces->follow(cloud, {});
-      integrator.set_state(fit->nodes_in_camera);
-      surface.move(fit->nodes_in_camera);
+      body.place(fit->nodes_in_camera);
       overlay.pairs = static_cast<int>(std::lround((1.0 - fit->outlier_share) * cloud.size()));
       overlay.residual = fit->residual;
       return Validity::valid;
@@ -416,17 +350,17 @@ struct Tracker::Impl {
                      options.materials.parenchyma.young_modulus;
     std::vector<registration::Pair> pairs;
     for (int i = 0; i < steps; ++i) {
-      pairs = registration::find_pairs(prepared, surface, {});
+      pairs = registration::find_pairs(prepared, body.surface(), {});
       const auto pull = [&](std::vector<fem::AttachedLoad>& loads) {
         for (const registration::Pair& pair : pairs)
           if (pair.kept)
-            loads.push_back(registration::pair_load(pair, surface, options.cloud.form, options.cloud.s,
+            loads.push_back(registration::pair_load(pair, body.surface(), options.cloud.form, options.cloud.s,
                                                     k * prepared.weight[static_cast<std::size_t>(pair.point)],
                                                     options.cloud.tangential));
       };
-      if (!step(pull)) return Validity::mechanics_failed;
+      if (!body.step(pull)) return Validity::mechanics_failed;
     }
-    pairs = registration::find_pairs(prepared, surface, {});
+    pairs = registration::find_pairs(prepared, body.surface(), {});
     overlay.pairs = static_cast<int>(
         std::count_if(pairs.begin(), pairs.end(), [](const auto& pair) { return pair.kept; }));
     overlay.residual = registration::mean_distance(pairs);
@@ -435,11 +369,7 @@ struct Tracker::Impl {
 
   TrackerOptions options;
   PatientModel patient;
-  std::shared_ptr<const fem::CompositeModel> composite;
-  fem::Integrator integrator;
-  registration::MovingSurface surface;
-  BoundarySprings springs;
-  PatientModel mechanics;                             ///< mesh and vessels as they are in the CT
+  FollowedBody body;
   std::optional<registration::ForceFollower> forces;  ///< of clouds
   std::optional<StereoFollower> follower;
   AnchoredPoints anchors;

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "glisson/fem/integrator.h"
+#include "glisson/geometry/rigid.h"
+#include "glisson/guidance/boundary_springs.h"
+#include "glisson/guidance/tracker.h"
+#include "glisson/registration/moving_surface.h"
+
+namespace glisson::guidance {
+
+/// The organ that is followed, as a body: its mechanics, what holds it, and where it is. Camera's frame,
+/// metres.
+class FollowedBody {
+ public:
+  /// At its start, the CT's shape at rest.
+  FollowedBody(const PatientModel& model, const Points& start_in_camera, const TrackerOptions& options);
+
+  const Points& positions() const { return integrator_.positions(); }
+  const Points& velocities() const { return integrator_.velocities(); }
+  const registration::MovingSurface& surface() const { return surface_; }
+  const BoundarySprings& springs() const { return springs_; }
+
+  /// From now on the present shape is the one at rest. @throws InputError it cannot be followed.
+  void rest_here();
+  /// What is free of stress in another shape.
+  std::shared_ptr<const fem::CompositeModel> resting_in(const Points& shape) const;
+  const std::shared_ptr<const fem::CompositeModel>& composite() const { return composite_; }
+
+  /// The camera has moved, or is somewhere else: the patient is another way in its frame, with what holds.
+  void move(const RigidMotion& motion);
+  /// Puts the nodes somewhere, at rest.
+  void place(const Points& positions);
+  /// With what is free of stress in another shape, each node moved by `motion`, its speed and what holds it
+  /// going along.
+  void take(std::shared_ptr<const fem::CompositeModel> resting, const Points& motion);
+  /// As it was, to the bit.
+  void restore(const Points& positions, const Points& velocities, const BoundarySprings& springs);
+  void stop() { integrator_.stop(); }
+
+  /// One implicit step under loads that `pull` adds. @return false: the mechanics failed, nothing has moved.
+  template <class Pull>
+  bool step(const Pull& pull) {
+    fem::Loads loads;
+    springs_.add(positions(), loads.attached);
+    pull(loads.attached);
+    if (!integrator_.step(loads).ok) {
+      stop();
+      return false;
+    }
+    surface_.move(positions());
+    return true;
+  }
+
+ private:
+  fem::CompositeOptions materials_;
+  fem::IntegratorOptions integration_;
+  PatientModel mechanics_;  ///< mesh and vessels as they are in the CT
+  std::shared_ptr<const fem::CompositeModel> composite_;
+  fem::Integrator integrator_;
+  registration::MovingSurface surface_;
+  BoundarySprings springs_;
+};
+
+}  // namespace glisson::guidance
