@@ -28,13 +28,7 @@ class CorrectionTest : public QObject {
 
  private:
   static constexpr int kFilm = 16;
-  Points at(double share) const {
-    Points nodes = nodes_;
-    for (Eigen::Index i = 0; i < nodes.rows(); ++i)
-      nodes.row(i) +=
-          share * (1.0 + 4.0 * model_.mesh.vertices(i, 0)) * Eigen::RowVector3d(1e-3, 5e-3, -2e-3);
-    return nodes;
-  }
+  Points at(double share) const { return phantom::breathed(model_, nodes_, share); }
   static double share(int frame) { return 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * frame / kFilm); }
   Points truth(int frame) const { return at(share(frame)); }
   /// Breathing, over and over.
@@ -44,12 +38,7 @@ class CorrectionTest : public QObject {
     frame.seconds = k / 30.0;
     return frame;
   }
-  TrackerOptions options() const {
-    TrackerOptions options;
-    options.points = 80;
-    options.boundary_young_modulus = 0.0;  // nothing holds this body
-    return options;
-  }
+  static TrackerOptions options() { return phantom::free_body(); }
   /// That far off where it is.
   Tracker begun(const Eigen::Vector3d& off, double turn_deg = 0.0) const {
     Registration start = start_;

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "glisson/geometry/closest_point_tree.h"
+#include "glisson/guidance/tracker.h"
 #include "phantom.h"
 
 #include "glisson/geometry/camera.h"
@@ -95,6 +96,21 @@ inline StereoFrame film(const PatientModel& model, const Points& nodes, const St
   frame.index = index;
   frame.seconds = index / 30.0;
   return frame;
+}
+
+/// Breathing: down and towards the camera, the free side more.
+inline Points breathed(const PatientModel& model, Points nodes, double share) {
+  for (Eigen::Index i = 0; i < nodes.rows(); ++i)
+    nodes.row(i) += share * (1.0 + 4.0 * model.mesh.vertices(i, 0)) * Eigen::RowVector3d(1e-3, 5e-3, -2e-3);
+  return nodes;
+}
+
+/// For a body that nothing holds.
+inline guidance::TrackerOptions free_body() {
+  guidance::TrackerOptions options;
+  options.points = 80;
+  options.boundary_young_modulus = 0.0;
+  return options;
 }
 
 inline Picture plain(const Camera& camera, std::uint8_t grey) {

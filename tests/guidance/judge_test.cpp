@@ -37,12 +37,7 @@ class JudgeTest : public QObject {
   void UnusableOptionsAreRefused();
 
  private:
-  TrackerOptions options() const {
-    TrackerOptions options;
-    options.points = 80;
-    options.boundary_young_modulus = 0.0;
-    return options;
-  }
+  static TrackerOptions options() { return phantom::free_body(); }
   Points moved(const Eigen::Vector3d& by) const { return nodes_.rowwise() + by.transpose(); }
   /// A film of the body moving down by half a millimetre a frame.
   StereoFrame frame(int k) const {

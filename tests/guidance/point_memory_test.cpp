@@ -75,11 +75,7 @@ class PointMemoryTest : public QObject {
   static constexpr int kFrames = 9;
   Points at(int frame) const {
     const double share = 0.5 - 0.5 * std::cos(std::numbers::pi * frame / (kFrames - 1));
-    Points nodes = nodes_;
-    for (Eigen::Index i = 0; i < nodes.rows(); ++i)
-      nodes.row(i) +=
-          share * (1.0 + 4.0 * model_.mesh.vertices(i, 0)) * Eigen::RowVector3d(1e-3, 5e-3, -2e-3);
-    return nodes;
+    return phantom::breathed(model_, nodes_, share);
   }
 
   StereoRig rig_ = phantom::rig();
@@ -207,9 +203,7 @@ void PointMemoryTest::LongFollowingDoesNotDrift() {
   // added up.
   Registration start;
   start.nodes_in_camera = nodes_;
-  TrackerOptions options;
-  options.points = 80;
-  options.boundary_young_modulus = 0.0;
+  TrackerOptions options = phantom::free_body();
   options.judge.enabled = false;
   Tracker tracker(model_, start, options);
   tracker.begin(rig_, film_[0], {});

@@ -45,10 +45,7 @@ class RelocationTest : public QObject {
   }
 
   void AScopePutBackElsewhereIsShownAgainWithinASecondAndNeverWrongly() {
-    TrackerOptions options;
-    options.points = 80;
-    options.boundary_young_modulus = 0.0;  // nothing holds this body
-    Tracker tracker(model_, start_, options);
+    Tracker tracker(model_, start_, phantom::free_body());
     tracker.begin(rig_, first_, {});
     // Tissue that breathes, before a camera that is turned and shifted from frame 12 on.
     const Eigen::Vector3d middle = nodes_.colwise().mean();

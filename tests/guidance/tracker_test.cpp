@@ -31,21 +31,9 @@ class TrackerTest : public QObject {
 
  private:
   static constexpr int kFrames = 9;
-  /// Breathing: down and towards the camera, the free side more.
-  Points at(double share) const {
-    Points nodes = nodes_;
-    for (Eigen::Index i = 0; i < nodes.rows(); ++i)
-      nodes.row(i) +=
-          share * (1.0 + 4.0 * model_.mesh.vertices(i, 0)) * Eigen::RowVector3d(1e-3, 5e-3, -2e-3);
-    return nodes;
-  }
+  Points at(double share) const { return phantom::breathed(model_, nodes_, share); }
   static double share(int frame) { return 0.5 - 0.5 * std::cos(std::numbers::pi * frame / (kFrames - 1)); }
-  TrackerOptions options() const {
-    TrackerOptions options;
-    options.points = 80;
-    options.boundary_young_modulus = 0.0;  // nothing holds this body
-    return options;
-  }
+  static TrackerOptions options() { return phantom::free_body(); }
   Tracker begun() const {
     Tracker tracker(model_, start_, options());
     tracker.begin(rig_, film_[0], {});

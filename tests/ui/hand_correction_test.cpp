@@ -8,42 +8,21 @@
 #include "glisson/engine/parts/live.h"
 #include "glisson/ui/common/task_button.h"
 #include "glisson/ui/guidance/correction_box.h"
-#include "glisson/ui/guidance/live_view.h"
-#include "glisson/ui/guidance/playback_box.h"
 #include "glisson/ui/guidance/recording_model.h"
+#include "live_part.h"
 #include "run_in_window.h"
 
 namespace glisson {
 namespace {
 
-/// The live part of the window, without the window.
-struct Guidance {
+struct Guidance : LivePart {
   explicit Guidance(ui::EngineBridge& engine)
-      : drawables(engine),
-        playback(engine),
-        review(engine, playback),
-        live(engine, drawables, playback, review, worker),
-        playing(engine, playback),
-        correction(engine, playback, review),
-        recording(worker, playback, correction),
-        box(correction),
-        view(live, review, correction) {
-    view.resize(640, 480);
-    view.show();
+      : LivePart(engine), recording(worker, playback, correction), box(correction) {
     box.show();
   }
-  ui::OverlayWorker worker;
-  ui::DrawableSource drawables;
-  ui::PlaybackModel playback;
-  ui::ReviewModel review;
-  ui::LiveViewModel live;
-  ui::PlaybackBox playing;
-  ui::CorrectionModel correction;
   ui::RecordingModel recording;
   ui::CorrectionBox box;
-  ui::LiveView view;
 
-  ui::LivePicture* picture() { return view.findChild<ui::LivePicture*>(); }
   QPushButton* button(const char* name) { return box.findChild<QPushButton*>(QString::fromLatin1(name)); }
 };
 

@@ -17,39 +17,17 @@
 #include "glisson/engine/commands/set_video.h"
 #include "glisson/stereo/picture_io.h"
 #include "glisson/ui/common/task_button.h"
-#include "glisson/ui/guidance/live_view.h"
 #include "glisson/ui/guidance/moment_store.h"
-#include "glisson/ui/guidance/playback_box.h"
 #include "glisson/ui/guidance/timeline_track.h"
+#include "live_part.h"
 #include "run_in_window.h"
 
 namespace glisson {
 namespace {
 
-/// The live part of the window, without the window.
-struct Guidance {
-  explicit Guidance(ui::EngineBridge& engine)
-      : drawables(engine),
-        playback(engine),
-        review(engine, playback),
-        live(engine, drawables, playback, review, worker),
-        box(engine, playback),
-        correction(engine, playback, review),
-        view(live, review, correction) {
-    view.resize(640, 480);
-    view.show();
-  }
-  ui::OverlayWorker worker;
-  ui::DrawableSource drawables;
-  ui::PlaybackModel playback;
-  ui::ReviewModel review;
-  ui::LiveViewModel live;
-  ui::PlaybackBox box;
-  ui::CorrectionModel correction;
-  ui::LiveView view;
-
+struct Guidance : LivePart {
+  using LivePart::LivePart;
   QString line() { return live.line; }
-  ui::LivePicture* picture() { return view.findChild<ui::LivePicture*>(); }
 };
 
 }  // namespace
@@ -82,7 +60,7 @@ class TimelineTest : public QObject {
     post(engine::Register{});
     guidance_ = std::make_unique<Guidance>(*engine_);
     QTRY_VERIFY_WITH_TIMEOUT(guidance_->drawables.drawable() != nullptr, 20000);
-    guidance_->box.findChild<ui::TaskButton*>(QStringLiteral("start_tracking"))->trigger();
+    guidance_->playing.findChild<ui::TaskButton*>(QStringLiteral("start_tracking"))->trigger();
     QTRY_VERIFY_WITH_TIMEOUT(guidance_->line().startsWith(QStringLiteral("LIVE")), 20000);
     QTRY_VERIFY_WITH_TIMEOUT(guidance_->review.last - guidance_->review.first >= 6, 20000);
   }
