@@ -3252,8 +3252,8 @@
         <translation>Die Leber suchen</translation>
     </message>
     <message>
-        <source>looking for the liver</source>
-        <translation>die Leber suchen</translation>
+        <source>comparing tissues</source>
+        <translation>Gewebe vergleichen</translation>
     </message>
 </context>
 <context>

@@ -3252,8 +3252,8 @@
         <translation>Recherche du foie</translation>
     </message>
     <message>
-        <source>looking for the liver</source>
-        <translation>recherche du foie</translation>
+        <source>comparing tissues</source>
+        <translation>comparaison des tissus</translation>
     </message>
 </context>
 <context>

@@ -71,7 +71,7 @@ class Texts {
             {"case.verify", tr("checking what was written")},
             {"case.saved", tr("saved")},
             {"segmentation.prepare", tr("preparing")},
-            {"segmentation.propose", tr("looking for the liver")},
+            {"segmentation.propose", tr("comparing tissues")},
             {"segmentation.start", tr("growing from the seeds")},
             {"segmentation.vesselness", tr("looking for tubes")},
             {"segmentation.contour", tr("fitting the liver's surface")},

@@ -112,12 +112,6 @@ void SeedBox::build_structures() {
   grid_ = new QGridLayout;
   grid_->setSpacing(4);
   column_of(this)->addLayout(grid_);
-  propose_ = new TaskButton(
-      engine_, tr("Propose the liver"), [] { return engine::Command(engine::ProposeSeeds{}); }, this);
-  propose_->setObjectName(QStringLiteral("propose_seeds"));
-  propose_->setToolTip(tr("Looks for the liver without a click in it: seeds that you can delete or add to."));
-  propose_->watch(engine::ProposeSeeds{});
-  column_of(this)->addWidget(propose_);
 }
 
 void SeedBox::build_seed_list() {
@@ -201,6 +195,13 @@ void SeedBox::build_growth() {
       engine_, tr("Segment"), [this] { return growth(); }, this);
   run_->setObjectName(QStringLiteral("segment"));
   column_of(this)->addWidget(run_);
+  // Below: what it says moves nothing that is on its way to be clicked.
+  propose_ = new TaskButton(
+      engine_, tr("Propose the liver"), [] { return engine::Command(engine::ProposeSeeds{}); }, this);
+  propose_->setObjectName(QStringLiteral("propose_seeds"));
+  propose_->setToolTip(tr("Looks for the liver without a click in it: seeds that you can delete or add to."));
+  propose_->watch(engine::ProposeSeeds{});
+  column_of(this)->addWidget(propose_);
   notes_ = make_explanation({}, this);
   notes_->hide();
   column_of(this)->addWidget(notes_);
