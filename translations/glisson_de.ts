@@ -1767,6 +1767,34 @@
         <source>Delete them first, or add more by hand</source>
         <translation>Löschen Sie sie zuerst, oder fügen Sie von Hand weitere hinzu</translation>
     </message>
+    <message>
+        <source>is used by another program</source>
+        <translation>wird von einem anderen Programm benutzt</translation>
+    </message>
+    <message>
+        <source>cannot be listened at (%1)</source>
+        <translation>kann nicht abgehört werden (%1)</translation>
+    </message>
+    <message>
+        <source>is no numeric address</source>
+        <translation>ist keine Adresse in Zahlen</translation>
+    </message>
+    <message>
+        <source>is no number from 0 to 65535</source>
+        <translation>ist keine Zahl von 0 bis 65535</translation>
+    </message>
+    <message>
+        <source>Close that program, or give another port</source>
+        <translation>Schließen Sie jenes Programm, oder geben Sie einen anderen Port an</translation>
+    </message>
+    <message>
+        <source>Give an address of this computer, and a port above 1023</source>
+        <translation>Geben Sie eine Adresse dieses Rechners und einen Port über 1023 an</translation>
+    </message>
+    <message>
+        <source>Give ADDRESS:PORT with a numeric address, as 127.0.0.1:18944</source>
+        <translation>Geben Sie ADRESSE:PORT mit einer Adresse in Zahlen an, etwa 127.0.0.1:18944</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -4525,6 +4553,22 @@
     <message>
         <source>Look for the liver without a click in it. Look at what comes of it.</source>
         <translation>Die Leber ohne einen Klick suchen. Sehen Sie sich an, was daraus wird.</translation>
+    </message>
+    <message>
+        <source>Listens at this address and tells programs that connect by OpenIGTLink (3D Slicer, CustusX, PLUS) of each frame: level, pose, surfaces. Without an address 127.0.0.1:18944, which other computers do not reach; port 0: a free one.</source>
+        <translation>Wartet an dieser Adresse und teilt Programmen, die sich über OpenIGTLink verbinden (3D Slicer, CustusX, PLUS), jedes Bild mit: Stufe, Lage, Oberflächen. Ohne Adresse 127.0.0.1:18944, das andere Rechner nicht erreichen; Port 0: ein freier.</translation>
+    </message>
+    <message>
+        <source>With --igtl-send: begins when a program has connected.</source>
+        <translation>Mit --igtl-send: beginnt, wenn sich ein Programm verbunden hat.</translation>
+    </message>
+    <message>
+        <source>OpenIGTLink: listening at %1.</source>
+        <translation>OpenIGTLink: wartet an %1.</translation>
+    </message>
+    <message>
+        <source>OpenIGTLink: listening at %1, where other computers may reach it.</source>
+        <translation>OpenIGTLink: wartet an %1, wo andere Rechner es erreichen können.</translation>
     </message>
 </context>
 <context>

@@ -1767,6 +1767,34 @@
         <source>Delete them first, or add more by hand</source>
         <translation>Supprimez-les d’abord, ou ajoutez-en à la main</translation>
     </message>
+    <message>
+        <source>is used by another program</source>
+        <translation>est utilisé par un autre programme</translation>
+    </message>
+    <message>
+        <source>cannot be listened at (%1)</source>
+        <translation>ne peut pas être ouvert (%1)</translation>
+    </message>
+    <message>
+        <source>is no numeric address</source>
+        <translation>n&apos;est pas une adresse numérique</translation>
+    </message>
+    <message>
+        <source>is no number from 0 to 65535</source>
+        <translation>n&apos;est pas un nombre de 0 à 65535</translation>
+    </message>
+    <message>
+        <source>Close that program, or give another port</source>
+        <translation>Fermez ce programme ou indiquez un autre port</translation>
+    </message>
+    <message>
+        <source>Give an address of this computer, and a port above 1023</source>
+        <translation>Indiquez une adresse de cet ordinateur et un port supérieur à 1023</translation>
+    </message>
+    <message>
+        <source>Give ADDRESS:PORT with a numeric address, as 127.0.0.1:18944</source>
+        <translation>Indiquez ADRESSE:PORT avec une adresse numérique, comme 127.0.0.1:18944</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -4525,6 +4553,22 @@
     <message>
         <source>Look for the liver without a click in it. Look at what comes of it.</source>
         <translation>Chercher le foie sans un clic. Regardez ce qui en résulte.</translation>
+    </message>
+    <message>
+        <source>Listens at this address and tells programs that connect by OpenIGTLink (3D Slicer, CustusX, PLUS) of each frame: level, pose, surfaces. Without an address 127.0.0.1:18944, which other computers do not reach; port 0: a free one.</source>
+        <translation>Attend à cette adresse et communique chaque image aux programmes qui se connectent par OpenIGTLink (3D Slicer, CustusX, PLUS) : niveau, pose, surfaces. Sans adresse 127.0.0.1:18944, que d&apos;autres ordinateurs n&apos;atteignent pas ; port 0 : un port libre.</translation>
+    </message>
+    <message>
+        <source>With --igtl-send: begins when a program has connected.</source>
+        <translation>Avec --igtl-send : commence lorsqu&apos;un programme s&apos;est connecté.</translation>
+    </message>
+    <message>
+        <source>OpenIGTLink: listening at %1.</source>
+        <translation>OpenIGTLink : à l&apos;écoute à %1.</translation>
+    </message>
+    <message>
+        <source>OpenIGTLink: listening at %1, where other computers may reach it.</source>
+        <translation>OpenIGTLink : à l&apos;écoute à %1, où d&apos;autres ordinateurs peuvent l&apos;atteindre.</translation>
     </message>
 </context>
 <context>

@@ -68,6 +68,7 @@ void tell_versions(Findings& found) {
   found.say_text("built_with_opencv", GLISSON_OPENCV);
   found.say_text("built_with_cgal", GLISSON_CGAL);
   found.say_text("built_with_embree", GLISSON_EMBREE);
+  found.say_text("built_with_openigtlink", GLISSON_OPENIGTLINK);
   found.say_text("built_with_compiler", __VERSION__);
   found.say_text(
       "system", QSysInfo::prettyProductName().toStdString() + ", " + QSysInfo::kernelVersion().toStdString());

@@ -29,6 +29,7 @@
 #include "glisson/registration/refusal.h"
 #include "glisson/registration/registration_files.h"
 #include "glisson/stereo/picture_io.h"
+#include "igtl_argument.h"
 #include "model_argument.h"
 
 namespace glisson::app {
@@ -86,12 +87,17 @@ std::vector<std::pair<int, fs::path>> expand(const QString& pattern) {
 }
 
 void follow_clouds(Session& session, const Arguments& arguments, const ModelArgument& argument,
-                   const std::vector<std::pair<int, fs::path>>& clouds, experiments::TrackRecord& record) {
+                   const std::vector<std::pair<int, fs::path>>& clouds, experiments::TrackRecord& record,
+                   FrameTeller& teller) {
   const LengthUnit unit = arguments.has("cloud-unit") ? arguments.unit("cloud-unit") : argument.unit;
   double done = 0.0;
-  for (const auto& [number, path] : clouds)
-    record.add(number, session.follow(engine::IndexedCloud{read_cloud(path, unit), number, number / 30.0},
-                                      ++done / static_cast<double>(clouds.size())));
+  for (const auto& [number, path] : clouds) {
+    const OverlayFrame overlay =
+        session.follow(engine::IndexedCloud{read_cloud(path, unit), number, number / 30.0},
+                       ++done / static_cast<double>(clouds.size()));
+    record.add(number, overlay);
+    teller.tell(overlay);
+  }
 }
 
 /// A file of corrections, done after the frames that they name.
@@ -147,12 +153,15 @@ class Corrections {
   std::size_t next_ = 0;
 };
 
-void follow_film(Session& session, const Arguments& arguments, experiments::TrackRecord& record) {
+void follow_film(Session& session, const Arguments& arguments, experiments::TrackRecord& record,
+                 FrameTeller& teller) {
   stereo::StereoVideo video(arguments.path("video"), arguments.path("video-right"));
   Corrections corrections(session, arguments.path("correct"), video.frame_count());
   for (StereoFrame frame; video.read(frame);) {
-    record.add(frame.index, session.follow(frame, (frame.index + 1.0) / video.frame_count()));
+    const OverlayFrame overlay = session.follow(frame, (frame.index + 1.0) / video.frame_count());
+    record.add(frame.index, overlay);
     corrections.after(frame.index, record);
+    teller.tell(session.state()[part::live]->overlay);  // as corrected
   }
 }
 
@@ -323,8 +332,10 @@ int run_track(const QStringList& given) {
       Cli::tr("Series of true node positions, e.g. 'truth_%02d.xyz'; may lack frames. Read after "
               "everything else."),
       "PATTERN");
+  FrameTeller::declare(arguments);
   arguments.option("out", Cli::tr("The folder for the meshes."), "DIR");
-  if (!arguments.parse(given)) return 0;
+  if (!arguments.parse(FrameTeller::with_address(given))) return 0;
+  FrameTeller teller(arguments);
   OutputFolder out(arguments.required_path("out"));
   if (arguments.has("video") == arguments.has("clouds"))
     throw UsageError("Give either --video with --calibration, or --clouds.");
@@ -355,10 +366,11 @@ int run_track(const QStringList& given) {
   experiments::TrackRecord record(tracked->model, *session.state()[part::registration],
                                   output_of(arguments, argument, session, out.path()));
   const bool whole = until_interrupted([&] {
+    teller.begin(tracked, session.context());
     if (from_clouds)
-      follow_clouds(session, arguments, argument, clouds, record);
+      follow_clouds(session, arguments, argument, clouds, record, teller);
     else
-      follow_film(session, arguments, record);
+      follow_film(session, arguments, record, teller);
   });
   record.finish(whole);
   append(session.figures, record.figures());

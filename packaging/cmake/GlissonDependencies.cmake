@@ -21,5 +21,6 @@ find_package(OpenCV 4.6 REQUIRED COMPONENTS core imgproc imgcodecs calib3d aruco
 find_package(CGAL 5.5 REQUIRED)
 find_package(embree 3.13 REQUIRED)
 find_package(dlib REQUIRED)
+find_package(OpenIGTLink 1.11 REQUIRED)
 find_package(DCMTK 3.6.7 REQUIRED CONFIG)
 find_package(SuiteSparse REQUIRED)

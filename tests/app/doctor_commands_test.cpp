@@ -46,7 +46,7 @@ void DoctorCommandsTest::DoctorTriesOutWhatThereIs() {
     QVERIFY2(found[key].toInt() == 1, key);
   for (const char* key :
        {"version_glisson", "version_qt", "version_vtk", "built_with_itk", "built_with_opencv",
-        "built_with_cgal", "built_with_embree", "opengl_renderer", "system"})
+        "built_with_cgal", "built_with_embree", "built_with_openigtlink", "opengl_renderer", "system"})
     QVERIFY2(!found[key].toString().isEmpty(), key);
   QVERIFY2(found["video_codecs"].toString().contains("mpeg4"), qPrintable(found["video_codecs"].toString()));
   QCOMPARE(found["version_qt"].toString(), QString(qVersion()));

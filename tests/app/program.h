@@ -135,7 +135,7 @@ class Program {
     QCOMPARE(files(), before);
   }
 
- private:
+  /// In the folder, without a display.
   std::unique_ptr<QProcess> start(const QStringList& arguments, const QString& locale) const {
     auto process = std::make_unique<QProcess>();
     process->setWorkingDirectory(QString::fromStdString(folder_->path().string()));
@@ -152,6 +152,8 @@ class Program {
     process->start(GLISSON_EXECUTABLE, arguments);
     return process;
   }
+
+ private:
   static Ran end_of(QProcess& process) {
     if (process.state() != QProcess::NotRunning && !process.waitForFinished(500000)) return {};
     return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -2,

@@ -27,6 +27,10 @@ const std::vector<const char*>& known_problems() {
       QT_TRANSLATE_NOOP("ErrorPhrases", "has no room for a volume of %1 MB"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "has seeds already"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "shows nothing as large, compact and even as a liver"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "is used by another program"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "cannot be listened at (%1)"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "is no numeric address"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "is no number from 0 to 65535"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is missing"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "are missing"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is damaged"),
@@ -209,6 +213,9 @@ const std::vector<const char*>& known_problems() {
 
 const std::vector<const char*>& known_remedies() {
   static const std::vector<const char*> kPhrases = {
+      QT_TRANSLATE_NOOP("ErrorPhrases", "Close that program, or give another port"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "Give an address of this computer, and a port above 1023"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "Give ADDRESS:PORT with a numeric address, as 127.0.0.1:18944"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Check the path"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Wait until it is followed again"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Track a stereo video"),
