@@ -5099,6 +5099,14 @@
         <source>Other place %1, to be compared: not the registration.</source>
         <translation>Anderer Ort %1, zum Vergleich: nicht die Registrierung.</translation>
     </message>
+    <message>
+        <source>Other programs</source>
+        <translation>Andere Programme</translation>
+    </message>
+    <message>
+        <source>3D Slicer, CustusX or PLUS may follow what is tracked here.</source>
+        <translation>3D Slicer, CustusX oder PLUS können dem folgen, was hier verfolgt wird.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::GuidanceView</name>
@@ -5808,6 +5816,44 @@
     <message>
         <source>Beams</source>
         <translation>Balken</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::OpenIgtLinkBox</name>
+    <message>
+        <source>Tell them by OpenIGTLink</source>
+        <translation>Ihnen über OpenIGTLink mitteilen</translation>
+    </message>
+    <message>
+        <source>Programs that connect are told of each frame: level, pose of the camera, surfaces.</source>
+        <translation>Programme, die sich verbinden, erfahren von jedem Bild: Stufe, Lage der Kamera, Oberflächen.</translation>
+    </message>
+    <message>
+        <source>127.0.0.1: only programs of this computer can connect. Another address of this computer lets in whoever reaches it.</source>
+        <translation>127.0.0.1: nur Programme dieses Rechners können sich verbinden. Eine andere Adresse dieses Rechners lässt jeden ein, der sie erreicht.</translation>
+    </message>
+    <message>
+        <source>Address and port</source>
+        <translation>Adresse und Port</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::OpenIgtLinkModel</name>
+    <message>
+        <source>Listening at %1; no program is connected.</source>
+        <translation>Wartet an %1; kein Programm ist verbunden.</translation>
+    </message>
+    <message>
+        <source>Listening at %1; programs connected: %2</source>
+        <translation>Wartet an %1; verbundene Programme: %2</translation>
+    </message>
+    <message>
+        <source>Given up, too slow: %1</source>
+        <translation>Aufgegeben, zu langsam: %1</translation>
+    </message>
+    <message>
+        <source>Other computers can connect and read where the organ is: nothing is encrypted.</source>
+        <translation>Andere Rechner können sich verbinden und lesen, wo das Organ ist: nichts ist verschlüsselt.</translation>
     </message>
 </context>
 <context>

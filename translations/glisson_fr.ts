@@ -5099,6 +5099,14 @@
         <source>Other place %1, to be compared: not the registration.</source>
         <translation>Autre position %1, pour comparaison : ce n’est pas le recalage.</translation>
     </message>
+    <message>
+        <source>Other programs</source>
+        <translation>Autres programmes</translation>
+    </message>
+    <message>
+        <source>3D Slicer, CustusX or PLUS may follow what is tracked here.</source>
+        <translation>3D Slicer, CustusX ou PLUS peuvent suivre ce qui est suivi ici.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::GuidanceView</name>
@@ -5808,6 +5816,44 @@
     <message>
         <source>Beams</source>
         <translation>Poutres</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::OpenIgtLinkBox</name>
+    <message>
+        <source>Tell them by OpenIGTLink</source>
+        <translation>Les informer par OpenIGTLink</translation>
+    </message>
+    <message>
+        <source>Programs that connect are told of each frame: level, pose of the camera, surfaces.</source>
+        <translation>Les programmes qui se connectent sont informés de chaque image : niveau, pose de la caméra, surfaces.</translation>
+    </message>
+    <message>
+        <source>127.0.0.1: only programs of this computer can connect. Another address of this computer lets in whoever reaches it.</source>
+        <translation>127.0.0.1 : seuls les programmes de cet ordinateur peuvent se connecter. Une autre adresse de cet ordinateur laisse entrer quiconque l&apos;atteint.</translation>
+    </message>
+    <message>
+        <source>Address and port</source>
+        <translation>Adresse et port</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::OpenIgtLinkModel</name>
+    <message>
+        <source>Listening at %1; no program is connected.</source>
+        <translation>À l&apos;écoute à %1 ; aucun programme n&apos;est connecté.</translation>
+    </message>
+    <message>
+        <source>Listening at %1; programs connected: %2</source>
+        <translation>À l&apos;écoute à %1 ; programmes connectés : %2</translation>
+    </message>
+    <message>
+        <source>Given up, too slow: %1</source>
+        <translation>Abandonnés, trop lents : %1</translation>
+    </message>
+    <message>
+        <source>Other computers can connect and read where the organ is: nothing is encrypted.</source>
+        <translation>D&apos;autres ordinateurs peuvent se connecter et lire où se trouve l&apos;organe : rien n&apos;est chiffré.</translation>
     </message>
 </context>
 <context>

@@ -95,7 +95,8 @@ void IncludesTest::ModulesKnowNoWidgetsAndNoRendering() {
 }
 
 void IncludesTest::ThirdPartyTypesStayOutOfPublicHeaders() {
-  static const std::regex kForeign("^(vtk|itk|igtl|opencv2/|CGAL/|embree3/|dlib/|cholmod|nlohmann/json\\.hpp)");
+  static const std::regex kForeign(
+      "^(vtk|itk|igtl|opencv2/|CGAL/|embree3/|dlib/|cholmod|nlohmann/json\\.hpp)");
   std::string offences;
   for (const auto& [room, sources] : rooms_on_disk()) {
     if (!is_module(room)) continue;

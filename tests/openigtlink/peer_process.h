@@ -41,6 +41,16 @@ class PeerProcess {
   Words wait_for(const QString& type, const QString& name) {
     return wait_for([&](const Words& words) { return words.value(0) == type && words.value(1) == name; });
   }
+  /// The same without waiting, for tests whose own events must go on.
+  Words look_for(const std::function<bool(const Words&)>& holds) {
+    process_.waitForReadyRead(1);
+    take_lines();
+    while (next_ < lines_.size()) {
+      const Words words = lines_[next_++];
+      if (holds(words)) return words;
+    }
+    return {};
+  }
   /// Every line until it ends.
   QList<Words> all() {
     while (read()) {
@@ -55,9 +65,12 @@ class PeerProcess {
   bool read() {
     if (!process_.canReadLine() && !process_.waitForReadyRead(kLongest) && !process_.canReadLine())
       return false;
+    take_lines();
+    return true;
+  }
+  void take_lines() {
     while (process_.canReadLine())
       lines_ << QString::fromUtf8(process_.readLine()).split(QRegularExpression("\\s+"), Qt::SkipEmptyParts);
-    return true;
   }
 
   QProcess process_;

@@ -8,6 +8,7 @@
 #include "glisson/ui/guidance/correction_box.h"
 #include "glisson/ui/guidance/lesion_box.h"
 #include "glisson/ui/guidance/look_box.h"
+#include "glisson/ui/guidance/openigtlink_box.h"
 #include "glisson/ui/guidance/organ_view.h"
 #include "glisson/ui/guidance/playback_box.h"
 #include "glisson/ui/guidance/recording_box.h"
@@ -25,6 +26,7 @@ GuidancePanel::GuidancePanel(EngineBridge& engine, DrawableSource& drawables, QW
       correction_(engine, playback_, review_),
       recording_(worker_, playback_, correction_),
       live_(engine, drawables, playback_, review_, worker_),
+      openigtlink_(engine, drawables),
       view_(new GuidanceView(new LiveView(live_, review_, correction_),
                              new OrganView(engine, drawables, registration_))) {
   setObjectName(QStringLiteral("guidance_panel"));
@@ -45,6 +47,8 @@ GuidancePanel::GuidancePanel(EngineBridge& engine, DrawableSource& drawables, QW
   couplings_.add(live_.figures, [figures](const FigureRows& rows) { figures->set_rows(rows); });
   live->addWidget(new LesionBox(live_, this));
   add_section(tr("Overlay"))->addWidget(new LookBox(live_, this));
+  add_section(tr("Other programs"), tr("3D Slicer, CustusX or PLUS may follow what is tracked here."))
+      ->addWidget(new OpenIgtLinkBox(openigtlink_, this));
   watch(part::registration);
 
   auto* picture = view_->findChild<LivePicture*>();

@@ -9,6 +9,7 @@
 #include "glisson/ui/guidance/guidance_view.h"
 #include "glisson/ui/guidance/live_view.h"
 #include "glisson/ui/guidance/live_view_model.h"
+#include "glisson/ui/guidance/openigtlink_model.h"
 #include "glisson/ui/guidance/overlay_worker.h"
 #include "glisson/ui/guidance/placing_model.h"
 #include "glisson/ui/guidance/playback_model.h"
@@ -45,6 +46,7 @@ class GuidancePanel : public Panel {
   CorrectionModel correction_;
   RecordingModel recording_;
   LiveViewModel live_;
+  OpenIgtLinkModel openigtlink_;
   Couplings couplings_;
   QPointer<GuidanceView> view_;  ///< belongs to whoever hosts it
 };
