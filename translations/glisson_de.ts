@@ -70,6 +70,10 @@
         <source>--only %1: is no structure that is found. Use liver, portal_vein, hepatic_veins, vena_cava, gallbladder or lesions, with commas.</source>
         <translation>--only %1: keine Struktur, die gesucht wird. Möglich sind liver, portal_vein, hepatic_veins, vena_cava, gallbladder, lesions, mit Kommas.</translation>
     </message>
+    <message>
+        <source>--keep-edited, --replace-edited: give one of them.</source>
+        <translation>--keep-edited, --replace-edited: geben Sie eines davon an.</translation>
+    </message>
 </context>
 <context>
     <name>CloudFigures</name>
@@ -439,6 +443,10 @@
     <message>
         <source>First choose a vessel in the list of labels: portal vein, hepatic veins, vena cava or artery.</source>
         <translation>Erst ein Gefäß in der Liste der Labels wählen: Pfortader, Lebervenen, Hohlvene oder Arterie.</translation>
+    </message>
+    <message>
+        <source>Segment, corrections kept</source>
+        <translation>Segmentieren, Korrekturen behalten</translation>
     </message>
 </context>
 <context>
@@ -1676,10 +1684,6 @@
         <translation>wurde von Hand berichtigt und würde ersetzt</translation>
     </message>
     <message>
-        <source>Lock it (--lock), leave it out of what is found anew (--only), or allow it (--replace-edited)</source>
-        <translation>Sperren Sie es (--lock), nehmen Sie es von dem aus, was neu gefunden wird (--only), oder erlauben Sie es (--replace-edited)</translation>
-    </message>
-    <message>
         <source>is no lesion&apos;s</source>
         <translation>hat keine Läsion</translation>
     </message>
@@ -1794,6 +1798,26 @@
     <message>
         <source>Give ADDRESS:PORT with a numeric address, as 127.0.0.1:18944</source>
         <translation>Geben Sie ADRESSE:PORT mit einer Adresse in Zahlen an, etwa 127.0.0.1:18944</translation>
+    </message>
+    <message>
+        <source>was corrected by hand on the voxels of another CT</source>
+        <translation>wurde auf den Voxeln eines anderen CTs von Hand korrigiert</translation>
+    </message>
+    <message>
+        <source>was made of another CT, other seeds or other labels</source>
+        <translation>stammt von einem anderen CT, anderen Saatpunkten oder anderen Labels</translation>
+    </message>
+    <message>
+        <source>Lock it (--lock), leave it out of what is found anew (--only), keep what was corrected (--keep-edited), or allow it (--replace-edited)</source>
+        <translation>Sperren Sie es (--lock), nehmen Sie es von der neuen Suche aus (--only), behalten Sie das Korrigierte (--keep-edited) oder erlauben Sie es (--replace-edited)</translation>
+    </message>
+    <message>
+        <source>Open this CT as a new case, or allow it (--replace-edited)</source>
+        <translation>Öffnen Sie dieses CT als neuen Fall oder erlauben Sie es (--replace-edited)</translation>
+    </message>
+    <message>
+        <source>Segment again</source>
+        <translation>Segmentieren Sie erneut</translation>
     </message>
 </context>
 <context>
@@ -2490,6 +2514,10 @@
     <message>
         <source>The CT was not opened from its DICOM folder, so whose it is is not known.</source>
         <translation>Das CT wurde nicht aus seinem DICOM-Ordner geöffnet; von wem es ist, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>No new segmentation waits for a decision.</source>
+        <translation>Keine neue Segmentierung wartet auf eine Entscheidung.</translation>
     </message>
 </context>
 <context>
@@ -3282,6 +3310,10 @@
     <message>
         <source>comparing tissues</source>
         <translation>Gewebe vergleichen</translation>
+    </message>
+    <message>
+        <source>Storing the decision about the new segmentation</source>
+        <translation>Entscheidung über die neue Segmentierung wird gespeichert</translation>
     </message>
 </context>
 <context>
@@ -4487,10 +4519,6 @@
         <translation>Ein Pixel des linken Bildes, wo ein Instrument das Organ berührt: auch der Abstand der Läsion von dort wird genannt.</translation>
     </message>
     <message>
-        <source>Replace labels that were corrected by hand; else they must be locked.</source>
-        <translation>Ersetzt Labels, die von Hand berichtigt wurden; sonst müssen sie gesperrt sein.</translation>
-    </message>
-    <message>
         <source>How depth is told: %1.</source>
         <translation>Wie Tiefe gezeigt wird: %1.</translation>
     </message>
@@ -4569,6 +4597,14 @@
     <message>
         <source>OpenIGTLink: listening at %1, where other computers may reach it.</source>
         <translation>OpenIGTLink: wartet an %1, wo andere Rechner es erreichen können.</translation>
+    </message>
+    <message>
+        <source>Of labels that were corrected by hand keep each voxel that was, and replace the rest.</source>
+        <translation>Von Labels, die von Hand korrigiert wurden, jedes korrigierte Voxel behalten und den Rest ersetzen.</translation>
+    </message>
+    <message>
+        <source>Replace labels that were corrected by hand, corrections and all. Without these two it is only told what would change.</source>
+        <translation>Von Hand korrigierte Labels samt den Korrekturen ersetzen. Ohne diese beiden wird nur gesagt, was sich ändern würde.</translation>
     </message>
 </context>
 <context>
@@ -5686,6 +5722,10 @@
         <source>Labels (*.seg.nrrd *.dcm *.nii.gz *.nrrd *.mha)</source>
         <translation>Labels (*.seg.nrrd *.dcm *.nii.gz *.nrrd *.mha)</translation>
     </message>
+    <message>
+        <source>A new segmentation waits for your decision (Segmentation). Closing lets it go; your labels are kept as they are.</source>
+        <translation>Eine neue Segmentierung wartet auf Ihre Entscheidung (Segmentierung). Beim Schließen geht sie verloren; Ihre Labels bleiben, wie sie sind.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::ModelPanel</name>
@@ -5816,6 +5856,69 @@
     <message>
         <source>Beams</source>
         <translation>Balken</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::OfferBox</name>
+    <message>
+        <source>+%1 ml  −%2 ml</source>
+        <translation>+%1 ml  −%2 ml</translation>
+    </message>
+    <message>
+        <source>A new segmentation waits</source>
+        <translation>Eine neue Segmentierung wartet</translation>
+    </message>
+    <message>
+        <source>Go to the largest change</source>
+        <translation>Zur größten Änderung</translation>
+    </message>
+    <message>
+        <source>Keep mine where I corrected</source>
+        <translation>Meine behalten, wo ich korrigiert habe</translation>
+    </message>
+    <message>
+        <source>The voxels that you corrected by hand stay, all else is taken from the new one.</source>
+        <translation>Die Voxel, die Sie von Hand korrigiert haben, bleiben; alles andere kommt von der neuen.</translation>
+    </message>
+    <message>
+        <source>Take the new one</source>
+        <translation>Die neue nehmen</translation>
+    </message>
+    <message>
+        <source>Your corrections go; Undo brings them back.</source>
+        <translation>Ihre Korrekturen gehen verloren; Rückgängig bringt sie zurück.</translation>
+    </message>
+    <message>
+        <source>Keep all mine</source>
+        <translation>Meine ganz behalten</translation>
+    </message>
+    <message>
+        <source>The new segmentation goes, nothing changes.</source>
+        <translation>Die neue Segmentierung wird verworfen, nichts ändert sich.</translation>
+    </message>
+    <message>
+        <source>Would be added</source>
+        <translation>Käme hinzu</translation>
+    </message>
+    <message>
+        <source>Would be removed</source>
+        <translation>Fiele weg</translation>
+    </message>
+    <message>
+        <source>Would be another structure</source>
+        <translation>Würde eine andere Struktur</translation>
+    </message>
+    <message>
+        <source>White rim: you corrected it by hand</source>
+        <translation>Weißer Rand: von Ihnen von Hand korrigiert</translation>
+    </message>
+    <message>
+        <source>It would change what you corrected by hand: %1. Your labels stay as they are until you decide.</source>
+        <translation>Sie würde ändern, was Sie von Hand korrigiert haben: %1. Ihre Labels bleiben, wie sie sind, bis Sie entscheiden.</translation>
+    </message>
+    <message>
+        <source>Of %1 voxels that you corrected, %2 would change (%3 of %4 ml).</source>
+        <translation>Von %1 Voxeln, die Sie korrigiert haben, würden sich %2 ändern (%3 von %4 ml).</translation>
     </message>
 </context>
 <context>
@@ -6431,26 +6534,6 @@
     <message>
         <source>⌀ %1 mm</source>
         <translation>⌀ %1 mm</translation>
-    </message>
-    <message>
-        <source>%1 (%2 ml)</source>
-        <translation>%1 (%2 ml)</translation>
-    </message>
-    <message>
-        <source>Corrected by hand: %1. Are they to be found anew?</source>
-        <translation>Von Hand berichtigt: %1. Soll das neu gefunden werden?</translation>
-    </message>
-    <message>
-        <source>Kept, they neither lose nor gain a voxel. Replaced, your corrections come back with Undo.</source>
-        <translation>Behalten, verlieren und gewinnen sie keinen Voxel. Ersetzt, kommen Ihre Berichtigungen mit Rückgängig wieder.</translation>
-    </message>
-    <message>
-        <source>Keep them</source>
-        <translation>Behalten</translation>
-    </message>
-    <message>
-        <source>Replace them</source>
-        <translation>Ersetzen</translation>
     </message>
     <message>
         <source>Propose the liver</source>

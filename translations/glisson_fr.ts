@@ -70,6 +70,10 @@
         <source>--only %1: is no structure that is found. Use liver, portal_vein, hepatic_veins, vena_cava, gallbladder or lesions, with commas.</source>
         <translation>--only %1 : ce n&apos;est pas une structure recherchée. Utilisez liver, portal_vein, hepatic_veins, vena_cava, gallbladder ou lesions, avec des virgules.</translation>
     </message>
+    <message>
+        <source>--keep-edited, --replace-edited: give one of them.</source>
+        <translation>--keep-edited, --replace-edited : donnez l&apos;une des deux.</translation>
+    </message>
 </context>
 <context>
     <name>CloudFigures</name>
@@ -439,6 +443,10 @@
     <message>
         <source>First choose a vessel in the list of labels: portal vein, hepatic veins, vena cava or artery.</source>
         <translation>Choisissez d’abord un vaisseau dans la liste des étiquettes : veine porte, veines hépatiques, veine cave ou artère.</translation>
+    </message>
+    <message>
+        <source>Segment, corrections kept</source>
+        <translation>Segmenter, corrections gardées</translation>
     </message>
 </context>
 <context>
@@ -1676,10 +1684,6 @@
         <translation>a été corrigé à la main et serait remplacé</translation>
     </message>
     <message>
-        <source>Lock it (--lock), leave it out of what is found anew (--only), or allow it (--replace-edited)</source>
-        <translation>Verrouillez-le (--lock), laissez-le hors de ce qui est recherché à nouveau (--only), ou permettez-le (--replace-edited)</translation>
-    </message>
-    <message>
         <source>is no lesion&apos;s</source>
         <translation>n’est celui d’aucune lésion</translation>
     </message>
@@ -1794,6 +1798,26 @@
     <message>
         <source>Give ADDRESS:PORT with a numeric address, as 127.0.0.1:18944</source>
         <translation>Indiquez ADRESSE:PORT avec une adresse numérique, comme 127.0.0.1:18944</translation>
+    </message>
+    <message>
+        <source>was corrected by hand on the voxels of another CT</source>
+        <translation>a été corrigé à la main sur les voxels d&apos;un autre scanner</translation>
+    </message>
+    <message>
+        <source>was made of another CT, other seeds or other labels</source>
+        <translation>vient d&apos;un autre scanner, d&apos;autres germes ou d&apos;autres étiquettes</translation>
+    </message>
+    <message>
+        <source>Lock it (--lock), leave it out of what is found anew (--only), keep what was corrected (--keep-edited), or allow it (--replace-edited)</source>
+        <translation>Verrouillez-la (--lock), ne la faites pas chercher à nouveau (--only), gardez ce qui a été corrigé (--keep-edited) ou permettez-le (--replace-edited)</translation>
+    </message>
+    <message>
+        <source>Open this CT as a new case, or allow it (--replace-edited)</source>
+        <translation>Ouvrez ce scanner comme un nouveau cas, ou permettez-le (--replace-edited)</translation>
+    </message>
+    <message>
+        <source>Segment again</source>
+        <translation>Segmentez à nouveau</translation>
     </message>
 </context>
 <context>
@@ -2490,6 +2514,10 @@
     <message>
         <source>The CT was not opened from its DICOM folder, so whose it is is not known.</source>
         <translation>Le scanner n’a pas été ouvert depuis son dossier DICOM : on ne sait pas de qui il est.</translation>
+    </message>
+    <message>
+        <source>No new segmentation waits for a decision.</source>
+        <translation>Aucune nouvelle segmentation n&apos;attend de décision.</translation>
     </message>
 </context>
 <context>
@@ -3282,6 +3310,10 @@
     <message>
         <source>comparing tissues</source>
         <translation>comparaison des tissus</translation>
+    </message>
+    <message>
+        <source>Storing the decision about the new segmentation</source>
+        <translation>Enregistrement de la décision sur la nouvelle segmentation</translation>
     </message>
 </context>
 <context>
@@ -4487,10 +4519,6 @@
         <translation>Un pixel de l&apos;image gauche où un instrument touche l&apos;organe : la distance de la lésion à ce point est aussi donnée.</translation>
     </message>
     <message>
-        <source>Replace labels that were corrected by hand; else they must be locked.</source>
-        <translation>Remplace les étiquettes corrigées à la main ; sinon elles doivent être verrouillées.</translation>
-    </message>
-    <message>
         <source>How depth is told: %1.</source>
         <translation>Comment la profondeur est montrée : %1.</translation>
     </message>
@@ -4569,6 +4597,14 @@
     <message>
         <source>OpenIGTLink: listening at %1, where other computers may reach it.</source>
         <translation>OpenIGTLink : à l&apos;écoute à %1, où d&apos;autres ordinateurs peuvent l&apos;atteindre.</translation>
+    </message>
+    <message>
+        <source>Of labels that were corrected by hand keep each voxel that was, and replace the rest.</source>
+        <translation>Des étiquettes corrigées à la main, garder chaque voxel corrigé et remplacer le reste.</translation>
+    </message>
+    <message>
+        <source>Replace labels that were corrected by hand, corrections and all. Without these two it is only told what would change.</source>
+        <translation>Remplacer les étiquettes corrigées à la main, corrections comprises. Sans ces deux options, il est seulement dit ce qui changerait.</translation>
     </message>
 </context>
 <context>
@@ -5686,6 +5722,10 @@
         <source>Labels (*.seg.nrrd *.dcm *.nii.gz *.nrrd *.mha)</source>
         <translation>Étiquettes (*.seg.nrrd *.dcm *.nii.gz *.nrrd *.mha)</translation>
     </message>
+    <message>
+        <source>A new segmentation waits for your decision (Segmentation). Closing lets it go; your labels are kept as they are.</source>
+        <translation>Une nouvelle segmentation attend votre décision (Segmentation). Fermer l&apos;abandonne ; vos étiquettes restent telles quelles.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::ModelPanel</name>
@@ -5816,6 +5856,69 @@
     <message>
         <source>Beams</source>
         <translation>Poutres</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::OfferBox</name>
+    <message>
+        <source>+%1 ml  −%2 ml</source>
+        <translation>+%1 ml  −%2 ml</translation>
+    </message>
+    <message>
+        <source>A new segmentation waits</source>
+        <translation>Une nouvelle segmentation attend</translation>
+    </message>
+    <message>
+        <source>Go to the largest change</source>
+        <translation>Aller au plus grand changement</translation>
+    </message>
+    <message>
+        <source>Keep mine where I corrected</source>
+        <translation>Garder la mienne là où j&apos;ai corrigé</translation>
+    </message>
+    <message>
+        <source>The voxels that you corrected by hand stay, all else is taken from the new one.</source>
+        <translation>Les voxels que vous avez corrigés à la main restent, tout le reste vient de la nouvelle.</translation>
+    </message>
+    <message>
+        <source>Take the new one</source>
+        <translation>Prendre la nouvelle</translation>
+    </message>
+    <message>
+        <source>Your corrections go; Undo brings them back.</source>
+        <translation>Vos corrections partent ; Annuler les ramène.</translation>
+    </message>
+    <message>
+        <source>Keep all mine</source>
+        <translation>Garder toute la mienne</translation>
+    </message>
+    <message>
+        <source>The new segmentation goes, nothing changes.</source>
+        <translation>La nouvelle segmentation est abandonnée, rien ne change.</translation>
+    </message>
+    <message>
+        <source>Would be added</source>
+        <translation>Serait ajouté</translation>
+    </message>
+    <message>
+        <source>Would be removed</source>
+        <translation>Serait enlevé</translation>
+    </message>
+    <message>
+        <source>Would be another structure</source>
+        <translation>Serait une autre structure</translation>
+    </message>
+    <message>
+        <source>White rim: you corrected it by hand</source>
+        <translation>Bord blanc : corrigé par vous à la main</translation>
+    </message>
+    <message>
+        <source>It would change what you corrected by hand: %1. Your labels stay as they are until you decide.</source>
+        <translation>Elle changerait ce que vous avez corrigé à la main : %1. Vos étiquettes restent telles quelles jusqu&apos;à votre décision.</translation>
+    </message>
+    <message>
+        <source>Of %1 voxels that you corrected, %2 would change (%3 of %4 ml).</source>
+        <translation>Sur %1 voxels que vous avez corrigés, %2 changeraient (%3 sur %4 ml).</translation>
     </message>
 </context>
 <context>
@@ -6431,26 +6534,6 @@
     <message>
         <source>⌀ %1 mm</source>
         <translation>⌀ %1 mm</translation>
-    </message>
-    <message>
-        <source>%1 (%2 ml)</source>
-        <translation>%1 (%2 ml)</translation>
-    </message>
-    <message>
-        <source>Corrected by hand: %1. Are they to be found anew?</source>
-        <translation>Corrigé à la main : %1. Faut-il le rechercher à nouveau ?</translation>
-    </message>
-    <message>
-        <source>Kept, they neither lose nor gain a voxel. Replaced, your corrections come back with Undo.</source>
-        <translation>Gardées, elles ne perdent ni ne gagnent aucun voxel. Remplacées, vos corrections reviennent avec Annuler.</translation>
-    </message>
-    <message>
-        <source>Keep them</source>
-        <translation>Les garder</translation>
-    </message>
-    <message>
-        <source>Replace them</source>
-        <translation>Les remplacer</translation>
     </message>
     <message>
         <source>Propose the liver</source>

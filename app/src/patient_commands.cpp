@@ -5,11 +5,13 @@
 #include "commands.h"
 #include "label_output.h"
 
+#include "glisson/core/error.h"
 #include "glisson/engine/commands/import_image.h"
 #include "glisson/engine/commands/list_series.h"
 #include "glisson/engine/commands/propose_seeds.h"
 #include "glisson/engine/commands/segment.h"
 #include "glisson/engine/commands/set_seeds.h"
+#include "glisson/engine/parts/offer.h"
 #include "glisson/ui/common/series_texts.h"
 
 namespace glisson::app {
@@ -99,6 +101,25 @@ int tell_series(const Arguments& arguments, const fs::path& input) {
   return 0;
 }
 
+engine::OverHandWork over_hand_work(const Arguments& arguments) {
+  if (arguments.has("keep-edited") && arguments.has("replace-edited"))
+    throw UsageError(Cli::tr("--keep-edited, --replace-edited: give one of them.").toStdString());
+  return arguments.has("keep-edited")      ? engine::OverHandWork::keep_hand
+         : arguments.has("replace-edited") ? engine::OverHandWork::replace
+                                           : engine::OverHandWork::offer;
+}
+
+/// The figures say what would change; the case on the disk stays as it is.
+[[noreturn]] void refuse_after_telling(Session& session) {
+  session.finish();
+  std::string names;
+  for (const Label label : session.state()[part::offer]->edited)
+    names += (names.empty() ? "" : ", ") + structure_name(label);
+  throw InputError("labels", names, "was corrected by hand and would be replaced",
+                   "Lock it (--lock), leave it out of what is found anew (--only), keep what was corrected "
+                   "(--keep-edited), or allow it (--replace-edited)");
+}
+
 }  // namespace
 
 int run_import(const QStringList& given) {
@@ -142,8 +163,13 @@ int run_segment(const QStringList& given) {
                    Cli::tr("These labels neither lose nor gain a voxel: parenchyma, portal_vein, "
                            "hepatic_veins, vena_cava, gallbladder, lesion_1, ..., with commas."),
                    "LIST");
-  arguments.flag("replace-edited",
-                 Cli::tr("Replace labels that were corrected by hand; else they must be locked."));
+  arguments.flag(
+      "keep-edited",
+      Cli::tr("Of labels that were corrected by hand keep each voxel that was, and replace the rest."));
+  arguments.flag(
+      "replace-edited",
+      Cli::tr("Replace labels that were corrected by hand, corrections and all. Without these two it "
+              "is only told what would change."));
   declare_label_output(arguments);
   if (!arguments.parse(given)) return 0;
   const bool proposes = arguments.has("propose");
@@ -152,13 +178,14 @@ int run_segment(const QStringList& given) {
   command.options.structures = structures_from(arguments.value("only"));
   command.options.region = region_from(arguments.value("region"));
   command.options.locked = locked_from(arguments.value("lock"));
-  command.replace_edited = arguments.has("replace-edited");
+  command.over_hand_work = over_hand_work(arguments);
   const LabelOutput output(arguments);
   Session session(arguments);
   open_case(arguments, session);
   session.post(engine::SetSeeds{seeds.empty() ? segmentation::Seeds{} : segmentation::read_seeds(seeds)});
   if (proposes) session.post(engine::ProposeSeeds{});
   session.post(command);
+  if (session.state()[part::offer]) refuse_after_telling(session);
   output.finish(session);
   return 0;
 }

@@ -27,6 +27,7 @@ class PatientCommandsTest : public QObject, private test::Program {
 
   void SeriesOfAFolderAreListed();
   void ALiverIsFoundWithoutAClick();
+  void CorrectionsByHandAreReplacedOnlyWhenToldTo();
   void LabelsOfAnotherGridAreRefusedAndTheCaseStands();
   void ACaseOfAnotherVersionIsRefused();
   void SeveralLargeComponentsAreRefused();
@@ -91,6 +92,43 @@ void PatientCommandsTest::ALiverIsFoundWithoutAClick() {
   const double ml = figures("s.json")["label_parenchyma_ml"].toDouble(),
                ball_ml = 4.0 / 3.0 * M_PI * 6.0 * 6.0 * 6.0;
   QVERIFY2(std::abs(ml - ball_ml) < 0.1 * ball_ml, qPrintable(QString::number(ml)));
+}
+
+void PatientCommandsTest::CorrectionsByHandAreReplacedOnlyWhenToldTo() {
+  Image image;
+  image.grid.size = {40, 40, 36};
+  image.grid.spacing_mm = {3.0, 3.0, 3.0};
+  image.grid.origin_mm = {-58.5, -58.5, -52.5};
+  std::vector<std::int16_t> voxels;
+  for (int k = 0; k < 36; ++k)
+    for (int j = 0; j < 40; ++j)
+      for (int i = 0; i < 40; ++i)
+        voxels.push_back(image.grid.p_in_ct(Eigen::Vector3d(i, j, k)).xyz.norm() < 36e-3 ? 110 : -100);
+  image.voxels = std::make_shared<const std::vector<std::int16_t>>(std::move(voxels));
+  write_image(at("ct.nrrd"), image);
+  write_text(at("seeds.json"), R"({"liver": [[0, 0, 0]]})");
+  write_text(at("edits.json"),
+             R"({"edits": [{"tool": "paint", "label": "parenchyma", "brush": "ball", "radius_mm": 9,
+      "path_mm": [[0, 0, 39]]}]})");
+  QCOMPARE(run({"import", "ct.nrrd", "--case", "a.glisson"}).code, 0);
+  const QStringList segment = {"segment", "--case", "a.glisson", "--seeds", "seeds.json", "--json", "s.json"};
+  QCOMPARE(run(segment).code, 0);
+  const Ran edited = run({"edit", "--case", "a.glisson", "--script", "edits.json"});
+  QVERIFY2(edited.code == 0, qPrintable(edited.error));
+  const std::string corrected = read_file(at("a.glisson/labels.seg.nrrd"));
+  const Ran told = run(segment);
+  QVERIFY(told.code != 0);
+  QVERIFY2(told.error.contains("--keep-edited") && told.error.contains("--replace-edited"),
+           qPrintable(told.error));
+  const double lost = figures("s.json")["lost_parenchyma_ml"].toDouble();
+  QVERIFY(lost > 0.5 && figures("s.json")["hand_corrected_voxels_changed"].toDouble() > 0.0);
+  QCOMPARE(read_file(at("a.glisson/labels.seg.nrrd")), corrected);
+  refused(segment + QStringList{"--keep-edited", "--replace-edited"}, "give one of them", 2);
+  QCOMPARE(run(segment + QStringList{"--keep-edited"}).code, 0);
+  QCOMPARE(figures("s.json")["lost_parenchyma_ml"].toDouble(), lost);
+  QVERIFY(run(segment).code != 0);  // they are a hand's still
+  QCOMPARE(run(segment + QStringList{"--replace-edited"}).code, 0);
+  QCOMPARE(run(segment).code, 0);
 }
 
 void PatientCommandsTest::LabelsOfAnotherGridAreRefusedAndTheCaseStands() {

@@ -22,6 +22,7 @@
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/live.h"
 #include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/offer.h"
 #include "glisson/engine/parts/preview.h"
 #include "glisson/engine/parts/proposals.h"
 #include "glisson/engine/parts/regions.h"
@@ -54,6 +55,7 @@ void CaseStateTest::EveryPartCanBeTakenAndTold() {
   full[part::labels] = std::make_shared<LabelMap>();
   full[part::review] = std::make_shared<Review>();
   full[part::preview] = std::make_shared<EditPreview>();
+  full[part::offer] = std::make_shared<SegmentationOffer>();
   full[part::model] = std::make_shared<model::BuiltModel>();
   full[part::check] = std::make_shared<ModelCheck>();
   full[part::landmarks] = std::make_shared<Landmarks>();

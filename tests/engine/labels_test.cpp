@@ -454,7 +454,7 @@ void LabelsTest::WhatAHandCorrectedIsReplacedOnlyWhenThatIsSaid() {
   QCOMPARE(done(*engine, OpenCase{files.path() / "c.glisson"}).status, Status::done);
   QCOMPARE(Segment{}.would_replace(state()), std::set<Label>{structure::kPortalVein});
   Segment allowed;
-  allowed.replace_edited = true;
+  allowed.over_hand_work = OverHandWork::replace;
   QVERIFY(done(*engine, allowed).error.find("corrected by hand") == std::string::npos);
 }
 

@@ -7,6 +7,7 @@
 
 #include "glisson/patient/label_map.h"
 #include "glisson/ui/scene/colours.h"
+#include "glisson/ui/scene/difference_overlay.h"
 #include "glisson/ui/scene/label_surfaces.h"
 #include "glisson/ui/scene/slice_drawing.h"
 
@@ -120,6 +121,7 @@ class SegmentationDrawingTest : public QObject {
   void OnlyPixelsOfChangedBricksAreDrawnAgain();
   void HiddenLabelsAreNotDrawn();
   void PreviewIsHatchedWhereLabelsWouldChange();
+  void DifferencesHaveAColourAndAHatchingEach();
   void OutlineFollowsTheLabelsEdge();
   void BallsSurfaceIsClosedAndAsLargeAsTheBall_data();
   void BallsSurfaceIsClosedAndAsLargeAsTheBall();
@@ -223,6 +225,46 @@ void SegmentationDrawingTest::PreviewIsHatchedWhereLabelsWouldChange() {
   const QColor gone = pixel(-0.0125, 0.0);
   QVERIFY(gone.alpha() > 0 && gone.red() == gone.green() && gone.green() == gone.blue());  // white
   QVERIFY(scene::change_overlay(before, before, slice).isNull());
+}
+
+void SegmentationDrawingTest::DifferencesHaveAColourAndAHatchingEach() {
+  using scene::Change;
+  VolumeGrid grid = grid_of({60, 60, 3}, {1.0, 1.0, 1.0});
+  LabelVolume before(grid), after(grid), hand(grid);
+  const auto fill = [](LabelVolume& labels, int from, Label label) {
+    for (int j = 5; j < 25; ++j)
+      for (int i = from; i < from + 15; ++i) labels.set({i, j, 1}, label);
+  };
+  fill(before, 2, 1);  // will be gone
+  fill(after, 20, 1);  // will come
+  fill(before, 40, 1);
+  fill(after, 40, 2);  // will be another
+  const auto slice = scene::slice_geometry(grid, Plane::axial, Point<CtFrame>(grid.p_in_ct({30, 30, 1})));
+  const QImage drawn = scene::difference_overlay(before, after, hand, slice);
+  const auto at = [&](int i, int j) {
+    const auto pixel = slice.pixel_of(grid.p_in_ct({double(i), double(j), 1.0}));
+    return QPoint(qRound(pixel.x()), qRound(pixel.y()));
+  };
+  std::map<int, QRgb> rim;
+  for (const int from : {2, 20, 40}) {
+    rim[from] = drawn.pixel(at(from, 15));
+    QCOMPARE(qAlpha(rim[from]), 255);
+    int lines = 0, between = 0;
+    for (int i = from + 2; i < from + 13; ++i) ++(qAlpha(drawn.pixel(at(i, 15))) == 255 ? lines : between);
+    QVERIFY(lines >= 2 && between >= 2);
+  }
+  // Told apart without the hue: by lightness, and by which way the lines run.
+  QVERIFY(rim[2] != rim[20] && rim[20] != rim[40] && rim[2] != rim[40]);
+  QImage swatches[] = {scene::difference_swatch(Change::added, false, 20, 20),
+                       scene::difference_swatch(Change::removed, false, 20, 20)};
+  QVERIFY(qAlpha(swatches[0].pixel(10, 5)) == 255 && qAlpha(swatches[1].pixel(10, 5)) == 255);
+  QVERIFY(qAlpha(swatches[0].pixel(11, 4)) == 255 && qAlpha(swatches[1].pixel(11, 4)) < 255);
+  QVERIFY(qAlpha(swatches[0].pixel(11, 6)) < 255 && qAlpha(swatches[1].pixel(11, 6)) == 255);
+  QCOMPARE(drawn.pixelColor(at(18, 15)).alpha(), 0);
+  QVERIFY(scene::difference_overlay(before, before, hand, slice).isNull());
+  // A hand's are white at their rim.
+  fill(hand, 2, 1);
+  QCOMPARE(scene::difference_overlay(before, after, hand, slice).pixelColor(at(2, 15)), QColor(Qt::white));
 }
 
 void SegmentationDrawingTest::OutlineFollowsTheLabelsEdge() {

@@ -3,9 +3,7 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QListWidget>
-#include <QMessageBox>
 #include <QPushButton>
-#include <QTimer>
 
 #include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/seeds.h"
@@ -23,7 +21,6 @@ class SegmentationSeedsTest : public QObject, private SegmentationWindow {
   void initTestCase() { make_ct(); }
   void init() { show_window(); }
   void cleanup() { window_.reset(); }
-  void WhatAHandCorrectedIsAskedForBeforeItIsReplaced();
   void PaintedLesionIsNotTheOneThatIsClickedNext();
   void ADragAcrossALesionTellsItsDiameter();
   void AProposalThatFindsNoLiverSaysSoAndASeedIsNotReplaced();
@@ -36,48 +33,6 @@ class SegmentationSeedsTest : public QObject, private SegmentationWindow {
   /// What the views share.
   const ui::ViewState& shared() { return window_->views().state(); }
 };
-
-void SegmentationSeedsTest::WhatAHandCorrectedIsAskedForBeforeItIsReplaced() {
-  open_labels();
-  choose(structure::kPortalVein);
-  press("tool_paint");
-  drag(slice(Plane::axial), {{-0.02, 0.01, 0}, {-0.01, 0.01, 0}});
-  QVERIFY(settle());
-  press("mode_seeds");
-  seed_liver();
-  const LabelVolume before = labels();
-  const auto portal = [](Label label) { return label == structure::kPortalVein; };
-  QString told;
-  const auto grow_and_answer = [&](const QString& answer) {
-    told.clear();
-    QTimer poll;
-    connect(&poll, &QTimer::timeout, this, [&] {
-      auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-      if (question == nullptr) return;
-      told = question->text();
-      for (QAbstractButton* button : question->buttons())
-        if (button->text().remove('&') == answer) QTest::mouseClick(button, Qt::LeftButton);
-    });
-    poll.start(20);
-    grow();
-  };
-  grow_and_answer("Cancel");
-  QVERIFY2(told.contains("Portal vein (") && !told.contains("Liver"), qPrintable(told));
-  QVERIFY(labels() == before);
-  grow_and_answer("Keep them");
-  QVERIFY(!(labels() == before));
-  QVERIFY(labels().mask(portal) == before.mask(portal));
-  press("seed_portal_vein");
-  QTest::mouseClick(&slice(Plane::axial), Qt::LeftButton, {},
-                    slice(Plane::axial).widget_point(Point<CtFrame>(0.02, -0.015, 0)).toPoint());
-  QVERIFY(settle());
-  // What was kept is a hand's still; what was replaced no more.
-  grow_and_answer("Replace them");
-  QVERIFY(told.contains("Portal vein ("));
-  QVERIFY(!(labels().mask(portal) == before.mask(portal)));
-  grow_and_answer("Replace them");
-  QVERIFY2(told.isEmpty(), qPrintable(told));
-}
 
 void SegmentationSeedsTest::PaintedLesionIsNotTheOneThatIsClickedNext() {
   open_labels();  // with a lesion that has no seed

@@ -2,12 +2,10 @@
 #include "label_steps.h"
 
 #include <algorithm>
-#include <iterator>
 #include <memory>
 #include <utility>
 
 #include "glisson/core/error.h"
-#include "glisson/engine/hand_edits.h"
 #include "glisson/engine/parts/image.h"
 #include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/preview.h"
@@ -15,22 +13,6 @@
 
 namespace glisson::engine {
 namespace {
-
-/// Labels of which a voxel came or went.
-std::set<Label> labels_touched(const LabelChanges& changes) {
-  std::set<Label> touched;
-  std::pair<Label, Label> last{0, 0};
-  for (const LabelChange& change : changes)
-    for (std::size_t i = 0; i < LabelVolume::Brick().size(); ++i) {
-      const std::pair<Label, Label> now{change.before ? (*change.before)[i] : Label{0},
-                                        change.after ? (*change.after)[i] : Label{0}};
-      if (now.first == now.second || now == last) continue;
-      touched.insert({now.first, now.second});
-      last = now;
-    }
-  touched.erase(structure::kBackground);
-  return touched;
-}
 
 /// Whoever touches a label has begun with it; what was approved must be looked at again.
 Review review_after(const Review& review, const std::set<Label>& touched) {
@@ -47,7 +29,7 @@ editing::History history_or_none(const CaseState& state) {
   return state[part::history] ? *state[part::history] : editing::History();
 }
 
-/// Puts labels in place, with their figures; the preview was of others.
+/// Puts labels in place, with their figures; preview and offer were of others.
 void put_labels(CaseState& state, LabelMap labels, editing::History history) {
   const auto image = state[part::image];
   const bool measurable = image && image->grid.same_as(labels.voxels.grid());
@@ -56,6 +38,7 @@ void put_labels(CaseState& state, LabelMap labels, editing::History history) {
   state[part::labels] = std::make_shared<const LabelMap>(std::move(labels));
   state[part::history] = std::make_shared<const editing::History>(std::move(history));
   state[part::preview] = nullptr;
+  state[part::offer] = nullptr;
 }
 
 /// Puts the labels in place that a step made of `before`. @return those of which a voxel came or went.
@@ -71,25 +54,22 @@ std::set<Label> step_to(CaseState& state, const LabelMap& before, LabelMap label
 
 }  // namespace
 
-std::set<Label> edited_by_hand(const CaseState& state) {
-  std::set<Label> edited, renewed;
-  const editing::History history = history_or_none(state);
-  for (std::size_t n = history.done(); n > 0; --n) {
-    const editing::History::Step& step = *history.steps()[n - 1];
-    if (step.name.code == kImportStep) break;
-    const std::set<Label> labels = step.name.label != structure::kBackground
-                                       ? std::set<Label>{step.name.label}
-                                       : labels_touched(step.changes);
-    if (step.name.code == kSegmentStep)
-      renewed.insert(labels.begin(), labels.end());
-    else
-      std::set_difference(labels.begin(), labels.end(), renewed.begin(), renewed.end(),
-                          std::inserter(edited, edited.end()));
-  }
-  return edited;
+std::set<Label> labels_touched(const LabelChanges& changes) {
+  std::set<Label> touched;
+  std::pair<Label, Label> last{0, 0};
+  for (const LabelChange& change : changes)
+    for (std::size_t i = 0; i < LabelVolume::Brick().size(); ++i) {
+      const std::pair<Label, Label> now{change.before ? (*change.before)[i] : Label{0},
+                                        change.after ? (*change.after)[i] : Label{0}};
+      if (now.first == now.second || now == last) continue;
+      touched.insert({now.first, now.second});
+      last = now;
+    }
+  touched.erase(structure::kBackground);
+  return touched;
 }
 
-Parts labels_and_review() { return {part::labels, part::review, part::preview}; }
+Parts labels_and_review() { return {part::labels, part::review, part::preview, part::offer}; }
 
 LabelMap labels_or_none(const CaseState& state) {
   if (state[part::labels]) return *state[part::labels];
@@ -139,6 +119,25 @@ void step_labels(CaseState& state, StepDirection direction) {
   put_review(state, review_after(review_or_none(state), labels_touched(step.changes)));
   auto [stepped, then] = back ? history.undo(*labels) : history.redo(*labels);
   put_labels(state, std::move(stepped), std::move(then));
+}
+
+void put_grown_labels(CaseState& state, LabelMap labels, const char* step) {
+  Review review = review_or_none(state);
+  for (const Label label : replace_labels(state, std::move(labels), {step, 0, 0.0}))
+    review[label] = ReviewState::to_review;
+  put_review(state, review);
+}
+
+void take_offer(CaseState& state, const SegmentationOffer& offer, bool keeps_hand) {
+  LabelMap labels = offer.labels;
+  if (keeps_hand) {
+    labels.voxels = keeping_hand(offer.base->voxels, offer.labels.voxels, offer.hand);
+    for (const LabelInfo& info : offer.base->infos)
+      if (std::none_of(labels.infos.begin(), labels.infos.end(),
+                       [&](const LabelInfo& other) { return other.code == info.code; }))
+        labels.infos.push_back(info);
+  }
+  put_grown_labels(state, std::move(labels), keeps_hand ? kMergeStep : kSegmentStep);
 }
 
 void report_labels(const CaseState& state, Figures& figures) {

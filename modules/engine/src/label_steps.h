@@ -7,6 +7,7 @@
 #include "glisson/core/json_file.h"
 #include "glisson/editing/history.h"
 #include "glisson/engine/case_state.h"
+#include "glisson/engine/parts/offer.h"
 #include "glisson/patient/label_map.h"
 
 /// @file
@@ -17,7 +18,12 @@ namespace glisson::engine {
 
 /// Steps that made all labels, or those that were asked for, anew.
 inline constexpr const char* kSegmentStep = "segment";
+/// Growth that kept the voxels which a hand had corrected.
+inline constexpr const char* kMergeStep = "segment_around_hand";
 inline constexpr const char* kImportStep = "import_labels";
+
+/// Labels of which a voxel came or went.
+std::set<Label> labels_touched(const LabelChanges& changes);
 
 /// What such a command writes, and reads besides the image.
 Parts labels_and_review();
@@ -40,6 +46,11 @@ std::set<Label> replace_labels(CaseState& state, LabelMap labels, const editing:
 enum class StepDirection { back, forth };
 /// One step of the history. @throws InputError when there is none.
 void step_labels(CaseState& state, StepDirection direction);
+
+/// The labels that growth found, with their review and figures: what a machine made is there to be looked at.
+void put_grown_labels(CaseState& state, LabelMap labels, const char* step);
+/// The same of an offer, with or without the voxels that a hand has corrected.
+void take_offer(CaseState& state, const SegmentationOffer& offer, bool keeps_hand);
 
 /// label_NAME_ml of each label.
 void report_labels(const CaseState& state, Figures& figures);

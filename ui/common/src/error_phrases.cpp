@@ -15,6 +15,8 @@ const std::vector<const char*>& known_problems() {
       QT_TRANSLATE_NOOP("ErrorPhrases", "is more than 40 mm from where it is drawn"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "takes no shape that would meet it"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "was corrected by hand and would be replaced"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "was corrected by hand on the voxels of another CT"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "was made of another CT, other seeds or other labels"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is neither a file nor a folder"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "cannot be opened"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "cannot be opened (%1)"),
@@ -223,8 +225,10 @@ const std::vector<const char*>& known_remedies() {
       QT_TRANSLATE_NOOP("ErrorPhrases", "Correct what the picture shows"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Drag less far, or register again"),
       QT_TRANSLATE_NOOP("ErrorPhrases",
-                        "Lock it (--lock), leave it out of what is found anew (--only), or allow it "
-                        "(--replace-edited)"),
+                        "Lock it (--lock), leave it out of what is found anew (--only), keep what was "
+                        "corrected (--keep-edited), or allow it (--replace-edited)"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "Open this CT as a new case, or allow it (--replace-edited)"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "Segment again"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Check its permissions"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Check permissions and space"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Install Glisson again"),

@@ -20,6 +20,7 @@ class Obstacles {
     return {{"image", tr("Open a CT first.")},
             {"seeds", tr("Place at least one seed in the liver.")},
             {"labels", tr("Segment the CT or import labels first.")},
+            {"offer", tr("No new segmentation waits for a decision.")},
             {"model", tr("Build a model first.")},
             {"landmarks", tr("Place or accept the landmarks first.")},
             {"proposals", tr("Let the atlas propose the landmarks first.")},

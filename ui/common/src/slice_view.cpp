@@ -10,6 +10,7 @@
 
 #include "glisson/ui/common/lasso_line.h"
 #include "glisson/ui/common/slice_lines.h"
+#include "glisson/ui/scene/difference_overlay.h"
 #include "glisson/ui/scene/picture_image.h"
 
 namespace glisson::ui {
@@ -200,6 +201,10 @@ void SliceView::paint_overlay(QPainter& painter) {
     const LabelVolume* labels = state_.labels() ? &state_.labels()->voxels : nullptr;
     if (state_.evolving())
       overlay_ = scene::outline_overlay(*state_.evolving(), slice_);
+    else if (state_.offer() && labels != nullptr &&
+             labels->brick_count() == state_.offer()->labels.voxels.brick_count())
+      overlay_ =
+          scene::difference_overlay(*labels, state_.offer()->labels.voxels, state_.offer()->hand, slice_);
     else if (state_.preview() && labels != nullptr &&
              labels->brick_count() == state_.preview()->voxels.brick_count())
       overlay_ = scene::change_overlay(*labels, state_.preview()->voxels, slice_);

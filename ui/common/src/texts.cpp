@@ -25,6 +25,7 @@ class Texts {
             {"list_series", tr("Looking for series")},
             {"set_seeds", tr("Storing the seeds")},
             {"segment", tr("Segmenting")},
+            {"decide_segmentation", tr("Storing the decision about the new segmentation")},
             {"build_model", tr("Building the model")},
             {"import_surfaces", tr("Building the model from surfaces")},
             {"import_mesh", tr("Reading the mesh")},

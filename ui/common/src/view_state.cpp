@@ -21,6 +21,7 @@ void ViewState::set_volume(std::shared_ptr<const Image> image, std::shared_ptr<c
     return;
   }
   preview_ = nullptr;
+  offer_ = nullptr;
   evolving_ = nullptr;
   line_ = nullptr;
   box_.reset();
@@ -64,6 +65,12 @@ void ViewState::set_hidden(std::vector<Label> labels) {
 void ViewState::set_preview(std::shared_ptr<const LabelMap> labels) {
   if (labels == preview_) return;
   preview_ = std::move(labels);
+  emit overlays_changed();
+}
+
+void ViewState::set_offer(std::shared_ptr<const engine::SegmentationOffer> offer) {
+  if (offer == offer_) return;
+  offer_ = std::move(offer);
   emit overlays_changed();
 }
 

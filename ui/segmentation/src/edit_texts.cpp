@@ -52,7 +52,9 @@ class EditTexts {
     return {};
   }
   static QHash<QString, QString> steps(const EditTools& tools) {
-    QHash<QString, QString> texts = {{"segment", tr("Segment")}, {"import_labels", tr("Import labels")}};
+    QHash<QString, QString> texts = {{"segment", tr("Segment")},
+                                     {"segment_around_hand", tr("Segment, corrections kept")},
+                                     {"import_labels", tr("Import labels")}};
     for (const EditTool tool : tools)
       for (const WindowTool::Step& step : tool->steps) texts.insert(step.code, tr(step.text));
     return texts;

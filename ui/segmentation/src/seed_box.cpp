@@ -210,36 +210,7 @@ void SeedBox::build_growth() {
 
 std::optional<engine::Command> SeedBox::growth() {
   let_go();
-  engine::Segment command;
-  command.options = options();
-  const std::set<Label> edited = command.would_replace(engine_.state());
-  if (edited.empty()) return command;
-  QStringList names;
-  for (const Label label : edited) {
-    const auto& figures = engine_.state()[part::statistics]->figures();
-    const auto found = figures.find(label);
-    names << tr("%1 (%2 ml)")
-                 .arg(structure_text(label))
-                 .arg(found == figures.end() ? 0.0 : found->second.ml, 0, 'f', 1);
-  }
-  QMessageBox question(
-      QMessageBox::Question, tr("Segment"),
-      tr("Corrected by hand: %1. Are they to be found anew?").arg(names.join(QStringLiteral(", "))),
-      QMessageBox::Cancel, this);
-  question.setObjectName(QStringLiteral("replace_edited"));
-  question.setInformativeText(
-      tr("Kept, they neither lose nor gain a voxel. Replaced, your corrections come back with Undo."));
-  const QPushButton* keep = question.addButton(tr("Keep them"), QMessageBox::AcceptRole);
-  const QPushButton* replace = question.addButton(tr("Replace them"), QMessageBox::DestructiveRole);
-  question.setDefaultButton(QMessageBox::Cancel);
-  question.exec();
-  if (question.clickedButton() == keep)
-    command.options.locked.insert(command.options.locked.end(), edited.begin(), edited.end());
-  else if (question.clickedButton() == replace)
-    command.replace_edited = true;
-  else
-    return std::nullopt;
-  return command;
+  return engine::Segment{options(), engine::OverHandWork::offer};
 }
 
 segmentation::SegmentationOptions SeedBox::options() const {

@@ -20,6 +20,7 @@
 #include "glisson/ui/segmentation/bridge_list.h"
 #include "glisson/ui/segmentation/edit_box.h"
 #include "glisson/ui/segmentation/edit_texts.h"
+#include "glisson/ui/segmentation/offer_box.h"
 #include "glisson/ui/segmentation/seed_box.h"
 
 namespace glisson::ui {
@@ -31,6 +32,8 @@ SegmentationPanel::SegmentationPanel(EngineBridge& engine, ViewState& views, QWi
       session_(new EditSession(engine, views, this)) {
   setObjectName(QStringLiteral("segmentation_panel"));
   build_modes();
+  offer_ = new OfferBox(engine, views, this);
+  content()->addWidget(offer_);
   seeds_ = new SeedBox(engine, views, this);
   content()->addWidget(seeds_);
   build_labels();
@@ -38,6 +41,7 @@ SegmentationPanel::SegmentationPanel(EngineBridge& engine, ViewState& views, QWi
   edit_->add_below_settings(new BridgeList(*session_, engine, views, edit_));
   content()->addWidget(edit_);
   show_editing(false);
+  connect(offer_, &OfferBox::changed, this, &SegmentationPanel::show_offer);
   auto* escape = new QShortcut(Qt::Key_Escape, this);
   connect(escape, &QShortcut::activated, this, [this] {
     if (!seeds_->escape()) session_->escape();
@@ -93,8 +97,19 @@ void SegmentationPanel::build_modes() {
 void SegmentationPanel::show_editing(bool on) {
   seeds_mode_->setChecked(!on);
   edit_mode_->setChecked(on);
-  seeds_->set_in_front(!on);
-  edit_->setVisible(on);
+  seeds_->set_in_front(!on && !offer_->has_offer());
+  edit_->setVisible(on && !offer_->has_offer());
+}
+
+void SegmentationPanel::show_offer() {
+  // An edit or a new seed would let the offer go: first comes the decision.
+  const bool waits = offer_->has_offer();
+  if (waits) {
+    session_->set_tool(nullptr);
+    seeds_->let_go();
+  }
+  for (QPushButton* mode : {seeds_mode_, edit_mode_}) mode->setEnabled(!waits);
+  show_editing(edit_mode_->isChecked());
 }
 
 void SegmentationPanel::build_labels() {
@@ -162,11 +177,13 @@ void SegmentationPanel::approve() { session_->set_review(session_->settings().la
 void SegmentationPanel::activate() {
   views_.set_shows_labels(true);
   seeds_->set_active(true);
+  offer_->set_active(true);
   session_->set_active(true);
 }
 
 void SegmentationPanel::deactivate() {
   session_->set_active(false);
+  offer_->set_active(false);
   seeds_->set_active(false);  // they would lie over what the other steps show
   views_.set_shows_labels(false);
 }

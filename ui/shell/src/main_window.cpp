@@ -26,6 +26,7 @@
 #include "glisson/engine/parts/keeping.h"
 #include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/offer.h"
 #include "glisson/ui/atlas/atlas_panel.h"
 #include "glisson/ui/common/error_texts.h"
 #include "glisson/ui/common/texts.h"
@@ -315,8 +316,20 @@ void MainWindow::show_outcome(const engine::Outcome& outcome) {
 QString MainWindow::status_text() const { return status_->text(); }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!isWindowModified()) return event->accept();
-  const auto answer = QMessageBox::question(this, tr("Close"), tr("The case has changes that are not saved."),
+  QStringList losses;
+  if (isWindowModified()) losses << tr("The case has changes that are not saved.");
+  if (engine_.state()[part::offer])
+    losses << tr(
+        "A new segmentation waits for your decision (Segmentation). Closing lets it go; your labels "
+        "are kept as they are.");
+  if (losses.isEmpty()) return event->accept();
+  const QString told = losses.join(QLatin1Char(' '));
+  if (!isWindowModified()) {
+    const auto answer =
+        QMessageBox::question(this, tr("Close"), told, QMessageBox::Close | QMessageBox::Cancel);
+    return answer == QMessageBox::Close ? event->accept() : event->ignore();
+  }
+  const auto answer = QMessageBox::question(this, tr("Close"), told,
                                             QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
   if (answer == QMessageBox::Discard) return event->accept();
   event->ignore();

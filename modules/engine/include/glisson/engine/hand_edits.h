@@ -10,7 +10,11 @@ namespace glisson::engine {
 
 /// Labels that a hand has worked on since growth last changed them, or all were imported; what was undone
 /// does not count, nor what lies around them and gave or took the voxels. Steps that the history had no room
-/// for are not known.
+/// for are not known. Growth that kept what a hand had corrected changes nothing of that.
 std::set<Label> edited_by_hand(const CaseState& state);
+
+/// 1 where those corrections changed a voxel that growth has not changed since, 0 elsewhere; on the labels'
+/// grid. @pre the state has labels.
+LabelVolume hand_corrected(const CaseState& state);
 
 }  // namespace glisson::engine

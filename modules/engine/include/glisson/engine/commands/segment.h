@@ -8,12 +8,20 @@
 
 namespace glisson::engine {
 
+/// What becomes of labels that a hand has corrected when they are found anew.
+enum class OverHandWork {
+  refuse,     ///< nothing is computed
+  offer,      ///< the labels stay, the new ones become the part `offer` (see DecideSegmentation)
+  keep_hand,  ///< the voxels that a hand has corrected stay, all else is replaced
+  replace
+};
+
 /// Where only some structures or a region are found anew, or labels are locked, the rest of the case's labels
 /// is kept. What a hand has corrected is replaced only when that was said. The liver's contour is shown on
 /// its way (see Snapshot::evolving).
 struct Segment {
   segmentation::SegmentationOptions options;
-  bool replace_edited = false;
+  OverHandWork over_hand_work = OverHandWork::refuse;
 
   bool keeps_labels() const {
     return options.region || !(options.structures == segmentation::Structures{}) || !options.locked.empty();
@@ -21,6 +29,7 @@ struct Segment {
   /// Labels that a hand has corrected (see edited_by_hand()) and that would be found anew, or be gone.
   std::set<Label> would_replace(const CaseState& state) const;
   CommandTraits traits() const;
+  /// What would change of the corrected labels is told in the figures, whatever is done about it.
   Cancellable<Applied> apply(const CaseState& state, const RunContext& context,
                              const Services& services) const;
 };

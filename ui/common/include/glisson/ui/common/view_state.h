@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "glisson/engine/parts/offer.h"
 #include "glisson/patient/label_map.h"
 #include "glisson/ui/common/hand.h"
 #include "glisson/ui/scene/patient_scene.h"
@@ -43,6 +44,10 @@ class ViewState : public QObject {
   /// Labels as they would become, hatched over the slices where they differ; null: none. Of the labels' grid.
   const std::shared_ptr<const LabelMap>& preview() const { return preview_; }
   void set_preview(std::shared_ptr<const LabelMap> labels);
+  /// A new segmentation that a person decides about: what it would change is hatched over the slices instead
+  /// of a preview; null: none.
+  const std::shared_ptr<const engine::SegmentationOffer>& offer() const { return offer_; }
+  void set_offer(std::shared_ptr<const engine::SegmentationOffer> offer);
   /// A segmentation that is still growing, outlined over the slices; null: none.
   const std::shared_ptr<const LabelVolume>& evolving() const { return evolving_; }
   void set_evolving(std::shared_ptr<const LabelVolume> labels);
@@ -96,6 +101,7 @@ class ViewState : public QObject {
   std::shared_ptr<const Image> image_;
   std::shared_ptr<const LabelMap> labels_;
   std::shared_ptr<const LabelMap> preview_;
+  std::shared_ptr<const engine::SegmentationOffer> offer_;
   std::shared_ptr<const LabelVolume> evolving_;
   std::shared_ptr<const SliceLine> line_;
   std::optional<Eigen::AlignedBox3d> box_;

@@ -65,7 +65,7 @@ class SeedBox : public QWidget {
   segmentation::SegmentationOptions options() const;
   segmentation::Structures structures() const;
   QString obstacle() const;
-  /// Growth as it is set; what a hand has corrected is locked or replaced as the person says. None: neither.
+  /// Growth as it is set; where it would change what a hand has corrected, the person decides (OfferBox).
   std::optional<engine::Command> growth();
 
   EngineBridge& engine_;

@@ -14,6 +14,7 @@ class QPushButton;
 namespace glisson::ui {
 
 class EditBox;
+class OfferBox;
 class SeedBox;
 
 /// CT to labels: structures grow from seeds that the operator clicks, and are corrected by hand.
@@ -39,6 +40,7 @@ class SegmentationPanel : public Panel {
   void build_modes();
   void build_labels();
   void show_case();
+  void show_offer();
   void show_rows();
   void show_label();
   void toggle(std::set<Label>& labels, Label label);
@@ -50,6 +52,7 @@ class SegmentationPanel : public Panel {
   EditSession* session_;
   SeedBox* seeds_ = nullptr;
   EditBox* edit_ = nullptr;
+  OfferBox* offer_ = nullptr;
   QPushButton* seeds_mode_ = nullptr;
   QPushButton* edit_mode_ = nullptr;
   LabelTable* table_ = nullptr;

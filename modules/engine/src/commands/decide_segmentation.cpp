@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/engine/commands/decide_segmentation.h"
+
+#include "glisson/core/error.h"
+#include "glisson/engine/parts/image.h"
+#include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/offer.h"
+#include "glisson/engine/parts/seeds.h"
+#include "label_steps.h"
+
+namespace glisson::engine {
+
+CommandTraits DecideSegmentation::traits() const {
+  CommandTraits traits{.code = "decide_segmentation",
+                       .reads = {part::image, part::seeds, part::offer},
+                       .writes = labels_and_review(),
+                       .needs = {part::offer},
+                       .lane = Lane::edits,
+                       .notice = Notice::quiet};
+  if (choice == Choice::keep_all) traits.writes = {part::offer};
+  if (keeps_labels || choice == Choice::keep_hand) traits.reads.add(part::labels);
+  return traits;
+}
+
+Cancellable<Applied> DecideSegmentation::apply(const CaseState& state, const RunContext&) const {
+  Applied applied{state};
+  const auto offer = state[part::offer];
+  applied.state[part::offer] = nullptr;
+  if (choice == Choice::keep_all) return applied;
+  if (!offer->fits(state))
+    throw InputError("segmentation", "", "was made of another CT, other seeds or other labels",
+                     "Segment again");
+  applied.notes = offer->notes;
+  take_offer(applied.state, *offer, choice == Choice::keep_hand);
+  report_labels(applied.state, applied.figures);
+  return applied;
+}
+
+}  // namespace glisson::engine

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Segment over labels that a hand has corrected: what would change is seen, and the person decides.
+#include <QLabel>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QTimer>
+
+#include "glisson/editing/tools/paint.h"
+#include "glisson/engine/commands/edit_labels.h"
+#include "glisson/engine/hand_edits.h"
+#include "glisson/engine/parts/offer.h"
+#include "glisson/ui/scene/difference_overlay.h"
+#include "segmentation_window.h"
+
+namespace glisson {
+
+using scene::Plane;
+
+class SegmentationOfferTest : public QObject, private SegmentationWindow {
+  Q_OBJECT
+ private slots:
+  void initTestCase() { make_ct(); }
+  void init() { show_window(); }
+  void cleanup() { window_.reset(); }
+  void WhatWouldChangeIsSeenBeforeAnythingDoes();
+  void EachChoiceDoesWhatItSaysAndUndoTakesItBack();
+  void NothingElseIsAtHandWhileTheDecisionWaits();
+  void ClosingSaysThatTheNewOneGoes();
+
+ private:
+  /// A hand adds to the liver above it, and the liver is grown over that.
+  void correct_and_grow();
+  bool waits() { return window_->engine().state()[part::offer] != nullptr; }
+  /// Answers the next question. @return what it said
+  QString answer(QMessageBox::StandardButton with, const std::function<void()>& ask);
+};
+
+void SegmentationOfferTest::correct_and_grow() {
+  open_labels();
+  editing::Paint paint;
+  paint.label = structure::kParenchyma;
+  paint.brush = editing::Paint::Brush::ball;
+  paint.radius = 8e-3;
+  paint.path = Eigen::RowVector3d(0.0, -0.047, 0.0);
+  window_->engine().post(engine::EditLabels{{paint, {}}, 0});
+  QVERIFY(settle());
+  press("mode_seeds");
+  seed_liver();
+  grow();
+  QVERIFY(waits());
+}
+
+QString SegmentationOfferTest::answer(QMessageBox::StandardButton with, const std::function<void()>& ask) {
+  QString told;
+  QTimer poll;
+  connect(&poll, &QTimer::timeout, this, [&] {
+    auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    if (question == nullptr) return;
+    told = question->text();
+    QTest::mouseClick(question->button(with), Qt::LeftButton);
+  });
+  poll.start(20);
+  ask();
+  return told;
+}
+
+void SegmentationOfferTest::WhatWouldChangeIsSeenBeforeAnythingDoes() {
+  correct_and_grow();
+  const auto offer = window_->engine().state()[part::offer];
+  QVERIFY(find<QWidget>("offer_box")->isVisible());
+  QCOMPARE(at({0.0, -0.050, 0.0}), structure::kParenchyma);
+  QVERIFY(offer->difference.hand_changed > 50);
+  const QString said = find<QLabel>("offer_hand")->text();
+  QVERIFY2(said.contains(QLocale().toString(static_cast<qlonglong>(offer->difference.hand_changed))),
+           qPrintable(said));
+  // The slices went there, and what the hand added is marked as going.
+  QVERIFY(window_->views().state().offer() == offer);
+  const Eigen::Vector3i most = *offer->difference.where_most;
+  const auto& grid = labels().grid();
+  QVERIFY((window_->views().state().crosshair().xyz - grid.p_in_ct(most.cast<double>()).xyz).norm() < 1e-9);
+  const QImage drawn = scene::difference_overlay(labels(), offer->labels.voxels, offer->hand,
+                                                 slice(Plane::axial).geometry_in_ct());
+  const auto pixel = slice(Plane::axial).geometry_in_ct().pixel_of(Point<CtFrame>(0.0, -0.052, 0.0));
+  const QColor colour = drawn.pixelColor(qRound(pixel.x()), qRound(pixel.y()));
+  QVERIFY2(colour.red() > colour.blue(), qPrintable(colour.name()));  // orange
+  // Another step of the work does not show it.
+  panel().deactivate();
+  QVERIFY(!window_->views().state().offer());
+  panel().activate();
+  QVERIFY(window_->views().state().offer() == offer);
+}
+
+void SegmentationOfferTest::EachChoiceDoesWhatItSaysAndUndoTakesItBack() {
+  correct_and_grow();
+  const LabelVolume mine = labels();
+  const auto offer = window_->engine().state()[part::offer];
+  press("offer_keep_all");
+  QVERIFY(settle());
+  QVERIFY(!waits() && labels() == mine);
+  QVERIFY(!find<QWidget>("offer_box")->isVisible() && find<QWidget>("segment")->isVisible());
+  grow();
+  QVERIFY(waits());
+  press("offer_keep_hand");
+  QVERIFY(settle());
+  QVERIFY(labels() == keeping_hand(mine, offer->labels.voxels, offer->hand));
+  QVERIFY(!(labels() == mine));
+  const auto undo = [&] {
+    panel().history_actions().front()->trigger();
+    return settle();
+  };
+  QVERIFY(undo() && labels() == mine);
+  grow();
+  press("offer_take");
+  QVERIFY(settle());
+  QVERIFY(labels() == offer->labels.voxels);
+  grow();
+  QVERIFY(!waits());  // a machine's work alone
+  QVERIFY(undo() && labels() == mine);
+}
+
+void SegmentationOfferTest::NothingElseIsAtHandWhileTheDecisionWaits() {
+  open_ct();
+  press("mode_seeds");
+  QVERIFY(!find<QWidget>("offer_box")->isVisible());
+  correct_and_grow();
+  QVERIFY(!find<QWidget>("segment")->isVisible() && !find<QPushButton>("mode_edit")->isEnabled());
+  QCOMPARE(window_->views().state().hand(), ui::Hand::crosshair);
+  press("offer_keep_all");
+  QVERIFY(settle());
+  QVERIFY(find<QWidget>("segment")->isVisible() && find<QPushButton>("mode_edit")->isEnabled());
+}
+
+void SegmentationOfferTest::ClosingSaysThatTheNewOneGoes() {
+  correct_and_grow();
+  const LabelVolume mine = labels();
+  const QString told = answer(QMessageBox::Cancel, [&] { window_->close(); });
+  QVERIFY2(told.contains("not saved") && told.contains("new segmentation"), qPrintable(told));
+  QVERIFY(window_->isVisible() && waits() && labels() == mine);
+}
+
+}  // namespace glisson
+
+int main(int argc, char** argv) { return glisson::run_in_window<glisson::SegmentationOfferTest>(argc, argv); }
+#include "segmentation_offer_test.moc"
