@@ -1819,6 +1819,58 @@
         <source>Segment again</source>
         <translation>Segmentieren Sie erneut</translation>
     </message>
+    <message>
+        <source>no server of OpenIGTLink answers</source>
+        <translation>kein OpenIGTLink-Server antwortet</translation>
+    </message>
+    <message>
+        <source>sends what is no message of OpenIGTLink</source>
+        <translation>sendet, was keine Nachricht von OpenIGTLink ist</translation>
+    </message>
+    <message>
+        <source>send no pictures of 8 bits that can be used</source>
+        <translation>senden keine brauchbaren Bilder mit 8 Bit</translation>
+    </message>
+    <message>
+        <source>send no pairs within %1 ms of each other</source>
+        <translation>senden keine Paare innerhalb von %1 ms</translation>
+    </message>
+    <message>
+        <source>has closed before a picture came</source>
+        <translation>hat geschlossen, bevor ein Bild kam</translation>
+    </message>
+    <message>
+        <source>is empty or longer than 20 letters</source>
+        <translation>ist leer oder länger als 20 Buchstaben</translation>
+    </message>
+    <message>
+        <source>is the same for both views</source>
+        <translation>ist für beide Ansichten derselbe</translation>
+    </message>
+    <message>
+        <source>Start it, and check its address and port</source>
+        <translation>Starten Sie ihn, und prüfen Sie Adresse und Port</translation>
+    </message>
+    <message>
+        <source>Start the server again</source>
+        <translation>Starten Sie den Server erneut</translation>
+    </message>
+    <message>
+        <source>Check that this is the port of PLUS, or of another server of OpenIGTLink</source>
+        <translation>Prüfen Sie, ob dies der Port von PLUS oder einem anderen OpenIGTLink-Server ist</translation>
+    </message>
+    <message>
+        <source>Check the names of the two devices, and that they are on</source>
+        <translation>Prüfen Sie die Namen der beiden Geräte und ob sie eingeschaltet sind</translation>
+    </message>
+    <message>
+        <source>Give HOST:PORT/LEFT,RIGHT with the names of the two devices</source>
+        <translation>Geben Sie ADRESSE:PORT/LINKS,RECHTS mit den Namen der beiden Geräte an</translation>
+    </message>
+    <message>
+        <source>Give HOST:PORT/NAME with the name of the tool&apos;s transform</source>
+        <translation>Geben Sie ADRESSE:PORT/NAME mit dem Namen der Transformation des Werkzeugs an</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -7075,6 +7127,18 @@
     <message>
         <source>The calibration is for pictures of %1 × %2, these are %3 × %4: load the one for them.</source>
         <translation>Die Kalibrierung gilt für Bilder von %1 × %2, diese haben %3 × %4: die passende laden.</translation>
+    </message>
+    <message>
+        <source>OpenIGTLink server…</source>
+        <translation>OpenIGTLink-Server …</translation>
+    </message>
+    <message>
+        <source>OpenIGTLink server</source>
+        <translation>OpenIGTLink-Server</translation>
+    </message>
+    <message>
+        <source>Address and port of PLUS or another server, and its devices of the left and the right picture</source>
+        <translation>Adresse und Port von PLUS oder einem anderen Server und seine Geräte des linken und des rechten Bildes</translation>
     </message>
 </context>
 <context>

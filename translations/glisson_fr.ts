@@ -1819,6 +1819,58 @@
         <source>Segment again</source>
         <translation>Segmentez à nouveau</translation>
     </message>
+    <message>
+        <source>no server of OpenIGTLink answers</source>
+        <translation>aucun serveur OpenIGTLink ne répond</translation>
+    </message>
+    <message>
+        <source>sends what is no message of OpenIGTLink</source>
+        <translation>envoie ce qui n&apos;est pas un message OpenIGTLink</translation>
+    </message>
+    <message>
+        <source>send no pictures of 8 bits that can be used</source>
+        <translation>n&apos;envoient pas d&apos;images de 8 bits utilisables</translation>
+    </message>
+    <message>
+        <source>send no pairs within %1 ms of each other</source>
+        <translation>n&apos;envoient pas de paires à moins de %1 ms l&apos;une de l&apos;autre</translation>
+    </message>
+    <message>
+        <source>has closed before a picture came</source>
+        <translation>s&apos;est fermé avant l&apos;arrivée d&apos;une image</translation>
+    </message>
+    <message>
+        <source>is empty or longer than 20 letters</source>
+        <translation>est vide ou dépasse 20 lettres</translation>
+    </message>
+    <message>
+        <source>is the same for both views</source>
+        <translation>est le même pour les deux vues</translation>
+    </message>
+    <message>
+        <source>Start it, and check its address and port</source>
+        <translation>Démarrez-le et vérifiez son adresse et son port</translation>
+    </message>
+    <message>
+        <source>Start the server again</source>
+        <translation>Redémarrez le serveur</translation>
+    </message>
+    <message>
+        <source>Check that this is the port of PLUS, or of another server of OpenIGTLink</source>
+        <translation>Vérifiez que c&apos;est le port de PLUS ou d&apos;un autre serveur OpenIGTLink</translation>
+    </message>
+    <message>
+        <source>Check the names of the two devices, and that they are on</source>
+        <translation>Vérifiez les noms des deux appareils et qu&apos;ils sont allumés</translation>
+    </message>
+    <message>
+        <source>Give HOST:PORT/LEFT,RIGHT with the names of the two devices</source>
+        <translation>Indiquez ADRESSE:PORT/GAUCHE,DROITE avec les noms des deux appareils</translation>
+    </message>
+    <message>
+        <source>Give HOST:PORT/NAME with the name of the tool&apos;s transform</source>
+        <translation>Indiquez ADRESSE:PORT/NOM avec le nom de la transformation de l&apos;outil</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -7075,6 +7127,18 @@
     <message>
         <source>The calibration is for pictures of %1 × %2, these are %3 × %4: load the one for them.</source>
         <translation>L’étalonnage vaut pour des images de %1 × %2, celles-ci ont %3 × %4 : chargez celui qui convient.</translation>
+    </message>
+    <message>
+        <source>OpenIGTLink server…</source>
+        <translation>Serveur OpenIGTLink…</translation>
+    </message>
+    <message>
+        <source>OpenIGTLink server</source>
+        <translation>Serveur OpenIGTLink</translation>
+    </message>
+    <message>
+        <source>Address and port of PLUS or another server, and its devices of the left and the right picture</source>
+        <translation>Adresse et port de PLUS ou d&apos;un autre serveur, et ses appareils de l&apos;image gauche et de l&apos;image droite</translation>
     </message>
 </context>
 <context>

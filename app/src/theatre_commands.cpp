@@ -155,14 +155,19 @@ class Corrections {
 
 void follow_film(Session& session, const Arguments& arguments, experiments::TrackRecord& record,
                  FrameTeller& teller) {
-  stereo::StereoVideo video(arguments.path("video"), arguments.path("video-right"));
+  const auto opened =
+      stereo::StereoVideo::open(arguments.path("video"), arguments.path("video-right"), session.context());
+  if (!opened) throw Interrupted();
+  stereo::StereoVideo& video = **opened;
   Corrections corrections(session, arguments.path("correct"), video.frame_count());
+  const double frames = std::max(1, video.frame_count());  // what is live has no count
   for (StereoFrame frame; video.read(frame);) {
-    const OverlayFrame overlay = session.follow(frame, (frame.index + 1.0) / video.frame_count());
+    const OverlayFrame overlay = session.follow(frame, std::min(1.0, (frame.index + 1.0) / frames));
     record.add(frame.index, overlay);
     corrections.after(frame.index, record);
     teller.tell(session.state()[part::live]->overlay);  // as corrected
   }
+  if (session.context().cancelled()) throw Interrupted();
 }
 
 experiments::TrackOutput output_of(const Arguments& arguments, const ModelArgument& argument,

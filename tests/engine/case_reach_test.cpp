@@ -119,9 +119,10 @@ void CaseReachTest::PipesAreNotWaitedFor() {
 
 void CaseReachTest::NetworkSourcesAreNotOpened_data() {
   QTest::addColumn<QString>("left");
-  for (const char* left : {"device:http://192.0.2.1/x", "device:rtsp://192.0.2.1/x", "http://192.0.2.1/x.mkv",
-                           "device:souphttpsrc location=http://192.0.2.1 ! fakesink", "device:/etc/passwd",
-                           "device:file:///etc/passwd", "source.json"})
+  for (const char* left :
+       {"device:http://192.0.2.1/x", "device:rtsp://192.0.2.1/x", "igtl:127.0.0.1:18944/L,R",
+        "http://192.0.2.1/x.mkv", "device:souphttpsrc location=http://192.0.2.1 ! fakesink",
+        "device:/etc/passwd", "device:file:///etc/passwd", "source.json"})
     QTest::newRow(left) << left;
 }
 void CaseReachTest::NetworkSourcesAreNotOpened() {

@@ -3,13 +3,24 @@
 //   openigtlink_peer listen PORT   connects, prints each message as a line, ends when the server closes
 //   openigtlink_peer idle PORT     connects, reads nothing, until its input ends
 //   openigtlink_peer babble PORT   connects, says what is no message, until its input ends
+//   openigtlink_peer serve KIND    prints "port N" and sends to whoever connects, one after the other:
+//   pictures
+//     (frame i: pixel (x, y) is (x + i, y, 200) in red, green, blue, 7 more in the right one; time 1000 + i /
+//     25) and the pose of a tool. KIND: good, grey, skewed, damaged, lying, endless, silent, noise, nan,
+//     brief
 #include <igtlClientSocket.h>
+#include <igtlImageMessage.h>
 #include <igtlMessageHeader.h>
+#include <igtlOSUtil.h>
 #include <igtlPolyDataMessage.h>
+#include <igtlServerSocket.h>
 #include <igtlStatusMessage.h>
 #include <igtlStringMessage.h>
 #include <igtlTransformMessage.h>
+#include <igtl_header.h>
+#include <igtl_util.h>
 
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -113,11 +124,106 @@ int babble(int port) {
   return 0;
 }
 
+constexpr int kWidth = 64, kHeight = 48;
+
+void stamp(igtl::MessageBase* message, const char* name, double seconds) {
+  message->SetDeviceName(name);
+  const auto whole = static_cast<unsigned>(seconds);
+  message->SetTimeStamp(whole, static_cast<unsigned>((seconds - whole) * 4294967296.0));
+}
+
+igtl::ImageMessage::Pointer picture(const char* name, int frame, int more, double seconds, int components) {
+  auto message = igtl::ImageMessage::New();
+  message->SetDimensions(kWidth, kHeight, 1);
+  message->SetSpacing(1, 1, 1);
+  message->SetNumComponents(components);
+  message->SetScalarType(igtl::ImageMessage::TYPE_UINT8);
+  stamp(message, name, seconds);
+  message->AllocateScalars();
+  auto* to = static_cast<unsigned char*>(message->GetScalarPointer());
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const int values[] = {x + frame + more, y + more, 200};
+      for (int c = 0; c < components; ++c) *to++ = static_cast<unsigned char>(values[c]);
+    }
+  message->Pack();
+  return message;
+}
+
+igtl::TransformMessage::Pointer tool(int frame, double seconds, bool is_number) {
+  auto message = igtl::TransformMessage::New();
+  igtl::Matrix4x4 matrix = {
+      {0, -1, 0, 10.0F + static_cast<float>(frame)}, {1, 0, 0, -20}, {0, 0, 1, 120}, {0, 0, 0, 1}};
+  if (!is_number) matrix[0][3] = NAN;
+  message->SetMatrix(matrix);
+  stamp(message, "Tip", seconds);
+  message->Pack();
+  return message;
+}
+
+/// With the header's sum made right again: only what the message says is wrong.
+std::string lied(igtl::ImageMessage::Pointer message, std::size_t at, unsigned char value) {
+  std::string bytes(static_cast<char*>(message->GetPackPointer()),
+                    static_cast<std::size_t>(message->GetPackSize()));
+  bytes[IGTL_HEADER_SIZE + at] = static_cast<char>(value);
+  const igtl_uint64 sum = crc64(reinterpret_cast<unsigned char*>(bytes.data()) + IGTL_HEADER_SIZE,
+                                bytes.size() - IGTL_HEADER_SIZE, 0);
+  for (int i = 0; i < 8; ++i)
+    bytes[50 + static_cast<std::size_t>(i)] = static_cast<char>(sum >> (56 - 8 * i));
+  return bytes;
+}
+
+bool send(igtl::Socket* socket, const std::string& bytes) {
+  return socket->Send(bytes.data(), static_cast<int>(bytes.size())) != 0;
+}
+bool send(igtl::Socket* socket, igtl::MessageBase* message) {
+  return socket->Send(message->GetPackPointer(), message->GetPackSize()) != 0;
+}
+
+/// One frame's messages. @return false: the other end has gone, or it is over.
+bool send_frame(igtl::Socket* socket, const std::string& kind, int frame) {
+  const double seconds = 1000.0 + frame / 25.0;
+  const int components = kind == "grey" ? 1 : 3;
+  auto left = picture("Left", frame, 0, seconds, components);
+  auto right = picture("Right", frame, 7, seconds + (kind == "skewed" ? 0.5 : 0.004), components);
+  if (kind == "silent") return true;
+  if (kind == "noise") return send(socket, std::string(5000, 'x'));
+  if (kind == "damaged") static_cast<char*>(left->GetPackBodyPointer())[500] ^= 1;
+  if (kind == "endless") {  // a header of 99 MB, and nothing behind it
+    std::string bytes(static_cast<char*>(left->GetPackPointer()), IGTL_HEADER_SIZE);
+    bytes.replace(42, 8, std::string("\0\0\0\0\5\xe6\x9e\xc0", 8));
+    return frame > 0 || send(socket, bytes);
+  }
+  if (kind == "lying") {
+    const std::size_t sizes[] = {6, 8, 10, 2, 3, 62, 66};  // sides, slices, components, scalars, its part
+    return send(socket, lied(left, sizes[frame % 7], 0xff)) && send(socket, right) &&
+           send(socket, tool(frame, seconds, true));
+  }
+  if (kind == "brief" && frame == 3) return false;
+  return send(socket, picture("Other", frame, 50, seconds, 3)) && send(socket, left) && send(socket, right) &&
+         send(socket, tool(frame, seconds, kind != "nan"));
+}
+
+int serve(const std::string& kind) {
+  auto server = igtl::ServerSocket::New();
+  if (server->CreateServer(0) != 0) return 3;
+  std::printf("port %d\n", server->GetServerPort());
+  std::fflush(stdout);
+  for (;;) {
+    auto socket = server->WaitForConnection(1000);
+    if (socket.IsNull()) continue;
+    constexpr int kPause = 10;  // milliseconds
+    for (int frame = 0; send_frame(socket, kind, frame); ++frame) igtl::Sleep(kPause);
+    socket->CloseSocket();
+  }
+}
+
 }  // namespace
 
 int main(int count, char** words) {
   if (count < 3) return 2;
   const std::string mode = words[1];
+  if (mode == "serve") return serve(words[2]);
   const int port = std::atoi(words[2]);
   if (mode == "listen") return listen(port);
   if (mode == "idle") return idle(port);

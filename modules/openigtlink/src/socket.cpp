@@ -121,6 +121,20 @@ Descriptor accept_peer(const Descriptor& listener) {
   return peer;
 }
 
+Descriptor begin_to_connect(const Address& address) {
+  const Place place = place_of(address);
+  Descriptor socket = new_socket(place);
+  // What it comes to is told by has_connected().
+  [[maybe_unused]] const int begun = ::connect(socket.number(), place.address(), place.size);
+  return socket;
+}
+
+bool has_connected(const Descriptor& socket) {
+  sockaddr_storage peer = {};
+  socklen_t size = sizeof peer;
+  return ::getpeername(socket.number(), reinterpret_cast<sockaddr*>(&peer), &size) == 0;
+}
+
 Passed send_some(const Descriptor& socket, const char* bytes, std::size_t count) {
   return passed(::send(socket.number(), bytes, count, MSG_NOSIGNAL | MSG_DONTWAIT));
 }

@@ -50,6 +50,10 @@ int port_of(const Descriptor& listener);
 /// The next peer that waits; not open: there is none.
 Descriptor accept_peer(const Descriptor& listener);
 
+/// On its way to a server; has_connected() once it can be written to.
+Descriptor begin_to_connect(const Address& address);
+bool has_connected(const Descriptor& socket);
+
 /// How much went through. `gone`: the other end has closed, or the connection broke.
 struct Passed {
   std::size_t bytes = 0;

@@ -18,6 +18,8 @@ bool is_number(std::string_view text) {
 }  // namespace
 
 bool stays_here(std::string_view source) {
+  // Of this computer, too: a case must not make the program connect.
+  if (is_igtl(source)) return false;
   if (!is_device(source)) return source.find("://") == std::string_view::npos;
   const std::string device = device_of(source);
   constexpr std::string_view kNode = "/dev/video";

@@ -15,7 +15,7 @@ namespace glisson::stereo {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::string_view kDevicePrefix = "device:";
+constexpr std::string_view kDevicePrefix = "device:", kIgtlPrefix = "igtl:";
 
 constexpr const char* kRemedy =
     "Expected {\"left\": \"scope.mkv\", \"layout\": \"side_by_side\" or \"top_bottom\" or "
@@ -41,7 +41,7 @@ class Fields {
     if (!json_.contains(key)) return {};
     if (!json_[key].is_string()) refuse(key, "is no text");
     const std::string text = json_[key].get<std::string>();
-    if (text.empty() || is_device(text) || fs::path(text).is_absolute()) return text;
+    if (text.empty() || is_live(text) || fs::path(text).is_absolute()) return text;
     return (folder_ / text).string();
   }
   bool flag(const char* key) const {
@@ -96,15 +96,26 @@ std::string device_source(std::string_view device) {
   return std::string(kDevicePrefix) + std::string(device);
 }
 
+bool is_igtl(std::string_view source) { return source.starts_with(kIgtlPrefix); }
+
+std::string igtl_source(std::string_view pictures) {
+  return std::string(kIgtlPrefix) + std::string(pictures);
+}
+
+bool is_live(std::string_view source) { return is_device(source) || is_igtl(source); }
+
 void SourceOptions::validate() const {
   const auto refuse = [&](const char* field, const std::string& problem, const char* remedy) {
     throw InputError(left.empty() ? "source" : left, field, problem, remedy);
   };
   if (left.empty()) refuse("left", "is empty", "Name a video, a folder of pictures or a device");
   if ((layout == Layout::separate) == right.empty() &&
-      !(right.empty() && !is_device(left) && fs::is_directory(left)))
+      !(right.empty() && !is_live(left) && fs::is_directory(left)))
     refuse("right", right.empty() ? "is missing" : "is one file too many for this layout",
            "Separate views have a left and a right source, others one");
+  if (is_igtl(right) || (is_igtl(left) && layout != Layout::side_by_side))
+    refuse("layout", "is not that of a server, which sends both views",
+           "Name both devices in one source, as igtl:127.0.0.1:18944/LEFT,RIGHT, without a layout");
   if (crop.x < 0 || crop.y < 0 || crop.width < 0 || crop.height < 0)
     refuse("crop", "has a negative number", "Crop within the picture");
   if (!(pictures_per_second > 0.0) || pictures_per_second > 1000.0)

@@ -10,9 +10,11 @@
 #include "glisson/stereo/picture_pairs.h"
 #include "glisson/stereo/picture_reader.h"
 #include "glisson/stereo/source.h"
+#include "igtl_views.h"
 #include "picture_cv.h"
 #include "size_text.h"
 #include "streams.h"
+#include "views.h"
 
 namespace glisson::stereo {
 namespace fs = std::filesystem;
@@ -32,32 +34,11 @@ std::unique_ptr<PictureStream> open_stream(const std::string& source) {
 }
 
 bool holds_pictures(const std::string& source) {
-  if (is_device(source)) return false;
+  if (is_live(source)) return false;
   std::error_code failure;
   return fs::is_directory(source, failure) || source.find('*') != std::string::npos ||
          source.find('?') != std::string::npos;
 }
-
-/// What gives both views of a moment.
-class Views {
- public:
-  virtual ~Views() = default;
-  /// @return false at the end.
-  virtual bool read(cv::Mat& left, cv::Mat& right) = 0;
-  virtual void rewind() = 0;
-  /// When what was read last came, of a live source.
-  virtual std::optional<double> came() const { return std::nullopt; }
-
-  int width = 0, height = 0, frames = 0, skipped = 0;  ///< of one view
-  double rate = 0.0;
-
- protected:
-  [[noreturn]] static void broken_off(const std::string& name, int read, int of) {
-    throw InputError(name, "",
-                     "breaks off after " + std::to_string(read) + " frames of " + std::to_string(of),
-                     "Copy the video again, or record it anew");
-  }
-};
 
 /// Both views in each picture.
 class OneStream : public Views {
@@ -225,8 +206,10 @@ class PictureFolder : public Views {
   std::size_t next_ = 0;
 };
 
-std::unique_ptr<Views> open_views(const SourceOptions& options) {
+/// Null: cancelled.
+std::unique_ptr<Views> open_views(const SourceOptions& options, const RunContext& context) {
   options.validate();
+  if (is_igtl(options.left)) return IgtlViews::open(options.left, options.largest_skew, context);
   const bool separate = !options.right.empty();
   if (holds_pictures(options.left))
     return std::make_unique<PictureFolder>(
@@ -256,7 +239,7 @@ struct StereoVideo::Impl {
   int next = 0;
   std::optional<double> first;  ///< when a live source's first frame came
 
-  explicit Impl(const SourceOptions& given) : options(given), views(open_views(given)) {
+  Impl(const SourceOptions& given, std::unique_ptr<Views> opened) : options(given), views(std::move(opened)) {
     const Crop& crop = options.crop;
     part = {crop.x, crop.y, crop.width > 0 ? crop.width : views->width - crop.x,
             crop.height > 0 ? crop.height : views->height - crop.y};
@@ -274,10 +257,20 @@ struct StereoVideo::Impl {
   }
 };
 
-StereoVideo::StereoVideo(const SourceOptions& options) : impl_(std::make_unique<Impl>(options)) {}
+StereoVideo::StereoVideo(const SourceOptions& options)
+    : impl_(std::make_unique<Impl>(options, open_views(options, RunContext()))) {}
 StereoVideo::StereoVideo(const fs::path& left, const fs::path& right)
     : StereoVideo(options_of(left, right)) {}
+StereoVideo::StereoVideo(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 StereoVideo::~StereoVideo() = default;
+
+Cancellable<std::unique_ptr<StereoVideo>> StereoVideo::open(const fs::path& left, const fs::path& right,
+                                                            const RunContext& context) {
+  const SourceOptions options = options_of(left, right);
+  std::unique_ptr<Views> views = open_views(options, context);
+  if (!views) return {};
+  return std::unique_ptr<StereoVideo>(new StereoVideo(std::make_unique<Impl>(options, std::move(views))));
+}
 
 int StereoVideo::width() const { return impl_->part.width; }
 int StereoVideo::height() const { return impl_->part.height; }

@@ -32,6 +32,13 @@ const std::vector<const char*>& known_problems() {
       QT_TRANSLATE_NOOP("ErrorPhrases", "is used by another program"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "cannot be listened at (%1)"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is no numeric address"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "no server of OpenIGTLink answers"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "sends what is no message of OpenIGTLink"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "send no pictures of 8 bits that can be used"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "send no pairs within %1 ms of each other"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "has closed before a picture came"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "is empty or longer than 20 letters"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "is the same for both views"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is no number from 0 to 65535"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is missing"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "are missing"),
@@ -215,6 +222,13 @@ const std::vector<const char*>& known_problems() {
 
 const std::vector<const char*>& known_remedies() {
   static const std::vector<const char*> kPhrases = {
+      QT_TRANSLATE_NOOP("ErrorPhrases", "Start it, and check its address and port"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "Start the server again"),
+      QT_TRANSLATE_NOOP("ErrorPhrases",
+                        "Check that this is the port of PLUS, or of another server of OpenIGTLink"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "Check the names of the two devices, and that they are on"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "Give HOST:PORT/LEFT,RIGHT with the names of the two devices"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "Give HOST:PORT/NAME with the name of the tool's transform"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Close that program, or give another port"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Give an address of this computer, and a port above 1023"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Give ADDRESS:PORT with a numeric address, as 127.0.0.1:18944"),

@@ -73,7 +73,12 @@ std::optional<VideoFeed::Clock::time_point> VideoFeed::sent_at(int index) const 
 
 void VideoFeed::play(const std::stop_token& stop, const engine::VideoSource& source, int first) {
   try {
-    stereo::StereoVideo video(source.left, source.right);
+    // A live source may keep one waiting.
+    const auto cancel = std::make_shared<CancelFlag>();
+    const std::stop_callback ask(stop, [cancel] { cancel->request(); });
+    const auto opened = stereo::StereoVideo::open(source.left, source.right, RunContext({}, cancel, 1));
+    if (!opened) return;
+    stereo::StereoVideo& video = **opened;
     const double rate = video.frames_per_second() > 0.0 ? video.frames_per_second() : 30.0;
     rate_ = rate;
     StereoFrame frame;

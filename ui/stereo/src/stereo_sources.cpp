@@ -2,6 +2,7 @@
 // Where the panel's pictures come from: the dialogs.
 #include <QFileDialog>
 #include <QInputDialog>
+#include <QLineEdit>
 #include <QMenu>
 #include <QMessageBox>
 
@@ -31,6 +32,7 @@ void StereoPanel::fill_source_menu(QMenu* menu) {
   menu->addAction(tr("Two videos…"), this, &StereoPanel::open_two_videos);
   menu->addAction(tr("Folder of pairs…"), this, &StereoPanel::open_folder);
   menu->addAction(tr("Live device…"), this, &StereoPanel::open_device);
+  menu->addAction(tr("OpenIGTLink server…"), this, &StereoPanel::open_server);
   menu->addSeparator();
   menu->addAction(tr("Other arrangement…"), this, &StereoPanel::describe_source);
 }
@@ -106,6 +108,15 @@ void StereoPanel::open_device() {
   const int number =
       QInputDialog::getInt(this, tr("Live device"), tr("Number of the video device"), 0, 0, 63, 1, &chosen);
   if (chosen) open_source({stereo::device_source(std::to_string(number)), {}});
+}
+
+void StereoPanel::open_server() {
+  bool chosen = false;
+  const QString text = QInputDialog::getText(
+      this, tr("OpenIGTLink server"),
+      tr("Address and port of PLUS or another server, and its devices of the left and the right picture"),
+      QLineEdit::Normal, QStringLiteral("127.0.0.1:18944/Left,Right"), &chosen);
+  if (chosen) open_source({stereo::igtl_source(text.trimmed().toStdString()), {}});
 }
 
 void StereoPanel::describe_source() {

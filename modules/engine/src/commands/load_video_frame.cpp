@@ -20,12 +20,15 @@ CommandTraits LoadVideoFrame::traits() const {
 
 Cancellable<Applied> LoadVideoFrame::apply(const CaseState& state, const RunContext& context) const {
   const VideoSource& source = *state[part::video];
-  stereo::StereoVideo video(source.left, source.right);
+  const auto video = stereo::StereoVideo::open(source.left, source.right, context);
+  if (!video) return {};
   StereoInput input;
   if (!mask.empty()) input.mask = stereo::read_picture(mask);
   for (int i = 0; i <= index; ++i) {
     if (context.cancelled()) return {};
-    if (!video.read(input.frame))
+    const bool is_there = (*video)->read(input.frame);
+    if (context.cancelled()) return {};
+    if (!is_there)
       throw InputError(source.left.string(), "frame " + std::to_string(index),
                        "the video has only " + std::to_string(i) + " frames", "Choose an earlier frame");
     context.progress(static_cast<double>(i + 1) / (index + 1), "video.seek");

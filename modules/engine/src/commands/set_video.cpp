@@ -10,12 +10,13 @@ CommandTraits SetVideo::traits() const {
   return {.code = "set_video", .writes = {part::video}, .lane = Lane::edits, .notice = Notice::files};
 }
 
-Cancellable<Applied> SetVideo::apply(const CaseState& state, const RunContext&) const {
-  const stereo::StereoVideo video(left, right);  // refused here, not at the first frame
+Cancellable<Applied> SetVideo::apply(const CaseState& state, const RunContext& context) const {
+  const auto video = stereo::StereoVideo::open(left, right, context);  // refused here, not at the first frame
+  if (!video) return {};
   Applied applied{state};
   applied.state[part::video] = std::make_shared<const VideoSource>(VideoSource{left, right});
-  applied.figures["video_frames"] = video.frame_count();
-  applied.figures["video_frames_per_second"] = video.frames_per_second();
+  applied.figures["video_frames"] = (*video)->frame_count();
+  applied.figures["video_frames_per_second"] = (*video)->frames_per_second();
   return applied;
 }
 

@@ -18,7 +18,7 @@ using nlohmann::json;
 /// can move.
 std::string place_of(const fs::path& video, const fs::path& home) {
   if (video.empty()) return {};
-  if (stereo::is_device(video.string())) return video.string();
+  if (stereo::is_live(video.string())) return video.string();
   const fs::path relative = fs::absolute(video).lexically_normal().lexically_relative(home);
   const bool beside = !relative.empty() && relative.begin() != relative.end() &&
                       std::next(relative.begin()) != relative.end() && *std::next(relative.begin()) != "..";
@@ -50,7 +50,7 @@ bool stays_here(const VideoSource& video) {
 void load(CaseState& state, const json& entry, const CaseFolder& folder) {
   const auto place = [&](const char* side) {
     const fs::path video = entry.at(side).get<std::string>();
-    return video.empty() || video.is_absolute() || stereo::is_device(video.string())
+    return video.empty() || video.is_absolute() || stereo::is_live(video.string())
                ? video
                : (folder.home / video).lexically_normal();
   };
@@ -68,7 +68,7 @@ void load(CaseState& state, const json& entry, const CaseFolder& folder) {
 }
 
 bool same_place(const fs::path& a, const fs::path& b) {
-  if (a.empty() || b.empty() || stereo::is_device(a.string())) return a == b;
+  if (a.empty() || b.empty() || stereo::is_live(a.string())) return a == b;
   return fs::absolute(a).lexically_normal() == fs::absolute(b).lexically_normal();
 }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "glisson/core/run_context.h"
 #include "glisson/patient/picture.h"
 #include "glisson/stereo/source.h"
 
@@ -15,17 +16,23 @@ Picture read_picture(const std::filesystem::path& path);
 void write_picture(const std::filesystem::path& path, const Picture& picture);
 
 /// The reader of every source of stereo frames: videos (side by side, top and bottom, interleaved rows, two
-/// files), folders of picture pairs, live devices. The views of separate sources are matched by time: what
-/// has no partner within the largest skew is passed over (skipped()).
+/// files), folders of picture pairs, live devices, servers of OpenIGTLink. The views of separate sources are
+/// matched by time: what has no partner within the largest skew is passed over (skipped()).
 class StereoVideo {
  public:
   /// @throws FileError; InputError what cannot be read, sources that do not belong together (size, rate).
   explicit StereoVideo(const SourceOptions& options);
-  /// @param left a video, a folder of picture pairs, "device:0", or a description of a source (.json, see
+  /// @param left a video, a folder of picture pairs, "device:0", "igtl:HOST:PORT/LEFT,RIGHT", or a
+  /// description of a source (.json, see
   ///   read_source).
   /// @param right empty: `left` holds both views (a video: side by side).
   explicit StereoVideo(const std::filesystem::path& left, const std::filesystem::path& right = {});
   ~StereoVideo();
+  /// As the constructors. A server of a network may keep one waiting: opening and reading end when the
+  /// context is cancelled (within 50 ms); empty then, as read() is at its end.
+  static Cancellable<std::unique_ptr<StereoVideo>> open(const std::filesystem::path& left,
+                                                        const std::filesystem::path& right,
+                                                        const RunContext& context);
   int width() const;  ///< of one view, as it is given out
   int height() const;
   int whole_width() const;  ///< of one view before it is cropped
@@ -41,6 +48,7 @@ class StereoVideo {
 
  private:
   struct Impl;
+  explicit StereoVideo(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;
 };
 

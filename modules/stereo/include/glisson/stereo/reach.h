@@ -10,7 +10,7 @@
 namespace glisson::stereo {
 
 /// Whether a source is a file, or a camera of this computer ("device:0", "device:/dev/video2"). Streams of a
-/// network and pipelines of GStreamer, which can do anything, are not.
+/// network, servers of OpenIGTLink and pipelines of GStreamer, which can do anything, are not.
 bool stays_here(std::string_view source);
 
 /// @throws InputError an address ("SCHEME://...") of another kind than rtsp, rtsps, rtp, srt, udp, http,

@@ -28,7 +28,8 @@ struct Crop {
 /// Where stereo frames come from: see StereoVideo in picture_io.h, the reader of them all.
 struct SourceOptions {
   /// A video file; a folder of picture pairs, or one side's pictures (see picture_pairs.h); a live device
-  /// ("device:0", or what OpenCV opens by name: "device:/dev/video2", "device:" and a GStreamer pipeline).
+  /// ("device:0", or what OpenCV opens by name: "device:/dev/video2", "device:" and a GStreamer pipeline); a
+  /// server of OpenIGTLink and its devices of the two views ("igtl:192.168.1.20:18944/Left,Right").
   std::string left;
   std::string right;  ///< the other side's; empty unless the layout is separate
   Layout layout = Layout::side_by_side;
@@ -47,6 +48,12 @@ bool is_device(std::string_view source);
 /// The device in such a name ("0"), and the name for a device. @pre is_device(source).
 std::string device_of(std::string_view source);
 std::string device_source(std::string_view device);
+/// Whether a source's name is that of a server of OpenIGTLink ("igtl:HOST:PORT/LEFT,RIGHT"), and the name for
+/// what follows the colon.
+bool is_igtl(std::string_view source);
+std::string igtl_source(std::string_view pictures);
+/// Either: no file, and without an end.
+bool is_live(std::string_view source);
 
 /// JSON {"left": "scope.mkv", "layout": "top_bottom", "deinterlace": true, "crop": [0, 4, 0, 532], ...};
 /// paths in it are relative to its folder. Wherever a stereo video can be named, such a file can.

@@ -52,6 +52,7 @@ class StereoPanel : public Panel {
   void open_two_videos();
   void open_folder();
   void open_device();
+  void open_server();
   void describe_source();
   void take_outcome(const engine::Outcome& outcome);
   void choose(const std::optional<RegionDrawing::Tool>& tool);

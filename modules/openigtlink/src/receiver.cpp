@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/openigtlink/receiver.h"
+
+#include <poll.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "glisson/core/error.h"
+#include "incoming.h"
+#include "messages.h"
+#include "socket.h"
+
+namespace glisson::openigtlink {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point moment) {
+  return std::chrono::duration<double>(Clock::now() - moment).count();
+}
+
+/// One view as it came.
+struct View {
+  Picture picture;
+  double seconds = 0.0;
+  bool is_new = false;  ///< in no pair yet
+};
+
+void require_names(std::string_view text, std::initializer_list<std::string> names, const char* form) {
+  for (const std::string& name : names)
+    if (name.empty() || name.size() > kLongestName || name.find_first_of(",/") != std::string::npos)
+      throw InputError(std::string(text.substr(0, 80)), "name", "is empty or longer than 20 letters", form);
+}
+
+}  // namespace
+
+void ReceiverOptions::validate() const {
+  const OptionCheck demand("receiver options");
+  demand(address.port > 0, "port", address.port, "Give the server's port, as 18944");
+  demand(largest_skew > 0.0 && largest_skew <= 1.0, "largest_skew", largest_skew, "Give up to a second");
+  demand(patience > 0.0 && patience <= 60.0, "patience", patience, "Give up to 60 seconds");
+}
+
+ReceiverOptions parse_pictures(std::string_view text) {
+  constexpr const char* kForm = "Give HOST:PORT/LEFT,RIGHT with the names of the two devices";
+  const std::size_t slash = text.find('/'), comma = text.find(',', slash == text.npos ? 0 : slash);
+  ReceiverOptions options;
+  if (slash != text.npos && comma != text.npos) {
+    options.left = text.substr(slash + 1, comma - slash - 1);
+    options.right = text.substr(comma + 1);
+  }
+  require_names(text, {options.left, options.right}, kForm);
+  if (options.left == options.right)
+    throw InputError(std::string(text.substr(0, 80)), "name", "is the same for both views", kForm);
+  options.address = parse_address(text.substr(0, slash));
+  return options;
+}
+
+ReceiverOptions parse_tool(std::string_view text) {
+  const std::size_t slash = text.find('/');
+  ReceiverOptions options;
+  if (slash != text.npos) options.tool = text.substr(slash + 1);
+  require_names(text, {options.tool}, "Give HOST:PORT/NAME with the name of the tool's transform");
+  options.address = parse_address(text.substr(0, slash));
+  return options;
+}
+
+struct Receiver::Impl {
+  explicit Impl(const ReceiverOptions& given)
+      : options(given),
+        messages([this](const Head& head) { return wants(head); },
+                 [this](const Head& head, std::string_view content) { take(head, content); }) {}
+
+  ReceiverOptions options;
+  Bell bell;
+
+  mutable std::mutex mutex;  // guards what follows, up to the thread's own
+  std::condition_variable changed;
+  Connection connection = Connection::waiting;
+  std::optional<InputError> problem;
+  std::optional<ReceivedPair> pair;  // newest wins
+  std::optional<ReceivedTool> tool;
+  Clock::time_point tool_came = {}, heard = Clock::now();
+  int passed_over = 0, damaged = 0;
+  bool has_views = false;  // a picture of either view has come
+
+  // Of the thread only.
+  Messages messages;
+  View left, right;
+  double last = 0.0;  // seconds of the last pair
+  std::jthread thread;
+
+  void serve(const std::stop_token& stop) {
+    try {
+      const Descriptor socket = connect(stop);
+      if (!socket.is_open()) return;
+      set(Connection::connected);
+      listen(socket, stop);
+    } catch (const InputError& failure) {
+      fail(failure);
+    } catch (const std::exception&) {
+      fail(InputError(options.address.text(), "", "cannot be read", "Connect again"));
+    }
+  }
+
+  void set(Connection to) {
+    {
+      const std::scoped_lock lock(mutex);
+      connection = to;
+      heard = Clock::now();
+    }
+    changed.notify_all();
+  }
+
+  void fail(const InputError& why) {
+    {
+      const std::scoped_lock lock(mutex);
+      connection = Connection::failed;
+      problem = why;
+    }
+    changed.notify_all();
+  }
+
+  InputError no_answer() const {
+    return {options.address.text(), "", "no server of OpenIGTLink answers",
+            "Start it, and check its address and port"};
+  }
+
+  /// Not open: it is to stop.
+  Descriptor connect(const std::stop_token& stop) {
+    constexpr int kTick = 100;  // milliseconds
+    Descriptor socket = begin_to_connect(options.address);
+    for (const Clock::time_point begin = Clock::now(); !stop.stop_requested();) {
+      pollfd watched[] = {{bell.number(), POLLIN, 0}, {socket.number(), POLLOUT, 0}};
+      ::poll(watched, 2, kTick);
+      if (watched[1].revents != 0) {
+        if (!has_connected(socket)) throw no_answer();
+        return socket;
+      }
+      if (seconds_since(begin) > options.patience) throw no_answer();
+    }
+    return {};
+  }
+
+  void listen(const Descriptor& socket, const std::stop_token& stop) {
+    constexpr int kTick = 100;  // milliseconds
+    std::vector<char> buffer(256 * 1024);
+    while (!stop.stop_requested()) {
+      pollfd watched[] = {{bell.number(), POLLIN, 0}, {socket.number(), POLLIN, 0}};
+      ::poll(watched, 2, kTick);
+      const Passed passed = receive_some(socket, buffer.data(), buffer.size());
+      if (passed.gone) return set(Connection::ended);
+      if (passed.bytes > 0 && !messages.feed({buffer.data(), passed.bytes}))
+        throw InputError(options.address.text(), "", "sends what is no message of OpenIGTLink",
+                         "Check that this is the port of PLUS, or of another server of OpenIGTLink");
+      const std::scoped_lock lock(mutex);
+      damaged = messages.damaged();
+    }
+  }
+
+  bool wants(const Head& head) const {
+    if (head.type == "IMAGE")
+      return !options.left.empty() && (head.device == options.left || head.device == options.right);
+    return head.type == "TRANSFORM" && !options.tool.empty() && head.device == options.tool;
+  }
+
+  void take(const Head& head, std::string_view content) {
+    if (head.type == "TRANSFORM") return take_tool(head, content);
+    std::optional<Picture> picture = picture_in(content);
+    // Names alone tell the views apart: one device for both would pair with itself.
+    View& view = head.device == options.left ? left : right;
+    const double seconds = head.seconds > 0.0 ? head.seconds : now();
+    if (!picture || (view.is_new && seconds <= view.seconds)) return pass_over();
+    view = {std::move(*picture), seconds, true};
+    {
+      const std::scoped_lock lock(mutex);
+      has_views = true;
+    }
+    make_pair();
+  }
+
+  void take_tool(const Head& head, std::string_view content) {
+    const auto pose = pose_in(content);
+    if (!pose) return pass_over();
+    const std::scoped_lock lock(mutex);
+    tool = ReceivedTool{*pose, head.seconds, 0.0};
+    tool_came = Clock::now();
+  }
+
+  static double now() { return std::chrono::duration<double>(Clock::now().time_since_epoch()).count(); }
+
+  void pass_over() {
+    const std::scoped_lock lock(mutex);
+    ++passed_over;
+  }
+
+  void make_pair() {
+    if (!left.is_new || !right.is_new || std::abs(left.seconds - right.seconds) > options.largest_skew)
+      return;
+    left.is_new = right.is_new = false;
+    const bool is_one_size =
+        left.picture.width == right.picture.width && left.picture.height == right.picture.height;
+    if (!is_one_size || left.seconds <= last) return pass_over();
+    last = left.seconds;
+    {
+      const std::scoped_lock lock(mutex);
+      passed_over += pair.has_value();
+      pair = ReceivedPair{left.picture, right.picture, left.seconds};
+      heard = Clock::now();
+    }
+    changed.notify_all();
+  }
+
+  /// Why no pair has come for too long.
+  InputError silence() const {
+    const std::string names = options.left + " and " + options.right;
+    if (connection == Connection::waiting) return no_answer();
+    if (has_views)
+      return {options.address.text(), names,
+              "send no pairs within " + std::to_string(std::lround(1e3 * options.largest_skew)) +
+                  " ms of each other",
+              "Record both views at once, from one trigger"};
+    return {options.address.text(), names, "send no pictures of 8 bits that can be used",
+            "Check the names of the two devices, and that they are on"};
+  }
+};
+
+Receiver::Receiver(const ReceiverOptions& options) {
+  options.validate();
+  impl_ = std::make_unique<Impl>(options);
+  impl_->thread = std::jthread([impl = impl_.get()](const std::stop_token& stop) { impl->serve(stop); });
+}
+
+Receiver::~Receiver() {
+  impl_->thread.request_stop();
+  impl_->bell.ring();
+}
+
+std::optional<ReceivedPair> Receiver::next_pair(const RunContext& context) {
+  constexpr auto kLook = std::chrono::milliseconds(50);
+  std::unique_lock lock(impl_->mutex);
+  const Clock::time_point begin = Clock::now();
+  while (!impl_->pair || context.cancelled()) {
+    if (context.cancelled() || impl_->connection == Connection::ended) return {};
+    if (impl_->problem) throw InputError(*impl_->problem);
+    if (seconds_since(std::max(begin, impl_->heard)) > impl_->options.patience) throw impl_->silence();
+    impl_->changed.wait_for(lock, kLook);
+  }
+  return std::exchange(impl_->pair, std::nullopt);
+}
+
+std::optional<ReceivedTool> Receiver::tool() const {
+  const std::scoped_lock lock(impl_->mutex);
+  std::optional<ReceivedTool> found = impl_->tool;
+  if (found) found->age = seconds_since(impl_->tool_came);
+  return found;
+}
+
+Connection Receiver::connection() const {
+  const std::scoped_lock lock(impl_->mutex);
+  return impl_->connection;
+}
+
+std::string Receiver::problem() const {
+  const std::scoped_lock lock(impl_->mutex);
+  return impl_->problem ? impl_->problem->what() : "";
+}
+
+int Receiver::passed_over() const {
+  const std::scoped_lock lock(impl_->mutex);
+  return impl_->passed_over + impl_->damaged;
+}
+
+}  // namespace glisson::openigtlink
