@@ -7369,6 +7369,60 @@
     </message>
 </context>
 <context>
+    <name>glisson::ui::ToolBox</name>
+    <message>
+        <source>Take a tool&apos;s tip from a server</source>
+        <translation>Die Spitze eines Werkzeugs von einem Server nehmen</translation>
+    </message>
+    <message>
+        <source>While the tip is within 5 mm of the organ&apos;s surface it marks the place there.</source>
+        <translation>Solange die Spitze höchstens 5 mm von der Organoberfläche entfernt ist, markiert sie dort die Stelle.</translation>
+    </message>
+    <message>
+        <source>Address and port, and the name of the transform from the tool&apos;s tip to the left camera.</source>
+        <translation>Adresse und Port sowie der Name der Transformation von der Werkzeugspitze zur linken Kamera.</translation>
+    </message>
+    <message>
+        <source>Server and tool</source>
+        <translation>Server und Werkzeug</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::ToolModel</name>
+    <message>
+        <source>The server has closed the connection.</source>
+        <translation>Der Server hat die Verbindung geschlossen.</translation>
+    </message>
+    <message>
+        <source>Connecting…</source>
+        <translation>Verbindung wird aufgebaut …</translation>
+    </message>
+    <message>
+        <source>The tool&apos;s pose is %1 s old: it is not used.</source>
+        <translation>Die Lage des Werkzeugs ist %1 s alt: sie wird nicht verwendet.</translation>
+    </message>
+    <message>
+        <source>Connected; no pose of this tool has come.</source>
+        <translation>Verbunden; es ist keine Lage dieses Werkzeugs gekommen.</translation>
+    </message>
+    <message>
+        <source>The tool&apos;s pose comes in; the organ is not followed just now.</source>
+        <translation>Die Lage des Werkzeugs kommt an; das Organ wird gerade nicht verfolgt.</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Tip to the organ&apos;s surface: %1</source>
+        <translation>Spitze zur Organoberfläche: %1</translation>
+    </message>
+    <message>
+        <source>Tip to %1: %2</source>
+        <translation>Spitze zu %1: %2</translation>
+    </message>
+</context>
+<context>
     <name>glisson::ui::ToolPages</name>
     <message>
         <source>Diameter</source>

@@ -7369,6 +7369,60 @@
     </message>
 </context>
 <context>
+    <name>glisson::ui::ToolBox</name>
+    <message>
+        <source>Take a tool&apos;s tip from a server</source>
+        <translation>Prendre la pointe d&apos;un outil d&apos;un serveur</translation>
+    </message>
+    <message>
+        <source>While the tip is within 5 mm of the organ&apos;s surface it marks the place there.</source>
+        <translation>Tant que la pointe est à moins de 5 mm de la surface de l&apos;organe, elle y marque l&apos;endroit.</translation>
+    </message>
+    <message>
+        <source>Address and port, and the name of the transform from the tool&apos;s tip to the left camera.</source>
+        <translation>Adresse et port, et nom de la transformation de la pointe de l&apos;outil vers la caméra gauche.</translation>
+    </message>
+    <message>
+        <source>Server and tool</source>
+        <translation>Serveur et outil</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::ToolModel</name>
+    <message>
+        <source>The server has closed the connection.</source>
+        <translation>Le serveur a fermé la connexion.</translation>
+    </message>
+    <message>
+        <source>Connecting…</source>
+        <translation>Connexion…</translation>
+    </message>
+    <message>
+        <source>The tool&apos;s pose is %1 s old: it is not used.</source>
+        <translation>La pose de l&apos;outil date de %1 s : elle n&apos;est pas utilisée.</translation>
+    </message>
+    <message>
+        <source>Connected; no pose of this tool has come.</source>
+        <translation>Connecté ; aucune pose de cet outil n&apos;est arrivée.</translation>
+    </message>
+    <message>
+        <source>The tool&apos;s pose comes in; the organ is not followed just now.</source>
+        <translation>La pose de l&apos;outil arrive ; l&apos;organe n&apos;est pas suivi en ce moment.</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Tip to the organ&apos;s surface: %1</source>
+        <translation>De la pointe à la surface de l&apos;organe : %1</translation>
+    </message>
+    <message>
+        <source>Tip to %1: %2</source>
+        <translation>De la pointe à %1 : %2</translation>
+    </message>
+</context>
+<context>
     <name>glisson::ui::ToolPages</name>
     <message>
         <source>Diameter</source>

@@ -161,6 +161,16 @@ igtl::TransformMessage::Pointer tool(int frame, double seconds, bool is_number) 
   return message;
 }
 
+igtl::TransformMessage::Pointer still_tool(const std::string& kind, double seconds) {
+  auto message = igtl::TransformMessage::New();
+  igtl::Matrix4x4 matrix = {{1, 0, 0, 10}, {0, 1, 0, -20}, {0, 0, 1, 0}, {0, 0, 0, 1}};
+  matrix[2][3] = static_cast<float>(std::atof(kind.c_str() + 1));
+  message->SetMatrix(matrix);
+  stamp(message, "Tip", seconds);
+  message->Pack();
+  return message;
+}
+
 /// With the header's sum made right again: only what the message says is wrong.
 std::string lied(igtl::ImageMessage::Pointer message, std::size_t at, unsigned char value) {
   std::string bytes(static_cast<char*>(message->GetPackPointer()),
@@ -201,7 +211,7 @@ bool send_frame(igtl::Socket* socket, const std::string& kind, int frame) {
   }
   if (kind == "brief" && frame == 3) return false;
   return send(socket, picture("Other", frame, 50, seconds, 3)) && send(socket, left) && send(socket, right) &&
-         send(socket, tool(frame, seconds, kind != "nan"));
+         send(socket, kind[0] == 'z' ? still_tool(kind, seconds) : tool(frame, seconds, kind != "nan"));
 }
 
 int serve(const std::string& kind) {

@@ -13,6 +13,7 @@
 #include "glisson/ui/guidance/playback_box.h"
 #include "glisson/ui/guidance/recording_box.h"
 #include "glisson/ui/guidance/registration_box.h"
+#include "glisson/ui/guidance/tool_box.h"
 
 namespace glisson::ui {
 
@@ -27,6 +28,7 @@ GuidancePanel::GuidancePanel(EngineBridge& engine, DrawableSource& drawables, QW
       recording_(worker_, playback_, correction_),
       live_(engine, drawables, playback_, review_, worker_),
       openigtlink_(engine, drawables),
+      tool_(engine, drawables, live_),
       view_(new GuidanceView(new LiveView(live_, review_, correction_),
                              new OrganView(engine, drawables, registration_))) {
   setObjectName(QStringLiteral("guidance_panel"));
@@ -47,8 +49,10 @@ GuidancePanel::GuidancePanel(EngineBridge& engine, DrawableSource& drawables, QW
   couplings_.add(live_.figures, [figures](const FigureRows& rows) { figures->set_rows(rows); });
   live->addWidget(new LesionBox(live_, this));
   add_section(tr("Overlay"))->addWidget(new LookBox(live_, this));
-  add_section(tr("Other programs"), tr("3D Slicer, CustusX or PLUS may follow what is tracked here."))
-      ->addWidget(new OpenIgtLinkBox(openigtlink_, this));
+  QVBoxLayout* others =
+      add_section(tr("Other programs"), tr("3D Slicer, CustusX or PLUS may follow what is tracked here."));
+  others->addWidget(new OpenIgtLinkBox(openigtlink_, this));
+  others->addWidget(new ToolBox(tool_, this));
   watch(part::registration);
 
   auto* picture = view_->findChild<LivePicture*>();

@@ -277,6 +277,12 @@ void LiveViewModel::mark_at(const Eigen::Vector2d& pixel) {
   redraw();
 }
 
+void LiveViewModel::touch(const std::optional<guidance::SurfacePlace>& place) {
+  if (!place && !is_touched_) return;
+  is_touched_ = place.has_value();
+  interest_.place = place;  // drawn with the next live picture
+}
+
 void LiveViewModel::point_at(const std::optional<Eigen::Vector2d>& pixel) {
   interest_.pointer = pixel;
   if (style_.look == scene::Look::focus) redraw();

@@ -16,6 +16,7 @@
 #include "glisson/ui/guidance/recording_model.h"
 #include "glisson/ui/guidance/registration_model.h"
 #include "glisson/ui/guidance/review_model.h"
+#include "glisson/ui/guidance/tool_model.h"
 
 namespace glisson::ui {
 
@@ -47,6 +48,7 @@ class GuidancePanel : public Panel {
   RecordingModel recording_;
   LiveViewModel live_;
   OpenIgtLinkModel openigtlink_;
+  ToolModel tool_;
   Couplings couplings_;
   QPointer<GuidanceView> view_;  ///< belongs to whoever hosts it
 };

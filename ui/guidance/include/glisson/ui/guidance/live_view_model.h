@@ -37,6 +37,9 @@ class LiveViewModel : public QObject {
   /// Marks the place of the organ's surface at a pixel, where a tool touches it, say; beside the organ: takes
   /// the mark away. Where there is one lesion only it is chosen.
   void mark_at(const Eigen::Vector2d& pixel);
+  /// Marks a place that a tracked tool touches; empty: it has let go, and its mark goes. What a hand has
+  /// marked stays until a tool touches.
+  void touch(const std::optional<guidance::SurfacePlace>& place);
   /// Where the pointer is on the picture; empty: elsewhere. The focus follows it.
   void point_at(const std::optional<Eigen::Vector2d>& pixel);
   /// Neither a lesion nor a mark.
@@ -114,7 +117,7 @@ class LiveViewModel : public QObject {
   std::deque<qint64> painted_at_;  ///< milliseconds
   double last_age_ = 0.0;
   int pictures_shown_ = 0;
-  bool was_tracking_ = false, shows_refuted_ = false;
+  bool was_tracking_ = false, shows_refuted_ = false, is_touched_ = false;
   std::optional<Proposed> proposed_;
   std::optional<OverlayJob> job_;       ///< the last one
   std::optional<OverlayJob> live_job_;  ///< the last one of a live picture

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A tracked tool from a server made with the library, while the organ is followed. The organ's near face lies
+// at 110 mm, the tip over its middle.
+#include <QCheckBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QtTest>
+
+#include "../openigtlink/peer_process.h"
+#include "fake_operation.h"
+#include "glisson/engine/commands/register.h"
+#include "glisson/ui/common/task_button.h"
+#include "glisson/ui/guidance/tool_box.h"
+#include "live_part.h"
+#include "run_in_window.h"
+
+namespace glisson {
+
+class ToolBoxTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void init();
+  void cleanup();
+  void ItIsOff();
+  void DistancesAreTold();
+  void TipThatTouchesMarksThePlace();
+  void WithdrawnOrgansAreNotMeasured();
+  void WhatGoesWrongIsSaid();
+
+ private:
+  template <class Widget>
+  Widget* part_of_box(const char* name) const {
+    return box_->findChild<Widget*>(QString::fromLatin1(name));
+  }
+  QCheckBox* on() const { return part_of_box<QCheckBox>("tool_on"); }
+  QString said() const { return part_of_box<QLabel>("tool_said")->text(); }
+  void switch_on(const QString& address) {
+    part_of_box<QLineEdit>("tool_address")->setText(address);
+    on()->click();
+  }
+  /// The tool at 10, -20, z mm in the left camera's frame.
+  void serve(const QString& kind) {
+    server_ = std::make_unique<PeerProcess>(QStringList{"serve", kind});
+    const Words words = server_->wait_for([](const Words& line) { return line.value(0) == "port"; });
+    switch_on(QStringLiteral("127.0.0.1:%1/Tip").arg(words.value(1)));
+  }
+  void track() {
+    for (const engine::Command& step : operation_->steps_to_cloud(folder_->path() / "scope.mkv", 60))
+      engine_->post(step);
+    engine_->post(engine::Register{});
+    QVERIFY(
+        QTest::qWaitFor([this] { return engine_->tasks().empty() && live_->drawables.drawable(); }, 20000));
+    live_->playback.repeats = true;
+    live_->playing.findChild<ui::TaskButton*>("start_tracking")->trigger();
+    QTRY_VERIFY(live_->playback.is_playing);
+    live_->live.choose(structure::kFirstLesion);
+  }
+  /// Millimetres after these words in what is said; -1: they are not there.
+  double told(const QString& words) const {
+    const auto found = QRegularExpression(words + ": ([0-9.]+) mm").match(said());
+    return found.hasMatch() ? found.captured(1).toDouble() : -1.0;
+  }
+  bool is_place_told() const {
+    const auto rows = live_->live.numbers.value();
+    return std::any_of(rows.begin(), rows.end(), [](const auto& row) { return row.first.contains("mark"); });
+  }
+
+  std::unique_ptr<TemporaryFolder> folder_;
+  std::unique_ptr<FakeOperation> operation_;
+  std::unique_ptr<ui::EngineBridge> engine_;
+  std::unique_ptr<LivePart> live_;
+  std::unique_ptr<PeerProcess> server_;
+  std::unique_ptr<ui::ToolModel> model_;
+  std::unique_ptr<ui::ToolBox> box_;
+};
+
+void ToolBoxTest::init() {
+  folder_ = std::make_unique<TemporaryFolder>();
+  operation_ = std::make_unique<FakeOperation>();
+  make_box_operation(*operation_);
+  engine_ = std::make_unique<ui::EngineBridge>(operation_->options());
+  live_ = std::make_unique<LivePart>(*engine_);
+  model_ = std::make_unique<ui::ToolModel>(*engine_, live_->drawables, live_->live);
+  box_ = std::make_unique<ui::ToolBox>(*model_);
+}
+
+void ToolBoxTest::cleanup() {
+  box_.reset();
+  model_.reset();
+  server_.reset();
+  live_.reset();
+  engine_.reset();
+  operation_.reset();
+  folder_.reset();
+}
+
+void ToolBoxTest::ItIsOff() {
+  QVERIFY(!on()->isChecked() && !model_->is_on);
+  QCOMPARE(said(), QString());
+}
+
+void ToolBoxTest::DistancesAreTold() {
+  track();
+  serve("z100");
+  QTRY_VERIFY2(told("surface") > 0.0, qPrintable(said()));
+  QVERIFY2(std::abs(told("surface") - 10.0) < 1.5, qPrintable(said()));
+  QTRY_VERIFY2(told("Tip to [^:]*1") > told("surface"), qPrintable(said()));
+  QVERIFY(!is_place_told());  // it does not touch
+}
+
+void ToolBoxTest::TipThatTouchesMarksThePlace() {
+  track();
+  serve("z107");
+  QTRY_VERIFY2(is_place_told(), qPrintable(said()));
+  QVERIFY2(std::abs(told("surface") - 3.0) < 1.5, qPrintable(said()));
+  on()->click();
+  QVERIFY(!on()->isChecked());
+  QTRY_VERIFY(!is_place_told());
+}
+
+void ToolBoxTest::WithdrawnOrgansAreNotMeasured() {
+  operation_->live_validity = Validity::surface_apart;
+  track();
+  serve("z107");
+  QTRY_VERIFY2(said().contains("not followed"), qPrintable(said()));
+  QVERIFY(!is_place_told());
+}
+
+void ToolBoxTest::WhatGoesWrongIsSaid() {
+  switch_on("127.0.0.1:18944");
+  QVERIFY(!on()->isChecked());
+  QCOMPARE(model_->tone.value(), QString("error"));
+  switch_on("127.0.0.1:1/Tip");
+  QTRY_VERIFY2(said().contains("no server of OpenIGTLink answers"), qPrintable(said()));
+  QVERIFY(!on()->isChecked() && !model_->is_on);
+  serve("nan");
+  QTRY_VERIFY2(said().contains("no pose of this tool"), qPrintable(said()));
+  server_.reset();
+  QTRY_VERIFY2(said().contains("closed the connection"), qPrintable(said()));
+}
+
+}  // namespace glisson
+
+int main(int argc, char** argv) { return glisson::run_in_window<glisson::ToolBoxTest>(argc, argv); }
+#include "tool_box_test.moc"

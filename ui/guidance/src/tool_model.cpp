@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/ui/guidance/tool_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "glisson/core/error.h"
+#include "glisson/engine/parts/live.h"
+#include "glisson/patient/label_map.h"
+#include "glisson/ui/common/error_texts.h"
+#include "glisson/ui/common/texts.h"
+
+namespace glisson::ui {
+namespace {
+
+constexpr int kLook = 100;          ///< milliseconds from one look at the tool to the next
+constexpr double kFreshPose = 0.5;  ///< seconds; an older one says nothing of where the tool is now
+
+std::unique_ptr<guidance::ToolMeter> meter_of(const scene::DrawableModel& drawable) {
+  guidance::CarriedSurface organ;
+  std::vector<guidance::CarriedSurface> lesions;
+  for (const scene::DrawableSurface& surface : drawable.surfaces) {
+    if (surface.binding.tetrahedron.empty()) continue;
+    guidance::CarriedSurface carried{surface.structure, surface.mesh, surface.binding};
+    if (surface.structure == structure::kParenchyma)
+      organ = std::move(carried);
+    else if (is_lesion(surface.structure))
+      lesions.push_back(std::move(carried));
+  }
+  if (organ.mesh.triangle_count() == 0) return nullptr;
+  return std::make_unique<guidance::ToolMeter>(*drawable.model, std::move(organ), std::move(lesions));
+}
+
+}  // namespace
+
+ToolModel::ToolModel(EngineBridge& engine, DrawableSource& drawables, LiveViewModel& live, QObject* parent)
+    : QObject(parent), engine_(engine), drawables_(drawables), live_(live) {
+  connect(&looks_, &QTimer::timeout, this, &ToolModel::look);
+}
+
+ToolModel::~ToolModel() = default;
+
+void ToolModel::switch_on(const QString& address) {
+  switch_off();
+  try {
+    receiver_ =
+        std::make_unique<openigtlink::Receiver>(openigtlink::parse_tool(address.trimmed().toStdString()));
+  } catch (const Error& failure) {
+    return say(error_text(failure.what()), QStringLiteral("error"));
+  }
+  is_on = true;
+  looks_.start(kLook);
+  look();
+}
+
+void ToolModel::switch_off() {
+  looks_.stop();
+  if (receiver_) live_.touch({});
+  receiver_.reset();
+  meter_.reset();
+  measured_.reset();
+  is_on = false;
+  say({}, {});
+}
+
+void ToolModel::look() {
+  const auto tool = receiver_->tool();
+  switch (receiver_->connection()) {
+    case openigtlink::Connection::failed: {
+      const QString why = error_text(receiver_->problem().c_str());
+      switch_off();
+      return say(why, QStringLiteral("error"));
+    }
+    case openigtlink::Connection::ended:
+      switch_off();
+      return say(tr("The server has closed the connection."), QStringLiteral("error"));
+    case openigtlink::Connection::waiting:
+      return say(tr("Connecting…"), QStringLiteral("warning"));
+    case openigtlink::Connection::connected:
+      break;
+  }
+  if (tool && tool->age <= kFreshPose) return tell(*tool);
+  live_.touch({});
+  say(tool ? tr("The tool's pose is %1 s old: it is not used.").arg(tool->age, 0, 'f', 1)
+           : tr("Connected; no pose of this tool has come."),
+      QStringLiteral("warning"));
+}
+
+guidance::ToolMeter* ToolModel::meter() {
+  const engine::Snapshot& now = *engine_.snapshot();
+  const auto& live = now.state[part::live];
+  const auto& drawable = drawables_.drawable();
+  if (!now.tracking || !live || !drawable || now.stage(part::live) == engine::StageState::stale ||
+      live->overlay.level() == Level::withdrawn ||
+      live->overlay.nodes_in_camera.rows() != drawable->model->mesh.vertex_count())
+    return nullptr;
+  if (measured_ != drawable) {
+    meter_ = meter_of(*drawable);
+    measured_ = drawable;
+  }
+  if (meter_) meter_->move(live->overlay.nodes_in_camera);
+  return meter_.get();
+}
+
+void ToolModel::tell(const openigtlink::ReceivedTool& tool) {
+  const guidance::ToolMeter* now = meter();
+  if (now == nullptr) {
+    live_.touch({});
+    return say(tr("The tool's pose comes in; the organ is not followed just now."),
+               QStringLiteral("warning"));
+  }
+  const Label lesion = live_.chosen;
+  const guidance::ToolMeasures measures = now->measure(tool.camera_from_tool.translation, lesion);
+  live_.touch(measures.touched);
+  const auto length = [](double metres) { return tr("%1 mm").arg(1e3 * metres, 0, 'f', 1); };
+  QString text = tr("Tip to the organ's surface: %1").arg(length(measures.to_surface));
+  const auto known = engine_.state()[part::live]->overlay.lesions;
+  const bool is_shown = std::any_of(known.begin(), known.end(), [&](const LesionVerdict& verdict) {
+    return verdict.lesion == lesion && verdict.level != Level::withdrawn;
+  });
+  if (is_shown && !std::isnan(measures.to_lesion))
+    text += QLatin1Char('\n') + tr("Tip to %1: %2").arg(structure_text(lesion), length(measures.to_lesion));
+  say(text, QStringLiteral("good"));
+}
+
+void ToolModel::say(const QString& text, const QString& how) {
+  tone = how;
+  said = text;
+}
+
+}  // namespace glisson::ui
