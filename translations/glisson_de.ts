@@ -3367,6 +3367,14 @@
         <source>Storing the decision about the new segmentation</source>
         <translation>Entscheidung über die neue Segmentierung wird gespeichert</translation>
     </message>
+    <message>
+        <source>Registering again</source>
+        <translation>Erneutes Registrieren</translation>
+    </message>
+    <message>
+        <source>Taking the other registration</source>
+        <translation>Wechsel zur anderen Registrierung</translation>
+    </message>
 </context>
 <context>
     <name>cli</name>
@@ -4657,6 +4665,68 @@
     <message>
         <source>Replace labels that were corrected by hand, corrections and all. Without these two it is only told what would change.</source>
         <translation>Von Hand korrigierte Labels samt den Korrekturen ersetzen. Ohne diese beiden wird nur gesagt, was sich ändern würde.</translation>
+    </message>
+    <message>
+        <source>Registers again every so many seconds of the video, with what has been seen of the organ since; taken where it is better by tissue that neither registration has used.</source>
+        <translation>Registriert alle so viele Sekunden des Videos erneut, mit dem, was seither vom Organ gesehen wurde; übernommen, wo es nach Gewebe besser ist, das keine der beiden Registrierungen benutzt hat.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::AgainBox</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Register again</source>
+        <translation>Erneut registrieren</translation>
+    </message>
+    <message>
+        <source>The picture stays as it is (R)</source>
+        <translation>Das Bild bleibt, wie es ist (R)</translation>
+    </message>
+    <message>
+        <source>Registers with all that was seen of the organ since, while it is followed (R). Taken if it is better by tissue that neither has used.</source>
+        <translation>Registriert mit allem, was seither vom Organ gesehen wurde, während es verfolgt wird (R). Übernommen, wenn es nach Gewebe besser ist, das keine von beiden benutzt hat.</translation>
+    </message>
+    <message>
+        <source>Former one</source>
+        <translation>Vorige</translation>
+    </message>
+    <message>
+        <source>Take it</source>
+        <translation>Übernehmen</translation>
+    </message>
+    <message>
+        <source>Back to the registration that there was before</source>
+        <translation>Zurück zur Registrierung, die vorher da war</translation>
+    </message>
+    <message>
+        <source>Goes over to the new registration although it is no better by its evidence</source>
+        <translation>Geht zur neuen Registrierung über, obwohl sie nach ihren Belegen nicht besser ist</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::AgainModel</name>
+    <message>
+        <source>Registering again; the picture stays until it is better.</source>
+        <translation>Es wird erneut registriert; das Bild bleibt, bis es besser ist.</translation>
+    </message>
+    <message>
+        <source>Cancelled: the former registration stays.</source>
+        <translation>Abgebrochen: die vorige Registrierung bleibt.</translation>
+    </message>
+    <message>
+        <source>Not taken: it lies %1 mm from tissue that neither has used, the former one %2 mm.</source>
+        <translation>Nicht übernommen: sie liegt %1 mm von Gewebe, das keine benutzt hat, die vorige %2 mm.</translation>
+    </message>
+    <message>
+        <source>The former registration is back.</source>
+        <translation>Die vorige Registrierung ist wieder da.</translation>
+    </message>
+    <message>
+        <source>Registered again: the organ has moved by %1 mm on average. From tissue that neither has used: %2 mm, before %3 mm.</source>
+        <translation>Erneut registriert: das Organ hat sich im Mittel um %1 mm bewegt. Abstand von Gewebe, das keine benutzt hat: %2 mm, vorher %3 mm.</translation>
     </message>
 </context>
 <context>
@@ -6288,8 +6358,8 @@
         <translation>Aufnahme in %1</translation>
     </message>
     <message>
-        <source>Corrections by hand: %1</source>
-        <translation>Korrekturen von Hand: %1</translation>
+        <source>Corrections and registrations made meanwhile: %1</source>
+        <translation>Korrekturen und Registrierungen von unterwegs: %1</translation>
     </message>
 </context>
 <context>

@@ -3367,6 +3367,14 @@
         <source>Storing the decision about the new segmentation</source>
         <translation>Enregistrement de la décision sur la nouvelle segmentation</translation>
     </message>
+    <message>
+        <source>Registering again</source>
+        <translation>Nouveau recalage</translation>
+    </message>
+    <message>
+        <source>Taking the other registration</source>
+        <translation>Passage à l’autre recalage</translation>
+    </message>
 </context>
 <context>
     <name>cli</name>
@@ -4657,6 +4665,68 @@
     <message>
         <source>Replace labels that were corrected by hand, corrections and all. Without these two it is only told what would change.</source>
         <translation>Remplacer les étiquettes corrigées à la main, corrections comprises. Sans ces deux options, il est seulement dit ce qui changerait.</translation>
+    </message>
+    <message>
+        <source>Registers again every so many seconds of the video, with what has been seen of the organ since; taken where it is better by tissue that neither registration has used.</source>
+        <translation>Recale à nouveau toutes les tant de secondes de la vidéo, avec ce qui a été vu de l’organe depuis ; adopté s’il est meilleur d’après du tissu qu’aucun des deux recalages n’a utilisé.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::AgainBox</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Register again</source>
+        <translation>Recaler à nouveau</translation>
+    </message>
+    <message>
+        <source>The picture stays as it is (R)</source>
+        <translation>L’image reste telle quelle (R)</translation>
+    </message>
+    <message>
+        <source>Registers with all that was seen of the organ since, while it is followed (R). Taken if it is better by tissue that neither has used.</source>
+        <translation>Recale avec tout ce qui a été vu de l’organe depuis, pendant qu’il est suivi (R). Adopté s’il est meilleur d’après du tissu qu’aucun des deux n’a utilisé.</translation>
+    </message>
+    <message>
+        <source>Former one</source>
+        <translation>Précédent</translation>
+    </message>
+    <message>
+        <source>Take it</source>
+        <translation>Adopter</translation>
+    </message>
+    <message>
+        <source>Back to the registration that there was before</source>
+        <translation>Retour au recalage d’avant</translation>
+    </message>
+    <message>
+        <source>Goes over to the new registration although it is no better by its evidence</source>
+        <translation>Passe au nouveau recalage bien qu’il ne soit pas meilleur d’après ses indices</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::AgainModel</name>
+    <message>
+        <source>Registering again; the picture stays until it is better.</source>
+        <translation>Nouveau recalage en cours ; l’image reste jusqu’à ce qu’il soit meilleur.</translation>
+    </message>
+    <message>
+        <source>Cancelled: the former registration stays.</source>
+        <translation>Annulé : le recalage précédent reste.</translation>
+    </message>
+    <message>
+        <source>Not taken: it lies %1 mm from tissue that neither has used, the former one %2 mm.</source>
+        <translation>Non adopté : il est à %1 mm du tissu qu’aucun n’a utilisé, le précédent à %2 mm.</translation>
+    </message>
+    <message>
+        <source>The former registration is back.</source>
+        <translation>Le recalage précédent est revenu.</translation>
+    </message>
+    <message>
+        <source>Registered again: the organ has moved by %1 mm on average. From tissue that neither has used: %2 mm, before %3 mm.</source>
+        <translation>Recalé à nouveau : l’organe s’est déplacé de %1 mm en moyenne. Distance au tissu qu’aucun n’a utilisé : %2 mm, avant %3 mm.</translation>
     </message>
 </context>
 <context>
@@ -6288,8 +6358,8 @@
         <translation>Enregistrement dans %1</translation>
     </message>
     <message>
-        <source>Corrections by hand: %1</source>
-        <translation>Corrections à la main : %1</translation>
+        <source>Corrections and registrations made meanwhile: %1</source>
+        <translation>Corrections et recalages faits entre-temps : %1</translation>
     </message>
 </context>
 <context>

@@ -12,13 +12,16 @@
 #include "glisson/engine/commands/import_registration.h"
 #include "glisson/engine/commands/load_video_frame.h"
 #include "glisson/engine/commands/register.h"
+#include "glisson/engine/commands/register_again.h"
 #include "glisson/engine/commands/set_calibration.h"
 #include "glisson/engine/commands/set_video.h"
 #include "glisson/engine/commands/start_tracking.h"
+#include "glisson/engine/commands/take_registration.h"
 #include "glisson/engine/commands/undo_correction.h"
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/live.h"
 #include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/other_registration.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/engine/parts/rig.h"
 #include "glisson/experiments/evaluate.h"
@@ -153,6 +156,42 @@ class Corrections {
   std::size_t next_ = 0;
 };
 
+/// Registers again every so many seconds of the film.
+class Again {
+ public:
+  /// @param every seconds; zero: never. @param command as it was registered first.
+  Again(Session& session, double every, engine::RegisterAgain command)
+      : session_(session), every_(every), command_(std::move(command)) {}
+
+  void after(const StereoFrame& frame, experiments::TrackRecord& record) {
+    if (every_ <= 0.0 || frame.seconds < last_ + every_) return;
+    last_ = frame.seconds;
+    const engine::LiveState& live = *session_.state()[part::live];
+    if (!live.tissue_at_start || !is_followed(live.overlay.validity)) return;
+    try {
+      session_.post(command_);
+      const engine::OtherRegistration offered = *session_.state()[part::other_registration];
+      if (offered.is_better) session_.post(engine::TakeRegistration{});
+      record.add(AgainLine{frame.index, frame.seconds, offered.is_better, offered.former_gap, offered.gap,
+                           offered.moved});
+    } catch (const InputError& problem) {
+      say(QString::fromStdString(problem.what()));  // the organ is followed from the former registration
+    }
+  }
+
+ private:
+  Session& session_;
+  double every_, last_ = 0.0;
+  engine::RegisterAgain command_;
+};
+
+engine::RegisterAgain again_command(const Session& session, const Arguments& arguments) {
+  engine::RegisterAgain command;
+  command.materials = given_materials(arguments);
+  command.fixed_nodes = fixed_nodes(arguments, session);
+  return command;
+}
+
 void follow_film(Session& session, const Arguments& arguments, experiments::TrackRecord& record,
                  FrameTeller& teller) {
   const auto opened =
@@ -161,10 +200,14 @@ void follow_film(Session& session, const Arguments& arguments, experiments::Trac
   stereo::StereoVideo& video = **opened;
   Corrections corrections(session, arguments.path("correct"), video.frame_count());
   const double frames = std::max(1, video.frame_count());  // what is live has no count
+  Again again(session,
+              arguments.has("register-again") ? arguments.number("register-again", 1.0, 3600.0) : 0.0,
+              again_command(session, arguments));
   for (StereoFrame frame; video.read(frame);) {
     const OverlayFrame overlay = session.follow(frame, std::min(1.0, (frame.index + 1.0) / frames));
     record.add(frame.index, overlay);
     corrections.after(frame.index, record);
+    again.after(frame, record);
     teller.tell(session.state()[part::live]->overlay);  // as corrected
   }
   if (session.context().cancelled()) throw Interrupted();
@@ -321,6 +364,11 @@ int run_track(const QStringList& given) {
               "pixel is seen at the other; \"correct\": \"undo\" takes the last one back. What "
               "frames.jsonl says of corrections can be given."),
       "FILE");
+  arguments.option(
+      "register-again",
+      Cli::tr("Registers again every so many seconds of the video, with what has been seen of the organ "
+              "since; taken where it is better by tissue that neither registration has used."),
+      "SECONDS");
   arguments.option("clouds", Cli::tr("Series of clouds instead of a video, e.g. 'cloud_%02d.ply'."),
                    "PATTERN");
   arguments.option("cloud-unit", Cli::tr("Unit of the clouds: mm, cm or m. Without it, the model's."),
@@ -346,6 +394,8 @@ int run_track(const QStringList& given) {
     throw UsageError("Give either --video with --calibration, or --clouds.");
   if (arguments.has("correct") && !arguments.has("video"))
     throw UsageError("--correct: needs pictures. Give --video with --calibration.");
+  if (arguments.has("register-again") && !arguments.has("video"))
+    throw UsageError("--register-again: needs pictures. Give --video with --calibration.");
   arguments.require_existing("correct");
   std::vector<std::pair<int, fs::path>> clouds;
   if (arguments.has("clouds")) clouds = expand(arguments.value("clouds"));

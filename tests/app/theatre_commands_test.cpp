@@ -126,6 +126,10 @@ void TheatreCommandsTest::AVideoThatEndsEarlyIsRecognised() {
   refused(track + QStringList{"--correct", "none.jsonl"}, "none.jsonl");
   write_text(at("late.jsonl"), R"({"frame": 60, "correct": "undo"})");
   refused(track + QStringList{"--correct", "late.jsonl"}, "frame 60");
+  refused(track + QStringList{"--register-again", "0.2"}, "--register-again", 2);
+  refused({"track", "--model", "m.vtu", "--start", "start.vtu", "--clouds", "c%d.ply", "--register-again",
+           "5", "--out", "tracked"},
+          "needs pictures", 2);
   const std::string whole = read_file(at("whole.mkv"));
   write_text(at("cut.mkv"), whole.substr(0, whole.size() * 3 / 5));
   fs::remove(at("whole.mkv"));

@@ -23,6 +23,7 @@
 #include "glisson/engine/parts/live.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/offer.h"
+#include "glisson/engine/parts/other_registration.h"
 #include "glisson/engine/parts/preview.h"
 #include "glisson/engine/parts/proposals.h"
 #include "glisson/engine/parts/regions.h"
@@ -67,6 +68,7 @@ void CaseStateTest::EveryPartCanBeTakenAndTold() {
   full[part::cloud] = std::make_shared<LabelledCloud>();
   full[part::registration] = std::make_shared<Registration>();
   full[part::live] = std::make_shared<LiveState>();
+  full[part::other_registration] = std::make_shared<OtherRegistration>();
   full[part::keeping] = std::make_shared<Keeping>();
   std::set<std::string_view> codes;
   for (const Part part : all_parts()) {

@@ -64,6 +64,7 @@ QJsonObject object_of(const OverlayLine& line) {
 class OverlayRecordTest : public QObject {
   Q_OBJECT
  private slots:
+  void ARegistrationMadeMeanwhileIsALineOfItsOwn();
   void ALesionsVerdictIsWrittenInTheUnitOfItsLine_data() {
     QTest::addColumn<int>("unit");
     QTest::addColumn<double>("per_metre");
@@ -200,6 +201,23 @@ class OverlayRecordTest : public QObject {
     }
   }
 };
+
+void OverlayRecordTest::ARegistrationMadeMeanwhileIsALineOfItsOwn() {
+  const std::string again = again_line({90, 3.0, true, 1.5e-3, 0.4e-3, 8.2e-3});
+  const QJsonObject object = QJsonDocument::fromJson(QByteArray::fromStdString(again)).object();
+  QCOMPARE(object["frame"].toInt(), 90);
+  const QJsonObject said = object["registered_again"].toObject();
+  QVERIFY(said["taken"].toBool() && is_near(said["gap_mm"].toDouble(), 0.4));
+  QVERIFY(is_near(said["former_gap_mm"].toDouble(), 1.5) && is_near(said["moved_mean_mm"].toDouble(), 8.2));
+  // What draws the film again goes on without it.
+  const TemporaryFolder folder;
+  const std::filesystem::path path = folder.path() / "again.jsonl";
+  write_file_atomically(path,
+                        overlay_line(line()) + "\n" + again + "\n" + overlay_record_end(true, 1) + "\n");
+  const OverlayRecord record = read_overlay_record(path);
+  QCOMPARE(record.frames.size(), std::size_t{1});
+  QVERIFY(record.complete);
+}
 
 QTEST_APPLESS_MAIN(OverlayRecordTest)
 #include "overlay_record_test.moc"

@@ -18,6 +18,7 @@
 #include "glisson/engine/commands/open_case.h"
 #include "glisson/engine/commands/reconstruct.h"
 #include "glisson/engine/commands/register.h"
+#include "glisson/engine/commands/register_again.h"
 #include "glisson/engine/commands/save_case.h"
 #include "glisson/engine/commands/segment.h"
 #include "glisson/engine/commands/set_calibration.h"
@@ -26,6 +27,7 @@
 #include "glisson/engine/commands/set_seeds.h"
 #include "glisson/engine/commands/set_video.h"
 #include "glisson/engine/commands/start_tracking.h"
+#include "glisson/engine/commands/take_registration.h"
 #include "glisson/engine/commands/undo_correction.h"
 #include "glisson/engine/engine.h"
 #include "glisson/engine/parts/cloud.h"
@@ -34,6 +36,7 @@
 #include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/other_registration.h"
 #include "glisson/engine/parts/regions.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/engine/parts/rig.h"
@@ -59,6 +62,7 @@ class FakeOperation {
   /// Of every live frame.
   std::atomic<Validity> live_validity{Validity::valid};
   std::vector<std::string> doubts{"few_margin_points"};  ///< of the registration
+  std::atomic<bool> again_is_better{true};               ///< a registration that is made while one follows
   double rival_away = 0.0;                               ///< metres; 0: the registration has no rival
   std::optional<CameraFromCt> start;                     ///< that the last registration was to begin near
 
@@ -66,8 +70,9 @@ class FakeOperation {
     engine::Engine::Options options;
     options.apply = [this](const engine::CaseState& state, const engine::Command& command,
                            const RunContext& context, const engine::Services& services) {
-      const bool is_of_follower =
-          command.as<engine::CorrectTracking>() || command.as<engine::UndoCorrection>();
+      const bool is_of_follower = command.as<engine::CorrectTracking>() ||
+                                  command.as<engine::UndoCorrection>() ||
+                                  command.as<engine::TakeRegistration>();
       if (command.traits().live != engine::LiveLane::none || is_of_follower)
         return engine::apply(state, command, context, services);
       return apply(state, command, context);
@@ -167,6 +172,13 @@ class FakeOperation {
       return handled();
     }
     std::vector<CorrectionMade> corrections() const override { return made_; }
+    OverlayFrame take(const Registration& registration) override {
+      const Points change = registration.nodes_in_camera - nodes_;
+      nodes_ = registration.nodes_in_camera;
+      last_.nodes_in_camera += change;
+      made_.clear();
+      return handled();
+    }
 
    private:
     OverlayFrame handled() const {
@@ -206,7 +218,7 @@ class FakeOperation {
         try_change<engine::ImportImage, engine::ListSeries, engine::SetSeeds, engine::Segment,
                    engine::BuildModel, engine::SetLandmarks, engine::SetCalibration, engine::SetVideo,
                    engine::LoadVideoFrame, engine::SetRegions, engine::Reconstruct, engine::Register,
-                   engine::SaveCase>(applied, command, context);
+                   engine::RegisterAgain, engine::SaveCase>(applied, command, context);
     if (!done) throw InputError("test", "", "this command is not part of the fake operation", "Use another");
     if (!*done) return {};
     return applied;
@@ -316,6 +328,20 @@ class FakeOperation {
       registration.rivals = {
           {registration.nodes_in_camera.rowwise() + Eigen::RowVector3d(rival_away, 0, 0), 0.12}};
     applied.state[part::registration] = std::make_shared<const Registration>(std::move(registration));
+    return true;
+  }
+  /// 3 mm to the right of the former one.
+  bool change(engine::Applied& applied, const engine::RegisterAgain&, const RunContext& context) const {
+    if (!work(context, "register.elastic")) return false;
+    engine::OtherRegistration offered;
+    offered.registration = *applied.state[part::registration];
+    offered.registration.nodes_in_camera.col(0).array() += 3e-3;
+    offered.is_better = again_is_better;
+    offered.former_gap = 1.6e-3;
+    offered.gap = again_is_better ? 0.4e-3 : 1.5e-3;
+    offered.moved = 3e-3;
+    applied.state[part::other_registration] =
+        std::make_shared<const engine::OtherRegistration>(std::move(offered));
     return true;
   }
   bool change(engine::Applied& applied, const engine::SaveCase& command, const RunContext&) const {

@@ -313,7 +313,8 @@ void GuidanceBoxesTest::RecordingIsOfferedWhileThereIsSomethingToRecord() {
   ui::PlaybackModel playback(*engine_);
   ui::ReviewModel review(*engine_, playback);
   ui::CorrectionModel correction(*engine_, playback, review);
-  ui::RecordingModel model(worker, playback, correction);
+  ui::AgainModel again(*engine_, playback);
+  ui::RecordingModel model(worker, playback, correction, again);
   const ui::RecordingBox box(model);
   QVERIFY(!box.button()->isEnabled());
   QCOMPARE(box.button()->text(), QStringLiteral("Record…"));
@@ -336,7 +337,8 @@ void GuidanceBoxesTest::RecordingEndsWithThePlaying() {
   ui::PlaybackModel playback(*engine_);
   ui::ReviewModel review(*engine_, playback);
   ui::CorrectionModel correction(*engine_, playback, review);
-  ui::RecordingModel model(worker, playback, correction);
+  ui::AgainModel again(*engine_, playback);
+  ui::RecordingModel model(worker, playback, correction, again);
   model.start(QString::fromStdString((folder_->path() / "early.mkv").string()));
   QVERIFY(model.is_recording && model.is_offered);  // asked for before the playing begins
   playback.is_tracking = true;
@@ -351,7 +353,8 @@ void GuidanceBoxesTest::RecordingThatFailsSaysWhy() {
   ui::PlaybackModel playback(*engine_);
   ui::ReviewModel review(*engine_, playback);
   ui::CorrectionModel correction(*engine_, playback, review);
-  ui::RecordingModel model(worker, playback, correction);
+  ui::AgainModel again(*engine_, playback);
+  ui::RecordingModel model(worker, playback, correction, again);
   const ui::RecordingBox box(model);
   model.start(QString::fromStdString((folder_->path() / "no_such_folder" / "live.mkv").string()));
   worker.submit(live_job(0));

@@ -17,7 +17,7 @@ namespace {
 
 struct Guidance : LivePart {
   explicit Guidance(ui::EngineBridge& engine)
-      : LivePart(engine), recording(worker, playback, correction), box(correction) {
+      : LivePart(engine), recording(worker, playback, correction, again), box(correction) {
     box.show();
   }
   ui::RecordingModel recording;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "glisson/ui/guidance/again_model.h"
 #include "glisson/ui/guidance/correction_model.h"
 #include "glisson/ui/guidance/live_picture.h"
 #include "glisson/ui/guidance/live_view.h"
@@ -17,7 +18,8 @@ struct LivePart {
         live(engine, drawables, playback, review, worker),
         playing(engine, playback),
         correction(engine, playback, review),
-        view(live, review, correction) {
+        again(engine, playback),
+        view(live, review, correction, again) {
     view.resize(640, 480);
     view.show();
   }
@@ -28,6 +30,7 @@ struct LivePart {
   ui::LiveViewModel live;
   ui::PlaybackBox playing;
   ui::CorrectionModel correction;
+  ui::AgainModel again;
   ui::LiveView view;
 
   ui::LivePicture* picture() { return view.findChild<ui::LivePicture*>(); }

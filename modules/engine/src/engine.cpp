@@ -130,15 +130,28 @@ struct Engine::Impl final : LiveLanes {
       for (const Part part : all_parts()) revision = std::max(revision, applied.state.stamp(part).revision);
       state = std::move(applied.state);
     } else {
+      Parts renewed;
       for (const Part part : all_parts()) {
         if (!traits.writes.has(part) || applied.state.shares(part, base)) continue;
         state.take(part, applied.state);
         Stamp stamp;
         if (state.has(part)) stamp = {++revision, made_from(part, traits, base)};
         state.stamp(part) = stamp;
+        renewed.add(part);
       }
+      keep_together(state, base, renewed);
     }
     publish(std::move(state), std::string(job.command.code()));
+  }
+
+  /// What was made of a part is still made of it when one command changes both.
+  static void keep_together(CaseState& state, const CaseState& base, const Parts& renewed) {
+    for (const Part part : all_parts()) {
+      if (!renewed.has(part)) continue;
+      for (auto& [input, revision] : state.stamp(part).made_from)
+        if (renewed.has(input) && revision == base.stamp(input).revision)
+          revision = state.stamp(input).revision;
+    }
   }
 
   /// Everything of a command from start to outcome. Called without the lock, on the lane's thread.
@@ -283,6 +296,7 @@ struct Engine::Impl final : LiveLanes {
     lock.unlock();
     OverlayFrame overlay;
     std::vector<CorrectionMade> corrections;
+    std::shared_ptr<const PointsIn<CameraFrame>> tissue;
     std::visit(
         [&](const auto& input) {
           overlay.index = input.index;
@@ -294,6 +308,7 @@ struct Engine::Impl final : LiveLanes {
       if (follower) {
         overlay = follower->follow(taken);
         corrections = follower->corrections();
+        tissue = follower->tissue_at_start();
       }
     } catch (const std::exception&) {
       // Whatever went wrong, there is no overlay for this frame; the next one may do better.
@@ -307,6 +322,7 @@ struct Engine::Impl final : LiveLanes {
       live.frames_late += overlay.milliseconds > 1e3 * options.frame_seconds;
       live.overlay = std::move(overlay);
       live.corrections = std::move(corrections);
+      live.tissue_at_start = std::move(tissue);
       if (const auto* pictures = std::get_if<StereoFrame>(&taken)) live.frame = *pictures;
       CaseState state = current->state;
       state[part::live] = std::make_shared<const LiveState>(live);

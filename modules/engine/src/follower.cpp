@@ -40,6 +40,10 @@ class TrackerFollower : public Follower {
   OverlayFrame correct(const Correction& correction) override { return tracker_.correct(correction); }
   OverlayFrame undo_correction() override { return tracker_.undo_correction(); }
   std::vector<CorrectionMade> corrections() const override { return tracker_.corrections(); }
+  OverlayFrame take(const Registration& registration) override { return tracker_.take(registration); }
+  std::shared_ptr<const PointsIn<CameraFrame>> tissue_at_start() override {
+    return tracker_.tissue_at_start();
+  }
 
  private:
   guidance::Tracker tracker_;
@@ -54,6 +58,10 @@ OverlayFrame Follower::correct(const Correction&) {
 
 OverlayFrame Follower::undo_correction() {
   throw InputError("correction", "the last one", "is none", "Correct first");
+}
+
+OverlayFrame Follower::take(const Registration&) {
+  throw InputError("registration", "the organ", "is not followed in pictures", "Track a stereo video");
 }
 
 std::unique_ptr<Follower> make_follower(const CaseState& state, const StartTracking& command) {

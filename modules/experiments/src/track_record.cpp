@@ -7,7 +7,6 @@
 #include "glisson/experiments/evaluate.h"
 #include "glisson/geometry/rigid.h"
 #include "glisson/patient/label_map.h"
-#include "glisson/patient/overlay_record.h"
 
 namespace glisson::experiments {
 namespace fs = std::filesystem;
@@ -75,6 +74,12 @@ void TrackRecord::add(const CorrectionMade& made) {
 void TrackRecord::add_undone(const OverlayFrame& overlay) {
   lines_ += undone_line(overlay.index, overlay.seconds) + "\n";
   figures_["corrections_undone"] += 1.0;
+}
+
+void TrackRecord::add(const AgainLine& again) {
+  lines_ += again_line(again) + "\n";
+  figures_["registered_again"] += 1.0;
+  figures_["registered_again_taken"] += again.is_taken ? 1.0 : 0.0;
 }
 
 void TrackRecord::finish(bool whole) {

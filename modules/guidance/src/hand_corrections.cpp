@@ -122,7 +122,8 @@ HandCorrections::Proposal HandCorrections::propose(const Correction& correction,
   const Points before =
       proposal.replaces ? Points(present + carried(last().shape - shape_, present)) : present;
   proposal.correction.from = view.camera.project(view.from_left(proposal.pull.place(before)));
-  std::vector<SightPull> pulls = pulls_;
+  std::vector<SightPull> pulls = before_;
+  pulls.insert(pulls.end(), pulls_.begin(), pulls_.end());
   if (proposal.replaces) pulls.pop_back();
   pulls.push_back(proposal.pull);
   proposal.shape = corrector_.solve(
@@ -154,6 +155,28 @@ void HandCorrections::take_back() {
   steps_.pop_back();
   made_.pop_back();
   pulls_.pop_back();
+}
+
+HandCorrections::Renewal HandCorrections::renewed(std::shared_ptr<const fem::CompositeModel> at_rest,
+                                                  const Points& registered,
+                                                  const std::unordered_map<int, Anchor>& anchors) const {
+  registration::MovingSurface surface = surface_;
+  surface.move(registered);
+  Renewal renewal{Corrector(std::move(at_rest), std::move(surface)), registered};
+  std::vector<SightPull> pulls = before_;
+  pulls.insert(pulls.end(), pulls_.begin(), pulls_.end());
+  if (!pulls.empty()) renewal.shape = renewal.corrector.solve(pulls, places(anchors, shape_));
+  return renewal;
+}
+
+void HandCorrections::accept(Renewal renewal) {
+  corrector_ = std::move(renewal.corrector);
+  shape_ = std::move(renewal.shape);
+  surface_.move(shape_);
+  before_.insert(before_.end(), pulls_.begin(), pulls_.end());
+  pulls_.clear();
+  made_.clear();
+  steps_.clear();
 }
 
 BindingChange HandCorrections::change_to(const Points& shape) const {

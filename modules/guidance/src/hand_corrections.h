@@ -62,6 +62,18 @@ class HandCorrections {
   const Step& last() const { return steps_.back(); }
   void take_back();
 
+  /// The organ was registered again: another shape without corrections.
+  struct Renewal {
+    Corrector corrector;
+    Points shape;  ///< with what hands have said so far
+  };
+  /// @param at_rest free of stress in the new shape, where the surface is. @param anchors of the points that
+  /// are followed. @throws InputError where what hands have said cannot be met from there.
+  Renewal renewed(std::shared_ptr<const fem::CompositeModel> at_rest, const Points& registered,
+                  const std::unordered_map<int, Anchor>& anchors) const;
+  /// What hands have said stays, but no correction can be taken back any more: what it changed is gone.
+  void accept(Renewal renewal);
+
   BindingChange change_to(const Points& shape) const;
   /// What was bound then is bound as then.
   BindingChange change_back() const;
@@ -77,7 +89,7 @@ class HandCorrections {
   registration::MovingSurface surface_;  ///< in shape_
   Points shape_;
   std::vector<CorrectionMade> made_;
-  std::vector<SightPull> pulls_;
+  std::vector<SightPull> pulls_, before_;  ///< before_: made before the registration that is corrected now
   std::vector<Step> steps_;
 };
 

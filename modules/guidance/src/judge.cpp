@@ -61,7 +61,11 @@ struct Judge::Impl {
     is_misplaced = false;
     motion = {};
     first_signal = measure(first.left).signal();
-    take(surface.check(first.left, first.right, nodes));
+    shape = nodes;
+    tissue.clear();
+    const SurfaceEvidence seen = surface.check(first.left, first.right, nodes, shape);
+    take(seen);
+    tissue.add(seen.tissue);
     first_supported = evidence.supported;
     apart.set(apartness() >= 1.0);
     covered.set(coverage() >= 1.0);
@@ -94,15 +98,19 @@ struct Judge::Impl {
     // While nothing is shown because the model was set elsewhere, one surface is made after the other.
     if (!pending.valid() && frames - looked >= (undecided ? options.lag : options.every)) {
       looked = frames;
-      pending = std::async(std::launch::async,
-                           [this, frame, nodes] { return surface.check(frame.left, frame.right, nodes); });
+      pending = std::async(std::launch::async, [this, frame, nodes, now = shape] {
+        return surface.check(frame.left, frame.right, nodes, now);
+      });
       compare_surface();
     }
   }
   /// Of `lag` frames ago.
   void compare_surface() {
     if (!pending.valid() || frames - looked < options.lag) return;
-    take(pending.get());
+    const SurfaceEvidence seen = pending.get();
+    take(seen);
+    // Nothing hides the organ, both views show this moment, and it was found: what is seen is its tissue.
+    if (!undecided && !poor.stands() && !stands.stands() && !views.stands()) tissue.add(seen.tissue);
     apart.push(apartness(), 1.0, options.relief);
     covered.push(coverage(), 1.0, options.relief);
     look_at_mean_gap();
@@ -160,6 +168,8 @@ struct Judge::Impl {
   MotionCheck motion;
   Evidence evidence;
   double first_supported = 0.0, first_signal = 0.0;
+  Points shape;      ///< tissue is kept in it
+  TissueMap tissue;  ///< since begin()
   int frames = 0;
   int looked = 0;          ///< the frame whose surface was made last
   bool undecided = false;  ///< set elsewhere, and surfaces have neither confirmed nor refuted it
@@ -181,6 +191,8 @@ void Judge::begin(const StereoFrame& first, const Points& nodes_in_camera) {
 }
 
 void Judge::distrust() { impl_->distrust(); }
+void Judge::keep_tissue_in(const Points& shape) { impl_->shape = shape; }
+const TissueMap& Judge::tissue() const { return impl_->tissue; }
 bool Judge::refutes() const { return impl_->refutes(); }
 bool Judge::is_undecided() const { return impl_->undecided; }
 

@@ -8,6 +8,7 @@
 #include "glisson/patient/patient_model.h"
 #include "glisson/patient/registration.h"
 #include "stereo_follower.h"
+#include "tissue_map.h"
 
 namespace glisson::guidance {
 
@@ -22,6 +23,10 @@ class Judge {
 
   /// Looks at once at how the start fits its frame. @throws InputError pictures of another size.
   void begin(const StereoFrame& first, const Points& nodes_in_camera);
+  /// Fresh surfaces are kept in this shape, that of begin() from the start (see TissueMap).
+  void keep_tissue_in(const Points& shape);
+  /// What they have shown of the tissue while nothing but the place was in doubt.
+  const TissueMap& tissue() const;
   /// The model was set elsewhere: what was seen of it before is no evidence, and it is not shown until fresh
   /// surfaces agree; they are made one after the other until then.
   void distrust();

@@ -9,6 +9,7 @@
 #include <map>
 #include <numbers>
 
+#include "anchored_points.h"
 #include "glisson/core/statistics.h"
 #include "glisson/registration/moving_surface.h"
 #include "small_stereo.h"
@@ -36,6 +37,9 @@ constexpr double kCauchy = 3.0;
 constexpr int kFitEvery = 2;  ///< place of the grid, along both axes: what lies between says the same
 /// Before anything is seen, the organ may be anywhere within so much: what stays unknown shows as pull_sigma.
 constexpr double kPriorShift = 0.03, kPriorTurn = 0.35;  ///< metres, radians
+/// Metres: what lies farther off the surface is no tissue of the organ, even where the start was wrong; and
+/// beside its rim a point has no place on it.
+constexpr double kTissue = 20e-3, kBesideRim = 2e-3;
 /// Points of one region count as this many independent ones.
 constexpr double kIndependentInRegion = 2.0;
 
@@ -65,6 +69,7 @@ struct Wish {
 struct SurfaceCheck::Impl {
   Impl(const PatientModel& model, const StereoRig& rig, const Picture& mask_of_left)
       : surface(model, registration::SurfaceDetail::fine),
+        in_shape(surface),
         stereo(rig, kWidth, kStep, kNear, kFar),
         mask(mask_of_left) {
     allowed.resize(static_cast<std::size_t>(stereo.columns() * stereo.rows()));
@@ -300,7 +305,29 @@ struct SurfaceCheck::Impl {
     evidence.pull_sigma = std::sqrt(unknown / static_cast<double>(organ.size()));
   }
 
-  registration::MovingSurface surface;
+  /// Places of the material as `shape` has them. Without what lies before or behind the organ.
+  std::vector<Eigen::Vector3d> tissue(const std::vector<SeenPoint>& points, const Points& shape) {
+    std::vector<Eigen::Vector3d> places;
+    if (shape.rows() == 0) return places;
+    if (shape.rows() != shape_now.rows() || shape != shape_now) {
+      in_shape.move(shape);
+      shape_now = shape;
+    }
+    for (const SeenPoint& point : points) {
+      if (depth[index(point.column, point.row)] <= 0.0) continue;
+      const ClosestPoint at = surface.closest(Feature::surface, point.p_in_camera);
+      if (at.triangle < 0 || at.distance > kTissue) continue;
+      const Eigen::Vector3d normal = surface.normal(at);
+      if (normal.dot(at.point) > 0.0) continue;  // turned away: not what is seen
+      const Anchor anchor{at, normal.dot(point.p_in_camera - at.point)};
+      if ((anchor.place(surface) - point.p_in_camera).norm() < kBesideRim)
+        places.push_back(anchor.place(in_shape));
+    }
+    return places;
+  }
+
+  registration::MovingSurface surface, in_shape;
+  Points shape_now;  ///< of in_shape
   SmallStereo stereo;
   Picture mask;
   std::vector<char> allowed, is_behind, is_before, is_supported;
@@ -312,8 +339,8 @@ SurfaceCheck::SurfaceCheck(const PatientModel& model, const StereoRig& rig, cons
     : impl_(std::make_unique<Impl>(model, rig, mask)) {}
 SurfaceCheck::~SurfaceCheck() = default;
 
-SurfaceEvidence SurfaceCheck::check(const Picture& left, const Picture& right,
-                                    const Points& nodes_in_camera) {
+SurfaceEvidence SurfaceCheck::check(const Picture& left, const Picture& right, const Points& nodes_in_camera,
+                                    const Points& shape) {
   SurfaceEvidence evidence;
   std::vector<SeenPoint> points = impl_->stereo.see(left, right);
   std::erase_if(points, [&](const SeenPoint& point) {
@@ -322,6 +349,7 @@ SurfaceEvidence SurfaceCheck::check(const Picture& left, const Picture& right,
   impl_->predict(nodes_in_camera);
   impl_->compare(points, evidence);
   impl_->fit(points, evidence);
+  evidence.tissue = impl_->tissue(points, shape);
   return evidence;
 }
 

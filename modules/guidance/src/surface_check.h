@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Core>
 #include <memory>
+#include <vector>
 
 #include "glisson/geometry/camera.h"
 #include "glisson/patient/patient_model.h"
@@ -19,6 +21,9 @@ struct SurfaceEvidence {
   double gap = 0.0;        ///< rms over regions of the median distance, expected standard deviations
   double pull = 0.0;       ///< metres; see Evidence
   double pull_sigma = 0.0;
+  /// Where it sees tissue of the organ: these places of the material as they lie in the shape that check()
+  /// was given, metres.
+  std::vector<Eigen::Vector3d> tissue;
 };
 
 /// Compares the predicted surface with one that block matching makes of the pair alone: none of the tracked
@@ -28,8 +33,11 @@ class SurfaceCheck {
   /// @param mask empty, or non-zero where tissue may be seen (left picture).
   SurfaceCheck(const PatientModel& model, const StereoRig& rig, const Picture& mask);
   ~SurfaceCheck();
-  /// @param nodes_in_camera the overlay's at this pair's moment. @throws InputError pictures of another size.
-  SurfaceEvidence check(const Picture& left, const Picture& right, const Points& nodes_in_camera);
+  /// @param nodes_in_camera the overlay's at this pair's moment.
+  /// @param shape any other shape of the same nodes, for `tissue`; empty: none.
+  /// @throws InputError pictures of another size.
+  SurfaceEvidence check(const Picture& left, const Picture& right, const Points& nodes_in_camera,
+                        const Points& shape = {});
 
  private:
   struct Impl;

@@ -8,11 +8,10 @@
 #include <optional>
 
 #include "anchored_points.h"
+#include "cloud_follower.h"
 #include "followed_body.h"
 #include "glisson/core/error.h"
-#include "glisson/registration/force_follower.h"
 #include "glisson/registration/moving_surface.h"
-#include "glisson/registration/pairs.h"
 #include "hand_corrections.h"
 #include "judge.h"
 #include "point_memory.h"
@@ -35,7 +34,9 @@ constexpr double kConsistentFloor = 1.5e-3, kConsistentDeviations = 4.0;
 constexpr int kLost = 3, kEager = 30, kLookAgain = 3, kLookSeldom = 9;
 /// Metres. Where the organ is found this near, it was not lost.
 constexpr double kFoundElsewhere = 2e-3;
+constexpr int kLeastLooks = 3;      ///< of fresh stereo at the tissue, before they say anything together
 constexpr int kKeyFrameEvery = 90;  ///< frames
+constexpr double kGentle = 1.0;     ///< seconds in which the picture goes over to another registration
 
 double mean_norm(const std::vector<Eigen::Vector3d>& vectors) {
   double sum = 0.0;
@@ -50,15 +51,12 @@ struct Tracker::Impl {
       : options(checked(model, start, given)),
         patient(model),
         body(model, start.nodes_in_camera, options),
+        clouds(model, start, options),
         lesions(model, start, options.lesions) {
     doubtful = !start.doubts.empty();
-    if (registration::takes_forces(options.cloud_method, model, cloud_options()))
-      forces.emplace(model, start.camera_from_ct, registration::forces_with(model, cloud_options()));
   }
 
-  static TrackerOptions checked(const PatientModel& model, const Registration& start,
-                                const TrackerOptions& options) {
-    options.validate();
+  static void check(const PatientModel& model, const Registration& start) {
     if (start.nodes_in_camera.rows() != model.mesh.vertex_count())
       throw InputError("start", "nodes",
                        "there are " + std::to_string(start.nodes_in_camera.rows()) + ", the model has " +
@@ -66,18 +64,18 @@ struct Tracker::Impl {
                        "Give a registration of this model");
     if (!start.nodes_in_camera.allFinite())
       throw InputError("start", "nodes", "a coordinate is not a finite number", "Register again");
+  }
+
+  static TrackerOptions checked(const PatientModel& model, const Registration& start,
+                                const TrackerOptions& options) {
+    options.validate();
+    check(model, start);
     for (const int node : options.fixed_nodes)
       if (node < 0 || node >= model.mesh.vertex_count())
         throw InputError("fixed nodes", "node " + std::to_string(node),
                          "the mesh has nodes 0 to " + std::to_string(model.mesh.vertex_count() - 1),
                          "Give 0-based node numbers of this mesh");
     return options;
-  }
-
-  registration::ElasticOptions cloud_options() const {
-    registration::ElasticOptions result = options.cloud;
-    result.fixed_nodes = options.fixed_nodes;
-    return result;
   }
 
   void begin(const StereoRig& rig, const StereoFrame& first, const Picture& mask) {
@@ -97,6 +95,8 @@ struct Tracker::Impl {
                  body.surface());
     frames = last_valid = 0;
     last = {};
+    going_over.reset();
+    tissue.reset();
     camera = rig.left;
     seen = seen_area();
     replenish();
@@ -200,6 +200,7 @@ struct Tracker::Impl {
     anchors.retain(follower->points());
     memory->rebind(change.of_remembered, before, body.surface());
     seen = seen_area();
+    if (judge) judge->keep_tissue_in(shape);
   }
 
   OverlayFrame corrected() {
@@ -208,10 +209,14 @@ struct Tracker::Impl {
     return last;
   }
 
-  OverlayFrame correct(const Correction& correction) {
-    if (!follower || is_unusable(last.validity))
-      throw InputError("correction", "the organ", "is not followed in the last frame",
+  void require_followed(const char* what) const {
+    if (!follower || !is_followed(last.validity))
+      throw InputError(what, "the organ", "is not followed in the last frame",
                        "Wait until it is followed again");
+  }
+
+  OverlayFrame correct(const Correction& correction) {
+    require_followed("correction");
     const HandCorrections::Proposal proposal = hand->propose(correction, body.positions(), anchors.anchors());
     HandCorrections::Step former{hand->shape(),     body.positions(),  body.velocities(), body.springs(),
                                  anchors.anchors(), memory->anchors(), relocator->save(), frames};
@@ -233,6 +238,46 @@ struct Tracker::Impl {
       body.restore(former.positions, former.velocities, former.springs);
     hand->take_back();
     return corrected();
+  }
+
+  OverlayFrame take(const Registration& registration) {
+    require_followed("registration");
+    check(patient, registration);
+    HandCorrections::Renewal renewal =
+        hand->renewed(options.hold_start ? body.resting_in(registration.nodes_in_camera) : body.composite(),
+                      registration.nodes_in_camera, anchors.anchors());
+    const Points former = hand->shape();
+    const BindingChange change = hand->change_to(renewal.shape);
+    take_shape(renewal.shape, change);
+    relocator->rebind(change.of_surface);
+    hand->accept(std::move(renewal));
+    lesions = LesionJudge(patient, registration, options.lesions);
+    doubtful = !registration.doubts.empty();
+    going_over.reset();
+    // What was seen of a refuted place is no evidence of this one; one that is shown goes on being judged.
+    if (judge && judge->refutes()) judge->distrust();
+    if (last.level() != Level::withdrawn) going_over = GoingOver{former - hand->shape(), last.seconds};
+    return drawn(corrected());
+  }
+
+  /// A picture that goes over to another registration: what is judged is the new one.
+  OverlayFrame drawn(OverlayFrame overlay) {
+    if (!going_over) return overlay;
+    const double share = 1.0 - (overlay.seconds - going_over->since) / kGentle;
+    if (share <= 0.0 || share > 1.0 || overlay.nodes_in_camera.rows() == 0)
+      going_over.reset();
+    else
+      overlay.nodes_in_camera += share * hand->carried(going_over->way_back, body.positions());
+    return overlay;
+  }
+
+  std::shared_ptr<const PointsIn<CameraFrame>> tissue_at_start() {
+    if (!judge || judge->tissue().looks() < kLeastLooks) return nullptr;
+    if (!tissue || tissue_looks != judge->tissue().looks()) {
+      tissue_looks = judge->tissue().looks();
+      tissue = std::make_shared<const PointsIn<CameraFrame>>(judge->tissue().places());
+    }
+    return tissue;
   }
 
   Validity follow_points(OverlayFrame& overlay) {
@@ -259,15 +304,9 @@ struct Tracker::Impl {
     return Validity::valid;
   }
 
-  /// What was followed in this frame is not the organ.
-  static bool is_unusable(Validity validity) {
-    return validity == Validity::not_started || validity == Validity::too_few_points ||
-           validity == Validity::inconsistent_motion || validity == Validity::mechanics_failed;
-  }
-
   /// Of the organ, in this frame.
   Points places_seen(Validity validity) const {
-    if (!follower || is_unusable(validity)) return {};
+    if (!follower || !is_followed(validity)) return {};
     Points places(static_cast<Eigen::Index>(follower->points().size()), 3);
     for (Eigen::Index i = 0; i < places.rows(); ++i)
       places.row(i) = follower->points()[static_cast<std::size_t>(i)].p_in_camera.transpose();
@@ -306,77 +345,36 @@ struct Tracker::Impl {
     overlay.lesions = lesions.judge(overlay, places_seen(overlay.validity));
     last = overlay;
     if (follower) look_for_organ(frame, overlay.validity);
-    return overlay;
+    return drawn(std::move(overlay));
   }
 
   OverlayFrame follow(const LabelledCloud& cloud, int index, double seconds, int steps) {
     OverlayFrame overlay;
     overlay.index = index;
     overlay.seconds = seconds;
-    overlay.validity = follow_cloud(cloud, steps, overlay);
+    overlay.validity = clouds.follow(cloud, steps, body, overlay);
     overlay.nodes_in_camera = body.positions();
     overlay.lesions = lesions.judge(overlay, overlay.level() == Level::withdrawn ? Points() : cloud.points);
     return overlay;
   }
 
-  Validity follow_cloud(const LabelledCloud& cloud, int steps, OverlayFrame& overlay) {
-    if (cloud.size() < std::max(10, options.minimum_pairs)) return Validity::too_few_points;
-    LabelledCloud unlabelled = cloud;
-    unlabelled.features.clear();
-    const Validity followed =
-        forces ? follow_by_forces(unlabelled, overlay) : follow_by_springs(unlabelled, steps, overlay);
-    if (followed != Validity::valid) return followed;
-    if (overlay.pairs < options.minimum_pairs) return Validity::too_few_points;
-    return overlay.residual > options.maximum_residual ? Validity::residual_too_large : Validity::valid;
-  }
-
-  Validity follow_by_forces(const LabelledCloud& cloud, OverlayFrame& overlay) {
-    try {
-      const auto fit = forces->follow(cloud, {});
-      body.place(fit->nodes_in_camera);
-      overlay.pairs = static_cast<int>(std::lround((1.0 - fit->outlier_share) * cloud.size()));
-      overlay.residual = fit->residual;
-      return Validity::valid;
-    } catch (const NumericalError&) {
-      return Validity::mechanics_failed;
-    } catch (const InputError&) {
-      return Validity::too_few_points;  // too few of the cloud's points are usable
-    }
-  }
-
-  Validity follow_by_springs(const LabelledCloud& cloud, int steps, OverlayFrame& overlay) {
-    const auto prepared = registration::prepare_cloud(cloud, {options.cloud.reference_density_per_cm2});
-    const double k = options.cloud.k_surface_max * options.cloud.final_stiffening *
-                     options.materials.parenchyma.young_modulus;
-    std::vector<registration::Pair> pairs;
-    for (int i = 0; i < steps; ++i) {
-      pairs = registration::find_pairs(prepared, body.surface(), {});
-      const auto pull = [&](std::vector<fem::AttachedLoad>& loads) {
-        for (const registration::Pair& pair : pairs)
-          if (pair.kept)
-            loads.push_back(registration::pair_load(pair, body.surface(), options.cloud.form, options.cloud.s,
-                                                    k * prepared.weight[static_cast<std::size_t>(pair.point)],
-                                                    options.cloud.tangential));
-      };
-      if (!body.step(pull)) return Validity::mechanics_failed;
-    }
-    pairs = registration::find_pairs(prepared, body.surface(), {});
-    overlay.pairs = static_cast<int>(
-        std::count_if(pairs.begin(), pairs.end(), [](const auto& pair) { return pair.kept; }));
-    overlay.residual = registration::mean_distance(pairs);
-    return Validity::valid;
-  }
-
   TrackerOptions options;
   PatientModel patient;
   FollowedBody body;
-  std::optional<registration::ForceFollower> forces;  ///< of clouds
+  CloudFollower clouds;
   std::optional<StereoFollower> follower;
   AnchoredPoints anchors;
   std::optional<PointMemory> memory;
   std::optional<HandCorrections> hand;  ///< from begin() on
-  OverlayFrame last;                    ///< of pictures
-  int frames = 0, last_valid = 0;       ///< since begin(); the last that was valid
+  struct GoingOver {
+    Points way_back;  ///< to the former shape, metres, as registered
+    double since = 0.0;
+  };
+  std::optional<GoingOver> going_over;
+  std::shared_ptr<const PointsIn<CameraFrame>> tissue;  ///< of so many looks:
+  int tissue_looks = 0;
+  OverlayFrame last;               ///< of pictures, as it was judged
+  int frames = 0, last_valid = 0;  ///< since begin(); the last that was valid
   LesionJudge lesions;
   std::unique_ptr<Judge> judge;          ///< none while clouds are followed
   std::unique_ptr<Relocator> relocator;  ///< likewise
@@ -424,6 +422,14 @@ OverlayFrame Tracker::correct(const Correction& correction) {
 
 OverlayFrame Tracker::undo_correction() {
   return timed(impl_->doubtful, [&] { return impl_->undo_correction(); });
+}
+
+OverlayFrame Tracker::take(const Registration& registration) {
+  return timed(!registration.doubts.empty(), [&] { return impl_->take(registration); });
+}
+
+std::shared_ptr<const PointsIn<CameraFrame>> Tracker::tissue_at_start() const {
+  return impl_->tissue_at_start();
 }
 
 const std::vector<CorrectionMade>& Tracker::corrections() const {

@@ -16,6 +16,8 @@
 namespace glisson {
 namespace {
 
+constexpr const char* kAgain = "registered_again";
+
 using nlohmann::json;
 
 constexpr LengthUnit kUnits[] = {LengthUnit::millimetre, LengthUnit::centimetre, LengthUnit::metre};
@@ -158,6 +160,17 @@ std::string overlay_record_end(bool complete, int frames) {
   return json{{"complete", complete}, {"frames", frames}}.dump();
 }
 
+std::string again_line(const AgainLine& line) {
+  return json{{"frame", line.frame},
+              {"seconds", line.seconds},
+              {kAgain,
+               {{"taken", line.is_taken},
+                {"former_gap_mm", 1e3 * line.former_gap},
+                {"gap_mm", 1e3 * line.gap},
+                {"moved_mean_mm", 1e3 * line.moved}}}}
+      .dump();
+}
+
 OverlayRecord read_overlay_record(const std::filesystem::path& path) {
   OverlayRecord record;
   std::istringstream lines(read_file(path));
@@ -169,7 +182,7 @@ OverlayRecord read_overlay_record(const std::filesystem::path& path) {
       const json object = json::parse(text);
       if (object.contains("complete"))
         record.complete = object.at("complete").get<bool>();
-      else if (!object.contains("correct"))  // by hand: see correction.h
+      else if (!object.contains("correct") && !object.contains(kAgain))  // by hand: see correction.h
         record.frames.push_back(line_of(object));
     } catch (const std::exception& problem) {
       throw InputError(path.string(), "line " + std::to_string(count),

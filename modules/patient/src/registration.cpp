@@ -42,4 +42,9 @@ Level level_of(Validity validity) {
   return is_degraded ? Level::degraded : Level::withdrawn;
 }
 
+bool is_followed(Validity validity) {
+  return validity != Validity::not_started && validity != Validity::too_few_points &&
+         validity != Validity::inconsistent_motion && validity != Validity::mechanics_failed;
+}
+
 }  // namespace glisson

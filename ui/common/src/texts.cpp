@@ -51,6 +51,8 @@ class Texts {
             {"simulate", tr("Simulating")},
             {"start_tracking", tr("Starting the tracking")},
             {"correct_tracking", tr("Correcting by hand")},
+            {"register_again", tr("Registering again")},
+            {"take_registration", tr("Taking the other registration")},
             {"undo_correction", tr("Taking a correction back")},
             {"stop_tracking", tr("Stopping the tracking")},
             {"start_trial", tr("Preparing the trial of a load")},

@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 
 #include "glisson/engine/parts/registration.h"
+#include "glisson/ui/guidance/again_box.h"
 #include "glisson/ui/guidance/correction_box.h"
 #include "glisson/ui/guidance/lesion_box.h"
 #include "glisson/ui/guidance/look_box.h"
@@ -25,11 +26,12 @@ GuidancePanel::GuidancePanel(EngineBridge& engine, DrawableSource& drawables, QW
       playback_(engine),
       review_(engine, playback_),
       correction_(engine, playback_, review_),
-      recording_(worker_, playback_, correction_),
+      again_(engine, playback_),
+      recording_(worker_, playback_, correction_, again_),
       live_(engine, drawables, playback_, review_, worker_),
       openigtlink_(engine, drawables),
       tool_(engine, drawables, live_),
-      view_(new GuidanceView(new LiveView(live_, review_, correction_),
+      view_(new GuidanceView(new LiveView(live_, review_, correction_, again_),
                              new OrganView(engine, drawables, registration_))) {
   setObjectName(QStringLiteral("guidance_panel"));
   add_section(tr("1. Initial registration"),
@@ -44,6 +46,7 @@ GuidancePanel::GuidancePanel(EngineBridge& engine, DrawableSource& drawables, QW
   live->addWidget(playback);
   live->addWidget(recording);
   live->addWidget(new CorrectionBox(correction_, this));
+  live->addWidget(new AgainBox(again_, this));
   auto* figures = new FiguresTable(this);
   live->addWidget(figures);
   couplings_.add(live_.figures, [figures](const FigureRows& rows) { figures->set_rows(rows); });

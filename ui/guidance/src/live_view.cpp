@@ -17,11 +17,13 @@ constexpr int kLinesHeight = 46;  ///< two lines of the live view's words, pixel
 
 }  // namespace
 
-LiveView::LiveView(LiveViewModel& model, ReviewModel& review, CorrectionModel& correction, QWidget* parent)
+LiveView::LiveView(LiveViewModel& model, ReviewModel& review, CorrectionModel& correction, AgainModel& again,
+                   QWidget* parent)
     : QWidget(parent),
       model_(model),
       review_(review),
       correction_(correction),
+      again_(again),
       timeline_(new TimelineBar(review, this)),
       picture_(new LivePicture(this)) {
   setObjectName(QStringLiteral("guidance_view"));
@@ -91,6 +93,8 @@ void LiveView::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_C:
       if (correction_.is_offered) correction_.is_correcting = !correction_.is_correcting;
       return;
+    case Qt::Key_R:
+      return again_.start_or_cancel();
     case Qt::Key_Z:
       if (event->modifiers().testFlag(Qt::ControlModifier)) return correction_.undo();
       return QWidget::keyPressEvent(event);
@@ -110,7 +114,7 @@ void LiveView::switch_whole_screen() {
     whole_screen_->close();
     return;
   }
-  whole_screen_ = new LiveView(model_, review_, correction_);
+  whole_screen_ = new LiveView(model_, review_, correction_, again_);
   whole_screen_->setAttribute(Qt::WA_DeleteOnClose);
   whole_screen_->setObjectName(QStringLiteral("whole_screen_view"));
   whole_screen_->setWindowTitle(window()->windowTitle());

@@ -10,8 +10,8 @@
 namespace glisson::ui {
 
 RecordingModel::RecordingModel(OverlayWorker& worker, PlaybackModel& playback, CorrectionModel& correction,
-                               QObject* parent)
-    : QObject(parent), worker_(worker), correction_(correction) {
+                               AgainModel& again, QObject* parent)
+    : QObject(parent), worker_(worker), correction_(correction), again_(again) {
   is_offered.setBinding([this, &playback] { return playback.is_tracking || is_recording; });
   const auto end_with = [this](bool goes_on) {
     if (!goes_on) stop();
@@ -40,16 +40,17 @@ void RecordingModel::stop() {
 
 void RecordingModel::tell_end(const QString& path, int frames) {
   QString text = tr("Frames recorded: %1, in %2").arg(frames).arg(path);
-  if (!correction_.record().empty()) {
-    std::string lines;
-    for (const std::string& line : correction_.record()) lines += line + "\n";
+  std::string lines;
+  for (const auto* record : {&correction_.record(), &again_.record()})
+    for (const std::string& line : *record) lines += line + "\n";
+  if (!lines.empty()) {
     const QString beside = path + QStringLiteral(".corrections.jsonl");
     try {
       write_file_atomically(beside.toStdString(), lines);
     } catch (const Error& problem) {
       return say(error_text(problem.what()), QStringLiteral("error"));
     }
-    text += QLatin1Char('\n') + tr("Corrections by hand: %1").arg(beside);
+    text += QLatin1Char('\n') + tr("Corrections and registrations made meanwhile: %1").arg(beside);
   }
   say(text, QStringLiteral("good"));
 }

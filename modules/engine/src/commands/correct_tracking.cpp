@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/engine/commands/correct_tracking.h"
 
-#include "corrected_live.h"
+#include "changed_live.h"
 
 namespace glisson::engine {
 
@@ -10,7 +10,7 @@ CommandTraits CorrectTracking::traits() const { return correction_traits("correc
 Cancellable<Applied> CorrectTracking::apply(const CaseState& state, const RunContext&,
                                             const Services& services) const {
   Follower& follower = follower_of(services);
-  return corrected_live(state, follower.correct(correction), follower);
+  return with_live(state, follower.correct(correction), follower);
 }
 
 }  // namespace glisson::engine

@@ -1,109 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/engine/commands/register.h"
 
-#include <algorithm>
-#include <cmath>
 #include <string>
+#include <utility>
 
 #include "glisson/engine/parts/cloud.h"
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/proposals.h"
 #include "glisson/engine/parts/registration.h"
-#include "glisson/patient/label_map.h"
 #include "glisson/registration/examined_registration.h"
-#include "glisson/registration/refusal.h"
-#include "glisson/registration/rivals.h"
+#include "registration_figures.h"
 
 namespace glisson::engine {
-namespace {
-
-/// Operations that an earlier registration has simulated on the same model.
-registration::KnownOperations known_operations(const CaseState& state) {
-  const auto& known = state[part::operations];
-  if (!known || known->model != state[part::model] || known->landmarks != state[part::landmarks]) return {};
-  return {known->options, known->prior};
-}
-
-/// Law, evidence and forces: N for a Young's modulus of 1 kPa.
-void add_figures(Figures& figures, const registration::ContactForceFit& fit) {
-  for (const registration::LawFit& law : fit.laws) {
-    const std::string key = "forces_log_evidence_" + std::string(fem::body_law_code(law.material.law)) + "_" +
-                            std::to_string(std::lround(100.0 * law.material.poisson_ratio));
-    const auto [at, fresh] = figures.emplace(key, law.log_evidence);
-    if (!fresh) at->second = std::max(at->second, law.log_evidence);
-  }
-  const registration::LawFit& chosen = fit.laws[static_cast<std::size_t>(fit.chosen)];
-  figures["forces_law_" + std::string(fem::body_law_code(chosen.material.law))] = 1.0;
-  figures["forces_poisson_ratio"] = chosen.material.poisson_ratio;
-  figures["forces_ground"] = chosen.ground;
-  figures["forces_sigma_mm"] = 1e3 * chosen.sigma;
-  figures["forces_patches"] = fit.patches;
-  figures["forces_active"] = static_cast<double>(fit.forces.size());
-  double sum = 0.0;
-  for (const registration::ContactForce& force : fit.forces) sum += 1e3 * force.force.norm();
-  figures["forces_sum_n_per_kpa"] = sum;
-}
-
-/// Expected errors: of the nodes, and of each lesion with the half axes of its 95 % ellipsoid.
-void add_expected(Figures& figures, const registration::ExaminedRegistration& examined) {
-  const Registration& registration = examined.registered.registration;
-  const Eigen::VectorXd& nodes = registration.expected;
-  figures["expected_error_mean_mm"] = 1e3 * nodes.mean();
-  figures["expected_error_max_mm"] = 1e3 * nodes.maxCoeff();
-  for (const registration::LesionError& lesion : examined.lesions) {
-    const std::string name = structure_name(lesion.lesion);
-    figures[name + "_expected_error_mm"] = 1e3 * lesion.expected;
-    const Eigen::Vector3d axes = lesion.half_axes_95();
-    for (int k = 0; k < 3; ++k)
-      figures[name + "_half_axis_95_" + std::to_string(k + 1) + "_mm"] = 1e3 * axes[k];
-  }
-  figures["rivals"] = static_cast<double>(registration.rivals.size());
-  for (std::size_t k = 0; k < registration.rivals.size(); ++k) {
-    const std::string name = "rival_" + std::to_string(k + 1);
-    figures[name + "_probability"] = registration.rivals[k].probability;
-    figures[name + "_away_mm"] = 1e3 * registration::distance_of(registration.rivals[k], registration);
-  }
-}
-
-void add_findings(Figures& figures, const registration::Findings& findings) {
-  const auto set = [&](const char* key, double value) {
-    if (std::isfinite(value)) figures[key] = value;
-  };
-  set("evidence_cloud_noise_mm", 1e3 * findings.roughness);
-  set("evidence_misfit_mm", 1e3 * findings.misfit);
-  set("evidence_held_out_mm", 1e3 * findings.held_out);
-  set("evidence_strangeness", findings.strangeness);
-  set("evidence_forced_mm", 1e3 * findings.forced);
-  set("evidence_margin_off_mm", 1e3 * findings.margin_off);
-  set("evidence_notch_off_mm", 1e3 * findings.notch_off);
-  set("evidence_hidden_share", findings.hidden);
-  set("evidence_turned_share", findings.turned);
-  set("evidence_mirror_odds_ln", findings.mirror_odds);
-  set("evidence_rival_odds_ln", findings.rival_odds);
-  set("evidence_size", findings.size);
-  set("evidence_size_sigma", findings.size_sigma);
-}
-
-void add_figures(Figures& figures, const registration::Registered& made) {
-  if (made.forces) add_figures(figures, *made.forces);
-  const Registration& registration = made.registration;
-  if (made.rigid_residual) figures["rigid_residual_mm"] = 1e3 * *made.rigid_residual;
-  if (made.operations) {
-    figures["operations_simulated"] = made.operations->operations;
-    figures["operations_motion_mean_mm"] = 1e3 * made.operations->mean_motion;
-  }
-  figures["displacement_mean_mm"] = 1e3 * made.displacement.mean;
-  figures["displacement_max_mm"] = 1e3 * made.displacement.maximum;
-  figures["registration_residual_mm"] = 1e3 * registration.residual;
-  figures["registration_seen_share"] = registration.seen_share;
-  figures["registration_steps"] = registration.steps;
-  figures["registration_plateaus"] = registration.plateaus;
-  figures["registration_converged"] = registration.termination == Termination::converged ? 1.0 : 0.0;
-}
-
-}  // namespace
-
 CommandTraits Register::traits() const {
   return {.code = "register",
           .reads = {part::model, part::landmarks, part::proposals, part::cloud},
@@ -120,12 +29,7 @@ Cancellable<Applied> Register::apply(const CaseState& state, const RunContext& c
                                                      context, known);
   if (!examined) return {};
   registration::Registered* made = &examined->registered;
-  Applied applied{state};
-  add_figures(applied.figures, *made);
-  add_expected(applied.figures, *examined);
-  add_findings(applied.figures, examined->findings);
-  applied.figures["registration_refused"] = registration::is_refused(made->registration) ? 1.0 : 0.0;
-  applied.figures["registration_doubts"] = static_cast<double>(made->registration.doubts.size());
+  Applied applied{state, figures_of(*examined)};
   applied.notes = made->registration.doubts;
   for (std::string& note : landmark_notes(state)) applied.notes.push_back(std::move(note));
   if (made->operations && made->operations != known.prior)

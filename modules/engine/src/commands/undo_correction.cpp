@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/engine/commands/undo_correction.h"
 
-#include "corrected_live.h"
+#include "changed_live.h"
 
 namespace glisson::engine {
 
@@ -10,7 +10,7 @@ CommandTraits UndoCorrection::traits() const { return correction_traits("undo_co
 Cancellable<Applied> UndoCorrection::apply(const CaseState& state, const RunContext&,
                                            const Services& services) const {
   Follower& follower = follower_of(services);
-  return corrected_live(state, follower.undo_correction(), follower);
+  return with_live(state, follower.undo_correction(), follower);
 }
 
 }  // namespace glisson::engine

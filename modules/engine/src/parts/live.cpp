@@ -9,6 +9,7 @@ namespace glisson::engine {
 const PartOf<LiveState> part::live{{.code = "live",
                                     .made_of = {part::registration, part::video},
                                     .remedy = "Start tracking first",
-                                    .is_live = true}};
+                                    .is_live = true,
+                                    .is_input = false}};
 
 }  // namespace glisson::engine

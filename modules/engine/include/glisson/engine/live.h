@@ -43,6 +43,12 @@ class Follower {
   virtual OverlayFrame undo_correction();
   /// Those that stand, the oldest first.
   virtual std::vector<CorrectionMade> corrections() const { return {}; }
+  /// Goes over to another registration of the moment in which this began.
+  /// @return the last frame's overlay as it is now. @throws InputError why it cannot; nothing has changed.
+  virtual OverlayFrame take(const Registration& registration);
+  /// Where the tissue has been seen since, all looks joined in that moment: left camera's frame, metres.
+  /// Null: not known yet.
+  virtual std::shared_ptr<const PointsIn<CameraFrame>> tissue_at_start() { return nullptr; }
 };
 /// Makes a follower from the state. @pre nothing is in the command's way (obstacle.h). @throws Error the
 /// mechanics cannot be made, a calibration of other pictures.

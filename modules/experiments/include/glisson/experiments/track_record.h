@@ -11,6 +11,7 @@
 #include "glisson/experiments/track_evaluation.h"
 #include "glisson/geometry/mesh_io.h"
 #include "glisson/patient/correction.h"
+#include "glisson/patient/overlay_record.h"
 #include "glisson/patient/patient_model.h"
 #include "glisson/patient/registration.h"
 
@@ -40,6 +41,8 @@ class TrackRecord {
   /// A correction by hand that was made after the last frame that was added; and one that was taken back.
   void add(const CorrectionMade& made);
   void add_undone(const OverlayFrame& overlay);
+  /// The organ was registered again after that frame.
+  void add(const AgainLine& again);
   /// Writes frames.jsonl. @param whole false: it was cut short. @throws FileError.
   void finish(bool whole);
   int frames() const { return evaluation_.times().frames(); }

@@ -31,6 +31,17 @@ std::string overlay_line(const OverlayLine& line);
 /// The line that says how the track ended.
 std::string overlay_record_end(bool complete, int frames);
 
+/// The organ was registered again after a frame.
+struct AgainLine {
+  int frame = 0;
+  double seconds = 0.0;
+  bool is_taken = false;               ///< false: the former registration stayed
+  double former_gap = 0.0, gap = 0.0;  ///< metres: from tissue that neither had used, before and after
+  double moved = 0.0;                  ///< metres, mean way of the nodes
+};
+/// For people and programs that look on; what reads the film again leaves it out. Without a newline.
+std::string again_line(const AgainLine& line);
+
 struct OverlayRecord {
   std::vector<OverlayLine> frames;
   bool complete = false;  ///< false: the track was cut short, or the file was

@@ -81,6 +81,8 @@ inline constexpr Validity kValidities[] = {Validity::valid,
 const char* validity_code(Validity validity);
 
 Level level_of(Validity validity);
+/// Whether tissue of the organ was followed into the frame, whatever evidence says of where the organ is.
+bool is_followed(Validity validity);
 
 /// What was measured to judge an overlay by, besides the tracker's own points. Standard deviations are what
 /// is expected of a right overlay.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "glisson/engine/case_state.h"
@@ -18,6 +19,8 @@ struct LiveState {
   int frames_late = 0;                      ///< that took longer than a frame's time
   int frames_dropped = 0;                   ///< never followed because a newer one had come
   std::vector<CorrectionMade> corrections;  ///< by hand, that stand; the oldest first
+  /// Where the tissue has been seen since tracking began (Follower::tissue_at_start); null: not yet.
+  std::shared_ptr<const PointsIn<CameraFrame>> tissue_at_start;
 };
 
 namespace part {

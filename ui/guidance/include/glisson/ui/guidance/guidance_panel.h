@@ -5,6 +5,7 @@
 
 #include "glisson/ui/common/drawable_source.h"
 #include "glisson/ui/common/panel.h"
+#include "glisson/ui/guidance/again_model.h"
 #include "glisson/ui/guidance/correction_model.h"
 #include "glisson/ui/guidance/guidance_view.h"
 #include "glisson/ui/guidance/live_view.h"
@@ -45,6 +46,7 @@ class GuidancePanel : public Panel {
   PlaybackModel playback_;
   ReviewModel review_;
   CorrectionModel correction_;
+  AgainModel again_;
   RecordingModel recording_;
   LiveViewModel live_;
   OpenIgtLinkModel openigtlink_;

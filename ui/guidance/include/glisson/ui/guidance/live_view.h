@@ -5,6 +5,7 @@
 #include <QWidget>
 
 #include "glisson/ui/common/couplings.h"
+#include "glisson/ui/guidance/again_model.h"
 #include "glisson/ui/guidance/correction_model.h"
 #include "glisson/ui/guidance/live_picture.h"
 #include "glisson/ui/guidance/live_view_model.h"
@@ -14,13 +15,14 @@ namespace glisson::ui {
 
 /// The augmented picture, with what is said of it above and below, and the way through the video. Keys, while
 /// it has the focus: space, arrows, Home and End (see TimelineBar), F11 the whole screen, P saves the
-/// picture, C corrects by hand, Ctrl+Z takes a correction back, Esc lets go of what the hand holds, of the
-/// choice, or of the whole screen.
+/// picture, R registers again, C corrects by hand, Ctrl+Z takes a correction back, Esc lets go of what the
+/// hand holds, of the choice, or of the whole screen.
 class LiveView : public QWidget {
   Q_OBJECT
  public:
   /// All outlive the view.
-  LiveView(LiveViewModel& model, ReviewModel& review, CorrectionModel& correction, QWidget* parent = nullptr);
+  LiveView(LiveViewModel& model, ReviewModel& review, CorrectionModel& correction, AgainModel& again,
+           QWidget* parent = nullptr);
   ~LiveView() override;
   const LivePicture& picture() const { return *picture_; }
 
@@ -34,6 +36,7 @@ class LiveView : public QWidget {
   LiveViewModel& model_;
   ReviewModel& review_;
   CorrectionModel& correction_;
+  AgainModel& again_;
   TimelineBar* timeline_;
   QPointer<LiveView> whole_screen_;  ///< shown on the whole screen for this one
   LivePicture* picture_;

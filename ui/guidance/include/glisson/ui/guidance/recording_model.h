@@ -5,6 +5,7 @@
 #include <QProperty>
 
 #include "glisson/ui/common/couplings.h"
+#include "glisson/ui/guidance/again_model.h"
 #include "glisson/ui/guidance/correction_model.h"
 #include "glisson/ui/guidance/overlay_worker.h"
 #include "glisson/ui/guidance/playback_model.h"
@@ -12,12 +13,13 @@
 namespace glisson::ui {
 
 /// Records the live view. It may be asked for before the playing begins; it ends with the playing.
-/// Corrections by hand are written beside it, into NAME.corrections.jsonl.
+/// Corrections by hand and registrations that were made meanwhile are written beside it, into
+/// NAME.corrections.jsonl.
 class RecordingModel : public QObject {
   Q_OBJECT
  public:
   RecordingModel(OverlayWorker& worker, PlaybackModel& playback, CorrectionModel& correction,
-                 QObject* parent = nullptr);
+                 AgainModel& again, QObject* parent = nullptr);
 
   void start(const QString& path);
   /// The file is closed; `said` tells how that went.
@@ -35,6 +37,7 @@ class RecordingModel : public QObject {
 
   OverlayWorker& worker_;
   CorrectionModel& correction_;
+  AgainModel& again_;
   Couplings couplings_;
 };
 

@@ -28,8 +28,8 @@ inline Follower& follower_of(const Services& services) {
   return *services.follower;
 }
 
-/// The live part with what hands have said.
-inline Applied corrected_live(const CaseState& state, OverlayFrame overlay, const Follower& follower) {
+/// The live part as it is now, with what hands have said.
+inline Applied with_live(const CaseState& state, OverlayFrame overlay, const Follower& follower) {
   Applied applied{state};
   LiveState live = *state[part::live];
   live.overlay = std::move(overlay);

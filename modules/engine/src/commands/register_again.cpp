@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/engine/commands/register_again.h"
+
+#include <utility>
+
+#include "glisson/core/error.h"
+#include "glisson/engine/parts/cloud.h"
+#include "glisson/engine/parts/landmarks.h"
+#include "glisson/engine/parts/live.h"
+#include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/other_registration.h"
+#include "glisson/engine/parts/proposals.h"
+#include "glisson/engine/parts/registration.h"
+#include "glisson/registration/register_again.h"
+#include "registration_figures.h"
+
+namespace glisson::engine {
+
+CommandTraits RegisterAgain::traits() const {
+  return {
+      .code = "register_again",
+      .reads = {part::model, part::landmarks, part::proposals, part::cloud, part::registration, part::live},
+      .writes = {part::other_registration},
+      .needs = {part::registration, part::model, part::live},
+      .current = {part::model, part::landmarks, part::registration}};
+}
+
+Cancellable<Applied> RegisterAgain::apply(const CaseState& state, const RunContext& context) const {
+  const auto& tissue = state[part::live]->tissue_at_start;
+  if (!tissue)
+    throw InputError("registration", "tissue", "has not been seen often enough yet",
+                     "Follow the organ in a stereo video for a second");
+  registration::RegisterOptions options = *this;
+  options.landmarks_are_placed = state[part::landmarks] != nullptr;
+  const LabelledCloud none;
+  auto again = registration::register_again(
+      effective_model(state), state[part::cloud] ? *state[part::cloud] : none, *tissue,
+      *state[part::registration], options, context, known_operations(state));
+  if (!again) return {};
+  Applied applied{state, figures_of(again->examined)};
+  applied.figures["again_better"] = again->is_better ? 1.0 : 0.0;
+  applied.figures["again_kept_out"] = again->kept_out;
+  applied.figures["again_former_gap_mm"] = 1e3 * again->former_gap;
+  applied.figures["again_gap_mm"] = 1e3 * again->gap;
+  applied.figures["again_moved_mm"] = 1e3 * again->moved;
+  Registration& made = again->examined.registered.registration;
+  applied.notes = made.doubts;
+  applied.state[part::other_registration] = std::make_shared<const OtherRegistration>(OtherRegistration{
+      std::move(made), false, again->is_better, again->former_gap, again->gap, again->moved});
+  return applied;
+}
+
+}  // namespace glisson::engine

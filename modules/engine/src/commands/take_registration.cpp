@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/engine/commands/take_registration.h"
+
+#include <utility>
+
+#include "changed_live.h"
+#include "glisson/engine/parts/other_registration.h"
+#include "glisson/engine/parts/registration.h"
+
+namespace glisson::engine {
+
+CommandTraits TakeRegistration::traits() const {
+  const Parts parts = {part::registration, part::other_registration, part::live};
+  return {.code = "take_registration",
+          .reads = parts,
+          .writes = parts,
+          .needs = {part::live, part::other_registration},
+          .current = {part::live, part::other_registration},
+          .lane = Lane::edits,
+          .notice = Notice::quiet};
+}
+
+Cancellable<Applied> TakeRegistration::apply(const CaseState& state, const RunContext&,
+                                             const Services& services) const {
+  Follower& follower = follower_of(services);
+  OtherRegistration former = *state[part::other_registration];
+  auto taken = std::make_shared<const Registration>(std::move(former.registration));
+  Applied applied = with_live(state, follower.take(*taken), follower);
+  former.registration = *state[part::registration];
+  former.is_former = !former.is_former;
+  applied.notes = taken->doubts;
+  applied.state[part::registration] = std::move(taken);
+  applied.state[part::other_registration] = std::make_shared<const OtherRegistration>(std::move(former));
+  return applied;
+}
+
+}  // namespace glisson::engine

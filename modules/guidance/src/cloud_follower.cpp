@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cloud_follower.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "glisson/core/error.h"
+#include "glisson/registration/pairs.h"
+
+namespace glisson::guidance {
+
+CloudFollower::CloudFollower(const PatientModel& model, const Registration& start,
+                             const TrackerOptions& options)
+    : options_(options) {
+  registration::ElasticOptions elastic = options.cloud;
+  elastic.fixed_nodes = options.fixed_nodes;
+  if (registration::takes_forces(options.cloud_method, model, elastic))
+    forces_.emplace(model, start.camera_from_ct, registration::forces_with(model, elastic));
+}
+
+Validity CloudFollower::follow(const LabelledCloud& cloud, int steps, FollowedBody& body,
+                               OverlayFrame& overlay) {
+  if (cloud.size() < std::max(10, options_.minimum_pairs)) return Validity::too_few_points;
+  LabelledCloud unlabelled = cloud;
+  unlabelled.features.clear();
+  const Validity followed =
+      forces_ ? by_forces(unlabelled, body, overlay) : by_springs(unlabelled, steps, body, overlay);
+  if (followed != Validity::valid) return followed;
+  if (overlay.pairs < options_.minimum_pairs) return Validity::too_few_points;
+  return overlay.residual > options_.maximum_residual ? Validity::residual_too_large : Validity::valid;
+}
+
+Validity CloudFollower::by_forces(const LabelledCloud& cloud, FollowedBody& body, OverlayFrame& overlay) {
+  try {
+    const auto fit = forces_->follow(cloud, {});
+    body.place(fit->nodes_in_camera);
+    overlay.pairs = static_cast<int>(std::lround((1.0 - fit->outlier_share) * cloud.size()));
+    overlay.residual = fit->residual;
+    return Validity::valid;
+  } catch (const NumericalError&) {
+    return Validity::mechanics_failed;
+  } catch (const InputError&) {
+    return Validity::too_few_points;  // too few of the cloud's points are usable
+  }
+}
+
+Validity CloudFollower::by_springs(const LabelledCloud& cloud, int steps, FollowedBody& body,
+                                   OverlayFrame& overlay) const {
+  const auto prepared = registration::prepare_cloud(cloud, {options_.cloud.reference_density_per_cm2});
+  const double k = options_.cloud.k_surface_max * options_.cloud.final_stiffening *
+                   options_.materials.parenchyma.young_modulus;
+  std::vector<registration::Pair> pairs;
+  for (int i = 0; i < steps; ++i) {
+    pairs = registration::find_pairs(prepared, body.surface(), {});
+    const auto pull = [&](std::vector<fem::AttachedLoad>& loads) {
+      for (const registration::Pair& pair : pairs)
+        if (pair.kept)
+          loads.push_back(registration::pair_load(pair, body.surface(), options_.cloud.form, options_.cloud.s,
+                                                  k * prepared.weight[static_cast<std::size_t>(pair.point)],
+                                                  options_.cloud.tangential));
+    };
+    if (!body.step(pull)) return Validity::mechanics_failed;
+  }
+  pairs = registration::find_pairs(prepared, body.surface(), {});
+  overlay.pairs =
+      static_cast<int>(std::count_if(pairs.begin(), pairs.end(), [](const auto& pair) { return pair.kept; }));
+  overlay.residual = registration::mean_distance(pairs);
+  return Validity::valid;
+}
+
+}  // namespace glisson::guidance

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "followed_body.h"
+#include "glisson/guidance/tracker.h"
+#include "glisson/registration/force_follower.h"
+
+namespace glisson::guidance {
+
+/// Brings the followed organ to a cloud: by contact forces, or by the springs of eq. 14. Not thread-safe.
+class CloudFollower {
+ public:
+  CloudFollower(const PatientModel& model, const Registration& start, const TrackerOptions& options);
+
+  /// @param steps of the springs, with new pairs each. @param overlay its pairs and residual are filled in.
+  Validity follow(const LabelledCloud& cloud, int steps, FollowedBody& body, OverlayFrame& overlay);
+
+ private:
+  Validity by_forces(const LabelledCloud& cloud, FollowedBody& body, OverlayFrame& overlay);
+  Validity by_springs(const LabelledCloud& cloud, int steps, FollowedBody& body, OverlayFrame& overlay) const;
+
+  TrackerOptions options_;
+  std::optional<registration::ForceFollower> forces_;
+};
+
+}  // namespace glisson::guidance

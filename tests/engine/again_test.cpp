@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Registered again while the organ is followed: offered first, then taken, and back.
+#include <QtTest>
+
+#include "glisson/engine/commands/register_again.h"
+#include "glisson/engine/commands/start_tracking.h"
+#include "glisson/engine/commands/stop_tracking.h"
+#include "glisson/engine/commands/take_registration.h"
+#include "glisson/engine/obstacle.h"
+#include "glisson/engine/parts/live.h"
+#include "glisson/engine/parts/other_registration.h"
+#include "glisson/engine/parts/registration.h"
+#include "runners.h"
+
+using namespace glisson;
+using namespace glisson::engine;
+
+namespace {
+
+Points somewhere(double x) { return Points::Constant(1, 3, x); }
+
+/// Shows the registration that it has.
+class Showing : public Follower {
+ public:
+  explicit Showing(const Registration& start) : nodes_(start.nodes_in_camera) {}
+  OverlayFrame follow(const LiveInput& input) override {
+    overlay_.index = std::get<StereoFrame>(input).index;
+    return overlay();
+  }
+  OverlayFrame take(const Registration& registration) override {
+    nodes_ = registration.nodes_in_camera;
+    return overlay();
+  }
+  std::shared_ptr<const PointsIn<CameraFrame>> tissue_at_start() override {
+    return std::make_shared<const Points>(Points::Ones(overlay_.index, 3));
+  }
+
+ private:
+  OverlayFrame overlay() {
+    overlay_.validity = Validity::valid;
+    overlay_.nodes_in_camera = nodes_;
+    return overlay_;
+  }
+  Points nodes_;
+  OverlayFrame overlay_;
+};
+
+/// Puts a registration there, as a real one would.
+struct Registered {
+  double x = 0.0;
+  CommandTraits traits() const { return {.code = "register", .writes = {part::registration}}; }
+  Cancellable<Applied> apply(const CaseState& state, const RunContext&) const {
+    Applied applied{state};
+    Registration made;
+    made.nodes_in_camera = somewhere(x);
+    applied.state[part::registration] = std::make_shared<const Registration>(made);
+    return applied;
+  }
+};
+
+/// As RegisterAgain says of itself, without its hour's work.
+struct Offered : RegisterAgain {
+  double x = 0.0;
+  Cancellable<Applied> apply(const CaseState& state, const RunContext&) const {
+    Applied applied{state};
+    OtherRegistration offered;
+    offered.registration.nodes_in_camera = somewhere(x);
+    offered.is_better = true;
+    applied.state[part::other_registration] = std::make_shared<const OtherRegistration>(offered);
+    return applied;
+  }
+};
+
+Engine::Options options(Runner runner) {
+  Engine::Options options;
+  options.runner = runner;
+  options.apply = [](const CaseState& state, const Command& command, const RunContext& context,
+                     const Services& services) { return command.apply(state, context, services); };
+  options.make_follower = [](const CaseState& state, const StartTracking&) {
+    return std::make_unique<Showing>(*state[part::registration]);
+  };
+  return options;
+}
+
+}  // namespace
+
+class AgainTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void WhatIsOfferedIsTakenAndNothingIsOutOfDate_data() { test::both_runners(); }
+  void WhatIsOfferedIsTakenAndNothingIsOutOfDate();
+  void AnOfferOfAFormerRegistrationIsOutOfDate_data() { test::both_runners(); }
+  void AnOfferOfAFormerRegistrationIsOutOfDate();
+  void TheLivePartTellsOfTheTissue_data() { test::both_runners(); }
+  void TheLivePartTellsOfTheTissue();
+  void WithoutAnythingFollowedNothingIsTaken_data() { test::both_runners(); }
+  void WithoutAnythingFollowedNothingIsTaken();
+
+ private:
+  static void follow(Engine& engine, int index) {
+    StereoFrame frame;
+    frame.index = index;
+    engine.submit_frame(std::move(frame));
+    engine.wait_for_frames();
+  }
+  static Outcome ask(Engine& engine, Command command) { return engine.wait(engine.post(std::move(command))); }
+  static Offered offer(double x) {
+    Offered offered;
+    offered.x = x;
+    return offered;
+  }
+  static double registered(const Engine& engine) {
+    return engine.snapshot()->state[part::registration]->nodes_in_camera(0, 0);
+  }
+  static double shown(const Engine& engine) {
+    return engine.snapshot()->state[part::live]->overlay.nodes_in_camera(0, 0);
+  }
+  static void current(const Engine& engine) {
+    for (const Part part : {Part(part::registration), Part(part::other_registration), Part(part::live)})
+      QCOMPARE(engine.snapshot()->stage(part), StageState::current);
+  }
+};
+
+void AgainTest::WhatIsOfferedIsTakenAndNothingIsOutOfDate() {
+  QFETCH(Runner, runner);
+  Engine engine(options(runner));
+  ask(engine, Registered{1.0});
+  ask(engine, StartTracking{});
+  follow(engine, 1);
+  QCOMPARE(ask(engine, offer(2.0)).status, Status::done);
+  QCOMPARE(shown(engine), 1.0);  // until it is taken
+  QCOMPARE(registered(engine), 1.0);
+  current(engine);
+  QCOMPARE(ask(engine, TakeRegistration{}).status, Status::done);
+  QCOMPARE(shown(engine), 2.0);  // without another frame
+  QCOMPARE(registered(engine), 2.0);
+  current(engine);
+  QVERIFY(engine.snapshot()->state[part::other_registration]->is_former);
+  follow(engine, 2);
+  QCOMPARE(shown(engine), 2.0);
+  QVERIFY(engine.snapshot()->state[part::live]->overlay.validity == Validity::valid);  // not stale
+  QCOMPARE(ask(engine, TakeRegistration{}).status, Status::done);
+  QCOMPARE(shown(engine), 1.0);
+  QCOMPARE(registered(engine), 1.0);
+  QVERIFY(!engine.snapshot()->state[part::other_registration]->is_former);
+  current(engine);
+}
+
+void AgainTest::AnOfferOfAFormerRegistrationIsOutOfDate() {
+  QFETCH(Runner, runner);
+  Engine engine(options(runner));
+  ask(engine, Registered{1.0});
+  ask(engine, StartTracking{});
+  follow(engine, 1);
+  ask(engine, offer(2.0));
+  ask(engine, Registered{3.0});
+  const auto obstacle_now = obstacle(*engine.snapshot(), TakeRegistration{});
+  QVERIFY(obstacle_now && obstacle_now->kind == Obstacle::Kind::stale);
+}
+
+void AgainTest::TheLivePartTellsOfTheTissue() {
+  QFETCH(Runner, runner);
+  Engine engine(options(runner));
+  ask(engine, Registered{1.0});
+  ask(engine, StartTracking{});
+  QVERIFY(!engine.snapshot()->state[part::live]->tissue_at_start);
+  follow(engine, 7);
+  QCOMPARE(engine.snapshot()->state[part::live]->tissue_at_start->rows(), 7);
+}
+
+void AgainTest::WithoutAnythingFollowedNothingIsTaken() {
+  QFETCH(Runner, runner);
+  Engine engine(options(runner));
+  QVERIFY(obstacle(CaseState(), RegisterAgain{}));
+  QVERIFY(obstacle(CaseState(), TakeRegistration{}));
+  ask(engine, Registered{1.0});
+  ask(engine, StartTracking{});
+  follow(engine, 1);
+  ask(engine, offer(2.0));
+  ask(engine, StopTracking{});
+  QCOMPARE(ask(engine, TakeRegistration{}).status, Status::failed);
+  QCOMPARE(registered(engine), 1.0);
+}
+
+QTEST_APPLESS_MAIN(AgainTest)
+#include "again_test.moc"

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The organ is registered again while it is followed. The truth is the film's own: a ray caster that knows no
+// tracker.
+#include <QtTest>
+#include <numbers>
+
+#include "filmed_phantom.h"
+#include "glisson/core/error.h"
+#include "glisson/geometry/distance.h"
+#include "glisson/guidance/tracker.h"
+#include "glisson/registration/register_again.h"
+#include "tissue_map.h"
+
+using namespace glisson;
+using namespace glisson::guidance;
+
+class AgainTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void initTestCase();
+  void LooksOfAMovingOrganJoinInTheShapeOfTheStart();
+  void WhatPassesByIsNoTissue();
+  void AnotherRegistrationIsTakenWhileTheTissueStaysWhereItIs();
+  void AWrongStartIsRegisteredAgainAndShown();
+  void AShownOrganGoesOverGently();
+  void WhatHandsHaveSaidIsKept();
+  void WhatCannotBeFollowedIsRefusedAndNothingChanges();
+
+ private:
+  static constexpr int kFilm = 16;
+  Points at(double share) const { return phantom::breathed(model_, nodes_, share); }
+  Points truth(int frame) const { return at(0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * frame / kFilm)); }
+  StereoFrame frame(int k) const {
+    StereoFrame frame = film_[static_cast<std::size_t>(k % kFilm)];
+    frame.index = k;
+    frame.seconds = k / 30.0;
+    return frame;
+  }
+  Registration off(const Eigen::Vector3d& by) const {
+    Registration start = start_;
+    start.nodes_in_camera.rowwise() += by.transpose();
+    start.camera_from_ct.translation += by;
+    return start;
+  }
+  Tracker begun(const Registration& start) const {
+    Tracker tracker(model_, start, phantom::free_body());
+    tracker.begin(rig_, film_[0], {});
+    return tracker;
+  }
+  /// The last of so many frames.
+  OverlayFrame followed(Tracker& tracker, int from, int to) const {
+    OverlayFrame overlay;
+    for (int k = from; k <= to; ++k) overlay = tracker.follow(frame(k));
+    return overlay;
+  }
+  static double error(const Points& nodes, const Points& truth) { return point_errors(nodes, truth).mean; }
+
+  StereoRig rig_ = phantom::rig();
+  PatientModel model_ = phantom::model(8, 6, 3);
+  Points nodes_;
+  Registration start_;
+  std::vector<StereoFrame> film_;
+};
+
+void AgainTest::initTestCase() {
+  start_.camera_from_ct = phantom::view();
+  start_.camera_from_ct.translation.y() -= 18e-3;  // the rim in sight
+  start_.nodes_in_camera = nodes_ = start_.camera_from_ct.apply(model_.mesh.vertices);
+  for (int k = 0; k < kFilm; ++k) film_.push_back(phantom::film(model_, truth(k), rig_, k));
+}
+
+void AgainTest::LooksOfAMovingOrganJoinInTheShapeOfTheStart() {
+  // It breathes by 5 mm and more, and starts 5 mm off: the tissue is told where it was at the start.
+  Tracker tracker = begun(off({3e-3, -3e-3, 3e-3}));
+  QVERIFY(!tracker.tissue_at_start());
+  followed(tracker, 1, 45);
+  const auto tissue = tracker.tissue_at_start();
+  QVERIFY(tissue && tissue->rows() > 50);
+  TriangleMesh surface = model_.surface.mesh;
+  for (int i = 0; i < surface.vertex_count(); ++i)
+    surface.vertices.row(i) = nodes_.row(model_.surface.node_of_vertex[static_cast<std::size_t>(i)]);
+  const DistanceSummary away = summarise(distances_to_surface(*tissue, surface));
+  QVERIFY2(away.median < 1e-3 && away.percentile_95 < 3e-3,
+           qPrintable(QString("%1, %2 mm").arg(1e3 * away.median).arg(1e3 * away.percentile_95)));
+}
+
+void AgainTest::WhatPassesByIsNoTissue() {
+  TissueMap map;
+  std::vector<Eigen::Vector3d> places;
+  for (int i = 0; i < 10; ++i) places.emplace_back(0.01 * i + 1e-3, 1e-3, 0.1);
+  for (int look = 0; look < 5; ++look) {
+    map.add(places);
+    if (look < 2) {
+      QCOMPARE(map.places().rows(), 0);
+      map.add({{0.01 * look, 0.02, 0.08}});  // a tool, each time elsewhere
+    }
+  }
+  QCOMPARE(map.places().rows(), 10);
+  for (const Eigen::Vector3d& place : places)
+    QVERIFY((map.places().rowwise() - place.transpose()).rowwise().norm().minCoeff() < 1e-12);
+  map.clear();
+  QCOMPARE(map.places().rows(), 0);
+}
+
+void AgainTest::AnotherRegistrationIsTakenWhileTheTissueStaysWhereItIs() {
+  Tracker tracker = begun(off({6e-3, -4e-3, 3e-3}));
+  const OverlayFrame before = followed(tracker, 1, 12);
+  const OverlayFrame taken = tracker.take(start_);
+  QVERIFY2(error(taken.nodes_in_camera, truth(12)) < 0.25 * error(before.nodes_in_camera, truth(12)),
+           qPrintable(QString::number(1e3 * error(taken.nodes_in_camera, truth(12)))));
+  // It stays there, with the same points, and its own evidence agrees in the end.
+  const OverlayFrame after = followed(tracker, 13, 80);
+  QVERIFY(after.pairs >= 30);
+  QVERIFY2(error(after.nodes_in_camera, truth(80)) < 2e-3,
+           qPrintable(QString::number(1e3 * error(after.nodes_in_camera, truth(80)))));
+  QVERIFY2(after.validity == Validity::valid, validity_code(after.validity));
+  // And back.
+  const OverlayFrame former = tracker.take(off({6e-3, -4e-3, 3e-3}));
+  QVERIFY(followed(tracker, 81, 130).validity != Validity::valid);
+  QVERIFY(former.index == 80);
+}
+
+void AgainTest::AWrongStartIsRegisteredAgainAndShown() {
+  const Registration wrong = off({7e-3, -4e-3, 4e-3});
+  Tracker tracker = begun(wrong);
+  QVERIFY(followed(tracker, 1, 45).validity == Validity::surface_apart);
+  // The marks of the first cloud, as the operator set them.
+  const LabelledCloud cloud = phantom::patch(model_, nodes_, {});
+  registration::RegisterOptions options;
+  options.operations = false;
+  const auto again =
+      registration::register_again(model_, cloud, *tracker.tissue_at_start(), wrong, options, RunContext());
+  QVERIFY(again->is_better);
+  QVERIFY(again->gap < again->former_gap);
+  tracker.take(again->examined.registered.registration);
+  const OverlayFrame after = followed(tracker, 46, 100);
+  QVERIFY2(after.validity == Validity::valid, validity_code(after.validity));
+  QVERIFY2(error(after.nodes_in_camera, truth(100)) < 0.5 * error(wrong.nodes_in_camera, nodes_),
+           qPrintable(QString::number(1e3 * error(after.nodes_in_camera, truth(100)))));
+}
+
+void AgainTest::AShownOrganGoesOverGently() {
+  Tracker tracker = begun(start_), left_alone = begun(start_);
+  QVERIFY(followed(tracker, 1, 12).validity == Validity::valid);
+  followed(left_alone, 1, 12);
+  const Eigen::Vector3d by(1.5e-3, 0.0, 0.0);
+  const auto apart = [](const OverlayFrame& a, const OverlayFrame& b) {
+    return (a.nodes_in_camera - b.nodes_in_camera).rowwise().norm().mean();
+  };
+  tracker.take(off(by));
+  double last = 0.0;
+  for (int k = 13; k <= 45; ++k) {
+    const double now = apart(tracker.follow(frame(k)), left_alone.follow(frame(k)));
+    QVERIFY2(std::abs(now - last) < 0.3e-3, qPrintable(QString("frame %1: %2").arg(k).arg(1e3 * now)));
+    last = now;
+  }
+  QVERIFY2(last > 0.9e-3, qPrintable(QString::number(1e3 * last)));  // it has gone
+}
+
+void AgainTest::WhatHandsHaveSaidIsKept() {
+  Tracker tracker = begun(off({4e-3, 0.0, 0.0}));
+  const OverlayFrame before = followed(tracker, 1, 6);
+  Correction drag;
+  drag.place_in_ct = model_.landmarks.anterior_margin.row(20).transpose();
+  const auto pixel = [&](const Points& nodes) {
+    const Points place =
+        bind_points(model_.mesh, drag.place_in_ct.transpose(), false).apply(model_.mesh, nodes);
+    return rig_.left.project(place.row(0).transpose());
+  };
+  drag.from = pixel(before.nodes_in_camera);
+  drag.to = pixel(truth(6));
+  tracker.correct(drag);
+  const OverlayFrame taken = tracker.take(off({4e-3, 1e-3, 0.0}));  // as wrong there
+  QVERIFY2((pixel(taken.nodes_in_camera) - drag.to).norm() < 0.5 * (drag.from - drag.to).norm(),
+           qPrintable(QString::number((pixel(taken.nodes_in_camera) - drag.to).norm())));
+  QVERIFY(tracker.corrections().empty());
+  QVERIFY_EXCEPTION_THROWN(tracker.undo_correction(), InputError);
+}
+
+void AgainTest::WhatCannotBeFollowedIsRefusedAndNothingChanges() {
+  Tracker tracker = begun(start_);
+  Registration foreign = start_;
+  foreign.nodes_in_camera.conservativeResize(5, 3);
+  QVERIFY_EXCEPTION_THROWN(tracker.take(start_), InputError);  // no frame yet
+  const OverlayFrame before = followed(tracker, 1, 3);
+  QVERIFY_EXCEPTION_THROWN(tracker.take(foreign), InputError);
+  foreign = start_;
+  foreign.nodes_in_camera(3, 1) = std::nan("");
+  QVERIFY_EXCEPTION_THROWN(tracker.take(foreign), InputError);
+  Tracker other = begun(start_);
+  followed(other, 1, 3);
+  QVERIFY(tracker.follow(frame(4)).nodes_in_camera == other.follow(frame(4)).nodes_in_camera);
+  QVERIFY(before.validity == Validity::valid);
+}
+
+QTEST_APPLESS_MAIN(AgainTest)
+#include "again_test.moc"

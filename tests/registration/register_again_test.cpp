@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Registered once more, with tissue that was seen later.
+#include "glisson/registration/register_again.h"
+
+#include <QtTest>
+
+#include "glisson/core/error.h"
+#include "glisson/geometry/distance.h"
+#include "phantom.h"
+
+using namespace glisson;
+using namespace glisson::registration;
+
+class RegisterAgainTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void AWrongOneBecomesBetterByWhatNeitherHasUsed();
+  void ARightOneIsNotReplacedByChance();
+  void NewDoubtsAreNotTakenUnseen();
+  void TheFirstCloudsMarksTakePart();
+  void LittleTissueOrAForeignStartIsRefused();
+  void CancelGivesNothing();
+
+ private:
+  Registration at(const CameraFromCt& pose) const {
+    Registration made;
+    made.camera_from_ct = pose;
+    made.nodes_in_camera = pose.apply(model_.mesh.vertices);
+    return made;
+  }
+  static CameraFromCt off(double x, double y, double z) {
+    CameraFromCt pose = phantom::view();
+    pose.translation += Eigen::Vector3d(x, y, z);
+    return pose;
+  }
+  static RegisterOptions plain() {
+    RegisterOptions options;
+    options.operations = false;
+    return options;
+  }
+  LabelledCloud seen(unsigned seed, double noise = 0.5e-3) const {
+    return phantom::patch(model_, truth_, {.share = 0.3, .noise = noise, .seed = seed});
+  }
+  PointsIn<CameraFrame> tissue(double noise = 0.5e-3) const { return seen(7, noise).points; }
+  double error(const Registration& made) const { return point_errors(made.nodes_in_camera, truth_).mean; }
+
+  PatientModel model_ = phantom::model(8, 6, 3);
+  Points truth_ = phantom::view().apply(model_.mesh.vertices);
+};
+
+void RegisterAgainTest::AWrongOneBecomesBetterByWhatNeitherHasUsed() {
+  const Registration wrong = at(off(8e-3, -5e-3, 6e-3));
+  const auto again = register_again(model_, seen(1), tissue(), wrong, plain(), RunContext());
+  QVERIFY(again->is_better);
+  QVERIFY(again->kept_out > 20);
+  QVERIFY2(again->gap < 0.5 * again->former_gap,
+           qPrintable(QString("%1 of %2").arg(1e3 * again->gap).arg(1e3 * again->former_gap)));
+  const double after = error(again->examined.registered.registration);
+  QVERIFY2(after < 0.3 * error(wrong), qPrintable(QString::number(1e3 * after)));
+  QVERIFY(std::abs(again->moved - error(wrong)) < 3e-3);
+}
+
+void RegisterAgainTest::ARightOneIsNotReplacedByChance() {
+  // The truth itself: no registration lies nearer to what was kept out but by luck.
+  const auto again = register_again(model_, seen(1), tissue(), at(phantom::view()), plain(), RunContext());
+  QVERIFY2(!again->is_better,
+           qPrintable(QString("%1, %2").arg(1e3 * again->gap).arg(1e3 * again->former_gap)));
+}
+
+void RegisterAgainTest::NewDoubtsAreNotTakenUnseen() {
+  const Registration wrong = at(off(8e-3, -5e-3, 6e-3));
+  LabelledCloud unmarked = seen(1);
+  unmarked.features.clear();
+  const auto again = register_again(model_, unmarked, tissue(), wrong, plain(), RunContext());
+  QVERIFY(!again->examined.registered.registration.doubts.empty());
+  QVERIFY(!again->is_better);  // no_notch, say: the former had none
+  Registration doubted = wrong;
+  doubted.doubts = again->examined.registered.registration.doubts;
+  const auto once_more = register_again(model_, unmarked, tissue(), doubted, plain(), RunContext());
+  QVERIFY(once_more->is_better);
+}
+
+void RegisterAgainTest::TheFirstCloudsMarksTakePart() {
+  const Registration wrong = at(off(6e-3, 0.0, 0.0));
+  const auto with = register_again(model_, seen(1), tissue(), wrong, plain(), RunContext());
+  const auto without = register_again(model_, {}, tissue(), wrong, plain(), RunContext());
+  QVERIFY(with->examined.findings.margin_off < 4e-3 && with->examined.findings.notch_off < 6e-3);
+  QVERIFY(std::isnan(without->examined.findings.margin_off));
+}
+
+void RegisterAgainTest::LittleTissueOrAForeignStartIsRefused() {
+  const Registration former = at(phantom::view());
+  const Points few = tissue().topRows(29);
+  QVERIFY_EXCEPTION_THROWN(register_again(model_, seen(1), few, former, plain(), RunContext()), InputError);
+  Registration foreign = former;
+  foreign.nodes_in_camera.conservativeResize(3, 3);
+  QVERIFY_EXCEPTION_THROWN(register_again(model_, seen(1), tissue(), foreign, plain(), RunContext()),
+                           InputError);
+}
+
+void RegisterAgainTest::CancelGivesNothing() {
+  auto cancel = std::make_shared<CancelFlag>();
+  cancel->request();
+  const RunContext cancelled({}, cancel, 1);
+  QVERIFY(!register_again(model_, seen(1), tissue(), at(phantom::view()), plain(), cancelled));
+}
+
+QTEST_APPLESS_MAIN(RegisterAgainTest)
+#include "register_again_test.moc"
