@@ -81,7 +81,8 @@ function(glisson_test)
   if(GLISSON_SANITIZER)
     list(APPEND environment "UBSAN_OPTIONS=print_stacktrace=1"
       "LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/packaging/sanitizers/lsan.supp:print_suppressions=0"
-      "TSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/packaging/sanitizers/tsan.supp")
+      # QProcess shares its memory with the child until that becomes another program; threads begin afterwards.
+      "TSAN_OPTIONS=die_after_fork=0:suppressions=${PROJECT_SOURCE_DIR}/packaging/sanitizers/tsan.supp")
     # Mesa's software driver, and those of cameras, leave small objects and are unloaded before leaks are counted, so that
     # no suppression can name them.
     if(ARG_DISPLAY OR ARG_DRIVERS)
