@@ -1388,10 +1388,6 @@
         <translation>Lassen Sie die Serie weg, oder nennen Sie den Ordner mit den DICOM-Schichten</translation>
     </message>
     <message>
-        <source>Give a folder of DICOM slices, .tar.gz, .nii, .nii.gz, .nrrd, .nhdr, .mha, .mhd or .vti</source>
-        <translation>Geben Sie einen Ordner mit DICOM-Schichten, .tar.gz, .nii, .nii.gz, .nrrd, .nhdr, .mha, .mhd oder .vti</translation>
-    </message>
-    <message>
         <source>Check that this is the right file</source>
         <translation>Prüfen Sie, ob dies die richtige Datei ist</translation>
     </message>
@@ -1870,6 +1866,46 @@
     <message>
         <source>Give HOST:PORT/NAME with the name of the tool&apos;s transform</source>
         <translation>Geben Sie ADRESSE:PORT/NAME mit dem Namen der Transformation des Werkzeugs an</translation>
+    </message>
+    <message>
+        <source>is encrypted</source>
+        <translation>ist verschlüsselt</translation>
+    </message>
+    <message>
+        <source>is one of several parts of an archive</source>
+        <translation>ist einer von mehreren Teilen eines Archivs</translation>
+    </message>
+    <message>
+        <source>is packed in a way that is not read here</source>
+        <translation>ist auf eine Weise gepackt, die hier nicht gelesen wird</translation>
+    </message>
+    <message>
+        <source>is named as a DICOM directory, but is none or is damaged</source>
+        <translation>heißt wie ein DICOM-Verzeichnis, ist aber keines oder ist beschädigt</translation>
+    </message>
+    <message>
+        <source>names files that are all missing, %1 first</source>
+        <translation>nennt Dateien, die alle fehlen, zuerst %1</translation>
+    </message>
+    <message>
+        <source>Unpack it with its password and name the folder</source>
+        <translation>Entpacken Sie es mit seinem Passwort und nennen Sie den Ordner</translation>
+    </message>
+    <message>
+        <source>Unpack it yourself and name the folder</source>
+        <translation>Entpacken Sie es selbst und nennen Sie den Ordner</translation>
+    </message>
+    <message>
+        <source>Unpack them yourself and name the folder</source>
+        <translation>Entpacken Sie sie selbst und nennen Sie den Ordner</translation>
+    </message>
+    <message>
+        <source>Copy the whole medium, not its DICOMDIR alone</source>
+        <translation>Kopieren Sie den ganzen Datenträger, nicht nur seine DICOMDIR</translation>
+    </message>
+    <message>
+        <source>Give a folder of DICOM slices, .zip, .tar.gz, .nii, .nii.gz, .nrrd, .nhdr, .mha, .mhd or .vti</source>
+        <translation>Geben Sie einen Ordner mit DICOM-Schichten, .zip, .tar.gz, .nii, .nii.gz, .nrrd, .nhdr, .mha, .mhd oder .vti an</translation>
     </message>
 </context>
 <context>
@@ -2447,6 +2483,10 @@
     <message>
         <source>The seeds in the liver are a proposal: look at what is segmented from them, slice by slice.</source>
         <translation>Die Saatpunkte in der Leber sind ein Vorschlag: Sehen Sie Schicht für Schicht an, was daraus segmentiert wird.</translation>
+    </message>
+    <message>
+        <source>The DICOMDIR names files that are not there: slices may be missing. Copy the whole medium. (%*)</source>
+        <translation>Die DICOMDIR nennt Dateien, die nicht da sind: Schichten können fehlen. Kopieren Sie den ganzen Datenträger. (%*)</translation>
     </message>
 </context>
 <context>
@@ -3493,10 +3533,6 @@
     <message>
         <source>The case&apos;s folder, NAME.glisson.</source>
         <translation>Ordner des Falls, NAME.glisson.</translation>
-    </message>
-    <message>
-        <source>Reads a CT (a folder of DICOM slices, a .tar.gz of one, NIfTI, NRRD, MetaImage) into a case, which is made if there is none.</source>
-        <translation>Liest ein CT (Ordner mit DICOM-Schichten, .tar.gz davon, NIfTI, NRRD, MetaImage) in einen Fall ein; gibt es ihn noch nicht, wird er angelegt.</translation>
     </message>
     <message>
         <source>The volume.</source>
@@ -4670,6 +4706,10 @@
         <source>Registers again every so many seconds of the video, with what has been seen of the organ since; taken where it is better by tissue that neither registration has used.</source>
         <translation>Registriert alle so viele Sekunden des Videos erneut, mit dem, was seither vom Organ gesehen wurde; übernommen, wo es nach Gewebe besser ist, das keine der beiden Registrierungen benutzt hat.</translation>
     </message>
+    <message>
+        <source>Reads a CT (a folder of DICOM slices or its DICOMDIR, a .zip or .tar.gz of one, NIfTI, NRRD, MetaImage) into a case, which is made if there is none.</source>
+        <translation>Liest ein CT (einen Ordner mit DICOM-Schichten oder seine DICOMDIR, ein .zip oder .tar.gz davon, NIfTI, NRRD, MetaImage) in einen Fall, der angelegt wird, wenn es keinen gibt.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AgainBox</name>
@@ -5761,10 +5801,6 @@
         <translation>Volumen öffnen</translation>
     </message>
     <message>
-        <source>Volumes (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.tar.gz *.tgz)</source>
-        <translation>Volumen (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.tar.gz *.tgz)</translation>
-    </message>
-    <message>
         <source>Save the case as a folder</source>
         <translation>Fall als Ordner speichern</translation>
     </message>
@@ -5847,6 +5883,10 @@
     <message>
         <source>A new segmentation waits for your decision (Segmentation). Closing lets it go; your labels are kept as they are.</source>
         <translation>Eine neue Segmentierung wartet auf Ihre Entscheidung (Segmentierung). Beim Schließen geht sie verloren; Ihre Labels bleiben, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>Volumes (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.zip *.tar.gz *.tgz *.tar DICOMDIR dicomdir)</source>
+        <translation>Volumen (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.zip *.tar.gz *.tgz *.tar DICOMDIR dicomdir)</translation>
     </message>
 </context>
 <context>

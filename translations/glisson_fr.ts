@@ -1388,10 +1388,6 @@
         <translation>Omettez la série, ou nommez le dossier des coupes DICOM</translation>
     </message>
     <message>
-        <source>Give a folder of DICOM slices, .tar.gz, .nii, .nii.gz, .nrrd, .nhdr, .mha, .mhd or .vti</source>
-        <translation>Donnez un dossier de coupes DICOM, .tar.gz, .nii, .nii.gz, .nrrd, .nhdr, .mha, .mhd ou .vti</translation>
-    </message>
-    <message>
         <source>Check that this is the right file</source>
         <translation>Vérifiez que c’est le bon fichier</translation>
     </message>
@@ -1870,6 +1866,46 @@
     <message>
         <source>Give HOST:PORT/NAME with the name of the tool&apos;s transform</source>
         <translation>Indiquez ADRESSE:PORT/NOM avec le nom de la transformation de l&apos;outil</translation>
+    </message>
+    <message>
+        <source>is encrypted</source>
+        <translation>est chiffré</translation>
+    </message>
+    <message>
+        <source>is one of several parts of an archive</source>
+        <translation>est une de plusieurs parties d&apos;une archive</translation>
+    </message>
+    <message>
+        <source>is packed in a way that is not read here</source>
+        <translation>est compressé d&apos;une manière qui n&apos;est pas lue ici</translation>
+    </message>
+    <message>
+        <source>is named as a DICOM directory, but is none or is damaged</source>
+        <translation>porte le nom d&apos;un répertoire DICOM, mais n&apos;en est pas un ou est endommagé</translation>
+    </message>
+    <message>
+        <source>names files that are all missing, %1 first</source>
+        <translation>nomme des fichiers qui manquent tous, d&apos;abord %1</translation>
+    </message>
+    <message>
+        <source>Unpack it with its password and name the folder</source>
+        <translation>Décompressez-la avec son mot de passe et nommez le dossier</translation>
+    </message>
+    <message>
+        <source>Unpack it yourself and name the folder</source>
+        <translation>Décompressez-la vous-même et nommez le dossier</translation>
+    </message>
+    <message>
+        <source>Unpack them yourself and name the folder</source>
+        <translation>Décompressez-les vous-même et nommez le dossier</translation>
+    </message>
+    <message>
+        <source>Copy the whole medium, not its DICOMDIR alone</source>
+        <translation>Copiez tout le support, pas seulement son DICOMDIR</translation>
+    </message>
+    <message>
+        <source>Give a folder of DICOM slices, .zip, .tar.gz, .nii, .nii.gz, .nrrd, .nhdr, .mha, .mhd or .vti</source>
+        <translation>Donnez un dossier de coupes DICOM, .zip, .tar.gz, .nii, .nii.gz, .nrrd, .nhdr, .mha, .mhd ou .vti</translation>
     </message>
 </context>
 <context>
@@ -2447,6 +2483,10 @@
     <message>
         <source>The seeds in the liver are a proposal: look at what is segmented from them, slice by slice.</source>
         <translation>Les germes dans le foie sont une proposition : regardez coupe par coupe ce qui en est segmenté.</translation>
+    </message>
+    <message>
+        <source>The DICOMDIR names files that are not there: slices may be missing. Copy the whole medium. (%*)</source>
+        <translation>Le DICOMDIR nomme des fichiers absents : des coupes peuvent manquer. Copiez tout le support. (%*)</translation>
     </message>
 </context>
 <context>
@@ -3493,10 +3533,6 @@
     <message>
         <source>The case&apos;s folder, NAME.glisson.</source>
         <translation>Dossier du cas, NAME.glisson.</translation>
-    </message>
-    <message>
-        <source>Reads a CT (a folder of DICOM slices, a .tar.gz of one, NIfTI, NRRD, MetaImage) into a case, which is made if there is none.</source>
-        <translation>Lit un scanner (dossier de coupes DICOM, .tar.gz d&apos;un tel dossier, NIfTI, NRRD, MetaImage) dans un cas, créé s&apos;il n&apos;existe pas.</translation>
     </message>
     <message>
         <source>The volume.</source>
@@ -4670,6 +4706,10 @@
         <source>Registers again every so many seconds of the video, with what has been seen of the organ since; taken where it is better by tissue that neither registration has used.</source>
         <translation>Recale à nouveau toutes les tant de secondes de la vidéo, avec ce qui a été vu de l’organe depuis ; adopté s’il est meilleur d’après du tissu qu’aucun des deux recalages n’a utilisé.</translation>
     </message>
+    <message>
+        <source>Reads a CT (a folder of DICOM slices or its DICOMDIR, a .zip or .tar.gz of one, NIfTI, NRRD, MetaImage) into a case, which is made if there is none.</source>
+        <translation>Lit un scanner (un dossier de coupes DICOM ou son DICOMDIR, un .zip ou .tar.gz de celui-ci, NIfTI, NRRD, MetaImage) dans un cas, créé s&apos;il n&apos;y en a pas.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AgainBox</name>
@@ -5761,10 +5801,6 @@
         <translation>Ouvrir un volume</translation>
     </message>
     <message>
-        <source>Volumes (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.tar.gz *.tgz)</source>
-        <translation>Volumes (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.tar.gz *.tgz)</translation>
-    </message>
-    <message>
         <source>Save the case as a folder</source>
         <translation>Enregistrer le cas dans un dossier</translation>
     </message>
@@ -5847,6 +5883,10 @@
     <message>
         <source>A new segmentation waits for your decision (Segmentation). Closing lets it go; your labels are kept as they are.</source>
         <translation>Une nouvelle segmentation attend votre décision (Segmentation). Fermer l&apos;abandonne ; vos étiquettes restent telles quelles.</translation>
+    </message>
+    <message>
+        <source>Volumes (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.zip *.tar.gz *.tgz *.tar DICOMDIR dicomdir)</source>
+        <translation>Volumes (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.zip *.tar.gz *.tgz *.tar DICOMDIR dicomdir)</translation>
     </message>
 </context>
 <context>

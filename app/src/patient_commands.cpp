@@ -123,10 +123,9 @@ engine::OverHandWork over_hand_work(const Arguments& arguments) {
 }  // namespace
 
 int run_import(const QStringList& given) {
-  Arguments arguments(
-      "import",
-      Cli::tr("Reads a CT (a folder of DICOM slices, a .tar.gz of one, NIfTI, NRRD, MetaImage) into a case, "
-              "which is made if there is none."));
+  Arguments arguments("import", Cli::tr("Reads a CT (a folder of DICOM slices or its DICOMDIR, a .zip or "
+                                        ".tar.gz of one, NIfTI, NRRD, MetaImage) into a case, "
+                                        "which is made if there is none."));
   arguments.positional("INPUT", Cli::tr("The volume."));
   arguments.flag("list", Cli::tr("Only tell which DICOM series there are, the likeliest first."));
   arguments.option("series", Cli::tr("Which DICOM series, where there are several: its UID or number."),

@@ -12,6 +12,7 @@
 
 #include "../support/ball_ct.h"
 #include "../volume/dicom_bytes.h"
+#include "../volume/zip_bytes.h"
 
 using namespace glisson;
 using test::ball;
@@ -80,6 +81,20 @@ void PatientCommandsTest::SeriesOfAFolderAreListed() {
   QCOMPARE(run({"import", "ct", "--series", "1.2.826.0.1.3680043.2.1125.1.24", "--case", "a.glisson"}).code,
            0);
   refused({"import", "nowhere", "--list"}, "nowhere");
+  // The same as a hospital's archive.
+  std::vector<test::ZipFile> files;
+  for (const auto& entry : fs::directory_iterator(at("ct")))
+    files.push_back({"DISC/" + entry.path().filename().string(), read_file(entry.path()), true});
+  write_text(at("ct.zip"), test::zip_of(files));
+  const Ran packed = run({"import", "ct.zip", "--list"});
+  QCOMPARE(packed.code, 0);
+  QVERIFY2(packed.out.contains("venous | portal venous | 24 slices"), qPrintable(packed.out));
+  QCOMPARE(
+      run({"import", "ct.zip", "--series", "1.2.826.0.1.3680043.2.1125.1.24", "--case", "b.glisson"}).code,
+      0);
+  files.front().encrypted = true;
+  write_text(at("ct.zip"), test::zip_of(files));
+  refused({"import", "ct.zip", "--list"}, "encrypted");
 }
 
 void PatientCommandsTest::ALiverIsFoundWithoutAClick() {

@@ -15,6 +15,7 @@ const std::vector<Named>& all_entries() {
                                          {"nrrd_header", nrrd_header},
                                          {"meta_header", meta_header},
                                          {"archive", archive},
+                                         {"zip_archive", zip_archive},
                                          {"cloud", cloud},
                                          {"label_codes", label_codes},
                                          {"seeds", seeds},

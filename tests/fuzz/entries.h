@@ -26,6 +26,7 @@ void nifti_header(std::string_view bytes);
 void nrrd_header(std::string_view bytes);
 void meta_header(std::string_view bytes);
 void archive(std::string_view bytes);
+void zip_archive(std::string_view bytes);
 
 void cloud(std::string_view bytes);
 void label_codes(std::string_view bytes);

@@ -19,13 +19,8 @@ void header(const char* name, std::string_view bytes, ClaimOf claim_of) {
   });
 }
 
-}  // namespace
-
-void nifti_header(std::string_view bytes) { header("a.nii", bytes, reader::claim_of_nifti); }
-void nrrd_header(std::string_view bytes) { header("a.nrrd", bytes, reader::claim_of_nrrd); }
-void meta_header(std::string_view bytes) { header("a.mha", bytes, reader::claim_of_meta); }
-void archive(std::string_view bytes) {
-  read_file_of("a.tar", bytes, [](const std::filesystem::path& path) {
+void unpack(const char* name, std::string_view bytes) {
+  read_file_of(name, bytes, [](const std::filesystem::path& path) {
     const TemporaryFolder folder;
     const reader::Request request{path, path.string(), folder.path(), [](double) {}, ""};
     std::filesystem::create_directory(folder.path() / "archive");
@@ -37,5 +32,13 @@ void archive(std::string_view bytes) {
       must(entry.path().filename() == "archive", "unpacked beside its folder");
   });
 }
+
+}  // namespace
+
+void nifti_header(std::string_view bytes) { header("a.nii", bytes, reader::claim_of_nifti); }
+void nrrd_header(std::string_view bytes) { header("a.nrrd", bytes, reader::claim_of_nrrd); }
+void meta_header(std::string_view bytes) { header("a.mha", bytes, reader::claim_of_meta); }
+void archive(std::string_view bytes) { unpack("a.tar", bytes); }
+void zip_archive(std::string_view bytes) { unpack("a.zip", bytes); }
 
 }  // namespace glisson::fuzz

@@ -13,6 +13,7 @@
 #include "phantom.h"
 #include "shapes.h"
 #include "tar_bytes.h"
+#include "zip_bytes.h"
 
 namespace glisson::fuzz {
 namespace fs = std::filesystem;
@@ -150,6 +151,13 @@ const std::map<std::string, std::function<Files()>>& makers() {
          return Files{test::tar_entry("a/b", "content") + test::tar_entry("c", "", '2', "a") +
                       test::tar_entry("././@PaxHeader", "17 path=long/name\n", 'x') +
                       test::tar_entry("d", "x") + test::tar_end()};
+       }},
+      {"zip_archive",
+       [] {
+         return Files{test::zip_of({{"a/", ""},
+                                    {"a/b", std::string(300, 'x'), true},
+                                    {"c", "a", false, false, false, 0, 0, 0120777},
+                                    {"d", "content", false, true}})};
        }},
       {"cloud", [] { return Files{kCloud}; }},
       {"label_codes", [] { return Files{R"({"1": "parenchyma", "2": "portal_vein"})"}; }},

@@ -44,6 +44,8 @@ void CaseOpeningTest::PathsAreTakenForWhatTheyAre() {
   QCOMPARE(code(root / "gone.vtk"), std::string("import_surfaces"));
   QCOMPARE(code("mesh.vtu"), std::string("import_mesh"));
   QCOMPARE(code("ct.NII.gz"), std::string("import_image"));
+  for (const char* medium : {"disc.zip", "DISC.ZIP", "a.tar", "a.tar.gz", "DICOMDIR", "disc/dicomdir"})
+    QCOMPARE(code(medium), std::string("import_image"));
   QCOMPARE(code("liver.seg.nrrd"), std::string("import_labels"));
   QCOMPARE(code("liver.dcm"), std::string("import_labels"));
   QCOMPARE(code("scope.yaml"), std::string("set_calibration"));

@@ -1,21 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "archive.h"
 
-#include <fcntl.h>
-#include <sys/statvfs.h>
-#include <unistd.h>
 #include <zlib.h>
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstring>
-#include <iterator>
-#include <limits>
-#include <set>
 #include <string>
 
 #include "glisson/core/error.h"
+#include "glisson/core/files.h"
+#include "unpacked_folder.h"
 
 /// @file
 /// The archives of tar (POSIX ustar and pax, GNU's long names) by ourselves: what unpacks must stop before
@@ -27,19 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kBlock = 512;
-constexpr int kMostFiles = 100000;
-constexpr int kMostFolders = 5000;  // to make and remove them takes longest
-constexpr int kDeepest = 32;        // folders in folders
-constexpr double kMostRatio = 100.0, kAlwaysAllowed = 256e6, kStaysFree = 1e9;
 constexpr std::uint64_t kLongestName = 1U << 16;
-
-[[noreturn]] void refuse(const Request& request, const std::string& problem, const std::string& remedy) {
-  throw InputError(request.name, "", problem, remedy);
-}
-[[noreturn]] void damaged(const Request& request) {
-  refuse(request, "cannot be unpacked: it is damaged",
-         "Fetch the archive again, or unpack it yourself and name the folder");
-}
 
 /// The archive's bytes; zlib reads plain files as they are.
 class Bytes {
@@ -56,7 +40,7 @@ class Bytes {
   bool read(char* to, std::size_t size) {
     const int got = gzread(file_, to, static_cast<unsigned>(size));
     if (got == 0 && gzeof(file_) != 0) return false;
-    if (got != static_cast<int>(size)) damaged(request_);
+    if (got != static_cast<int>(size)) refuse_damaged(request_);
     return true;
   }
   /// How much of the file was read, of what it is packed into.
@@ -129,23 +113,10 @@ void take_pax(const std::string& records, Entry& next, bool& has_size) {
   }
 }
 
-/// Below the folder whatever it is called; empty: nothing is left of it.
-fs::path kept_path(const std::string& name) {
-  fs::path kept;
-  for (const fs::path& part : fs::path(name).relative_path()) {
-    if (part == "..") return {};
-    if (part != "." && !part.empty()) kept /= part;
-  }
-  return kept;
-}
-
 class Unpacker {
  public:
-  Unpacker(const Request& request, fs::path folder)
-      : request_(request), folder_(std::move(folder)), bytes_(request) {
-    struct statvfs disk {};
-    if (::statvfs(folder_.c_str(), &disk) == 0)
-      free_ = static_cast<double>(disk.f_bavail) * static_cast<double>(disk.f_frsize) - kStaysFree;
+  Unpacker(const Request& request, const fs::path& folder)
+      : request_(request), folder_(request, folder), bytes_(request) {
     std::error_code failure;
     packed_size_ = std::max(1.0, static_cast<double>(fs::file_size(request.path, failure)));
   }
@@ -155,15 +126,15 @@ class Unpacker {
     Entry pending;
     bool has_name = false, has_size = false;
     while (bytes_.read(block.data(), kBlock)) {
-      spend(kBlock, -1);
+      spend(kBlock);
       if (std::all_of(block.begin(), block.end(), [](char c) { return c == '\0'; })) {
         ended_ = true;
         continue;  // the end's mark, and padding
       }
       Entry entry;
-      if (ended_ || !parse(block, entry)) damaged(request_);
+      if (ended_ || !parse(block, entry)) refuse_damaged(request_);
       if (entry.kind == 'L' || entry.kind == 'x') {
-        if (entry.size > kLongestName) damaged(request_);
+        if (entry.size > kLongestName) refuse_damaged(request_);
         std::string content = small_content(entry.size);
         if (entry.kind == 'L')
           pending.name = content.c_str();  // NOLINT: up to its end
@@ -179,91 +150,48 @@ class Unpacker {
       take(entry);
       request_.progress(std::min(1.0, bytes_.packed() / packed_size_));
     }
-    if (!ended_) damaged(request_);
+    if (!ended_) refuse_damaged(request_);
   }
 
  private:
   std::string small_content(std::uint64_t size) {
     std::string content(static_cast<std::size_t>(size + kBlock - 1) / kBlock * kBlock, '\0');
-    spend(static_cast<double>(content.size()), -1);
-    if (!content.empty() && !bytes_.read(content.data(), content.size())) damaged(request_);
+    spend(static_cast<double>(content.size()));
+    if (!content.empty() && !bytes_.read(content.data(), content.size())) refuse_damaged(request_);
     content.resize(static_cast<std::size_t>(size));
     return content;
   }
 
   void take(const Entry& entry) {
-    const fs::path name = kept_path(entry.name);
-    int file = -1;
-    if ((entry.kind == '0' || entry.kind == '7') && !name.empty()) file = make(name);
+    const bool is_file = entry.kind == '0' || entry.kind == '7';
+    const OpenFile file(is_file ? folder_.make(entry.name) : -1);
     std::array<char, 128 * kBlock> buffer{};
     for (std::uint64_t left = entry.size; left > 0;) {
       const auto part = std::min<std::uint64_t>((left + kBlock - 1) / kBlock * kBlock, buffer.size());
-      spend(static_cast<double>(part), file);
-      if (!bytes_.read(buffer.data(), static_cast<std::size_t>(part))) damaged(request_);
+      spend(static_cast<double>(part));
+      if (!bytes_.read(buffer.data(), static_cast<std::size_t>(part))) refuse_damaged(request_);
       const auto wanted = static_cast<std::size_t>(std::min(left, part));
-      if (file >= 0 && ::write(file, buffer.data(), wanted) != static_cast<ssize_t>(wanted)) {
-        ::close(file);
-        throw FileError(folder_.string() + ": could not be written. Free space for temporary files.");
-      }
+      folder_.write(file.number(), buffer.data(), wanted);
       left -= wanted;
     }
-    if (file >= 0) ::close(file);
   }
 
-  /// The folders above a file, each once.
-  void make_folders(const fs::path& name) {
-    if (std::distance(name.begin(), name.end()) > kDeepest + 1)
-      refuse(request_, "holds folders in folders more than 32 deep, which no series has",
-             "Unpack it yourself and name the folder of the series");
-    fs::path above;
-    for (const fs::path& part : name.parent_path()) {
-      above /= part;
-      if (!folders_.insert(above.string()).second) continue;
-      if (folders_.size() > kMostFolders)
-        refuse(request_, "holds more than 5000 folders, which no series has",
-               "Unpack it yourself and name the folder of the series");
-      std::error_code failure;
-      fs::create_directory(folder_ / above, failure);
-    }
-  }
-
-  int make(const fs::path& name) {
-    if (++files_ > kMostFiles)
-      refuse(request_, "holds more than 100000 files, which no series has",
-             "Unpack it yourself and name the folder of the series");
-    make_folders(name);
-    const int file =
-        ::open((folder_ / name).c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0600);
-    if (file < 0)
-      throw FileError((folder_ / name).string() + ": could not be made (" + std::strerror(errno) +
-                      "). Free space for temporary files.");
-    return file;
-  }
-
-  /// What is passed over counts, too: it takes its time.
-  void spend(double bytes, int file) {
-    total_ += bytes;
-    const bool bomb = total_ > kAlwaysAllowed + kMostRatio * bytes_.packed(), full = total_ > free_;
-    if (!bomb && !full) return;
-    if (file >= 0) ::close(file);
-    if (bomb)
-      refuse(request_, "unpacks to more than a hundred times its size, which no images do",
-             "Ask where it comes from; unpack it yourself and name the folder if it is good");
-    refuse(request_, "needs more space for temporary files than is free in " + folder_.parent_path().string(),
-           "Free some space, set TMPDIR to a larger disk, or unpack it yourself and name the folder");
-  }
+  void spend(double bytes) { folder_.spend(bytes, bytes_.packed()); }
 
   const Request& request_;
-  fs::path folder_;
+  UnpackedFolder folder_;
   Bytes bytes_;
-  double free_ = std::numeric_limits<double>::infinity(), packed_size_ = 1.0, total_ = 0.0;
-  int files_ = 0;
-  std::set<std::string> folders_;
+  double packed_size_ = 1.0;
   bool ended_ = false;
 };
 
 }  // namespace
 
-void unpack_archive(const Request& request, const fs::path& folder) { Unpacker(request, folder).run(); }
+void unpack_archive(const Request& request, const fs::path& folder) {
+  if (lower_extension(request.path) == ".zip")
+    unpack_zip(request, folder);
+  else
+    Unpacker(request, folder).run();
+}
 
 }  // namespace glisson::reader

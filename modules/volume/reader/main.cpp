@@ -4,11 +4,12 @@
 //
 // Reads INPUT (MODE: image or labels) and leaves FOLDER/header.json and FOLDER/voxels.raw, or only lists the
 // series of a DICOM folder (MODE: series) in FOLDER/series.json, or unpacks an archive into FOLDER/archive
-// (MODE: unpack), or makes a small picture of one DICOM file in FOLDER/picture.json (MODE: picture); with
-// exit code 3 it leaves FOLDER/refusal.json. MODE escapes leaves in FOLDER/escapes.json what it could do that
-// it must not. NAME is what messages call the input, SERIES chooses one of several. Progress goes to standard
-// output, one fraction a line. A program of its own because the parsers abort on some malformed files; it
-// gives up all but reading INPUT and writing FOLDER before it parses.
+// (MODE: unpack), or tells in FOLDER/files.json which files a DICOMDIR names (MODE: dicomdir), or makes a
+// small picture of one DICOM file in FOLDER/picture.json (MODE: picture); with exit code 3 it leaves
+// FOLDER/refusal.json. MODE escapes leaves in FOLDER/escapes.json what it could do that it must not. NAME is
+// what messages call the input, SERIES chooses one of several. Progress goes to standard output, one fraction
+// a line. A program of its own because the parsers abort on some malformed files; it gives up all but reading
+// INPUT and writing FOLDER before it parses.
 
 #include <sys/statvfs.h>
 
@@ -20,6 +21,7 @@
 #include <nlohmann/json.hpp>
 
 #include "archive.h"
+#include "dicomdir.h"
 #include "glisson/core/confinement.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
@@ -263,6 +265,8 @@ int main(int count, char** words) {
       write_json_file(folder / "escapes.json", escapes());
     else if (mode == "unpack")
       reader::unpack_archive(request, folder / "archive");
+    else if (mode == "dicomdir")
+      write_json_file(folder / "files.json", reader::files_of_dicomdir(request));
     else if (mode == "series")
       list_series(request, folder);
     else if (mode == "picture")

@@ -3,6 +3,7 @@
 #include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "glisson/core/child_process.h"
 #include "glisson/core/error.h"
@@ -164,7 +165,8 @@ void require_exists(const fs::path& path) {
 
 bool is_archive(const fs::path& path) {
   const std::string name = lower_name(path);
-  return name.ends_with(".tar.gz") || name.ends_with(".tgz") || name.ends_with(".tar");
+  return name.ends_with(".tar.gz") || name.ends_with(".tgz") || name.ends_with(".tar") ||
+         name.ends_with(".zip");
 }
 
 /// The folder of an archive's content below `work`, else the path itself. `reading` becomes what is left of
@@ -179,6 +181,56 @@ std::optional<fs::path> unpacked(const fs::path& path, const fs::path& work, con
     return std::nullopt;
   reading = context.part(0.2, 0.95);
   return input;
+}
+
+bool is_dicomdir(const fs::path& path) {
+  std::error_code failure;
+  return lower_name(path) == "dicomdir" && fs::is_regular_file(path, failure);
+}
+
+std::string lowered(std::string text) {
+  for (char& letter : text)
+    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+  return text;
+}
+
+/// Names without case, for what a disc's file system and its copy write differently.
+std::set<std::string> names_below(const fs::path& folder) {
+  constexpr std::size_t kMostFiles = 300000;
+  std::set<std::string> names;
+  std::error_code failure;
+  fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, failure);
+  for (; !failure && entry != fs::recursive_directory_iterator() && names.size() < kMostFiles;
+       entry.increment(failure))
+    names.insert(lowered(entry->path().lexically_relative(folder).generic_string()));
+  return names;
+}
+
+/// Of the files that a DICOMDIR names those that are not there. Empty when cancelled.
+/// @throws InputError none of them is there.
+std::optional<std::vector<std::string>> missing_of(const fs::path& dicomdir, const fs::path& work,
+                                                   const RunContext& context) {
+  if (!run_reader("dicomdir", dicomdir, dicomdir.string(), work, "", context.quiet())) return std::nullopt;
+  const auto named = told_in(work, "files.json").get<std::vector<std::string>>();
+  const std::set<std::string> there = names_below(fs::absolute(dicomdir).parent_path());
+  std::vector<std::string> missing;
+  for (const std::string& file : named)
+    if (!there.contains(lowered(file))) missing.push_back(file);
+  if (!named.empty() && missing.size() == named.size())
+    throw InputError(dicomdir.string(), "", "names files that are all missing, " + named.front() + " first",
+                     "Copy the whole medium, not its DICOMDIR alone");
+  return missing;
+}
+
+/// What the reading program is given: the folder of an archive's content below `work` or of a DICOMDIR, else
+/// the path itself. `missing`: see missing_of(). Empty when cancelled.
+std::optional<fs::path> input_of(const fs::path& path, const fs::path& work, const RunContext& context,
+                                 RunContext& reading, std::vector<std::string>& missing) {
+  if (!is_dicomdir(path)) return unpacked(path, work, context, reading);
+  auto found = missing_of(path, work, context);
+  if (!found) return std::nullopt;
+  missing = std::move(*found);
+  return fs::absolute(path).parent_path();
 }
 
 DicomSeries series_from(const nlohmann::json& json) {
@@ -268,7 +320,8 @@ Cancellable<std::vector<DicomSeries>> list_series(const fs::path& path, const Ru
   require_exists(path);
   const TemporaryFolder work;
   RunContext reading = context;
-  const auto input = unpacked(path, work.path(), context, reading);
+  std::vector<std::string> missing;
+  const auto input = input_of(path, work.path(), context, reading, missing);
   if (!input || !run_reader("series", *input, path.string(), work.path(), "",
                             is_archive(path) ? reading : context.part(0.0, 0.7)))
     return std::nullopt;
@@ -304,7 +357,8 @@ Cancellable<Scan> read_scan(const fs::path& path, const RunContext& context, con
   require_exists(path);
   const TemporaryFolder work;
   RunContext reading = context.part(0.0, 0.95);
-  const auto input = unpacked(path, work.path(), context, reading);
+  std::vector<std::string> missing;
+  const auto input = input_of(path, work.path(), context, reading, missing);
   if (!input || !run_reader("image", *input, path.string(), work.path(), series, reading))
     return std::nullopt;
   const Delivered delivered = delivered_in(work.path());
@@ -317,7 +371,7 @@ Cancellable<Scan> read_scan(const fs::path& path, const RunContext& context, con
   image.voxels = std::make_shared<const std::vector<std::int16_t>>(
       read_raw<std::int16_t>(delivered.voxels, static_cast<std::size_t>(image.grid.voxel_count())));
   context.progress(1.0, "volume.read");
-  return Scan{std::move(image), delivered.source};
+  return Scan{std::move(image), delivered.source, std::move(missing)};
 }
 
 DicomLabels read_dicom_labels(const fs::path& path) {

@@ -167,6 +167,8 @@ class Notes {
         {"case.video_lost",
          tr("The case was opened without its video: it names a source outside this computer, which only "
             "you may open. (%*)")},
+        {"volume.files_missing", tr("The DICOMDIR names files that are not there: slices may be missing. "
+                                    "Copy the whole medium. (%*)")},
         {"case.cloud_lost",
          tr("The case was opened without its cloud of points: reconstruct the surface or import the cloud "
             "again. Saved now, the case loses what is left of it. (%*)")},

@@ -67,7 +67,9 @@ std::optional<Opening> opening_of(const fs::path& given) {
   }
   if (name == "case.json") return a_case(path.parent_path());
   if (ends_with_any(name, {".seg.nrrd", ".dcm"})) return plain(engine::ImportLabels{path, {}});
-  if (ends_with_any(name, {".nii", ".nii.gz", ".nrrd", ".nhdr", ".mha", ".mhd", ".vti", ".tar.gz", ".tgz"}))
+  if (ends_with_any(name, {".nii", ".nii.gz", ".nrrd", ".nhdr", ".mha", ".mhd", ".vti", ".tar.gz", ".tgz",
+                           ".tar", ".zip"}) ||
+      name == "dicomdir")
     return image;
   if (is_surface(name) || ends_with_any(name, {".vtu", ".msh"})) return plain(mesh_import(path));
   if (ends_with_any(name, {".yml", ".yaml"})) return plain(engine::SetCalibration{path});

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "glisson/core/files.h"
 #include "glisson/engine/commands/import_image.h"
 #include "glisson/engine/commands/list_series.h"
 #include "glisson/ui/shell/series_dialog.h"
@@ -11,9 +12,9 @@ namespace glisson::ui {
 namespace {
 
 bool may_hold_series(const std::filesystem::path& path) {
-  const std::string name = path.filename().string();
+  const std::string name = lower_name(path);
   return std::filesystem::is_directory(path) || name.ends_with(".tar.gz") || name.ends_with(".tgz") ||
-         name.ends_with(".tar");
+         name.ends_with(".tar") || name.ends_with(".zip") || name == "dicomdir";
 }
 
 }  // namespace

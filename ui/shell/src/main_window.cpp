@@ -228,9 +228,10 @@ void MainWindow::open_dicom() {
 }
 
 void MainWindow::open_volume() {
-  const QString path = QFileDialog::getOpenFileName(
-      this, tr("Open a volume"), {},
-      tr("Volumes (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.tar.gz *.tgz)"));
+  const QString path =
+      QFileDialog::getOpenFileName(this, tr("Open a volume"), {},
+                                   tr("Volumes (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.zip "
+                                      "*.tar.gz *.tgz *.tar DICOMDIR dicomdir)"));
   if (!path.isEmpty()) import_image(path.toStdString());
 }
 

@@ -1,11 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/engine/commands/import_image.h"
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include "glisson/engine/parts/image.h"
 #include "glisson/engine/parts/source.h"
 #include "glisson/volume/plausibility.h"
 
 namespace glisson::engine {
+namespace {
+
+/// "volume.files_missing 3: A/B, A/C, ...".
+std::string note_of(const std::vector<std::string>& missing) {
+  constexpr std::size_t kNamed = 5;
+  std::string note = "volume.files_missing " + std::to_string(missing.size()) + ": ";
+  for (std::size_t n = 0; n < std::min(missing.size(), kNamed); ++n) note += (n > 0 ? ", " : "") + missing[n];
+  return missing.size() > kNamed ? note + ", ..." : note;
+}
+
+}  // namespace
 
 CommandTraits ImportImage::traits() const {
   return {.code = "import_image",
@@ -25,6 +40,7 @@ Cancellable<Applied> ImportImage::apply(const CaseState& state, const RunContext
     applied.figures["image_spacing_" + axis + "_mm"] = image->grid.spacing_mm[k];
   }
   applied.notes = image_doubts(*image);
+  if (!scan->missing.empty()) applied.notes.push_back(note_of(scan->missing));
   applied.state[part::image] = std::make_shared<const Image>(std::move(*image));
   applied.state[part::source] =
       scan->source.empty() ? nullptr : std::make_shared<const DicomSource>(std::move(scan->source));

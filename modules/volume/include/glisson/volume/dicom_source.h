@@ -27,6 +27,8 @@ struct DicomSource {
 struct Scan {
   Image image;
   DicomSource source;
+  /// Files that a DICOMDIR names, from its folder, and that are not there.
+  std::vector<std::string> missing = {};
 };
 /// As read_image (io.h), with what a DICOM series says of its source. @throws as read_image, and InputError
 /// for slices of several patients.

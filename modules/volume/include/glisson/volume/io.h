@@ -11,7 +11,8 @@
 
 namespace glisson {
 
-/// Reads a volume: a folder of DICOM slices, a .tar.gz of one (unpacked here), NIfTI, NRRD, MetaImage, VTI.
+/// Reads a volume: a folder of DICOM slices, its DICOMDIR, a .zip or .tar.gz of one (unpacked here), NIfTI,
+/// NRRD, MetaImage, VTI.
 /// The result is right for every axis flip and permutation: grid.direction carries it.
 /// @param series which of several series below a DICOM folder (or in an archive): its UID, or its number.
 ///   Empty: the only one.
