@@ -37,6 +37,7 @@ class RegisterAgainTest : public QObject {
   void OneKeyRegistersAgainAndTheBetterOneIsShown();
   void WhatIsNoBetterIsLeftToThePerson();
   void TheSameKeyCancelsAndTheFormerOneStays();
+  void AnEndOfTheVideoEndsNothing();
   void WhatWasDoneStandsBesideTheRecording();
 
  private:
@@ -115,6 +116,25 @@ void RegisterAgainTest::TheSameKeyCancelsAndTheFormerOneStays() {
   QVERIFY(std::abs(place_x() - before) < 1e-9);
   QVERIFY(guidance_->said().startsWith(QStringLiteral("Cancelled")));
   QVERIFY(!guidance_->button("exchange_registration")->isEnabled());
+}
+
+void RegisterAgainTest::AnEndOfTheVideoEndsNothing() {
+  operation_->hold = true;
+  const double start = registered_x();
+  QTest::keyClick(&guidance_->view, Qt::Key_R);
+  QTRY_VERIFY(guidance_->again.is_running);
+  guidance_->playback.stop();
+  QTRY_VERIFY(!guidance_->again.is_offered);
+  QVERIFY(guidance_->again.is_running);
+  operation_->hold = false;
+  QTRY_VERIFY(is_idle());
+  QVERIFY2(guidance_->said().startsWith(QStringLiteral("Better")), qPrintable(guidance_->said()));
+  QVERIFY(std::abs(registered_x() - start) < 1e-9 && !guidance_->button("exchange_registration")->isEnabled());
+  guidance_->playing.findChild<ui::TaskButton*>(QStringLiteral("start_tracking"))->trigger();
+  QTRY_VERIFY_WITH_TIMEOUT(guidance_->button("exchange_registration")->isEnabled(), 20000);
+  QTRY_VERIFY(engine_->state()[part::live]->overlay.nodes_in_camera.rows() > 0);
+  QTest::mouseClick(guidance_->button("exchange_registration"), Qt::LeftButton);
+  QTRY_VERIFY(std::abs(registered_x() - start - 3e-3) < 1e-9);
 }
 
 void RegisterAgainTest::WhatWasDoneStandsBesideTheRecording() {

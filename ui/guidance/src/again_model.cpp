@@ -16,7 +16,7 @@ AgainModel::AgainModel(EngineBridge& engine, PlaybackModel& playback, QObject* p
   connect(&engine_, &EngineBridge::case_changed, this, &AgainModel::read_case);
   connect(&playback_, &PlaybackModel::begun, this, [this] {
     record_.clear();
-    say({});
+    if (!registering_) say({});  // a video that begins again ends nothing
   });
   couplings_.add(playback_.is_playing, [this](bool) { read_case(); });
 }
@@ -27,7 +27,6 @@ const engine::OtherRegistration* AgainModel::other() const {
 
 void AgainModel::read_case() {
   is_offered = playback_.is_playing.value();
-  if (!is_offered && registering_) engine_.cancel(*registering_);
   read_other();
 }
 
@@ -70,11 +69,12 @@ void AgainModel::end_registering(const engine::Outcome& outcome) {
     return say(tr("Cancelled: the former registration stays."));
   if (outcome.status == engine::Status::failed)
     return say(error_text(outcome.error), QStringLiteral("error"));
-  if (other() == nullptr || !is_offered) return;
-  if (other()->is_better) {
+  if (other() == nullptr) return;
+  if (other()->is_better && is_offered) {
     exchanging_ = engine_.post(engine::TakeRegistration{});
     return;
   }
+  if (other()->is_better) return say(tr("Better, but the organ is not followed just now: take it then."));
   tell_record(false);
   QString text = tr("Not taken: it lies %1 mm from tissue that neither has used, the former one %2 mm.")
                      .arg(1e3 * other()->gap, 0, 'f', 1)
