@@ -4768,6 +4768,10 @@
         <source>Registered again: the organ has moved by %1 mm on average. From tissue that neither has used: %2 mm, before %3 mm.</source>
         <translation>Erneut registriert: das Organ hat sich im Mittel um %1 mm bewegt. Abstand von Gewebe, das keine benutzt hat: %2 mm, vorher %3 mm.</translation>
     </message>
+    <message>
+        <source>Better, but the organ is not followed just now: take it then.</source>
+        <translation>Besser, aber das Organ wird gerade nicht verfolgt: dann übernehmen.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AngleHistogram</name>

@@ -4768,6 +4768,10 @@
         <source>Registered again: the organ has moved by %1 mm on average. From tissue that neither has used: %2 mm, before %3 mm.</source>
         <translation>Recalé à nouveau : l’organe s’est déplacé de %1 mm en moyenne. Distance au tissu qu’aucun n’a utilisé : %2 mm, avant %3 mm.</translation>
     </message>
+    <message>
+        <source>Better, but the organ is not followed just now: take it then.</source>
+        <translation>Meilleur, mais l’organe n’est pas suivi en ce moment : adoptez-le alors.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AngleHistogram</name>

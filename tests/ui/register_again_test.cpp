@@ -129,7 +129,8 @@ void RegisterAgainTest::AnEndOfTheVideoEndsNothing() {
   operation_->hold = false;
   QTRY_VERIFY(is_idle());
   QVERIFY2(guidance_->said().startsWith(QStringLiteral("Better")), qPrintable(guidance_->said()));
-  QVERIFY(std::abs(registered_x() - start) < 1e-9 && !guidance_->button("exchange_registration")->isEnabled());
+  QVERIFY(std::abs(registered_x() - start) < 1e-9 &&
+          !guidance_->button("exchange_registration")->isEnabled());
   guidance_->playing.findChild<ui::TaskButton*>(QStringLiteral("start_tracking"))->trigger();
   QTRY_VERIFY_WITH_TIMEOUT(guidance_->button("exchange_registration")->isEnabled(), 20000);
   QTRY_VERIFY(engine_->state()[part::live]->overlay.nodes_in_camera.rows() > 0);

@@ -23,6 +23,7 @@ ToolBox::ToolBox(ToolModel& model, QWidget* parent) : QWidget(parent) {
   address->setToolTip(
       tr("Address and port, and the name of the transform from the tool's tip to the left camera."));
   auto* form = new QFormLayout;
+  form->setRowWrapPolicy(QFormLayout::WrapAllRows);  // the whole of it is to be read
   form->addRow(tr("Server and tool"), address);
   box->addLayout(form);
   auto* said = new QLabel(this);
