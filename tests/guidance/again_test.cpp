@@ -17,7 +17,6 @@ using namespace glisson::guidance;
 class AgainTest : public QObject {
   Q_OBJECT
  private slots:
-  void initTestCase();
   void LooksOfAMovingOrganJoinInTheShapeOfTheStart();
   void WhatPassesByIsNoTissue();
   void AnotherRegistrationIsTakenWhileTheTissueStaysWhereItIs();
@@ -27,24 +26,17 @@ class AgainTest : public QObject {
   void WhatCannotBeFollowedIsRefusedAndNothingChanges();
 
  private:
-  static constexpr int kFilm = 16;
-  Points at(double share) const { return phantom::breathed(model_, nodes_, share); }
-  Points truth(int frame) const { return at(0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * frame / kFilm)); }
-  StereoFrame frame(int k) const {
-    StereoFrame frame = film_[static_cast<std::size_t>(k % kFilm)];
-    frame.index = k;
-    frame.seconds = k / 30.0;
-    return frame;
-  }
+  Points truth(int frame) const { return film_.truth(frame); }
+  StereoFrame frame(int k) const { return film_.frame(k); }
   Registration off(const Eigen::Vector3d& by) const {
-    Registration start = start_;
+    Registration start = film_.start;
     start.nodes_in_camera.rowwise() += by.transpose();
     start.camera_from_ct.translation += by;
     return start;
   }
   Tracker begun(const Registration& start) const {
-    Tracker tracker(model_, start, phantom::free_body());
-    tracker.begin(rig_, film_[0], {});
+    Tracker tracker(film_.model, start, phantom::free_body());
+    tracker.begin(film_.rig, film_.frame(0), {});
     return tracker;
   }
   /// The last of so many frames.
@@ -55,19 +47,8 @@ class AgainTest : public QObject {
   }
   static double error(const Points& nodes, const Points& truth) { return point_errors(nodes, truth).mean; }
 
-  StereoRig rig_ = phantom::rig();
-  PatientModel model_ = phantom::model(8, 6, 3);
-  Points nodes_;
-  Registration start_;
-  std::vector<StereoFrame> film_;
+  phantom::BreathingFilm film_;
 };
-
-void AgainTest::initTestCase() {
-  start_.camera_from_ct = phantom::view();
-  start_.camera_from_ct.translation.y() -= 18e-3;  // the rim in sight
-  start_.nodes_in_camera = nodes_ = start_.camera_from_ct.apply(model_.mesh.vertices);
-  for (int k = 0; k < kFilm; ++k) film_.push_back(phantom::film(model_, truth(k), rig_, k));
-}
 
 void AgainTest::LooksOfAMovingOrganJoinInTheShapeOfTheStart() {
   // It breathes by 5 mm and more, and starts 5 mm off: the tissue is told where it was at the start.
@@ -76,9 +57,10 @@ void AgainTest::LooksOfAMovingOrganJoinInTheShapeOfTheStart() {
   followed(tracker, 1, 45);
   const auto tissue = tracker.tissue_at_start();
   QVERIFY(tissue && tissue->rows() > 50);
-  TriangleMesh surface = model_.surface.mesh;
+  TriangleMesh surface = film_.model.surface.mesh;
   for (int i = 0; i < surface.vertex_count(); ++i)
-    surface.vertices.row(i) = nodes_.row(model_.surface.node_of_vertex[static_cast<std::size_t>(i)]);
+    surface.vertices.row(i) =
+        film_.nodes.row(film_.model.surface.node_of_vertex[static_cast<std::size_t>(i)]);
   const DistanceSummary away = summarise(distances_to_surface(*tissue, surface));
   QVERIFY2(away.median < 1e-3 && away.percentile_95 < 3e-3,
            qPrintable(QString("%1, %2 mm").arg(1e3 * away.median).arg(1e3 * away.percentile_95)));
@@ -105,7 +87,7 @@ void AgainTest::WhatPassesByIsNoTissue() {
 void AgainTest::AnotherRegistrationIsTakenWhileTheTissueStaysWhereItIs() {
   Tracker tracker = begun(off({6e-3, -4e-3, 3e-3}));
   const OverlayFrame before = followed(tracker, 1, 12);
-  const OverlayFrame taken = tracker.take(start_);
+  const OverlayFrame taken = tracker.take(film_.start);
   QVERIFY2(error(taken.nodes_in_camera, truth(12)) < 0.25 * error(before.nodes_in_camera, truth(12)),
            qPrintable(QString::number(1e3 * error(taken.nodes_in_camera, truth(12)))));
   // It stays there, with the same points, and its own evidence agrees in the end.
@@ -125,22 +107,22 @@ void AgainTest::AWrongStartIsRegisteredAgainAndShown() {
   Tracker tracker = begun(wrong);
   QVERIFY(followed(tracker, 1, 45).validity == Validity::surface_apart);
   // The marks of the first cloud, as the operator set them.
-  const LabelledCloud cloud = phantom::patch(model_, nodes_, {});
+  const LabelledCloud cloud = phantom::patch(film_.model, film_.nodes, {});
   registration::RegisterOptions options;
   options.operations = false;
-  const auto again =
-      registration::register_again(model_, cloud, *tracker.tissue_at_start(), wrong, options, RunContext());
+  const auto again = registration::register_again(film_.model, cloud, *tracker.tissue_at_start(), wrong,
+                                                  options, RunContext());
   QVERIFY(again->is_better);
   QVERIFY(again->gap < again->former_gap);
   tracker.take(again->examined.registered.registration);
   const OverlayFrame after = followed(tracker, 46, 100);
   QVERIFY2(after.validity == Validity::valid, validity_code(after.validity));
-  QVERIFY2(error(after.nodes_in_camera, truth(100)) < 0.5 * error(wrong.nodes_in_camera, nodes_),
+  QVERIFY2(error(after.nodes_in_camera, truth(100)) < 0.5 * error(wrong.nodes_in_camera, film_.nodes),
            qPrintable(QString::number(1e3 * error(after.nodes_in_camera, truth(100)))));
 }
 
 void AgainTest::AShownOrganGoesOverGently() {
-  Tracker tracker = begun(start_), left_alone = begun(start_);
+  Tracker tracker = begun(film_.start), left_alone = begun(film_.start);
   QVERIFY(followed(tracker, 1, 12).validity == Validity::valid);
   followed(left_alone, 1, 12);
   const Eigen::Vector3d by(1.5e-3, 0.0, 0.0);
@@ -161,11 +143,11 @@ void AgainTest::WhatHandsHaveSaidIsKept() {
   Tracker tracker = begun(off({4e-3, 0.0, 0.0}));
   const OverlayFrame before = followed(tracker, 1, 6);
   Correction drag;
-  drag.place_in_ct = model_.landmarks.anterior_margin.row(20).transpose();
+  drag.place_in_ct = film_.model.landmarks.anterior_margin.row(20).transpose();
   const auto pixel = [&](const Points& nodes) {
     const Points place =
-        bind_points(model_.mesh, drag.place_in_ct.transpose(), false).apply(model_.mesh, nodes);
-    return rig_.left.project(place.row(0).transpose());
+        bind_points(film_.model.mesh, drag.place_in_ct.transpose(), false).apply(film_.model.mesh, nodes);
+    return film_.rig.left.project(place.row(0).transpose());
   };
   drag.from = pixel(before.nodes_in_camera);
   drag.to = pixel(truth(6));
@@ -178,16 +160,16 @@ void AgainTest::WhatHandsHaveSaidIsKept() {
 }
 
 void AgainTest::WhatCannotBeFollowedIsRefusedAndNothingChanges() {
-  Tracker tracker = begun(start_);
-  Registration foreign = start_;
+  Tracker tracker = begun(film_.start);
+  Registration foreign = film_.start;
   foreign.nodes_in_camera.conservativeResize(5, 3);
-  QVERIFY_EXCEPTION_THROWN(tracker.take(start_), InputError);  // no frame yet
+  QVERIFY_EXCEPTION_THROWN(tracker.take(film_.start), InputError);  // no frame yet
   const OverlayFrame before = followed(tracker, 1, 3);
   QVERIFY_EXCEPTION_THROWN(tracker.take(foreign), InputError);
-  foreign = start_;
+  foreign = film_.start;
   foreign.nodes_in_camera(3, 1) = std::nan("");
   QVERIFY_EXCEPTION_THROWN(tracker.take(foreign), InputError);
-  Tracker other = begun(start_);
+  Tracker other = begun(film_.start);
   followed(other, 1, 3);
   QVERIFY(tracker.follow(frame(4)).nodes_in_camera == other.follow(frame(4)).nodes_in_camera);
   QVERIFY(before.validity == Validity::valid);

@@ -15,7 +15,6 @@ using namespace glisson::guidance;
 class CorrectionTest : public QObject {
   Q_OBJECT
  private slots:
-  void initTestCase();
   void ThreeDragsBringAWrongStartHomeAndItStaysThere();
   void ADragIsMetInItsPictureAndMovesNoDepthThere_data();
   void ADragIsMetInItsPictureAndMovesNoDepthThere();
@@ -27,36 +26,31 @@ class CorrectionTest : public QObject {
   void APixelPicksWhatIsSeenThere();
 
  private:
-  static constexpr int kFilm = 16;
-  Points at(double share) const { return phantom::breathed(model_, nodes_, share); }
-  static double share(int frame) { return 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * frame / kFilm); }
-  Points truth(int frame) const { return at(share(frame)); }
-  /// Breathing, over and over.
-  StereoFrame frame(int k) const {
-    StereoFrame frame = film_[static_cast<std::size_t>(k % kFilm)];
-    frame.index = k;
-    frame.seconds = k / 30.0;
-    return frame;
-  }
+  Points truth(int frame) const { return film_.truth(frame); }
+  StereoFrame frame(int k) const { return film_.frame(k); }
   static TrackerOptions options() { return phantom::free_body(); }
   /// That far off where it is.
   Tracker begun(const Eigen::Vector3d& off, double turn_deg = 0.0) const {
-    Registration start = start_;
-    const Eigen::RowVector3d middle = nodes_.colwise().mean();
+    Registration start = film_.start;
+    const Eigen::RowVector3d middle = film_.nodes.colwise().mean();
     const Eigen::Matrix3d turn =
         Eigen::AngleAxisd(turn_deg * std::numbers::pi / 180.0, Eigen::Vector3d::UnitZ()).toRotationMatrix();
     start.nodes_in_camera =
-        ((nodes_.rowwise() - middle) * turn.transpose()).rowwise() + (middle + off.transpose());
-    Tracker tracker(model_, start, options());
-    tracker.begin(rig_, film_[0], {});
+        ((film_.nodes.rowwise() - middle) * turn.transpose()).rowwise() + (middle + off.transpose());
+    Tracker tracker(film_.model, start, options());
+    tracker.begin(film_.rig, film_.frame(0), {});
     return tracker;
   }
   Eigen::Vector2d pixel(const Eigen::Vector3d& p, StereoView view) const {
-    if (view == StereoView::left) return rig_.left.project(p);
-    return rig_.right.project(rig_.right_from_left.rotation * p + rig_.right_from_left.translation);
+    if (view == StereoView::left) return film_.rig.left.project(p);
+    return film_.rig.right.project(film_.rig.right_from_left.rotation * p +
+                                   film_.rig.right_from_left.translation);
   }
   Eigen::Vector3d place(const Eigen::Vector3d& in_ct, const Points& nodes) const {
-    return bind_points(model_.mesh, in_ct.transpose(), false).apply(model_.mesh, nodes).row(0).transpose();
+    return bind_points(film_.model.mesh, in_ct.transpose(), false)
+        .apply(film_.model.mesh, nodes)
+        .row(0)
+        .transpose();
   }
   /// What a hand does that knows where that place is.
   Correction drag(const Eigen::Vector3d& in_ct, const Points& drawn, const Points& true_nodes,
@@ -71,30 +65,19 @@ class CorrectionTest : public QObject {
   /// The k-th of three places of the margin that are in sight the whole time, from its one end to the other.
   Eigen::Vector3d margin(int k) const {
     std::vector<int> in_sight;
-    for (int i = 0; i < static_cast<int>(model_.landmarks.anterior_margin.rows()); ++i) {
-      const Eigen::Vector2d one = pixel(place(rim(i), nodes_), StereoView::left);
+    for (int i = 0; i < static_cast<int>(film_.model.landmarks.anterior_margin.rows()); ++i) {
+      const Eigen::Vector2d one = pixel(place(rim(i), film_.nodes), StereoView::left);
       if (one.x() > 30.0 && one.x() < 290.0 && one.y() > 30.0 && one.y() < 218.0) in_sight.push_back(i);
     }
     return rim(in_sight.at((in_sight.size() - 1) * static_cast<std::size_t>(k) / 2));
   }
-  Eigen::Vector3d rim(int i) const { return model_.landmarks.anterior_margin.row(i).transpose(); }
+  Eigen::Vector3d rim(int i) const { return film_.model.landmarks.anterior_margin.row(i).transpose(); }
   static double error(const OverlayFrame& overlay, const Points& truth) {
     return point_errors(overlay.nodes_in_camera, truth).mean;
   }
 
-  StereoRig rig_ = phantom::rig();
-  PatientModel model_ = phantom::model(8, 6, 3);
-  Points nodes_;
-  Registration start_;
-  std::vector<StereoFrame> film_;
+  phantom::BreathingFilm film_;
 };
-
-void CorrectionTest::initTestCase() {
-  start_.camera_from_ct = phantom::view();
-  start_.camera_from_ct.translation.y() -= 18e-3;  // the rim in sight
-  start_.nodes_in_camera = nodes_ = start_.camera_from_ct.apply(model_.mesh.vertices);
-  for (int k = 0; k < kFilm; ++k) film_.push_back(phantom::film(model_, truth(k), rig_, k));
-}
 
 void CorrectionTest::ThreeDragsBringAWrongStartHomeAndItStaysThere() {
   Tracker tracker = begun({6e-3, -4e-3, 3e-3}, 3.0), left_alone = begun({6e-3, -4e-3, 3e-3}, 3.0);
@@ -181,7 +164,7 @@ void CorrectionTest::UndoAfterFramesTakesTheCorrectionAlone() {
   wanted.to += Eigen::Vector2d(7.0, 5.0);
   overlay = corrected.correct(wanted);
   const double moved = error(overlay, other.nodes_in_camera);
-  for (int k = 2; k <= kFilm; ++k) {
+  for (int k = 2; k <= phantom::BreathingFilm::kFrames; ++k) {
     overlay = corrected.follow(frame(k));
     other = plain.follow(frame(k));
   }
@@ -229,8 +212,8 @@ void CorrectionTest::AWrongCorrectionIsWithdrawnByTheSurface() {
 }
 
 void CorrectionTest::AFarOrUnseenPlaceIsRefusedAndNothingChanges() {
-  Tracker tracker(model_, start_, options());
-  Correction wanted = drag(margin(1), nodes_, truth(2));
+  Tracker tracker(film_.model, film_.start, options());
+  Correction wanted = drag(margin(1), film_.nodes, truth(2));
   QVERIFY_EXCEPTION_THROWN(tracker.correct(wanted), InputError);  // no picture
   tracker = begun({0.0, 0.0, 0.0});
   QVERIFY_EXCEPTION_THROWN(tracker.correct(wanted), InputError);  // none followed
@@ -245,8 +228,8 @@ void CorrectionTest::AFarOrUnseenPlaceIsRefusedAndNothingChanges() {
   refused([](Correction& c) { c.to.y() = std::nan(""); });
   refused([](Correction& c) { c.sigma_px = 0.0; });
   StereoFrame black = frame(2);
-  black.left = phantom::plain(rig_.left, 0);
-  black.right = phantom::plain(rig_.right, 0);
+  black.left = phantom::plain(film_.rig.left, 0);
+  black.right = phantom::plain(film_.rig.right, 0);
   tracker.follow(black);
   refused([](Correction&) {});
   QVERIFY(tracker.corrections().empty());
@@ -255,21 +238,23 @@ void CorrectionTest::AFarOrUnseenPlaceIsRefusedAndNothingChanges() {
 
 void CorrectionTest::APixelPicksWhatIsSeenThere() {
   const Eigen::Vector2d notch =
-      pixel(place(model_.landmarks.umbilical_notch.row(0).transpose(), nodes_), StereoView::left);
-  auto picked = pick_place(model_, nodes_, rig_, StereoView::left, notch + Eigen::Vector2d(2.0, 1.0));
+      pixel(place(film_.model.landmarks.umbilical_notch.row(0).transpose(), film_.nodes), StereoView::left);
+  auto picked =
+      pick_place(film_.model, film_.nodes, film_.rig, StereoView::left, notch + Eigen::Vector2d(2.0, 1.0));
   QVERIFY(picked && picked->feature == CorrectedFeature::notch);
   QVERIFY((picked->pixel - notch).norm() < 0.1);
-  const Eigen::Vector3d rim = place(margin(2), nodes_);
+  const Eigen::Vector3d rim = place(margin(2), film_.nodes);
   for (const StereoView view : kStereoViews) {
-    picked = pick_place(model_, nodes_, rig_, view, pixel(rim, view) + Eigen::Vector2d(0.0, 2.0));
+    picked =
+        pick_place(film_.model, film_.nodes, film_.rig, view, pixel(rim, view) + Eigen::Vector2d(0.0, 2.0));
     QVERIFY(picked && picked->feature == CorrectedFeature::margin);
     QVERIFY((picked->pixel - pixel(rim, view)).norm() < 4.0);
-    const Eigen::Vector2d middle = pixel(nodes_.colwise().mean().transpose(), view);
-    picked = pick_place(model_, nodes_, rig_, view, middle);
+    const Eigen::Vector2d middle = pixel(film_.nodes.colwise().mean().transpose(), view);
+    picked = pick_place(film_.model, film_.nodes, film_.rig, view, middle);
     QVERIFY(picked && picked->feature == CorrectedFeature::surface);
-    QVERIFY((pixel(place(picked->place_in_ct, nodes_), view) - middle).norm() < 0.1);
+    QVERIFY((pixel(place(picked->place_in_ct, film_.nodes), view) - middle).norm() < 0.1);
   }
-  QVERIFY(!pick_place(model_, nodes_, rig_, StereoView::left, {160.0, 237.0}));
+  QVERIFY(!pick_place(film_.model, film_.nodes, film_.rig, StereoView::left, {160.0, 237.0}));
 }
 
 QTEST_APPLESS_MAIN(CorrectionTest)

@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <cstdint>
+#include <numbers>
+#include <vector>
 
 #include "glisson/geometry/closest_point_tree.h"
 #include "glisson/guidance/tracker.h"
@@ -104,6 +106,32 @@ inline Points breathed(const PatientModel& model, Points nodes, double share) {
     nodes.row(i) += share * (1.0 + 4.0 * model.mesh.vertices(i, 0)) * Eigen::RowVector3d(1e-3, 5e-3, -2e-3);
   return nodes;
 }
+
+/// A film of the phantom that breathes, over and over, its rim in sight.
+struct BreathingFilm {
+  static constexpr int kFrames = 16;
+
+  BreathingFilm() {
+    start.camera_from_ct = view();
+    start.camera_from_ct.translation.y() -= 18e-3;  // the rim in sight
+    start.nodes_in_camera = nodes = start.camera_from_ct.apply(model.mesh.vertices);
+    for (int k = 0; k < kFrames; ++k) frames.push_back(film(model, truth(k), rig, k));
+  }
+  Points at(double share) const { return breathed(model, nodes, share); }
+  Points truth(int k) const { return at(0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * k / kFrames)); }
+  StereoFrame frame(int k) const {
+    StereoFrame one = frames[static_cast<std::size_t>(k % kFrames)];
+    one.index = k;
+    one.seconds = k / 30.0;
+    return one;
+  }
+
+  StereoRig rig = phantom::rig();
+  PatientModel model = phantom::model(8, 6, 3);
+  Points nodes;  ///< in frame 0, left camera's frame
+  Registration start;
+  std::vector<StereoFrame> frames;
+};
 
 /// For a body that nothing holds.
 inline guidance::TrackerOptions free_body() {

@@ -4,13 +4,12 @@
 #include <QPushButton>
 #include <QtTest>
 
-#include "fake_operation.h"
 #include "glisson/engine/parts/live.h"
 #include "glisson/ui/common/task_button.h"
 #include "glisson/ui/guidance/correction_box.h"
 #include "glisson/ui/guidance/recording_model.h"
-#include "live_part.h"
 #include "run_in_window.h"
+#include "tracked_case.h"
 
 namespace glisson {
 namespace {
@@ -43,90 +42,74 @@ class HandCorrectionTest : public QObject {
   void CorrectionsStandBesideTheRecording();
 
  private:
-  const engine::LiveState& live() const { return *engine_->state()[part::live]; }
+  const engine::LiveState& live() const { return *engine().state()[part::live]; }
   double place_x() const { return live().overlay.nodes_in_camera.col(0).mean(); }
   /// Pixel at which the place that was taken hold of last is drawn.
   double drawn_x() const {
-    const TetMesh& mesh = operation_->model.mesh;
+    const TetMesh& mesh = case_->operation->model.mesh;
     const Eigen::Vector3d place =
         bind_points(mesh, live().corrections.back().correction.place_in_ct.transpose())
             .apply(mesh, live().overlay.nodes_in_camera)
             .row(0)
             .transpose();
-    return operation_->rig.left.project(place).x();
+    return case_->operation->rig.left.project(place).x();
   }
   bool is_drawn_at(double right) const { return std::abs(drawn_x() - 150.0 - right) < 2.5; }
   std::size_t standing() const { return live().corrections.size(); }
-  QPoint at(double right) { return guidance_->picture()->widget_point({150.0 + right, 90.0}).toPoint(); }
+  QPoint at(double right) { return guidance().picture()->widget_point({150.0 + right, 90.0}).toPoint(); }
   void move(double right) {
-    QMouseEvent event(QEvent::MouseMove, at(right), guidance_->picture()->mapToGlobal(at(right)),
+    QMouseEvent event(QEvent::MouseMove, at(right), guidance().picture()->mapToGlobal(at(right)),
                       Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
-    QCoreApplication::sendEvent(guidance_->picture(), &event);
+    QCoreApplication::sendEvent(guidance().picture(), &event);
   }
   void drag(double right, Qt::KeyboardModifiers keys) {
-    QTest::mousePress(guidance_->picture(), Qt::LeftButton, keys, at(0.0));
+    QTest::mousePress(guidance().picture(), Qt::LeftButton, keys, at(0.0));
     move(0.5 * right);
-    QTest::mouseRelease(guidance_->picture(), Qt::LeftButton, keys, at(right));
+    QTest::mouseRelease(guidance().picture(), Qt::LeftButton, keys, at(right));
     QVERIFY(
-        QTest::qWaitFor([this] { return engine_->tasks().empty() && !guidance_->correction.line.value(); }));
+        QTest::qWaitFor([this] { return engine().tasks().empty() && !guidance().correction.line.value(); }));
   }
 
-  std::unique_ptr<TemporaryFolder> folder_;
-  std::unique_ptr<FakeOperation> operation_;
-  std::unique_ptr<ui::EngineBridge> engine_;
-  std::unique_ptr<Guidance> guidance_;
+  Guidance& guidance() const { return *case_->guidance; }
+  ui::EngineBridge& engine() const { return *case_->engine; }
+
+  std::unique_ptr<TrackedCase<Guidance>> case_;
 };
 
 void HandCorrectionTest::init() {
-  folder_ = std::make_unique<TemporaryFolder>();
-  operation_ = std::make_unique<FakeOperation>();
-  make_box_operation(*operation_);
-  engine_ = std::make_unique<ui::EngineBridge>(operation_->options());
-  for (const engine::Command& step : operation_->steps_to_cloud(folder_->path() / "scope.mkv", 60))
-    engine_->post(step);
-  engine_->post(engine::Register{});
-  QVERIFY(QTest::qWaitFor([this] { return engine_->tasks().empty(); }, 20000));
-  guidance_ = std::make_unique<Guidance>(*engine_);
-  QTRY_VERIFY_WITH_TIMEOUT(guidance_->drawables.drawable() != nullptr, 20000);
-  QVERIFY(!guidance_->button("correct_by_hand")->isEnabled());
-  guidance_->playing.findChild<ui::TaskButton*>(QStringLiteral("start_tracking"))->trigger();
-  QTRY_VERIFY_WITH_TIMEOUT(guidance_->live.line.value().startsWith(QStringLiteral("LIVE")), 20000);
-  guidance_->playback.pause(true);
-  QTest::qWait(200);
+  case_ = std::make_unique<TrackedCase<Guidance>>();
+  case_->register_it();
+  QVERIFY(!guidance().button("correct_by_hand")->isEnabled());
+  case_->begin_tracking();
 }
 
-void HandCorrectionTest::cleanup() {
-  guidance_.reset();
-  engine_.reset();
-  operation_.reset();
-  folder_.reset();
-}
+void HandCorrectionTest::cleanup() { case_.reset(); }
 
 void HandCorrectionTest::ADragWithShiftMovesTheOrganAndUndoTakesItBack() {
   const double before = place_x();
-  QVERIFY(!guidance_->button("undo_correction")->isEnabled());
+  QVERIFY(!guidance().button("undo_correction")->isEnabled());
   drag(12.0, Qt::ShiftModifier);
   QCOMPARE(standing(), std::size_t{1});
   QVERIFY2(is_drawn_at(12.0), qPrintable(QString::number(drawn_x())));
-  QVERIFY(guidance_->correction.said.value().startsWith(QStringLiteral("Corrected by hand: 1.")));
+  QVERIFY(guidance().correction.said.value().startsWith(QStringLiteral("Corrected by hand: 1.")));
   const double once = place_x();
   drag(-5.0, Qt::ShiftModifier);
   QCOMPARE(standing(), std::size_t{2});
-  QTest::keyClick(&guidance_->view, Qt::Key_Z, Qt::ControlModifier);
+  QTest::keyClick(&guidance().view, Qt::Key_Z, Qt::ControlModifier);
   QTRY_COMPARE(standing(), std::size_t{1});
   QVERIFY(std::abs(place_x() - once) < 1e-9);
-  QTRY_VERIFY(guidance_->button("undo_correction")->isEnabled());
-  QTest::mouseClick(guidance_->button("undo_correction"), Qt::LeftButton);
+  QTRY_VERIFY(guidance().button("undo_correction")->isEnabled());
+  QTest::mouseClick(guidance().button("undo_correction"), Qt::LeftButton);
   QTRY_COMPARE(standing(), std::size_t{0});
   QVERIFY(std::abs(place_x() - before) < 1e-9);
-  QTRY_VERIFY(!guidance_->button("undo_correction")->isEnabled());
+  QTRY_VERIFY(!guidance().button("undo_correction")->isEnabled());
   // Two were made, two taken back.
-  QTRY_COMPARE(guidance_->correction.record().size(), std::size_t{4});
+  QTRY_COMPARE(guidance().correction.record().size(), std::size_t{4});
 }
 
 void HandCorrectionTest::TheOrganFollowsWhileTheHandStillDrags() {
-  QTest::mousePress(guidance_->picture(), Qt::LeftButton, Qt::ShiftModifier, at(0.0));
-  QVERIFY(guidance_->correction.line.value().has_value());
+  QTest::mousePress(guidance().picture(), Qt::LeftButton, Qt::ShiftModifier, at(0.0));
+  QVERIFY(guidance().correction.line.value().has_value());
   QTest::qWait(300);
   move(10.0);
   QTRY_COMPARE(standing(), std::size_t{1});
@@ -134,81 +117,81 @@ void HandCorrectionTest::TheOrganFollowsWhileTheHandStillDrags() {
   QTest::qWait(300);
   move(20.0);
   QTRY_VERIFY(is_drawn_at(20.0));
-  QTest::mouseRelease(guidance_->picture(), Qt::LeftButton, Qt::ShiftModifier, at(16.0));
-  QTRY_VERIFY(!guidance_->correction.line.value());
+  QTest::mouseRelease(guidance().picture(), Qt::LeftButton, Qt::ShiftModifier, at(16.0));
+  QTRY_VERIFY(!guidance().correction.line.value());
   QVERIFY(is_drawn_at(16.0));
   QCOMPARE(standing(), std::size_t{1});  // one gesture
-  QCOMPARE(guidance_->correction.record().size(), std::size_t{1});
+  QCOMPARE(guidance().correction.record().size(), std::size_t{1});
 }
 
 void HandCorrectionTest::TheButtonAndTheKeyBeginAndEnd() {
-  QTest::mouseClick(guidance_->button("correct_by_hand"), Qt::LeftButton);
-  QVERIFY(guidance_->correction.is_correcting);
+  QTest::mouseClick(guidance().button("correct_by_hand"), Qt::LeftButton);
+  QVERIFY(guidance().correction.is_correcting);
   drag(6.0, Qt::NoModifier);
   QCOMPARE(standing(), std::size_t{1});
-  QTest::keyClick(&guidance_->view, Qt::Key_C);
-  QVERIFY(!guidance_->correction.is_correcting && !guidance_->button("correct_by_hand")->isChecked());
+  QTest::keyClick(&guidance().view, Qt::Key_C);
+  QVERIFY(!guidance().correction.is_correcting && !guidance().button("correct_by_hand")->isChecked());
   drag(6.0, Qt::NoModifier);
   QCOMPARE(standing(), std::size_t{1});
 }
 
 void HandCorrectionTest::WhatIsNotTheOrganIsNotTakenHoldOf() {
-  QVERIFY(!guidance_->correction.grab({3.0, 3.0}));
-  QVERIFY(!guidance_->correction.line.value());
-  QCOMPARE(guidance_->correction.tone.value(), QStringLiteral("warning"));
-  operation_->live_validity = Validity::surface_apart;
-  guidance_->playback.step();
+  QVERIFY(!guidance().correction.grab({3.0, 3.0}));
+  QVERIFY(!guidance().correction.line.value());
+  QCOMPARE(guidance().correction.tone.value(), QStringLiteral("warning"));
+  case_->operation->live_validity = Validity::surface_apart;
+  guidance().playback.step();
   QTRY_COMPARE(live().overlay.validity, Validity::surface_apart);
-  QVERIFY(!guidance_->correction.grab({150.0, 90.0}));  // nothing is drawn
-  guidance_->correction.is_correcting = true;           // shows where it is believed to be
-  QVERIFY(guidance_->correction.grab({150.0, 90.0}));
-  guidance_->correction.give_up();
+  QVERIFY(!guidance().correction.grab({150.0, 90.0}));  // nothing is drawn
+  guidance().correction.is_correcting = true;           // shows where it is believed to be
+  QVERIFY(guidance().correction.grab({150.0, 90.0}));
+  guidance().correction.give_up();
 }
 
 void HandCorrectionTest::ARefusedDragSaysWhyAndChangesNothing() {
   const double before = place_x();
   drag(130.0, Qt::ShiftModifier);
   QCOMPARE(standing(), std::size_t{0});
-  QCOMPARE(guidance_->correction.tone.value(), QStringLiteral("error"));
-  QVERIFY(guidance_->correction.said.value().contains(QStringLiteral("outside of the picture")));
+  QCOMPARE(guidance().correction.tone.value(), QStringLiteral("error"));
+  QVERIFY(guidance().correction.said.value().contains(QStringLiteral("outside of the picture")));
   QCOMPARE(place_x(), before);
-  QVERIFY(guidance_->correction.record().empty());
-  QVERIFY(engine_->snapshot()->tracking);
+  QVERIFY(guidance().correction.record().empty());
+  QVERIFY(engine().snapshot()->tracking);
 }
 
 void HandCorrectionTest::EscapeLeavesNothing() {
   const double before = place_x();
-  QTest::mousePress(guidance_->picture(), Qt::LeftButton, Qt::ShiftModifier, at(0.0));
+  QTest::mousePress(guidance().picture(), Qt::LeftButton, Qt::ShiftModifier, at(0.0));
   QTest::qWait(300);
   move(10.0);
   QTRY_COMPARE(standing(), std::size_t{1});
-  QTest::keyClick(&guidance_->view, Qt::Key_Escape);
+  QTest::keyClick(&guidance().view, Qt::Key_Escape);
   QTRY_COMPARE(standing(), std::size_t{0});
   QVERIFY(std::abs(place_x() - before) < 1e-9);
-  QTRY_VERIFY(engine_->tasks().empty());
-  QVERIFY(guidance_->correction.record().empty());
-  QTest::mouseRelease(guidance_->picture(), Qt::LeftButton, Qt::ShiftModifier, at(10.0));
+  QTRY_VERIFY(engine().tasks().empty());
+  QVERIFY(guidance().correction.record().empty());
+  QTest::mouseRelease(guidance().picture(), Qt::LeftButton, Qt::ShiftModifier, at(10.0));
   QCOMPARE(standing(), std::size_t{0});
 }
 
 void HandCorrectionTest::NothingIsCorrectedOfAFormerFrame() {
-  QVERIFY(guidance_->correction.is_offered);
-  QTRY_VERIFY(guidance_->review.is_offered);
-  guidance_->review.seek(guidance_->review.first);
-  QTRY_VERIFY(!guidance_->correction.is_offered);
-  QVERIFY(!guidance_->correction.grab({150.0, 90.0}));
-  guidance_->review.go_live();
-  QTRY_VERIFY(guidance_->correction.is_offered);
+  QVERIFY(guidance().correction.is_offered);
+  QTRY_VERIFY(guidance().review.is_offered);
+  guidance().review.seek(guidance().review.first);
+  QTRY_VERIFY(!guidance().correction.is_offered);
+  QVERIFY(!guidance().correction.grab({150.0, 90.0}));
+  guidance().review.go_live();
+  QTRY_VERIFY(guidance().correction.is_offered);
 }
 
 void HandCorrectionTest::CorrectionsStandBesideTheRecording() {
-  const std::filesystem::path film = folder_->path() / "live.mkv";
-  guidance_->recording.start(QString::fromStdString(film.string()));
+  const std::filesystem::path film = case_->folder->path() / "live.mkv";
+  guidance().recording.start(QString::fromStdString(film.string()));
   drag(12.0, Qt::ShiftModifier);
-  guidance_->playback.pause(false);
+  guidance().playback.pause(false);
   QTRY_VERIFY(live().frames > 10);
-  guidance_->playback.stop();
-  QTRY_VERIFY(!guidance_->recording.is_recording);
+  guidance().playback.stop();
+  QTRY_VERIFY(!guidance().recording.is_recording);
   const std::vector<CorrectionLine> lines = read_corrections(film.string() + ".corrections.jsonl");
   QCOMPARE(lines.size(), std::size_t{1});
   QVERIFY(lines.front().correction && lines.front().has_place);

@@ -4,13 +4,12 @@
 #include <QPushButton>
 #include <QtTest>
 
-#include "fake_operation.h"
 #include "glisson/engine/parts/live.h"
 #include "glisson/ui/common/task_button.h"
 #include "glisson/ui/guidance/again_box.h"
 #include "glisson/ui/guidance/recording_model.h"
-#include "live_part.h"
 #include "run_in_window.h"
+#include "tracked_case.h"
 
 namespace glisson {
 namespace {
@@ -41,112 +40,96 @@ class RegisterAgainTest : public QObject {
   void WhatWasDoneStandsBesideTheRecording();
 
  private:
-  double place_x() const { return engine_->state()[part::live]->overlay.nodes_in_camera.col(0).mean(); }
-  double registered_x() const { return engine_->state()[part::registration]->nodes_in_camera.col(0).mean(); }
-  bool is_idle() const { return engine_->tasks().empty() && !guidance_->again.is_running; }
+  double place_x() const { return engine().state()[part::live]->overlay.nodes_in_camera.col(0).mean(); }
+  double registered_x() const { return engine().state()[part::registration]->nodes_in_camera.col(0).mean(); }
+  bool is_idle() const { return engine().tasks().empty() && !guidance().again.is_running; }
 
-  std::unique_ptr<TemporaryFolder> folder_;
-  std::unique_ptr<FakeOperation> operation_;
-  std::unique_ptr<ui::EngineBridge> engine_;
-  std::unique_ptr<Guidance> guidance_;
+  Guidance& guidance() const { return *case_->guidance; }
+  ui::EngineBridge& engine() const { return *case_->engine; }
+
+  std::unique_ptr<TrackedCase<Guidance>> case_;
 };
 
 void RegisterAgainTest::init() {
-  folder_ = std::make_unique<TemporaryFolder>();
-  operation_ = std::make_unique<FakeOperation>();
-  make_box_operation(*operation_);
-  engine_ = std::make_unique<ui::EngineBridge>(operation_->options());
-  for (const engine::Command& step : operation_->steps_to_cloud(folder_->path() / "scope.mkv", 60))
-    engine_->post(step);
-  engine_->post(engine::Register{});
-  QVERIFY(QTest::qWaitFor([this] { return engine_->tasks().empty(); }, 20000));
-  guidance_ = std::make_unique<Guidance>(*engine_);
-  QTRY_VERIFY_WITH_TIMEOUT(guidance_->drawables.drawable() != nullptr, 20000);
-  QVERIFY(!guidance_->button("register_again")->isEnabled());
-  QVERIFY(!guidance_->button("exchange_registration")->isEnabled());
-  guidance_->playing.findChild<ui::TaskButton*>(QStringLiteral("start_tracking"))->trigger();
-  QTRY_VERIFY_WITH_TIMEOUT(guidance_->live.line.value().startsWith(QStringLiteral("LIVE")), 20000);
-  guidance_->playback.pause(true);
-  QTest::qWait(200);
+  case_ = std::make_unique<TrackedCase<Guidance>>();
+  case_->register_it();
+  QVERIFY(!guidance().button("register_again")->isEnabled());
+  QVERIFY(!guidance().button("exchange_registration")->isEnabled());
+  case_->begin_tracking();
 }
 
-void RegisterAgainTest::cleanup() {
-  guidance_.reset();
-  engine_.reset();
-  operation_.reset();
-  folder_.reset();
-}
+void RegisterAgainTest::cleanup() { case_.reset(); }
 
 void RegisterAgainTest::OneKeyRegistersAgainAndTheBetterOneIsShown() {
   const double before = place_x(), start = registered_x();
-  QTest::keyClick(&guidance_->view, Qt::Key_R);
-  QTRY_VERIFY(guidance_->button("exchange_registration")->isEnabled());
+  QTest::keyClick(&guidance().view, Qt::Key_R);
+  QTRY_VERIFY(guidance().button("exchange_registration")->isEnabled());
   QVERIFY(std::abs(place_x() - before - 3e-3) < 1e-9);
   QVERIFY(std::abs(registered_x() - start - 3e-3) < 1e-9);
-  QVERIFY2(guidance_->said().contains(QStringLiteral("3.0 mm")) &&
-               guidance_->said().contains(QStringLiteral("0.4 mm, before 1.6 mm")),
-           qPrintable(guidance_->said()));
-  QCOMPARE(guidance_->button("exchange_registration")->text(), QStringLiteral("Former one"));
-  QTest::mouseClick(guidance_->button("exchange_registration"), Qt::LeftButton);
+  QVERIFY2(guidance().said().contains(QStringLiteral("3.0 mm")) &&
+               guidance().said().contains(QStringLiteral("0.4 mm, before 1.6 mm")),
+           qPrintable(guidance().said()));
+  QCOMPARE(guidance().button("exchange_registration")->text(), QStringLiteral("Former one"));
+  QTest::mouseClick(guidance().button("exchange_registration"), Qt::LeftButton);
   QTRY_VERIFY(std::abs(place_x() - before) < 1e-9);
-  QTRY_COMPARE(guidance_->button("exchange_registration")->text(), QStringLiteral("Take it"));
-  QVERIFY(engine_->snapshot()->tracking);
+  QTRY_COMPARE(guidance().button("exchange_registration")->text(), QStringLiteral("Take it"));
+  QVERIFY(engine().snapshot()->tracking);
 }
 
 void RegisterAgainTest::WhatIsNoBetterIsLeftToThePerson() {
-  operation_->again_is_better = false;
+  case_->operation->again_is_better = false;
   const double before = place_x();
-  QTest::mouseClick(guidance_->button("register_again"), Qt::LeftButton);
-  QTRY_VERIFY(guidance_->button("exchange_registration")->isEnabled());
+  QTest::mouseClick(guidance().button("register_again"), Qt::LeftButton);
+  QTRY_VERIFY(guidance().button("exchange_registration")->isEnabled());
   QVERIFY(std::abs(place_x() - before) < 1e-9);
-  QVERIFY2(guidance_->said().startsWith(QStringLiteral("Not taken")), qPrintable(guidance_->said()));
-  QTest::mouseClick(guidance_->button("exchange_registration"), Qt::LeftButton);
+  QVERIFY2(guidance().said().startsWith(QStringLiteral("Not taken")), qPrintable(guidance().said()));
+  QTest::mouseClick(guidance().button("exchange_registration"), Qt::LeftButton);
   QTRY_VERIFY(std::abs(place_x() - before - 3e-3) < 1e-9);
 }
 
 void RegisterAgainTest::TheSameKeyCancelsAndTheFormerOneStays() {
-  operation_->hold = true;
+  case_->operation->hold = true;
   const double before = place_x();
-  QTest::keyClick(&guidance_->view, Qt::Key_R);
-  QTRY_COMPARE(guidance_->button("register_again")->text(), QStringLiteral("Cancel"));
-  QVERIFY(engine_->snapshot()->tracking);  // meanwhile
-  QTest::keyClick(&guidance_->view, Qt::Key_R);
+  QTest::keyClick(&guidance().view, Qt::Key_R);
+  QTRY_COMPARE(guidance().button("register_again")->text(), QStringLiteral("Cancel"));
+  QVERIFY(engine().snapshot()->tracking);  // meanwhile
+  QTest::keyClick(&guidance().view, Qt::Key_R);
   QTRY_VERIFY(is_idle());
-  operation_->hold = false;
+  case_->operation->hold = false;
   QVERIFY(std::abs(place_x() - before) < 1e-9);
-  QVERIFY(guidance_->said().startsWith(QStringLiteral("Cancelled")));
-  QVERIFY(!guidance_->button("exchange_registration")->isEnabled());
+  QVERIFY(guidance().said().startsWith(QStringLiteral("Cancelled")));
+  QVERIFY(!guidance().button("exchange_registration")->isEnabled());
 }
 
 void RegisterAgainTest::AnEndOfTheVideoEndsNothing() {
-  operation_->hold = true;
+  case_->operation->hold = true;
   const double start = registered_x();
-  QTest::keyClick(&guidance_->view, Qt::Key_R);
-  QTRY_VERIFY(guidance_->again.is_running);
-  guidance_->playback.stop();
-  QTRY_VERIFY(!guidance_->again.is_offered);
-  QVERIFY(guidance_->again.is_running);
-  operation_->hold = false;
+  QTest::keyClick(&guidance().view, Qt::Key_R);
+  QTRY_VERIFY(guidance().again.is_running);
+  guidance().playback.stop();
+  QTRY_VERIFY(!guidance().again.is_offered);
+  QVERIFY(guidance().again.is_running);
+  case_->operation->hold = false;
   QTRY_VERIFY(is_idle());
-  QVERIFY2(guidance_->said().startsWith(QStringLiteral("Better")), qPrintable(guidance_->said()));
+  QVERIFY2(guidance().said().startsWith(QStringLiteral("Better")), qPrintable(guidance().said()));
   QVERIFY(std::abs(registered_x() - start) < 1e-9 &&
-          !guidance_->button("exchange_registration")->isEnabled());
-  guidance_->playing.findChild<ui::TaskButton*>(QStringLiteral("start_tracking"))->trigger();
-  QTRY_VERIFY_WITH_TIMEOUT(guidance_->button("exchange_registration")->isEnabled(), 20000);
-  QTRY_VERIFY(engine_->state()[part::live]->overlay.nodes_in_camera.rows() > 0);
-  QTest::mouseClick(guidance_->button("exchange_registration"), Qt::LeftButton);
+          !guidance().button("exchange_registration")->isEnabled());
+  guidance().playing.findChild<ui::TaskButton*>(QStringLiteral("start_tracking"))->trigger();
+  QTRY_VERIFY_WITH_TIMEOUT(guidance().button("exchange_registration")->isEnabled(), 20000);
+  QTRY_VERIFY(engine().state()[part::live]->overlay.nodes_in_camera.rows() > 0);
+  QTest::mouseClick(guidance().button("exchange_registration"), Qt::LeftButton);
   QTRY_VERIFY(std::abs(registered_x() - start - 3e-3) < 1e-9);
 }
 
 void RegisterAgainTest::WhatWasDoneStandsBesideTheRecording() {
-  guidance_->playback.pause(false);
-  const std::filesystem::path film = folder_->path() / "film.mkv";
-  guidance_->recording.start(QString::fromStdString(film.string()));
+  guidance().playback.pause(false);
+  const std::filesystem::path film = case_->folder->path() / "film.mkv";
+  guidance().recording.start(QString::fromStdString(film.string()));
   QTest::qWait(200);
-  QTest::keyClick(&guidance_->view, Qt::Key_R);
-  QTRY_COMPARE(guidance_->again.record().size(), std::size_t{1});
-  guidance_->recording.stop();
-  QTRY_VERIFY(!guidance_->recording.is_recording);
+  QTest::keyClick(&guidance().view, Qt::Key_R);
+  QTRY_COMPARE(guidance().again.record().size(), std::size_t{1});
+  guidance().recording.stop();
+  QTRY_VERIFY(!guidance().recording.is_recording);
   QFile beside(QString::fromStdString(film.string() + ".corrections.jsonl"));
   QVERIFY(beside.open(QIODevice::ReadOnly));
   const QByteArray text = beside.readAll();
