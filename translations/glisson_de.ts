@@ -7486,7 +7486,7 @@
     <name>glisson::ui::ToolBox</name>
     <message>
         <source>Take a tool&apos;s tip from a server</source>
-        <translation>Die Spitze eines Werkzeugs von einem Server nehmen</translation>
+        <translation>Werkzeugspitze von einem Server</translation>
     </message>
     <message>
         <source>While the tip is within 5 mm of the organ&apos;s surface it marks the place there.</source>
