@@ -4710,6 +4710,14 @@
         <source>Reads a CT (a folder of DICOM slices or its DICOMDIR, a .zip or .tar.gz of one, NIfTI, NRRD, MetaImage) into a case, which is made if there is none.</source>
         <translation>Liest ein CT (einen Ordner mit DICOM-Schichten oder seine DICOMDIR, ein .zip oder .tar.gz davon, NIfTI, NRRD, MetaImage) in einen Fall, der angelegt wird, wenn es keinen gibt.</translation>
     </message>
+    <message>
+        <source>Puts the registration off by so many millimetres before it is followed: across, down and away from the camera.</source>
+        <translation>Versetzt die Registrierung um so viele Millimeter, bevor sie verfolgt wird: quer, nach unten und von der Kamera weg.</translation>
+    </message>
+    <message>
+        <source>Registers again every so many seconds of the film.</source>
+        <translation>Registriert alle so viele Sekunden des Films erneut.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AgainBox</name>

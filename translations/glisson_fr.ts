@@ -4710,6 +4710,14 @@
         <source>Reads a CT (a folder of DICOM slices or its DICOMDIR, a .zip or .tar.gz of one, NIfTI, NRRD, MetaImage) into a case, which is made if there is none.</source>
         <translation>Lit un scanner (un dossier de coupes DICOM ou son DICOMDIR, un .zip ou .tar.gz de celui-ci, NIfTI, NRRD, MetaImage) dans un cas, créé s&apos;il n&apos;y en a pas.</translation>
     </message>
+    <message>
+        <source>Puts the registration off by so many millimetres before it is followed: across, down and away from the camera.</source>
+        <translation>Décale le recalage d’autant de millimètres avant qu’il soit suivi : en travers, vers le bas et en s’éloignant de la caméra.</translation>
+    </message>
+    <message>
+        <source>Registers again every so many seconds of the film.</source>
+        <translation>Recale à nouveau toutes les tant de secondes du film.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AgainBox</name>

@@ -164,7 +164,18 @@ void Arguments::flag(const QString& name, const QString& description) {
   parser_.addOption({name, description});
 }
 
-bool Arguments::parse(const QStringList& arguments) {
+void Arguments::option_with_usual_value(const QString& name, const QString& description,
+                                        const QString& value_name) {
+  option(name, description, value_name);
+  may_stand_alone_ << QStringLiteral("--") + name;
+}
+
+bool Arguments::parse(const QStringList& given) {
+  QStringList arguments = given;  // Qt's parser knows of no such options
+  for (qsizetype i = 0; i < arguments.size(); ++i)
+    if (may_stand_alone_.contains(arguments[i]) &&
+        (i + 1 == arguments.size() || arguments[i + 1].startsWith(QLatin1String("--"))))
+      arguments[i] += QLatin1Char('=');
   if (!parser_.parse(QStringList("glisson " + command_) + arguments))
     throw UsageError(parser_.errorText().toStdString() + " See 'glisson " + command_.toStdString() +
                      " --help'.");
@@ -210,13 +221,25 @@ void Arguments::require_existing(const QString& name) const {
 }
 
 double Arguments::number(const QString& name, double low, double high) const {
-  bool good = false;
-  const double number = QLocale::c().toDouble(value(name), &good);
-  if (!good || !std::isfinite(number) || number < low || number > high)
-    throw UsageError("--" + name.toStdString() + " " + value(name).toStdString() +
-                     ": must be a number from " + QString::number(low).toStdString() + " to " +
-                     QString::number(high).toStdString() + ".");
-  return number;
+  return numbers(name, 1, low, high).front();
+}
+
+std::vector<double> Arguments::numbers(const QString& name, int count, double low, double high) const {
+  const QStringList parts = value(name).split(QLatin1Char(','));
+  bool good = parts.size() == count;
+  std::vector<double> found;
+  for (const QString& part : parts) {
+    bool is_number = false;
+    found.push_back(QLocale::c().toDouble(part, &is_number));
+    good = good && is_number && std::isfinite(found.back()) && found.back() >= low && found.back() <= high;
+  }
+  if (good) return found;
+  const std::string range =
+      QString::number(low).toStdString() + " to " + QString::number(high).toStdString() + ".";
+  throw UsageError(
+      "--" + name.toStdString() + " " + value(name).toStdString() + ": must be " +
+      (count == 1 ? "a number from " : std::to_string(count) + " numbers between commas, each from ") +
+      range);
 }
 
 int Arguments::integer(const QString& name, int low, int high) const {

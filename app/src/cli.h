@@ -60,6 +60,8 @@ class Arguments {
   void option(const QString& name, const QString& description, const QString& value_name, double fallback) {
     option(name, description, value_name, QString::number(fallback));
   }
+  /// One that means something without a word after it, too: its value is empty then.
+  void option_with_usual_value(const QString& name, const QString& description, const QString& value_name);
   void flag(const QString& name, const QString& description);
 
   /// @return false when help was asked for and printed. @throws UsageError.
@@ -79,6 +81,8 @@ class Arguments {
   void require_existing(const QString& name) const;
   /// @throws UsageError when it is not a number, or outside [low, high].
   double number(const QString& name, double low, double high) const;
+  /// So many of them, "1,-2.5,0". @throws UsageError likewise.
+  std::vector<double> numbers(const QString& name, int count, double low, double high) const;
   int integer(const QString& name, int low, int high) const;
   LengthUnit unit(const QString& name) const;
   QStringList positionals() const { return parser_.positionalArguments(); }
@@ -91,6 +95,7 @@ class Arguments {
   QString command_;
   QCommandLineParser parser_;
   bool takes_positionals_ = false;
+  QStringList may_stand_alone_;  ///< "--name"
 };
 
 /// A script of engine commands with its progress on the terminal, and the figures of everything that it did.

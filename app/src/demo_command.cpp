@@ -92,6 +92,12 @@ int run_demo(const QStringList& given) {
                    options.patch_share);
   arguments.option("shape", Cli::tr("Which member of the synthetic population."), "SEED",
                    static_cast<double>(options.synthetic.shape_seed));
+  arguments.option("start-off",
+                   Cli::tr("Puts the registration off by so many millimetres before it is followed: across, "
+                           "down and away from the camera."),
+                   "X,Y,Z");
+  arguments.option("register-again", Cli::tr("Registers again every so many seconds of the film."),
+                   "SECONDS");
   arguments.flag("headless", Cli::tr("Do not open the window at the end."));
   if (!arguments.parse(given)) return 0;
   options.patient = arguments.path("patient");
@@ -105,6 +111,12 @@ int run_demo(const QStringList& given) {
   options.theatre.frames = arguments.integer("frames", 1, 100000);
   options.theatre.camera_distance_mm = arguments.number("distance", 80.0, 160.0);
   options.theatre.seed = options.clicks.seed = arguments.seed();
+  if (arguments.has("start-off")) {
+    const std::vector<double> off = arguments.numbers("start-off", 3, -100.0, 100.0);
+    options.start_off = 1e-3 * Eigen::Vector3d(off[0], off[1], off[2]);
+  }
+  if (arguments.has("register-again"))
+    options.register_again = arguments.number("register-again", 1.0, 3600.0);
   OutputFolder out(arguments.path("out"));
   Session session(arguments);
   const auto result = experiments::run_demo(

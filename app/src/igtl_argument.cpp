@@ -15,20 +15,13 @@ constexpr const char* kWait = "igtl-wait";
 }  // namespace
 
 void FrameTeller::declare(Arguments& arguments) {
-  arguments.option(kSend,
-                   Cli::tr("Listens at this address and tells programs that connect by OpenIGTLink (3D "
-                           "Slicer, CustusX, PLUS) of each frame: level, pose, surfaces. Without an address "
-                           "127.0.0.1:18944, which other computers do not reach; port 0: a free one."),
-                   "ADDRESS:PORT");
+  arguments.option_with_usual_value(
+      kSend,
+      Cli::tr("Listens at this address and tells programs that connect by OpenIGTLink (3D "
+              "Slicer, CustusX, PLUS) of each frame: level, pose, surfaces. Without an address "
+              "127.0.0.1:18944, which other computers do not reach; port 0: a free one."),
+      "ADDRESS:PORT");
   arguments.flag(kWait, Cli::tr("With --igtl-send: begins when a program has connected."));
-}
-
-QStringList FrameTeller::with_address(QStringList given) {
-  const QString option = QStringLiteral("--") + QLatin1String(kSend);
-  for (qsizetype i = 0; i < given.size(); ++i)
-    if (given[i] == option && (i + 1 == given.size() || given[i + 1].startsWith(QLatin1String("--"))))
-      given[i] = option + QStringLiteral("=");
-  return given;
 }
 
 FrameTeller::FrameTeller(const Arguments& arguments) : waits_(arguments.has(kWait)) {

@@ -14,8 +14,6 @@ namespace glisson::app {
 class FrameTeller {
  public:
   static void declare(Arguments& arguments);
-  /// An --igtl-send without a word after it means the usual address.
-  static QStringList with_address(QStringList given);
 
   /// Listens, where it is asked for, and says where. @throws InputError, UsageError.
   explicit FrameTeller(const Arguments& arguments);

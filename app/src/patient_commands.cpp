@@ -11,6 +11,7 @@
 #include "glisson/engine/commands/propose_seeds.h"
 #include "glisson/engine/commands/segment.h"
 #include "glisson/engine/commands/set_seeds.h"
+#include "glisson/engine/hand_edits.h"
 #include "glisson/engine/parts/offer.h"
 #include "glisson/ui/common/series_texts.h"
 
@@ -112,12 +113,7 @@ engine::OverHandWork over_hand_work(const Arguments& arguments) {
 /// The figures say what would change; the case on the disk stays as it is.
 [[noreturn]] void refuse_after_telling(Session& session) {
   session.finish();
-  std::string names;
-  for (const Label label : session.state()[part::offer]->edited)
-    names += (names.empty() ? "" : ", ") + structure_name(label);
-  throw InputError("labels", names, "was corrected by hand and would be replaced",
-                   "Lock it (--lock), leave it out of what is found anew (--only), keep what was corrected "
-                   "(--keep-edited), or allow it (--replace-edited)");
+  throw engine::hand_work_error(session.state()[part::offer]->edited);
 }
 
 }  // namespace

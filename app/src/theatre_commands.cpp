@@ -16,14 +16,13 @@
 #include "glisson/engine/commands/set_calibration.h"
 #include "glisson/engine/commands/set_video.h"
 #include "glisson/engine/commands/start_tracking.h"
-#include "glisson/engine/commands/take_registration.h"
 #include "glisson/engine/commands/undo_correction.h"
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/live.h"
 #include "glisson/engine/parts/model.h"
-#include "glisson/engine/parts/other_registration.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/engine/parts/rig.h"
+#include "glisson/experiments/again_every.h"
 #include "glisson/experiments/evaluate.h"
 #include "glisson/experiments/track_record.h"
 #include "glisson/guidance/place_picker.h"
@@ -156,35 +155,6 @@ class Corrections {
   std::size_t next_ = 0;
 };
 
-/// Registers again every so many seconds of the film.
-class Again {
- public:
-  /// @param every seconds; zero: never. @param command as it was registered first.
-  Again(Session& session, double every, engine::RegisterAgain command)
-      : session_(session), every_(every), command_(std::move(command)) {}
-
-  void after(const StereoFrame& frame, experiments::TrackRecord& record) {
-    if (every_ <= 0.0 || frame.seconds < last_ + every_) return;
-    last_ = frame.seconds;
-    const engine::LiveState& live = *session_.state()[part::live];
-    if (!live.tissue_at_start || !is_followed(live.overlay.validity)) return;
-    try {
-      session_.post(command_);
-      const engine::OtherRegistration offered = *session_.state()[part::other_registration];
-      if (offered.is_better) session_.post(engine::TakeRegistration{});
-      record.add(AgainLine{frame.index, frame.seconds, offered.is_better, offered.former_gap, offered.gap,
-                           offered.moved});
-    } catch (const InputError& problem) {
-      say(QString::fromStdString(problem.what()));  // the organ is followed from the former registration
-    }
-  }
-
- private:
-  Session& session_;
-  double every_, last_ = 0.0;
-  engine::RegisterAgain command_;
-};
-
 engine::RegisterAgain again_command(const Session& session, const Arguments& arguments) {
   engine::RegisterAgain command;
   command.materials = given_materials(arguments);
@@ -200,14 +170,20 @@ void follow_film(Session& session, const Arguments& arguments, experiments::Trac
   stereo::StereoVideo& video = **opened;
   Corrections corrections(session, arguments.path("correct"), video.frame_count());
   const double frames = std::max(1, video.frame_count());  // what is live has no count
-  Again again(session,
-              arguments.has("register-again") ? arguments.number("register-again", 1.0, 3600.0) : 0.0,
-              again_command(session, arguments));
+  experiments::AgainEvery again(
+      arguments.has("register-again") ? arguments.number("register-again", 1.0, 3600.0) : 0.0,
+      again_command(session, arguments), [&](engine::Command command) { session.post(std::move(command)); },
+      [&]() -> const engine::CaseState& { return session.state(); });
   for (StereoFrame frame; video.read(frame);) {
     const OverlayFrame overlay = session.follow(frame, std::min(1.0, (frame.index + 1.0) / frames));
     record.add(frame.index, overlay);
     corrections.after(frame.index, record);
-    again.after(frame, record);
+    if (const auto tried = again.after(frame.index, frame.seconds, session.context())) {
+      if (tried->problem.empty())
+        record.add(tried->line);
+      else
+        say(QString::fromStdString(tried->problem));  // the organ is followed from the former registration
+    }
     teller.tell(session.state()[part::live]->overlay);  // as corrected
   }
   if (session.context().cancelled()) throw Interrupted();
@@ -387,7 +363,7 @@ int run_track(const QStringList& given) {
       "PATTERN");
   FrameTeller::declare(arguments);
   arguments.option("out", Cli::tr("The folder for the meshes."), "DIR");
-  if (!arguments.parse(FrameTeller::with_address(given))) return 0;
+  if (!arguments.parse(given)) return 0;
   FrameTeller teller(arguments);
   OutputFolder out(arguments.required_path("out"));
   if (arguments.has("video") == arguments.has("clouds"))

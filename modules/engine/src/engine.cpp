@@ -17,6 +17,7 @@
 #include "glisson/engine/obstacle.h"
 #include "glisson/engine/parts/live.h"
 #include "job.h"
+#include "stamps.h"
 #include "trial_lane.h"
 
 namespace glisson::engine {
@@ -130,28 +131,9 @@ struct Engine::Impl final : LiveLanes {
       for (const Part part : all_parts()) revision = std::max(revision, applied.state.stamp(part).revision);
       state = std::move(applied.state);
     } else {
-      Parts renewed;
-      for (const Part part : all_parts()) {
-        if (!traits.writes.has(part) || applied.state.shares(part, base)) continue;
-        state.take(part, applied.state);
-        Stamp stamp;
-        if (state.has(part)) stamp = {++revision, made_from(part, traits, base)};
-        state.stamp(part) = stamp;
-        renewed.add(part);
-      }
-      keep_together(state, base, renewed);
+      take_over(state, traits, base, applied.state, revision);
     }
     publish(std::move(state), std::string(job.command.code()));
-  }
-
-  /// What was made of a part is still made of it when one command changes both.
-  static void keep_together(CaseState& state, const CaseState& base, const Parts& renewed) {
-    for (const Part part : all_parts()) {
-      if (!renewed.has(part)) continue;
-      for (auto& [input, revision] : state.stamp(part).made_from)
-        if (renewed.has(input) && revision == base.stamp(input).revision)
-          revision = state.stamp(input).revision;
-    }
   }
 
   /// Everything of a command from start to outcome. Called without the lock, on the lane's thread.

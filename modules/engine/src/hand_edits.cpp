@@ -7,7 +7,6 @@
 #include <map>
 #include <memory>
 
-#include "glisson/core/error.h"
 #include "glisson/engine/parts/labels.h"
 #include "label_steps.h"
 
@@ -108,6 +107,12 @@ LabelVolume hand_corrected(const CaseState& state) {
   };
   walk.over(*state[part::history]);
   return hand.on(grid);
+}
+
+InputError hand_work_error(const std::set<Label>& labels) {
+  return {"labels", structure_names(labels), "was corrected by hand and would be replaced",
+          "Lock it (--lock), leave it out of what is found anew (--only), keep what was corrected "
+          "(--keep-edited), or allow it (--replace-edited)"};
 }
 
 }  // namespace glisson::engine

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <algorithm>
-#include <cstdint>
-#include <map>
 #include <memory>
 
 #include "glisson/engine/command.h"
@@ -29,25 +26,5 @@ struct Job {
     return same_lane || running.traits().writes.meets(traits().reads | traits().writes);
   }
 };
-
-/// Of which editions of other parts a part was made that a command wrote.
-inline std::map<Part, std::uint64_t> made_from(Part part, const CommandTraits& command,
-                                               const CaseState& base) {
-  std::map<Part, std::uint64_t> inputs;
-  const PartSpec& spec = part.type().spec();
-  if (spec.stands_alone) return inputs;
-  if (command.reads.has(part)) {
-    // What is only changed stays as old as it was: an edit does not make labels of a former CT current, nor a
-    // model of former labels.
-    inputs = base.stamp(part).made_from;
-    for (const Part freed : spec.changed_frees_from) inputs.erase(freed);
-  }
-  for (const Part input : all_parts()) {
-    if (input == part || !input.type().spec().is_input || !command.reads.has(input)) continue;
-    // An input that was not there counts too (revision 0): when it comes, this part is stale.
-    inputs.try_emplace(input, base.stamp(input).revision);
-  }
-  return inputs;
-}
 
 }  // namespace glisson::engine

@@ -54,6 +54,12 @@ std::set<Label> step_to(CaseState& state, const LabelMap& before, LabelMap label
 
 }  // namespace
 
+std::string structure_names(const std::set<Label>& labels) {
+  std::string names;
+  for (const Label label : labels) names += (names.empty() ? "" : ", ") + structure_name(label);
+  return names;
+}
+
 std::set<Label> labels_touched(const LabelChanges& changes) {
   std::set<Label> touched;
   std::pair<Label, Label> last{0, 0};

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <set>
+#include <string>
 
 #include "glisson/core/json_file.h"
 #include "glisson/editing/history.h"
@@ -21,6 +22,9 @@ inline constexpr const char* kSegmentStep = "segment";
 /// Growth that kept the voxels which a hand had corrected.
 inline constexpr const char* kMergeStep = "segment_around_hand";
 inline constexpr const char* kImportStep = "import_labels";
+
+/// For errors: "liver, lesion_1".
+std::string structure_names(const std::set<Label>& labels);
 
 /// Labels of which a voxel came or went.
 std::set<Label> labels_touched(const LabelChanges& changes);

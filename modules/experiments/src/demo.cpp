@@ -14,6 +14,7 @@
 #include "glisson/engine/commands/import_cloud.h"
 #include "glisson/engine/commands/import_image.h"
 #include "glisson/engine/commands/import_labels.h"
+#include "glisson/engine/commands/import_registration.h"
 #include "glisson/engine/commands/import_surfaces.h"
 #include "glisson/engine/commands/load_video_frame.h"
 #include "glisson/engine/commands/open_case.h"
@@ -36,6 +37,7 @@
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/engine/parts/video.h"
+#include "glisson/experiments/again_every.h"
 #include "glisson/experiments/evaluate.h"
 #include "glisson/experiments/outline_distance.h"
 #include "glisson/experiments/track_evaluation.h"
@@ -246,8 +248,22 @@ class DemoRun {
 
   // ---- live ----
 
+  void put_start_off() {
+    if (options_.start_off.isZero()) return;
+    Registration start = *state()[part::registration];
+    start.nodes_in_camera.rowwise() += options_.start_off.transpose();
+    start.camera_from_ct.translation += options_.start_off;
+    const fs::path path = folder_ / "operator/start_off.vtu";
+    engine::write_registration(path, model(), start, LengthUnit::millimetre);
+    post(engine::ImportRegistration{path, LengthUnit::millimetre});
+  }
+
   void track() {
+    put_start_off();
     post(engine::StartTracking{});
+    AgainEvery again(
+        options_.register_again, {}, [this](engine::Command command) { post(std::move(command)); },
+        [this]() -> const engine::CaseState& { return state(); });
     stereo::StereoVideo video(state()[part::video]->left, state()[part::video]->right);
     TrackEvaluation evaluation(model(), *state()[part::registration], video.frames_per_second());
     evaluation.set_true_start(theatre_->carry(model().mesh.vertices, 0));
@@ -263,6 +279,7 @@ class DemoRun {
       const OverlayFrame overlay = take(script_.follow(frame));
       evaluation.add(overlay);
       const Points truth = theatre_->carry(model().mesh.vertices, frame.index);
+      if (const auto tried = again.after(frame.index, frame.seconds, context_)) tell_again(*tried);
       if (overlay.nodes_in_camera.rows() == truth.rows()) evaluation.compare(overlay, truth, "theatre");
       if (overlay_video) drawing += draw(*overlay_video, frame, overlay);
       if (frame.index % kOutlineEvery == 0) compare_outline(overlay, outline);
@@ -276,6 +293,17 @@ class DemoRun {
     post(engine::StopTracking{});
     add_track(evaluation);
     result_.figures.merge(outline.figures());
+  }
+
+  /// The last registration's error where tracking began.
+  void tell_again(const AgainEvery::Tried& tried) {
+    ++result_.figures["again_tried"];
+    result_.figures["again_failed"] += tried.problem.empty() ? 0.0 : 1.0;
+    result_.figures["again_taken"] += tried.line.is_taken ? 1.0 : 0.0;
+    result_.figures["again_tre_volume_mean_mm"] =
+        target_errors(model(), state()[part::registration]->nodes_in_camera,
+                      theatre_->carry(model().mesh.vertices, 0), "theatre")
+            .at("tre_volume_mean_mm");
   }
 
   void compare_outline(const OverlayFrame& overlay, OutlineTally& tally) const {
@@ -346,6 +374,8 @@ class DemoRun {
 void DemoOptions::validate() const {
   const OptionCheck demand("demo");
   demand(vertices >= 50 && vertices <= 200000, "vertices", vertices, "Give 50 to 200000");
+  demand(start_off.norm() <= 0.2, "start_off", start_off.norm(), "Give 0.2 m at most");
+  demand(register_again >= 0.0, "register_again", register_again, "Give seconds from zero");
   demand(patch_share > 0.0 && patch_share <= 1.0, "patch_share", patch_share, "Give a share up to 1");
   synthetic.validate();
   theatre.validate();

@@ -192,7 +192,10 @@ struct Tracker::Impl {
   /// The registered shape is another one: mechanics, springs and all that is bound go along, and the tissue
   /// that is followed stays where it is.
   void take_shape(const Points& shape, const BindingChange& change) {
-    auto resting = options.hold_start ? body.resting_in(shape) : body.composite();
+    take_shape(shape, change, options.hold_start ? body.resting_in(shape) : body.composite());
+  }
+  void take_shape(const Points& shape, const BindingChange& change,
+                  std::shared_ptr<const fem::CompositeModel> resting) {
     const Points motion = hand->carried(shape - hand->shape(), body.positions());
     const registration::MovingSurface before = body.surface();
     body.take(std::move(resting), motion);
@@ -221,6 +224,7 @@ struct Tracker::Impl {
     HandCorrections::Step former{hand->shape(),     body.positions(),  body.velocities(), body.springs(),
                                  anchors.anchors(), memory->anchors(), relocator->save(), frames};
     const BindingChange change = hand->change_to(proposal.shape);
+    going_over.reset();  // what a hand has set does not go on moving
     take_shape(proposal.shape, change);
     relocator->rebind(change.of_surface);
     hand->accept(proposal, std::move(former), last);
@@ -243,12 +247,15 @@ struct Tracker::Impl {
   OverlayFrame take(const Registration& registration) {
     require_followed("registration");
     check(patient, registration);
+    const auto resting = body.resting_in(registration.nodes_in_camera);
     HandCorrections::Renewal renewal =
-        hand->renewed(options.hold_start ? body.resting_in(registration.nodes_in_camera) : body.composite(),
-                      registration.nodes_in_camera, anchors.anchors());
+        hand->renewed(resting, registration.nodes_in_camera, anchors.anchors());
     const Points former = hand->shape();
     const BindingChange change = hand->change_to(renewal.shape);
-    take_shape(renewal.shape, change);
+    if (options.hold_start && renewal.shape == registration.nodes_in_camera)
+      take_shape(renewal.shape, change, resting);
+    else
+      take_shape(renewal.shape, change);
     relocator->rebind(change.of_surface);
     hand->accept(std::move(renewal));
     lesions = LesionJudge(patient, registration, options.lesions);

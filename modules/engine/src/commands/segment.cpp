@@ -15,22 +15,10 @@
 namespace glisson::engine {
 namespace {
 
-std::string names_of(const std::set<Label>& labels) {
-  std::string names;
-  for (const Label label : labels) names += (names.empty() ? "" : ", ") + structure_name(label);
-  return names;
-}
-
-void refuse_to_replace(const std::set<Label>& edited) {
-  throw InputError("labels", names_of(edited), "was corrected by hand and would be replaced",
-                   "Lock it (--lock), leave it out of what is found anew (--only), keep what was corrected "
-                   "(--keep-edited), or allow it (--replace-edited)");
-}
-
 /// What is told before a minute of computing: a difference needs one grid.
 void require_comparable(const CaseState& state, const std::set<Label>& edited) {
   if (!state[part::labels]->voxels.grid().same_as(state[part::image]->grid))
-    throw InputError("labels", names_of(edited), "was corrected by hand on the voxels of another CT",
+    throw InputError("labels", structure_names(edited), "was corrected by hand on the voxels of another CT",
                      "Open this CT as a new case, or allow it (--replace-edited)");
 }
 
@@ -90,7 +78,7 @@ CommandTraits Segment::traits() const {
 Cancellable<Applied> Segment::apply(const CaseState& state, const RunContext& context,
                                     const Services& services) const {
   const std::set<Label> edited = would_replace(state);
-  if (!edited.empty() && over_hand_work == OverHandWork::refuse) refuse_to_replace(edited);
+  if (!edited.empty() && over_hand_work == OverHandWork::refuse) throw hand_work_error(edited);
   const bool compares =
       !edited.empty() && (over_hand_work != OverHandWork::replace ||
                           state[part::labels]->voxels.grid().same_as(state[part::image]->grid));

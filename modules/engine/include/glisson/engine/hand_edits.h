@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "glisson/core/error.h"
 #include "glisson/engine/case_state.h"
 #include "glisson/volume/label_volume.h"
 
@@ -16,5 +17,8 @@ std::set<Label> edited_by_hand(const CaseState& state);
 /// 1 where those corrections changed a voxel that growth has not changed since, 0 elsewhere; on the labels'
 /// grid. @pre the state has labels.
 LabelVolume hand_corrected(const CaseState& state);
+
+/// Why such labels are not found anew unasked, and what to do. @pre not empty.
+InputError hand_work_error(const std::set<Label>& labels);
 
 }  // namespace glisson::engine

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Core>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -32,6 +33,9 @@ struct DemoOptions {
   insilico::PatientOptions synthetic;
   insilico::TheatreOptions theatre;
   insilico::OperatorOptions clicks;
+  /// The registration is put off by so much before it is followed, metres, left camera's frame.
+  Eigen::Vector3d start_off = Eigen::Vector3d::Zero();
+  double register_again = 0.0;  ///< seconds; zero: never
 
   /// @throws InputError naming the option.
   void validate() const;
