@@ -2,6 +2,7 @@
 // Drives the window by mouse and keyboard, from opening a CT to the recorded live view. The engine's
 // scheduling is the real one; what its commands compute is made by FakeOperation.
 #include <QApplication>
+#include <QComboBox>
 #include <QDropEvent>
 #include <QLabel>
 #include <QMessageBox>
@@ -38,6 +39,7 @@ class WindowTest : public QObject, private OperatedWindow {
   void WelcomesUntilSomethingIsOpen();
   void EveryPanelFitsItsColumnInEveryLanguage_data();
   void EveryPanelFitsItsColumnInEveryLanguage();
+  void TheWheelScrollsAPanelAndTurnsNoSettingOnTheWay();
   void OpensWhatIsDropped();
   void ErrorsAreShownAndLeaveTheCase();
   void UnsavedChangesAreNotLostUnasked();
@@ -92,6 +94,32 @@ void WindowTest::EveryPanelFitsItsColumnInEveryLanguage() {
   }
   QCOMPARE(window_->size(), QSize(1280, 800));
   QCoreApplication::removeTranslator(&translator);
+}
+
+void WindowTest::TheWheelScrollsAPanelAndTurnsNoSettingOnTheWay() {
+  window_ = std::make_unique<MainWindow>(operation_->options());
+  window_->resize(1280, 800);
+  window_->show();
+  window_->show_step(MainWindow::guidance);
+  auto* look = window_->panel(MainWindow::guidance).findChild<QComboBox*>(QStringLiteral("look"));
+  QVERIFY(look->count() > 2 && look->isVisible());
+  QApplication::setActiveWindow(window_.get());
+  /// @return whether the setting took it; otherwise it goes on to the column, which scrolls.
+  const auto turn = [&] {
+    const QPointF middle = QRectF(look->rect()).center();
+    QWheelEvent down(middle, look->mapToGlobal(middle), {}, {0, -120}, Qt::NoButton, Qt::NoModifier,
+                     Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(look, &down);
+    return down.isAccepted();
+  };
+  const int chosen = look->currentIndex();
+  QVERIFY(!turn());
+  QCOMPARE(look->currentIndex(), chosen);
+  QVERIFY(!(look->focusPolicy() & (Qt::WheelFocus & ~Qt::StrongFocus)));  // nor would the wheel choose it
+  look->setFocus();                                                       // a person does
+  QTRY_VERIFY(look->hasFocus());
+  QVERIFY(turn());
+  QVERIFY(look->currentIndex() != chosen);
 }
 
 void WindowTest::OpensWhatIsDropped() {

@@ -41,6 +41,7 @@
 #include "step_bar.h"
 #include "task_status.h"
 #include "welcome_page.h"
+#include "wheel_guard.h"
 
 namespace glisson::ui {
 namespace {
@@ -71,6 +72,7 @@ MainWindow::MainWindow(engine::Engine::Options options, QWidget* parent)
   middle_->addWidget(welcome_);
   views_ = new LinkedViews(engine_, state_, drawables_, middle_);
   middle_->addWidget(views_);
+  new WheelGuard(this);
   build_panels();
   status_ = new TaskStatus(engine_, this);
   statusBar()->addWidget(status_, 1);
