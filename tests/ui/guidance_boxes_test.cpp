@@ -46,6 +46,7 @@ class GuidanceBoxesTest : public QObject {
   void PlacedByHandTheModelIsRefinedFromThere();
   void PlacingEndsWithWhatItBelongsTo();
   void PlaybackSaysWhatItNeeds();
+  void StopStaysWhereItIsWhenTrackingBegins();
   void PlaybackFreezesWhenItIsStopped();
   void FrozenPictureGoesWithItsRegistration();
   void PlaybackRepeatsOnlyWhenItShould_data();
@@ -258,6 +259,24 @@ void GuidanceBoxesTest::PlaybackSaysWhatItNeeds() {
   QTRY_VERIFY(model.is_tracking);
   QVERIFY(words_on(box).contains(QStringLiteral("Tracking is running.")));
   QVERIFY(button(box, "stop_tracking")->isEnabled());
+}
+
+void GuidanceBoxesTest::StopStaysWhereItIsWhenTrackingBegins() {
+  ui::PlaybackModel model(*engine_);
+  ui::PlaybackBox box(*engine_, model);
+  reach_registration(200);
+  box.show();
+  const auto stop_at = [&] {
+    QCoreApplication::processEvents();
+    box.resize(320, box.sizeHint().height());
+    box.layout()->activate();
+    return button(box, "stop_tracking")->mapTo(&box, QPoint(0, 0)).y();
+  };
+  const int before = stop_at();
+  task(box, "start_tracking")->trigger();
+  QTRY_VERIFY(model.is_tracking && !task(box, "start_tracking")->is_running());
+  QVERIFY(words_on(box).contains(QStringLiteral("Tracking is running.")));
+  QTRY_COMPARE(stop_at(), before);
 }
 
 void GuidanceBoxesTest::PlaybackFreezesWhenItIsStopped() {

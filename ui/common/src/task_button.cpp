@@ -59,6 +59,17 @@ void TaskButton::set_obstacle(const QString& obstacle) {
   show_state();
 }
 
+void TaskButton::reserve_line() {
+  QSizePolicy policy = stage_->sizePolicy();
+  policy.setRetainSizeWhenHidden(true);
+  stage_->setSizePolicy(policy);
+  stage_->ensurePolished();
+  const QString said = stage_->text();
+  stage_->setText(QStringLiteral("X"));
+  stage_->setMinimumHeight(stage_->sizeHint().height());
+  stage_->setText(said);
+}
+
 void TaskButton::watch(engine::Command command) {
   if (!watched_) connect(&engine_, &EngineBridge::case_changed, this, &TaskButton::ask);
   watched_ = std::move(command);

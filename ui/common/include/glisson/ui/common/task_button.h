@@ -23,6 +23,8 @@ class TaskButton : public QWidget {
   TaskButton(EngineBridge& engine, const QString& text, std::function<std::optional<engine::Command>()> make,
              QWidget* parent = nullptr);
 
+  /// Keeps a line for what is in the way, so that nothing below moves when it is said.
+  void reserve_line();
   /// Why the button cannot be pressed now; empty: it can.
   void set_obstacle(const QString& obstacle);
   /// From now on what stands in the way of a command like this one (engine::obstacle) is told, too, and comes
