@@ -2488,6 +2488,78 @@
         <source>The DICOMDIR names files that are not there: slices may be missing. Copy the whole medium. (%*)</source>
         <translation>Die DICOMDIR nennt Dateien, die nicht da sind: Schichten können fehlen. Kopieren Sie den ganzen Datenträger. (%*)</translation>
     </message>
+    <message>
+        <source>%1: one more look helps most at %2. Expected error then %4 mm instead of %3 mm.</source>
+        <translation>%1: Ein weiterer Blick hilft am meisten auf %2. Erwarteter Fehler danach %4 mm statt %3 mm.</translation>
+    </message>
+    <message>
+        <source>%1: mark the anterior margin where it is seen. Expected error then %3 mm instead of %2 mm.</source>
+        <translation>%1: Markieren Sie den Vorderrand, wo er zu sehen ist. Erwarteter Fehler danach %3 mm statt %2 mm.</translation>
+    </message>
+    <message>
+        <source>%1: mark the umbilical notch, which is seen. Expected error then %3 mm instead of %2 mm.</source>
+        <translation>%1: Markieren Sie die Nabelkerbe, die zu sehen ist. Erwarteter Fehler danach %3 mm statt %2 mm.</translation>
+    </message>
+    <message>
+        <source>the left lobe&apos;s dome</source>
+        <translation>die Kuppel des linken Lappens</translation>
+    </message>
+    <message>
+        <source>the left lobe&apos;s underside</source>
+        <translation>die Unterseite des linken Lappens</translation>
+    </message>
+    <message>
+        <source>the left lobe&apos;s front</source>
+        <translation>die Vorderseite des linken Lappens</translation>
+    </message>
+    <message>
+        <source>the left lobe&apos;s side</source>
+        <translation>die Außenseite des linken Lappens</translation>
+    </message>
+    <message>
+        <source>the left lobe&apos;s back</source>
+        <translation>die Rückseite des linken Lappens</translation>
+    </message>
+    <message>
+        <source>the right lobe&apos;s dome</source>
+        <translation>die Kuppel des rechten Lappens</translation>
+    </message>
+    <message>
+        <source>the right lobe&apos;s underside</source>
+        <translation>die Unterseite des rechten Lappens</translation>
+    </message>
+    <message>
+        <source>the right lobe&apos;s front</source>
+        <translation>die Vorderseite des rechten Lappens</translation>
+    </message>
+    <message>
+        <source>the right lobe&apos;s side</source>
+        <translation>die Außenseite des rechten Lappens</translation>
+    </message>
+    <message>
+        <source>the right lobe&apos;s back</source>
+        <translation>die Rückseite des rechten Lappens</translation>
+    </message>
+    <message>
+        <source>the liver&apos;s dome</source>
+        <translation>die Kuppel der Leber</translation>
+    </message>
+    <message>
+        <source>the liver&apos;s underside</source>
+        <translation>die Unterseite der Leber</translation>
+    </message>
+    <message>
+        <source>the liver&apos;s front</source>
+        <translation>die Vorderseite der Leber</translation>
+    </message>
+    <message>
+        <source>the liver&apos;s side</source>
+        <translation>die Außenseite der Leber</translation>
+    </message>
+    <message>
+        <source>the liver&apos;s back</source>
+        <translation>die Rückseite der Leber</translation>
+    </message>
 </context>
 <context>
     <name>Obstacles</name>
@@ -6143,6 +6215,18 @@
         <source>%1+ mm</source>
         <translation>%1+ mm</translation>
     </message>
+    <message>
+        <source>Expected error of each place; or of a lesion, once the surface around a place has been seen as well. The ball marks the best place.</source>
+        <translation>Erwarteter Fehler jeder Stelle; oder der einer Läsion, wenn auch die Oberfläche um eine Stelle gesehen wurde. Die Kugel zeigt die beste Stelle.</translation>
+    </message>
+    <message>
+        <source>Error here</source>
+        <translation>Fehler hier</translation>
+    </message>
+    <message>
+        <source>%1 after a look here</source>
+        <translation>%1 nach einem Blick hierher</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::Panel</name>
@@ -6601,6 +6685,10 @@
     <message>
         <source>Refused: what is known contradicts that the organ lies here.</source>
         <translation>Abgelehnt: Was bekannt ist, widerspricht dem, dass das Organ hier liegt.</translation>
+    </message>
+    <message>
+        <source>%1: no single look helps much.</source>
+        <translation>%1: Kein einzelner Blick hilft viel.</translation>
     </message>
 </context>
 <context>

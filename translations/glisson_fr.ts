@@ -2488,6 +2488,78 @@
         <source>The DICOMDIR names files that are not there: slices may be missing. Copy the whole medium. (%*)</source>
         <translation>Le DICOMDIR nomme des fichiers absents : des coupes peuvent manquer. Copiez tout le support. (%*)</translation>
     </message>
+    <message>
+        <source>%1: one more look helps most at %2. Expected error then %4 mm instead of %3 mm.</source>
+        <translation>%1 : un regard de plus aide le plus sur %2. Erreur attendue ensuite %4 mm au lieu de %3 mm.</translation>
+    </message>
+    <message>
+        <source>%1: mark the anterior margin where it is seen. Expected error then %3 mm instead of %2 mm.</source>
+        <translation>%1 : marquez le bord antérieur là où il est visible. Erreur attendue ensuite %3 mm au lieu de %2 mm.</translation>
+    </message>
+    <message>
+        <source>%1: mark the umbilical notch, which is seen. Expected error then %3 mm instead of %2 mm.</source>
+        <translation>%1 : marquez l’échancrure ombilicale, qui est visible. Erreur attendue ensuite %3 mm au lieu de %2 mm.</translation>
+    </message>
+    <message>
+        <source>the left lobe&apos;s dome</source>
+        <translation>le dôme du lobe gauche</translation>
+    </message>
+    <message>
+        <source>the left lobe&apos;s underside</source>
+        <translation>la face inférieure du lobe gauche</translation>
+    </message>
+    <message>
+        <source>the left lobe&apos;s front</source>
+        <translation>l’avant du lobe gauche</translation>
+    </message>
+    <message>
+        <source>the left lobe&apos;s side</source>
+        <translation>le côté du lobe gauche</translation>
+    </message>
+    <message>
+        <source>the left lobe&apos;s back</source>
+        <translation>l’arrière du lobe gauche</translation>
+    </message>
+    <message>
+        <source>the right lobe&apos;s dome</source>
+        <translation>le dôme du lobe droit</translation>
+    </message>
+    <message>
+        <source>the right lobe&apos;s underside</source>
+        <translation>la face inférieure du lobe droit</translation>
+    </message>
+    <message>
+        <source>the right lobe&apos;s front</source>
+        <translation>l’avant du lobe droit</translation>
+    </message>
+    <message>
+        <source>the right lobe&apos;s side</source>
+        <translation>le côté du lobe droit</translation>
+    </message>
+    <message>
+        <source>the right lobe&apos;s back</source>
+        <translation>l’arrière du lobe droit</translation>
+    </message>
+    <message>
+        <source>the liver&apos;s dome</source>
+        <translation>le dôme du foie</translation>
+    </message>
+    <message>
+        <source>the liver&apos;s underside</source>
+        <translation>la face inférieure du foie</translation>
+    </message>
+    <message>
+        <source>the liver&apos;s front</source>
+        <translation>l’avant du foie</translation>
+    </message>
+    <message>
+        <source>the liver&apos;s side</source>
+        <translation>le côté du foie</translation>
+    </message>
+    <message>
+        <source>the liver&apos;s back</source>
+        <translation>l’arrière du foie</translation>
+    </message>
 </context>
 <context>
     <name>Obstacles</name>
@@ -6143,6 +6215,18 @@
         <source>%1+ mm</source>
         <translation>%1+ mm</translation>
     </message>
+    <message>
+        <source>Expected error of each place; or of a lesion, once the surface around a place has been seen as well. The ball marks the best place.</source>
+        <translation>Erreur attendue à chaque endroit ; ou celle d’une lésion, une fois la surface autour d’un endroit vue aussi. La boule marque le meilleur endroit.</translation>
+    </message>
+    <message>
+        <source>Error here</source>
+        <translation>Erreur ici</translation>
+    </message>
+    <message>
+        <source>%1 after a look here</source>
+        <translation>%1 après un regard ici</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::Panel</name>
@@ -6601,6 +6685,10 @@
     <message>
         <source>Refused: what is known contradicts that the organ lies here.</source>
         <translation>Refusé : ce que l’on sait contredit que l’organe se trouve ici.</translation>
+    </message>
+    <message>
+        <source>%1: no single look helps much.</source>
+        <translation>%1 : aucun regard seul n’aide beaucoup.</translation>
     </message>
 </context>
 <context>

@@ -366,6 +366,8 @@ void CaseIoTest::WhereARegistrationMayBeWrongTravelsWithItsFile() {
   Registration registration = *state[part::registration];
   registration.expected = Eigen::VectorXd::LinSpaced(5, 1e-3, 9e-3);
   registration.forces = {{4, Eigen::Vector3d(0.0, 0.5, -1.0)}, {1, Eigen::Vector3d(0.25, 0.0, 0.0)}};
+  registration.looks = {{static_cast<Label>(structure::kFirstLesion + 1), 6e-3,
+                         Eigen::VectorXd::LinSpaced(5, 2e-3, 6e-3), 5e-3, 4e-3}};
   const Points there = registration.nodes_in_camera.rowwise() + Eigen::RowVector3d(0.01, -0.02, 0.03);
   registration.rivals = {{there, 0.25}, {2.0 * there, 0.01}};
   // Whatever the file's unit, what is said of the nodes is in millimetres.
@@ -373,6 +375,11 @@ void CaseIoTest::WhereARegistrationMayBeWrongTravelsWithItsFile() {
     write_registration(folder.path() / "r.vtu", model, registration, unit);
     const Registration read = read_registration(folder.path() / "r.vtu", model, unit);
     QVERIFY((read.expected - registration.expected).norm() < 1e-9);
+    QCOMPARE(read.looks.size(), std::size_t{1});
+    QCOMPARE(read.looks[0].lesion, registration.looks[0].lesion);
+    QVERIFY((read.looks[0].seen - registration.looks[0].seen).norm() < 1e-9);
+    QVERIFY(std::abs(read.looks[0].now - 6e-3) < 1e-9 && std::abs(read.looks[0].margin - 5e-3) < 1e-9 &&
+            std::abs(read.looks[0].notch - 4e-3) < 1e-9);
     QCOMPARE(read.forces.size(), std::size_t{2});
     QCOMPARE(read.forces[0].node, 4);
     QVERIFY((read.forces[1].force - registration.forces[1].force).norm() < 1e-9);

@@ -324,6 +324,8 @@ class FakeOperation {
     registration.doubts = doubts;
     registration.lesions = {{structure::kFirstLesion, 4e-6 * Eigen::Matrix3d::Identity()}};
     registration.expected = Eigen::VectorXd::LinSpaced(model.mesh.vertex_count(), 1e-3, 13e-3);
+    registration.looks = {{structure::kFirstLesion, 6e-3,
+                           Eigen::VectorXd::LinSpaced(model.mesh.vertex_count(), 3e-3, 6e-3), 6e-3, 6e-3}};
     if (rival_away > 0.0)
       registration.rivals = {
           {registration.nodes_in_camera.rowwise() + Eigen::RowVector3d(rival_away, 0, 0), 0.12}};

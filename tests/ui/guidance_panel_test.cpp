@@ -363,6 +363,14 @@ void GuidancePanelTest::TheOrganIsShownInThreeDimensions() {
   QTRY_VERIFY(organ->isVisible());
   QVERIFY2(words_on(*organ).contains(QStringLiteral("mean 7.0 mm, at most 13.0 mm")),
            qPrintable(words_on(*organ)));
+  // Where one more look helps, of the lesion that is chosen.
+  QVERIFY2(words_on(*organ).contains(QStringLiteral("Lesion 1: one more look helps most at the ")) &&
+               words_on(*organ).contains(QStringLiteral("Expected error then 3 mm instead of 6 mm")),
+           qPrintable(words_on(*organ)));
+  auto* colours = organ->findChild<QComboBox*>(QStringLiteral("organ_colours"));
+  QCOMPARE(colours->count(), 2);
+  QTest::keyClick(colours, Qt::Key_Down);
+  QCOMPARE(colours->currentText(), QStringLiteral("Lesion 1 after a look here"));
   // Whoever places by hand needs the picture.
   panel().findChild<QPushButton*>(QStringLiteral("place_by_hand"))->click();
   QTRY_VERIFY(!organ->isVisible() && live_view().isVisible());

@@ -30,8 +30,8 @@ struct Stage {
   }
   int actor_count() const { return scene.renderer().GetActors()->GetNumberOfItems(); }
   /// Mean colour in the picture's middle: blue, green, red.
-  std::array<double, 3> middle(int rival = -1) {
-    actors.show(*drawable, registration, {}, rival);
+  std::array<double, 3> middle(int look = -1) {
+    actors.show(*drawable, registration, {}, {-1, look});
     scene.look_from(scene::ViewFrom::camera);
     scene::OffscreenRenderer offscreen(kWidth, kHeight);
     const Picture picture = offscreen.render(scene.renderer());
@@ -55,6 +55,7 @@ class RegistrationActorsTest : public QObject {
  private slots:
   void TheScaleGrowsBrighterAllTheWay();
   void TheOrganHasTheColourOfItsError();
+  void ALookIsShownInTheColoursOfWhatItLeaves();
   void WithoutAnErrorItIsGrey();
   void LesionsForcesAndTheOtherPlaceAppearAndGo();
   void NodesOfAnotherModelAreRefused();
@@ -81,6 +82,20 @@ void RegistrationActorsTest::TheOrganHasTheColourOfItsError() {
   QVERIFY2(large[2] > large[0] + 60.0 && large[1] > large[0] + 40.0, "a large one is yellow");
 }
 
+void RegistrationActorsTest::ALookIsShownInTheColoursOfWhatItLeaves() {
+  Stage stage;
+  stage.expect(0.5e-3);
+  LesionLooks looks{structure::kFirstLesion, 14e-3,
+                    Eigen::VectorXd::Constant(stage.registration.expected.size(), 14e-3), 14e-3, 14e-3};
+  stage.registration.looks = {looks};
+  const auto error = stage.middle(), left = stage.middle(0);
+  QVERIFY(error[0] > error[2] + 20.0 && left[2] > left[0] + 20.0);
+  const int plain = stage.actor_count();
+  stage.registration.looks[0].seen[0] = 5e-3;
+  stage.actors.show(*stage.drawable, stage.registration, {}, {-1, 0});
+  QCOMPARE(stage.actor_count(), plain + 1);  // the ball at the best place
+}
+
 void RegistrationActorsTest::WithoutAnErrorItIsGrey() {
   Stage stage;
   const auto [blue, green, red] = stage.middle();
@@ -90,7 +105,7 @@ void RegistrationActorsTest::WithoutAnErrorItIsGrey() {
 
 void RegistrationActorsTest::LesionsForcesAndTheOtherPlaceAppearAndGo() {
   Stage stage;
-  stage.actors.show(*stage.drawable, stage.registration, {}, -1);
+  stage.actors.show(*stage.drawable, stage.registration, {}, {});
   const int alone = stage.actor_count();
   LesionVerdict lesion;
   lesion.lesion = structure::kFirstLesion;
@@ -98,12 +113,12 @@ void RegistrationActorsTest::LesionsForcesAndTheOtherPlaceAppearAndGo() {
   stage.registration.forces = {{0, Eigen::Vector3d(0, 0, 0.3)}, {1, Eigen::Vector3d(0.001, 0, 0)}};
   stage.registration.rivals = {
       {stage.registration.nodes_in_camera.rowwise() + Eigen::RowVector3d(0.01, 0, 0), 0.3}};
-  stage.actors.show(*stage.drawable, stage.registration, {lesion}, 0);
+  stage.actors.show(*stage.drawable, stage.registration, {lesion}, {0, -1});
   // An ellipsoid, shaft and head of the strong force, the other place; the weak force is too short to be
   // seen.
   QCOMPARE(stage.actor_count(), alone + 4);
   lesion.covariance.setZero();  // not known
-  stage.actors.show(*stage.drawable, stage.registration, {lesion}, 7);
+  stage.actors.show(*stage.drawable, stage.registration, {lesion}, {7, 7});
   QCOMPARE(stage.actor_count(), alone + 2);
   stage.actors.clear();
   QCOMPARE(stage.actor_count(), alone - 1);
@@ -112,7 +127,7 @@ void RegistrationActorsTest::LesionsForcesAndTheOtherPlaceAppearAndGo() {
 void RegistrationActorsTest::NodesOfAnotherModelAreRefused() {
   Stage stage;
   stage.registration.nodes_in_camera.conservativeResize(3, 3);
-  QVERIFY_EXCEPTION_THROWN(stage.actors.show(*stage.drawable, stage.registration, {}, -1), PreconditionError);
+  QVERIFY_EXCEPTION_THROWN(stage.actors.show(*stage.drawable, stage.registration, {}, {}), PreconditionError);
 }
 
 }  // namespace glisson

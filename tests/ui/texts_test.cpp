@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/common/texts.h"
 #include "glisson/engine/obstacle.h"
+#include "glisson/registration/next_look.h"
 
 #include <QDirIterator>
 #include <QRegularExpression>
@@ -52,6 +53,13 @@ void TextsTest::StructuresInNotesHaveTheirNames() {
       ui::note_text("lesion_2.as_drawn"),
       QString("Lesion 2: no border was found where its diameter was drawn. It is a ball of that diameter: "
               "check it in the slices."));
+  QCOMPARE(
+      ui::note_text("look.surface lesion_2 left_underside 6.2 3.1"),
+      QString("Lesion 2: one more look helps most at the left lobe's underside. Expected error then 3.1 mm "
+              "instead of 6.2 mm."));
+  for (const std::string& place : registration::places_on_liver())
+    QVERIFY2(!ui::note_text("look.surface lesion_1 " + place + " 6.2 3.1").contains(QLatin1Char('_')),
+             place.c_str());
   QVERIFY(ui::note_text("lesion.dropped lesion_3 mm3 12.5").startsWith(QStringLiteral("Lesion 3")));
   QVERIFY(ui::note_text("lesion.dropped lesion_3 mm3 12.5").contains(QStringLiteral("12.5 mm")));
 }

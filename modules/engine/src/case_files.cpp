@@ -264,7 +264,9 @@ std::vector<LesionSpread> read_spreads(const fs::path& path, const NamedArrays& 
 }
 
 const std::string kExpected = "expected_error_mm", kForce = "force_n_per_kpa", kRival = "rival_",
-                  kDisplacement = "_displacement_mm", kProbability = "_probability";
+                  kDisplacement = "_displacement_mm", kProbability = "_probability",
+                  kSeen = "_expected_error_after_look_mm",
+                  kLooks = "_looks_mm";  ///< behind a lesion's name: now, margin marked, notch marked
 
 /// What the registration knows of each node: its expected error, the force that acts there, and how far it
 /// is to where it may be as well.
@@ -274,6 +276,11 @@ void write_places(const Registration& registration, TetFile& file) {
     Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(registration.nodes_in_camera.rows(), 3);
     for (const FoundForce& force : registration.forces) forces.row(force.node) = force.force.transpose();
     file.point_data[kForce] = forces;
+  }
+  for (const LesionLooks& looks : registration.looks) {
+    const std::string name = structure_name(looks.lesion);
+    file.point_data[name + kSeen] = 1e3 * looks.seen;
+    file.field_data[name + kLooks] = 1e3 * Eigen::RowVector3d(looks.now, looks.margin, looks.notch);
   }
   for (std::size_t k = 0; k < registration.rivals.size(); ++k) {
     const RegistrationRival& rival = registration.rivals[k];
@@ -293,6 +300,24 @@ const Eigen::MatrixXd* node_array(const fs::path& path, const TetFile& file, con
     throw InputError(path.string(), name, "is not " + std::to_string(columns) + " finite numbers a node",
                      "Write it as 'glisson register' does, or leave it out");
   return &found->second;
+}
+
+/// What a look would tell of lesions that it is known of.
+std::vector<LesionLooks> read_looks(const fs::path& path, const TetFile& file) {
+  std::vector<LesionLooks> all;
+  for (const auto& [name, array] : file.field_data) {
+    if (!name.ends_with(kLooks)) continue;
+    const std::string lesion = name.substr(0, name.size() - kLooks.size());
+    const auto label = structure_named(lesion);
+    const Eigen::MatrixXd* seen = node_array(path, file, lesion + kSeen, 1);
+    if (!label || !is_lesion(*label) || seen == nullptr) continue;
+    if (array.size() != 3 || !array.allFinite() || array.minCoeff() < 0.0 || seen->minCoeff() < 0.0)
+      throw InputError(path.string(), name, "is not 3 lengths, or those of the nodes are none",
+                       "Write it as 'glisson register' does, or leave both out");
+    const auto values = array.reshaped();
+    all.push_back({*label, 1e-3 * values[0], 1e-3 * *seen, 1e-3 * values[1], 1e-3 * values[2]});
+  }
+  return all;
 }
 
 void read_places(const fs::path& path, const TetFile& file, Registration& registration) {
@@ -374,6 +399,7 @@ Registration read_registration(const fs::path& path, const PatientModel& model, 
   registration.nodes_in_camera = file.mesh.vertices;
   read_report(file.field_data, registration);
   registration.lesions = read_spreads(path, file.field_data);
+  registration.looks = read_looks(path, file);
   read_places(path, file, registration);
   const auto rigid = file.field_data.find("cloud_from_model");
   if (rigid != file.field_data.end() && rigid->second.size() == 16) {

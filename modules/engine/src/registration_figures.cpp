@@ -9,6 +9,7 @@
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/patient/label_map.h"
+#include "glisson/registration/next_look.h"
 #include "glisson/registration/refusal.h"
 #include "glisson/registration/rivals.h"
 
@@ -48,6 +49,9 @@ void add_expected(Figures& figures, const registration::ExaminedRegistration& ex
     for (int k = 0; k < 3; ++k)
       figures[name + "_half_axis_95_" + std::to_string(k + 1) + "_mm"] = 1e3 * axes[k];
   }
+  for (const LesionLooks& looks : registration.looks)
+    if (const auto best = registration::best_look(looks))
+      figures[structure_name(looks.lesion) + "_expected_error_after_look_mm"] = 1e3 * best->after;
   figures["rivals"] = static_cast<double>(registration.rivals.size());
   for (std::size_t k = 0; k < registration.rivals.size(); ++k) {
     const std::string name = "rival_" + std::to_string(k + 1);

@@ -13,6 +13,7 @@
 namespace glisson::registration {
 namespace {
 
+constexpr double kReferencePoints = 3.9e4;    ///< a square metre (CloudOptions)
 constexpr double kTurn = 0.5, kShift = 0.05;  ///< rad, m: of the pose beforehand
 constexpr double kWholeSize = 0.3;            ///< of the organ's size beforehand
 constexpr double kPlace = 25e-3;              ///< m
@@ -89,6 +90,7 @@ ErrorModel::ErrorModel(const PatientModel& model, const OperationPrior* prior,
   MovingSurface surface(model, SurfaceDetail::fine);
   surface.move(nodes);
   const double sigma = std::hypot(noise, options.surface);
+  point_variance_ = sigma * sigma / options.information;
   const ForceRows rows =
       find_rows(cloud, surface, {sigma, std::sqrt(kTolerance) * sigma, options.information});
   const Eigen::MatrixXd all = rows.along(motions);
@@ -121,6 +123,7 @@ void ErrorModel::add_rival(const Points& elsewhere, double probability) {
   const Points away = std::sqrt(probability) * (elsewhere - nodes_);
   spread_.conservativeResize(Eigen::NoChange, spread_.cols() + 1);
   spread_.rightCols<1>() = Eigen::Map<const Eigen::VectorXd>(away.data(), away.size());
+  ++rivals_;
 }
 
 /// Farthest points first, each row to the nearest of them.
@@ -141,12 +144,25 @@ void ErrorModel::group(double width) {
     places_[nearest[i]].push_back(static_cast<Eigen::Index>(i));
 }
 
-Eigen::Matrix3d ErrorModel::covariance(const Eigen::Vector4i& nodes, const Eigen::Vector4d& weights) const {
+Eigen::MatrixXd ErrorModel::deviations(const Eigen::Vector4i& nodes, const Eigen::Vector4d& weights) const {
   Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(3, spread_.cols());
   for (int k = 0; k < 4; ++k)
     if (nodes[k] >= 0) moved += weights[k] * spread_.middleRows<3>(3L * nodes[k]);
+  return moved;
+}
+
+Eigen::Matrix3d ErrorModel::covariance(const Eigen::Vector4i& nodes, const Eigen::Vector4d& weights) const {
+  const Eigen::MatrixXd moved = deviations(nodes, weights);
   return moved * moved.transpose();
 }
+
+Eigen::MatrixXd ErrorModel::answers(const ForceRows& rows) const {
+  Eigen::MatrixXd answers = rows.along(spread_);
+  answers.leftCols(spread_.cols() - rivals_) /= kLeftOut;
+  return answers;
+}
+
+double ErrorModel::variance_of_area(double area) const { return point_variance_ / (kReferencePoints * area); }
 
 std::vector<Eigen::Matrix3d> ErrorModel::covariances(const TetMesh& mesh, const Binding& points) const {
   std::vector<Eigen::Matrix3d> all;

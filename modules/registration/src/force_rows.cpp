@@ -7,10 +7,6 @@
 namespace glisson::registration {
 namespace {
 
-constexpr double kSigmaMargin = 6e-3, kSigmaNotch = 3e-3;  // m
-/// Neighbouring margin points share the model's error: independent information in a reference spacing's
-/// point.
-constexpr double kMarginInformation = 0.2;
 constexpr double kLeastWeight = 1e-3;  ///< of a point between its neighbours, for its division
 
 /// A landmark that the model lacks is a part of the surface like any other.
@@ -41,7 +37,7 @@ void add_labelled(ForceRows& rows, const PreparedCloud& cloud, const MovingSurfa
       rows.points.row(first + c) = pair.on_model.point.transpose();
       rows.directions.row(first + c) = Eigen::RowVector3d::Unit(c);
       rows.gap[first + c] = pair.gap[c];
-      rows.sigma[first + c] = std::max(sigma, notch ? kSigmaNotch : kSigmaMargin) / std::sqrt(information);
+      rows.sigma[first + c] = std::max(sigma, notch ? kNotchSigma : kMarginSigma) / std::sqrt(information);
     }
   }
 }

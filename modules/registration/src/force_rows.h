@@ -10,6 +10,12 @@
 
 namespace glisson::registration {
 
+/// Deviations of margin points and of the notch's centroid, m, not less than the surface's.
+inline constexpr double kMarginSigma = 6e-3, kNotchSigma = 3e-3;
+/// Neighbouring margin points share the model's error: independent information in a reference spacing's
+/// point.
+inline constexpr double kMarginInformation = 0.2;
+
 /// What the cloud says of where the organ is: one number a row, how far the model is from a point of the
 /// cloud along one direction.
 struct ForceRows {
@@ -36,7 +42,7 @@ struct RowNoise {
 };
 
 /// Surface points count along the normal alone, whatever the distance; margin points and the notch's centroid
-/// in all directions, restricted to their parts (deviations of 6 and 3 mm, not less than the surface's).
+/// in all directions, restricted to their parts.
 /// @param surface where the model is now, in the cloud's frame.
 ForceRows find_rows(const PreparedCloud& cloud, const MovingSurface& surface, const RowNoise& noise);
 

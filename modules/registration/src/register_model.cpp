@@ -10,6 +10,7 @@
 #include "glisson/registration/examine.h"
 #include "glisson/registration/examined_registration.h"
 #include "glisson/registration/moving_surface.h"
+#include "glisson/registration/next_look.h"
 #include "glisson/registration/pairs.h"
 #include "glisson/registration/refusal.h"
 #include "glisson/registration/rivals.h"
@@ -341,6 +342,7 @@ class Run {
     examined_.error = std::make_shared<const ErrorModel>(
         error_of(model_, cloud_, elastic_, shapes_, result(), registration_, rivals));
     examined_.lesions = lesions_of(model_, *examined_.error, registration_);
+    registration_.looks = looks_of(model_, cloud_, registration_, *examined_.error);
     examined_.findings =
         examine({model_, cloud_, registration_, shapes_ ? &*shapes_ : nullptr, *examined_.error});
     if (is_sought() && shapes_) {

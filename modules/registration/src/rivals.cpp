@@ -50,6 +50,7 @@ Registration choose_rival(const Registration& registration, std::size_t which, c
                          std::to_string(which + 1),
                      "Choose one of those that it tells");
   Registration chosen = registration;
+  chosen.looks.clear();  // of the former place
   double own = 1.0;
   for (const RegistrationRival& rival : registration.rivals) own -= rival.probability;
   RegistrationRival& place = chosen.rivals[which];

@@ -135,6 +135,12 @@ class Notes {
         {"mirror_fits",
          tr("The cloud's mirror image fits as well or nearly so (log odds %1, limit %2): it has "
             "not been recognised as this liver.")},
+        {"look.surface",
+         tr("%1: one more look helps most at %2. Expected error then %4 mm instead of %3 mm.")},
+        {"look.margin", tr("%1: mark the anterior margin where it is seen. Expected error then %3 mm instead "
+                           "of %2 mm.")},
+        {"look.notch", tr("%1: mark the umbilical notch, which is seen. Expected error then %3 mm instead of "
+                          "%2 mm.")},
         {"refused", tr("The registration was refused: what is known contradicts it.")},
         {"refusal_accepted", tr("The registration was refused, and somebody uses it nevertheless.")},
         {"mechanics_failed", tr("The mechanical computation did not come to an end.")},
@@ -176,6 +182,24 @@ class Notes {
          tr("The case was opened without the points of the whole stereo pair: reconstruct the surface again "
             "before regions are changed. Saved now, the case loses what is left of them. (%*)")}};
   }
+  /// Of registration::place_on_liver().
+  static QHash<QString, QString> places() {
+    return {{"left_dome", tr("the left lobe's dome")},
+            {"left_underside", tr("the left lobe's underside")},
+            {"left_front", tr("the left lobe's front")},
+            {"left_side", tr("the left lobe's side")},
+            {"left_back", tr("the left lobe's back")},
+            {"right_dome", tr("the right lobe's dome")},
+            {"right_underside", tr("the right lobe's underside")},
+            {"right_front", tr("the right lobe's front")},
+            {"right_side", tr("the right lobe's side")},
+            {"right_back", tr("the right lobe's back")},
+            {"liver_dome", tr("the liver's dome")},
+            {"liver_underside", tr("the liver's underside")},
+            {"liver_front", tr("the liver's front")},
+            {"liver_side", tr("the liver's side")},
+            {"liver_back", tr("the liver's back")}};
+  }
   static QString lesion_not_found(const QString& lesion) {
     return tr("%1 was not found: nothing at its seeds differs from the liver. Drag across it in a slice to "
               "tell its "
@@ -200,14 +224,16 @@ QString structure_named(const QString& code) {
   return number ? structure_text(static_cast<Label>(structure::kFirstLesion + lesion - 1)) : QString();
 }
 
-/// "4.15e+03" -> "4150", "0.0135" -> "0.01", "portal_vein" -> "Portal vein".
-QString value_text(const QString& token) {
+/// "4.15e+03" -> "4150", "0.0135" -> "0.01", "portal_vein" -> "Portal vein". @param decimals of a small
+/// number.
+QString value_text(const QString& token, int decimals = 2) {
   bool is_number = false;
   const double value = token.toDouble(&is_number);
   if (is_number) {
     const bool whole = value == std::round(value) || std::abs(value) >= 100.0;
-    return QString::number(value, 'f', whole ? 0 : std::abs(value) >= 10.0 ? 1 : 2);
+    return QString::number(value, 'f', whole ? 0 : std::abs(value) >= 10.0 ? 1 : decimals);
   }
+  if (const QString place = Notes::places().value(token); !place.isEmpty()) return place;
   const QString structure = structure_named(token);
   return structure.isEmpty() ? token : structure;
 }
@@ -226,8 +252,9 @@ QString note_text(std::string_view note) {
       return text.replace(
           QLatin1String("%*"),
           QString::fromUtf8(note.data(), static_cast<qsizetype>(note.size())).mid(code.size() + 1));
+    const int decimals = code.startsWith(QLatin1String("look.")) ? 1 : 2;  // an expectation is no measurement
     for (qsizetype i = 1; i < tokens.size(); ++i)
-      text.replace(QStringLiteral("%%1").arg(i), value_text(tokens[i]));
+      text.replace(QStringLiteral("%%1").arg(i), value_text(tokens[i], decimals));
     return text;
   }
   if (code.endsWith(not_found))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/guidance/organ_view.h"
 
-#include <QCheckBox>
+#include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
@@ -65,11 +65,28 @@ OrganView::OrganView(EngineBridge& engine, DrawableSource& drawables, Registrati
   words->setObjectName(QStringLiteral("organ_words"));
   words->setWordWrap(true);
   row->addWidget(words, 1);
+  auto* colours = new QComboBox(scale_);
+  colours->setObjectName(QStringLiteral("organ_colours"));
+  colours->setToolTip(
+      tr("Expected error of each place; or of a lesion, once the surface around a place has been "
+         "seen as well. The ball marks the best place."));
+  row->addWidget(colours);
   row->addWidget(new ErrorScale(scale_));
   layout->addWidget(scale_);
   connect(&engine_, &EngineBridge::case_changed, this, &OrganView::refresh);
   connect(&drawables_, &DrawableSource::changed, this, &OrganView::refresh);
   couplings_.add(model_.shown_rival, [this](int) { refresh(); });
+  connect(colours, &QComboBox::activated, this, [this](int index) { model_.shown_look = index - 1; });
+  couplings_.add(model_.looked_for, [colours](const QStringList& lesions) {
+    colours->clear();
+    colours->addItem(tr("Error here"));
+    for (const QString& lesion : lesions) colours->addItem(tr("%1 after a look here").arg(lesion));
+    colours->setVisible(!lesions.isEmpty());
+  });
+  couplings_.add(model_.shown_look, [this, colours](int which) {
+    colours->setCurrentIndex(which + 1);
+    refresh();
+  });
   couplings_.add(model_.error_words, [words](const QString& text) { words->setText(text); });
 }
 
@@ -106,7 +123,8 @@ void OrganView::refresh() {
   patient.set_nodes(registration->nodes_in_camera);
   patient.set_cloud(now[part::cloud] ? *now[part::cloud] : LabelledCloud());
   const guidance::LesionJudge judge(*drawable->model, *registration);
-  actors_->show(*drawable, *registration, judge.at_start(Validity::valid), model_.shown_rival);
+  actors_->show(*drawable, *registration, judge.at_start(Validity::valid),
+                {model_.shown_rival, model_.shown_look});
   if (looked_at_ != registration) patient.look_from(scene::ViewFrom::camera);
   looked_at_ = registration;
   view_->update();

@@ -21,6 +21,7 @@ namespace {
 
 constexpr double kLiverOpacity = 0.7, kRegionOpacity = 0.45;
 constexpr double kLongestArrow = 35e-3;            // metres: of the strongest force
+constexpr double kPlace = 4e-3;                    // metres: radius of the ball where a look helps most
 constexpr double kShaft = 1.2e-3, kHead = 3.2e-3;  // radii, metres
 
 const DrawableSurface* liver_of(const DrawableModel& model) {
@@ -65,13 +66,15 @@ struct RegistrationActors::Impl {
 
   explicit Impl(vtkRenderer& to) : actors(to) {}
 
-  void add_liver(const DrawableSurface& liver, const PatientModel& model, const Registration& registration) {
-    const auto data = make_poly_data(placed(liver, model, registration.nodes_in_camera));
+  /// @param errors of the nodes, metres; of another size: not known.
+  void add_liver(const DrawableSurface& liver, const PatientModel& model, const Points& nodes,
+                 const Eigen::VectorXd& errors) {
+    const auto data = make_poly_data(placed(liver, model, nodes));
     add_normals(*data);
-    if (registration.expected.size() == registration.nodes_in_camera.rows()) {
+    if (errors.size() == nodes.rows()) {
       // What carries the vertices' places carries their numbers as well.
-      Points numbers = Points::Zero(registration.expected.size(), 3);
-      numbers.col(0) = registration.expected;
+      Points numbers = Points::Zero(errors.size(), 3);
+      numbers.col(0) = errors;
       const Points of_vertices = liver.binding.apply(model.mesh, numbers);
       vtkNew<vtkUnsignedCharArray> colours;
       colours->SetNumberOfComponents(3);
@@ -110,6 +113,15 @@ struct RegistrationActors::Impl {
     actors.add(head(neck, tip, kHead), colour).LightingOff();
   }
 
+  void add_best_place(const Eigen::VectorXd& errors, const Points& nodes) {
+    Eigen::Index best = 0;
+    if (!(errors.minCoeff(&best) < errors.maxCoeff())) return;
+    const Eigen::Matrix3d square = kPlace * kPlace * Eigen::Matrix3d::Identity();
+    const auto data = make_poly_data(ellipsoid(nodes.row(best).transpose(), square, 1.0));
+    add_normals(*data);
+    actors.add(data, QColor(255, 255, 255)).SetAmbient(0.5);
+  }
+
   void add_rival(const DrawableSurface& liver, const PatientModel& model, const Points& nodes) {
     vtkProperty& look = actors.add(make_poly_data(placed(liver, model, nodes)), QColor(87, 181, 232));
     look.SetRepresentationToWireframe();
@@ -125,16 +137,20 @@ RegistrationActors::~RegistrationActors() = default;
 void RegistrationActors::clear() { impl_->actors.clear(); }
 
 void RegistrationActors::show(const DrawableModel& model, const Registration& registration,
-                              const std::vector<LesionVerdict>& lesions, int rival) {
+                              const std::vector<LesionVerdict>& lesions, const Chosen& chosen) {
   const PatientModel& patient = *model.model;
   require(registration.nodes_in_camera.rows() == patient.mesh.vertex_count(),
           "a registration's nodes are those of its model");
   impl_->actors.clear();
   const DrawableSurface* liver = liver_of(model);
   if (liver != nullptr && liver->binding.weights.rows() > 0) {
-    impl_->add_liver(*liver, patient, registration);
-    if (rival >= 0 && rival < static_cast<int>(registration.rivals.size()))
-      impl_->add_rival(*liver, patient, registration.rivals[static_cast<std::size_t>(rival)].nodes_in_camera);
+    const auto look = static_cast<std::size_t>(chosen.look), rival = static_cast<std::size_t>(chosen.rival);
+    const bool looks = chosen.look >= 0 && look < registration.looks.size();
+    impl_->add_liver(*liver, patient, registration.nodes_in_camera,
+                     looks ? registration.looks[look].seen : registration.expected);
+    if (looks) impl_->add_best_place(registration.looks[look].seen, registration.nodes_in_camera);
+    if (chosen.rival >= 0 && rival < registration.rivals.size())
+      impl_->add_rival(*liver, patient, registration.rivals[rival].nodes_in_camera);
   }
   for (const LesionVerdict& lesion : lesions) impl_->add_region(lesion);
   double strongest = 0.0;

@@ -10,6 +10,7 @@
 #include "glisson/engine/parts/proposals.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/registration/examined_registration.h"
+#include "glisson/registration/next_look.h"
 #include "registration_figures.h"
 
 namespace glisson::engine {
@@ -32,6 +33,8 @@ Cancellable<Applied> Register::apply(const CaseState& state, const RunContext& c
   Applied applied{state, figures_of(*examined)};
   applied.notes = made->registration.doubts;
   for (std::string& note : landmark_notes(state)) applied.notes.push_back(std::move(note));
+  for (std::string& note : registration::look_notes(effective_model(state), made->registration))
+    applied.notes.push_back(std::move(note));
   if (made->operations && made->operations != known.prior)
     applied.state[part::operations] = std::make_shared<const SimulatedOperations>(SimulatedOperations{
         state[part::model], state[part::landmarks], operation, std::move(made->operations)});

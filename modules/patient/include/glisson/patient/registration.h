@@ -24,6 +24,16 @@ struct FoundForce {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< N for a Young's modulus of 1 kPa, camera frame
 };
 
+/// How far off a lesion is expected to be once more has been shown, metres.
+struct LesionLooks {
+  Label lesion = 0;
+  double now = 0.0;  ///< as it is
+  /// Once the surface around each node has been seen as well; `now` where no look is offered or none helps.
+  Eigen::VectorXd seen;
+  /// Once margin or notch have been marked where they are seen already; `now`: they are, or are not seen.
+  double margin = 0.0, notch = 0.0;
+};
+
 /// A model brought to what the camera sees.
 struct Registration {
   /// The rigid part: where the undeformed model was put before it was deformed.
@@ -41,6 +51,7 @@ struct Registration {
   std::vector<std::string> doubts;
   /// How far off each lesion may be; a lesion that is not in it: not known.
   std::vector<LesionSpread> lesions;
+  std::vector<LesionLooks> looks;  ///< what one more look would tell of them; a lesion not in it: not known
   /// Mean error that is expected of each node, metres; empty: not known.
   Eigen::VectorXd expected;
   /// Where else the organ may be, the most probable first: to be looked at by a person.

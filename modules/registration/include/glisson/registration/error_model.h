@@ -12,6 +12,8 @@
 
 namespace glisson::registration {
 
+struct ForceRows;
+
 /// How far off a lesion may be.
 struct LesionError {
   Label lesion = 0;
@@ -57,6 +59,14 @@ class ErrorModel {
   Eigen::Matrix3d covariance(const Eigen::Vector4i& nodes, const Eigen::Vector4d& weights) const;
   /// Of points that a binding to the model's mesh carries, one each.
   std::vector<Eigen::Matrix3d> covariances(const TetMesh& mesh, const Binding& points) const;
+  /// Where a point that moves with nodes of the mesh may be, one posterior deviation a column: 3 x K, m; its
+  /// covariance is this times its transpose. @pre as in covariance().
+  Eigen::MatrixXd deviations(const Eigen::Vector4i& nodes, const Eigen::Vector4d& weights) const;
+  /// How each row of a further cloud would answer to the same K deviations, of the linear model alone:
+  /// size() x K, m.
+  Eigen::MatrixXd answers(const ForceRows& rows) const;
+  /// Variance of a row that stands for this much of the surface (m2), m2.
+  double variance_of_area(double area) const;
   /// Of every node: the mean length of its error.
   Eigen::VectorXd expected() const;
 
@@ -82,10 +92,12 @@ class ErrorModel {
   void group(double width);
 
   Points nodes_;
-  Eigen::Index modes_ = 0;  ///< columns of the prior's modes; they come first
-  Eigen::MatrixXd spread_;  ///< 3 N x K: motion of the nodes by one posterior deviation each
-  Eigen::MatrixXd root_;    ///< K x K: posterior covariance root root^T of the unknowns
-  Eigen::MatrixXd rows_;    ///< A: how each row answers to the unknowns, one deviation each beforehand
+  double point_variance_ = 0.0;  ///< of a row that stands for the reference density's one point, m2
+  Eigen::Index rivals_ = 0;      ///< columns of spread_ that are rivals; they come last
+  Eigen::Index modes_ = 0;       ///< columns of the prior's modes; they come first
+  Eigen::MatrixXd spread_;       ///< 3 N x K: motion of the nodes by one posterior deviation each
+  Eigen::MatrixXd root_;         ///< K x K: posterior covariance root root^T of the unknowns
+  Eigen::MatrixXd rows_;         ///< A: how each row answers to the unknowns, one deviation each beforehand
   Eigen::VectorXd variance_, left_, mean_;
   Points points_;
   std::vector<std::vector<Eigen::Index>> places_;

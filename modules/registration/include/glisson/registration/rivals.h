@@ -28,9 +28,9 @@ std::vector<RegistrationRival> plausible_rivals(const PointsIn<CameraFrame>& cho
 double distance_of(const RegistrationRival& rival, const Registration& registration);
 
 /// A registration with one of its rivals in its place: the former place becomes a rival, forces are not known
-/// there, and the doubt rival_chosen (the probability in percent) says so. What was refused stays refused;
-/// the new place is not examined. What is expected of errors stays: a person's word is taken to exchange the
-/// odds of the two places, so that the one is as sure now as the other was.
+/// there, nor what a look would tell, and the doubt rival_chosen (the probability in percent) says so. What
+/// was refused stays refused; the new place is not examined. What is expected of errors stays: a person's
+/// word is taken to exchange the odds of the two places, so that the one is as sure now as the other was.
 /// @param which of registration.rivals. @throws InputError there is none of this number.
 Registration choose_rival(const Registration& registration, std::size_t which, const PatientModel& model,
                           const LabelledCloud& cloud);

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "glisson/patient/registration.h"
+#include "glisson/ui/common/couplings.h"
 #include "glisson/ui/common/engine_bridge.h"
 #include "glisson/ui/common/figures_table.h"
 
@@ -24,8 +25,10 @@ class RegistrationModel : public QObject {
   QProperty<bool> is_refused;     ///< and nobody has accepted it
   QProperty<QString>
       error_words;  ///< whether it holds, and what is expected of its error; empty: there is none
-  QProperty<QStringList> rivals;   ///< other places where the organ may be, a line each
-  QProperty<int> shown_rival{-1};  ///< the one that is compared with the registration; -1: none
+  QProperty<QStringList> rivals;      ///< other places where the organ may be, a line each
+  QProperty<int> shown_rival{-1};     ///< the one that is compared with the registration; -1: none
+  QProperty<QStringList> looked_for;  ///< lesions that one more look may tell of, by name
+  QProperty<int> shown_look{-1};      ///< of Registration::looks, the one that the colours show; -1: none
 
   /// The nodes of the one that is compared; null: none.
   const Points* rival_nodes() const;
@@ -34,9 +37,13 @@ class RegistrationModel : public QObject {
   void read_case();
   void read_rivals(const Registration& registration);
   void read_error(const Registration& registration);
+  void read_looks(const Registration& registration);
+  /// Where one more look helps most, of the shown lesion, else of the one that it helps most.
+  QString look_words(const Registration& registration) const;
 
   EngineBridge& engine_;
   std::shared_ptr<const Registration> source_;
+  Couplings couplings_;
 };
 
 }  // namespace glisson::ui

@@ -30,11 +30,15 @@ class RegistrationActors {
   RegistrationActors(const RegistrationActors&) = delete;
   RegistrationActors& operator=(const RegistrationActors&) = delete;
 
+  /// Which of the registration's are shown besides; -1: none.
+  struct Chosen {
+    int rival = -1;
+    int look = -1;  ///< then the colours are of the lesion's error after it, and a ball marks the best place
+  };
   /// Replaces what is shown. @param lesions centres and covariances in the camera's frame.
-  /// @param rival of registration.rivals; -1: none. Where no error is known the liver is grey.
-  /// @pre the nodes are those of the model.
+  /// Where no error is known the liver is grey. @pre the nodes are those of the model.
   void show(const DrawableModel& model, const Registration& registration,
-            const std::vector<LesionVerdict>& lesions, int rival);
+            const std::vector<LesionVerdict>& lesions, const Chosen& chosen);
   void clear();
 
  private:
