@@ -1907,6 +1907,90 @@
         <source>Give a folder of DICOM slices, .zip, .tar.gz, .nii, .nii.gz, .nrrd, .nhdr, .mha, .mhd or .vti</source>
         <translation>Geben Sie einen Ordner mit DICOM-Schichten, .zip, .tar.gz, .nii, .nii.gz, .nrrd, .nhdr, .mha, .mhd oder .vti an</translation>
     </message>
+    <message>
+        <source>is no ONNX network that can be run here (%1)</source>
+        <translation>ist kein ONNX-Netz, das hier laufen kann (%1)</translation>
+    </message>
+    <message>
+        <source>broke the program that runs networks: it is damaged or needs too much memory</source>
+        <translation>hat das Programm abstürzen lassen, das Netze rechnet: es ist beschädigt oder braucht zu viel Speicher</translation>
+    </message>
+    <message>
+        <source>took the network more than 120 s for one answer</source>
+        <translation>das Netz brauchte mehr als 120 s für eine Antwort</translation>
+    </message>
+    <message>
+        <source>cannot be computed for an input of %1 (%2)</source>
+        <translation>lassen sich für eine Eingabe von %1 nicht rechnen (%2)</translation>
+    </message>
+    <message>
+        <source>holds what is no number</source>
+        <translation>enthält etwas, das keine Zahl ist</translation>
+    </message>
+    <message>
+        <source>is %1, neither slices nor a block</source>
+        <translation>ist %1, weder Schichten noch ein Block</translation>
+    </message>
+    <message>
+        <source>is %1, not one CT at a time</source>
+        <translation>ist %1, nicht ein CT auf einmal</translation>
+    </message>
+    <message>
+        <source>is %1 where the network&apos;s input is %2</source>
+        <translation>ist %1, die Eingabe des Netzes aber %2</translation>
+    </message>
+    <message>
+        <source>is missing where the network leaves its input&apos;s size open</source>
+        <translation>fehlt, obwohl das Netz die Größe seiner Eingabe offenlässt</translation>
+    </message>
+    <message>
+        <source>is no field of a network&apos;s sheet</source>
+        <translation>ist kein Feld im Blatt eines Netzes</translation>
+    </message>
+    <message>
+        <source>names no label</source>
+        <translation>nennt kein Label</translation>
+    </message>
+    <message>
+        <source>is missing where no channel is the background</source>
+        <translation>fehlt, obwohl kein Kanal der Hintergrund ist</translation>
+    </message>
+    <message>
+        <source>is not two numbers, the lower first</source>
+        <translation>sind nicht zwei Zahlen, die kleinere zuerst</translation>
+    </message>
+    <message>
+        <source>Export it again as ONNX (opset 11), with its weights inside the file</source>
+        <translation>Exportieren Sie es noch einmal als ONNX (opset 11), mit den Gewichten in der Datei</translation>
+    </message>
+    <message>
+        <source>Copy it again, or use smaller tiles (&quot;tile&quot;)</source>
+        <translation>Kopieren Sie es noch einmal, oder nehmen Sie kleinere Kacheln (&quot;tile&quot;)</translation>
+    </message>
+    <message>
+        <source>Use smaller tiles (&quot;tile&quot;), or a smaller network</source>
+        <translation>Nehmen Sie kleinere Kacheln (&quot;tile&quot;) oder ein kleineres Netz</translation>
+    </message>
+    <message>
+        <source>Write the size of the network&apos;s input</source>
+        <translation>Schreiben Sie die Größe der Eingabe des Netzes</translation>
+    </message>
+    <message>
+        <source>Write the network&apos;s sheet beside it (see the manual)</source>
+        <translation>Schreiben Sie das Blatt des Netzes daneben (siehe Handbuch)</translation>
+    </message>
+    <message>
+        <source>Give the size of the network&apos;s input as &quot;tile&quot;</source>
+        <translation>Geben Sie die Größe der Eingabe des Netzes als &quot;tile&quot; an</translation>
+    </message>
+    <message>
+        <source>Name one label a channel in &quot;channels&quot;, and export a network whose output has the size of its input</source>
+        <translation>Nennen Sie in &quot;channels&quot; ein Label für jeden Kanal, und exportieren Sie ein Netz, dessen Ausgabe so groß ist wie seine Eingabe</translation>
+    </message>
+    <message>
+        <source>Check the window (&quot;window_hu&quot;) and the network&apos;s weights</source>
+        <translation>Prüfen Sie das Fenster (&quot;window_hu&quot;) und die Gewichte des Netzes</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -2559,6 +2643,10 @@
     <message>
         <source>the liver&apos;s back</source>
         <translation>die Rückseite der Leber</translation>
+    </message>
+    <message>
+        <source>Pieces too small for a lesion became parenchyma: %1.</source>
+        <translation>Für eine Läsion zu kleine Stücke wurden Parenchym: %1.</translation>
     </message>
 </context>
 <context>
@@ -3487,6 +3575,18 @@
         <source>Taking the other registration</source>
         <translation>Wechsel zur anderen Registrierung</translation>
     </message>
+    <message>
+        <source>Segmenting by your network</source>
+        <translation>Segmentieren mit Ihrem Netz</translation>
+    </message>
+    <message>
+        <source>reading the network</source>
+        <translation>Netz wird gelesen</translation>
+    </message>
+    <message>
+        <source>running the network</source>
+        <translation>Netz rechnet</translation>
+    </message>
 </context>
 <context>
     <name>cli</name>
@@ -3609,10 +3709,6 @@
     <message>
         <source>The volume.</source>
         <translation>Das Volumen.</translation>
-    </message>
-    <message>
-        <source>Segments the liver, its vessels and lesions from seeds.</source>
-        <translation>Segmentiert Leber, Gefäße und Läsionen aus Saatpunkten.</translation>
     </message>
     <message>
         <source>What was clicked (JSON, LPS mm).</source>
@@ -4789,6 +4885,18 @@
     <message>
         <source>Registers again every so many seconds of the film.</source>
         <translation>Registriert alle so viele Sekunden des Films erneut.</translation>
+    </message>
+    <message>
+        <source>--network, --%1: give one of them.</source>
+        <translation>--network, --%1: Geben Sie eines davon an.</translation>
+    </message>
+    <message>
+        <source>Segments the liver, its vessels and lesions from seeds, or by your own network.</source>
+        <translation>Segmentiert die Leber, ihre Gefäße und Läsionen von Saatpunkten aus oder mit Ihrem eigenen Netz.</translation>
+    </message>
+    <message>
+        <source>Your own segmentation network (ONNX) instead of seeds; MODEL.json beside it says what it wants and what its channels mean (see the manual).</source>
+        <translation>Ihr eigenes Segmentierungsnetz (ONNX) statt Saatpunkten; MODEL.json daneben sagt, was es braucht und was seine Kanäle bedeuten (siehe Handbuch).</translation>
     </message>
 </context>
 <context>
@@ -6102,6 +6210,33 @@
     <message>
         <source>Beams</source>
         <translation>Balken</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::NetworkBox</name>
+    <message>
+        <source>Own network…</source>
+        <translation>Eigenes Netz…</translation>
+    </message>
+    <message>
+        <source>Your own segmentation network: an ONNX file with its sheet, MODEL.json, beside it.</source>
+        <translation>Ihr eigenes Segmentierungsnetz: eine ONNX-Datei mit ihrem Blatt MODEL.json daneben.</translation>
+    </message>
+    <message>
+        <source>Segment by this network</source>
+        <translation>Mit diesem Netz segmentieren</translation>
+    </message>
+    <message>
+        <source>Own network</source>
+        <translation>Eigenes Netz</translation>
+    </message>
+    <message>
+        <source>Networks (*.onnx)</source>
+        <translation>Netze (*.onnx)</translation>
+    </message>
+    <message>
+        <source>Network: %1</source>
+        <translation>Netz: %1</translation>
     </message>
 </context>
 <context>

@@ -1907,6 +1907,90 @@
         <source>Give a folder of DICOM slices, .zip, .tar.gz, .nii, .nii.gz, .nrrd, .nhdr, .mha, .mhd or .vti</source>
         <translation>Donnez un dossier de coupes DICOM, .zip, .tar.gz, .nii, .nii.gz, .nrrd, .nhdr, .mha, .mhd ou .vti</translation>
     </message>
+    <message>
+        <source>is no ONNX network that can be run here (%1)</source>
+        <translation>n&apos;est pas un réseau ONNX qui puisse tourner ici (%1)</translation>
+    </message>
+    <message>
+        <source>broke the program that runs networks: it is damaged or needs too much memory</source>
+        <translation>a fait échouer le programme qui calcule les réseaux : il est endommagé ou demande trop de mémoire</translation>
+    </message>
+    <message>
+        <source>took the network more than 120 s for one answer</source>
+        <translation>le réseau a mis plus de 120 s pour une réponse</translation>
+    </message>
+    <message>
+        <source>cannot be computed for an input of %1 (%2)</source>
+        <translation>ne se calculent pas pour une entrée de %1 (%2)</translation>
+    </message>
+    <message>
+        <source>holds what is no number</source>
+        <translation>contient ce qui n&apos;est pas un nombre</translation>
+    </message>
+    <message>
+        <source>is %1, neither slices nor a block</source>
+        <translation>est %1, ni des coupes ni un bloc</translation>
+    </message>
+    <message>
+        <source>is %1, not one CT at a time</source>
+        <translation>est %1, pas un seul scanner à la fois</translation>
+    </message>
+    <message>
+        <source>is %1 where the network&apos;s input is %2</source>
+        <translation>est %1 alors que l&apos;entrée du réseau est %2</translation>
+    </message>
+    <message>
+        <source>is missing where the network leaves its input&apos;s size open</source>
+        <translation>manque alors que le réseau laisse ouverte la taille de son entrée</translation>
+    </message>
+    <message>
+        <source>is no field of a network&apos;s sheet</source>
+        <translation>n&apos;est pas un champ de la fiche d&apos;un réseau</translation>
+    </message>
+    <message>
+        <source>names no label</source>
+        <translation>ne nomme aucune étiquette</translation>
+    </message>
+    <message>
+        <source>is missing where no channel is the background</source>
+        <translation>manque alors qu&apos;aucun canal n&apos;est le fond</translation>
+    </message>
+    <message>
+        <source>is not two numbers, the lower first</source>
+        <translation>n&apos;est pas deux nombres, le plus petit d&apos;abord</translation>
+    </message>
+    <message>
+        <source>Export it again as ONNX (opset 11), with its weights inside the file</source>
+        <translation>Exportez-le à nouveau en ONNX (opset 11), avec ses poids dans le fichier</translation>
+    </message>
+    <message>
+        <source>Copy it again, or use smaller tiles (&quot;tile&quot;)</source>
+        <translation>Copiez-le à nouveau, ou prenez des tuiles plus petites (&quot;tile&quot;)</translation>
+    </message>
+    <message>
+        <source>Use smaller tiles (&quot;tile&quot;), or a smaller network</source>
+        <translation>Prenez des tuiles plus petites (&quot;tile&quot;) ou un réseau plus petit</translation>
+    </message>
+    <message>
+        <source>Write the size of the network&apos;s input</source>
+        <translation>Écrivez la taille de l&apos;entrée du réseau</translation>
+    </message>
+    <message>
+        <source>Write the network&apos;s sheet beside it (see the manual)</source>
+        <translation>Écrivez la fiche du réseau à côté (voir le manuel)</translation>
+    </message>
+    <message>
+        <source>Give the size of the network&apos;s input as &quot;tile&quot;</source>
+        <translation>Donnez la taille de l&apos;entrée du réseau comme &quot;tile&quot;</translation>
+    </message>
+    <message>
+        <source>Name one label a channel in &quot;channels&quot;, and export a network whose output has the size of its input</source>
+        <translation>Nommez dans &quot;channels&quot; une étiquette par canal, et exportez un réseau dont la sortie a la taille de son entrée</translation>
+    </message>
+    <message>
+        <source>Check the window (&quot;window_hu&quot;) and the network&apos;s weights</source>
+        <translation>Vérifiez la fenêtre (&quot;window_hu&quot;) et les poids du réseau</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -2559,6 +2643,10 @@
     <message>
         <source>the liver&apos;s back</source>
         <translation>l’arrière du foie</translation>
+    </message>
+    <message>
+        <source>Pieces too small for a lesion became parenchyma: %1.</source>
+        <translation>Des morceaux trop petits pour une lésion sont devenus parenchyme : %1.</translation>
     </message>
 </context>
 <context>
@@ -3487,6 +3575,18 @@
         <source>Taking the other registration</source>
         <translation>Passage à l’autre recalage</translation>
     </message>
+    <message>
+        <source>Segmenting by your network</source>
+        <translation>Segmentation par votre réseau</translation>
+    </message>
+    <message>
+        <source>reading the network</source>
+        <translation>lecture du réseau</translation>
+    </message>
+    <message>
+        <source>running the network</source>
+        <translation>calcul du réseau</translation>
+    </message>
 </context>
 <context>
     <name>cli</name>
@@ -3609,10 +3709,6 @@
     <message>
         <source>The volume.</source>
         <translation>Le volume.</translation>
-    </message>
-    <message>
-        <source>Segments the liver, its vessels and lesions from seeds.</source>
-        <translation>Segmente le foie, ses vaisseaux et ses lésions à partir de germes.</translation>
     </message>
     <message>
         <source>What was clicked (JSON, LPS mm).</source>
@@ -4789,6 +4885,18 @@
     <message>
         <source>Registers again every so many seconds of the film.</source>
         <translation>Recale à nouveau toutes les tant de secondes du film.</translation>
+    </message>
+    <message>
+        <source>--network, --%1: give one of them.</source>
+        <translation>--network, --%1 : donnez l&apos;un des deux.</translation>
+    </message>
+    <message>
+        <source>Segments the liver, its vessels and lesions from seeds, or by your own network.</source>
+        <translation>Segmente le foie, ses vaisseaux et ses lésions à partir de germes, ou par votre propre réseau.</translation>
+    </message>
+    <message>
+        <source>Your own segmentation network (ONNX) instead of seeds; MODEL.json beside it says what it wants and what its channels mean (see the manual).</source>
+        <translation>Votre propre réseau de segmentation (ONNX) au lieu de germes ; MODEL.json à côté dit ce qu&apos;il lui faut et ce que ses canaux signifient (voir le manuel).</translation>
     </message>
 </context>
 <context>
@@ -6102,6 +6210,33 @@
     <message>
         <source>Beams</source>
         <translation>Poutres</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::NetworkBox</name>
+    <message>
+        <source>Own network…</source>
+        <translation>Réseau à vous…</translation>
+    </message>
+    <message>
+        <source>Your own segmentation network: an ONNX file with its sheet, MODEL.json, beside it.</source>
+        <translation>Votre propre réseau de segmentation : un fichier ONNX avec sa fiche MODEL.json à côté.</translation>
+    </message>
+    <message>
+        <source>Segment by this network</source>
+        <translation>Segmenter par ce réseau</translation>
+    </message>
+    <message>
+        <source>Own network</source>
+        <translation>Réseau à vous</translation>
+    </message>
+    <message>
+        <source>Networks (*.onnx)</source>
+        <translation>Réseaux (*.onnx)</translation>
+    </message>
+    <message>
+        <source>Network: %1</source>
+        <translation>Réseau : %1</translation>
     </message>
 </context>
 <context>

@@ -17,6 +17,7 @@
 #include "glisson/core/claim.h"
 #include "glisson/core/files.h"
 #include "glisson/core/log_file.h"
+#include "glisson/network/runner.h"
 #include "glisson/stereo/codecs.h"
 #include "glisson/stereo/picture_io.h"
 #include "glisson/stereo/picture_reader.h"
@@ -106,7 +107,8 @@ void tell_machine(Findings& found) {
 /// Of the machine, not of a patient's files: told here, not with each file.
 void tell_confinement(Findings& found) {
   std::vector<std::string> escapes = reader_escapes();
-  for (const std::string& word : stereo::picture_reader_escapes()) escapes.push_back(word);
+  for (const auto& more : {stereo::picture_reader_escapes(), network::network_escapes()})
+    escapes.insert(escapes.end(), more.begin(), more.end());
   found.say_number("readers_confined", escapes.empty() ? 1.0 : 0.0);
   if (!escapes.empty())
     found.miss(Cli::tr(

@@ -10,6 +10,7 @@
 #include "glisson/engine/commands/list_series.h"
 #include "glisson/engine/commands/propose_seeds.h"
 #include "glisson/engine/commands/segment.h"
+#include "glisson/engine/commands/segment_by_network.h"
 #include "glisson/engine/commands/set_seeds.h"
 #include "glisson/engine/hand_edits.h"
 #include "glisson/engine/parts/offer.h"
@@ -110,10 +111,25 @@ engine::OverHandWork over_hand_work(const Arguments& arguments) {
                                            : engine::OverHandWork::offer;
 }
 
+/// What belongs to growth from seeds means nothing to a network.
+void refuse_beside_network(const Arguments& arguments) {
+  for (const char* option : {"seeds", "propose", "only", "region", "resolution"})
+    if (arguments.has(QLatin1String(option)))
+      throw UsageError(
+          Cli::tr("--network, --%1: give one of them.").arg(QLatin1String(option)).toStdString());
+}
+
 /// The figures say what would change; the case on the disk stays as it is.
 [[noreturn]] void refuse_after_telling(Session& session) {
   session.finish();
   throw engine::hand_work_error(session.state()[part::offer]->edited);
+}
+
+void segment_by_seeds(Session& session, const engine::Segment& command, const fs::path& seeds,
+                      bool proposes) {
+  session.post(engine::SetSeeds{seeds.empty() ? segmentation::Seeds{} : segmentation::read_seeds(seeds)});
+  if (proposes) session.post(engine::ProposeSeeds{});
+  session.post(command);
 }
 
 }  // namespace
@@ -140,7 +156,8 @@ int run_import(const QStringList& given) {
 }
 
 int run_segment(const QStringList& given) {
-  Arguments arguments("segment", Cli::tr("Segments the liver, its vessels and lesions from seeds."));
+  Arguments arguments(
+      "segment", Cli::tr("Segments the liver, its vessels and lesions from seeds, or by your own network."));
   declare_case(arguments);
   arguments.option("seeds", Cli::tr("What was clicked (JSON, LPS mm)."), "FILE");
   arguments.flag("propose", Cli::tr("Look for the liver without a click in it. Look at what comes of it."));
@@ -165,10 +182,15 @@ int run_segment(const QStringList& given) {
       "replace-edited",
       Cli::tr("Replace labels that were corrected by hand, corrections and all. Without these two it "
               "is only told what would change."));
+  arguments.option("network",
+                   Cli::tr("Your own segmentation network (ONNX) instead of seeds; MODEL.json beside it says "
+                           "what it wants and what its channels mean (see the manual)."),
+                   "MODEL.onnx");
   declare_label_output(arguments);
   if (!arguments.parse(given)) return 0;
-  const bool proposes = arguments.has("propose");
-  const fs::path seeds = proposes ? arguments.path("seeds") : arguments.required_path("seeds");
+  const bool proposes = arguments.has("propose"), by_network = arguments.has("network");
+  if (by_network) refuse_beside_network(arguments);
+  const fs::path seeds = proposes || by_network ? arguments.path("seeds") : arguments.required_path("seeds");
   command.options.working_spacing_mm = arguments.number("resolution", 0.3, 5.0);
   command.options.structures = structures_from(arguments.value("only"));
   command.options.region = region_from(arguments.value("region"));
@@ -177,9 +199,11 @@ int run_segment(const QStringList& given) {
   const LabelOutput output(arguments);
   Session session(arguments);
   open_case(arguments, session);
-  session.post(engine::SetSeeds{seeds.empty() ? segmentation::Seeds{} : segmentation::read_seeds(seeds)});
-  if (proposes) session.post(engine::ProposeSeeds{});
-  session.post(command);
+  if (by_network)
+    session.post(
+        engine::SegmentByNetwork{arguments.path("network"), command.options.locked, command.over_hand_work});
+  else
+    segment_by_seeds(session, command, seeds, proposes);
   if (session.state()[part::offer]) refuse_after_telling(session);
   output.finish(session);
   return 0;

@@ -17,7 +17,7 @@ find_package(ITK 5.2 REQUIRED COMPONENTS
   ITKSmoothing ITKThresholding ITKMathematicalMorphology ITKBinaryMathematicalMorphology
   ITKLabelMap ITKLevelSets ITKRegionGrowing ITKConnectedComponents ITKDistanceMap ITKFastMarching
   ITKCurvatureFlow ITKAnisotropicSmoothing ITKAntiAlias)
-find_package(OpenCV 4.6 REQUIRED COMPONENTS core imgproc imgcodecs calib3d aruco features2d video videoio)
+find_package(OpenCV 4.6 REQUIRED COMPONENTS core imgproc imgcodecs calib3d aruco dnn features2d video videoio)
 find_package(CGAL 5.5 REQUIRED)
 find_package(embree 3.13 REQUIRED)
 find_package(dlib REQUIRED)

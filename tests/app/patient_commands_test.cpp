@@ -8,6 +8,7 @@
 #include "glisson/geometry/topology.h"
 #include "glisson/patient/label_map.h"
 #include "glisson/volume/io.h"
+#include "network_files.h"
 #include "program.h"
 
 #include "../support/ball_ct.h"
@@ -28,6 +29,7 @@ class PatientCommandsTest : public QObject, private test::Program {
 
   void SeriesOfAFolderAreListed();
   void ALiverIsFoundWithoutAClick();
+  void AnOwnNetworkLabelsTheCt();
   void CorrectionsByHandAreReplacedOnlyWhenToldTo();
   void LabelsOfAnotherGridAreRefusedAndTheCaseStands();
   void ACaseOfAnotherVersionIsRefused();
@@ -107,6 +109,22 @@ void PatientCommandsTest::ALiverIsFoundWithoutAClick() {
   const double ml = figures("s.json")["label_parenchyma_ml"].toDouble(),
                ball_ml = 4.0 / 3.0 * M_PI * 6.0 * 6.0 * 6.0;
   QVERIFY2(std::abs(ml - ball_ml) < 0.1 * ball_ml, qPrintable(QString::number(ml)));
+}
+
+void PatientCommandsTest::AnOwnNetworkLabelsTheCt() {
+  Image image = test::ct_of({40, 36, 30}, [](const Eigen::Vector3i& v) { return v.x() < 20 ? 110 : -100; });
+  image.grid.spacing_mm = {3.0, 3.0, 3.0};
+  write_image(at("ct.nrrd"), image);
+  QCOMPARE(run({"import", "ct.nrrd", "--case", "a.glisson"}).code, 0);
+  test::write_network(at("."), test::bright_or_dark({1, 1, 16, 16}),
+                      R"({"window_hu": [0, 200], "channels": ["background", "parenchyma"]})");
+  const QStringList segment = {"segment", "--case", "a.glisson", "--network", "net.onnx"};
+  const Ran ran = run(segment + QStringList{"--json", "s.json"});
+  QVERIFY2(ran.code == 0, qPrintable(ran.error));
+  QCOMPARE(figures("s.json")["label_parenchyma_ml"].toDouble(), 20.0 * 36 * 30 * 0.027);
+  refused(segment + QStringList{"--propose"}, "--network, --propose: give one of them", 2);
+  write_text(at("net.json"), R"({"window_hu": [0, 200], "channels": ["background", "liver"]})");
+  refused(segment, "net.json: channels: names \"liver\"");
 }
 
 void PatientCommandsTest::CorrectionsByHandAreReplacedOnlyWhenToldTo() {

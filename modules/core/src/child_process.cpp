@@ -177,6 +177,12 @@ void Conversation::end() {
   socket_ = child_ = -1;
 }
 
+bool Conversation::waits_for(double seconds) const {
+  if (socket_ < 0) return true;
+  pollfd waiting{socket_, POLLIN, 0};
+  return ::poll(&waiting, 1, static_cast<int>(1e3 * seconds)) > 0;
+}
+
 bool Conversation::exchange(bool sends, char* bytes, std::size_t count, double seconds) {
   const auto until =
       Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));

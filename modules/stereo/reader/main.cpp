@@ -7,14 +7,8 @@
 // byte: of pictures it gets the bytes, of videos it may read the one file, and it can write nothing at all.
 // "escapes" leaves in FOLDER/escapes what it could do that it must not, a word a line.
 
-#include <sys/resource.h>
-#include <sys/syscall.h>
-#include <unistd.h>
-
-#include <cerrno>
+#include <cstdint>
 #include <cstdio>
-#include <cstdlib>
-#include <fstream>
 #include <limits>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
@@ -22,6 +16,7 @@
 #include <string_view>
 #include <vector>
 
+#include "glisson/core/child_side.h"
 #include "glisson/core/confinement.h"
 #include "questions.h"
 
@@ -29,35 +24,9 @@ namespace {
 
 using namespace glisson;
 using namespace stereo::reader;
-
-bool move_all(bool reads, void* bytes, std::size_t count) {
-  for (char* at = static_cast<char*>(bytes); count > 0;) {
-    const ssize_t moved = reads ? ::read(STDIN_FILENO, at, count) : ::write(STDOUT_FILENO, at, count);
-    if (moved < 0 && errno == EINTR) continue;
-    if (moved <= 0) return false;  // Glisson is gone
-    at += moved;
-    count -= static_cast<std::size_t>(moved);
-  }
-  return true;
-}
-template <class T>
-bool hear(T& value) {
-  return move_all(true, &value, sizeof value);
-}
-template <class T>
-bool tell(T value) {
-  return move_all(false, &value, sizeof value);
-}
-
-/// Processor time from now on; a limit that is reached ends this process.
-void allow_seconds(double seconds) {
-  rusage used{};
-  ::getrusage(RUSAGE_SELF, &used);
-  const auto of = [](const timeval& time) {
-    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-  };
-  limit_seconds(of(used.ru_utime) + of(used.ru_stime) + seconds);
-}
+using child_side::allow_seconds;
+using child_side::hear;
+using child_side::tell;
 
 bool tell_pixels(cv::Mat image) {
   const bool good =
@@ -65,7 +34,7 @@ bool tell_pixels(cv::Mat image) {
   if (!good) return tell(PixelAnswer());
   if (!image.isContinuous()) image = image.clone();
   return tell(PixelAnswer{image.cols, image.rows, image.channels(), 0}) &&
-         move_all(false, image.data, image.total() * image.elemSize());
+         tell(image.data, image.total() * image.elemSize());
 }
 
 int read_pictures() {
@@ -77,7 +46,7 @@ int read_pictures() {
     limit_memory(1.5e9 + 4.0 * static_cast<double>(question.bytes) + 24.0 * pixels);
     if (question.bytes > static_cast<std::uint64_t>(std::numeric_limits<int>::max())) return 1;
     std::vector<std::uint8_t> bytes(question.bytes);
-    if (!move_all(true, bytes.data(), bytes.size())) return 0;
+    if (!hear(bytes.data(), bytes.size())) return 0;
     cv::Mat image;
     try {
       // As the sensor saw it: a rotation tag would break the calibration.
@@ -123,25 +92,14 @@ int read_video(const std::string& path) {
   return 0;
 }
 
-int tell_escapes(const std::string& folder) {
-  confine({}, {folder});
-  std::ofstream file(folder + "/escapes");
-  for (const std::string& word : escapes()) file << word << "\n";
-  return 0;
-}
-
 }  // namespace
 
 int main(int count, char** words) {
   const std::string_view mode = count > 1 ? words[1] : "";
-  // Nothing that is open in Glisson is for this program.
-  ::syscall(SYS_close_range, 3U, std::numeric_limits<unsigned>::max(), 0U);
-  const rlimit none{0, 0};
-  ::setrlimit(RLIMIT_CORE, &none);  // it would hold a patient's data
-  // The input's end ends it: a signal at the parent's end would come when the thread ends that made it.
+  child_side::begin();
   if (mode == "pictures" && count == 2) return read_pictures();
   if (mode == "video" && count == 3) return read_video(words[2]);
-  if (mode == "escapes" && count == 3) return tell_escapes(words[2]);
+  if (mode == "escapes" && count == 3) return child_side::tell_escapes(words[2]);
   std::fprintf(stderr, "glisson-read-pictures MODE ...: a helper of Glisson, not run by hand\n");
   return 2;
 }

@@ -94,6 +94,7 @@ class Notes {
         {"atlas.outlier", tr("The liver %1 differs from the others and counts less.")},
         {"atlas.too_few", tr("%1: too few livers show it, so that the atlas does not know it.")},
         {"atlas.taken_over", tr("%1: too few livers show it; taken over from the atlas '%2'.")},
+        {"network.small_lesions", tr("Pieces too small for a lesion became parenchyma: %1.")},
         {"stereo.black", tr("Both pictures are dark.")},
         {"stereo.left_lost", tr("The left camera shows nothing.")},
         {"stereo.right_lost", tr("The right camera shows nothing.")},

@@ -23,6 +23,7 @@
 #include "glisson/ui/common/error_texts.h"
 #include "glisson/ui/common/panel.h"
 #include "glisson/ui/common/texts.h"
+#include "glisson/ui/segmentation/network_box.h"
 #include "glisson/ui/segmentation/region_box.h"
 
 namespace glisson::ui {
@@ -205,6 +206,8 @@ void SeedBox::build_growth() {
   notes_ = make_explanation({}, this);
   notes_->hide();
   column_of(this)->addWidget(notes_);
+  network_ = new NetworkBox(engine_, this);
+  column_of(this)->addWidget(network_);
   connect(what_, &QComboBox::currentIndexChanged, this, [this] { run_->set_obstacle(obstacle()); });
 }
 
@@ -224,6 +227,11 @@ segmentation::SegmentationOptions SeedBox::options() const {
 
 segmentation::Structures SeedBox::structures() const {
   return finds()[static_cast<std::size_t>(what_->currentIndex())].structures;
+}
+
+void SeedBox::set_locked(const std::set<Label>& labels) {
+  locked_ = labels;
+  network_->set_locked(labels);
 }
 
 void SeedBox::set_active(bool on) {

@@ -48,6 +48,9 @@ class Conversation {
   /// whatever is asked of it later fails, too.
   bool send(const void* bytes, std::size_t count, double seconds);
   bool receive(void* bytes, std::size_t count, double seconds);
+  /// Whether there is something to receive, or the child has ended; waits so long for it at the most. What
+  /// may take long can be cancelled between two of these.
+  bool waits_for(double seconds) const;
   /// A value of bytes alone.
   template <class T>
   bool send(const T& value, double seconds) {

@@ -9,6 +9,14 @@
 
 namespace glisson::engine {
 
+/// What becomes of labels that a hand has corrected when they are found anew.
+enum class OverHandWork {
+  refuse,     ///< nothing is computed
+  offer,      ///< the labels stay, the new ones become the part `offer` (see DecideSegmentation)
+  keep_hand,  ///< the voxels that a hand has corrected stay, all else is replaced
+  replace
+};
+
 /// Labels that a hand has worked on since growth last changed them, or all were imported; what was undone
 /// does not count, nor what lies around them and gave or took the voxels. Steps that the history had no room
 /// for are not known. Growth that kept what a hand had corrected changes nothing of that.

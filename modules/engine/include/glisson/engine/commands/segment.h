@@ -4,17 +4,10 @@
 #include <set>
 
 #include "glisson/engine/command.h"
+#include "glisson/engine/hand_edits.h"
 #include "glisson/segmentation/segment.h"
 
 namespace glisson::engine {
-
-/// What becomes of labels that a hand has corrected when they are found anew.
-enum class OverHandWork {
-  refuse,     ///< nothing is computed
-  offer,      ///< the labels stay, the new ones become the part `offer` (see DecideSegmentation)
-  keep_hand,  ///< the voxels that a hand has corrected stay, all else is replaced
-  replace
-};
 
 /// Where only some structures or a region are found anew, or labels are locked, the rest of the case's labels
 /// is kept. What a hand has corrected is replaced only when that was said. The liver's contour is shown on

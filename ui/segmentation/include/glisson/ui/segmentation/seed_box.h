@@ -19,6 +19,7 @@ class QPushButton;
 
 namespace glisson::ui {
 
+class NetworkBox;
 class RegionBox;
 
 /// Seeds that are clicked in the slices, their list, and the growth from them.
@@ -35,7 +36,7 @@ class SeedBox : public QWidget {
   void choose_structure(std::optional<Label> structure);
   const std::optional<Label>& structure() const { return structure_; }
   /// Labels that growth must leave as they are.
-  void set_locked(const std::set<Label>& labels) { locked_ = labels; }
+  void set_locked(const std::set<Label>& labels);
   /// Nobody here has the mouse any more.
   void let_go();
   /// Drops what the mouse has begun, else what it means. @return whether there was any of it.
@@ -93,6 +94,7 @@ class SeedBox : public QWidget {
   RegionBox* region_ = nullptr;
   TaskButton* run_ = nullptr;
   QLabel* notes_ = nullptr;
+  NetworkBox* network_ = nullptr;
 };
 
 }  // namespace glisson::ui

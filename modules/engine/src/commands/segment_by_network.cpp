@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/engine/commands/segment_by_network.h"
+
+#include <utility>
+
+#include "found_labels.h"
+#include "glisson/engine/parts/image.h"
+#include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/seeds.h"
+#include "glisson/network/label_network.h"
+#include "label_steps.h"
+
+namespace glisson::engine {
+
+std::set<Label> SegmentByNetwork::would_replace(const CaseState& state,
+                                                const network::LabelSheet& sheet) const {
+  std::set<Label> replaced = edited_by_hand(state);
+  for (const Label label : locked) replaced.erase(label);
+  std::erase_if(replaced, [&](Label label) { return !sheet.finds(label); });
+  return replaced;
+}
+
+CommandTraits SegmentByNetwork::traits() const {
+  // The seeds only so that an offer knows whether they are still those that it was made beside.
+  return {.code = "segment_by_network",
+          .reads = {part::image, part::seeds, part::labels},
+          .writes = labels_and_review(),
+          .needs = {part::image}};
+}
+
+Cancellable<Applied> SegmentByNetwork::apply(const CaseState& state, const RunContext& context) const {
+  const network::LabelSheet sheet = network::read_label_sheet(network);
+  long tiles = 0;
+  auto applied = put_found_labels(
+      state, would_replace(state, sheet), over_hand_work, true, [&]() -> Cancellable<FoundLabels> {
+        auto found = network::label_by_network(*state[part::image], network, sheet, {locked}, context,
+                                               state[part::labels].get());
+        if (!found) return {};
+        tiles = found->tiles;
+        return FoundLabels{std::move(found->labels), std::move(found->notes)};
+      });
+  if (applied) applied->figures["network_tiles"] = static_cast<double>(tiles);
+  return applied;
+}
+
+}  // namespace glisson::engine

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "glisson/engine/command.h"
+#include "glisson/engine/hand_edits.h"
+#include "glisson/patient/label_map.h"
+
+/// @file
+/// What every command does alike that finds labels by machine: what a hand has corrected is replaced only
+/// when that was said, and what would change of it is told.
+
+namespace glisson::engine {
+
+/// Labels that were found, and what belongs to them.
+struct FoundLabels {
+  LabelMap labels;
+  std::vector<std::string> notes;
+};
+
+/// @param edited labels that a hand has corrected and that would be found anew.
+/// @param keeps_labels the finding starts from the case's labels (see Segment::keeps_labels()).
+/// @param find the work itself; empty: cancelled.
+/// @throws InputError where they must not be replaced, or cannot be compared.
+Cancellable<Applied> put_found_labels(const CaseState& state, const std::set<Label>& edited,
+                                      OverHandWork over_hand_work, bool keeps_labels,
+                                      const std::function<Cancellable<FoundLabels>()>& find);
+
+}  // namespace glisson::engine
