@@ -1980,16 +1980,16 @@
         <translation>Schreiben Sie das Blatt des Netzes daneben (siehe Handbuch)</translation>
     </message>
     <message>
-        <source>Give the size of the network&apos;s input as &quot;tile&quot;</source>
-        <translation>Geben Sie die Größe der Eingabe des Netzes als &quot;tile&quot; an</translation>
-    </message>
-    <message>
         <source>Name one label a channel in &quot;channels&quot;, and export a network whose output has the size of its input</source>
         <translation>Nennen Sie in &quot;channels&quot; ein Label für jeden Kanal, und exportieren Sie ein Netz, dessen Ausgabe so groß ist wie seine Eingabe</translation>
     </message>
     <message>
         <source>Check the window (&quot;window_hu&quot;) and the network&apos;s weights</source>
         <translation>Prüfen Sie das Fenster (&quot;window_hu&quot;) und die Gewichte des Netzes</translation>
+    </message>
+    <message>
+        <source>Give the size of the network&apos;s input as &quot;tile&quot;, or export a network of other layers</source>
+        <translation>Geben Sie die Größe der Eingabe des Netzes als &quot;tile&quot; an, oder exportieren Sie ein Netz mit anderen Schichten</translation>
     </message>
 </context>
 <context>

@@ -1980,16 +1980,16 @@
         <translation>Écrivez la fiche du réseau à côté (voir le manuel)</translation>
     </message>
     <message>
-        <source>Give the size of the network&apos;s input as &quot;tile&quot;</source>
-        <translation>Donnez la taille de l&apos;entrée du réseau comme &quot;tile&quot;</translation>
-    </message>
-    <message>
         <source>Name one label a channel in &quot;channels&quot;, and export a network whose output has the size of its input</source>
         <translation>Nommez dans &quot;channels&quot; une étiquette par canal, et exportez un réseau dont la sortie a la taille de son entrée</translation>
     </message>
     <message>
         <source>Check the window (&quot;window_hu&quot;) and the network&apos;s weights</source>
         <translation>Vérifiez la fenêtre (&quot;window_hu&quot;) et les poids du réseau</translation>
+    </message>
+    <message>
+        <source>Give the size of the network&apos;s input as &quot;tile&quot;, or export a network of other layers</source>
+        <translation>Donnez la taille de l&apos;entrée du réseau comme &quot;tile&quot;, ou exportez un réseau fait d&apos;autres couches</translation>
     </message>
 </context>
 <context>

@@ -149,7 +149,7 @@ Cancellable<Tensor> NetworkRunner::run(const Tensor& input, const std::vector<in
     throw InputError(
         impl.file, "layers",
         "cannot be computed for an input of " + shape_text(input.shape) + " (" + impl.said(answer.said) + ")",
-        "Give the size of the network's input as \"tile\"");
+        "Give the size of the network's input as \"tile\", or export a network of other layers");
   Tensor output;
   output.shape.assign(answer.shape.begin(),
                       answer.shape.begin() + std::clamp(answer.rank, 0, reader::kMostRank));

@@ -378,7 +378,9 @@ const std::vector<const char*>& known_remedies() {
       QT_TRANSLATE_NOOP("ErrorPhrases", "Use smaller tiles (\"tile\"), or a smaller network"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Write the size of the network's input"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Write the network's sheet beside it (see the manual)"),
-      QT_TRANSLATE_NOOP("ErrorPhrases", "Give the size of the network's input as \"tile\""),
+      QT_TRANSLATE_NOOP(
+          "ErrorPhrases",
+          "Give the size of the network's input as \"tile\", or export a network of other layers"),
       QT_TRANSLATE_NOOP("ErrorPhrases",
                         "Name one label a channel in \"channels\", and export a network whose output has the "
                         "size of its input"),
