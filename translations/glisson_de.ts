@@ -2648,6 +2648,10 @@
         <source>Pieces too small for a lesion became parenchyma: %1.</source>
         <translation>Für eine Läsion zu kleine Stücke wurden Parenchym: %1.</translation>
     </message>
+    <message>
+        <source>The segmentation names another DICOM frame of reference than the CT, as one of another scan does: check in the slices that it lies on this liver.</source>
+        <translation>Die Segmentierung nennt ein anderes DICOM-Bezugssystem als das CT, wie die einer anderen Aufnahme: Prüfen Sie in den Schichten, ob sie auf dieser Leber liegt.</translation>
+    </message>
 </context>
 <context>
     <name>Obstacles</name>

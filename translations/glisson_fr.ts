@@ -2648,6 +2648,10 @@
         <source>Pieces too small for a lesion became parenchyma: %1.</source>
         <translation>Des morceaux trop petits pour une lésion sont devenus parenchyme : %1.</translation>
     </message>
+    <message>
+        <source>The segmentation names another DICOM frame of reference than the CT, as one of another scan does: check in the slices that it lies on this liver.</source>
+        <translation>La segmentation nomme un autre repère de référence DICOM que le scanner, comme celle d’un autre examen : vérifiez dans les coupes qu’elle recouvre bien ce foie.</translation>
+    </message>
 </context>
 <context>
     <name>Obstacles</name>

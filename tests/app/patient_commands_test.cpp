@@ -13,6 +13,7 @@
 
 #include "../support/ball_ct.h"
 #include "../volume/dicom_bytes.h"
+#include "../volume/dicomdir_bytes.h"
 #include "../volume/zip_bytes.h"
 
 using namespace glisson;
@@ -28,6 +29,7 @@ class PatientCommandsTest : public QObject, private test::Program {
   void cleanup() { remove_folder(); }
 
   void SeriesOfAFolderAreListed();
+  void ADicomdirOpensItsMedium();
   void ALiverIsFoundWithoutAClick();
   void AnOwnNetworkLabelsTheCt();
   void CorrectionsByHandAreReplacedOnlyWhenToldTo();
@@ -97,6 +99,27 @@ void PatientCommandsTest::SeriesOfAFolderAreListed() {
   files.front().encrypted = true;
   write_text(at("ct.zip"), test::zip_of(files));
   refused({"import", "ct.zip", "--list"}, "encrypted");
+}
+
+void PatientCommandsTest::ADicomdirOpensItsMedium() {
+  fs::create_directories(at("disc/IMAGES"));
+  std::vector<std::string> named;
+  for (int k = 0; k < 24; ++k) {
+    named.push_back("IMAGES\\IM" + std::to_string(k));
+    write_text(at("disc/IMAGES") / ("IM" + std::to_string(k)), test::dicom_of(k, {}));
+  }
+  const std::string whole = test::dicomdir_of(named);
+  write_text(at("disc/DICOMDIR"), whole);
+  const Ran listed = run({"import", "disc/DICOMDIR", "--list"});
+  QCOMPARE(listed.code, 0);
+  QVERIFY2(listed.out.contains("24 slices"), qPrintable(listed.out));
+  QCOMPARE(run({"import", "disc/DICOMDIR", "--case", "a.glisson"}).code, 0);
+  // A copy that ended early: told or read, as far as its names go, but never in words that name no remedy.
+  for (std::size_t length = 140; length < whole.size(); length += 97) {
+    write_text(at("disc/DICOMDIR"), whole.substr(0, length));
+    const Ran cut = run({"import", "disc/DICOMDIR", "--list"});
+    QVERIFY2(cut.code == 0 || cut.error.contains("Name the folder"), qPrintable(cut.error));
+  }
 }
 
 void PatientCommandsTest::ALiverIsFoundWithoutAClick() {

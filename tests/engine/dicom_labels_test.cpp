@@ -16,12 +16,14 @@
 #include "glisson/engine/script.h"
 #include "glisson/patient/segment_meaning.h"
 #include "glisson/volume/dicom_segmentation.h"
+#include "glisson/volume/io.h"
 
 using namespace glisson;
 using namespace glisson::engine;
 namespace fs = std::filesystem;
 
 constexpr Label kThird = structure::kFirstLesion + 2;  // lesions one and two are gone
+constexpr const char* kFrame = "1.2.3.6";              // of reference, the CT's
 
 class DicomLabelsTest : public QObject {
   Q_OBJECT
@@ -30,6 +32,7 @@ class DicomLabelsTest : public QObject {
   void LabelsComeInAgainUnchanged();
   void SegmentsOfOthersAreTakenByTheirMeaning();
   void AnotherGridIsRefused();
+  void AnotherFrameOfReferenceIsTold();
   void WhatMeansNothingOfTheLiverIsRefused();
   void EveryStructureHasAMeaning();
 
@@ -51,7 +54,9 @@ class DicomLabelsTest : public QObject {
 void DicomLabelsTest::init() {
   folder_ = std::make_unique<TemporaryFolder>();
   fs::create_directory(at("ct"));
-  for (int k = 0; k < 4; ++k) write_file_atomically(at("ct") / std::to_string(k), test::dicom_of(k, {}));
+  test::HandSlice slice;
+  slice.other["0020|0052"] = kFrame;
+  for (int k = 0; k < 4; ++k) write_file_atomically(at("ct") / std::to_string(k), test::dicom_of(k, slice));
   script_ = std::make_unique<Script>(RunContext());
   script_->run(ImportImage{at("ct")});
   // The first and the last slice are empty, so that the file has another grid than the CT.
@@ -117,6 +122,24 @@ void DicomLabelsTest::AnotherGridIsRefused() {
     QVERIFY2(std::string(error.what()).find("Resample") != std::string::npos, error.what());
   }
   QVERIFY(!script_->state()[part::labels]);
+}
+
+void DicomLabelsTest::AnotherFrameOfReferenceIsTold() {
+  const auto notes = [&](const std::string& frame) {
+    DicomSource source = *script_->state()[part::source];
+    source.frame_of_reference_uid = frame;
+    write_dicom_labels(at("a.dcm"), labels_, {}, source);
+    return script_->run(ImportLabels{at("a.dcm"), {}})->notes;
+  };
+  QCOMPARE(notes("1.2.3.7"), (std::vector<std::string>{"labels.other_frame"}));
+  QVERIFY(script_->state()[part::labels]->voxels == labels_);  // they are taken all the same
+  QVERIFY(notes(kFrame).empty());
+  // Where the CT does not say its frame there is nothing to compare.
+  Image image = *script_->state()[part::image];
+  write_image(at("ct.nrrd"), image);
+  script_->run(ImportImage{at("ct.nrrd")});
+  write_dicom_labels(at("a.dcm"), labels_, {}, {});
+  QVERIFY(script_->run(ImportLabels{at("a.dcm"), {}})->notes.empty());
 }
 
 void DicomLabelsTest::WhatMeansNothingOfTheLiverIsRefused() {

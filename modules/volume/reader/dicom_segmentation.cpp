@@ -95,6 +95,7 @@ class Object {
     raw.voxels.assign(static_cast<std::size_t>(raw.grid.voxel_count()), 0.0F);
     paint(slice, raw.voxels);
     tell(raw.texts);
+    raw.source.frame_of_reference_uid = words_of(data(), {0x0020, 0x0052});
     return raw;
   }
 

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <string_view>
 
 #include "glisson/core/child_process.h"
 #include "glisson/core/error.h"
@@ -129,6 +130,10 @@ bool run_reader(const char* mode, const fs::path& input, const std::string& name
   if (!end) return false;
   if (end->code == kRefused) throw_refusal(folder);
   if (end->code == 127) throw FileError(reader_program().string() + ": cannot run. Install Glisson again.");
+  // GDCM breaks down at some directories that were cut.
+  if (end->code != 0 && mode == std::string_view("dicomdir"))
+    throw InputError(name, "", "is a DICOM directory that was cut or is damaged",
+                     "Name the folder that holds the series");
   if (end->code != 0)
     throw InputError(name, "", "is damaged: the program that reads it broke down", "Export it again");
   return true;
@@ -288,24 +293,27 @@ std::vector<LabelInfo> infos_of(const LabelVolume& voxels) {
   return infos;
 }
 
-LabelFile read_labels_of(const fs::path& path, bool* own) {
+DicomLabels read_labels_of(const fs::path& path) {
   require_exists(path);
   const TemporaryFolder work;
   run_reader("labels", path, path.string(), work.path(), "", RunContext());
   const Delivered delivered = delivered_in(work.path());
-  if (own != nullptr) *own = delivered.texts.contains("glisson_own");
+  DicomLabels labels{{}, delivered.texts.contains("glisson_own"), delivered.source.frame_of_reference_uid};
   const auto values =
       read_raw<Label>(delivered.voxels, static_cast<std::size_t>(delivered.grid.voxel_count()) *
                                             static_cast<std::size_t>(delivered.components));
   const std::vector<SlicerSegment> segments =
       slicer_segments(path.string(), delivered.texts, delivered.components);
-  if (delivered.components > 1) return flattened(delivered.grid, delivered.components, values, segments);
-  LabelFile file;
+  LabelFile& file = labels.file;
+  if (delivered.components > 1) {
+    file = flattened(delivered.grid, delivered.components, values, segments);
+    return labels;
+  }
   file.voxels = LabelVolume(delivered.grid, values);
   for (const SlicerSegment& segment : segments)
     file.infos.push_back({segment.value, segment.name, segment.terminology, segment.colour, segment.status});
   if (segments.empty()) file.infos = infos_of(file.voxels);
-  return file;
+  return labels;
 }
 
 }  // namespace
@@ -374,13 +382,9 @@ Cancellable<Scan> read_scan(const fs::path& path, const RunContext& context, con
   return Scan{std::move(image), delivered.source, std::move(missing)};
 }
 
-DicomLabels read_dicom_labels(const fs::path& path) {
-  DicomLabels result;
-  result.file = read_labels_of(path, &result.own);
-  return result;
-}
+DicomLabels read_dicom_labels(const fs::path& path) { return read_labels_of(path); }
 
-LabelFile read_labels(const fs::path& path) { return read_labels_of(path, nullptr); }
+LabelFile read_labels(const fs::path& path) { return read_labels_of(path).file; }
 
 void require_same_grid(const VolumeGrid& a, const VolumeGrid& b, const std::string& name) {
   if (a.same_as(b)) return;

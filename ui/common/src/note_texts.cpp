@@ -174,6 +174,9 @@ class Notes {
         {"case.video_lost",
          tr("The case was opened without its video: it names a source outside this computer, which only "
             "you may open. (%*)")},
+        {"labels.other_frame", tr("The segmentation names another DICOM frame of reference than the CT, as "
+                                  "one of another scan does: "
+                                  "check in the slices that it lies on this liver.")},
         {"volume.files_missing", tr("The DICOMDIR names files that are not there: slices may be missing. "
                                     "Copy the whole medium. (%*)")},
         {"case.cloud_lost",

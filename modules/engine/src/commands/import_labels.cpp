@@ -3,6 +3,7 @@
 
 #include "glisson/core/error.h"
 #include "glisson/engine/parts/image.h"
+#include "glisson/engine/parts/source.h"
 #include "glisson/patient/segment_meaning.h"
 #include "glisson/volume/dicom_segmentation.h"
 #include "label_steps.h"
@@ -26,8 +27,17 @@ Review review_in(const LabelFile& file, const LabelCodes& codes) {
 
 /// A DICOM segmentation on the image's grid: empty slices need not be in it. Segments of others say by code
 /// or name what they are, not by their number. @param codes taken as they are where there are any.
-LabelFile read_dicom(const std::filesystem::path& path, const Image* image, LabelCodes& codes) {
+/// @param[out] notes tell that the file is of another frame of reference: its voxels may be the CT's by
+/// chance, as another scan's of the same table and field of view are. Anonymisers, too, give new frames, so
+/// that the person decides.
+LabelFile read_dicom(const std::filesystem::path& path, const CaseState& state, LabelCodes& codes,
+                     std::vector<std::string>& notes) {
+  const Image* image = state[part::image].get();
   DicomLabels labels = read_dicom_labels(path);
+  const std::string theirs = labels.frame_of_reference_uid;
+  const std::string ours = state[part::source] ? state[part::source]->frame_of_reference_uid : std::string();
+  if (image != nullptr && !theirs.empty() && !ours.empty() && theirs != ours)
+    notes.emplace_back("labels.other_frame");
   if (image != nullptr) {
     auto placed = placed_on(labels.file.voxels, image->grid);
     if (!placed)
@@ -49,7 +59,7 @@ LabelFile read_dicom(const std::filesystem::path& path, const Image* image, Labe
 
 CommandTraits ImportLabels::traits() const {
   return {.code = "import_labels",
-          .reads = {part::image},
+          .reads = {part::image, part::source},
           .writes = labels_and_review(),
           .notice = Notice::files};
 }
@@ -57,13 +67,14 @@ CommandTraits ImportLabels::traits() const {
 Cancellable<Applied> ImportLabels::apply(const CaseState& state, const RunContext& context) const {
   context.progress(0.0, "labels.read");
   LabelCodes meanings = codes;
-  const LabelFile file =
-      has_dicom_mark(path) ? read_dicom(path, state[part::image].get(), meanings) : read_labels(path);
+  std::vector<std::string> notes;
+  const LabelFile file = has_dicom_mark(path) ? read_dicom(path, state, meanings, notes) : read_labels(path);
   if (state[part::image]) require_same_grid(file.voxels.grid(), state[part::image]->grid, path.string());
   if (context.cancelled()) return {};
   LabelMap labels =
       meanings.empty() ? LabelMap{file.voxels, file.infos} : recode(file, meanings, path.string());
   Applied applied{state};
+  applied.notes = std::move(notes);
   replace_labels(applied.state, std::move(labels), {kImportStep, 0, 0.0});
   put_review(applied.state, review_in(file, meanings));
   report_labels(applied.state, applied.figures);

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "glisson/volume/dicom_source.h"
@@ -24,6 +25,8 @@ struct DicomLabels {
   LabelFile file;
   /// Written by Glisson: the codes are those that were written. Else they are the segments' numbers.
   bool own = false;
+  /// FrameOfReferenceUID: only where it is the CT's are the two placed in one another. Empty: unknown.
+  std::string frame_of_reference_uid = {};
 };
 /// Reads one in the confined reading program. The grid reaches from the first slice with a frame to the last:
 /// see placed_on(). Where segments overlap the smaller wins. @throws as read_labels.
