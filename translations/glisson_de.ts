@@ -4902,6 +4902,10 @@
         <source>Your own segmentation network (ONNX) instead of seeds; MODEL.json beside it says what it wants and what its channels mean (see the manual).</source>
         <translation>Ihr eigenes Segmentierungsnetz (ONNX) statt Saatpunkten; MODEL.json daneben sagt, was es braucht und was seine Kanäle bedeuten (siehe Handbuch).</translation>
     </message>
+    <message>
+        <source>registration: only whether one more look, where it is said to help most, does.</source>
+        <translation>registration: nur, ob ein weiterer Blick dort hilft, wo er am meisten helfen soll.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AgainBox</name>

@@ -4902,6 +4902,10 @@
         <source>Your own segmentation network (ONNX) instead of seeds; MODEL.json beside it says what it wants and what its channels mean (see the manual).</source>
         <translation>Votre propre réseau de segmentation (ONNX) au lieu de germes ; MODEL.json à côté dit ce qu&apos;il lui faut et ce que ses canaux signifient (voir le manuel).</translation>
     </message>
+    <message>
+        <source>registration: only whether one more look, where it is said to help most, does.</source>
+        <translation>registration : seulement si un regard de plus aide là où il est censé aider le plus.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AgainBox</name>

@@ -100,6 +100,7 @@ void prove_registration(const Arguments& arguments, Session& session, const fs::
   options.data = arguments.path("data");
   options.validation = !arguments.has("development-only");
   options.resume = arguments.has("resume");
+  options.looks_alone = arguments.has("looks");
   if (arguments.has("quick")) {
     options.patients = 2;
     options.shares = {0.3};
@@ -170,8 +171,8 @@ void write_page(const Arguments& arguments, const Proof& proof, experiments::Pro
   page.figures = figures;
   page.command = std::string("glisson prove ") + proof.name +
                  (arguments.has("real-only") ? " --real-only" : "") +
-                 (arguments.has("development-only") ? " --development-only" : "") + " --seed " +
-                 std::to_string(arguments.seed());
+                 (arguments.has("development-only") ? " --development-only" : "") +
+                 (arguments.has("looks") ? " --looks" : "") + " --seed " + std::to_string(arguments.seed());
   const fs::path folder = figures_folder(arguments, experiments::verdict(page.aims, figures));
   if (folder.empty()) return;
   fs::create_directories(folder);
@@ -198,6 +199,8 @@ int run_prove(const QStringList& given) {
       "development-only",
       Cli::tr("registration, atlas: leave the validation patients alone, as when limits are set."));
   arguments.flag("quick", Cli::tr("registration: two patients of either set and one share that is seen."));
+  arguments.flag("looks",
+                 Cli::tr("registration: only whether one more look, where it is said to help most, does."));
   arguments.flag("resume", Cli::tr("registration: keep what DIR/registration_SEED.csv holds already."));
   arguments.option(
       "figures",

@@ -13,6 +13,7 @@
 #include "glisson/core/error.h"
 #include "glisson/geometry/rigid.h"
 #include "glisson/registration/register_model.h"
+#include "registration_looks.h"
 #include "registration_stage.h"
 #include "registration_trials.h"
 
@@ -54,6 +55,24 @@ std::vector<ProofPatient> chosen_patients(const RegistrationProofOptions& option
   return chosen;
 }
 
+/// Empty: cancelled.
+Cancellable<RegistrationProof> prove_looks(const std::vector<RegistrationStage>& stages,
+                                           const RegistrationProofOptions& options, RegistrationProof proof,
+                                           const RunContext& context) {
+  std::vector<std::vector<LookTrial>> found(stages.size());
+  const bool all_done = on_threads(options.threads, stages.size(), context, [&](std::size_t i) {
+    found[i] = try_looks(stages[i], i, options, context.quiet());
+  });
+  if (!all_done) return std::nullopt;
+  for (const ProofSet set : {ProofSet::validation, ProofSet::development}) {
+    std::vector<LookTrial> of_set;
+    for (std::size_t i = 0; i < stages.size(); ++i)
+      if (stages[i].patient.set == set) of_set.insert(of_set.end(), found[i].begin(), found[i].end());
+    sum_up(of_set, set == ProofSet::development ? "development" : "validation", proof);
+  }
+  return proof;
+}
+
 /// The next patient of the same set.
 std::size_t another(const std::vector<RegistrationStage>& stages, std::size_t i) {
   for (std::size_t k = 1; k < stages.size(); ++k) {
@@ -85,6 +104,7 @@ Cancellable<RegistrationProof> prove_registration(const RegistrationProofOptions
   if (!all_built) return std::nullopt;
   std::vector<RegistrationStage> stages;
   for (auto& stage : built) stages.push_back(std::move(*stage));
+  if (options.looks_alone) return prove_looks(stages, options, std::move(proof), context.part(0.2, 1.0));
   // A file a seed: what another seed gave is no registration of this run.
   TrialLog log(folder / ("registration_" + std::to_string(options.seed) + ".csv"), options.resume);
   const bool all_done =

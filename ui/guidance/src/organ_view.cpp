@@ -70,8 +70,10 @@ OrganView::OrganView(EngineBridge& engine, DrawableSource& drawables, Registrati
   colours->setToolTip(
       tr("Expected error of each place; or of a lesion, once the surface around a place has been "
          "seen as well. The ball marks the best place."));
-  row->addWidget(colours);
-  row->addWidget(new ErrorScale(scale_));
+  auto* legend = new QVBoxLayout;
+  legend->addWidget(colours);
+  legend->addWidget(new ErrorScale(scale_));
+  row->addLayout(legend);
   layout->addWidget(scale_);
   connect(&engine_, &EngineBridge::case_changed, this, &OrganView::refresh);
   connect(&drawables_, &DrawableSource::changed, this, &OrganView::refresh);

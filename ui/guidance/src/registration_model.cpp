@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/guidance/registration_model.h"
 
+#include <utility>
+
 #include "glisson/engine/parts/check.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/registration.h"
@@ -27,7 +29,7 @@ void RegistrationModel::read_case() {
     shown_rival = -1;
     shown_look = -1;
   }
-  source_ = now[part::registration];
+  const bool is_new = now[part::registration] != std::exchange(source_, now[part::registration]);
   if (!now[part::registration]) {
     rivals = QStringList();
     looked_for = QStringList();
@@ -40,7 +42,7 @@ void RegistrationModel::read_case() {
   const Registration& r = *now[part::registration];
   is_refused = registration::is_refused(r);
   read_rivals(r);
-  read_looks(r);
+  if (is_new) read_looks(r);
   read_error(r);
   FigureRows rows{
       {tr("Residual (not an accuracy)"), tr("%1 mm").arg(1e3 * r.residual, 0, 'f', 2)},
@@ -79,33 +81,35 @@ void RegistrationModel::read_error(const Registration& registration) {
     words << tr("Expected error: mean %1 mm, at most %2 mm. Ellipsoids hold a lesion in 95 of 100 cases.")
                  .arg(1e3 * registration.expected.mean(), 0, 'f', 1)
                  .arg(1e3 * registration.expected.maxCoeff(), 0, 'f', 1);
-  if (const QString look = look_words(registration); holds && !look.isEmpty()) words << look;
+  if (const QString look = look_words(); holds && !look.isEmpty()) words << look;
   if (!registration.forces.empty()) words << tr("Arrows: forces, relative to one another.");
   error_words = words.join(QLatin1Char(' '));
 }
 
 void RegistrationModel::read_looks(const Registration& registration) {
   QStringList names;
-  for (const LesionLooks& looks : registration.looks) names << structure_text(looks.lesion);
+  look_words_.clear();
+  helped_most_ = -1;
+  double most = 0.0;
+  const PatientModel model = engine::effective_model(engine_.state());
+  const bool is_of_it = model.mesh.vertex_count() == registration.nodes_in_camera.rows();
+  for (const LesionLooks& looks : registration.looks) {
+    if (!is_of_it) break;
+    const auto best = registration::best_look(looks);
+    if (best && best->now - best->after > most) {
+      most = best->now - best->after;
+      helped_most_ = static_cast<int>(names.size());
+    }
+    names << structure_text(looks.lesion);
+    look_words_ << (best ? note_text(registration::look_note(model, looks))
+                         : tr("%1: no single look helps much.").arg(names.back()));
+  }
   looked_for = names;
 }
 
-QString RegistrationModel::look_words(const Registration& registration) const {
-  const auto& model = engine_.state()[part::model];
-  if (!model || model->model.mesh.vertex_count() != registration.nodes_in_camera.rows()) return {};
-  const int which = shown_look;
-  const LesionLooks* told = nullptr;
-  double most = 0.0;
-  for (std::size_t k = 0; k < registration.looks.size(); ++k) {
-    const LesionLooks& looks = registration.looks[k];
-    const auto best = registration::best_look(looks);
-    const double gain = best ? best->now - best->after : 0.0;
-    if (which == static_cast<int>(k) || (which < 0 && gain > most)) told = &looks, most = gain;
-  }
-  if (told == nullptr) return {};
-  const std::string note = registration::look_note(model->model, *told);
-  return note.empty() ? tr("%1: no single look helps much.").arg(structure_text(told->lesion))
-                      : note_text(note);
+QString RegistrationModel::look_words() const {
+  const int which = shown_look >= 0 ? shown_look.value() : helped_most_;
+  return look_words_.value(which);
 }
 
 const Points* RegistrationModel::rival_nodes() const {

@@ -21,9 +21,11 @@ struct RegistrationProofOptions {
   std::uint64_t seed = 1;
   std::vector<double> shares{0.1, 0.2, 0.3, 0.5};  ///< of the surface that is seen
   bool rivals = true;                              ///< the paper's method too
-  std::string only;                                ///< patients whose name contains this; empty: all
-  int patients = 0;                                ///< of either set, the first ones; 0: all
-  int threads = 2;                                 ///< 1 or 2, patient by patient
+  /// Instead of all that: whether the look that a registration asks for helps.
+  bool looks_alone = false;
+  std::string only;  ///< patients whose name contains this; empty: all
+  int patients = 0;  ///< of either set, the first ones; 0: all
+  int threads = 2;   ///< 1 or 2, patient by patient
   /// Registrations that the folder's registration_SEED.csv holds already, of a run that was cut short, are
   /// taken from there.
   bool resume = false;

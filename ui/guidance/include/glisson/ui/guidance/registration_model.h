@@ -39,10 +39,12 @@ class RegistrationModel : public QObject {
   void read_error(const Registration& registration);
   void read_looks(const Registration& registration);
   /// Where one more look helps most, of the shown lesion, else of the one that it helps most.
-  QString look_words(const Registration& registration) const;
+  QString look_words() const;
 
   EngineBridge& engine_;
   std::shared_ptr<const Registration> source_;
+  QStringList look_words_;  ///< one a lesion of `looked_for`
+  int helped_most_ = -1;    ///< of these; -1: none much
   Couplings couplings_;
 };
 
