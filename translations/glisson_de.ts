@@ -1804,8 +1804,8 @@
         <translation>stammt von einem anderen CT, anderen Saatpunkten oder anderen Labels</translation>
     </message>
     <message>
-        <source>Lock it (--lock), leave it out of what is found anew (--only), keep what was corrected (--keep-edited), or allow it (--replace-edited)</source>
-        <translation>Sperren Sie es (--lock), nehmen Sie es von der neuen Suche aus (--only), behalten Sie das Korrigierte (--keep-edited) oder erlauben Sie es (--replace-edited)</translation>
+        <source>Lock it (--lock), keep what was corrected (--keep-edited), or allow it (--replace-edited)</source>
+        <translation>Sperren Sie es (--lock), behalten Sie das Korrigierte (--keep-edited) oder erlauben Sie es (--replace-edited)</translation>
     </message>
     <message>
         <source>Open this CT as a new case, or allow it (--replace-edited)</source>

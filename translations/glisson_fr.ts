@@ -1804,8 +1804,8 @@
         <translation>vient d&apos;un autre scanner, d&apos;autres germes ou d&apos;autres étiquettes</translation>
     </message>
     <message>
-        <source>Lock it (--lock), leave it out of what is found anew (--only), keep what was corrected (--keep-edited), or allow it (--replace-edited)</source>
-        <translation>Verrouillez-la (--lock), ne la faites pas chercher à nouveau (--only), gardez ce qui a été corrigé (--keep-edited) ou permettez-le (--replace-edited)</translation>
+        <source>Lock it (--lock), keep what was corrected (--keep-edited), or allow it (--replace-edited)</source>
+        <translation>Verrouillez-la (--lock), gardez ce qui a été corrigé (--keep-edited) ou permettez-le (--replace-edited)</translation>
     </message>
     <message>
         <source>Open this CT as a new case, or allow it (--replace-edited)</source>

@@ -111,8 +111,7 @@ LabelVolume hand_corrected(const CaseState& state) {
 
 InputError hand_work_error(const std::set<Label>& labels) {
   return {"labels", structure_names(labels), "was corrected by hand and would be replaced",
-          "Lock it (--lock), leave it out of what is found anew (--only), keep what was corrected "
-          "(--keep-edited), or allow it (--replace-edited)"};
+          "Lock it (--lock), keep what was corrected (--keep-edited), or allow it (--replace-edited)"};
 }
 
 }  // namespace glisson::engine

@@ -257,9 +257,9 @@ const std::vector<const char*>& known_remedies() {
       QT_TRANSLATE_NOOP("ErrorPhrases", "Drag to where the picture shows it"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Correct what the picture shows"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Drag less far, or register again"),
-      QT_TRANSLATE_NOOP("ErrorPhrases",
-                        "Lock it (--lock), leave it out of what is found anew (--only), keep what was "
-                        "corrected (--keep-edited), or allow it (--replace-edited)"),
+      QT_TRANSLATE_NOOP(
+          "ErrorPhrases",
+          "Lock it (--lock), keep what was corrected (--keep-edited), or allow it (--replace-edited)"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Open this CT as a new case, or allow it (--replace-edited)"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Segment again"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Check its permissions"),
