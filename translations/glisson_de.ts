@@ -6088,6 +6088,10 @@
         <source>Volumes (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.zip *.tar.gz *.tgz *.tar DICOMDIR dicomdir)</source>
         <translation>Volumen (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.zip *.tar.gz *.tgz *.tar DICOMDIR dicomdir)</translation>
     </message>
+    <message>
+        <source>A new segmentation waits for your decision (Segmentation). Another case lets it go.</source>
+        <translation>Eine neue Segmentierung wartet auf Ihre Entscheidung (Segmentierung). Ein anderer Fall verwirft sie.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::ModelPanel</name>

@@ -6088,6 +6088,10 @@
         <source>Volumes (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.zip *.tar.gz *.tgz *.tar DICOMDIR dicomdir)</source>
         <translation>Volumes (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.zip *.tar.gz *.tgz *.tar DICOMDIR dicomdir)</translation>
     </message>
+    <message>
+        <source>A new segmentation waits for your decision (Segmentation). Another case lets it go.</source>
+        <translation>Une nouvelle segmentation attend votre décision (Segmentation). Un autre cas l’abandonne.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::ModelPanel</name>

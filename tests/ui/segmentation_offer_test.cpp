@@ -5,11 +5,14 @@
 #include <QPushButton>
 #include <QTimer>
 
+#include "glisson/core/files.h"
 #include "glisson/editing/tools/paint.h"
 #include "glisson/engine/commands/edit_labels.h"
+#include "glisson/engine/commands/save_case.h"
 #include "glisson/engine/hand_edits.h"
 #include "glisson/engine/parts/offer.h"
 #include "glisson/ui/scene/difference_overlay.h"
+#include "glisson/ui/segmentation/segmentation_panel.h"
 #include "segmentation_window.h"
 
 namespace glisson {
@@ -26,6 +29,8 @@ class SegmentationOfferTest : public QObject, private SegmentationWindow {
   void EachChoiceDoesWhatItSaysAndUndoTakesItBack();
   void NothingElseIsAtHandWhileTheDecisionWaits();
   void ClosingSaysThatTheNewOneGoes();
+  void AnotherCaseIsNotOpenedWithoutSayingThatTheNewOneGoes();
+  void UndoWaitsForTheDecision();
 
  private:
   /// A hand adds to the liver above it, and the liver is grown over that.
@@ -136,6 +141,31 @@ void SegmentationOfferTest::ClosingSaysThatTheNewOneGoes() {
   const QString told = answer(QMessageBox::Cancel, [&] { window_->close(); });
   QVERIFY2(told.contains("not saved") && told.contains("new segmentation"), qPrintable(told));
   QVERIFY(window_->isVisible() && waits() && labels() == mine);
+}
+
+void SegmentationOfferTest::AnotherCaseIsNotOpenedWithoutSayingThatTheNewOneGoes() {
+  correct_and_grow();
+  const TemporaryFolder folder;
+  window_->engine().post(engine::SaveCase{folder.path() / "other.glisson"});
+  QVERIFY(settle() && !window_->isWindowModified());
+  QVERIFY(waits());
+  const LabelVolume mine = labels();
+  const QString told = answer(QMessageBox::Cancel, [&] {
+    window_->open(folder.path() / "other.glisson");
+    QTRY_VERIFY(QApplication::activeModalWidget() == nullptr);
+  });
+  QVERIFY2(told.contains("new segmentation"), qPrintable(told));
+  QVERIFY(settle() && waits() && labels() == mine);
+}
+
+void SegmentationOfferTest::UndoWaitsForTheDecision() {
+  correct_and_grow();
+  auto* panel = window_->findChild<ui::SegmentationPanel*>();
+  for (const QAction* action : panel->history_actions()) QVERIFY(!action->isEnabled());
+  press("offer_keep_all");
+  QVERIFY(settle());
+  press("mode_edit");
+  QVERIFY(panel->history_actions().front()->isEnabled());
 }
 
 }  // namespace glisson

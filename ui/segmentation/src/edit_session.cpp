@@ -14,6 +14,7 @@
 #include "glisson/engine/commands/undo_labels.h"
 #include "glisson/engine/parts/image.h"
 #include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/offer.h"
 #include "glisson/engine/parts/preview.h"
 
 namespace glisson::ui {
@@ -176,11 +177,13 @@ int EditSession::steps_ahead() const {
 }
 
 bool EditSession::can_undo() const {
+  if (engine_.state()[part::offer]) return false;  // it would be lost: first comes the decision
   const auto& history = engine_.state()[part::history];
   return (history ? static_cast<int>(history->done()) : 0) + steps_ahead() > 0;
 }
 
 bool EditSession::can_redo() const {
+  if (engine_.state()[part::offer]) return false;
   const auto& history = engine_.state()[part::history];
   return history && edits_.empty() &&
          static_cast<int>(history->done()) + steps_ahead() < static_cast<int>(history->steps().size());

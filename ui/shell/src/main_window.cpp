@@ -173,14 +173,24 @@ void MainWindow::open(const std::filesystem::path& path) {
                    .arg(QString::fromStdString(path.string())));
 }
 
+QString MainWindow::waiting_words() const {
+  return engine_.state()[part::offer]
+             ? tr("A new segmentation waits for your decision (Segmentation). Another case lets it go.")
+             : QString();
+}
+
 void MainWindow::replace_case(const std::filesystem::path& path) {
   const engine::OpenCase command{path};
-  if (!isWindowModified()) {
+  QStringList losses;
+  if (isWindowModified())
+    losses << tr("The case has changes that are not saved. Opening another loses them.");
+  losses << waiting_words();
+  losses.removeAll(QString());
+  if (losses.isEmpty()) {
     engine_.post(command);
     return;
   }
-  auto* box = new QMessageBox(QMessageBox::Question, tr("Open a case"),
-                              tr("The case has changes that are not saved. Opening another loses them."),
+  auto* box = new QMessageBox(QMessageBox::Question, tr("Open a case"), losses.join(QLatin1Char(' ')),
                               QMessageBox::Discard | QMessageBox::Cancel, this);
   box->setDefaultButton(QMessageBox::Cancel);
   box->setAttribute(Qt::WA_DeleteOnClose);
@@ -198,10 +208,13 @@ void MainWindow::import_image(const std::filesystem::path& path) {
                               tr("Is this CT of another patient, or another one of the patient who is open?"),
                               QMessageBox::Cancel, this);
   box->setObjectName(QStringLiteral("whose_image"));
-  box->setInformativeText(isWindowModified()
-                              ? tr("A new case loses the changes of this one, which are not saved. The same "
-                                   "patient's case keeps everything, marked out of date.")
-                              : tr("The same patient's case keeps everything, marked out of date."));
+  QStringList told{isWindowModified()
+                       ? tr("A new case loses the changes of this one, which are not saved. The same "
+                            "patient's case keeps everything, marked out of date.")
+                       : tr("The same patient's case keeps everything, marked out of date."),
+                   waiting_words()};
+  told.removeAll(QString());
+  box->setInformativeText(told.join(QLatin1Char(' ')));
   auto* another = box->addButton(tr("New case"), QMessageBox::AcceptRole);
   another->setObjectName(QStringLiteral("new_case"));
   auto* same = box->addButton(tr("Same patient"), QMessageBox::ActionRole);

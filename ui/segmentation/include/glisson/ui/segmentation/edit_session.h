@@ -38,6 +38,7 @@ class EditSession : public QObject {
 
   /// Of the case; null: there is none.
   const std::shared_ptr<const editing::History>& history() const { return engine_.state()[part::history]; }
+  /// Neither while a new segmentation waits for a decision: a step would let it go.
   bool can_undo() const;
   bool can_redo() const;
   void undo();
