@@ -6374,6 +6374,10 @@
         <source>%1 after a look here</source>
         <translation>%1 après un regard ici</translation>
     </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::Panel</name>

@@ -85,13 +85,18 @@ void RegistrationActorsTest::TheOrganHasTheColourOfItsError() {
 void RegistrationActorsTest::ALookIsShownInTheColoursOfWhatItLeaves() {
   Stage stage;
   stage.expect(0.5e-3);
-  LesionLooks looks{structure::kFirstLesion, 14e-3,
-                    Eigen::VectorXd::Constant(stage.registration.expected.size(), 14e-3), 14e-3, 14e-3};
-  stage.registration.looks = {looks};
-  const auto error = stage.middle(), left = stage.middle(0);
-  QVERIFY(error[0] > error[2] + 20.0 && left[2] > left[0] + 20.0);
+  const Eigen::Index count = stage.registration.expected.size();
+  // All but one place leave all of it: the last colour, whatever its size.
+  for (const double now : {14e-3, 3e-3}) {
+    stage.registration.looks = {
+        {structure::kFirstLesion, now, Eigen::VectorXd::Constant(count, now), now, now}};
+    stage.registration.looks[0].seen[0] = 0.5 * now;
+    const auto error = stage.middle(), left = stage.middle(0);
+    QVERIFY(error[0] > error[2] + 20.0 && left[2] > left[0] + 20.0);
+    QVERIFY(scene::look_range(stage.registration.looks[0]) == (scene::ErrorRange{0.5 * now, now}));
+  }
+  stage.actors.show(*stage.drawable, stage.registration, {}, {});
   const int plain = stage.actor_count();
-  stage.registration.looks[0].seen[0] = 5e-3;
   stage.actors.show(*stage.drawable, stage.registration, {}, {-1, 0});
   QCOMPARE(stage.actor_count(), plain + 1);  // the ball at the best place
 }

@@ -22,6 +22,10 @@ class ErrorScale : public QWidget {
     setObjectName(QStringLiteral("error_scale"));
     setFixedSize(290, 40);
   }
+  void set_range(const scene::ErrorRange& range) {
+    range_ = range;
+    update();
+  }
 
  protected:
   void paintEvent(QPaintEvent*) override {
@@ -32,13 +36,20 @@ class ErrorScale : public QWidget {
       painter.fillRect(kLeft + x, kTop, 1, kHeight,
                        scene::error_colour(scene::kMostErrorShown * x / (wide - 1)));
     painter.setPen(palette().color(QPalette::WindowText));
+    const bool usual = range_ == scene::ErrorRange();
     for (int k = 0; k <= kSteps; ++k) {
-      const double mm = 1e3 * scene::kMostErrorShown * k / kSteps;
-      const QString text = k < kSteps ? QString::number(mm) : OrganView::tr("%1+ mm").arg(mm);
+      const double mm = 1e3 * (range_.low + (range_.high - range_.low) * k / kSteps);
+      const QString number = QString::number(mm, 'f', usual ? 0 : 1);
+      const QString text = k < kSteps ? number
+                           : usual    ? OrganView::tr("%1+ mm").arg(number)
+                                      : OrganView::tr("%1 mm").arg(number);
       const int x = kLeft + wide * k / kSteps;
       painter.drawText(QRect(x - 40, kTop + kHeight + 2, 80, 20), Qt::AlignHCenter | Qt::AlignTop, text);
     }
   }
+
+ private:
+  scene::ErrorRange range_;
 };
 
 }  // namespace
@@ -72,7 +83,8 @@ OrganView::OrganView(EngineBridge& engine, DrawableSource& drawables, Registrati
          "seen as well. The ball marks the best place."));
   auto* legend = new QVBoxLayout;
   legend->addWidget(colours);
-  legend->addWidget(new ErrorScale(scale_));
+  auto* scale = new ErrorScale(scale_);
+  legend->addWidget(scale);
   row->addLayout(legend);
   layout->addWidget(scale_);
   connect(&engine_, &EngineBridge::case_changed, this, &OrganView::refresh);
@@ -85,8 +97,12 @@ OrganView::OrganView(EngineBridge& engine, DrawableSource& drawables, Registrati
     for (const QString& lesion : lesions) colours->addItem(tr("%1 after a look here").arg(lesion));
     colours->setVisible(!lesions.isEmpty());
   });
-  couplings_.add(model_.shown_look, [this, colours](int which) {
+  couplings_.add(model_.shown_look, [this, colours, scale](int which) {
     colours->setCurrentIndex(which + 1);
+    const auto& now = engine_.state()[part::registration];
+    const auto look = static_cast<std::size_t>(which);
+    scale->set_range(which >= 0 && now && look < now->looks.size() ? scene::look_range(now->looks[look])
+                                                                   : scene::ErrorRange());
     refresh();
   });
   couplings_.add(model_.error_words, [words](const QString& text) { words->setText(text); });

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kLiverOpacity = 0.7, kRegionOpacity = 0.45;
 constexpr double kLongestArrow = 35e-3;            // metres: of the strongest force
-constexpr double kPlace = 4e-3;                    // metres: radius of the ball where a look helps most
+constexpr double kPlace = 6e-3;                    // metres: radius of the ball where a look helps most
 constexpr double kShaft = 1.2e-3, kHead = 3.2e-3;  // radii, metres
 
 const DrawableSurface* liver_of(const DrawableModel& model) {
@@ -61,6 +61,10 @@ QColor error_colour(double error) {
   return {mix(0), mix(1), mix(2)};
 }
 
+ErrorRange look_range(const LesionLooks& looks) {
+  return {looks.seen.size() > 0 ? looks.seen.minCoeff() : looks.now, looks.now};
+}
+
 struct RegistrationActors::Impl {
   ActorGroup actors;
 
@@ -68,7 +72,7 @@ struct RegistrationActors::Impl {
 
   /// @param errors of the nodes, metres; of another size: not known.
   void add_liver(const DrawableSurface& liver, const PatientModel& model, const Points& nodes,
-                 const Eigen::VectorXd& errors) {
+                 const Eigen::VectorXd& errors, const ErrorRange& range) {
     const auto data = make_poly_data(placed(liver, model, nodes));
     add_normals(*data);
     if (errors.size() == nodes.rows()) {
@@ -79,7 +83,8 @@ struct RegistrationActors::Impl {
       vtkNew<vtkUnsignedCharArray> colours;
       colours->SetNumberOfComponents(3);
       for (Eigen::Index i = 0; i < of_vertices.rows(); ++i) {
-        const QColor colour = error_colour(of_vertices(i, 0));
+        const double share = (of_vertices(i, 0) - range.low) / std::max(1e-6, range.high - range.low);
+        const QColor colour = error_colour(kMostErrorShown * share);
         for (const int part : {colour.red(), colour.green(), colour.blue()})
           colours->InsertNextValue(static_cast<unsigned char>(part));
       }
@@ -119,7 +124,7 @@ struct RegistrationActors::Impl {
     const Eigen::Matrix3d square = kPlace * kPlace * Eigen::Matrix3d::Identity();
     const auto data = make_poly_data(ellipsoid(nodes.row(best).transpose(), square, 1.0));
     add_normals(*data);
-    actors.add(data, QColor(255, 255, 255)).SetAmbient(0.5);
+    actors.add(data, QColor(255, 255, 255)).LightingOff();
   }
 
   void add_rival(const DrawableSurface& liver, const PatientModel& model, const Points& nodes) {
@@ -147,7 +152,8 @@ void RegistrationActors::show(const DrawableModel& model, const Registration& re
     const auto look = static_cast<std::size_t>(chosen.look), rival = static_cast<std::size_t>(chosen.rival);
     const bool looks = chosen.look >= 0 && look < registration.looks.size();
     impl_->add_liver(*liver, patient, registration.nodes_in_camera,
-                     looks ? registration.looks[look].seen : registration.expected);
+                     looks ? registration.looks[look].seen : registration.expected,
+                     looks ? look_range(registration.looks[look]) : ErrorRange());
     if (looks) impl_->add_best_place(registration.looks[look].seen, registration.nodes_in_camera);
     if (chosen.rival >= 0 && rival < registration.rivals.size())
       impl_->add_rival(*liver, patient, registration.rivals[rival].nodes_in_camera);

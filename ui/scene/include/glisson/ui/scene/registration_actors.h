@@ -19,6 +19,14 @@ inline constexpr double kMostErrorShown = 15e-3;
 /// all patients (cividis, Nunez 2018: made for all kinds of colour vision).
 QColor error_colour(double error);
 
+/// Errors that the scale's first and last colour stand for, metres.
+struct ErrorRange {
+  double low = 0.0, high = kMostErrorShown;
+  bool operator==(const ErrorRange&) const = default;
+};
+/// From what the best look leaves to what is expected without one: else all places look alike.
+ErrorRange look_range(const LesionLooks& looks);
+
 /// A registered organ as VTK actors in a renderer whose frame is the camera's: the liver's surface in the
 /// colours of the error that is expected there, the 95 % region of each lesion, forces as arrows on the
 /// surface, and another place where the organ may be as a wire frame. Not thread-safe.
@@ -33,7 +41,8 @@ class RegistrationActors {
   /// Which of the registration's are shown besides; -1: none.
   struct Chosen {
     int rival = -1;
-    int look = -1;  ///< then the colours are of the lesion's error after it, and a ball marks the best place
+    int look =
+        -1;  ///< the colours are of the lesion's error after it (look_range), a ball marks the best place
   };
   /// Replaces what is shown. @param lesions centres and covariances in the camera's frame.
   /// Where no error is known the liver is grey. @pre the nodes are those of the model.
