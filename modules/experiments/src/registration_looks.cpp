@@ -145,6 +145,7 @@ void sum_up(const std::vector<LookTrial>& trials, const std::string& set, Regist
   // A start that is lost altogether would drown all others in a mean.
   const auto middle = [&](double LookTrial::*value) {
     std::vector<double> values;
+    values.reserve(trials.size());
     for (const LookTrial& trial : trials) values.push_back(trial.*value);
     return upper_median(std::move(values));
   };

@@ -239,6 +239,7 @@ std::vector<LesionLooks> looks_of(const PatientModel& model, const LabelledCloud
     told.margin = of_margin.variance.size() > 0 ? after(of_margin) : told.now;
     told.notch = of_notch.variance.size() > 0 ? after(of_notch) : told.now;
     std::vector<double> of_places;
+    of_places.reserve(looks.size());
     for (const Look& look : looks) of_places.push_back(look.variance.size() > 0 ? after(look) : told.now);
     told.seen = Eigen::VectorXd::Constant(model.mesh.vertex_count(), told.now);
     for (std::size_t v = 0; v < places.of.size(); ++v)
