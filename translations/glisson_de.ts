@@ -1991,6 +1991,14 @@
         <source>Give the size of the network&apos;s input as &quot;tile&quot;, or export a network of other layers</source>
         <translation>Geben Sie die Größe der Eingabe des Netzes als &quot;tile&quot; an, oder exportieren Sie ein Netz mit anderen Schichten</translation>
     </message>
+    <message>
+        <source>holds a fraction of a voxel</source>
+        <translation>enthält einen Bruchteil eines Voxels</translation>
+    </message>
+    <message>
+        <source>Write whole numbers</source>
+        <translation>Schreiben Sie ganze Zahlen</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -6025,10 +6033,6 @@
         <translation>Der Fall hat Änderungen, die nicht gespeichert sind.</translation>
     </message>
     <message>
-        <source>Open a case</source>
-        <translation>Fall öffnen</translation>
-    </message>
-    <message>
         <source>The case has changes that are not saved. Opening another loses them.</source>
         <translation>Der Fall hat Änderungen, die nicht gespeichert sind. Beim Öffnen eines anderen gehen sie verloren.</translation>
     </message>
@@ -6089,8 +6093,12 @@
         <translation>Volumen (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.zip *.tar.gz *.tgz *.tar DICOMDIR dicomdir)</translation>
     </message>
     <message>
-        <source>A new segmentation waits for your decision (Segmentation). Another case lets it go.</source>
-        <translation>Eine neue Segmentierung wartet auf Ihre Entscheidung (Segmentierung). Ein anderer Fall verwirft sie.</translation>
+        <source>A new segmentation waits for your decision (Segmentation). Opening this lets it go.</source>
+        <translation>Eine neue Segmentierung wartet auf Ihre Entscheidung (Segmentierung). Dies zu öffnen verwirft sie.</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
     </message>
 </context>
 <context>

@@ -1991,6 +1991,14 @@
         <source>Give the size of the network&apos;s input as &quot;tile&quot;, or export a network of other layers</source>
         <translation>Donnez la taille de l&apos;entrée du réseau comme &quot;tile&quot;, ou exportez un réseau fait d&apos;autres couches</translation>
     </message>
+    <message>
+        <source>holds a fraction of a voxel</source>
+        <translation>contient une fraction de voxel</translation>
+    </message>
+    <message>
+        <source>Write whole numbers</source>
+        <translation>Écrivez des nombres entiers</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -6025,10 +6033,6 @@
         <translation>Le cas a des modifications non enregistrées.</translation>
     </message>
     <message>
-        <source>Open a case</source>
-        <translation>Ouvrir un cas</translation>
-    </message>
-    <message>
         <source>The case has changes that are not saved. Opening another loses them.</source>
         <translation>Le cas a des modifications non enregistrées. En ouvrir un autre les perd.</translation>
     </message>
@@ -6089,8 +6093,12 @@
         <translation>Volumes (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.zip *.tar.gz *.tgz *.tar DICOMDIR dicomdir)</translation>
     </message>
     <message>
-        <source>A new segmentation waits for your decision (Segmentation). Another case lets it go.</source>
-        <translation>Une nouvelle segmentation attend votre décision (Segmentation). Un autre cas l’abandonne.</translation>
+        <source>A new segmentation waits for your decision (Segmentation). Opening this lets it go.</source>
+        <translation>Une nouvelle segmentation attend votre décision (Segmentation). Ouvrir ceci l’abandonne.</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
     </message>
 </context>
 <context>

@@ -172,7 +172,8 @@ void write_page(const Arguments& arguments, const Proof& proof, experiments::Pro
   page.command = std::string("glisson prove ") + proof.name +
                  (arguments.has("real-only") ? " --real-only" : "") +
                  (arguments.has("development-only") ? " --development-only" : "") +
-                 (arguments.has("looks") ? " --looks" : "") + " --seed " + std::to_string(arguments.seed());
+                 (arguments.has("quick") ? " --quick" : "") + (arguments.has("looks") ? " --looks" : "") +
+                 " --seed " + std::to_string(arguments.seed());
   const fs::path folder = figures_folder(arguments, experiments::verdict(page.aims, figures));
   if (folder.empty()) return;
   fs::create_directories(folder);

@@ -12,6 +12,7 @@
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/registration/examine.h"
+#include "glisson/registration/next_look.h"
 #include "glisson/registration/refusal.h"
 
 using namespace glisson;
@@ -24,6 +25,7 @@ CaseState before_registration() {
   CaseState state;
   auto built = std::make_shared<model::BuiltModel>();
   built->model = phantom::model(6, 5, 3);
+  built->model.mesh.labels[200] = structure::kFirstLesion;
   state[part::model] = built;
   state[part::landmarks] = std::make_shared<const Landmarks>(phantom::landmarks());
   state[part::cloud] = std::make_shared<const LabelledCloud>(
@@ -54,6 +56,7 @@ class RegisterTest : public QObject {
   void OperationsAreSimulatedOnceForAModel();
   void OperationsGoWithTheRegistration();
   void ProgressNeverGoesBack();
+  void WhereALookHelpsIsToldOfEachLesion();
   void TheMirrorImageIsRefusedUntilSomebodyAcceptsIt();
   void TheExpectedErrorGoesWithTheRegistration();
   void AnotherPlaceIsTakenAndGivenBack();
@@ -104,6 +107,19 @@ void RegisterTest::ProgressNeverGoesBack() {
   }
 }
 
+void RegisterTest::WhereALookHelpsIsToldOfEachLesion() {
+  const auto applied = apply(before_registration(), few_operations(), RunContext());
+  QVERIFY(applied.has_value());
+  const Registration& registration = *applied->state[part::registration];
+  QCOMPARE(registration.looks.size(), std::size_t{1});
+  QCOMPARE(registration.looks[0].lesion, structure::kFirstLesion);
+  const auto best = registration::best_look(registration.looks[0]);
+  QVERIFY(best.has_value());
+  QCOMPARE(applied->figures.at("lesion_1_expected_error_after_look_mm"), 1e3 * best->after);
+  QVERIFY(std::any_of(applied->notes.begin(), applied->notes.end(),
+                      [](const std::string& note) { return note.starts_with("look."); }));
+}
+
 void RegisterTest::TheMirrorImageIsRefusedUntilSomebodyAcceptsIt() {
   CaseState state = before_registration();
   state[part::cloud] = std::make_shared<const LabelledCloud>(registration::mirrored(*state[part::cloud]));
@@ -111,6 +127,7 @@ void RegisterTest::TheMirrorImageIsRefusedUntilSomebodyAcceptsIt() {
   command.start = Register::Start::automatic;
   CaseState done = registered(state, command);
   QVERIFY(registration::is_refused(*done[part::registration]));
+  QVERIFY(done[part::registration]->looks.empty());
   QVERIFY(done[part::registration]->doubts.size() > 1);
   const CaseState accepted = apply(done, AcceptRegistration{}, RunContext()).value().state;
   QVERIFY(!registration::is_refused(*accepted[part::registration]));

@@ -72,6 +72,7 @@ void LabelSheetTest::WhatIsWrongIsNamedByField_data() {
   row(R"("axes": 5)", "axes");
   row(R"("tile": [8])", "tile");
   row(R"("tile": 8)", "tile");
+  row(R"("tile": [8.5, 8])", "tile");
   row(R"("overlap": 1)", "overlap");
   row(R"("channels": ["liver"])", "channels");
   row(R"("channels": ["lesion_1"])", "channels");

@@ -3,8 +3,6 @@
 #include <QLabel>
 #include <QPushButton>
 
-#include "glisson/editing/tools/paint.h"
-#include "glisson/engine/commands/edit_labels.h"
 #include "glisson/engine/parts/offer.h"
 #include "glisson/ui/segmentation/network_box.h"
 #include "network_files.h"
@@ -54,15 +52,7 @@ void SegmentationNetworkTest::TheChosenNetworkLabelsTheCt() {
 }
 
 void SegmentationNetworkTest::CorrectionsByHandWaitForADecision() {
-  open_labels();
-  editing::Paint paint;
-  paint.label = structure::kParenchyma;
-  paint.brush = editing::Paint::Brush::ball;
-  paint.radius = 8e-3;
-  paint.path = Eigen::RowVector3d(0.0, -0.047, 0.0);
-  window_->engine().post(engine::EditLabels{{paint, {}}, 0});
-  QVERIFY(settle());
-  press("mode_seeds");
+  correct_by_hand();
   choose_network();
   label();
   QVERIFY(window_->engine().state()[part::offer] != nullptr);

@@ -6,8 +6,6 @@
 #include <QTimer>
 
 #include "glisson/core/files.h"
-#include "glisson/editing/tools/paint.h"
-#include "glisson/engine/commands/edit_labels.h"
 #include "glisson/engine/commands/save_case.h"
 #include "glisson/engine/hand_edits.h"
 #include "glisson/engine/parts/offer.h"
@@ -30,6 +28,7 @@ class SegmentationOfferTest : public QObject, private SegmentationWindow {
   void NothingElseIsAtHandWhileTheDecisionWaits();
   void ClosingSaysThatTheNewOneGoes();
   void AnotherCaseIsNotOpenedWithoutSayingThatTheNewOneGoes();
+  void DroppedLabelsAskFirst();
   void UndoWaitsForTheDecision();
 
  private:
@@ -41,15 +40,7 @@ class SegmentationOfferTest : public QObject, private SegmentationWindow {
 };
 
 void SegmentationOfferTest::correct_and_grow() {
-  open_labels();
-  editing::Paint paint;
-  paint.label = structure::kParenchyma;
-  paint.brush = editing::Paint::Brush::ball;
-  paint.radius = 8e-3;
-  paint.path = Eigen::RowVector3d(0.0, -0.047, 0.0);
-  window_->engine().post(engine::EditLabels{{paint, {}}, 0});
-  QVERIFY(settle());
-  press("mode_seeds");
+  correct_by_hand();
   seed_liver();
   grow();
   QVERIFY(waits());
@@ -158,14 +149,27 @@ void SegmentationOfferTest::AnotherCaseIsNotOpenedWithoutSayingThatTheNewOneGoes
   QVERIFY(settle() && waits() && labels() == mine);
 }
 
+void SegmentationOfferTest::DroppedLabelsAskFirst() {
+  correct_and_grow();
+  const LabelVolume mine = labels();
+  const auto drop = [&] {
+    window_->open(folder_->path() / "labels.seg.nrrd");
+    QTRY_VERIFY(QApplication::activeModalWidget() == nullptr);
+  };
+  const QString told = answer(QMessageBox::Cancel, drop);
+  QVERIFY2(told.contains("new segmentation"), qPrintable(told));
+  QVERIFY(settle() && waits() && labels() == mine);
+  answer(QMessageBox::Discard, drop);
+  QVERIFY(settle() && !waits() && labels() != mine);
+}
+
 void SegmentationOfferTest::UndoWaitsForTheDecision() {
   correct_and_grow();
   auto* panel = window_->findChild<ui::SegmentationPanel*>();
   for (const QAction* action : panel->history_actions()) QVERIFY(!action->isEnabled());
   press("offer_keep_all");
   QVERIFY(settle());
-  press("mode_edit");
-  QVERIFY(panel->history_actions().front()->isEnabled());
+  QVERIFY(panel->history_actions().front()->isEnabled());  // in the same mode: it was the offer alone
 }
 
 }  // namespace glisson

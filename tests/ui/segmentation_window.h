@@ -5,6 +5,8 @@
 #include <QtTest>
 
 #include "glisson/core/files.h"
+#include "glisson/editing/tools/paint.h"
+#include "glisson/engine/commands/edit_labels.h"
 #include "glisson/engine/commands/import_labels.h"
 #include "glisson/engine/parts/image.h"
 #include "glisson/engine/parts/labels.h"
@@ -132,6 +134,19 @@ class SegmentationWindow {
     QVERIFY(settle());
     QVERIFY(window_->engine().state()[part::labels] != nullptr);
     press("mode_edit");
+  }
+
+  /// A hand adds to the liver above it.
+  void correct_by_hand() {
+    open_labels();
+    editing::Paint paint;
+    paint.label = structure::kParenchyma;
+    paint.brush = editing::Paint::Brush::ball;
+    paint.radius = 8e-3;
+    paint.path = Eigen::RowVector3d(0.0, -0.047, 0.0);
+    window_->engine().post(engine::EditLabels{{paint, {}}, 0});
+    QVERIFY(settle());
+    press("mode_seeds");
   }
 
   void seed_liver() {

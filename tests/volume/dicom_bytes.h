@@ -43,6 +43,22 @@ inline void put_element(std::string& bytes, const std::string& tag, const std::s
   bytes += value;
 }
 
+/// Preamble and file meta information, explicit VR, little endian.
+inline std::string file_beginning(const std::string& sop_class, const std::string& sop_instance) {
+  std::string meta;
+  put_element(meta, "0002|0001", "OB", std::string("\0\1", 2));
+  put_element(meta, "0002|0002", "UI", sop_class);
+  put_element(meta, "0002|0003", "UI", sop_instance);
+  put_element(meta, "0002|0010", "UI", "1.2.840.10008.1.2.1");
+  put_element(meta, "0002|0012", "UI", "1.2.826.0.1.3680043.2.1125.2");
+  std::string bytes(128, '\0');
+  bytes += "DICM";
+  std::string length;
+  put_number(length, static_cast<std::uint32_t>(meta.size()), 4);
+  put_element(bytes, "0002|0000", "UL", length);
+  return bytes + meta;
+}
+
 inline std::string short_of(int value) {
   std::string bytes;
   put_number(bytes, static_cast<std::uint32_t>(value), 2);
@@ -104,18 +120,7 @@ inline std::string dicom_of(int k, const HandSlice& slice) {
     else
       data[tag] = {data.contains(tag) ? data[tag].first : "IS", value};
   }
-  std::string meta;
-  put_element(meta, "0002|0001", "OB", std::string("\0\1", 2));
-  put_element(meta, "0002|0002", "UI", slice.sop_class);
-  put_element(meta, "0002|0003", "UI", slice.series + ".9." + std::to_string(k + 1));
-  put_element(meta, "0002|0010", "UI", "1.2.840.10008.1.2.1");
-  put_element(meta, "0002|0012", "UI", "1.2.826.0.1.3680043.2.1125.2");
-  std::string bytes(128, '\0');
-  bytes += "DICM";
-  std::string length;
-  put_number(length, static_cast<std::uint32_t>(meta.size()), 4);
-  put_element(bytes, "0002|0000", "UL", length);
-  bytes += meta;
+  std::string bytes = file_beginning(slice.sop_class, slice.series + ".9." + std::to_string(k + 1));
   for (const auto& [tag, content] : data) put_element(bytes, tag, content.first, content.second);
   return bytes;
 }

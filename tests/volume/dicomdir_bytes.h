@@ -21,17 +21,7 @@ inline std::string dicomdir_of(const std::vector<std::string>& files) {
     put_number(items, static_cast<std::uint32_t>(item.size()), 4);
     items += item;
   }
-  std::string meta;
-  put_element(meta, "0002|0001", "OB", std::string("\0\1", 2));
-  put_element(meta, "0002|0002", "UI", "1.2.840.10008.1.3.10");
-  put_element(meta, "0002|0003", "UI", "1.2.826.0.1.3680043.2.1125.5");
-  put_element(meta, "0002|0010", "UI", "1.2.840.10008.1.2.1");
-  std::string bytes(128, '\0');
-  bytes += "DICM";
-  std::string length;
-  put_number(length, static_cast<std::uint32_t>(meta.size()), 4);
-  put_element(bytes, "0002|0000", "UL", length);
-  bytes += meta;
+  std::string bytes = file_beginning("1.2.840.10008.1.3.10", "1.2.826.0.1.3680043.2.1125.5");
   put_number(bytes, 0x0004, 2);
   put_number(bytes, 0x1220, 2);
   bytes += "SQ";

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "glisson/core/error.h"
 #include "glisson/core/random.h"
 #include "glisson/core/statistics.h"
-#include "glisson/registration/examined_registration.h"
 #include "glisson/registration/next_look.h"
 #include "glisson/registration/refusal.h"
 
@@ -14,10 +14,7 @@ namespace glisson::experiments {
 namespace {
 
 constexpr double kShare = 0.2;           ///< of the surface that is seen at first
-constexpr double kReach = 30e-3;         ///< m: of a look
-constexpr double kPerM2 = 3.9e4;         ///< points
 constexpr double kNoise = 1e-3;          ///< m, a coordinate
-constexpr double kFacing = 0.5;          ///< cosine
 constexpr double kOffered = 1.0 - 1e-6;  ///< of the present error: a place that is offered leaves less
 
 /// What a look at a node of the model would add, where the handling has carried the surface.
@@ -30,17 +27,18 @@ LabelledCloud with_look(const RegistrationStage& stage, std::size_t handling, co
   const Eigen::RowVector3d at = surface.vertices.row(middle), facing = vertex_normals(surface).row(middle);
   const Points normals = triangle_normals(surface);
   const Eigen::VectorXd areas = triangle_areas(surface);
+  const double per_m2 = 1e4 * insilico::PatchOptions().density_per_cm2;  // as the cloud's
   std::mt19937_64 random(seed);
   std::vector<Eigen::RowVector3d> points;
   for (Eigen::Index t = 0; t < areas.size(); ++t) {
-    if (normals.row(t).dot(facing) < kFacing) continue;
-    for (double left = areas[t] * kPerM2 - uniform01(random); left > 0.0; left -= 1.0) {
+    if (normals.row(t).dot(facing) < registration::kLookFacing) continue;
+    for (double left = areas[t] * per_m2 - uniform01(random); left > 0.0; left -= 1.0) {
       double a = uniform01(random), b = uniform01(random);
       if (a + b > 1.0) a = 1.0 - a, b = 1.0 - b;
       const Eigen::RowVector3d p = (1.0 - a - b) * surface.vertices.row(surface.triangles(t, 0)) +
                                    a * surface.vertices.row(surface.triangles(t, 1)) +
                                    b * surface.vertices.row(surface.triangles(t, 2));
-      if ((p - at).norm() > kReach) continue;
+      if ((p - at).norm() > registration::kLookReach) continue;
       const double x = standard_normal(random), y = standard_normal(random), z = standard_normal(random);
       points.push_back(p + kNoise * Eigen::RowVector3d(x, y, z));
     }
@@ -55,41 +53,25 @@ LabelledCloud with_look(const RegistrationStage& stage, std::size_t handling, co
   return more;
 }
 
-/// One patient's trials; operations are simulated once.
-class Looks {
- public:
-  Looks(const RegistrationStage& stage, const RunContext& context)
-      : stage_(stage), context_(context), lesions_(bind_points(stage.model.mesh, stage.lesions, false)) {}
-
-  /// Empty: refused, or cancelled.
-  std::optional<Registration> register_to(const LabelledCloud& cloud) {
-    registration::RegisterOptions options;
-    auto examined = register_and_examine(stage_.model, cloud, options, context_, known_);
-    if (!examined) return {};
-    if (examined->registered.operations) known_ = {options.operation, examined->registered.operations};
-    Registration made = std::move(examined->registered.registration);
-    if (registration::is_refused(made)) return {};
-    return made;
+/// Nobody is misled where there is no result: refused, or it failed.
+std::optional<Registration> registered(StageRegistrar& registrar, const LabelledCloud& cloud) {
+  try {
+    auto examined = registrar.run(cloud);
+    if (!examined || registration::is_refused(examined->registered.registration)) return {};
+    return std::move(examined->registered.registration);
+  } catch (const Error&) {
+    return {};
   }
-  /// Of the k-th lesion of the stage.
-  double error_of(const Registration& made, std::size_t handling, Eigen::Index k) const {
-    const Points found = lesions_.apply(stage_.model.mesh, made.nodes_in_camera);
-    return (found.row(k) - stage_.by(handling).carry(stage_.lesions).row(k)).norm();
-  }
+}
 
- private:
-  const RegistrationStage& stage_;
-  RunContext context_;
-  Binding lesions_;
-  registration::KnownOperations known_;
-};
-
-/// The place of the lesion's looks that is least known; -1: none is of the stage's own.
-const LesionLooks* least_known(const Registration& made, Label first, Eigen::Index count) {
-  const LesionLooks* least = nullptr;
+/// Of the stage's lesions the one that is known least, by number; none: the registration tells of none.
+std::optional<Eigen::Index> least_known(const RegistrationStage& stage, const Registration& made,
+                                        const LesionLooks*& told) {
+  std::optional<Eigen::Index> least;
   for (const LesionLooks& looks : made.looks)
-    if (looks.lesion >= first && looks.lesion < first + count && (least == nullptr || looks.now > least->now))
-      least = &looks;
+    for (Eigen::Index k = 0; k < stage.lesions.rows(); ++k)
+      if (looks.lesion == RegistrationStage::lesion_label(k) && (!least || looks.now > told->now))
+        least = k, told = &looks;
   return least;
 }
 
@@ -106,25 +88,28 @@ int another_place(const LesionLooks& looks, int best, std::mt19937_64& random) {
 std::vector<LookTrial> try_looks(const RegistrationStage& stage, std::size_t number,
                                  const RegistrationProofOptions& options, const RunContext& context) {
   std::vector<LookTrial> trials;
-  Looks looks(stage, context);
-  const auto first = static_cast<Label>(structure::kFirstLesion + 100);
+  StageRegistrar registrar(stage, context);
+  const Binding lesions = bind_points(stage.model.mesh, stage.lesions, false);
   for (std::size_t handling = 0; handling < stage.handled.size(); ++handling) {
     const std::uint64_t seed = options.seed + 1000 * (number + 1) + 500 + handling;
     std::mt19937_64 random(seed);
     const LabelledCloud cloud = faulty_cloud(stage, stage, handling, kShare, RegistrationFault::none, seed);
-    const auto made = looks.register_to(cloud);
+    const auto made = registered(registrar, cloud);
     if (!made) continue;
-    const LesionLooks* told = least_known(*made, first, stage.lesions.rows());
-    const auto best = told != nullptr ? registration::best_look(*told) : std::nullopt;
+    const LesionLooks* told = nullptr;
+    const auto lesion = least_known(stage, *made, told);
+    const auto best = lesion ? registration::best_look(*told) : std::nullopt;
     if (!best || best->kind != registration::NextLook::Kind::surface) continue;
-    const auto there = looks.register_to(with_look(stage, handling, cloud, best->node, seed));
-    const auto elsewhere =
-        looks.register_to(with_look(stage, handling, cloud, another_place(*told, best->node, random), seed));
+    const auto shown = [&](int node) { return with_look(stage, handling, cloud, node, seed); };
+    const auto there = registered(registrar, shown(best->node));
+    const auto elsewhere = registered(registrar, shown(another_place(*told, best->node, random)));
     if (!there || !elsewhere) continue;
-    const Eigen::Index k = told->lesion - first;
+    const Eigen::RowVector3d truth = stage.by(handling).carry(stage.lesions).row(*lesion);
+    const auto error_of = [&](const Registration& one) {
+      return (lesions.apply(stage.model.mesh, one.nodes_in_camera).row(*lesion) - truth).norm();
+    };
     trials.push_back({insilico::handling_code(insilico::kHandlings[handling]), best->now, best->after,
-                      looks.error_of(*made, handling, k), looks.error_of(*there, handling, k),
-                      looks.error_of(*elsewhere, handling, k), made->doubts});
+                      error_of(*made), error_of(*there), error_of(*elsewhere), made->doubts});
   }
   return trials;
 }

@@ -134,10 +134,18 @@ Cancellable<RegistrationStage> build_stage(const ProofPatient& patient, const st
   stage.lesions = deep_places(stage.model, context.random("prove.lesions"));
   // The model knows of them, so that it may doubt their places; beside those that the patient has.
   for (Eigen::Index i = 0; i < stage.lesions.rows(); ++i) {
-    const auto label = static_cast<Label>(structure::kFirstLesion + 100 + i);
+    const Label label = RegistrationStage::lesion_label(i);
     stage.model.surfaces.push_back({label, structure_name(label), small_lesion(stage.lesions.row(i))});
   }
   return stage;
+}
+
+Cancellable<registration::ExaminedRegistration> StageRegistrar::run(
+    const LabelledCloud& cloud, const registration::RegisterOptions& options) {
+  auto examined = register_and_examine(stage_.model, cloud, options, context_, known_);
+  if (examined && examined->registered.operations)
+    known_ = {options.operation, examined->registered.operations};
+  return examined;
 }
 
 const char* registration_fault_code(RegistrationFault fault) {

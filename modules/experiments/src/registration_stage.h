@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "glisson/insilico/handled_liver.h"
+#include "glisson/patient/label_map.h"
+#include "glisson/registration/examined_registration.h"
 #include "registration_patients.h"
 
 namespace glisson::experiments {
@@ -18,6 +20,23 @@ struct RegistrationStage {
   Points lesions;  ///< three places deep in the liver and far from each other, CT frame
 
   const insilico::HandledLiver& by(std::size_t handling) const { return handled[handling]; }
+  /// What the model calls the k-th of `lesions`; the patient's own come before.
+  static Label lesion_label(Eigen::Index k) { return static_cast<Label>(structure::kFirstLesion + 100 + k); }
+};
+
+/// Registers a stage's model to one cloud after another; its operations are simulated once.
+class StageRegistrar {
+ public:
+  StageRegistrar(const RegistrationStage& stage, const RunContext& context)
+      : stage_(stage), context_(context) {}
+  /// @throws as register_and_examine.
+  Cancellable<registration::ExaminedRegistration> run(const LabelledCloud& cloud,
+                                                      const registration::RegisterOptions& options = {});
+
+ private:
+  const RegistrationStage& stage_;
+  RunContext context_;
+  registration::KnownOperations known_;
 };
 /// @throws Error. Empty: cancelled.
 Cancellable<RegistrationStage> build_stage(const ProofPatient& patient, const std::filesystem::path& data,

@@ -46,7 +46,8 @@ class Trials {
         options_(options),
         log_(log),
         context_(context),
-        lesions_(bind_points(stage.model.mesh, stage.lesions, false)) {}
+        lesions_(bind_points(stage.model.mesh, stage.lesions, false)),
+        registrar_(stage, context) {}
 
   bool run(const LabelledCloud& cloud, std::size_t handling, double share, RegistrationFault fault) {
     RegistrationTrial trial;
@@ -63,10 +64,9 @@ class Trials {
     }
     const Stopwatch watch;
     try {
-      const auto examined = register_and_examine(stage_.model, cloud, options, context_, known_);
+      const auto examined = registrar_.run(cloud, options);
       if (!examined) return false;
       const registration::Registered* made = &examined->registered;
-      if (made->operations) known_ = {options.operation, made->operations};
       trial.doubts = made->registration.doubts;
       trial.refused = registration::is_refused(made->registration);
       compare(*examined, handling, fault, trial);
@@ -135,7 +135,7 @@ class Trials {
   TrialLog& log_;
   RunContext context_;
   Binding lesions_;
-  registration::KnownOperations known_;
+  StageRegistrar registrar_;
 };
 
 }  // namespace

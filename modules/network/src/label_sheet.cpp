@@ -2,6 +2,7 @@
 #include "glisson/network/label_sheet.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 
 #include "sheet.h"
@@ -60,8 +61,10 @@ bool are_axes(const std::string& axes) {
 
 void read_tiles(Sheet& sheet, LabelSheet& read) {
   constexpr double kMostSide = 4096;
-  for (const double side : sheet.numbers("tile", 1, kMostSide).value_or(std::vector<double>()))
+  for (const double side : sheet.numbers("tile", 1, kMostSide).value_or(std::vector<double>())) {
+    if (side != std::floor(side)) sheet.refuse("tile", "holds a fraction of a voxel", "Write whole numbers");
     read.tile.push_back(static_cast<int>(side));
+  }
   if (sheet.has("tile") && read.tile.size() != 2 && read.tile.size() != 3)
     sheet.refuse("tile", "is not two or three numbers", "Write [rows, columns] or [slices, rows, columns]");
   read.spacing_mm = sheet.numbers("spacing_mm", 0.05, 50.0).value_or(std::vector<double>());

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "farthest_first.h"
 #include "force_rows.h"
 #include "glisson/core/chi_square.h"
 #include "glisson/core/error.h"
@@ -13,7 +14,6 @@
 namespace glisson::registration {
 namespace {
 
-constexpr double kReferencePoints = 3.9e4;    ///< a square metre (CloudOptions)
 constexpr double kTurn = 0.5, kShift = 0.05;  ///< rad, m: of the pose beforehand
 constexpr double kWholeSize = 0.3;            ///< of the organ's size beforehand
 constexpr double kPlace = 25e-3;              ///< m
@@ -126,22 +126,11 @@ void ErrorModel::add_rival(const Points& elsewhere, double probability) {
   ++rivals_;
 }
 
-/// Farthest points first, each row to the nearest of them.
 void ErrorModel::group(double width) {
-  if (points_.rows() == 0) return;
-  std::vector<Eigen::Index> centres{0};
-  Eigen::VectorXd distance = (points_.rowwise() - points_.row(0)).rowwise().squaredNorm();
-  std::vector<std::size_t> nearest(static_cast<std::size_t>(points_.rows()), 0);
-  for (Eigen::Index next = 0; distance.maxCoeff(&next) > width * width;) {
-    const Eigen::VectorXd fresh = (points_.rowwise() - points_.row(next)).rowwise().squaredNorm();
-    for (Eigen::Index i = 0; i < fresh.size(); ++i)
-      if (fresh[i] < distance[i])
-        distance[i] = fresh[i], nearest[static_cast<std::size_t>(i)] = centres.size();
-    centres.push_back(next);
-  }
-  places_.resize(centres.size());
-  for (std::size_t i = 0; i < nearest.size(); ++i)
-    places_[nearest[i]].push_back(static_cast<Eigen::Index>(i));
+  const Spread spread = farthest_first(points_, width);
+  places_.resize(spread.chosen.size());
+  for (std::size_t i = 0; i < spread.nearest.size(); ++i)
+    places_[spread.nearest[i]].push_back(static_cast<Eigen::Index>(i));
 }
 
 Eigen::MatrixXd ErrorModel::deviations(const Eigen::Vector4i& nodes, const Eigen::Vector4d& weights) const {
@@ -162,7 +151,9 @@ Eigen::MatrixXd ErrorModel::answers(const ForceRows& rows) const {
   return answers;
 }
 
-double ErrorModel::variance_of_area(double area) const { return point_variance_ / (kReferencePoints * area); }
+double ErrorModel::variance_of_area(double area) const {
+  return point_variance_ / (1e4 * CloudOptions().reference_density_per_cm2 * area);
+}
 
 std::vector<Eigen::Matrix3d> ErrorModel::covariances(const TetMesh& mesh, const Binding& points) const {
   std::vector<Eigen::Matrix3d> all;

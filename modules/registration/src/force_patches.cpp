@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "force_patches.h"
 
-#include <limits>
+#include "farthest_first.h"
 
 namespace glisson::registration {
 
@@ -58,13 +58,10 @@ std::vector<ForcePatch> ForceSurface::patches(const Points& seen, const PatchGri
   std::vector<ForcePatch> patches;
   if (candidates.empty()) return patches;
   const Points open = positions_(candidates, Eigen::all);
-  Eigen::VectorXd distance = Eigen::VectorXd::Constant(open.rows(), std::numeric_limits<double>::infinity());
-  Eigen::Index next = 0;
-  (open.rowwise() - seen.colwise().mean()).rowwise().squaredNorm().minCoeff(&next);
-  do {
-    patches.push_back(patch(candidates[static_cast<std::size_t>(next)], grid.radius));
-    distance = distance.cwiseMin((open.rowwise() - open.row(next)).rowwise().squaredNorm());
-  } while (distance.maxCoeff(&next) > grid.spacing * grid.spacing);
+  Eigen::Index first = 0;
+  (open.rowwise() - seen.colwise().mean()).rowwise().squaredNorm().minCoeff(&first);
+  for (const Eigen::Index centre : farthest_first(open, grid.spacing, first).chosen)
+    patches.push_back(patch(candidates[static_cast<std::size_t>(centre)], grid.radius));
   return patches;
 }
 

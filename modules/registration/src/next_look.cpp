@@ -10,6 +10,7 @@
 #include <sstream>
 #include <utility>
 
+#include "farthest_first.h"
 #include "force_rows.h"
 #include "glisson/core/error.h"
 #include "glisson/patient/label_map.h"
@@ -18,44 +19,23 @@ namespace glisson::registration {
 namespace {
 
 constexpr double kSpacing = 10e-3;     ///< m, of the places
-constexpr double kReach = 30e-3;       ///< m: half of what one view shows
-constexpr double kFacing = 0.5;        ///< cosine of 60 degrees
 constexpr double kBehind = 0.5;        ///< of the normal's component towards the patient's back
 constexpr double kAroundCava = 25e-3;  ///< m
-constexpr double kSeen = 8e-3;         ///< m: a landmark this near to the cloud is seen (pairs.h, seen_share)
 constexpr double kMarked = 10e-3;      ///< m: of the margin, this near to points that are marked
 constexpr double kMarginPiece = 5e-3;  ///< m, as the cloud's reference spacing along the margin
 
 /// Places that stand for the surface around them.
 struct Places {
-  std::vector<int> vertex;      ///< of the boundary surface
-  std::vector<double> area;     ///< m2 that each stands for
-  std::vector<std::size_t> of;  ///< the place that each vertex belongs to
-};
+  Spread spread;             ///< over the boundary surface's vertices
+  std::vector<double> area;  ///< m2 that each stands for
 
-/// Farthest vertices first, each vertex to the nearest.
-Places spread_over(const TriangleMesh& surface) {
-  const Points& v = surface.vertices;
-  Places places;
-  places.of.assign(static_cast<std::size_t>(v.rows()), 0);
-  Eigen::VectorXd nearest = Eigen::VectorXd::Constant(v.rows(), std::numeric_limits<double>::infinity());
-  for (Eigen::Index next = 0; nearest.maxCoeff(&next) > kSpacing * kSpacing;) {
-    for (Eigen::Index i = 0; i < v.rows(); ++i) {
-      const double away = (v.row(i) - v.row(next)).squaredNorm();
-      if (away < nearest[i]) nearest[i] = away, places.of[static_cast<std::size_t>(i)] = places.vertex.size();
-    }
-    places.vertex.push_back(static_cast<int>(next));
+  explicit Places(const TriangleMesh& surface) : spread(farthest_first(surface.vertices, kSpacing)) {
+    const Eigen::VectorXd areas = vertex_areas(surface);
+    area.assign(spread.chosen.size(), 0.0);
+    for (std::size_t v = 0; v < spread.nearest.size(); ++v)
+      area[spread.nearest[v]] += areas[static_cast<Eigen::Index>(v)];
   }
-  places.area.assign(places.vertex.size(), 0.0);
-  for (Eigen::Index t = 0; t < surface.triangles.rows(); ++t) {
-    const Eigen::Vector3d a = v.row(surface.triangles(t, 0)), b = v.row(surface.triangles(t, 1)),
-                          c = v.row(surface.triangles(t, 2));
-    const double third = (b - a).cross(c - a).norm() / 6.0;
-    for (int k = 0; k < 3; ++k)
-      places.area[places.of[static_cast<std::size_t>(surface.triangles(t, k))]] += third;
-  }
-  return places;
-}
+};
 
 /// Whether a laparoscope may come to see it.
 bool is_offered(const PatientModel& model, const Eigen::RowVector3d& at, const Eigen::RowVector3d& normal) {
@@ -109,10 +89,6 @@ Points pieces_of(const Points& line) {
   return all;
 }
 
-bool is_seen(const LabelledCloud& cloud, const Eigen::RowVector3d& at) {
-  return (cloud.points.rowwise() - at).rowwise().squaredNorm().minCoeff() < kSeen * kSeen;
-}
-
 /// What marking a landmark where the cloud shows it would tell; no rows where it is marked, or not seen.
 class LandmarkLooks {
  public:
@@ -142,7 +118,7 @@ class LandmarkLooks {
     const Binding binding = bind_points(model_.mesh, landmark, false);
     const Points now = binding.apply(model_.mesh, registration_.nodes_in_camera);
     for (Eigen::Index i = 0; i < now.rows(); ++i) {
-      if (!is_seen(cloud_, now.row(i)) || is_marked(now.row(i), feature, marked)) continue;
+      if (!is_seen(cloud_.points, now.row(i)) || is_marked(now.row(i), feature, marked)) continue;
       Carrier carrier;
       const auto tetrahedron = model_.mesh.tetrahedra.row(binding.tetrahedron[static_cast<std::size_t>(i)]);
       for (int k = 0; k < 4; ++k) {
@@ -171,24 +147,26 @@ std::vector<Look> surface_looks(const PatientModel& model, const LabelledCloud& 
   const Points normals = vertex_normals(now), normals_at_rest = vertex_normals(model.surface.mesh);
   ForceRows all;
   std::vector<char> offered, is_new;
-  for (std::size_t p = 0; p < places.vertex.size(); ++p) {
-    const int v = places.vertex[p];
+  for (std::size_t p = 0; p < places.spread.chosen.size(); ++p) {
+    const Eigen::Index v = places.spread.chosen[p];
     Carrier carrier;
     carrier.nodes[0] = nodes[static_cast<std::size_t>(v)];
     carrier.weights[0] = 1.0;
     add_rows(all, carrier, normals.row(v), std::sqrt(error.variance_of_area(places.area[p])));
     offered.push_back(is_offered(model, model.surface.mesh.vertices.row(v), normals_at_rest.row(v)));
-    is_new.push_back(offered.back() && !is_seen(cloud, now.vertices.row(v)));
+    is_new.push_back(offered.back() && !is_seen(cloud.points, now.vertices.row(v)));
   }
   const Look everything = look_along(error, all);
-  std::vector<Look> looks(places.vertex.size());
+  const auto is_shown = [&](Eigen::Index v, Eigen::Index middle) {
+    return (now.vertices.row(v) - now.vertices.row(middle)).norm() < kLookReach &&
+           normals.row(v).dot(normals.row(middle)) > kLookFacing;
+  };
+  std::vector<Look> looks(places.spread.chosen.size());
   for (std::size_t p = 0; p < looks.size(); ++p) {
     if (!offered[p]) continue;
     std::vector<Eigen::Index> shown;
     for (std::size_t q = 0; q < looks.size(); ++q)
-      if (is_new[q] &&
-          (now.vertices.row(places.vertex[q]) - now.vertices.row(places.vertex[p])).norm() < kReach &&
-          normals.row(places.vertex[q]).dot(normals.row(places.vertex[p])) > kFacing)
+      if (is_new[q] && is_shown(places.spread.chosen[q], places.spread.chosen[p]))
         shown.push_back(static_cast<Eigen::Index>(q));
     looks[p] = {everything.answers(shown, Eigen::all), everything.variance(shown)};
   }
@@ -223,7 +201,7 @@ std::vector<LesionLooks> looks_of(const PatientModel& model, const LabelledCloud
   std::vector<LesionLooks> all;
   const auto centres = lesion_centres(model);
   if (centres.empty()) return all;
-  const Places places = spread_over(model.surface.mesh);
+  const Places places(model.surface.mesh);
   const std::vector<Look> looks = surface_looks(model, cloud, registration, error, places);
   const LandmarkLooks landmarks(model, cloud, registration);
   const ForceRows margin = landmarks.margin(), notch = landmarks.notch();
@@ -242,8 +220,8 @@ std::vector<LesionLooks> looks_of(const PatientModel& model, const LabelledCloud
     of_places.reserve(looks.size());
     for (const Look& look : looks) of_places.push_back(look.variance.size() > 0 ? after(look) : told.now);
     told.seen = Eigen::VectorXd::Constant(model.mesh.vertex_count(), told.now);
-    for (std::size_t v = 0; v < places.of.size(); ++v)
-      told.seen[model.surface.node_of_vertex[v]] = of_places[places.of[v]];
+    for (std::size_t v = 0; v < places.spread.nearest.size(); ++v)
+      told.seen[model.surface.node_of_vertex[v]] = of_places[places.spread.nearest[v]];
     all.push_back(std::move(told));
   }
   return all;

@@ -227,13 +227,16 @@ std::vector<Pair> find_pairs(const PreparedCloud& prepared, const MovingSurface&
   return pairs;
 }
 
+bool is_seen(const Points& cloud, const Eigen::RowVector3d& at) {
+  return cloud.rows() > 0 &&
+         (cloud.rowwise() - at).rowwise().squaredNorm().minCoeff() < kSeenWithin * kSeenWithin;
+}
+
 double seen_share(const TriangleMesh& surface, const Points& cloud) {
-  constexpr double kNear = 8e-3;
   const Eigen::VectorXd areas = vertex_areas(surface);
   double seen = 0.0;
   for (int v = 0; v < surface.vertex_count(); ++v)
-    if ((cloud.rowwise() - surface.vertices.row(v)).rowwise().squaredNorm().minCoeff() < kNear * kNear)
-      seen += areas[v];
+    if (is_seen(cloud, surface.vertices.row(v))) seen += areas[v];
   return seen / areas.sum();
 }
 

@@ -342,7 +342,6 @@ class Run {
     examined_.error = std::make_shared<const ErrorModel>(
         error_of(model_, cloud_, elastic_, shapes_, result(), registration_, rivals));
     examined_.lesions = lesions_of(model_, *examined_.error, registration_);
-    registration_.looks = looks_of(model_, cloud_, registration_, *examined_.error);
     examined_.findings =
         examine({model_, cloud_, registration_, shapes_ ? &*shapes_ : nullptr, *examined_.error});
     if (is_sought() && shapes_) {
@@ -351,6 +350,9 @@ class Run {
       examined_.findings.mirror_odds = *odds;
     }
     tell(judge(examined_.findings));
+    // Around a place that is contradicted there is nothing to look for.
+    if (!is_refused(registration_))
+      registration_.looks = looks_of(model_, cloud_, registration_, *examined_.error);
     tell_of_places(std::move(rivals));
     result().displacement =
         point_errors(registration_.nodes_in_camera, registration_.camera_from_ct.apply(model_.mesh.vertices));

@@ -14,6 +14,7 @@ const std::vector<const char*>& known_problems() {
       QT_TRANSLATE_NOOP("ErrorPhrases", "took the network more than 120 s for one answer"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "cannot be computed for an input of %1 (%2)"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "holds what is no number"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "holds a fraction of a voxel"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is %1, neither slices nor a block"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is %1, not one CT at a time"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is %1 where the network's input is %2"),
@@ -377,6 +378,7 @@ const std::vector<const char*>& known_remedies() {
       QT_TRANSLATE_NOOP("ErrorPhrases", "Copy it again, or use smaller tiles (\"tile\")"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Use smaller tiles (\"tile\"), or a smaller network"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Write the size of the network's input"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "Write whole numbers"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Write the network's sheet beside it (see the manual)"),
       QT_TRANSLATE_NOOP(
           "ErrorPhrases",

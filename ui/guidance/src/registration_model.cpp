@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/guidance/registration_model.h"
 
-#include <utility>
-
 #include "glisson/engine/parts/check.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/registration.h"
@@ -25,14 +23,14 @@ RegistrationModel::RegistrationModel(EngineBridge& engine, QObject* parent)
 void RegistrationModel::read_case() {
   const engine::CaseState& now = engine_.state();
   is_unchecked = now[part::model] && !engine::is_model_checked(now);
-  if (now[part::registration] != source_) {
-    shown_rival = -1;
-    shown_look = -1;
-  }
-  const bool is_new = now[part::registration] != std::exchange(source_, now[part::registration]);
+  const bool is_new = now[part::registration] != source_;
+  source_ = now[part::registration];
+  if (is_new) shown_rival = -1;
   if (!now[part::registration]) {
     rivals = QStringList();
     looked_for = QStringList();
+    look_words_.clear();
+    shown_look = -1;
     error_words = QString();
     figures = FigureRows();
     doubts = QString();
@@ -42,7 +40,10 @@ void RegistrationModel::read_case() {
   const Registration& r = *now[part::registration];
   is_refused = registration::is_refused(r);
   read_rivals(r);
-  if (is_new) read_looks(r);
+  if (is_new) {
+    read_looks(r);
+    shown_look = -1;
+  }
   read_error(r);
   FigureRows rows{
       {tr("Residual (not an accuracy)"), tr("%1 mm").arg(1e3 * r.residual, 0, 'f', 2)},

@@ -164,8 +164,8 @@ void MainWindow::open(const std::filesystem::path& path) {
       case Opening::Way::open_video:
         return qobject_cast<StereoPanel*>(panels_[stereo])->open_source({opening->path, {}});
       case Opening::Way::plain:
-        engine_.post(opening->command);
-        return;
+        return post_asking(opening->command,
+                           {opening->command.traits().writes.has(part::offer) ? waiting_words() : QString()});
     }
   }
   show_problem(tr("%1 is nothing that Glisson opens. Give a folder of DICOM slices, a volume (NIfTI, NRRD, "
@@ -175,22 +175,22 @@ void MainWindow::open(const std::filesystem::path& path) {
 
 QString MainWindow::waiting_words() const {
   return engine_.state()[part::offer]
-             ? tr("A new segmentation waits for your decision (Segmentation). Another case lets it go.")
+             ? tr("A new segmentation waits for your decision (Segmentation). Opening this lets it go.")
              : QString();
 }
 
 void MainWindow::replace_case(const std::filesystem::path& path) {
-  const engine::OpenCase command{path};
-  QStringList losses;
-  if (isWindowModified())
-    losses << tr("The case has changes that are not saved. Opening another loses them.");
-  losses << waiting_words();
+  const QString unsaved = tr("The case has changes that are not saved. Opening another loses them.");
+  post_asking(engine::OpenCase{path}, {isWindowModified() ? unsaved : QString(), waiting_words()});
+}
+
+void MainWindow::post_asking(const engine::Command& command, QStringList losses) {
   losses.removeAll(QString());
   if (losses.isEmpty()) {
     engine_.post(command);
     return;
   }
-  auto* box = new QMessageBox(QMessageBox::Question, tr("Open a case"), losses.join(QLatin1Char(' ')),
+  auto* box = new QMessageBox(QMessageBox::Question, tr("Open"), losses.join(QLatin1Char(' ')),
                               QMessageBox::Discard | QMessageBox::Cancel, this);
   box->setDefaultButton(QMessageBox::Cancel);
   box->setAttribute(Qt::WA_DeleteOnClose);

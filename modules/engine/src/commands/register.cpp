@@ -26,14 +26,14 @@ Cancellable<Applied> Register::apply(const CaseState& state, const RunContext& c
   const registration::KnownOperations known = known_operations(state);
   registration::RegisterOptions options = *this;
   options.landmarks_are_placed = state[part::landmarks] != nullptr;
-  auto examined = registration::register_and_examine(effective_model(state), *state[part::cloud], options,
-                                                     context, known);
+  const PatientModel model = effective_model(state);
+  auto examined = registration::register_and_examine(model, *state[part::cloud], options, context, known);
   if (!examined) return {};
   registration::Registered* made = &examined->registered;
   Applied applied{state, figures_of(*examined)};
   applied.notes = made->registration.doubts;
   for (std::string& note : landmark_notes(state)) applied.notes.push_back(std::move(note));
-  for (std::string& note : registration::look_notes(effective_model(state), made->registration))
+  for (std::string& note : registration::look_notes(model, made->registration))
     applied.notes.push_back(std::move(note));
   if (made->operations && made->operations != known.prior)
     applied.state[part::operations] = std::make_shared<const SimulatedOperations>(SimulatedOperations{

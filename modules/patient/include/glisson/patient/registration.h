@@ -51,7 +51,8 @@ struct Registration {
   std::vector<std::string> doubts;
   /// How far off each lesion may be; a lesion that is not in it: not known.
   std::vector<LesionSpread> lesions;
-  std::vector<LesionLooks> looks;  ///< what one more look would tell of them; a lesion not in it: not known
+  std::vector<LesionLooks>
+      looks;  ///< what one more look would tell of them; a lesion not in it: not known, or refused
   /// Mean error that is expected of each node, metres; empty: not known.
   Eigen::VectorXd expected;
   /// Where else the organ may be, the most probable first: to be looked at by a person.

@@ -9,6 +9,7 @@
 #include "glisson/patient/patient_model.h"
 #include "glisson/patient/registration.h"
 #include "glisson/registration/error_model.h"
+#include "glisson/registration/pairs.h"
 
 /// @file
 /// Where one more look helps most: what is expected of a lesion's error once another piece of the surface has
@@ -16,13 +17,16 @@
 
 namespace glisson::registration {
 
-/// For each lesion and each place of the surface. A look shows what faces it within 30 mm, as one stereo view
-/// does; none is offered at the liver's back and around the vena cava, which no laparoscope sees before the
-/// liver is mobilised. With C = L L^T the lesion's covariance and B the answers of the look's rows, of
-/// variance V, the posterior is C' = L (I - B^T (V + B B^T)^-1 B) L^T: what the error model would say after
-/// it, whatever will be seen (linear, Gaussian; Lindley 1956).
-/// What is seen already counts as nothing new. @param cloud that was registered to, not empty; @param error
-/// what the registration does not know.
+/// A look shows the surface within this of its middle, metres, as one stereo view does, where the normals'
+/// cosine is above this (60 degrees).
+inline constexpr double kLookReach = 30e-3, kLookFacing = 0.5;
+
+/// For each lesion and each place of the surface what a look there would leave; none is offered at the
+/// liver's back and around the vena cava, which no laparoscope sees before the liver is mobilised. With C = L
+/// L^T the lesion's covariance and B the answers of the look's rows, of variance V, the posterior is C' = L
+/// (I - B^T (V + B B^T)^-1 B) L^T: what the error model would say after it, whatever will be seen (linear,
+/// Gaussian; Lindley 1956). What is seen already counts as nothing new. @param cloud that was registered to,
+/// not empty; @param error what the registration does not know.
 std::vector<LesionLooks> looks_of(const PatientModel& model, const LabelledCloud& cloud,
                                   const Registration& registration, const ErrorModel& error);
 

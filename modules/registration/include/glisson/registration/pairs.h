@@ -65,8 +65,11 @@ struct PairOptions {
 std::vector<Pair> find_pairs(const PreparedCloud& cloud, const MovingSurface& surface,
                              const PairOptions& options);
 
-/// Share of a surface's area that lies within 8 mm of a point of the cloud: at the least density that the
-/// paper needs (0.7 points per cm2) the points of a patch are 12 mm apart. Both in one frame.
+/// What lies this near to a point of the cloud has been seen, metres: at the least density that the paper
+/// needs (0.7 points per cm2) the points of a patch are 12 mm apart.
+inline constexpr double kSeenWithin = 8e-3;
+bool is_seen(const Points& cloud, const Eigen::RowVector3d& at);
+/// Share of a surface's area that has been seen. Both in one frame.
 double seen_share(const TriangleMesh& surface, const Points& cloud);
 /// Below a fifth of the surface the paper's error is over its 3 mm (Fig. 8), and ours up to centimetres far
 /// from what is seen.

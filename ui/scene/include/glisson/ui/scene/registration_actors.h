@@ -41,8 +41,7 @@ class RegistrationActors {
   /// Which of the registration's are shown besides; -1: none.
   struct Chosen {
     int rival = -1;
-    int look =
-        -1;  ///< the colours are of the lesion's error after it (look_range), a ball marks the best place
+    int look = -1;  ///< colours (look_range) tell what it would leave, a ball marks the best place
   };
   /// Replaces what is shown. @param lesions centres and covariances in the camera's frame.
   /// Where no error is known the liver is grey. @pre the nodes are those of the model.

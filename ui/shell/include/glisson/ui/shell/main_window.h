@@ -57,6 +57,8 @@ class MainWindow : public QMainWindow {
   void import_image(const std::filesystem::path& path);
   /// Asks first when the present one has changes.
   void replace_case(const std::filesystem::path& path);
+  /// Asks first where something would be lost. @param losses a sentence each, or empty.
+  void post_asking(const engine::Command& command, QStringList losses);
   /// That a new segmentation waits and would be lost; empty: none.
   QString waiting_words() const;
   void open_dicom();
