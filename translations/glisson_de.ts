@@ -2582,7 +2582,7 @@
     </message>
     <message>
         <source>%1: one more look helps most at %2. Expected error then %4 mm instead of %3 mm.</source>
-        <translation>%1: Ein weiterer Blick hilft am meisten auf %2. Erwarteter Fehler danach %4 mm statt %3 mm.</translation>
+        <translation>%1: Am meisten hilft ein weiterer Blick auf %2. Erwarteter Fehler danach %4 mm statt %3 mm.</translation>
     </message>
     <message>
         <source>%1: mark the anterior margin where it is seen. Expected error then %3 mm instead of %2 mm.</source>

@@ -2582,7 +2582,7 @@
     </message>
     <message>
         <source>%1: one more look helps most at %2. Expected error then %4 mm instead of %3 mm.</source>
-        <translation>%1 : un regard de plus aide le plus sur %2. Erreur attendue ensuite %4 mm au lieu de %3 mm.</translation>
+        <translation>%1 : un regard de plus sur %2 aide le plus. Erreur attendue ensuite %4 mm au lieu de %3 mm.</translation>
     </message>
     <message>
         <source>%1: mark the anterior margin where it is seen. Expected error then %3 mm instead of %2 mm.</source>
