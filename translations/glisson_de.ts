@@ -2998,6 +2998,10 @@
         <source>PROPOSED</source>
         <translation>VORGESCHLAGEN</translation>
     </message>
+    <message>
+        <source>NOT LIVE</source>
+        <translation>NICHT LIVE</translation>
+    </message>
 </context>
 <context>
     <name>Review</name>

@@ -2998,6 +2998,10 @@
         <source>PROPOSED</source>
         <translation>PROPOSÉ</translation>
     </message>
+    <message>
+        <source>NOT LIVE</source>
+        <translation>PAS EN DIRECT</translation>
+    </message>
 </context>
 <context>
     <name>Review</name>

@@ -83,6 +83,7 @@ class OverlayTest : public QObject {
   void AProposedPlaceIsABoldOutlineAndNoFigures();
   void ADoubtIsSaidInThePicture_data();
   void ADoubtIsSaidInThePicture();
+  void WhatStandsDoesNotReadAsValid();
   void InvalidFramesSayWhyAndCarryABorder();
   void TheReasonFitsIntoASmallPicture();
   void SamePictureFromTheSameInput();
@@ -294,6 +295,26 @@ void OverlayTest::ADoubtIsSaidInThePicture() {
     }
   QVERIFY(amber > 50);
   QVERIFY(changed > amber);
+}
+
+void OverlayTest::WhatStandsDoesNotReadAsValid() {
+  const Camera camera = laparoscope();
+  scene::OverlayPainter painter(box_patient(), camera);
+  const OverlayFrame overlay = at(bent(box_patient().mesh.vertices, {0.0, 0.0, 0.13}));
+  scene::OverlayStatus status;
+  const Picture now = painter.paint(grey_frame(camera), overlay, status);
+  status.stands = true;
+  const Picture standing = painter.paint(grey_frame(camera), overlay, status);
+  int amber = 0;
+  for (int v = 0; v < camera.height; ++v)
+    for (int u = 0; u < camera.width; ++u) {
+      const auto place = static_cast<std::size_t>(3 * (v * camera.width + u));
+      const std::uint8_t* is = standing.bytes->data() + place;
+      if (std::equal(is, is + 3, now.bytes->data() + place)) continue;
+      amber += is[2] > 200 && is[1] > 130 && is[0] < 80;
+      QVERIFY(v < camera.height / 4);  // its words, not the organ
+    }
+  QVERIFY(amber > 50);
 }
 
 void OverlayTest::InvalidFramesSayWhyAndCarryABorder() {

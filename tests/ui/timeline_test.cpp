@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The way through a recorded video: what is looked at again is as it was followed, and never called live.
+#include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QtTest>
@@ -18,6 +19,7 @@
 #include "glisson/stereo/picture_io.h"
 #include "glisson/ui/common/task_button.h"
 #include "glisson/ui/guidance/moment_store.h"
+#include "glisson/ui/guidance/timeline_bar.h"
 #include "glisson/ui/guidance/timeline_track.h"
 #include "live_part.h"
 #include "run_in_window.h"
@@ -42,6 +44,8 @@ class TimelineTest : public QObject {
   void AFormerFrameIsShownAndNeverLive();
   void MarksStandWhereTheLevelChanged();
   void AfterTheEndItIsPlayedAgain();
+  void WhatIsNotFollowedNowNeverReadsAsValid();
+  void TheFrameShownIsNeverBeyondTheLast();
   void AnotherRegistrationForgetsAll();
   void KeysDoWhatButtonsDo();
   void TheWholeScreenShowsTheSame();
@@ -106,6 +110,7 @@ void TimelineTest::APausedVideoStandsAndSaysSo() {
   QTRY_VERIFY(guidance_->line().contains(QStringLiteral("Paused at frame %1").arg(index)));
   QCOMPARE(guidance_->live.is_fresh.value(), QVariant(false));
   QVERIFY(!guidance_->live.banner.value().isEmpty());
+  QTRY_VERIFY(!guidance_->live.shows_live());
   QVERIFY(engine_->snapshot()->tracking);
   review.toggle();
   QVERIFY(review.runs);
@@ -195,6 +200,45 @@ void TimelineTest::AfterTheEndItIsPlayedAgain() {
   QTRY_COMPARE_WITH_TIMEOUT(review.position.value(), review.last.value(), 20000);
   QTRY_VERIFY_WITH_TIMEOUT(review.position < review.last, 20000);
   QVERIFY(review.runs);
+}
+
+void TimelineTest::WhatIsNotFollowedNowNeverReadsAsValid() {
+  start(240);
+  QTRY_VERIFY_WITH_TIMEOUT(guidance_->live.shows_live(), 20000);
+  guidance_->playback.stop();
+  QVERIFY(rests());
+  QVERIFY(!guidance_->live.shows_live());
+  // A source that has gone away: tracking begins, and no picture comes.
+  const auto begin = [this] {
+    guidance_->playing.findChild<ui::TaskButton*>(QStringLiteral("start_tracking"))->trigger();
+  };
+  QTRY_VERIFY_WITH_TIMEOUT(!engine_->snapshot()->tracking, 20000);
+  begin();
+  QTRY_VERIFY_WITH_TIMEOUT(guidance_->live.shows_live(), 20000);
+  guidance_->playback.stop();
+  QTRY_VERIFY_WITH_TIMEOUT(!engine_->snapshot()->tracking, 20000);
+  std::filesystem::remove(operation_->video);
+  begin();
+  QTRY_VERIFY_WITH_TIMEOUT(guidance_->live.banner.value().contains(QStringLiteral("scope.mkv")), 20000);
+  QVERIFY(rests());
+  QVERIFY(!guidance_->live.shows_live());
+  QCOMPARE(guidance_->line(), QStringLiteral("Not live"));
+}
+
+void TimelineTest::TheFrameShownIsNeverBeyondTheLast() {
+  start(60);
+  const ui::TimelineBar bar(guidance_->review);
+  const auto* place = bar.findChild<QLabel*>(QStringLiteral("timeline_place"));
+  int seen = 0;
+  bool is_ordered = true;
+  const auto look = [&] {
+    const QStringList numbers = place->text().split(QStringLiteral(" / "));
+    ++seen;
+    is_ordered = is_ordered && numbers.size() == 2 && numbers[0].toInt() <= numbers[1].toInt();
+    return guidance_->playback.is_frozen.value();
+  };
+  QVERIFY(QTest::qWaitFor(look, 20000));
+  QVERIFY(seen > 3 && is_ordered);
 }
 
 void TimelineTest::AnotherRegistrationForgetsAll() {

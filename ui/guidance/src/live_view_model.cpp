@@ -45,7 +45,13 @@ LiveViewModel::LiveViewModel(EngineBridge& engine, DrawableSource& drawables, Pl
   });
   connect(&review_, &ReviewModel::shown, this, &LiveViewModel::show_moment);
   connect(&review_, &ReviewModel::ended, this, &LiveViewModel::show_present);
-  couplings_.add(playback_.is_paused, [this](bool) { show_freshness(); });
+  couplings_.add(playback_.is_paused, [this](bool is) {
+    if (is) redraw();
+    show_freshness();
+  });
+  couplings_.add(playback_.is_frozen, [this](bool is) {
+    if (is && !review_.is_reviewing) redraw();
+  });
   connect(&engine_, &EngineBridge::live_changed, this, &LiveViewModel::show_live);
   connect(&drawables_, &DrawableSource::changed, this, [this] {
     interest_.place.reset();  // of another surface
@@ -121,6 +127,7 @@ void LiveViewModel::redraw() {
   job.interest = interest_;
   if (drawables_.drawable()) job.model = drawables_.drawable();
   job.taken.reset();  // it is not live any more
+  job.is_live = false;
   job.frames_per_second = 0.0;
   submit(std::move(job));
 }
@@ -179,6 +186,7 @@ void LiveViewModel::show_live() {
   if (shows_refuted_ && job.overlay.validity == Validity::surface_apart)
     job.overlay.validity = Validity::proposed;
   job.taken = playback_.feed().sent_at(now[part::live]->frame.index);
+  job.is_live = !playback_.is_paused && !playback_.is_frozen;  // frames that were on their way
   job.source_rate = playback_.feed().frames_per_second();
   job.frames_per_second = rate();
   live_job_ = job;
@@ -207,6 +215,7 @@ void LiveViewModel::show_present() {
   job.style = style_;
   job.interest = interest_;
   job.taken.reset();
+  job.is_live = false;
   job.frames_per_second = 0.0;
   submit(std::move(job));
   if (playback_.is_frozen) show_frozen();
@@ -233,6 +242,7 @@ void LiveViewModel::show_painted(const PaintedOverlay& painted) {
   ++pictures_shown_;
   last_age_ = painted.age;
   shown_ = painted.overlay;
+  shows_live_ = painted.is_live;
   since_painted_.start();
   show_lesions(painted);
   if (review_.is_reviewing) return show_recorded(painted.overlay);
@@ -307,7 +317,7 @@ void LiveViewModel::show_still(const OverlayFrame& overlay) {
   line = valid ? tr("Registered frame %1, not live").arg(overlay.index)
          : overlay.validity == Validity::proposed && proposed_ ? proposed_->line
                                                                : tr("Frame %1, not live").arg(overlay.index);
-  is_fresh = QVariant(valid);
+  is_fresh = QVariant(false);
   figures = FigureRows();
   banner = QString();
 }

@@ -38,7 +38,8 @@ struct OverlayWorker::Studio {
       rig = job.rig;
     }
     painter->set_style(job.style);
-    return painter->paint(job.frame, job.overlay, {age, job.frames_per_second, job.model_unchecked},
+    return painter->paint(job.frame, job.overlay,
+                          {job.is_live ? age : 0.0, job.frames_per_second, job.model_unchecked, !job.is_live},
                           job.interest);
   }
 
@@ -151,7 +152,7 @@ void OverlayWorker::run(const std::stop_token& stop) {
     try {
       const Picture picture = studio.paint(*job, job->taken ? seconds_since(*job->taken) : 0.0);
       emit painted({picture, job->overlay, studio.measures(), job->taken ? seconds_since(*job->taken) : 0.0,
-                    seconds_since(begin), job->generation});
+                    seconds_since(begin), job->is_live, job->generation});
       if (job->taken) studio.record(picture, *job);
     } catch (const std::exception& problem) {
       const QString message = error_text(problem.what());

@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
+#include <algorithm>
 #include <array>
 
 #include "glisson/ui/guidance/timeline_track.h"
@@ -62,10 +63,11 @@ TimelineBar::TimelineBar(ReviewModel& model, QWidget* parent) : QWidget(parent),
   connect(speed, &QComboBox::currentIndexChanged, &model,
           [&model, speed](int) { model.set_speed(speed->currentData().toDouble()); });
   const auto show_place = [track, place, &model] {
-    track->set_range(model.first, model.last);
+    // A live frame can be looked at again a moment after it was shown.
+    const int last = std::max(model.last.value(), model.position.value());
+    track->set_range(model.first, last);
     track->set_position(model.position);
-    place->setText(model.is_offered ? tr("%1 / %2").arg(model.position.value()).arg(model.last.value())
-                                    : QString());
+    place->setText(model.is_offered ? tr("%1 / %2").arg(model.position.value()).arg(last) : QString());
   };
   couplings_.add(model.first, [show_place](int) { show_place(); });
   couplings_.add(model.last, [show_place](int) { show_place(); });

@@ -182,13 +182,15 @@ Picture annotate(const Picture& picture, const OverlayFrame& overlay, const Anno
   if (overlay.level() != Level::valid) draw_limit(painter, layout, overlay.validity);
   if (style.status) {
     const bool is_proposed = overlay.validity == Validity::proposed;
-    QStringList words{is_proposed ? Overlay::proposed() : Overlay::level(overlay.level()),
+    QStringList words{is_proposed     ? Overlay::proposed()
+                      : status.stands ? Overlay::not_live()
+                                      : Overlay::level(overlay.level()),
                       Overlay::frame(overlay.index)};
     if (status.age_seconds > 0.0) words << Overlay::age(status.age_seconds);
     if (status.frames_per_second > 0.0) words << Overlay::rate(status.frames_per_second);
     if (drawn && !is_proposed) words << Overlay::residual(overlay.residual);
-    draw_text(painter, layout, words.join(QStringLiteral("  ·  ")), layout.font(), kWords,
-              Qt::AlignLeft | Qt::AlignTop);
+    draw_text(painter, layout, words.join(QStringLiteral("  ·  ")), layout.font(status.stands),
+              status.stands ? kAmber : kWords, Qt::AlignLeft | Qt::AlignTop);
     if (drawn && style.look == Look::contours && style.legend)
       draw_text(painter, layout, Overlay::contours(), layout.font(), kWords,
                 Qt::AlignHCenter | Qt::AlignBottom);

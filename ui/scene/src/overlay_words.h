@@ -95,6 +95,7 @@ class Overlay {
         .arg(lesion(verdict.lesion), reason(verdict.reason));
   }
   static QString more(int lesions) { return tr("Other lesions not known well enough: %1").arg(lesions); }
+  static QString not_live() { return tr("NOT LIVE"); }
   static QString proposed() { return tr("PROPOSED"); }
   static QString level(Level level) {
     switch (level) {

@@ -60,6 +60,8 @@ class LiveViewModel : public QObject {
   QString save_picture(const QString& path) const;
   /// Of the frame on the screen.
   int shown_index() const { return shown_.index; }
+  /// The picture on the screen is of now; else it says itself that it is not.
+  bool shows_live() const { return shows_live_; }
   /// Augmented pictures shown so far.
   int pictures_shown() const { return pictures_shown_; }
 
@@ -117,7 +119,7 @@ class LiveViewModel : public QObject {
   std::deque<qint64> painted_at_;  ///< milliseconds
   double last_age_ = 0.0;
   int pictures_shown_ = 0;
-  bool was_tracking_ = false, shows_refuted_ = false, is_touched_ = false;
+  bool was_tracking_ = false, shows_refuted_ = false, is_touched_ = false, shows_live_ = false;
   std::optional<Proposed> proposed_;
   std::optional<OverlayJob> job_;       ///< the last one
   std::optional<OverlayJob> live_job_;  ///< the last one of a live picture

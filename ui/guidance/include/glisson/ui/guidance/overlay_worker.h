@@ -31,6 +31,7 @@ struct OverlayJob {
   scene::OverlayInterest interest;
   double frames_per_second = 0.0;  ///< of the live view, to be shown
   bool model_unchecked = false;    ///< nobody has said that the model is right
+  bool is_live = false;            ///< of now; else the picture says that it is not
   double source_rate = 30.0;       ///< frames a second of the video, for the recording
   /// Handed back with what became of the job, so that one that is not wanted any more is known.
   int generation = 0;
@@ -41,8 +42,9 @@ struct PaintedOverlay {
   Picture picture;
   OverlayFrame overlay;
   std::optional<guidance::LesionMeasures> measures;  ///< of the chosen lesion
-  double age = 0.0;   ///< seconds from the camera to the end of drawing; 0 when not live
-  double draw = 0.0;  ///< seconds that drawing took
+  double age = 0.0;      ///< seconds from the camera to the end of drawing; 0 when not live
+  double draw = 0.0;     ///< seconds that drawing took
+  bool is_live = false;  ///< it says so, or does not deny it
   int generation = 0;
 };
 

@@ -48,6 +48,8 @@ struct OverlayStatus {
   double age_seconds = 0.0;        ///< since the picture was taken; 0: not live, not shown
   double frames_per_second = 0.0;  ///< of the live view; 0: not shown
   bool model_unchecked = false;    ///< nobody has said that the model is right: said in the picture
+  /// The picture is not of now (stopped, paused, looked at again): no word may say that it is valid.
+  bool stands = false;
 };
 
 /// What a person looks at.
