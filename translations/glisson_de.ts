@@ -2660,6 +2660,10 @@
         <source>The segmentation names another DICOM frame of reference than the CT, as one of another scan does: check in the slices that it lies on this liver.</source>
         <translation>Die Segmentierung nennt ein anderes DICOM-Bezugssystem als das CT, wie die einer anderen Aufnahme: Prüfen Sie in den Schichten, ob sie auf dieser Leber liegt.</translation>
     </message>
+    <message>
+        <source>With a probability of %1 % (limit %2 %) the organ lies more than 2 cm from here: other places explain the points as well.</source>
+        <translation>Mit einer Wahrscheinlichkeit von %1 % (Grenze %2 %) liegt das Organ mehr als 2 cm von hier: Auch andere Lagen erklären die Punkte.</translation>
+    </message>
 </context>
 <context>
     <name>Obstacles</name>

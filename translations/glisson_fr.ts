@@ -2660,6 +2660,10 @@
         <source>The segmentation names another DICOM frame of reference than the CT, as one of another scan does: check in the slices that it lies on this liver.</source>
         <translation>La segmentation nomme un autre repère de référence DICOM que le scanner, comme celle d’un autre examen : vérifiez dans les coupes qu’elle recouvre bien ce foie.</translation>
     </message>
+    <message>
+        <source>With a probability of %1 % (limit %2 %) the organ lies more than 2 cm from here: other places explain the points as well.</source>
+        <translation>Avec une probabilité de %1 % (limite %2 %), l’organe se trouve à plus de 2 cm d’ici : d’autres positions expliquent aussi les points.</translation>
+    </message>
 </context>
 <context>
     <name>Obstacles</name>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <Eigen/Dense>
 #include <QtTest>
+#include <numbers>
 #include <random>
 
 #include "glisson/core/error.h"
@@ -57,6 +58,7 @@ class OperationTest : public QObject {
   void AmplitudesAreStandardDeviations();
   void UnforeseenForcesMoveByWhatIsAsked();
   void ShapeAndPoseAreFoundTogether();
+  void AFaceSeenFromBehindSpeaksAgainstAShape();
   void RegistrationWithThePriorIsTheBetterOne();
   void FineSurfaceIsCarriedByItsTetrahedra();
   void UnfitFineSurfaceIsNotUsed();
@@ -165,6 +167,25 @@ void OperationTest::ShapeAndPoseAreFoundTogether() {
   // best rigid pose does.
   QVERIFY(fitted < 0.3 * rigid);
   QVERIFY(fit->residual < 1.5e-3);
+}
+
+void OperationTest::AFaceSeenFromBehindSpeaksAgainstAShape() {
+  const OperationPrior prior = simulated(model_, 40, 1);
+  LabelledCloud cloud = phantom::patch(model_, view().apply(model_.mesh.vertices), {.share = 0.2});
+  // Half a turn about the patch lays its back on the cloud.
+  const Eigen::Vector3d middle = cloud.points.colwise().mean().transpose();
+  Rigid<CameraFrame, CameraFrame> turn;
+  turn.rotation = Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitX()).toRotationMatrix();
+  turn.translation = middle - turn.rotation * middle;
+  const CameraFromCt behind = turn * view();
+  ShapeFitOptions once;
+  once.max_iterations = 1;
+  LabelledCloud bare = cloud, from_behind = cloud;
+  bare.normals.resize(0, 3);
+  from_behind.normals = -cloud.normals;
+  const auto told = fit_shape(model_, prior, bare, behind, once, RunContext());
+  const auto agreed = fit_shape(model_, prior, from_behind, behind, once, RunContext());
+  QVERIFY2(told->cost > 1.2 * agreed->cost, qPrintable(QString("%1, %2").arg(told->cost).arg(agreed->cost)));
 }
 
 void OperationTest::RegistrationWithThePriorIsTheBetterOne() {

@@ -18,6 +18,7 @@ class RigidTest : public QObject {
   void AnyOrientationIsFoundFromAPartialNoisyView();
   void APoseSetByHandIsRefined_data();
   void APoseSetByHandIsRefined();
+  void AnotherPlaceIsAmongTheAlternatives();
   void MovingTheCloudMovesTheResult();
   void SameSeedGivesSameBits();
   void WithoutLabelsItSaysSo();
@@ -88,6 +89,15 @@ void RigidTest::APoseSetByHandIsRefined() {
   QVERIFY2(e < 4e-3, qPrintable(QString("mean error %1 mm").arg(1e3 * e)));
   // Where the hand had put it is tried, too.
   QVERIFY(start->alternatives.back().translation == near.translation);
+}
+
+void RigidTest::AnotherPlaceIsAmongTheAlternatives() {
+  // However well it fits where it belongs: neighbours of the best pose do not fill the list.
+  const auto start = align_rigid(model_, seen(phantom::view(), 0.3), {}, RunContext());
+  QVERIFY(start->alternatives.size() <= 8);
+  const auto is_far = [&](const CameraFromCt& pose) { return error(pose, start->camera_from_ct) > 35e-3; };
+  QVERIFY(std::any_of(start->alternatives.begin(), start->alternatives.end(), is_far));
+  QVERIFY(is_far(start->alternatives.back()));  // after those that are near
 }
 
 void RigidTest::MovingTheCloudMovesTheResult() {

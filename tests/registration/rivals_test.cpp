@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Other places where the organ may be: which are told, and what choosing one does.
 #include <QtTest>
+#include <cmath>
 
 #include "glisson/core/error.h"
 #include "glisson/registration/refusal.h"
@@ -32,35 +33,59 @@ Registration with_rival(const PatientModel& model, double away_mm) {
 class RivalsTest : public QObject {
   Q_OBJECT
  private slots:
-  void WhatIsNearOrOutOfQuestionIsNotTold();
-  void AtMostThreeAreTold();
+  void FitsOfOnePlaceCountOnce();
+  void APlaceHasOneVote();
+  void WhatIsFarOffIsElsewhere();
+  void AtMostThreeAreToldAndNoneOutOfQuestion();
   void TheChosenPlaceExplainsItsPoints();
   void ChosenTwiceTheFormerPlaceIsBack();
   void WhatWasRefusedStaysRefused();
   void ThereMustBeSuchAPlace();
 };
 
-void RivalsTest::WhatIsNearOrOutOfQuestionIsNotTold() {
+void RivalsTest::FitsOfOnePlaceCountOnce() {
   const Points here = phantom::tetrahedra(2, 2, 1).vertices;
-  const auto told = plausible_rivals(here, {{shifted(here, 4.9), 0.3},
-                                            {shifted(here, 30.0), 4.4e-5},
-                                            {shifted(here, 12.0), 0.1},
-                                            {shifted(here, 14.0), 0.05},
-                                            {shifted(here, -6.0), 0.2}});
-  QCOMPARE(told.size(), std::size_t{2});
-  QCOMPARE(told[0].probability, 0.2);
-  QCOMPARE(told[1].probability, 0.1);
-  // exp(-10) is 4.54e-5: just over it is told.
-  QCOMPARE(plausible_rivals(here, {{shifted(here, 30.0), 4.6e-5}}).size(), std::size_t{1});
+  const double even = 0.0, odds = std::log(0.5);
+  const auto places = weigh_places(here,
+                                   {{shifted(here, 9.0), even},
+                                    {shifted(here, 38.0), odds},
+                                    {shifted(here, 30.0), even},
+                                    {shifted(here, -25.0), odds},
+                                    {shifted(here, 33.0), even}},
+                                   1.0);
+  // The chosen one, 30 mm and -25 mm: 1 : 1 : 1/2.
+  QCOMPARE(places.size(), std::size_t{2});
+  QCOMPARE(places[0].probability, 0.4);
+  QCOMPARE(places[1].probability, 0.2);
+  QVERIFY(places[0].nodes_in_camera == shifted(here, 30.0));
 }
 
-void RivalsTest::AtMostThreeAreTold() {
+void RivalsTest::APlaceHasOneVote() {
+  // The paper's density, 3.9 points a cm2, on 25 mm by 25 mm: 24.375 points.
+  QVERIFY(std::abs(votes_of_a_place(0.2) - 4.875) < 1e-9);
+  QCOMPARE(votes_of_a_place(1e-3), 1.0);
+  const Points here = phantom::tetrahedra(2, 2, 1).vertices;
+  // Odds of 1 to 16 with four votes for each that is due are odds of 1 to 2.
+  const auto places = weigh_places(here, {{shifted(here, 40.0), -std::log(16.0)}}, 4.0);
+  QVERIFY(std::abs(places.front().probability - 1.0 / 3.0) < 1e-12);
+}
+
+void RivalsTest::WhatIsFarOffIsElsewhere() {
+  const Points here = phantom::tetrahedra(2, 2, 1).vertices;
+  QCOMPARE(elsewhere(here, {}), 0.0);
+  QCOMPARE(
+      elsewhere(here, {{shifted(here, 19.9), 0.3}, {shifted(here, 20.1), 0.2}, {shifted(here, 90), 0.1}}),
+      0.2 + 0.1);
+}
+
+void RivalsTest::AtMostThreeAreToldAndNoneOutOfQuestion() {
   const Points here = phantom::tetrahedra(2, 2, 1).vertices;
   std::vector<RegistrationRival> many;
-  for (int k = 1; k <= 5; ++k) many.push_back({shifted(here, 10.0 * k), 0.01 * k});
-  const auto told = plausible_rivals(here, many);
+  for (int k = 5; k >= 1; --k) many.push_back({shifted(here, 10.0 * k), 0.01 * k});
+  const auto told = plausible_rivals(many);
   QCOMPARE(told.size(), std::size_t{3});
   QCOMPARE(told[0].probability, 0.05);
+  QVERIFY(plausible_rivals({{shifted(here, 30.0), 0.0099}}).empty());
 }
 
 void RivalsTest::TheChosenPlaceExplainsItsPoints() {

@@ -45,6 +45,8 @@ class VerdictTest : public QObject {
     QTest::newRow("mirrored") << "mirror_fits -40 0" << 2 << -40.0 << true;
     QTest::newRow("turned") << "points_turned 30 15" << 3 << 0.3 << false;
     QTest::newRow("margin") << "margin_off 12 8" << 4 << 12e-3 << false;
+    QTest::newRow("perhaps elsewhere") << "elsewhere_probable 3 1" << 6 << 0.03 << false;
+    QTest::newRow("elsewhere") << "elsewhere_probable 30 5" << 6 << 0.3 << true;
     QTest::newRow("strange") << "shape_strange 1.8 1.57" << 5 << 1.8 << false;
   }
   void EachFindingHasItsDoubt() {
@@ -54,7 +56,8 @@ class VerdictTest : public QObject {
     QFETCH(bool, refused);
     Findings findings = sound();
     double* const places[] = {&findings.roughness, &findings.expected,   &findings.mirror_odds,
-                              &findings.turned,    &findings.margin_off, &findings.strangeness};
+                              &findings.turned,    &findings.margin_off, &findings.strangeness,
+                              &findings.elsewhere};
     *places[finding] = value;
     const Verdict verdict = judge(findings);
     QCOMPARE(verdict.doubts.size(), std::size_t{1});

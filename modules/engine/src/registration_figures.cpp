@@ -75,6 +75,7 @@ void add_findings(Figures& figures, const registration::Findings& findings) {
   set("evidence_turned_share", findings.turned);
   set("evidence_mirror_odds_ln", findings.mirror_odds);
   set("evidence_rival_odds_ln", findings.rival_odds);
+  set("evidence_elsewhere_probability", findings.elsewhere);
   set("evidence_size", findings.size);
   set("evidence_size_sigma", findings.size_sigma);
 }

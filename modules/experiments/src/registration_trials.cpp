@@ -32,6 +32,7 @@ void add_figures(const registration::Findings& findings, Figures& figures) {
   figures["turned"] = findings.turned;
   figures["mirror_odds"] = findings.mirror_odds;
   figures["rival_odds"] = findings.rival_odds;
+  figures["elsewhere"] = findings.elsewhere;
   figures["size"] = findings.size;
   figures["size_sigma"] = findings.size_sigma;
   figures["expected_mm"] = 1e3 * findings.expected;

@@ -37,8 +37,8 @@ class Fits {
   /// The last one added begins where the most probable one has ended.
   void begin_at_best() { fitters_.back()->begin_at(best()); }
 
-  /// The last one added begins at rest in another place.
-  void begin_at(const CameraFromCt& start) { fitters_.back()->begin_at_rest(start); }
+  /// The last one added begins in another place.
+  void begin_at(const ContactForceOptions::Place& place) { fitters_.back()->begin_at(place); }
 
   /// Runs those added since. @param from, to share of the work, for the progress. @return false: cancelled.
   bool run(double from, double to) {
@@ -73,10 +73,9 @@ class Fits {
       const double probability = std::exp(score(fitter->law()) - score(best().law()));
       squares += probability * (other.expected_error.cwiseAbs2() + away.cwiseAbs2());
       total += probability;
-      if (fitter.get() != &best()) fit.rivals.push_back({other.nodes_in_camera, probability});
+      if (fitter.get() != &best())
+        fit.others.push_back({other.nodes_in_camera, score(fitter->law()) - score(best().law())});
     }
-    for (RivalFit& rival : fit.rivals) rival.probability /= total;
-    std::erase_if(fit.rivals, [](const RivalFit& rival) { return rival.probability < 1e-3; });
     fit.expected_error = (squares / total).cwiseSqrt();
     return fit;
   }
@@ -159,18 +158,20 @@ Cancellable<ContactForceFit> fit_contact_forces(const PatientModel& model, const
   for (const auto& material : options.materials)
     if (!problem.grounded || material != options.materials.back()) fits.add(material, ground);
   if (!fits.run(problem.grounded ? 0.4 : 0.0, 0.7)) return std::nullopt;
-  const fem::BodyMaterial material = fits.best().law().material;
+  fem::BodyMaterial material = fits.best().law().material;
+  if (problem.free_pose)
+    for (const ContactForceOptions::Place& place : options.other_places) {
+      fits.add(material, ground);
+      fits.begin_at(place);
+    }
+  if (!fits.run(0.7, 0.9)) return std::nullopt;
+  material = fits.best().law().material;
   for (const double ratio : options.poisson_ratios)
     if (ratio != material.poisson_ratio) {
       fits.add({material.law, ratio}, ground);
       fits.begin_at_best();
     }
-  if (problem.free_pose)
-    for (const CameraFromCt& other : options.other_starts) {
-      fits.add(material, ground);
-      fits.begin_at(other);
-    }
-  if (!fits.run(0.7, 1.0)) return std::nullopt;
+  if (!fits.run(0.9, 1.0)) return std::nullopt;
   if (!std::isfinite(fits.best().law().log_evidence))
     throw NumericalError("No equilibrium under contact forces was found: the mesh may have flat elements.");
   ContactForceFit fit = fits.chosen();

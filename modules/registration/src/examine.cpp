@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "glisson/core/statistics.h"
-#include "rival_shapes.h"
+#include "glisson/registration/rivals.h"
 
 namespace glisson::registration {
 namespace {
@@ -110,7 +110,7 @@ Findings examine(const Examined& examined) {
     const ShapeFit& best = examined.shapes->best();
     findings.forced = (final_nodes - best.nodes_in_camera).rowwise().norm().mean();
     for (const ShapeFit& fit : examined.shapes->fits)
-      if (are_rivals(fit, best))
+      if (are_rivals(fit.nodes_in_camera, best.nodes_in_camera))
         findings.rival_odds = std::min(findings.rival_odds, 0.5 * (fit.cost - best.cost));
   }
   return findings;

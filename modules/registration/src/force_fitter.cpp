@@ -102,9 +102,10 @@ void ForceFitter::begin_at(const CameraFromCt& pose, const Points& x, const std:
                           *std::min_element(problem_.options.sigmas.begin(), problem_.options.sigmas.end()));
 }
 
-void ForceFitter::begin_at_rest(const CameraFromCt& pose) {
-  now_.pose = pose;
+void ForceFitter::begin_at(const ContactForceOptions::Place& place) {
+  now_.pose = place.camera_from_ct;
   now_.modes.setZero();
+  if (place.amplitudes.size() > 0) now_.modes = place.amplitudes;
   if (now_.modes.size() > 0) body_.set_rest(shape(now_.modes));
   now_.x = body_.rest();
 }

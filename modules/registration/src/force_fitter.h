@@ -41,8 +41,7 @@ class ForceFitter {
   /// @param first_sigma stages of more noise are left out.
   void begin_at(const CameraFromCt& pose, const Points& x, const std::vector<int>& strongest,
                 double first_sigma);
-  /// @param pose of the rest shape.
-  void begin_at_rest(const CameraFromCt& pose);
+  void begin_at(const ContactForceOptions::Place& place);
   /// How far the cloud lies from the model there, along the normals: median of the sizes, m.
   double apart(const CameraFromCt& pose, const Points& x);
   /// @return false: cancelled. `advance` is called after each stage.

@@ -62,6 +62,7 @@ std::vector<double> stiffness_of(const TetMesh& mesh, const fem::CompositeOption
 
 std::vector<std::string> doubts_of(const ContactForceFit& fit, double seen) {
   constexpr double kRival = 5.0;
+  constexpr double kOtherShape = 5e-3;  // m
   const LawFit& law = fit.laws[static_cast<std::size_t>(fit.chosen)];
   std::vector<std::string> doubts;
   if (seen < kLittleSeen) doubts.emplace_back("little_surface_seen");
@@ -69,7 +70,7 @@ std::vector<std::string> doubts_of(const ContactForceFit& fit, double seen) {
   if (fit.residual > 5e-3) doubts.emplace_back("residual_large");
   if (fit.inverted > 0 && law.material.law != fem::BodyLaw::linear) doubts.emplace_back("inverted_elements");
   if (std::any_of(fit.laws.begin(), fit.laws.end(), [&](const LawFit& rival) {
-        return rival.log_evidence > law.log_evidence - kRival && rival.away > kRivalAway;
+        return rival.log_evidence > law.log_evidence - kRival && rival.away > kOtherShape;
       }))
     doubts.emplace_back("law_ambiguous");
   if (fit.termination != Termination::converged) doubts.emplace_back("forces_not_at_rest");
@@ -94,8 +95,11 @@ Cancellable<Registration> register_by_forces(const PatientModel& model, const La
   forces = forces_with(model, elastic, std::move(forces));
   forces.pose_known = pose_known;
   if (shapes) {
-    forces.other_starts = elastic.other_starts;
-    forces.other_starts.insert(forces.other_starts.begin(), start);
+    // A shape that the prior likes may have bent the wrong way under a tool: each is begun at rest, too.
+    for (const ShapeFit* place : shapes->places()) {
+      forces.other_places.push_back({place->start, {}});
+      if (place != &shapes->best()) forces.other_places.push_back({place->camera_from_ct, place->amplitudes});
+    }
     start = shapes->best().camera_from_ct;
     forces.prior = elastic.prior;
     forces.patch_reach = kToolReach;
@@ -136,23 +140,17 @@ Cancellable<ShapeFits> shapes_from(const PatientModel& model, const LabelledClou
   return fit_shapes(model, *elastic.prior, cloud, starts, elastic.shape, context);
 }
 
-/// Where else the organ may be: each of the other fits is as probable as the cloud makes it.
-std::vector<RegistrationRival> rivals_of(const std::optional<ShapeFits>& shapes, const Registered& made) {
-  std::vector<RegistrationRival> rivals;
-  if (made.forces) {
-    for (const RivalFit& rival : made.forces->rivals)
-      rivals.push_back({rival.nodes_in_camera, rival.probability});
-    return rivals;
-  }
-  if (!shapes) return rivals;
-  double sum = 0.0;
-  for (const ShapeFit& fit : shapes->fits) {
-    rivals.push_back({fit.nodes_in_camera, std::exp(-0.5 * (fit.cost - shapes->best().cost))});
-    sum += rivals.back().probability;
-  }
-  rivals.erase(rivals.begin());
-  for (RegistrationRival& rival : rivals) rival.probability /= sum;
-  return rivals;
+/// Where else the organ may be.
+std::vector<RegistrationRival> rivals_of(const std::optional<ShapeFits>& shapes, const Registered& made,
+                                         const Registration& registration, const ElasticOptions& elastic) {
+  const Points& here = registration.nodes_in_camera;
+  const double votes = votes_of_a_place(elastic.shape.information);
+  if (made.forces) return weigh_places(here, made.forces->others, shapes ? votes : 1.0);
+  std::vector<OtherFit> others;
+  if (shapes)
+    for (const ShapeFit& fit : shapes->fits)
+      others.push_back({fit.nodes_in_camera, -0.5 * (fit.cost - shapes->best().cost)});
+  return weigh_places(shapes ? shapes->best().nodes_in_camera : here, std::move(others), votes);
 }
 
 /// N for a Young's modulus of 1 kPa, before the camera.
@@ -338,12 +336,13 @@ class Run {
   }
 
   bool examine_it() {
-    std::vector<RegistrationRival> rivals = rivals_of(shapes_, result());
+    std::vector<RegistrationRival> rivals = rivals_of(shapes_, result(), registration_, elastic_);
     examined_.error = std::make_shared<const ErrorModel>(
         error_of(model_, cloud_, elastic_, shapes_, result(), registration_, rivals));
     examined_.lesions = lesions_of(model_, *examined_.error, registration_);
     examined_.findings =
         examine({model_, cloud_, registration_, shapes_ ? &*shapes_ : nullptr, *examined_.error});
+    examined_.findings.elsewhere = elsewhere(registration_.nodes_in_camera, rivals);
     if (is_sought() && shapes_) {
       const auto odds = mirror_odds(model_, cloud_, options_, elastic_, shapes_->best().cost, up_to(1.0));
       if (!odds) return false;
@@ -367,7 +366,7 @@ class Run {
     const std::optional<ContactForceFit>& forces = result().forces;
     // Where supports are known and forces were found, their own posterior is the nearer one.
     registration_.expected = forces && !elastic_.prior ? forces->expected_error : examined_.error->expected();
-    registration_.rivals = plausible_rivals(registration_.nodes_in_camera, std::move(rivals));
+    registration_.rivals = plausible_rivals(std::move(rivals));
     if (forces) registration_.forces = found_forces(*forces);
   }
 

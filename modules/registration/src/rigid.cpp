@@ -262,18 +262,34 @@ double apart(const Points& vertices, const CameraFromCt& a, const CameraFromCt& 
   return (a.apply(vertices) - b.apply(vertices)).rowwise().norm().mean();
 }
 
-/// The best first, each at least `distance` from all better ones, `count` at most.
-std::vector<Pose> best_distinct(std::vector<Pose> poses, const Points& vertices, double distance,
-                                std::size_t count) {
-  std::stable_sort(poses.begin(), poses.end(), [](const Pose& a, const Pose& b) { return a.cost < b.cost; });
-  std::vector<Pose> best;
+/// Adds to `best` those of the poses, in their order, that are at least `distance` from all in it.
+void add_distinct(const std::vector<Pose>& poses, const Points& vertices, double distance, std::size_t count,
+                  std::vector<Pose>& best) {
   for (const Pose& pose : poses) {
-    if (best.size() == count) break;
+    if (best.size() >= count) break;
     if (std::all_of(best.begin(), best.end(), [&](const Pose& other) {
           return apart(vertices, pose.camera_from_ct, other.camera_from_ct) >= distance;
         }))
       best.push_back(pose);
   }
+}
+
+/// How many poses are kept: near ones, which differ by a little, and beside them places where the organ may
+/// be instead. A cloud that fits one place well fills any list with its neighbours.
+struct Kept {
+  double apart;        ///< m
+  std::size_t near;    ///< of these, the best first
+  std::size_t places;  ///< of those kElsewhere from all others, after them
+};
+constexpr double kElsewhere = 40e-3;
+constexpr Kept kRefined{5e-3, 20, 12}, kTold{10e-3, 5, 4};
+
+/// The best first, then other places, the best of them first.
+std::vector<Pose> best_distinct(std::vector<Pose> poses, const Points& vertices, const Kept& kept) {
+  std::stable_sort(poses.begin(), poses.end(), [](const Pose& a, const Pose& b) { return a.cost < b.cost; });
+  std::vector<Pose> best;
+  add_distinct(poses, vertices, kept.apart, kept.near, best);
+  add_distinct(poses, vertices, kElsewhere, kept.near + kept.places, best);
   return best;
 }
 
@@ -327,7 +343,7 @@ Cancellable<RigidStart> best_of(
     pose.cost = aligner.cost(pose.camera_from_ct, few, false);
     poses.push_back(pose);
   }
-  poses = best_distinct(std::move(poses), vertices, 5e-3, 20);
+  poses = best_distinct(std::move(poses), vertices, kRefined);
   for (std::size_t k = 0; k < poses.size(); ++k) {
     if (context.cancelled()) return std::nullopt;
     context.progress(0.7 + 0.25 * static_cast<double>(k) / static_cast<double>(poses.size()),
@@ -336,10 +352,10 @@ Cancellable<RigidStart> best_of(
     poses[k].cost = aligner.cost(poses[k].camera_from_ct, many, true);
   }
   RigidStart start;
-  const std::vector<Pose> apart_by_10 = best_distinct(poses, vertices, 10e-3, 5);
+  const std::vector<Pose> apart_by_10 = best_distinct(poses, vertices, kTold);
   for (std::size_t k = 1; k < apart_by_10.size(); ++k)
     start.alternatives.push_back(apart_by_10[k].camera_from_ct);
-  poses = best_distinct(std::move(poses), vertices, 20e-3, 2);
+  poses = best_distinct(std::move(poses), vertices, {20e-3, 2, 0});
   start.camera_from_ct = aligner.refine(poses[0].camera_from_ct, all, 20, 0.2);
   start.residual = aligner.cost(start.camera_from_ct, all, false);
   start.doubts = doubts_about(model, prepared.cloud, poses);

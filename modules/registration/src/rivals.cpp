@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/registration/rivals.h"
+#include "glisson/registration/pairs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,27 +16,49 @@ namespace glisson::registration {
 namespace {
 
 constexpr std::size_t kMostRivals = 3;
+constexpr double kPlausible = 0.01;
+constexpr double kElsewhere = 20e-3, kPlace = 25e-3;  // m
 
 double apart(const Points& a, const Points& b) { return (a - b).rowwise().norm().mean(); }
 
 }  // namespace
 
-std::vector<RegistrationRival> plausible_rivals(const PointsIn<CameraFrame>& chosen,
-                                                std::vector<RegistrationRival> candidates) {
-  static const double kLeast = std::exp(-10.0);
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const auto& a, const auto& b) { return a.probability > b.probability; });
-  std::vector<RegistrationRival> kept;
-  for (RegistrationRival& one : candidates) {
-    if (kept.size() == kMostRivals || one.probability < kLeast) break;
-    const auto is_near = [&](const Points& other) { return apart(one.nodes_in_camera, other) < kRivalAway; };
-    if (is_near(chosen) || std::any_of(kept.begin(), kept.end(), [&](const RegistrationRival& other) {
-          return is_near(other.nodes_in_camera);
+bool are_rivals(const Points& a, const Points& b) { return apart(a, b) > kRivalAway; }
+
+double votes_of_a_place(double information) {
+  const double points_per_m2 = 1e4 * CloudOptions().reference_density_per_cm2;
+  return std::max(1.0, information * points_per_m2 * kPlace * kPlace);
+}
+
+std::vector<RegistrationRival> weigh_places(const Points& chosen, std::vector<OtherFit> fits, double votes) {
+  std::stable_sort(fits.begin(), fits.end(),
+                   [](const OtherFit& a, const OtherFit& b) { return a.log_odds > b.log_odds; });
+  std::vector<RegistrationRival> places;
+  double total = 1.0;
+  for (OtherFit& fit : fits) {
+    if (!are_rivals(fit.nodes_in_camera, chosen) ||
+        std::any_of(places.begin(), places.end(), [&](const RegistrationRival& better) {
+          return !are_rivals(fit.nodes_in_camera, better.nodes_in_camera);
         }))
       continue;
-    kept.push_back(std::move(one));
+    places.push_back({std::move(fit.nodes_in_camera), std::exp(fit.log_odds / votes)});
+    total += places.back().probability;
   }
-  return kept;
+  for (RegistrationRival& place : places) place.probability /= total;
+  return places;
+}
+
+double elsewhere(const Points& chosen, const std::vector<RegistrationRival>& places) {
+  double sum = 0.0;
+  for (const RegistrationRival& place : places)
+    if (apart(place.nodes_in_camera, chosen) > kElsewhere) sum += place.probability;
+  return sum;
+}
+
+std::vector<RegistrationRival> plausible_rivals(std::vector<RegistrationRival> places) {
+  std::erase_if(places, [](const RegistrationRival& place) { return place.probability < kPlausible; });
+  if (places.size() > kMostRivals) places.resize(kMostRivals);
+  return places;
 }
 
 double distance_of(const RegistrationRival& rival, const Registration& registration) {

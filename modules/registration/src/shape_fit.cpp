@@ -7,13 +7,16 @@
 
 #include "glisson/core/error.h"
 #include "glisson/registration/pairs.h"
-#include "rival_shapes.h"
+#include "glisson/registration/rivals.h"
 
 namespace glisson::registration {
 namespace {
 
 /// Squared standardised distance at which Cauchy's weight is a half: five standard deviations.
 constexpr double kTolerance = 25.0;
+/// Of a cloud that comes without normals those of its neighbours' planes are good enough to say that no face
+/// was seen from behind, no more.
+constexpr double kFacing = 0.0;
 constexpr double kLargestTurn = 0.3;  // rad an iteration
 /// The fit is at rest when a step changes less: amplitudes (standard deviations); pose (metres, and radians
 /// times 0.1 m).
@@ -29,7 +32,7 @@ class ShapeFitter {
         rest_(model.mesh.vertices),
         cloud_(prepare_cloud(cloud, {})),
         surface_(model, SurfaceDetail::fine) {
-    fit_.camera_from_ct = start;
+    fit_.camera_from_ct = fit_.start = start;
     fit_.amplitudes = Eigen::VectorXd::Zero(prior.modes.cols());
     for (int i = 0; i < cloud_.cloud.size(); ++i)
       notch_points_ += cloud_.cloud.feature(i) == Feature::umbilical_notch;
@@ -43,6 +46,7 @@ class ShapeFitter {
       const bool rest = step();
       if (++fit_.iterations >= kFewestIterations && rest) break;
     }
+    judge_facing();
     pair();
     fit_.residual = mean_distance(pairs_);
     fit_.cost = cost();
@@ -53,7 +57,15 @@ class ShapeFitter {
   void pair() {
     fit_.nodes_in_camera = fit_.camera_from_ct.apply(prior_.shape(rest_, fit_.amplitudes));
     surface_.move(fit_.nodes_in_camera);
-    pairs_ = find_pairs(cloud_, surface_, {});
+    pairs_ = find_pairs(cloud_, surface_, pairing_);
+  }
+
+  /// From here on no point is laid on a face that looks away from the camera. While the shape is sought it
+  /// may be: the way to a dent leads through there.
+  void judge_facing() {
+    if (cloud_.cloud.normals.rows() > 0) return;
+    cloud_.cloud.normals = estimate_normals(cloud_);
+    pairing_.minimum_normal_cosine = kFacing;
   }
 
   /// Inverse covariance of a pair's gap.
@@ -138,6 +150,7 @@ class ShapeFitter {
   const OperationPrior& prior_;
   Points rest_;
   PreparedCloud cloud_;
+  PairOptions pairing_;
   MovingSurface surface_;
   std::vector<Pair> pairs_;
   ShapeFit fit_;
@@ -184,11 +197,24 @@ Cancellable<ShapeFits> fit_shapes(const PatientModel& model, const OperationPrio
                    [](const ShapeFit& a, const ShapeFit& b) { return a.cost < b.cost; });
   const ShapeFit& best = fits.front();
   if (std::any_of(fits.begin(), fits.end(), [&](const ShapeFit& fit) {
-        return fit.cost < best.cost + kRivalCost && are_rivals(fit, best);
+        return fit.cost < best.cost + kRivalCost && are_rivals(fit.nodes_in_camera, best.nodes_in_camera);
       }))
     found.doubts.emplace_back("shape_ambiguous");
   if (best.amplitudes.cwiseAbs().maxCoeff() > kUnusual) found.doubts.emplace_back("shape_unusual");
   return found;
+}
+
+std::vector<const ShapeFit*> ShapeFits::places() const {
+  // Forces that no prior knows may still explain what a shape leaves, not all of it.
+  constexpr double kHopeless = 100.0;
+  std::vector<const ShapeFit*> kept;
+  for (const ShapeFit& fit : fits)
+    if (fit.cost < best().cost + kHopeless &&
+        std::none_of(kept.begin(), kept.end(), [&](const ShapeFit* other) {
+          return !are_rivals(fit.nodes_in_camera, other->nodes_in_camera);
+        }))
+      kept.push_back(&fit);
+  return kept;
 }
 
 }  // namespace glisson::registration

@@ -13,6 +13,7 @@
 #include "glisson/patient/patient_model.h"
 #include "glisson/patient/registration.h"
 #include "glisson/registration/operation_prior.h"
+#include "glisson/registration/rivals.h"
 
 namespace glisson::registration {
 
@@ -45,9 +46,13 @@ struct ContactForceOptions {
   /// shape that the prior makes probable, found together with them: y ~ N(0, Sigma + A Gamma A^T + B B^T).
   std::shared_ptr<const OperationPrior> prior;
   Eigen::VectorXd amplitudes;  ///< of the prior's modes to start with; empty: none
-  /// Where the pose is found: other places where the rest shape may be. Each is tried under the law that was
-  /// most probable from the first one; the most probable of all is kept.
-  std::vector<CameraFromCt> other_starts;
+  /// Where the pose is found: other places where the organ may be. Each is tried under the law that was most
+  /// probable from the first one; the most probable of all is kept.
+  struct Place {
+    CameraFromCt camera_from_ct;
+    Eigen::VectorXd amplitudes;  ///< as above; empty: at rest
+  };
+  std::vector<Place> other_places;
   double patch_spacing = 12.5e-3, patch_radius = 20e-3;
   double patch_reach = 8e-3;  ///< of patches from what is seen
   int iterations = 4;         ///< a stage, each with new closest points
@@ -80,12 +85,6 @@ struct ContactForce {
   double deviation = 0.0;                           ///< of each component, posterior, likewise
 };
 
-/// Where the organ is under another law or from another start, and how probable that is.
-struct RivalFit {
-  Points nodes_in_camera;
-  double probability = 0.0;
-};
-
 struct ContactForceFit {
   CameraFromCt camera_from_ct;
   Points nodes_in_camera;
@@ -98,7 +97,7 @@ struct ContactForceFit {
   /// between laws, each as probable as the cloud makes it. It knows of the noise and of forces where
   /// something is seen, not of forces elsewhere.
   Eigen::VectorXd expected_error;
-  std::vector<RivalFit> rivals;  ///< of the other fits, those of one in a thousand and more
+  std::vector<OtherFit> others;  ///< under other laws or from other places
   double residual = 0.0;         ///< mean distance along the normals, m
   double outlier_share = 0.0;    ///< of the points, those that weigh less than a half
   int inverted = 0;              ///< tetrahedra

@@ -15,14 +15,29 @@
 namespace glisson::registration {
 
 /// Mean distance of two shapes of one mesh from which on they are two places, metres.
-inline constexpr double kRivalAway = 5e-3;
+inline constexpr double kRivalAway = 10e-3;
+/// Whether two shapes of one mesh are two answers and not nearly the same one.
+bool are_rivals(const PointsIn<CameraFrame>& a, const PointsIn<CameraFrame>& b);
 
-/// Those of the candidates that a person should look at: kRivalAway and more from `chosen` and from each
-/// other, and not out of question. Neighbouring points share errors, so that odds exaggerate: only under 1 to
-/// exp(10) a place is out of question, as for the mirror image. The most probable three, the first one first.
-/// @param candidates probabilities beside the chosen one's.
-std::vector<RegistrationRival> plausible_rivals(const PointsIn<CameraFrame>& chosen,
-                                                std::vector<RegistrationRival> candidates);
+/// Another fit of one cloud.
+struct OtherFit {
+  PointsIn<CameraFrame> nodes_in_camera;
+  /// Logarithm of its odds against the chosen fit, as if the points' errors were as independent as
+  /// `information` says.
+  double log_odds = 0.0;
+};
+/// For how many votes the points of one place (25 mm) are counted by odds of this information. The model's
+/// own error (segmentation, law, supports) is one and the same all over such a place, so that it has one.
+double votes_of_a_place(double information);
+/// Each place where a fit has ended, kRivalAway and more from `chosen` and from all better ones, with the
+/// probability that the organ is there; the most probable first. @param votes that a place has been given;
+/// odds are taken to the power of one over it.
+std::vector<RegistrationRival> weigh_places(const PointsIn<CameraFrame>& chosen, std::vector<OtherFit> fits,
+                                            double votes);
+/// Probability that the organ is more than 20 mm away from where it was put.
+double elsewhere(const PointsIn<CameraFrame>& chosen, const std::vector<RegistrationRival>& places);
+/// Those that a person should look at: of 1 % and more, three at most.
+std::vector<RegistrationRival> plausible_rivals(std::vector<RegistrationRival> places);
 
 /// Mean distance of the nodes from where the registration has put them, metres.
 double distance_of(const RegistrationRival& rival, const Registration& registration);

@@ -35,6 +35,7 @@ struct ShapeFit {
   /// cloud.
   double cost = 0.0;
   int iterations = 0;
+  CameraFromCt start;  ///< where it was begun
 };
 
 /// Maximum a posteriori of pose and amplitudes together: closest points (label-restricted, on the fine

@@ -16,6 +16,9 @@ struct ShapeFits {
   /// (an amplitude beyond four standard deviations).
   std::vector<std::string> doubts;
   const ShapeFit& best() const { return fits.front(); }
+  /// One of each place that the shapes have ended in, the most probable first; without those that are out of
+  /// question.
+  std::vector<const ShapeFit*> places() const;
 };
 /// @pre one start at least. @throws as fit_shape.
 Cancellable<ShapeFits> fit_shapes(const PatientModel& model, const OperationPrior& prior,
