@@ -2661,8 +2661,8 @@
         <translation>Die Segmentierung nennt ein anderes DICOM-Bezugssystem als das CT, wie die einer anderen Aufnahme: Prüfen Sie in den Schichten, ob sie auf dieser Leber liegt.</translation>
     </message>
     <message>
-        <source>With a probability of %1 % (limit %2 %) the organ lies more than 2 cm from here: other places explain the points as well.</source>
-        <translation>Mit einer Wahrscheinlichkeit von %1 % (Grenze %2 %) liegt das Organ mehr als 2 cm von hier: Auch andere Lagen erklären die Punkte.</translation>
+        <source>With a probability of %1 % (limit %2 %) the organ lies more than 2 cm from here: other places explain the points as well. Mark the notch, show more of the organ, or place it by hand.</source>
+        <translation>Mit einer Wahrscheinlichkeit von %1 % (Grenze %2 %) liegt das Organ mehr als 2 cm von hier: Auch andere Lagen erklären die Punkte. Markieren Sie die Kerbe, zeigen Sie mehr vom Organ oder platzieren Sie es von Hand.</translation>
     </message>
 </context>
 <context>

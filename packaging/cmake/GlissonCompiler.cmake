@@ -37,3 +37,11 @@ if(GLISSON_SANITIZER)
       -Wno-array-bounds -Wno-null-dereference)
   endif()
 endif()
+
+# Some 700 programs and libraries are linked, most of them tests: gold, which comes with binutils, takes a quarter of
+# the time that the usual linker takes.
+include(CheckLinkerFlag)
+check_linker_flag(CXX -fuse-ld=gold GLISSON_HAS_GOLD)
+if(GLISSON_HAS_GOLD AND NOT GLISSON_SANITIZER)
+  add_link_options(-fuse-ld=gold)
+endif()

@@ -129,8 +129,10 @@ class Notes {
         {"inverted_elements", tr("Some elements of the mesh turned inside out.")},
         {"cloud_noisy", tr("The cloud's points scatter by %1 mm about a smooth surface (limit %2 mm).")},
         {"expected_error_large", tr("The organ is expected to be off by %1 mm on average (limit %2 mm).")},
-        {"elsewhere_probable", tr("With a probability of %1 % (limit %2 %) the organ lies more than 2 cm from "
-                                  "here: other places explain the points as well.")},
+        {"elsewhere_probable",
+         tr("With a probability of %1 % (limit %2 %) the organ lies more than 2 cm from "
+            "here: other places explain the points as well. Mark the notch, show more of the organ, "
+            "or place it by hand.")},
         {"points_turned", tr("%1 % of the points face another way than the model there (limit %2 %).")},
         {"margin_off", tr("The marked margin lies %1 mm from the model's (limit %2 mm).")},
         {"shape_strange",
