@@ -1999,6 +1999,70 @@
         <source>Write whole numbers</source>
         <translation>Schreiben Sie ganze Zahlen</translation>
     </message>
+    <message>
+        <source>names no channel</source>
+        <translation>nennt keinen Kanal</translation>
+    </message>
+    <message>
+        <source>is not two numbers</source>
+        <translation>sind nicht zwei Zahlen</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;</source>
+        <translation>ist „%1“</translation>
+    </message>
+    <message>
+        <source>names &quot;%1&quot;, which is no channel</source>
+        <translation>nennt „%1“, was kein Kanal ist</translation>
+    </message>
+    <message>
+        <source>is missing where all channels are liver, or none is</source>
+        <translation>fehlt, wo alle Kanäle Leber sind oder keiner</translation>
+    </message>
+    <message>
+        <source>is not one number for each colour</source>
+        <translation>ist nicht eine Zahl je Farbe</translation>
+    </message>
+    <message>
+        <source>holds a fraction of a pixel</source>
+        <translation>enthält Bruchteile eines Pixels</translation>
+    </message>
+    <message>
+        <source>is %1, not 1 x %2 x rows x columns</source>
+        <translation>ist %1, nicht 1 x %2 x Zeilen x Spalten</translation>
+    </message>
+    <message>
+        <source>Write one name for each output channel, as [&quot;liver&quot;, &quot;tool&quot;]</source>
+        <translation>Schreiben Sie je Ausgangskanal einen Namen, etwa [&quot;liver&quot;, &quot;tool&quot;]</translation>
+    </message>
+    <message>
+        <source>List the channels that may be liver, as [&quot;liver&quot;]</source>
+        <translation>Nennen Sie die Kanäle, die Leber sein können, etwa [&quot;liver&quot;]</translation>
+    </message>
+    <message>
+        <source>Write names that stand in &quot;channels&quot;</source>
+        <translation>Schreiben Sie Namen, die in &quot;channels&quot; stehen</translation>
+    </message>
+    <message>
+        <source>Say what a score must exceed, as 0.5</source>
+        <translation>Sagen Sie, was ein Wert übersteigen muss, etwa 0.5</translation>
+    </message>
+    <message>
+        <source>Write &quot;rgb&quot;, &quot;bgr&quot; or &quot;grey&quot;</source>
+        <translation>Schreiben Sie &quot;rgb&quot;, &quot;bgr&quot; oder &quot;grey&quot;</translation>
+    </message>
+    <message>
+        <source>Write mean and sd of colours from 0 to 1, or neither</source>
+        <translation>Schreiben Sie mean und sd von Farben von 0 bis 1, oder keines von beiden</translation>
+    </message>
+    <message>
+        <source>Write [rows, columns]</source>
+        <translation>Schreiben Sie [Zeilen, Spalten]</translation>
+    </message>
+    <message>
+        <source>Export a network of one picture, and say its colours (&quot;colours&quot;)</source>
+        <translation>Exportieren Sie ein Netz für ein Bild und nennen Sie seine Farben (&quot;colours&quot;)</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -3006,6 +3070,14 @@
         <source>NOT LIVE</source>
         <translation>NICHT LIVE</translation>
     </message>
+    <message>
+        <source>the mask network takes most of the organ for something else</source>
+        <translation>das Maskennetz hält das meiste des Organs für etwas anderes</translation>
+    </message>
+    <message>
+        <source>the mask network leaves too little of the organ</source>
+        <translation>das Maskennetz lässt zu wenig vom Organ übrig</translation>
+    </message>
 </context>
 <context>
     <name>Review</name>
@@ -3606,6 +3678,10 @@
     <message>
         <source>running the network</source>
         <translation>Netz rechnet</translation>
+    </message>
+    <message>
+        <source>Choosing the mask network</source>
+        <translation>Wahl des Maskennetzes</translation>
     </message>
 </context>
 <context>
@@ -4922,6 +4998,18 @@
         <source>registration: only whether one more look, where it is said to help most, does.</source>
         <translation>registration: nur, ob ein weiterer Blick dort hilft, wo er am meisten helfen soll.</translation>
     </message>
+    <message>
+        <source>The mask network has failed; the organ is followed without it. %1</source>
+        <translation>Das Maskennetz ist ausgefallen; das Organ wird ohne es verfolgt. %1</translation>
+    </message>
+    <message>
+        <source>Your own network (ONNX) that says what of the left picture is not liver; MODEL.json beside it says what it wants. It only keeps points from pulling.</source>
+        <translation>Ihr eigenes Netz (ONNX), das sagt, was vom linken Bild nicht Leber ist; MODEL.json daneben sagt, was es will. Es hält nur Punkte davon ab zu ziehen.</translation>
+    </message>
+    <message>
+        <source>Frames between two masks, each of which is waited for.</source>
+        <translation>Bilder zwischen zwei Masken; auf jede wird gewartet.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AgainBox</name>
@@ -6107,6 +6195,56 @@
     <message>
         <source>Open</source>
         <translation>Öffnen</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::MaskBox</name>
+    <message>
+        <source>Your own network that says what of the picture is not liver: an ONNX file with its sheet, MODEL.json, beside it. It only keeps points from pulling the model.</source>
+        <translation>Ihr eigenes Netz, das sagt, was vom Bild nicht Leber ist: eine ONNX-Datei mit ihrem Blatt MODEL.json daneben. Es hält nur Punkte davon ab, am Modell zu ziehen.</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>The organ is followed without the network, at once</source>
+        <translation>Das Organ wird sofort ohne das Netz verfolgt</translation>
+    </message>
+    <message>
+        <source>Mask network</source>
+        <translation>Maskennetz</translation>
+    </message>
+    <message>
+        <source>Networks (*.onnx)</source>
+        <translation>Netze (*.onnx)</translation>
+    </message>
+    <message>
+        <source>Mask network…</source>
+        <translation>Maskennetz…</translation>
+    </message>
+    <message>
+        <source>Mask: %1</source>
+        <translation>Maske: %1</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::MaskModel</name>
+    <message>
+        <source>The mask network has failed; the organ is followed without it. %1</source>
+        <translation>Das Maskennetz ist ausgefallen; das Organ wird ohne es verfolgt. %1</translation>
+    </message>
+    <message>
+        <source>The mask network has no mask yet; the organ is followed without it.</source>
+        <translation>Das Maskennetz hat noch keine Maske; das Organ wird ohne es verfolgt.</translation>
+    </message>
+    <message>
+        <source>The mask network is too slow: its last mask is %1 s old and is not used.</source>
+        <translation>Das Maskennetz ist zu langsam: Seine letzte Maske ist %1 s alt und wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>Masked of the organ in sight: %1 %. The mask is %2 ms old.</source>
+        <translation>Vom sichtbaren Organ maskiert: %1 %. Die Maske ist %2 ms alt.</translation>
     </message>
 </context>
 <context>

@@ -1999,6 +1999,70 @@
         <source>Write whole numbers</source>
         <translation>Écrivez des nombres entiers</translation>
     </message>
+    <message>
+        <source>names no channel</source>
+        <translation>ne nomme aucun canal</translation>
+    </message>
+    <message>
+        <source>is not two numbers</source>
+        <translation>n’est pas deux nombres</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;</source>
+        <translation>vaut « %1 »</translation>
+    </message>
+    <message>
+        <source>names &quot;%1&quot;, which is no channel</source>
+        <translation>nomme « %1 », qui n’est pas un canal</translation>
+    </message>
+    <message>
+        <source>is missing where all channels are liver, or none is</source>
+        <translation>manque alors que tous les canaux sont du foie, ou aucun</translation>
+    </message>
+    <message>
+        <source>is not one number for each colour</source>
+        <translation>n’est pas un nombre par couleur</translation>
+    </message>
+    <message>
+        <source>holds a fraction of a pixel</source>
+        <translation>contient une fraction de pixel</translation>
+    </message>
+    <message>
+        <source>is %1, not 1 x %2 x rows x columns</source>
+        <translation>est %1, et non 1 x %2 x lignes x colonnes</translation>
+    </message>
+    <message>
+        <source>Write one name for each output channel, as [&quot;liver&quot;, &quot;tool&quot;]</source>
+        <translation>Écrivez un nom par canal de sortie, comme [&quot;liver&quot;, &quot;tool&quot;]</translation>
+    </message>
+    <message>
+        <source>List the channels that may be liver, as [&quot;liver&quot;]</source>
+        <translation>Donnez les canaux qui peuvent être du foie, comme [&quot;liver&quot;]</translation>
+    </message>
+    <message>
+        <source>Write names that stand in &quot;channels&quot;</source>
+        <translation>Écrivez des noms qui figurent dans &quot;channels&quot;</translation>
+    </message>
+    <message>
+        <source>Say what a score must exceed, as 0.5</source>
+        <translation>Dites ce qu’un score doit dépasser, comme 0.5</translation>
+    </message>
+    <message>
+        <source>Write &quot;rgb&quot;, &quot;bgr&quot; or &quot;grey&quot;</source>
+        <translation>Écrivez &quot;rgb&quot;, &quot;bgr&quot; ou &quot;grey&quot;</translation>
+    </message>
+    <message>
+        <source>Write mean and sd of colours from 0 to 1, or neither</source>
+        <translation>Écrivez mean et sd de couleurs de 0 à 1, ou aucun des deux</translation>
+    </message>
+    <message>
+        <source>Write [rows, columns]</source>
+        <translation>Écrivez [lignes, colonnes]</translation>
+    </message>
+    <message>
+        <source>Export a network of one picture, and say its colours (&quot;colours&quot;)</source>
+        <translation>Exportez un réseau pour une image et dites ses couleurs (&quot;colours&quot;)</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -3006,6 +3070,14 @@
         <source>NOT LIVE</source>
         <translation>PAS EN DIRECT</translation>
     </message>
+    <message>
+        <source>the mask network takes most of the organ for something else</source>
+        <translation>le réseau de masque prend la plus grande partie de l’organe pour autre chose</translation>
+    </message>
+    <message>
+        <source>the mask network leaves too little of the organ</source>
+        <translation>le réseau de masque laisse trop peu de l’organe</translation>
+    </message>
 </context>
 <context>
     <name>Review</name>
@@ -3606,6 +3678,10 @@
     <message>
         <source>running the network</source>
         <translation>calcul du réseau</translation>
+    </message>
+    <message>
+        <source>Choosing the mask network</source>
+        <translation>Choix du réseau de masque</translation>
     </message>
 </context>
 <context>
@@ -4922,6 +4998,18 @@
         <source>registration: only whether one more look, where it is said to help most, does.</source>
         <translation>registration : seulement si un regard de plus aide là où il est censé aider le plus.</translation>
     </message>
+    <message>
+        <source>The mask network has failed; the organ is followed without it. %1</source>
+        <translation>Le réseau de masque est en panne ; l’organe est suivi sans lui. %1</translation>
+    </message>
+    <message>
+        <source>Your own network (ONNX) that says what of the left picture is not liver; MODEL.json beside it says what it wants. It only keeps points from pulling.</source>
+        <translation>Votre propre réseau (ONNX) qui dit ce qui, dans l’image gauche, n’est pas du foie ; MODEL.json à côté dit ce qu’il veut. Il ne fait qu’empêcher des points de tirer.</translation>
+    </message>
+    <message>
+        <source>Frames between two masks, each of which is waited for.</source>
+        <translation>Images entre deux masques ; chacun est attendu.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::AgainBox</name>
@@ -6107,6 +6195,56 @@
     <message>
         <source>Open</source>
         <translation>Ouvrir</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::MaskBox</name>
+    <message>
+        <source>Your own network that says what of the picture is not liver: an ONNX file with its sheet, MODEL.json, beside it. It only keeps points from pulling the model.</source>
+        <translation>Votre propre réseau qui dit ce qui, dans l’image, n’est pas du foie : un fichier ONNX avec sa fiche, MODEL.json, à côté. Il ne fait qu’empêcher des points de tirer le modèle.</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Retirer</translation>
+    </message>
+    <message>
+        <source>The organ is followed without the network, at once</source>
+        <translation>L’organe est suivi sans le réseau, aussitôt</translation>
+    </message>
+    <message>
+        <source>Mask network</source>
+        <translation>Réseau de masque</translation>
+    </message>
+    <message>
+        <source>Networks (*.onnx)</source>
+        <translation>Réseaux (*.onnx)</translation>
+    </message>
+    <message>
+        <source>Mask network…</source>
+        <translation>Réseau de masque…</translation>
+    </message>
+    <message>
+        <source>Mask: %1</source>
+        <translation>Masque : %1</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::MaskModel</name>
+    <message>
+        <source>The mask network has failed; the organ is followed without it. %1</source>
+        <translation>Le réseau de masque est en panne ; l’organe est suivi sans lui. %1</translation>
+    </message>
+    <message>
+        <source>The mask network has no mask yet; the organ is followed without it.</source>
+        <translation>Le réseau de masque n’a pas encore de masque ; l’organe est suivi sans lui.</translation>
+    </message>
+    <message>
+        <source>The mask network is too slow: its last mask is %1 s old and is not used.</source>
+        <translation>Le réseau de masque est trop lent : son dernier masque a %1 s et n’est pas utilisé.</translation>
+    </message>
+    <message>
+        <source>Masked of the organ in sight: %1 %. The mask is %2 ms old.</source>
+        <translation>Masqué de l’organe visible : %1 %. Le masque a %2 ms.</translation>
     </message>
 </context>
 <context>

@@ -31,6 +31,7 @@
 #include "glisson/registration/refusal.h"
 #include "glisson/registration/registration_files.h"
 #include "glisson/stereo/picture_io.h"
+#include "glisson/ui/common/error_texts.h"
 #include "igtl_argument.h"
 #include "model_argument.h"
 
@@ -155,6 +156,20 @@ class Corrections {
   std::size_t next_ = 0;
 };
 
+/// Says once what went wrong with a mask network: the organ is followed without it then.
+class MaskTeller {
+ public:
+  void look(const std::optional<engine::MaskStatus>& mask) {
+    if (told_ || !mask || mask->problem.empty()) return;
+    told_ = true;
+    say(Cli::tr("The mask network has failed; the organ is followed without it. %1")
+            .arg(ui::error_text(mask->problem)));
+  }
+
+ private:
+  bool told_ = false;
+};
+
 engine::RegisterAgain again_command(const Session& session, const Arguments& arguments) {
   engine::RegisterAgain command;
   command.materials = given_materials(arguments);
@@ -174,9 +189,11 @@ void follow_film(Session& session, const Arguments& arguments, experiments::Trac
       arguments.has("register-again") ? arguments.number("register-again", 1.0, 3600.0) : 0.0,
       again_command(session, arguments), [&](engine::Command command) { session.post(std::move(command)); },
       [&]() -> const engine::CaseState& { return session.state(); });
+  MaskTeller mask;
   for (StereoFrame frame; video.read(frame);) {
     const OverlayFrame overlay = session.follow(frame, std::min(1.0, (frame.index + 1.0) / frames));
     record.add(frame.index, overlay);
+    mask.look(session.state()[part::live]->mask);
     corrections.after(frame.index, record);
     if (const auto tried = again.after(frame.index, frame.seconds, session.context())) {
       if (tried->problem.empty())
@@ -345,6 +362,11 @@ int run_track(const QStringList& given) {
       Cli::tr("Registers again every so many seconds of the video, with what has been seen of the organ "
               "since; taken where it is better by tissue that neither registration has used."),
       "SECONDS");
+  arguments.option("mask-network",
+                   Cli::tr("Your own network (ONNX) that says what of the left picture is not liver; "
+                           "MODEL.json beside it says what it wants. It only keeps points from pulling."),
+                   "MODEL.onnx");
+  arguments.option("mask-every", Cli::tr("Frames between two masks, each of which is waited for."), "N", 1);
   arguments.option("clouds", Cli::tr("Series of clouds instead of a video, e.g. 'cloud_%02d.ply'."),
                    "PATTERN");
   arguments.option("cloud-unit", Cli::tr("Unit of the clouds: mm, cm or m. Without it, the model's."),
@@ -372,6 +394,8 @@ int run_track(const QStringList& given) {
     throw UsageError("--correct: needs pictures. Give --video with --calibration.");
   if (arguments.has("register-again") && !arguments.has("video"))
     throw UsageError("--register-again: needs pictures. Give --video with --calibration.");
+  if (arguments.has("mask-network") && !arguments.has("video"))
+    throw UsageError("--mask-network: needs pictures. Give --video with --calibration.");
   arguments.require_existing("correct");
   std::vector<std::pair<int, fs::path>> clouds;
   if (arguments.has("clouds")) clouds = expand(arguments.value("clouds"));
@@ -391,6 +415,7 @@ int run_track(const QStringList& given) {
     session.post(engine::SetVideo{arguments.path("video"), arguments.path("video-right")});
     session.post(engine::LoadVideoFrame{0, arguments.path("mask")});
     session.post(engine::SetCalibration{calibration});  // last: its size and its crop are the video's
+    command.mask = {arguments.path("mask-network"), arguments.integer("mask-every", 1, 1000)};
   }
   session.post(command);
   const std::shared_ptr<const model::BuiltModel> tracked = session.state()[part::model];

@@ -23,6 +23,7 @@
 #include "glisson/engine/commands/segment.h"
 #include "glisson/engine/commands/set_calibration.h"
 #include "glisson/engine/commands/set_landmarks.h"
+#include "glisson/engine/commands/set_mask_network.h"
 #include "glisson/engine/commands/set_regions.h"
 #include "glisson/engine/commands/set_seeds.h"
 #include "glisson/engine/commands/set_video.h"
@@ -63,6 +64,7 @@ class FakeOperation {
   std::atomic<Validity> live_validity{Validity::valid};
   std::vector<std::string> doubts{"few_margin_points"};  ///< of the registration
   std::atomic<bool> again_is_better{true};               ///< a registration that is made while one follows
+  std::optional<engine::MaskStatus> mask;                ///< of every live frame; before tracking begins
   double rival_away = 0.0;                               ///< metres; 0: the registration has no rival
   std::optional<CameraFromCt> start;                     ///< that the last registration was to begin near
 
@@ -70,15 +72,15 @@ class FakeOperation {
     engine::Engine::Options options;
     options.apply = [this](const engine::CaseState& state, const engine::Command& command,
                            const RunContext& context, const engine::Services& services) {
-      const bool is_of_follower = command.as<engine::CorrectTracking>() ||
-                                  command.as<engine::UndoCorrection>() ||
-                                  command.as<engine::TakeRegistration>();
+      const bool is_of_follower =
+          command.as<engine::CorrectTracking>() || command.as<engine::UndoCorrection>() ||
+          command.as<engine::SetMaskNetwork>() || command.as<engine::TakeRegistration>();
       if (command.traits().live != engine::LiveLane::none || is_of_follower)
         return engine::apply(state, command, context, services);
       return apply(state, command, context);
     };
     options.make_follower = [this](const engine::CaseState& state, const engine::StartTracking&) {
-      return std::make_unique<Breathing>(state[part::registration]->nodes_in_camera, live_validity);
+      return std::make_unique<Breathing>(state[part::registration]->nodes_in_camera, live_validity, mask);
     };
     return options;
   }
@@ -124,8 +126,9 @@ class FakeOperation {
  private:
   class Breathing : public engine::Follower {
    public:
-    Breathing(Points nodes, const std::atomic<Validity>& validity)
-        : nodes_(std::move(nodes)), validity_(validity) {}
+    Breathing(Points nodes, const std::atomic<Validity>& validity, std::optional<engine::MaskStatus> mask)
+        : nodes_(std::move(nodes)), mask_(std::move(mask)), validity_(validity) {}
+    std::optional<engine::MaskStatus> mask_status() const override { return mask_; }
     OverlayFrame follow(const engine::LiveInput& input) override {
       const auto& frame = std::get<StereoFrame>(input);
       OverlayFrame overlay;
@@ -148,6 +151,7 @@ class FakeOperation {
       lesion.reach = 5.6e-3;
       lesion.support = 24e-3;
       overlay.lesions = {lesion};
+      if (mask_ && mask_->is_used) overlay.mask = MaskUse{0.25, *mask_->age, 12};
       overlay.residual = 0.8e-3;
       overlay.milliseconds = 12.0;
       last_ = overlay;
@@ -190,6 +194,7 @@ class FakeOperation {
     Points nodes_;
     OverlayFrame last_;
     std::vector<CorrectionMade> made_;
+    std::optional<engine::MaskStatus> mask_;
     const std::atomic<Validity>& validity_;
   };
 

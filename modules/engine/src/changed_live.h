@@ -34,6 +34,7 @@ inline Applied with_live(const CaseState& state, OverlayFrame overlay, const Fol
   LiveState live = *state[part::live];
   live.overlay = std::move(overlay);
   live.corrections = follower.corrections();
+  live.mask = follower.mask_status();
   applied.figures["corrections"] = static_cast<double>(live.corrections.size());
   applied.state[part::live] = std::make_shared<const LiveState>(std::move(live));
   return applied;

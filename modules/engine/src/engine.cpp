@@ -278,6 +278,7 @@ struct Engine::Impl final : LiveLanes {
     lock.unlock();
     OverlayFrame overlay;
     std::vector<CorrectionMade> corrections;
+    std::optional<MaskStatus> mask;
     std::shared_ptr<const PointsIn<CameraFrame>> tissue;
     std::visit(
         [&](const auto& input) {
@@ -290,6 +291,7 @@ struct Engine::Impl final : LiveLanes {
       if (follower) {
         overlay = follower->follow(taken);
         corrections = follower->corrections();
+        mask = follower->mask_status();
         tissue = follower->tissue_at_start();
       }
     } catch (const std::exception&) {
@@ -304,6 +306,7 @@ struct Engine::Impl final : LiveLanes {
       live.frames_late += overlay.milliseconds > 1e3 * options.frame_seconds;
       live.overlay = std::move(overlay);
       live.corrections = std::move(corrections);
+      live.mask = std::move(mask);
       live.tissue_at_start = std::move(tissue);
       if (const auto* pictures = std::get_if<StereoFrame>(&taken)) live.frame = *pictures;
       CaseState state = current->state;

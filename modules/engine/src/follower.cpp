@@ -7,6 +7,7 @@
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/engine/parts/rig.h"
+#include "glisson/network/live_mask.h"
 #include "glisson/stereo/faults.h"
 
 namespace glisson::engine {
@@ -28,14 +29,29 @@ class TrackerFollower : public Follower {
  public:
   TrackerFollower(const CaseState& state, const PatientModel& model, const StartTracking& command)
       : tracker_(model, *state[part::registration], tracker_options(state, model, command)),
-        steps_per_cloud_(command.steps_per_cloud) {
-    if (command.source != StartTracking::Source::clouds)
-      tracker_.begin(*state[part::rig], state[part::frame]->frame, state[part::frame]->mask);
+        steps_per_cloud_(command.steps_per_cloud),
+        mask_every_(command.mask.every) {
+    if (command.source == StartTracking::Source::clouds) return;
+    const StereoFrame& first = state[part::frame]->frame;
+    if (!command.mask.network.empty()) mask_by(command.mask.network);
+    look_at_mask(first);
+    if (mask_every_ > 0 && mask_) mask_->require_well();
+    tracker_.begin(*state[part::rig], first, state[part::frame]->mask);
   }
   OverlayFrame follow(const LiveInput& input) override {
     if (const auto* cloud = std::get_if<IndexedCloud>(&input))
       return tracker_.follow(cloud->cloud, cloud->index, cloud->seconds, steps_per_cloud_);
-    return tracker_.follow(std::get<StereoFrame>(input));
+    const StereoFrame& frame = std::get<StereoFrame>(input);
+    look_at_mask(frame);
+    return tracker_.follow(frame);
+  }
+  void set_mask_network(const std::filesystem::path& network) override {
+    mask_every_ = 0;
+    mask_by(network);
+  }
+  std::optional<MaskStatus> mask_status() const override {
+    if (!mask_) return {};
+    return MaskStatus{mask_->network(), mask_->age(now_), mask_used_, mask_->problem()};
   }
   OverlayFrame correct(const Correction& correction) override { return tracker_.correct(correction); }
   OverlayFrame undo_correction() override { return tracker_.undo_correction(); }
@@ -46,8 +62,27 @@ class TrackerFollower : public Follower {
   }
 
  private:
+  void mask_by(const std::filesystem::path& network) {
+    mask_.reset();
+    if (!network.empty()) mask_ = std::make_unique<network::LiveMask>(network);
+  }
+  void look_at_mask(const StereoFrame& frame) {
+    now_ = frame.seconds;
+    if (mask_ && (mask_every_ == 0 || frames_++ % mask_every_ == 0)) {
+      mask_->offer(frame);
+      if (mask_every_ > 0) mask_->wait();
+    }
+    auto mask = mask_ ? mask_->usable(frame.seconds) : nullptr;
+    mask_used_ = mask != nullptr;
+    tracker_.see(std::move(mask));
+  }
+
   guidance::Tracker tracker_;
   int steps_per_cloud_;
+  std::unique_ptr<network::LiveMask> mask_;
+  int mask_every_ = 0, frames_ = 0;
+  bool mask_used_ = false;
+  double now_ = 0.0;
 };
 
 }  // namespace
@@ -62,6 +97,10 @@ OverlayFrame Follower::undo_correction() {
 
 OverlayFrame Follower::take(const Registration&) {
   throw InputError("registration", "the organ", "is not followed in pictures", "Track a stereo video");
+}
+
+void Follower::set_mask_network(const std::filesystem::path&) {
+  throw InputError("mask network", "the organ", "is not followed in pictures", "Track a stereo video");
 }
 
 std::unique_ptr<Follower> make_follower(const CaseState& state, const StartTracking& command) {

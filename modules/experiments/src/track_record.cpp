@@ -40,6 +40,10 @@ void TrackRecord::add(int number, const OverlayFrame& overlay) {
   line.unit = output_.unit;
   line.overlay = overlay;
   if (overlay.level() != Level::valid) figures_["frames_" + reason] += 1.0;
+  if (overlay.mask) {
+    figures_["frames_with_mask"] += 1.0;
+    figures_["points_held_out"] += overlay.mask->held_out;
+  }
   for (const LesionVerdict& verdict : overlay.lesions) {
     const std::string lesion = structure_name(verdict.lesion);
     figures_[lesion + "_frames_" + level_code(verdict.level)] += 1.0;

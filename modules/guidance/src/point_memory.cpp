@@ -192,6 +192,10 @@ std::unordered_map<int, Anchor> PointMemory::anchors() const {
   return anchors;
 }
 
+void PointMemory::forget(const std::vector<int>& ids) {
+  for (const int id : ids) places_.erase(id);
+}
+
 void PointMemory::forget_since(int frame) {
   std::erase_if(places_, [&](const auto& entry) { return entry.second.born > frame; });
 }

@@ -32,6 +32,8 @@ class PointMemory {
              int wanted, double spacing, int frame);
   /// Forgets what was bound after that frame: the model was not where the organ is.
   void forget_since(int frame);
+  /// Forgets places that are none of the organ's.
+  void forget(const std::vector<int>& ids);
   /// The material lies elsewhere in the model than was believed. Places that the model has no room for go.
   /// @param before, after the surface as it is now, by either belief.
   void rebind(const Rebind& rebind, const registration::MovingSurface& before,

@@ -13,6 +13,7 @@
 #include "glisson/core/error.h"
 #include "glisson/registration/moving_surface.h"
 #include "hand_corrections.h"
+#include "held_out.h"
 #include "judge.h"
 #include "point_memory.h"
 #include "relocator.h"
@@ -99,7 +100,10 @@ struct Tracker::Impl {
     tissue.reset();
     camera = rig.left;
     seen = seen_area();
+    held_out.emplace(rig, options.window_px, options.most_masked);
+    held_out->take(given_mask, first.seconds, body.surface().mesh());
     replenish();
+    held_out->remember(first.index, follower->points());
     relocator = std::make_unique<Relocator>(rig, parts.tissue);
     relocator->remember(first.left, body.surface());
     lost = since_key_frame = 0;
@@ -125,8 +129,19 @@ struct Tracker::Impl {
     return sum;
   }
 
+  /// Points that are not on the liver go. Their places come back as others do (PointMemory), but for those
+  /// that never were on it.
+  void hold_out(const StereoFrame& frame, OverlayFrame& overlay) {
+    held_out->remember(frame.index, follower->points());
+    held_out->take(given_mask, frame.seconds, body.surface().mesh());
+    follower->keep(held_out->free(follower->points()));
+    memory->forget(held_out->never_liver());
+    overlay.mask = held_out->use();
+  }
+
   void replenish() {
     const auto expected = [&](const Eigen::Vector2d& pixel) -> std::optional<Eigen::Vector3d> {
+      if (!held_out->is_free(pixel)) return std::nullopt;
       const ClosestPoint hit = body.surface().first_hit(Eigen::Vector3d::Zero(), camera.ray(pixel), 0.0,
                                                         std::numeric_limits<double>::infinity());
       if (hit.triangle < 0) return std::nullopt;
@@ -134,6 +149,7 @@ struct Tracker::Impl {
     };
     const int missing = options.points - static_cast<int>(follower->points().size());
     memory->recall(*follower, anchors, body.surface(), missing, follower->spacing(), frames);
+    follower->keep(held_out->free(follower->points()));
     const int added = follower->replenish(expected);
     std::vector<char> kept(follower->points().size(), 1);
     for (std::size_t i = kept.size() - static_cast<std::size_t>(added); i < kept.size(); ++i) {
@@ -161,7 +177,8 @@ struct Tracker::Impl {
 
   /// Counts frames without an overlay, and looks for the organ by its texture.
   void look_for_organ(const StereoFrame& frame, Validity validity) {
-    const bool is_lost = validity == Validity::too_few_points || validity == Validity::inconsistent_motion ||
+    const bool is_lost = validity == Validity::too_few_points || validity == Validity::masked_out ||
+                         validity == Validity::inconsistent_motion ||
                          validity == Validity::residual_too_large || validity == Validity::surface_apart;
     // What was found is not looked for again before surfaces have said whether it is right.
     const bool is_examined = judge && judge->is_undecided() && validity == Validity::surface_apart;
@@ -330,14 +347,20 @@ struct Tracker::Impl {
         const StereoFollower::Counts counts = follower->follow(frame);
         overlay.tracked_left = counts.left;
         overlay.tracked_right = counts.right;
+        hold_out(frame, overlay);
         overlay.pairs = static_cast<int>(follower->points().size());
         overlay.validity =
             overlay.pairs < options.minimum_pairs ? Validity::too_few_points : follow_points(overlay);
+        held_out->remember(frame.index, follower->points());
+        if (overlay.validity == Validity::too_few_points &&
+            held_out->explains_few(overlay.pairs, options.minimum_pairs))
+          overlay.validity = Validity::masked_out;
       } catch (const InputError&) {
         overlay.validity = Validity::too_few_points;  // no picture of the camera's size
       }
       // What could not be used is followed again from the last frame that could.
-      if (overlay.validity == Validity::too_few_points || overlay.validity == Validity::inconsistent_motion) {
+      if (overlay.validity == Validity::too_few_points || overlay.validity == Validity::masked_out ||
+          overlay.validity == Validity::inconsistent_motion) {
         follower->forget_last();
         body.stop();
       }
@@ -345,7 +368,9 @@ struct Tracker::Impl {
     overlay.nodes_in_camera = body.positions();
     if (judge && overlay.validity == Validity::valid)
       overlay.validity = judge->judge(frame, follower->points(), overlay);
-    if (overlay.validity == Validity::valid) {
+    if (overlay.validity == Validity::valid && held_out && held_out->is_most())
+      overlay.validity = Validity::mostly_masked;
+    if (overlay.validity == Validity::valid || overlay.validity == Validity::mostly_masked) {
       last_valid = frames;
       is_believed = true;
     }
@@ -373,6 +398,8 @@ struct Tracker::Impl {
   AnchoredPoints anchors;
   std::optional<PointMemory> memory;
   std::optional<HandCorrections> hand;  ///< from begin() on
+  std::shared_ptr<const PictureMask> given_mask;
+  std::optional<HeldOut> held_out;  ///< from begin() on
   struct GoingOver {
     Points way_back;  ///< to the former shape, metres, as registered
     double since = 0.0;
@@ -418,6 +445,8 @@ Tracker& Tracker::operator=(Tracker&&) noexcept = default;
 void Tracker::begin(const StereoRig& rig, const StereoFrame& first, const Picture& mask) {
   impl_->begin(rig, first, mask);
 }
+
+void Tracker::see(std::shared_ptr<const PictureMask> not_liver) { impl_->given_mask = std::move(not_liver); }
 
 OverlayFrame Tracker::follow(const StereoFrame& frame) {
   return timed(impl_->doubtful, [&] { return impl_->follow(frame); });

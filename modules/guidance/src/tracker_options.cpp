@@ -12,6 +12,7 @@ void TrackerOptions::validate() const {
   demand(window_px >= 5 && window_px % 2 == 1, "window_px", window_px, "Give an odd number from 5");
   demand(levels >= 1 && levels <= 6, "levels", levels, "Give a number from 1 to 6");
   demand(minimum_pairs >= 3, "minimum_pairs", minimum_pairs, "Give three at least");
+  demand(most_masked > 0.0 && most_masked <= 1.0, "most_masked", most_masked, "Give a share");
   demand(maximum_residual > 0.0, "maximum_residual", maximum_residual, "Give a positive length");
   demand(minimum_consistent_share >= 0.0 && minimum_consistent_share <= 1.0, "minimum_consistent_share",
          minimum_consistent_share, "Give a share from 0 to 1");

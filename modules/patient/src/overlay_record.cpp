@@ -117,6 +117,11 @@ OverlayLine line_of(const json& object) {
   overlay.validity = named(kValidities, validity_code, object.at("reason").get<std::string>(), "reason");
   if (object.at("level").get<std::string>() != level_code(overlay.level()))
     throw std::invalid_argument("level and reason contradict each other");
+  if (object.contains("mask")) {
+    const json& mask = object.at("mask");
+    overlay.mask =
+        MaskUse{length(mask, "share"), length(mask, "age_seconds"), mask.at("held_out").get<int>()};
+  }
   if (object.at("mesh").is_null()) return line;
   line.mesh = object.at("mesh").get<std::string>();
   if (line.mesh.empty() || std::filesystem::path(line.mesh).filename() != line.mesh)
@@ -141,6 +146,10 @@ std::string overlay_line(const OverlayLine& line) {
                  {"doubtful", overlay.doubtful},
                  {"mesh", nullptr},
                  {"camera_from_model", nullptr}};
+  if (overlay.mask)
+    object["mask"] = {{"share", overlay.mask->share},
+                      {"age_seconds", overlay.mask->age},
+                      {"held_out", overlay.mask->held_out}};
   if (line.mesh.empty()) return object.dump();
   require(line.camera_from_model.has_value(), "a line with a mesh has its pose");
   const double per = 1.0 / metres_per(line.unit);

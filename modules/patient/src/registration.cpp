@@ -31,6 +31,10 @@ const char* validity_code(Validity validity) {
       return "poor_picture";
     case Validity::proposed:
       return "proposed";
+    case Validity::mostly_masked:
+      return "mostly_masked";
+    case Validity::masked_out:
+      return "masked_out";
   }
   return "unknown";
 }
@@ -38,13 +42,14 @@ const char* validity_code(Validity validity) {
 Level level_of(Validity validity) {
   if (validity == Validity::valid) return Level::valid;
   const bool is_degraded = validity == Validity::partly_covered || validity == Validity::poor_picture ||
-                           validity == Validity::proposed;
+                           validity == Validity::proposed || validity == Validity::mostly_masked;
   return is_degraded ? Level::degraded : Level::withdrawn;
 }
 
 bool is_followed(Validity validity) {
   return validity != Validity::not_started && validity != Validity::too_few_points &&
-         validity != Validity::inconsistent_motion && validity != Validity::mechanics_failed;
+         validity != Validity::masked_out && validity != Validity::inconsistent_motion &&
+         validity != Validity::mechanics_failed;
 }
 
 }  // namespace glisson

@@ -55,6 +55,7 @@ class Texts {
             {"register_again", tr("Registering again")},
             {"take_registration", tr("Taking the other registration")},
             {"undo_correction", tr("Taking a correction back")},
+            {"set_mask_network", tr("Choosing the mask network")},
             {"stop_tracking", tr("Stopping the tracking")},
             {"start_trial", tr("Preparing the trial of a load")},
             {"stop_trial", tr("Ending the trial of a load")},

@@ -9,6 +9,7 @@
 #include "glisson/ui/guidance/correction_box.h"
 #include "glisson/ui/guidance/lesion_box.h"
 #include "glisson/ui/guidance/look_box.h"
+#include "glisson/ui/guidance/mask_box.h"
 #include "glisson/ui/guidance/openigtlink_box.h"
 #include "glisson/ui/guidance/organ_view.h"
 #include "glisson/ui/guidance/playback_box.h"
@@ -27,6 +28,7 @@ GuidancePanel::GuidancePanel(EngineBridge& engine, DrawableSource& drawables, QW
       review_(engine, playback_),
       correction_(engine, playback_, review_),
       again_(engine, playback_),
+      mask_(engine, playback_),
       recording_(worker_, playback_, correction_, again_),
       live_(engine, drawables, playback_, review_, worker_),
       openigtlink_(engine, drawables),
@@ -47,6 +49,7 @@ GuidancePanel::GuidancePanel(EngineBridge& engine, DrawableSource& drawables, QW
   live->addWidget(recording);
   live->addWidget(new CorrectionBox(correction_, this));
   live->addWidget(new AgainBox(again_, this));
+  live->addWidget(new MaskBox(mask_, this));
   auto* figures = new FiguresTable(this);
   live->addWidget(figures);
   couplings_.add(live_.figures, [figures](const FigureRows& rows) { figures->set_rows(rows); });

@@ -15,7 +15,7 @@ PlaybackBox::PlaybackBox(EngineBridge& engine, PlaybackModel& model, QWidget* pa
     : QWidget(parent), row_(new QHBoxLayout) {
   QVBoxLayout* box = make_box_layout(this);
   auto* start = new TaskButton(
-      engine, tr("Start tracking"), [] { return engine::Command(PlaybackModel::command()); }, this);
+      engine, tr("Start tracking"), [&model] { return engine::Command(model.command()); }, this);
   start->setObjectName(QStringLiteral("start_tracking"));
   start->reserve_line();  // what stands below is wanted in a hurry
   box->addWidget(start);

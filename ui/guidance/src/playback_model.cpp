@@ -29,14 +29,17 @@ PlaybackModel::PlaybackModel(EngineBridge& engine, QObject* parent)
   read_case();
 }
 
-engine::StartTracking PlaybackModel::command() {
+engine::StartTracking PlaybackModel::command() const {
   engine::StartTracking start;
   start.source = engine::StartTracking::Source::video;
+  start.mask.network = mask_network.value().toStdString();
   return start;
 }
 
 QString PlaybackModel::requirement(const engine::Snapshot& now) {
-  return obstacle_text(engine::obstacle(now, command()));
+  engine::StartTracking start;
+  start.source = engine::StartTracking::Source::video;
+  return obstacle_text(engine::obstacle(now, start));
 }
 
 void PlaybackModel::begin(const engine::Outcome& outcome) {

@@ -41,6 +41,10 @@ class Overlay {
         return tr("the picture has lost light or contrast");
       case Validity::proposed:
         return tr("only proposed, not registered");
+      case Validity::mostly_masked:
+        return tr("the mask network takes most of the organ for something else");
+      case Validity::masked_out:
+        return tr("the mask network leaves too little of the organ");
     }
     return {};
   }

@@ -1,27 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "recent_cases.h"
 
-#include <QDir>
 #include <QFileInfo>
-#include <QSettings>
-#include <memory>
 
 #include "glisson/engine/case_io.h"
+#include "glisson/ui/common/user_settings.h"
 
 namespace glisson::ui {
 namespace {
 
 constexpr int kMost = 10;
 const QString kKey = QStringLiteral("recent_cases");
-
-std::unique_ptr<QSettings> settings() {
-  const QString folder = qEnvironmentVariable("GLISSON_SETTINGS");
-  if (!folder.isEmpty())
-    return std::make_unique<QSettings>(QDir(folder).filePath(QStringLiteral("glisson.ini")),
-                                       QSettings::IniFormat);
-  return std::make_unique<QSettings>(QSettings::IniFormat, QSettings::UserScope, QStringLiteral("glisson"),
-                                     QStringLiteral("glisson"));
-}
 
 /// "patient.glisson (/home/doe/cases)", its ampersands not taken for keys.
 QString entry_of(const QString& path) {
@@ -39,13 +28,13 @@ RecentCases::RecentCases(QWidget* parent) : QMenu(tr("Open &recent"), parent) {
 }
 
 QStringList RecentCases::paths() const {
-  QStringList paths = settings()->value(kKey).toStringList();
+  QStringList paths = user_settings()->value(kKey).toStringList();
   paths.removeAll(QString());
   return paths.mid(0, kMost);
 }
 
 void RecentCases::put(const QStringList& paths) {
-  settings()->setValue(kKey, paths.mid(0, kMost));
+  user_settings()->setValue(kKey, paths.mid(0, kMost));
   list();
 }
 

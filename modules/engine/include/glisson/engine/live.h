@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -20,6 +23,14 @@
 namespace glisson::engine {
 
 struct StartTracking;
+
+/// How a mask network does beside the live loop.
+struct MaskStatus {
+  std::filesystem::path network;
+  std::optional<double> age;  ///< seconds since the picture of its newest mask; empty: it has made none
+  bool is_used = false;       ///< that mask holds points out; false: there is none, or it is too old
+  std::string problem;        ///< why no masks come any more; empty: nothing went wrong
+};
 
 /// A cloud with its place in time.
 struct IndexedCloud {
@@ -46,6 +57,11 @@ class Follower {
   /// Goes over to another registration of the moment in which this began.
   /// @return the last frame's overlay as it is now. @throws InputError why it cannot; nothing has changed.
   virtual OverlayFrame take(const Registration& registration);
+  /// From now on this network says what is not liver, beside the live loop; empty: none does.
+  /// @throws InputError why it cannot; nothing has changed.
+  virtual void set_mask_network(const std::filesystem::path& network);
+  /// How the mask network does; empty: there is none.
+  virtual std::optional<MaskStatus> mask_status() const { return {}; }
   /// Where the tissue has been seen since, all looks joined in that moment: left camera's frame, metres.
   /// Null: not known yet.
   virtual std::shared_ptr<const PointsIn<CameraFrame>> tissue_at_start() { return nullptr; }

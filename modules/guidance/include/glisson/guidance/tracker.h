@@ -24,6 +24,7 @@ struct TrackerOptions {
   double epipolar_px = 2.0;          ///< gate on how far a pair's rays pass by each other
   int window_px = 17, levels = 3;    ///< of Lucas-Kanade
   int minimum_pairs = 30;            ///< fewer: no overlay
+  double most_masked = 0.5;          ///< share of the organ in sight from which a mask degrades the overlay
   double maximum_residual = 5e-3;    ///< m; more: no overlay
   /// A frame in which a smaller share of the points agrees with its neighbours shows no one motion.
   double minimum_consistent_share = 0.5;
@@ -71,6 +72,10 @@ class Tracker {
   /// @throws InputError pictures or mask of another size than the calibration's, or empty; a start that turns
   ///   elements inside out.
   void begin(const StereoRig& rig, const StereoFrame& first, const Picture& mask);
+  /// What somebody else than the tracker says is not liver; also before begin(). Points there neither begin
+  /// nor pull, from the next frame on, until another mask is given. Nothing else is changed by it: it can
+  /// only silence points. Null: none. A mask of another size than the pictures is no mask.
+  void see(std::shared_ptr<const PictureMask> not_liver);
   /// The next frame. Always returns; validity says whether it may be shown. Without begin(): not_started. A
   /// frame without a usable picture is too_few_points; the next good one is followed from the last good one.
   OverlayFrame follow(const StereoFrame& frame);

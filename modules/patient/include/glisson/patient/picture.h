@@ -24,4 +24,11 @@ struct StereoFrame {
   double seconds = 0.0;  ///< since the source's start
 };
 
+/// What of a left picture is not liver: tools, hands, gauze.
+struct PictureMask {
+  Picture not_liver;  ///< one channel, of the picture's size, non-zero where it is not
+  int index = -1;     ///< of the frame
+  double seconds = 0.0;
+};
+
 }  // namespace glisson

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -75,7 +76,10 @@ enum class Validity {
   views_apart,     ///< the two views do not show one moment of one scene
   partly_covered,  ///< a good part of where the organ should be shows something else, or nothing
   poor_picture,    ///< light or contrast is lost, as in smoke
-  proposed         ///< a place to be looked at: another one than the registered, or one that a hand has set
+  proposed,        ///< a place to be looked at: another one than the registered, or one that a hand has set
+  // By a person's own network that masks what is not liver:
+  mostly_masked,  ///< most of the organ in sight is masked
+  masked_out      ///< so much that too few points are left
 };
 inline constexpr Validity kValidities[] = {Validity::valid,
                                            Validity::not_started,
@@ -89,7 +93,9 @@ inline constexpr Validity kValidities[] = {Validity::valid,
                                            Validity::views_apart,
                                            Validity::partly_covered,
                                            Validity::poor_picture,
-                                           Validity::proposed};
+                                           Validity::proposed,
+                                           Validity::mostly_masked,
+                                           Validity::masked_out};
 const char* validity_code(Validity validity);
 
 Level level_of(Validity validity);
@@ -110,6 +116,13 @@ struct Evidence {
   double rows = 0.0;        ///< pixels by which the views have come apart across the epipolar lines
 };
 
+/// What a mask of what is not liver did in a frame (PictureMask).
+struct MaskUse {
+  double share = 0.0;  ///< of the organ's surface in sight that is masked
+  double age = 0.0;    ///< seconds since the picture that was masked
+  int held_out = 0;    ///< followed points that it kept from pulling
+};
+
 /// The model at one frame of the video. A withdrawn one is never drawn.
 struct OverlayFrame {
   int index = 0;
@@ -121,6 +134,7 @@ struct OverlayFrame {
   double residual = 0.0;               ///< metres, mean over the pairs
   double milliseconds = 0.0;           ///< tracking, correspondence and mechanics of this frame
   Evidence evidence;                   ///< the last one
+  std::optional<MaskUse> mask;         ///< empty: none was used
   std::vector<LesionVerdict> lesions;  ///< one a lesion of the model; a lesion without one is not drawn
   Level level() const { return level_of(validity); }
 };

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "glisson/engine/case_state.h"
+#include "glisson/engine/live.h"
 #include "glisson/patient/correction.h"
 #include "glisson/patient/picture.h"
 #include "glisson/patient/registration.h"
@@ -19,6 +20,7 @@ struct LiveState {
   int frames_late = 0;                      ///< that took longer than a frame's time
   int frames_dropped = 0;                   ///< never followed because a newer one had come
   std::vector<CorrectionMade> corrections;  ///< by hand, that stand; the oldest first
+  std::optional<MaskStatus> mask;           ///< empty: no network masks what is not liver
   /// Where the tissue has been seen since tracking began (Follower::tissue_at_start); null: not yet.
   std::shared_ptr<const PointsIn<CameraFrame>> tissue_at_start;
 };

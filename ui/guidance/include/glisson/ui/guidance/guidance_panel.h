@@ -10,6 +10,7 @@
 #include "glisson/ui/guidance/guidance_view.h"
 #include "glisson/ui/guidance/live_view.h"
 #include "glisson/ui/guidance/live_view_model.h"
+#include "glisson/ui/guidance/mask_model.h"
 #include "glisson/ui/guidance/openigtlink_model.h"
 #include "glisson/ui/guidance/overlay_worker.h"
 #include "glisson/ui/guidance/placing_model.h"
@@ -47,6 +48,7 @@ class GuidancePanel : public Panel {
   ReviewModel review_;
   CorrectionModel correction_;
   AgainModel again_;
+  MaskModel mask_;
   RecordingModel recording_;
   LiveViewModel live_;
   OpenIgtLinkModel openigtlink_;

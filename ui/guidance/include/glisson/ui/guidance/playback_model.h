@@ -18,8 +18,8 @@ class PlaybackModel : public QObject {
  public:
   explicit PlaybackModel(EngineBridge& engine, QObject* parent = nullptr);
 
-  /// What starts it: the case's video is followed.
-  static engine::StartTracking command();
+  /// What starts it: the case's video is followed, with the person's own mask network, if any.
+  engine::StartTracking command() const;
   /// The step to do before tracking; empty: it can start.
   static QString requirement(const engine::Snapshot& now);
 
@@ -41,8 +41,9 @@ class PlaybackModel : public QObject {
   QProperty<bool> is_paused{false};
   QProperty<bool> is_playing;   ///< tracking, and not frozen: what the feed says concerns it
   QProperty<QString> obstacle;  ///< why tracking cannot start now
-  // For widgets to set.
-  QProperty<bool> repeats{false};  ///< at the video's end, track again from the registered frame
+  // For widgets and other models to set.
+  QProperty<QString> mask_network;  ///< file; empty: none
+  QProperty<bool> repeats{false};   ///< at the video's end, track again from the registered frame
 
  signals:
   /// The video plays from now on.
