@@ -16,6 +16,8 @@ const std::vector<Named>& all_entries() {
                                          {"meta_header", meta_header},
                                          {"archive", archive},
                                          {"zip_archive", zip_archive},
+                                         {"onnx_input", onnx_input},
+                                         {"label_sheet", label_sheet},
                                          {"cloud", cloud},
                                          {"label_codes", label_codes},
                                          {"seeds", seeds},

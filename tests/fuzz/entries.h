@@ -28,6 +28,9 @@ void meta_header(std::string_view bytes);
 void archive(std::string_view bytes);
 void zip_archive(std::string_view bytes);
 
+void onnx_input(std::string_view bytes);   ///< what a network's file says of its input
+void label_sheet(std::string_view bytes);  ///< its MODEL.json
+
 void cloud(std::string_view bytes);
 void label_codes(std::string_view bytes);
 void seeds(std::string_view bytes);

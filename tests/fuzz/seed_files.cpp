@@ -10,6 +10,7 @@
 #include "glisson/stereo/calibration_io.h"
 #include "glisson/stereo/picture_io.h"
 #include "glisson/volume/io.h"
+#include "onnx_bytes.h"
 #include "phantom.h"
 #include "shapes.h"
 #include "tar_bytes.h"
@@ -158,6 +159,17 @@ const std::map<std::string, std::function<Files()>>& makers() {
                                     {"a/b", std::string(300, 'x'), true},
                                     {"c", "a", false, false, false, 0, 0, 0120777},
                                     {"d", "content", false, true}})};
+       }},
+      {"onnx_input",
+       [] {
+         return Files{test::OnnxNetwork({1, 1, 16, 16}).conv(2, 1, 1, {-1.0F, 1.0F}, {1.0F, 0.0F}).bytes(),
+                      test::OnnxNetwork({1, 1, 8, 8, 8}).conv(2, 1, 1, {-1.0F, 1.0F}, {1.0F, 0.0F}).bytes()};
+       }},
+      {"label_sheet",
+       [] {
+         return Files{R"({"window_hu": [-100, 300], "mean_hu": 80, "sd_hu": 40, "spacing_mm": [3, 1, 1], )"
+                      R"("axes": "IPL", "tile": [32, 64, 64], "overlap": 0.25, )"
+                      R"("channels": ["background", "parenchyma", "lesions"], "least_lesion_ml": 0.1})"};
        }},
       {"cloud", [] { return Files{kCloud}; }},
       {"label_codes", [] { return Files{R"({"1": "parenchyma", "2": "portal_vein"})"}; }},
