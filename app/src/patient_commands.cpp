@@ -75,6 +75,13 @@ std::optional<Eigen::AlignedBox3d> region_from(const QString& text) {
   return box;
 }
 
+std::optional<Modality> modality_from(const QString& text) {
+  if (text.isEmpty()) return {};
+  if (text == QLatin1String("ct")) return Modality::ct;
+  if (text == QLatin1String("mr")) return Modality::mr;
+  throw UsageError(Cli::tr("--modality %1: write ct or mr.").arg(text).toStdString());
+}
+
 /// The series of a folder in the order of the window's list, and what speaks against each.
 int tell_series(const Arguments& arguments, const fs::path& input) {
   Session session(arguments);
@@ -135,21 +142,26 @@ void segment_by_seeds(Session& session, const engine::Segment& command, const fs
 }  // namespace
 
 int run_import(const QStringList& given) {
-  Arguments arguments("import", Cli::tr("Reads a CT (a folder of DICOM slices or its DICOMDIR, a .zip or "
-                                        ".tar.gz of one, NIfTI, NRRD, MetaImage) into a case, "
-                                        "which is made if there is none."));
+  Arguments arguments("import",
+                      Cli::tr("Reads a CT or MRI (a folder of DICOM slices or its DICOMDIR, a .zip or "
+                              ".tar.gz of one, NIfTI, NRRD, MetaImage) into a case, "
+                              "which is made if there is none."));
   arguments.positional("INPUT", Cli::tr("The volume."));
   arguments.flag("list", Cli::tr("Only tell which DICOM series there are, the likeliest first."));
   arguments.option("series", Cli::tr("Which DICOM series, where there are several: its UID or number."),
                    "SERIES");
+  arguments.option("modality", Cli::tr("ct or mr: what the volume is, where its file does not say."),
+                   "MODALITY");
   declare_case(arguments);
   if (!arguments.parse(given)) return 0;
   const QString input = arguments.positionals(1, 1).front();
   if (arguments.has("list")) return tell_series(arguments, input.toStdString());
   const fs::path folder = arguments.required_path("case");
+  const auto modality = modality_from(arguments.value("modality"));
   Session session(arguments);
   if (fs::exists(folder)) open_case(arguments, session);
-  session.post(engine::ImportImage{input.toStdString(), arguments.value("series").toStdString()});
+  session.post(
+      engine::ImportImage{input.toStdString(), arguments.value("series").toStdString(), false, modality});
   save_case(arguments, session);
   session.finish();
   return 0;

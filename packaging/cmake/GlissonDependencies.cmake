@@ -16,7 +16,7 @@ find_package(ITK 5.2 REQUIRED COMPONENTS
   ITKImageGrid ITKImageIntensity ITKImageFeature ITKImageGradient ITKImageLabel ITKImageStatistics
   ITKSmoothing ITKThresholding ITKMathematicalMorphology ITKBinaryMathematicalMorphology
   ITKLabelMap ITKLevelSets ITKRegionGrowing ITKConnectedComponents ITKDistanceMap ITKFastMarching
-  ITKCurvatureFlow ITKAnisotropicSmoothing ITKAntiAlias)
+  ITKCurvatureFlow ITKAnisotropicSmoothing ITKAntiAlias ITKBiasCorrection)
 find_package(OpenCV 4.6 REQUIRED COMPONENTS core imgproc imgcodecs calib3d aruco dnn features2d video videoio)
 find_package(CGAL 5.5 REQUIRED)
 find_package(embree 3.13 REQUIRED)

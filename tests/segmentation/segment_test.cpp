@@ -402,9 +402,9 @@ void SegmentTest::BadInputIsRefused() {
   Image air = p.image;
   air.voxels = std::make_shared<const std::vector<std::int16_t>>(p.image.voxels->size(), std::int16_t{-1000});
   QVERIFY_EXCEPTION_THROWN(segment(air, in_air, {}, RunContext()), InputError);
-  Image mr = p.image;
-  mr.modality = Modality::mr;
-  QVERIFY_EXCEPTION_THROWN(segment(mr, good, {}, RunContext()), InputError);
+  Image unknown = p.image;
+  unknown.modality = Modality::other;
+  QVERIFY_EXCEPTION_THROWN(segment(unknown, good, {}, RunContext()), InputError);
   QVERIFY_EXCEPTION_THROWN(segment(Image(), good, {}, RunContext()), InputError);
   SegmentationOptions options;
   options.working_spacing_mm = 0.0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is the case's stays the case's: while it is saved, when another CT or video comes, when a frame loads.
 #include <QDialog>
+#include <QDoubleSpinBox>
 #include <QMessageBox>
 #include <QPointer>
 #include <QPushButton>
@@ -24,6 +25,7 @@
 #include "glisson/engine/parts/seeds.h"
 #include "glisson/engine/parts/video.h"
 #include "glisson/stereo/regions.h"
+#include "glisson/ui/segmentation/label_table.h"
 #include "glisson/ui/shell/main_window.h"
 #include "glisson/ui/stereo/stereo_panel.h"
 #include "run_in_window.h"
@@ -41,6 +43,7 @@ class CaseKeepingTest : public QObject {
   void WhatIsDoneWhileTheCaseIsSavedIsNotSaved();
   void ACancelledSaveDoesNotCloseTheWindowLater();
   void OneOfSeveralSeriesIsAskedFor();
+  void WhereAFileDoesNotSayCtOrMriIsAsked();
   void AnotherCtIsAskedWhoseItIs();
   void AVideoThatCannotBeOpenedLeavesTheFrame();
   void RegionsAreOfTheFrameThatWasDrawnOn();
@@ -172,6 +175,23 @@ void CaseKeepingTest::OneOfSeveralSeriesIsAskedFor() {
   list->setCurrentItem(list->topLevelItem(1));
   QTest::keyClick(dialog, Qt::Key_Return);
   QTRY_COMPARE(window_->engine().state()[part::image]->description, std::string("1.2.4"));
+}
+
+void CaseKeepingTest::WhereAFileDoesNotSayCtOrMriIsAsked() {
+  const TemporaryFolder folder;
+  auto* table = window_->findChild<LabelTable*>();
+  QVERIFY(table != nullptr);
+  QCOMPARE(table->headerItem()->text(LabelTable::intensity), QStringLiteral("HU"));
+  write_file_atomically(folder.path() / "unknown.nii", "");
+  window_->open(folder.path() / "unknown.nii");
+  QTRY_VERIFY(window_->findChild<QPushButton*>(QStringLiteral("modality_mr")) != nullptr);
+  QCOMPARE(window_->engine().state()[part::image]->modality, Modality::other);
+  QTest::mouseClick(window_->findChild<QPushButton*>(QStringLiteral("modality_mr")), Qt::LeftButton);
+  QTRY_COMPARE(window_->engine().state()[part::image]->modality, Modality::mr);
+  // Intensities of an MRI have no unit.
+  QTRY_COMPARE(table->headerItem()->text(LabelTable::intensity), QStringLiteral("Grey"));
+  for (const char* box : {"editable_low", "threshold_low"})
+    QCOMPARE(window_->findChild<QDoubleSpinBox*>(QLatin1String(box))->suffix(), QString());
 }
 
 void CaseKeepingTest::AnotherCtIsAskedWhoseItIs() {

@@ -247,6 +247,7 @@ class FakeOperation {
     if (command.new_case) applied.state = {};
     Image image = ct;
     image.description = command.series;
+    if (command.path.filename() == "unknown.nii") image.modality = command.modality.value_or(Modality::other);
     applied.state[part::image] = std::make_shared<const Image>(std::move(image));
     return true;
   }

@@ -3,8 +3,12 @@
 
 namespace glisson::insilico {
 
-Canvas::Canvas(const VolumeGrid& grid, float hounsfield)
-    : grid_(grid), voxels_(static_cast<std::size_t>(grid.voxel_count()), hounsfield) {}
+Canvas::Canvas(const VolumeGrid& grid, float hounsfield) : Canvas(grid, hounsfield, {}) {}
+
+Canvas::Canvas(const VolumeGrid& grid, float hounsfield, SignalOf signal)
+    : grid_(grid), signal_(std::move(signal)) {
+  voxels_.assign(static_cast<std::size_t>(grid.voxel_count()), static_cast<float>(shown(hounsfield)));
+}
 
 VolumeGrid ct_grid(const Eigen::Vector3d& spacing_mm) {
   const Vec low(-180, -148, -146), high(180, 152, 174);

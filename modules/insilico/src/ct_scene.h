@@ -2,9 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <utility>
 #include <vector>
 
 #include "glisson/core/run_context.h"
+#include "glisson/patient/label_map.h"
 #include "glisson/volume/grid.h"
 #include "glisson/volume/label_volume.h"
 #include "liver_shape.h"
@@ -19,11 +22,28 @@ struct Anatomy {
   GrownTrees trees;
 };
 
+/// One patient of the population. The same seed gives the same anatomy.
+Cancellable<Anatomy> draw_anatomy(std::uint64_t shape_seed, const RunContext& context);
+
+/// Of the labels that paint_liver() gives.
+std::vector<LabelInfo> label_infos(std::size_t lesions);
+
+/// What another scanner than a CT shows of a tissue, which is named by its Hounsfield units (see tissue.h).
+/// Bones have a table of their own: they share numbers with enhanced soft tissue.
+using SignalOf = std::function<double(double hounsfield, bool bone)>;
+
 /// A slab of a volume in Hounsfield units that fields are painted on, one over the other. A voxel that a
 /// surface cuts takes its share of both sides.
 class Canvas {
  public:
   Canvas(const VolumeGrid& grid, float hounsfield);
+  /// Painted in signals instead, so that the shares of a voxel mix as they do in that scanner.
+  Canvas(const VolumeGrid& grid, float hounsfield, SignalOf signal);
+
+  /// What is painted from now on is bone, or is not.
+  void paint_bone(bool bone) { bone_ = bone; }
+  /// What the scanner shows of a tissue.
+  double shown(double hounsfield) const { return signal_ ? signal_(hounsfield, bone_) : hounsfield; }
 
   const VolumeGrid& grid() const { return grid_; }
   std::vector<float>& voxels() { return voxels_; }
@@ -71,13 +91,15 @@ class Canvas {
         value = hounsfield(p, f);
       else
         value = hounsfield;
-      voxels_[at] += static_cast<float>(share * (value - voxels_[at]));
+      voxels_[at] += static_cast<float>(share * (shown(value) - voxels_[at]));
     });
   }
 
  private:
   static constexpr int kBlock = 6;
   VolumeGrid grid_;
+  SignalOf signal_;
+  bool bone_ = false;
   std::vector<float> voxels_;
 };
 

@@ -39,7 +39,7 @@ void paint_tree(Canvas& canvas, const GrownTree& tree, double hounsfield, Label 
   for (std::size_t at = 0; at < field.size(); ++at) {
     if (field[at] >= half_voxel) continue;
     const double share = std::min(1.0, 0.5 - 0.5 * field[at] / half_voxel);
-    canvas.voxels()[at] += static_cast<float>(share * (hounsfield - canvas.voxels()[at]));
+    canvas.voxels()[at] += static_cast<float>(share * (canvas.shown(hounsfield) - canvas.voxels()[at]));
     if (field[at] < 0.0F) labels[at] = label;
   }
 }

@@ -179,8 +179,10 @@ bool paint_trunk(Canvas& canvas, const LiverShape& shape, const RunContext& cont
       tissue::kMuscle);
   context.progress(0.7, "patient.ct");
   paint_back_muscles(canvas, seed);
+  canvas.paint_bone(true);
   paint_ribs(canvas);
   paint_spine(canvas);
+  canvas.paint_bone(false);
   context.progress(1.0, "patient.ct");
   return !context.cancelled();
 }

@@ -112,6 +112,8 @@ void add_surfaces(SyntheticPatient& patient, const Anatomy& anatomy, double spac
   add(structure::kHepaticVeins, contour(anatomy.trees.hepatic, fine));
 }
 
+}  // namespace
+
 std::vector<LabelInfo> label_infos(std::size_t lesions) {
   std::vector<Label> labels = {structure::kParenchyma, structure::kPortalVein, structure::kHepaticVeins,
                                structure::kVenaCava, structure::kGallbladder};
@@ -122,7 +124,14 @@ std::vector<LabelInfo> label_infos(std::size_t lesions) {
   return infos;
 }
 
-}  // namespace
+Cancellable<Anatomy> draw_anatomy(std::uint64_t shape_seed, const RunContext& context) {
+  LiverShape shape(draw_shape(shape_seed));
+  const GrowthOptions growth;
+  std::vector<Lesion> lesions = place_lesions(shape, growth);
+  auto trees = grow_trees(shape, lesions, growth, context);
+  if (!trees) return {};
+  return Anatomy{std::move(shape), std::move(lesions), std::move(*trees)};
+}
 
 void PatientOptions::validate() const {
   for (int a = 0; a < 3; ++a)
@@ -136,12 +145,9 @@ void PatientOptions::validate() const {
 Cancellable<SyntheticPatient> make_patient(const PatientOptions& options, const RunContext& context) {
   options.validate();
   context.progress(0.0, "patient.shape");
-  LiverShape shape(draw_shape(options.shape_seed));
-  const GrowthOptions growth;
-  std::vector<Lesion> lesions = place_lesions(shape, growth);
-  auto trees = grow_trees(shape, lesions, growth, context.part(0.05, 0.15));
-  if (!trees) return {};
-  const Anatomy anatomy{std::move(shape), std::move(lesions), std::move(*trees)};
+  const auto drawn = draw_anatomy(options.shape_seed, context.part(0.05, 0.15));
+  if (!drawn) return {};
+  const Anatomy& anatomy = *drawn;
 
   SyntheticPatient patient;
   patient.ct.grid = ct_grid(options.spacing_mm);

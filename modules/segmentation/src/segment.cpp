@@ -8,6 +8,7 @@
 #include "glisson/core/error.h"
 #include "glisson/volume/io.h"
 #include "live_view.h"
+#include "mr_scale.h"
 #include "painting.h"
 #include "vessels.h"
 
@@ -29,7 +30,7 @@ void check_points(const Image& image, const Points& points, const char* name) {
 }
 
 void check_input(const Image& image, const Seeds& seeds) {
-  require_ct(image);
+  if (image.empty()) throw InputError("image", "", "is empty", "Import a CT or MRI first");
   check_points(image, seeds.liver, "liver");
   check_points(image, seeds.portal_vein, "portal_vein");
   check_points(image, seeds.hepatic_veins, "hepatic_veins");
@@ -357,11 +358,12 @@ bool is_found_anew(Label label, const Structures& asked, const Seeds& seeds) {
   return is_anew(found_anew(asked, seeds), seeds, label);
 }
 
-Cancellable<Segmented> segment(const Image& whole, const Seeds& all_seeds, const SegmentationOptions& options,
-                               const RunContext& context, const LabelMap* all_kept, const ShowLiver& show) {
-  options.validate();
-  check_input(whole, all_seeds);
-  if (all_kept != nullptr) require_same_grid(all_kept->voxels.grid(), whole.grid, "labels that are kept");
+namespace {
+
+/// segment() on the scale of a CT. @pre the input is checked.
+Cancellable<Segmented> segment_ct(const Image& whole, const Seeds& all_seeds,
+                                  const SegmentationOptions& options, const RunContext& context,
+                                  const LabelMap* all_kept, const ShowLiver& show) {
   const VoxelBox box = box_of(whole.grid, options.region);
   const Image image = part_of(whole, box);
   const Seeds seeds = part_of(unlocked(all_seeds, options.locked), image.grid, options.region);
@@ -401,6 +403,19 @@ Cancellable<Segmented> segment(const Image& whole, const Seeds& all_seeds, const
   if (anew.liver) note_clicks(painting, seeds, result.report);
   context.progress(1.0, "segmentation.finish");
   return result;
+}
+
+}  // namespace
+
+Cancellable<Segmented> segment(const Image& image, const Seeds& seeds, const SegmentationOptions& options,
+                               const RunContext& context, const LabelMap* kept, const ShowLiver& show) {
+  options.validate();
+  check_input(image, seeds);
+  if (kept != nullptr) require_same_grid(kept->voxels.grid(), image.grid, "labels that are kept");
+  const double scaled = image.modality == Modality::ct ? 0.0 : 0.15;
+  const auto on_scale = on_ct_scale(image, seeds, kept, context.part(0.0, scaled));
+  if (!on_scale) return std::nullopt;
+  return segment_ct(*on_scale, seeds, options, context.part(scaled, 1.0), kept, show);
 }
 
 double dice(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {

@@ -28,8 +28,9 @@ Tissue robust_tissue(std::vector<float>& values, double low_sigma, double high_s
 void require_ct(const Image& image) {
   if (image.empty()) throw InputError("image", "", "is empty", "Import a CT first");
   if (image.modality != Modality::ct)
-    throw InputError("image", "modality", "is not CT, and the statistics are those of Hounsfield units",
-                     "Import a portal venous CT, or import labels instead");
+    throw InputError("image", "modality",
+                     "is not CT, and only a CT says what grey a liver has before it is clicked",
+                     "Click the liver yourself");
 }
 
 Tissue tissue_around(const Field& ct, const std::vector<Eigen::Vector3i>& points, double radius_mm,

@@ -78,6 +78,7 @@ class Texts {
             {"segmentation.prepare", tr("preparing")},
             {"network.read", tr("reading the network")},
             {"network.tiles", tr("running the network")},
+            {"segmentation.bias", tr("taking off the coils' brightness")},
             {"segmentation.propose", tr("comparing tissues")},
             {"segmentation.start", tr("growing from the seeds")},
             {"segmentation.vesselness", tr("looking for tubes")},

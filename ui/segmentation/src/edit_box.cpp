@@ -186,7 +186,6 @@ void EditBox::build_region() {
     (*box)->setRange(-2000.0, 5000.0);
     (*box)->setDecimals(0);
     (*box)->setSingleStep(5.0);
-    (*box)->setSuffix(tr(" HU"));
     (*box)->setKeyboardTracking(false);  // the ends push each other: not by the first digit of a number
     row->addWidget(*box, 1);
   }
@@ -262,6 +261,8 @@ void EditBox::show_region() {
   area_->setCurrentIndex(area_->findData(static_cast<int>(region.area) + label));
   by_intensity_->setChecked(region.intensity.has_value());
   intensities_->setVisible(region.intensity.has_value());
+  for (QDoubleSpinBox* box : {low_, high_})
+    box->setSuffix(session_.shows_hounsfield() ? tr(" HU") : QString());
   const auto put = [](QDoubleSpinBox* box, double value) {
     if (std::abs(box->value() - value) > 0.5) box->setValue(value);  // who types is not interrupted
   };

@@ -446,4 +446,9 @@ void EditSession::take(const engine::Outcome& outcome) {
   if (edit || preview || in_history) emit changed();
 }
 
+bool EditSession::shows_hounsfield() const {
+  const auto& image = engine_.state()[part::image];
+  return !image || image->modality == Modality::ct;
+}
+
 }  // namespace glisson::ui

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/segmentation/label_rows.h"
 
+#include <QCoreApplication>
 #include <set>
 
 namespace glisson::ui {
@@ -30,6 +31,12 @@ std::vector<LabelRow> label_rows(const segmentation::LabelStatistics* statistics
     rows.push_back(row);
   }
   return rows;
+}
+
+QString intensity_text(const segmentation::LabelFigures& figures, bool hounsfield) {
+  const QString text = hounsfield ? QCoreApplication::translate("glisson::ui::LabelTable", "%1 ± %2 HU")
+                                  : QCoreApplication::translate("glisson::ui::LabelTable", "%1 ± %2");
+  return text.arg(figures.mean_hu, 0, 'f', 0).arg(figures.sd_hu, 0, 'f', 0);
 }
 
 }  // namespace glisson::ui

@@ -85,7 +85,8 @@ QTreeWidgetItem* LabelTable::row_of(Label label) const {
   return nullptr;
 }
 
-void LabelTable::set_rows(const std::vector<LabelRow>& rows) {
+void LabelTable::set_rows(const std::vector<LabelRow>& rows, bool hounsfield) {
+  headerItem()->setText(intensity, hounsfield ? tr("HU") : tr("Grey"));
   const QSignalBlocker quiet(this);
   const Label chosen = currentItem() != nullptr ? label_of(currentItem()) : structure::kParenchyma;
   while (topLevelItemCount() > static_cast<int>(rows.size()))
@@ -110,10 +111,7 @@ void LabelTable::set_rows(const std::vector<LabelRow>& rows) {
     item->setText(volume,
                   empty ? QString() : QString::number(row.figures.ml, 'f', row.figures.ml < 100 ? 1 : 0));
     item->setText(intensity, empty ? QString() : QString::number(qRound(row.figures.mean_hu)));
-    item->setToolTip(
-        intensity,
-        empty ? QString()
-              : tr("%1 ± %2 HU").arg(row.figures.mean_hu, 0, 'f', 0).arg(row.figures.sd_hu, 0, 'f', 0));
+    item->setToolTip(intensity, empty ? QString() : intensity_text(row.figures, hounsfield));
     const bool measured = is_lesion(row.label) && !empty;
     item->setText(diameter, measured ? QString::number(row.figures.longest_diameter_mm, 'f', 1) : QString());
     for (const int column : {volume, intensity, diameter})

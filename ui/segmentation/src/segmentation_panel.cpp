@@ -208,7 +208,8 @@ void SegmentationPanel::show_case() {
 }
 
 void SegmentationPanel::show_rows() {
-  table_->set_rows(label_rows(shown_statistics_.get(), shown_review_.get(), session_->settings().label));
+  table_->set_rows(label_rows(shown_statistics_.get(), shown_review_.get(), session_->settings().label),
+                   session_->shows_hounsfield());
 }
 
 void SegmentationPanel::show_label() {
@@ -229,7 +230,7 @@ void SegmentationPanel::show_label() {
   }
   const segmentation::LabelFigures& figures = statistics->figures().at(label);
   QStringList parts = {tr("%1 ml").arg(figures.ml, 0, 'f', 1),
-                       tr("%1 ± %2 HU").arg(figures.mean_hu, 0, 'f', 0).arg(figures.sd_hu, 0, 'f', 0)};
+                       intensity_text(figures, session_->shows_hounsfield())};
   if (is_lesion(label)) parts << tr("longest diameter %1 mm").arg(figures.longest_diameter_mm, 0, 'f', 1);
   figures_->setText(tr("%1: %2").arg(structure_text(label), parts.join(QStringLiteral(", "))));
 }

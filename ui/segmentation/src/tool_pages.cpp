@@ -78,8 +78,9 @@ QWidget* ToolPages::make(const PageField& field) {
   return make_button(field);
 }
 
-QString ToolPages::suffix_of(const std::string& unit) {
-  return unit == "mm" ? tr(" mm") : unit == "HU" ? tr(" HU") : unit == "ml" ? tr(" ml") : QString();
+QString ToolPages::suffix_of(const std::string& unit) const {
+  if (unit == "HU") return session_.shows_hounsfield() ? tr(" HU") : QString();
+  return unit == "mm" ? tr(" mm") : unit == "ml" ? tr(" ml") : QString();
 }
 
 void ToolPages::change(const std::function<void(EditSettings&)>& how) {
@@ -98,7 +99,8 @@ QWidget* ToolPages::make_number(const PageField& field) {
   connect(box, &QDoubleSpinBox::valueChanged, this, [this, set = field.set](double value) {
     change([&](EditSettings& settings) { set(settings, value); });
   });
-  refresh_.emplace_back([box, get = field.get](const EditSettings& settings) {
+  refresh_.emplace_back([this, box, get = field.get, unit = field.range.unit](const EditSettings& settings) {
+    box->setSuffix(suffix_of(unit));
     const QSignalBlocker quiet(box);
     if (std::abs(box->value() - get(settings)) > 1e-9) box->setValue(get(settings));
   });

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "glisson/core/error.h"
 #include "glisson/engine/parts/image.h"
 #include "glisson/engine/parts/source.h"
 #include "glisson/volume/plausibility.h"
@@ -32,6 +33,12 @@ Cancellable<Applied> ImportImage::apply(const CaseState& state, const RunContext
   auto scan = read_scan(path, context, series);
   if (!scan) return {};
   Image* image = &scan->image;
+  if (modality && *modality != image->modality) {
+    if (!scan->source.empty())
+      throw InputError(path.string(), "modality", "is told by its DICOM files, and is another one",
+                       "Leave the choice out");
+    image->modality = *modality;
+  }
   Applied applied;
   if (!new_case) applied.state = state;
   for (int k = 0; k < 3; ++k) {

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "glisson/engine/command.h"
+#include "glisson/volume/image.h"
 
 namespace glisson::engine {
 
@@ -13,6 +15,8 @@ struct ImportImage {
   std::filesystem::path path;
   std::string series = {};  ///< UID or number, where there are several
   bool new_case = false;    ///< of another patient: nothing of the case stays, nor where it lay
+  /// What the image is, where its file does not say. @throws InputError in apply(): DICOM says another one.
+  std::optional<Modality> modality = {};
 
   CommandTraits traits() const;
   Cancellable<Applied> apply(const CaseState& state, const RunContext& context) const;

@@ -37,6 +37,8 @@ class EditSession : public QObject {
   EditObstacle obstacle() const;
 
   /// Of the case; null: there is none.
+  /// Whether intensities are Hounsfield units: of a CT, and while there is no image.
+  bool shows_hounsfield() const;
   const std::shared_ptr<const editing::History>& history() const { return engine_.state()[part::history]; }
   /// Neither while a new segmentation waits for a decision: a step would let it go.
   bool can_undo() const;

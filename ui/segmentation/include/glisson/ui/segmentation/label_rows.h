@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QString>
 #include <vector>
 
 #include "glisson/patient/label_map.h"
@@ -20,5 +21,8 @@ struct LabelRow {
 /// @param statistics, review may be null. @param worked_on background: none.
 std::vector<LabelRow> label_rows(const segmentation::LabelStatistics* statistics, const Review* review,
                                  Label worked_on = structure::kBackground);
+
+/// "104 ± 12 HU"; without a unit where the image is no CT.
+QString intensity_text(const segmentation::LabelFigures& figures, bool hounsfield);
 
 }  // namespace glisson::ui

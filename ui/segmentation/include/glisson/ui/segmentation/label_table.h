@@ -16,7 +16,8 @@ class LabelTable : public QTreeWidget {
   enum Column { name = 0, shown = 1, locked = 2, review = 3, volume = 4, intensity = 5, diameter = 6 };
 
   explicit LabelTable(QWidget* parent = nullptr);
-  void set_rows(const std::vector<LabelRow>& rows);
+  /// @param hounsfield whether intensities are those of a CT; otherwise they have no unit.
+  void set_rows(const std::vector<LabelRow>& rows, bool hounsfield = true);
   /// Labels that are hidden or locked, as the table shows them.
   void set_marks(const std::set<Label>& hidden, const std::set<Label>& locked);
   void choose(Label label);

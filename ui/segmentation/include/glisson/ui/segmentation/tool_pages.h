@@ -25,7 +25,7 @@ class ToolPages : public QWidget {
   QWidget* make_check(const PageField& field);
   QWidget* make_labels(const PageField& field);
   QWidget* make_button(const PageField& field);
-  static QString suffix_of(const std::string& unit);
+  QString suffix_of(const std::string& unit) const;
   void change(const std::function<void(EditSettings&)>& how);
   void show_tool();
   void show_settings();

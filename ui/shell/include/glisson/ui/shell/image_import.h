@@ -10,7 +10,8 @@
 
 namespace glisson::ui {
 
-/// Imports an image; of a DICOM folder or archive with several series it asks which.
+/// Imports an image; of a DICOM folder or archive with several series it asks which; where the file does
+/// not say whether it is CT or MRI, that.
 class ImageImport : public QObject {
   Q_OBJECT
  public:
@@ -22,13 +23,14 @@ class ImageImport : public QObject {
 
  private:
   void take(const engine::Outcome& outcome);
+  void ask_modality();
   void ask(const std::vector<DicomSeries>& series);
 
   EngineBridge& engine_;
   QWidget* window_;
   std::filesystem::path path_;
   bool new_case_ = false;
-  std::optional<engine::CommandId> listing_;
+  std::optional<engine::CommandId> listing_, importing_;
 };
 
 }  // namespace glisson::ui

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QtTest>
+
+#include "glisson/core/files.h"
+#include "glisson/engine/commands/import_image.h"
+#include "glisson/engine/parts/image.h"
+#include "glisson/engine/script.h"
+#include "glisson/volume/io.h"
+
+using namespace glisson;
+using namespace glisson::engine;
+
+class ImportModalityTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void WhatAFileDoesNotSayAPersonMay();
+};
+
+void ImportModalityTest::WhatAFileDoesNotSayAPersonMay() {
+  const TemporaryFolder folder;
+  Image image;
+  image.grid.size = {12, 12, 12};
+  std::vector<std::int16_t> voxels(12 * 12 * 12);
+  for (std::size_t i = 0; i < voxels.size(); ++i) voxels[i] = static_cast<std::int16_t>(i % 300);
+  image.voxels = std::make_shared<const std::vector<std::int16_t>>(std::move(voxels));
+  write_image(folder.path() / "a.mha", image);  // says nothing of modality
+  const auto imported = [&](std::optional<Modality> modality) {
+    Script script{RunContext()};
+    script.run(ImportImage{folder.path() / "a.mha", {}, false, modality});
+    return script.state()[part::image]->modality;
+  };
+  QCOMPARE(imported({}), Modality::other);
+  QCOMPARE(imported(Modality::mr), Modality::mr);
+  QCOMPARE(imported(Modality::ct), Modality::ct);
+}
+
+QTEST_APPLESS_MAIN(ImportModalityTest)
+#include "import_modality_test.moc"
