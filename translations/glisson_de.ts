@@ -1472,10 +1472,6 @@
         <translation>Importieren Sie zuerst ein CT</translation>
     </message>
     <message>
-        <source>Import a portal venous CT, or import labels instead</source>
-        <translation>Importieren Sie ein portalvenöses CT oder stattdessen Kennzeichen</translation>
-    </message>
-    <message>
         <source>Check that the seeds belong to this image and are in mm (LPS)</source>
         <translation>Prüfen Sie, ob die Klicks zu diesem Bild gehören und in mm sind (LPS)</translation>
     </message>

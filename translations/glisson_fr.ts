@@ -1472,10 +1472,6 @@
         <translation>Importez d’abord un scanner</translation>
     </message>
     <message>
-        <source>Import a portal venous CT, or import labels instead</source>
-        <translation>Importez un scanner portal, ou importez des étiquettes</translation>
-    </message>
-    <message>
         <source>Check that the seeds belong to this image and are in mm (LPS)</source>
         <translation>Vérifiez que les clics sont de cette image et en mm (LPS)</translation>
     </message>

@@ -25,7 +25,6 @@
 #include "glisson/engine/parts/seeds.h"
 #include "glisson/engine/parts/video.h"
 #include "glisson/stereo/regions.h"
-#include "glisson/ui/segmentation/label_table.h"
 #include "glisson/ui/shell/main_window.h"
 #include "glisson/ui/stereo/stereo_panel.h"
 #include "run_in_window.h"
@@ -179,9 +178,10 @@ void CaseKeepingTest::OneOfSeveralSeriesIsAskedFor() {
 
 void CaseKeepingTest::WhereAFileDoesNotSayCtOrMriIsAsked() {
   const TemporaryFolder folder;
-  auto* table = window_->findChild<LabelTable*>();
+  auto* table = window_->findChild<QTreeWidget*>(QStringLiteral("label_table"));
   QVERIFY(table != nullptr);
-  QCOMPARE(table->headerItem()->text(LabelTable::intensity), QStringLiteral("HU"));
+  constexpr int kIntensity = 5;  // column
+  QCOMPARE(table->headerItem()->text(kIntensity), QStringLiteral("HU"));
   write_file_atomically(folder.path() / "unknown.nii", "");
   window_->open(folder.path() / "unknown.nii");
   QTRY_VERIFY(window_->findChild<QPushButton*>(QStringLiteral("modality_mr")) != nullptr);
@@ -189,7 +189,7 @@ void CaseKeepingTest::WhereAFileDoesNotSayCtOrMriIsAsked() {
   QTest::mouseClick(window_->findChild<QPushButton*>(QStringLiteral("modality_mr")), Qt::LeftButton);
   QTRY_COMPARE(window_->engine().state()[part::image]->modality, Modality::mr);
   // Intensities of an MRI have no unit.
-  QTRY_COMPARE(table->headerItem()->text(LabelTable::intensity), QStringLiteral("Grey"));
+  QTRY_COMPARE(table->headerItem()->text(kIntensity), QStringLiteral("Grey"));
   for (const char* box : {"editable_low", "threshold_low"})
     QCOMPARE(window_->findChild<QDoubleSpinBox*>(QLatin1String(box))->suffix(), QString());
 }

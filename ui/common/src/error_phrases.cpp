@@ -376,7 +376,6 @@ const std::vector<const char*>& known_remedies() {
       QT_TRANSLATE_NOOP("ErrorPhrases", "Choose a smaller region or a coarser spacing"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Draw the region around the liver"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Import a CT first"),
-      QT_TRANSLATE_NOOP("ErrorPhrases", "Import a portal venous CT, or import labels instead"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Check that the seeds belong to this image and are in mm (LPS)"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Write lists of [x, y, z] in mm, patient coordinates (LPS)"),
       QT_TRANSLATE_NOOP("ErrorPhrases",

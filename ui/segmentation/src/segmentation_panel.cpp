@@ -199,7 +199,8 @@ QList<QAction*> SegmentationPanel::history_actions() const {
 void SegmentationPanel::show_case() {
   const engine::CaseState& now = engine().state();
   if (now[part::statistics] != shown_statistics_ || now[part::review] != shown_review_ ||
-      table_->topLevelItemCount() == 0) {
+      session_->shows_hounsfield() != shown_hounsfield_ || table_->topLevelItemCount() == 0) {
+    shown_hounsfield_ = session_->shows_hounsfield();
     shown_statistics_ = now[part::statistics];
     shown_review_ = now[part::review];
     show_rows();
