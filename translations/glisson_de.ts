@@ -872,10 +872,6 @@
         <translation>ist leer</translation>
     </message>
     <message>
-        <source>is not CT, and the statistics are those of Hounsfield units</source>
-        <translation>ist kein CT, und die Statistik ist die von Hounsfield-Einheiten</translation>
-    </message>
-    <message>
         <source>are more than there are labels for</source>
         <translation>sind mehr, als es Kennzeichen gibt</translation>
     </message>
@@ -2058,6 +2054,50 @@
     <message>
         <source>Export a network of one picture, and say its colours (&quot;colours&quot;)</source>
         <translation>Exportieren Sie ein Netz für ein Bild und nennen Sie seine Farben (&quot;colours&quot;)</translation>
+    </message>
+    <message>
+        <source>is not CT, and only a CT says what grey a liver has before it is clicked</source>
+        <translation>ist kein CT, und nur ein CT sagt, welchen Grauwert eine Leber hat, bevor sie angeklickt ist</translation>
+    </message>
+    <message>
+        <source>is not known: nothing tells what its grey values mean</source>
+        <translation>ist nicht bekannt: nichts sagt, was die Grauwerte bedeuten</translation>
+    </message>
+    <message>
+        <source>is not brighter than the liver in this MRI</source>
+        <translation>ist in dieser MRT nicht heller als die Leber</translation>
+    </message>
+    <message>
+        <source>hardly stands out from fat and air in this MRI</source>
+        <translation>hebt sich in dieser MRT kaum von Fett und Luft ab</translation>
+    </message>
+    <message>
+        <source>shows much that is far brighter than the liver</source>
+        <translation>zeigt vieles, das viel heller ist als die Leber</translation>
+    </message>
+    <message>
+        <source>shows no body</source>
+        <translation>zeigt keinen Körper</translation>
+    </message>
+    <message>
+        <source>is told by its DICOM files, and is another one</source>
+        <translation>steht in den DICOM-Dateien und ist eine andere</translation>
+    </message>
+    <message>
+        <source>Open a T1 series with fat suppression in the venous phase, or import labels instead</source>
+        <translation>Öffnen Sie eine fettunterdrückte T1-Serie in der venösen Phase, oder importieren Sie stattdessen Labels</translation>
+    </message>
+    <message>
+        <source>Import it again and say whether it is CT or MRI, or import labels instead</source>
+        <translation>Importieren Sie es noch einmal und sagen Sie, ob es CT oder MRT ist, oder importieren Sie stattdessen Labels</translation>
+    </message>
+    <message>
+        <source>Import a CT or MRI first</source>
+        <translation>Importieren Sie zuerst ein CT oder eine MRT</translation>
+    </message>
+    <message>
+        <source>Leave the choice out</source>
+        <translation>Lassen Sie die Angabe weg</translation>
     </message>
 </context>
 <context>
@@ -3679,6 +3719,10 @@
         <source>Choosing the mask network</source>
         <translation>Wahl des Maskennetzes</translation>
     </message>
+    <message>
+        <source>taking off the coils&apos; brightness</source>
+        <translation>nehme die Helligkeit der Spulen heraus</translation>
+    </message>
 </context>
 <context>
     <name>cli</name>
@@ -4967,10 +5011,6 @@
         <translation>Registriert alle so viele Sekunden des Videos erneut, mit dem, was seither vom Organ gesehen wurde; übernommen, wo es nach Gewebe besser ist, das keine der beiden Registrierungen benutzt hat.</translation>
     </message>
     <message>
-        <source>Reads a CT (a folder of DICOM slices or its DICOMDIR, a .zip or .tar.gz of one, NIfTI, NRRD, MetaImage) into a case, which is made if there is none.</source>
-        <translation>Liest ein CT (einen Ordner mit DICOM-Schichten oder seine DICOMDIR, ein .zip oder .tar.gz davon, NIfTI, NRRD, MetaImage) in einen Fall, der angelegt wird, wenn es keinen gibt.</translation>
-    </message>
-    <message>
         <source>Puts the registration off by so many millimetres before it is followed: across, down and away from the camera.</source>
         <translation>Versetzt die Registrierung um so viele Millimeter, bevor sie verfolgt wird: quer, nach unten und von der Kamera weg.</translation>
     </message>
@@ -5005,6 +5045,18 @@
     <message>
         <source>Frames between two masks, each of which is waited for.</source>
         <translation>Bilder zwischen zwei Masken; auf jede wird gewartet.</translation>
+    </message>
+    <message>
+        <source>--modality %1: write ct or mr.</source>
+        <translation>--modality %1: Schreiben Sie ct oder mr.</translation>
+    </message>
+    <message>
+        <source>Reads a CT or MRI (a folder of DICOM slices or its DICOMDIR, a .zip or .tar.gz of one, NIfTI, NRRD, MetaImage) into a case, which is made if there is none.</source>
+        <translation>Liest ein CT oder eine MRT (einen Ordner mit DICOM-Schichten oder dessen DICOMDIR, ein .zip oder .tar.gz davon, NIfTI, NRRD, MetaImage) in einen Fall, der angelegt wird, wenn es keinen gibt.</translation>
+    </message>
+    <message>
+        <source>ct or mr: what the volume is, where its file does not say.</source>
+        <translation>ct oder mr: was das Volumen ist, wenn seine Datei es nicht sagt.</translation>
     </message>
 </context>
 <context>
@@ -5622,6 +5674,29 @@
     </message>
 </context>
 <context>
+    <name>glisson::ui::ImageImport</name>
+    <message>
+        <source>CT or MRI?</source>
+        <translation>CT oder MRT?</translation>
+    </message>
+    <message>
+        <source>%1 does not say whether it is a CT or an MRI.</source>
+        <translation>%1 sagt nicht, ob es ein CT oder eine MRT ist.</translation>
+    </message>
+    <message>
+        <source>MRI</source>
+        <translation>MRT</translation>
+    </message>
+    <message>
+        <source>CT</source>
+        <translation>CT</translation>
+    </message>
+    <message>
+        <source>Neither</source>
+        <translation>Keines von beiden</translation>
+    </message>
+</context>
+<context>
     <name>glisson::ui::LabelTable</name>
     <message>
         <source>Label</source>
@@ -5674,6 +5749,14 @@
     <message>
         <source>Click to lock: it neither loses nor gains voxels</source>
         <translation>Zum Sperren klicken: verliert und bekommt dann keine Voxel</translation>
+    </message>
+    <message>
+        <source>%1 ± %2</source>
+        <translation>%1 ± %2</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Grau</translation>
     </message>
 </context>
 <context>
@@ -7156,10 +7239,6 @@
     <message>
         <source>%1: nothing yet</source>
         <translation>%1: noch nichts</translation>
-    </message>
-    <message>
-        <source>%1 ± %2 HU</source>
-        <translation>%1 ± %2 HU</translation>
     </message>
     <message>
         <source>longest diameter %1 mm</source>

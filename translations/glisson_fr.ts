@@ -872,10 +872,6 @@
         <translation>est vide</translation>
     </message>
     <message>
-        <source>is not CT, and the statistics are those of Hounsfield units</source>
-        <translation>n’est pas un scanner, et les statistiques sont celles des unités Hounsfield</translation>
-    </message>
-    <message>
         <source>are more than there are labels for</source>
         <translation>sont plus nombreux que les étiquettes</translation>
     </message>
@@ -2058,6 +2054,50 @@
     <message>
         <source>Export a network of one picture, and say its colours (&quot;colours&quot;)</source>
         <translation>Exportez un réseau pour une image et dites ses couleurs (&quot;colours&quot;)</translation>
+    </message>
+    <message>
+        <source>is not CT, and only a CT says what grey a liver has before it is clicked</source>
+        <translation>n&apos;est pas un scanner, et seul un scanner dit quel gris a un foie avant qu&apos;on ait cliqué dedans</translation>
+    </message>
+    <message>
+        <source>is not known: nothing tells what its grey values mean</source>
+        <translation>n&apos;est pas connue : rien ne dit ce que signifient ses niveaux de gris</translation>
+    </message>
+    <message>
+        <source>is not brighter than the liver in this MRI</source>
+        <translation>n&apos;est pas plus clair que le foie dans cette IRM</translation>
+    </message>
+    <message>
+        <source>hardly stands out from fat and air in this MRI</source>
+        <translation>se distingue à peine de la graisse et de l&apos;air dans cette IRM</translation>
+    </message>
+    <message>
+        <source>shows much that is far brighter than the liver</source>
+        <translation>montre beaucoup de choses bien plus claires que le foie</translation>
+    </message>
+    <message>
+        <source>shows no body</source>
+        <translation>ne montre pas de corps</translation>
+    </message>
+    <message>
+        <source>is told by its DICOM files, and is another one</source>
+        <translation>est donnée par ses fichiers DICOM, et c&apos;en est une autre</translation>
+    </message>
+    <message>
+        <source>Open a T1 series with fat suppression in the venous phase, or import labels instead</source>
+        <translation>Ouvrez une série T1 avec suppression de graisse en phase veineuse, ou importez plutôt des étiquettes</translation>
+    </message>
+    <message>
+        <source>Import it again and say whether it is CT or MRI, or import labels instead</source>
+        <translation>Importez-la de nouveau en disant si c&apos;est un scanner ou une IRM, ou importez plutôt des étiquettes</translation>
+    </message>
+    <message>
+        <source>Import a CT or MRI first</source>
+        <translation>Importez d&apos;abord un scanner ou une IRM</translation>
+    </message>
+    <message>
+        <source>Leave the choice out</source>
+        <translation>Ne donnez pas ce choix</translation>
     </message>
 </context>
 <context>
@@ -3679,6 +3719,10 @@
         <source>Choosing the mask network</source>
         <translation>Choix du réseau de masque</translation>
     </message>
+    <message>
+        <source>taking off the coils&apos; brightness</source>
+        <translation>retire la luminosité des antennes</translation>
+    </message>
 </context>
 <context>
     <name>cli</name>
@@ -4967,10 +5011,6 @@
         <translation>Recale à nouveau toutes les tant de secondes de la vidéo, avec ce qui a été vu de l’organe depuis ; adopté s’il est meilleur d’après du tissu qu’aucun des deux recalages n’a utilisé.</translation>
     </message>
     <message>
-        <source>Reads a CT (a folder of DICOM slices or its DICOMDIR, a .zip or .tar.gz of one, NIfTI, NRRD, MetaImage) into a case, which is made if there is none.</source>
-        <translation>Lit un scanner (un dossier de coupes DICOM ou son DICOMDIR, un .zip ou .tar.gz de celui-ci, NIfTI, NRRD, MetaImage) dans un cas, créé s&apos;il n&apos;y en a pas.</translation>
-    </message>
-    <message>
         <source>Puts the registration off by so many millimetres before it is followed: across, down and away from the camera.</source>
         <translation>Décale le recalage d’autant de millimètres avant qu’il soit suivi : en travers, vers le bas et en s’éloignant de la caméra.</translation>
     </message>
@@ -5005,6 +5045,18 @@
     <message>
         <source>Frames between two masks, each of which is waited for.</source>
         <translation>Images entre deux masques ; chacun est attendu.</translation>
+    </message>
+    <message>
+        <source>--modality %1: write ct or mr.</source>
+        <translation>--modality %1 : écrivez ct ou mr.</translation>
+    </message>
+    <message>
+        <source>Reads a CT or MRI (a folder of DICOM slices or its DICOMDIR, a .zip or .tar.gz of one, NIfTI, NRRD, MetaImage) into a case, which is made if there is none.</source>
+        <translation>Lit un scanner ou une IRM (un dossier de coupes DICOM ou son DICOMDIR, un .zip ou .tar.gz de l&apos;un d&apos;eux, NIfTI, NRRD, MetaImage) dans un cas, qui est créé s&apos;il n&apos;y en a pas.</translation>
+    </message>
+    <message>
+        <source>ct or mr: what the volume is, where its file does not say.</source>
+        <translation>ct ou mr : ce qu&apos;est le volume, si son fichier ne le dit pas.</translation>
     </message>
 </context>
 <context>
@@ -5622,6 +5674,29 @@
     </message>
 </context>
 <context>
+    <name>glisson::ui::ImageImport</name>
+    <message>
+        <source>CT or MRI?</source>
+        <translation>Scanner ou IRM ?</translation>
+    </message>
+    <message>
+        <source>%1 does not say whether it is a CT or an MRI.</source>
+        <translation>%1 ne dit pas si c&apos;est un scanner ou une IRM.</translation>
+    </message>
+    <message>
+        <source>MRI</source>
+        <translation>IRM</translation>
+    </message>
+    <message>
+        <source>CT</source>
+        <translation>Scanner</translation>
+    </message>
+    <message>
+        <source>Neither</source>
+        <translation>Ni l&apos;un ni l&apos;autre</translation>
+    </message>
+</context>
+<context>
     <name>glisson::ui::LabelTable</name>
     <message>
         <source>Label</source>
@@ -5674,6 +5749,14 @@
     <message>
         <source>Click to lock: it neither loses nor gains voxels</source>
         <translation>Cliquez pour verrouiller : elle ne perd ni ne gagne plus de voxels</translation>
+    </message>
+    <message>
+        <source>%1 ± %2</source>
+        <translation>%1 ± %2</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Gris</translation>
     </message>
 </context>
 <context>
@@ -7156,10 +7239,6 @@
     <message>
         <source>%1: nothing yet</source>
         <translation>%1 : rien encore</translation>
-    </message>
-    <message>
-        <source>%1 ± %2 HU</source>
-        <translation>%1 ± %2 UH</translation>
     </message>
     <message>
         <source>longest diameter %1 mm</source>
