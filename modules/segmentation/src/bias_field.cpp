@@ -38,6 +38,19 @@ typename Volume::Pointer itk_of(const Field& grid, const Values& values) {
 /// Thrown through the filter; never leaves bias_field().
 struct Stopped {};
 
+/// One thread for all of ITK's filters while it lives: sums are made a thread, so that with one every machine
+/// gives the same bits. N4 hands no count of its own to the filters inside it.
+class OneThread {
+ public:
+  OneThread() { itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(1); }
+  ~OneThread() { itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(before_); }
+  OneThread(const OneThread&) = delete;
+  OneThread& operator=(const OneThread&) = delete;
+
+ private:
+  itk::ThreadIdType before_ = itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads();
+};
+
 /// Tells each round, and ends them on request.
 class Watch : public itk::Command {
  public:
@@ -73,8 +86,7 @@ Cancellable<Field> bias_field(const Field& coarse, const Mask& tissue, const Run
     most = std::max(most, value);
   }
   if (!(most > least)) return field;
-  // Sums are made a thread: with one, every machine gives the same bits.
-  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(1);
+  const OneThread one_thread;
   const auto n4 = N4::New();
   n4->SetInput(itk_of<Picture>(coarse, coarse.values));
   n4->SetMaskImage(itk_of<Region>(coarse, tissue.voxels));
