@@ -119,11 +119,27 @@ class CorrespondTest : public QObject {
     QVERIFY2(apart < 0.5e-3, qPrintable(QString::number(1e3 * apart)));
     QVERIFY(std::abs(there.turned_deg - 90.0) < 20.0);
   }
+  /// Whichever pair of directions a header exchanges.
+  void aMirroredLiverIsRefused_data() {
+    QTest::addColumn<int>("axis");
+    for (int axis = 0; axis < 3; ++axis) QTest::addRow("axis %d", axis) << axis;
+  }
   void aMirroredLiverIsRefused() {
+    QFETCH(const int, axis);
     TriangleMesh mirrored = liver_;
-    mirrored.vertices.col(0) *= -1.0;
+    mirrored.vertices.col(axis) *= -1.0;
     mirrored.triangles.col(1).swap(mirrored.triangles.col(2));
     QVERIFY_EXCEPTION_THROWN(transfer(known(), mirrored, {}, RunContext()), InputError);
+  }
+  /// The right lobe alone looks much like its mirror image, turned; it is no mirrored liver and not turned.
+  void halfALiverIsNotCalledMirrored() {
+    TriangleMesh half = liver_;
+    const double cut = half.vertices.col(0).mean();
+    half.vertices.col(0) =
+        half.vertices.col(0).cwiseMin((cut + 0.02 * (half.vertices.col(0).array() - cut)).matrix());
+    const auto made = transfer(known(), half, {}, RunContext());
+    QVERIFY(made);
+    for (const std::string& doubt : made->doubts) QVERIFY2(!doubt.starts_with("atlas.turned"), doubt.c_str());
   }
   void cancelEndsIt() {
     auto flag = std::make_shared<CancelFlag>();

@@ -2,7 +2,9 @@
 #include "glisson/atlas/correspond.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <vector>
@@ -29,7 +31,9 @@ constexpr double kPoseSigma2 = 0.02, kModeSigma2 = 0.01;
 constexpr int kPosePasses = 25, kModePasses = 30;
 constexpr double kWidth = 0.5, kStiffness = 1.5;  // of the smooth drift: 35 mm on a liver
 constexpr int kDriftPasses = 45;
-constexpr double kUpright = 0.9;  // another orientation must leave less than this of the misfit
+/// Another orientation must leave less than this of the misfit: half a liver, as it stands, has more of its
+/// misfit in common with a turned one than a whole liver that lies otherwise has.
+constexpr double kUpright = 0.75;
 
 /// The 24 rotations of a cube, none first.
 std::vector<Eigen::Matrix3d> orientations() {
@@ -58,15 +62,21 @@ Oriented in_units(const SurfaceSamples& samples, const Eigen::RowVector3d& centr
   return {(samples.points.rowwise() - centre) / size, samples.normals, samples.values, samples.weights};
 }
 
+/// Held in one orientation; as it stands by default.
+Pose start_in(const Oriented& moving, const Oriented& fixed,
+              const Eigen::Matrix3d& turn = Eigen::Matrix3d::Identity()) {
+  Pose start;
+  start.similarity.rotation = start.held = turn;
+  start.sigma2 = kStartSigma2;
+  return drift_similarity(moving, fixed, start, kStartPasses);
+}
+
 /// The best of the orientations; the one as it stands unless another is clearly better.
 Pose best_start(const Oriented& moving, const Oriented& fixed) {
   std::optional<Pose> best;
   double least = 0.0;
   for (const Eigen::Matrix3d& turn : orientations()) {
-    Pose start;
-    start.similarity.rotation = start.held = turn;
-    start.sigma2 = kStartSigma2;
-    const Pose pose = drift_similarity(moving, fixed, start, kStartPasses);
+    const Pose pose = start_in(moving, fixed, turn);
     const double misfit = best ? pose.misfit : kUpright * pose.misfit;
     if (best && misfit >= least) continue;
     best = pose;
@@ -81,9 +91,9 @@ Pose refined(const Oriented& moving, const Oriented& fixed, Pose start) {
   return drift_similarity(moving, fixed, start, kPosePasses);
 }
 
-Oriented mirrored(Oriented shape) {
-  shape.points.col(0) *= -1.0;
-  shape.normals.col(0) *= -1.0;
+Oriented mirrored(Oriented shape, int axis = 0) {
+  shape.points.col(axis) *= -1.0;
+  shape.normals.col(axis) *= -1.0;
   return shape;
 }
 
@@ -190,6 +200,12 @@ Cancellable<Correspondence> correspond(const ShapeModel& model, const Triangles&
   result.misfit = pose.misfit;
   result.mirrored_misfit =
       refined(parts.some, mirrored(towards), best_start(start_from, mirrored(start_to))).misfit;
+  result.upright_misfit = refined(parts.some, towards, start_in(start_from, start_to)).misfit;
+  result.flipped_misfit = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis)
+    result.flipped_misfit = std::min(
+        result.flipped_misfit,
+        refined(parts.some, mirrored(towards, axis), start_in(start_from, mirrored(start_to, axis))).misfit);
   context.progress(0.3, "atlas.pose");
   auto bent = laid_on(model, triangles, parts, towards, towards_all, pose, context);
   if (!bent) return {};

@@ -15,8 +15,11 @@ struct Correspondence {
   double turned_deg = 0.0;                         ///< of the similarity's rotation
   int folded = 0;  ///< triangles that face against the liver's surface beneath them
   /// How badly the similarity alone fits the liver, and its mirror image (without unit: distance, normals and
-  /// bends). A mirrored liver often fits worse than its image: of real ones three in ten by much.
+  /// bends), each in the orientation that suits it best.
   double misfit = 0.0, mirrored_misfit = 0.0;
+  /// The same where it must lie as livers lie in a CT, within a few degrees: the liver, and the best of its
+  /// images with left and right, front and back, or head and feet exchanged.
+  double upright_misfit = 0.0, flipped_misfit = 0.0;
 };
 
 /// Brings a template onto a liver (README: "Correspondence"): similarity from 24 orientations, then the
