@@ -2764,6 +2764,10 @@
         <source>With a probability of %1 % (limit %2 %) the organ lies more than 2 cm from here: other places explain the points as well. Mark the notch, show more of the organ, or place it by hand.</source>
         <translation>Mit einer Wahrscheinlichkeit von %1 % (Grenze %2 %) liegt das Organ mehr als 2 cm von hier: Auch andere Lagen erklären die Punkte. Markieren Sie die Kerbe, zeigen Sie mehr vom Organ oder platzieren Sie es von Hand.</translation>
     </message>
+    <message>
+        <source>%1: nobody has reviewed what is proposed.</source>
+        <translation>%1: Niemand hat den Vorschlag geprüft.</translation>
+    </message>
 </context>
 <context>
     <name>Obstacles</name>
@@ -3113,6 +3117,14 @@
     <message>
         <source>the mask network leaves too little of the organ</source>
         <translation>das Maskennetz lässt zu wenig vom Organ übrig</translation>
+    </message>
+    <message>
+        <source>Landmarks not reviewed</source>
+        <translation>Landmarken nicht geprüft</translation>
+    </message>
+    <message>
+        <source>Landmarks from statistics</source>
+        <translation>Landmarken aus Statistik</translation>
     </message>
 </context>
 <context>
@@ -5222,6 +5234,14 @@
         <source>Where they should lie: from the CT where it shows them, else from other livers. Nothing is used before you accept it.</source>
         <translation>Wo sie liegen sollten: aus der CT, wo sie es zeigt, sonst von anderen Lebern. Nichts wird verwendet, bevor Sie es annehmen.</translation>
     </message>
+    <message>
+        <source>Shapes of livers</source>
+        <translation>Formen von Lebern</translation>
+    </message>
+    <message>
+        <source>What the atlas knows of how livers differ. Nothing of the case changes.</source>
+        <translation>Was der Atlas darüber weiß, wie sich Lebern unterscheiden. Am Fall ändert sich nichts.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::Autosaver</name>
@@ -7313,6 +7333,41 @@
     <message>
         <source>likeliest</source>
         <translation>am wahrscheinlichsten</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::ShapeModes</name>
+    <message>
+        <source>Show how livers differ</source>
+        <translation>Zeigen, wie sich Lebern unterscheiden</translation>
+    </message>
+    <message>
+        <source>The atlas&apos; mean liver over the patient&apos;s, bent by its first modes</source>
+        <translation>Die mittlere Leber des Atlas über der des Patienten, verformt durch seine ersten Moden</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Mode</translation>
+    </message>
+    <message>
+        <source>Standard deviations from the mean liver</source>
+        <translation>Standardabweichungen von der mittleren Leber</translation>
+    </message>
+    <message>
+        <source>Keys: 1 to 5 choose the mode, the arrows bend, 0 is the mean liver, Esc leaves.</source>
+        <translation>Tasten: 1 bis 5 wählen die Mode, die Pfeile verformen, 0 ist die mittlere Leber, Esc beendet.</translation>
+    </message>
+    <message>
+        <source>Mode %1: %2 % of the variance</source>
+        <translation>Mode %1: %2 % der Varianz</translation>
+    </message>
+    <message>
+        <source>Mean liver of %1 (%2 livers)
+Mode %3 at %4 deviations
+%5 % of the variance</source>
+        <translation>Mittlere Leber von %1 (%2 Lebern)
+Mode %3 bei %4 Abweichungen
+%5 % der Varianz</translation>
     </message>
 </context>
 <context>

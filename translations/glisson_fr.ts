@@ -2764,6 +2764,10 @@
         <source>With a probability of %1 % (limit %2 %) the organ lies more than 2 cm from here: other places explain the points as well. Mark the notch, show more of the organ, or place it by hand.</source>
         <translation>Avec une probabilité de %1 % (limite %2 %), l’organe se trouve à plus de 2 cm d’ici : d’autres positions expliquent aussi les points. Marquez l’échancrure, montrez davantage de l’organe ou placez-le à la main.</translation>
     </message>
+    <message>
+        <source>%1: nobody has reviewed what is proposed.</source>
+        <translation>%1 : personne n&apos;a vérifié ce qui est proposé.</translation>
+    </message>
 </context>
 <context>
     <name>Obstacles</name>
@@ -3113,6 +3117,14 @@
     <message>
         <source>the mask network leaves too little of the organ</source>
         <translation>le réseau de masque laisse trop peu de l’organe</translation>
+    </message>
+    <message>
+        <source>Landmarks not reviewed</source>
+        <translation>Repères non vérifiés</translation>
+    </message>
+    <message>
+        <source>Landmarks from statistics</source>
+        <translation>Repères tirés de la statistique</translation>
     </message>
 </context>
 <context>
@@ -5222,6 +5234,14 @@
         <source>Where they should lie: from the CT where it shows them, else from other livers. Nothing is used before you accept it.</source>
         <translation>Où ils devraient se trouver : d&apos;après le scanner là où il les montre, sinon d&apos;après d&apos;autres foies. Rien n&apos;est utilisé avant que vous ne l&apos;acceptiez.</translation>
     </message>
+    <message>
+        <source>Shapes of livers</source>
+        <translation>Formes de foies</translation>
+    </message>
+    <message>
+        <source>What the atlas knows of how livers differ. Nothing of the case changes.</source>
+        <translation>Ce que l&apos;atlas sait des différences entre les foies. Rien ne change dans le cas.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::Autosaver</name>
@@ -7313,6 +7333,41 @@
     <message>
         <source>likeliest</source>
         <translation>la plus probable</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::ShapeModes</name>
+    <message>
+        <source>Show how livers differ</source>
+        <translation>Montrer comment les foies diffèrent</translation>
+    </message>
+    <message>
+        <source>The atlas&apos; mean liver over the patient&apos;s, bent by its first modes</source>
+        <translation>Le foie moyen de l&apos;atlas sur celui du patient, déformé par ses premiers modes</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Mode</translation>
+    </message>
+    <message>
+        <source>Standard deviations from the mean liver</source>
+        <translation>Écarts types par rapport au foie moyen</translation>
+    </message>
+    <message>
+        <source>Keys: 1 to 5 choose the mode, the arrows bend, 0 is the mean liver, Esc leaves.</source>
+        <translation>Touches : 1 à 5 choisissent le mode, les flèches déforment, 0 est le foie moyen, Échap quitte.</translation>
+    </message>
+    <message>
+        <source>Mode %1: %2 % of the variance</source>
+        <translation>Mode %1 : %2 % de la variance</translation>
+    </message>
+    <message>
+        <source>Mean liver of %1 (%2 livers)
+Mode %3 at %4 deviations
+%5 % of the variance</source>
+        <translation>Foie moyen de %1 (%2 foies)
+Mode %3 à %4 écarts types
+%5 % de la variance</translation>
     </message>
 </context>
 <context>

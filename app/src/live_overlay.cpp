@@ -25,12 +25,15 @@ OverlayDrawer::OverlayDrawer(const engine::CaseState& state, const scene::Overla
       drawable_(scene::make_drawable(
           std::make_shared<const PatientModel>(engine::effective_model(drawable(state))))),
       painter_(drawable_, drawable_->model->landmarks.anterior_margin, camera_, style),
-      model_unchecked_(!engine::is_model_checked(state)) {}
+      model_unchecked_(!engine::is_model_checked(state)),
+      landmarks_(engine::landmark_review(state)) {}
 
 Picture OverlayDrawer::draw(const StereoFrame& frame, const OverlayFrame& overlay,
                             const scene::OverlayInterest& interest) {
   scene::OverlayStatus status;
   status.model_unchecked = model_unchecked_;
+  status.landmarks_open = landmarks_.is_open;
+  status.landmarks_from_statistics = landmarks_.from_statistics;
   return painter_.paint(frame.left, overlay, status, interest);
 }
 

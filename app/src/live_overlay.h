@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "cli.h"
+#include "glisson/engine/parts/proposals.h"
 #include "glisson/guidance/tracker.h"
 #include "glisson/patient/track_replay.h"
 #include "glisson/stereo/picture_io.h"
@@ -34,6 +35,7 @@ class OverlayDrawer {
   std::shared_ptr<const scene::DrawableModel> drawable_;
   scene::OverlayPainter painter_;
   bool model_unchecked_;
+  engine::LandmarkReview landmarks_;
 };
 
 /// Records drawn frames as a video of the left camera. Without close() nothing remains.

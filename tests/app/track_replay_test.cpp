@@ -13,6 +13,7 @@
 #include "glisson/engine/commands/set_video.h"
 #include "glisson/engine/parts/check.h"
 #include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/proposals.h"
 #include "glisson/engine/parts/rig.h"
 #include "glisson/engine/script.h"
 #include "glisson/geometry/mesh_io.h"
@@ -94,6 +95,8 @@ Picture TrackReplayTest::expected(int frame) const {
   scene::OverlayPainter painter(engine::effective_model(state), state[part::rig]->left);
   scene::OverlayStatus status;
   status.model_unchecked = !engine::is_model_checked(state);
+  status.landmarks_open = engine::landmark_review(state).is_open;
+  status.landmarks_from_statistics = engine::landmark_review(state).from_statistics;
   return painter.paint(film_[static_cast<std::size_t>(frame)].left, known(frame), status);
 }
 

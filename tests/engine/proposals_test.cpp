@@ -51,6 +51,10 @@ double apart(const Points& a, const Points& b) {
   return a.rows() == b.rows() ? (a - b).rowwise().norm().maxCoeff() : 1.0;
 }
 
+bool has(const std::vector<std::string>& notes, const char* wanted) {
+  return std::find(notes.begin(), notes.end(), wanted) != notes.end();
+}
+
 }  // namespace
 
 class ProposalsTest : public QObject {
@@ -82,7 +86,11 @@ class ProposalsTest : public QObject {
   void nothingIsALandmarkBeforeAPersonSaysSo() {
     QVERIFY(state_[part::landmarks] == nullptr);
     QCOMPARE(effective_landmarks(state_).vena_cava.rows(), 0);
-    QCOMPARE(landmark_notes(state_), std::vector<std::string>{"landmarks.no_vena_cava"});
+    QCOMPARE(landmark_notes(state_),
+             (std::vector<std::string>{"landmarks.no_vena_cava", "landmarks.not_reviewed umbilical_notch",
+                                       "landmarks.not_reviewed anterior_margin",
+                                       "landmarks.not_reviewed vena_cava"}));
+    QVERIFY(landmark_review(state_).is_open && !landmark_review(state_).from_statistics);
   }
 
   void anAcceptedCavaIsUsedAndSaidToBeStatistics() {
@@ -90,8 +98,10 @@ class ProposalsTest : public QObject {
     const Points cava = effective_landmarks(applied->state).vena_cava;
     QVERIFY(cava.rows() >= 3);
     const auto notes = landmark_notes(applied->state);
-    QCOMPARE(notes.size(), std::size_t{1});
+    QCOMPARE(notes.size(), std::size_t{3});
     QVERIFY(notes[0].starts_with("atlas.cava_from_statistics "));
+    QCOMPARE(notes[1], std::string("landmarks.not_reviewed umbilical_notch"));
+    QVERIFY(landmark_review(applied->state).is_open && landmark_review(applied->state).from_statistics);
     // The notch was not asked for.
     QCOMPARE(effective_landmarks(applied->state).umbilical_notch.rows(), 0);
     // Taken back, nothing remains.
@@ -117,7 +127,7 @@ class ProposalsTest : public QObject {
     const auto accepted =
         ReviewProposal{Structure::anterior_margin, Decision::accepted}.apply(state_, RunContext());
     QCOMPARE(effective_landmarks(accepted->state).anterior_margin.rows(), 0);
-    QVERIFY(landmark_notes(accepted->state).back() == "atlas.margin_left_out 100");
+    QVERIFY(has(landmark_notes(accepted->state), "atlas.margin_left_out 100"));
     Points to = proposal_of(state_, Structure::anterior_margin)->points;
     to.topRows(10).col(2).array() += 0.004;
     const auto moved =
@@ -126,7 +136,21 @@ class ProposalsTest : public QObject {
     const atlas::Proposal* margin = proposal_of(moved->state, Structure::anterior_margin);
     QVERIFY(margin->sources[9] == Source::person && margin->sources[10] == Source::statistics);
     QVERIFY(margin->covariances[0].trace() < margin->covariances[20].trace());
-    QVERIFY(landmark_notes(moved->state).back() == "atlas.margin_left_out 75");
+    QVERIFY(has(landmark_notes(moved->state), "atlas.margin_left_out 75"));
+  }
+
+  void theReviewIsClosedWhenEachHasBeenDecided() {
+    CaseState now = state_;
+    for (const Structure one :
+         {Structure::umbilical_notch, Structure::anterior_margin, Structure::vena_cava}) {
+      QVERIFY(landmark_review(now).is_open);
+      now = ReviewProposal{one, Decision::not_visible}.apply(now, RunContext())->state;
+    }
+    QVERIFY(!landmark_review(now).is_open && !landmark_review(now).from_statistics);
+    for (const std::string& note : landmark_notes(now)) QVERIFY(!note.starts_with("landmarks.not_reviewed"));
+    // Nobody was asked, and nobody has placed anything.
+    now[part::proposals] = nullptr;
+    QVERIFY(landmark_review(now).is_open);
   }
 
   /// What was done to another structure meanwhile stays.

@@ -267,9 +267,13 @@ void OverlayTest::AProposedPlaceIsABoldOutlineAndNoFigures() {
 void OverlayTest::ADoubtIsSaidInThePicture_data() {
   QTest::addColumn<bool>("registration");
   QTest::addColumn<bool>("model");
-  QTest::newRow("registration") << true << false;
-  QTest::newRow("model that nobody checked") << false << true;
-  QTest::newRow("both") << true << true;
+  QTest::addColumn<bool>("landmarks_open");
+  QTest::addColumn<bool>("landmarks_from_statistics");
+  QTest::newRow("registration") << true << false << false << false;
+  QTest::newRow("model that nobody checked") << false << true << false << false;
+  QTest::newRow("landmarks that nobody reviewed") << false << false << true << false;
+  QTest::newRow("landmarks from statistics") << false << false << false << true;
+  QTest::newRow("all") << true << true << true << true;
 }
 
 void OverlayTest::ADoubtIsSaidInThePicture() {
@@ -282,6 +286,10 @@ void OverlayTest::ADoubtIsSaidInThePicture() {
   overlay.doubtful = registration;
   scene::OverlayStatus status;
   status.model_unchecked = model;
+  QFETCH(bool, landmarks_open);
+  QFETCH(bool, landmarks_from_statistics);
+  status.landmarks_open = landmarks_open;
+  status.landmarks_from_statistics = landmarks_from_statistics;
   const Picture doubtful = painter.paint(grey_frame(camera), overlay, status);
   int changed = 0, amber = 0;
   for (int v = 0; v < camera.height; ++v)

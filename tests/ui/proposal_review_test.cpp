@@ -100,9 +100,11 @@ void ProposalReviewTest::OneButtonProposesAll() {
   // Every structure, and the ellipsoids of the chosen one.
   QVERIFY(review().actor_count() > list().count());
   choose(Structure::umbilical_notch);
-  QCOMPARE(window_->views().state().markers().size(), std::size_t{1});
+  const auto& marks = window_->views().state().ellipsoids();
+  QCOMPARE(marks.size(), std::size_t{1});
   const Eigen::Vector3d notch = proposal(Structure::umbilical_notch).points.row(0).transpose();
-  QVERIFY((window_->views().state().markers()[0].p - notch).norm() < 1e-12);
+  QVERIFY((marks[0].p - notch).norm() < 1e-12);
+  QVERIFY(marks[0].distance2 == kEllipsoid95 && marks[0].colour != QColor(Qt::black));
 }
 
 void ProposalReviewTest::TheKeyboardReviewsThem() {
@@ -146,7 +148,7 @@ void ProposalReviewTest::AClickMovesIt() {
 void ProposalReviewTest::AnotherPanelPutsItAway() {
   window_->show_step(MainWindow::model);
   QCOMPARE(review().actor_count(), 0);
-  QVERIFY(window_->views().state().markers().empty());
+  QVERIFY(window_->views().state().ellipsoids().empty());
   window_->show_step(MainWindow::atlas);
   QVERIFY(review().actor_count() > 0);
 }

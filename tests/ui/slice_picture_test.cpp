@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QtTest>
 
+#include <Eigen/LU>
+
 #include "glisson/core/error.h"
 #include "glisson/patient/label_map.h"
+#include "glisson/ui/scene/ellipsoid_mark.h"
 #include "glisson/ui/scene/slice_picture.h"
 
 namespace glisson {
@@ -61,6 +64,7 @@ class SlicePictureTest : public QObject {
   void WindowMapsLevelToMiddleGrey();
   void LabelsAreOutlinedInTheirColour();
   void ProbeReadsWhatIsThere();
+  void AnEllipsoidIsCutWhereTheSliceMeetsIt();
   void CoordinatesCarryAnatomicalLetters();
   void BadWindowIsRefused();
   void EmptyVolumeIsRefused();
@@ -173,6 +177,33 @@ void SlicePictureTest::CoordinatesCarryAnatomicalLetters() {
   QCOMPARE(scene::anatomical_coordinate(2, 0.2), std::string("S 200.0"));
   QCOMPARE(scene::anatomical_coordinate(2, -0.2), std::string("I 200.0"));
   QVERIFY_EXCEPTION_THROWN(scene::anatomical_coordinate(3, 0.0), PreconditionError);
+}
+
+void SlicePictureTest::AnEllipsoidIsCutWhereTheSliceMeetsIt() {
+  const Image image = phantom(Eigen::Matrix3d::Identity(), Point<CtFrame>(0.01, -0.02, 0.03));
+  scene::EllipsoidMark mark;
+  mark.p = {0.01, -0.02, 0.03};
+  Eigen::Matrix3d root;
+  root << 3e-3, 0, 0, 1e-3, 2e-3, 0, -2e-3, 1e-3, 4e-3;
+  mark.covariance = root * root.transpose();
+  mark.distance2 = 7.8;
+  for (const Plane plane : {Plane::axial, Plane::coronal, Plane::sagittal}) {
+    const scene::SliceGeometry slice =
+        scene::slice_geometry(image.grid, plane, Point<CtFrame>(0.012, -0.018, 0.033));
+    const Points line = scene::cut(mark, slice);
+    QVERIFY(line.rows() > 20);
+    for (Eigen::Index k = 0; k < line.rows(); ++k) {
+      const Eigen::Vector3d p = line.row(k).transpose();
+      QVERIFY(std::abs(slice.distance_of(Point<CtFrame>(p))) < 1e-9);
+      const Eigen::Vector3d off = p - mark.p;
+      QVERIFY(std::abs(off.dot(mark.covariance.inverse() * off) - mark.distance2) < 1e-6);
+    }
+  }
+  mark.p.z() += 0.03;
+  QCOMPARE(
+      scene::cut(mark, scene::slice_geometry(image.grid, Plane::axial, Point<CtFrame>(0.01, -0.02, 0.03)))
+          .rows(),
+      0);
 }
 
 void SlicePictureTest::BadWindowIsRefused() {

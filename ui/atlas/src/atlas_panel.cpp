@@ -12,6 +12,7 @@
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/ui/atlas/proposal_review.h"
+#include "glisson/ui/atlas/shape_modes.h"
 #include "glisson/ui/common/texts.h"
 
 namespace glisson::ui {
@@ -59,6 +60,16 @@ AtlasPanel::AtlasPanel(EngineBridge& engine, LinkedViews& views, ViewState& stat
   accept_->setObjectName(QStringLiteral("accept_landmarks"));
   accept_->setProperty("role", "run");
   end->addWidget(accept_);
+  modes_ = new ShapeModes(engine, views, this);
+  add_section(tr("Shapes of livers"),
+              tr("What the atlas knows of how livers differ. Nothing of the case changes."))
+      ->addWidget(modes_);
+  connect(modes_, &ShapeModes::shown_changed, this, [this](bool shown) {
+    if (shown) choose(Tool::none);
+    review_->stop_moving();
+    review_->set_marks_hidden(shown);
+    show_landmarks();
+  });
   connect(accept_, &QPushButton::clicked, this, &AtlasPanel::store);
   connect(&views_.volume(), &RenderView::clicked, this, &AtlasPanel::place);
   connect(&this->engine(), &EngineBridge::case_changed, this, &AtlasPanel::show_case);
@@ -71,6 +82,7 @@ AtlasPanel::AtlasPanel(EngineBridge& engine, LinkedViews& views, ViewState& stat
   connect(escape, &QShortcut::activated, this, [this] {
     choose(Tool::none);
     review_->stop_moving();
+    modes_->leave();
   });
   watch(part::landmarks);
   show_case();
@@ -117,17 +129,22 @@ QPushButton* AtlasPanel::add_tool(const QString& heading, const QString& explana
 void AtlasPanel::activate() {
   active_ = true;
   review_->set_active(true);
+  modes_->set_active(true);
 }
 
 void AtlasPanel::deactivate() {
   active_ = false;
   choose(Tool::none);
+  modes_->set_active(false);
   review_->set_active(false);
 }
 
 void AtlasPanel::choose(Tool tool) {
   tool_ = tool;
-  if (tool != Tool::none) review_->stop_moving();
+  if (tool != Tool::none) {
+    review_->stop_moving();
+    modes_->leave();
+  }
   place_notch_->setChecked(tool == Tool::notch);
   place_cava_->setChecked(tool == Tool::vena_cava);
   views_.volume().setCursor(tool == Tool::none ? Qt::ArrowCursor : Qt::CrossCursor);
@@ -179,7 +196,7 @@ void AtlasPanel::show_landmarks() {
   notch_->setText(placed(landmarks_.umbilical_notch, Tool::notch));
   cava_->setText(placed(landmarks_.vena_cava, Tool::vena_cava));
   emit landmarks_shown();
-  if (ready) views_.set_landmarks(landmarks_);
+  if (ready) views_.set_landmarks(modes_->is_shown() ? Landmarks{} : landmarks_);
 }
 
 }  // namespace glisson::ui

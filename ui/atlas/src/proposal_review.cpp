@@ -19,51 +19,22 @@
 #include "glisson/engine/parts/proposals.h"
 #include "glisson/geometry/closest_point_tree.h"
 #include "glisson/ui/atlas/move_proposal.h"
+#include "glisson/ui/atlas/structure_look.h"
 #include "glisson/ui/common/atlas_texts.h"
 #include "glisson/ui/common/built_in_atlas.h"
 #include "glisson/ui/common/panel.h"
 #include "glisson/ui/common/task_button.h"
 #include "glisson/ui/common/texts.h"
-#include "glisson/ui/scene/colours.h"
 
 namespace glisson::ui {
 namespace {
 using atlas::Decision;
 using atlas::Proposal;
-using atlas::Structure;
 
-/// Whose colour marks in slices have.
-Label label_of(Structure structure) {
-  switch (structure) {
-    case Structure::vena_cava:
-      return structure::kVenaCava;
-    case Structure::portal_entrance:
-      return structure::kPortalVein;
-    case Structure::gallbladder_bed:
-      return structure::kGallbladder;
-    case Structure::umbilical_notch:
-    case Structure::falciform_line:
-    case Structure::anterior_margin:
-      break;
-  }
-  return structure::kBackground;
-}
-
+/// What is said not to be there is grey.
 QColor colour_of(const Proposal& proposal) {
-  if (proposal.decision == Decision::not_visible) return {120, 126, 132};
-  switch (proposal.structure) {
-    case Structure::umbilical_notch:
-      return scene::colour_of(Feature::umbilical_notch);
-    case Structure::anterior_margin:
-      return scene::colour_of(Feature::anterior_margin);
-    case Structure::falciform_line:
-      return {255, 214, 90};
-    case Structure::vena_cava:
-    case Structure::portal_entrance:
-    case Structure::gallbladder_bed:
-      break;
-  }
-  return scene::colour_of(label_of(proposal.structure));
+  return proposal.decision == Decision::not_visible ? QColor(120, 126, 132)
+                                                    : ui::colour_of(proposal.structure);
 }
 
 QIcon disc(const QColor& colour) {
@@ -72,8 +43,14 @@ QIcon disc(const QColor& colour) {
   return picture;
 }
 
-bool is_line(Structure structure) {
-  return structure == Structure::falciform_line || structure == Structure::anterior_margin;
+/// Every point, some with their ellipsoids: those of neighbours hide one another.
+std::vector<scene::EllipsoidMark> slice_marks(const Proposal& one) {
+  constexpr Eigen::Index kBetween = 5;
+  std::vector<scene::EllipsoidMark> marks;
+  for (Eigen::Index k = 0; k < one.points.rows(); ++k)
+    marks.push_back({one.points.row(k).transpose(), one.covariances[static_cast<std::size_t>(k)],
+                     k % kBetween == 0 ? kEllipsoid95 : 0.0, colour_of(one)});
+  return marks;
 }
 
 }  // namespace
@@ -159,11 +136,18 @@ void ProposalReview::make_list() {
 void ProposalReview::set_active(bool active) {
   if (active_ && !active) {
     set_moving(false);
-    state_.set_markers({});
+    state_.set_ellipsoids({});
   }
+  const bool comes = active && !active_;
   active_ = active;
   for (QShortcut* key : keys_) key->setEnabled(active);
   if (active) list_->setFocus();
+  if (comes) return choose(list_->currentRow());
+  draw();
+}
+
+void ProposalReview::set_marks_hidden(bool hidden) {
+  marks_hidden_ = hidden;
   draw();
 }
 
@@ -234,19 +218,23 @@ void ProposalReview::choose(int) {
 
 void ProposalReview::draw() {
   std::vector<scene::ProposalMark> marks;
-  std::vector<scene::Marker> markers;
+  std::vector<scene::EllipsoidMark> in_slices;
   const Proposal* of_interest = chosen();
-  if (active_ && shown_)
+  if (active_ && shown_ && !marks_hidden_)
     for (const Proposal& one : shown_->proposals) {
       const bool is_chosen = &one == of_interest;
-      marks.push_back({one.points, one.covariances, is_chosen ? one.area : Points(), colour_of(one),
-                       is_line(one.structure), is_chosen, kEllipsoid95});
-      if (is_chosen)
-        for (Eigen::Index k = 0; k < one.points.rows(); ++k)
-          markers.push_back({one.points.row(k).transpose(), label_of(one.structure), 1e-3});
+      marks.push_back({one.points,
+                       one.covariances,
+                       is_chosen ? one.area : Points(),
+                       {},
+                       colour_of(one),
+                       is_line(one.structure),
+                       is_chosen,
+                       kEllipsoid95});
+      if (is_chosen) in_slices = slice_marks(one);
     }
   actors_.show(marks);
-  if (active_) state_.set_markers(markers);
+  if (active_) state_.set_ellipsoids(std::move(in_slices));
   views_.volume().update();
 }
 

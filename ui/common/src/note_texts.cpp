@@ -68,6 +68,7 @@ class Notes {
          tr("No anterior margin was found: the registration has one feature less.")},
         {"landmarks.no_vena_cava",
          tr("The model has no vena cava: nothing says where the organ is held. Let the atlas propose it.")},
+        {"landmarks.not_reviewed", tr("%1: nobody has reviewed what is proposed.")},
         {"atlas.cava_from_statistics",
          tr("Where the organ is held (vena cava) comes from statistics alone, with a deviation of %1 mm.")},
         {"atlas.notch_from_statistics",

@@ -73,6 +73,7 @@ SliceView::SliceView(ViewState& state, scene::Plane plane, QWidget* parent)
   connect(&state_, &ViewState::style_changed, this, &SliceView::refresh_slice);
   connect(&state_, &ViewState::overlays_changed, this, &SliceView::refresh_overlays);
   connect(&state_, &ViewState::markers_changed, this, qOverload<>(&QWidget::update));
+  connect(&state_, &ViewState::ellipsoids_changed, this, qOverload<>(&QWidget::update));
   connect(&state_, &ViewState::hand_changed, this, &SliceView::show_hand);
   connect(&state_, &ViewState::brush_changed, this, qOverload<>(&QWidget::update));
   connect(&state_, &ViewState::line_changed, this, qOverload<>(&QWidget::update));
@@ -269,15 +270,26 @@ void SliceView::paint_marks(QPainter& painter) const {
   painter.setPen(QPen(horizontal, 1.0));
   painter.drawLine(QPointF(0, cross.y()), QPointF(cross.x() - kGap, cross.y()));
   painter.drawLine(QPointF(cross.x() + kGap, cross.y()), QPointF(width(), cross.y()));
-  for (const scene::Marker& marker : state_.markers()) {
-    const double off = std::abs(slice_.distance_of(Point<CtFrame>(marker.p)));
-    if (off > kMarkerReach) continue;
-    QColor colour = colour_of(marker.structure);
-    painter.setPen(QPen(Qt::black, 1.5));
-    colour.setAlphaF(static_cast<float>(1.0 - 0.6 * off / kMarkerReach));
-    painter.setBrush(colour);
-    painter.drawEllipse(widget_point(Point<CtFrame>(marker.p)), 5.0, 5.0);
+  for (const scene::Marker& marker : state_.markers())
+    paint_disc(painter, marker.p, colour_of(marker.structure));
+  for (const scene::EllipsoidMark& mark : state_.ellipsoids()) {
+    const Points line = scene::cut(mark, slice_);
+    QPolygonF outline;
+    outline.reserve(line.rows());
+    for (Eigen::Index n = 0; n < line.rows(); ++n)
+      outline << widget_point(Point<CtFrame>(Eigen::Vector3d(line.row(n).transpose())));
+    paint_outline(painter, outline, mark.colour, false);
   }
+  for (const scene::EllipsoidMark& mark : state_.ellipsoids()) paint_disc(painter, mark.p, mark.colour);
+}
+
+void SliceView::paint_disc(QPainter& painter, const Eigen::Vector3d& p, QColor colour) const {
+  const double off = std::abs(slice_.distance_of(Point<CtFrame>(p)));
+  if (off > kMarkerReach) return;
+  painter.setPen(QPen(Qt::black, 1.5));
+  colour.setAlphaF(static_cast<float>(1.0 - 0.6 * off / kMarkerReach));
+  painter.setBrush(colour);
+  painter.drawEllipse(widget_point(Point<CtFrame>(p)), 5.0, 5.0);
 }
 
 void SliceView::paint_texts(QPainter& painter) const {

@@ -56,6 +56,12 @@ void ViewState::set_markers(std::vector<scene::Marker> markers) {
   emit markers_changed();
 }
 
+void ViewState::set_ellipsoids(std::vector<scene::EllipsoidMark> ellipsoids) {
+  if (ellipsoids == ellipsoids_) return;
+  ellipsoids_ = std::move(ellipsoids);
+  emit ellipsoids_changed();
+}
+
 void ViewState::set_hidden(std::vector<Label> labels) {
   if (labels == style_.hidden) return;
   style_.hidden = std::move(labels);

@@ -9,6 +9,7 @@
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/live.h"
 #include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/proposals.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/engine/parts/rig.h"
 #include "glisson/guidance/lesion_judge.h"
@@ -84,6 +85,7 @@ OverlayJob LiveViewModel::make_job() {
   job.style = style_;
   job.interest = interest_;
   job.model_unchecked = now[part::model] && !engine::is_model_checked(now);
+  job.landmarks = engine::landmark_review(now);
   return job;
 }
 

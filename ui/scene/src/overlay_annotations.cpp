@@ -175,6 +175,10 @@ Picture annotate(const Picture& picture, const OverlayFrame& overlay, const Anno
     QStringList doubts;
     if (overlay.doubtful) doubts << Overlay::doubtful();
     if (status.model_unchecked) doubts << Overlay::unchecked();
+    if (status.landmarks_open)
+      doubts << Overlay::landmarks_open();
+    else if (status.landmarks_from_statistics)
+      doubts << Overlay::landmarks_from_statistics();
     if (!doubts.isEmpty())
       draw_text(painter, layout, doubts.join(QStringLiteral("  ·  ")), layout.font(true), kAmber,
                 Qt::AlignRight | Qt::AlignTop);

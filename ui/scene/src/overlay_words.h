@@ -118,6 +118,8 @@ class Overlay {
   static QString residual(double metres) { return tr("residual %1 mm").arg(1e3 * metres, 0, 'f', 1); }
   static QString doubtful() { return tr("Registration in doubt"); }
   static QString unchecked() { return tr("Model not checked"); }
+  static QString landmarks_open() { return tr("Landmarks not reviewed"); }
+  static QString landmarks_from_statistics() { return tr("Landmarks from statistics"); }
   static QString research() { return tr("Research software: not for clinical use"); }
   static QString structure(Label label) {
     if (label == structure::kPortalVein) return tr("Portal vein");

@@ -70,6 +70,12 @@ struct ProposalActors::Impl {
 
   void add(const ProposalMark& mark) {
     const double thick = mark.is_chosen ? kChosen : 1.0;
+    if (mark.faces.triangle_count() > 0) {
+      const auto surface = make_poly_data(mark.faces);
+      add_normals(*surface);
+      actors.add(surface, mark.colour);
+    }
+    if (mark.points.rows() == 0) return;
     if (mark.area.rows() > 0) actors.add(balls(mark.area, thick * kDot), mark.colour);
     if (mark.is_line && mark.points.rows() > 1)
       actors.add(make_poly_data(polyline_tube(mark.points, thick * kTube)), mark.colour);

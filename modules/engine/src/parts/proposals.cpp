@@ -144,6 +144,23 @@ bool is_bare(const PatientModel& model) {
                       [](const NamedSurface& surface) { return surface.name == "liver"; });
 }
 
+/// What registration knows by name.
+constexpr std::array kUsed = {Structure::umbilical_notch, Structure::anterior_margin, Structure::vena_cava};
+
+/// Proposed on this model, neither decided nor placed by hand.
+bool waits(const CaseState& state, Structure structure) {
+  const Proposal* one =
+      stage_state(state, part::proposals) == StageState::current ? proposal_of(state, structure) : nullptr;
+  return one != nullptr && one->decision == Decision::proposed && placed_points(state, structure).rows() == 0;
+}
+
+/// A landmark that was accepted as the atlas proposed it.
+bool is_statistics(const CaseState& state, Structure structure) {
+  const Proposal* one = proposal_of(state, structure);
+  return one != nullptr && one->decision == Decision::accepted && one->source() == Source::statistics &&
+         placed_points(state, structure).rows() > 0;
+}
+
 bool same(const CaseState& written, const CaseState& found) {
   const Transfer &a = *written[part::proposals], &b = *found[part::proposals];
   if (a.proposals.size() != b.proposals.size() || !same_points(a.surface, b.surface)) return false;
@@ -177,6 +194,19 @@ const Proposal* proposal_of(const CaseState& state, atlas::Structure structure) 
   return nullptr;
 }
 
+LandmarkReview landmark_review(const CaseState& state) {
+  LandmarkReview review;
+  if (!state[part::model] || is_bare(state[part::model]->model)) return review;
+  const auto any = [&](bool (*holds)(const CaseState&, Structure)) {
+    return std::any_of(kUsed.begin(), kUsed.end(), [&](Structure one) { return holds(state, one); });
+  };
+  const bool nobody_was_asked = stage_state(state, part::proposals) != StageState::current &&
+                                stage_state(state, part::landmarks) != StageState::current;
+  review.is_open = nobody_was_asked || any(waits);
+  review.from_statistics = any(is_statistics);
+  return review;
+}
+
 std::vector<std::string> landmark_notes(const CaseState& state) {
   std::vector<std::string> notes;
   const Landmarks used = effective_landmarks(state);
@@ -201,6 +231,9 @@ std::vector<std::string> landmark_notes(const CaseState& state) {
       notes.push_back("atlas.margin_left_out " +
                       std::to_string(100 * left_out / std::max<Eigen::Index>(1, margin->points.rows())));
   }
+  for (const Structure one : kUsed)
+    if (waits(state, one))
+      notes.push_back(std::string("landmarks.not_reviewed ") + atlas::structure_code(one));
   return notes;
 }
 

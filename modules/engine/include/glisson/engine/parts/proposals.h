@@ -17,8 +17,15 @@ const atlas::Proposal* proposal_of(const CaseState& state, atlas::Structure stru
 /// What a person has placed or accepted of a structure on this model, CT frame, metres; none: nothing, or of
 /// a former model.
 PointsIn<CtFrame> placed_points(const CaseState& state, atlas::Structure structure);
+/// How far the review of the landmarks that registration knows (notch, margin, vena cava) has come.
+struct LandmarkReview {
+  bool is_open = false;          ///< of one nobody has said whether it lies there
+  bool from_statistics = false;  ///< one that is used was accepted although no image shows it
+};
+LandmarkReview landmark_review(const CaseState& state);
 /// The notes of a registration about its landmarks: "atlas.cava_from_statistics 9.1" (mm) when the vena cava
-/// that it holds on to comes from statistics alone, "landmarks.no_vena_cava" when there is none.
+/// that it holds on to comes from statistics alone, "landmarks.no_vena_cava" when there is none,
+/// "landmarks.not_reviewed umbilical_notch" when it is proposed and nobody has said anything.
 std::vector<std::string> landmark_notes(const CaseState& state);
 
 }  // namespace glisson::engine

@@ -12,6 +12,7 @@ class QPushButton;
 namespace glisson::ui {
 
 class ProposalReview;
+class ShapeModes;
 
 /// Review of the anatomical landmarks: what the atlas proposes; the anterior margin that was found is shown,
 /// notch and vena cava are placed by clicking on the surface in three dimensions.
@@ -40,6 +41,7 @@ class AtlasPanel : public Panel {
 
   LinkedViews& views_;
   ProposalReview* review_ = nullptr;
+  ShapeModes* modes_ = nullptr;
   Tool tool_ = Tool::none;
   std::set<Tool> begin_anew_;  ///< the next point of these takes the place of the model's own
   Landmarks landmarks_;        ///< effective ones, as on the screen

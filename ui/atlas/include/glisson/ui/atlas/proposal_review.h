@@ -28,6 +28,8 @@ class ProposalReview : public QWidget {
 
   /// The panel comes to the front, or leaves it: only then anything is drawn.
   void set_active(bool active);
+  /// While the views show something else.
+  void set_marks_hidden(bool hidden);
   bool is_moving() const { return moving_; }
   void stop_moving() { set_moving(false); }
   /// Of what is drawn in three dimensions.
@@ -66,7 +68,7 @@ class ProposalReview : public QWidget {
   std::shared_ptr<const atlas::Transfer> shown_;
   std::vector<Former> former_;
   std::set<engine::CommandId> posted_;
-  bool active_ = false, moving_ = false;
+  bool active_ = false, moving_ = false, marks_hidden_ = false;
   TaskButton* propose_ = nullptr;
   QWidget* review_ = nullptr;  ///< what there is once something is proposed
   QLabel* doubts_ = nullptr;

@@ -10,6 +10,7 @@
 #include "glisson/engine/parts/offer.h"
 #include "glisson/patient/label_map.h"
 #include "glisson/ui/common/hand.h"
+#include "glisson/ui/scene/ellipsoid_mark.h"
 #include "glisson/ui/scene/patient_scene.h"
 #include "glisson/ui/scene/slice_picture.h"
 #include "glisson/volume/image.h"
@@ -40,6 +41,9 @@ class ViewState : public QObject {
 
   const std::vector<scene::Marker>& markers() const { return markers_; }
   void set_markers(std::vector<scene::Marker> markers);
+  /// Places with what is doubted of them, over the slices only.
+  const std::vector<scene::EllipsoidMark>& ellipsoids() const { return ellipsoids_; }
+  void set_ellipsoids(std::vector<scene::EllipsoidMark> ellipsoids);
 
   /// Labels as they would become, hatched over the slices where they differ; null: none. Of the labels' grid.
   const std::shared_ptr<const LabelMap>& preview() const { return preview_; }
@@ -83,6 +87,7 @@ class ViewState : public QObject {
   void crosshair_changed();
   void style_changed();
   void markers_changed();
+  void ellipsoids_changed();
   void overlays_changed();
   void line_changed();
   void box_changed();
@@ -108,6 +113,7 @@ class ViewState : public QObject {
   Point<CtFrame> crosshair_;
   scene::SliceStyle style_;
   std::vector<scene::Marker> markers_;
+  std::vector<scene::EllipsoidMark> ellipsoids_;
   Hand hand_ = Hand::crosshair;
   BrushTip brush_;
   std::optional<PointerPlace> pointer_;

@@ -10,6 +10,7 @@
 #include <optional>
 #include <thread>
 
+#include "glisson/engine/parts/proposals.h"
 #include "glisson/geometry/camera.h"
 #include "glisson/patient/patient_model.h"
 #include "glisson/patient/picture.h"
@@ -29,10 +30,11 @@ struct OverlayJob {
   std::optional<std::chrono::steady_clock::time_point> taken;
   scene::OverlayStyle style;
   scene::OverlayInterest interest;
-  double frames_per_second = 0.0;  ///< of the live view, to be shown
-  bool model_unchecked = false;    ///< nobody has said that the model is right
-  bool is_live = false;            ///< of now; else the picture says that it is not
-  double source_rate = 30.0;       ///< frames a second of the video, for the recording
+  double frames_per_second = 0.0;    ///< of the live view, to be shown
+  bool model_unchecked = false;      ///< nobody has said that the model is right
+  engine::LandmarkReview landmarks;  ///< how far their review has come
+  bool is_live = false;              ///< of now; else the picture says that it is not
+  double source_rate = 30.0;         ///< frames a second of the video, for the recording
   /// Handed back with what became of the job, so that one that is not wanted any more is known.
   int generation = 0;
 };

@@ -50,6 +50,8 @@ struct OverlayStatus {
   bool model_unchecked = false;    ///< nobody has said that the model is right: said in the picture
   /// The picture is not of now (stopped, paused, looked at again): no word may say that it is valid.
   bool stands = false;
+  bool landmarks_open = false;             ///< nobody has said of all of them whether they lie there
+  bool landmarks_from_statistics = false;  ///< one that no image shows was accepted
 };
 
 /// What a person looks at.

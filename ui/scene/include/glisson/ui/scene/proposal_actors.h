@@ -17,6 +17,7 @@ struct ProposalMark {
   Points points;                             ///< ordered
   std::vector<Eigen::Matrix3d> covariances;  ///< one a point, m2
   Points area;                               ///< of a contact; may be empty
+  TriangleMesh faces;                        ///< a piece of surface, or a liver of its own; may be empty
   QColor colour;
   bool is_line = false;     ///< points along a course; else single ones
   bool is_chosen = false;   ///< with its ellipsoids, and thicker

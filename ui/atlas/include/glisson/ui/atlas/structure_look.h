@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QColor>
+
+#include "glisson/atlas/structure.h"
+
+namespace glisson::ui {
+
+/// The colour that a structure has everywhere.
+QColor colour_of(atlas::Structure structure);
+/// Whether its points are a course.
+bool is_line(atlas::Structure structure);
+
+}  // namespace glisson::ui
