@@ -6722,10 +6722,6 @@
         <translation>Verschieben</translation>
     </message>
     <message>
-        <source>Click where it lies, on the liver in 3D or in a slice</source>
-        <translation>Klicken Sie, wo sie liegt: auf der Leber in 3D oder in einer Schicht</translation>
-    </message>
-    <message>
         <source>Not visible</source>
         <translation>Nicht sichtbar</translation>
     </message>
@@ -6740,6 +6736,34 @@
     <message>
         <source>The proposal is not used; what the CT itself shows stays</source>
         <translation>Der Vorschlag wird nicht verwendet; was das CT selbst zeigt, bleibt</translation>
+    </message>
+    <message>
+        <source>Drag it over the liver in 3D, or click where it lies in a slice</source>
+        <translation>In 3D über die Leber ziehen oder in einem Schnitt dorthin klicken, wo es liegt</translation>
+    </message>
+    <message>
+        <source>Paint faces</source>
+        <translation>Flächen bemalen</translation>
+    </message>
+    <message>
+        <source>Paint where it touches the liver, in 3D</source>
+        <translation>In 3D bemalen, wo es die Leber berührt</translation>
+    </message>
+    <message>
+        <source>A smaller brush</source>
+        <translation>Ein kleinerer Pinsel</translation>
+    </message>
+    <message>
+        <source>A larger brush</source>
+        <translation>Ein größerer Pinsel</translation>
+    </message>
+    <message>
+        <source>Drag it over the liver, or click in a slice. Enter: at the crosshair. Esc: done.</source>
+        <translation>Über die Leber ziehen oder in einen Schnitt klicken. Eingabe: ans Fadenkreuz. Esc: fertig.</translation>
+    </message>
+    <message>
+        <source>Drag over the liver to paint, with Ctrl to wipe. Brush %1 mm (+, −). Esc: done.</source>
+        <translation>Über die Leber ziehen malt, mit Strg wischt es weg. Pinsel %1 mm (+, −). Esc: fertig.</translation>
     </message>
 </context>
 <context>

@@ -6722,10 +6722,6 @@
         <translation>Déplacer</translation>
     </message>
     <message>
-        <source>Click where it lies, on the liver in 3D or in a slice</source>
-        <translation>Cliquez où il se trouve, sur le foie en 3D ou dans une coupe</translation>
-    </message>
-    <message>
         <source>Not visible</source>
         <translation>Non visible</translation>
     </message>
@@ -6740,6 +6736,34 @@
     <message>
         <source>The proposal is not used; what the CT itself shows stays</source>
         <translation>La proposition n&apos;est pas utilisée ; ce que le scanner montre lui-même reste</translation>
+    </message>
+    <message>
+        <source>Drag it over the liver in 3D, or click where it lies in a slice</source>
+        <translation>Le faire glisser sur le foie en 3D, ou cliquer dans une coupe là où il se trouve</translation>
+    </message>
+    <message>
+        <source>Paint faces</source>
+        <translation>Peindre les faces</translation>
+    </message>
+    <message>
+        <source>Paint where it touches the liver, in 3D</source>
+        <translation>Peindre en 3D là où il touche le foie</translation>
+    </message>
+    <message>
+        <source>A smaller brush</source>
+        <translation>Un pinceau plus petit</translation>
+    </message>
+    <message>
+        <source>A larger brush</source>
+        <translation>Un pinceau plus grand</translation>
+    </message>
+    <message>
+        <source>Drag it over the liver, or click in a slice. Enter: at the crosshair. Esc: done.</source>
+        <translation>Faire glisser sur le foie, ou cliquer dans une coupe. Entrée : au réticule. Échap : terminé.</translation>
+    </message>
+    <message>
+        <source>Drag over the liver to paint, with Ctrl to wipe. Brush %1 mm (+, −). Esc: done.</source>
+        <translation>Glisser sur le foie peint, avec Ctrl efface. Pinceau de %1 mm (+, −). Échap : terminé.</translation>
     </message>
 </context>
 <context>

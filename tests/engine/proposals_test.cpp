@@ -122,6 +122,17 @@ class ProposalsTest : public QObject {
     QVERIFY(notch->deviation() < proposal_of(state_, Structure::umbilical_notch)->deviation());
   }
 
+  void theCourseOfAMovedContactLiesOnIt() {
+    Points to = proposal_of(state_, Structure::vena_cava)->area;
+    to = Points(to.bottomRows(to.rows() / 2));
+    const auto applied =
+        ReviewProposal{Structure::vena_cava, Decision::moved, to}.apply(state_, RunContext());
+    const atlas::Proposal& cava = *proposal_of(applied->state, Structure::vena_cava);
+    QCOMPARE(cava.points.rows(), atlas::point_count(Structure::vena_cava));
+    for (Eigen::Index k = 0; k < cava.points.rows(); ++k)
+      QVERIFY((to.rowwise() - cava.points.row(k)).rowwise().norm().minCoeff() < 1e-12);
+  }
+
   /// Registration weighs no pieces: what nothing but statistics says stays out, and that is said.
   void ofAMarginOnlyWhatIsShownIsUsed() {
     const auto accepted =

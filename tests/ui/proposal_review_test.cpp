@@ -6,15 +6,18 @@
 #include <QtTest>
 
 #include "glisson/core/files.h"
+#include "glisson/engine/commands/import_image.h"
 #include "glisson/engine/commands/import_surfaces.h"
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/proposals.h"
 #include "glisson/geometry/distance.h"
 #include "glisson/geometry/mesh_io.h"
+#include "glisson/geometry/ridge_way.h"
 #include "glisson/ui/atlas/move_proposal.h"
 #include "glisson/ui/atlas/proposal_review.h"
 #include "glisson/ui/shell/main_window.h"
+#include "glisson/volume/io.h"
 #include "run_in_window.h"
 
 namespace glisson {
@@ -34,7 +37,12 @@ class ProposalReviewTest : public QObject {
   void UndoTakesStepsBackInTurn();
   void AClickMovesIt();
   void AnotherPanelPutsItAway();
+  void ADragMovesItAndTheViewStays();
+  void AClickInASliceMovesItAndEnterDoesAtTheCrosshair();
+  void FacesArePaintedAndWiped();
   void OfALineTheNeighboursFollow();
+  void TheMarginFollowsTheRidge();
+  void TheMarginsEndIsDragged();
 
  private:
   bool settle() {
@@ -56,7 +64,7 @@ class ProposalReviewTest : public QObject {
   }
   void press(Qt::Key key) {
     QApplication::setActiveWindow(window_.get());
-    QTest::keyClick(window_.get(), key);
+    QTest::keyClick(window_->focusWidget() != nullptr ? window_->focusWidget() : window_.get(), key);
     QVERIFY(settle());
   }
 
@@ -73,11 +81,23 @@ void ProposalReviewTest::initTestCase() {
   window_->resize(1280, 800);
   window_->show();
   QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+  Image ct;  // so that there are slices to click in
+  ct.grid.size = {70, 60, 60};
+  ct.grid.spacing_mm = {5.0, 5.0, 5.0};
+  ct.grid.origin_mm = {-175.0, -150.0, -150.0};
+  auto voxels = std::make_shared<std::vector<std::int16_t>>();
+  for (long i = 0; i < ct.grid.voxel_count(); ++i)  // tissue among air
+    voxels->push_back(i % ct.grid.size.x() < 10 ? std::int16_t{-1000}
+                                                : static_cast<std::int16_t>(10 + i * 7919 % 61));
+  ct.voxels = std::move(voxels);
+  write_image(folder_.path() / "ct.nrrd", ct);
+  window_->engine().post(engine::ImportImage{folder_.path() / "ct.nrrd", {}, false, Modality::ct});
   model::ModelOptions options;
   options.mesh.target_vertices = 300;
   window_->engine().post(engine::ImportSurfaces{file, LengthUnit::millimetre, options});
   QVERIFY(settle());
   QVERIFY(state()[part::model]);
+  if (QWidget* doubts = QApplication::activeModalWidget()) doubts->close();  // about this CT
   window_->show_step(MainWindow::atlas);
   QTRY_VERIFY(window_->views().surface_point(0.5, 0.5).has_value());
 }
@@ -132,7 +152,7 @@ void ProposalReviewTest::UndoTakesStepsBackInTurn() {
 void ProposalReviewTest::AClickMovesIt() {
   choose(Structure::umbilical_notch);
   press(Qt::Key_M);
-  QVERIFY(review().is_moving());
+  QVERIFY((review().tool() == ui::ProposalReview::Tool::move));
   ui::RenderView& view = window_->views().volume();
   const auto there = window_->views().surface_point(0.5, 0.5);
   QTest::mouseClick(&view, Qt::LeftButton, {}, QPoint(view.width() / 2, view.height() / 2));
@@ -142,7 +162,7 @@ void ProposalReviewTest::AClickMovesIt() {
   QVERIFY((moved.points.row(0).transpose() - *there).norm() < 0.003);
   QVERIFY((engine::effective_landmarks(state()).umbilical_notch - moved.points).norm() < 1e-12);
   press(Qt::Key_Escape);
-  QVERIFY(!review().is_moving());
+  QVERIFY(!(review().tool() == ui::ProposalReview::Tool::move));
 }
 
 void ProposalReviewTest::AnotherPanelPutsItAway() {
@@ -153,19 +173,143 @@ void ProposalReviewTest::AnotherPanelPutsItAway() {
   QVERIFY(review().actor_count() > 0);
 }
 
+void ProposalReviewTest::ADragMovesItAndTheViewStays() {
+  choose(Structure::umbilical_notch);
+  press(Qt::Key_M);
+  ui::RenderView& view = window_->views().volume();
+  const QPoint from(view.width() / 2, view.height() / 2), to = from + QPoint(25, -15);
+  const auto camera = view.view_from_scene();
+  const auto there = window_->views().surface_point(static_cast<double>(to.x()) / view.width(),
+                                                    static_cast<double>(to.y()) / view.height());
+  QVERIFY(there);
+  const Points before = proposal(Structure::umbilical_notch).points;
+  QTest::mousePress(&view, Qt::LeftButton, {}, from);
+  QTest::mouseMove(&view, to);
+  QCOMPARE(proposal(Structure::umbilical_notch).points, before);  // a drag asks, its end decides
+  QTest::mouseRelease(&view, Qt::LeftButton, {}, to);
+  QVERIFY(settle());
+  QVERIFY((proposal(Structure::umbilical_notch).points.row(0).transpose() - *there).norm() < 0.003);
+  QVERIFY(view.view_from_scene().isApprox(camera, 1e-9));
+  press(Qt::Key_U);
+  QCOMPARE(proposal(Structure::umbilical_notch).points, before);
+  // Beside the liver the mouse turns the view.
+  QTest::mousePress(&view, Qt::LeftButton, {}, QPoint(8, view.height() - 12));
+  QTest::mouseMove(&view, QPoint(60, view.height() - 60));
+  QTest::mouseRelease(&view, Qt::LeftButton, {}, QPoint(60, view.height() - 60));
+  QVERIFY(!view.view_from_scene().isApprox(camera, 1e-6));
+  QCOMPARE(proposal(Structure::umbilical_notch).points, before);
+  press(Qt::Key_Escape);
+  window_->views().volume().patient().look_from(scene::ViewFrom::anterior);
+}
+
+void ProposalReviewTest::AClickInASliceMovesItAndEnterDoesAtTheCrosshair() {
+  choose(Structure::umbilical_notch);
+  const Points before = proposal(Structure::umbilical_notch).points;
+  press(Qt::Key_M);
+  ui::SliceView& axial = window_->views().slice(scene::Plane::axial);
+  const Eigen::Vector3d wanted = before.row(0).transpose() + Eigen::Vector3d(0.004, 0.0, 0.0);
+  QTest::mouseClick(&axial, Qt::LeftButton, {}, axial.widget_point(Point<CtFrame>(wanted)).toPoint());
+  QVERIFY(settle());
+  const ClosestPointTree liver(state()[part::model]->model.surface.mesh);
+  const auto is_at_the_crosshair = [&] {
+    const Eigen::Vector3d there = liver.closest(window_->views().state().crosshair().xyz).point;
+    return (proposal(Structure::umbilical_notch).points.row(0).transpose() - there).norm() < 1e-9;
+  };
+  QVERIFY(proposal(Structure::umbilical_notch).points != before);
+  QVERIFY(is_at_the_crosshair());
+  axial.setFocus();
+  press(Qt::Key_Up);  // the next slice
+  QVERIFY(!is_at_the_crosshair());
+  press(Qt::Key_Return);
+  QVERIFY(is_at_the_crosshair());
+  press(Qt::Key_U);
+  press(Qt::Key_U);
+  QCOMPARE(proposal(Structure::umbilical_notch).points, before);
+  press(Qt::Key_Escape);
+}
+
+/// The registration holds on to them, so that a hand says which faces the vena cava touches.
+void ProposalReviewTest::FacesArePaintedAndWiped() {
+  choose(Structure::anterior_margin);
+  press(Qt::Key_P);
+  QVERIFY(review().tool() == ui::ProposalReview::Tool::none);  // a line has no faces
+  choose(Structure::vena_cava);
+  press(Qt::Key_P);
+  QVERIFY(review().tool() == ui::ProposalReview::Tool::paint);
+  QVERIFY(!window_->views().volume().patient().is_visible(structure::kVenaCava));  // it would hide them
+  ui::RenderView& view = window_->views().volume();
+  const QPoint at(view.width() / 2, view.height() / 2);
+  const auto there = window_->views().surface_point(0.5, 0.5);
+  const auto close = [&](const Points& area) {
+    return ((area.rowwise() - there->transpose()).rowwise().norm().array() < 0.0075).count();
+  };
+  const Points before = proposal(Structure::vena_cava).area;
+  QCOMPARE(close(before), 0);
+  QTest::mouseClick(&view, Qt::LeftButton, {}, at);
+  QVERIFY(settle());
+  const atlas::Proposal& painted = proposal(Structure::vena_cava);
+  QVERIFY(painted.decision == Decision::moved && painted.source() == atlas::Source::person);
+  QVERIFY(close(painted.area) > 0);
+  QVERIFY(close(engine::effective_landmarks(state()).vena_cava) > 0);
+  QTest::mouseClick(&view, Qt::LeftButton, Qt::ControlModifier, at);
+  QVERIFY(settle());
+  QCOMPARE(close(proposal(Structure::vena_cava).area), 0);
+  press(Qt::Key_U);
+  QVERIFY(close(proposal(Structure::vena_cava).area) > 0);
+  press(Qt::Key_U);
+  QVERIFY((proposal(Structure::vena_cava).area - before).cwiseAbs().maxCoeff() < 1e-12);
+  press(Qt::Key_Escape);
+  QVERIFY(window_->views().volume().patient().is_visible(structure::kVenaCava));
+  QVERIFY(review().tool() == ui::ProposalReview::Tool::none);
+}
+
 void ProposalReviewTest::OfALineTheNeighboursFollow() {
-  const atlas::Proposal& margin = proposal(Structure::anterior_margin);
+  const atlas::Proposal& line = proposal(Structure::falciform_line);
   const TriangleMesh& liver = state()[part::model]->model.surface.mesh;
-  const Eigen::Vector3d to = margin.points.row(20).transpose() + Eigen::Vector3d(0.0, 0.0, 0.008);
-  const Points moved = ui::moved_points(margin, to, liver);
-  QCOMPARE(moved.rows(), margin.points.rows());
-  const Eigen::VectorXd way = (moved - margin.points).rowwise().norm();
+  const Eigen::Index middle = line.points.rows() / 2, last = line.points.rows() - 1;
+  const Eigen::Vector3d to = line.points.row(middle).transpose() + Eigen::Vector3d(0.008, 0.0, 0.0);
+  const Points moved = ui::ProposalMover(liver).moved(line, middle, to);
+  QCOMPARE(moved.rows(), line.points.rows());
+  const Eigen::VectorXd way = (moved - line.points).rowwise().norm();
   Eigen::Index most = 0;
   QVERIFY(way.maxCoeff(&most) < 0.012);
-  QVERIFY(std::abs(most - 20) <= 2);
+  QVERIFY(std::abs(most - middle) <= 2);
   QCOMPARE(way[0], 0.0);
-  QCOMPARE(way[40], 0.0);
-  for (const double distance : distances_to_surface(moved.middleRows(18, 5), liver)) QVERIFY(distance < 1e-9);
+  QCOMPARE(way[last], 0.0);
+  for (const double distance : distances_to_surface(moved.middleRows(middle - 1, 3), liver))
+    QVERIFY(distance < 1e-9);
+}
+
+/// The hand is 6 mm off the edge; what comes of it is not, nor is the course between there and what stays.
+void ProposalReviewTest::TheMarginFollowsTheRidge() {
+  const atlas::Proposal& margin = proposal(Structure::anterior_margin);
+  const TriangleMesh& liver = state()[part::model]->model.surface.mesh;
+  const ui::ProposalMover mover(liver);
+  const Eigen::Vector3d beside = margin.points.row(20).transpose() + Eigen::Vector3d(0.0, 0.0, 0.006);
+  const Points moved = mover.moved(margin, 20, beside);
+  const RidgeWays ridges(liver);
+  QVERIFY((ridges.onto_ridge(beside, 0.008) - moved.row(20).transpose()).norm() < 1e-9);
+  for (const double distance : distances_to_surface(moved.middleRows(19, 3), liver)) QVERIFY(distance < 1e-3);
+  for (Eigen::Index k = 1; k < moved.rows(); ++k)  // no jump
+    QVERIFY((moved.row(k) - moved.row(k - 1)).norm() < 0.03);
+  QCOMPARE((moved.row(0) - margin.points.row(0)).norm(), 0.0);
+  QCOMPARE((moved.row(40) - margin.points.row(40)).norm(), 0.0);
+}
+
+void ProposalReviewTest::TheMarginsEndIsDragged() {
+  const atlas::Proposal& margin = proposal(Structure::anterior_margin);
+  const ui::ProposalMover mover(state()[part::model]->model.surface.mesh);
+  const auto length = [](const Points& line) {
+    return (line.bottomRows(line.rows() - 1) - line.topRows(line.rows() - 1)).rowwise().norm().sum();
+  };
+  // Back to where the fifth point is: so much shorter.
+  const Points shorter = mover.moved(margin, 0, margin.points.row(4).transpose());
+  QCOMPARE(shorter.rows(), margin.points.rows());
+  QVERIFY((shorter.row(0) - margin.points.row(4)).norm() < 0.008 + 1e-9);
+  const double gone = length(margin.points.topRows(5));
+  QVERIFY2(length(shorter) < length(margin.points) - 0.5 * gone,
+           qPrintable(QStringLiteral("%1 %2 %3").arg(length(shorter)).arg(length(margin.points)).arg(gone)));
+  QCOMPARE((shorter.row(40) - margin.points.row(40)).norm(), 0.0);
 }
 
 }  // namespace glisson

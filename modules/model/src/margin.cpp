@@ -2,18 +2,17 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <queue>
 
 #include "glisson/core/error.h"
 #include "glisson/geometry/closest_point_tree.h"
+#include "glisson/geometry/sharpness.h"
 #include "glisson/geometry/topology.h"
 #include "glisson/model/build.h"
 
 namespace glisson::model {
 namespace {
 
-constexpr double kPatchRadius = 0.012;  // metres: over which the normals' spread is taken
 /// Meshes with a longer mean edge (metres) are subdivided; the surface stays the same.
 constexpr double kLongestEdge = 0.005;
 constexpr double kSeedDeviations = 1.5, kExtensionDeviations = 0.5;  // above the mean, of the whole mesh
@@ -23,96 +22,6 @@ constexpr double kLeastLength = 0.05;  // metres; shorter ridges are dropped
 constexpr double kSpacing = 0.003;     // metres, of the polyline
 constexpr double kWrongSide = 0.15;    // cosine: normals farther from the wanted direction are no margin
 constexpr double kPullToRidge = 8.0;   // how much dearer a path beside the ridge is
-
-/// Every triangle cut into four: the same surface with more vertices.
-TriangleMesh subdivided(const TriangleMesh& mesh) {
-  const std::vector<Edge> all = edges(mesh);
-  std::map<std::pair<int, int>, int> middle;
-  TriangleMesh fine;
-  fine.vertices.resize(mesh.vertex_count() + static_cast<Eigen::Index>(all.size()), 3);
-  fine.vertices.topRows(mesh.vertex_count()) = mesh.vertices;
-  for (std::size_t e = 0; e < all.size(); ++e) {
-    const int at = mesh.vertex_count() + static_cast<int>(e);
-    middle[{all[e].a, all[e].b}] = at;
-    fine.vertices.row(at) = 0.5 * (mesh.vertices.row(all[e].a) + mesh.vertices.row(all[e].b));
-  }
-  const auto between = [&](int a, int b) { return middle.at({std::min(a, b), std::max(a, b)}); };
-  fine.triangles.resize(4L * mesh.triangle_count(), 3);
-  for (int t = 0; t < mesh.triangle_count(); ++t) {
-    const int a = mesh.triangles(t, 0), b = mesh.triangles(t, 1), c = mesh.triangles(t, 2);
-    const int ab = between(a, b), bc = between(b, c), ca = between(c, a);
-    fine.triangles.row(4L * t) << a, ab, ca;
-    fine.triangles.row(4L * t + 1) << ab, b, bc;
-    fine.triangles.row(4L * t + 2) << ca, bc, c;
-    fine.triangles.row(4L * t + 3) << ab, bc, ca;
-  }
-  return fine;
-}
-
-double mean_edge(const TriangleMesh& mesh) {
-  double sum = 0.0;
-  const std::vector<Edge> all = edges(mesh);
-  for (const Edge& edge : all) sum += (mesh.vertex(edge.a) - mesh.vertex(edge.b)).norm();
-  return all.empty() ? 0.0 : sum / static_cast<double>(all.size());
-}
-
-/// How far the normals spread around each vertex: 1 - |mean normal| over the connected patch within
-/// kPatchRadius. 0 on a plane, 1 - cos(a / 2) on a crease between normals an angle a apart, negative where
-/// the surface is hollow. An integral, so that the tessellation does not matter.
-class Sharpness {
- public:
-  explicit Sharpness(const TriangleMesh& mesh)
-      : mesh_(mesh), normals_(triangle_normals(mesh)), areas_(triangle_areas(mesh)) {
-    triangles_of_.resize(static_cast<std::size_t>(mesh.vertex_count()));
-    for (int t = 0; t < mesh.triangle_count(); ++t)
-      for (int k = 0; k < 3; ++k) triangles_of_[mesh.triangles(t, k)].push_back(t);
-    seen_.assign(static_cast<std::size_t>(mesh.triangle_count()), -1);
-    mean_normal_ = Points::Zero(mesh.vertex_count(), 3);
-    value_.assign(static_cast<std::size_t>(mesh.vertex_count()), 0.0);
-    for (int v = 0; v < mesh.vertex_count(); ++v) measure(v);
-  }
-  const std::vector<double>& value() const { return value_; }
-  Eigen::Vector3d normal(int v) const { return mean_normal_.row(v).transpose(); }
-
- private:
-  Eigen::Vector3d centre(int t) const {
-    return (mesh_.vertex(mesh_.triangles(t, 0)) + mesh_.vertex(mesh_.triangles(t, 1)) +
-            mesh_.vertex(mesh_.triangles(t, 2))) /
-           3.0;
-  }
-  void measure(int v) {
-    const Eigen::Vector3d p = mesh_.vertex(v);
-    std::vector<int> patch = triangles_of_[v];
-    for (const int t : patch) seen_[t] = v;
-    Eigen::Vector3d normal = Eigen::Vector3d::Zero(), place = normal;
-    double area = 0.0;
-    for (std::size_t next = 0; next < patch.size(); ++next) {
-      const int t = patch[next];
-      const Eigen::Vector3d c = centre(t);
-      normal += areas_[t] * normals_.row(t).transpose();
-      place += areas_[t] * c;
-      area += areas_[t];
-      for (int k = 0; k < 3; ++k)
-        for (const int neighbour : triangles_of_[mesh_.triangles(t, k)]) {
-          if (seen_[neighbour] == v || (centre(neighbour) - p).norm() > kPatchRadius) continue;
-          seen_[neighbour] = v;
-          patch.push_back(neighbour);
-        }
-    }
-    if (!(area > 0.0) || !(normal.norm() > 0.0)) return;
-    const double spread = 1.0 - normal.norm() / area;
-    mean_normal_.row(v) = normal.normalized().transpose();
-    value_[v] = (p - place / area).dot(normal) >= 0.0 ? spread : -spread;
-  }
-
-  const TriangleMesh& mesh_;
-  Points normals_;
-  Eigen::VectorXd areas_;
-  std::vector<std::vector<int>> triangles_of_;
-  std::vector<int> seen_;
-  Points mean_normal_;
-  std::vector<double> value_;
-};
 
 struct Reach {
   std::vector<double> cost;
@@ -234,8 +143,7 @@ std::vector<int> crest(const TriangleMesh& mesh, const std::vector<std::vector<i
 
 Points detect_anterior_margin(const TriangleMesh& surface, const Eigen::Vector3d& inferior_anterior) {
   if (surface.triangle_count() == 0) return Points(0, 3);
-  TriangleMesh mesh = surface;
-  while (mean_edge(mesh) > kLongestEdge && mesh.triangle_count() < 400000) mesh = subdivided(mesh);
+  const TriangleMesh mesh = refined(surface, kLongestEdge);
   const Sharpness sharpness(mesh);
   std::vector<double> sharp = sharpness.value();
   const Eigen::Vector3d wanted =

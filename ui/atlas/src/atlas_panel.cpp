@@ -42,7 +42,11 @@ AtlasPanel::AtlasPanel(EngineBridge& engine, LinkedViews& views, ViewState& stat
          "is used before you accept it."));
   review_ = new ProposalReview(engine, views, state, this);
   proposals->addWidget(review_);
-  connect(review_, &ProposalReview::moving_began, this, [this] { choose(Tool::none); });
+  connect(review_, &ProposalReview::tool_taken, this, [this] {
+    choose(Tool::none);
+    modes_->leave();
+  });
+  connect(review_, &ProposalReview::tool_changed, this, &AtlasPanel::show_landmarks);
   QVBoxLayout* margin =
       add_section(tr("Anterior margin"), tr("The sharp lower edge, found on the model (white line)."));
   margin_ = new QLabel(this);
@@ -65,8 +69,10 @@ AtlasPanel::AtlasPanel(EngineBridge& engine, LinkedViews& views, ViewState& stat
               tr("What the atlas knows of how livers differ. Nothing of the case changes."))
       ->addWidget(modes_);
   connect(modes_, &ShapeModes::shown_changed, this, [this](bool shown) {
-    if (shown) choose(Tool::none);
-    review_->stop_moving();
+    if (shown) {
+      choose(Tool::none);
+      review_->put_tool_away();
+    }
     review_->set_marks_hidden(shown);
     show_landmarks();
   });
@@ -81,7 +87,7 @@ AtlasPanel::AtlasPanel(EngineBridge& engine, LinkedViews& views, ViewState& stat
   auto* escape = new QShortcut(Qt::Key_Escape, this);
   connect(escape, &QShortcut::activated, this, [this] {
     choose(Tool::none);
-    review_->stop_moving();
+    review_->put_tool_away();
     modes_->leave();
   });
   watch(part::landmarks);
@@ -142,7 +148,7 @@ void AtlasPanel::deactivate() {
 void AtlasPanel::choose(Tool tool) {
   tool_ = tool;
   if (tool != Tool::none) {
-    review_->stop_moving();
+    review_->put_tool_away();
     modes_->leave();
   }
   place_notch_->setChecked(tool == Tool::notch);
@@ -196,7 +202,10 @@ void AtlasPanel::show_landmarks() {
   notch_->setText(placed(landmarks_.umbilical_notch, Tool::notch));
   cava_->setText(placed(landmarks_.vena_cava, Tool::vena_cava));
   emit landmarks_shown();
-  if (ready) views_.set_landmarks(modes_->is_shown() ? Landmarks{} : landmarks_);
+  if (!ready) return;
+  Landmarks shown = modes_->is_shown() ? Landmarks{} : landmarks_;
+  if (review_->tool() == ProposalReview::Tool::paint) shown.vena_cava.resize(0, 3);  // its faces are shown
+  views_.set_landmarks(shown);
 }
 
 }  // namespace glisson::ui

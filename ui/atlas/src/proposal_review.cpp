@@ -18,8 +18,8 @@
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/proposals.h"
 #include "glisson/geometry/closest_point_tree.h"
-#include "glisson/ui/atlas/move_proposal.h"
 #include "glisson/ui/atlas/structure_look.h"
+#include "glisson/ui/atlas/surface_drag.h"
 #include "glisson/ui/common/atlas_texts.h"
 #include "glisson/ui/common/built_in_atlas.h"
 #include "glisson/ui/common/panel.h"
@@ -36,6 +36,11 @@ QColor colour_of(const Proposal& proposal) {
   return proposal.decision == Decision::not_visible ? QColor(120, 126, 132)
                                                     : ui::colour_of(proposal.structure);
 }
+
+constexpr double kBrushStep = 2e-3;     // metres
+constexpr Eigen::Index kLeastArea = 3;  // points of a contact
+
+bool same_points(const Points& a, const Points& b) { return a.rows() == b.rows() && a == b; }
 
 QIcon disc(const QColor& colour) {
   QPixmap picture(12, 12);
@@ -74,16 +79,19 @@ ProposalReview::ProposalReview(EngineBridge& engine, LinkedViews& views, ViewSta
   make_list();
   connect(&engine_, &EngineBridge::case_changed, this, &ProposalReview::show_case);
   connect(&engine_, &EngineBridge::finished, this, [this](const engine::Outcome& outcome) {
-    if (posted_.erase(outcome.id) > 0) show_case();
+    if (posted_.erase(outcome.id) > 0) {
+      dragged_.resize(0, 3);
+      show_case();
+    }
     show_chosen();
   });
   connect(&engine_, &EngineBridge::tasks_changed, this, &ProposalReview::show_chosen);
-  connect(&views_.volume(), &RenderView::clicked, this, [this](double x, double y) {
-    if (!moving_) return;
-    if (const auto p = views_.surface_point(x, y)) move_to(*p);
-  });
+  drag_ = new SurfaceDrag(views_, this);
+  connect(drag_, &SurfaceDrag::began, this, &ProposalReview::begin_drag);
+  connect(drag_, &SurfaceDrag::moved, this, &ProposalReview::drag);
+  connect(drag_, &SurfaceDrag::ended, this, &ProposalReview::end_drag);
   connect(&state_, &ViewState::picked, this, [this](const Point<CtFrame>& p) {
-    if (moving_) move_to(p.xyz);
+    if (tool_ == Tool::move) move_to(p.xyz);
   });
   show_list();
   show_case();
@@ -111,7 +119,8 @@ void ProposalReview::make_list() {
   layout->addWidget(list_);
   reason_ = make_explanation({}, review_);
   accept_ = add_button(tr("Accept"), tr("It lies there"), Qt::Key_A);
-  move_ = add_button(tr("Move"), tr("Click where it lies, on the liver in 3D or in a slice"), Qt::Key_M);
+  move_ = add_button(tr("Move"), tr("Drag it over the liver in 3D, or click where it lies in a slice"),
+                     Qt::Key_M);
   not_visible_ = add_button(tr("Not visible"), tr("The proposal is not used; what the CT itself shows stays"),
                             Qt::Key_N);
   undo_ = add_button(tr("Undo"), tr("Take the last step of the review back"), Qt::Key_U);
@@ -119,23 +128,41 @@ void ProposalReview::make_list() {
   move_->setObjectName(QStringLiteral("move_proposal"));
   not_visible_->setObjectName(QStringLiteral("not_visible_proposal"));
   undo_->setObjectName(QStringLiteral("undo_review"));
+  paint_ = add_button(tr("Paint faces"), tr("Paint where it touches the liver, in 3D"), Qt::Key_P);
+  thinner_ = add_button(QStringLiteral("\u2212"), tr("A smaller brush"), Qt::Key_Minus);
+  thicker_ = add_button(QStringLiteral("+"), tr("A larger brush"), Qt::Key_Plus);
+  paint_->setObjectName(QStringLiteral("paint_proposal"));
+  thinner_->setAccessibleName(tr("A smaller brush"));
+  thicker_->setAccessibleName(tr("A larger brush"));
+  here_ = new QShortcut(Qt::Key_Return, this);
+  here_->setEnabled(false);
+  connect(here_, &QShortcut::activated, this, [this] { move_to(state_.crosshair().xyz); });
   for (QShortcut* key : keys_) key->setEnabled(false);
-  move_->setCheckable(true);
-  move_->setProperty("role", "choice");
+  for (QPushButton* button : {move_, paint_}) {
+    button->setCheckable(true);
+    button->setProperty("role", "choice");
+  }
   auto* row = new QHBoxLayout;
   for (QPushButton* button : {accept_, move_, not_visible_, undo_}) row->addWidget(button);
   layout->addLayout(row);
+  auto* brush = new QHBoxLayout;
+  brush->addWidget(paint_, 1);
+  for (QPushButton* button : {thinner_, thicker_}) brush->addWidget(button);
+  layout->addLayout(brush);
   layout->addWidget(reason_);  // below: its lines come and go, the buttons stay under the pointer
   connect(list_, &QListWidget::currentRowChanged, this, &ProposalReview::choose);
   connect(accept_, &QPushButton::clicked, this, [this] { decide(Decision::accepted); });
   connect(not_visible_, &QPushButton::clicked, this, [this] { decide(Decision::not_visible); });
-  connect(move_, &QPushButton::clicked, this, &ProposalReview::set_moving);
+  connect(move_, &QPushButton::clicked, this, [this](bool on) { set_tool(on ? Tool::move : Tool::none); });
+  connect(paint_, &QPushButton::clicked, this, [this](bool on) { set_tool(on ? Tool::paint : Tool::none); });
+  connect(thinner_, &QPushButton::clicked, this, [this] { set_brush(brush_ - kBrushStep); });
+  connect(thicker_, &QPushButton::clicked, this, [this] { set_brush(brush_ + kBrushStep); });
   connect(undo_, &QPushButton::clicked, this, &ProposalReview::undo);
 }
 
 void ProposalReview::set_active(bool active) {
   if (active_ && !active) {
-    set_moving(false);
+    set_tool(Tool::none);
     state_.set_ellipsoids({});
   }
   const bool comes = active && !active_;
@@ -168,12 +195,16 @@ void ProposalReview::show_case() {
   shown_ = now[part::proposals];
   if (is_new) {
     former_.clear();
-    set_moving(false);
+    set_tool(Tool::none);
   }
+  if (const Proposal* one = chosen();
+      tool_ == Tool::paint && one != nullptr && !same_points(one->area, painter_->area()))
+    painter_->begin(one->area);  // a stroke was taken back
   show_list();
   if (is_new && shown_) {
     list_->setCurrentRow(0);
     choose(0);
+    if (active_) list_->setFocus();  // the arrows choose at once
   }
   show_chosen();
 }
@@ -197,8 +228,17 @@ void ProposalReview::show_list() {
 
 void ProposalReview::show_chosen() {
   const Proposal* one = chosen();
-  reason_->setText(one == nullptr ? QString() : reason_text(*one));
+  QStringList lines;
+  if (one != nullptr) lines << reason_text(*one);
+  if (tool_ == Tool::move)
+    lines << tr("Drag it over the liver, or click in a slice. Enter: at the crosshair. Esc: done.");
+  if (tool_ == Tool::paint)
+    lines << tr("Drag over the liver to paint, with Ctrl to wipe. Brush %1 mm (+, \u2212). Esc: done.")
+                 .arg(1e3 * brush_, 0, 'f', 0);
+  reason_->setText(lines.join(QLatin1Char('\n')));
   for (QPushButton* button : {accept_, move_, not_visible_}) button->setEnabled(one != nullptr && is_open());
+  paint_->setEnabled(one != nullptr && is_open() && atlas::is_area(one->structure));
+  for (QPushButton* button : {thinner_, thicker_}) button->setEnabled(tool_ == Tool::paint);
   undo_->setEnabled(!former_.empty() && is_open());
   draw();
 }
@@ -210,6 +250,7 @@ bool ProposalReview::is_open() const {
 
 void ProposalReview::choose(int) {
   const Proposal* one = chosen();
+  if (tool_ == Tool::paint) set_tool(one != nullptr && atlas::is_area(one->structure) ? tool_ : Tool::none);
   if (one != nullptr && active_)
     state_.set_crosshair(
         Point<CtFrame>(Eigen::Vector3d(one->points.row(one->points.rows() / 2).transpose())));
@@ -221,21 +262,30 @@ void ProposalReview::draw() {
   std::vector<scene::EllipsoidMark> in_slices;
   const Proposal* of_interest = chosen();
   if (active_ && shown_ && !marks_hidden_)
-    for (const Proposal& one : shown_->proposals) {
-      const bool is_chosen = &one == of_interest;
-      marks.push_back({one.points,
-                       one.covariances,
-                       is_chosen ? one.area : Points(),
-                       {},
-                       colour_of(one),
-                       is_line(one.structure),
-                       is_chosen,
-                       kEllipsoid95});
+    for (const Proposal& case_has : shown_->proposals) {
+      const bool is_chosen = &case_has == of_interest;
+      const Proposal one = is_chosen ? as_dragged(case_has) : case_has;
+      const bool is_painted = is_chosen && tool_ == Tool::paint;
+      marks.push_back({one.points, one.covariances, is_chosen && !is_painted ? one.area : Points(),
+                       is_painted ? painter_->faces() : TriangleMesh(), colour_of(one),
+                       is_line(one.structure), is_chosen && !is_painted, kEllipsoid95});
       if (is_chosen) in_slices = slice_marks(one);
     }
   actors_.show(marks);
   if (active_) state_.set_ellipsoids(std::move(in_slices));
   views_.volume().update();
+}
+
+Proposal ProposalReview::as_dragged(const Proposal& one) const {
+  Proposal shown = one;
+  if (dragged_.rows() == 0) return shown;
+  if (!atlas::is_area(one.structure)) {
+    shown.points = dragged_;
+  } else {
+    shown.points.rowwise() += dragged_.colwise().mean() - one.area.colwise().mean();
+    shown.area = dragged_;
+  }
+  return shown;
 }
 
 void ProposalReview::decide(Decision decision, const Points& moved) {
@@ -248,7 +298,7 @@ void ProposalReview::decide(Decision decision, const Points& moved) {
 }
 
 void ProposalReview::go_on() {
-  set_moving(false);
+  set_tool(Tool::none);
   for (int step = 1; step < list_->count(); ++step) {
     const int row = (list_->currentRow() + step) % list_->count();
     if (shown_->proposals[static_cast<std::size_t>(row)].decision != Decision::proposed) continue;
@@ -267,20 +317,94 @@ void ProposalReview::undo() {
   show_chosen();
 }
 
-void ProposalReview::set_moving(bool on) {
-  const bool can = on && chosen() != nullptr;
-  if (can && !moving_) emit moving_began();
-  if (moving_ != can) state_.set_hand(can ? Hand::point : Hand::crosshair);
-  moving_ = can;
-  move_->setChecked(can);
-  views_.volume().setCursor(can ? Qt::CrossCursor : Qt::ArrowCursor);
+void ProposalReview::take_model() {
+  const auto& built = engine_.state()[part::model];
+  if (built == model_) return;
+  model_ = built;
+  mover_ = nullptr;
+  painter_ = nullptr;
+}
+
+void ProposalReview::set_tool(Tool wanted) {
+  const Proposal* one = chosen();
+  take_model();
+  const bool can = one != nullptr && model_ && (wanted != Tool::paint || atlas::is_area(one->structure));
+  const Tool tool = can ? wanted : Tool::none;
+  if (tool != Tool::none && tool_ == Tool::none) emit tool_taken();
+  if ((tool == Tool::move) != (tool_ == Tool::move))
+    state_.set_hand(tool == Tool::move ? Hand::point : Hand::crosshair);
+  tool_ = tool;
+  dragging_ = false;
+  if (posted_.empty()) dragged_.resize(0, 3);
+  if (tool_ == Tool::move && !mover_) mover_ = std::make_unique<ProposalMover>(model_->model.surface.mesh);
+  uncover();
+  if (tool_ == Tool::paint) {
+    if (const Label body = neighbour_of(one->structure); views_.volume().patient().is_visible(body)) {
+      hidden_ = body;
+      views_.volume().patient().set_visible(body, false);
+    }
+    if (!painter_) painter_ = std::make_unique<AreaPainter>(engine::fine_liver(model_->model));
+    painter_->begin(one->area);
+  }
+  drag_->set_on(tool_ != Tool::none);
+  emit tool_changed();
+  move_->setChecked(tool_ == Tool::move);
+  paint_->setChecked(tool_ == Tool::paint);
+  here_->setEnabled(tool_ == Tool::move);
+  show_chosen();
+}
+
+void ProposalReview::uncover() {
+  if (hidden_) views_.volume().patient().set_visible(*hidden_, true);
+  hidden_.reset();
 }
 
 void ProposalReview::move_to(const Eigen::Vector3d& p) {
   const Proposal* one = chosen();
-  const auto& built = engine_.state()[part::model];
-  if (one == nullptr || !built || !is_open()) return;
-  decide(Decision::moved, moved_points(*one, p, built->model.surface.mesh));
+  if (one == nullptr || tool_ != Tool::move || !is_open()) return;
+  dragged_ = mover_->moved(*one, ProposalMover::taken(*one, p), p);
+  decide(Decision::moved, dragged_);
+}
+
+void ProposalReview::begin_drag(const Eigen::Vector3d& p, Qt::KeyboardModifiers keys) {
+  const Proposal* one = chosen();
+  dragging_ = one != nullptr && is_open();
+  if (!dragging_) return;
+  taken_ = ProposalMover::taken(*one, p);
+  drag(p, keys);
+}
+
+void ProposalReview::drag(const Eigen::Vector3d& p, Qt::KeyboardModifiers keys) {
+  const Proposal* one = chosen();
+  if (!dragging_ || one == nullptr) return;
+  if (tool_ == Tool::move) dragged_ = mover_->moved(*one, taken_, p);
+  if (tool_ == Tool::paint) painter_->dab(p, brush_, !keys.testFlag(Qt::ControlModifier));
+  draw();
+}
+
+void ProposalReview::end_drag() {
+  if (!dragging_) return;
+  dragging_ = false;
+  if (tool_ == Tool::paint) return end_painting();
+  const Proposal* one = chosen();
+  if (one == nullptr || dragged_.rows() == 0) return;
+  const Eigen::Index there = atlas::is_area(one->structure) ? dragged_.rows() / 2 : taken_;
+  state_.set_crosshair(Point<CtFrame>(Eigen::Vector3d(dragged_.row(there).transpose())));
+  decide(Decision::moved, dragged_);
+}
+
+void ProposalReview::end_painting() {
+  const Proposal* one = chosen();
+  const Points area = painter_->area();
+  if (one == nullptr) return;
+  if (area.rows() >= kLeastArea) return decide(Decision::moved, area);
+  painter_->begin(one->area);  // a contact of nothing is not visible, and there is a button for that
+  draw();
+}
+
+void ProposalReview::set_brush(double radius) {
+  brush_ = std::clamp(radius, kBrushStep, 10.0 * kBrushStep);
+  show_chosen();
 }
 
 }  // namespace glisson::ui

@@ -24,6 +24,11 @@ QColor colour_of(Structure structure) {
   return {};
 }
 
+Label neighbour_of(Structure structure) {
+  if (structure == Structure::vena_cava) return structure::kVenaCava;
+  return structure == Structure::gallbladder_bed ? structure::kGallbladder : structure::kBackground;
+}
+
 bool is_line(Structure structure) {
   return structure == Structure::falciform_line || structure == Structure::anterior_margin;
 }

@@ -392,6 +392,11 @@ void PatientScene::set_visible(Label structure, bool visible) {
   impl_->apply_look(structure);
 }
 
+bool PatientScene::is_visible(Label structure) const {
+  const auto told = impl_->visible.find(structure);
+  return told == impl_->visible.end() || told->second;
+}
+
 void PatientScene::set_opacity(Label structure, double opacity) {
   impl_->opacity[structure] = std::clamp(opacity, 0.0, 1.0);
   impl_->apply_look(structure);

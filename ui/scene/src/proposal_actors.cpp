@@ -73,7 +73,9 @@ struct ProposalActors::Impl {
     if (mark.faces.triangle_count() > 0) {
       const auto surface = make_poly_data(mark.faces);
       add_normals(*surface);
-      actors.add(surface, mark.colour);
+      vtkProperty& look = actors.add(surface, mark.colour);
+      look.SetAmbient(0.35);  // its colour is told where it is seen from the side, too
+      look.SetDiffuse(0.65);
     }
     if (mark.points.rows() == 0) return;
     if (mark.area.rows() > 0) actors.add(balls(mark.area, thick * kDot), mark.colour);

@@ -10,13 +10,6 @@
 namespace glisson::engine {
 namespace {
 
-/// The fine surface where there is one: a bare mesh has its own.
-const TriangleMesh& liver_of(const PatientModel& model) {
-  for (const NamedSurface& surface : model.surfaces)
-    if (surface.structure == structure::kParenchyma && surface.mesh.triangle_count() > 0) return surface.mesh;
-  return model.surface.mesh;
-}
-
 atlas::Evidence evidence(const PatientModel& model) {
   for (const NamedSurface& surface : model.surfaces)
     if (surface.structure == structure::kParenchyma) return atlas::evidence_of(model);
@@ -24,6 +17,12 @@ atlas::Evidence evidence(const PatientModel& model) {
 }
 
 }  // namespace
+
+const TriangleMesh& fine_liver(const PatientModel& model) {
+  for (const NamedSurface& surface : model.surfaces)
+    if (surface.structure == structure::kParenchyma && surface.mesh.triangle_count() > 0) return surface.mesh;
+  return model.surface.mesh;
+}
 
 CommandTraits ProposeLandmarks::traits() const {
   return {.code = "propose_landmarks",
@@ -36,7 +35,7 @@ CommandTraits ProposeLandmarks::traits() const {
 Cancellable<Applied> ProposeLandmarks::apply(const CaseState& state, const RunContext& context) const {
   require(atlas != nullptr, "landmarks are proposed by an atlas");
   const PatientModel& model = state[part::model]->model;
-  auto made = atlas::transfer(*atlas, liver_of(model), evidence(model), context);
+  auto made = atlas::transfer(*atlas, fine_liver(model), evidence(model), context);
   if (!made) return {};
   Applied applied{state};
   applied.figures["atlas_fit_mean_mm"] = 1e3 * made->mean_distance;

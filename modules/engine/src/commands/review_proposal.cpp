@@ -65,6 +65,11 @@ void move(Proposal& proposal, const Points& to) {
     proposal.area = to;
     proposal.points =
         (proposal.points.rowwise() - proposal.points.colwise().mean()).rowwise() + to.colwise().mean();
+    for (Eigen::Index k = 0; k < proposal.points.rows(); ++k) {  // its course lies on the contact
+      Eigen::Index closest = 0;
+      (to.rowwise() - proposal.points.row(k)).rowwise().squaredNorm().minCoeff(&closest);
+      proposal.points.row(k) = to.row(closest);
+    }
     std::fill(proposal.sources.begin(), proposal.sources.end(), Source::person);
     std::fill(proposal.covariances.begin(), proposal.covariances.end(), by_hand);
   } else {

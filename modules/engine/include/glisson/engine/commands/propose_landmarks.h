@@ -8,6 +8,9 @@
 
 namespace glisson::engine {
 
+/// The liver's fine surface of a model; of a bare mesh its own. CT frame, metres.
+const TriangleMesh& fine_liver(const PatientModel& model);
+
 /// Transfers an atlas to the case's liver. What a person had decided of former proposals is asked again.
 struct ProposeLandmarks {
   std::shared_ptr<const atlas::Atlas> atlas;

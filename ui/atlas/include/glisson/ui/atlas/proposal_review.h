@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "glisson/atlas/transfer.h"
+#include "glisson/ui/atlas/area_painter.h"
+#include "glisson/ui/atlas/move_proposal.h"
 #include "glisson/ui/common/linked_views.h"
 #include "glisson/ui/scene/proposal_actors.h"
 
@@ -17,6 +19,7 @@ class QShortcut;
 
 namespace glisson::ui {
 
+class SurfaceDrag;
 class TaskButton;
 
 /// Lets the atlas propose the landmarks, and a person review them one by one: where they lie and how sure
@@ -30,14 +33,17 @@ class ProposalReview : public QWidget {
   void set_active(bool active);
   /// While the views show something else.
   void set_marks_hidden(bool hidden);
-  bool is_moving() const { return moving_; }
-  void stop_moving() { set_moving(false); }
+  /// What a drag over the liver in three dimensions does.
+  enum class Tool { none, move, paint };
+  Tool tool() const { return tool_; }
+  void put_tool_away() { set_tool(Tool::none); }
   /// Of what is drawn in three dimensions.
   int actor_count() const { return actors_.actor_count(); }
 
  signals:
-  /// A click moves a proposal from now on: other tools are put away.
-  void moving_began();
+  /// The mouse works on a proposal from now on: other tools are put away.
+  void tool_taken();
+  void tool_changed();
 
  private:
   struct Former {
@@ -58,8 +64,20 @@ class ProposalReview : public QWidget {
   void decide(atlas::Decision decision, const Points& moved = {});
   void go_on();
   void undo();
-  void set_moving(bool on);
+  void set_tool(Tool wanted);
+  /// A single act, as a click in a slice is.
   void move_to(const Eigen::Vector3d& p);
+  void begin_drag(const Eigen::Vector3d& p, Qt::KeyboardModifiers keys);
+  void drag(const Eigen::Vector3d& p, Qt::KeyboardModifiers keys);
+  void end_drag();
+  void end_painting();
+  void set_brush(double radius);
+  /// Shows the body again that hid what is painted.
+  void uncover();
+  /// What the case's model has changed to since is laid aside.
+  void take_model();
+  /// As the hand would leave it.
+  atlas::Proposal as_dragged(const atlas::Proposal& one) const;
 
   EngineBridge& engine_;
   LinkedViews& views_;
@@ -68,13 +86,25 @@ class ProposalReview : public QWidget {
   std::shared_ptr<const atlas::Transfer> shown_;
   std::vector<Former> former_;
   std::set<engine::CommandId> posted_;
-  bool active_ = false, moving_ = false, marks_hidden_ = false;
+  bool active_ = false, marks_hidden_ = false;
+  Tool tool_ = Tool::none;
+  SurfaceDrag* drag_ = nullptr;
+  std::shared_ptr<const model::BuiltModel> model_;  ///< that mover and painter are of
+  std::unique_ptr<ProposalMover> mover_;
+  std::unique_ptr<AreaPainter> painter_;
+  bool dragging_ = false;
+  Eigen::Index taken_ = 0;
+  Points dragged_{0, 3};  ///< where the chosen proposal would be moved to; none: nowhere
+  double brush_ = 8e-3;   ///< metres
+  std::optional<Label> hidden_;
   TaskButton* propose_ = nullptr;
   QWidget* review_ = nullptr;  ///< what there is once something is proposed
   QLabel* doubts_ = nullptr;
   QListWidget* list_ = nullptr;
   QLabel* reason_ = nullptr;
   QPushButton *accept_ = nullptr, *move_ = nullptr, *not_visible_ = nullptr, *undo_ = nullptr;
+  QPushButton *paint_ = nullptr, *thinner_ = nullptr, *thicker_ = nullptr;
+  QShortcut* here_ = nullptr;  ///< moves it to the crosshair
   std::vector<QShortcut*> keys_;
 };
 

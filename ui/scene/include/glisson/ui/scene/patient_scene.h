@@ -70,6 +70,7 @@ class PatientScene {
   void set_slice(const SliceGeometry& geometry, const Picture& picture);
 
   void set_visible(Label structure, bool visible);
+  bool is_visible(Label structure) const;  ///< unless it was told not to be
   void set_opacity(Label structure, double opacity);
   void set_mesh_visible(bool visible);
   void set_slices_visible(bool visible);

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "glisson/geometry/mesh.h"
+
+namespace glisson::ui {
+
+/// The faces of a liver that something touches, painted by hand with a round brush.
+class AreaPainter {
+ public:
+  /// @param liver CT frame, metres; a fine one, because what is painted are its vertices
+  explicit AreaPainter(TriangleMesh liver);
+
+  /// Begins with a contact as it is: points on the surface.
+  void begin(const Points& area);
+  /// @param p on the surface. @param radius metres; the far side of a thin lobe is not reached.
+  /// @param add paints, else wipes
+  void dab(const Eigen::Vector3d& p, double radius, bool add);
+
+  /// The painted vertices.
+  Points area() const;
+  /// The painted faces, a little above the liver so that they are seen.
+  TriangleMesh faces() const;
+
+ private:
+  TriangleMesh liver_;
+  Points normals_;
+  std::vector<char> painted_;  ///< one a vertex
+};
+
+}  // namespace glisson::ui
