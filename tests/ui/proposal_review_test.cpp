@@ -38,6 +38,7 @@ class ProposalReviewTest : public QObject {
   void AClickMovesIt();
   void AnotherPanelPutsItAway();
   void ADragMovesItAndTheViewStays();
+  void TheMarginIsTakenFromBesideTheLiver();
   void AClickInASliceMovesItAndEnterDoesAtTheCrosshair();
   void FacesArePaintedAndWiped();
   void OfALineTheNeighboursFollow();
@@ -200,6 +201,40 @@ void ProposalReviewTest::ADragMovesItAndTheViewStays() {
   QCOMPARE(proposal(Structure::umbilical_notch).points, before);
   press(Qt::Key_Escape);
   window_->views().volume().patient().look_from(scene::ViewFrom::anterior);
+}
+
+/// The margin is the liver's outline in most views: a hand that presses a few pixels off has it all the same.
+void ProposalReviewTest::TheMarginIsTakenFromBesideTheLiver() {
+  choose(Structure::anterior_margin);
+  press(Qt::Key_M);
+  ui::RenderView& view = window_->views().volume();
+  const Points before = proposal(Structure::anterior_margin).points;
+  const auto camera = view.view_from_scene();
+  const auto pixel = [&](const Eigen::Vector3d& p) {
+    const Eigen::Vector2d seen = *view.patient().view_point(p, view.aspect());
+    return Eigen::Vector2d(seen.x() * view.width(), seen.y() * view.height());
+  };
+  const Eigen::Vector2d middle(0.5 * view.width(), 0.5 * view.height());
+  std::optional<QPoint> beside;
+  QPoint to;
+  for (Eigen::Index k = 0; k < before.rows() && !beside; ++k) {
+    const Eigen::Vector2d at = pixel(before.row(k).transpose()), outwards = (at - middle).normalized();
+    const Eigen::Vector2d off = at + 8.0 * outwards, in = at - 30.0 * outwards;
+    if (window_->views().surface_point(off.x() / view.width(), off.y() / view.height())) continue;
+    beside = QPoint(qRound(off.x()), qRound(off.y()));
+    to = QPoint(qRound(in.x()), qRound(in.y()));
+  }
+  QVERIFY(beside);
+  QTest::mousePress(&view, Qt::LeftButton, {}, *beside);
+  QTest::mouseMove(&view, to);
+  QTest::mouseRelease(&view, Qt::LeftButton, {}, to);
+  QVERIFY(settle());
+  QVERIFY(view.view_from_scene().isApprox(camera, 1e-9));
+  const atlas::Proposal& margin = proposal(Structure::anterior_margin);
+  QVERIFY(margin.decision == Decision::moved);
+  QVERIFY((margin.points - before).rowwise().norm().maxCoeff() > 0.003);
+  press(Qt::Key_U);
+  press(Qt::Key_Escape);
 }
 
 void ProposalReviewTest::AClickInASliceMovesItAndEnterDoesAtTheCrosshair() {

@@ -271,6 +271,8 @@ void ProposalReview::draw() {
                        is_line(one.structure), is_chosen && !is_painted, kEllipsoid95});
       if (is_chosen) in_slices = slice_marks(one);
     }
+  if (of_interest != nullptr && !dragging_)
+    drag_->set_handles(tool_ == Tool::move ? of_interest->points : Points(0, 3));
   actors_.show(marks);
   if (active_) state_.set_ellipsoids(std::move(in_slices));
   views_.volume().update();

@@ -2,8 +2,14 @@
 #include "glisson/ui/atlas/surface_drag.h"
 
 #include <QMouseEvent>
+#include <cmath>
 
 namespace glisson::ui {
+namespace {
+
+constexpr double kReach = 12.0;  // pixels from a handle
+
+}  // namespace
 
 SurfaceDrag::SurfaceDrag(LinkedViews& views, QObject* parent) : QObject(parent), views_(views) {}
 
@@ -24,6 +30,33 @@ std::optional<Eigen::Vector3d> SurfaceDrag::place(const QPointF& at) const {
   return views_.surface_point(at.x() / std::max(1, view.width()), at.y() / std::max(1, view.height()));
 }
 
+std::optional<Eigen::Vector3d> SurfaceDrag::handle_at(const QPointF& at) const {
+  RenderView& view = views_.volume();
+  std::optional<Eigen::Vector3d> best;
+  double least = kReach;
+  for (Eigen::Index k = 0; k < handles_.rows(); ++k) {
+    const Eigen::Vector3d p = handles_.row(k).transpose();
+    const auto seen = view.patient().view_point(p, view.aspect());
+    if (!seen) continue;
+    const double away = std::hypot(seen->x() * view.width() - at.x(), seen->y() * view.height() - at.y());
+    if (away >= least) continue;
+    least = away;
+    best = p;
+  }
+  return best;
+}
+
+std::optional<Eigen::Vector3d> SurfaceDrag::dragged_to(const QPointF& at) {
+  auto p = place(at);
+  RenderView& view = views_.volume();
+  if (!p && handles_.rows() > 0)
+    p = view.patient().point_beside(last_, at.x() / std::max(1, view.width()),
+                                    at.y() / std::max(1, view.height()), view.aspect());
+  if (!p || !p->allFinite()) return {};
+  last_ = *p;
+  return p;
+}
+
 bool SurfaceDrag::eventFilter(QObject* watched, QEvent* event) {
   const auto* mouse = dynamic_cast<QMouseEvent*>(event);
   if (watched != &views_.volume() || mouse == nullptr) return QObject::eventFilter(watched, event);
@@ -32,15 +65,17 @@ bool SurfaceDrag::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::MouseButtonDblClick: {
       if (dragging_) return true;  // the camera keeps still meanwhile
       if (mouse->button() != Qt::LeftButton) return false;
-      const auto p = place(mouse->position());
+      auto p = place(mouse->position());
+      if (!p) p = handle_at(mouse->position());
       if (!p) return false;
+      last_ = *p;
       dragging_ = true;
       emit began(*p, mouse->modifiers());
       return true;
     }
     case QEvent::MouseMove:
       if (!dragging_) return false;
-      if (const auto p = place(mouse->position())) emit moved(*p, mouse->modifiers());
+      if (const auto p = dragged_to(mouse->position())) emit moved(*p, mouse->modifiers());
       return true;
     case QEvent::MouseButtonRelease:
       if (!dragging_) return false;

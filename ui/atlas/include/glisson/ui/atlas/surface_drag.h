@@ -16,19 +16,27 @@ class SurfaceDrag : public QObject {
   SurfaceDrag(LinkedViews& views, QObject* parent);
 
   void set_on(bool on);
+  /// Points that can be taken from beside the liver, too, where its edge hides them (CT frame, metres); with
+  /// any, a drag goes on beside the liver, as deep in the view as it was last.
+  void set_handles(const Points& handles) { handles_ = handles; }
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  signals:
   /// A place on the liver, CT frame, metres.
   void began(const Eigen::Vector3d& p, Qt::KeyboardModifiers keys);
-  /// Told only where the pointer is over the liver.
+  /// Without handles told only where the pointer is over the liver.
   void moved(const Eigen::Vector3d& p, Qt::KeyboardModifiers keys);
   void ended();
 
  private:
   std::optional<Eigen::Vector3d> place(const QPointF& at) const;
+  std::optional<Eigen::Vector3d> handle_at(const QPointF& at) const;
+  /// While it is dragged.
+  std::optional<Eigen::Vector3d> dragged_to(const QPointF& at);
 
   LinkedViews& views_;
+  Points handles_{0, 3};
+  Eigen::Vector3d last_ = Eigen::Vector3d::Zero();
   bool on_ = false, dragging_ = false;
 };
 
