@@ -2761,12 +2761,16 @@
         <translation>Die Segmentierung nennt ein anderes DICOM-Bezugssystem als das CT, wie die einer anderen Aufnahme: Prüfen Sie in den Schichten, ob sie auf dieser Leber liegt.</translation>
     </message>
     <message>
-        <source>With a probability of %1 % (limit %2 %) the organ lies more than 2 cm from here: other places explain the points as well. Mark the notch, show more of the organ, or place it by hand.</source>
-        <translation>Mit einer Wahrscheinlichkeit von %1 % (Grenze %2 %) liegt das Organ mehr als 2 cm von hier: Auch andere Lagen erklären die Punkte. Markieren Sie die Kerbe, zeigen Sie mehr vom Organ oder platzieren Sie es von Hand.</translation>
+        <source>With a probability of %1 % (limit %2 %) the organ lies more than 2 cm from here: other places explain the points as well. Mark the notch, show more of the organ, keep this look and add another one, or place it by hand.</source>
+        <translation>Mit einer Wahrscheinlichkeit von %1 % (Grenze %2 %) liegt das Organ mehr als 2 cm von hier: Auch andere Lagen erklären die Punkte. Markieren Sie die Kerbe, zeigen Sie mehr vom Organ, merken Sie diesen Blick und fügen Sie einen weiteren hinzu, oder platzieren Sie es von Hand.</translation>
     </message>
     <message>
         <source>%1: nobody has reviewed what is proposed.</source>
         <translation>%1: Niemand hat den Vorschlag geprüft.</translation>
+    </message>
+    <message>
+        <source>With a probability of %1 % (limit %2 %) the organ has moved or been bent between the looks: no one shape explains them. Forget the earlier looks and register with the present points alone.</source>
+        <translation>Mit einer Wahrscheinlichkeit von %1 % (Grenze %2 %) hat sich das Organ zwischen den Blicken bewegt oder verbogen: Keine eine Form erklärt sie. Verwerfen Sie die früheren Blicke und registrieren Sie nur mit den jetzigen Punkten.</translation>
     </message>
 </context>
 <context>
@@ -2890,6 +2894,10 @@
     <message>
         <source>No new segmentation waits for a decision.</source>
         <translation>Keine neue Segmentierung wartet auf eine Entscheidung.</translation>
+    </message>
+    <message>
+        <source>No earlier look is kept (Stereo).</source>
+        <translation>Kein früherer Blick ist gemerkt (Stereo).</translation>
     </message>
 </context>
 <context>
@@ -3734,6 +3742,14 @@
     <message>
         <source>taking off the coils&apos; brightness</source>
         <translation>nehme die Helligkeit der Spulen heraus</translation>
+    </message>
+    <message>
+        <source>Keeping the look</source>
+        <translation>Blick wird gemerkt</translation>
+    </message>
+    <message>
+        <source>Forgetting the looks</source>
+        <translation>Blicke werden verworfen</translation>
     </message>
 </context>
 <context>
@@ -5043,10 +5059,6 @@
         <translation>Ihr eigenes Segmentierungsnetz (ONNX) statt Saatpunkten; MODEL.json daneben sagt, was es braucht und was seine Kanäle bedeuten (siehe Handbuch).</translation>
     </message>
     <message>
-        <source>registration: only whether one more look, where it is said to help most, does.</source>
-        <translation>registration: nur, ob ein weiterer Blick dort hilft, wo er am meisten helfen soll.</translation>
-    </message>
-    <message>
         <source>The mask network has failed; the organ is followed without it. %1</source>
         <translation>Das Maskennetz ist ausgefallen; das Organ wird ohne es verfolgt. %1</translation>
     </message>
@@ -5069,6 +5081,14 @@
     <message>
         <source>ct or mr: what the volume is, where its file does not say.</source>
         <translation>ct oder mr: was das Volumen ist, wenn seine Datei es nicht sagt.</translation>
+    </message>
+    <message>
+        <source>registration: only whether one more look helps, where it is said to help most and joined from an unknown place.</source>
+        <translation>registration: nur, ob ein weiterer Blick hilft: dort, wo er am meisten helfen soll, und von unbekanntem Ort dazugenommen.</translation>
+    </message>
+    <message>
+        <source>Earlier looks at the same organ, which has not moved since: clouds (PLY), commas between them, each in its own camera&apos;s frame. Where they were seen from is found; the result is in the frame of --cloud.</source>
+        <translation>Frühere Blicke auf dasselbe Organ, das sich seither nicht bewegt hat: Punktwolken (PLY), durch Kommas getrennt, jede im eigenen Kamerasystem. Von wo sie gesehen wurden, wird gefunden; das Ergebnis steht im System von --cloud.</translation>
     </message>
 </context>
 <context>
@@ -6127,6 +6147,37 @@
     <message>
         <source>Ruler</source>
         <translation>Lineal</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::LooksRow</name>
+    <message>
+        <source>Keep this look</source>
+        <translation>Blick merken</translation>
+    </message>
+    <message>
+        <source>Keeps these points. Then move the laparoscope, not the organ, and reconstruct again: registration joins all looks and finds out itself where each was seen from.</source>
+        <translation>Merkt sich diese Punkte. Bewegen Sie dann das Laparoskop, nicht das Organ, und rekonstruieren Sie erneut: Die Registrierung nimmt alle Blicke zusammen und findet selbst heraus, von wo jeder gesehen wurde.</translation>
+    </message>
+    <message>
+        <source>Forget looks</source>
+        <translation>Blicke verwerfen</translation>
+    </message>
+    <message>
+        <source>The organ has moved since: registration goes by the present points alone</source>
+        <translation>Das Organ hat sich seither bewegt: Die Registrierung richtet sich nur nach den jetzigen Punkten</translation>
+    </message>
+    <message>
+        <source>No earlier look is kept.</source>
+        <translation>Kein früherer Blick ist gemerkt.</translation>
+    </message>
+    <message>
+        <source>Earlier looks that registration joins: %1</source>
+        <translation>Frühere Blicke, die die Registrierung dazunimmt: %1</translation>
+    </message>
+    <message>
+        <source>Kept. Now look from elsewhere and reconstruct again.</source>
+        <translation>Gemerkt. Nun von anderswo blicken und erneut rekonstruieren.</translation>
     </message>
 </context>
 <context>

@@ -2761,12 +2761,16 @@
         <translation>La segmentation nomme un autre repère de référence DICOM que le scanner, comme celle d’un autre examen : vérifiez dans les coupes qu’elle recouvre bien ce foie.</translation>
     </message>
     <message>
-        <source>With a probability of %1 % (limit %2 %) the organ lies more than 2 cm from here: other places explain the points as well. Mark the notch, show more of the organ, or place it by hand.</source>
-        <translation>Avec une probabilité de %1 % (limite %2 %), l’organe se trouve à plus de 2 cm d’ici : d’autres positions expliquent aussi les points. Marquez l’échancrure, montrez davantage de l’organe ou placez-le à la main.</translation>
+        <source>With a probability of %1 % (limit %2 %) the organ lies more than 2 cm from here: other places explain the points as well. Mark the notch, show more of the organ, keep this look and add another one, or place it by hand.</source>
+        <translation>Avec une probabilité de %1 % (limite %2 %), l’organe se trouve à plus de 2 cm d’ici : d’autres positions expliquent aussi les points. Marquez l’échancrure, montrez davantage de l’organe, gardez cette vue et ajoutez-en une autre, ou placez-le à la main.</translation>
     </message>
     <message>
         <source>%1: nobody has reviewed what is proposed.</source>
         <translation>%1 : personne n&apos;a vérifié ce qui est proposé.</translation>
+    </message>
+    <message>
+        <source>With a probability of %1 % (limit %2 %) the organ has moved or been bent between the looks: no one shape explains them. Forget the earlier looks and register with the present points alone.</source>
+        <translation>Avec une probabilité de %1 % (limite %2 %), l’organe a bougé ou s’est déformé entre les vues : aucune forme unique ne les explique. Oubliez les vues antérieures et recalez avec les seuls points présents.</translation>
     </message>
 </context>
 <context>
@@ -2890,6 +2894,10 @@
     <message>
         <source>No new segmentation waits for a decision.</source>
         <translation>Aucune nouvelle segmentation n&apos;attend de décision.</translation>
+    </message>
+    <message>
+        <source>No earlier look is kept (Stereo).</source>
+        <translation>Aucune vue antérieure n’est gardée (Stéréo).</translation>
     </message>
 </context>
 <context>
@@ -3734,6 +3742,14 @@
     <message>
         <source>taking off the coils&apos; brightness</source>
         <translation>retire la luminosité des antennes</translation>
+    </message>
+    <message>
+        <source>Keeping the look</source>
+        <translation>La vue est gardée</translation>
+    </message>
+    <message>
+        <source>Forgetting the looks</source>
+        <translation>Les vues sont oubliées</translation>
     </message>
 </context>
 <context>
@@ -5043,10 +5059,6 @@
         <translation>Votre propre réseau de segmentation (ONNX) au lieu de germes ; MODEL.json à côté dit ce qu&apos;il lui faut et ce que ses canaux signifient (voir le manuel).</translation>
     </message>
     <message>
-        <source>registration: only whether one more look, where it is said to help most, does.</source>
-        <translation>registration : seulement si un regard de plus aide là où il est censé aider le plus.</translation>
-    </message>
-    <message>
         <source>The mask network has failed; the organ is followed without it. %1</source>
         <translation>Le réseau de masque est en panne ; l’organe est suivi sans lui. %1</translation>
     </message>
@@ -5069,6 +5081,14 @@
     <message>
         <source>ct or mr: what the volume is, where its file does not say.</source>
         <translation>ct ou mr : ce qu&apos;est le volume, si son fichier ne le dit pas.</translation>
+    </message>
+    <message>
+        <source>registration: only whether one more look helps, where it is said to help most and joined from an unknown place.</source>
+        <translation>registration : seulement si un regard de plus aide, là où il est censé aider le plus et joint depuis un endroit inconnu.</translation>
+    </message>
+    <message>
+        <source>Earlier looks at the same organ, which has not moved since: clouds (PLY), commas between them, each in its own camera&apos;s frame. Where they were seen from is found; the result is in the frame of --cloud.</source>
+        <translation>Vues antérieures du même organe, qui n’a pas bougé depuis : nuages (PLY), séparés par des virgules, chacun dans le repère de sa caméra. D’où ils ont été vus est trouvé ; le résultat est dans le repère de --cloud.</translation>
     </message>
 </context>
 <context>
@@ -6127,6 +6147,37 @@
     <message>
         <source>Ruler</source>
         <translation>Règle</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::LooksRow</name>
+    <message>
+        <source>Keep this look</source>
+        <translation>Garder cette vue</translation>
+    </message>
+    <message>
+        <source>Keeps these points. Then move the laparoscope, not the organ, and reconstruct again: registration joins all looks and finds out itself where each was seen from.</source>
+        <translation>Garde ces points. Déplacez ensuite le laparoscope, pas l’organe, et reconstruisez : le recalage réunit toutes les vues et trouve lui-même d’où chacune a été prise.</translation>
+    </message>
+    <message>
+        <source>Forget looks</source>
+        <translation>Oublier les vues</translation>
+    </message>
+    <message>
+        <source>The organ has moved since: registration goes by the present points alone</source>
+        <translation>L’organe a bougé depuis : le recalage ne suit que les points présents</translation>
+    </message>
+    <message>
+        <source>No earlier look is kept.</source>
+        <translation>Aucune vue antérieure n’est gardée.</translation>
+    </message>
+    <message>
+        <source>Earlier looks that registration joins: %1</source>
+        <translation>Vues antérieures que le recalage réunit : %1</translation>
+    </message>
+    <message>
+        <source>Kept. Now look from elsewhere and reconstruct again.</source>
+        <translation>Gardée. Regardez maintenant d’ailleurs et reconstruisez.</translation>
     </message>
 </context>
 <context>

@@ -201,7 +201,8 @@ int run_prove(const QStringList& given) {
       Cli::tr("registration, atlas: leave the validation patients alone, as when limits are set."));
   arguments.flag("quick", Cli::tr("registration: two patients of either set and one share that is seen."));
   arguments.flag("looks",
-                 Cli::tr("registration: only whether one more look, where it is said to help most, does."));
+                 Cli::tr("registration: only whether one more look helps, where it is said to help most and "
+                         "joined from an unknown place."));
   arguments.flag("resume", Cli::tr("registration: keep what DIR/registration_SEED.csv holds already."));
   arguments.option(
       "figures",

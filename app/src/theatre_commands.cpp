@@ -10,6 +10,7 @@
 #include "glisson/engine/commands/correct_tracking.h"
 #include "glisson/engine/commands/import_cloud.h"
 #include "glisson/engine/commands/import_registration.h"
+#include "glisson/engine/commands/keep_look.h"
 #include "glisson/engine/commands/load_video_frame.h"
 #include "glisson/engine/commands/register.h"
 #include "glisson/engine/commands/register_again.h"
@@ -256,6 +257,12 @@ int run_register(const QStringList& given) {
                    Cli::tr("The cloud (PLY); an integer property label is optional: 1 surface, 2 anterior "
                            "margin, 3 umbilical notch."),
                    "cloud.ply");
+  arguments.option(
+      "looks",
+      Cli::tr("Earlier looks at the same organ, which has not moved since: clouds (PLY), commas "
+              "between them, each in its own camera's frame. Where they were seen from is found; "
+              "the result is in the frame of --cloud."),
+      "FILE,FILE...");
   arguments.option("cloud-unit", Cli::tr("Unit of the cloud: mm, cm or m. Without it, the model's."), "UNIT");
   arguments.option("rigid",
                    Cli::tr("Rigid start: auto, none, or a file with a 4 x 4 matrix cloud_from_model."),
@@ -294,8 +301,11 @@ int run_register(const QStringList& given) {
   arguments.require_existing("truth");
   Session session(arguments);
   const ModelArgument argument = load_model(arguments, session);
-  session.post(
-      engine::ImportCloud{cloud, arguments.has("cloud-unit") ? arguments.unit("cloud-unit") : argument.unit});
+  const LengthUnit unit = arguments.has("cloud-unit") ? arguments.unit("cloud-unit") : argument.unit;
+  session.post(engine::ImportCloud{cloud, unit});
+  if (arguments.has("looks"))
+    for (const QString& look : arguments.value("looks").split(QLatin1Char(',')))
+      session.post(engine::KeepLook{look.toStdString(), unit});
   engine::Register command;
   command.materials = given_materials(arguments);
   command.fixed_nodes = fixed_nodes(arguments, session);

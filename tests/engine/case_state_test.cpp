@@ -15,6 +15,7 @@
 #include "glisson/engine/commands/set_seeds.h"
 #include "glisson/engine/parts/check.h"
 #include "glisson/engine/parts/cloud.h"
+#include "glisson/engine/parts/earlier_looks.h"
 #include "glisson/engine/parts/frame.h"
 #include "glisson/engine/parts/image.h"
 #include "glisson/engine/parts/keeping.h"
@@ -66,6 +67,7 @@ void CaseStateTest::EveryPartCanBeTakenAndTold() {
   full[part::frame] = std::make_shared<StereoInput>();
   full[part::regions] = std::make_shared<stereo::Regions>();
   full[part::cloud] = std::make_shared<LabelledCloud>();
+  full[part::earlier_looks] = std::make_shared<EarlierLooks>();
   full[part::registration] = std::make_shared<Registration>();
   full[part::live] = std::make_shared<LiveState>();
   full[part::other_registration] = std::make_shared<OtherRegistration>();

@@ -9,45 +9,12 @@
 #include "glisson/patient/label_map.h"
 #include "glisson/registration/pairs.h"
 #include "glisson/registration/register.h"
-#include "phantom.h"
+#include "lying_phantom.h"
 
 using namespace glisson;
 using namespace glisson::registration;
-
-namespace {
-
-/// The phantom as it lies in a patient: its dome, whose rim is seen, to the front (-y of the CT is anterior).
-PatientModel lying(int nx, int ny, int nz) {
-  PatientModel model = phantom::model(nx, ny, nz);
-  const auto turned = [](Points& points) {
-    for (Eigen::Index i = 0; i < points.rows(); ++i)
-      points.row(i) = Eigen::RowVector3d(points(i, 0), -points(i, 2), points(i, 1));
-  };
-  for (Points* points : {&model.mesh.vertices, &model.surface.mesh.vertices, &model.landmarks.anterior_margin,
-                         &model.landmarks.umbilical_notch, &model.landmarks.vena_cava})
-    turned(*points);
-  return model;
-}
-
-CameraFromCt view() {
-  CameraFromCt back;  // undoes lying(), then looks as the phantom's camera does
-  back.rotation << 1, 0, 0, 0, 0, 1, 0, -1, 0;
-  CameraFromCt pose = phantom::view();
-  pose.rotation = pose.rotation * back.rotation;
-  return pose;
-}
-
-OperationPrior simulated(const PatientModel& model, int operations, std::uint64_t seed) {
-  OperationOptions options;
-  options.operations = operations;
-  // The phantom is thinner than a liver: it bends more under the same loads.
-  options.gravity = 1.4;
-  options.gas_pa = 120.0;
-  options.bed_m = 0.009;
-  return simulate_operations(model, options, RunContext({}, {}, seed)).value();
-}
-
-}  // namespace
+using phantom::lying;
+using phantom::simulated;
 
 class OperationTest : public QObject {
   Q_OBJECT
@@ -140,7 +107,7 @@ void OperationTest::ShapeAndPoseAreFoundTogether() {
   const OperationPrior other = simulated(model_, 50, 5);
   Eigen::VectorXd amplitudes = Eigen::VectorXd::Zero(other.modes.cols());
   amplitudes.head<4>() << 1.2, -0.9, 0.8, 0.7;
-  const Points there = view().apply(other.shape(model_.mesh.vertices, amplitudes));
+  const Points there = phantom::lying_view().apply(other.shape(model_.mesh.vertices, amplitudes));
   // From all sides: on its dome alone the phantom is so round that shapes and poses stand in for each other.
   // What a partial view allows is measured on patients (see the README).
   LabelledCloud cloud;
@@ -157,7 +124,7 @@ void OperationTest::ShapeAndPoseAreFoundTogether() {
   start.rotation = Eigen::AngleAxisd(0.06, Eigen::Vector3d(1, 1, 0).normalized()) * best.rotation;
   start.translation = best.translation + Eigen::Vector3d(0.004, -0.004, 0.003);
 
-  const auto fit = fit_shape(model_, prior, cloud, start, {}, RunContext());
+  const auto fit = fit_shape(model_, prior, cloud, {start, {}}, {}, RunContext());
   const double rigid = point_errors(best.apply(model_.mesh.vertices), truth).mean;
   const double fitted = point_errors(fit->nodes_in_camera, truth).mean;
   qInfo("operations move %.1f mm; best rigid %.2f mm, fitted %.2f mm (in-silico, %d iterations)",
@@ -171,20 +138,21 @@ void OperationTest::ShapeAndPoseAreFoundTogether() {
 
 void OperationTest::AFaceSeenFromBehindSpeaksAgainstAShape() {
   const OperationPrior prior = simulated(model_, 40, 1);
-  LabelledCloud cloud = phantom::patch(model_, view().apply(model_.mesh.vertices), {.share = 0.2});
+  LabelledCloud cloud =
+      phantom::patch(model_, phantom::lying_view().apply(model_.mesh.vertices), {.share = 0.2});
   // Half a turn about the patch lays its back on the cloud.
   const Eigen::Vector3d middle = cloud.points.colwise().mean().transpose();
   Rigid<CameraFrame, CameraFrame> turn;
   turn.rotation = Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitX()).toRotationMatrix();
   turn.translation = middle - turn.rotation * middle;
-  const CameraFromCt behind = turn * view();
+  const CameraFromCt behind = turn * phantom::lying_view();
   ShapeFitOptions once;
   once.max_iterations = 1;
   LabelledCloud bare = cloud, from_behind = cloud;
   bare.normals.resize(0, 3);
   from_behind.normals = -cloud.normals;
-  const auto told = fit_shape(model_, prior, bare, behind, once, RunContext());
-  const auto agreed = fit_shape(model_, prior, from_behind, behind, once, RunContext());
+  const auto told = fit_shape(model_, prior, bare, {behind, {}}, once, RunContext());
+  const auto agreed = fit_shape(model_, prior, from_behind, {behind, {}}, once, RunContext());
   QVERIFY2(told->cost > 1.2 * agreed->cost, qPrintable(QString("%1, %2").arg(told->cost).arg(agreed->cost)));
 }
 
@@ -193,7 +161,7 @@ void OperationTest::RegistrationWithThePriorIsTheBetterOne() {
   const OperationPrior other = simulated(finer, 50, 6);
   Eigen::VectorXd amplitudes = Eigen::VectorXd::Zero(other.modes.cols());
   amplitudes.head<3>() << -1.3, 1.0, 0.8;
-  const Points there = view().apply(other.shape(finer.mesh.vertices, amplitudes));
+  const Points there = phantom::lying_view().apply(other.shape(finer.mesh.vertices, amplitudes));
   const LabelledCloud cloud = phantom::patch(finer, there, {});
   const Points truth = bind_points(finer.mesh, model_.mesh.vertices, false).apply(finer.mesh, there);
   const auto best = fit_rigid<CameraFrame, CtFrame>(model_.mesh.vertices, truth);
@@ -249,8 +217,9 @@ void OperationTest::CancelIsObeyed() {
   flag->request();
   const RunContext context({}, flag, 1);
   QVERIFY(!simulate_operations(model_, {}, context).has_value());
-  const LabelledCloud cloud = phantom::patch(model_, view().apply(model_.mesh.vertices), {});
-  QVERIFY(!fit_shape(model_, simulated(model_, 50, 1), cloud, view(), {}, context).has_value());
+  const LabelledCloud cloud = phantom::patch(model_, phantom::lying_view().apply(model_.mesh.vertices), {});
+  QVERIFY(!fit_shape(model_, simulated(model_, 50, 1), cloud, {phantom::lying_view(), {}}, {}, context)
+               .has_value());
 }
 
 void OperationTest::UnusableInputIsRefused() {
@@ -278,9 +247,10 @@ void OperationTest::UnusableInputIsRefused() {
   QVERIFY(refused([](OperationOptions& o) { o.unforeseen_m = 0.1; }));
   ShapeFitOptions flat;
   flat.sigma_surface = 0.0;
-  const LabelledCloud cloud = phantom::patch(model_, view().apply(model_.mesh.vertices), {});
-  QVERIFY_EXCEPTION_THROWN(fit_shape(model_, simulated(model_, 50, 1), cloud, view(), flat, RunContext()),
-                           InputError);
+  const LabelledCloud cloud = phantom::patch(model_, phantom::lying_view().apply(model_.mesh.vertices), {});
+  QVERIFY_EXCEPTION_THROWN(
+      fit_shape(model_, simulated(model_, 50, 1), cloud, {phantom::lying_view(), {}}, flat, RunContext()),
+      InputError);
 }
 
 QTEST_APPLESS_MAIN(OperationTest)

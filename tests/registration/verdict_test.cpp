@@ -47,6 +47,8 @@ class VerdictTest : public QObject {
     QTest::newRow("margin") << "margin_off 12 8" << 4 << 12e-3 << false;
     QTest::newRow("perhaps elsewhere") << "elsewhere_probable 3 1" << 6 << 0.03 << false;
     QTest::newRow("elsewhere") << "elsewhere_probable 30 5" << 6 << 0.3 << true;
+    QTest::newRow("perhaps moved") << "looks_differ 3 1" << 7 << 0.03 << false;
+    QTest::newRow("moved between looks") << "looks_differ 90 5" << 7 << 0.9 << true;
     QTest::newRow("strange") << "shape_strange 1.8 1.57" << 5 << 1.8 << false;
   }
   void EachFindingHasItsDoubt() {
@@ -55,9 +57,9 @@ class VerdictTest : public QObject {
     QFETCH(double, value);
     QFETCH(bool, refused);
     Findings findings = sound();
-    double* const places[] = {&findings.roughness, &findings.expected,   &findings.mirror_odds,
-                              &findings.turned,    &findings.margin_off, &findings.strangeness,
-                              &findings.elsewhere};
+    double* const places[] = {&findings.roughness, &findings.expected,    &findings.mirror_odds,
+                              &findings.turned,    &findings.margin_off,  &findings.strangeness,
+                              &findings.elsewhere, &findings.looks_differ};
     *places[finding] = value;
     const Verdict verdict = judge(findings);
     QCOMPARE(verdict.doubts.size(), std::size_t{1});

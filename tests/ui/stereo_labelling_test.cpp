@@ -13,6 +13,7 @@
 #include "glisson/core/files.h"
 #include "glisson/engine/commands/load_stereo_pair.h"
 #include "glisson/engine/parts/cloud.h"
+#include "glisson/engine/parts/earlier_looks.h"
 #include "glisson/engine/parts/frame.h"
 #include "glisson/engine/parts/regions.h"
 #include "glisson/engine/parts/rig.h"
@@ -42,6 +43,7 @@ class StereoLabellingTest : public QObject {
   void DraggedCornerTakesPointsAwayAndUndoBringsThemBack();
   void DeleteRemovesAndRedoRemovesAgain();
   void HintSaysWhatAClickDoes();
+  void ALookIsKeptOnceAndForgotten();
   void WheelEnlargesAboutThePointerAndClicksStayTrue();
   void KeyboardReachesEverythingByAName();
   void RegionsOfAnotherFrameAreSaid();
@@ -244,6 +246,24 @@ void StereoLabellingTest::HintSaysWhatAClickDoes() {
   QVERIFY(hint->text().contains(QStringLiteral("begins here")));
   QVERIFY(left.cursor().shape() == Qt::CrossCursor);
   key(Qt::Key_Escape);
+}
+
+void StereoLabellingTest::ALookIsKeptOnceAndForgotten() {
+  auto* keep = window_->findChild<QPushButton*>(QStringLiteral("keep_look"));
+  auto* forget = window_->findChild<QPushButton*>(QStringLiteral("forget_looks"));
+  auto* said = window_->findChild<QLabel*>(QStringLiteral("looks_said"));
+  QVERIFY(keep && forget && said);
+  QVERIFY(keep->isEnabled() && !forget->isEnabled());
+  QTest::mouseClick(keep, Qt::LeftButton);
+  QVERIFY(settle());
+  QCOMPARE(state()[part::earlier_looks]->clouds.size(), std::size_t{1});
+  // The same points once more would be joined with themselves.
+  QVERIFY(!keep->isEnabled() && forget->isEnabled());
+  QVERIFY(said->text().contains(QStringLiteral("elsewhere")));
+  QTest::mouseClick(forget, Qt::LeftButton);
+  QVERIFY(settle());
+  QVERIFY(!state()[part::earlier_looks]);
+  QVERIFY(keep->isEnabled() && !forget->isEnabled());
 }
 
 void StereoLabellingTest::WheelEnlargesAboutThePointerAndClicksStayTrue() {

@@ -75,6 +75,7 @@ void add_findings(Figures& figures, const registration::Findings& findings) {
   set("evidence_turned_share", findings.turned);
   set("evidence_mirror_odds_ln", findings.mirror_odds);
   set("evidence_rival_odds_ln", findings.rival_odds);
+  set("evidence_looks_differ_probability", findings.looks_differ);
   set("evidence_elsewhere_probability", findings.elsewhere);
   set("evidence_size", findings.size);
   set("evidence_size_sigma", findings.size_sigma);
@@ -92,6 +93,8 @@ void add_figures(Figures& figures, const registration::Registered& made) {
   figures["displacement_max_mm"] = 1e3 * made.displacement.maximum;
   figures["registration_residual_mm"] = 1e3 * registration.residual;
   figures["registration_seen_share"] = registration.seen_share;
+  for (std::size_t k = 0; k < made.look_distances.size(); ++k)
+    figures["look_" + std::to_string(k + 1) + "_distance_mm"] = 1e3 * made.look_distances[k];
   figures["registration_steps"] = registration.steps;
   figures["registration_plateaus"] = registration.plateaus;
   figures["registration_converged"] = registration.termination == Termination::converged ? 1.0 : 0.0;

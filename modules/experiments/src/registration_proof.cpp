@@ -13,6 +13,7 @@
 #include "glisson/core/error.h"
 #include "glisson/geometry/rigid.h"
 #include "glisson/registration/register_model.h"
+#include "registration_joined.h"
 #include "registration_looks.h"
 #include "registration_stage.h"
 #include "registration_trials.h"
@@ -55,21 +56,30 @@ std::vector<ProofPatient> chosen_patients(const RegistrationProofOptions& option
   return chosen;
 }
 
-/// Empty: cancelled.
-Cancellable<RegistrationProof> prove_looks(const std::vector<RegistrationStage>& stages,
-                                           const RegistrationProofOptions& options, RegistrationProof proof,
-                                           const RunContext& context) {
-  std::vector<std::vector<LookTrial>> found(stages.size());
+/// Trials of one kind on all patients, on threads; false: cancelled.
+template <class Trial, class Try>
+bool prove_on(const std::vector<RegistrationStage>& stages, const RegistrationProofOptions& options,
+              RegistrationProof& proof, const RunContext& context, const Try& attempt) {
+  std::vector<std::vector<Trial>> found(stages.size());
   const bool all_done = on_threads(options.threads, stages.size(), context, [&](std::size_t i) {
-    found[i] = try_looks(stages[i], i, options, context.quiet());
+    found[i] = attempt(stages[i], i, options, context.quiet());
   });
-  if (!all_done) return std::nullopt;
   for (const ProofSet set : {ProofSet::validation, ProofSet::development}) {
-    std::vector<LookTrial> of_set;
+    std::vector<Trial> of_set;
     for (std::size_t i = 0; i < stages.size(); ++i)
       if (stages[i].patient.set == set) of_set.insert(of_set.end(), found[i].begin(), found[i].end());
     sum_up(of_set, set == ProofSet::development ? "development" : "validation", proof);
   }
+  return all_done;
+}
+
+/// Empty: cancelled.
+Cancellable<RegistrationProof> prove_looks(const std::vector<RegistrationStage>& stages,
+                                           const RegistrationProofOptions& options, RegistrationProof proof,
+                                           const RunContext& context) {
+  if (!prove_on<LookTrial>(stages, options, proof, context.part(0.0, 0.5), try_looks) ||
+      !prove_on<JoinedTrial>(stages, options, proof, context.part(0.5, 1.0), try_joined))
+    return std::nullopt;
   return proof;
 }
 

@@ -191,6 +191,31 @@ LabelledCloud faulty_cloud(const RegistrationStage& stage, const RegistrationSta
   return cloud;
 }
 
+LabelledCloud look_from_elsewhere(const RegistrationStage& stage, std::size_t handling, double share,
+                                  std::uint64_t seed) {
+  constexpr double kTurn = 35.0 * std::numbers::pi / 180.0, kRoll = 0.3, kShift = 15e-3;
+  std::mt19937_64 random(seed);
+  const Eigen::Vector3d middle =
+      stage.by(handling).carry(stage.model.mesh.vertices).colwise().mean().transpose();
+  const double way = 2.0 * std::numbers::pi * uniform01(random);
+  const Eigen::Vector3d across(std::cos(way), std::sin(way), 0.0);
+  Rigid<CameraFrame, CameraFrame> scope;
+  scope.rotation = (Eigen::AngleAxisd(kRoll * standard_normal(random), Eigen::Vector3d::UnitZ()) *
+                    Eigen::AngleAxisd(kTurn, across))
+                       .toRotationMatrix();
+  const Eigen::Vector3d shift(standard_normal(random), standard_normal(random), standard_normal(random));
+  scope.translation = middle - scope.rotation * middle + kShift * shift;
+  insilico::PatchOptions options;
+  options.share = share;
+  options.seed = seed;
+  options.noise_mm = kNoise;
+  options.outlier_share = 0.02;
+  options.holes = 3;
+  LabelledCloud cloud = stage.by(handling).patch(options, scope).cloud;
+  cloud.sigma.assign(cloud.sigma.size(), 1e-3 * kNoise);
+  return cloud;
+}
+
 CameraFromCt mistaken(const RegistrationStage& stage, std::size_t handling) {
   const CameraFromCt& truth = stage.by(handling).camera_from_ct();
   const Eigen::Vector3d middle = truth.apply(stage.model.mesh.vertices).colwise().mean().transpose();

@@ -63,6 +63,10 @@ bool shows_the_organ(RegistrationFault fault);
 /// A cloud with the fault in it. @param other another patient's stage.
 LabelledCloud faulty_cloud(const RegistrationStage& stage, const RegistrationStage& other,
                            std::size_t handling, double share, RegistrationFault fault, std::uint64_t seed);
+/// The same handled liver after the laparoscope has gone round its middle by 35 degrees, rolled and shifted:
+/// in its new camera's frame, with noise, outliers and holes of its own.
+LabelledCloud look_from_elsewhere(const RegistrationStage& stage, std::size_t handling, double share,
+                                  std::uint64_t seed);
 /// Where the liver would be looked for by somebody who mistook it: 35 mm and 40 degrees off.
 CameraFromCt mistaken(const RegistrationStage& stage, std::size_t handling);
 

@@ -145,7 +145,6 @@ struct HandledLiver::Impl {
   Landmarks landmarks;
   CameraFromCt camera_from_ct;
   double elastic = 0.0, largest = 0.0;
-  std::optional<RayCaster> caster;
 };
 
 HandledLiver::HandledLiver(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -181,7 +180,6 @@ Cancellable<HandledLiver> HandledLiver::build(const PatientModel& patient, const
       look_at(binding.apply(impl->mesh, *handled), 1e-3 * options.camera_distance_mm, hand);
   impl->nodes = impl->camera_from_ct.apply(*handled);
   impl->surface = {binding.apply(impl->mesh, impl->nodes), fine.triangles};
-  impl->caster.emplace(impl->surface);
   context.progress(1.0, "insilico.handle");
   return HandledLiver(std::move(impl));
 }
@@ -195,14 +193,16 @@ Points HandledLiver::carry(const Points& points) const {
   return bind_points(impl_->mesh, points, false).apply(impl_->mesh, impl_->nodes);
 }
 
-Patch HandledLiver::patch(const PatchOptions& options) const {
+Patch HandledLiver::patch(const PatchOptions& options, const Rigid<CameraFrame, CameraFrame>& scope) const {
   options.validate();
-  const RayHit hit = impl_->caster->cast(Eigen::Vector3f::Zero(), Eigen::Vector3f::UnitZ());
+  const TriangleMesh surface{scope.apply(impl_->surface.vertices), impl_->surface.triangles};
+  const RayCaster caster(surface);
+  const RayHit hit = caster.cast(Eigen::Vector3f::Zero(), Eigen::Vector3f::UnitZ());
   const double depth =
-      hit.thing == RayHit::Thing::organ ? static_cast<double>(hit.parameter) : impl_->nodes.col(2).mean();
-  Patch patch =
-      sample_patch(impl_->surface, *impl_->caster, Eigen::Vector3d(0.0, 0.0, depth),
-                   carry(impl_->landmarks.anterior_margin), carry(impl_->landmarks.umbilical_notch), options);
+      hit.thing == RayHit::Thing::organ ? static_cast<double>(hit.parameter) : surface.vertices.col(2).mean();
+  Patch patch = sample_patch(surface, caster, Eigen::Vector3d(0.0, 0.0, depth),
+                             scope.apply(carry(impl_->landmarks.anterior_margin)),
+                             scope.apply(carry(impl_->landmarks.umbilical_notch)), options);
   patch.cloud.normals.resize(0, 3);
   return patch;
 }

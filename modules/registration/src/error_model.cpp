@@ -44,6 +44,20 @@ fem::NodalColumns of_pose(const Points& nodes) {
   return columns;
 }
 
+/// How each row answers when its own look's camera was elsewhere; the first look has the pose.
+Eigen::MatrixXd of_looks(const ForceRows& rows, Eigen::Index columns, const Eigen::RowVector3d& middle) {
+  Eigen::MatrixXd answers = Eigen::MatrixXd::Zero(rows.size(), columns);
+  for (Eigen::Index i = 0; i < rows.size(); ++i) {
+    const int look = rows.seen_in[static_cast<std::size_t>(i)];
+    if (look == 0) continue;
+    const Eigen::Vector3d n = rows.directions.row(i).transpose();
+    const Eigen::Vector3d arm = (rows.points.row(i) - middle).transpose();
+    answers.row(i).segment<3>(6L * (look - 1)) = kTurn * arm.cross(n).transpose();
+    answers.row(i).segment<3>(6L * (look - 1) + 3) = kShift * n.transpose();
+  }
+  return answers;
+}
+
 }  // namespace
 
 Eigen::Vector3d LesionError::half_axes_95() const {
@@ -82,10 +96,16 @@ ErrorModel::ErrorModel(const PatientModel& model, const OperationPrior* prior,
   if (modes_ > 0) motions.leftCols(modes_) = prior->modes;
   motions.rightCols(forces.cols()) = forces;
   turn(motions, camera_from_ct.rotation);
-  const Eigen::Index unknowns = motions.cols() + 6;
+  // Forces and modes, the pose, where each further look was seen from; and the size.
+  const Eigen::Index deforming = motions.cols(), looks = 6 * (cloud.cloud.look_count() - 1);
+  const Eigen::Index unknowns = deforming + 6 + looks;
+  places_of_cameras_ = 6 + looks;
   motions.conservativeResize(Eigen::NoChange, unknowns + 1);
-  motions.rightCols<7>() = of_pose(nodes);
-  if (options.pose_known) motions.middleCols<6>(unknowns - 6).setZero();
+  const fem::NodalColumns pose = of_pose(nodes);
+  motions.middleCols<6>(deforming) = pose.leftCols<6>();
+  if (options.pose_known) motions.middleCols<6>(deforming).setZero();
+  motions.middleCols(deforming + 6, looks).setZero();
+  motions.rightCols<1>() = pose.rightCols<1>();
 
   MovingSurface surface(model, SurfaceDetail::fine);
   surface.move(nodes);
@@ -95,6 +115,7 @@ ErrorModel::ErrorModel(const PatientModel& model, const OperationPrior* prior,
       find_rows(cloud, surface, {sigma, std::sqrt(kTolerance) * sigma, options.information});
   const Eigen::MatrixXd all = rows.along(motions);
   rows_ = all.leftCols(unknowns);
+  if (looks > 0) rows_.rightCols(looks) = of_looks(rows, looks, nodes.colwise().mean());
   points_ = rows.points;
   variance_ = rows.sigma.cwiseAbs2();
   Eigen::VectorXd y = rows.gap;
@@ -200,13 +221,13 @@ ErrorModel::HeldOut ErrorModel::held_out() const {
 }
 
 double ErrorModel::decided() const {
-  const Eigen::Index count = mean_.size() - 6;
+  const Eigen::Index count = mean_.size() - places_of_cameras_;
   return static_cast<double>(count) - root_.topRows(count).squaredNorm();
 }
 
 double ErrorModel::strangeness() const {
   const double expected = decided();
-  return expected > 1e-3 ? mean_.head(mean_.size() - 6).squaredNorm() / expected : 0.0;
+  return expected > 1e-3 ? mean_.head(mean_.size() - places_of_cameras_).squaredNorm() / expected : 0.0;
 }
 
 }  // namespace glisson::registration

@@ -37,10 +37,9 @@ double roughness_at(const Points& points, const std::vector<int>& neighbours, Ei
 double hidden_share(const MovingSurface& surface, const PreparedCloud& cloud) {
   int hidden = 0;
   for (int i = 0; i < cloud.cloud.size(); ++i) {
-    const Eigen::Vector3d p = cloud.cloud.points.row(i).transpose();
-    const double length = p.norm();
-    if (length > kBehind &&
-        surface.first_hit(Eigen::Vector3d::Zero(), p / length, 0.0, length - kBehind).triangle >= 0)
+    const Eigen::Vector3d eye = cloud.cloud.eye(i), ray = cloud.cloud.points.row(i).transpose() - eye;
+    const double length = ray.norm();
+    if (length > kBehind && surface.first_hit(eye, ray / length, 0.0, length - kBehind).triangle >= 0)
       ++hidden;
   }
   return hidden / static_cast<double>(cloud.cloud.size());
@@ -84,6 +83,7 @@ LabelledCloud mirrored(const LabelledCloud& cloud) {
   LabelledCloud image = cloud;
   image.points.col(0) *= -1.0;
   if (image.normals.rows() > 0) image.normals.col(0) *= -1.0;
+  if (image.eyes.rows() > 0) image.eyes.col(0) *= -1.0;
   return image;
 }
 

@@ -8,6 +8,7 @@
 
 #include "glisson/core/error.h"
 #include "glisson/core/statistics.h"
+#include "glisson/registration/looks.h"
 
 namespace glisson::registration {
 namespace {
@@ -33,6 +34,19 @@ Eigen::Matrix3d turn_by(const Eigen::Vector3d& twist) {
   const double angle = twist.norm();
   return angle > 0.0 ? Eigen::AngleAxisd(angle, twist / angle).toRotationMatrix()
                      : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+}
+
+/// A rotation vector about a centre, a translation.
+Rigid<CtFrame, CtFrame> twist_about(const Eigen::Vector3d& centre, const Eigen::VectorXd& twist) {
+  const Eigen::Matrix3d turn = turn_by(twist.head<3>());
+  return {turn, centre - turn * centre + twist.tail<3>()};
+}
+
+/// One motion a look; none for a cloud of one look.
+LookMotions looks_of(const ForceProblem& problem, LookMotions given) {
+  const int count = problem.cloud.cloud.look_count();
+  given.resize(count > 1 ? static_cast<std::size_t>(count) : 0);
+  return given;
 }
 
 PreparedCloud prepared(const LabelledCloud& cloud, const ContactForceOptions& options) {
@@ -77,6 +91,7 @@ ForceFitter::ForceFitter(const ForceProblem& problem, const fem::BodyMaterial& m
   centre_ = body_.rest().colwise().mean().transpose();
   now_.pose = problem.start;
   now_.x = body_.rest();
+  now_.looks = looks_of(problem, problem.options.looks);
   now_.law.material = material;
   now_.law.ground = ground;
   now_.law.log_evidence = -std::numeric_limits<double>::infinity();
@@ -88,6 +103,7 @@ void ForceFitter::begin_at(const ForceFitter& other) {
   now_.pose = other.best_.pose;
   now_.x = other.best_.x;
   now_.modes = other.best_.modes;
+  now_.looks = other.best_.looks;
   if (now_.modes.size() > 0) body_.set_rest(shape(now_.modes));
   strongest_ = strongest(other.best_);
   first_sigma_ = 2.0 * other.best_.law.sigma;
@@ -106,6 +122,7 @@ void ForceFitter::begin_at(const ContactForceOptions::Place& place) {
   now_.pose = place.camera_from_ct;
   now_.modes.setZero();
   if (place.amplitudes.size() > 0) now_.modes = place.amplitudes;
+  now_.looks = looks_of(problem_, place.looks);
   if (now_.modes.size() > 0) body_.set_rest(shape(now_.modes));
   now_.x = body_.rest();
 }
@@ -123,6 +140,7 @@ double ForceFitter::apart(const CameraFromCt& pose, const Points& x) {
 ForceRows ForceFitter::pair(double sigma) {
   surface_.move(now_.x);
   PreparedCloud cloud = problem_.cloud;
+  if (!now_.looks.empty()) move_looks(problem_.cloud.cloud, now_.looks, cloud.cloud);
   const CameraFromCt& pose = now_.pose;
   cloud.cloud.points = pose.inverse().apply(cloud.cloud.points);
   cloud.cloud.normals = cloud.cloud.normals * pose.rotation;
@@ -206,36 +224,49 @@ bool ForceFitter::choose_patches(const ForceRows& rows, double sigma, const RunC
   return true;
 }
 
-/// What a force on each patch does to each gap; then the modes and, where the pose is free, a twist.
+Eigen::Index ForceFitter::pose_columns() const {
+  return problem_.free_pose ? 6L * problem_.cloud.cloud.look_count() : 0;
+}
+
+/// What a force on each patch does to each gap; then the modes and, where the pose is free, a twist and one
+/// of each further look, which closes a gap by going the other way.
 Eigen::MatrixXd ForceFitter::design(const ForceRows& rows) const {
   const Eigen::Index columns = responses_.cols(), modes = now_.modes.size();
-  Eigen::MatrixXd a(rows.size(), columns + modes + (problem_.free_pose ? 6 : 0));
+  Eigen::MatrixXd a(rows.size(), columns + modes + pose_columns());
+  a.rightCols(pose_columns()).setZero();
   a.leftCols(columns) = rows.along(responses_);
   if (modes > 0) a.middleCols(columns, modes) = rows.along(problem_.modes);
   if (problem_.free_pose)
     for (Eigen::Index i = 0; i < rows.size(); ++i) {
       const Eigen::Vector3d n = rows.directions.row(i).transpose();
-      a.row(i).tail<6>().head<3>() = (rows.points.row(i).transpose() - centre_).cross(n).transpose();
-      a.row(i).tail<3>() = n.transpose();
+      Eigen::Matrix<double, 1, 6> twist;
+      twist << (rows.points.row(i).transpose() - centre_).cross(n).transpose(), n.transpose();
+      a.row(i).segment<6>(columns + modes) = twist;
+      if (const int look = rows.seen_in[static_cast<std::size_t>(i)]; look > 0)
+        a.row(i).segment<6>(columns + modes + 6L * look) = -twist;
     }
   return a;
 }
 
 Eigen::VectorXd ForceFitter::fixed_variances() const {
-  Eigen::VectorXd variances = Eigen::VectorXd::Ones(now_.modes.size() + (problem_.free_pose ? 6 : 0));
-  if (problem_.free_pose)
-    variances.tail<6>() << Eigen::Vector3d::Constant(kPoseTurn * kPoseTurn),
+  Eigen::VectorXd variances = Eigen::VectorXd::Ones(now_.modes.size() + pose_columns());
+  for (Eigen::Index at = now_.modes.size(); at < variances.size(); at += 6)
+    variances.segment<6>(at) << Eigen::Vector3d::Constant(kPoseTurn * kPoseTurn),
         Eigen::Vector3d::Constant(kPoseTranslation * kPoseTranslation);
   return variances;
 }
 
 /// @param twist of the model about its centre: a rotation vector, a translation.
 void ForceFitter::turn_pose(const Eigen::VectorXd& twist) {
-  const Eigen::Matrix3d turn = turn_by(twist.head<3>());
-  const CameraFromCt& old = now_.pose;
-  const Eigen::Vector3d shift = centre_ - turn * centre_ + twist.tail<3>();
-  now_.pose = {Eigen::Quaterniond(old.rotation * turn).normalized().toRotationMatrix(),
-               old.rotation * shift + old.translation};
+  now_.pose = now_.pose * twist_about(centre_, twist);
+  now_.pose.rotation = Eigen::Quaterniond(now_.pose.rotation).normalized().toRotationMatrix();
+}
+
+/// @param twist of the look about the model's centre, CT frame.
+void ForceFitter::turn_look(std::size_t look, const Eigen::VectorXd& twist) {
+  auto& motion = now_.looks[look];
+  motion = now_.pose * twist_about(centre_, twist) * now_.pose.inverse() * motion;
+  motion.rotation = Eigen::Quaterniond(motion.rotation).normalized().toRotationMatrix();
 }
 
 /// Moves the body to the equilibrium of the forces found, the modes and the pose; shorter where the energy
@@ -266,7 +297,11 @@ double ForceFitter::step(const EvidencePosterior& found, const Points& relax) {
   }
   now_.x = next;
   now_.modes += share * mode_change;
-  if (problem_.free_pose) turn_pose(share * found.mean.tail<6>());
+  if (problem_.free_pose) {
+    for (std::size_t look = 1; look < now_.looks.size(); ++look)
+      turn_look(look, share * found.mean.segment<6>(columns + modes + 6 * static_cast<Eigen::Index>(look)));
+    turn_pose(share * found.mean.segment<6>(columns + modes));
+  }
   now_.amplitudes = found.mean.head(columns);
   return share * largest;
 }
@@ -288,9 +323,10 @@ void ForceFitter::keep(const EvidencePosterior& found) {
     Eigen::MatrixXd of_node = spread.middleRows<3>(3 * i);
     if (problem_.free_pose) {
       const Eigen::Vector3d arm = now_.x.row(i).transpose() - centre_;
-      for (Eigen::Index k = 0; k < of_node.cols(); ++k)
-        of_node.col(k) +=
-            Eigen::Vector3d(found.root.col(k).tail<6>().head<3>()).cross(arm) + found.root.col(k).tail<3>();
+      for (Eigen::Index k = 0; k < of_node.cols(); ++k) {
+        const Eigen::Matrix<double, 6, 1> twist = found.root.col(k).segment<6>(columns + modes);
+        of_node.col(k) += Eigen::Vector3d(twist.head<3>()).cross(arm) + twist.tail<3>();
+      }
     }
     now_.expected_error[i] = of_node.norm();
   }
@@ -380,6 +416,7 @@ ContactForceFit ForceFitter::result() const {
   fit.expected_error = best_.expected_error;
   fit.residual = best_.law.residual;
   fit.amplitudes = best_.modes;
+  fit.looks = best_.looks;
   fit.outlier_share = best_.outlier_share;
   fit.inverted = best_.inverted;
   fit.iterations = iterations_;

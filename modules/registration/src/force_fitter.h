@@ -53,7 +53,8 @@ class ForceFitter {
  private:
   struct State {
     CameraFromCt pose;
-    Points x;  ///< CT frame
+    Points x;           ///< CT frame
+    LookMotions looks;  ///< of a joined cloud
     LawFit law;
     std::vector<ForcePatch> patches;
     Eigen::VectorXd modes;  ///< their amplitudes, standard deviations
@@ -76,7 +77,10 @@ class ForceFitter {
   Points shape(const Eigen::VectorXd& amplitudes) const;
   bool stage(double sigma, const RunContext& context);
   double step(const EvidencePosterior& found, const Points& relax);
+  /// Of the pose and of further looks that are found with it.
+  Eigen::Index pose_columns() const;
   void turn_pose(const Eigen::VectorXd& twist);
+  void turn_look(std::size_t look, const Eigen::VectorXd& twist);
   void keep(const EvidencePosterior& found);
 
   const ForceProblem& problem_;

@@ -34,6 +34,7 @@ void add_labelled(ForceRows& rows, const PreparedCloud& cloud, const MovingSurfa
     resize(rows, first + 3);
     for (int c = 0; c < 3; ++c) {
       rows.carriers.push_back(surface.carrier(pair.on_model));
+      rows.seen_in.push_back(cloud.cloud.look(pair.point));
       rows.points.row(first + c) = pair.on_model.point.transpose();
       rows.directions.row(first + c) = Eigen::RowVector3d::Unit(c);
       rows.gap[first + c] = pair.gap[c];
@@ -74,6 +75,7 @@ ForceRows find_rows(const PreparedCloud& cloud, const MovingSurface& surface, co
     const ClosestPoint at = surface.closest(Feature::surface, p);
     const Eigen::Vector3d n = surface.normal(at);
     rows.carriers.push_back(surface.carrier(at));
+    rows.seen_in.push_back(cloud.cloud.look(i));
     rows.points.row(next) = at.point.transpose();
     rows.directions.row(next) = n.transpose();
     rows.gap[next] = n.dot(p - at.point);

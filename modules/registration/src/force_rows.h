@@ -24,6 +24,7 @@ struct ForceRows {
   Points directions;               ///< unit
   Eigen::VectorXd gap;             ///< from the model's point to the cloud's, m
   Eigen::VectorXd sigma;           ///< standard deviation, m; larger for what lies apart (Cauchy)
+  std::vector<int> seen_in;        ///< which look
   Eigen::Index surface_count = 0;  ///< rows of surface points; they come first
   double outlier_share = 0.0;      ///< of these, that weigh less than a half
 

@@ -30,6 +30,8 @@ void check(const LabelledCloud& cloud) {
     throw InputError("cloud", "normals", "there are not as many as points", "Give one a point, or none");
   if (!cloud.features.empty() && cloud.features.size() != n)
     throw InputError("cloud", "labels", "there are not as many as points", "Give one a point, or none");
+  require(cloud.looks.empty() ? cloud.eyes.rows() <= 1 : cloud.looks.size() == n && cloud.eyes.rows() > 0,
+          "every point of joined looks is of one look, and each look has an eye");
   if (!cloud.sigma.empty() && cloud.sigma.size() != n)
     throw InputError("cloud", "sigma", "there are not as many as points", "Give one a point, or none");
 }
@@ -40,38 +42,45 @@ LabelledCloud thin(const LabelledCloud& cloud, int maximum) {
   LabelledCloud thinned;
   thinned.points.resize(maximum, 3);
   if (cloud.normals.rows() > 0) thinned.normals.resize(maximum, 3);
+  thinned.eyes = cloud.eyes;
   for (int k = 0; k < maximum; ++k) {
     const auto i = static_cast<int>(static_cast<long>(k) * cloud.size() / maximum);
     thinned.points.row(k) = cloud.points.row(i);
     if (cloud.normals.rows() > 0) thinned.normals.row(k) = cloud.normals.row(i);
     if (!cloud.features.empty()) thinned.features.push_back(cloud.features[static_cast<std::size_t>(i)]);
     if (!cloud.sigma.empty()) thinned.sigma.push_back(cloud.sigma[static_cast<std::size_t>(i)]);
+    if (!cloud.looks.empty()) thinned.looks.push_back(cloud.looks[static_cast<std::size_t>(i)]);
   }
   return thinned;
 }
 
-std::vector<std::vector<int>> nearest_neighbours(const Points& points, int count) {
-  const auto n = static_cast<int>(points.rows());
-  count = std::min(count, n - 1);
+/// @param apart only those of the same look: looks err each in a way of its own.
+std::vector<std::vector<int>> nearest_neighbours(const LabelledCloud& cloud, int count, bool apart) {
+  const Points& points = cloud.points;
+  const int n = cloud.size();
   std::vector<std::vector<int>> neighbours(static_cast<std::size_t>(n));
   std::vector<std::pair<double, int>> distances;
   for (int i = 0; i < n; ++i) {
     distances.clear();
     for (int j = 0; j < n; ++j)
-      if (j != i) distances.emplace_back((points.row(j) - points.row(i)).squaredNorm(), j);
-    std::partial_sort(distances.begin(), distances.begin() + count, distances.end());
+      if (j != i && (!apart || cloud.look(j) == cloud.look(i)))
+        distances.emplace_back((points.row(j) - points.row(i)).squaredNorm(), j);
+    const int found = std::min(count, static_cast<int>(distances.size()));
+    std::partial_sort(distances.begin(), distances.begin() + found, distances.end());
     auto& own = neighbours[static_cast<std::size_t>(i)];
-    for (int k = 0; k < count; ++k) own.push_back(distances[static_cast<std::size_t>(k)].second);
+    for (int k = 0; k < found; ++k) own.push_back(distances[static_cast<std::size_t>(k)].second);
   }
   return neighbours;
 }
 
 /// A_i: the disc that reaches the k-th neighbour holds k points. Holes and borders would count for what was
 /// not seen, so no point stands for more than three times the median.
-void weigh_surface(PreparedCloud& prepared, double reference_area) {
+/// @param around each point's neighbours of all looks: what is seen twice is not twice as large.
+void weigh_surface(PreparedCloud& prepared, const std::vector<std::vector<int>>& around,
+                   double reference_area) {
   std::vector<double> areas(prepared.weight.size(), 0.0), of_surface;
   for (std::size_t i = 0; i < areas.size(); ++i) {
-    const auto& neighbours = prepared.neighbours[i];
+    const auto& neighbours = around[i];
     const double reach = (prepared.cloud.points.row(neighbours.back()) -
                           prepared.cloud.points.row(static_cast<Eigen::Index>(i)))
                              .squaredNorm();
@@ -171,10 +180,14 @@ PreparedCloud prepare_cloud(const LabelledCloud& cloud, const CloudOptions& opti
           "a cloud is prepared with a positive density, ten points and three neighbours at least");
   PreparedCloud prepared;
   prepared.cloud = thin(cloud, options.maximum_points);
-  prepared.neighbours = nearest_neighbours(prepared.cloud.points, options.neighbours);
+  prepared.neighbours = nearest_neighbours(prepared.cloud, options.neighbours, true);
   prepared.weight.assign(static_cast<std::size_t>(prepared.cloud.size()), 0.0);
   const double reference_area = 1e-4 / options.reference_density_per_cm2;
-  weigh_surface(prepared, reference_area);
+  weigh_surface(prepared,
+                prepared.cloud.look_count() == 1
+                    ? prepared.neighbours
+                    : nearest_neighbours(prepared.cloud, options.neighbours, false),
+                reference_area);
   weigh_margin(prepared, std::sqrt(reference_area));
   weigh_notch(prepared);
   return prepared;
@@ -192,7 +205,7 @@ Points estimate_normals(const PreparedCloud& prepared) {
     for (const int j : neighbours) covariance += (points.row(j) - mean).transpose() * (points.row(j) - mean);
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(covariance);
     Eigen::Vector3d n = eigen.eigenvectors().col(0);
-    if (n.dot(points.row(i).transpose()) > 0.0) n = -n;  // the camera is at the origin
+    if (n.dot(points.row(i).transpose() - prepared.cloud.eye(static_cast<int>(i))) > 0.0) n = -n;
     normals.row(i) = n.transpose();
   }
   return normals;

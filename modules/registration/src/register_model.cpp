@@ -9,6 +9,7 @@
 
 #include "glisson/registration/examine.h"
 #include "glisson/registration/examined_registration.h"
+#include "glisson/registration/looks.h"
 #include "glisson/registration/moving_surface.h"
 #include "glisson/registration/next_look.h"
 #include "glisson/registration/pairs.h"
@@ -77,6 +78,13 @@ std::vector<std::string> doubts_of(const ContactForceFit& fit, double seen) {
   return doubts;
 }
 
+/// A cloud with its looks moved; as it is where it has one.
+LabelledCloud as_looked(const LabelledCloud& cloud, const LookMotions& looks) {
+  LabelledCloud moved = cloud;
+  if (!looks.empty()) move_looks(cloud, looks, moved);
+  return moved;
+}
+
 /// Tools act on what is seen and next to it; what they press and pull is no smaller than they are, and a
 /// patient's mesh is coarse.
 constexpr double kToolReach = 40e-3, kToolSpacing = 20e-3, kToolRadius = 30e-3;  // m
@@ -97,9 +105,11 @@ Cancellable<Registration> register_by_forces(const PatientModel& model, const La
   if (shapes) {
     // A shape that the prior likes may have bent the wrong way under a tool: each is begun at rest, too.
     for (const ShapeFit* place : shapes->places()) {
-      forces.other_places.push_back({place->start, {}});
-      if (place != &shapes->best()) forces.other_places.push_back({place->camera_from_ct, place->amplitudes});
+      forces.other_places.push_back({place->start, {}, place->looks});
+      if (place != &shapes->best())
+        forces.other_places.push_back({place->camera_from_ct, place->amplitudes, place->looks});
     }
+    forces.looks = shapes->best().looks;
     start = shapes->best().camera_from_ct;
     forces.prior = elastic.prior;
     forces.patch_reach = kToolReach;
@@ -122,7 +132,7 @@ Cancellable<Registration> register_by_forces(const PatientModel& model, const La
   made.residual = fit->residual;
   MovingSurface surface(model, SurfaceDetail::fine);
   surface.move(fit->nodes_in_camera);
-  made.seen_share = seen_share(surface.mesh(), cloud.points);
+  made.seen_share = seen_share(surface.mesh(), as_looked(cloud, fit->looks).points);
   made.doubts = doubts_of(*fit, made.seen_share);
   if (!shapes) return made;
   if (fit->forces.size() > kMostTools)
@@ -132,12 +142,10 @@ Cancellable<Registration> register_by_forces(const PatientModel& model, const La
   return made;
 }
 
-Cancellable<ShapeFits> shapes_from(const PatientModel& model, const LabelledCloud& cloud,
-                                   const CameraFromCt& start, const ElasticOptions& elastic,
-                                   const RunContext& context) {
-  std::vector<CameraFromCt> starts = elastic.other_starts;
-  starts.insert(starts.begin(), start);
-  return fit_shapes(model, *elastic.prior, cloud, starts, elastic.shape, context);
+std::vector<ShapeStart> starts_of(const CameraFromCt& best, const std::vector<CameraFromCt>& others) {
+  std::vector<ShapeStart> starts{{best, {}}};
+  for (const CameraFromCt& other : others) starts.push_back({other, {}});
+  return starts;
 }
 
 /// Where else the organ may be.
@@ -217,10 +225,11 @@ Cancellable<double> mirror_odds(const PatientModel& model, const LabelledCloud& 
   auto start = align_rigid(model, image, options.rigid, context.part(0.0, 0.6));
   if (!start) return {};
   ElasticOptions control = elastic;
-  control.other_starts = std::move(start->alternatives);
-  control.other_starts.resize(std::min(control.other_starts.size(), kOthers));
+  start->alternatives.resize(std::min(start->alternatives.size(), kOthers));
   control.shape.max_iterations = std::min(control.shape.max_iterations, kIterations);
-  const auto shapes = shapes_from(model, image, start->camera_from_ct, control, context.part(0.6, 1.0));
+  const auto shapes =
+      fit_shapes(model, *control.prior, image, starts_of(start->camera_from_ct, start->alternatives),
+                 control.shape, context.part(0.6, 1.0));
   if (!shapes) return {};
   return 0.5 * (shapes->best().cost - cost);
 }
@@ -273,7 +282,8 @@ class Run {
         elastic_(elastic_of(options, model)) {}
 
   Cancellable<ExaminedRegistration> run() {
-    if (!find_start() || !know_shapes() || !fit_the_shapes() || !deform() || !examine_it()) return {};
+    if (!find_start() || !join() || !know_shapes() || !fit_the_shapes() || !deform() || !examine_it())
+      return {};
     return std::move(examined_);
   }
 
@@ -292,6 +302,25 @@ class Run {
     return true;
   }
 
+  /// Looks whose place is not sought are where the cloud is.
+  bool join() {
+    starts_ = starts_of(start_.camera_from_ct, start_.alternatives);
+    if (options_.looks.empty()) return true;
+    looks_ = options_.looks;
+    looks_.insert(looks_.begin(), cloud_);
+    into_first_.resize(looks_.size());
+    if (options_.start == Start::none) {
+      cloud_ = joined(looks_, into_first_);
+      return true;
+    }
+    auto found = join_looks(model_, cloud_, options_.looks, start_, options_.rigid, up_to(0.3));
+    if (!found) return false;
+    cloud_ = std::move(found->cloud);
+    starts_ = std::move(found->starts);
+    into_first_ = std::move(found->into_first);
+    return true;
+  }
+
   bool know_shapes() {
     if (!needs_prior(model_, options_, elastic_)) return true;
     if (can_simulate_operations(model_)) {
@@ -307,10 +336,19 @@ class Run {
 
   bool fit_the_shapes() {
     if (!elastic_.prior) return true;
-    auto shapes =
-        shapes_from(model_, cloud_, start_.camera_from_ct, elastic_, up_to(done_ + 0.3 * (1.0 - done_)));
+    auto shapes = fit_shapes(model_, *elastic_.prior, cloud_, starts_, elastic_.shape,
+                             up_to(done_ + 0.3 * (1.0 - done_)));
     if (!shapes) return false;
     shapes_ = std::move(*shapes);
+    return looks_.empty() || compare_looks();
+  }
+
+  /// Neighbouring points share errors: votes are counted as for other places.
+  bool compare_looks() {
+    const auto odds = one_shape_odds(model_, *elastic_.prior, looks_, into_first_, shapes_->best(),
+                                     elastic_.shape, context_.quiet());
+    if (!odds) return false;
+    looks_differ_ = 1.0 / (1.0 + std::exp(*odds / votes_of_a_place(elastic_.shape.information)));
     return true;
   }
 
@@ -325,6 +363,10 @@ class Run {
     // Where no force is worth its price the shapes explain what is seen.
     if (either && made && result().forces->forces.empty()) result().forces.reset();
     if (context_.cancelled()) return false;
+    if (result().forces)
+      cloud_ = as_looked(cloud_, result().forces->looks);
+    else if (shapes_)
+      cloud_ = as_looked(cloud_, shapes_->best().looks);
     if (!result().forces) {
       const RunContext rest = up_to(judged);
       made = shapes_ ? register_elastic(model_, cloud_, *shapes_, elastic_, rest)
@@ -347,6 +389,10 @@ class Run {
       const auto odds = mirror_odds(model_, cloud_, options_, elastic_, shapes_->best().cost, up_to(1.0));
       if (!odds) return false;
       examined_.findings.mirror_odds = *odds;
+    }
+    if (cloud_.look_count() > 1) {
+      result().look_distances = distances_of_looks(model_, registration_.nodes_in_camera, cloud_);
+      examined_.findings.looks_differ = looks_differ_;
     }
     tell(judge(examined_.findings));
     // Around a place that is contradicted there is nothing to look for.
@@ -379,13 +425,17 @@ class Run {
   }
 
   const PatientModel& model_;
-  const LabelledCloud& cloud_;
+  LabelledCloud cloud_;  ///< with all looks
   const RegisterOptions& options_;
   const KnownOperations& known_;
   const RunContext& context_;
   ElasticOptions elastic_;
   double done_ = 0.0;
   RigidStart start_;
+  std::vector<ShapeStart> starts_;
+  std::vector<LabelledCloud> looks_;  ///< the cloud's own first; empty: there is one
+  LookMotions into_first_;
+  double looks_differ_ = 0.0;
   std::optional<ShapeFits> shapes_;
   Registration registration_;
   ExaminedRegistration examined_;

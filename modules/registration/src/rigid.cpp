@@ -141,8 +141,10 @@ class Aligner {
   }
 
   void hide(const CameraFromCt& pose, std::vector<Match>& matches) const {
-    const Eigen::Vector3d eye = pose.inverse().translation;
+    const auto ct_from_camera = pose.inverse();
     for (Match& m : matches) {
+      const Eigen::Vector3d eye =
+          ct_from_camera.rotation * cloud_.cloud.eye(m.point) + ct_from_camera.translation;
       const double length = (m.p - eye).norm();
       const ClosestPoint hit = surface_.first_hit(eye, (m.p - eye) / length, 0.0, length - kOcclusion);
       if (hit.triangle >= 0) m.distance = std::max(m.distance, std::min(kCap, length - hit.distance));

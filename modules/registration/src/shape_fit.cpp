@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "glisson/core/error.h"
+#include "glisson/registration/looks.h"
 #include "glisson/registration/pairs.h"
 #include "glisson/registration/rivals.h"
 
@@ -23,16 +24,34 @@ constexpr double kLargestTurn = 0.3;  // rad an iteration
 constexpr double kRestAmplitude = 2e-3, kRestPose = 2e-5;
 constexpr int kFewestIterations = 10;
 
+/// Turned about the camera and shifted. @param twist rotation vector, translation.
+template <class Source>
+Rigid<CameraFrame, Source> twisted(const Rigid<CameraFrame, Source>& pose,
+                                   const Eigen::Matrix<double, 6, 1>& twist) {
+  const double angle = twist.head<3>().norm();
+  const Eigen::Matrix3d rotation = angle > 0.0
+                                       ? Eigen::AngleAxisd(angle, twist.head<3>() / angle).toRotationMatrix()
+                                       : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+  return {Eigen::Quaterniond(rotation * pose.rotation).normalized().toRotationMatrix(),
+          rotation * pose.translation + twist.tail<3>()};
+}
+
 class ShapeFitter {
  public:
   ShapeFitter(const PatientModel& model, const OperationPrior& prior, const LabelledCloud& cloud,
-              const CameraFromCt& start, const ShapeFitOptions& options)
+              const ShapeStart& start, const ShapeFitOptions& options)
       : options_(options),
         prior_(prior),
         rest_(model.mesh.vertices),
         cloud_(prepare_cloud(cloud, {})),
+        still_(cloud_.cloud),
         surface_(model, SurfaceDetail::fine) {
-    fit_.camera_from_ct = fit_.start = start;
+    fit_.camera_from_ct = fit_.start = start.camera_from_ct;
+    if (cloud_.cloud.look_count() > 1) {
+      fit_.looks = start.looks;
+      fit_.looks.resize(static_cast<std::size_t>(cloud_.cloud.look_count()));
+      move_looks(still_, fit_.looks, cloud_.cloud);
+    }
     fit_.amplitudes = Eigen::VectorXd::Zero(prior.modes.cols());
     for (int i = 0; i < cloud_.cloud.size(); ++i)
       notch_points_ += cloud_.cloud.feature(i) == Feature::umbilical_notch;
@@ -50,6 +69,7 @@ class ShapeFitter {
     pair();
     fit_.residual = mean_distance(pairs_);
     fit_.cost = cost();
+    fit_.log_evidence = log_evidence();
     return fit_;
   }
 
@@ -107,16 +127,28 @@ class ShapeFitter {
         j.leftCols(modes) += carrier.weights[k] * prior_.modes.middleRows<3>(3L * carrier.nodes[k]);
     j.leftCols(modes) = (fit_.camera_from_ct.rotation * j.leftCols(modes)).eval();
     const Eigen::Vector3d p = pair.on_model.point;
+    j.rightCols(j.cols() - modes).setZero();
     j.block<3, 3>(0, modes) << 0, p.z(), -p.y(), -p.z(), 0, p.x(), p.y(), -p.x(), 0;
-    j.rightCols<3>().setIdentity();
+    j.block<3, 3>(0, modes + 3).setIdentity();
+    const int look = cloud_.cloud.look(pair.point);
+    if (look == 0) return;
+    // The gap closes as well where the look goes the other way.
+    const Eigen::Vector3d q = p + pair.gap;
+    j.block<3, 3>(0, modes + 6 * look) << 0, -q.z(), q.y(), q.z(), 0, -q.x(), -q.y(), q.x(), 0;
+    j.block<3, 3>(0, modes + 6 * look + 3) = -Eigen::Matrix3d::Identity();
   }
 
-  /// One step of Gauss and Newton; true when hardly anything moved.
-  bool step() {
+  /// Of what is unknown: amplitudes, then a twist of the pose and of each further look.
+  struct NormalEquations {
+    Eigen::MatrixXd h;
+    Eigen::VectorXd g;
+  };
+  NormalEquations normal_equations() const {
     const Eigen::Index modes = prior_.modes.cols();
-    Eigen::MatrixXd h = Eigen::MatrixXd::Zero(modes + 6, modes + 6);
-    Eigen::VectorXd g = Eigen::VectorXd::Zero(modes + 6);
-    Eigen::Matrix<double, 3, Eigen::Dynamic> j(3, modes + 6);
+    const Eigen::Index poses = 6L * cloud_.cloud.look_count();
+    NormalEquations normal{Eigen::MatrixXd::Zero(modes + poses, modes + poses),
+                           Eigen::VectorXd::Zero(modes + poses)};
+    Eigen::Matrix<double, 3, Eigen::Dynamic> j(3, modes + poses);
     for (const Pair& pair : pairs_) {
       if (!pair.kept) continue;
       Eigen::Matrix3d weight = information(pair);
@@ -126,30 +158,46 @@ class ShapeFitter {
         weight /= 1.0 + pair.gap.dot(weight * pair.gap) / (share * kTolerance);
       }
       jacobian(pair, j);
-      h.noalias() += j.transpose() * (weight * j);
-      g.noalias() += j.transpose() * (weight * pair.gap);
+      normal.h.noalias() += j.transpose() * (weight * j);
+      normal.g.noalias() += j.transpose() * (weight * pair.gap);
     }
-    h.topLeftCorner(modes, modes).diagonal().array() += 1.0;
-    g.head(modes) -= fit_.amplitudes;
-    h.bottomRightCorner<6, 6>().diagonal().array() += 1e-3;
-    Eigen::VectorXd change = h.ldlt().solve(g);
-    const double turn = change.segment<3>(modes).norm();
+    normal.h.topLeftCorner(modes, modes).diagonal().array() += 1.0;
+    normal.g.head(modes) -= fit_.amplitudes;
+    normal.h.bottomRightCorner(poses, poses).diagonal().array() += 1e-3;
+    return normal;
+  }
+
+  /// Laplace's approximation: the posterior is a Gaussian about its peak.
+  double log_evidence() const {
+    const Eigen::LLT<Eigen::MatrixXd> factor(normal_equations().h);
+    return -0.5 * fit_.cost - factor.matrixLLT().diagonal().array().log().sum();
+  }
+
+  /// One step of Gauss and Newton; true when hardly anything moved.
+  bool step() {
+    const Eigen::Index modes = prior_.modes.cols();
+    const NormalEquations normal = normal_equations();
+    Eigen::VectorXd change = normal.h.ldlt().solve(normal.g);
+    double turn = 0.0, shift = 0.0;
+    for (Eigen::Index at = modes; at < change.size(); at += 6) {
+      turn = std::max(turn, change.segment<3>(at).norm());
+      shift = std::max(shift, change.segment<3>(at + 3).norm());
+    }
     if (turn > kLargestTurn) change *= kLargestTurn / turn;
     fit_.amplitudes += change.head(modes);
-    const Eigen::Vector3d twist = change.segment<3>(modes);
-    CameraFromCt& pose = fit_.camera_from_ct;
-    const Eigen::Matrix3d rotation =
-        twist.norm() > 0.0 ? Eigen::AngleAxisd(twist.norm(), twist.normalized()).toRotationMatrix()
-                           : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
-    pose.rotation = Eigen::Quaterniond(rotation * pose.rotation).normalized().toRotationMatrix();
-    pose.translation = rotation * pose.translation + change.tail<3>();
-    return change.head(modes).norm() < kRestAmplitude && change.tail<3>().norm() + 0.1 * turn < kRestPose;
+    fit_.camera_from_ct = twisted(fit_.camera_from_ct, change.segment<6>(modes));
+    for (std::size_t look = 1; look < fit_.looks.size(); ++look)
+      fit_.looks[look] =
+          twisted(fit_.looks[look], change.segment<6>(modes + 6 * static_cast<Eigen::Index>(look)));
+    if (!fit_.looks.empty()) move_looks(still_, fit_.looks, cloud_.cloud);
+    return change.head(modes).norm() < kRestAmplitude && shift + 0.1 * turn < kRestPose;
   }
 
   const ShapeFitOptions& options_;
   const OperationPrior& prior_;
   Points rest_;
   PreparedCloud cloud_;
+  LabelledCloud still_;  ///< before its looks were moved
   PairOptions pairing_;
   MovingSurface surface_;
   std::vector<Pair> pairs_;
@@ -169,7 +217,7 @@ void ShapeFitOptions::validate() const {
 }
 
 Cancellable<ShapeFit> fit_shape(const PatientModel& model, const OperationPrior& prior,
-                                const LabelledCloud& cloud, const CameraFromCt& start,
+                                const LabelledCloud& cloud, const ShapeStart& start,
                                 const ShapeFitOptions& options, const RunContext& context) {
   options.validate();
   require(prior.modes.rows() == model.mesh.vertices.size(),
@@ -179,7 +227,7 @@ Cancellable<ShapeFit> fit_shape(const PatientModel& model, const OperationPrior&
 }
 
 Cancellable<ShapeFits> fit_shapes(const PatientModel& model, const OperationPrior& prior,
-                                  const LabelledCloud& cloud, const std::vector<CameraFromCt>& starts,
+                                  const LabelledCloud& cloud, const std::vector<ShapeStart>& starts,
                                   const ShapeFitOptions& options, const RunContext& context) {
   // A posterior e^4 times smaller is no rival.
   constexpr double kRivalCost = 8.0, kUnusual = 4.0;

@@ -19,7 +19,8 @@ constexpr double kSureOdds = 10.0, kEvenOdds = 0.0;
 constexpr double kMuchExpected = 8e-3;  ///< m, mean over the nodes
 constexpr double kTurned = 0.15;        ///< share of the points
 constexpr double kMarginOff = 8e-3;     ///< m
-/// Probability of being more than 20 mm off: one in a hundred is told, one in twenty is too much to go on.
+/// Probability of being more than 20 mm off, or of looks at an organ that has changed in between: one in a
+/// hundred is told, one in twenty is too much to go on.
 constexpr double kElsewhereDoubt = 0.01, kElsewhere = 0.05;
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
@@ -48,6 +49,7 @@ Verdict judge(const Findings& found) {
   weigh("cloud_noisy", found.roughness, 3.0 * kUsualNoise, 5.0 * kUsualNoise, 1e3);
   weigh("expected_error_large", found.expected, kMuchExpected, kNever, 1e3);
   weigh("elsewhere_probable", found.elsewhere, kElsewhereDoubt, kElsewhere, 1e2);
+  weigh("looks_differ", found.looks_differ, kElsewhereDoubt, kElsewhere, 1e2);
   weigh("mirror_fits", -found.mirror_odds, -kSureOdds, -kEvenOdds, -1.0);
   weigh("points_turned", found.turned, kTurned, kNever, 1e2);
   weigh("margin_off", found.margin_off, kMarginOff, kNever, 1e3);

@@ -133,11 +133,14 @@ class Notes {
         {"elsewhere_probable",
          tr("With a probability of %1 % (limit %2 %) the organ lies more than 2 cm from "
             "here: other places explain the points as well. Mark the notch, show more of the organ, "
-            "or place it by hand.")},
+            "keep this look and add another one, or place it by hand.")},
         {"points_turned", tr("%1 % of the points face another way than the model there (limit %2 %).")},
         {"margin_off", tr("The marked margin lies %1 mm from the model's (limit %2 mm).")},
         {"shape_strange",
          tr("The organ would be bent %1 times as much as operations and tools explain (limit %2).")},
+        {"looks_differ",
+         tr("With a probability of %1 % (limit %2 %) the organ has moved or been bent between the looks: no "
+            "one shape explains them. Forget the earlier looks and register with the present points alone.")},
         {"mirror_fits",
          tr("The cloud's mirror image fits as well or nearly so (log odds %1, limit %2): it has "
             "not been recognised as this liver.")},

@@ -32,6 +32,7 @@ class Obstacles {
             {"source", tr("The CT was not opened from its DICOM folder, so whose it is is not known.")},
             {"review", tr("Review the labels first (Segmentation).")},
             {"cloud", tr("Reconstruct the surface first (Stereo).")},
+            {"earlier_looks", tr("No earlier look is kept (Stereo).")},
             {"registration", tr("Register first.")}};
   }
   /// The same for one that is out of date.

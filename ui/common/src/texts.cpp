@@ -45,6 +45,8 @@ class Texts {
             {"set_regions", tr("Storing the regions")},
             {"reconstruct", tr("Reconstructing the surface")},
             {"import_cloud", tr("Reading the cloud")},
+            {"keep_look", tr("Keeping the look")},
+            {"forget_looks", tr("Forgetting the looks")},
             {"register", tr("Registering")},
             {"import_registration", tr("Reading the registration")},
             {"accept_registration", tr("Accepting the registration")},

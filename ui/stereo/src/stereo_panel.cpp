@@ -25,6 +25,7 @@
 #include "glisson/ui/common/texts.h"
 #include "glisson/ui/scene/colours.h"
 #include "glisson/ui/stereo/cloud_figures.h"
+#include "glisson/ui/stereo/looks_row.h"
 
 namespace glisson::ui {
 namespace {
@@ -227,6 +228,7 @@ void StereoPanel::build_reconstruction() {
       this);
   run_->setObjectName(QStringLiteral("reconstruct"));
   box->addWidget(run_);
+  box->addWidget(new LooksRow(engine(), this));
   connect(run_, &TaskButton::done, this, [this](const engine::Outcome& outcome) {
     faults_ = notes_text(outcome.notes);
     show_figures();

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "glisson/engine/parts/cloud.h"
+#include "glisson/engine/parts/earlier_looks.h"
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/proposals.h"
@@ -16,7 +17,7 @@
 namespace glisson::engine {
 CommandTraits Register::traits() const {
   return {.code = "register",
-          .reads = {part::model, part::landmarks, part::proposals, part::cloud},
+          .reads = {part::model, part::landmarks, part::proposals, part::cloud, part::earlier_looks},
           .writes = {part::registration},
           .needs = {part::model, part::cloud},
           .current = {part::model, part::landmarks, part::cloud}};
@@ -26,6 +27,7 @@ Cancellable<Applied> Register::apply(const CaseState& state, const RunContext& c
   const registration::KnownOperations known = known_operations(state);
   registration::RegisterOptions options = *this;
   options.landmarks_are_placed = state[part::landmarks] != nullptr;
+  options.looks = looks_to_join(state);
   const PatientModel model = effective_model(state);
   auto examined = registration::register_and_examine(model, *state[part::cloud], options, context, known);
   if (!examined) return {};

@@ -7,6 +7,7 @@
 #include "glisson/core/error.h"
 #include "glisson/engine/case_io.h"
 #include "glisson/engine/parts/cloud.h"
+#include "glisson/engine/parts/earlier_looks.h"
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/registration/refusal.h"
@@ -60,7 +61,7 @@ bool same(const CaseState& written, const CaseState& read) {
 
 const PartOf<SimulatedOperations> part::operations{{.code = "operations"}};
 const PartOf<Registration> part::registration{{.code = "registration",
-                                               .made_of = {part::model, part::landmarks, part::cloud},
+                                               .made_of = {part::model, part::landmarks, part::cloud, part::earlier_looks},
                                                .remedy = "Register the model first",
                                                .files = {"registration.vtu"},
                                                .save = save,

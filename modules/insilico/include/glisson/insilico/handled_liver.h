@@ -56,7 +56,9 @@ class HandledLiver {
   PointsIn<CameraFrame> carry(const PointsIn<CtFrame>& points) const;
   /// A patch of the true surface around what the camera looks at, as Theatre::patch. Without normals: who has
   /// a noisy cloud has no clean ones. @throws InputError options.
-  Patch patch(const PatchOptions& options) const;
+  /// @param scope how the laparoscope has moved before: from the camera's former frame into its present one,
+  /// in which the patch is given.
+  Patch patch(const PatchOptions& options, const Rigid<CameraFrame, CameraFrame>& scope = {}) const;
 
  private:
   struct Impl;

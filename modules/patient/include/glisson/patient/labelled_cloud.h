@@ -21,7 +21,18 @@ struct LabelledCloud {
   PointsIn<CameraFrame> normals;  ///< unit, towards the camera
   std::vector<Feature> features;  ///< empty: all surface
   std::vector<double> sigma;      ///< standard deviation along the ray, metres
+  /// Where several looks were joined (registration/looks.h): in which one each point was seen, from 0. Files
+  /// do not hold them.
+  std::vector<int> looks;
+  PointsIn<CameraFrame> eyes;  ///< the left camera's centre in each look; no rows: one look, from the origin
 
+  int look(int i) const { return looks.empty() ? 0 : looks[static_cast<std::size_t>(i)]; }
+  int look_count() const { return eyes.rows() == 0 ? 1 : static_cast<int>(eyes.rows()); }
+  /// Where the camera was that saw point i.
+  Eigen::Vector3d eye(int i) const {
+    return eyes.rows() == 0 ? Eigen::Vector3d(Eigen::Vector3d::Zero())
+                            : Eigen::Vector3d(eyes.row(look(i)).transpose());
+  }
   int size() const { return static_cast<int>(points.rows()); }
   Feature feature(int i) const {
     return features.empty() ? Feature::surface : features[static_cast<std::size_t>(i)];

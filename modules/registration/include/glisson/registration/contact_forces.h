@@ -14,6 +14,7 @@
 #include "glisson/patient/registration.h"
 #include "glisson/registration/operation_prior.h"
 #include "glisson/registration/rivals.h"
+#include "glisson/registration/shape_fit.h"
 
 namespace glisson::registration {
 
@@ -46,11 +47,13 @@ struct ContactForceOptions {
   /// shape that the prior makes probable, found together with them: y ~ N(0, Sigma + A Gamma A^T + B B^T).
   std::shared_ptr<const OperationPrior> prior;
   Eigen::VectorXd amplitudes;  ///< of the prior's modes to start with; empty: none
+  LookMotions looks;           ///< of a joined cloud to start with; found together with the pose
   /// Where the pose is found: other places where the organ may be. Each is tried under the law that was most
   /// probable from the first one; the most probable of all is kept.
   struct Place {
     CameraFromCt camera_from_ct;
     Eigen::VectorXd amplitudes;  ///< as above; empty: at rest
+    LookMotions looks;
   };
   std::vector<Place> other_places;
   double patch_spacing = 12.5e-3, patch_radius = 20e-3;
@@ -93,6 +96,7 @@ struct ContactForceFit {
   std::vector<ContactForce> forces;  ///< those over 2 % of the strongest, which comes first
   int patches = 0;                   ///< offered
   Eigen::VectorXd amplitudes;        ///< of the prior's modes, standard deviations
+  LookMotions looks;                 ///< of a joined cloud; empty: it is of one look
   /// Root mean square of each node's error that the posterior of forces and pose expects, m, with the spread
   /// between laws, each as probable as the cloud makes it. It knows of the noise and of forces where
   /// something is seen, not of forces elsewhere.

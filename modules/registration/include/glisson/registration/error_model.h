@@ -92,12 +92,13 @@ class ErrorModel {
   void group(double width);
 
   Points nodes_;
-  double point_variance_ = 0.0;  ///< of a row that stands for the reference density's one point, m2
-  Eigen::Index rivals_ = 0;      ///< columns of spread_ that are rivals; they come last
-  Eigen::Index modes_ = 0;       ///< columns of the prior's modes; they come first
-  Eigen::MatrixXd spread_;       ///< 3 N x K: motion of the nodes by one posterior deviation each
-  Eigen::MatrixXd root_;         ///< K x K: posterior covariance root root^T of the unknowns
-  Eigen::MatrixXd rows_;         ///< A: how each row answers to the unknowns, one deviation each beforehand
+  double point_variance_ = 0.0;         ///< of a row that stands for the reference density's one point, m2
+  Eigen::Index rivals_ = 0;             ///< columns of spread_ that are rivals; they come last
+  Eigen::Index places_of_cameras_ = 6;  ///< unknowns of the pose and of further looks; they come last
+  Eigen::Index modes_ = 0;              ///< columns of the prior's modes; they come first
+  Eigen::MatrixXd spread_;              ///< 3 N x K: motion of the nodes by one posterior deviation each
+  Eigen::MatrixXd root_;                ///< K x K: posterior covariance root root^T of the unknowns
+  Eigen::MatrixXd rows_;  ///< A: how each row answers to the unknowns, one deviation each beforehand
   Eigen::VectorXd variance_, left_, mean_;
   Points points_;
   std::vector<std::vector<Eigen::Index>> places_;

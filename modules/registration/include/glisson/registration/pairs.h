@@ -16,7 +16,7 @@ struct PreparedCloud {
   /// What a point stands for: the share of the reference density's point on the surface (A_i / A_ref), of a
   /// reference spacing along the margin, of the notch. No unit; a cloud twice as dense has half the weights.
   std::vector<double> weight;
-  /// The nearest other points, nearest first; fewer in a small cloud.
+  /// The nearest other points of the same look, nearest first; fewer in a small cloud.
   std::vector<std::vector<int>> neighbours;
 };
 
@@ -33,7 +33,7 @@ struct CloudOptions {
 /// unequal length.
 PreparedCloud prepare_cloud(const LabelledCloud& cloud, const CloudOptions& options);
 
-/// Unit normals from the neighbours' plane (principal components), turned towards the camera (the origin).
+/// Unit normals from the neighbours' plane (principal components), turned towards the camera that saw them.
 PointsIn<CameraFrame> estimate_normals(const PreparedCloud& cloud);
 
 /// A point of the cloud and where on the model it is thought to be.

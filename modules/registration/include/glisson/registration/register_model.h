@@ -43,7 +43,11 @@ struct RegisterOptions {
   };
   Start start = Start::automatic;
   CameraFromCt given;  ///< for Start::near and Start::given
-  RigidOptions rigid;  ///< for Start::automatic and Start::near
+  RigidOptions rigid;  ///< for Start::automatic and Start::near, and for the looks
+  /// Other looks at the same organ, which has not moved since (looks.h): clouds, each in its own left
+  /// camera's frame; where they were seen from is found. The result is in the frame of the cloud that they
+  /// join.
+  std::vector<LabelledCloud> looks;
   /// What the liver is made of, for springs and forces. Empty: as options_for() takes this model.
   std::optional<fem::CompositeOptions> materials;
   std::vector<int> fixed_nodes;  ///< stay where the start puts them, in springs and forces
@@ -79,7 +83,8 @@ struct Registered {
   std::optional<double> rigid_residual;   ///< metres; empty: the start was not sought
   /// Those that the registration rests on, known or new; null: none were needed or possible.
   std::shared_ptr<const OperationPrior> operations;
-  DistanceSummary displacement;  ///< of the nodes, from where the rigid part alone puts them, metres
+  std::vector<double> look_distances;  ///< of each look from the result, metres (distances_of_looks)
+  DistanceSummary displacement;        ///< of the nodes, from where the rigid part alone puts them, metres
 };
 
 /// The first half of the door (register_and_examine in examined_registration.h is all of it): brings a model

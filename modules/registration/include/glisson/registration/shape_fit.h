@@ -24,6 +24,16 @@ struct ShapeFitOptions {
   void validate() const;
 };
 
+/// How each look of a joined cloud (looks.h) is moved before it agrees with the first, which stays. Empty: as
+/// the cloud has them.
+using LookMotions = std::vector<Rigid<CameraFrame, CameraFrame>>;
+
+/// Where a fit begins.
+struct ShapeStart {
+  CameraFromCt camera_from_ct;
+  LookMotions looks;
+};
+
 /// Where the organ most probably is, given the cloud and what operations do.
 struct ShapeFit {
   CameraFromCt camera_from_ct;
@@ -34,16 +44,20 @@ struct ShapeFit {
   /// deviations (a point without a pair counts as a far one) and squared amplitudes. Compares fits of one
   /// cloud.
   double cost = 0.0;
+  /// Logarithm of how probable the cloud is, whatever shape and poses are, but for constants of a point and
+  /// of a pose (Laplace). Compares what shares out the same points and poses otherwise.
+  double log_evidence = 0.0;
   int iterations = 0;
   CameraFromCt start;  ///< where it was begun
+  LookMotions looks;   ///< of the cloud; empty: it is of one look
 };
 
-/// Maximum a posteriori of pose and amplitudes together: closest points (label-restricted, on the fine
-/// surface, which may slide along it freely), Gauss and Newton, Cauchy's robust weight, the prior's
-/// amplitudes standard normal.
+/// Maximum a posteriori of pose, amplitudes and where further looks were seen from, together: closest points
+/// (label-restricted, on the fine surface, which may slide along it freely), Gauss and Newton, Cauchy's
+/// robust weight, the prior's amplitudes standard normal.
 /// @throws InputError the cloud's as in prepare_cloud; options.
 Cancellable<ShapeFit> fit_shape(const PatientModel& model, const OperationPrior& prior,
-                                const LabelledCloud& cloud, const CameraFromCt& start,
+                                const LabelledCloud& cloud, const ShapeStart& start,
                                 const ShapeFitOptions& options, const RunContext& context);
 
 }  // namespace glisson::registration

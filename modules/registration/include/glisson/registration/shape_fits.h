@@ -22,7 +22,7 @@ struct ShapeFits {
 };
 /// @pre one start at least. @throws as fit_shape.
 Cancellable<ShapeFits> fit_shapes(const PatientModel& model, const OperationPrior& prior,
-                                  const LabelledCloud& cloud, const std::vector<CameraFromCt>& starts,
+                                  const LabelledCloud& cloud, const std::vector<ShapeStart>& starts,
                                   const ShapeFitOptions& options, const RunContext& context);
 
 /// register_elastic from the most probable of shapes that were fitted before. A shape that would turn

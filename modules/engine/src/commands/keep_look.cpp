@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/engine/commands/keep_look.h"
+
+#include <algorithm>
+#include <string>
+
+#include "case_files.h"
+#include "glisson/core/error.h"
+#include "glisson/engine/parts/cloud.h"
+#include "glisson/engine/parts/earlier_looks.h"
+
+namespace glisson::engine {
+
+CommandTraits KeepLook::traits() const {
+  CommandTraits traits{
+      .code = "keep_look", .reads = {part::cloud, part::earlier_looks}, .writes = {part::earlier_looks}};
+  if (path)
+    traits.notice = Notice::files;
+  else
+    traits.needs = {part::cloud};
+  return traits;
+}
+
+Cancellable<Applied> KeepLook::apply(const CaseState& state, const RunContext&) const {
+  std::shared_ptr<const LabelledCloud> look = state[part::cloud];
+  if (path) {
+    look = std::make_shared<const LabelledCloud>(read_cloud(*path, unit));
+    require_liver_sized(*look, unit, path->string());
+  }
+  EarlierLooks kept;
+  if (state[part::earlier_looks]) kept = *state[part::earlier_looks];
+  const std::string name = path ? path->string() : "cloud";
+  if (std::any_of(kept.clouds.begin(), kept.clouds.end(),
+                  [&](const auto& other) { return same_points(other->points, look->points); }))
+    throw InputError(name, "look", "is kept already", "Look from elsewhere and reconstruct again");
+  if (kept.clouds.size() >= kMostLooks)
+    throw InputError(name, "look", "is one more than the " + std::to_string(kMostLooks) + " that can be kept",
+                     "Forget the earlier looks, or register with these");
+  kept.clouds.push_back(std::move(look));
+  Applied applied{state};
+  applied.figures["looks_kept"] = static_cast<double>(kept.clouds.size());
+  applied.state[part::earlier_looks] = std::make_shared<const EarlierLooks>(std::move(kept));
+  return applied;
+}
+
+}  // namespace glisson::engine

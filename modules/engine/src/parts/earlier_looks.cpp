@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/engine/parts/earlier_looks.h"
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "case_files.h"
+#include "glisson/core/error.h"
+#include "glisson/engine/commands/keep_look.h"
+#include "glisson/engine/parts/cloud.h"
+
+namespace glisson::engine {
+namespace {
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+constexpr LengthUnit kUnit = LengthUnit::millimetre;
+
+fs::path file_of(const CaseFolder& folder, std::size_t number) {
+  return folder.path / "looks" / ("look_" + std::to_string(number + 1) + ".ply");
+}
+
+json save(const CaseState& state, const CaseFolder& folder) {
+  const auto& clouds = state[part::earlier_looks]->clouds;
+  fs::create_directories(folder.path / "looks");
+  for (std::size_t k = 0; k < clouds.size(); ++k) write_cloud(file_of(folder, k), *clouds[k], kUnit);
+  return {{"count", clouds.size()}};
+}
+
+void load(CaseState& state, const json& entry, const CaseFolder& folder) {
+  const auto count = entry.at("count").get<std::int64_t>();
+  if (count < 1 || count > static_cast<std::int64_t>(kMostLooks))
+    throw InputError((folder.path / "case.json").string(), "earlier_looks.count",
+                     "is " + std::to_string(count) + ", not 1 to " + std::to_string(kMostLooks),
+                     "Restore the case from a copy");
+  EarlierLooks looks;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k)
+    looks.clouds.push_back(std::make_shared<const LabelledCloud>(read_cloud(file_of(folder, k), kUnit)));
+  state[part::earlier_looks] = std::make_shared<const EarlierLooks>(std::move(looks));
+}
+
+bool same(const CaseState& written, const CaseState& read) {
+  const auto &a = written[part::earlier_looks]->clouds, &b = read[part::earlier_looks]->clouds;
+  if (a.size() != b.size()) return false;
+  for (std::size_t k = 0; k < a.size(); ++k)
+    if (!same_points(a[k]->points, b[k]->points)) return false;
+  return true;
+}
+
+}  // namespace
+
+const PartOf<EarlierLooks> part::earlier_looks{{.code = "earlier_looks",
+                                                .remedy = "Keep a cloud as an earlier look first",
+                                                .files = {"looks/*.ply"},
+                                                .save = save,
+                                                .load = load,
+                                                .same = same}};
+
+std::vector<LabelledCloud> looks_to_join(const CaseState& state) {
+  std::vector<LabelledCloud> looks;
+  if (!state[part::earlier_looks]) return looks;
+  for (const auto& look : state[part::earlier_looks]->clouds)
+    if (!state[part::cloud] || !same_points(look->points, state[part::cloud]->points)) looks.push_back(*look);
+  return looks;
+}
+
+}  // namespace glisson::engine

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "glisson/experiments/registration_proof.h"
+#include "registration_stage.h"
+
+/// @file
+/// What a second cloud is worth that was seen from elsewhere, of which nobody knows from where.
+
+namespace glisson::experiments {
+
+/// One cloud alone, and joined with another.
+struct JoinedTrial {
+  struct Found {
+    double seen = 0.0;   ///< share of the surface
+    double error = 0.0;  ///< mean over all nodes, metres; infinite: it failed
+    bool refused = false;
+  };
+  std::string patient, handling;
+  Found alone, joined;
+};
+
+/// A fifth of the surface is seen, and another fifth, in part the same, after the laparoscope has gone round
+/// by 35 degrees. One trial a handling. @param number of the patient.
+std::vector<JoinedTrial> try_joined(const RegistrationStage& stage, std::size_t number,
+                                    const RegistrationProofOptions& options, const RunContext& context);
+
+/// Adds one set's figures (prefix "joined_") and table.
+void sum_up(const std::vector<JoinedTrial>& trials, const std::string& set, RegistrationProof& proof);
+
+}  // namespace glisson::experiments
