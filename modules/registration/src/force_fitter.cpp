@@ -26,6 +26,7 @@ constexpr double kNoiseAtMost = 2.5e-3;  ///< m
 
 std::vector<char> fixed_of(const fem::ElasticBody& body) {
   std::vector<char> fixed;
+  fixed.reserve(static_cast<std::size_t>(body.node_count()));
   for (int i = 0; i < body.node_count(); ++i) fixed.push_back(body.is_fixed(i) ? 1 : 0);
   return fixed;
 }
@@ -173,6 +174,7 @@ std::vector<int> ForceFitter::strongest(const State& state) {
   std::stable_sort(forces.begin(), forces.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<int> nodes;
+  nodes.reserve(forces.size());
   for (const auto& [force, node] : forces) nodes.push_back(node);
   return nodes;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "glisson/core/error.h"
 #include "glisson/geometry/distance.h"
