@@ -3751,6 +3751,10 @@
         <source>Forgetting the looks</source>
         <translation>Blicke werden verworfen</translation>
     </message>
+    <message>
+        <source>shapes with altered supports</source>
+        <translation>Formen mit veränderten Auflagern</translation>
+    </message>
 </context>
 <context>
     <name>cli</name>
@@ -5089,6 +5093,90 @@
     <message>
         <source>Earlier looks at the same organ, which has not moved since: clouds (PLY), commas between them, each in its own camera&apos;s frame. Where they were seen from is found; the result is in the frame of --cloud.</source>
         <translation>Frühere Blicke auf dasselbe Organ, das sich seither nicht bewegt hat: Punktwolken (PLY), durch Kommas getrennt, jede im eigenen Kamerasystem. Von wo sie gesehen wurden, wird gefunden; das Ergebnis steht im System von --cloud.</translation>
+    </message>
+    <message>
+        <source>falciform ligament at the notch</source>
+        <translation>Ligamentum falciforme an der Kerbe</translation>
+    </message>
+    <message>
+        <source>vena cava</source>
+        <translation>Hohlvene</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>beide</translation>
+    </message>
+    <message>
+        <source>mean Hausdorff distance, mm</source>
+        <translation>mittlerer Hausdorff-Abstand, mm</translation>
+    </message>
+    <message>
+        <source>(a) place of the boundary conditions</source>
+        <translation>(a) Ort der Randbedingungen</translation>
+    </message>
+    <message>
+        <source>shift along the surface, mm</source>
+        <translation>Verschiebung auf der Oberfläche, mm</translation>
+    </message>
+    <message>
+        <source>(b) stiffness of the boundary conditions</source>
+        <translation>(b) Steifigkeit der Randbedingungen</translation>
+    </message>
+    <message>
+        <source>times the reference&apos;s stiffness</source>
+        <translation>mal die Steifigkeit der Referenz</translation>
+    </message>
+    <message>
+        <source>the atlas laid on livers</source>
+        <translation>der Atlas auf Lebern gelegt</translation>
+    </message>
+    <message>
+        <source>umbilical notch (in silico)</source>
+        <translation>Nabelkerbe (in silico)</translation>
+    </message>
+    <message>
+        <source>--flank: is %1. Give left or right.</source>
+        <translation>--flank: ist %1. Geben Sie left oder right an.</translation>
+    </message>
+    <message>
+        <source>Measures a figure of the paper again and sets it beside the paper&apos;s words: 5 (how well the atlas foretells surface, notch and vena cava), 6 (how much the shape on the flank depends on place and stiffness of the boundary conditions). Prints the table; writes page, table and plot.</source>
+        <translation>Misst eine Abbildung des Artikels neu und stellt sie neben dessen Worte: 5 (wie gut der Atlas Oberfläche, Kerbe und Hohlvene vorhersagt), 6 (wie sehr die Form auf der Flanke von Ort und Steifigkeit der Randbedingungen abhängt). Gibt die Tabelle aus; schreibt Seite, Tabelle und Bild.</translation>
+    </message>
+    <message>
+        <source>The figure&apos;s number in the paper: 5 or 6.</source>
+        <translation>Die Nummer der Abbildung im Artikel: 5 oder 6.</translation>
+    </message>
+    <message>
+        <source>5: folder of the real data; what is not there is left out.</source>
+        <translation>5: Ordner der echten Daten; was fehlt, wird ausgelassen.</translation>
+    </message>
+    <message>
+        <source>6: a case with model, notch and vena cava, instead of the built-in synthetic patient.</source>
+        <translation>6: ein Fall mit Modell, Kerbe und Hohlvene statt des eingebauten synthetischen Patienten.</translation>
+    </message>
+    <message>
+        <source>6: the side that is down: left or right.</source>
+        <translation>6: die Seite, die unten liegt: left oder right.</translation>
+    </message>
+    <message>
+        <source>Fewer trials: to see whether it runs.</source>
+        <translation>Weniger Versuche: um zu sehen, ob es läuft.</translation>
+    </message>
+    <message>
+        <source>The folder for page, table and plot.</source>
+        <translation>Der Ordner für Seite, Tabelle und Bild.</translation>
+    </message>
+    <message>
+        <source>NUMBER: is %1. Give 5 or 6: no other figure is measured.</source>
+        <translation>NUMBER: ist %1. Geben Sie 5 oder 6 an: Andere Abbildungen werden nicht gemessen.</translation>
+    </message>
+    <message>
+        <source>Measure a figure of the paper again</source>
+        <translation>Eine Abbildung des Artikels neu messen</translation>
+    </message>
+    <message>
+        <source>liver (s: synthetic; * not in the atlas)</source>
+        <translation>Leber (s: synthetisch; * nicht im Atlas)</translation>
     </message>
 </context>
 <context>

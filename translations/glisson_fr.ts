@@ -3751,6 +3751,10 @@
         <source>Forgetting the looks</source>
         <translation>Les vues sont oubliées</translation>
     </message>
+    <message>
+        <source>shapes with altered supports</source>
+        <translation>formes aux appuis modifiés</translation>
+    </message>
 </context>
 <context>
     <name>cli</name>
@@ -5089,6 +5093,90 @@
     <message>
         <source>Earlier looks at the same organ, which has not moved since: clouds (PLY), commas between them, each in its own camera&apos;s frame. Where they were seen from is found; the result is in the frame of --cloud.</source>
         <translation>Vues antérieures du même organe, qui n’a pas bougé depuis : nuages (PLY), séparés par des virgules, chacun dans le repère de sa caméra. D’où ils ont été vus est trouvé ; le résultat est dans le repère de --cloud.</translation>
+    </message>
+    <message>
+        <source>falciform ligament at the notch</source>
+        <translation>ligament falciforme à l’échancrure</translation>
+    </message>
+    <message>
+        <source>vena cava</source>
+        <translation>veine cave</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>les deux</translation>
+    </message>
+    <message>
+        <source>mean Hausdorff distance, mm</source>
+        <translation>distance de Hausdorff moyenne, mm</translation>
+    </message>
+    <message>
+        <source>(a) place of the boundary conditions</source>
+        <translation>(a) lieu des conditions aux limites</translation>
+    </message>
+    <message>
+        <source>shift along the surface, mm</source>
+        <translation>déplacement sur la surface, mm</translation>
+    </message>
+    <message>
+        <source>(b) stiffness of the boundary conditions</source>
+        <translation>(b) raideur des conditions aux limites</translation>
+    </message>
+    <message>
+        <source>times the reference&apos;s stiffness</source>
+        <translation>fois la raideur de référence</translation>
+    </message>
+    <message>
+        <source>the atlas laid on livers</source>
+        <translation>l’atlas posé sur des foies</translation>
+    </message>
+    <message>
+        <source>umbilical notch (in silico)</source>
+        <translation>échancrure ombilicale (in silico)</translation>
+    </message>
+    <message>
+        <source>--flank: is %1. Give left or right.</source>
+        <translation>--flank : vaut %1. Donnez left ou right.</translation>
+    </message>
+    <message>
+        <source>Measures a figure of the paper again and sets it beside the paper&apos;s words: 5 (how well the atlas foretells surface, notch and vena cava), 6 (how much the shape on the flank depends on place and stiffness of the boundary conditions). Prints the table; writes page, table and plot.</source>
+        <translation>Mesure à nouveau une figure de l’article et la place à côté de ses mots : 5 (avec quelle précision l’atlas prédit surface, échancrure et veine cave), 6 (combien la forme sur le flanc dépend du lieu et de la raideur des conditions aux limites). Affiche le tableau ; écrit la page, le tableau et le graphique.</translation>
+    </message>
+    <message>
+        <source>The figure&apos;s number in the paper: 5 or 6.</source>
+        <translation>Le numéro de la figure dans l’article : 5 ou 6.</translation>
+    </message>
+    <message>
+        <source>5: folder of the real data; what is not there is left out.</source>
+        <translation>5 : dossier des données réelles ; ce qui manque est omis.</translation>
+    </message>
+    <message>
+        <source>6: a case with model, notch and vena cava, instead of the built-in synthetic patient.</source>
+        <translation>6 : un cas avec modèle, échancrure et veine cave, au lieu du patient synthétique intégré.</translation>
+    </message>
+    <message>
+        <source>6: the side that is down: left or right.</source>
+        <translation>6 : le côté qui est en bas : left ou right.</translation>
+    </message>
+    <message>
+        <source>Fewer trials: to see whether it runs.</source>
+        <translation>Moins d’essais : pour voir si cela fonctionne.</translation>
+    </message>
+    <message>
+        <source>The folder for page, table and plot.</source>
+        <translation>Le dossier pour la page, le tableau et le graphique.</translation>
+    </message>
+    <message>
+        <source>NUMBER: is %1. Give 5 or 6: no other figure is measured.</source>
+        <translation>NUMBER : vaut %1. Donnez 5 ou 6 : aucune autre figure n’est mesurée.</translation>
+    </message>
+    <message>
+        <source>Measure a figure of the paper again</source>
+        <translation>Mesurer à nouveau une figure de l’article</translation>
+    </message>
+    <message>
+        <source>liver (s: synthetic; * not in the atlas)</source>
+        <translation>foie (s : synthétique ; * hors de l’atlas)</translation>
     </message>
 </context>
 <context>

@@ -114,6 +114,8 @@ class Session {
   const engine::CaseState& state() const { return script_.state(); }
   /// @throws Error the engine's sentence on the first of these parts that the case does not have.
   void need(const std::vector<engine::Part>& parts) const;
+  /// Does something whose sentences name what call() has named.
+  void with_names(const std::function<void()>& work) const;
   /// Progress, cancel and seed, for work outside the engine.
   const RunContext& context() const { return context_; }
 
@@ -125,9 +127,6 @@ class Session {
   void finish();
 
  private:
-  /// Does something whose sentences name what call() has named.
-  void with_names(const std::function<void()>& work) const;
-
   const Arguments& arguments_;
   std::map<std::string, std::string> files_of_;
   std::string command_;  ///< that is running, for the terminal

@@ -26,6 +26,7 @@ int run_overlay(const QStringList& arguments);
 int run_doctor(const QStringList& arguments);
 int run_soak(const QStringList& arguments);
 int run_prove(const QStringList& arguments);
+int run_figure(const QStringList& arguments);
 int run_simulate(const QStringList& arguments);
 /// Opens the window, with what the program's own first argument names, if anything. @throws UsageError no
 /// display.

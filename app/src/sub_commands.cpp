@@ -25,6 +25,7 @@ const std::vector<SubCommand>& sub_commands() {
       {"render", run_render, true, QT_TRANSLATE_NOOP("cli", "Draw one frame with its overlay")},
       {"overlay", run_overlay, true, QT_TRANSLATE_NOOP("cli", "Record the overlay video")},
       {"prove", run_prove, true, QT_TRANSLATE_NOOP("cli", "Measure the proofs' figures again")},
+      {"figure", run_figure, true, QT_TRANSLATE_NOOP("cli", "Measure a figure of the paper again")},
       {"simulate", run_simulate, false,
        QT_TRANSLATE_NOOP("cli", "Plain mechanics: gravity, pressure, springs, fixed nodes")},
       {"doctor", run_doctor, true,

@@ -11,6 +11,7 @@
 #include "glisson/core/random.h"
 #include "glisson/core/statistics.h"
 #include "glisson/geometry/closest_point_tree.h"
+#include "glisson/geometry/distance.h"
 #include "mirrored.h"
 #include "side_by_side.h"
 #include "statistics.h"
@@ -218,6 +219,7 @@ class Builder {
       take_over(structure, observed.size());
       return;
     }
+    result_.spreads[structure] = spread_of(observed);
     StructureStatistics statistics;
     statistics.structure = structure;
     statistics.origin = options_.name;
@@ -226,6 +228,14 @@ class Builder {
     observe(statistics, observed);
     if (is_area(structure)) statistics.share = shares(structure);
     result_.atlas.structures.push_back(std::move(statistics));
+  }
+
+  static double spread_of(const std::vector<Observation>& observed) {
+    Points middles(static_cast<Eigen::Index>(observed.size()), 3);
+    for (std::size_t i = 0; i < observed.size(); ++i)
+      middles.row(static_cast<Eigen::Index>(i)) = observed[i].points.colwise().mean();
+    const Eigen::RowVector3d mean = middles.colwise().mean();
+    return std::sqrt((middles.rowwise() - mean).rowwise().squaredNorm().mean());
   }
 
   /// What too few members show, from the base: the places are the same, for the triangles are.
@@ -314,27 +324,24 @@ class Builder {
       traces += spread.trace();
     }
     found.deviation = std::sqrt(traces / found.points);
-    if (is_area(statistics.structure)) found.area_distance = area_distance(work, statistics);
+    if (is_area(statistics.structure)) {
+      const SetDistance apart = area_distance(work, statistics);
+      found.area_distance = apart.mean;
+      found.area_largest = apart.largest;
+    }
     left.structures[statistics.structure] = found;
   }
 
   /// Between the contact as the others foretell it and as it is.
-  double area_distance(const Work& work, const StructureStatistics& statistics) const {
+  SetDistance area_distance(const Work& work, const StructureStatistics& statistics) const {
     const Eigen::VectorXd& own = touching_.at({work.member.name, statistics.structure});
     const auto n = static_cast<double>(statistics.members.size());
     const std::vector<int> foretold = area_vertices((n * statistics.share - own) / (n - 1.0));
     const Points& truth = work.member.structures.at(statistics.structure);
-    if (foretold.empty()) return std::numeric_limits<double>::infinity();
     Points there(static_cast<Eigen::Index>(foretold.size()), 3);
     for (std::size_t i = 0; i < foretold.size(); ++i)
       there.row(static_cast<Eigen::Index>(i)) = work.honest.vertices.row(foretold[i]);
-    const auto apart = [](const Points& a, const Points& b) {
-      double sum = 0.0;
-      for (Eigen::Index i = 0; i < a.rows(); ++i)
-        sum += std::sqrt((b.rowwise() - a.row(i)).rowwise().squaredNorm().minCoeff());
-      return sum / static_cast<double>(a.rows());
-    };
-    return 0.5 * (apart(there, truth) + apart(truth, there));
+    return set_distance(there, truth);
   }
 
   double specificity() {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/experiments/atlas_proof.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cstdio>
 #include <iterator>
 
+#include "foretold.h"
 #include "glisson/atlas/correspond.h"
 #include "glisson/atlas/transfer.h"
 #include "glisson/core/error.h"
@@ -74,54 +74,6 @@ std::string row(const LeftOut& liver, const char* how) {
   return text;
 }
 
-double both_ways(const Points& a, const Points& b) {
-  const auto one_way = [](const Points& from, const Points& to) {
-    double sum = 0.0;
-    for (Eigen::Index i = 0; i < from.rows(); ++i)
-      sum += std::sqrt((to.rowwise() - from.row(i)).rowwise().squaredNorm().minCoeff());
-    return sum / static_cast<double>(from.rows());
-  };
-  return a.rows() == 0 || b.rows() == 0 ? 0.0 : 0.5 * (one_way(a, b) + one_way(b, a));
-}
-
-/// A member's structures as the built-in atlas proposes them from the surface alone.
-Cancellable<LeftOut> by_built_in(const atlas::Atlas& built_in, const Member& member, double& seconds,
-                                 const RunContext& context) {
-  const Stopwatch watch;
-  const auto made = atlas::transfer(built_in, member.liver, {}, context.quiet());
-  if (!made) return {};
-  seconds = watch.seconds();
-  LeftOut liver;
-  liver.name = member.name;
-  liver.mean_distance = made->mean_distance;
-  liver.max_distance = made->max_distance;
-  liver.unusual = made->unusual;
-  liver.doubts = made->doubts;
-  for (const atlas::Proposal& one : made->proposals) {
-    const auto raw = member.structures.find(one.structure);
-    if (raw == member.structures.end()) continue;
-    const auto notch = member.structures.find(Structure::umbilical_notch);
-    const Points truth =
-        atlas::ordered_points(one.structure, raw->second, Eigen::Matrix3d::Identity(),
-                              notch == member.structures.end() ? Points(0, 3) : notch->second);
-    if (truth.rows() == 0) continue;
-    const Eigen::VectorXd errors = (truth - one.points).rowwise().norm();
-    LeftOutStructure found{errors.mean(),
-                           errors.maxCoeff(),
-                           both_ways(one.area, raw->second),
-                           0,
-                           static_cast<int>(errors.size()),
-                           one.deviation()};
-    for (Eigen::Index k = 0; k < truth.rows(); ++k) {
-      const Eigen::Vector3d off = (truth.row(k) - one.points.row(k)).transpose();
-      if (off.dot(one.covariances[static_cast<std::size_t>(k)].inverse() * off) <= kEllipsoid95)
-        ++found.inside;
-    }
-    liver.structures[one.structure] = found;
-  }
-  return liver;
-}
-
 class Proof {
  public:
   Proof(const AtlasProofOptions& options, const RunContext& context) : options_(options), context_(context) {}
@@ -129,7 +81,8 @@ class Proof {
   Cancellable<AtlasProof> run() {
     if (options_.synthetic && !synthetic(context_.part(0.0, 0.2))) return {};
     std::vector<std::string> names = label_map_names(options_.data);
-    if (!options_.validation) std::erase_if(names, [](const std::string& name) { return !is_even(name); });
+    if (!options_.validation)
+      std::erase_if(names, [](const std::string& name) { return !is_for_development(name); });
     if (names.empty()) {
       proof_.absent.emplace_back("liver_labelmaps");
       return std::move(proof_);
@@ -170,14 +123,12 @@ class Proof {
     return true;
   }
 
-  static bool is_even(const std::string& name) { return (name.back() - '0') % 2 == 0; }
-
   bool real(const RunContext& context) {
     const auto result = built(members_, context);
     if (!result) return false;
     std::vector<LeftOut> even, odd;
     for (const LeftOut& liver : result->left_out) {
-      (is_even(liver.name) ? even : odd).push_back(liver);
+      (is_for_development(liver.name) ? even : odd).push_back(liver);
       proof_.table.push_back(row(liver, "others"));
     }
     add(proof_.figures, "real_", result->left_out);
@@ -199,13 +150,13 @@ class Proof {
       const std::vector<std::string> mirrored = complaints_about_mirrored(members_[i]);
       if (std::find(mirrored.begin(), mirrored.end(), kRefused) != mirrored.end()) refused += 1.0;
       if (!mirrored.empty()) said += 1.0;
-      double seconds = 0.0;
+      const Stopwatch watch;
       try {
-        auto liver = by_built_in(*options_.built_in, members_[i], seconds, context);
+        auto liver = foretold(*options_.built_in, members_[i], context);
         if (!liver) return false;
-        slowest = std::max(slowest, seconds);
+        slowest = std::max(slowest, watch.seconds());
         proof_.table.push_back(row(*liver, "built-in"));
-        (is_even(members_[i].name) ? even : odd).push_back(std::move(*liver));
+        (is_for_development(members_[i].name) ? even : odd).push_back(std::move(*liver));
         taken.push_back(members_[i]);
       } catch (const InputError&) {
         proof_.table.push_back(members_[i].name + "   refused as mirrored, wrongly");

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "registration_patients.h"
 
+#include "glisson/experiments/synthetic_model.h"
 #include "glisson/geometry/mesh_io.h"
-#include "glisson/insilico/patient.h"
 #include "glisson/model/build.h"
 #include "glisson/patient/label_map.h"
 #include "glisson/volume/io.h"
@@ -14,18 +14,12 @@ namespace {
 using Kind = ProofPatient::Kind;
 
 Cancellable<ProofModel> synthetic(int seed, const RunContext& context) {
-  insilico::PatientOptions options;
-  options.shape_seed = static_cast<std::uint64_t>(seed);
-  options.spacing_mm = {2.5, 2.5, 2.5};
-  options.surface_spacing_mm = 2.0;
-  auto patient = insilico::make_patient(options, context.part(0.0, 0.4));
-  if (!patient) return std::nullopt;
-  auto built = model::build_from_labels(patient->truth, {}, context.part(0.4, 1.0));
-  if (!built) return std::nullopt;
+  auto synthetic = synthetic_model(static_cast<std::uint64_t>(seed), context);
+  if (!synthetic) return std::nullopt;
   ProofModel made;
-  made.model = std::move(built->model);
-  made.shown.surfaces = std::move(patient->surfaces);
-  made.shown.landmarks = std::move(patient->landmarks);
+  made.model = std::move(synthetic->model);
+  made.shown.surfaces = std::move(synthetic->patient.surfaces);
+  made.shown.landmarks = std::move(synthetic->patient.landmarks);
   return made;
 }
 

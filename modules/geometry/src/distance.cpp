@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <random>
 
@@ -58,6 +59,23 @@ Points sample_surface(const TriangleMesh& surface, int count, unsigned seed) {
 SurfaceDistance surface_distance(const TriangleMesh& a, const TriangleMesh& b, int samples) {
   return {summarise(distances_to_surface(sample_surface(a, samples, 1), b)),
           summarise(distances_to_surface(sample_surface(b, samples, 1), a))};
+}
+
+SetDistance set_distance(const Points& a, const Points& b) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  if (a.rows() == 0 || b.rows() == 0) return {kNone, kNone};
+  SetDistance distance;
+  const auto one_way = [&distance](const Points& from, const Points& to) {
+    double sum = 0.0;
+    for (Eigen::Index i = 0; i < from.rows(); ++i) {
+      const double closest = std::sqrt((to.rowwise() - from.row(i)).rowwise().squaredNorm().minCoeff());
+      sum += closest;
+      distance.largest = std::max(distance.largest, closest);
+    }
+    return sum / static_cast<double>(from.rows());
+  };
+  distance.mean = 0.5 * (one_way(a, b) + one_way(b, a));
+  return distance;
 }
 
 DistanceSummary point_errors(const Points& a, const Points& b) {

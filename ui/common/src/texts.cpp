@@ -125,6 +125,7 @@ class Texts {
             {"calibrate.joint", tr("calibrating both together")},
             {"calibrate.leave_out", tr("holding each view against the others")},
             {"calibrate.done", tr("finishing")},
+            {"figure.shapes", tr("shapes with altered supports")},
             {"prove.theatre", tr("placing the laparoscope")},
             {"prove.registration", tr("registering livers")},
             {"patient.shape", tr("shaping a synthetic liver")},

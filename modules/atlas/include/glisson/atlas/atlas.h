@@ -84,6 +84,7 @@ struct LeftOutStructure {
   double area_distance = 0.0;  ///< areas: mean distance between both contacts, both ways, metres
   int inside = 0, points = 0;  ///< how many of its points lie in their 95 % ellipsoids
   double deviation = 0.0;      ///< metres, that was foretold (root of the mean trace)
+  double area_largest = 0.0;   ///< areas: Hausdorff distance between both contacts, metres
 };
 struct LeftOut {
   std::string name;
@@ -107,6 +108,9 @@ struct BuildResult {
   Atlas atlas;
   std::vector<LeftOut> left_out;  ///< each member foretold by the others; in the members' order
   ModelQuality quality;
+  /// How the members differ in where a structure's middle lies on the mean liver: root mean square over
+  /// members of its distance from their mean, metres. Only of what the members themselves show.
+  std::map<Structure, double> spreads;
   std::vector<std::string> notes;  ///< "atlas.outlier 0009 2.3", ...: codes with values
 };
 

@@ -22,6 +22,8 @@ TriangleMesh synthetic_template();
 
 /// The numbers of the label maps in `data`/liver_labelmaps that are there, ascending: "0001", ...
 std::vector<std::string> label_map_names(const std::filesystem::path& data);
+/// Those of even numbers served development; the others are for validation.
+bool is_for_development(const std::string& label_map);
 /// One of them with its header's orientation mended (their README): vena cava's and gallbladder's contact and
 /// the portal vein's entrance as the labels show them. Empty: cancelled. @throws FileError, InputError.
 Cancellable<atlas::Member> label_map_member(const std::filesystem::path& data, const std::string& name,

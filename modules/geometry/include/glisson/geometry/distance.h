@@ -29,6 +29,14 @@ struct SurfaceDistance {
 };
 SurfaceDistance surface_distance(const TriangleMesh& a, const TriangleMesh& b, int samples = 20000);
 
+/// Between two sets of points, each point to the closest one of the other set, metres.
+struct SetDistance {
+  double mean = 0.0;     ///< half the sum of both directions' means
+  double largest = 0.0;  ///< of either direction: the Hausdorff distance
+};
+/// Infinite where a set is empty.
+SetDistance set_distance(const Points& a, const Points& b);
+
 /// |a_i - b_i| row by row, summarised. @pre same number of rows.
 DistanceSummary point_errors(const Points& a, const Points& b);
 
