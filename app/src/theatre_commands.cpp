@@ -8,6 +8,7 @@
 #include "glisson/engine/commands/accept_registration.h"
 #include "glisson/engine/commands/choose_rival.h"
 #include "glisson/engine/commands/correct_tracking.h"
+#include "glisson/engine/commands/forget_looks.h"
 #include "glisson/engine/commands/import_cloud.h"
 #include "glisson/engine/commands/import_registration.h"
 #include "glisson/engine/commands/keep_look.h"
@@ -18,6 +19,7 @@
 #include "glisson/engine/commands/set_video.h"
 #include "glisson/engine/commands/start_tracking.h"
 #include "glisson/engine/commands/undo_correction.h"
+#include "glisson/engine/parts/earlier_looks.h"
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/live.h"
 #include "glisson/engine/parts/model.h"
@@ -303,6 +305,8 @@ int run_register(const QStringList& given) {
   const ModelArgument argument = load_model(arguments, session);
   const LengthUnit unit = arguments.has("cloud-unit") ? arguments.unit("cloud-unit") : argument.unit;
   session.post(engine::ImportCloud{cloud, unit});
+  // Those of a case that the model was taken from belong to its own cloud.
+  if (session.state()[part::earlier_looks]) session.post(engine::ForgetLooks{});
   if (arguments.has("looks"))
     for (const QString& look : arguments.value("looks").split(QLatin1Char(',')))
       session.post(engine::KeepLook{look.toStdString(), unit});

@@ -137,6 +137,12 @@ void KeepLookTest::RegistrationJoinsThemAndIsStaleWithoutThem() {
   const auto applied = apply(state, command, RunContext());
   QVERIFY(applied->figures.contains("look_1_distance_mm"));
   QVERIFY(applied->figures.contains("look_2_distance_mm"));
+  CaseState stamped = applied->state;
+  stamped.stamp(part::earlier_looks).revision = 3;
+  stamped.stamp(part::registration) = {4, {{part::earlier_looks, 3}}};
+  QCOMPARE(stage_state(stamped, part::registration), StageState::current);
+  stamped.stamp(part::earlier_looks).revision = 5;
+  QCOMPARE(stage_state(stamped, part::registration), StageState::stale);
   CaseState alone = state;
   alone[part::earlier_looks] = nullptr;
   QVERIFY(!apply(alone, command, RunContext())->figures.contains("look_1_distance_mm"));

@@ -9,6 +9,7 @@
 #include "glisson/geometry/distance.h"
 #include "glisson/registration/error_model.h"
 #include "glisson/registration/examined_registration.h"
+#include "glisson/registration/moving_surface.h"
 #include "glisson/registration/pairs.h"
 #include "lying_phantom.h"
 
@@ -44,7 +45,7 @@ struct Bent {
     Eigen::VectorXd amplitudes = Eigen::VectorXd::Zero(other.modes.cols());
     amplitudes.head<4>() << 1.2, -0.9, 0.8, 0.7;
     truth = phantom::lying_view().apply(other.shape(model.mesh.vertices, amplitudes));
-    otherwise = phantom::lying_view().apply(other.shape(model.mesh.vertices, -amplitudes));
+    otherwise = phantom::lying_view().apply(other.shape(model.mesh.vertices, -1.5 * amplitudes));
     std::mt19937 random(3);
     std::normal_distribution<double> noise(0.0, 0.5e-3);
     all.points = truth(model.surface.node_of_vertex, Eigen::all);
@@ -69,6 +70,7 @@ class LooksTest : public QObject {
  private slots:
   void LooksAreJoinedInTheFirstOnesFrame();
   void NeighboursAreOfOneLookAndAnAreaSeenTwiceCountsOnce();
+  void EachLookHasANotchOfItsOwn();
   void WhereALookWasSeenFromIsFoundWithTheShape();
   void ForcesFindItToo();
   void WhatIsKnownOfTheCameraMakesTheErrorSmaller();
@@ -115,6 +117,29 @@ void LooksTest::NeighboursAreOfOneLookAndAnAreaSeenTwiceCountsOnce() {
   }
   for (const double w : one.weight) alone += w;
   QVERIFY2(std::abs(weight / alone - 1.0) < 0.1, qPrintable(QString::number(weight / alone)));
+}
+
+/// Averaged over both, the marks would pull either look towards the other one's error.
+void LooksTest::EachLookHasANotchOfItsOwn() {
+  const PatientModel model = phantom::model(8, 7, 4);
+  const Points nodes = phantom::view().apply(model.mesh.vertices);
+  const LabelledCloud cloud = phantom::patch(model, nodes, {.noise = 0.0});
+  Scope off;
+  off.translation.x() = 0.02;
+  const PreparedCloud both = prepare_cloud(joined({cloud, cloud}, {Scope(), off}), {});
+  MovingSurface surface(model, SurfaceDetail::fine);
+  surface.move(nodes);
+  Eigen::Vector3d gaps[2];
+  int marks = 0;
+  for (const Pair& pair : find_pairs(both, surface, {})) {
+    if (pair.feature != Feature::umbilical_notch) continue;
+    gaps[both.cloud.look(pair.point)] = pair.gap;
+    ++marks;
+  }
+  QVERIFY(marks > 2);
+  QVERIFY((gaps[1] - gaps[0] - off.translation).norm() < 1e-9);
+  QCOMPARE(both.notch_points.size(), std::size_t{2});
+  QCOMPARE(both.notch_points[0] + both.notch_points[1], marks);
 }
 
 void LooksTest::WhereALookWasSeenFromIsFoundWithTheShape() {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "live_stage.h"
 
-#include "glisson/insilico/patient.h"
+#include "glisson/experiments/synthetic_model.h"
 #include "glisson/insilico/theatre.h"
 #include "glisson/model/build.h"
 
@@ -22,25 +22,19 @@ bool film(const insilico::Theatre& theatre, Filmed& filmed, const RunContext& co
 }  // namespace
 
 Cancellable<LiveStage> theatre_stage(std::uint64_t seed, int frames, const RunContext& context) {
-  insilico::PatientOptions patient_options;
-  patient_options.shape_seed = seed;
-  patient_options.spacing_mm = {2.5, 2.5, 2.5};
-  patient_options.surface_spacing_mm = 2.0;
-  auto patient = insilico::make_patient(patient_options, context.part(0.0, 0.15));
-  if (!patient) return std::nullopt;
-  auto built = model::build_from_labels(patient->truth, {}, context.part(0.15, 0.35));
-  if (!built) return std::nullopt;
+  auto synthetic = synthetic_model(seed, context.part(0.0, 0.35));
+  if (!synthetic) return std::nullopt;
   PatientModel shown;
-  shown.surfaces = std::move(patient->surfaces);
-  shown.vessels = std::move(patient->trees);
-  shown.landmarks = std::move(patient->landmarks);
+  shown.surfaces = std::move(synthetic->patient.surfaces);
+  shown.vessels = std::move(synthetic->patient.trees);
+  shown.landmarks = std::move(synthetic->patient.landmarks);
   insilico::TheatreOptions theatre_options;
   theatre_options.seed = seed;
   theatre_options.frames = frames;
   auto theatre = insilico::Theatre::build(shown, theatre_options, context.part(0.35, 0.6));
   if (!theatre) return std::nullopt;
   LiveStage stage;
-  stage.model = std::move(built->model);
+  stage.model = std::move(synthetic->model);
   stage.rig = (*theatre)->rig();
   if (!film(**theatre, stage.standing, context.part(0.6, 0.8))) return std::nullopt;
   // Up to 10 degrees and 45 mm a second, a third nearer and farther.

@@ -94,6 +94,23 @@ LabelledCloud stomach(int points, std::mt19937_64 random) {
   return cloud;
 }
 
+/// What a camera sees of a liver.
+insilico::PatchOptions seen(double share, double noise_mm, std::uint64_t seed) {
+  insilico::PatchOptions options;
+  options.share = share;
+  options.seed = seed;
+  options.noise_mm = noise_mm;
+  options.outlier_share = 0.02;
+  options.holes = 3;
+  return options;
+}
+
+/// Nobody tells the cloud how noisy it is.
+LabelledCloud without_known_noise(LabelledCloud cloud) {
+  cloud.sigma.assign(cloud.sigma.size(), 1e-3 * kNoise);
+  return cloud;
+}
+
 void mirror(LabelledCloud& cloud) { cloud.points.col(0) *= -1.0; }
 
 /// The margin is marked across the middle of the patch, the notch at its far end.
@@ -175,20 +192,13 @@ bool shows_the_organ(RegistrationFault fault) {
 
 LabelledCloud faulty_cloud(const RegistrationStage& stage, const RegistrationStage& other,
                            std::size_t handling, double share, RegistrationFault fault, std::uint64_t seed) {
-  insilico::PatchOptions options;
-  options.share = share;
-  options.seed = seed;
-  options.noise_mm = fault == RegistrationFault::noise ? kMuchNoise : kNoise;
-  options.outlier_share = 0.02;
-  options.holes = 3;
+  const double noise_mm = fault == RegistrationFault::noise ? kMuchNoise : kNoise;
   const auto& shown = fault == RegistrationFault::another_patient ? other : stage;
-  LabelledCloud cloud = shown.by(handling).patch(options).cloud;
+  LabelledCloud cloud = shown.by(handling).patch(seen(share, noise_mm, seed)).cloud;
   if (fault == RegistrationFault::mirrored) mirror(cloud);
   if (fault == RegistrationFault::wrong_labels) mislabel(cloud);
   if (fault == RegistrationFault::foreign_organ) return stomach(cloud.size(), std::mt19937_64(seed));
-  // Nobody tells the cloud how noisy it is.
-  cloud.sigma.assign(cloud.sigma.size(), 1e-3 * kNoise);
-  return cloud;
+  return without_known_noise(std::move(cloud));
 }
 
 LabelledCloud look_from_elsewhere(const RegistrationStage& stage, std::size_t handling, double share,
@@ -205,15 +215,7 @@ LabelledCloud look_from_elsewhere(const RegistrationStage& stage, std::size_t ha
                        .toRotationMatrix();
   const Eigen::Vector3d shift(standard_normal(random), standard_normal(random), standard_normal(random));
   scope.translation = middle - scope.rotation * middle + kShift * shift;
-  insilico::PatchOptions options;
-  options.share = share;
-  options.seed = seed;
-  options.noise_mm = kNoise;
-  options.outlier_share = 0.02;
-  options.holes = 3;
-  LabelledCloud cloud = stage.by(handling).patch(options, scope).cloud;
-  cloud.sigma.assign(cloud.sigma.size(), 1e-3 * kNoise);
-  return cloud;
+  return without_known_noise(stage.by(handling).patch(seen(share, kNoise, seed), scope).cloud);
 }
 
 CameraFromCt mistaken(const RegistrationStage& stage, std::size_t handling) {

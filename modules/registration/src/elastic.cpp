@@ -244,9 +244,8 @@ Cancellable<Registration> register_elastic(const PatientModel& model, const Labe
   options.validate();
   check_fixed_nodes(model, options);
   if (!options.prior) return ElasticRun(model, model, cloud, start, options).run(context);
-  std::vector<ShapeStart> starts{{start, {}}};
-  for (const CameraFromCt& other : options.other_starts) starts.push_back({other, {}});
-  const auto shapes = fit_shapes(model, *options.prior, cloud, starts, options.shape, context.part(0.0, 0.4));
+  const auto shapes = fit_shapes(model, *options.prior, cloud, starts_of(start, options.other_starts),
+                                 options.shape, context.part(0.0, 0.4));
   if (!shapes) return std::nullopt;
   return register_elastic(model, cloud, *shapes, options, context.part(0.4, 1.0));
 }

@@ -31,23 +31,10 @@ std::vector<char> fixed_of(const fem::ElasticBody& body) {
   return fixed;
 }
 
-Eigen::Matrix3d turn_by(const Eigen::Vector3d& twist) {
-  const double angle = twist.norm();
-  return angle > 0.0 ? Eigen::AngleAxisd(angle, twist / angle).toRotationMatrix()
-                     : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
-}
-
 /// A rotation vector about a centre, a translation.
 Rigid<CtFrame, CtFrame> twist_about(const Eigen::Vector3d& centre, const Eigen::VectorXd& twist) {
-  const Eigen::Matrix3d turn = turn_by(twist.head<3>());
+  const Eigen::Matrix3d turn = rotation_by(twist.head<3>());
   return {turn, centre - turn * centre + twist.tail<3>()};
-}
-
-/// One motion a look; none for a cloud of one look.
-LookMotions looks_of(const ForceProblem& problem, LookMotions given) {
-  const int count = problem.cloud.cloud.look_count();
-  given.resize(count > 1 ? static_cast<std::size_t>(count) : 0);
-  return given;
 }
 
 PreparedCloud prepared(const LabelledCloud& cloud, const ContactForceOptions& options) {
@@ -92,7 +79,7 @@ ForceFitter::ForceFitter(const ForceProblem& problem, const fem::BodyMaterial& m
   centre_ = body_.rest().colwise().mean().transpose();
   now_.pose = problem.start;
   now_.x = body_.rest();
-  now_.looks = looks_of(problem, problem.options.looks);
+  now_.looks = one_a_look(problem.cloud.cloud, problem.options.looks);
   now_.law.material = material;
   now_.law.ground = ground;
   now_.law.log_evidence = -std::numeric_limits<double>::infinity();
@@ -123,7 +110,7 @@ void ForceFitter::begin_at(const ContactForceOptions::Place& place) {
   now_.pose = place.camera_from_ct;
   now_.modes.setZero();
   if (place.amplitudes.size() > 0) now_.modes = place.amplitudes;
-  now_.looks = looks_of(problem_, place.looks);
+  now_.looks = one_a_look(problem_.cloud.cloud, place.looks);
   if (now_.modes.size() > 0) body_.set_rest(shape(now_.modes));
   now_.x = body_.rest();
 }

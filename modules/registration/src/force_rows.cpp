@@ -22,14 +22,13 @@ void resize(ForceRows& rows, Eigen::Index count) {
 }
 
 void add_labelled(ForceRows& rows, const PreparedCloud& cloud, const MovingSurface& surface, double sigma) {
-  int notch_points = 0;
-  for (int i = 0; i < cloud.cloud.size(); ++i)
-    notch_points += cloud.cloud.feature(i) == Feature::umbilical_notch;
   for (const Pair& pair : find_pairs(cloud, surface, {})) {
     if (!pair.kept || on_surface(surface, pair.feature)) continue;
     const bool notch = pair.feature == Feature::umbilical_notch;
-    const double information =
-        notch ? 1.0 / notch_points : kMarginInformation * cloud.weight[static_cast<std::size_t>(pair.point)];
+    const auto look = static_cast<std::size_t>(cloud.cloud.look(pair.point));
+    const double information = notch
+                                   ? 1.0 / cloud.notch_points[look]
+                                   : kMarginInformation * cloud.weight[static_cast<std::size_t>(pair.point)];
     const Eigen::Index first = rows.size();
     resize(rows, first + 3);
     for (int c = 0; c < 3; ++c) {

@@ -54,6 +54,11 @@ LabelledCloud joined(const std::vector<LabelledCloud>& looks, const LookMotions&
   return all;
 }
 
+LookMotions one_a_look(const LabelledCloud& cloud, LookMotions given) {
+  given.resize(cloud.look_count() > 1 ? static_cast<std::size_t>(cloud.look_count()) : 0);
+  return given;
+}
+
 void move_looks(const LabelledCloud& still, const LookMotions& motions, LabelledCloud& moved) {
   require(static_cast<int>(motions.size()) == still.look_count(), "each look has a place");
   for (int i = 0; i < still.size(); ++i) {

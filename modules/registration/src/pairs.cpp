@@ -118,21 +118,28 @@ void weigh_margin(PreparedCloud& prepared, double spacing) {
     if (cell[i] >= 0) prepared.weight[i] = 1.0 / members[static_cast<std::size_t>(cell[i])];
 }
 
+/// Each look's mark is one of its own.
 void weigh_notch(PreparedCloud& prepared) {
-  int count = 0;
-  for (int i = 0; i < prepared.cloud.size(); ++i)
-    count += prepared.cloud.feature(i) == Feature::umbilical_notch;
-  for (int i = 0; i < prepared.cloud.size(); ++i)
-    if (prepared.cloud.feature(i) == Feature::umbilical_notch)
-      prepared.weight[static_cast<std::size_t>(i)] = std::min(1.0, kNotchPoints / count);
+  const LabelledCloud& cloud = prepared.cloud;
+  prepared.notch_points.assign(static_cast<std::size_t>(cloud.look_count()), 0);
+  for (int i = 0; i < cloud.size(); ++i)
+    if (cloud.feature(i) == Feature::umbilical_notch)
+      ++prepared.notch_points[static_cast<std::size_t>(cloud.look(i))];
+  for (int i = 0; i < cloud.size(); ++i)
+    if (cloud.feature(i) == Feature::umbilical_notch)
+      prepared.weight[static_cast<std::size_t>(i)] =
+          std::min(1.0, kNotchPoints / prepared.notch_points[static_cast<std::size_t>(cloud.look(i))]);
 }
 
-Eigen::Vector3d centroid_of(const LabelledCloud& cloud, Feature feature) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  int count = 0;
-  for (int i = 0; i < cloud.size(); ++i)
-    if (cloud.feature(i) == feature) sum += cloud.points.row(i).transpose(), ++count;
-  return count > 0 ? Eigen::Vector3d(sum / count) : sum;
+/// The middle of what each look has marked as the notch, one row a look; zero: nothing.
+Points notches_of(const PreparedCloud& prepared) {
+  Points middles = Points::Zero(prepared.cloud.look_count(), 3);
+  for (int i = 0; i < prepared.cloud.size(); ++i)
+    if (prepared.cloud.feature(i) == Feature::umbilical_notch)
+      middles.row(prepared.cloud.look(i)) += prepared.cloud.points.row(i);
+  for (std::size_t look = 0; look < prepared.notch_points.size(); ++look)
+    middles.row(static_cast<Eigen::Index>(look)) /= std::max(1, prepared.notch_points[look]);
+  return middles;
 }
 
 /// Marks the pairs whose distance stands out from its neighbours'.
@@ -217,13 +224,13 @@ std::vector<Pair> find_pairs(const PreparedCloud& prepared, const MovingSurface&
   const LabelledCloud& cloud = prepared.cloud;
   std::vector<Pair> pairs(static_cast<std::size_t>(cloud.size()));
   const ClosestPoint notch = surface.notch();
-  const Eigen::Vector3d notch_seen = centroid_of(cloud, Feature::umbilical_notch);
+  const Points notches = notches_of(prepared);
   for (int i = 0; i < cloud.size(); ++i) {
     Pair& pair = pairs[static_cast<std::size_t>(i)];
     pair.point = i;
     pair.feature = cloud.feature(i);
     const bool at_notch = pair.feature == Feature::umbilical_notch && notch.triangle >= 0;
-    const Eigen::Vector3d p = at_notch ? notch_seen : Eigen::Vector3d(cloud.points.row(i).transpose());
+    const Eigen::Vector3d p = (at_notch ? notches.row(cloud.look(i)) : cloud.points.row(i)).transpose();
     if (at_notch)
       pair.on_model = notch;
     else

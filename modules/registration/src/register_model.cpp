@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -105,7 +106,7 @@ Cancellable<Registration> register_by_forces(const PatientModel& model, const La
   if (shapes) {
     // A shape that the prior likes may have bent the wrong way under a tool: each is begun at rest, too.
     for (const ShapeFit* place : shapes->places()) {
-      forces.other_places.push_back({place->start, {}, place->looks});
+      forces.other_places.push_back({place->start.camera_from_ct, {}, place->start.looks});
       if (place != &shapes->best())
         forces.other_places.push_back({place->camera_from_ct, place->amplitudes, place->looks});
     }
@@ -140,12 +141,6 @@ Cancellable<Registration> register_by_forces(const PatientModel& model, const La
                           std::to_string(kMostTools));
   made.doubts.insert(made.doubts.end(), shapes->doubts.begin(), shapes->doubts.end());
   return made;
-}
-
-std::vector<ShapeStart> starts_of(const CameraFromCt& best, const std::vector<CameraFromCt>& others) {
-  std::vector<ShapeStart> starts{{best, {}}};
-  for (const CameraFromCt& other : others) starts.push_back({other, {}});
-  return starts;
 }
 
 /// Where else the organ may be.
@@ -224,12 +219,12 @@ Cancellable<double> mirror_odds(const PatientModel& model, const LabelledCloud& 
   const LabelledCloud image = mirrored(cloud);
   auto start = align_rigid(model, image, options.rigid, context.part(0.0, 0.6));
   if (!start) return {};
-  ElasticOptions control = elastic;
   start->alternatives.resize(std::min(start->alternatives.size(), kOthers));
-  control.shape.max_iterations = std::min(control.shape.max_iterations, kIterations);
+  ShapeFitOptions control = elastic.shape;
+  control.max_iterations = std::min(control.max_iterations, kIterations);
   const auto shapes =
-      fit_shapes(model, *control.prior, image, starts_of(start->camera_from_ct, start->alternatives),
-                 control.shape, context.part(0.6, 1.0));
+      fit_shapes(model, *elastic.prior, image, starts_of(start->camera_from_ct, start->alternatives), control,
+                 context.part(0.6, 1.0));
   if (!shapes) return {};
   return 0.5 * (shapes->best().cost - cost);
 }
@@ -302,7 +297,7 @@ class Run {
     return true;
   }
 
-  /// Looks whose place is not sought are where the cloud is.
+  /// Where no start is sought the looks are in the cloud's frame, too, as far as anybody knows.
   bool join() {
     starts_ = starts_of(start_.camera_from_ct, start_.alternatives);
     if (options_.looks.empty()) return true;
@@ -330,7 +325,6 @@ class Run {
     } else {
       elastic_.prior = std::make_shared<const OperationPrior>(unknown_operations(model_));
     }
-    elastic_.other_starts = start_.alternatives;
     return true;
   }
 
@@ -390,10 +384,9 @@ class Run {
       if (!odds) return false;
       examined_.findings.mirror_odds = *odds;
     }
-    if (cloud_.look_count() > 1) {
+    if (cloud_.look_count() > 1)
       result().look_distances = distances_of_looks(model_, registration_.nodes_in_camera, cloud_);
-      examined_.findings.looks_differ = looks_differ_;
-    }
+    examined_.findings.looks_differ = looks_differ_;
     tell(judge(examined_.findings));
     // Around a place that is contradicted there is nothing to look for.
     if (!is_refused(registration_))
@@ -435,7 +428,7 @@ class Run {
   std::vector<ShapeStart> starts_;
   std::vector<LabelledCloud> looks_;  ///< the cloud's own first; empty: there is one
   LookMotions into_first_;
-  double looks_differ_ = 0.0;
+  double looks_differ_ = std::numeric_limits<double>::quiet_NaN();  ///< not asked
   std::optional<ShapeFits> shapes_;
   Registration registration_;
   ExaminedRegistration examined_;

@@ -28,10 +28,7 @@ constexpr int kFewestIterations = 10;
 template <class Source>
 Rigid<CameraFrame, Source> twisted(const Rigid<CameraFrame, Source>& pose,
                                    const Eigen::Matrix<double, 6, 1>& twist) {
-  const double angle = twist.head<3>().norm();
-  const Eigen::Matrix3d rotation = angle > 0.0
-                                       ? Eigen::AngleAxisd(angle, twist.head<3>() / angle).toRotationMatrix()
-                                       : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+  const Eigen::Matrix3d rotation = rotation_by(twist.head<3>());
   return {Eigen::Quaterniond(rotation * pose.rotation).normalized().toRotationMatrix(),
           rotation * pose.translation + twist.tail<3>()};
 }
@@ -46,15 +43,12 @@ class ShapeFitter {
         cloud_(prepare_cloud(cloud, {})),
         still_(cloud_.cloud),
         surface_(model, SurfaceDetail::fine) {
-    fit_.camera_from_ct = fit_.start = start.camera_from_ct;
-    if (cloud_.cloud.look_count() > 1) {
-      fit_.looks = start.looks;
-      fit_.looks.resize(static_cast<std::size_t>(cloud_.cloud.look_count()));
-      move_looks(still_, fit_.looks, cloud_.cloud);
-    }
+    fit_.start = start;
+    fit_.start.looks = one_a_look(cloud_.cloud, start.looks);
+    fit_.camera_from_ct = start.camera_from_ct;
+    fit_.looks = fit_.start.looks;
+    if (!fit_.looks.empty()) move_looks(still_, fit_.looks, cloud_.cloud);
     fit_.amplitudes = Eigen::VectorXd::Zero(prior.modes.cols());
-    for (int i = 0; i < cloud_.cloud.size(); ++i)
-      notch_points_ += cloud_.cloud.feature(i) == Feature::umbilical_notch;
   }
 
   Cancellable<ShapeFit> run(const RunContext& context) {
@@ -93,8 +87,10 @@ class ShapeFitter {
     const auto inverse_square = [](double sigma) { return 1.0 / (sigma * sigma); };
     const double weight = cloud_.weight[static_cast<std::size_t>(pair.point)] * options_.information;
     switch (pair.feature) {
-      case Feature::umbilical_notch:  // its points share one gap
-        return inverse_square(options_.sigma_notch) / notch_points_ * Eigen::Matrix3d::Identity();
+      case Feature::umbilical_notch:  // a look's points share one gap
+        return inverse_square(options_.sigma_notch) /
+               cloud_.notch_points[static_cast<std::size_t>(cloud_.cloud.look(pair.point))] *
+               Eigen::Matrix3d::Identity();
       case Feature::anterior_margin:
         return weight * inverse_square(options_.sigma_margin) * Eigen::Matrix3d::Identity();
       case Feature::surface:
@@ -202,7 +198,6 @@ class ShapeFitter {
   MovingSurface surface_;
   std::vector<Pair> pairs_;
   ShapeFit fit_;
-  int notch_points_ = 0;
 };
 
 }  // namespace
@@ -224,6 +219,12 @@ Cancellable<ShapeFit> fit_shape(const PatientModel& model, const OperationPrior&
           "a prior is used with the model that it was made from");
   ShapeFitter fitter(model, prior, cloud, start, options);
   return fitter.run(context);
+}
+
+std::vector<ShapeStart> starts_of(const CameraFromCt& best, const std::vector<CameraFromCt>& others) {
+  std::vector<ShapeStart> starts{{best, {}}};
+  for (const CameraFromCt& other : others) starts.push_back({other, {}});
+  return starts;
 }
 
 Cancellable<ShapeFits> fit_shapes(const PatientModel& model, const OperationPrior& prior,

@@ -27,7 +27,7 @@ Cancellable<Applied> Register::apply(const CaseState& state, const RunContext& c
   const registration::KnownOperations known = known_operations(state);
   registration::RegisterOptions options = *this;
   options.landmarks_are_placed = state[part::landmarks] != nullptr;
-  options.looks = looks_to_join(state);
+  for (const auto& look : looks_to_join(state)) options.looks.push_back(*look);
   const PatientModel model = effective_model(state);
   auto examined = registration::register_and_examine(model, *state[part::cloud], options, context, known);
   if (!examined) return {};

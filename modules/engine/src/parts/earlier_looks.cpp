@@ -57,11 +57,11 @@ const PartOf<EarlierLooks> part::earlier_looks{{.code = "earlier_looks",
                                                 .load = load,
                                                 .same = same}};
 
-std::vector<LabelledCloud> looks_to_join(const CaseState& state) {
-  std::vector<LabelledCloud> looks;
+std::vector<std::shared_ptr<const LabelledCloud>> looks_to_join(const CaseState& state) {
+  std::vector<std::shared_ptr<const LabelledCloud>> looks;
   if (!state[part::earlier_looks]) return looks;
   for (const auto& look : state[part::earlier_looks]->clouds)
-    if (!state[part::cloud] || !same_points(look->points, state[part::cloud]->points)) looks.push_back(*look);
+    if (!state[part::cloud] || !same_points(look->points, state[part::cloud]->points)) looks.push_back(look);
   return looks;
 }
 

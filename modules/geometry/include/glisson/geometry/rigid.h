@@ -47,6 +47,13 @@ struct Rigid {
 
 using CameraFromCt = Rigid<CameraFrame, CtFrame>;
 
+/// About a rotation vector (its length: radians; none: the identity).
+inline Eigen::Matrix3d rotation_by(const Eigen::Vector3d& vector) {
+  const double angle = vector.norm();
+  return angle > 0.0 ? Eigen::AngleAxisd(angle, vector / angle).toRotationMatrix()
+                     : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+}
+
 /// A Rigid whose frames are not said.
 struct RigidMotion {
   Eigen::Matrix3d rotation;

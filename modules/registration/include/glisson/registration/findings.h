@@ -35,8 +35,9 @@ struct Findings {
   double mirror_odds = std::numeric_limits<double>::infinity();
   /// Logarithm of the odds against the most probable other shape 10 mm away.
   double rival_odds = std::numeric_limits<double>::infinity();
-  double looks_differ = 0.0;  ///< probability that the organ has changed between several looks
-  double elsewhere = 0.0;     ///< probability that the organ is more than 20 mm away from where it was put
+  /// Probability that the organ has changed between several looks.
+  double looks_differ = std::numeric_limits<double>::quiet_NaN();
+  double elsewhere = 0.0;  ///< probability that the organ is more than 20 mm away from where it was put
   /// How much larger than the model the organ would have to be, a share, and its standard deviation.
   double size = 0.0, size_sigma = std::numeric_limits<double>::infinity();
   double expected = 0.0;  ///< mean expected error of the nodes

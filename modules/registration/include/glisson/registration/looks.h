@@ -21,6 +21,8 @@ namespace glisson::registration {
 /// @pre as many motions as looks, one at least. @throws InputError a look of fewer than ten points.
 LabelledCloud joined(const std::vector<LabelledCloud>& looks, const LookMotions& into_first);
 
+/// One motion for each look of a cloud, none for a cloud of one look; those that are not given are none.
+LookMotions one_a_look(const LabelledCloud& cloud, LookMotions given);
 /// `still` with its looks moved, into `moved` (points, normals, eyes). @pre a motion each.
 void move_looks(const LabelledCloud& still, const LookMotions& motions, LabelledCloud& moved);
 

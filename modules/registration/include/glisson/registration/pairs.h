@@ -18,6 +18,8 @@ struct PreparedCloud {
   std::vector<double> weight;
   /// The nearest other points of the same look, nearest first; fewer in a small cloud.
   std::vector<std::vector<int>> neighbours;
+  /// How many points show the notch, in each look: together they are one mark.
+  std::vector<int> notch_points;
 };
 
 /// How a cloud is weighed, thinned and linked.
@@ -57,10 +59,10 @@ struct PairOptions {
   void validate() const;
 };
 
-/// One pair a point, label-restricted: margin points go to the margin's part, the notch's points together to
-/// the carried landmark (all with the gap of their centroid: the region clicked around a notch says where it
-/// is, not what its outline is); those against the normal and outliers are not `kept`. Coherent
-/// distances, however large, are no outliers: a lobe that has moved far is what is looked for.
+/// One pair a point, label-restricted: margin points go to the margin's part, the notch's points of a
+/// look together to the carried landmark (all with the gap of their centroid: the region clicked around a
+/// notch says where it is, not what its outline is); those against the normal and outliers are not `kept`.
+/// Coherent distances, however large, are no outliers: a lobe that has moved far is what is looked for.
 /// @throws InputError options.
 std::vector<Pair> find_pairs(const PreparedCloud& cloud, const MovingSurface& surface,
                              const PairOptions& options);

@@ -48,8 +48,8 @@ struct ShapeFit {
   /// of a pose (Laplace). Compares what shares out the same points and poses otherwise.
   double log_evidence = 0.0;
   int iterations = 0;
-  CameraFromCt start;  ///< where it was begun
-  LookMotions looks;   ///< of the cloud; empty: it is of one look
+  ShapeStart start;   ///< where it was begun
+  LookMotions looks;  ///< of the cloud; empty: it is of one look
 };
 
 /// Maximum a posteriori of pose, amplitudes and where further looks were seen from, together: closest points

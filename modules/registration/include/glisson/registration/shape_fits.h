@@ -20,6 +20,8 @@ struct ShapeFits {
   /// question.
   std::vector<const ShapeFit*> places() const;
 };
+/// The likeliest pose first; looks as the cloud has them.
+std::vector<ShapeStart> starts_of(const CameraFromCt& best, const std::vector<CameraFromCt>& others);
 /// @pre one start at least. @throws as fit_shape.
 Cancellable<ShapeFits> fit_shapes(const PatientModel& model, const OperationPrior& prior,
                                   const LabelledCloud& cloud, const std::vector<ShapeStart>& starts,

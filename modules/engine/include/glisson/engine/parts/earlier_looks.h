@@ -20,6 +20,6 @@ extern const PartOf<EarlierLooks> earlier_looks;
 }  // namespace part
 
 /// Those that a registration joins to the case's cloud: all but that cloud itself.
-std::vector<LabelledCloud> looks_to_join(const CaseState& state);
+std::vector<std::shared_ptr<const LabelledCloud>> looks_to_join(const CaseState& state);
 
 }  // namespace glisson::engine
