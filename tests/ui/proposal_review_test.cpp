@@ -36,6 +36,7 @@ class ProposalReviewTest : public QObject {
   void TheKeyboardReviewsThem();
   void UndoTakesStepsBackInTurn();
   void AClickMovesIt();
+  void AfterTheModesTheArrowsChooseAgain();
   void AnotherPanelPutsItAway();
   void ADragMovesItAndTheViewStays();
   void TheMarginIsTakenFromBesideTheLiver();
@@ -164,6 +165,16 @@ void ProposalReviewTest::AClickMovesIt() {
   QVERIFY((engine::effective_landmarks(state()).umbilical_notch - moved.points).norm() < 1e-12);
   press(Qt::Key_Escape);
   QVERIFY(!(review().tool() == ui::ProposalReview::Tool::move));
+}
+
+void ProposalReviewTest::AfterTheModesTheArrowsChooseAgain() {
+  choose(Structure::falciform_line);
+  auto* list = window_->findChild<QListWidget*>(QStringLiteral("proposals"));
+  const int row = list->currentRow();
+  press(Qt::Key_D);
+  press(Qt::Key_Escape);
+  press(Qt::Key_Down);
+  QCOMPARE(list->currentRow(), row + 1);
 }
 
 void ProposalReviewTest::AnotherPanelPutsItAway() {

@@ -175,6 +175,7 @@ void ProposalReview::set_active(bool active) {
 
 void ProposalReview::set_marks_hidden(bool hidden) {
   marks_hidden_ = hidden;
+  if (!hidden && active_) list_->setFocus();  // the arrows choose again
   draw();
 }
 

@@ -35,6 +35,8 @@ LooksRow::LooksRow(EngineBridge& engine, QWidget* parent) : QWidget(parent), eng
   said_->setObjectName(QStringLiteral("looks_said"));
   said_->setWordWrap(true);
   set_style_property(said_, "role", "muted");
+  said_->setAlignment(Qt::AlignTop);
+  said_->setMinimumHeight(2 * said_->fontMetrics().lineSpacing());  // what stands below keeps its place
   box->addWidget(said_);
   connect(keep_, &QPushButton::clicked, this, [this] { engine_.post(engine::KeepLook{}); });
   connect(forget_, &QPushButton::clicked, this, [this] { engine_.post(engine::ForgetLooks{}); });
