@@ -2,15 +2,15 @@
 #include "glisson/experiments/registration_proof.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstdio>
-#include <future>
+#include <functional>
 #include <limits>
 #include <map>
 #include <mutex>
 
 #include "glisson/core/error.h"
+#include "glisson/core/share_out.h"
 #include "glisson/geometry/rigid.h"
 #include "glisson/registration/register_model.h"
 #include "registration_joined.h"
@@ -23,21 +23,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Work in any order on one thread or two, progress told by this one alone. Rethrows; false: cancelled.
+/// Work in any order on one thread or two. False: cancelled.
 bool on_threads(int threads, std::size_t count, const RunContext& context,
                 const std::function<void(std::size_t)>& work) {
-  std::atomic<std::size_t> next{0};
-  const auto run = [&](bool reports) {
-    for (std::size_t i = next++; i < count && !context.cancelled(); i = next++) {
-      if (reports)
-        context.progress(static_cast<double>(i) / static_cast<double>(count), "prove.registration");
-      work(i);
-    }
-  };
-  std::future<void> other;
-  if (threads > 1) other = std::async(std::launch::async, run, false);
-  run(true);
-  if (other.valid()) other.get();
+  share_out(count, threads, [&](std::size_t i, bool here) {
+    if (context.cancelled()) return;
+    if (here) context.progress(static_cast<double>(i) / static_cast<double>(count), "prove.registration");
+    work(i);
+  });
   return !context.cancelled();
 }
 

@@ -133,38 +133,55 @@ void ClosestPointTree::refit(const Points& vertices) {
 }
 
 ClosestPoint ClosestPointTree::closest(const Eigen::Vector3d& query, double radius) const {
+  return search(query, radius * radius, {});
+}
+
+ClosestPoint ClosestPointTree::closest_from(int near, const Eigen::Vector3d& query) const {
   ClosestPoint best;
+  double best_squared = std::numeric_limits<double>::infinity();
+  if (near >= 0) offer(near, query, best_squared, best);
+  return search(query, best_squared, best);
+}
+
+void ClosestPointTree::offer(int triangle, const Eigen::Vector3d& query, double& best_squared,
+                             ClosestPoint& best) const {
+  const Eigen::Vector3d a = vertices_.row(triangles_(triangle, 0)).transpose(),
+                        b = vertices_.row(triangles_(triangle, 1)).transpose(),
+                        c = vertices_.row(triangles_(triangle, 2)).transpose();
+  const Eigen::Vector3d weights = closest_on_triangle(query, a, b, c);
+  const Eigen::Vector3d point = weights[0] * a + weights[1] * b + weights[2] * c;
+  const double squared = (point - query).squaredNorm();
+  // The lower triangle number wins a tie, so that the answer does not depend on the tree's shape.
+  if (squared > best_squared || (squared == best_squared && best.triangle >= 0 && triangle >= best.triangle))
+    return;
+  best_squared = squared;
+  best = {triangle, point, weights, 0.0};
+}
+
+ClosestPoint ClosestPointTree::search(const Eigen::Vector3d& query, double best_squared,
+                                      ClosestPoint best) const {
   if (nodes_.empty()) return best;
-  double best_squared = radius * radius;
-  int stack[kStackDepth];
+  struct Entry {
+    int node;
+    double squared;  ///< to its box
+  };
+  Entry stack[kStackDepth];
   int depth = 0;
-  stack[depth++] = 0;
+  stack[depth++] = {0, 0.0};
   while (depth > 0) {
-    const int index = stack[--depth];
-    const Node& node = nodes_[index];
-    if (squared_distance_to_box(query, node.low, node.high) > best_squared) continue;
+    const Entry entry = stack[--depth];
+    if (entry.squared > best_squared) continue;
+    const Node& node = nodes_[entry.node];
     if (node.count > 0) {
-      for (int i = node.first; i < node.first + node.count; ++i) {
-        const int t = order_[i];
-        const Eigen::Vector3d a = vertices_.row(triangles_(t, 0)).transpose(),
-                              b = vertices_.row(triangles_(t, 1)).transpose(),
-                              c = vertices_.row(triangles_(t, 2)).transpose();
-        const Eigen::Vector3d weights = closest_on_triangle(query, a, b, c);
-        const Eigen::Vector3d point = weights[0] * a + weights[1] * b + weights[2] * c;
-        const double squared = (point - query).squaredNorm();
-        // The lower triangle number wins a tie, so that the answer does not depend on the tree's shape.
-        if (squared < best_squared || (squared == best_squared && (best.triangle < 0 || t < best.triangle))) {
-          best_squared = squared;
-          best = {t, point, weights, 0.0};
-        }
-      }
+      for (int i = node.first; i < node.first + node.count; ++i) offer(order_[i], query, best_squared, best);
       continue;
     }
-    const int near = index + 1, far = node.first;
-    const bool swapped = squared_distance_to_box(query, nodes_[far].low, nodes_[far].high) <
-                         squared_distance_to_box(query, nodes_[near].low, nodes_[near].high);
-    stack[depth++] = swapped ? near : far;
-    stack[depth++] = swapped ? far : near;
+    Entry near{entry.node + 1, 0.0}, far{node.first, 0.0};
+    near.squared = squared_distance_to_box(query, nodes_[near.node].low, nodes_[near.node].high);
+    far.squared = squared_distance_to_box(query, nodes_[far.node].low, nodes_[far.node].high);
+    if (far.squared < near.squared) std::swap(near, far);
+    if (far.squared <= best_squared) stack[depth++] = far;
+    if (near.squared <= best_squared) stack[depth++] = near;
   }
   if (best.triangle >= 0) best.distance = std::sqrt(best_squared);
   return best;

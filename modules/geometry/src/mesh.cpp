@@ -34,24 +34,6 @@ Points triangle_normals(const TriangleMesh& mesh) {
   return normals;
 }
 
-Points vertex_normals(const TriangleMesh& mesh) {
-  const Points faces = triangle_normals(mesh);
-  Points normals = Points::Zero(mesh.vertex_count(), 3);
-  for (int t = 0; t < mesh.triangle_count(); ++t) {
-    for (int k = 0; k < 3; ++k) {
-      const int i = mesh.triangles(t, k);
-      const Eigen::Vector3d u = mesh.vertex(mesh.triangles(t, (k + 1) % 3)) - mesh.vertex(i);
-      const Eigen::Vector3d v = mesh.vertex(mesh.triangles(t, (k + 2) % 3)) - mesh.vertex(i);
-      normals.row(i) += std::atan2(u.cross(v).norm(), u.dot(v)) * faces.row(t);
-    }
-  }
-  for (int i = 0; i < mesh.vertex_count(); ++i) {
-    const double length = normals.row(i).norm();
-    if (length > 0.0) normals.row(i) /= length;
-  }
-  return normals;
-}
-
 Eigen::VectorXd triangle_areas(const TriangleMesh& mesh) {
   Eigen::VectorXd areas(mesh.triangle_count());
   for (int t = 0; t < mesh.triangle_count(); ++t) areas[t] = 0.5 * scaled_normal(mesh, t).norm();

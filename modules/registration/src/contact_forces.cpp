@@ -4,13 +4,11 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <exception>
-#include <functional>
 #include <memory>
-#include <thread>
 
 #include "force_fitter.h"
 #include "glisson/core/error.h"
+#include "glisson/core/share_out.h"
 
 namespace glisson::registration {
 namespace {
@@ -42,16 +40,16 @@ class Fits {
 
   /// Runs those added since. @param from, to share of the work, for the progress. @return false: cancelled.
   bool run(double from, double to) {
-    first_ = next_ = done_;
     stages_ = 0;
-    std::exception_ptr own, theirs;
-    std::thread second;
-    if (problem_.options.threads > 1 && fitters_.size() - first_ > 1)
-      second = std::thread([&] { guarded([](double) {}, theirs); });
-    guarded([&](double share) { context_.progress(from + (to - from) * share, "registration.forces"); }, own);
-    if (second.joinable()) second.join();
-    for (const auto& error : {own, theirs})
-      if (error) std::rethrow_exception(error);
+    const std::size_t pieces = fitters_.size() - done_;
+    const auto stages = static_cast<double>(pieces * problem_.options.sigmas.size());
+    share_out(pieces, problem_.options.threads, [&](std::size_t piece, bool here) {
+      const auto advance = [&] {
+        const double share = std::min(1.0, ++stages_ / stages);
+        if (here) context_.progress(from + (to - from) * share, "registration.forces");
+      };
+      if (!cancelled_ && !fitters_[done_ + piece]->run(context_, advance)) cancelled_ = true;
+    });
     done_ = fitters_.size();
     return !cancelled_;
   }
@@ -88,27 +86,10 @@ class Fits {
     return best;
   }
 
-  /// @param report progress is told by one thread alone.
-  void guarded(const std::function<void(double)>& report, std::exception_ptr& error) {
-    try {
-      for (std::size_t k = next_++; k < fitters_.size() && !cancelled_; k = next_++) {
-        const auto advance = [&] {
-          const auto all = static_cast<double>((fitters_.size() - first_) * problem_.options.sigmas.size());
-          report(std::min(1.0, ++stages_ / all));
-        };
-        if (!fitters_[k]->run(context_, advance)) cancelled_ = true;
-      }
-    } catch (...) {
-      error = std::current_exception();
-      next_ = fitters_.size();
-    }
-  }
-
   const ForceProblem& problem_;
   const RunContext& context_;
   std::vector<std::unique_ptr<ForceFitter>> fitters_;
-  std::size_t first_ = 0, done_ = 0;
-  std::atomic<std::size_t> next_{0};
+  std::size_t done_ = 0;
   std::atomic<int> stages_{0};
   std::atomic<bool> cancelled_{false};
 };

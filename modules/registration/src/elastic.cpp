@@ -88,7 +88,7 @@ class ElasticRun {
 
   void pair() {
     surface_.move(integrator_.positions());
-    pairs_ = find_pairs(cloud_, surface_, {});
+    pairs_ = find_pairs(cloud_, surface_, {}, pairs_);
   }
 
   double factor(Feature feature, int n, int last) const {

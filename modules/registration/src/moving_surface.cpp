@@ -81,6 +81,7 @@ MovingSurface::MovingSurface(const PatientModel& model, SurfaceDetail detail, do
       node_of_vertex_.clear();
       carry_finely(model.mesh);
     }
+  stars_ = VertexStars(mesh_);
   normals_ = vertex_normals(mesh_);
   whole_ = ClosestPointTree(mesh_);
   require(mesh_.triangle_count() > 0, "a model needs a surface to be registered");
@@ -131,7 +132,7 @@ void MovingSurface::move(const Points& nodes) {
       p += weights_[i][static_cast<Eigen::Index>(k)] * nodes.row(corners_[i][k]);
     mesh_.vertices.row(static_cast<Eigen::Index>(i)) = p;
   }
-  normals_ = vertex_normals(mesh_);
+  normals_.resize(0, 3);
   whole_.refit(mesh_.vertices);
   if (!margin_.empty()) margin_.refit(mesh_.vertices);
   if (!notch_.empty()) notch_.refit(mesh_.vertices);
@@ -143,15 +144,18 @@ const ClosestPointTree& MovingSurface::tree(Feature feature) const {
                                                : whole_;
 }
 
-ClosestPoint MovingSurface::closest(Feature feature, const Eigen::Vector3d& p) const {
+ClosestPoint MovingSurface::closest(Feature feature, const Eigen::Vector3d& p, int near) const {
   const ClosestPointTree& part = tree(feature);
-  return part.empty() ? whole_.closest(p) : part.closest(p);
+  return part.empty() ? whole_.closest_from(near, p) : part.closest_from(near, p);
 }
 
 Eigen::Vector3d MovingSurface::normal(const ClosestPoint& at) const {
   Eigen::Vector3d n = Eigen::Vector3d::Zero();
-  for (int k = 0; k < 3; ++k)
-    n += at.barycentric[k] * normals_.row(mesh_.triangles(at.triangle, k)).transpose();
+  for (int k = 0; k < 3; ++k) {
+    const int vertex = mesh_.triangles(at.triangle, k);
+    n += at.barycentric[k] *
+         (normals_.rows() > 0 ? normals_.row(vertex).transpose() : stars_.normal(mesh_, vertex));
+  }
   const double length = n.norm();
   return length > 0.0 ? Eigen::Vector3d(n / length) : n;
 }

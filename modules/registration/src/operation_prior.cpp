@@ -3,14 +3,13 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <future>
 #include <optional>
 #include <vector>
 
 #include "glisson/core/error.h"
 #include "glisson/core/random.h"
+#include "glisson/core/share_out.h"
 #include "glisson/fem/integrator.h"
 #include "glisson/geometry/rigid.h"
 #include "glisson/geometry/topology.h"
@@ -213,18 +212,12 @@ Cancellable<OperationPrior> simulate_operations(const PatientModel& model, const
   for (std::size_t i = 0; i < count; ++i)
     draws.emplace_back(context.random("registration.operation." + std::to_string(i)));
   std::vector<std::optional<Points>> outcomes(count);
-  std::atomic<std::size_t> next{0};
-  const auto work = [&](bool reports) {
-    for (std::size_t i = next++; i < count; i = next++) {
-      if (context.cancelled()) return;
-      outcomes[i] = organ.run(draws[i], context.quiet());
-      if (reports)
-        context.progress(static_cast<double>(i) / static_cast<double>(count), "registration.operations");
-    }
-  };
-  auto other = std::async(std::launch::async, work, false);  // a future joins, and hands on what is thrown
-  work(true);
-  other.get();
+  share_out(count, 2, [&](std::size_t i, bool here) {
+    if (context.cancelled()) return;
+    outcomes[i] = organ.run(draws[i], context.quiet());
+    if (here)
+      context.progress(static_cast<double>(i) / static_cast<double>(count), "registration.operations");
+  });
   if (context.cancelled()) return std::nullopt;
 
   const auto found = static_cast<Eigen::Index>(std::count_if(

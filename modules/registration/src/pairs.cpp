@@ -219,8 +219,10 @@ Points estimate_normals(const PreparedCloud& prepared) {
 }
 
 std::vector<Pair> find_pairs(const PreparedCloud& prepared, const MovingSurface& surface,
-                             const PairOptions& options) {
+                             const PairOptions& options, const std::vector<Pair>& before) {
   options.validate();
+  require(before.empty() || before.size() == static_cast<std::size_t>(prepared.cloud.size()),
+          "pairs are found again for the cloud that they were found for");
   const LabelledCloud& cloud = prepared.cloud;
   std::vector<Pair> pairs(static_cast<std::size_t>(cloud.size()));
   const ClosestPoint notch = surface.notch();
@@ -234,7 +236,8 @@ std::vector<Pair> find_pairs(const PreparedCloud& prepared, const MovingSurface&
     if (at_notch)
       pair.on_model = notch;
     else
-      pair.on_model = surface.closest(pair.feature, p);
+      pair.on_model = surface.closest(
+          pair.feature, p, before.empty() ? -1 : before[static_cast<std::size_t>(i)].on_model.triangle);
     pair.gap = p - pair.on_model.point;
     pair.on_model.distance = pair.gap.norm();
     pair.normal = surface.normal(pair.on_model);

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "glisson/core/error.h"
+#include "glisson/core/share_out.h"
 #include "glisson/core/statistics.h"
 #include "glisson/registration/hand_pose.h"
 #include "glisson/registration/pairs.h"
@@ -41,7 +42,8 @@ class Aligner {
   /// Mean capped distance over the chosen points without the worst share. @param look also along the rays:
   /// what is hidden behind the model was not seen.
   double cost(const CameraFromCt& pose, const std::vector<int>& chosen, bool look) const {
-    std::vector<Match> matches = match(pose, chosen);
+    std::vector<int> near(chosen.size(), -1);
+    std::vector<Match> matches = match(pose, chosen, near);
     if (look) hide(pose, matches);
     trim(matches);
     double sum = 0.0, weights = 0.0;
@@ -52,8 +54,9 @@ class Aligner {
   /// Gauss-Newton on the matches, the tangential part counting `tangential` as much as the normal one.
   CameraFromCt refine(CameraFromCt pose, const std::vector<int>& chosen, int iterations,
                       double tangential) const {
+    std::vector<int> near(chosen.size(), -1);
     for (int it = 0; it < iterations; ++it) {
-      std::vector<Match> matches = match(pose, chosen);
+      std::vector<Match> matches = match(pose, chosen, near);
       trim(matches);
       Eigen::Matrix<double, 6, 6> h = Eigen::Matrix<double, 6, 6>::Identity() * 1e-9;
       Eigen::Matrix<double, 6, 1> g = Eigen::Matrix<double, 6, 1>::Zero();
@@ -116,17 +119,21 @@ class Aligner {
     }
   }
 
-  std::vector<Match> match(const CameraFromCt& pose, const std::vector<int>& chosen) const {
+  /// @param near of each chosen point the triangle of the last match; receives that of this one.
+  std::vector<Match> match(const CameraFromCt& pose, const std::vector<int>& chosen,
+                           std::vector<int>& near) const {
     const auto ct_from_camera = pose.inverse();
     std::vector<Match> matches;
     matches.reserve(chosen.size());
-    for (const int i : chosen) {
+    for (std::size_t k = 0; k < chosen.size(); ++k) {
+      const int i = chosen[k];
       Match m;
       m.point = i;
       m.feature = cloud_.cloud.feature(i);
       m.weight = weight_[static_cast<std::size_t>(i)];
       m.p = ct_from_camera.rotation * cloud_.cloud.points.row(i).transpose() + ct_from_camera.translation;
-      const ClosestPoint at = surface_.closest(m.feature, m.p);
+      const ClosestPoint at = surface_.closest(m.feature, m.p, near[k]);
+      near[k] = at.triangle;
       m.q = at.point;
       m.normal = surface_.normal(at);
       m.distance = std::min(at.distance, kCap);
@@ -337,22 +344,22 @@ Cancellable<RigidStart> best_of(
                          all = choose(prepared.cloud, 1000);
 
   std::vector<Pose> poses;
-  for (int k = 0; k < options.starts; ++k) {
-    if (context.cancelled()) return std::nullopt;
-    context.progress(0.7 * k / options.starts, "registration.rigid");
-    Pose pose{draw(k, aligner.normals(), prepared), 0.0};
-    pose.camera_from_ct = aligner.refine(pose.camera_from_ct, few, 10, 0.5);
-    pose.cost = aligner.cost(pose.camera_from_ct, few, false);
-    poses.push_back(pose);
-  }
+  for (int k = 0; k < options.starts; ++k) poses.push_back({draw(k, aligner.normals(), prepared), 0.0});
+  const auto refine = [&](const std::vector<int>& chosen, int iterations, double tangential, bool look,
+                          const RunContext& part) {
+    share_out(poses.size(), 2, [&](std::size_t k, bool here) {
+      if (part.cancelled()) return;
+      if (here)
+        part.progress(static_cast<double>(k) / static_cast<double>(poses.size()), "registration.rigid");
+      poses[k].camera_from_ct = aligner.refine(poses[k].camera_from_ct, chosen, iterations, tangential);
+      poses[k].cost = aligner.cost(poses[k].camera_from_ct, chosen, look);
+    });
+  };
+  refine(few, 10, 0.5, false, context.part(0.0, 0.7));
+  if (context.cancelled()) return std::nullopt;
   poses = best_distinct(std::move(poses), vertices, kRefined);
-  for (std::size_t k = 0; k < poses.size(); ++k) {
-    if (context.cancelled()) return std::nullopt;
-    context.progress(0.7 + 0.25 * static_cast<double>(k) / static_cast<double>(poses.size()),
-                     "registration.rigid");
-    poses[k].camera_from_ct = aligner.refine(poses[k].camera_from_ct, many, 30, 0.2);
-    poses[k].cost = aligner.cost(poses[k].camera_from_ct, many, true);
-  }
+  refine(many, 30, 0.2, true, context.part(0.7, 0.95));
+  if (context.cancelled()) return std::nullopt;
   RigidStart start;
   const std::vector<Pose> apart_by_10 = best_distinct(poses, vertices, kTold);
   for (std::size_t k = 1; k < apart_by_10.size(); ++k)

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "glisson/core/error.h"
+#include "glisson/core/share_out.h"
 #include "glisson/registration/looks.h"
 #include "glisson/registration/pairs.h"
 #include "glisson/registration/rivals.h"
@@ -35,14 +36,15 @@ Rigid<CameraFrame, Source> twisted(const Rigid<CameraFrame, Source>& pose,
 
 class ShapeFitter {
  public:
-  ShapeFitter(const PatientModel& model, const OperationPrior& prior, const LabelledCloud& cloud,
-              const ShapeStart& start, const ShapeFitOptions& options)
+  /// @param surface the model's, at rest.
+  ShapeFitter(const PatientModel& model, const MovingSurface& surface, const OperationPrior& prior,
+              const PreparedCloud& cloud, const ShapeStart& start, const ShapeFitOptions& options)
       : options_(options),
         prior_(prior),
         rest_(model.mesh.vertices),
-        cloud_(prepare_cloud(cloud, {})),
+        cloud_(cloud),
         still_(cloud_.cloud),
-        surface_(model, SurfaceDetail::fine) {
+        surface_(surface) {
     fit_.start = start;
     fit_.start.looks = one_a_look(cloud_.cloud, start.looks);
     fit_.camera_from_ct = start.camera_from_ct;
@@ -71,7 +73,7 @@ class ShapeFitter {
   void pair() {
     fit_.nodes_in_camera = fit_.camera_from_ct.apply(prior_.shape(rest_, fit_.amplitudes));
     surface_.move(fit_.nodes_in_camera);
-    pairs_ = find_pairs(cloud_, surface_, pairing_);
+    pairs_ = find_pairs(cloud_, surface_, pairing_, pairs_);
   }
 
   /// From here on no point is laid on a face that looks away from the camera. While the shape is sought it
@@ -214,11 +216,9 @@ void ShapeFitOptions::validate() const {
 Cancellable<ShapeFit> fit_shape(const PatientModel& model, const OperationPrior& prior,
                                 const LabelledCloud& cloud, const ShapeStart& start,
                                 const ShapeFitOptions& options, const RunContext& context) {
-  options.validate();
-  require(prior.modes.rows() == model.mesh.vertices.size(),
-          "a prior is used with the model that it was made from");
-  ShapeFitter fitter(model, prior, cloud, start, options);
-  return fitter.run(context);
+  auto found = fit_shapes(model, prior, cloud, {start}, options, context);
+  if (!found) return std::nullopt;
+  return std::move(found->fits.front());
 }
 
 std::vector<ShapeStart> starts_of(const CameraFromCt& best, const std::vector<CameraFromCt>& others) {
@@ -232,13 +232,23 @@ Cancellable<ShapeFits> fit_shapes(const PatientModel& model, const OperationPrio
                                   const ShapeFitOptions& options, const RunContext& context) {
   // A posterior e^4 times smaller is no rival.
   constexpr double kRivalCost = 8.0, kUnusual = 4.0;
+  options.validate();
   require(!starts.empty(), "a shape is fitted from one start at least");
+  require(prior.modes.rows() == model.mesh.vertices.size(),
+          "a prior is used with the model that it was made from");
+  const MovingSurface surface(model, SurfaceDetail::fine);
+  const PreparedCloud prepared = prepare_cloud(cloud, {});
+  std::vector<Cancellable<ShapeFit>> ended(starts.size());
+  const double share = 1.0 / static_cast<double>(starts.size());
+  share_out(starts.size(), 2, [&](std::size_t k, bool here) {
+    if (context.cancelled()) return;
+    const auto before = static_cast<double>(k);
+    ShapeFitter fitter(model, surface, prior, prepared, starts[k], options);
+    ended[k] = fitter.run(here ? context.part(share * before, share * (before + 1.0)) : context.quiet());
+  });
   ShapeFits found;
   std::vector<ShapeFit>& fits = found.fits;
-  for (std::size_t k = 0; k < starts.size(); ++k) {
-    const double share = 1.0 / static_cast<double>(starts.size());
-    auto fit = fit_shape(model, prior, cloud, starts[k], options,
-                         context.part(share * static_cast<double>(k), share * static_cast<double>(k + 1)));
+  for (Cancellable<ShapeFit>& fit : ended) {
     if (!fit) return std::nullopt;
     fits.push_back(std::move(*fit));
   }

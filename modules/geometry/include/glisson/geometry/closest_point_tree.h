@@ -35,6 +35,10 @@ class ClosestPointTree {
   ClosestPoint closest(const Eigen::Vector3d& query,
                        double radius = std::numeric_limits<double>::infinity()) const;
 
+  /// The same, found sooner where the answer is near: a query that has moved a little since its last answer.
+  /// @param near a triangle of this tree; -1: none is known.
+  ClosestPoint closest_from(int near, const Eigen::Vector3d& query) const;
+
   /// First hit of a ray from `origin` along `direction` (need not be a unit vector) with parameter in (t_min,
   /// t_max); distance holds the parameter. triangle = -1: none.
   ClosestPoint first_hit(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, double t_min = 0.0,
@@ -48,6 +52,9 @@ class ClosestPointTree {
     int first = 0;  ///< leaf: first entry of order_; inner: index of the second child (the first follows)
     int count = 0;  ///< > 0 for a leaf
   };
+  /// Takes the triangle's closest point where it is nearer than the best so far.
+  void offer(int triangle, const Eigen::Vector3d& query, double& best_squared, ClosestPoint& best) const;
+  ClosestPoint search(const Eigen::Vector3d& query, double best_squared, ClosestPoint best) const;
   int build(int begin, int end, const std::vector<Eigen::Vector3d>& centres);
   void fit(Node& node) const;
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "glisson/geometry/closest_point_tree.h"
+#include "glisson/geometry/vertex_stars.h"
 #include "glisson/patient/labelled_cloud.h"
 #include "glisson/patient/patient_model.h"
 
@@ -40,7 +41,9 @@ class MovingSurface {
   /// Whether points of this feature have a part of their own. The surface always has.
   bool has(Feature feature) const { return !tree(feature).empty(); }
   /// Closest point on the feature's part; on the whole surface where the model lacks the landmark.
-  ClosestPoint closest(Feature feature, const Eigen::Vector3d& p) const;
+  /// @param near the triangle of an earlier answer for this feature, which the new one is near to; -1: none.
+  /// The answer is the same.
+  ClosestPoint closest(Feature feature, const Eigen::Vector3d& p, int near = -1) const;
   /// The notch as the landmark has it, carried by the surface; triangle -1: unknown.
   ClosestPoint notch() const;
   /// First hit of a ray with the whole surface; see ClosestPointTree::first_hit.
@@ -75,7 +78,8 @@ class MovingSurface {
   Points rest_;
   int node_count_ = 0;
   TriangleMesh mesh_;
-  Points normals_;
+  VertexStars stars_;
+  Points normals_;  ///< at rest; empty once it has moved: few of many are asked for then
   std::array<std::vector<int>, 3> part_;
   ClosestPointTree whole_, margin_, notch_;
   ClosestPoint notch_point_;  ///< triangle and weights, bound at rest

@@ -63,9 +63,11 @@ struct PairOptions {
 /// look together to the carried landmark (all with the gap of their centroid: the region clicked around a
 /// notch says where it is, not what its outline is); those against the normal and outliers are not `kept`.
 /// Coherent distances, however large, are no outliers: a lobe that has moved far is what is looked for.
+/// @param before pairs of the same cloud with this surface a little while ago, or none: the same pairs are
+/// found, sooner.
 /// @throws InputError options.
 std::vector<Pair> find_pairs(const PreparedCloud& cloud, const MovingSurface& surface,
-                             const PairOptions& options);
+                             const PairOptions& options, const std::vector<Pair>& before = {});
 
 /// What lies this near to a point of the cloud has been seen, metres: at the least density that the paper
 /// needs (0.7 points per cm2) the points of a patch are 12 mm apart.
