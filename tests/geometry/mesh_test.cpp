@@ -9,6 +9,7 @@
 #include "glisson/core/error.h"
 #include "glisson/geometry/distance.h"
 #include "glisson/geometry/topology.h"
+#include "glisson/geometry/vertex_stars.h"
 #include "shapes.h"
 
 using namespace glisson;
@@ -38,6 +39,7 @@ class MeshTest : public QObject {
   void VolumeDoesNotDependOnThePlace();
   void CubeIsFilledByItsTetrahedra();
   void NormalsOfASphereAreRadial();
+  void NormalsDoNotDependOnHowAFaceIsCut();
   void DegenerateTriangleHasZeroNormal();
   void DihedralAnglesOfKnownTetrahedra();
   void BoundaryIsTheCubesSurface();
@@ -87,6 +89,23 @@ void MeshTest::NormalsOfASphereAreRadial() {
   for (int i = 0; i < ball.vertex_count(); ++i)
     QVERIFY(at_vertices.row(i).dot(ball.vertices.row(i).normalized()) > 0.999);
   for (int t = 0; t < ball.triangle_count(); ++t) QVERIFY(std::abs(at_triangles.row(t).norm() - 1.0) < 1e-12);
+}
+
+void MeshTest::NormalsDoNotDependOnHowAFaceIsCut() {
+  // At a box's corner each face fills a right angle, in one triangle or in two: weighted by angle the normal
+  // is the diagonal, and it turns with the box.
+  TriangleMesh box = test::box({0.1, 0.05, 0.02});
+  const VertexStars stars(box);
+  const Eigen::RowVector3d middle = box.vertices.colwise().mean();
+  const Eigen::Matrix3d turn =
+      Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, -1).normalized()).toRotationMatrix();
+  const Points diagonals = (box.vertices.rowwise() - middle).cwiseSign() / std::sqrt(3.0) * turn.transpose();
+  box.vertices = (box.vertices * turn.transpose()).eval();
+  const Points normals = vertex_normals(box);
+  for (int i = 0; i < box.vertex_count(); ++i) {
+    QVERIFY((normals.row(i) - diagonals.row(i)).norm() < 1e-12);
+    QVERIFY(stars.normal(box, i) == normals.row(i).transpose());
+  }
 }
 
 void MeshTest::DegenerateTriangleHasZeroNormal() {

@@ -19,6 +19,8 @@ class PairsTest : public QObject {
   void NotchPointsGoTogetherToTheCarriedLandmark();
   void WithoutALandmarkTheWholeSurfaceServes();
   void RefittedTreesFindWhatBruteForceFinds();
+  void FormerPairsHastenAndChangeNothing();
+  void NormalsFollowTheSurface();
   void PairsAgainstTheNormalAreRefused();
   void LonelyOutliersAreRefusedAndALobeFarAwayIsNot();
   void DenserCloudDoesNotWeighMore();
@@ -116,6 +118,42 @@ void PairsTest::RefittedTreesFindWhatBruteForceFinds() {
       best = std::min(best, (w[0] * a + w[1] * b + w[2] * c - p).norm());
     }
     QVERIFY(std::abs(surface.closest(Feature::anterior_margin, p).distance - best) < 1e-12);
+  }
+}
+
+void PairsTest::FormerPairsHastenAndChangeNothing() {
+  const PatientModel model = phantom::model(10, 8, 4);
+  MovingSurface surface(model);
+  const PreparedCloud cloud = prepare_cloud(seen(model), {});
+  surface.move(phantom::view(0.7).apply(model.mesh.vertices));
+  const std::vector<Pair> before = find_pairs(cloud, surface, {});
+  surface.move(phantom::view().apply(model.mesh.vertices));
+  const std::vector<Pair> fresh = find_pairs(cloud, surface, {}),
+                          again = find_pairs(cloud, surface, {}, before);
+  int moved = 0;
+  for (std::size_t i = 0; i < fresh.size(); ++i) {
+    QCOMPARE(again[i].on_model.triangle, fresh[i].on_model.triangle);
+    QVERIFY(again[i].gap == fresh[i].gap && again[i].normal == fresh[i].normal);
+    QCOMPARE(again[i].kept, fresh[i].kept);
+    moved += before[i].on_model.triangle != fresh[i].on_model.triangle;
+  }
+  QVERIFY(moved > 100);
+  const std::vector<Pair> too_few(before.begin(), before.end() - 1);
+  QVERIFY_THROWS_EXCEPTION(PreconditionError, find_pairs(cloud, surface, {}, too_few));
+}
+
+void PairsTest::NormalsFollowTheSurface() {
+  // The organ is turned as a whole: its normals turn with it, whether they are asked for before or after.
+  const PatientModel model = phantom::model(6, 5, 3);
+  const CameraFromCt pose = phantom::view();
+  MovingSurface still(model), moved(model);
+  moved.move(pose.apply(model.mesh.vertices));
+  for (int q = 0; q < 50; ++q) {
+    const Eigen::Vector3d p(0.1 * std::sin(q), 0.1 * std::cos(1.7 * q), 0.05 * std::sin(0.3 * q));
+    const ClosestPoint at = still.closest(Feature::surface, p);
+    const Eigen::Vector3d expected = pose.rotation * still.normal(at);
+    QVERIFY((moved.normal(at) - expected).norm() < 1e-12);
+    QVERIFY(std::abs(expected.norm() - 1.0) < 1e-12);
   }
 }
 

@@ -5,14 +5,6 @@
 #include <cmath>
 
 namespace glisson {
-namespace {
-
-Eigen::Vector3d triangle_cross(const TriangleMesh& mesh, int t) {
-  const Eigen::Vector3d a = mesh.vertex(mesh.triangles(t, 0));
-  return (mesh.vertex(mesh.triangles(t, 1)) - a).cross(mesh.vertex(mesh.triangles(t, 2)) - a);
-}
-
-}  // namespace
 
 VertexStars::VertexStars(const TriangleMesh& mesh)
     : first_(static_cast<std::size_t>(mesh.vertex_count()) + 1, 0),
@@ -38,9 +30,9 @@ Eigen::Vector3d VertexStars::normal(const TriangleMesh& mesh, int vertex) const 
     const Eigen::Vector3d here = mesh.vertex(vertex);
     const Eigen::Vector3d u = mesh.vertex(mesh.triangles(t, (k + 1) % 3)) - here;
     const Eigen::Vector3d v = mesh.vertex(mesh.triangles(t, (k + 2) % 3)) - here;
-    const Eigen::Vector3d across = triangle_cross(mesh, t);  // the same at each corner
-    const double doubled = across.norm();
-    if (doubled > 0.0) sum += std::atan2(u.cross(v).norm(), u.dot(v)) * (across / doubled);
+    const Eigen::Vector3d across = u.cross(v);
+    const double length = across.norm();
+    if (length > 0.0) sum += std::atan2(length, u.dot(v)) / length * across;
   }
   const double length = sum.norm();
   return length > 0.0 ? Eigen::Vector3d(sum / length) : sum;
