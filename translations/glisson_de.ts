@@ -2772,6 +2772,10 @@
         <source>With a probability of %1 % (limit %2 %) the organ has moved or been bent between the looks: no one shape explains them. Forget the earlier looks and register with the present points alone.</source>
         <translation>Mit einer Wahrscheinlichkeit von %1 % (Grenze %2 %) hat sich das Organ zwischen den Blicken bewegt oder verbogen: Keine eine Form erklärt sie. Verwerfen Sie die früheren Blicke und registrieren Sie nur mit den jetzigen Punkten.</translation>
     </message>
+    <message>
+        <source>The case was opened without the operations that were simulated on its model: the next registration simulates them anew. (%*)</source>
+        <translation>Der Fall wurde ohne die Operationen geöffnet, die auf seinem Modell simuliert worden waren: Die nächste Registrierung simuliert sie neu. (%*)</translation>
+    </message>
 </context>
 <context>
     <name>Obstacles</name>
@@ -2898,6 +2902,10 @@
     <message>
         <source>No earlier look is kept (Stereo).</source>
         <translation>Kein früherer Blick ist gemerkt (Stereo).</translation>
+    </message>
+    <message>
+        <source>No operations have been simulated on this model: register it.</source>
+        <translation>Auf diesem Modell wurden keine Operationen simuliert: registrieren Sie es.</translation>
     </message>
 </context>
 <context>
@@ -3754,6 +3762,10 @@
     <message>
         <source>shapes with altered supports</source>
         <translation>Formen mit veränderten Auflagern</translation>
+    </message>
+    <message>
+        <source>Simulating operations</source>
+        <translation>Operationen werden simuliert</translation>
     </message>
 </context>
 <context>
@@ -5177,6 +5189,10 @@
     <message>
         <source>liver (s: synthetic; * not in the atlas)</source>
         <translation>Leber (s: synthetisch; * nicht im Atlas)</translation>
+    </message>
+    <message>
+        <source>Also simulates operations on it, on which every registration of this case then rests: some seconds that no registration takes.</source>
+        <translation>Simuliert auch Operationen darauf, auf denen dann jede Registrierung dieses Falls beruht: einige Sekunden, die keine Registrierung mehr braucht.</translation>
     </message>
 </context>
 <context>

@@ -2772,6 +2772,10 @@
         <source>With a probability of %1 % (limit %2 %) the organ has moved or been bent between the looks: no one shape explains them. Forget the earlier looks and register with the present points alone.</source>
         <translation>Avec une probabilité de %1 % (limite %2 %), l’organe a bougé ou s’est déformé entre les vues : aucune forme unique ne les explique. Oubliez les vues antérieures et recalez avec les seuls points présents.</translation>
     </message>
+    <message>
+        <source>The case was opened without the operations that were simulated on its model: the next registration simulates them anew. (%*)</source>
+        <translation>Le cas a été ouvert sans les opérations simulées sur son modèle : le prochain recalage les simulera à nouveau. (%*)</translation>
+    </message>
 </context>
 <context>
     <name>Obstacles</name>
@@ -2898,6 +2902,10 @@
     <message>
         <source>No earlier look is kept (Stereo).</source>
         <translation>Aucune vue antérieure n’est gardée (Stéréo).</translation>
+    </message>
+    <message>
+        <source>No operations have been simulated on this model: register it.</source>
+        <translation>Aucune opération n’a été simulée sur ce modèle : recalez-le.</translation>
     </message>
 </context>
 <context>
@@ -3754,6 +3762,10 @@
     <message>
         <source>shapes with altered supports</source>
         <translation>formes aux appuis modifiés</translation>
+    </message>
+    <message>
+        <source>Simulating operations</source>
+        <translation>Simulation d’opérations</translation>
     </message>
 </context>
 <context>
@@ -5177,6 +5189,10 @@
     <message>
         <source>liver (s: synthetic; * not in the atlas)</source>
         <translation>foie (s : synthétique ; * hors de l’atlas)</translation>
+    </message>
+    <message>
+        <source>Also simulates operations on it, on which every registration of this case then rests: some seconds that no registration takes.</source>
+        <translation>Simule aussi des opérations dessus, sur lesquelles repose ensuite chaque recalage de ce cas : quelques secondes qu’aucun recalage ne prendra plus.</translation>
     </message>
 </context>
 <context>

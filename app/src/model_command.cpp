@@ -8,6 +8,7 @@
 #include "glisson/engine/commands/edit_trees.h"
 #include "glisson/engine/commands/import_labels.h"
 #include "glisson/engine/commands/import_surfaces.h"
+#include "glisson/engine/commands/simulate_operations.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/experiments/evaluate.h"
 #include "glisson/geometry/mesh_io.h"
@@ -44,6 +45,8 @@ int run_model(const QStringList& given) {
   arguments.option("truth",
                    Cli::tr("A fine surface of the liver: adds the distances. Read after everything else."),
                    "FILE");
+  arguments.flag("operations", Cli::tr("Also simulates operations on it, on which every registration of this "
+                                       "case then rests: some seconds that no registration takes."));
   arguments.option("mesh-out", Cli::tr("Also write the mesh here (.vtu, .vtk)."), "FILE");
   if (!arguments.parse(given)) return 0;
   options.mesh.target_vertices = arguments.integer("vertices", 50, 200000);
@@ -71,6 +74,10 @@ int run_model(const QStringList& given) {
     session.figures.merge(experiments::surface_figures(
         model.surface.mesh, read_triangle_mesh(arguments.path("truth"), arguments.unit("unit"))));
   save_case(arguments, session);
+  if (arguments.has("operations")) {  // the model is safe by now, whatever comes of them
+    session.post(engine::SimulateOperations{});
+    save_case(arguments, session);
+  }
   if (arguments.has("mesh-out"))
     write_tet_mesh(arguments.path("mesh-out"), model.mesh, LengthUnit::millimetre);
   session.finish();

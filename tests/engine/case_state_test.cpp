@@ -24,6 +24,7 @@
 #include "glisson/engine/parts/live.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/offer.h"
+#include "glisson/engine/parts/operations.h"
 #include "glisson/engine/parts/other_registration.h"
 #include "glisson/engine/parts/preview.h"
 #include "glisson/engine/parts/proposals.h"
@@ -68,6 +69,7 @@ void CaseStateTest::EveryPartCanBeTakenAndTold() {
   full[part::regions] = std::make_shared<stereo::Regions>();
   full[part::cloud] = std::make_shared<LabelledCloud>();
   full[part::earlier_looks] = std::make_shared<EarlierLooks>();
+  full[part::operations] = std::make_shared<SimulatedOperations>();
   full[part::registration] = std::make_shared<Registration>();
   full[part::live] = std::make_shared<LiveState>();
   full[part::other_registration] = std::make_shared<OtherRegistration>();

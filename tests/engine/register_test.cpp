@@ -10,6 +10,7 @@
 #include "glisson/engine/parts/cloud.h"
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/operations.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/registration/examine.h"
 #include "glisson/registration/next_look.h"
@@ -54,7 +55,6 @@ class RegisterTest : public QObject {
   Q_OBJECT
  private slots:
   void OperationsAreSimulatedOnceForAModel();
-  void OperationsGoWithTheRegistration();
   void ProgressNeverGoesBack();
   void WhereALookHelpsIsToldOfEachLesion();
   void TheMirrorImageIsRefusedUntilSomebodyAcceptsIt();
@@ -79,13 +79,6 @@ void RegisterTest::OperationsAreSimulatedOnceForAModel() {
   Register harder = few_operations();
   harder.operation.gas_pa *= 1.5;
   QVERIFY(registered(first, harder)[part::operations] != first[part::operations]);
-}
-
-void RegisterTest::OperationsGoWithTheRegistration() {
-  const CaseState done = registered(before_registration(), few_operations());
-  CaseState state = before_registration();
-  state.take(part::registration, done);
-  QVERIFY(state[part::operations] == done[part::operations]);
 }
 
 void RegisterTest::ProgressNeverGoesBack() {

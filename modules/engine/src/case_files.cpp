@@ -416,4 +416,15 @@ Registration read_registration(const fs::path& path, const PatientModel& model, 
   return registration;
 }
 
+bool or_lost(const CaseFolder& folder, const char* code, const std::function<void()>& read) {
+  try {
+    read();
+    return true;
+  } catch (const Error& failure) {
+    if (folder.lost == nullptr) throw;
+    folder.lost->push_back(std::string(code) + ' ' + failure.what());
+    return false;
+  }
+}
+
 }  // namespace glisson::engine

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
+#include "glisson/engine/part.h"
 #include "glisson/patient/patient_model.h"
 
 /// @file
@@ -25,5 +27,10 @@ Points points_from_json(const nlohmann::json& array, const std::string& file, co
 /// Whether two sets of points are the same but for what millimetres in text or floats round: a micrometre is
 /// lost to nobody.
 bool same_points(const Points& a, const Points& b);
+
+/// Reads what can be made again. @param code the note about it ("case.cloud_lost").
+/// @return false when it could not be read and that was told (CaseFolder::lost). @throws what `read` throws
+/// where nobody is to be told.
+bool or_lost(const CaseFolder& folder, const char* code, const std::function<void()>& read);
 
 }  // namespace glisson::engine

@@ -5,9 +5,6 @@
 #include <cmath>
 #include <string>
 
-#include "glisson/engine/parts/landmarks.h"
-#include "glisson/engine/parts/model.h"
-#include "glisson/engine/parts/registration.h"
 #include "glisson/patient/label_map.h"
 #include "glisson/registration/next_look.h"
 #include "glisson/registration/refusal.h"
@@ -101,12 +98,6 @@ void add_figures(Figures& figures, const registration::Registered& made) {
 }
 
 }  // namespace
-
-registration::KnownOperations known_operations(const CaseState& state) {
-  const auto& known = state[part::operations];
-  if (!known || known->model != state[part::model] || known->landmarks != state[part::landmarks]) return {};
-  return {known->options, known->prior};
-}
 
 Figures figures_of(const registration::ExaminedRegistration& examined) {
   Figures figures;

@@ -2,13 +2,9 @@
 #pragma once
 
 #include "glisson/core/json_file.h"
-#include "glisson/engine/case_state.h"
 #include "glisson/registration/examined_registration.h"
 
 namespace glisson::engine {
-
-/// Operations that an earlier registration has simulated on the same model.
-registration::KnownOperations known_operations(const CaseState& state);
 
 /// What a registration comes to: residuals, forces, expected errors, findings.
 Figures figures_of(const registration::ExaminedRegistration& examined);

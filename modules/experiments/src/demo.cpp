@@ -35,6 +35,7 @@
 #include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/operations.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/engine/parts/video.h"
 #include "glisson/experiments/again_every.h"
@@ -198,9 +199,7 @@ class DemoRun {
     registration::RegisterOptions options = engine::Register{};
     options.method = registration::Method::forces;
     options.landmarks_are_placed = state()[part::landmarks] != nullptr;
-    registration::KnownOperations known;
-    if (state()[part::operations])
-      known = {state()[part::operations]->options, state()[part::operations]->prior};
+    const registration::KnownOperations known = engine::known_operations(state(), context_.seed());
     const Stopwatch watch;
     const auto made = registration::register_model(engine::effective_model(state()), *state()[part::cloud],
                                                    options, context_.quiet(), known);

@@ -12,23 +12,26 @@
 
 namespace glisson::experiments {
 
-/// One cloud alone, and joined with another.
+/// One cloud alone, joined with another, and joined with one of another moment, when the organ was handled
+/// otherwise: that must be told.
 struct JoinedTrial {
   struct Found {
     double seen = 0.0;   ///< share of the surface
     double error = 0.0;  ///< mean over all nodes, metres; infinite: it failed
     bool refused = false;
+    bool told = false;  ///< that the looks do not show one shape
   };
   std::string patient, handling;
-  Found alone, joined;
+  Found alone, joined, moved;
 };
 
 /// A fifth of the surface is seen, and another fifth, in part the same, after the laparoscope has gone round
-/// by 35 degrees. One trial a handling. @param number of the patient.
+/// by 35 degrees; in the third case the organ has been handled in the next way in between. One trial a
+/// handling. @param number of the patient.
 std::vector<JoinedTrial> try_joined(const RegistrationStage& stage, std::size_t number,
                                     const RegistrationProofOptions& options, const RunContext& context);
 
-/// Adds one set's figures (prefix "joined_") and table.
+/// Adds one set's figures (prefixes "joined_", "moved_") and table.
 void sum_up(const std::vector<JoinedTrial>& trials, const std::string& set, RegistrationProof& proof);
 
 }  // namespace glisson::experiments

@@ -192,7 +192,10 @@ class Notes {
             "again. Saved now, the case loses what is left of it. (%*)")},
         {"case.points_lost",
          tr("The case was opened without the points of the whole stereo pair: reconstruct the surface again "
-            "before regions are changed. Saved now, the case loses what is left of them. (%*)")}};
+            "before regions are changed. Saved now, the case loses what is left of them. (%*)")},
+        {"case.operations_lost",
+         tr("The case was opened without the operations that were simulated on its model: the next "
+            "registration simulates them anew. (%*)")}};
   }
   /// Of registration::place_on_liver().
   static QHash<QString, QString> places() {

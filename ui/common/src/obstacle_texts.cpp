@@ -33,6 +33,7 @@ class Obstacles {
             {"review", tr("Review the labels first (Segmentation).")},
             {"cloud", tr("Reconstruct the surface first (Stereo).")},
             {"earlier_looks", tr("No earlier look is kept (Stereo).")},
+            {"operations", tr("No operations have been simulated on this model: register it.")},
             {"registration", tr("Register first.")}};
   }
   /// The same for one that is out of date.

@@ -52,6 +52,7 @@ class Texts {
             {"accept_registration", tr("Accepting the registration")},
             {"choose_rival", tr("Taking the other place")},
             {"simulate", tr("Simulating")},
+            {"simulate_operations", tr("Simulating operations")},
             {"start_tracking", tr("Starting the tracking")},
             {"correct_tracking", tr("Correcting by hand")},
             {"register_again", tr("Registering again")},

@@ -16,6 +16,7 @@
 #include "glisson/ui/shell/autosaver.h"
 #include "glisson/ui/shell/language.h"
 #include "glisson/ui/shell/main_window.h"
+#include "glisson/ui/shell/operations_ahead.h"
 #include "glisson/ui/shell/screenshot_tour.h"
 
 // The resources are in a static library: without a mention the linker leaves them out.
@@ -63,6 +64,7 @@ int run_window(int argc, char** argv, const std::filesystem::path& path) {
       [&log](const engine::Outcome& outcome) { engine::log_outcome(log, outcome, logged_error); });
   sweep_leftovers(work_folder());
   Autosaver* autosaver = make_autosaver(window);
+  new OperationsAhead(window.engine(), window);  // the window's
   if (!path.empty()) window.open(path);
   const QString screenshots = qEnvironmentVariable("GLISSON_SCREENSHOTS");
   if (autosaver != nullptr && screenshots.isEmpty()) autosaver->offer_recovery();

@@ -8,6 +8,7 @@
 #include "glisson/engine/parts/earlier_looks.h"
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/operations.h"
 #include "glisson/engine/parts/proposals.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/registration/examined_registration.h"
@@ -17,14 +18,15 @@
 namespace glisson::engine {
 CommandTraits Register::traits() const {
   return {.code = "register",
-          .reads = {part::model, part::landmarks, part::proposals, part::cloud, part::earlier_looks},
-          .writes = {part::registration},
+          .reads = {part::model, part::landmarks, part::operations, part::proposals, part::cloud,
+                    part::earlier_looks},
+          .writes = {part::operations, part::registration},
           .needs = {part::model, part::cloud},
           .current = {part::model, part::landmarks, part::cloud}};
 }
 
 Cancellable<Applied> Register::apply(const CaseState& state, const RunContext& context) const {
-  const registration::KnownOperations known = known_operations(state);
+  const registration::KnownOperations known = known_operations(state, context.seed());
   registration::RegisterOptions options = *this;
   options.landmarks_are_placed = state[part::landmarks] != nullptr;
   for (const auto& look : looks_to_join(state)) options.looks.push_back(*look);
@@ -39,7 +41,7 @@ Cancellable<Applied> Register::apply(const CaseState& state, const RunContext& c
     applied.notes.push_back(std::move(note));
   if (made->operations && made->operations != known.prior)
     applied.state[part::operations] = std::make_shared<const SimulatedOperations>(SimulatedOperations{
-        state[part::model], state[part::landmarks], operation, std::move(made->operations)});
+        state[part::model], state[part::landmarks], operation, context.seed(), std::move(made->operations)});
   applied.state[part::registration] = std::make_shared<const Registration>(std::move(made->registration));
   return applied;
 }

@@ -8,6 +8,7 @@
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/live.h"
 #include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/operations.h"
 #include "glisson/engine/parts/other_registration.h"
 #include "glisson/engine/parts/proposals.h"
 #include "glisson/engine/parts/registration.h"
@@ -17,12 +18,12 @@
 namespace glisson::engine {
 
 CommandTraits RegisterAgain::traits() const {
-  return {
-      .code = "register_again",
-      .reads = {part::model, part::landmarks, part::proposals, part::cloud, part::registration, part::live},
-      .writes = {part::other_registration},
-      .needs = {part::registration, part::model, part::live},
-      .current = {part::model, part::landmarks, part::registration}};
+  return {.code = "register_again",
+          .reads = {part::model, part::landmarks, part::operations, part::proposals, part::cloud,
+                    part::registration, part::live},
+          .writes = {part::other_registration},
+          .needs = {part::registration, part::model, part::live},
+          .current = {part::model, part::landmarks, part::registration}};
 }
 
 Cancellable<Applied> RegisterAgain::apply(const CaseState& state, const RunContext& context) const {
@@ -35,7 +36,7 @@ Cancellable<Applied> RegisterAgain::apply(const CaseState& state, const RunConte
   const LabelledCloud none;
   auto again = registration::register_again(
       effective_model(state), state[part::cloud] ? *state[part::cloud] : none, *tissue,
-      *state[part::registration], options, context, known_operations(state));
+      *state[part::registration], options, context, known_operations(state, context.seed()));
   if (!again) return {};
   Applied applied{state, figures_of(again->examined)};
   applied.figures["again_better"] = again->is_better ? 1.0 : 0.0;

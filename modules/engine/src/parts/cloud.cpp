@@ -22,18 +22,6 @@ json save(const CaseState& state, const CaseFolder& folder) {
   return {{"has_points", points != nullptr}};
 }
 
-/// Reads what can be made again. @return false when it could not be read and that was told.
-bool or_lost(const CaseFolder& folder, const char* code, const std::function<void()>& read) {
-  try {
-    read();
-    return true;
-  } catch (const Error& failure) {
-    if (folder.lost == nullptr) throw;
-    folder.lost->push_back(std::string(code) + ' ' + failure.what());
-    return false;
-  }
-}
-
 void load(CaseState& state, const json& entry, const CaseFolder& folder) {
   const bool read = or_lost(folder, "case.cloud_lost", [&] {
     state[part::cloud] = std::make_shared<const LabelledCloud>(read_cloud(folder.path / "cloud.ply", kUnit));

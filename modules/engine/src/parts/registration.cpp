@@ -59,7 +59,6 @@ bool same(const CaseState& written, const CaseState& read) {
 
 }  // namespace
 
-const PartOf<SimulatedOperations> part::operations{{.code = "operations"}};
 const PartOf<Registration> part::registration{
     {.code = "registration",
      .made_of = {part::model, part::landmarks, part::cloud, part::earlier_looks},
@@ -69,7 +68,6 @@ const PartOf<Registration> part::registration{
      .load = load,
      .same = same,
      .is_savable = is_of_its_model,
-     .companions = {&part::operations},
      .is_refused = is_refused,
      .refused_remedy = "Register again with a better cloud, or "
                        "accept it knowing its doubts"}};

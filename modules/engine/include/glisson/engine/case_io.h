@@ -43,9 +43,9 @@ std::vector<std::string> put_case(const std::filesystem::path& fresh, const std:
 std::string edition_on_disk(const std::filesystem::path& folder);
 
 /// Reads a case, stamps included.
-/// @param lost a cloud, or the points of its stereo pair, that cannot be read can be made again: the case is
-///   opened without and what is wrong is told here ("case.cloud_lost SENTENCE", "case.points_lost SENTENCE");
-///   null: that is thrown too.
+/// @param lost a cloud, the points of its stereo pair or operations that cannot be read can be made again:
+///   the case is opened without and what is wrong is told here ("case.cloud_lost SENTENCE", points_lost,
+///   operations_lost); null: that is thrown too.
 /// @throws FileError missing; InputError not a case, newer format, a part that is malformed (named).
 Cancellable<CaseState> open_case(const std::filesystem::path& path, const RunContext& context,
                                  std::vector<std::string>* lost = nullptr);

@@ -107,7 +107,8 @@ struct PartSpec {
   std::string_view refused_remedy = {};
   /// Changes with every frame of the live view: no reason to draw the case anew.
   bool is_live = false;
-  /// A person's word: made from nothing, and nothing becomes stale by it.
+  /// A person's word, or what knows itself whether it still holds: made from nothing, and nothing becomes
+  /// stale by it.
   bool stands_alone = false;
   /// Of no use to others: nothing becomes stale by it.
   bool is_input = true;

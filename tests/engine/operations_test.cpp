@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Operations that were simulated ahead: registrations rest on them, and they are kept with the case.
+#include "glisson/engine/parts/operations.h"
+
+#include <QtTest>
+
+#include "../registration/phantom.h"
+#include "complaint.h"
+#include "glisson/core/error.h"
+#include "glisson/core/files.h"
+#include "glisson/engine/case_io.h"
+#include "glisson/engine/commands/register.h"
+#include "glisson/engine/commands/simulate_operations.h"
+#include "glisson/engine/engine.h"
+#include "glisson/engine/parts/cloud.h"
+#include "glisson/engine/parts/landmarks.h"
+#include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/registration.h"
+
+using namespace glisson;
+using namespace glisson::engine;
+
+namespace {
+
+SimulateOperations few() {
+  SimulateOperations command;
+  command.operations = 40;
+  command.gravity = 1.0;
+  command.gas_pa = 80.0;
+  command.bed_m = 0.005;
+  return command;
+}
+
+Register on_few() {
+  Register command;
+  command.start = Register::Start::given;
+  command.given = phantom::view();
+  command.operation = few();
+  return command;
+}
+
+CaseState built() {
+  CaseState state;
+  auto built = std::make_shared<model::BuiltModel>();
+  built->model = phantom::model(6, 5, 3);
+  state[part::model] = built;
+  state[part::landmarks] = std::make_shared<const Landmarks>(phantom::landmarks());
+  return state;
+}
+
+CaseState seen(CaseState state) {
+  const PatientModel& model = state[part::model]->model;
+  state[part::cloud] = std::make_shared<const LabelledCloud>(
+      phantom::patch(model, phantom::view().apply(model.mesh.vertices), {}));
+  return state;
+}
+
+CaseState after(const CaseState& state, const Command& command, std::uint64_t seed = 1) {
+  return apply(state, command, RunContext({}, {}, seed)).value().state;
+}
+
+}  // namespace
+
+class OperationsTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void RegistrationRestsOnWhatWasSimulatedAhead();
+  void DoneAheadTheyChangeNoBit();
+  void AnotherSeedHasOthers();
+  void TheyAreWantedOnceAModelIsThere();
+  void WithoutAVenaCavaTheRemedyIsNamed();
+  void TheyComeBackWithTheCase();
+  void ThoseOfAFormerModelAreNotSaved();
+  void ADamagedFileCostsNothingButTime();
+  void WhatIsOutOfRangeInTheCaseIsNamed();
+};
+
+void OperationsTest::RegistrationRestsOnWhatWasSimulatedAhead() {
+  const CaseState ahead = after(seen(built()), few());
+  QVERIFY(has_operations(ahead));
+  QVERIFY(after(ahead, few())[part::operations] == ahead[part::operations]);  // nothing is done twice
+  QVERIFY(after(ahead, on_few())[part::operations] == ahead[part::operations]);
+}
+
+void OperationsTest::DoneAheadTheyChangeNoBit() {
+  const CaseState ahead = after(after(seen(built()), few()), on_few()),
+                  together = after(seen(built()), on_few());
+  QVERIFY(ahead[part::registration]->nodes_in_camera == together[part::registration]->nodes_in_camera);
+  QVERIFY(ahead[part::operations]->prior->modes == together[part::operations]->prior->modes);
+}
+
+void OperationsTest::AnotherSeedHasOthers() {
+  const CaseState ahead = after(seen(built()), few());
+  QVERIFY(!known_operations(ahead, 2).prior);
+  const CaseState other = after(ahead, on_few(), 2);
+  QVERIFY(other[part::operations] != ahead[part::operations]);
+  QVERIFY(other[part::operations]->prior->modes != ahead[part::operations]->prior->modes);
+}
+
+void OperationsTest::TheyAreWantedOnceAModelIsThere() {
+  QVERIFY(!lacks_operations({}));
+  CaseState state = built();
+  QVERIFY(lacks_operations(state));
+  const CaseState ahead = after(state, few());
+  QVERIFY(!lacks_operations(ahead));
+  CaseState marked = ahead;
+  marked[part::landmarks] = std::make_shared<const Landmarks>(*ahead[part::landmarks]);
+  QVERIFY(lacks_operations(marked));
+  auto bare = std::make_shared<model::BuiltModel>(*state[part::model]);
+  bare->model.landmarks.vena_cava.resize(0, 3);
+  state[part::model] = bare;
+  state[part::landmarks] = nullptr;
+  QVERIFY(!lacks_operations(state));
+}
+
+void OperationsTest::WithoutAVenaCavaTheRemedyIsNamed() {
+  CaseState state = built();
+  auto bare = std::make_shared<model::BuiltModel>(*state[part::model]);
+  bare->model.landmarks.vena_cava.resize(0, 3);
+  state[part::model] = bare;
+  state[part::landmarks] = nullptr;
+  const std::string said = test::complaint([&] { after(state, few()); });
+  QVERIFY2(said.find("vena cava") != std::string::npos && said.find("landmarks") != std::string::npos,
+           said.c_str());
+}
+
+void OperationsTest::TheyComeBackWithTheCase() {
+  const QTemporaryDir folder;
+  const std::filesystem::path path = folder.filePath("a.glisson").toStdString();
+  const CaseState ahead = after(built(), few(), 7);
+  save_case(path, ahead, RunContext());
+  const auto read = open_case(path, RunContext());
+  QVERIFY(read.has_value() && has_operations(*read));
+  const SimulatedOperations &was = *ahead[part::operations], &is = *(*read)[part::operations];
+  QVERIFY(is.prior->modes == was.prior->modes);
+  QCOMPARE(is.prior->operations, was.prior->operations);
+  QVERIFY(is.options == was.options && is.seed == 7);
+  QVERIFY(after(*read, few(), 7)[part::operations] == (*read)[part::operations]);
+  QVERIFY(after(*read, few(), 8)[part::operations] != (*read)[part::operations]);
+}
+
+void OperationsTest::ThoseOfAFormerModelAreNotSaved() {
+  const QTemporaryDir folder;
+  const std::filesystem::path path = folder.filePath("a.glisson").toStdString();
+  CaseState state = after(built(), few());
+  state[part::landmarks] = nullptr;
+  save_case(path, state, RunContext());
+  QVERIFY(!std::filesystem::exists(path / "operations.vtu"));
+  QVERIFY(!(*open_case(path, RunContext()))[part::operations]);
+}
+
+void OperationsTest::ADamagedFileCostsNothingButTime() {
+  const QTemporaryDir folder;
+  const std::filesystem::path path = folder.filePath("a.glisson").toStdString();
+  save_case(path, after(built(), few()), RunContext());
+  // Another liver's, and half a file.
+  CaseState other = built();
+  auto shifted = std::make_shared<model::BuiltModel>(*other[part::model]);
+  shifted->model.mesh.vertices.rowwise() += Eigen::RowVector3d(0.01, 0, 0);
+  other[part::model] = shifted;
+  const std::filesystem::path theirs = folder.filePath("b.glisson").toStdString();
+  save_case(theirs, after(other, few()), RunContext());
+  const std::string whole = read_file(path / "operations.vtu");
+  for (const std::string& damaged :
+       {read_file(theirs / "operations.vtu"), whole.substr(0, whole.size() / 2)}) {
+    write_file_atomically(path / "operations.vtu", damaged);
+    std::vector<std::string> lost;
+    const auto read = open_case(path, RunContext(), &lost);
+    QVERIFY(read.has_value() && (*read)[part::model] && !(*read)[part::operations]);
+    QVERIFY(std::any_of(lost.begin(), lost.end(),
+                        [](const std::string& note) { return note.starts_with("case.operations_lost "); }));
+    const std::string said = test::complaint([&] { open_case(path, RunContext()); });
+    QVERIFY2(said.find("operations.vtu") != std::string::npos, said.c_str());
+  }
+}
+
+void OperationsTest::WhatIsOutOfRangeInTheCaseIsNamed() {
+  const QTemporaryDir folder;
+  const std::filesystem::path path = folder.filePath("a.glisson").toStdString();
+  save_case(path, after(built(), few()), RunContext());
+  const std::string text = read_file(path / "case.json");
+  for (const auto& [field, was, wrong] : {std::tuple{"gas_pa", "\"gas_pa\": 80.0", "\"gas_pa\": 1e300"},
+                                          std::tuple{"seed", "\"seed\": 1", "\"seed\": -1"},
+                                          std::tuple{"modes", "\"modes\": 60", "\"modes\": \"many\""}}) {
+    std::string changed = text;
+    QVERIFY2(text.find(was) != std::string::npos, was);
+    changed.replace(text.find(was), std::string(was).size(), wrong);
+    write_file_atomically(path / "case.json", changed);
+    const std::string said = test::complaint([&] { open_case(path, RunContext()); });
+    QVERIFY2(said.find(field) != std::string::npos, said.c_str());
+  }
+}
+
+QTEST_APPLESS_MAIN(OperationsTest)
+#include "operations_test.moc"
