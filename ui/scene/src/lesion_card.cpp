@@ -75,7 +75,38 @@ void draw_ruler(QPainter& painter, const Layout& layout, const guidance::LesionM
   });
 }
 
-void draw_numbers(QPainter& painter, const Layout& layout, const LesionCard& card, const QColor& colour) {
+}  // namespace
+
+std::vector<std::pair<std::string, std::string>> lesion_numbers(const LesionVerdict& verdict,
+                                                                const guidance::LesionMeasures& measures) {
+  std::vector<std::pair<std::string, std::string>> rows;
+  if (verdict.level == Level::withdrawn) return rows;
+  const auto add = [&rows](const QString& name, double metres) {
+    if (std::isfinite(metres)) rows.emplace_back(name.toStdString(), Overlay::length(metres).toStdString());
+  };
+  add(Overlay::along_sight(), measures.along_sight);
+  add(Overlay::shortest(), measures.shortest);
+  if (verdict.reach > 0.0) {
+    add(Overlay::expected(), verdict.expected);
+    rows.emplace_back(Overlay::within().toStdString(), Overlay::reach(verdict.reach).toStdString());
+  }
+  add(Overlay::from_place(), measures.from_place);
+  return rows;
+}
+
+void draw_card_marks(QPainter& painter, const Layout& layout, const LesionCard& card, const Camera& camera,
+                     bool with_ruler) {
+  const Eigen::Vector3d& centre = card.verdict.centre;
+  // A degraded one has its region.
+  if (card.verdict.level == Level::valid && centre.z() > SurfaceRaster::kNear) {
+    const double half = 1.5 * card.verdict.radius * camera.matrix(0, 0) / centre.z() + layout.text;
+    if (with_ruler) draw_ruler(painter, layout, card.measures, camera, kWords);
+    draw_brackets(painter, layout, on_picture(camera, centre), half, colour_of(card.verdict.lesion));
+  }
+  if (card.place) draw_place(painter, layout, QPointF(card.place->x() + 0.5, card.place->y() + 0.5));
+}
+
+void draw_card(QPainter& painter, const Layout& layout, Taken& taken, const LesionCard& card) {
   std::vector<std::pair<QString, QString>> rows;
   for (const auto& [name, value] : lesion_numbers(card.verdict, card.measures))
     rows.emplace_back(QString::fromStdString(name), QString::fromStdString(value));
@@ -96,6 +127,7 @@ void draw_numbers(QPainter& painter, const Layout& layout, const LesionCard& car
   QRect box(0, 0, width + 2 * layout.margin, lines * row + layout.margin);
   box.moveRight(layout.size.width() - layout.margin);
   box.moveBottom(layout.size.height() - layout.margin - 3 * layout.text);
+  box = taken.above(box).toRect();
   draw_plate(painter, box);
   const int left = box.left() + layout.margin;
   int top = box.top() + layout.margin / 2;
@@ -104,7 +136,7 @@ void draw_numbers(QPainter& painter, const Layout& layout, const LesionCard& car
     painter.setPen(pen);
     painter.drawText(QRect(left, top, width, row), side | Qt::AlignVCenter, text);
   };
-  line(bold, colour, Qt::AlignLeft, head);
+  line(bold, colour_of(card.verdict.lesion), Qt::AlignLeft, head);
   top += row;
   if (!why.isEmpty()) {
     line(font, kAmber, Qt::AlignLeft, why);
@@ -115,39 +147,6 @@ void draw_numbers(QPainter& painter, const Layout& layout, const LesionCard& car
     line(bold, is_known ? kWords : kAmber, Qt::AlignRight, value);
     top += row;
   }
-}
-
-}  // namespace
-
-std::vector<std::pair<std::string, std::string>> lesion_numbers(const LesionVerdict& verdict,
-                                                                const guidance::LesionMeasures& measures) {
-  std::vector<std::pair<std::string, std::string>> rows;
-  if (verdict.level == Level::withdrawn) return rows;
-  const auto add = [&rows](const QString& name, double metres) {
-    if (std::isfinite(metres)) rows.emplace_back(name.toStdString(), Overlay::length(metres).toStdString());
-  };
-  add(Overlay::along_sight(), measures.along_sight);
-  add(Overlay::shortest(), measures.shortest);
-  if (verdict.reach > 0.0) {
-    add(Overlay::expected(), verdict.expected);
-    rows.emplace_back(Overlay::within().toStdString(), Overlay::reach(verdict.reach).toStdString());
-  }
-  add(Overlay::from_place(), measures.from_place);
-  return rows;
-}
-
-void draw_card(QPainter& painter, const Layout& layout, const LesionCard& card, const Camera& camera,
-               bool with_ruler) {
-  const QColor colour = colour_of(card.verdict.lesion);
-  const Eigen::Vector3d& centre = card.verdict.centre;
-  // Nothing points to where a withdrawn lesion would be; a degraded one has its region.
-  if (card.verdict.level == Level::valid && centre.z() > SurfaceRaster::kNear) {
-    const double half = 1.5 * card.verdict.radius * camera.matrix(0, 0) / centre.z() + layout.text;
-    if (with_ruler) draw_ruler(painter, layout, card.measures, camera, kWords);
-    draw_brackets(painter, layout, on_picture(camera, centre), half, colour);
-  }
-  if (card.place) draw_place(painter, layout, QPointF(card.place->x() + 0.5, card.place->y() + 0.5));
-  draw_numbers(painter, layout, card, colour);
 }
 
 }  // namespace glisson::scene

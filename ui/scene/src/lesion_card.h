@@ -18,8 +18,10 @@ struct LesionCard {
 };
 
 /// Brackets around the lesion, the marked place, the shortest way to the surface as a ruler with a tick every
-/// 10 mm, and the numbers at the right border. Of a withdrawn lesion the reason alone.
-void draw_card(QPainter& painter, const Layout& layout, const LesionCard& card, const Camera& camera,
-               bool with_ruler);
+/// 10 mm. Nothing points to where a withdrawn lesion would be.
+void draw_card_marks(QPainter& painter, const Layout& layout, const LesionCard& card, const Camera& camera,
+                     bool with_ruler);
+/// The numbers at the right border, over what stands there; of a withdrawn lesion the reason alone.
+void draw_card(QPainter& painter, const Layout& layout, Taken& taken, const LesionCard& card);
 
 }  // namespace glisson::scene

@@ -20,7 +20,8 @@ QColor border_colour(Validity validity) {
   return waits ? kAmber : QColor(229, 57, 53);
 }
 
-void draw_legend(QPainter& painter, const Layout& layout, const std::vector<Label>& structures) {
+void draw_legend(QPainter& painter, const Layout& layout, Taken& taken,
+                 const std::vector<Label>& structures) {
   std::vector<Label> entries;
   bool lesion = false;
   for (const Label label : structures) {
@@ -38,6 +39,7 @@ void draw_legend(QPainter& painter, const Layout& layout, const std::vector<Labe
   const int height = row * static_cast<int>(entries.size()) + 2 * pad;
   const QRect box(layout.margin, layout.size.height() - layout.margin - height, widest + swatch + 3 * pad,
                   height);
+  taken.add(box);
   draw_plate(painter, box);
   painter.setFont(font);
   int top = box.top() + pad;
@@ -67,7 +69,7 @@ void draw_margin(QPainter& painter, const Layout& layout, const std::vector<Eige
   painter.drawPath(path);
 }
 
-void draw_limit(QPainter& painter, const Layout& layout, Validity validity) {
+void draw_limit(QPainter& painter, const Layout& layout, Taken& taken, Validity validity) {
   const QColor colour = border_colour(validity);
   const int thickness = std::max(4, layout.size.height() / 90);
   painter.setBrush(Qt::NoBrush);
@@ -80,9 +82,10 @@ void draw_limit(QPainter& painter, const Layout& layout, Validity validity) {
   // lines.
   const QRect room(0, 0, layout.size.width() - 8 * layout.margin, layout.size.height());
   const QRect words = QFontMetrics(font).boundingRect(room, Qt::AlignCenter | Qt::TextWordWrap, text);
-  QRect box(0, 0, words.width() + 4 * layout.margin, words.height() + 2 * layout.margin);
-  box.moveCenter(QPoint(layout.size.width() / 2, 0));
-  box.moveTop(std::max(layout.size.height() / 6 - box.height() / 2, 4 * layout.margin));
+  QRectF box(0, 0, words.width() + 4 * layout.margin, words.height() + 2 * layout.margin);
+  box.moveLeft((layout.size.width() - box.width()) / 2);
+  box.moveTop(std::max(layout.size.height() / 6.0 - box.height() / 2, 4.0 * layout.margin));
+  box = taken.below(box);
   draw_plate(painter, box);
   painter.setFont(font);
   painter.setPen(colour);
@@ -91,36 +94,38 @@ void draw_limit(QPainter& painter, const Layout& layout, Validity validity) {
 }
 
 /// The region of a lesion that is not known well enough to be drawn itself: dashed, and never filled.
-void draw_region(QPainter& painter, const Layout& layout, const LesionVerdict& verdict,
-                 const QPolygonF& region) {
+void draw_region(QPainter& painter, const Layout& layout, Label lesion, const QPolygonF& region) {
   if (region.isEmpty()) return;
-  const QColor colour = colour_of(verdict.lesion);
   const double width = std::max(1.5, layout.text / 7.0);
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(QColor(0, 0, 0, 170), width + 2.0));
   painter.drawPolygon(region);
-  QPen dashes(colour, width);
+  QPen dashes(colour_of(lesion), width);
   dashes.setDashPattern({4.0, 3.0});
   painter.setPen(dashes);
   painter.drawPolygon(region);
+}
+
+/// Whose region it is, and how far it reaches, beside it where no other words stand.
+void name_region(QPainter& painter, const Layout& layout, Taken& taken, const LesionVerdict& verdict,
+                 const QPolygonF& region) {
+  const QRectF around = region.boundingRect();
+  if (region.isEmpty() || !QRectF(QPointF(0, 0), QSizeF(layout.size)).intersects(around)) return;
   const QString text = Overlay::lesion(verdict.lesion) + QStringLiteral("  ") + Overlay::reach(verdict.reach);
   const QFont font = layout.font(true, 0.9);
   const QFontMetrics metrics(font);
-  QRectF box(0, 0, metrics.horizontalAdvance(text) + layout.margin, metrics.height());
-  box.moveCenter({region.boundingRect().center().x(), region.boundingRect().top() - 0.6 * box.height()});
-  const QRectF room(QPointF(0, 0), QSizeF(layout.size));
-  if (!room.intersects(region.boundingRect())) return;
-  box.moveLeft(std::clamp(box.left(), 0.0, std::max(0.0, room.width() - box.width())));
-  box.moveTop(std::clamp(box.top(), 0.0, std::max(0.0, room.height() - box.height())));
+  const QRectF box =
+      taken.beside(around, QSizeF(metrics.horizontalAdvance(text) + layout.margin, metrics.height()));
   draw_plate(painter, box);
   painter.setFont(font);
-  painter.setPen(colour);
+  painter.setPen(colour_of(verdict.lesion));
   painter.drawText(box, Qt::AlignCenter, text);
 }
 
 /// Which lesions are not drawn as themselves, and why: under the status line. What holds for all is said of
 /// the whole.
-void draw_lesion_limits(QPainter& painter, const Layout& layout, const std::vector<LesionVerdict>& lesions) {
+void draw_lesion_limits(QPainter& painter, const Layout& layout, Taken& taken,
+                        const std::vector<LesionVerdict>& lesions) {
   constexpr int kMost = 3;  // more would cover the organ
   QStringList lines;
   int rest = 0;
@@ -139,12 +144,13 @@ void draw_lesion_limits(QPainter& painter, const Layout& layout, const std::vect
   const QRect room(0, 0, layout.size.width() * 3 / 5, layout.size.height());
   const QString text = lines.join(QLatin1Char('\n'));
   const QRect words = metrics.boundingRect(room, Qt::AlignLeft | Qt::TextWordWrap, text);
-  const QRect box(layout.margin, top, words.width() + layout.margin, words.height() + layout.margin / 2);
+  const QRectF box = taken.below(
+      QRectF(layout.margin, top, words.width() + layout.margin, words.height() + layout.margin / 2.0));
   draw_plate(painter, box);
   painter.setFont(font);
   painter.setPen(kAmber);
-  painter.drawText(box.adjusted(layout.margin / 2, layout.margin / 4, 0, 0), Qt::AlignLeft | Qt::TextWordWrap,
-                   text);
+  painter.drawText(box.adjusted(layout.margin / 2.0, layout.margin / 4.0, 0, 0),
+                   Qt::AlignLeft | Qt::TextWordWrap, text);
 }
 
 /// A copy in blue, green and red, and an image that paints into its bytes.
@@ -156,50 +162,69 @@ std::pair<QImage, std::shared_ptr<std::vector<std::uint8_t>>> paintable(const Pi
   return {std::move(image), std::move(bytes)};
 }
 
+/// Level, frame, age, rate: what a person looks at first.
+void draw_status(QPainter& painter, const Layout& layout, Taken& taken, const OverlayFrame& overlay,
+                 const OverlayStatus& status) {
+  const bool is_proposed = overlay.validity == Validity::proposed;
+  QStringList words{is_proposed     ? Overlay::proposed()
+                    : status.stands ? Overlay::not_live()
+                                    : Overlay::level(overlay.level()),
+                    Overlay::frame(overlay.index)};
+  if (status.age_seconds > 0.0) words << Overlay::age(status.age_seconds);
+  if (status.frames_per_second > 0.0) words << Overlay::rate(status.frames_per_second);
+  if (overlay.level() != Level::withdrawn && !is_proposed) words << Overlay::residual(overlay.residual);
+  draw_text(painter, layout, taken, words.join(QStringLiteral("  ·  ")), layout.font(status.stands),
+            status.stands ? kAmber : kWords, Qt::AlignLeft | Qt::AlignTop);
+}
+
+void draw_doubts(QPainter& painter, const Layout& layout, Taken& taken, const OverlayFrame& overlay,
+                 const OverlayStatus& status) {
+  QStringList doubts;
+  if (overlay.doubtful) doubts << Overlay::doubtful();
+  if (status.model_unchecked) doubts << Overlay::unchecked();
+  if (status.landmarks_open)
+    doubts << Overlay::landmarks_open();
+  else if (status.landmarks_from_statistics)
+    doubts << Overlay::landmarks_from_statistics();
+  if (!doubts.isEmpty())
+    draw_text(painter, layout, taken, doubts.join(QStringLiteral("  ·  ")), layout.font(true), kAmber,
+              Qt::AlignRight | Qt::AlignTop);
+}
+
 }  // namespace
 
 Picture annotate(const Picture& picture, const OverlayFrame& overlay, const Annotations& annotations,
                  const OverlayStyle& style, const OverlayStatus& status) {
   auto [image, bytes] = paintable(picture);
   const Layout layout(image.size());
+  Taken taken(layout);
   QPainter painter(&image);
   painter.setRenderHint(QPainter::Antialiasing);
   const bool drawn = overlay.level() != Level::withdrawn;
-  if (drawn) {
-    if (style.anterior_margin) draw_margin(painter, layout, annotations.margin);
+  if (drawn && style.anterior_margin) draw_margin(painter, layout, annotations.margin);
+  if (drawn)
     for (std::size_t i = 0; i < annotations.regions.size(); ++i)
-      draw_region(painter, layout, annotations.lesions[i], annotations.regions[i]);
-    draw_lesion_limits(painter, layout, annotations.lesions);
-    if (annotations.card) draw_card(painter, layout, *annotations.card, annotations.camera, style.ruler);
-    if (style.legend) draw_legend(painter, layout, annotations.structures);
-    QStringList doubts;
-    if (overlay.doubtful) doubts << Overlay::doubtful();
-    if (status.model_unchecked) doubts << Overlay::unchecked();
-    if (status.landmarks_open)
-      doubts << Overlay::landmarks_open();
-    else if (status.landmarks_from_statistics)
-      doubts << Overlay::landmarks_from_statistics();
-    if (!doubts.isEmpty())
-      draw_text(painter, layout, doubts.join(QStringLiteral("  ·  ")), layout.font(true), kAmber,
-                Qt::AlignRight | Qt::AlignTop);
-  }
-  if (overlay.level() != Level::valid) draw_limit(painter, layout, overlay.validity);
-  if (style.status) {
-    const bool is_proposed = overlay.validity == Validity::proposed;
-    QStringList words{is_proposed     ? Overlay::proposed()
-                      : status.stands ? Overlay::not_live()
-                                      : Overlay::level(overlay.level()),
-                      Overlay::frame(overlay.index)};
-    if (status.age_seconds > 0.0) words << Overlay::age(status.age_seconds);
-    if (status.frames_per_second > 0.0) words << Overlay::rate(status.frames_per_second);
-    if (drawn && !is_proposed) words << Overlay::residual(overlay.residual);
-    draw_text(painter, layout, words.join(QStringLiteral("  ·  ")), layout.font(status.stands),
-              status.stands ? kAmber : kWords, Qt::AlignLeft | Qt::AlignTop);
-    if (drawn && style.look == Look::contours && style.legend)
-      draw_text(painter, layout, Overlay::contours(), layout.font(), kWords,
+      draw_region(painter, layout, annotations.lesions[i].lesion, annotations.regions[i]);
+  if (drawn && annotations.card)
+    draw_card_marks(painter, layout, *annotations.card, annotations.camera, style.ruler);
+  // Words in the order of their weight: who comes later gives way.
+  if (style.status) draw_status(painter, layout, taken, overlay, status);
+  if (drawn) draw_doubts(painter, layout, taken, overlay, status);
+  if (overlay.level() != Level::valid) draw_limit(painter, layout, taken, overlay.validity);
+  if (drawn) {
+    if (style.legend) draw_legend(painter, layout, taken, annotations.structures);
+    draw_lesion_limits(painter, layout, taken, annotations.lesions);
+    if (style.status && style.look == Look::contours && style.legend)
+      draw_text(painter, layout, taken, Overlay::contours(), layout.font(), kWords,
                 Qt::AlignHCenter | Qt::AlignBottom);
-    draw_text(painter, layout, Overlay::research(), layout.font(false, 0.8), QColor(190, 197, 202),
+  }
+  if (style.status)
+    draw_text(painter, layout, taken, Overlay::research(), layout.font(false, 0.8), QColor(190, 197, 202),
               Qt::AlignRight | Qt::AlignBottom);
+  if (drawn) {
+    if (annotations.card) draw_card(painter, layout, taken, *annotations.card);
+    for (std::size_t i = 0; i < annotations.regions.size(); ++i)
+      name_region(painter, layout, taken, annotations.lesions[i], annotations.regions[i]);
   }
   painter.end();
   return {picture.width, picture.height, 3, std::move(bytes)};
