@@ -4,6 +4,7 @@
 
 #include "glisson/geometry/mesh_io.h"
 #include "program.h"
+#include "shapes.h"
 
 using namespace glisson;
 using test::Ran;
@@ -39,6 +40,31 @@ class AtlasCommandsTest : public QObject, private test::Program {
     const std::string landmarks = read_file(at("a.glisson/landmarks.json"));
     QVERIFY(landmarks.find("vena_cava") != std::string::npos);
     QVERIFY(landmarks.find("umbilical_notch") == std::string::npos);
+  }
+
+  /// A vein that enters behind is what holds the organ.
+  void operationsComeWithTheModel() {
+    std::filesystem::create_directory(at("surfaces"));
+    write_triangle_mesh(at("surfaces/liver.ply"), test::sphere(0.08, 3), LengthUnit::millimetre);
+    TriangleMesh cava = test::sphere(0.02, 2);
+    cava.vertices.rowwise() += Eigen::RowVector3d(0.0, 0.085, 0.0);
+    write_triangle_mesh(at("surfaces/vena_cava.ply"), cava, LengthUnit::millimetre);
+    const Ran ran = run({"model", "--surfaces", "surfaces", "--vertices", "150", "--case", "c.glisson",
+                         "--operations", "--json", "f.json"});
+    QVERIFY2(ran.code == 0, qPrintable(ran.error));
+    QVERIFY(figures("f.json")["operations_simulated"].toInt() >= 30);
+    QVERIFY(std::filesystem::exists(at("c.glisson/operations.vtu")));
+  }
+
+  /// Without a vena cava they cannot be; the model that was built is kept, and the remedy named.
+  void operationsNeedAVenaCava() {
+    write_triangle_mesh(at("ball.ply"), test::sphere(0.08, 3), LengthUnit::millimetre);
+    const Ran ran =
+        run({"model", "--surfaces", "ball.ply", "--vertices", "200", "--case", "b.glisson", "--operations"});
+    QCOMPARE(ran.code, 1);
+    QVERIFY2(ran.error.contains("vena cava") && ran.error.contains("landmarks"), qPrintable(ran.error));
+    QVERIFY(std::filesystem::exists(at("b.glisson/model/mesh.vtu")));
+    QVERIFY(!std::filesystem::exists(at("b.glisson/operations.vtu")));
   }
 
   void whatCannotBeIsRefused() {

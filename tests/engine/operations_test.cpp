@@ -4,62 +4,19 @@
 
 #include <QtTest>
 
-#include "../registration/phantom.h"
 #include "complaint.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/engine/case_io.h"
-#include "glisson/engine/commands/register.h"
-#include "glisson/engine/commands/simulate_operations.h"
-#include "glisson/engine/engine.h"
-#include "glisson/engine/parts/cloud.h"
-#include "glisson/engine/parts/landmarks.h"
-#include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/registration.h"
+#include "phantom_case.h"
 
 using namespace glisson;
 using namespace glisson::engine;
-
-namespace {
-
-SimulateOperations few() {
-  SimulateOperations command;
-  command.operations = 40;
-  command.gravity = 1.0;
-  command.gas_pa = 80.0;
-  command.bed_m = 0.005;
-  return command;
-}
-
-Register on_few() {
-  Register command;
-  command.start = Register::Start::given;
-  command.given = phantom::view();
-  command.operation = few();
-  return command;
-}
-
-CaseState built() {
-  CaseState state;
-  auto built = std::make_shared<model::BuiltModel>();
-  built->model = phantom::model(6, 5, 3);
-  state[part::model] = built;
-  state[part::landmarks] = std::make_shared<const Landmarks>(phantom::landmarks());
-  return state;
-}
-
-CaseState seen(CaseState state) {
-  const PatientModel& model = state[part::model]->model;
-  state[part::cloud] = std::make_shared<const LabelledCloud>(
-      phantom::patch(model, phantom::view().apply(model.mesh.vertices), {}));
-  return state;
-}
-
-CaseState after(const CaseState& state, const Command& command, std::uint64_t seed = 1) {
-  return apply(state, command, RunContext({}, {}, seed)).value().state;
-}
-
-}  // namespace
+using test::after;
+using test::few_operations;
+using test::phantom_case;
+using test::register_on_few;
 
 class OperationsTest : public QObject {
   Q_OBJECT
@@ -76,36 +33,41 @@ class OperationsTest : public QObject {
 };
 
 void OperationsTest::RegistrationRestsOnWhatWasSimulatedAhead() {
-  const CaseState ahead = after(seen(built()), few());
+  const CaseState ahead = after(phantom_case(), few_operations());
   QVERIFY(has_operations(ahead));
-  QVERIFY(after(ahead, few())[part::operations] == ahead[part::operations]);  // nothing is done twice
-  QVERIFY(after(ahead, on_few())[part::operations] == ahead[part::operations]);
+  QVERIFY(after(ahead, few_operations())[part::operations] ==
+          ahead[part::operations]);  // nothing is done twice
+  QVERIFY(after(ahead, register_on_few())[part::operations] == ahead[part::operations]);
 }
 
 void OperationsTest::DoneAheadTheyChangeNoBit() {
-  const CaseState ahead = after(after(seen(built()), few()), on_few()),
-                  together = after(seen(built()), on_few());
+  const CaseState ahead = after(after(phantom_case(), few_operations()), register_on_few()),
+                  together = after(phantom_case(), register_on_few());
   QVERIFY(ahead[part::registration]->nodes_in_camera == together[part::registration]->nodes_in_camera);
   QVERIFY(ahead[part::operations]->prior->modes == together[part::operations]->prior->modes);
 }
 
 void OperationsTest::AnotherSeedHasOthers() {
-  const CaseState ahead = after(seen(built()), few());
+  const CaseState ahead = after(phantom_case(), few_operations());
   QVERIFY(!known_operations(ahead, 2).prior);
-  const CaseState other = after(ahead, on_few(), 2);
+  const CaseState other = after(ahead, register_on_few(), 2);
   QVERIFY(other[part::operations] != ahead[part::operations]);
   QVERIFY(other[part::operations]->prior->modes != ahead[part::operations]->prior->modes);
 }
 
 void OperationsTest::TheyAreWantedOnceAModelIsThere() {
   QVERIFY(!lacks_operations({}));
-  CaseState state = built();
+  CaseState state = phantom_case();
   QVERIFY(lacks_operations(state));
-  const CaseState ahead = after(state, few());
+  const CaseState ahead = after(state, few_operations());
   QVERIFY(!lacks_operations(ahead));
   CaseState marked = ahead;
   marked[part::landmarks] = std::make_shared<const Landmarks>(*ahead[part::landmarks]);
   QVERIFY(lacks_operations(marked));
+  // Landmarks of a former model: to be looked at first.
+  marked.stamp(part::model).revision = 5;
+  marked.stamp(part::landmarks) = {4, {{part::model, 3}}};
+  QVERIFY(!lacks_operations(marked));
   auto bare = std::make_shared<model::BuiltModel>(*state[part::model]);
   bare->model.landmarks.vena_cava.resize(0, 3);
   state[part::model] = bare;
@@ -114,12 +76,12 @@ void OperationsTest::TheyAreWantedOnceAModelIsThere() {
 }
 
 void OperationsTest::WithoutAVenaCavaTheRemedyIsNamed() {
-  CaseState state = built();
+  CaseState state = phantom_case();
   auto bare = std::make_shared<model::BuiltModel>(*state[part::model]);
   bare->model.landmarks.vena_cava.resize(0, 3);
   state[part::model] = bare;
   state[part::landmarks] = nullptr;
-  const std::string said = test::complaint([&] { after(state, few()); });
+  const std::string said = test::complaint([&] { after(state, few_operations()); });
   QVERIFY2(said.find("vena cava") != std::string::npos && said.find("landmarks") != std::string::npos,
            said.c_str());
 }
@@ -127,7 +89,7 @@ void OperationsTest::WithoutAVenaCavaTheRemedyIsNamed() {
 void OperationsTest::TheyComeBackWithTheCase() {
   const QTemporaryDir folder;
   const std::filesystem::path path = folder.filePath("a.glisson").toStdString();
-  const CaseState ahead = after(built(), few(), 7);
+  const CaseState ahead = after(phantom_case(), few_operations(), 7);
   save_case(path, ahead, RunContext());
   const auto read = open_case(path, RunContext());
   QVERIFY(read.has_value() && has_operations(*read));
@@ -135,14 +97,14 @@ void OperationsTest::TheyComeBackWithTheCase() {
   QVERIFY(is.prior->modes == was.prior->modes);
   QCOMPARE(is.prior->operations, was.prior->operations);
   QVERIFY(is.options == was.options && is.seed == 7);
-  QVERIFY(after(*read, few(), 7)[part::operations] == (*read)[part::operations]);
-  QVERIFY(after(*read, few(), 8)[part::operations] != (*read)[part::operations]);
+  QVERIFY(after(*read, few_operations(), 7)[part::operations] == (*read)[part::operations]);
+  QVERIFY(after(*read, few_operations(), 8)[part::operations] != (*read)[part::operations]);
 }
 
 void OperationsTest::ThoseOfAFormerModelAreNotSaved() {
   const QTemporaryDir folder;
   const std::filesystem::path path = folder.filePath("a.glisson").toStdString();
-  CaseState state = after(built(), few());
+  CaseState state = after(phantom_case(), few_operations());
   state[part::landmarks] = nullptr;
   save_case(path, state, RunContext());
   QVERIFY(!std::filesystem::exists(path / "operations.vtu"));
@@ -152,14 +114,14 @@ void OperationsTest::ThoseOfAFormerModelAreNotSaved() {
 void OperationsTest::ADamagedFileCostsNothingButTime() {
   const QTemporaryDir folder;
   const std::filesystem::path path = folder.filePath("a.glisson").toStdString();
-  save_case(path, after(built(), few()), RunContext());
+  save_case(path, after(phantom_case(), few_operations()), RunContext());
   // Another liver's, and half a file.
-  CaseState other = built();
+  CaseState other = phantom_case();
   auto shifted = std::make_shared<model::BuiltModel>(*other[part::model]);
   shifted->model.mesh.vertices.rowwise() += Eigen::RowVector3d(0.01, 0, 0);
   other[part::model] = shifted;
   const std::filesystem::path theirs = folder.filePath("b.glisson").toStdString();
-  save_case(theirs, after(other, few()), RunContext());
+  save_case(theirs, after(other, few_operations()), RunContext());
   const std::string whole = read_file(path / "operations.vtu");
   for (const std::string& damaged :
        {read_file(theirs / "operations.vtu"), whole.substr(0, whole.size() / 2)}) {
@@ -177,7 +139,7 @@ void OperationsTest::ADamagedFileCostsNothingButTime() {
 void OperationsTest::WhatIsOutOfRangeInTheCaseIsNamed() {
   const QTemporaryDir folder;
   const std::filesystem::path path = folder.filePath("a.glisson").toStdString();
-  save_case(path, after(built(), few()), RunContext());
+  save_case(path, after(phantom_case(), few_operations()), RunContext());
   const std::string text = read_file(path / "case.json");
   for (const auto& [field, was, wrong] : {std::tuple{"gas_pa", "\"gas_pa\": 80.0", "\"gas_pa\": 1e300"},
                                           std::tuple{"seed", "\"seed\": 1", "\"seed\": -1"},

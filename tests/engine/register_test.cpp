@@ -1,55 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QtTest>
 
-#include "../registration/phantom.h"
 #include "glisson/core/error.h"
 #include "glisson/engine/commands/accept_registration.h"
 #include "glisson/engine/commands/choose_rival.h"
-#include "glisson/engine/commands/register.h"
-#include "glisson/engine/engine.h"
-#include "glisson/engine/parts/cloud.h"
-#include "glisson/engine/parts/landmarks.h"
-#include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/operations.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/registration/examine.h"
 #include "glisson/registration/next_look.h"
 #include "glisson/registration/refusal.h"
+#include "phantom_case.h"
 
 using namespace glisson;
 using namespace glisson::engine;
-
-namespace {
-
-/// The phantom and the part of it that a camera sees.
-CaseState before_registration() {
-  CaseState state;
-  auto built = std::make_shared<model::BuiltModel>();
-  built->model = phantom::model(6, 5, 3);
-  built->model.mesh.labels[200] = structure::kFirstLesion;
-  state[part::model] = built;
-  state[part::landmarks] = std::make_shared<const Landmarks>(phantom::landmarks());
-  state[part::cloud] = std::make_shared<const LabelledCloud>(
-      phantom::patch(built->model, phantom::view().apply(built->model.mesh.vertices), {}));
-  return state;
-}
-
-Register few_operations() {
-  Register command;
-  command.start = Register::Start::given;
-  command.given = phantom::view();
-  command.operation.operations = 40;
-  command.operation.gravity = 1.0;
-  command.operation.gas_pa = 80.0;
-  command.operation.bed_m = 0.005;
-  return command;
-}
-
-CaseState registered(const CaseState& state, const Register& command) {
-  return apply(state, command, RunContext()).value().state;
-}
-
-}  // namespace
+using test::after;
+using test::phantom_case;
+using test::register_on_few;
 
 class RegisterTest : public QObject {
   Q_OBJECT
@@ -64,26 +30,26 @@ class RegisterTest : public QObject {
 };
 
 void RegisterTest::OperationsAreSimulatedOnceForAModel() {
-  const CaseState first = registered(before_registration(), few_operations());
+  const CaseState first = after(phantom_case(), register_on_few());
   QVERIFY(first[part::operations] != nullptr);
-  const CaseState again = registered(first, few_operations());
+  const CaseState again = after(first, register_on_few());
   QVERIFY(again[part::operations] == first[part::operations]);
   QVERIFY(again[part::registration]->nodes_in_camera == first[part::registration]->nodes_in_camera);
 
   CaseState marked = first;
   marked[part::landmarks] = std::make_shared<const Landmarks>(*first[part::landmarks]);
-  QVERIFY(registered(marked, few_operations())[part::operations] != first[part::operations]);
+  QVERIFY(after(marked, register_on_few())[part::operations] != first[part::operations]);
   CaseState rebuilt = first;
   rebuilt[part::model] = std::make_shared<const model::BuiltModel>(*first[part::model]);
-  QVERIFY(registered(rebuilt, few_operations())[part::operations] != first[part::operations]);
-  Register harder = few_operations();
+  QVERIFY(after(rebuilt, register_on_few())[part::operations] != first[part::operations]);
+  Register harder = register_on_few();
   harder.operation.gas_pa *= 1.5;
-  QVERIFY(registered(first, harder)[part::operations] != first[part::operations]);
+  QVERIFY(after(first, harder)[part::operations] != first[part::operations]);
 }
 
 void RegisterTest::ProgressNeverGoesBack() {
   for (const bool operations : {true, false}) {
-    Register command = few_operations();
+    Register command = register_on_few();
     command.start = Register::Start::automatic;
     command.operations = operations;
     double last = 0.0;
@@ -94,14 +60,14 @@ void RegisterTest::ProgressNeverGoesBack() {
           last = fraction;
         },
         {}, 1);
-    QVERIFY(apply(before_registration(), command, context).has_value());
+    QVERIFY(apply(phantom_case(), command, context).has_value());
     QVERIFY(forward);
     QVERIFY(last > 0.7);
   }
 }
 
 void RegisterTest::WhereALookHelpsIsToldOfEachLesion() {
-  const auto applied = apply(before_registration(), few_operations(), RunContext());
+  const auto applied = apply(phantom_case(), register_on_few(), RunContext());
   QVERIFY(applied.has_value());
   const Registration& registration = *applied->state[part::registration];
   QCOMPARE(registration.looks.size(), std::size_t{1});
@@ -114,11 +80,11 @@ void RegisterTest::WhereALookHelpsIsToldOfEachLesion() {
 }
 
 void RegisterTest::TheMirrorImageIsRefusedUntilSomebodyAcceptsIt() {
-  CaseState state = before_registration();
+  CaseState state = phantom_case();
   state[part::cloud] = std::make_shared<const LabelledCloud>(registration::mirrored(*state[part::cloud]));
-  Register command = few_operations();
+  Register command = register_on_few();
   command.start = Register::Start::automatic;
-  CaseState done = registered(state, command);
+  CaseState done = after(state, command);
   QVERIFY(registration::is_refused(*done[part::registration]));
   QVERIFY(done[part::registration]->looks.empty());
   QVERIFY(done[part::registration]->doubts.size() > 1);
@@ -128,8 +94,8 @@ void RegisterTest::TheMirrorImageIsRefusedUntilSomebodyAcceptsIt() {
 }
 
 void RegisterTest::TheExpectedErrorGoesWithTheRegistration() {
-  const CaseState state = before_registration();
-  const CaseState done = registered(state, few_operations());
+  const CaseState state = phantom_case();
+  const CaseState done = after(state, register_on_few());
   const Eigen::VectorXd& expected = done[part::registration]->expected;
   QCOMPARE(expected.size(), done[part::registration]->nodes_in_camera.rows());
   QVERIFY(expected.minCoeff() > 0.0);
@@ -150,7 +116,7 @@ void RegisterTest::TheExpectedErrorGoesWithTheRegistration() {
 }
 
 void RegisterTest::AnotherPlaceIsTakenAndGivenBack() {
-  CaseState done = registered(before_registration(), few_operations());
+  CaseState done = after(phantom_case(), register_on_few());
   auto told = std::make_shared<Registration>(*done[part::registration]);
   told->rivals = {{told->nodes_in_camera.rowwise() + Eigen::RowVector3d(0.02, 0, 0), 0.1}};
   done[part::registration] = told;
@@ -164,7 +130,7 @@ void RegisterTest::AnotherPlaceIsTakenAndGivenBack() {
 
 /// The window posts Register with nothing said, the command line says materials where somebody has: one law.
 void RegisterTest::ABareMeshIsRegisteredAsWhatItIs() {
-  CaseState state = before_registration();
+  CaseState state = phantom_case();
   auto bare = std::make_shared<model::BuiltModel>(*state[part::model]);
   bare->model.vessels.clear();
   state[part::model] = bare;
@@ -173,16 +139,16 @@ void RegisterTest::ABareMeshIsRegisteredAsWhatItIs() {
   said.start = Register::Start::given;
   said.given = phantom::view();
   said.method = registration::Method::paper;
-  const Points silent = registered(state, said)[part::registration]->nodes_in_camera;
+  const Points silent = after(state, said)[part::registration]->nodes_in_camera;
   const PatientModel model = effective_model(state);
   const auto alone = registration::register_elastic(model, *state[part::cloud], said.given,
                                                     registration::options_for(model, false), RunContext());
   QVERIFY(silent == alone->nodes_in_camera);
   said.materials.emplace().with_capsule = false;
-  QVERIFY(registered(state, said)[part::registration]->nodes_in_camera == silent);
+  QVERIFY(after(state, said)[part::registration]->nodes_in_camera == silent);
   said.materials.reset();
   state[part::landmarks] = std::make_shared<const Landmarks>(bare->model.landmarks);  // a person says so
-  QVERIFY(registered(state, said)[part::registration]->nodes_in_camera != silent);
+  QVERIFY(after(state, said)[part::registration]->nodes_in_camera != silent);
 }
 
 QTEST_APPLESS_MAIN(RegisterTest)

@@ -2,6 +2,7 @@
 // Operations are simulated while nobody waits for anything, and make way for everything else.
 #include "glisson/ui/shell/operations_ahead.h"
 
+#include <QProgressBar>
 #include <QtTest>
 #include <atomic>
 #include <thread>
@@ -34,6 +35,8 @@ class OperationsAheadTest : public QObject {
   void OtherWorkComesFirst();
   void ASavedCaseStaysUntouched();
   void WhatCannotBeDoneIsTriedOnce();
+  void WhatAPersonCancelsIsLeftAlone();
+  void ItIsSaidWhileItGoesOnAndNotAfterwards();
 
  private:
   Cancellable<engine::Applied> apply(const engine::CaseState& state, const engine::Command& command,
@@ -137,6 +140,37 @@ void OperationsAheadTest::WhatCannotBeDoneIsTriedOnce() {
   fail_ = false;
   bring_a_model();
   QTRY_VERIFY(has_them());
+}
+
+void OperationsAheadTest::WhatAPersonCancelsIsLeftAlone() {
+  hold_ = true;
+  bring_a_model();
+  QTRY_COMPARE(begun_.load(), 1);
+  window_->engine().cancel(window_->engine().tasks().front().id);
+  QTRY_COMPARE(cancelled_.load(), 1);
+  QTest::qWait(150);
+  QCOMPARE(begun_.load(), 1);
+  window_->engine().post(engine::SetLandmarks{phantom::landmarks()});
+  QTRY_COMPARE(begun_.load(), 2);  // other landmarks, other operations
+}
+
+/// In its bar: what the status line says of other work stays, and how it ends is nobody's concern.
+void OperationsAheadTest::ItIsSaidWhileItGoesOnAndNotAfterwards() {
+  const auto* bar = window_->findChild<QProgressBar*>(QStringLiteral("task_progress"));
+  hold_ = true;
+  bring_a_model();
+  QTRY_VERIFY(bar->isVisibleTo(window_.get()) && bar->text() == QStringLiteral("Simulating operations"));
+  const QString said = window_->status_text();
+  QVERIFY(said.contains(QStringLiteral("done in")));  // of the model
+  hold_ = false;
+  QTRY_VERIFY(has_them());
+  QTRY_VERIFY(!bar->isVisibleTo(window_.get()));
+  QCOMPARE(window_->status_text(), said);
+  fail_ = true;
+  bring_a_model();
+  QTRY_COMPARE(begun_.load(), 2);
+  QTRY_VERIFY(window_->engine().tasks().empty());
+  QVERIFY(!window_->status_text().contains(QStringLiteral("equilibrium")));
 }
 
 }  // namespace glisson

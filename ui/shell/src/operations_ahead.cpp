@@ -4,6 +4,7 @@
 #include <QMainWindow>
 
 #include "glisson/engine/commands/simulate_operations.h"
+#include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/model.h"
 
 namespace glisson::ui {
@@ -24,9 +25,10 @@ void OperationsAhead::set_pause(std::chrono::milliseconds pause) { timer_.setInt
 void OperationsAhead::begin() {
   const auto& snapshot = engine_.snapshot();
   const bool idle = !running_ && engine_.tasks().empty() && !snapshot->tracking && !snapshot->trial;
-  if (!idle || !window_.isWindowModified() || !engine::lacks_operations(snapshot->state) ||
-      snapshot->state[part::model] == given_up_)
-    return;
+  const engine::CaseState& now = snapshot->state;
+  const bool given_up = now[part::model] == given_up_model_ && now[part::landmarks] == given_up_landmarks_;
+  if (!idle || given_up || !window_.isWindowModified() || !engine::lacks_operations(now)) return;
+  makes_way_ = false;
   posting_ = true;
   running_ = engine_.post(engine::SimulateOperations{});
   posting_ = false;
@@ -36,13 +38,17 @@ void OperationsAhead::make_way(const engine::CommandTraits& work) {
   if (!running_ || posting_ || work.reads.has(part::operations)) return;  // who reads them waits for them
   const bool would_wait =
       work.lane == engine::Lane::work || work.writes.meets(engine::SimulateOperations{}.traits().reads);
-  if (would_wait || work.live != engine::LiveLane::none) engine_.cancel(*running_);
+  if (!would_wait && work.live == engine::LiveLane::none) return;
+  makes_way_ = true;
+  engine_.cancel(*running_);
 }
 
 void OperationsAhead::take(const engine::Outcome& outcome) {
   if (running_ != outcome.id) return;
   running_.reset();
-  if (outcome.status == engine::Status::failed) given_up_ = engine_.state()[part::model];
+  if (outcome.status == engine::Status::done || makes_way_) return;
+  given_up_model_ = engine_.state()[part::model];
+  given_up_landmarks_ = engine_.state()[part::landmarks];
 }
 
 }  // namespace glisson::ui

@@ -27,9 +27,10 @@ TaskStatus::TaskStatus(EngineBridge& engine, QWidget* parent) : QWidget(parent),
   text_->setTextFormat(Qt::PlainText);
   text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // long errors do not widen the window
   bar_ = new QProgressBar(this);
+  bar_->setObjectName(QStringLiteral("task_progress"));
   bar_->setRange(0, 1000);
   bar_->setTextVisible(false);
-  bar_->setFixedWidth(180);
+  bar_->setFixedWidth(220);
   cancel_ = new QToolButton(this);
   cancel_->setText(tr("Cancel"));
   row->addWidget(text_, 1);
@@ -56,6 +57,11 @@ void TaskStatus::show_tasks() {
   if (running == nullptr) return;
   shown_ = running->id;
   bar_->setValue(static_cast<int>(1000 * running->fraction));
+  // Work that nobody has asked for speaks in its bar: what was said of other work, an error maybe, stays.
+  const bool is_unasked = running->traits.notice == engine::Notice::unasked;
+  bar_->setFormat(is_unasked ? command_text(running->traits.code) : QString());
+  bar_->setTextVisible(is_unasked);
+  if (is_unasked) return;
   set_style_property(text_, "role", "");
   text_->setText(running->stage.empty()
                      ? command_text(running->traits.code)
@@ -63,6 +69,7 @@ void TaskStatus::show_tasks() {
 }
 
 void TaskStatus::show_outcome(const engine::Outcome& outcome) {
+  if (outcome.traits.notice == engine::Notice::unasked) return;
   switch (outcome.status) {
     case engine::Status::done:
       if (!is_worth_telling(outcome.traits)) return;

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "glisson/engine/obstacle.h"
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/operations.h"
@@ -15,7 +16,7 @@ CommandTraits SimulateOperations::traits() const {
           .writes = {part::operations},
           .needs = {part::model},
           .current = {part::model, part::landmarks},
-          .notice = Notice::quiet};
+          .notice = Notice::unasked};
 }
 
 Cancellable<Applied> SimulateOperations::apply(const CaseState& state, const RunContext& context) const {
@@ -37,8 +38,8 @@ Cancellable<Applied> SimulateOperations::apply(const CaseState& state, const Run
 }
 
 bool lacks_operations(const CaseState& state) {
-  return state[part::model] && stage_state(state, part::model) == StageState::current &&
-         !has_operations(state) && registration::can_simulate_operations(effective_model(state));
+  return !obstacle(state, SimulateOperations{}) && !has_operations(state) &&
+         registration::can_simulate_operations(effective_model(state));
 }
 
 }  // namespace glisson::engine

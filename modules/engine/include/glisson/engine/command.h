@@ -32,8 +32,9 @@ enum class Lane { edits, work };
 enum class LiveLane { none, tracking, trial };
 /// How far the end of a command concerns the person. `quiet`: a small edit, it passes too quickly to be
 /// announced. `files`: it reads or writes what the person has just named, so that its failure must reach
-/// that person.
-enum class Notice { quiet, ordinary, files };
+/// that person. `unasked`: done ahead, for nobody as yet; it is shown while it goes on, and how it ends
+/// concerns nobody.
+enum class Notice { quiet, ordinary, files, unasked };
 
 /// What the engine has to know of a command. Two commands may overlap or overtake each other only where
 /// neither writes what the other touches; so the outcome is always that of the order in which they were

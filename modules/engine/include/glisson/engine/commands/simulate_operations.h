@@ -13,8 +13,8 @@ struct SimulateOperations : registration::OperationOptions {
   Cancellable<Applied> apply(const CaseState& state, const RunContext& context) const;
 };
 
-/// Whether SimulateOperations has anything to do and can do it: there are no operations of this model, which
-/// is not out of date, and whose vena cava is known.
+/// Whether SimulateOperations has anything to do and can do it: there are no operations of this model,
+/// nothing stands in the way, and the vena cava is known.
 bool lacks_operations(const CaseState& state);
 
 }  // namespace glisson::engine

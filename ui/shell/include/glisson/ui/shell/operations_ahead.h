@@ -14,8 +14,9 @@ class QMainWindow;
 namespace glisson::ui {
 
 /// Simulates operations on a new model while nobody waits for anything, so that its registration need not.
-/// Other work comes first: it ends the simulation, which begins again once the program is idle. A case that
-/// was opened and not touched stays untouched.
+/// Other work comes first: it ends the simulation, which begins again once the program is idle. What a person
+/// cancels or what fails is left alone until model or landmarks are others. A case that was opened and not
+/// touched stays untouched.
 class OperationsAhead : public QObject {
   Q_OBJECT
  public:
@@ -34,8 +35,11 @@ class OperationsAhead : public QObject {
   QMainWindow& window_;
   QTimer timer_;
   bool posting_ = false;  ///< its own command: its post is told before it has a number
+  bool makes_way_ = false;
   std::optional<engine::CommandId> running_;
-  std::shared_ptr<const model::BuiltModel> given_up_;  ///< it could not be done on this model
+  /// What they were not to be, or could not be, simulated on.
+  std::shared_ptr<const model::BuiltModel> given_up_model_;
+  std::shared_ptr<const Landmarks> given_up_landmarks_;
 };
 
 }  // namespace glisson::ui
