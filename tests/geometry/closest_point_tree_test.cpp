@@ -63,6 +63,7 @@ class ClosestPointTreeTest : public QObject {
   void TheAnswerIsTheSameFromWhereverItIsSought();
   void BarycentricWeightsGiveThePoint();
   void RefitAnswersForTheMovedMesh();
+  void AnswersAreExactAlongALongWayOfSmallMoves();
   void RadiusCutsOff();
   void ChosenTrianglesAloneAreSearched();
   void RayHitsWhatBruteForceHits();
@@ -126,6 +127,23 @@ void ClosestPointTreeTest::RefitAnswersForTheMovedMesh() {
     const Eigen::Vector3d p = random_point(0.2);
     QVERIFY(std::abs(tree.closest(p).distance - brute_distance(mesh, p)) < 1e-12);
     QCOMPARE(tree.closest(p).distance, fresh.closest(p).distance);
+  }
+}
+
+void ClosestPointTreeTest::AnswersAreExactAlongALongWayOfSmallMoves() {
+  TriangleMesh mesh = test::torus(0.05, 0.02, 20, 12);
+  ClosestPointTree tree(mesh);
+  for (int move = 0; move < 40; ++move) {
+    // Edges are some 12 mm long: most of these moves change no box, together they change all.
+    for (int i = 0; i < mesh.vertex_count(); ++i)
+      mesh.vertices.row(i) += 0.3e-3 * Eigen::RowVector3d(1, -1, 1) + random_point(0.2e-3).transpose();
+    tree.refit(mesh.vertices);
+    const Eigen::Vector3d p = random_point(0.1), direction = random_point(1.0);
+    QVERIFY(std::abs(tree.closest(p).distance - brute_distance(mesh, p)) < 1e-12);
+    const ClosestPoint hit = tree.first_hit(p, direction);
+    const double expected = brute_hit(mesh, p, direction);
+    QCOMPARE(hit.triangle >= 0, std::isfinite(expected));
+    if (hit.triangle >= 0) QVERIFY(std::abs(hit.distance - expected) < 1e-9);
   }
 }
 

@@ -59,6 +59,21 @@ class EvidenceTest : public QObject {
     QVERIFY(std::abs(posterior(e.problem(), gamma).log_evidence - brute) < 1e-9 * std::abs(brute));
   }
 
+  void WithoutTheFixedColumnsEvidenceAndForcesAreTheSame() {
+    const Example e;
+    const EvidenceProblem whole = e.problem(), alone = whole.of_groups();
+    QCOMPARE(alone.columns(), kGroups * kSize);
+    Eigen::VectorXd gamma(kGroups);
+    gamma << 0.3, 1.0, 0.0, 2.5, 1e-4;
+    const EvidencePosterior all = posterior(whole, gamma), some = posterior(alone, gamma);
+    QVERIFY(std::abs(some.log_evidence - all.log_evidence) < 1e-9 * std::abs(all.log_evidence));
+    QVERIFY((some.mean - all.mean.head(kGroups * kSize)).norm() < 1e-9 * all.mean.norm());
+    const Eigen::VectorXd ones = Eigen::VectorXd::Ones(kGroups);
+    const Eigen::VectorXd raised = maximise_evidence(whole, ones, 10);
+    QVERIFY((maximise_evidence(alone, ones, 10) - raised).norm() < 1e-9 * raised.norm());
+    QVERIFY((evidence_of_groups(alone, gamma) - evidence_of_groups(whole, gamma)).norm() < 1e-8);
+  }
+
   void PosteriorIsThatOfADenseComputation() {
     const Example e;
     Eigen::VectorXd gamma(kGroups);

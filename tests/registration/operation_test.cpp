@@ -9,6 +9,7 @@
 #include "glisson/patient/label_map.h"
 #include "glisson/registration/pairs.h"
 #include "glisson/registration/register.h"
+#include "glisson/registration/shape_fits.h"
 #include "lying_phantom.h"
 
 using namespace glisson;
@@ -25,6 +26,7 @@ class OperationTest : public QObject {
   void AmplitudesAreStandardDeviations();
   void UnforeseenForcesMoveByWhatIsAsked();
   void ShapeAndPoseAreFoundTogether();
+  void AFitThatIsFarBehindEndsEarlyAndTheBestIsTheSame();
   void AFaceSeenFromBehindSpeaksAgainstAShape();
   void RegistrationWithThePriorIsTheBetterOne();
   void FineSurfaceIsCarriedByItsTetrahedra();
@@ -134,6 +136,23 @@ void OperationTest::ShapeAndPoseAreFoundTogether() {
   // best rigid pose does.
   QVERIFY(fitted < 0.3 * rigid);
   QVERIFY(fit->residual < 1.5e-3);
+}
+
+void OperationTest::AFitThatIsFarBehindEndsEarlyAndTheBestIsTheSame() {
+  const OperationPrior prior = simulated(model_, 50, 1);
+  const CameraFromCt right = phantom::lying_view();
+  const LabelledCloud cloud = phantom::patch(model_, right.apply(model_.mesh.vertices), {.share = 0.4});
+  CameraFromCt near = right, far = right;
+  near.translation += Eigen::Vector3d(0.003, 0.0, 0.002);
+  far.rotation = Eigen::AngleAxisd(2.0, Eigen::Vector3d::UnitY()) * right.rotation;
+  const auto alone = fit_shape(model_, prior, cloud, {near, {}}, {}, RunContext());
+  const auto lost = fit_shape(model_, prior, cloud, {far, {}}, {}, RunContext());
+  const auto both = fit_shapes(model_, prior, cloud, starts_of(near, {far}), {}, RunContext());
+  QVERIFY(lost->iterations > 20);  // by itself it goes on
+  QCOMPARE(both->fits.size(), std::size_t{2});
+  QVERIFY(both->best().nodes_in_camera == alone->nodes_in_camera);
+  QCOMPARE(both->fits.back().iterations, 20);
+  QCOMPARE(both->places().size(), std::size_t{1});  // so far behind that it is no other place
 }
 
 void OperationTest::AFaceSeenFromBehindSpeaksAgainstAShape() {

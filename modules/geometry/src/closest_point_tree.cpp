@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "glisson/core/error.h"
@@ -11,25 +12,27 @@
 namespace glisson {
 namespace {
 
-constexpr int kLeafSize = 4;
-constexpr int kStackDepth = 64;
+constexpr int kStackDepth = 64;     // three a level: enough for four to the twentieth
+constexpr double kMostSlack = 0.1;  ///< of a triangle's edge: larger boxes would be looked into too often
+constexpr int kAbsent = std::numeric_limits<int>::min();
+constexpr float kNowhere = std::numeric_limits<float>::infinity();
 
-double squared_distance_to_box(const Eigen::Vector3d& p, const Eigen::Vector3d& low,
-                               const Eigen::Vector3d& high) {
-  return (p - p.cwiseMax(low).cwiseMin(high)).squaredNorm();
+/// By how much a number moves at most when it is rounded to single precision, and a little more.
+float rounding(float value) { return 1.2e-7F * std::abs(value) + 1e-37F; }
+Eigen::Array3f rounding(const Eigen::Array3f& values) { return 1.2e-7F * values.abs() + 1e-37F; }
+
+float below(double value) {
+  const auto single = static_cast<float>(value);
+  return single - rounding(single);
 }
 
-bool ray_meets_box(const Eigen::Vector3d& origin, const Eigen::Vector3d& inverse, const Eigen::Vector3d& low,
-                   const Eigen::Vector3d& high, double t_min, double t_max) {
-  for (int k = 0; k < 3; ++k) {
-    double enter = (low[k] - origin[k]) * inverse[k], leave = (high[k] - origin[k]) * inverse[k];
-    if (enter > leave) std::swap(enter, leave);
-    // A ray in the plane of a slab gives 0 * inf; such a bound tells nothing.
-    if (!std::isnan(enter)) t_min = std::max(t_min, enter);
-    if (!std::isnan(leave)) t_max = std::min(t_max, leave);
-  }
-  return t_min <= t_max;
+float above(double value) {
+  const auto single = static_cast<float>(value);
+  return single + rounding(single);
 }
+
+/// A squared distance to a box in single precision that is larger than this is larger than `squared`.
+float limit_of(double squared) { return above(squared * (1.0 + 2e-6)); }
 
 }  // namespace
 
@@ -78,19 +81,21 @@ ClosestPointTree::ClosestPointTree(const TriangleMesh& mesh, const std::vector<i
   for (const int t : order_)
     centres[t] =
         (mesh.vertex(triangles_(t, 0)) + mesh.vertex(triangles_(t, 1)) + mesh.vertex(triangles_(t, 2))) / 3.0;
-  nodes_.reserve(order_.size());
+  nodes_.reserve(order_.size() / 2 + 1);
   build(0, static_cast<int>(order_.size()), centres);
-  refit(mesh.vertices);
+  double extent = 0.0;
+  for (const int t : order_) {
+    corners_of_.push_back({triangles_(t, 0), triangles_(t, 1), triangles_(t, 2)});
+    extent += (vertices_.row(triangles_(t, 1)) - vertices_.row(triangles_(t, 0))).cwiseAbs().maxCoeff();
+  }
+  most_slack_ = kMostSlack * extent / static_cast<double>(order_.size());
+  fit_all();
 }
 
-int ClosestPointTree::build(int begin, int end, const std::vector<Eigen::Vector3d>& centres) {
-  const int index = static_cast<int>(nodes_.size());
-  nodes_.emplace_back();
-  if (end - begin <= kLeafSize) {
-    nodes_[index].first = begin;
-    nodes_[index].count = end - begin;
-    return index;
-  }
+/// Halves the entries of order_ along the longest axis of their centres. @return the first of the second
+/// half.
+int ClosestPointTree::split(int begin, int end, const std::vector<Eigen::Vector3d>& centres) {
+  if (end - begin < 2) return end;
   Eigen::Vector3d low = centres[order_[begin]], high = low;
   for (int i = begin; i < end; ++i) {
     low = low.cwiseMin(centres[order_[i]]);
@@ -102,34 +107,64 @@ int ClosestPointTree::build(int begin, int end, const std::vector<Eigen::Vector3
   std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end, [&](int s, int t) {
     return centres[s][axis] != centres[t][axis] ? centres[s][axis] < centres[t][axis] : s < t;
   });
-  build(begin, middle, centres);
-  nodes_[index].first = build(middle, end, centres);
-  return index;
+  return middle;
+}
+
+int ClosestPointTree::build(int begin, int end, const std::vector<Eigen::Vector3d>& centres) {
+  const auto index = nodes_.size();
+  nodes_.emplace_back();
+  int bounds[5] = {begin, begin + 1, begin + 2, begin + 3, end};
+  if (end - begin > 4) {
+    bounds[2] = split(begin, end, centres);
+    bounds[1] = split(begin, bounds[2], centres);
+    bounds[3] = split(bounds[2], end, centres);
+  }
+  for (int k = 0; k < 4; ++k) {
+    const int first = bounds[k], last = std::min(bounds[k + 1], end);
+    const int child = first >= last ? kAbsent : last - first == 1 ? ~first : build(first, last, centres);
+    nodes_[index].child[k] = child;
+  }
+  return static_cast<int>(index);
 }
 
 void ClosestPointTree::fit(Node& node) const {
-  if (node.count > 0) {
-    node.low.setConstant(std::numeric_limits<double>::infinity());
-    node.high = -node.low;
-    for (int i = node.first; i < node.first + node.count; ++i) {
-      for (int k = 0; k < 3; ++k) {
-        const Eigen::Vector3d p = vertices_.row(triangles_(order_[i], k)).transpose();
-        node.low = node.low.cwiseMin(p);
-        node.high = node.high.cwiseMax(p);
-      }
+  for (int k = 0; k < 4; ++k) {
+    const int child = node.child[k];
+    Eigen::Array3f low = Eigen::Array3f::Constant(kNowhere), high = -low;
+    if (child >= 0) {
+      const Node& inner = nodes_[child];
+      low << inner.low[0].minCoeff(), inner.low[1].minCoeff(), inner.low[2].minCoeff();
+      high << inner.high[0].maxCoeff(), inner.high[1].maxCoeff(), inner.high[2].maxCoeff();
+    } else if (child != kAbsent) {
+      const auto& corners = corners_of_[~child];
+      const Eigen::Array3d a = vertices_.row(corners[0]), b = vertices_.row(corners[1]),
+                           c = vertices_.row(corners[2]);
+      low = a.min(b).min(c).cast<float>();
+      low -= rounding(low);
+      high = a.max(b).max(c).cast<float>();
+      high += rounding(high);
     }
-    return;
+    for (int axis = 0; axis < 3; ++axis) {
+      node.low[axis][k] = low[axis];
+      node.high[axis][k] = high[axis];
+    }
   }
-  const Node& first = *(&node + 1);
-  const Node& second = nodes_[node.first];
-  node.low = first.low.cwiseMin(second.low);
-  node.high = first.high.cwiseMax(second.high);
+}
+
+void ClosestPointTree::fit_all() {
+  for (std::size_t i = nodes_.size(); i-- > 0;) fit(nodes_[i]);  // children come after their parent
+  fitted_ = vertices_;
+  slack_.setZero();
 }
 
 void ClosestPointTree::refit(const Points& vertices) {
   require(vertices.rows() == vertices_.rows(), "refit needs the same vertices, moved");
   vertices_ = vertices;
-  for (std::size_t i = nodes_.size(); i-- > 0;) fit(nodes_[i]);  // children come after their parent
+  if (nodes_.empty()) return;
+  slack_.setZero();
+  for (Eigen::Index i = 0; i < vertices_.rows(); ++i)
+    slack_ = slack_.cwiseMax((vertices_.row(i) - fitted_.row(i)).transpose().cwiseAbs());
+  if (!(slack_.maxCoeff() <= most_slack_)) fit_all();
 }
 
 ClosestPoint ClosestPointTree::closest(const Eigen::Vector3d& query, double radius) const {
@@ -158,30 +193,51 @@ void ClosestPointTree::offer(int triangle, const Eigen::Vector3d& query, double&
   best = {triangle, point, weights, 0.0};
 }
 
+/// What is still to be looked at, the nearest last.
+struct ClosestPointTree::Queue {
+  struct Entry {
+    int child;
+    float squared;  ///< distance to its box
+  };
+  Entry entries[kStackDepth];
+  int size = 0;
+
+  /// @param squared of each child of the node. Those over the limit are left out.
+  void add(const Node& node, const Eigen::Array4f& squared, float limit) {
+    const int first = size;
+    for (int k = 0; k < 4; ++k) {
+      if (!(squared[k] <= limit) || node.child[k] == kAbsent) continue;
+      int at = size++;
+      for (; at > first && entries[at - 1].squared < squared[k]; --at) entries[at] = entries[at - 1];
+      entries[at] = {node.child[k], squared[k]};
+    }
+  }
+};
+
 ClosestPoint ClosestPointTree::search(const Eigen::Vector3d& query, double best_squared,
                                       ClosestPoint best) const {
   if (nodes_.empty()) return best;
-  struct Entry {
-    int node;
-    double squared;  ///< to its box
-  };
-  Entry stack[kStackDepth];
-  int depth = 0;
-  stack[depth++] = {0, 0.0};
-  while (depth > 0) {
-    const Entry entry = stack[--depth];
-    if (entry.squared > best_squared) continue;
-    const Node& node = nodes_[entry.node];
-    if (node.count > 0) {
-      for (int i = node.first; i < node.first + node.count; ++i) offer(order_[i], query, best_squared, best);
+  float low[3], high[3];  // of the query, as far as the boxes are too small
+  for (int axis = 0; axis < 3; ++axis) {
+    low[axis] = below(query[axis] - slack_[axis]);
+    high[axis] = above(query[axis] + slack_[axis]);
+  }
+  float limit = limit_of(best_squared);
+  Queue queue;
+  queue.entries[queue.size++] = {0, 0.0F};
+  while (queue.size > 0) {
+    const Queue::Entry entry = queue.entries[--queue.size];
+    if (entry.squared > limit) continue;
+    if (entry.child < 0) {
+      offer(order_[~entry.child], query, best_squared, best);
+      limit = limit_of(best_squared);
       continue;
     }
-    Entry near{entry.node + 1, 0.0}, far{node.first, 0.0};
-    near.squared = squared_distance_to_box(query, nodes_[near.node].low, nodes_[near.node].high);
-    far.squared = squared_distance_to_box(query, nodes_[far.node].low, nodes_[far.node].high);
-    if (far.squared < near.squared) std::swap(near, far);
-    if (far.squared <= best_squared) stack[depth++] = far;
-    if (near.squared <= best_squared) stack[depth++] = near;
+    const Node& node = nodes_[entry.child];
+    Eigen::Array4f squared = Eigen::Array4f::Zero();
+    for (int axis = 0; axis < 3; ++axis)
+      squared += (node.low[axis] - high[axis]).max(low[axis] - node.high[axis]).max(0.0F).square();
+    queue.add(node, squared, limit);
   }
   if (best.triangle >= 0) best.distance = std::sqrt(best_squared);
   return best;
@@ -189,40 +245,54 @@ ClosestPoint ClosestPointTree::search(const Eigen::Vector3d& query, double best_
 
 ClosestPoint ClosestPointTree::first_hit(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
                                          double t_min, double t_max) const {
+  constexpr double kAlong = 1e300;  // over a direction of zero
   ClosestPoint best;
   if (nodes_.empty()) return best;
-  const Eigen::Vector3d inverse = direction.cwiseInverse();
+  Eigen::Vector3d inverse;
+  for (int axis = 0; axis < 3; ++axis)
+    inverse[axis] = direction[axis] == 0.0 ? kAlong : 1.0 / direction[axis];
   double nearest = t_max;
   int stack[kStackDepth];
   int depth = 0;
   stack[depth++] = 0;
   while (depth > 0) {
-    const int index = stack[--depth];
-    const Node& node = nodes_[index];
-    if (!ray_meets_box(origin, inverse, node.low, node.high, t_min, nearest)) continue;
-    if (node.count == 0) {
-      stack[depth++] = node.first;
-      stack[depth++] = index + 1;
+    const int at = stack[--depth];
+    if (at < 0) {
+      meet(order_[~at], origin, direction, t_min, nearest, best);
       continue;
     }
-    for (int i = node.first; i < node.first + node.count; ++i) {
-      // Möller and Trumbore 1997.
-      const int t = order_[i];
-      const Eigen::Vector3d a = vertices_.row(triangles_(t, 0)).transpose();
-      const Eigen::Vector3d ab = vertices_.row(triangles_(t, 1)).transpose() - a;
-      const Eigen::Vector3d ac = vertices_.row(triangles_(t, 2)).transpose() - a;
-      const Eigen::Vector3d p = direction.cross(ac);
-      const double determinant = ab.dot(p);
-      if (determinant == 0.0) continue;
-      const Eigen::Vector3d s = origin - a, q = s.cross(ab);
-      const double u = s.dot(p) / determinant, v = direction.dot(q) / determinant,
-                   at = ac.dot(q) / determinant;
-      if (u < 0.0 || v < 0.0 || u + v > 1.0 || at <= t_min || at >= nearest) continue;
-      nearest = at;
-      best = {t, origin + at * direction, {1.0 - u - v, u, v}, at};
+    const Node& node = nodes_[at];
+    Eigen::Array4d enter = Eigen::Array4d::Constant(t_min), leave = Eigen::Array4d::Constant(nearest);
+    for (int axis = 0; axis < 3; ++axis) {
+      const Eigen::Array4d one = (node.low[axis].cast<double>() - (origin[axis] + slack_[axis])) *
+                                 inverse[axis],
+                           other = (node.high[axis].cast<double>() - (origin[axis] - slack_[axis])) *
+                                   inverse[axis];
+      enter = enter.max(one.min(other));
+      leave = leave.min(one.max(other));
     }
+    for (int k = 0; k < 4; ++k)
+      if (node.child[k] != kAbsent && enter[k] <= leave[k]) stack[depth++] = node.child[k];
   }
   return best;
+}
+
+/// Möller and Trumbore 1997.
+void ClosestPointTree::meet(int triangle, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
+                            double t_min, double& nearest, ClosestPoint& best) const {
+  const Eigen::Vector3d a = vertices_.row(triangles_(triangle, 0)).transpose();
+  const Eigen::Vector3d ab = vertices_.row(triangles_(triangle, 1)).transpose() - a;
+  const Eigen::Vector3d ac = vertices_.row(triangles_(triangle, 2)).transpose() - a;
+  const Eigen::Vector3d p = direction.cross(ac);
+  const double determinant = ab.dot(p);
+  if (determinant == 0.0) return;
+  const Eigen::Vector3d s = origin - a, q = s.cross(ab);
+  const double u = s.dot(p) / determinant, v = direction.dot(q) / determinant, at = ac.dot(q) / determinant;
+  if (u < 0.0 || v < 0.0 || u + v > 1.0 || !(at > t_min) || at > nearest) return;
+  // The lower triangle number wins a tie, as for the closest point.
+  if (at == nearest && (best.triangle < 0 || triangle >= best.triangle)) return;
+  nearest = at;
+  best = {triangle, origin + at * direction, {1.0 - u - v, u, v}, at};
 }
 
 }  // namespace glisson

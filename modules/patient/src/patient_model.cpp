@@ -11,14 +11,6 @@
 namespace glisson {
 namespace {
 
-Eigen::Vector4d barycentric(const TetMesh& mesh, int t, const Eigen::Vector3d& p) {
-  const Eigen::Vector3d d = mesh.vertex(mesh.tetrahedra(t, 3));
-  Eigen::Matrix3d edges;
-  for (int k = 0; k < 3; ++k) edges.col(k) = mesh.vertex(mesh.tetrahedra(t, k)) - d;
-  const Eigen::Vector3d w = edges.partialPivLu().solve(p - d);
-  return {w[0], w[1], w[2], 1.0 - w.sum()};
-}
-
 /// Buckets of tetrahedra by their boxes, so that a lookup visits a handful.
 class TetrahedronGrid {
  public:
@@ -35,6 +27,10 @@ class TetrahedronGrid {
         low = low.cwiseMin(mesh.vertex(mesh.tetrahedra(t, k)));
         high = high.cwiseMax(mesh.vertex(mesh.tetrahedra(t, k)));
       }
+      Eigen::Matrix3d edges;
+      for (int k = 0; k < 3; ++k)
+        edges.col(k) = mesh.vertex(mesh.tetrahedra(t, k)) - mesh.vertex(mesh.tetrahedra(t, 3));
+      inverse_edges_.push_back(edges.inverse());
       const Eigen::Vector3i a = cell_of(low), b = cell_of(high);
       for (int z = a.z(); z <= b.z(); ++z)
         for (int y = a.y(); y <= b.y(); ++y)
@@ -42,10 +38,17 @@ class TetrahedronGrid {
     }
   }
 
+  /// Weights of a tetrahedron's corners that give p.
+  Eigen::Vector4d barycentric(int t, const Eigen::Vector3d& p) const {
+    const Eigen::Vector3d w =
+        inverse_edges_[static_cast<std::size_t>(t)] * (p - mesh_.vertex(mesh_.tetrahedra(t, 3)));
+    return {w[0], w[1], w[2], 1.0 - w.sum()};
+  }
+
   /// The first tetrahedron that holds p, or -1.
   int find(const Eigen::Vector3d& p, Eigen::Vector4d& weights) const {
     for (const int t : buckets_[offset(cell_of(p))]) {
-      weights = barycentric(mesh_, t, p);
+      weights = barycentric(t, p);
       if (weights.minCoeff() >= -1e-9) return t;
     }
     return -1;
@@ -75,6 +78,7 @@ class TetrahedronGrid {
   double cell_ = 1.0;
   Eigen::Vector3i size_;
   std::vector<std::vector<int>> buckets_;
+  std::vector<Eigen::Matrix3d> inverse_edges_;
 };
 
 }  // namespace
@@ -132,7 +136,7 @@ Binding bind_points(const TetMesh& mesh, const Points& points, bool clamp) {
       }
       const ClosestPoint closest = tree.closest(p);
       t = surface.tetrahedron_of_triangle[static_cast<std::size_t>(closest.triangle)];
-      weights = barycentric(mesh, t, clamp ? closest.point : p);
+      weights = grid.barycentric(t, clamp ? closest.point : p);
       binding.outside.push_back(static_cast<int>(i));
     }
     binding.tetrahedron[static_cast<std::size_t>(i)] = t;

@@ -52,6 +52,28 @@ EvidenceProblem::EvidenceProblem(const Eigen::MatrixXd& a, const Eigen::VectorXd
       -sigma.array().log().sum() - 0.5 * static_cast<double>(y.size()) * std::log(2.0 * std::numbers::pi);
 }
 
+EvidenceProblem EvidenceProblem::of_groups() const {
+  // With N the normal matrix, g the groups' columns, f the fixed ones and C their variances:
+  // N' = N_gg - N_gf C^1/2 (I + C^1/2 N_ff C^1/2)^-1 C^1/2 N_fg, and the same of what is projected.
+  const Eigen::Index own = static_cast<Eigen::Index>(groups) * group_size, fixed = fixed_variance.size();
+  const Eigen::VectorXd root = fixed_variance.cwiseSqrt();
+  Eigen::MatrixXd inner = root.asDiagonal() * normal.bottomRightCorner(fixed, fixed) * root.asDiagonal();
+  inner.diagonal().array() += 1.0;
+  const Eigen::LLT<Eigen::MatrixXd> factor(inner);
+  const Eigen::MatrixXd across =
+      factor.matrixL().solve(root.asDiagonal() * normal.bottomLeftCorner(fixed, own));
+  const Eigen::VectorXd seen = factor.matrixL().solve(root.cwiseProduct(projected.tail(fixed)));
+  EvidenceProblem problem;
+  problem.groups = groups;
+  problem.group_size = group_size;
+  problem.normal = normal.topLeftCorner(own, own);
+  problem.normal.noalias() -= across.transpose() * across;
+  problem.projected = projected.head(own) - across.transpose() * seen;
+  problem.square = square - seen.squaredNorm();
+  problem.log_noise = log_noise - factor.matrixLLT().diagonal().array().log().sum();
+  return problem;
+}
+
 Eigen::VectorXd EvidenceProblem::column_variances(const Eigen::VectorXd& group_variance) const {
   Eigen::VectorXd variances(columns());
   for (int j = 0; j < groups; ++j)

@@ -35,25 +35,30 @@ Points densify(const Points& polyline) {
 std::vector<int> triangles_near(const TriangleMesh& mesh, const ClosestPointTree& tree, const Points& points,
                                 double radius) {
   std::vector<char> chosen(static_cast<std::size_t>(mesh.triangle_count()), 0);
+  std::vector<Eigen::Vector3d> sorted;
   for (Eigen::Index i = 0; i < points.rows(); ++i) {
-    const ClosestPoint at = tree.closest(points.row(i).transpose());
+    sorted.emplace_back(points.row(i).transpose());
+    const ClosestPoint at = tree.closest(sorted.back());
     if (at.triangle >= 0) chosen[static_cast<std::size_t>(at.triangle)] = 1;
   }
+  const auto before = [](const Eigen::Vector3d& p, double x) { return p.x() < x; };
+  std::sort(sorted.begin(), sorted.end(),
+            [&](const Eigen::Vector3d& p, const Eigen::Vector3d& q) { return before(p, q.x()); });
   for (int t = 0; t < mesh.triangle_count(); ++t) {
     const Eigen::Vector3d a = mesh.vertex(mesh.triangles(t, 0)), b = mesh.vertex(mesh.triangles(t, 1)),
                           c = mesh.vertex(mesh.triangles(t, 2));
     const Eigen::Vector3d low = a.cwiseMin(b).cwiseMin(c).array() - radius,
                           high = a.cwiseMax(b).cwiseMax(c).array() + radius;
-    for (Eigen::Index i = 0; i < points.rows() && chosen[static_cast<std::size_t>(t)] == 0; ++i) {
-      const Eigen::Vector3d p = points.row(i).transpose();
-      if ((p.array() < low.array()).any() || (p.array() > high.array()).any()) continue;
-      const Eigen::Vector3d w = closest_on_triangle(p, a, b, c);
-      if ((w[0] * a + w[1] * b + w[2] * c - p).norm() <= radius) chosen[static_cast<std::size_t>(t)] = 1;
+    for (auto p = std::lower_bound(sorted.begin(), sorted.end(), low.x(), before);
+         p != sorted.end() && p->x() <= high.x() && chosen[static_cast<std::size_t>(t)] == 0; ++p) {
+      if ((p->array() < low.array()).any() || (p->array() > high.array()).any()) continue;
+      const Eigen::Vector3d w = closest_on_triangle(*p, a, b, c);
+      if ((w[0] * a + w[1] * b + w[2] * c - *p).norm() <= radius) chosen[static_cast<std::size_t>(t)] = 1;
     }
   }
   std::vector<int> triangles;
-  for (int t = 0; t < mesh.triangle_count(); ++t)
-    if (chosen[static_cast<std::size_t>(t)] != 0) triangles.push_back(t);
+  for (std::size_t t = 0; t < chosen.size(); ++t)
+    if (chosen[t] != 0) triangles.push_back(static_cast<int>(t));
   return triangles;
 }
 
@@ -82,7 +87,6 @@ MovingSurface::MovingSurface(const PatientModel& model, SurfaceDetail detail, do
       carry_finely(model.mesh);
     }
   stars_ = VertexStars(mesh_);
-  normals_ = vertex_normals(mesh_);
   whole_ = ClosestPointTree(mesh_);
   require(mesh_.triangle_count() > 0, "a model needs a surface to be registered");
   part_[0].resize(static_cast<std::size_t>(mesh_.triangle_count()));
@@ -113,6 +117,8 @@ void MovingSurface::carry_finely(const TetMesh& tetrahedra) {
     weights_of_point_.emplace_back(corners.inverse());
   }
 }
+
+void MovingSurface::stand_still() { normals_ = vertex_normals(mesh_); }
 
 ClosestPoint MovingSurface::notch() const {
   ClosestPoint at = notch_point_;

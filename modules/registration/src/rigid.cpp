@@ -32,6 +32,7 @@ class Aligner {
  public:
   Aligner(const PatientModel& model, const PreparedCloud& cloud, const RigidOptions& options)
       : surface_(model, SurfaceDetail::fine), cloud_(cloud), options_(options) {
+    surface_.stand_still();
     normals_ = cloud.cloud.normals.rows() > 0 ? cloud.cloud.normals : estimate_normals(cloud);
     weigh();
   }

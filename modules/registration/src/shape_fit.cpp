@@ -4,6 +4,8 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <memory>
 
 #include "glisson/core/error.h"
 #include "glisson/core/share_out.h"
@@ -24,6 +26,14 @@ constexpr double kLargestTurn = 0.3;  // rad an iteration
 /// times 0.1 m).
 constexpr double kRestAmplitude = 2e-3, kRestPose = 2e-5;
 constexpr int kFewestIterations = 10;
+/// It is at rest, too, when the cost has not fallen for so many iterations by what changes no odds: points
+/// that go to and fro between two faces never let the steps become small.
+constexpr int kPatience = 25;
+constexpr double kLessCost = 0.1;
+/// After so many iterations those go on that may still be the best, or one of its rivals: fits whose cost is
+/// more than 100 over the best's are no other place (ShapeFits::places).
+constexpr int kFirstIterations = 20;
+constexpr double kFarBehind = 500.0;
 
 /// Turned about the camera and shifted. @param twist rotation vector, translation.
 template <class Source>
@@ -34,13 +44,18 @@ Rigid<CameraFrame, Source> twisted(const Rigid<CameraFrame, Source>& pose,
           rotation * pose.translation + twist.tail<3>()};
 }
 
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
 class ShapeFitter {
  public:
   /// @param surface the model's, at rest.
+  /// @param modes the prior's, which are asked for row by row.
   ShapeFitter(const PatientModel& model, const MovingSurface& surface, const OperationPrior& prior,
-              const PreparedCloud& cloud, const ShapeStart& start, const ShapeFitOptions& options)
+              const RowMajor& modes, const PreparedCloud& cloud, const ShapeStart& start,
+              const ShapeFitOptions& options)
       : options_(options),
         prior_(prior),
+        modes_(modes),
         rest_(model.mesh.vertices),
         cloud_(cloud),
         still_(cloud_.cloud),
@@ -53,14 +68,25 @@ class ShapeFitter {
     fit_.amplitudes = Eigen::VectorXd::Zero(prior.modes.cols());
   }
 
-  Cancellable<ShapeFit> run(const RunContext& context) {
-    for (fit_.iterations = 0; fit_.iterations < options_.max_iterations;) {
-      if (context.cancelled()) return std::nullopt;
-      context.progress(static_cast<double>(fit_.iterations) / options_.max_iterations, "registration.shape");
+  /// Goes on until it is at rest, or until that many iterations in all. @return false: cancelled.
+  bool run(int until, const RunContext& context) {
+    while (!rest_reached_ && fit_.iterations < until) {
+      if (context.cancelled()) return false;
+      context.progress(static_cast<double>(fit_.iterations) / until, "registration.shape");
       pair();
+      note_cost();
       const bool rest = step();
-      if (++fit_.iterations >= kFewestIterations && rest) break;
+      ++fit_.iterations;
+      rest_reached_ =
+          (rest && fit_.iterations >= kFewestIterations) || fit_.iterations - lately_at_ > kPatience;
     }
+    return true;
+  }
+
+  /// Of all iterations.
+  double least_cost() const { return least_cost_; }
+
+  ShapeFit finish() {
     judge_facing();
     pair();
     fit_.residual = mean_distance(pairs_);
@@ -70,6 +96,14 @@ class ShapeFitter {
   }
 
  private:
+  void note_cost() {
+    const double now = cost();
+    least_cost_ = std::min(least_cost_, now);
+    if (now > lately_ - kLessCost) return;
+    lately_ = now;
+    lately_at_ = fit_.iterations;
+  }
+
   void pair() {
     fit_.nodes_in_camera = fit_.camera_from_ct.apply(prior_.shape(rest_, fit_.amplitudes));
     surface_.move(fit_.nodes_in_camera);
@@ -84,81 +118,93 @@ class ShapeFitter {
     pairing_.minimum_normal_cosine = kFacing;
   }
 
-  /// Inverse covariance of a pair's gap.
-  Eigen::Matrix3d information(const Pair& pair) const {
+  /// Inverse variance of a pair's gap: along the normal on the surface, along each axis of a landmark.
+  double precision(const Pair& pair) const {
     const auto inverse_square = [](double sigma) { return 1.0 / (sigma * sigma); };
-    const double weight = cloud_.weight[static_cast<std::size_t>(pair.point)] * options_.information;
     switch (pair.feature) {
       case Feature::umbilical_notch:  // a look's points share one gap
         return inverse_square(options_.sigma_notch) /
-               cloud_.notch_points[static_cast<std::size_t>(cloud_.cloud.look(pair.point))] *
-               Eigen::Matrix3d::Identity();
+               cloud_.notch_points[static_cast<std::size_t>(cloud_.cloud.look(pair.point))];
       case Feature::anterior_margin:
-        return weight * inverse_square(options_.sigma_margin) * Eigen::Matrix3d::Identity();
+        return share(pair) * inverse_square(options_.sigma_margin);
       case Feature::surface:
         break;
     }
-    return weight * inverse_square(options_.sigma_surface) * pair.normal * pair.normal.transpose();
+    return share(pair) * inverse_square(options_.sigma_surface);
+  }
+
+  /// For how many independent points a pair counts.
+  double share(const Pair& pair) const {
+    return cloud_.weight[static_cast<std::size_t>(pair.point)] * options_.information;
+  }
+
+  /// A pair's gap in standard deviations, squared.
+  double square(const Pair& pair) const {
+    const double gap = pair.feature == Feature::surface ? pair.normal.dot(pair.gap) : pair.gap.norm();
+    return precision(pair) * gap * gap;
   }
 
   double cost() const {
     double sum = fit_.amplitudes.squaredNorm();
     for (const Pair& pair : pairs_) {
-      const double square = pair.gap.dot(information(pair) * pair.gap);
-      if (pair.feature == Feature::umbilical_notch) {
-        sum += square;
-        continue;
-      }
-      const double share = cloud_.weight[static_cast<std::size_t>(pair.point)] * options_.information;
-      sum += share * kTolerance * (std::log1p(square / (share * kTolerance)) + (pair.kept ? 0.0 : 1.0));
+      if (pair.feature == Feature::umbilical_notch)
+        sum += square(pair);
+      else
+        sum += share(pair) * kTolerance *
+               (std::log1p(square(pair) / (share(pair) * kTolerance)) + (pair.kept ? 0.0 : 1.0));
     }
     return sum;
   }
 
-  /// How the paired point of the model moves with the amplitudes and a twist of the pose about the camera.
-  void jacobian(const Pair& pair, Eigen::Matrix<double, 3, Eigen::Dynamic>& j) const {
+  /// How far the paired point of the model moves along a direction with the amplitudes and a twist of the
+  /// pose about the camera. @param row 1 x unknowns, all zero before.
+  void motion_along(const Pair& pair, const Eigen::Vector3d& direction,
+                    Eigen::Ref<Eigen::RowVectorXd> row) const {
     const Eigen::Index modes = prior_.modes.cols();
     const Carrier carrier = surface_.carrier(pair.on_model);
-    j.leftCols(modes).setZero();
+    const Eigen::RowVector3d in_ct = direction.transpose() * fit_.camera_from_ct.rotation;
     for (std::size_t k = 0; k < 4; ++k)
       if (carrier.nodes[k] >= 0)
-        j.leftCols(modes) += carrier.weights[k] * prior_.modes.middleRows<3>(3L * carrier.nodes[k]);
-    j.leftCols(modes) = (fit_.camera_from_ct.rotation * j.leftCols(modes)).eval();
+        for (int c = 0; c < 3; ++c)
+          row.head(modes) += (carrier.weights[k] * in_ct[c]) * modes_.row(3L * carrier.nodes[k] + c);
     const Eigen::Vector3d p = pair.on_model.point;
-    j.rightCols(j.cols() - modes).setZero();
-    j.block<3, 3>(0, modes) << 0, p.z(), -p.y(), -p.z(), 0, p.x(), p.y(), -p.x(), 0;
-    j.block<3, 3>(0, modes + 3).setIdentity();
+    row.segment<3>(modes) = p.cross(direction).transpose();
+    row.segment<3>(modes + 3) = direction.transpose();
     const int look = cloud_.cloud.look(pair.point);
     if (look == 0) return;
     // The gap closes as well where the look goes the other way.
-    const Eigen::Vector3d q = p + pair.gap;
-    j.block<3, 3>(0, modes + 6 * look) << 0, -q.z(), q.y(), q.z(), 0, -q.x(), -q.y(), q.x(), 0;
-    j.block<3, 3>(0, modes + 6 * look + 3) = -Eigen::Matrix3d::Identity();
+    row.segment<3>(modes + 6L * look) = direction.cross(p + pair.gap).transpose();
+    row.segment<3>(modes + 6L * look + 3) = -direction.transpose();
   }
 
   /// Of what is unknown: amplitudes, then a twist of the pose and of each further look.
   struct NormalEquations {
-    Eigen::MatrixXd h;
+    Eigen::MatrixXd h;  ///< its lower triangle
     Eigen::VectorXd g;
   };
   NormalEquations normal_equations() const {
     const Eigen::Index modes = prior_.modes.cols();
     const Eigen::Index poses = 6L * cloud_.cloud.look_count();
-    NormalEquations normal{Eigen::MatrixXd::Zero(modes + poses, modes + poses),
-                           Eigen::VectorXd::Zero(modes + poses)};
-    Eigen::Matrix<double, 3, Eigen::Dynamic> j(3, modes + poses);
+    RowMajor a = RowMajor::Zero(3L * cloud_.cloud.size(), modes + poses);
+    Eigen::VectorXd gap(a.rows());
+    Eigen::Index rows = 0;
     for (const Pair& pair : pairs_) {
       if (!pair.kept) continue;
-      Eigen::Matrix3d weight = information(pair);
+      double weight = precision(pair);
       // The notch is clicked on purpose and has no other like it: it is never taken for an outlier.
-      if (pair.feature != Feature::umbilical_notch) {
-        const double share = cloud_.weight[static_cast<std::size_t>(pair.point)] * options_.information;
-        weight /= 1.0 + pair.gap.dot(weight * pair.gap) / (share * kTolerance);
-      }
-      jacobian(pair, j);
-      normal.h.noalias() += j.transpose() * (weight * j);
-      normal.g.noalias() += j.transpose() * (weight * pair.gap);
+      if (pair.feature != Feature::umbilical_notch) weight /= 1.0 + square(pair) / (share(pair) * kTolerance);
+      const auto add = [&](const Eigen::Vector3d& direction) {
+        motion_along(pair, std::sqrt(weight) * direction, a.row(rows));
+        gap[rows++] = std::sqrt(weight) * direction.dot(pair.gap);
+      };
+      if (pair.feature == Feature::surface)
+        add(pair.normal);
+      else
+        for (int axis = 0; axis < 3; ++axis) add(Eigen::Vector3d::Unit(axis));
     }
+    NormalEquations normal{Eigen::MatrixXd::Zero(modes + poses, modes + poses),
+                           a.topRows(rows).transpose() * gap.head(rows)};
+    normal.h.selfadjointView<Eigen::Lower>().rankUpdate(a.topRows(rows).transpose());
     normal.h.topLeftCorner(modes, modes).diagonal().array() += 1.0;
     normal.g.head(modes) -= fit_.amplitudes;
     normal.h.bottomRightCorner(poses, poses).diagonal().array() += 1e-3;
@@ -193,6 +239,7 @@ class ShapeFitter {
 
   const ShapeFitOptions& options_;
   const OperationPrior& prior_;
+  const RowMajor& modes_;
   Points rest_;
   PreparedCloud cloud_;
   LabelledCloud still_;  ///< before its looks were moved
@@ -200,6 +247,10 @@ class ShapeFitter {
   MovingSurface surface_;
   std::vector<Pair> pairs_;
   ShapeFit fit_;
+  double least_cost_ = std::numeric_limits<double>::infinity();
+  double lately_ = std::numeric_limits<double>::infinity();  ///< the cost when it last fell by kLessCost
+  int lately_at_ = 0;
+  bool rest_reached_ = false;
 };
 
 }  // namespace
@@ -238,20 +289,31 @@ Cancellable<ShapeFits> fit_shapes(const PatientModel& model, const OperationPrio
           "a prior is used with the model that it was made from");
   const MovingSurface surface(model, SurfaceDetail::fine);
   const PreparedCloud prepared = prepare_cloud(cloud, {});
-  std::vector<Cancellable<ShapeFit>> ended(starts.size());
-  const double share = 1.0 / static_cast<double>(starts.size());
-  share_out(starts.size(), 2, [&](std::size_t k, bool here) {
-    if (context.cancelled()) return;
-    const auto before = static_cast<double>(k);
-    ShapeFitter fitter(model, surface, prior, prepared, starts[k], options);
-    ended[k] = fitter.run(here ? context.part(share * before, share * (before + 1.0)) : context.quiet());
+  const RowMajor modes = prior.modes;
+  std::vector<std::unique_ptr<ShapeFitter>> fitters;
+  for (const ShapeStart& start : starts)
+    fitters.push_back(std::make_unique<ShapeFitter>(model, surface, prior, modes, prepared, start, options));
+  const auto run = [&](const std::vector<ShapeFitter*>& some, int until, const RunContext& part) {
+    const double share = 1.0 / static_cast<double>(some.size());
+    share_out(some.size(), 2, [&](std::size_t k, bool here) {
+      const auto before = static_cast<double>(k);
+      some[k]->run(until, here ? part.part(share * before, share * (before + 1.0)) : part.quiet());
+    });
+    return !context.cancelled();
+  };
+  std::vector<ShapeFitter*> going;
+  for (const auto& fitter : fitters) going.push_back(fitter.get());
+  if (!run(going, std::min(kFirstIterations, options.max_iterations), context.part(0.0, 0.5)))
+    return std::nullopt;
+  double least = std::numeric_limits<double>::infinity();
+  for (const ShapeFitter* fitter : going) least = std::min(least, fitter->least_cost());
+  std::erase_if(going, [&](const ShapeFitter* fitter) {
+    return fitter->least_cost() > 2.0 * least && fitter->least_cost() > least + kFarBehind;
   });
+  if (!run(going, options.max_iterations, context.part(0.5, 1.0))) return std::nullopt;
   ShapeFits found;
   std::vector<ShapeFit>& fits = found.fits;
-  for (Cancellable<ShapeFit>& fit : ended) {
-    if (!fit) return std::nullopt;
-    fits.push_back(std::move(*fit));
-  }
+  for (const auto& fitter : fitters) fits.push_back(fitter->finish());
   std::stable_sort(fits.begin(), fits.end(),
                    [](const ShapeFit& a, const ShapeFit& b) { return a.cost < b.cost; });
   const ShapeFit& best = fits.front();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <limits>
 #include <vector>
 
@@ -17,8 +18,9 @@ struct ClosestPoint {
   double distance = std::numeric_limits<double>::infinity();
 };
 
-/// A bounding-volume tree over triangles. Built once; when the vertices move it is refitted in linear time,
-/// not rebuilt (registration moves the same surface hundreds of times). Queries are const and thread-safe.
+/// A bounding-volume tree over triangles, four children a node. Built once; when the vertices move it is
+/// refitted in linear time, not rebuilt (registration moves the same surface hundreds of times). Queries are
+/// const and thread-safe.
 class ClosestPointTree {
  public:
   ClosestPointTree() = default;
@@ -47,21 +49,31 @@ class ClosestPointTree {
   bool empty() const { return nodes_.empty(); }
 
  private:
+  /// Boxes of up to four children, rounded outwards to single precision, so that they are looked at together.
   struct Node {
-    Eigen::Vector3d low, high;
-    int first = 0;  ///< leaf: first entry of order_; inner: index of the second child (the first follows)
-    int count = 0;  ///< > 0 for a leaf
+    Eigen::Array4f low[3], high[3];  ///< each axis; of an absent child empty
+    int child[4];                    ///< a node, or ~k: the triangle order_[k]; kAbsent
   };
+  struct Queue;
   /// Takes the triangle's closest point where it is nearer than the best so far.
   void offer(int triangle, const Eigen::Vector3d& query, double& best_squared, ClosestPoint& best) const;
+  /// Takes the ray's point on the triangle where it is nearer than the nearest so far.
+  void meet(int triangle, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, double t_min,
+            double& nearest, ClosestPoint& best) const;
   ClosestPoint search(const Eigen::Vector3d& query, double best_squared, ClosestPoint best) const;
   int build(int begin, int end, const std::vector<Eigen::Vector3d>& centres);
+  int split(int begin, int end, const std::vector<Eigen::Vector3d>& centres);
   void fit(Node& node) const;
+  void fit_all();
 
   Points vertices_;
   Triangles triangles_;
-  std::vector<int> order_;
+  std::vector<int> order_;                      ///< of the triangles
+  std::vector<std::array<int, 3>> corners_of_;  ///< vertices of the triangles, in that order
   std::vector<Node> nodes_;
+  Points fitted_;                                    ///< vertices that the boxes were fitted to
+  Eigen::Vector3d slack_ = Eigen::Vector3d::Zero();  ///< by which any has moved since, at most, each axis
+  double most_slack_ = 0.0;
 };
 
 /// The point of triangle (a, b, c) closest to p, as barycentric weights (Ericson, Real-Time Collision

@@ -38,6 +38,9 @@ class MovingSurface {
   /// from now on. @pre as many rows as the mesh has nodes.
   void move(const Points& nodes);
 
+  /// Makes all normals at once, for queries of a surface that stays as it is until the next move().
+  void stand_still();
+
   /// Whether points of this feature have a part of their own. The surface always has.
   bool has(Feature feature) const { return !tree(feature).empty(); }
   /// Closest point on the feature's part; on the whole surface where the model lacks the landmark.
@@ -79,7 +82,7 @@ class MovingSurface {
   int node_count_ = 0;
   TriangleMesh mesh_;
   VertexStars stars_;
-  Points normals_;  ///< at rest; empty once it has moved: few of many are asked for then
+  Points normals_;  ///< of all vertices where it stands still; else empty: few of many are asked for
   std::array<std::vector<int>, 3> part_;
   ClosestPointTree whole_, margin_, notch_;
   ClosestPoint notch_point_;  ///< triangle and weights, bound at rest
