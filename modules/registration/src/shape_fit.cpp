@@ -30,8 +30,9 @@ constexpr int kFewestIterations = 10;
 /// that go to and fro between two faces never let the steps become small.
 constexpr int kPatience = 25;
 constexpr double kLessCost = 0.1;
-/// After so many iterations those go on that may still be the best, or one of its rivals: fits whose cost is
-/// more than 100 over the best's are no other place (ShapeFits::places).
+/// After so many iterations those go on that may still be the best, or one of its rivals. Fits whose cost is
+/// more than 100 over the best's are no other place (ShapeFits::places); those that end are by far more over
+/// it, and over twice as much in all, for where no fit is good all may still change.
 constexpr int kFirstIterations = 20;
 constexpr double kFarBehind = 500.0;
 

@@ -19,8 +19,8 @@ struct ClosestPoint {
 };
 
 /// A bounding-volume tree over triangles, four children a node. Built once; when the vertices move it is
-/// refitted in linear time, not rebuilt (registration moves the same surface hundreds of times). Queries are
-/// const and thread-safe.
+/// refitted in linear time, not rebuilt (registration moves the same surface hundreds of times), and while
+/// they move by little its boxes stay and are taken for larger. Queries are exact, const and thread-safe.
 class ClosestPointTree {
  public:
   ClosestPointTree() = default;
@@ -73,7 +73,7 @@ class ClosestPointTree {
   std::vector<Node> nodes_;
   Points fitted_;                                    ///< vertices that the boxes were fitted to
   Eigen::Vector3d slack_ = Eigen::Vector3d::Zero();  ///< by which any has moved since, at most, each axis
-  double most_slack_ = 0.0;
+  double most_slack_ = 0.0;                          ///< beyond it the boxes are fitted anew
 };
 
 /// The point of triangle (a, b, c) closest to p, as barycentric weights (Ericson, Real-Time Collision
