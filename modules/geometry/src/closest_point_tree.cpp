@@ -17,22 +17,21 @@ constexpr double kMostSlack = 0.1;  ///< of a triangle's edge: larger boxes woul
 constexpr int kAbsent = std::numeric_limits<int>::min();
 constexpr float kNowhere = std::numeric_limits<float>::infinity();
 
-/// By how much a number moves at most when it is rounded to single precision, and a little more.
-float rounding(float value) { return 1.2e-7F * std::abs(value) + 1e-37F; }
+/// By how much numbers move at most when they are rounded to single precision, and a little more.
 Eigen::Array3f rounding(const Eigen::Array3f& values) { return 1.2e-7F * values.abs() + 1e-37F; }
 
-float below(double value) {
-  const auto single = static_cast<float>(value);
+Eigen::Array3f below(const Eigen::Array3d& values) {
+  const Eigen::Array3f single = values.cast<float>();
   return single - rounding(single);
 }
 
-float above(double value) {
-  const auto single = static_cast<float>(value);
+Eigen::Array3f above(const Eigen::Array3d& values) {
+  const Eigen::Array3f single = values.cast<float>();
   return single + rounding(single);
 }
 
 /// A squared distance to a box in single precision that is larger than this is larger than `squared`.
-float limit_of(double squared) { return above(squared * (1.0 + 2e-6)); }
+float limit_of(double squared) { return static_cast<float>(squared * (1.0 + 3e-6)) + 1e-37F; }
 
 }  // namespace
 
@@ -139,10 +138,8 @@ void ClosestPointTree::fit(Node& node) const {
       const auto& corners = corners_of_[~child];
       const Eigen::Array3d a = vertices_.row(corners[0]), b = vertices_.row(corners[1]),
                            c = vertices_.row(corners[2]);
-      low = a.min(b).min(c).cast<float>();
-      low -= rounding(low);
-      high = a.max(b).max(c).cast<float>();
-      high += rounding(high);
+      low = below(a.min(b).min(c));
+      high = above(a.max(b).max(c));
     }
     for (int axis = 0; axis < 3; ++axis) {
       node.low[axis][k] = low[axis];
@@ -217,11 +214,8 @@ struct ClosestPointTree::Queue {
 ClosestPoint ClosestPointTree::search(const Eigen::Vector3d& query, double best_squared,
                                       ClosestPoint best) const {
   if (nodes_.empty()) return best;
-  float low[3], high[3];  // of the query, as far as the boxes are too small
-  for (int axis = 0; axis < 3; ++axis) {
-    low[axis] = below(query[axis] - slack_[axis]);
-    high[axis] = above(query[axis] + slack_[axis]);
-  }
+  // The query is as much larger as the boxes are too small.
+  const Eigen::Array3f low = below(query - slack_), high = above(query + slack_);
   float limit = limit_of(best_squared);
   Queue queue;
   queue.entries[queue.size++] = {0, 0.0F};

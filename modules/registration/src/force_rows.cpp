@@ -44,16 +44,20 @@ void add_labelled(ForceRows& rows, const PreparedCloud& cloud, const MovingSurfa
 
 }  // namespace
 
+void add_along(const Carrier& carrier, const Eigen::Vector3d& direction, const fem::NodalColumns& columns,
+               Eigen::Ref<Eigen::RowVectorXd> row) {
+  for (std::size_t k = 0; k < 4; ++k)
+    if (carrier.nodes[k] >= 0)
+      for (int c = 0; c < 3; ++c)
+        row += (carrier.weights[k] * direction[c]) * columns.row(3L * carrier.nodes[k] + c);
+}
+
 Eigen::MatrixXd ForceRows::along(const fem::NodalColumns& columns) const {
   Eigen::MatrixXd a(size(), columns.cols());
   Eigen::RowVectorXd row(columns.cols());
   for (Eigen::Index i = 0; i < size(); ++i) {
-    const Carrier& carrier = carriers[static_cast<std::size_t>(i)];
     row.setZero();
-    for (std::size_t k = 0; k < 4; ++k)
-      if (carrier.nodes[k] >= 0)
-        for (int c = 0; c < 3; ++c)
-          row += (carrier.weights[k] * directions(i, c)) * columns.row(3L * carrier.nodes[k] + c);
+    add_along(carriers[static_cast<std::size_t>(i)], directions.row(i).transpose(), columns, row);
     a.row(i) = row;
   }
   return a;

@@ -16,6 +16,10 @@ inline constexpr double kMarginSigma = 6e-3, kNotchSigma = 3e-3;
 /// point.
 inline constexpr double kMarginInformation = 0.2;
 
+/// Adds to a row how a carried point moves along a direction with nodal vectors, one a column.
+void add_along(const Carrier& carrier, const Eigen::Vector3d& direction, const fem::NodalColumns& columns,
+               Eigen::Ref<Eigen::RowVectorXd> row);
+
 /// What the cloud says of where the organ is: one number a row, how far the model is from a point of the
 /// cloud along one direction.
 struct ForceRows {

@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 
+#include "force_rows.h"
 #include "glisson/core/error.h"
 #include "glisson/core/share_out.h"
 #include "glisson/registration/looks.h"
@@ -45,18 +46,13 @@ Rigid<CameraFrame, Source> twisted(const Rigid<CameraFrame, Source>& pose,
           rotation * pose.translation + twist.tail<3>()};
 }
 
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
 class ShapeFitter {
  public:
   /// @param surface the model's, at rest.
-  /// @param modes the prior's, which are asked for row by row.
   ShapeFitter(const PatientModel& model, const MovingSurface& surface, const OperationPrior& prior,
-              const RowMajor& modes, const PreparedCloud& cloud, const ShapeStart& start,
-              const ShapeFitOptions& options)
+              const PreparedCloud& cloud, const ShapeStart& start, const ShapeFitOptions& options)
       : options_(options),
         prior_(prior),
-        modes_(modes),
         rest_(model.mesh.vertices),
         cloud_(cloud),
         still_(cloud_.cloud),
@@ -69,22 +65,21 @@ class ShapeFitter {
     fit_.amplitudes = Eigen::VectorXd::Zero(prior.modes.cols());
   }
 
-  /// Goes on until it is at rest, or until that many iterations in all. @return false: cancelled.
-  bool run(int until, const RunContext& context) {
+  /// Goes on until it is at rest, until that many iterations in all, or until it is cancelled.
+  void run(int until, const RunContext& context) {
     while (!rest_reached_ && fit_.iterations < until) {
-      if (context.cancelled()) return false;
+      if (context.cancelled()) return;
       context.progress(static_cast<double>(fit_.iterations) / until, "registration.shape");
       pair();
       note_cost();
       const bool rest = step();
       ++fit_.iterations;
       rest_reached_ =
-          (rest && fit_.iterations >= kFewestIterations) || fit_.iterations - lately_at_ > kPatience;
+          (rest && fit_.iterations >= kFewestIterations) || fit_.iterations - least_at_ > kPatience;
     }
-    return true;
   }
 
-  /// Of all iterations.
+  /// Of all iterations, within kLessCost.
   double least_cost() const { return least_cost_; }
 
   ShapeFit finish() {
@@ -99,10 +94,9 @@ class ShapeFitter {
  private:
   void note_cost() {
     const double now = cost();
-    least_cost_ = std::min(least_cost_, now);
-    if (now > lately_ - kLessCost) return;
-    lately_ = now;
-    lately_at_ = fit_.iterations;
+    if (now > least_cost_ - kLessCost) return;
+    least_cost_ = now;
+    least_at_ = fit_.iterations;
   }
 
   void pair() {
@@ -162,12 +156,8 @@ class ShapeFitter {
   void motion_along(const Pair& pair, const Eigen::Vector3d& direction,
                     Eigen::Ref<Eigen::RowVectorXd> row) const {
     const Eigen::Index modes = prior_.modes.cols();
-    const Carrier carrier = surface_.carrier(pair.on_model);
-    const Eigen::RowVector3d in_ct = direction.transpose() * fit_.camera_from_ct.rotation;
-    for (std::size_t k = 0; k < 4; ++k)
-      if (carrier.nodes[k] >= 0)
-        for (int c = 0; c < 3; ++c)
-          row.head(modes) += (carrier.weights[k] * in_ct[c]) * modes_.row(3L * carrier.nodes[k] + c);
+    add_along(surface_.carrier(pair.on_model), fit_.camera_from_ct.rotation.transpose() * direction,
+              prior_.modes, row.head(modes));
     const Eigen::Vector3d p = pair.on_model.point;
     row.segment<3>(modes) = p.cross(direction).transpose();
     row.segment<3>(modes + 3) = direction.transpose();
@@ -186,7 +176,7 @@ class ShapeFitter {
   NormalEquations normal_equations() const {
     const Eigen::Index modes = prior_.modes.cols();
     const Eigen::Index poses = 6L * cloud_.cloud.look_count();
-    RowMajor a = RowMajor::Zero(3L * cloud_.cloud.size(), modes + poses);
+    fem::NodalColumns a = fem::NodalColumns::Zero(3L * cloud_.cloud.size(), modes + poses);
     Eigen::VectorXd gap(a.rows());
     Eigen::Index rows = 0;
     for (const Pair& pair : pairs_) {
@@ -240,7 +230,6 @@ class ShapeFitter {
 
   const ShapeFitOptions& options_;
   const OperationPrior& prior_;
-  const RowMajor& modes_;
   Points rest_;
   PreparedCloud cloud_;
   LabelledCloud still_;  ///< before its looks were moved
@@ -249,10 +238,31 @@ class ShapeFitter {
   std::vector<Pair> pairs_;
   ShapeFit fit_;
   double least_cost_ = std::numeric_limits<double>::infinity();
-  double lately_ = std::numeric_limits<double>::infinity();  ///< the cost when it last fell by kLessCost
-  int lately_at_ = 0;
+  int least_at_ = 0;  ///< the iteration in which it last fell by kLessCost
   bool rest_reached_ = false;
 };
+
+/// Each on its own, on two threads.
+void run_each(const std::vector<ShapeFitter*>& fitters, int until, const RunContext& context) {
+  const double share = 1.0 / static_cast<double>(fitters.size());
+  share_out(fitters.size(), 2, [&](std::size_t k, bool here) {
+    const auto before = static_cast<double>(k);
+    fitters[k]->run(until, here ? context.part(share * before, share * (before + 1.0)) : context.quiet());
+  });
+}
+
+/// All for a while, then to their ends those that are not far behind the best.
+void run_all(const std::vector<std::unique_ptr<ShapeFitter>>& fitters, int until, const RunContext& context) {
+  std::vector<ShapeFitter*> going;
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& fitter : fitters) going.push_back(fitter.get());
+  run_each(going, std::min(kFirstIterations, until), context.part(0.0, 0.5));
+  for (const ShapeFitter* fitter : going) least = std::min(least, fitter->least_cost());
+  std::erase_if(going, [&](const ShapeFitter* fitter) {
+    return fitter->least_cost() > 2.0 * least && fitter->least_cost() > least + kFarBehind;
+  });
+  run_each(going, until, context.part(0.5, 1.0));
+}
 
 }  // namespace
 
@@ -290,28 +300,11 @@ Cancellable<ShapeFits> fit_shapes(const PatientModel& model, const OperationPrio
           "a prior is used with the model that it was made from");
   const MovingSurface surface(model, SurfaceDetail::fine);
   const PreparedCloud prepared = prepare_cloud(cloud, {});
-  const RowMajor modes = prior.modes;
   std::vector<std::unique_ptr<ShapeFitter>> fitters;
   for (const ShapeStart& start : starts)
-    fitters.push_back(std::make_unique<ShapeFitter>(model, surface, prior, modes, prepared, start, options));
-  const auto run = [&](const std::vector<ShapeFitter*>& some, int until, const RunContext& part) {
-    const double share = 1.0 / static_cast<double>(some.size());
-    share_out(some.size(), 2, [&](std::size_t k, bool here) {
-      const auto before = static_cast<double>(k);
-      some[k]->run(until, here ? part.part(share * before, share * (before + 1.0)) : part.quiet());
-    });
-    return !context.cancelled();
-  };
-  std::vector<ShapeFitter*> going;
-  for (const auto& fitter : fitters) going.push_back(fitter.get());
-  if (!run(going, std::min(kFirstIterations, options.max_iterations), context.part(0.0, 0.5)))
-    return std::nullopt;
-  double least = std::numeric_limits<double>::infinity();
-  for (const ShapeFitter* fitter : going) least = std::min(least, fitter->least_cost());
-  std::erase_if(going, [&](const ShapeFitter* fitter) {
-    return fitter->least_cost() > 2.0 * least && fitter->least_cost() > least + kFarBehind;
-  });
-  if (!run(going, options.max_iterations, context.part(0.5, 1.0))) return std::nullopt;
+    fitters.push_back(std::make_unique<ShapeFitter>(model, surface, prior, prepared, start, options));
+  run_all(fitters, options.max_iterations, context);
+  if (context.cancelled()) return std::nullopt;
   ShapeFits found;
   std::vector<ShapeFit>& fits = found.fits;
   for (const auto& fitter : fitters) fits.push_back(fitter->finish());

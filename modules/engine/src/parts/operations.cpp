@@ -32,17 +32,17 @@ void each_option(Options& options, const Visit& visit) {
 }
 
 /// @return rows of a mode, one a node, and back: both are 3 N numbers a mode, node after node.
-Eigen::MatrixXd by_node(const Eigen::MatrixXd& modes) {
+Eigen::MatrixXd by_node(const fem::NodalColumns& modes) {
   Eigen::MatrixXd rows(modes.rows() / 3, 3 * modes.cols());
   for (Eigen::Index k = 0; k < modes.cols(); ++k)
-    rows.middleCols<3>(3 * k) = Eigen::Map<const Points>(modes.col(k).data(), rows.rows(), 3);
+    rows.middleCols<3>(3 * k) = modes.col(k).reshaped<Eigen::RowMajor>(rows.rows(), 3);
   return rows;
 }
 
-Eigen::MatrixXd by_mode(const Eigen::MatrixXd& rows) {
-  Eigen::MatrixXd modes(3 * rows.rows(), rows.cols() / 3);
+fem::NodalColumns by_mode(const Eigen::MatrixXd& rows) {
+  fem::NodalColumns modes(3 * rows.rows(), rows.cols() / 3);
   for (Eigen::Index k = 0; k < modes.cols(); ++k)
-    Eigen::Map<Points>(modes.col(k).data(), rows.rows(), 3) = rows.middleCols<3>(3 * k);
+    modes.col(k) = rows.middleCols<3>(3 * k).reshaped<Eigen::RowMajor>();
   return modes;
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "glisson/core/run_context.h"
+#include "glisson/fem/elastic_body.h"
 #include "glisson/patient/patient_model.h"
 
 /// @file
@@ -41,7 +42,7 @@ struct OperationPrior {
   /// 3 N x K: displacement of each node (x, y, z of the first, then of the second, ...) by one standard
   /// deviation of each component, metres, in the CT's frame, free of rigid motion: first the operations', the
   /// largest first, then the unforeseen forces'. Their covariances add up.
-  Eigen::MatrixXd modes;
+  fem::NodalColumns modes;
   int operations = 0;        ///< of which an equilibrium was found
   double mean_motion = 0.0;  ///< of a node, over all nodes and simulated operations, metres
 
