@@ -4207,6 +4207,14 @@
         <translation>echtes CT: Dice der Lebervenen in der Leber</translation>
     </message>
     <message>
+        <source>real CT: ways from the root to a tip of the portal vein found</source>
+        <translation>echtes CT: Wege von der Wurzel zu einer Spitze der Pfortader gefunden</translation>
+    </message>
+    <message>
+        <source>real CT: ways from the root to a tip of the hepatic veins found</source>
+        <translation>echtes CT: Wege von der Wurzel zu einer Spitze der Lebervenen gefunden</translation>
+    </message>
+    <message>
         <source>real CT: portal vein after the strokes</source>
         <translation>echtes CT: Pfortader nach den Strichen</translation>
     </message>

@@ -4207,6 +4207,14 @@
         <translation>scanner réel : Dice des veines hépatiques dans le foie</translation>
     </message>
     <message>
+        <source>real CT: ways from the root to a tip of the portal vein found</source>
+        <translation>scanner réel : chemins trouvés de la racine aux extrémités de la veine porte</translation>
+    </message>
+    <message>
+        <source>real CT: ways from the root to a tip of the hepatic veins found</source>
+        <translation>scanner réel : chemins trouvés de la racine aux extrémités des veines hépatiques</translation>
+    </message>
+    <message>
         <source>real CT: portal vein after the strokes</source>
         <translation>scanner réel : veine porte après les traits</translation>
     </message>

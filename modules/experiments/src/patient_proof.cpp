@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/experiments/patient_proof.h"
 
+#include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "glisson/core/error.h"
 #include "glisson/engine/commands/build_model.h"
@@ -29,6 +31,9 @@ constexpr int kFineVertices = 2300;
 
 /// Beams enough for every branch: nothing is pruned.
 constexpr int kAllBeams = 4000;
+
+/// What ends the name of a count's part that was found.
+constexpr std::string_view kFound = "_found";
 
 /// Thrown inside a run when it was cancelled; never leaves prove_patient.
 struct Cancelled {};
@@ -166,12 +171,17 @@ void synthetic_way(const PatientProofOptions& options, const fs::path& folder, P
   way.compare_trees(*patient, "true_labels");
 }
 
-/// A volume's error counts in both directions.
-void add_sizes(Figures& figures) {
-  Figures sizes;
-  for (const auto& [key, value] : figures)
-    if (key.ends_with("_volume_error")) sizes[key + "_size"] = std::abs(value);
-  figures.merge(sizes);
+/// A volume's error counts in both directions; of the ways from a tree's root to its tips the share that was
+/// found.
+void add_sizes_and_shares(Figures& figures) {
+  Figures added;
+  for (const auto& [key, value] : figures) {
+    if (key.ends_with("_volume_error")) added[key + "_size"] = std::abs(value);
+    const auto all = figures.find(key.substr(0, key.size() - std::min(key.size(), kFound.size())));
+    if (key.ends_with(kFound) && all != figures.end() && all->second > 0.0)
+      added[key + "_share"] = value / all->second;
+  }
+  figures.merge(added);
 }
 
 }  // namespace
@@ -199,7 +209,7 @@ Cancellable<PatientProof> prove_patient(const PatientProofOptions& options, cons
   } catch (const Cancelled&) {
     return {};
   }
-  add_sizes(proof.figures);
+  add_sizes_and_shares(proof.figures);
   return proof;
 }
 
