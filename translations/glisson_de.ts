@@ -4735,6 +4735,14 @@
         <translation>echte CTs, zehn Klicks eines Laien: Dice der Leber, schlechtester</translation>
     </message>
     <message>
+        <source>real CT, altered, ten clicks of a layperson: Dice of the liver, median</source>
+        <translation>echtes CT, verändert, zehn Klicks eines Laien: Dice der Leber, Median</translation>
+    </message>
+    <message>
+        <source>real CT, altered, ten clicks of a layperson: Dice of the liver, worst</source>
+        <translation>echtes CT, verändert, zehn Klicks eines Laien: Dice der Leber, schlechtester</translation>
+    </message>
+    <message>
         <source>in silico, ill livers, ten clicks of a layperson: Dice of the liver, median</source>
         <translation>in silico, kranke Lebern, zehn Klicks eines Laien: Dice der Leber, Median</translation>
     </message>

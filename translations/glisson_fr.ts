@@ -4735,6 +4735,14 @@
         <translation>CT réels, dix clics d’un profane : Dice du foie, le pire</translation>
     </message>
     <message>
+        <source>real CT, altered, ten clicks of a layperson: Dice of the liver, median</source>
+        <translation>CT réel modifié, dix clics d’un profane : Dice du foie, médiane</translation>
+    </message>
+    <message>
+        <source>real CT, altered, ten clicks of a layperson: Dice of the liver, worst</source>
+        <translation>CT réel modifié, dix clics d’un profane : Dice du foie, le pire</translation>
+    </message>
+    <message>
         <source>in silico, ill livers, ten clicks of a layperson: Dice of the liver, median</source>
         <translation>in silico, foies malades, dix clics d’un profane : Dice du foie, médiane</translation>
     </message>

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 
 #include "glisson/core/error.h"
 #include "glisson/core/statistics.h"
 #include "glisson/core/stopwatch.h"
+#include "glisson/insilico/altered_ct.h"
 #include "glisson/insilico/layperson.h"
 #include "glisson/insilico/pathology.h"
 #include "glisson/segmentation/evaluate.h"
@@ -25,10 +27,11 @@ using Bytes = std::vector<std::uint8_t>;
 
 struct Trial {
   std::string name;
-  bool real = false;
+  const char* kind;  ///< of the CT, as the figures name it
   Image ct;
   LabelMap truth;
 };
+constexpr const char *kReal = "real", *kAltered = "altered", *kSynthetic = "synthetic";
 
 /// The largest distance from the boundary of either mask to the other mask's, mm.
 double worst_distance_mm(const VolumeGrid& grid, const Bytes& a, const Bytes& b) {
@@ -85,7 +88,7 @@ class Trials {
  public:
   explicit Trials(PatientProof& proof) : proof_(proof) {
     proof_.table.push_back(
-        line_of("%-24s%s", "trial",
+        line_of("%-32s%s", "trial",
                 "clicks  Dice  worst mm    ml  true ml  clicks  Dice  lesions  drawn  unclicked  seconds"));
   }
 
@@ -118,41 +121,34 @@ class Trials {
     const auto all = segmentation::agreement(found, truth, voxel_mm3);
     const double with_lesions = segmentation::dice(inside_liver(more->labels), truth);
     const auto clicks = seeds.liver.rows() + seeds.background.rows();
-    proof_.table.push_back(
-        line_of("%-24s%s", trial.name + (trial.real ? " (real)" : ""),
-                number("%6.0f", static_cast<double>(clicks)) + number("%6.3f", all.dice) +
-                    number("%10.1f", worst_distance_mm(trial.ct.grid, found, truth)) +
-                    number("%6.0f", all.ml) + number("%9.0f", all.truth_ml) +
-                    number("%8.0f", static_cast<double>(clicks) + static_cast<double>(seeds.lesions.size())) +
-                    number("%6.3f", with_lesions) +
-                    (lesions.empty() ? std::string(9, ' ') : number("%9.3f", median(lesions))) +
-                    (drawn.empty() ? std::string(7, ' ') : number("%7.3f", median(drawn))) +
-                    number("%11.3f", *unclicked) + number("%9.1f", seconds)));
-    (trial.real ? real_ : synthetic_).push_back(all.dice);
-    (trial.real ? real_unclicked_ : synthetic_unclicked_).push_back(*unclicked);
-    const auto add = [](std::vector<double>& to, const std::vector<double>& these) {
+    proof_.table.push_back(line_of(
+        "%-32s%s", trial.name + (trial.kind == kSynthetic ? "" : std::string(" (") + trial.kind + ")"),
+        number("%6.0f", static_cast<double>(clicks)) + number("%6.3f", all.dice) +
+            number("%10.1f", worst_distance_mm(trial.ct.grid, found, truth)) + number("%6.0f", all.ml) +
+            number("%9.0f", all.truth_ml) +
+            number("%8.0f", static_cast<double>(clicks) + static_cast<double>(seeds.lesions.size())) +
+            number("%6.3f", with_lesions) +
+            (lesions.empty() ? std::string(9, ' ') : number("%9.3f", median(lesions))) +
+            (drawn.empty() ? std::string(7, ' ') : number("%7.3f", median(drawn))) +
+            number("%11.3f", *unclicked) + number("%9.1f", seconds)));
+    const auto add = [&](const std::string& what, const std::vector<double>& these) {
+      std::vector<double>& to = found_[trial.kind + ("_dice_" + what)];
       to.insert(to.end(), these.begin(), these.end());
     };
-    add(trial.real ? real_lesions_ : synthetic_lesions_, lesions);
-    add(trial.real ? real_drawn_ : synthetic_drawn_, drawn);
+    add("liver", {all.dice});
+    add("unclicked_liver", {*unclicked});
+    add("lesion", lesions);
+    add("drawn_lesion", drawn);
     slowest_ = std::max(slowest_, seconds);
     return true;
   }
 
   void finish() {
-    const auto put = [&](const std::string& key, std::vector<double> values) {
-      if (values.empty()) return;
-      proof_.figures["trial_" + key + "_worst"] = *std::min_element(values.begin(), values.end());
-      proof_.figures["trial_" + key + "_median"] = median(std::move(values));
-    };
-    put("real_dice_liver", real_);
-    put("synthetic_dice_liver", synthetic_);
-    put("real_dice_lesion", real_lesions_);
-    put("synthetic_dice_lesion", synthetic_lesions_);
-    put("real_dice_unclicked_liver", real_unclicked_);
-    put("synthetic_dice_unclicked_liver", synthetic_unclicked_);
-    put("real_dice_drawn_lesion", real_drawn_);
-    put("synthetic_dice_drawn_lesion", synthetic_drawn_);
+    for (const auto& [what, values] : found_) {
+      if (values.empty()) continue;
+      proof_.figures["trial_" + what + "_worst"] = *std::min_element(values.begin(), values.end());
+      proof_.figures["trial_" + what + "_median"] = median(values);
+    }
     proof_.figures["trial_seconds_longest"] = slowest_;
   }
 
@@ -190,8 +186,7 @@ class Trials {
   }
 
   PatientProof& proof_;
-  std::vector<double> real_, synthetic_, real_lesions_, synthetic_lesions_, real_drawn_, synthetic_drawn_,
-      real_unclicked_, synthetic_unclicked_;
+  std::map<std::string, std::vector<double>> found_;  ///< by kind and what was measured
   double seconds_ = 0.0, slowest_ = 0.0;
 };
 
@@ -222,7 +217,7 @@ std::optional<Trial> real_trial(const PatientProofOptions& options, const std::s
   }
   Trial trial;
   trial.name = name;
-  trial.real = true;
+  trial.kind = kReal;
   const bool first = fs::exists(folder / "PATIENT_DICOM.tar.gz");
   auto ct = read_image(folder / (first ? "PATIENT_DICOM.tar.gz" : "DICOM.tar.gz"), context);
   if (!ct) return {};
@@ -241,6 +236,18 @@ std::optional<Trial> real_trial(const PatientProofOptions& options, const std::s
   return trial;
 }
 
+/// False: cancelled.
+bool run_altered(const Trial& real, std::uint64_t seed, std::uint64_t place, Trials& trials,
+                 const RunContext& context) {
+  for (const insilico::Alteration& alteration : insilico::alterations()) {
+    auto made = insilico::altered_ct(real.ct, real.truth, alteration, seed, context.quiet());
+    if (!made) return false;
+    const Trial trial{alteration.name, kAltered, std::move(made->ct), std::move(made->truth)};
+    if (!trials.run(trial, ++place + 100, context.quiet())) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 bool run_trials(const PatientProofOptions& options, PatientProof& proof, const RunContext& context) {
@@ -252,6 +259,10 @@ bool run_trials(const PatientProofOptions& options, PatientProof& proof, const R
     const auto trial = real_trial(options, name, proof, context.quiet());
     if (context.cancelled()) return false;
     if (trial && !trials.run(*trial, ++place, context.quiet())) return false;
+    // Alterations need the expert's lesions and vena cava.
+    if (trial && !clicked_lesions(trial->truth).empty() &&
+        !run_altered(*trial, options.seed, place, trials, context))
+      return false;
   }
   const auto pathologies =
       options.synthetic ? insilico::pathologies(options.seed) : std::vector<insilico::Pathology>{};
@@ -259,7 +270,7 @@ bool run_trials(const PatientProofOptions& options, PatientProof& proof, const R
     context.progress(static_cast<double>(n) / static_cast<double>(pathologies.size()), "patient.ct");
     auto made = insilico::make_pathology_ct(pathologies[n], context.quiet());
     if (!made) return false;
-    const Trial trial{pathologies[n].name, false, std::move(made->ct), std::move(made->truth)};
+    const Trial trial{pathologies[n].name, kSynthetic, std::move(made->ct), std::move(made->truth)};
     if (!trials.run(trial, ++place, context.quiet())) return false;
   }
   trials.finish();

@@ -13,12 +13,12 @@
 namespace glisson::insilico {
 namespace {
 
-constexpr double kBulge = 3.0;      // mm that a tumour may stand out of the organ
-constexpr double kEdge = 1.0;       // mm, half the width of a tumour's edge in the picture
-constexpr double kTexture = 4.0;    // mm, half the side of the square that a voxel's own noise is told from
-constexpr double kMostNoise = 40.0; // HU; more of a difference is a vessel's or an organ's edge
-constexpr double kEmpty = -150.0;   // HU below which is lung or gas
-constexpr double kApart = 4.0;      // mm between two tumours
+constexpr double kBulge = 3.0;       // mm that a tumour may stand out of the organ
+constexpr double kEdge = 1.0;        // mm, half the width of a tumour's edge in the picture
+constexpr double kTexture = 4.0;     // mm, half the side of the square that a voxel's own noise is told from
+constexpr double kMostNoise = 40.0;  // HU; more of a difference is a vessel's or an organ's edge
+constexpr double kEmpty = -150.0;    // HU below which is lung or gas
+constexpr double kApart = 4.0;       // mm between two tumours
 
 /// A CT that is being altered. Points are LPS millimetres.
 class Alterer {
@@ -69,7 +69,8 @@ class Alterer {
   void add_noise(double hu) {
     if (hu <= 0.0) return;
     for (auto& voxel : voxels_)
-      voxel = static_cast<std::int16_t>(std::clamp(std::lround(voxel + hu * gaussian()), -1024L, 3071L));
+      voxel = static_cast<std::int16_t>(
+          std::clamp(std::lround(voxel + hu * standard_normal(random_)), -1024L, 3071L));
   }
 
   PathologyCt joined(int slices) const {
@@ -106,10 +107,6 @@ class Alterer {
     return squared_distance_mm2(other);
   }
   double between(double low, double high) { return low + (high - low) * uniform01(random_); }
-  double gaussian() {
-    const double u = 1.0 - uniform01(random_), v = uniform01(random_);
-    return std::sqrt(-2.0 * std::log(u)) * std::cos(2.0 * M_PI * v);
-  }
   Vec centre(const Eigen::Vector3i& voxel) const { return 1e3 * grid_.p_in_ct(voxel.cast<double>()).xyz; }
 
   /// Whether a lesion's middle may lie there, by its distances from the liver's border and from the cava.
@@ -136,9 +133,10 @@ class Alterer {
           if (depth2_[at] > 0.0F && may_lie(kind, at) && is_apart(kind, centre({i, j, k})))
             places.emplace_back(i, j, k);
     if (places.empty())
-      throw InputError("label map", "liver", "there is no place for a tumour of " +
-                                                 std::to_string(std::lround(kind.radius_mm)) + " mm",
-                       "give a larger liver, or its vena cava");
+      throw InputError(
+          "label map", "liver",
+          "there is no place for a tumour of " + std::to_string(std::lround(kind.radius_mm)) + " mm",
+          "give a larger liver, or its vena cava");
     return centre(places[static_cast<std::size_t>(uniform01(random_) * static_cast<double>(places.size()))]);
   }
   bool is_apart(const LesionKind& kind, const Vec& p) const {
@@ -159,8 +157,7 @@ class Alterer {
   void each_near(const Lesion& body, const Function& function) const {
     const Vec reach = (Vec::Constant(body.reach() + 2.0).cwiseQuotient(grid_.spacing_mm));
     const Vec middle = grid_.index_of(Point<CtFrame>(1e-3 * body.centre));
-    const Eigen::Vector3i low =
-        (middle - reach).array().floor().cast<int>().max(0).matrix();
+    const Eigen::Vector3i low = (middle - reach).array().floor().cast<int>().max(0).matrix();
     const Eigen::Vector3i high =
         (middle + reach).array().ceil().cast<int>().min(grid_.size.array() - 1).matrix();
     for (int k = low.z(); k <= high.z(); ++k)
@@ -186,8 +183,7 @@ class Alterer {
     const double tumour = liver_hu_ - contrast;
     if (kind.look == LesionKind::Look::cyst) return 6.0;
     if (kind.look == LesionKind::Look::necrotic)
-      return mix(tumour + 12.0, 22.0,
-                 smooth_step(-0.25 * kind.radius_mm, -0.5 * kind.radius_mm, field));
+      return mix(tumour + 12.0, 22.0, smooth_step(-0.25 * kind.radius_mm, -0.5 * kind.radius_mm, field));
     return tumour;
   }
 
@@ -207,13 +203,19 @@ class Alterer {
 std::vector<Alteration> alterations() {
   using Look = LesionKind::Look;
   using Place = LesionKind::Place;
-  return {{"two large tumours", {{Look::hypodense, Place::beside_cava, 26.0}, {Look::hypodense, Place::rim, 27.0}}},
-          {"faint tumours", {{Look::hypodense, Place::rim, 22.0}, {Look::hypodense, Place::deep, 13.0}}, 25.0},
-          {"necrotic", {{Look::necrotic, Place::rim, 32.0}}, 35.0},
-          {"cysts", {{Look::cyst, Place::rim, 26.0}, {Look::cyst, Place::deep, 12.0}}},
-          {"slices of three", {}, 45.0, 3},
-          {"noise", {}, 45.0, 1, 25.0},
-          {"tumours, slices of three", {{Look::hypodense, Place::rim, 25.0}, {Look::hypodense, Place::deep, 13.0}}, 45.0, 3, 10.0}};
+  return {
+      {"two large tumours",
+       {{Look::hypodense, Place::beside_cava, 26.0}, {Look::hypodense, Place::rim, 27.0}}},
+      {"faint tumours", {{Look::hypodense, Place::rim, 22.0}, {Look::hypodense, Place::deep, 13.0}}, 25.0},
+      {"necrotic", {{Look::necrotic, Place::rim, 32.0}}, 35.0},
+      {"cysts", {{Look::cyst, Place::rim, 26.0}, {Look::cyst, Place::deep, 12.0}}},
+      {"slices of three", {}, 45.0, 3},
+      {"noise", {}, 45.0, 1, 25.0},
+      {"tumours, slices of three",
+       {{Look::hypodense, Place::rim, 25.0}, {Look::hypodense, Place::deep, 13.0}},
+       45.0,
+       3,
+       10.0}};
 }
 
 Cancellable<PathologyCt> altered_ct(const Image& ct, const LabelMap& truth, const Alteration& alteration,

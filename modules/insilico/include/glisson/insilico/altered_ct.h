@@ -16,7 +16,7 @@ namespace glisson::insilico {
 
 struct Alteration {
   std::string name;
-  std::vector<LesionKind> lesions;  ///< hypodense, necrotic or cyst
+  std::vector<LesionKind> lesions;   ///< hypodense, necrotic or cyst
   double lesion_contrast_hu = 45.0;  ///< by which a hypodense one is darker than this liver
   int slices_joined = 1;             ///< thick slices are means of so many
   double noise_hu = 0.0;             ///< added; standard deviation
@@ -25,8 +25,8 @@ struct Alteration {
 /// Of the kinds that other hospitals' CTs were found to differ by.
 std::vector<Alteration> alterations();
 
-/// The altered CT and its truth. A tumour replaces the local mean and keeps the CT's own noise; its edge is as
-/// soft as the scanner's (1 mm); what bulges out of the organ (3 mm at most) replaces soft tissue alone.
+/// The altered CT and its truth. A tumour replaces the local mean and keeps the CT's own noise; its edge is
+/// as soft as the scanner's (1 mm); what bulges out of the organ (3 mm at most) replaces soft tissue alone.
 /// @param truth the expert's labels, on the CT's grid. @throws InputError when it holds no parenchyma, or no
 /// place for a lesion. Empty: cancelled.
 Cancellable<PathologyCt> altered_ct(const Image& ct, const LabelMap& truth, const Alteration& alteration,
