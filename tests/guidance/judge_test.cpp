@@ -7,6 +7,7 @@
 #include "glisson/core/error.h"
 #include "glisson/guidance/tracker.h"
 #include "judge.h"
+#include "lifted_tissue.h"
 #include "motion_check.h"
 #include "picture_check.h"
 #include "surface_check.h"
@@ -27,6 +28,10 @@ class JudgeTest : public QObject {
   void StereoSpeaksAgainstAWrongSurface_data();
   void StereoSpeaksAgainstAWrongSurface();
   void WhatIsCoveredIsNotSupported();
+  void APartThatIsLiftedIsWithdrawn_data();
+  void APartThatIsLiftedIsWithdrawn();
+  void AToolInFrontIsNoLiftedOrgan();
+  void WhatLiesNearerIsTheOrganByItsBorderOrItsPoints();
   void WrongStartIsWithdrawnAndTheRightOneIsNot();
   void StandingPictureIsWithdrawn();
   void WhatIsSetElsewhereIsShownOnlyWhenSurfacesAgree_data();
@@ -42,6 +47,31 @@ class JudgeTest : public QObject {
   /// A film of the body moving down by half a millimetre a frame.
   StereoFrame frame(int k) const {
     return phantom::film(model_, moved({0.0, 0.5e-3 * k, -0.2e-3 * k}), rig_, k);
+  }
+  /// A part of the organ lies nearer by so much, smoothly over 20 mm.
+  Points lifted(double by) const {
+    Points nodes = nodes_;
+    for (Eigen::Index i = 0; i < nodes.rows(); ++i) {
+      const double t = std::clamp((nodes(i, 0) - nodes_.col(0).mean() - 5e-3) / 20e-3, 0.0, 1.0);
+      nodes(i, 2) -= by * t * t * (3.0 - 2.0 * t);
+    }
+    return nodes;
+  }
+  /// Something flat and textured before the organ, 60 mm before the lens, as wide as a tool.
+  StereoFrame behind_a_tool(const StereoFrame& frame) const {
+    StereoFrame covered = frame;
+    for (Picture* picture : {&covered.left, &covered.right}) {
+      auto bytes = std::make_shared<std::vector<std::uint8_t>>(*picture->bytes);
+      // The cameras turn towards each other by 0.02, so what is far is shifted, too.
+      const double shift = picture == &covered.left ? 0.0 : 260.0 * (5e-3 / 60e-3 - 0.02);
+      for (int y = 0; y < picture->height; ++y)
+        for (int x = 0; x < picture->width; ++x)
+          if (const double u = x + shift, across = u - 190.0 + 0.3 * (y - 120.0); std::abs(across) < 22.0)
+            (*bytes)[static_cast<std::size_t>(y * picture->width + x)] = static_cast<std::uint8_t>(
+                60.0 + 150.0 * phantom::value_noise(Eigen::Vector3d(u / 7.0, y / 7.0, 0.5)));
+      picture->bytes = bytes;
+    }
+    return covered;
   }
   static std::vector<FollowedPoint> grid(const StereoRig& rig) {
     std::vector<FollowedPoint> points;
@@ -204,6 +234,65 @@ void JudgeTest::WhatIsCoveredIsNotSupported() {
     picture->bytes = bytes;
   }
   QVERIFY(check.check(covered.left, covered.right, nodes_).supported < 0.75 * open);
+}
+
+void JudgeTest::APartThatIsLiftedIsWithdrawn_data() {
+  QTest::addColumn<double>("by");
+  QTest::newRow("by 10 mm") << 10e-3;
+  QTest::newRow("by 30 mm") << 30e-3;
+}
+
+void JudgeTest::APartThatIsLiftedIsWithdrawn() {
+  QFETCH(double, by);
+  JudgeOptions options;
+  options.motion = 0.0;  // the same frame over and over
+  Judge judge(model_, rig_, {}, options);
+  judge.begin(first_, nodes_);
+  const StereoFrame shown = phantom::film(model_, lifted(by), rig_, 1);
+  OverlayFrame overlay;
+  Validity said = Validity::valid;
+  for (int k = 1; k <= 15; ++k) {
+    overlay.nodes_in_camera = nodes_;
+    said = judge.judge(shown, grid(rig_), overlay);
+  }
+  QVERIFY2(said == Validity::surface_apart, qPrintable(QString("%1: gap %2, local %3, before %4, lifted %5")
+                                                           .arg(validity_code(said))
+                                                           .arg(overlay.evidence.gap)
+                                                           .arg(overlay.evidence.local)
+                                                           .arg(overlay.evidence.before)
+                                                           .arg(overlay.evidence.lifted)));
+}
+
+void JudgeTest::AToolInFrontIsNoLiftedOrgan() {
+  SurfaceCheck check(model_, rig_, {});
+  const StereoFrame covered = behind_a_tool(first_);
+  const SurfaceEvidence evidence = check.check(covered.left, covered.right, nodes_);
+  QVERIFY2(evidence.before > 0.1, qPrintable(QString::number(evidence.before)));
+  QVERIFY2(evidence.lifted < 0.5 * JudgeOptions().lifted && evidence.local < JudgeOptions().local,
+           qPrintable(QString("lifted %1, local %2").arg(evidence.lifted).arg(evidence.local)));
+}
+
+void JudgeTest::WhatLiesNearerIsTheOrganByItsBorderOrItsPoints() {
+  // 12 x 6 places at 100 mm; the right half lies nearer.
+  const auto lifted = [](double by, double step, int followed) {
+    SeenGrid grid{12, 6, {}, {}, {}, {}, {}};
+    for (int i = 0; i < 72; ++i) {
+      const int column = i % 12;
+      const bool nearer = column >= 6;
+      const double slope = std::clamp((column - 5) * step, 0.0, by);
+      grid.range.push_back(0.1 - slope);
+      grid.sigma.push_back(1e-3);
+      grid.predicted.push_back(1);
+      grid.nearer.push_back(nearer ? 1 : 0);
+      grid.followed.push_back(nearer ? followed : 1);
+    }
+    int count = 0;
+    for (const char place : lifted_places(grid)) count += place;
+    return count;
+  };
+  QCOMPARE(lifted(30e-3, 5e-3, 0), 36);   // it goes over into the rest
+  QCOMPARE(lifted(30e-3, 30e-3, 0), 0);   // a step, and nothing is followed there
+  QCOMPARE(lifted(30e-3, 30e-3, 1), 36);  // a step, but points of the organ are there
 }
 
 void JudgeTest::WrongStartIsWithdrawnAndTheRightOneIsNot() {

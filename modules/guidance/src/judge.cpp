@@ -30,6 +30,8 @@ void JudgeOptions::validate() const {
   demand(lag >= 0 && lag < every, "lag", lag, "Give fewer frames than lie between two checks");
   demand(gap > 0.0, "gap", gap, "Give a positive number");
   demand(mean_gap > 0.0, "mean_gap", mean_gap, "Give a positive number");
+  demand(local > 0.0, "local", local, "Give a positive number");
+  demand(lifted > 0.0 && lifted <= 1.0, "lifted", lifted, "Give a share");
   demand(behind > 0.0 && behind <= 1.0, "behind", behind, "Give a share");
   demand(pull > 0.0, "pull", pull, "Give a positive length");
   demand(pull_sigmas > 0.0, "pull_sigmas", pull_sigmas, "Give a positive number");
@@ -76,14 +78,18 @@ struct Judge::Impl {
   void take(const SurfaceEvidence& seen) {
     evidence.supported = seen.supported;
     evidence.gap = seen.gap;
+    evidence.local = seen.local;
     evidence.behind = seen.behind;
+    evidence.before = seen.before;
+    evidence.lifted = seen.lifted;
     evidence.pull = seen.pull;
     evidence.pull_sigma = seen.pull_sigma;
   }
   /// 1 and more: stereo speaks against the overlay. The largest of what it may say.
   double apartness() const {
     const double significant = evidence.pull / (options.pull_sigmas * std::max(evidence.pull_sigma, 1e-6));
-    return std::max({evidence.gap / options.gap, evidence.behind / options.behind,
+    return std::max({evidence.gap / options.gap, evidence.local / options.local,
+                     evidence.behind / options.behind, evidence.lifted / options.lifted,
                      std::min(evidence.pull / options.pull, significant)});
   }
   /// 1 and more: too much is covered.
@@ -93,13 +99,14 @@ struct Judge::Impl {
                     evidence.pull_sigma / options.unknown);
   }
 
-  void look_at_surface(const StereoFrame& frame, const Points& nodes) {
+  void look_at_surface(const StereoFrame& frame, const std::vector<FollowedPoint>& points,
+                       const Points& nodes) {
     compare_surface();
     // While nothing is shown because the model was set elsewhere, one surface is made after the other.
     if (!pending.valid() && frames - looked >= (undecided ? options.lag : options.every)) {
       looked = frames;
-      pending = std::async(std::launch::async, [this, frame, nodes, now = shape] {
-        return surface.check(frame.left, frame.right, nodes, now);
+      pending = std::async(std::launch::async, [this, frame, points, nodes, now = shape] {
+        return surface.check(frame.left, frame.right, nodes, now, points);
       });
       compare_surface();
     }
@@ -199,7 +206,7 @@ bool Judge::is_undecided() const { return impl_->undecided; }
 Validity Judge::judge(const StereoFrame& frame, const std::vector<FollowedPoint>& points,
                       OverlayFrame& overlay) {
   ++impl_->frames;
-  impl_->look_at_surface(frame, overlay.nodes_in_camera);
+  impl_->look_at_surface(frame, points, overlay.nodes_in_camera);
   impl_->look_at_pictures(frame);
   impl_->look_at_motion(points, frame.seconds);
   overlay.evidence = impl_->evidence;

@@ -104,6 +104,15 @@ const Eigen::Vector2d& SmallStereo::pixel(int column, int row) const {
   return pixels_[static_cast<std::size_t>(row * columns_ + column)];
 }
 
+std::optional<std::pair<int, int>> SmallStereo::place(const Eigen::Vector3d& p_in_camera) const {
+  const Eigen::Vector3d p = impl_->rectified_from_left * p_in_camera;
+  if (!(p.z() > 0.0)) return std::nullopt;
+  const double c = (impl_->focal * p.x() / p.z() + impl_->cx) / step_,
+               r = (impl_->focal * p.y() / p.z() + impl_->cy) / step_;
+  if (!(c >= 0.0 && r >= 0.0 && c < columns_ && r < rows_)) return std::nullopt;
+  return std::pair{static_cast<int>(c), static_cast<int>(r)};
+}
+
 std::vector<SeenPoint> SmallStereo::see(const Picture& left, const Picture& right) {
   Impl::rectified(left, rig_.left, "left view", impl_->map_left, impl_->left);
   Impl::rectified(right, rig_.right, "right view", impl_->map_right, impl_->right);

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "glisson/geometry/camera.h"
@@ -30,6 +32,8 @@ class SmallStereo {
   /// The left camera's ray through a place of the grid, unit, left camera's frame; and its pixel there.
   const Eigen::Vector3d& ray(int column, int row) const;
   const Eigen::Vector2d& pixel(int column, int row) const;
+  /// The grid's place (column, row) in which a point lies, left camera's frame; empty: outside.
+  std::optional<std::pair<int, int>> place(const Eigen::Vector3d& p_in_camera) const;
 
   /// Only what passes the checks of matching (uniqueness, left against right, texture).
   /// @throws InputError pictures of another size than the calibration's.

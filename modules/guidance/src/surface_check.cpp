@@ -12,6 +12,7 @@
 #include "anchored_points.h"
 #include "glisson/core/statistics.h"
 #include "glisson/registration/moving_surface.h"
+#include "lifted_tissue.h"
 #include "small_stereo.h"
 
 namespace glisson::guidance {
@@ -27,6 +28,7 @@ constexpr double kApart = 8e-3;     ///< metres beyond those: something else is 
 constexpr int kInside = 2;          ///< places of the grid from the outline: well inside
 constexpr int kOccluded = 4;        ///< places of the grid beside something nearer
 constexpr int kRegions = 5;         ///< along each side of the picture
+constexpr std::size_t kRegionCount = std::size_t{kRegions} * kRegions;
 constexpr std::size_t kLeastInRegion = 6;
 /// Of one region's median: its points' errors are alike (locking of the matcher, the mesh's chords).
 constexpr double kRegionStereoShare = 0.5;
@@ -134,16 +136,26 @@ struct SurfaceCheck::Impl {
       }
   }
 
-  void compare(const std::vector<SeenPoint>& points, SurfaceEvidence& evidence) {
-    for (const double z : depth) evidence.predicted += z > 0.0;
-    int inside = 0, inside_seen = 0, supported = 0, before = 0;
-    for (int r = 0; r < stereo.rows(); ++r)
-      for (int c = 0; c < stereo.columns(); ++c) inside += depth[index(c, r)] > 0.0 && is_inside(c, r);
-    std::map<int, std::vector<double>> gaps;
-    std::map<int, double> sigmas;
-    is_behind.assign(depth.size(), 0);
-    is_before.assign(depth.size(), 0);
-    is_supported.assign(depth.size(), 0);
+  /// What lies within reach of the predicted surface, in one region of the picture.
+  struct RegionGaps {
+    std::vector<double> values;  ///< metres
+    double sigmas = 0.0;         ///< their sum
+    /// The median over its own deviation; 0: too little is seen.
+    double off() const {
+      if (values.size() < kLeastInRegion) return 0.0;
+      const auto n = static_cast<double>(values.size());
+      const double median = upper_median(values);
+      // A median of scattered values, as wrong matches are, says little.
+      const double scatter = kDeviationPerMad * median_absolute_deviation(values, median);
+      return median / std::sqrt(std::pow(sigmas / n, 2) + 0.5 * std::numbers::pi * scatter * scatter / n);
+    }
+  };
+  using Regions = std::array<RegionGaps, kRegionCount>;
+
+  /// Sorts each point by where it lies to the predicted surface.
+  Regions classify(const std::vector<SeenPoint>& points, SurfaceEvidence& evidence) {
+    Regions regions;
+    for (std::vector<char>* kind : {&is_behind, &is_before, &is_supported}) kind->assign(depth.size(), 0);
     for (const SeenPoint& point : points) {
       const std::size_t i = index(point.column, point.row);
       if (depth[i] <= 0.0) continue;
@@ -152,42 +164,78 @@ struct SurfaceCheck::Impl {
       // Across the surface: on a slope, what is off along the ray is less off the surface.
       const double slope = std::max(0.2, inclination[i]), gap = along * slope;
       const double sigma = std::hypot(point.sigma * slope, kModelSigma);
-      const bool is_in = is_inside(point.column, point.row);
-      inside_seen += is_in;
-      if (std::abs(gap) < kSupported * sigma) {
-        ++supported;
+      if (std::abs(gap) < kSupported * sigma)
         is_supported[i] = 1;
-      } else if (is_in && gap > kSupported * sigma + kApart) {
-        is_behind[i] = 1;
-      } else if (gap < -kSupported * sigma - kApart) {
-        before += is_in;
+      else if (gap > kSupported * sigma + kApart)
+        is_behind[i] = is_inside(point.column, point.row) ? 1 : 0;
+      else if (gap < -kSupported * sigma - kApart)
         is_before[i] = 1;
-      }
       if (std::abs(gap) > kSupported * sigma + kApart) continue;
-      const int group = region(point.column, point.row);
-      gaps[group].push_back(gap);
-      sigmas[group] += std::hypot(kRegionStereoShare * point.sigma * slope, kModelSigma);
+      RegionGaps& group = regions[static_cast<std::size_t>(region(point.column, point.row))];
+      group.values.push_back(gap);
+      group.sigmas += std::hypot(kRegionStereoShare * point.sigma * slope, kModelSigma);
     }
     leave_out_occluded();
-    const auto behind = std::count(is_behind.begin(), is_behind.end(), char{1});
+    return regions;
+  }
+
+  void compare(const std::vector<SeenPoint>& points, const std::vector<FollowedPoint>& followed,
+               SurfaceEvidence& evidence) {
+    for (const double z : depth) evidence.predicted += z > 0.0;
+    look_at_regions(classify(points, evidence), evidence);
+    const std::vector<char> lifted = lifted_places(grid_of(points, followed));
+    int inside = 0, supported = 0, behind = 0, before = 0, organ = 0;
+    for (int r = 0; r < stereo.rows(); ++r)
+      for (int c = 0; c < stereo.columns(); ++c) {
+        const std::size_t i = index(c, r);
+        const bool is_in = depth[i] > 0.0 && is_inside(c, r);
+        inside += is_in;
+        supported += is_supported[i];
+        behind += is_behind[i];
+        before += is_in && is_before[i] != 0;
+        organ += is_in && lifted[i] != 0;
+      }
     if (evidence.predicted > 0) evidence.supported = supported / static_cast<double>(evidence.predicted);
-    if (inside > 0) {
-      evidence.behind = behind / static_cast<double>(inside);
-      evidence.before = before / static_cast<double>(inside);
-    }
+    if (inside == 0) return;
+    evidence.behind = behind / static_cast<double>(inside);
+    evidence.before = before / static_cast<double>(inside);
+    evidence.lifted = organ / static_cast<double>(inside);
+  }
+
+  static void look_at_regions(const Regions& regions, SurfaceEvidence& evidence) {
+    std::array<double, kRegionCount> off{};
     double sum = 0.0;
-    int regions = 0;
-    for (const auto& [group, values] : gaps) {
-      if (values.size() < kLeastInRegion) continue;
-      const auto n = static_cast<double>(values.size());
-      const double median = upper_median(values);
-      // A median of scattered values, as wrong matches are, says little.
-      const double scatter = kDeviationPerMad * median_absolute_deviation(values, median);
-      sum += std::pow(median, 2) /
-             (std::pow(sigmas[group] / n, 2) + 0.5 * std::numbers::pi * scatter * scatter / n);
-      ++regions;
+    int known = 0;
+    for (std::size_t i = 0; i < off.size(); ++i) {
+      off[i] = regions[i].off();
+      sum += off[i] * off[i];
+      known += regions[i].values.size() >= kLeastInRegion;
     }
-    evidence.gap = regions > 0 ? std::sqrt(sum / regions) : 0.0;
+    evidence.gap = known > 0 ? std::sqrt(sum / known) : 0.0;
+    const auto both = [&](std::size_t a, std::size_t b) {
+      if (off[a] * off[b] > 0.0)
+        evidence.local = std::max(evidence.local, std::min(std::abs(off[a]), std::abs(off[b])));
+    };
+    constexpr std::size_t kSide = kRegions;
+    for (std::size_t i = 0; i < off.size(); ++i) {
+      if (i % kSide + 1 < kSide) both(i, i + 1);
+      if (i + kSide < off.size()) both(i, i + kSide);
+    }
+  }
+
+  SeenGrid grid_of(const std::vector<SeenPoint>& points, const std::vector<FollowedPoint>& followed) const {
+    SeenGrid grid{stereo.columns(), stereo.rows(), {}, {}, {}, is_before, {}};
+    grid.range.assign(depth.size(), 0.0);
+    grid.sigma = grid.range;
+    for (const double z : depth) grid.predicted.push_back(z > 0.0 ? 1 : 0);
+    grid.followed.assign(depth.size(), 0);
+    for (const SeenPoint& point : points) {
+      grid.range[index(point.column, point.row)] = point.p_in_camera.norm();
+      grid.sigma[index(point.column, point.row)] = point.sigma;
+    }
+    for (const FollowedPoint& point : followed)
+      if (const auto at = stereo.place(point.p_in_camera)) ++grid.followed[index(at->first, at->second)];
+    return grid;
   }
 
   /// Where what stereo sees wants the organ to be.
@@ -340,14 +388,14 @@ SurfaceCheck::SurfaceCheck(const PatientModel& model, const StereoRig& rig, cons
 SurfaceCheck::~SurfaceCheck() = default;
 
 SurfaceEvidence SurfaceCheck::check(const Picture& left, const Picture& right, const Points& nodes_in_camera,
-                                    const Points& shape) {
+                                    const Points& shape, const std::vector<FollowedPoint>& followed) {
   SurfaceEvidence evidence;
   std::vector<SeenPoint> points = impl_->stereo.see(left, right);
   std::erase_if(points, [&](const SeenPoint& point) {
     return impl_->allowed[impl_->index(point.column, point.row)] == 0;
   });
   impl_->predict(nodes_in_camera);
-  impl_->compare(points, evidence);
+  impl_->compare(points, followed, evidence);
   impl_->fit(points, evidence);
   evidence.tissue = impl_->tissue(points, shape);
   return evidence;

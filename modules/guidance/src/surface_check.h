@@ -8,6 +8,7 @@
 #include "glisson/geometry/camera.h"
 #include "glisson/patient/patient_model.h"
 #include "glisson/patient/picture.h"
+#include "stereo_follower.h"
 
 namespace glisson::guidance {
 
@@ -17,9 +18,13 @@ struct SurfaceEvidence {
   int seen = 0;            ///< of these, with a depth by stereo
   double supported = 0.0;  ///< share of the predicted ones where stereo sees the organ
   double behind = 0.0;     ///< share of those, well inside the outline, where it sees something farther away
-  double before = 0.0;     ///< the same, nearer: covered
+  double before = 0.0;     ///< the same, nearer: covered, or the organ itself:
+  double lifted = 0.0;     ///< of `before`, what is the organ (lifted_places())
   double gap = 0.0;        ///< rms over regions of the median distance, expected standard deviations
-  double pull = 0.0;       ///< metres; see Evidence
+  /// Of the two regions side by side that lie off to the same side most, the less: one part of the organ that
+  /// is elsewhere is diluted in `gap`, and one region alone may be a wrong match. Standard deviations.
+  double local = 0.0;
+  double pull = 0.0;  ///< metres; see Evidence
   double pull_sigma = 0.0;
   /// Where it sees tissue of the organ: these places of the material as they lie in the shape that check()
   /// was given, metres.
@@ -35,9 +40,10 @@ class SurfaceCheck {
   ~SurfaceCheck();
   /// @param nodes_in_camera the overlay's at this pair's moment.
   /// @param shape any other shape of the same nodes, for `tissue`; empty: none.
+  /// @param followed the points that are followed in this pair.
   /// @throws InputError pictures of another size.
   SurfaceEvidence check(const Picture& left, const Picture& right, const Points& nodes_in_camera,
-                        const Points& shape = {});
+                        const Points& shape = {}, const std::vector<FollowedPoint>& followed = {});
 
  private:
   struct Impl;

@@ -14,7 +14,9 @@ struct JudgeOptions {
   /// `gap` in one. That is chi-square's quantile of 99.9 % if 4.5 regions err on their own in each surface, a
   /// number taken from `gap` and not measured. Right overlays of the real tissue reached 1.23.
   double mean_gap = 1.33;
+  double local = 3.2;            ///< standard deviations, Evidence::local
   double behind = 0.06;          ///< share, Evidence::behind
+  double lifted = 0.06;          ///< share, Evidence::lifted
   double pull = 6e-3;            ///< metres, Evidence::pull, where it is ...
   double pull_sigmas = 3.0;      ///< ... also so many of its standard deviations
   double supported = 0.7;        ///< Evidence::supported, of what it was at the start: less is covered

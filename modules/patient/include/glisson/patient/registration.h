@@ -108,7 +108,10 @@ struct Evidence {
   bool judged = false;      ///< false: too early, or there are no pictures
   double supported = 0.0;   ///< share of the predicted organ's surface where fresh stereo sees it
   double gap = 0.0;         ///< rms over regions of stereo's distance from that surface, standard deviations
+  double local = 0.0;       ///< the same distance of one part of the organ, on which two regions agree
   double behind = 0.0;      ///< share of the predicted organ where stereo sees something farther away
+  double before = 0.0;      ///< likewise, something nearer
+  double lifted = 0.0;      ///< of `before`, what is the organ itself: its surface goes on there
   double pull = 0.0;        ///< metres; rms motion of the organ that would reconcile it with stereo
   double pull_sigma = 0.0;  ///< metres, standard deviation of that motion: what stereo cannot tell
   double contrast = 1.0;    ///< of the picture, over its noise, as a share of what it was at the start
