@@ -20,6 +20,9 @@ class JudgeTest : public QObject {
  private slots:
   void initTestCase();
   void AlarmNeedsSeveralToRiseAndMoreToGo();
+  void AlarmBySecondsNeedsTwoMeasurementsAtLeast();
+  void WithdrawnWithinHalfASecondAtAnyRate_data();
+  void WithdrawnWithinHalfASecondAtAnyRate();
   void SmokeAndDarknessLoseSignalAndNoiseIsNone();
   void RowsStayWithBothViewsOfOneMoment();
   void NoiseIsNoMotionAndBreathIs_data();
@@ -113,6 +116,48 @@ void JudgeTest::AlarmNeedsSeveralToRiseAndMoreToGo() {
   }
   alarm.push(0.5, 1.0, 0.8);
   QVERIFY(!alarm.stands());
+}
+
+void JudgeTest::AlarmBySecondsNeedsTwoMeasurementsAtLeast() {
+  for (const double step : {1.0 / 60.0, 1.0 / 30.0, 1.0 / 15.0, 0.2}) {
+    Alarm alarm(0.1, 0.2);
+    double seconds = 0.0;
+    int count = 0;
+    for (; !alarm.stands(); seconds += step, ++count) alarm.push(1.0, 1.0, 0.8, step);
+    QVERIFY2(count >= 2 && seconds < 0.1 + std::max(step, 0.5 * 0.1) + 0.2,
+             qPrintable(QString::number(count)));
+    if (step < 0.05) QVERIFY(seconds > 0.099);
+  }
+  Alarm at_once(0.0, 0.2);
+  at_once.push(0.9, 1.0, 0.8, 0.1);
+  QVERIFY(!at_once.stands());
+  at_once.push(1.0, 1.0, 0.8, 0.1);
+  QVERIFY(at_once.stands());
+}
+
+void JudgeTest::WithdrawnWithinHalfASecondAtAnyRate_data() {
+  QTest::addColumn<int>("rate");
+  for (const int rate : {60, 30, 25, 15, 12, 10}) QTest::addRow("%d frames a second", rate) << rate;
+}
+
+void JudgeTest::WithdrawnWithinHalfASecondAtAnyRate() {
+  QFETCH(int, rate);
+  JudgeOptions options;
+  options.motion = 0.0;  // the same frame over and over
+  Judge judge(model_, rig_, {}, options);
+  // It goes wrong just after a surface was made.
+  judge.begin(first_, nodes_);
+  StereoFrame shown = first_;
+  int wrong = 0;
+  Validity said = Validity::valid;
+  for (; wrong < 2 * rate && said == Validity::valid; ++wrong) {
+    shown.seconds = (wrong + 1.0) / rate;
+    OverlayFrame overlay;
+    overlay.nodes_in_camera = moved({0.0, 0.0, -15e-3});
+    said = judge.judge(shown, grid(rig_), overlay);
+  }
+  QVERIFY2(said == Validity::surface_apart, validity_code(said));
+  QVERIFY2(wrong <= rate / 2, qPrintable(QString("%1 frames").arg(wrong)));
 }
 
 void JudgeTest::SmokeAndDarknessLoseSignalAndNoiseIsNone() {
@@ -328,15 +373,14 @@ void JudgeTest::WhatIsSetElsewhereIsShownOnlyWhenSurfacesAgree_data() {
 
 void JudgeTest::WhatIsSetElsewhereIsShownOnlyWhenSurfacesAgree() {
   QFETCH(double, off);
-  const JudgeOptions options;
-  Judge judge(model_, rig_, {}, options);
+  Judge judge(model_, rig_, {}, {});
   judge.begin(first_, nodes_);
   QVERIFY(!judge.is_undecided());
   judge.distrust();
   QVERIFY(judge.is_undecided());
   const std::vector<FollowedPoint> points = grid(rig_);
-  // The first surface is of the next frame; each takes `lag` frames. Three must agree, two refute.
-  const int confirmed = 1 + 3 * options.lag, refuted = 1 + 2 * options.lag;
+  // The first surface is of the next frame; each takes a tenth of a second. Three must agree, two refute.
+  const int confirmed = 1 + 3 * 3, refuted = 1 + 2 * 3;
   for (int k = 1; k <= confirmed; ++k) {
     OverlayFrame overlay;
     overlay.nodes_in_camera = moved({0.0, 0.0, off});
@@ -364,12 +408,13 @@ void JudgeTest::WhatStaysOffIsToldFromWhatErrsOnce() {
   const Points nodes = moved({0.0, 0.0, off});
   judge.begin(first_, nodes);
   const std::vector<FollowedPoint> points = grid(rig_);
-  for (int k = 1; k <= 10 * options.every + options.lag; ++k) {
+  constexpr int kTenth = 10 * 6 + 3;
+  for (int k = 1; k <= kTenth; ++k) {
     OverlayFrame overlay;
     overlay.nodes_in_camera = nodes;
     const Validity said = judge.judge(first_, points, overlay);
     // The tenth surface is made in frame 60 and compared in frame 63.
-    const bool is_late = k == 10 * options.every + options.lag;
+    const bool is_late = k == kTenth;
     QCOMPARE(said, off > 0.0 && is_late ? Validity::surface_apart : Validity::valid);
   }
 }
@@ -395,9 +440,11 @@ void JudgeTest::UnusableOptionsAreRefused() {
     change(options);
     QVERIFY_EXCEPTION_THROWN(options.validate(), InputError);
   };
-  refused([](JudgeOptions& o) { o.every = 0; });
+  refused([](JudgeOptions& o) { o.every = 0.0; });
   refused([](JudgeOptions& o) { o.lag = o.every; });
   refused([](JudgeOptions& o) { o.gap = 0.0; });
+  refused([](JudgeOptions& o) { o.local = 0.0; });
+  refused([](JudgeOptions& o) { o.lifted = 1.5; });
   refused([](JudgeOptions& o) { o.mean_gap = 0.0; });
   refused([](JudgeOptions& o) { o.behind = 1.5; });
   refused([](JudgeOptions& o) { o.pull = 0.0; });

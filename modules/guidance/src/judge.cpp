@@ -7,6 +7,7 @@
 #include <future>
 
 #include "alarm.h"
+#include "frame_clock.h"
 #include "glisson/core/error.h"
 #include "motion_check.h"
 #include "picture_check.h"
@@ -15,8 +16,8 @@
 namespace glisson::guidance {
 namespace {
 
-constexpr int kFramesPerPicture = 3;  ///< contrast changes slowly
-constexpr int kRefuted = 2;           ///< bad surfaces in a row, as many as raise a doubt
+constexpr double kPictureSeconds = 0.1;  ///< contrast changes slowly
+constexpr int kRefuted = 2;              ///< bad surfaces in a row, as many as raise a doubt
 /// Surfaces that may neither confirm nor refute a place before it counts as not found.
 constexpr int kMostUndecided = 6;
 /// Over so many surfaces in a row the gap's mean square is held against its own, lower limit.
@@ -26,8 +27,8 @@ constexpr std::size_t kSurfacesInMean = 10;
 
 void JudgeOptions::validate() const {
   const OptionCheck demand("judge options");
-  demand(every >= 1, "every", every, "Give one at least");
-  demand(lag >= 0 && lag < every, "lag", lag, "Give fewer frames than lie between two checks");
+  demand(every > 0.0, "every", every, "Give a positive number of seconds");
+  demand(lag >= 0.0 && lag < every, "lag", lag, "Give less than lies between two checks");
   demand(gap > 0.0, "gap", gap, "Give a positive number");
   demand(mean_gap > 0.0, "mean_gap", mean_gap, "Give a positive number");
   demand(local > 0.0, "local", local, "Give a positive number");
@@ -57,7 +58,9 @@ struct Judge::Impl {
   void begin(const StereoFrame& first, const Points& nodes) {
     if (pending.valid()) pending.wait();
     pending = {};
-    frames = looked = 0;
+    clock = {};
+    clock.tick(first.seconds);
+    looked = looked_at_picture = 0.0;
     undecided = false;
     last_gaps.clear();
     is_misplaced = false;
@@ -103,17 +106,17 @@ struct Judge::Impl {
                        const Points& nodes) {
     compare_surface();
     // While nothing is shown because the model was set elsewhere, one surface is made after the other.
-    if (!pending.valid() && frames - looked >= (undecided ? options.lag : options.every)) {
-      looked = frames;
+    if (!pending.valid() && clock.is_due(looked, undecided ? options.lag : options.every)) {
+      looked = clock.now();
       pending = std::async(std::launch::async, [this, frame, points, nodes, now = shape] {
         return surface.check(frame.left, frame.right, nodes, now, points);
       });
       compare_surface();
     }
   }
-  /// Of `lag` frames ago.
+  /// Of `lag` ago.
   void compare_surface() {
-    if (!pending.valid() || frames - looked < options.lag) return;
+    if (!pending.valid() || !clock.is_due(looked, options.lag)) return;
     const SurfaceEvidence seen = pending.get();
     take(seen);
     // Nothing hides the organ, both views show this moment, and it was found: what is seen is its tissue.
@@ -142,10 +145,11 @@ struct Judge::Impl {
     last_gaps.clear();
     undecided = true;
     against = looks = 0;
-    looked = frames - options.every;  // the next frame is looked at
+    looked = clock.now() - options.every;  // the next frame is looked at
   }
   void look_at_pictures(const StereoFrame& frame) {
-    if (frames % kFramesPerPicture != 0) return;
+    if (!clock.is_due(looked_at_picture, kPictureSeconds)) return;
+    looked_at_picture = clock.now();
     evidence.contrast =
         std::min(measure(frame.left).signal(), measure(frame.right).signal()) / std::max(first_signal, 1e-6);
     poor.push(options.contrast / std::max(evidence.contrast, 1e-6), 1.0, options.relief);
@@ -154,10 +158,11 @@ struct Judge::Impl {
     motion.push(points, rig, seconds);
     const double left = motion.motion_left(), right = motion.motion_right();
     evidence.rows = motion.rows();
-    views.push(std::abs(evidence.rows) / std::max(options.rows, motion.rows_scatter()), 1.0, options.relief);
+    views.push(std::abs(evidence.rows) / std::max(options.rows, motion.rows_scatter()), 1.0, options.relief,
+               clock.passed());
     if (left < 0.0 || right < 0.0) return;
     evidence.motion = std::min(left, right);
-    stands.push(options.motion / std::max(evidence.motion, 1e-6), 1.0, options.relief);
+    stands.push(options.motion / std::max(evidence.motion, 1e-6), 1.0, options.relief, clock.passed());
   }
 
   bool refutes() const { return apart.stands() || is_misplaced; }
@@ -175,15 +180,16 @@ struct Judge::Impl {
   MotionCheck motion;
   Evidence evidence;
   double first_supported = 0.0, first_signal = 0.0;
-  Points shape;      ///< tissue is kept in it
-  TissueMap tissue;  ///< since begin()
-  int frames = 0;
-  int looked = 0;          ///< the frame whose surface was made last
+  Points shape;                                  ///< tissue is kept in it
+  TissueMap tissue;                              ///< since begin()
+  FrameClock clock;                              ///< since begin()
+  double looked = 0.0, looked_at_picture = 0.0;  ///< at the frame whose surface was made last; likewise
   bool undecided = false;  ///< set elsewhere, and surfaces have neither confirmed nor refuted it
   int against = 0;         ///< bad surfaces in a row
   int looks = 0;           ///< surfaces since it was set elsewhere
-  Alarm apart{2, 3}, covered{2, 3}, poor{3, 4}, stands{1, 6}, views{3, 10};
-  bool is_misplaced = false;     ///< by the mean, which needs no more patience
+  Alarm apart{2, 3}, covered{2, 3}, poor{3, 4};  ///< by measurements
+  Alarm stands{0.0, 0.2}, views{0.1, 0.33};      ///< by seconds
+  bool is_misplaced = false;                     ///< by the mean, which needs no more patience
   std::deque<double> last_gaps;  ///< of the surfaces since begin() or distrust(), the newest last
   std::future<SurfaceEvidence> pending;
 };
@@ -205,7 +211,7 @@ bool Judge::is_undecided() const { return impl_->undecided; }
 
 Validity Judge::judge(const StereoFrame& frame, const std::vector<FollowedPoint>& points,
                       OverlayFrame& overlay) {
-  ++impl_->frames;
+  impl_->clock.tick(frame.seconds);
   impl_->look_at_surface(frame, points, overlay.nodes_in_camera);
   impl_->look_at_pictures(frame);
   impl_->look_at_motion(points, frame.seconds);

@@ -14,7 +14,6 @@ namespace {
 /// Over which motion is judged, however many frames a source gives in it: 0.4 s, less what containers round.
 constexpr double kSeconds = 0.38;
 constexpr std::size_t kLeastFrames = 4, kMostFrames = 60;
-constexpr double kUsual = 1.0 / 30.0;  ///< seconds from frame to frame where a source does not say
 constexpr std::size_t kLeastInGroup = 6;
 constexpr int kGroups = 4;  ///< along each side of the picture
 /// Frames from which the calibration's own offset of rows is learned.
@@ -48,10 +47,8 @@ double epipolar_offset(const StereoRig& rig, const Eigen::Vector2d& left, const 
 }
 
 void MotionCheck::keep(Frame now) {
-  // A source whose time stands, or that has none, must not escape.
-  const double passed = now.seconds - source_seconds_;
-  source_seconds_ = now.seconds;
-  now.seconds = frames_.empty() ? 0.0 : frames_.back().seconds + (passed > 0.0 ? passed : kUsual);
+  clock_.tick(now.seconds);  // a source whose time stands, or that has none, must not escape
+  now.seconds = clock_.now();
   frames_.push_back(std::move(now));
   const auto is_old = [this] { return frames_.front().seconds < frames_.back().seconds - kSeconds; };
   while (frames_.size() > kMostFrames || (frames_.size() > kLeastFrames && is_old())) frames_.pop_front();

@@ -6,6 +6,7 @@
 #include <map>
 #include <vector>
 
+#include "frame_clock.h"
 #include "stereo_follower.h"
 
 namespace glisson::guidance {
@@ -47,8 +48,8 @@ class MotionCheck {
   bool is_whole() const;
   void look_at_motion(const StereoRig& rig);
 
-  std::deque<Frame> frames_;                  ///< seconds since some moment
-  double source_seconds_ = 0.0;               ///< of the last frame, as its source has them
+  std::deque<Frame> frames_;  ///< by the clock
+  FrameClock clock_;
   std::array<double, 2> motion_{-1.0, -1.0};  ///< left, right
   double rows_ = 0.0, first_rows_ = 0.0, rows_scatter_ = 0.0;
   int rows_seen_ = 0;

@@ -9,7 +9,8 @@
 namespace glisson::guidance {
 namespace {
 
-/// Frames: each point's turn comes so often; one that was not found for so long is lost.
+/// Frames, since what is followed errs from frame to frame, not from second to second: each point's turn
+/// comes so often; one that was not found for so long is lost.
 constexpr int kEvery = 6, kLost = 90;
 /// Below this, what is found may be another place of the same sort of tissue.
 constexpr double kAlike = 0.8;

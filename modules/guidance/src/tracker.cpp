@@ -10,6 +10,7 @@
 #include "anchored_points.h"
 #include "cloud_follower.h"
 #include "followed_body.h"
+#include "frame_clock.h"
 #include "glisson/core/error.h"
 #include "glisson/registration/moving_surface.h"
 #include "hand_corrections.h"
@@ -29,15 +30,15 @@ constexpr double kMissing = 0.1;
 /// A gap counts as consistent up to this difference from its neighbours' median: metres across the line of
 /// sight, or scaled MADs of all differences, whichever is more.
 constexpr double kConsistentFloor = 1.5e-3, kConsistentDeviations = 4.0;
-/// Frames without an overlay after which the organ is looked for by its texture. An attempt takes about as
-/// long as three frames: for a second it is made at every third, then at every ninth, so that a video that
-/// shows nothing of the organ is still followed at most of its rate.
-constexpr int kLost = 3, kEager = 30, kLookAgain = 3, kLookSeldom = 9;
+/// Seconds without an overlay after which the organ is looked for by its texture. An attempt takes about as
+/// long as three frames: for a second it is made in every tenth of one, then less often, so that a video
+/// that shows nothing of the organ is still followed at most of its rate.
+constexpr double kLost = 0.1, kEager = 1.0, kLookAgain = 0.1, kLookSeldom = 0.3;
 /// Metres. Where the organ is found this near, it was not lost.
 constexpr double kFoundElsewhere = 2e-3;
-constexpr int kLeastLooks = 3;      ///< of fresh stereo at the tissue, before they say anything together
-constexpr int kKeyFrameEvery = 90;  ///< frames
-constexpr double kGentle = 1.0;     ///< seconds in which the picture goes over to another registration
+constexpr int kLeastLooks = 3;          ///< of fresh stereo at the tissue, before they say anything together
+constexpr double kKeyFrameEvery = 3.0;  ///< seconds of valid frames
+constexpr double kGentle = 1.0;         ///< seconds in which the picture goes over to another registration
 
 double mean_norm(const std::vector<Eigen::Vector3d>& vectors) {
   double sum = 0.0;
@@ -106,7 +107,10 @@ struct Tracker::Impl {
     held_out->remember(first.index, follower->points());
     relocator = std::make_unique<Relocator>(rig, parts.tissue);
     relocator->remember(first.left, body.surface());
-    lost = since_key_frame = 0;
+    clock = {};
+    clock.tick(first.seconds);
+    since_key_frame = 0.0;
+    lost_at.reset();
     judge.reset();
     is_believed = true;
     if (!options.judge.enabled) return;
@@ -175,21 +179,34 @@ struct Tracker::Impl {
     body.move(fit_rigid_motion(modelled, seen_now, {}));
   }
 
-  /// Counts frames without an overlay, and looks for the organ by its texture.
+  /// Whether it is time to look for the organ by its texture. @param is_lost without an overlay, because it
+  /// is not where it was.
+  bool is_time_to_look(bool is_lost) {
+    if (!is_lost) {
+      lost_at.reset();
+      return false;
+    }
+    if (!lost_at) lost_at = looked_for_at = clock.now() - clock.passed();
+    const bool is_seldom = clock.is_due(*lost_at, kLost + kEager);
+    if (!clock.is_due(*lost_at, kLost) || !clock.is_due(looked_for_at, is_seldom ? kLookSeldom : kLookAgain))
+      return false;
+    looked_for_at = clock.now();
+    return true;
+  }
+
   void look_for_organ(const StereoFrame& frame, Validity validity) {
     const bool is_lost = validity == Validity::too_few_points || validity == Validity::masked_out ||
                          validity == Validity::inconsistent_motion ||
                          validity == Validity::residual_too_large || validity == Validity::surface_apart;
     // What was found is not looked for again before surfaces have said whether it is right.
     const bool is_examined = judge && judge->is_undecided() && validity == Validity::surface_apart;
-    lost = is_lost && !is_examined ? lost + 1 : 0;
-    if (validity == Validity::valid && ++since_key_frame >= kKeyFrameEvery) {
+    since_key_frame += validity == Validity::valid ? clock.passed() : 0.0;
+    if (validity == Validity::valid && since_key_frame >= kKeyFrameEvery) {
       relocator->remember(frame.left, body.surface());
-      since_key_frame = 0;
+      since_key_frame = 0.0;
     }
     // A start that was refuted binds the texture to wrong places: it would be found there again.
-    if (!is_believed) return;
-    if (lost < kLost || (lost - kLost) % (lost < kLost + kEager ? kLookAgain : kLookSeldom) != 0) return;
+    if (!is_time_to_look(is_lost && !is_examined) || !is_believed) return;
     const auto found = relocator->find(frame.left, body.surface());
     if (!found) return;
     const TriangleMesh& mesh = body.surface().mesh();
@@ -339,6 +356,7 @@ struct Tracker::Impl {
 
   OverlayFrame follow(const StereoFrame& frame) {
     ++frames;
+    clock.tick(frame.seconds);
     OverlayFrame overlay;
     overlay.index = frame.index;
     overlay.seconds = frame.seconds;
@@ -413,9 +431,11 @@ struct Tracker::Impl {
   std::unique_ptr<Judge> judge;          ///< none while clouds are followed
   std::unique_ptr<Relocator> relocator;  ///< likewise
   SeenParts parts;
-  bool is_believed = true;  ///< surfaces did not refute the start, or a frame was valid since
-  int lost = 0;             ///< frames without an overlay
-  int since_key_frame = 0;  ///< valid frames
+  bool is_believed = true;        ///< surfaces did not refute the start, or a frame was valid since
+  FrameClock clock;               ///< since begin()
+  double since_key_frame = 0.0;   ///< seconds of valid frames
+  std::optional<double> lost_at;  ///< the last frame with an overlay; empty: it has one
+  double looked_for_at = 0.0;     ///< since then
   Camera camera;
   bool doubtful = false;
   double seen = 0.0;  ///< area of the model in the picture, square metres

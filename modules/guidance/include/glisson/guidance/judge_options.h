@@ -7,9 +7,9 @@ namespace glisson::guidance {
 /// a reason goes again below `relief` times its limit.
 struct JudgeOptions {
   bool enabled = true;
-  int every = 6;     ///< frames between two fresh surfaces
-  int lag = 3;       ///< frames until one has been compared; it is waited for then, so that results repeat
-  double gap = 2.0;  ///< standard deviations, Evidence::gap
+  double every = 0.2;  ///< seconds of the source between two fresh surfaces, to the nearest frame
+  double lag = 0.1;    ///< likewise until one is compared; it is waited for then, so that results repeat
+  double gap = 2.0;    ///< standard deviations, Evidence::gap
   /// Likewise, its root mean square over ten surfaces (two seconds): as improbable for a right overlay as
   /// `gap` in one. That is chi-square's quantile of 99.9 % if 4.5 regions err on their own in each surface, a
   /// number taken from `gap` and not measured. Right overlays of the real tissue reached 1.23.
