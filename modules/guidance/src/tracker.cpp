@@ -18,6 +18,7 @@
 #include "judge.h"
 #include "point_memory.h"
 #include "relocator.h"
+#include "scope_motion.h"
 #include "stereo_follower.h"
 
 namespace glisson::guidance {
@@ -165,18 +166,11 @@ struct Tracker::Impl {
     anchors.retain(follower->points());
   }
 
-  /// The common rigid motion of the points that agree is taken over at once, with what holds the organ:
+  /// The rigid motion that most points share is taken over at once, with what holds the organ:
   /// nothing in them tells whether the camera or the organ moved, and mechanics would lag behind it.
   void follow_camera() {
     if (!options.scope_moves || !options.fixed_nodes.empty()) return;
-    const std::vector<FollowedPoint>& points = follower->points();
-    const std::vector<Eigen::Vector3d> gaps = anchors.gaps(points, body.surface());
-    Points seen_now(static_cast<Eigen::Index>(points.size()), 3), modelled = seen_now;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      seen_now.row(static_cast<Eigen::Index>(i)) = points[i].p_in_camera.transpose();
-      modelled.row(static_cast<Eigen::Index>(i)) = (points[i].p_in_camera - gaps[i]).transpose();
-    }
-    body.move(fit_rigid_motion(modelled, seen_now, {}));
+    body.move(scope_motion(follower->points(), anchors.gaps(follower->points(), body.surface())));
   }
 
   /// Whether it is time to look for the organ by its texture. @param is_lost without an overlay, because it
