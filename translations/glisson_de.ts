@@ -3007,6 +3007,10 @@
         <translation>dem Bild fehlt Licht oder Kontrast</translation>
     </message>
     <message>
+        <source>nothing in the picture moves</source>
+        <translation>im Bild bewegt sich nichts</translation>
+    </message>
+    <message>
         <source>Outline and lesions&apos; regions only: %1</source>
         <translation>Nur Umriss und Bereiche der Läsionen: %1</translation>
     </message>

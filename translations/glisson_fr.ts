@@ -3007,6 +3007,10 @@
         <translation>l’image a perdu de la lumière ou du contraste</translation>
     </message>
     <message>
+        <source>nothing in the picture moves</source>
+        <translation>rien ne bouge dans l’image</translation>
+    </message>
+    <message>
         <source>Outline and lesions&apos; regions only: %1</source>
         <translation>Contour et zones des lésions seulement : %1</translation>
     </message>

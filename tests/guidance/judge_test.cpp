@@ -37,6 +37,8 @@ class JudgeTest : public QObject {
   void WhatLiesNearerIsTheOrganByItsBorderOrItsPoints();
   void WrongStartIsWithdrawnAndTheRightOneIsNot();
   void StandingPictureIsWithdrawn();
+  void AStillPictureIsToldFromACopy_data();
+  void AStillPictureIsToldFromACopy();
   void WhatIsSetElsewhereIsShownOnlyWhenSurfacesAgree_data();
   void WhatIsSetElsewhereIsShownOnlyWhenSurfacesAgree();
   void WhatStaysOffIsToldFromWhatErrsOnce_data();
@@ -365,6 +367,69 @@ void JudgeTest::StandingPictureIsWithdrawn() {
   QVERIFY2(overlay.validity == Validity::picture_stands, validity_code(overlay.validity));
 }
 
+void JudgeTest::AStillPictureIsToldFromACopy_data() {
+  QTest::addColumn<QString>("shown");
+  QTest::addColumn<int>("said");
+  const auto row = [](const char* name, const char* shown, Validity said) {
+    QTest::newRow(name) << shown << static_cast<int>(said);
+  };
+  row("breath held, alive", "alive", Validity::valid);
+  row("breath held from the first frame on", "alive from the first", Validity::picture_still);
+  row("breath held, smoothed in time by a codec", "smoothed", Validity::picture_still);
+  row("one moment again and again", "copies", Validity::picture_stands);
+  row("copies with noise", "noisy copies", Validity::picture_stands);
+  row("copies with loud noise", "loud copies", Validity::picture_stands);
+}
+
+void JudgeTest::AStillPictureIsToldFromACopy() {
+  QFETCH(QString, shown);
+  QFETCH(int, said);
+  Registration start;
+  start.nodes_in_camera = nodes_;
+  Tracker tracker(model_, start, options());
+  tracker.begin(rig_, first_, {});
+  constexpr int kStill = 14;  // it moves until then
+  const int from = shown == "alive from the first" ? 0 : kStill;
+  std::vector<StereoFrame> alive;  // one place, noise of its own in each
+  for (int k = 0; k < 4; ++k) {
+    alive.push_back(phantom::film(model_, moved({0.0, 0.5e-3 * from, -0.2e-3 * from}), rig_, from + k));
+  }
+  const auto noisy = [](const Picture& picture, double share, const Picture& other, double noise,
+                        unsigned seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal(0.0, std::max(noise, 1e-9));
+    Picture result = picture;
+    auto bytes = std::make_shared<std::vector<std::uint8_t>>(*picture.bytes);
+    for (std::size_t i = 0; i < bytes->size(); ++i)
+      (*bytes)[i] = static_cast<std::uint8_t>(std::clamp(
+          std::round((1.0 - share) * (*bytes)[i] + share * (*other.bytes)[i] + normal(random)), 0.0, 255.0));
+    result.bytes = bytes;
+    return result;
+  };
+  OverlayFrame overlay;
+  for (int k = 1; k < from + 16; ++k) {
+    StereoFrame now = k < from ? frame(k) : alive[0];
+    const StereoFrame& next = alive[static_cast<std::size_t>(k % 4)];
+    if (k >= from && shown.startsWith("alive")) now = next;
+    for (Picture StereoFrame::*view : {&StereoFrame::left, &StereoFrame::right}) {
+      if (k < from) break;
+      const auto seed = static_cast<unsigned>(2 * k + (view == &StereoFrame::left ? 0 : 1));
+      if (shown == "smoothed") now.*view = noisy(now.*view, 0.5, next.*view, 0.0, seed);
+      if (shown == "noisy copies") now.*view = noisy(now.*view, 0.0, now.*view, 1.5, seed);
+      if (shown == "loud copies") now.*view = noisy(now.*view, 0.0, now.*view, 4.0, seed);
+    }
+    now.index = k;
+    now.seconds = k / 30.0;
+    overlay = tracker.follow(now);
+    if (k < from) QVERIFY2(overlay.validity == Validity::valid, validity_code(overlay.validity));
+  }
+  QVERIFY2(overlay.validity == static_cast<Validity>(said),
+           qPrintable(QString("%1, motion %2, fresh %3")
+                          .arg(validity_code(overlay.validity))
+                          .arg(overlay.evidence.motion)
+                          .arg(overlay.evidence.fresh)));
+}
+
 void JudgeTest::WhatIsSetElsewhereIsShownOnlyWhenSurfacesAgree_data() {
   QTest::addColumn<double>("off");
   QTest::newRow("where it is") << 0.0;
@@ -453,6 +518,9 @@ void JudgeTest::UnusableOptionsAreRefused() {
   refused([](JudgeOptions& o) { o.least_supported = 2.0; });
   refused([](JudgeOptions& o) { o.contrast = 2.0; });
   refused([](JudgeOptions& o) { o.motion = -1.0; });
+  refused([](JudgeOptions& o) { o.repeated = o.fresh + 0.1; });
+  refused([](JudgeOptions& o) { o.fresh = 1.1; });
+  refused([](JudgeOptions& o) { o.louder = 1.0; });
   refused([](JudgeOptions& o) { o.rows = 0.0; });
   refused([](JudgeOptions& o) { o.relief = 0.0; });
 }

@@ -36,6 +36,7 @@ struct Judged {
       case Validity::views_apart:
       case Validity::partly_covered:
       case Validity::poor_picture:
+      case Validity::picture_still:
         return true;
       default:
         return false;

@@ -8,6 +8,7 @@
 
 #include "alarm.h"
 #include "frame_clock.h"
+#include "fresh_noise.h"
 #include "glisson/core/error.h"
 #include "motion_check.h"
 #include "picture_check.h"
@@ -42,6 +43,9 @@ void JudgeOptions::validate() const {
   demand(unknown > 0.0, "unknown", unknown, "Give a positive length");
   demand(contrast >= 0.0 && contrast <= 1.0, "contrast", contrast, "Give a share");
   demand(motion >= 0.0, "motion", motion, "Give a number from zero");
+  demand(repeated >= 0.0 && repeated <= fresh, "repeated", repeated, "Give a share up to that of `fresh`");
+  demand(fresh <= 1.0, "fresh", fresh, "Give a share");
+  demand(louder > 1.0, "louder", louder, "Give more than one");
   demand(rows > 0.0, "rows", rows, "Give a positive number of pixels");
   demand(relief > 0.0 && relief <= 1.0, "relief", relief, "Give a share");
 }
@@ -65,6 +69,7 @@ struct Judge::Impl {
     last_gaps.clear();
     is_misplaced = false;
     motion = {};
+    noise = {};
     first_signal = measure(first.left).signal();
     shape = nodes;
     tissue.clear();
@@ -74,7 +79,7 @@ struct Judge::Impl {
     first_supported = evidence.supported;
     apart.set(apartness() >= 1.0);
     covered.set(coverage() >= 1.0);
-    for (Alarm* alarm : {&poor, &stands, &views}) alarm->set(false);
+    for (Alarm* alarm : {&poor, &stands, &views, &repeated, &not_alive}) alarm->set(false);
     evidence.judged = true;
   }
 
@@ -154,22 +159,32 @@ struct Judge::Impl {
         std::min(measure(frame.left).signal(), measure(frame.right).signal()) / std::max(first_signal, 1e-6);
     poor.push(options.contrast / std::max(evidence.contrast, 1e-6), 1.0, options.relief);
   }
-  void look_at_motion(const std::vector<FollowedPoint>& points, double seconds) {
-    motion.push(points, rig, seconds);
+  void look_at_motion(const StereoFrame& frame, const std::vector<FollowedPoint>& points) {
+    motion.push(points, rig, frame.seconds);
+    noise.push(frame, clock);
     const double left = motion.motion_left(), right = motion.motion_right();
     evidence.rows = motion.rows();
     views.push(std::abs(evidence.rows) / std::max(options.rows, motion.rows_scatter()), 1.0, options.relief,
                clock.passed());
     if (left < 0.0 || right < 0.0) return;
     evidence.motion = std::min(left, right);
+    if (evidence.motion >= options.motion) noise.learn();
     stands.push(options.motion / std::max(evidence.motion, 1e-6), 1.0, options.relief, clock.passed());
+    evidence.fresh = noise.fresh();
+    const double fresh = std::max(evidence.fresh, 1e-6);
+    repeated.push(std::max(options.repeated / fresh, noise.louder() / options.louder), 1.0, options.relief,
+                  clock.passed());
+    // Without a time in which it moved, a picture that stood from the first could be a copy with noise.
+    const double unsure = noise.louder() > 0.0 ? options.fresh / fresh : 1.0;
+    not_alive.push(unsure, 1.0, options.relief, clock.passed());
   }
 
   bool refutes() const { return apart.stands() || is_misplaced; }
   Validity verdict() const {
     if (views.stands()) return Validity::views_apart;
-    if (stands.stands()) return Validity::picture_stands;
+    if (stands.stands() && repeated.stands()) return Validity::picture_stands;
     if (refutes()) return Validity::surface_apart;
+    if (stands.stands() && not_alive.stands()) return Validity::picture_still;
     if (poor.stands()) return Validity::poor_picture;
     return covered.stands() ? Validity::partly_covered : Validity::valid;
   }
@@ -178,6 +193,7 @@ struct Judge::Impl {
   StereoRig rig;
   SurfaceCheck surface;
   MotionCheck motion;
+  FreshNoise noise;
   Evidence evidence;
   double first_supported = 0.0, first_signal = 0.0;
   Points shape;                                  ///< tissue is kept in it
@@ -188,8 +204,9 @@ struct Judge::Impl {
   int against = 0;         ///< bad surfaces in a row
   int looks = 0;           ///< surfaces since it was set elsewhere
   Alarm apart{2, 3}, covered{2, 3}, poor{3, 4};  ///< by measurements
-  Alarm stands{0.0, 0.2}, views{0.1, 0.33};      ///< by seconds
-  bool is_misplaced = false;                     ///< by the mean, which needs no more patience
+  /// By seconds. A picture that stands is a copy, or may be one.
+  Alarm stands{0.0, 0.2}, views{0.1, 0.33}, repeated{0.0, 0.2}, not_alive{0.0, 0.2};
+  bool is_misplaced = false;     ///< by the mean, which needs no more patience
   std::deque<double> last_gaps;  ///< of the surfaces since begin() or distrust(), the newest last
   std::future<SurfaceEvidence> pending;
 };
@@ -214,7 +231,7 @@ Validity Judge::judge(const StereoFrame& frame, const std::vector<FollowedPoint>
   impl_->clock.tick(frame.seconds);
   impl_->look_at_surface(frame, points, overlay.nodes_in_camera);
   impl_->look_at_pictures(frame);
-  impl_->look_at_motion(points, frame.seconds);
+  impl_->look_at_motion(frame, points);
   overlay.evidence = impl_->evidence;
   return impl_->verdict();
 }

@@ -29,6 +29,8 @@ const char* validity_code(Validity validity) {
       return "partly_covered";
     case Validity::poor_picture:
       return "poor_picture";
+    case Validity::picture_still:
+      return "picture_still";
     case Validity::proposed:
       return "proposed";
     case Validity::mostly_masked:
@@ -42,7 +44,8 @@ const char* validity_code(Validity validity) {
 Level level_of(Validity validity) {
   if (validity == Validity::valid) return Level::valid;
   const bool is_degraded = validity == Validity::partly_covered || validity == Validity::poor_picture ||
-                           validity == Validity::proposed || validity == Validity::mostly_masked;
+                           validity == Validity::picture_still || validity == Validity::proposed ||
+                           validity == Validity::mostly_masked;
   return is_degraded ? Level::degraded : Level::withdrawn;
 }
 

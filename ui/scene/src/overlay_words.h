@@ -39,6 +39,8 @@ class Overlay {
         return tr("part of the organ is covered");
       case Validity::poor_picture:
         return tr("the picture has lost light or contrast");
+      case Validity::picture_still:
+        return tr("nothing in the picture moves");
       case Validity::proposed:
         return tr("only proposed, not registered");
       case Validity::mostly_masked:

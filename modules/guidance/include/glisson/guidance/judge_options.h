@@ -24,7 +24,10 @@ struct JudgeOptions {
   double unknown = 10e-3;  ///< metres, Evidence::pull_sigma: what is seen does not tell where the organ is
   double contrast = 0.55;  ///< Evidence::contrast
   double motion = 2.5;     ///< Evidence::motion: less is none
-  double rows = 0.35;      ///< pixels, Evidence::rows
+  /// Evidence::fresh of a picture that does not move: up to the first it is a repeated one, from the second
+  /// on it is alive, unless its noise has become so many times as large as it was while it moved.
+  double repeated = 0.1, fresh = 0.7, louder = 1.2;
+  double rows = 0.35;  ///< pixels, Evidence::rows
   double relief = 0.8;
   /// @throws InputError naming the option.
   void validate() const;

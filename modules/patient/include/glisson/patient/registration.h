@@ -76,6 +76,7 @@ enum class Validity {
   views_apart,     ///< the two views do not show one moment of one scene
   partly_covered,  ///< a good part of where the organ should be shows something else, or nothing
   poor_picture,    ///< light or contrast is lost, as in smoke
+  picture_still,   ///< nothing moves: the breath is held, or the picture is an old one; which cannot be told
   proposed,        ///< a place to be looked at: another one than the registered, or one that a hand has set
   // By a person's own network that masks what is not liver:
   mostly_masked,  ///< most of the organ in sight is masked
@@ -93,6 +94,7 @@ inline constexpr Validity kValidities[] = {Validity::valid,
                                            Validity::views_apart,
                                            Validity::partly_covered,
                                            Validity::poor_picture,
+                                           Validity::picture_still,
                                            Validity::proposed,
                                            Validity::mostly_masked,
                                            Validity::masked_out};
@@ -116,7 +118,8 @@ struct Evidence {
   double pull_sigma = 0.0;  ///< metres, standard deviation of that motion: what stereo cannot tell
   double contrast = 1.0;    ///< of the picture, over its noise, as a share of what it was at the start
   double motion = 0.0;      ///< of the picture in the last moments, standard deviations; about 1: it stands
-  double rows = 0.0;        ///< pixels by which the views have come apart across the epipolar lines
+  double fresh = 0.0;  ///< share of the picture's noise that the one before did not have; 0: it is a copy
+  double rows = 0.0;   ///< pixels by which the views have come apart across the epipolar lines
 };
 
 /// What a mask of what is not liver did in a frame (PictureMask).
