@@ -25,6 +25,7 @@ class JudgeTest : public QObject {
   void WithdrawnWithinHalfASecondAtAnyRate();
   void SmokeAndDarknessLoseSignalAndNoiseIsNone();
   void RowsStayWithBothViewsOfOneMoment();
+  void WhatIsWrongFromTheFirstIsNoNorm();
   void NoiseIsNoMotionAndBreathIs_data();
   void NoiseIsNoMotionAndBreathIs();
   void StereoSupportsTheTrueSurface();
@@ -62,8 +63,8 @@ class JudgeTest : public QObject {
     }
     return nodes;
   }
-  /// Something flat and textured before the organ, 60 mm before the lens, as wide as a tool.
-  StereoFrame behind_a_tool(const StereoFrame& frame) const {
+  /// Something flat and textured before the organ, 60 mm before the lens. @param half pixels of its width.
+  StereoFrame behind_a_tool(const StereoFrame& frame, double half = 22.0) const {
     StereoFrame covered = frame;
     for (Picture* picture : {&covered.left, &covered.right}) {
       auto bytes = std::make_shared<std::vector<std::uint8_t>>(*picture->bytes);
@@ -71,7 +72,7 @@ class JudgeTest : public QObject {
       const double shift = picture == &covered.left ? 0.0 : 260.0 * (5e-3 / 60e-3 - 0.02);
       for (int y = 0; y < picture->height; ++y)
         for (int x = 0; x < picture->width; ++x)
-          if (const double u = x + shift, across = u - 190.0 + 0.3 * (y - 120.0); std::abs(across) < 22.0)
+          if (const double u = x + shift, across = u - 190.0 + 0.3 * (y - 120.0); std::abs(across) < half)
             (*bytes)[static_cast<std::size_t>(y * picture->width + x)] = static_cast<std::uint8_t>(
                 60.0 + 150.0 * phantom::value_noise(Eigen::Vector3d(u / 7.0, y / 7.0, 0.5)));
       picture->bytes = bytes;
@@ -189,6 +190,38 @@ void JudgeTest::RowsStayWithBothViewsOfOneMoment() {
   for (FollowedPoint& point : now) point.right.y() += 0.5;  // the right view shows another moment
   check.push(now, rig_, 8 / 30.0);
   QVERIFY2(std::abs(std::abs(check.rows()) - 0.5) < 0.05, qPrintable(QString::number(check.rows())));
+}
+
+void JudgeTest::WhatIsWrongFromTheFirstIsNoNorm() {
+  MotionCheck check;
+  std::vector<FollowedPoint> now = grid(rig_);
+  for (std::size_t i = 0; i < now.size(); ++i) now[i].right.y() += i % 2 == 0 ? 1.2 : 2.8;
+  for (int k = 0; k < 8; ++k) check.push(now, rig_, k / 30.0);
+  const double limit = std::max(JudgeOptions().rows, check.rows_scatter());
+  QVERIFY2(std::abs(check.rows()) > limit, qPrintable(QString("%1 of %2").arg(check.rows()).arg(limit)));
+
+  StereoFrame dull = first_;
+  for (Picture* picture : {&dull.left, &dull.right}) {
+    auto bytes = std::make_shared<std::vector<std::uint8_t>>(*picture->bytes);
+    for (auto& byte : *bytes) byte = static_cast<std::uint8_t>(150 + 0.02 * byte);
+    picture->bytes = bytes;
+  }
+  for (const auto& [first, said] : {std::pair{dull, Validity::poor_picture},
+                                    std::pair{behind_a_tool(first_, 110.0), Validity::partly_covered}}) {
+    JudgeOptions options;
+    options.supported = options.least_supported = 0.0;  // what is seen less is another reason
+    options.unknown = options.gap = options.local = options.pull = 100.0;
+    options.behind = options.lifted = 1.0;
+    Judge judge(model_, rig_, {}, options);
+    judge.begin(first, nodes_);
+    OverlayFrame overlay;
+    overlay.nodes_in_camera = nodes_;
+    const Validity found = judge.judge(first, grid(rig_), overlay);
+    QVERIFY2(found == said, qPrintable(QString("%1, before %2, contrast %3")
+                                           .arg(validity_code(found))
+                                           .arg(overlay.evidence.before)
+                                           .arg(overlay.evidence.contrast)));
+  }
 }
 
 void JudgeTest::NoiseIsNoMotionAndBreathIs_data() {
@@ -516,6 +549,8 @@ void JudgeTest::UnusableOptionsAreRefused() {
   refused([](JudgeOptions& o) { o.pull_sigmas = 0.0; });
   refused([](JudgeOptions& o) { o.supported = -0.1; });
   refused([](JudgeOptions& o) { o.least_supported = 2.0; });
+  refused([](JudgeOptions& o) { o.before = 1.5; });
+  refused([](JudgeOptions& o) { o.least_signal = -1.0; });
   refused([](JudgeOptions& o) { o.contrast = 2.0; });
   refused([](JudgeOptions& o) { o.motion = -1.0; });
   refused([](JudgeOptions& o) { o.repeated = o.fresh + 0.1; });

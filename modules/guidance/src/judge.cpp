@@ -41,6 +41,8 @@ void JudgeOptions::validate() const {
   demand(least_supported >= 0.0 && least_supported <= 1.0, "least_supported", least_supported,
          "Give a share");
   demand(unknown > 0.0, "unknown", unknown, "Give a positive length");
+  demand(before > 0.0 && before <= 1.0, "before", before, "Give a share");
+  demand(least_signal >= 0.0, "least_signal", least_signal, "Give a number from zero");
   demand(contrast >= 0.0 && contrast <= 1.0, "contrast", contrast, "Give a share");
   demand(motion >= 0.0, "motion", motion, "Give a number from zero");
   demand(repeated >= 0.0 && repeated <= fresh, "repeated", repeated, "Give a share up to that of `fresh`");
@@ -70,7 +72,8 @@ struct Judge::Impl {
     is_misplaced = false;
     motion = {};
     noise = {};
-    first_signal = measure(first.left).signal();
+    // A picture that begins in smoke or the dark is no norm.
+    first_signal = std::max(options.least_signal, measure(first.left).signal());
     shape = nodes;
     tissue.clear();
     const SurfaceEvidence seen = surface.check(first.left, first.right, nodes, shape);
@@ -79,7 +82,8 @@ struct Judge::Impl {
     first_supported = evidence.supported;
     apart.set(apartness() >= 1.0);
     covered.set(coverage() >= 1.0);
-    for (Alarm* alarm : {&poor, &stands, &views, &repeated, &not_alive}) alarm->set(false);
+    poor.set(measured_contrast(first) < options.contrast);
+    for (Alarm* alarm : {&stands, &views, &repeated, &not_alive}) alarm->set(false);
     evidence.judged = true;
   }
 
@@ -103,8 +107,8 @@ struct Judge::Impl {
   /// 1 and more: too much is covered.
   double coverage() const {
     const double enough = std::max(options.least_supported, options.supported * first_supported);
-    return std::max((1.0 - evidence.supported) / (1.0 - std::min(enough, 0.99)),
-                    evidence.pull_sigma / options.unknown);
+    return std::max({(1.0 - evidence.supported) / (1.0 - std::min(enough, 0.99)),
+                     evidence.before / options.before, evidence.pull_sigma / options.unknown});
   }
 
   void look_at_surface(const StereoFrame& frame, const std::vector<FollowedPoint>& points,
@@ -152,11 +156,14 @@ struct Judge::Impl {
     against = looks = 0;
     looked = clock.now() - options.every;  // the next frame is looked at
   }
+  double measured_contrast(const StereoFrame& frame) const {
+    return std::min(measure(frame.left).signal(), measure(frame.right).signal()) /
+           std::max(first_signal, 1e-6);
+  }
   void look_at_pictures(const StereoFrame& frame) {
     if (!clock.is_due(looked_at_picture, kPictureSeconds)) return;
     looked_at_picture = clock.now();
-    evidence.contrast =
-        std::min(measure(frame.left).signal(), measure(frame.right).signal()) / std::max(first_signal, 1e-6);
+    evidence.contrast = measured_contrast(frame);
     poor.push(options.contrast / std::max(evidence.contrast, 1e-6), 1.0, options.relief);
   }
   void look_at_motion(const StereoFrame& frame, const std::vector<FollowedPoint>& points) {

@@ -18,6 +18,9 @@ constexpr std::size_t kLeastInGroup = 6;
 constexpr int kGroups = 4;  ///< along each side of the picture
 /// Frames from which the calibration's own offset of rows is learned.
 constexpr int kFirstFrames = 5;
+/// Pixels: more than a calibration leaves, whatever was there at first; of the median, and of the points'
+/// scatter about it.
+constexpr double kMostRows = 1.0, kMostScatter = 0.7;
 constexpr double kUnknown = -1.0;
 
 /// Places of one group's points over frames: a row each point, a column each frame.
@@ -73,10 +76,11 @@ void MotionCheck::push(const std::vector<FollowedPoint>& points, const StereoRig
   const double offset = upper_median(offsets);
   if (rows_seen_ < kFirstFrames) {
     first_rows_ = (rows_seen_ * first_rows_ + offset) / (rows_seen_ + 1.0);
-    rows_scatter_ = std::max(rows_scatter_, kDeviationPerMad * median_absolute_deviation(offsets, offset));
+    const double scatter = kDeviationPerMad * median_absolute_deviation(offsets, offset);
+    rows_scatter_ = std::min(kMostScatter, std::max(rows_scatter_, scatter));
   }
   ++rows_seen_;
-  rows_ = offset - first_rows_;
+  rows_ = offset - std::clamp(first_rows_, -kMostRows, kMostRows);
 }
 
 void MotionCheck::look_at_motion(const StereoRig& rig) {

@@ -29,7 +29,8 @@ class MotionCheck {
   double motion_left() const { return motion_[0]; }
   double motion_right() const { return motion_[1]; }
   /// Median over the points of how far they are off their epipolar line, signed, less what it was at first:
-  /// two views of one moment keep their rows. Pixels.
+  /// two views of one moment keep their rows. Pixels. A fault that is there from the first is no norm: not
+  /// more than a calibration may leave is taken off.
   double rows() const { return rows_; }
   /// By how much points differed in that at first, one deviation, pixels: what the calibration leaves changes
   /// over the picture, and a smaller change of the median may come from seeing another place.

@@ -21,9 +21,11 @@ struct JudgeOptions {
   double pull_sigmas = 3.0;      ///< ... also so many of its standard deviations
   double supported = 0.7;        ///< Evidence::supported, of what it was at the start: less is covered
   double least_supported = 0.1;  ///< at the start: less cannot be judged
-  double unknown = 10e-3;  ///< metres, Evidence::pull_sigma: what is seen does not tell where the organ is
-  double contrast = 0.55;  ///< Evidence::contrast
-  double motion = 2.5;     ///< Evidence::motion: less is none
+  double unknown = 10e-3;     ///< metres, Evidence::pull_sigma: what is seen does not tell where the organ is
+  double before = 0.5;        ///< Evidence::before: more is covered, at the start, too
+  double contrast = 0.55;     ///< Evidence::contrast
+  double least_signal = 1.0;  ///< detail over noise that a picture has at least: less at the start is no norm
+  double motion = 2.5;        ///< Evidence::motion: less is none
   /// Evidence::fresh of a picture that does not move: up to the first it is a repeated one, from the second
   /// on it is alive, unless its noise has become so many times as large as it was while it moved.
   double repeated = 0.1, fresh = 0.7, louder = 1.2;
