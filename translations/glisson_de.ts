@@ -4631,6 +4631,18 @@
         <translation>live: längste Zeit, bis nach einem Sprung eine richtige Einblendung zurück ist, s</translation>
     </message>
     <message>
+        <source>live: error over that of a model that stays, in the worst scenario</source>
+        <translation>live: Fehler im Verhältnis zu einem Modell, das stehen bleibt, im schlechtesten Fall</translation>
+    </message>
+    <message>
+        <source>live: single lesions over 10 mm off that are not drawn as such, share</source>
+        <translation>live: einzelne Herde mit über 10 mm Fehler, die nicht als solche gezeichnet werden, Anteil</translation>
+    </message>
+    <message>
+        <source>live: single lesions under 3 mm off without a fault that are, share</source>
+        <translation>live: einzelne Herde mit unter 3 mm Fehler ohne Störung, die gezeichnet werden, Anteil</translation>
+    </message>
+    <message>
         <source>registrations over 10 mm at a lesion, refused or doubted, share</source>
         <translation>Registrierungen mit über 10 mm an einem Herd, verworfen oder angezweifelt, Anteil</translation>
     </message>

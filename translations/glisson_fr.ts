@@ -4631,6 +4631,18 @@
         <translation>live : temps le plus long jusqu&apos;au retour d&apos;une superposition juste après un saut, s</translation>
     </message>
     <message>
+        <source>live: error over that of a model that stays, in the worst scenario</source>
+        <translation>live : erreur rapportée à celle d&apos;un modèle immobile, dans le pire cas</translation>
+    </message>
+    <message>
+        <source>live: single lesions over 10 mm off that are not drawn as such, share</source>
+        <translation>live : lésions isolées à plus de 10 mm, non dessinées comme telles, part</translation>
+    </message>
+    <message>
+        <source>live: single lesions under 3 mm off without a fault that are, share</source>
+        <translation>live : lésions isolées à moins de 3 mm sans défaut, dessinées, part</translation>
+    </message>
+    <message>
         <source>registrations over 10 mm at a lesion, refused or doubted, share</source>
         <translation>recalages à plus de 10 mm à une lésion, refusés ou mis en doute, part</translation>
     </message>

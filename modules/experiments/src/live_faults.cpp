@@ -96,6 +96,11 @@ void add_starts(std::vector<LiveFault>& faults) {
   faults.push_back(turned_start("start_view_180deg", 180.0, view));
   faults.push_back(turned_start("start_across_10deg", 10.0, across));
   faults.push_back(turned_start("start_across_20deg", 20.0, across));
+  faults.push_back(turned_start("start_across_40deg", 40.0, across));
+  LiveFault lifted;
+  lifted.name = "start_lifted_30mm";
+  lifted.start_lift = 30e-3;
+  faults.push_back(lifted);
 }
 
 using Show = std::function<StereoFrame(const Film&, int)>;
@@ -146,6 +151,14 @@ void add_stale_views(std::vector<LiveFault>& faults, int onset, std::uint64_t se
       if (k >= onset) frame.right = at(film, k - late).right;
       return frame;
     });
+  add("duplicated", [=](const Film& film, int k) {
+    return shown_at(at(film, k < onset ? k : k - (k - onset) % 2), at(film, k));
+  });
+  add("right_lost", [=](const Film& film, int k) {
+    StereoFrame frame = at(film, k);
+    if (k >= onset) frame.right = both(frame, [](cv::Mat& picture, bool) { picture.setTo(0); }).right;
+    return frame;
+  });
   add("swapped", [=](const Film& film, int k) {
     StereoFrame frame = at(film, k);
     if (k >= onset) std::swap(frame.left, frame.right);
@@ -261,6 +274,10 @@ void add_scene(std::vector<LiveFault>& faults, const StereoRig& rig, int onset, 
 
 /// Another organ, or another laparoscope than the one that was calibrated: from the first frame on.
 void add_foreign(std::vector<LiveFault>& faults) {
+  LiveFault other;
+  other.name = "another_patient";
+  other.other_patient = true;
+  faults.push_back(other);
   const Show mirrored = [](const Film& film, int k) {
     // Both views flipped and exchanged: a right pair of views, of an organ that is the mirror image.
     StereoFrame frame = both(film[static_cast<std::size_t>(k)],
@@ -289,6 +306,26 @@ void add_foreign(std::vector<LiveFault>& faults) {
   });
 }
 
+/// What goes wrong little by little, or is seen in half of the frames only.
+void add_slow(std::vector<LiveFault>& faults) {
+  LiveFault lifted;
+  lifted.name = "lifted_30mm";
+  lifted.is_lifted = true;
+  faults.push_back(lifted);
+  LiveFault drifting;
+  drifting.name = "drift";
+  drifting.drift = {0.1e-3, 0.0, 0.0};
+  faults.push_back(drifting);
+  for (const char* name : {"right_5_late", "zoom_ramp"}) {
+    const auto same = std::find_if(faults.begin(), faults.end(),
+                                   [name](const LiveFault& fault) { return fault.name == name; });
+    LiveFault slow = *same;
+    slow.name += "_15fps";
+    slow.every = 2;
+    faults.push_back(slow);
+  }
+}
+
 /// The laparoscope is somewhere else from one frame to the next, and moves there. It is filmed so: to shift
 /// the picture aside would break the rows of two views and shear what they show.
 /// @param dark frames between without a picture: it is taken out, wiped and put back.
@@ -309,15 +346,20 @@ LiveFault jump(const char* name, int onset, int dark) {
 std::vector<LiveFault> live_faults(const StereoRig& rig, int onset, int last, std::uint64_t seed) {
   std::vector<LiveFault> faults(1);
   faults.front().name = "none";
-  LiveFault held;
+  faults.front().is_sound = true;
+  LiveFault held = faults.front();
   held.name = "scope_moves";
   held.scope_moves = true;
+  faults.push_back(held);
+  held.name = "scope_moves_15fps";
+  held.every = 2;
   faults.push_back(held);
   add_starts(faults);
   add_stale_views(faults, onset, seed);
   add_covers(faults, rig, onset, last, seed);
   add_scene(faults, rig, onset, last, seed);
   add_foreign(faults);
+  add_slow(faults);
   faults.push_back(jump("scope_jumps", onset, 0));
   faults.push_back(jump("scope_taken_out", onset, 20));
   return faults;

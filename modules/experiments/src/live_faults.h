@@ -21,12 +21,18 @@ struct LiveFault {
   /// shift. Camera's frame, metres.
   Eigen::Matrix3d start_turn = Eigen::Matrix3d::Identity();
   Eigen::Vector3d start_shift = Eigen::Vector3d::Zero();
+  /// Metres by which a part of the organ lies nearer to the lens than the start has it.
+  double start_lift = 0.0;
+  /// Metres a frame by which what the program takes for registered creeps away.
+  Eigen::Vector3d drift = Eigen::Vector3d::Zero();
   /// What the laparoscope shows at frame k instead of film[k]; empty: film[k].
   std::function<StereoFrame(const Film& film, int k)> show;
   /// The calibration that the program is given instead of the true one; empty: the true one.
   std::function<StereoRig(const StereoRig&)> calibration;
-  /// Not a fault: the laparoscope is held by a hand. The film is another one.
-  bool scope_moves = false;
+  /// The film is another one: of a laparoscope in a hand, of an organ that is lifted, of another patient.
+  bool scope_moves = false, is_lifted = false, other_patient = false;
+  bool is_sound = false;  ///< not a fault
+  int every = 1;          ///< only each second (third ...) frame arrives
   /// From this frame on the laparoscope is in a hand, elsewhere: the film is the other one. -1: never.
   int elsewhere_from = -1;
 };

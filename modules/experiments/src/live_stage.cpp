@@ -43,8 +43,10 @@ Cancellable<LiveStage> theatre_stage(std::uint64_t seed, int frames, const RunCo
   stage.start = (*theatre)->carry(stage.model.mesh.vertices, 0);
   const auto& targets = (*theatre)->targets();
   stage.targets_in_model.resize(static_cast<Eigen::Index>(targets.size()), 3);
-  for (std::size_t i = 0; i < targets.size(); ++i)
+  for (std::size_t i = 0; i < targets.size(); ++i) {
     stage.targets_in_model.row(static_cast<Eigen::Index>(i)) = targets[i].centre_in_ct.transpose();
+    stage.lesions.push_back(targets[i].structure);
+  }
   return stage;
 }
 

@@ -21,8 +21,11 @@ struct LiveStage {
   PatientModel model;
   StereoRig rig;
   Filmed standing, held;
-  Points start;             ///< the model's nodes where they truly are in the first frame
-  Points targets_in_model;  ///< the lesions' centres, in the model's frame
+  Filmed lifted;  ///< a part of the organ is lifted by 30 mm in the second second; empty: not filmed
+  Filmed other;   ///< another patient's, by the same laparoscope; empty: none
+  Points start;   ///< the model's nodes where they truly are in the first frame
+  Points targets_in_model;     ///< the lesions' centres, in the model's frame
+  std::vector<Label> lesions;  ///< of the targets; empty: the model has no lesions there
 };
 
 /// A synthetic patient in the theatre. Empty: cancelled.

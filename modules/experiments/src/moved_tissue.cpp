@@ -20,10 +20,29 @@ namespace {
 
 constexpr double kFrameRate = 30.0;
 constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr std::uint64_t kLiftedNoise = 1000000;  ///< its seeds are no other film's
 
-/// Where the tissue of the first frame is `seconds` later, before a laparoscope that stands.
-Eigen::Vector3d deformed(const Eigen::Vector3d& p, const Eigen::Vector3d& pressed_at, double seconds) {
+/// The tissue as it moves before a laparoscope that stands.
+struct Handled {
+  Eigen::Vector3d pressed_at;
+  bool is_lifted = false;
+};
+
+/// How far from the middle of what is seen tissue is lifted by a tool, seconds after the first frame.
+double lift(const Eigen::Vector3d& p, const Eigen::Vector3d& middle, double seconds) {
+  constexpr double kLift = 30e-3, kAside = 20e-3, kWide = 22e-3;
+  const double t = std::clamp(seconds - 1.0, 0.0, 1.0);
+  const double away = (p - middle - Eigen::Vector3d(kAside, 0.0, 0.0)).head<2>().squaredNorm();
+  return kLift * t * t * (3.0 - 2.0 * t) * std::exp(-away / (2.0 * kWide * kWide));
+}
+
+/// Where the tissue of the first frame is `seconds` later.
+Eigen::Vector3d deformed(const Eigen::Vector3d& p, const Handled& handled, double seconds) {
   constexpr double kWide = 18e-3;
+  const Eigen::Vector3d& pressed_at = handled.pressed_at;
+  if (handled.is_lifted)
+    return p + Eigen::Vector3d(0.0, 0.0, -lift(p, pressed_at, seconds)) +
+           (0.5 - 0.5 * std::cos(kTurn * seconds / 4.0)) * Eigen::Vector3d(0.0, 5e-3, 2e-3);
   const double breath = 0.5 - 0.5 * std::cos(kTurn * seconds / 4.0);
   const double press = 0.5 - 0.5 * std::cos(kTurn * seconds / 2.7);
   const double near = std::exp(-(p - pressed_at).squaredNorm() / (2.0 * kWide * kWide));
@@ -228,11 +247,10 @@ class MovedView {
   cv::Mat lens_;  ///< where the calibration's distortion can be undone
 };
 
-Points moved(const Points& rest, const Eigen::Vector3d& pressed_at, double seconds,
-             const Eigen::Isometry3d& scope) {
+Points moved(const Points& rest, const Handled& handled, double seconds, const Eigen::Isometry3d& scope) {
   Points now(rest.rows(), 3);
   for (Eigen::Index i = 0; i < rest.rows(); ++i)
-    now.row(i) = (scope * deformed(rest.row(i).transpose(), pressed_at, seconds)).transpose();
+    now.row(i) = (scope * deformed(rest.row(i).transpose(), handled, seconds)).transpose();
   return now;
 }
 
@@ -283,21 +301,25 @@ Cancellable<LiveStage> pair_stage(const RealPair& pair, int frames, std::uint64_
   to_right.linear() = pair.rig.right_from_left.rotation;
   to_right.translation() = pair.rig.right_from_left.translation;
   for (int k = 0; k < frames; ++k)
-    for (const bool in_a_hand : {false, true}) {
+    for (Filmed* filmed : {&stage.standing, &stage.held, &stage.lifted}) {
       if (context.cancelled()) return std::nullopt;
       context.progress(0.1 + 0.9 * k / frames, "prove.theatre");
       const double seconds = k / kFrameRate;
-      const Eigen::Isometry3d scope = in_a_hand ? hand(seconds) : Eigen::Isometry3d::Identity();
-      caster.move_organ(moved(rest.vertices, pressed_at, seconds, scope));
-      const std::uint64_t noise = seed + 4 * static_cast<std::uint64_t>(k) + (in_a_hand ? 2 : 0);
+      const Handled handled{pressed_at, filmed == &stage.lifted};
+      const Eigen::Isometry3d scope =
+          filmed == &stage.held ? hand(seconds) : Eigen::Isometry3d(Eigen::Isometry3d::Identity());
+      caster.move_organ(moved(rest.vertices, handled, seconds, scope));
+      const std::uint64_t noise = seed + 4 * static_cast<std::uint64_t>(k) +
+                                  (filmed == &stage.held ? 2
+                                   : handled.is_lifted   ? kLiftedNoise
+                                                         : 0);
       StereoFrame frame;
       frame.left = left.draw(caster, Eigen::Isometry3d::Identity(), noise);
       frame.right = right.draw(caster, to_right, noise + 1);
       frame.index = k;
       frame.seconds = seconds;
-      Filmed& filmed = in_a_hand ? stage.held : stage.standing;
-      filmed.film.push_back(std::move(frame));
-      filmed.targets.push_back(moved(stage.targets_in_model, pressed_at, seconds, scope));
+      filmed->film.push_back(std::move(frame));
+      filmed->targets.push_back(moved(stage.targets_in_model, handled, seconds, scope));
     }
   return stage;
 }

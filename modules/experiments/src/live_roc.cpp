@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "live_roc.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+namespace glisson::experiments {
+namespace {
+
+constexpr double kFar = 10e-3, kNear = 3e-3;  ///< metres
+constexpr double kFactors[] = {0.4, 0.6, 0.8, 1.0, 1.25, 1.6, 2.5, 4.0};
+
+/// The share of scores from `limit` on.
+double share_from(const std::vector<double>& scores, double limit) {
+  if (scores.empty()) return 1.0;
+  const auto from =
+      std::count_if(scores.begin(), scores.end(), [limit](double score) { return score >= limit; });
+  return static_cast<double>(from) / static_cast<double>(scores.size());
+}
+
+}  // namespace
+
+void Roc::add(double score, double error, bool is_sound) {
+  if (error > kFar) far_.push_back(score);
+  if (error < kNear && is_sound) sound_.push_back(score);
+}
+
+double Roc::area() const {
+  if (far_.empty() || sound_.empty()) return 1.0;
+  std::vector<double> sorted = sound_;
+  std::sort(sorted.begin(), sorted.end());
+  double wins = 0.0;
+  for (const double score : far_) {
+    const auto [low, high] = std::equal_range(sorted.begin(), sorted.end(), score);
+    wins += static_cast<double>(low - sorted.begin()) + 0.5 * static_cast<double>(high - low);
+  }
+  return wins / (static_cast<double>(far_.size()) * static_cast<double>(sorted.size()));
+}
+
+double Roc::far_hidden(double factor) const { return share_from(far_, factor); }
+double Roc::near_valid(double factor) const {
+  return sound_.empty() ? 1.0 : 1.0 - share_from(sound_, factor);
+}
+
+std::vector<std::string> Roc::table(const std::string& title) const {
+  char line[160];
+  std::snprintf(line, sizeof line, "%s: area %.4f", title.c_str(), area());
+  std::vector<std::string> lines{line, "limits times   >10 mm hidden %   <3 mm valid %"};
+  for (const double factor : kFactors) {
+    std::snprintf(line, sizeof line, "%12.2f %17.1f %15.1f", factor, 100.0 * far_hidden(factor),
+                  100.0 * near_valid(factor));
+    lines.emplace_back(line);
+  }
+  return lines;
+}
+
+double evidence_score(const OverlayFrame& overlay, const guidance::JudgeOptions& limits) {
+  if (!is_followed(overlay.validity) || overlay.validity == Validity::residual_too_large)
+    return std::numeric_limits<double>::infinity();
+  const Evidence& e = overlay.evidence;
+  if (!e.judged) return 0.0;
+  constexpr double kLeast = 1e-6;
+  const double pull =
+      std::min(e.pull / limits.pull, e.pull / (limits.pull_sigmas * std::max(e.pull_sigma, kLeast)));
+  // Motion is not known for the first 0.4 s.
+  const double still =
+      e.motion > 0.0 ? std::min(limits.motion / e.motion, limits.fresh / std::max(e.fresh, kLeast)) : 0.0;
+  return std::max({e.gap / limits.gap, e.local / limits.local, e.behind / limits.behind,
+                   e.lifted / limits.lifted, e.before / limits.before, pull, e.pull_sigma / limits.unknown,
+                   std::abs(e.rows) / limits.rows, limits.contrast / std::max(e.contrast, kLeast), still});
+}
+
+double lesion_score(const LesionVerdict& verdict, double margin) {
+  if (verdict.reason == LesionReason::with_the_whole) return std::numeric_limits<double>::infinity();
+  return verdict.reach / margin;
+}
+
+}  // namespace glisson::experiments

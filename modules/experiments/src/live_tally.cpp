@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "live_tally.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "glisson/core/statistics.h"
+
+namespace glisson::experiments {
+namespace {
+
+constexpr double kFar = 10e-3, kNear = 3e-3;  ///< metres: frames over and under
+constexpr double kFrameRate = 30.0;           ///< of the films
+constexpr int kEnoughShown = 30;              ///< valid frames of a fault, to be compared with a frozen model
+
+double share(int part, int whole) { return whole > 0 ? part / static_cast<double>(whole) : 1.0; }
+
+std::string percent(int part, int whole) {
+  if (whole == 0) return "-";
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f", 100.0 * part / whole);
+  return text;
+}
+
+/// Metres as millimetres, a mean.
+std::string mean_mm(double sum, int count) {
+  if (count == 0) return "-";
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f", 1e3 * sum / count);
+  return text;
+}
+
+std::string row(const std::string& name, const FaultTally& tally) {
+  char line[240];
+  std::snprintf(line, sizeof line, "%-20s %-20s %6s %6d %9s %9s %6d %9s %7s %7s", name.c_str(),
+                tally.most_shown().c_str(), tally.latest < 0 ? "-" : std::to_string(tally.latest).c_str(),
+                tally.far, percent(tally.far_hidden_before, tally.far).c_str(),
+                percent(tally.far_hidden, tally.far).c_str(), tally.near,
+                percent(tally.near_valid, tally.near).c_str(),
+                mean_mm(tally.shown_sum, tally.shown_frames).c_str(),
+                mean_mm(tally.frozen_sum, tally.shown_frames).c_str());
+  return line;
+}
+
+bool has_right_start(const LiveFault& fault) {
+  return fault.start_turn.isIdentity() && fault.start_shift.isZero() && fault.start_lift == 0.0 &&
+         fault.drift.isZero() && !fault.calibration && !fault.other_patient;
+}
+
+}  // namespace
+
+void FaultTally::add(const std::vector<JudgedFrame>& run) {
+  int first_far = -1, first_hidden = -1;
+  for (const JudgedFrame& judged : run) {
+    const bool valid = judged.is_valid();
+    ++shown[validity_code(judged.overlay.validity)];
+    milliseconds.push_back(judged.overlay.milliseconds);
+    error_sum += judged.error;
+    ++frames;
+    if (valid) {
+      ++shown_frames;
+      shown_sum += judged.error;
+      frozen_sum += judged.frozen;
+    }
+    if (judged.error > kFar) {
+      ++far;
+      far_hidden += !valid;
+      far_hidden_before += !judged.shown_before();
+      if (first_far < 0) first_far = judged.frame;
+    } else if (judged.error < kNear) {
+      ++near;
+      near_valid += valid;
+      near_sound += !judged.faulty;
+      near_sound_valid += !judged.faulty && valid;
+    }
+    if (judged.faulty && !valid && first_hidden < 0) first_hidden = judged.frame;
+  }
+  if (first_far < 0) return;
+  const int last = run.back().frame + 1;
+  latest = std::max(latest, std::max(0, (first_hidden < 0 ? last : first_hidden) - first_far));
+}
+
+void FaultTally::add_return(const std::vector<JudgedFrame>& run, int good_from) {
+  if (good_from < 0) return;
+  int first = run.back().frame + 1;
+  for (const JudgedFrame& judged : run)
+    if (judged.frame >= good_from && judged.frame < first && judged.error < kFar && judged.is_valid())
+      first = judged.frame;
+  returned = std::max(returned, first - good_from);
+}
+
+void FaultTally::merge(const FaultTally& other) {
+  far += other.far;
+  far_hidden += other.far_hidden;
+  far_hidden_before += other.far_hidden_before;
+  near += other.near;
+  near_valid += other.near_valid;
+  near_sound += other.near_sound;
+  near_sound_valid += other.near_sound_valid;
+  latest = std::max(latest, other.latest);
+  returned = std::max(returned, other.returned);
+  milliseconds.insert(milliseconds.end(), other.milliseconds.begin(), other.milliseconds.end());
+}
+
+std::string FaultTally::most_shown() const {
+  std::string name = "valid";
+  int most = 0;
+  for (const auto& [code, count] : shown)
+    if (code != "valid" && count > most) {
+      name = code;
+      most = count;
+    }
+  return name;
+}
+
+void LesionTally::add(const JudgedFrame& judged, bool is_sound) {
+  const guidance::LesionOptions options;
+  for (std::size_t i = 0; i < judged.lesion_errors.size(); ++i) {
+    const LesionVerdict& verdict = judged.overlay.lesions[i];
+    const double error = judged.lesion_errors[i];
+    const bool valid = verdict.level == Level::valid;
+    if (error > kFar) {
+      ++far;
+      far_hidden += !valid;
+    } else if (error < kNear && is_sound) {
+      ++near_sound;
+      near_sound_valid += valid;
+    }
+    roc.add(lesion_score(verdict, options.margin), error, is_sound);
+    if (verdict.level == Level::withdrawn || !(verdict.reach > 0.0)) continue;
+    ++drawn;
+    // As a ball that reaches as far: the way of the error is not kept.
+    inside += error <= verdict.reach;
+  }
+}
+
+void LiveTally::add(const LiveFault& fault, const std::vector<JudgedFrame>& run) {
+  if (!tallies_.contains(fault.name)) {
+    names_.push_back(fault.name);
+    if (has_right_start(fault)) comparable_.push_back(fault.name);
+  }
+  FaultTally& tally = tallies_[fault.name];
+  tally.add(run);
+  tally.add_return(run, fault.elsewhere_from);
+  const guidance::JudgeOptions limits;
+  for (const JudgedFrame& judged : run) {
+    roc_.add(evidence_score(judged.overlay, limits), judged.error, !judged.faulty);
+    lesions_.add(judged, !judged.faulty);
+  }
+}
+
+FaultTally LiveTally::all() const {
+  FaultTally all;
+  for (const std::string& name : names_) all.merge(tallies_.at(name));
+  return all;
+}
+
+void LiveTally::tell_faults(const std::string& title, LiveProof& proof) const {
+  if (!proof.table.empty()) proof.table.emplace_back();
+  char head[240];
+  std::snprintf(head, sizeof head, "%-20s %-20s %6s %6s %9s %9s %6s %9s %7s %7s", title.c_str(), "shown as",
+                "late", ">10mm", "hidden was", "hidden", "<3mm", "valid %", "error", "frozen");
+  proof.table.emplace_back(head);
+  for (const std::string& name : names_) proof.table.push_back(row(name, tallies_.at(name)));
+  proof.table.push_back(row("all", all()));
+}
+
+void LiveTally::tell_lesions(const std::string& title, const std::string& prefix, LiveProof& proof) const {
+  if (lesions_.roc.empty()) return;
+  proof.figures[prefix + "lesion_far_frames"] = lesions_.far;
+  proof.figures[prefix + "lesion_far_hidden_share"] = share(lesions_.far_hidden, lesions_.far);
+  proof.figures[prefix + "lesion_near_sound_valid_share"] =
+      share(lesions_.near_sound_valid, lesions_.near_sound);
+  proof.figures[prefix + "lesion_inside_share"] = share(lesions_.inside, lesions_.drawn);
+  proof.figures[prefix + "lesion_roc_area"] = lesions_.roc.area();
+  proof.table.emplace_back();
+  for (const std::string& line : lesions_.roc.table(title + ", ROC of single lesions by their reach"))
+    proof.table.push_back(line);
+}
+
+void LiveTally::sum_up(const std::string& title, const std::string& prefix, LiveProof& proof) const {
+  if (names_.empty()) return;
+  tell_faults(title, proof);
+  proof.table.emplace_back();
+  for (const std::string& line : roc_.table(title + ", ROC of the evidence of one frame"))
+    proof.table.push_back(line);
+  tell_lesions(title, prefix, proof);
+  const FaultTally whole = all();
+  for (const auto& [name, key] : {std::pair{"none", "still_mean_mm"}, {"scope_moves", "scope_mean_mm"}})
+    if (const auto found = tallies_.find(name); found != tallies_.end())
+      proof.figures[prefix + key] = 1e3 * found->second.error_sum / found->second.frames;
+  double of_frozen = 0.0;
+  for (const std::string& name : comparable_)
+    if (const FaultTally& one = tallies_.at(name); one.shown_frames >= kEnoughShown && one.frozen_sum > 0.0)
+      of_frozen = std::max(of_frozen, one.shown_sum / one.frozen_sum);
+  proof.figures[prefix + "of_frozen_share"] = of_frozen;
+  proof.figures[prefix + "roc_area"] = roc_.area();
+  proof.figures[prefix + "far_frames"] = whole.far;
+  proof.figures[prefix + "far_hidden_share"] = share(whole.far_hidden, whole.far);
+  proof.figures[prefix + "far_hidden_before_share"] = share(whole.far_hidden_before, whole.far);
+  proof.figures[prefix + "near_valid_share"] = share(whole.near_valid, whole.near);
+  proof.figures[prefix + "near_sound_valid_share"] = share(whole.near_sound_valid, whole.near_sound);
+  proof.figures[prefix + "latest_seconds"] = whole.latest / kFrameRate;
+  proof.figures[prefix + "return_seconds"] = whole.returned / kFrameRate;
+  proof.figures[prefix + "frame_p50_ms"] = lower_percentile(whole.milliseconds, 0.5);
+  proof.figures[prefix + "frame_p99_ms"] = lower_percentile(whole.milliseconds, 0.99);
+}
+
+}  // namespace glisson::experiments
