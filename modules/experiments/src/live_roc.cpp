@@ -59,7 +59,7 @@ std::vector<std::string> Roc::table(const std::string& title) const {
 double evidence_score(const OverlayFrame& overlay, const guidance::JudgeOptions& limits) {
   if (!is_followed(overlay.validity) || overlay.validity == Validity::residual_too_large)
     return std::numeric_limits<double>::infinity();
-  const Evidence& e = overlay.evidence;
+  const glisson::Evidence& e = overlay.evidence;
   if (!e.judged) return 0.0;
   constexpr double kLeast = 1e-6;
   const double pull =

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the proof of the live overlay counts.
+#include "live_tally.h"
+
+#include <QtTest>
+#include <set>
+
+#include "live_roc.h"
+#include "live_run.h"
+
+using namespace glisson;
+using namespace glisson::experiments;
+
+namespace {
+
+JudgedFrame judged(int frame, double error, Validity validity, bool faulty) {
+  JudgedFrame one;
+  one.frame = frame;
+  one.error = error;
+  one.frozen = 2.0 * error;
+  one.faulty = faulty;
+  one.overlay.validity = validity;
+  return one;
+}
+
+LiveFault named(const char* name) {
+  LiveFault fault;
+  fault.name = name;
+  return fault;
+}
+
+StereoRig small_rig() {
+  StereoRig rig;
+  for (Camera* camera : {&rig.left, &rig.right}) {
+    camera->width = 64;
+    camera->height = 48;
+    camera->matrix << 50.0, 0.0, 32.0, 0.0, 50.0, 24.0, 0.0, 0.0, 1.0;
+  }
+  rig.right_from_left.translation = {-5e-3, 0.0, 0.0};
+  return rig;
+}
+
+StereoFrame plain_frame(int k) {
+  StereoFrame frame;
+  frame.index = k;
+  frame.seconds = k / 30.0;
+  for (Picture* picture : {&frame.left, &frame.right})
+    *picture = {64, 48, 3,
+                std::make_shared<std::vector<std::uint8_t>>(64 * 48 * 3, static_cast<std::uint8_t>(k))};
+  return frame;
+}
+
+}  // namespace
+
+class LiveTallyTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void AreaIsHowOftenAFarFrameScoresMore();
+  void AScoreFromOneOnReachesALimit();
+  void TimesAreCountedInTheFilmsFrames();
+  void LesionsAreHeldAgainstTheirOwnErrors();
+  void ThePageHoldsRocAndTheModelThatStays();
+  void EveryFaultIsNamedOnceAndShowsItself();
+};
+
+void LiveTallyTest::AreaIsHowOftenAFarFrameScoresMore() {
+  Roc roc;
+  QVERIFY(roc.empty());
+  QCOMPARE(roc.area(), 1.0);
+  for (const double score : {0.2, 0.4, 0.9}) roc.add(score, 1e-3, true);
+  roc.add(5.0, 1e-3, false);  // near, but in a fault: neither
+  roc.add(5.0, 5e-3, true);   // neither near nor far
+  for (const double score : {0.4, 2.0}) roc.add(score, 20e-3, false);
+  QCOMPARE(roc.area(), (1.5 + 3.0) / 6.0);
+  QCOMPARE(roc.far_hidden(1.0), 0.5);
+  QCOMPARE(roc.near_valid(1.0), 1.0);
+  QCOMPARE(roc.near_valid(0.4), 1.0 / 3.0);
+  QCOMPARE(roc.far_hidden(0.4), 1.0);
+}
+
+void LiveTallyTest::AScoreFromOneOnReachesALimit() {
+  const guidance::JudgeOptions limits;
+  OverlayFrame overlay;
+  overlay.validity = Validity::valid;
+  QCOMPARE(evidence_score(overlay, limits), 0.0);  // nothing was judged yet
+  overlay.evidence.judged = true;
+  QVERIFY(evidence_score(overlay, limits) < 1.0);
+  const auto scored = [&](auto change) {
+    OverlayFrame changed = overlay;
+    change(changed.evidence);
+    return evidence_score(changed, limits);
+  };
+  using Seen = glisson::Evidence;
+  QCOMPARE(scored([&](Seen& e) { e.gap = 1.5 * limits.gap; }), 1.5);
+  QCOMPARE(scored([&](Seen& e) { e.local = 1.5 * limits.local; }), 1.5);
+  QCOMPARE(scored([&](Seen& e) { e.lifted = 2.0 * limits.lifted; }), 2.0);
+  QCOMPARE(scored([&](Seen& e) { e.rows = -2.0 * limits.rows; }), 2.0);
+  QVERIFY(scored([&](Seen& e) { e.pull = 2.0 * limits.pull, e.pull_sigma = e.pull; }) < 1.0 + 1e-9);
+  QVERIFY(scored([&](Seen& e) { e.motion = 1.0, e.fresh = 0.0; }) > 1.0);
+  QVERIFY(scored([&](Seen& e) { e.motion = 1.0, e.fresh = 1.0; }) < 1.0);
+  overlay.validity = Validity::too_few_points;
+  QVERIFY(std::isinf(evidence_score(overlay, limits)));
+}
+
+void LiveTallyTest::TimesAreCountedInTheFilmsFrames() {
+  FaultTally tally;
+  std::vector<JudgedFrame> run;
+  for (int k = 2; k < 60; k += 2)  // half of the frames arrive
+    run.push_back(
+        judged(k, k < 30 ? 1e-3 : 20e-3, k < 42 ? Validity::valid : Validity::surface_apart, k >= 30));
+  tally.add(run);
+  QCOMPARE(tally.latest, 12);
+  QCOMPARE(tally.far, 15);
+  QCOMPARE(tally.far_hidden, 9);
+  QCOMPARE(tally.near_sound_valid, 14);
+  QCOMPARE(tally.most_shown(), std::string("surface_apart"));
+}
+
+void LiveTallyTest::LesionsAreHeldAgainstTheirOwnErrors() {
+  LesionTally tally;
+  JudgedFrame one = judged(1, 20e-3, Validity::valid, false);
+  const auto lesion = [&](double error, double reach, Level level, LesionReason reason) {
+    LesionVerdict verdict;
+    verdict.level = level;
+    verdict.reason = reason;
+    verdict.reach = reach;
+    one.overlay.lesions.push_back(verdict);
+    one.lesion_errors.push_back(error);
+  };
+  lesion(1e-3, 5e-3, Level::valid, LesionReason::known);
+  lesion(12e-3, 15e-3, Level::degraded, LesionReason::far_from_points);
+  lesion(20e-3, 5e-3, Level::valid, LesionReason::known);
+  lesion(20e-3, 5e-3, Level::withdrawn, LesionReason::with_the_whole);
+  tally.add(one, true);
+  QCOMPARE(tally.far, 3);
+  QCOMPARE(tally.far_hidden, 2);
+  QCOMPARE(tally.near_sound_valid, 1);
+  QCOMPARE(tally.drawn, 3);
+  QCOMPARE(tally.inside, 2);
+  QCOMPARE(tally.roc.far_hidden(1.0), 2.0 / 3.0);
+}
+
+void LiveTallyTest::ThePageHoldsRocAndTheModelThatStays() {
+  LiveTally tally;
+  std::vector<JudgedFrame> run;
+  for (int k = 1; k < 60; ++k) run.push_back(judged(k, 1e-3, Validity::valid, false));
+  tally.add(named("none"), run);
+  LiveFault wrong = named("start");
+  wrong.start_shift = {0.02, 0.0, 0.0};
+  for (JudgedFrame& frame : run) frame.frozen = 1e-4;
+  tally.add(wrong, run);  // from a wrong start no frozen model is one to be compared with
+  LiveProof proof;
+  tally.sum_up("here", "live_", proof);
+  QCOMPARE(proof.figures.at("live_of_frozen_share"), 0.5);
+  QCOMPARE(proof.figures.at("live_still_mean_mm"), 1.0);
+  QVERIFY(proof.figures.contains("live_roc_area") && proof.figures.contains("live_frame_p99_ms"));
+  QVERIFY(!proof.figures.contains("live_lesion_roc_area"));  // there were no lesions
+  const auto has = [&](const char* words) {
+    return std::any_of(proof.table.begin(), proof.table.end(),
+                       [words](const std::string& line) { return line.find(words) != std::string::npos; });
+  };
+  QVERIFY(has("here, ROC of the evidence of one frame") && has("frozen"));
+}
+
+void LiveTallyTest::EveryFaultIsNamedOnceAndShowsItself() {
+  constexpr int kOnset = 10, kFrames = 30;
+  Film film;
+  for (int k = 0; k < kFrames; ++k) film.push_back(plain_frame(k));
+  std::set<std::string> names;
+  for (const LiveFault& fault : live_faults(small_rig(), kOnset, kFrames - 1, 1)) {
+    QVERIFY2(names.insert(fault.name).second, fault.name.c_str());
+    const bool shows_another_film = fault.scope_moves || fault.is_lifted || fault.other_patient;
+    const bool starts_elsewhere = !fault.start_turn.isIdentity() || !fault.start_shift.isZero() ||
+                                  fault.start_lift != 0.0 || !fault.drift.isZero() || fault.calibration;
+    QVERIFY2(fault.show || shows_another_film || starts_elsewhere || fault.name == "none",
+             fault.name.c_str());
+    if (!fault.show) continue;
+    const StereoFrame late = fault.show(film, kFrames - 5);
+    QCOMPARE(late.index, kFrames - 5);  // its own time, whatever it shows
+    QCOMPARE(late.seconds, film[kFrames - 5].seconds);
+  }
+  for (const char* name : {"duplicated", "right_lost", "another_patient", "drift", "lifted_30mm",
+                           "start_lifted_30mm", "start_across_40deg", "right_5_late_15fps"})
+    QVERIFY2(names.contains(name), name);
+}
+
+QTEST_APPLESS_MAIN(LiveTallyTest)
+#include "live_tally_test.moc"
