@@ -63,6 +63,8 @@ class CaseForeignTest : public QObject {
   void ForeignFilesOfAnOlderEditionStay();
   void WhatOthersChangedIsKeptBeside();
   void WhatOthersChangedIsToldAtOpening();
+  void WhatOthersChangedInAFolderIsToldAtOpening_data();
+  void WhatOthersChangedInAFolderIsToldAtOpening();
   void NumbersOfACaseStayInTheirRange();
   void WhatTheCaseNoLongerHasGoes();
   void AForeignFileOfOneOfItsNamesIsNotReadAsItsOwn();
@@ -137,6 +139,36 @@ void CaseForeignTest::WhatOthersChangedIsToldAtOpening() {
   QVERIFY(told().empty());
   write_file_atomically(path() / "seeds.json", read_file(path() / "seeds.json") + "\n");
   QCOMPARE(told(), std::vector<std::string>{"case.changed_outside seeds.json"});
+}
+
+void CaseForeignTest::WhatOthersChangedInAFolderIsToldAtOpening_data() {
+  QTest::addColumn<bool>("told");
+  for (const char* name : {"model/mesh.vtu", "model/vessels.vtp", "model/landmarks.json", "frame/left.png",
+                           "points/whole.ply", "points/whole.json", "looks/look_1.ply", "history/steps.json",
+                           "history/bricks.nrrd", "./model/mesh.vtu"})
+    QTest::newRow(name) << true;
+  for (const char* name : {"model/letter.txt", "model/deeper/mesh.vtu", "photos/left.png", "../mesh.vtu",
+                           "model/../../mesh.vtu", "../model/mesh.vtu", "/model/mesh.vtu", ""})
+    QTest::newRow(*name == '\0' ? "no name" : name) << false;
+}
+
+void CaseForeignTest::WhatOthersChangedInAFolderIsToldAtOpening() {
+  QFETCH(bool, told);
+  const std::string row = QTest::currentDataTag(), name = row == "no name" ? "" : row;
+  // Listed with another sum than that of what lies there: changed since, in a part that is not read.
+  nlohmann::json document = read_json(path() / "case.json");
+  document["files"][name] = "0123456789abcdef";
+  write_json(path() / "case.json", document);
+  std::vector<std::string> notes;
+  (void)open_case(path(), RunContext(), &notes);
+  QCOMPARE(notes,
+           told ? std::vector<std::string>{"case.changed_outside " + name} : std::vector<std::string>{});
+  if (!told || name.starts_with(".")) return;
+  fs::create_directories((path() / name).parent_path());
+  write_file_atomically(path() / name, "by another program");
+  notes.clear();
+  (void)open_case(path(), RunContext(), &notes);
+  QCOMPARE(notes, std::vector<std::string>{"case.changed_outside " + name});
 }
 
 void CaseForeignTest::NumbersOfACaseStayInTheirRange() {

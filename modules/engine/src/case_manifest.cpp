@@ -113,14 +113,12 @@ std::vector<std::string> changed_files(const fs::path& folder, const json& docum
   std::vector<std::string> changed;
   const auto files = document.find("files");
   if (files == document.end() || !files->is_object()) return changed;
-  const std::vector<std::string_view> names = files_of_parts();
   for (const auto& [name, sum] : files->items()) {
     const fs::path relative = fs::path(name).lexically_normal();
-    // What is no file of a part is not opened, whatever the list says.
-    const bool is_ours = !relative.empty() && relative.is_relative() &&
-                         std::find(names.begin(), names.end(), relative.begin()->string()) != names.end();
+    // What is no file of a part ("../mesh.vtu" neither) is not opened, whatever the list says.
+    if (!is_of_layout(relative)) continue;
     std::error_code failure;
-    if (is_ours && (!fs::is_regular_file(folder / relative, failure) || sum != sum_of(folder / relative)))
+    if (!fs::is_regular_file(folder / relative, failure) || sum != sum_of(folder / relative))
       changed.push_back(name);
   }
   return changed;
