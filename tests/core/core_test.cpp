@@ -55,6 +55,7 @@ class CoreTest : public QObject {
   void KilledWriterLeavesTheOldOrTheNew();
   void TemporaryFolderGoesAway();
   void JsonErrorNamesLineAndColumn();
+  void JsonLargerThanAnyListIsRefused();
   void NamesCompareWhateverTheirCase();
   void JsonSurvivesTheFile();
   void FiguresThatAreNotFiniteAreNullAndCountsAreWhole();
@@ -272,6 +273,17 @@ void CoreTest::JsonErrorNamesLineAndColumn() {
   const std::string message = test::complaint<Error>([&] { read_json(folder.path() / "x.json"); });
   QVERIFY(message.find("line 3, column 7") != std::string::npos);
   QVERIFY_EXCEPTION_THROWN(read_json(folder.path() / "absent.json"), FileError);
+}
+
+void CoreTest::JsonLargerThanAnyListIsRefused() {
+  TemporaryFolder folder;
+  const fs::path path = folder.path() / "x.json";
+  write_json(path, {{"a", 1}});
+  for (const std::uintmax_t size : {100000000U, 100000001U}) {
+    fs::resize_file(path, size);  // with zeros, which are no JSON
+    const std::string message = test::complaint<InputError>([&] { read_json(path); });
+    QCOMPARE(message.find("is larger than 100 MB") != std::string::npos, size > 100000000U);
+  }
 }
 
 void CoreTest::NamesCompareWhateverTheirCase() {

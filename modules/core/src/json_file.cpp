@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
@@ -11,6 +12,12 @@
 namespace glisson {
 
 nlohmann::json read_json(const std::filesystem::path& path) {
+  // Many times what any list needs. What is made of a file takes up to twenty times its size.
+  constexpr std::uintmax_t kMostBytes = 100000000;
+  std::error_code unknown;
+  if (const auto size = std::filesystem::file_size(path, unknown); !unknown && size > kMostBytes)
+    throw InputError(path.string(), "", "is larger than 100 MB, more than any list needs",
+                     "Check that this is the right file");
   const std::string text = read_file(path);
   try {
     return nlohmann::json::parse(text);
