@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+#include "glisson/core/statistics.h"
+
 namespace glisson::editing {
 namespace {
 
@@ -90,12 +92,6 @@ struct Across {
   }
 };
 
-double quantile(std::vector<double>& values, double part) {
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
-  std::ranges::nth_element(values, at);
-  return *at;
-}
-
 /// Values (times the sign) on rays across the line.
 class Profiles {
  public:
@@ -139,7 +135,7 @@ class Profiles {
         for (int step = from; step < to; step += 2)
           if (is_tissue(image_, sign_ * at(m, ray, step))) values.push_back(at(m, ray, step));
     }
-    return values.empty() ? std::numeric_limits<double>::quiet_NaN() : quantile(values, 0.5);
+    return values.empty() ? std::numeric_limits<double>::quiet_NaN() : lower_percentile(values, 0.5);
   }
   /// Where a ray falls below a level; infinite: nowhere.
   double fall(std::size_t n, int ray, double level) const {
@@ -194,7 +190,7 @@ Section section_at(const Profiles& profiles, std::size_t n, double around, const
   }
   // A ray into another vessel does not fall; where many do not, this is no tube across the way.
   if (3 * closed.size() < 2 * kRays) return section;
-  const double typical = quantile(closed, 0.5);
+  const double typical = lower_percentile(closed, 0.5);
   double sum = 0.0;
   int count = 0;
   Eigen::Matrix3d across = Eigen::Matrix3d::Zero();
@@ -249,7 +245,7 @@ std::vector<double> steadied(const std::vector<double>& radii) {
     std::vector<double> near;
     for (int m = std::max(0, n - reach); m <= std::min(last, n + reach); ++m)
       if (radii[static_cast<std::size_t>(m)] > 0.0) near.push_back(radii[static_cast<std::size_t>(m)]);
-    steady[static_cast<std::size_t>(n)] = quantile(near, 0.5);
+    steady[static_cast<std::size_t>(n)] = lower_percentile(near, 0.5);
   }
   fill(steady);
   const double widens = kOpening * kStep;

@@ -7,6 +7,9 @@
 #include <cmath>
 #include <limits>
 #include <queue>
+#include <utility>
+
+#include "glisson/core/statistics.h"
 
 namespace glisson::editing {
 namespace {
@@ -113,12 +116,6 @@ struct Waiting {
   bool operator<(const Waiting& other) const { return cost > other.cost; }  // the cheapest comes first
 };
 
-double median(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
-
 /// Values at distances from..to of a place, on a lattice of 0.8 mm.
 void gather(const Image& image, const Part& part, const Eigen::Vector3d& place, double from, double to,
             std::vector<double>& values) {
@@ -175,14 +172,12 @@ Looks looks_at(const Image& image, const Part& part, const Eigen::Vector3d& a, c
   for (const Eigen::Vector3d& place : {a, b}) {
     std::vector<double> ball = {part.at(place)};
     gather(image, part, place, 0.0, kBall, ball);
-    ends[static_cast<std::size_t>(n++)] = median(ball);
+    ends[static_cast<std::size_t>(n++)] = upper_median(std::move(ball));
     gather(image, part, place, kRingFrom, kRingTo, around);
   }
   if (around.empty()) around = {0.5 * (ends[0] + ends[1])};
-  const double beside = median(around);
-  std::vector<double> off;
-  for (const double value : around) off.push_back(std::abs(value - beside));
-  const double noise = 1.4826 * median(off);
+  const double beside = upper_median(around);
+  const double noise = kDeviationPerMad * median_absolute_deviation(std::move(around), beside);
   // The end that stands out more tells whether the vessel is bright or dark.
   const double first = ends[0] - beside, second = ends[1] - beside;
   const double difference = std::abs(first) > std::abs(second) ? first : second;

@@ -67,11 +67,6 @@ std::vector<Label> clicked_lesions(const LabelMap& truth) {
   return clicked;
 }
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return interpolated_percentile(values, 0.5);
-}
-
 std::string line_of(const char* format, const std::string& name, const std::string& rest) {
   char text[160];
   std::snprintf(text, sizeof text, format, name.c_str(), rest.c_str());
@@ -81,6 +76,15 @@ std::string line_of(const char* format, const std::string& name, const std::stri
 std::string number(const char* format, double value) {
   char text[40];
   std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+/// A column with the median; blank where there is nothing.
+std::string median_column(int width, std::vector<double> values) {
+  if (values.empty()) return std::string(static_cast<std::size_t>(width), ' ');
+  std::sort(values.begin(), values.end());
+  char text[40];
+  std::snprintf(text, sizeof text, "%*.3f", width, interpolated_percentile(values, 0.5));
   return text;
 }
 
@@ -127,9 +131,7 @@ class Trials {
             number("%10.1f", worst_distance_mm(trial.ct.grid, found, truth)) + number("%6.0f", all.ml) +
             number("%9.0f", all.truth_ml) +
             number("%8.0f", static_cast<double>(clicks) + static_cast<double>(seeds.lesions.size())) +
-            number("%6.3f", with_lesions) +
-            (lesions.empty() ? std::string(9, ' ') : number("%9.3f", median(lesions))) +
-            (drawn.empty() ? std::string(7, ' ') : number("%7.3f", median(drawn))) +
+            number("%6.3f", with_lesions) + median_column(9, lesions) + median_column(7, drawn) +
             number("%11.3f", *unclicked) + number("%9.1f", seconds)));
     const auto add = [&](const std::string& what, const std::vector<double>& these) {
       std::vector<double>& to = found_[trial.kind + ("_dice_" + what)];
@@ -144,10 +146,11 @@ class Trials {
   }
 
   void finish() {
-    for (const auto& [what, values] : found_) {
+    for (auto& [what, values] : found_) {
       if (values.empty()) continue;
-      proof_.figures["trial_" + what + "_worst"] = *std::min_element(values.begin(), values.end());
-      proof_.figures["trial_" + what + "_median"] = median(values);
+      std::sort(values.begin(), values.end());
+      proof_.figures["trial_" + what + "_worst"] = values.front();
+      proof_.figures["trial_" + what + "_median"] = interpolated_percentile(values, 0.5);
     }
     proof_.figures["trial_seconds_longest"] = slowest_;
   }

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "alarm.h"
 #include "glisson/core/error.h"
+#include "glisson/core/statistics.h"
 #include "glisson/geometry/rigid.h"
 #include "glisson/registration/error_model.h"
 #include "glisson/registration/refusal.h"
@@ -39,9 +41,8 @@ double distance_to(const Points& points, const Eigen::Vector3d& from) {
   std::vector<double> squares(static_cast<std::size_t>(points.rows()));
   for (Eigen::Index i = 0; i < points.rows(); ++i)
     squares[static_cast<std::size_t>(i)] = (points.row(i).transpose() - from).squaredNorm();
-  const auto middle = static_cast<std::ptrdiff_t>(std::min(kNearest, points.rows()) / 2);
-  std::nth_element(squares.begin(), squares.begin() + middle, squares.end());
-  return std::sqrt(squares[static_cast<std::size_t>(middle)]);
+  const auto middle = static_cast<std::size_t>(std::min(kNearest, points.rows()) / 2);
+  return std::sqrt(at_rank(std::move(squares), middle));
 }
 
 double reach_of(const Eigen::Matrix3d& covariance) {
