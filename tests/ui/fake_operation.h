@@ -13,6 +13,7 @@
 #include "glisson/engine/commands/choose_rival.h"
 #include "glisson/engine/commands/correct_tracking.h"
 #include "glisson/engine/commands/import_image.h"
+#include "glisson/engine/commands/keep_copy.h"
 #include "glisson/engine/commands/list_series.h"
 #include "glisson/engine/commands/load_video_frame.h"
 #include "glisson/engine/commands/open_case.h"
@@ -214,6 +215,10 @@ class FakeOperation {
                                      const RunContext& context) {
     if (const auto* accept = command.as<engine::AcceptRegistration>()) return accept->apply(state, context);
     if (const auto* choose = command.as<engine::ChooseRival>()) return choose->apply(state, context);
+    if (const auto* keep = command.as<engine::KeepCopy>()) {
+      if (!work(context, "case.write")) return {};
+      return keep->apply(state, context);
+    }
     if (const auto* given = command.as<engine::Register>()) {
       start.reset();
       if (given->start == engine::Register::Start::near) start = given->given;

@@ -29,8 +29,7 @@ void Autosaver::set_period(std::chrono::milliseconds period) { timer_.start(peri
 
 void Autosaver::keep() {
   const engine::Editions now = engine::editions(engine_.state());
-  const bool busy = posting_ || copying_ || engine_.snapshot()->tracking;
-  if (busy || !window_.isWindowModified() || now == kept_) return;
+  if (posting_ || copying_ || !window_.isWindowModified() || now == kept_) return;
   keeping_ = now;
   posting_ = true;
   copying_ = engine_.post(engine::KeepCopy{folder_.path(), saved_});
@@ -38,8 +37,11 @@ void Autosaver::keep() {
 }
 
 void Autosaver::keep_before_long_work(const engine::CommandTraits& work) {
-  if (work.lane == engine::Lane::work && work.notice == engine::Notice::ordinary && !work.writes.empty())
-    keep();
+  // While the video is followed the clock alone decides: a person waits for what is begun then.
+  if (engine_.snapshot()->tracking) return;
+  const bool is_long =
+      work.lane == engine::Lane::work && work.notice == engine::Notice::ordinary && !work.writes.empty();
+  if (is_long || work.live == engine::LiveLane::tracking) keep();
 }
 
 void Autosaver::take(const engine::Outcome& outcome) {

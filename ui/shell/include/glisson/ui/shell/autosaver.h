@@ -15,9 +15,9 @@ class QMainWindow;
 
 namespace glisson::ui {
 
-/// Keeps a copy of what is not saved, every two minutes and before long work, until it is saved or thrown
-/// away; and offers at the start what a program left that ended otherwise. While the video is followed
-/// nothing is copied: it would take the time from it.
+/// Keeps a copy of what is not saved, every two minutes, before long work and before the video is followed,
+/// until it is saved or thrown away; and offers at the start what a program left that ended otherwise. A copy
+/// is made beside the live loop, which does not wait for it.
 class Autosaver : public QObject {
   Q_OBJECT
  public:
