@@ -2099,6 +2099,1826 @@
         <source>Leave the choice out</source>
         <translation>Lassen Sie die Angabe weg</translation>
     </message>
+    <message>
+        <source>is missing, or no vector a vertex</source>
+        <translation>fehlt oder hat nicht je Eckpunkt einen Vektor</translation>
+    </message>
+    <message>
+        <source>do not belong to this atlas.json</source>
+        <translation>gehören nicht zu dieser atlas.json</translation>
+    </message>
+    <message>
+        <source>has two of the name %1</source>
+        <translation>hat zwei mit dem Namen %1</translation>
+    </message>
+    <message>
+        <source>has no surface</source>
+        <translation>hat keine Oberfläche</translation>
+    </message>
+    <message>
+        <source>has no fine surface</source>
+        <translation>hat keine feine Oberfläche</translation>
+    </message>
+    <message>
+        <source>holds %1 ml</source>
+        <translation>enthält %1 ml</translation>
+    </message>
+    <message>
+        <source>is mirrored: its mirror image looks like a liver and it does not</source>
+        <translation>ist gespiegelt: ihr Spiegelbild sieht wie eine Leber aus, sie selbst nicht</translation>
+    </message>
+    <message>
+        <source>is missing, or has several columns</source>
+        <translation>fehlt oder hat mehrere Spalten</translation>
+    </message>
+    <message>
+        <source>are not as many as the trees</source>
+        <translation>sind nicht so viele wie die Bäume</translation>
+    </message>
+    <message>
+        <source>hold a number that is not finite</source>
+        <translation>enthalten eine Zahl, die nicht endlich ist</translation>
+    </message>
+    <message>
+        <source>hold what is no label or no node</source>
+        <translation>enthalten etwas, das keine Bezeichnung oder kein Knoten ist</translation>
+    </message>
+    <message>
+        <source>names a tree that is not there</source>
+        <translation>nennt einen Baum, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>hold a node that is not there</source>
+        <translation>enthalten einen Knoten, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>a beam does not join two nodes of one tree</source>
+        <translation>ein Balken verbindet nicht zwei Knoten eines Baums</translation>
+    </message>
+    <message>
+        <source>landmarks are read in LPS millimetres only</source>
+        <translation>Landmarken werden nur in LPS-Millimetern gelesen</translation>
+    </message>
+    <message>
+        <source>holds no landmark</source>
+        <translation>enthält keine Landmarke</translation>
+    </message>
+    <message>
+        <source>is no covariance</source>
+        <translation>ist keine Kovarianz</translation>
+    </message>
+    <message>
+        <source>is not %1 finite numbers a node</source>
+        <translation>hat nicht %1 endliche Zahlen je Knoten</translation>
+    </message>
+    <message>
+        <source>is not 3 lengths, or those of the nodes are none</source>
+        <translation>sind nicht 3 Längen, oder die der Knoten sind keine</translation>
+    </message>
+    <message>
+        <source>is negative</source>
+        <translation>ist negativ</translation>
+    </message>
+    <message>
+        <source>is no probability</source>
+        <translation>ist keine Wahrscheinlichkeit</translation>
+    </message>
+    <message>
+        <source>there is no model that they belong to</source>
+        <translation>es gibt kein Modell, zu dem sie gehören</translation>
+    </message>
+    <message>
+        <source>there is no model that it belongs to</source>
+        <translation>es gibt kein Modell, zu dem sie gehört</translation>
+    </message>
+    <message>
+        <source>does not belong to this case&apos;s model</source>
+        <translation>gehört nicht zum Modell dieses Falls</translation>
+    </message>
+    <message>
+        <source>names node %1 of %2</source>
+        <translation>nennt Knoten %1 von %2</translation>
+    </message>
+    <message>
+        <source>names node %1</source>
+        <translation>nennt Knoten %1</translation>
+    </message>
+    <message>
+        <source>names triangle %1</source>
+        <translation>nennt Dreieck %1</translation>
+    </message>
+    <message>
+        <source>names vertex %1 of %2</source>
+        <translation>nennt Eckpunkt %1 von %2</translation>
+    </message>
+    <message>
+        <source>holds nothing of the mesh</source>
+        <translation>enthält nichts vom Netz</translation>
+    </message>
+    <message>
+        <source>holds node %1, which is held already</source>
+        <translation>enthält Knoten %1, der schon gehalten wird</translation>
+    </message>
+    <message>
+        <source>is not a node of the mesh or its position not finite</source>
+        <translation>ist kein Knoten des Netzes, oder seine Lage ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>is not a node of the mesh</source>
+        <translation>ist kein Knoten des Netzes</translation>
+    </message>
+    <message>
+        <source>fix every node of the mesh</source>
+        <translation>halten jeden Knoten des Netzes fest</translation>
+    </message>
+    <message>
+        <source>is %1, out of range</source>
+        <translation>ist %1, außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>belongs to no tetrahedron</source>
+        <translation>gehört zu keinem Tetraeder</translation>
+    </message>
+    <message>
+        <source>is 0, where the neo-Hookean law has no volume term</source>
+        <translation>ist 0, und dort hat das Neo-Hooke-Gesetz keinen Volumenterm</translation>
+    </message>
+    <message>
+        <source>holds none</source>
+        <translation>enthält keine</translation>
+    </message>
+    <message>
+        <source>has %1 values for %2 tetrahedra</source>
+        <translation>hat %1 Werte für %2 Tetraeder</translation>
+    </message>
+    <message>
+        <source>has %1 values for %2 nodes</source>
+        <translation>hat %1 Werte für %2 Knoten</translation>
+    </message>
+    <message>
+        <source>must be one positive number a tetrahedron</source>
+        <translation>muss je Tetraeder eine positive Zahl sein</translation>
+    </message>
+    <message>
+        <source>is not finite</source>
+        <translation>ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>is not one of the %1 of the boundary surface</source>
+        <translation>ist keines der %1 der Oberfläche</translation>
+    </message>
+    <message>
+        <source>is free to move</source>
+        <translation>ist frei beweglich</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;, which is not a posture</source>
+        <translation>ist „%1“, das ist keine Lage</translation>
+    </message>
+    <message>
+        <source>is not known</source>
+        <translation>ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>is not positive</source>
+        <translation>ist nicht positiv</translation>
+    </message>
+    <message>
+        <source>is missing: nothing holds the model in a static solve</source>
+        <translation>fehlt: nichts hält das Modell im statischen Gleichgewicht</translation>
+    </message>
+    <message>
+        <source>hold coordinates that are not finite</source>
+        <translation>enthalten Koordinaten, die nicht endlich sind</translation>
+    </message>
+    <message>
+        <source>there are none</source>
+        <translation>es gibt keine</translation>
+    </message>
+    <message>
+        <source>a coordinate is not a finite number</source>
+        <translation>eine Koordinate ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>a tetrahedral mesh is not written as &quot;%1&quot;</source>
+        <translation>ein Tetraedernetz wird nicht als „%1“ geschrieben</translation>
+    </message>
+    <message>
+        <source>a surface is not written as &quot;%1&quot;</source>
+        <translation>eine Oberfläche wird nicht als „%1“ geschrieben</translation>
+    </message>
+    <message>
+        <source>does not hold three finite numbers</source>
+        <translation>enthält nicht drei endliche Zahlen</translation>
+    </message>
+    <message>
+        <source>holds more than three numbers</source>
+        <translation>enthält mehr als drei Zahlen</translation>
+    </message>
+    <message>
+        <source>holds no nodes</source>
+        <translation>enthält keine Knoten</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no node of a mesh of %2</source>
+        <translation>„%1“ ist kein Knoten eines Netzes mit %2</translation>
+    </message>
+    <message>
+        <source>is a tetrahedron without four points</source>
+        <translation>ist ein Tetraeder ohne vier Punkte</translation>
+    </message>
+    <message>
+        <source>is of VTK type %1, neither a linear tetrahedron nor a polygon</source>
+        <translation>ist vom VTK-Typ %1, weder ein lineares Tetraeder noch ein Vieleck</translation>
+    </message>
+    <message>
+        <source>is not a legacy VTK file (no &quot;# vtk DataFile Version&quot;)</source>
+        <translation>ist keine alte VTK-Datei (ohne „# vtk DataFile Version“)</translation>
+    </message>
+    <message>
+        <source>is not a gmsh mesh (no $MeshFormat)</source>
+        <translation>ist kein Netz von gmsh (ohne $MeshFormat)</translation>
+    </message>
+    <message>
+        <source>is neither a whole binary STL nor an ascii one</source>
+        <translation>ist weder eine ganze binäre STL-Datei noch eine aus Text</translation>
+    </message>
+    <message>
+        <source>has no property &quot;%1&quot;</source>
+        <translation>hat die Eigenschaft „%1“ nicht</translation>
+    </message>
+    <message>
+        <source>holds &quot;%1&quot;, which is no number</source>
+        <translation>enthält „%1“, das ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>has rows but no properties</source>
+        <translation>hat Zeilen, aber keine Eigenschaften</translation>
+    </message>
+    <message>
+        <source>the file ends before it, and the header announces %1</source>
+        <translation>die Datei endet davor, und der Kopf kündigt %1 an</translation>
+    </message>
+    <message>
+        <source>has a list longer than the file</source>
+        <translation>hat eine Liste, die länger ist als die Datei</translation>
+    </message>
+    <message>
+        <source>holds more than a mesh does, with the rows before it</source>
+        <translation>enthält mit den Zeilen davor mehr als ein Netz</translation>
+    </message>
+    <message>
+        <source>has the same nodes as tetrahedron %1</source>
+        <translation>hat dieselben Knoten wie Tetraeder %1</translation>
+    </message>
+    <message>
+        <source>there is no liver in them</source>
+        <translation>darin ist keine Leber</translation>
+    </message>
+    <message>
+        <source>is in several large pieces (%1 ml and %2 ml)</source>
+        <translation>besteht aus mehreren großen Stücken (%1 ml und %2 ml)</translation>
+    </message>
+    <message>
+        <source>has several large pieces (%1 and %2)</source>
+        <translation>hat mehrere große Stücke (%1 und %2)</translation>
+    </message>
+    <message>
+        <source>are empty, and a DICOM segmentation holds at least one</source>
+        <translation>sind leer, und eine DICOM-Segmentierung enthält mindestens eine</translation>
+    </message>
+    <message>
+        <source>are empty</source>
+        <translation>sind leer</translation>
+    </message>
+    <message>
+        <source>is not a finite point</source>
+        <translation>ist kein endlicher Punkt</translation>
+    </message>
+    <message>
+        <source>%1 would give more than 200000 vertices</source>
+        <translation>%1 ergäbe mehr als 200000 Eckpunkte</translation>
+    </message>
+    <message>
+        <source>there are more than 240</source>
+        <translation>es gibt mehr als 240</translation>
+    </message>
+    <message>
+        <source>all are degenerate</source>
+        <translation>alle sind entartet</translation>
+    </message>
+    <message>
+        <source>has holes or edges with more than two triangles</source>
+        <translation>hat Löcher oder Kanten mit mehr als zwei Dreiecken</translation>
+    </message>
+    <message>
+        <source>encloses no volume</source>
+        <translation>umschließt kein Volumen</translation>
+    </message>
+    <message>
+        <source>there is no such list</source>
+        <translation>es gibt keine solche Liste</translation>
+    </message>
+    <message>
+        <source>edits are read in LPS millimetres only</source>
+        <translation>Änderungen werden nur in LPS-Millimetern gelesen</translation>
+    </message>
+    <message>
+        <source>lies %1 mm from the vessel</source>
+        <translation>liegt %1 mm vom Gefäß entfernt</translation>
+    </message>
+    <message>
+        <source>could not be put into this format</source>
+        <translation>ließ sich nicht in dieses Format bringen</translation>
+    </message>
+    <message>
+        <source>measures %1 m across when read in %2, and a liver measures 0.08 to 0.6 m</source>
+        <translation>misst %1 m, in %2 gelesen, und eine Leber misst 0,08 bis 0,6 m</translation>
+    </message>
+    <message>
+        <source>Build the atlas again, or take another one</source>
+        <translation>Bauen Sie den Atlas noch einmal, oder nehmen Sie einen anderen</translation>
+    </message>
+    <message>
+        <source>Build the atlas again with this program</source>
+        <translation>Bauen Sie den Atlas mit diesem Programm noch einmal</translation>
+    </message>
+    <message>
+        <source>Copy both files of one atlas</source>
+        <translation>Kopieren Sie beide Dateien eines Atlas</translation>
+    </message>
+    <message>
+        <source>Give %1 livers at least</source>
+        <translation>Geben Sie mindestens %1 Lebern an</translation>
+    </message>
+    <message>
+        <source>Give each liver once</source>
+        <translation>Geben Sie jede Leber einmal an</translation>
+    </message>
+    <message>
+        <source>Build the model of the liver first</source>
+        <translation>Bauen Sie zuerst das Modell der Leber</translation>
+    </message>
+    <message>
+        <source>Build the model from labels or surfaces</source>
+        <translation>Bauen Sie das Modell aus Bezeichnungen oder Oberflächen</translation>
+    </message>
+    <message>
+        <source>Give the closed surface of the liver</source>
+        <translation>Geben Sie die geschlossene Oberfläche der Leber an</translation>
+    </message>
+    <message>
+        <source>Give the whole liver&apos;s surface</source>
+        <translation>Geben Sie die Oberfläche der ganzen Leber an</translation>
+    </message>
+    <message>
+        <source>Mend left and right in the file&apos;s header, or leave this liver out</source>
+        <translation>Berichtigen Sie links und rechts im Kopf der Datei, oder lassen Sie diese Leber weg</translation>
+    </message>
+    <message>
+        <source>Write it as a list of [x, y, z] in millimetres (LPS)</source>
+        <translation>Schreiben Sie es als Liste von [x, y, z] in Millimetern (LPS)</translation>
+    </message>
+    <message>
+        <source>Give anterior_margin, umbilical_notch or vena_cava</source>
+        <translation>Geben Sie anterior_margin, umbilical_notch oder vena_cava an</translation>
+    </message>
+    <message>
+        <source>Convert them, or correct the two fields</source>
+        <translation>Rechnen Sie sie um, oder berichtigen Sie die beiden Felder</translation>
+    </message>
+    <message>
+        <source>Give 3 x 3 numbers, symmetric and without negative variances, or leave it out</source>
+        <translation>Geben Sie 3 x 3 Zahlen an, symmetrisch und ohne negative Varianzen, oder lassen Sie es weg</translation>
+    </message>
+    <message>
+        <source>Write it as &apos;glisson register&apos; does, or leave it out</source>
+        <translation>Schreiben Sie es wie „glisson register“, oder lassen Sie es weg</translation>
+    </message>
+    <message>
+        <source>Write it as &apos;glisson register&apos; does, or leave both out</source>
+        <translation>Schreiben Sie es wie „glisson register“, oder lassen Sie beides weg</translation>
+    </message>
+    <message>
+        <source>Give lengths, or leave it out</source>
+        <translation>Geben Sie Längen an, oder lassen Sie es weg</translation>
+    </message>
+    <message>
+        <source>Give a number from 0 to 1, or leave the rival out</source>
+        <translation>Geben Sie eine Zahl von 0 bis 1 an, oder lassen Sie die andere Lage weg</translation>
+    </message>
+    <message>
+        <source>Give the file that &apos;glisson register&apos; wrote for this model</source>
+        <translation>Geben Sie die Datei an, die „glisson register“ für dieses Modell geschrieben hat</translation>
+    </message>
+    <message>
+        <source>Remove the file: operations are simulated anew</source>
+        <translation>Entfernen Sie die Datei: Operationen werden neu simuliert</translation>
+    </message>
+    <message>
+        <source>The mesh has nodes 0 to %1</source>
+        <translation>Das Netz hat die Knoten 0 bis %1</translation>
+    </message>
+    <message>
+        <source>The surface has triangles 0 to %1</source>
+        <translation>Die Oberfläche hat die Dreiecke 0 bis %1</translation>
+    </message>
+    <message>
+        <source>Move or widen the region (millimetres, in the mesh&apos;s frame)</source>
+        <translation>Verschieben oder erweitern Sie das Gebiet (Millimeter, im System des Netzes)</translation>
+    </message>
+    <message>
+        <source>Keep fixed and moved nodes apart</source>
+        <translation>Halten Sie feste und bewegte Knoten auseinander</translation>
+    </message>
+    <message>
+        <source>Give 0-based indices below %1</source>
+        <translation>Geben Sie Nummern von 0 bis unter %1 an</translation>
+    </message>
+    <message>
+        <source>Leave some free to move</source>
+        <translation>Lassen Sie einige frei</translation>
+    </message>
+    <message>
+        <source>Give Young&apos;s modulus in pascals, between 1 and 1e12 (3.5 kPa is 3500)</source>
+        <translation>Geben Sie den Elastizitätsmodul in Pascal an, zwischen 1 und 1e12 (3,5 kPa sind 3500)</translation>
+    </message>
+    <message>
+        <source>Give a Poisson ratio from 0 to below 0.5</source>
+        <translation>Geben Sie eine Querkontraktionszahl von 0 bis unter 0,5 an</translation>
+    </message>
+    <message>
+        <source>Give a Poisson ratio above 0 or take the co-rotational law</source>
+        <translation>Geben Sie eine Querkontraktionszahl über 0 an, oder nehmen Sie das korotierte Gesetz</translation>
+    </message>
+    <message>
+        <source>Give a value between %1 and %2 %3</source>
+        <translation>Geben Sie einen Wert zwischen %1 und %2 %3 an</translation>
+    </message>
+    <message>
+        <source>Drop unused vertices from the mesh</source>
+        <translation>Entfernen Sie unbenutzte Eckpunkte aus dem Netz</translation>
+    </message>
+    <message>
+        <source>Give a tetrahedral mesh of the liver</source>
+        <translation>Geben Sie ein Tetraedernetz der Leber an</translation>
+    </message>
+    <message>
+        <source>Give one label a tetrahedron, or none</source>
+        <translation>Geben Sie je Tetraeder eine Bezeichnung an, oder keine</translation>
+    </message>
+    <message>
+        <source>Give relative moduli</source>
+        <translation>Geben Sie relative Moduln an</translation>
+    </message>
+    <message>
+        <source>Mend the mesh</source>
+        <translation>Reparieren Sie das Netz</translation>
+    </message>
+    <message>
+        <source>Correct the load</source>
+        <translation>Berichtigen Sie die Last</translation>
+    </message>
+    <message>
+        <source>Give a step between 1e-6 and 10 s</source>
+        <translation>Geben Sie einen Schritt zwischen 1e-6 und 10 s an</translation>
+    </message>
+    <message>
+        <source>Give a relative residual between 1e-12 and 0.1</source>
+        <translation>Geben Sie einen relativen Rest zwischen 1e-12 und 0,1 an</translation>
+    </message>
+    <message>
+        <source>Give 1 or more</source>
+        <translation>Geben Sie 1 oder mehr an</translation>
+    </message>
+    <message>
+        <source>Give 1 or 2</source>
+        <translation>Geben Sie 1 oder 2 an</translation>
+    </message>
+    <message>
+        <source>Name it among the fixed nodes of the integrator</source>
+        <translation>Nennen Sie ihn unter den festen Knoten des Integrators</translation>
+    </message>
+    <message>
+        <source>Take supine, prone, left_flank, right_flank, standing, none or three numbers in m/s2</source>
+        <translation>Nehmen Sie supine, prone, left_flank, right_flank, standing, none oder drei Zahlen in m/s2</translation>
+    </message>
+    <message>
+        <source>Correct it</source>
+        <translation>Berichtigen Sie es</translation>
+    </message>
+    <message>
+        <source>Take one of %1</source>
+        <translation>Nehmen Sie eines von %1</translation>
+    </message>
+    <message>
+        <source>Give Young&apos;s modulus in Pa, the section in m2 and the length in m, all above 0</source>
+        <translation>Geben Sie den Elastizitätsmodul in Pa, den Querschnitt in m2 und die Länge in m an, alle über 0</translation>
+    </message>
+    <message>
+        <source>Fix nodes or attach springs to it</source>
+        <translation>Halten Sie Knoten fest, oder befestigen Sie Federn daran</translation>
+    </message>
+    <message>
+        <source>Give 1 to 1000000</source>
+        <translation>Geben Sie 1 bis 1000000 an</translation>
+    </message>
+    <message>
+        <source>Give 1e-8 or so</source>
+        <translation>Geben Sie etwa 1e-8 an</translation>
+    </message>
+    <message>
+        <source>Build the vessel tree anew</source>
+        <translation>Bauen Sie den Gefäßbaum neu</translation>
+    </message>
+    <message>
+        <source>Give one outer radius a node</source>
+        <translation>Geben Sie je Knoten einen äußeren Radius an</translation>
+    </message>
+    <message>
+        <source>Give outer radii between 0 and 100 mm, in metres</source>
+        <translation>Geben Sie äußere Radien zwischen 0 und 100 mm an, in Metern</translation>
+    </message>
+    <message>
+        <source>Make the mesh coarser, or save it in binary</source>
+        <translation>Vergröbern Sie das Netz, oder speichern Sie es binär</translation>
+    </message>
+    <message>
+        <source>Make the mesh coarser, or leave out what is no point and no face</source>
+        <translation>Vergröbern Sie das Netz, oder lassen Sie weg, was weder Punkt noch Fläche ist</translation>
+    </message>
+    <message>
+        <source>Export the mesh anew</source>
+        <translation>Exportieren Sie das Netz neu</translation>
+    </message>
+    <message>
+        <source>Export the surface anew</source>
+        <translation>Exportieren Sie die Oberfläche neu</translation>
+    </message>
+    <message>
+        <source>Remove the vertices that the volume does not use</source>
+        <translation>Entfernen Sie die Eckpunkte, die das Volumen nicht braucht</translation>
+    </message>
+    <message>
+        <source>Give .vtu, .vtk, .msh, .vtp, .stl, .obj or .ply</source>
+        <translation>Geben Sie .vtu, .vtk, .msh, .vtp, .stl, .obj oder .ply an</translation>
+    </message>
+    <message>
+        <source>Give .vtu, legacy .vtk or .msh</source>
+        <translation>Geben Sie .vtu, altes .vtk oder .msh an</translation>
+    </message>
+    <message>
+        <source>Name the file .vtu or .vtk</source>
+        <translation>Nennen Sie die Datei .vtu oder .vtk</translation>
+    </message>
+    <message>
+        <source>Name the file .vtp, .vtk, .stl, .obj or .ply</source>
+        <translation>Nennen Sie die Datei .vtp, .vtk, .stl, .obj oder .ply</translation>
+    </message>
+    <message>
+        <source>Give a closed surface</source>
+        <translation>Geben Sie eine geschlossene Oberfläche an</translation>
+    </message>
+    <message>
+        <source>Give one node as &quot;x y z&quot; a line</source>
+        <translation>Geben Sie je Zeile einen Knoten als „x y z“ an</translation>
+    </message>
+    <message>
+        <source>Give 0-based node numbers of this mesh</source>
+        <translation>Geben Sie Knotennummern dieses Netzes an, ab 0</translation>
+    </message>
+    <message>
+        <source>Convert the mesh to linear tetrahedra</source>
+        <translation>Wandeln Sie das Netz in lineare Tetraeder um</translation>
+    </message>
+    <message>
+        <source>Give a tetrahedral mesh, or a closed surface to be meshed</source>
+        <translation>Geben Sie ein Tetraedernetz an, oder eine geschlossene Oberfläche, die vernetzt wird</translation>
+    </message>
+    <message>
+        <source>Remove one of them</source>
+        <translation>Entfernen Sie eines davon</translation>
+    </message>
+    <message>
+        <source>Swap two of its vertices, or mesh anew</source>
+        <translation>Tauschen Sie zwei seiner Eckpunkte, oder vernetzen Sie neu</translation>
+    </message>
+    <message>
+        <source>Remove it by mesh optimisation (perturb and exude), or mesh anew</source>
+        <translation>Entfernen Sie es durch Netzoptimierung (perturb und exude), oder vernetzen Sie neu</translation>
+    </message>
+    <message>
+        <source>Segment the liver first</source>
+        <translation>Segmentieren Sie zuerst die Leber</translation>
+    </message>
+    <message>
+        <source>Join them or erase those that are not liver</source>
+        <translation>Verbinden Sie sie, oder löschen Sie die, die nicht Leber sind</translation>
+    </message>
+    <message>
+        <source>Ask for 1 to 100000 beams</source>
+        <translation>Verlangen Sie 1 bis 100000 Balken</translation>
+    </message>
+    <message>
+        <source>Ask for 20 to 200000 vertices</source>
+        <translation>Verlangen Sie 20 bis 200000 Eckpunkte</translation>
+    </message>
+    <message>
+        <source>Ask for longer edges</source>
+        <translation>Verlangen Sie längere Kanten</translation>
+    </message>
+    <message>
+        <source>Place it on the vessel&apos;s entrance</source>
+        <translation>Setzen Sie es an den Eintritt des Gefäßes</translation>
+    </message>
+    <message>
+        <source>Give an edge length of 1 to 100 mm</source>
+        <translation>Geben Sie eine Kantenlänge von 1 bis 100 mm an</translation>
+    </message>
+    <message>
+        <source>Give a ratio of 0.2 to 1</source>
+        <translation>Geben Sie ein Verhältnis von 0,2 bis 1 an</translation>
+    </message>
+    <message>
+        <source>Give a ratio of 0.1 to 10</source>
+        <translation>Geben Sie ein Verhältnis von 0,1 bis 10 an</translation>
+    </message>
+    <message>
+        <source>Keep those that matter</source>
+        <translation>Behalten Sie die wichtigen</translation>
+    </message>
+    <message>
+        <source>Close it (fill its holes) before it is meshed</source>
+        <translation>Schließen Sie sie (füllen Sie ihre Löcher), bevor sie vernetzt wird</translation>
+    </message>
+    <message>
+        <source>Keep the one that is the liver, or join them</source>
+        <translation>Behalten Sie das, was die Leber ist, oder verbinden Sie sie</translation>
+    </message>
+    <message>
+        <source>Write {&quot;edits&quot;: [...]}</source>
+        <translation>Schreiben Sie {&quot;edits&quot;: [...]}</translation>
+    </message>
+    <message>
+        <source>Write {&quot;edit&quot;: &quot;prune&quot;, &quot;at&quot;: [x, y, z]} in millimetres (LPS)</source>
+        <translation>Schreiben Sie {&quot;edit&quot;: &quot;prune&quot;, &quot;at&quot;: [x, y, z]} in Millimetern (LPS)</translation>
+    </message>
+    <message>
+        <source>Choose another one</source>
+        <translation>Wählen Sie ein anderes</translation>
+    </message>
+    <message>
+        <source>Check what the file holds; no usual unit makes a liver of it</source>
+        <translation>Prüfen Sie, was die Datei enthält; keine übliche Einheit macht daraus eine Leber</translation>
+    </message>
+    <message>
+        <source>Read it in %1</source>
+        <translation>Lesen Sie sie in %1</translation>
+    </message>
+    <message>
+        <source>cannot be followed: %1</source>
+        <translation>kann nicht verfolgt werden: %1</translation>
+    </message>
+    <message>
+        <source>is %1 x %2, the calibration&apos;s is %3 x %4</source>
+        <translation>ist %1 x %2, die der Kalibrierung %3 x %4</translation>
+    </message>
+    <message>
+        <source>is %1, the calibration&apos;s %2</source>
+        <translation>ist %1, die der Kalibrierung %2</translation>
+    </message>
+    <message>
+        <source>there are %1, the model has %2</source>
+        <translation>es gibt %1, das Modell hat %2</translation>
+    </message>
+    <message>
+        <source>the mesh has nodes 0 to %1</source>
+        <translation>das Netz hat die Knoten 0 bis %1</translation>
+    </message>
+    <message>
+        <source>is not CT, and the network&apos;s window is of Hounsfield units</source>
+        <translation>ist kein CT, und das Fenster des Netzes ist in Hounsfield-Einheiten</translation>
+    </message>
+    <message>
+        <source>is more than 1 GB</source>
+        <translation>ist mehr als 1 GB</translation>
+    </message>
+    <message>
+        <source>are %1, not one</source>
+        <translation>sind %1, nicht eine</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>is not a finite number</source>
+        <translation>ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>names no label code</source>
+        <translation>nennt keinen Code einer Bezeichnung</translation>
+    </message>
+    <message>
+        <source>is not a label code</source>
+        <translation>ist kein Code einer Bezeichnung</translation>
+    </message>
+    <message>
+        <source>has a normal without a direction</source>
+        <translation>hat eine Normale ohne Richtung</translation>
+    </message>
+    <message>
+        <source>has the label %1, which is none</source>
+        <translation>hat die Bezeichnung %1, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>has a sigma that is no standard deviation</source>
+        <translation>hat ein Sigma, das keine Standardabweichung ist</translation>
+    </message>
+    <message>
+        <source>is missing: the file holds no points</source>
+        <translation>fehlt: die Datei enthält keine Punkte</translation>
+    </message>
+    <message>
+        <source>half of its points lie within %1 m of its middle when read in %2, which is no liver</source>
+        <translation>die Hälfte ihrer Punkte liegt, in %2 gelesen, näher als %1 m an ihrer Mitte, das ist keine Leber</translation>
+    </message>
+    <message>
+        <source>is of another moment than the video&apos;s</source>
+        <translation>ist aus einem anderen Augenblick als der des Videos</translation>
+    </message>
+    <message>
+        <source>has no mesh of tetrahedra</source>
+        <translation>hat kein Tetraedernetz</translation>
+    </message>
+    <message>
+        <source>is %1, and the mesh&apos;s is %2</source>
+        <translation>ist %1, und die des Netzes ist %2</translation>
+    </message>
+    <message>
+        <source>there are %1, at least 10 are needed</source>
+        <translation>es gibt %1, mindestens 10 sind nötig</translation>
+    </message>
+    <message>
+        <source>its place is not known</source>
+        <translation>ihr Ort ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>there are not as many as points</source>
+        <translation>es gibt nicht so viele wie Punkte</translation>
+    </message>
+    <message>
+        <source>is not of this model</source>
+        <translation>ist nicht von diesem Modell</translation>
+    </message>
+    <message>
+        <source>has been seen at %1 places only, where %2 are needed</source>
+        <translation>wurde nur an %1 Stellen gesehen, %2 sind nötig</translation>
+    </message>
+    <message>
+        <source>is not 16 numbers</source>
+        <translation>sind nicht 16 Zahlen</translation>
+    </message>
+    <message>
+        <source>its upper left 3 x 3 block is not a rotation</source>
+        <translation>ihr 3 x 3 Block oben links ist keine Drehung</translation>
+    </message>
+    <message>
+        <source>there are %1 other places, not %2</source>
+        <translation>es gibt %1 andere Lagen, nicht %2</translation>
+    </message>
+    <message>
+        <source>is not a list of numbers</source>
+        <translation>ist keine Liste von Zahlen</translation>
+    </message>
+    <message>
+        <source>is not a number</source>
+        <translation>ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>has an empty picture</source>
+        <translation>hat ein leeres Bild</translation>
+    </message>
+    <message>
+        <source>is %1 pixels, the others %2</source>
+        <translation>hat %1 Pixel, die anderen %2</translation>
+    </message>
+    <message>
+        <source>is %1 pixels, its calibration is for %2</source>
+        <translation>hat %1 Pixel, seine Kalibrierung ist für %2</translation>
+    </message>
+    <message>
+        <source>is %1 pixels, the left image %2</source>
+        <translation>hat %1 Pixel, das linke Bild %2</translation>
+    </message>
+    <message>
+        <source>is %1 pixels wide, so it has no two halves</source>
+        <translation>ist %1 Pixel breit und hat deshalb keine zwei Hälften</translation>
+    </message>
+    <message>
+        <source>is %1 pixels high, so it has no two halves</source>
+        <translation>ist %1 Pixel hoch und hat deshalb keine zwei Hälften</translation>
+    </message>
+    <message>
+        <source>holds one picture twice</source>
+        <translation>enthält ein Bild zweimal</translation>
+    </message>
+    <message>
+        <source>is seen as a board of %1, where %2 inner corners are told</source>
+        <translation>wird als Muster von %1 gesehen, angegeben sind %2 innere Ecken</translation>
+    </message>
+    <message>
+        <source>%1 of %2 pairs show a board of %3 inner corners in both pictures, %4 are needed</source>
+        <translation>%1 von %2 Paaren zeigen in beiden Bildern ein Muster von %3 inneren Ecken, %4 sind nötig</translation>
+    </message>
+    <message>
+        <source>leave the focal length open (%1 px, give or take %2): all %3 show the board at nearly one slant</source>
+        <translation>lassen die Brennweite offen (%1 px, plus oder minus %2): alle %3 zeigen das Muster fast gleich geneigt</translation>
+    </message>
+    <message>
+        <source>of %1 mm gives a baseline of %2 mm, where a stereo laparoscope has 1 to 30 mm</source>
+        <translation>von %1 mm ergibt eine Basis von %2 mm, ein Stereolaparoskop hat 1 bis 30 mm</translation>
+    </message>
+    <message>
+        <source>holds a view without a name</source>
+        <translation>enthält eine Ansicht ohne Namen</translation>
+    </message>
+    <message>
+        <source>are %1 without those left out</source>
+        <translation>sind %1 ohne die weggelassenen</translation>
+    </message>
+    <message>
+        <source>is %1x%2, not 3x3</source>
+        <translation>ist %1x%2, nicht 3x3</translation>
+    </message>
+    <message>
+        <source>is %1x%2, not a vector of %3 or more numbers</source>
+        <translation>ist %1x%2, kein Vektor von %3 oder mehr Zahlen</translation>
+    </message>
+    <message>
+        <source>is %1x%2, not a vector of %3 numbers</source>
+        <translation>ist %1x%2, kein Vektor von %3 Zahlen</translation>
+    </message>
+    <message>
+        <source>is not a number of pixels from 16 to 16384</source>
+        <translation>ist keine Zahl von Pixeln von 16 bis 16384</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;, which is no unit of length here</source>
+        <translation>ist „%1“, das ist hier keine Längeneinheit</translation>
+    </message>
+    <message>
+        <source>uses more than the five terms k1 k2 p1 p2 k3</source>
+        <translation>braucht mehr als die fünf Terme k1 k2 p1 p2 k3</translation>
+    </message>
+    <message>
+        <source>is too large for a matrix</source>
+        <translation>ist zu groß für eine Matrix</translation>
+    </message>
+    <message>
+        <source>has no calibration in it that is whole (of cameras, distortions and the transform between them, one file is missing)</source>
+        <translation>enthält keine ganze Kalibrierung (von Kameras, Verzeichnungen und der Transformation zwischen ihnen fehlt eine Datei)</translation>
+    </message>
+    <message>
+        <source>is a second file of its kind beside %1</source>
+        <translation>ist eine zweite Datei dieser Art neben %1</translation>
+    </message>
+    <message>
+        <source>holds %1 numbers, not 3x3</source>
+        <translation>enthält %1 Zahlen, nicht 3x3</translation>
+    </message>
+    <message>
+        <source>holds %1 numbers, not 4 or 5</source>
+        <translation>enthält %1 Zahlen, nicht 4 oder 5</translation>
+    </message>
+    <message>
+        <source>holds %1 numbers, not 3x4 or 4x4</source>
+        <translation>enthält %1 Zahlen, nicht 3x4 oder 4x4</translation>
+    </message>
+    <message>
+        <source>is not 0 0 0 1</source>
+        <translation>ist nicht 0 0 0 1</translation>
+    </message>
+    <message>
+        <source>is not valid OpenCV YAML (at %1)</source>
+        <translation>ist kein gültiges OpenCV-YAML (bei %1)</translation>
+    </message>
+    <message>
+        <source>is not valid OpenCV YAML</source>
+        <translation>ist kein gültiges OpenCV-YAML</translation>
+    </message>
+    <message>
+        <source>fit the calibration better when swapped (%1 matches in front of the cameras, %2 as given)</source>
+        <translation>passen vertauscht besser zur Kalibrierung (%1 Treffer vor den Kameras, %2 wie angegeben)</translation>
+    </message>
+    <message>
+        <source>is not the left one</source>
+        <translation>ist nicht das linke</translation>
+    </message>
+    <message>
+        <source>is not the number of a frame</source>
+        <translation>ist keine Nummer eines Bildes</translation>
+    </message>
+    <message>
+        <source>is not a camera matrix (fx 0 cx; 0 fy cy; 0 0 1)</source>
+        <translation>ist keine Kameramatrix (fx 0 cx; 0 fy cy; 0 0 1)</translation>
+    </message>
+    <message>
+        <source>has its principal point (%1, %2) outside the image of %3x%4</source>
+        <translation>hat ihren Hauptpunkt (%1, %2) außerhalb des Bildes von %3x%4</translation>
+    </message>
+    <message>
+        <source>leaves nothing of the picture</source>
+        <translation>lässt nichts vom Bild übrig</translation>
+    </message>
+    <message>
+        <source>the picture could not be encoded</source>
+        <translation>das Bild konnte nicht kodiert werden</translation>
+    </message>
+    <message>
+        <source>no picture has such a name</source>
+        <translation>kein Bild heißt so</translation>
+    </message>
+    <message>
+        <source>%1 of %2 frames can be read back</source>
+        <translation>%1 von %2 Bildern lassen sich wieder lesen</translation>
+    </message>
+    <message>
+        <source>holds %1 numbers where %2 are expected</source>
+        <translation>enthält %1 Zahlen, erwartet sind %2</translation>
+    </message>
+    <message>
+        <source>holds %1, which is no number of voxels</source>
+        <translation>enthält %1, das ist keine Zahl von Voxeln</translation>
+    </message>
+    <message>
+        <source>names &quot;%1&quot;, which lies in another folder</source>
+        <translation>nennt „%1“, das in einem anderen Ordner liegt</translation>
+    </message>
+    <message>
+        <source>names %1, which is missing</source>
+        <translation>nennt %1, das fehlt</translation>
+    </message>
+    <message>
+        <source>is not that of a NIfTI-1 file that holds its voxels itself</source>
+        <translation>ist nicht das einer NIfTI-1-Datei, die ihre Voxel selbst enthält</translation>
+    </message>
+    <message>
+        <source>marks no array as the scalars</source>
+        <translation>kennzeichnet kein Feld als die Skalare</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;, which is no number format that is known</source>
+        <translation>ist „%1“, das ist kein bekanntes Zahlenformat</translation>
+    </message>
+    <message>
+        <source>holds fewer values than there are voxels</source>
+        <translation>enthält weniger Werte, als es Voxel gibt</translation>
+    </message>
+    <message>
+        <source>is a DICOM directory that was cut or is damaged</source>
+        <translation>ist ein DICOM-Verzeichnis, das abgeschnitten oder beschädigt ist</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;, not a whole number from %2 to %3</source>
+        <translation>ist „%1“, keine ganze Zahl von %2 bis %3</translation>
+    </message>
+    <message>
+        <source>cannot be written as a DICOM segmentation (%1)</source>
+        <translation>können nicht als DICOM-Segmentierung geschrieben werden (%1)</translation>
+    </message>
+    <message>
+        <source>is more than the 65535 pixels a side that DICOM counts</source>
+        <translation>ist mehr als die 65535 Pixel je Seite, die DICOM zählt</translation>
+    </message>
+    <message>
+        <source>is more than NIfTI can hold</source>
+        <translation>ist mehr, als NIfTI fasst</translation>
+    </message>
+    <message>
+        <source>cannot be searched (%1)</source>
+        <translation>kann nicht durchsucht werden (%1)</translation>
+    </message>
+    <message>
+        <source>could not be made (%1)</source>
+        <translation>konnte nicht angelegt werden (%1)</translation>
+    </message>
+    <message>
+        <source>is %1, not %2</source>
+        <translation>ist %1, nicht %2</translation>
+    </message>
+    <message>
+        <source>left what is no result of it</source>
+        <translation>hinterließ etwas, das kein Ergebnis von ihm ist</translation>
+    </message>
+    <message>
+        <source>Register again, from more of the surface</source>
+        <translation>Registrieren Sie noch einmal, mit mehr von der Oberfläche</translation>
+    </message>
+    <message>
+        <source>Register again</source>
+        <translation>Registrieren Sie noch einmal</translation>
+    </message>
+    <message>
+        <source>Register from the start</source>
+        <translation>Registrieren Sie von Anfang an</translation>
+    </message>
+    <message>
+        <source>Give both views of every frame</source>
+        <translation>Geben Sie beide Ansichten jedes Bildes an</translation>
+    </message>
+    <message>
+        <source>Use the calibration of this video</source>
+        <translation>Nehmen Sie die Kalibrierung dieses Videos</translation>
+    </message>
+    <message>
+        <source>Give a registration of this model</source>
+        <translation>Geben Sie eine Registrierung dieses Modells an</translation>
+    </message>
+    <message>
+        <source>Export a network whose input is [1, 1, rows, columns] or [1, 1, slices, rows, columns]</source>
+        <translation>Exportieren Sie ein Netz mit der Eingabe [1, 1, Zeilen, Spalten] oder [1, 1, Schichten, Zeilen, Spalten]</translation>
+    </message>
+    <message>
+        <source>Export a network whose input has a batch and a channel of 1</source>
+        <translation>Exportieren Sie ein Netz, dessen Eingabe einen Stapel und einen Kanal von 1 hat</translation>
+    </message>
+    <message>
+        <source>Open a CT</source>
+        <translation>Öffnen Sie ein CT</translation>
+    </message>
+    <message>
+        <source>Use a coarser spacing, or tiles of fewer slices</source>
+        <translation>Nehmen Sie einen gröberen Abstand, oder Kacheln mit weniger Schichten</translation>
+    </message>
+    <message>
+        <source>Use a smaller network</source>
+        <translation>Nehmen Sie ein kleineres Netz</translation>
+    </message>
+    <message>
+        <source>Export a network with one input and one output</source>
+        <translation>Exportieren Sie ein Netz mit einer Eingabe und einer Ausgabe</translation>
+    </message>
+    <message>
+        <source>Connect again</source>
+        <translation>Verbinden Sie noch einmal</translation>
+    </message>
+    <message>
+        <source>Give pixels of the picture</source>
+        <translation>Geben Sie Pixel des Bildes an</translation>
+    </message>
+    <message>
+        <source>Give lines as &apos;glisson track --correct&apos; writes them into frames.jsonl</source>
+        <translation>Geben Sie Zeilen an, wie „glisson track --correct“ sie in frames.jsonl schreibt</translation>
+    </message>
+    <message>
+        <source>Write a JSON object such as {&quot;6&quot;: &quot;parenchyma&quot;, &quot;10&quot;: &quot;portal_vein&quot;}</source>
+        <translation>Schreiben Sie ein JSON-Objekt wie {&quot;6&quot;: &quot;parenchyma&quot;, &quot;10&quot;: &quot;portal_vein&quot;}</translation>
+    </message>
+    <message>
+        <source>Codes are whole numbers from 0 to 65535, in quotes</source>
+        <translation>Codes sind ganze Zahlen von 0 bis 65535, in Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>Use background, parenchyma, portal_vein, hepatic_veins, vena_cava, artery, gallbladder or lesion_1 to lesion_240 (or other_1 to other_9)</source>
+        <translation>Nehmen Sie background, parenchyma, portal_vein, hepatic_veins, vena_cava, artery, gallbladder oder lesion_1 bis lesion_240 (oder other_1 bis other_9)</translation>
+    </message>
+    <message>
+        <source>Export the cloud again as PLY</source>
+        <translation>Exportieren Sie die Wolke noch einmal als PLY</translation>
+    </message>
+    <message>
+        <source>Compute the normals again or leave nx ny nz out</source>
+        <translation>Berechnen Sie die Normalen noch einmal, oder lassen Sie nx ny nz weg</translation>
+    </message>
+    <message>
+        <source>Labels are 1 (surface), 2 (anterior margin) and 3 (umbilical notch)</source>
+        <translation>Bezeichnungen sind 1 (Oberfläche), 2 (Vorderrand) und 3 (Nabelkerbe)</translation>
+    </message>
+    <message>
+        <source>It must be a number of 0 or more</source>
+        <translation>Es muss eine Zahl von 0 oder mehr sein</translation>
+    </message>
+    <message>
+        <source>Check what the file holds</source>
+        <translation>Prüfen Sie, was die Datei enthält</translation>
+    </message>
+    <message>
+        <source>Give what &apos;glisson track&apos; wrote</source>
+        <translation>Geben Sie an, was „glisson track“ geschrieben hat</translation>
+    </message>
+    <message>
+        <source>Give a folder that &apos;glisson track&apos; filled</source>
+        <translation>Geben Sie einen Ordner an, den „glisson track“ gefüllt hat</translation>
+    </message>
+    <message>
+        <source>Give the track of this video</source>
+        <translation>Geben Sie die Verfolgung dieses Videos an</translation>
+    </message>
+    <message>
+        <source>Track the case itself: --model CASE</source>
+        <translation>Verfolgen Sie den Fall selbst: --model FALL</translation>
+    </message>
+    <message>
+        <source>Give the case whose model was tracked</source>
+        <translation>Geben Sie den Fall an, dessen Modell verfolgt wurde</translation>
+    </message>
+    <message>
+        <source>Reconstruct with more features or larger regions</source>
+        <translation>Rekonstruieren Sie mit mehr Merkmalen oder größeren Gebieten</translation>
+    </message>
+    <message>
+        <source>Place it among the landmarks</source>
+        <translation>Setzen Sie sie unter die Landmarken</translation>
+    </message>
+    <message>
+        <source>Remove the point</source>
+        <translation>Entfernen Sie den Punkt</translation>
+    </message>
+    <message>
+        <source>Give one a point, or none</source>
+        <translation>Geben Sie je Punkt eine an, oder keine</translation>
+    </message>
+    <message>
+        <source>Follow the organ for a second and show more of it</source>
+        <translation>Verfolgen Sie das Organ eine Sekunde lang, und zeigen Sie mehr davon</translation>
+    </message>
+    <message>
+        <source>Write a 4 x 4 matrix, cloud_from_model, row by row</source>
+        <translation>Schreiben Sie eine 4 x 4 Matrix, cloud_from_model, Zeile für Zeile</translation>
+    </message>
+    <message>
+        <source>Take out scale and mirroring</source>
+        <translation>Nehmen Sie Maßstab und Spiegelung heraus</translation>
+    </message>
+    <message>
+        <source>Choose one of those that it tells</source>
+        <translation>Wählen Sie eine von denen, die sie nennt</translation>
+    </message>
+    <message>
+        <source>Choose up to 100 mm</source>
+        <translation>Wählen Sie bis zu 100 mm</translation>
+    </message>
+    <message>
+        <source>Choose up to 20 mm</source>
+        <translation>Wählen Sie bis zu 20 mm</translation>
+    </message>
+    <message>
+        <source>Choose up to 1</source>
+        <translation>Wählen Sie bis zu 1</translation>
+    </message>
+    <message>
+        <source>Choose 0.3 to 5 mm</source>
+        <translation>Wählen Sie 0,3 bis 5 mm</translation>
+    </message>
+    <message>
+        <source>Write {&quot;liver&quot;: [[x, y, z], ...], ...}</source>
+        <translation>Schreiben Sie {&quot;liver&quot;: [[x, y, z], ...], ...}</translation>
+    </message>
+    <message>
+        <source>Give the pictures of both cameras</source>
+        <translation>Geben Sie die Bilder beider Kameras an</translation>
+    </message>
+    <message>
+        <source>Give a picture of each camera</source>
+        <translation>Geben Sie ein Bild jeder Kamera an</translation>
+    </message>
+    <message>
+        <source>Calibrate with pictures of one size, that of the operation</source>
+        <translation>Kalibrieren Sie mit Bildern einer Größe, der der Operation</translation>
+    </message>
+    <message>
+        <source>Count the corners where four squares meet, along each side</source>
+        <translation>Zählen Sie entlang jeder Seite die Ecken, an denen vier Felder zusammenstoßen</translation>
+    </message>
+    <message>
+        <source>Check the board&apos;s size and dictionary, and take sharp pictures of it</source>
+        <translation>Prüfen Sie Größe und Wörterbuch des Musters, und machen Sie scharfe Bilder davon</translation>
+    </message>
+    <message>
+        <source>Take sharp pictures of the whole board, with a white border around it</source>
+        <translation>Machen Sie scharfe Bilder des ganzen Musters mit einem weißen Rand darum</translation>
+    </message>
+    <message>
+        <source>Tilt the board by 20 to 40 degrees, each time another way</source>
+        <translation>Neigen Sie das Muster um 20 bis 40 Grad, jedes Mal anders</translation>
+    </message>
+    <message>
+        <source>Give the left camera&apos;s pictures as the left ones</source>
+        <translation>Geben Sie die Bilder der linken Kamera als die linken an</translation>
+    </message>
+    <message>
+        <source>Measure the side of a square</source>
+        <translation>Messen Sie die Seite eines Feldes</translation>
+    </message>
+    <message>
+        <source>Name views as the report does</source>
+        <translation>Nennen Sie Ansichten wie der Bericht</translation>
+    </message>
+    <message>
+        <source>Keep %1 or more</source>
+        <translation>Behalten Sie %1 oder mehr</translation>
+    </message>
+    <message>
+        <source>Leave that pair out: it does not fit the others</source>
+        <translation>Lassen Sie dieses Paar weg: es passt nicht zu den anderen</translation>
+    </message>
+    <message>
+        <source>Write mm, cm or m: the unit of T</source>
+        <translation>Schreiben Sie mm, cm oder m: die Einheit von T</translation>
+    </message>
+    <message>
+        <source>Calibrate without the rational, thin-prism and tilted models</source>
+        <translation>Kalibrieren Sie ohne die Modelle rational, thin-prism und tilted</translation>
+    </message>
+    <message>
+        <source>Leave one of them in the folder</source>
+        <translation>Lassen Sie eine davon im Ordner</translation>
+    </message>
+    <message>
+        <source>Expected calib.left.intrinsic.txt (3x3), calib.left.distortion.txt (4 or 5 numbers), the same for right, and calib.l2r.txt (4x4)</source>
+        <translation>Erwartet werden calib.left.intrinsic.txt (3x3), calib.left.distortion.txt (4 oder 5 Zahlen), das Gleiche für right, und calib.l2r.txt (4x4)</translation>
+    </message>
+    <message>
+        <source>Write &quot;left&quot; here, and &quot;right&quot; as the image of each region of the right one</source>
+        <translation>Schreiben Sie hier „left“, und „right“ als das Bild jedes Gebiets im rechten</translation>
+    </message>
+    <message>
+        <source>Check image_width and image_height: the calibration is of another image size</source>
+        <translation>Prüfen Sie image_width und image_height: die Kalibrierung ist von einer anderen Bildgröße</translation>
+    </message>
+    <message>
+        <source>Use .png</source>
+        <translation>Nehmen Sie .png</translation>
+    </message>
+    <message>
+        <source>Check the pattern</source>
+        <translation>Prüfen Sie das Muster</translation>
+    </message>
+    <message>
+        <source>Free some space on the disk and record again</source>
+        <translation>Schaffen Sie Platz auf dem Datenträger, und nehmen Sie noch einmal auf</translation>
+    </message>
+    <message>
+        <source>Put it beside the header and name it there without a folder</source>
+        <translation>Legen Sie es neben den Kopf, und nennen Sie es dort ohne Ordner</translation>
+    </message>
+    <message>
+        <source>Export it as NIfTI-1</source>
+        <translation>Exportieren Sie es als NIfTI-1</translation>
+    </message>
+    <message>
+        <source>Export it as one .nii or .nii.gz file</source>
+        <translation>Exportieren Sie es als eine Datei .nii oder .nii.gz</translation>
+    </message>
+    <message>
+        <source>Write one scalar array on the points</source>
+        <translation>Schreiben Sie ein Skalarfeld auf die Punkte</translation>
+    </message>
+    <message>
+        <source>Export the labels as .seg.nrrd instead</source>
+        <translation>Exportieren Sie die Bezeichnungen stattdessen als .seg.nrrd</translation>
+    </message>
+    <message>
+        <source>Segment the CT first</source>
+        <translation>Segmentieren Sie zuerst das CT</translation>
+    </message>
+    <message>
+        <source>Write .nrrd instead</source>
+        <translation>Schreiben Sie stattdessen .nrrd</translation>
+    </message>
+    <message>
+        <source>Check its permissions, or copy it to a disk of this computer</source>
+        <translation>Prüfen Sie die Rechte, oder kopieren Sie ihn auf einen Datenträger dieses Rechners</translation>
+    </message>
+    <message>
+        <source>Do not trust the file; export it again</source>
+        <translation>Trauen Sie der Datei nicht; exportieren Sie sie noch einmal</translation>
+    </message>
+    <message>
+        <source>is larger than 100 MB, more than any list needs</source>
+        <translation>ist größer als 100 MB, mehr als jede Liste braucht</translation>
+    </message>
+    <message>
+        <source>has no voxel of %1 within 5 mm</source>
+        <translation>hat im Umkreis von 5 mm kein Voxel von %1</translation>
+    </message>
+    <message>
+        <source>lies at the tree&apos;s root</source>
+        <translation>liegt an der Wurzel des Baums</translation>
+    </message>
+    <message>
+        <source>lies outside the volume</source>
+        <translation>liegt außerhalb des Volumens</translation>
+    </message>
+    <message>
+        <source>are not the one list of the file</source>
+        <translation>sind nicht die eine Liste der Datei</translation>
+    </message>
+    <message>
+        <source>brick %1 is missing</source>
+        <translation>Baustein %1 fehlt</translation>
+    </message>
+    <message>
+        <source>belongs to labels of another size</source>
+        <translation>gehört zu Bezeichnungen anderer Größe</translation>
+    </message>
+    <message>
+        <source>counts more steps than there are</source>
+        <translation>zählt mehr Schritte, als es gibt</translation>
+    </message>
+    <message>
+        <source>do not lead to the case&apos;s labels</source>
+        <translation>führen nicht zu den Bezeichnungen des Falls</translation>
+    </message>
+    <message>
+        <source>is not a JSON object</source>
+        <translation>ist kein JSON-Objekt</translation>
+    </message>
+    <message>
+        <source>lies on %1, not on %2</source>
+        <translation>liegt auf %1, nicht auf %2</translation>
+    </message>
+    <message>
+        <source>runs through several slices</source>
+        <translation>läuft durch mehrere Schichten</translation>
+    </message>
+    <message>
+        <source>%1 lies in air, fat or bone</source>
+        <translation>%1 liegt in Luft, Fett oder Knochen</translation>
+    </message>
+    <message>
+        <source>%1 lies in %2, which may not become the vessel there</source>
+        <translation>%1 liegt in %2, das dort nicht zum Gefäß werden darf</translation>
+    </message>
+    <message>
+        <source>has no way from %1 to %2 through soft tissue that may become the vessel</source>
+        <translation>hat keinen Weg von %1 zu %2 durch Weichteile, die zum Gefäß werden dürfen</translation>
+    </message>
+    <message>
+        <source>is %1, which is no vessel</source>
+        <translation>ist %1, das ist kein Gefäß</translation>
+    </message>
+    <message>
+        <source>%1 lies outside the volume</source>
+        <translation>%1 liegt außerhalb des Volumens</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are one voxel</source>
+        <translation>%1 und %2 sind ein Voxel</translation>
+    </message>
+    <message>
+        <source>is not followed</source>
+        <translation>wird nicht verfolgt</translation>
+    </message>
+    <message>
+        <source>lies on other voxels than the CT (origin, spacing, direction or size)</source>
+        <translation>liegt auf anderen Voxeln als das CT (Ursprung, Abstand, Richtung oder Größe)</translation>
+    </message>
+    <message>
+        <source>names nothing of the liver in any segment</source>
+        <translation>nennt in keinem Segment etwas von der Leber</translation>
+    </message>
+    <message>
+        <source>is kept already</source>
+        <translation>ist schon aufbewahrt</translation>
+    </message>
+    <message>
+        <source>is one more than the %1 that can be kept</source>
+        <translation>ist einer mehr als die %1, die aufbewahrt werden können</translation>
+    </message>
+    <message>
+        <source>has not been seen often enough yet</source>
+        <translation>wurde noch nicht oft genug gesehen</translation>
+    </message>
+    <message>
+        <source>has fewer than 3 points</source>
+        <translation>hat weniger als 3 Punkte</translation>
+    </message>
+    <message>
+        <source>has %1 points</source>
+        <translation>hat %1 Punkte</translation>
+    </message>
+    <message>
+        <source>is not proposed</source>
+        <translation>ist nicht vorgeschlagen</translation>
+    </message>
+    <message>
+        <source>is none</source>
+        <translation>ist keine</translation>
+    </message>
+    <message>
+        <source>is not known, nor where a vessel enters: nothing holds the organ</source>
+        <translation>ist nicht bekannt, und auch nicht, wo ein Gefäß eintritt: nichts hält das Organ</translation>
+    </message>
+    <message>
+        <source>and the places where vessels enter lie on one line, about which the organ would turn freely</source>
+        <translation>und die Stellen, an denen Gefäße eintreten, liegen auf einer Linie, um die sich das Organ frei drehen würde</translation>
+    </message>
+    <message>
+        <source>is no number</source>
+        <translation>ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>no pipe to a helper process can be made (%1)</source>
+        <translation>keine Leitung zu einem Hilfsprozess kann angelegt werden (%1)</translation>
+    </message>
+    <message>
+        <source>no socket to a helper process can be made (%1)</source>
+        <translation>kein Socket zu einem Hilfsprozess kann angelegt werden (%1)</translation>
+    </message>
+    <message>
+        <source>no socket can be made (%1)</source>
+        <translation>kein Socket kann angelegt werden (%1)</translation>
+    </message>
+    <message>
+        <source>no event can be made</source>
+        <translation>kein Ereignis kann angelegt werden</translation>
+    </message>
+    <message>
+        <source>cannot be opened to flush (%1)</source>
+        <translation>kann nicht geöffnet werden, um es auf den Datenträger zu schreiben (%1)</translation>
+    </message>
+    <message>
+        <source>was replaced while it was written</source>
+        <translation>wurde ersetzt, während es geschrieben wurde</translation>
+    </message>
+    <message>
+        <source>its permissions could not be kept (%1)</source>
+        <translation>seine Rechte konnten nicht erhalten werden (%1)</translation>
+    </message>
+    <message>
+        <source>could not be replaced (%1)</source>
+        <translation>konnte nicht ersetzt werden (%1)</translation>
+    </message>
+    <message>
+        <source>no folder for recovery can be made here (%1)</source>
+        <translation>hier kann kein Ordner zur Wiederherstellung angelegt werden (%1)</translation>
+    </message>
+    <message>
+        <source>its folder does not exist</source>
+        <translation>sein Ordner existiert nicht</translation>
+    </message>
+    <message>
+        <source>its folder cannot be written to</source>
+        <translation>in seinen Ordner kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>is a file, a folder is needed here</source>
+        <translation>ist eine Datei, hier ist ein Ordner nötig</translation>
+    </message>
+    <message>
+        <source>could not be completed (%1)</source>
+        <translation>konnte nicht fertiggestellt werden (%1)</translation>
+    </message>
+    <message>
+        <source>could not be written (%1)</source>
+        <translation>konnte nicht geschrieben werden (%1)</translation>
+    </message>
+    <message>
+        <source>others have saved it meanwhile, so that it stays as they left it; this run&apos;s is %1</source>
+        <translation>andere haben ihn inzwischen gespeichert, er bleibt so, wie sie ihn hinterlassen haben; der dieses Laufs ist %1</translation>
+    </message>
+    <message>
+        <source>a volume reads back differently from what was written</source>
+        <translation>ein Volumen liest sich anders, als es geschrieben wurde</translation>
+    </message>
+    <message>
+        <source>this file system has no locks, so that two programs may write one case</source>
+        <translation>dieses Dateisystem hat keine Sperren, so dass zwei Programme einen Fall schreiben könnten</translation>
+    </message>
+    <message>
+        <source>is no option of &apos;glisson %1&apos;</source>
+        <translation>ist keine Option von „glisson %1“</translation>
+    </message>
+    <message>
+        <source>unknown option</source>
+        <translation>unbekannte Option</translation>
+    </message>
+    <message>
+        <source>is needed</source>
+        <translation>ist nötig</translation>
+    </message>
+    <message>
+        <source>one of them is needed</source>
+        <translation>eines davon ist nötig</translation>
+    </message>
+    <message>
+        <source>one of --pairs, --left with --right, and --video is needed</source>
+        <translation>eines von --pairs, --left mit --right und --video ist nötig</translation>
+    </message>
+    <message>
+        <source>must end in %1</source>
+        <translation>muss auf %1 enden</translation>
+    </message>
+    <message>
+        <source>must be a number from %1 to %2</source>
+        <translation>muss eine Zahl von %1 bis %2 sein</translation>
+    </message>
+    <message>
+        <source>must be %1 numbers between commas, each from %2 to %3</source>
+        <translation>müssen %1 Zahlen mit Kommas dazwischen sein, jede von %2 bis %3</translation>
+    </message>
+    <message>
+        <source>must be a whole number from 0</source>
+        <translation>muss eine ganze Zahl ab 0 sein</translation>
+    </message>
+    <message>
+        <source>must be a whole number</source>
+        <translation>muss eine ganze Zahl sein</translation>
+    </message>
+    <message>
+        <source>must be two whole numbers, as in 14x10</source>
+        <translation>müssen zwei ganze Zahlen sein, wie in 14x10</translation>
+    </message>
+    <message>
+        <source>must be mm, cm or m</source>
+        <translation>muss mm, cm oder m sein</translation>
+    </message>
+    <message>
+        <source>must be direct, fast or reference</source>
+        <translation>muss direct, fast oder reference sein</translation>
+    </message>
+    <message>
+        <source>must be sparse, dense or auto</source>
+        <translation>muss sparse, dense oder auto sein</translation>
+    </message>
+    <message>
+        <source>must be surf, sift or akaze</source>
+        <translation>muss surf, sift oder akaze sein</translation>
+    </message>
+    <message>
+        <source>must be automatic, forces, springs or paper</source>
+        <translation>muss automatic, forces, springs oder paper sein</translation>
+    </message>
+    <message>
+        <source>must be operations or none</source>
+        <translation>muss operations oder none sein</translation>
+    </message>
+    <message>
+        <source>must hold a number such as %02d, as in &apos;cloud_%02d.ply&apos;</source>
+        <translation>muss eine Zahl wie %02d enthalten, wie in &apos;cloud_%02d.ply&apos;</translation>
+    </message>
+    <message>
+        <source>%1 arguments were given besides the options, %2 is needed</source>
+        <translation>%1 Argumente neben den Optionen, nötig ist %2</translation>
+    </message>
+    <message>
+        <source>no file of this name exists</source>
+        <translation>es gibt keine Datei dieses Namens</translation>
+    </message>
+    <message>
+        <source>needs a matrix</source>
+        <translation>braucht eine Matrix</translation>
+    </message>
+    <message>
+        <source>needs pictures</source>
+        <translation>braucht Bilder</translation>
+    </message>
+    <message>
+        <source>needs --igtl-send</source>
+        <translation>braucht --igtl-send</translation>
+    </message>
+    <message>
+        <source>is no lesion</source>
+        <translation>ist keine Läsion</translation>
+    </message>
+    <message>
+        <source>is no pixel</source>
+        <translation>ist kein Pixel</translation>
+    </message>
+    <message>
+        <source>is none of the looks</source>
+        <translation>ist keine der Darstellungen</translation>
+    </message>
+    <message>
+        <source>does not exist, and is no command</source>
+        <translation>gibt es nicht, und ist kein Befehl</translation>
+    </message>
+    <message>
+        <source>the window opens one case</source>
+        <translation>das Fenster öffnet einen Fall</translation>
+    </message>
+    <message>
+        <source>there is no display for the window, but commands work without one</source>
+        <translation>es gibt keinen Bildschirm für das Fenster, aber Befehle arbeiten ohne ihn</translation>
+    </message>
+    <message>
+        <source>is not in the video</source>
+        <translation>ist nicht im Video</translation>
+    </message>
+    <message>
+        <source>is not in the video, or was not tracked</source>
+        <translation>ist nicht im Video oder wurde nicht verfolgt</translation>
+    </message>
+    <message>
+        <source>is not in the video, or lies before the registered frame</source>
+        <translation>ist nicht im Video oder liegt vor dem registrierten Bild</translation>
+    </message>
+    <message>
+        <source>is beside the organ</source>
+        <translation>liegt neben dem Organ</translation>
+    </message>
+    <message>
+        <source>has no frame to be drawn</source>
+        <translation>hat kein Bild, das gezeichnet werden kann</translation>
+    </message>
+    <message>
+        <source>Click on the branch that is to change</source>
+        <translation>Klicken Sie auf den Ast, der sich ändern soll</translation>
+    </message>
+    <message>
+        <source>Click farther out on the branch</source>
+        <translation>Klicken Sie weiter außen auf den Ast</translation>
+    </message>
+    <message>
+        <source>Click inside the picture</source>
+        <translation>Klicken Sie ins Bild</translation>
+    </message>
+    <message>
+        <source>Click inside the vessel</source>
+        <translation>Klicken Sie in das Gefäß</translation>
+    </message>
+    <message>
+        <source>Click a part of %1</source>
+        <translation>Klicken Sie auf einen Teil von %1</translation>
+    </message>
+    <message>
+        <source>Click beside it, or change what may be edited</source>
+        <translation>Klicken Sie daneben, oder ändern Sie, was bearbeitet werden darf</translation>
+    </message>
+    <message>
+        <source>Click points between them, or change what may be edited</source>
+        <translation>Klicken Sie Punkte dazwischen, oder ändern Sie, was bearbeitet werden darf</translation>
+    </message>
+    <message>
+        <source>Click two different places</source>
+        <translation>Klicken Sie zwei verschiedene Stellen</translation>
+    </message>
+    <message>
+        <source>Choose the portal vein, the hepatic veins, the vena cava or the artery</source>
+        <translation>Wählen Sie die Pfortader, die Lebervenen, die Vena cava oder die Arterie</translation>
+    </message>
+    <message>
+        <source>Draw a disc in one slice, or use a ball</source>
+        <translation>Zeichnen Sie eine Scheibe in einer Schicht, oder nehmen Sie eine Kugel</translation>
+    </message>
+    <message>
+        <source>Write {&quot;edits&quot;: [{&quot;tool&quot;: ...}, ...]}</source>
+        <translation>Schreiben Sie {&quot;edits&quot;: [{&quot;tool&quot;: ...}, ...]}</translation>
+    </message>
+    <message>
+        <source>Write {&quot;tool&quot;: ..., ...}</source>
+        <translation>Schreiben Sie {&quot;tool&quot;: ..., ...}</translation>
+    </message>
+    <message>
+        <source>Delete the folder &apos;history&apos; of the case: only the undo steps are lost</source>
+        <translation>Löschen Sie den Ordner „history“ des Falls: nur die Schritte zum Rückgängigmachen gehen verloren</translation>
+    </message>
+    <message>
+        <source>Remove it from the case</source>
+        <translation>Entfernen Sie es aus dem Fall</translation>
+    </message>
+    <message>
+        <source>Start tracking first</source>
+        <translation>Starten Sie zuerst die Verfolgung</translation>
+    </message>
+    <message>
+        <source>Resample the segmentation to the CT&apos;s grid, or open the CT that it was drawn on</source>
+        <translation>Rechnen Sie die Segmentierung auf das Gitter des CT um, oder öffnen Sie das CT, auf dem sie gezeichnet wurde</translation>
+    </message>
+    <message>
+        <source>Say which segment means what with --codes FILE (see &apos;glisson model --help&apos;)</source>
+        <translation>Sagen Sie mit --codes DATEI, welches Segment was bedeutet (siehe „glisson model --help“)</translation>
+    </message>
+    <message>
+        <source>Look from elsewhere and reconstruct again</source>
+        <translation>Blicken Sie von anderswo, und rekonstruieren Sie noch einmal</translation>
+    </message>
+    <message>
+        <source>Forget the earlier looks, or register with these</source>
+        <translation>Vergessen Sie die früheren Blicke, oder registrieren Sie mit diesen</translation>
+    </message>
+    <message>
+        <source>Follow the organ in a stereo video for a second</source>
+        <translation>Verfolgen Sie das Organ eine Sekunde lang in einem Stereovideo</translation>
+    </message>
+    <message>
+        <source>Give the points of the contact</source>
+        <translation>Geben Sie die Punkte der Berührung an</translation>
+    </message>
+    <message>
+        <source>Give as many as are proposed: %1</source>
+        <translation>Geben Sie so viele an, wie vorgeschlagen sind: %1</translation>
+    </message>
+    <message>
+        <source>Let an atlas that knows it propose it first</source>
+        <translation>Lassen Sie es zuerst von einem Atlas vorschlagen, der es kennt</translation>
+    </message>
+    <message>
+        <source>Correct first</source>
+        <translation>Korrigieren Sie zuerst</translation>
+    </message>
+    <message>
+        <source>Place the vena cava among the landmarks</source>
+        <translation>Setzen Sie die Vena cava unter die Landmarken</translation>
+    </message>
+    <message>
+        <source>Place three points or more of the vena cava among the landmarks, where it touches the liver</source>
+        <translation>Setzen Sie drei oder mehr Punkte der Vena cava unter die Landmarken, wo sie die Leber berührt</translation>
+    </message>
+    <message>
+        <source>Remove the file&apos;s entry from case.json and transfer the atlas again</source>
+        <translation>Entfernen Sie den Eintrag der Datei aus case.json, und übertragen Sie den Atlas noch einmal</translation>
+    </message>
+    <message>
+        <source>Write it again</source>
+        <translation>Schreiben Sie es noch einmal</translation>
+    </message>
+    <message>
+        <source>Close other programs</source>
+        <translation>Schließen Sie andere Programme</translation>
+    </message>
+    <message>
+        <source>Check permissions and free space</source>
+        <translation>Prüfen Sie Rechte und freien Platz</translation>
+    </message>
+    <message>
+        <source>Check the disk</source>
+        <translation>Prüfen Sie den Datenträger</translation>
+    </message>
+    <message>
+        <source>Keep cases elsewhere</source>
+        <translation>Bewahren Sie Fälle anderswo auf</translation>
+    </message>
+    <message>
+        <source>Choose another folder</source>
+        <translation>Wählen Sie einen anderen Ordner</translation>
+    </message>
+    <message>
+        <source>Compare the two</source>
+        <translation>Vergleichen Sie die beiden</translation>
+    </message>
+    <message>
+        <source>See &apos;glisson %1 --help&apos;</source>
+        <translation>Siehe „glisson %1 --help“</translation>
+    </message>
+    <message>
+        <source>See &apos;glisson --help&apos;</source>
+        <translation>Siehe „glisson --help“</translation>
+    </message>
+    <message>
+        <source>See --help</source>
+        <translation>Siehe --help</translation>
+    </message>
+    <message>
+        <source>Check --%1</source>
+        <translation>Prüfen Sie --%1</translation>
+    </message>
+    <message>
+        <source>Check the pattern&apos;s folder and number</source>
+        <translation>Prüfen Sie Ordner und Nummer des Musters</translation>
+    </message>
+    <message>
+        <source>Give its file by --rigid FILE</source>
+        <translation>Geben Sie ihre Datei mit --rigid DATEI an</translation>
+    </message>
+    <message>
+        <source>Give --video with --calibration</source>
+        <translation>Geben Sie --video mit --calibration an</translation>
+    </message>
+    <message>
+        <source>Give lesion_1 and so on</source>
+        <translation>Geben Sie lesion_1 und so weiter an</translation>
+    </message>
+    <message>
+        <source>Give two numbers, as 480,270</source>
+        <translation>Geben Sie zwei Zahlen an, etwa 480,270</translation>
+    </message>
+    <message>
+        <source>Give frames from 0 to %1</source>
+        <translation>Geben Sie Bilder von 0 bis %1 an</translation>
+    </message>
+    <message>
+        <source>Give a pixel of the drawn organ</source>
+        <translation>Geben Sie ein Pixel des gezeichneten Organs an</translation>
+    </message>
+    <message>
+        <source>Give one on it</source>
+        <translation>Geben Sie eines darauf an</translation>
+    </message>
+    <message>
+        <source>Choose a frame that was tracked</source>
+        <translation>Wählen Sie ein Bild, das verfolgt wurde</translation>
+    </message>
+    <message>
+        <source>Choose a frame between the registered one and the video&apos;s end</source>
+        <translation>Wählen Sie ein Bild zwischen dem registrierten und dem Ende des Videos</translation>
+    </message>
+    <message>
+        <source>Give a track of this video, or register a frame that is not its last</source>
+        <translation>Geben Sie eine Verfolgung dieses Videos an, oder registrieren Sie ein Bild, das nicht sein letztes ist</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>

@@ -2099,6 +2099,1826 @@
         <source>Leave the choice out</source>
         <translation>Ne donnez pas ce choix</translation>
     </message>
+    <message>
+        <source>is missing, or no vector a vertex</source>
+        <translation>manque, ou n’a pas un vecteur par sommet</translation>
+    </message>
+    <message>
+        <source>do not belong to this atlas.json</source>
+        <translation>n’appartiennent pas à cet atlas.json</translation>
+    </message>
+    <message>
+        <source>has two of the name %1</source>
+        <translation>en a deux du nom %1</translation>
+    </message>
+    <message>
+        <source>has no surface</source>
+        <translation>n’a pas de surface</translation>
+    </message>
+    <message>
+        <source>has no fine surface</source>
+        <translation>n’a pas de surface fine</translation>
+    </message>
+    <message>
+        <source>holds %1 ml</source>
+        <translation>contient %1 ml</translation>
+    </message>
+    <message>
+        <source>is mirrored: its mirror image looks like a liver and it does not</source>
+        <translation>est en miroir : son image miroir ressemble à un foie, lui non</translation>
+    </message>
+    <message>
+        <source>is missing, or has several columns</source>
+        <translation>manque, ou a plusieurs colonnes</translation>
+    </message>
+    <message>
+        <source>are not as many as the trees</source>
+        <translation>ne sont pas aussi nombreuses que les arbres</translation>
+    </message>
+    <message>
+        <source>hold a number that is not finite</source>
+        <translation>contiennent un nombre qui n’est pas fini</translation>
+    </message>
+    <message>
+        <source>hold what is no label or no node</source>
+        <translation>contiennent ce qui n’est pas une étiquette ou pas un nœud</translation>
+    </message>
+    <message>
+        <source>names a tree that is not there</source>
+        <translation>nomme un arbre qui n’existe pas</translation>
+    </message>
+    <message>
+        <source>hold a node that is not there</source>
+        <translation>contiennent un nœud qui n’existe pas</translation>
+    </message>
+    <message>
+        <source>a beam does not join two nodes of one tree</source>
+        <translation>une poutre ne relie pas deux nœuds d’un même arbre</translation>
+    </message>
+    <message>
+        <source>landmarks are read in LPS millimetres only</source>
+        <translation>les repères ne sont lus qu’en millimètres LPS</translation>
+    </message>
+    <message>
+        <source>holds no landmark</source>
+        <translation>ne contient aucun repère</translation>
+    </message>
+    <message>
+        <source>is no covariance</source>
+        <translation>n’est pas une covariance</translation>
+    </message>
+    <message>
+        <source>is not %1 finite numbers a node</source>
+        <translation>n’a pas %1 nombres finis par nœud</translation>
+    </message>
+    <message>
+        <source>is not 3 lengths, or those of the nodes are none</source>
+        <translation>n’est pas 3 longueurs, ou celles des nœuds n’en sont pas</translation>
+    </message>
+    <message>
+        <source>is negative</source>
+        <translation>est négatif</translation>
+    </message>
+    <message>
+        <source>is no probability</source>
+        <translation>n’est pas une probabilité</translation>
+    </message>
+    <message>
+        <source>there is no model that they belong to</source>
+        <translation>il n’y a pas de modèle auquel elles appartiennent</translation>
+    </message>
+    <message>
+        <source>there is no model that it belongs to</source>
+        <translation>il n’y a pas de modèle auquel il appartient</translation>
+    </message>
+    <message>
+        <source>does not belong to this case&apos;s model</source>
+        <translation>n’appartient pas au modèle de ce cas</translation>
+    </message>
+    <message>
+        <source>names node %1 of %2</source>
+        <translation>nomme le nœud %1 sur %2</translation>
+    </message>
+    <message>
+        <source>names node %1</source>
+        <translation>nomme le nœud %1</translation>
+    </message>
+    <message>
+        <source>names triangle %1</source>
+        <translation>nomme le triangle %1</translation>
+    </message>
+    <message>
+        <source>names vertex %1 of %2</source>
+        <translation>nomme le sommet %1 sur %2</translation>
+    </message>
+    <message>
+        <source>holds nothing of the mesh</source>
+        <translation>ne contient rien du maillage</translation>
+    </message>
+    <message>
+        <source>holds node %1, which is held already</source>
+        <translation>contient le nœud %1, déjà tenu</translation>
+    </message>
+    <message>
+        <source>is not a node of the mesh or its position not finite</source>
+        <translation>n’est pas un nœud du maillage, ou sa position n’est pas finie</translation>
+    </message>
+    <message>
+        <source>is not a node of the mesh</source>
+        <translation>n’est pas un nœud du maillage</translation>
+    </message>
+    <message>
+        <source>fix every node of the mesh</source>
+        <translation>fixent tous les nœuds du maillage</translation>
+    </message>
+    <message>
+        <source>is %1, out of range</source>
+        <translation>vaut %1, hors des limites</translation>
+    </message>
+    <message>
+        <source>belongs to no tetrahedron</source>
+        <translation>n’appartient à aucun tétraèdre</translation>
+    </message>
+    <message>
+        <source>is 0, where the neo-Hookean law has no volume term</source>
+        <translation>vaut 0, où la loi néo-hookéenne n’a pas de terme de volume</translation>
+    </message>
+    <message>
+        <source>holds none</source>
+        <translation>n’en contient pas</translation>
+    </message>
+    <message>
+        <source>has %1 values for %2 tetrahedra</source>
+        <translation>a %1 valeurs pour %2 tétraèdres</translation>
+    </message>
+    <message>
+        <source>has %1 values for %2 nodes</source>
+        <translation>a %1 valeurs pour %2 nœuds</translation>
+    </message>
+    <message>
+        <source>must be one positive number a tetrahedron</source>
+        <translation>doit être un nombre positif par tétraèdre</translation>
+    </message>
+    <message>
+        <source>is not finite</source>
+        <translation>n’est pas fini</translation>
+    </message>
+    <message>
+        <source>is not one of the %1 of the boundary surface</source>
+        <translation>n’est pas l’un des %1 de la surface</translation>
+    </message>
+    <message>
+        <source>is free to move</source>
+        <translation>est libre de bouger</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;, which is not a posture</source>
+        <translation>vaut « %1 », qui n’est pas une position</translation>
+    </message>
+    <message>
+        <source>is not known</source>
+        <translation>n’est pas connu</translation>
+    </message>
+    <message>
+        <source>is not positive</source>
+        <translation>n’est pas positif</translation>
+    </message>
+    <message>
+        <source>is missing: nothing holds the model in a static solve</source>
+        <translation>manque : rien ne tient le modèle en équilibre statique</translation>
+    </message>
+    <message>
+        <source>hold coordinates that are not finite</source>
+        <translation>contiennent des coordonnées qui ne sont pas finies</translation>
+    </message>
+    <message>
+        <source>there are none</source>
+        <translation>il n’y en a pas</translation>
+    </message>
+    <message>
+        <source>a coordinate is not a finite number</source>
+        <translation>une coordonnée n’est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>a tetrahedral mesh is not written as &quot;%1&quot;</source>
+        <translation>un maillage de tétraèdres ne s’écrit pas en « %1 »</translation>
+    </message>
+    <message>
+        <source>a surface is not written as &quot;%1&quot;</source>
+        <translation>une surface ne s’écrit pas en « %1 »</translation>
+    </message>
+    <message>
+        <source>does not hold three finite numbers</source>
+        <translation>ne contient pas trois nombres finis</translation>
+    </message>
+    <message>
+        <source>holds more than three numbers</source>
+        <translation>contient plus de trois nombres</translation>
+    </message>
+    <message>
+        <source>holds no nodes</source>
+        <translation>ne contient pas de nœuds</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no node of a mesh of %2</source>
+        <translation>« %1 » n’est pas un nœud d’un maillage de %2</translation>
+    </message>
+    <message>
+        <source>is a tetrahedron without four points</source>
+        <translation>est un tétraèdre sans quatre points</translation>
+    </message>
+    <message>
+        <source>is of VTK type %1, neither a linear tetrahedron nor a polygon</source>
+        <translation>est du type VTK %1, ni un tétraèdre linéaire ni un polygone</translation>
+    </message>
+    <message>
+        <source>is not a legacy VTK file (no &quot;# vtk DataFile Version&quot;)</source>
+        <translation>n’est pas un ancien fichier VTK (sans « # vtk DataFile Version »)</translation>
+    </message>
+    <message>
+        <source>is not a gmsh mesh (no $MeshFormat)</source>
+        <translation>n’est pas un maillage gmsh (sans $MeshFormat)</translation>
+    </message>
+    <message>
+        <source>is neither a whole binary STL nor an ascii one</source>
+        <translation>n’est ni un STL binaire entier ni un STL en texte</translation>
+    </message>
+    <message>
+        <source>has no property &quot;%1&quot;</source>
+        <translation>n’a pas la propriété « %1 »</translation>
+    </message>
+    <message>
+        <source>holds &quot;%1&quot;, which is no number</source>
+        <translation>contient « %1 », qui n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>has rows but no properties</source>
+        <translation>a des lignes, mais pas de propriétés</translation>
+    </message>
+    <message>
+        <source>the file ends before it, and the header announces %1</source>
+        <translation>le fichier finit avant, et l’en-tête en annonce %1</translation>
+    </message>
+    <message>
+        <source>has a list longer than the file</source>
+        <translation>a une liste plus longue que le fichier</translation>
+    </message>
+    <message>
+        <source>holds more than a mesh does, with the rows before it</source>
+        <translation>contient, avec les lignes précédentes, plus qu’un maillage</translation>
+    </message>
+    <message>
+        <source>has the same nodes as tetrahedron %1</source>
+        <translation>a les mêmes nœuds que le tétraèdre %1</translation>
+    </message>
+    <message>
+        <source>there is no liver in them</source>
+        <translation>il n’y a pas de foie dedans</translation>
+    </message>
+    <message>
+        <source>is in several large pieces (%1 ml and %2 ml)</source>
+        <translation>est en plusieurs grands morceaux (%1 ml et %2 ml)</translation>
+    </message>
+    <message>
+        <source>has several large pieces (%1 and %2)</source>
+        <translation>a plusieurs grands morceaux (%1 et %2)</translation>
+    </message>
+    <message>
+        <source>are empty, and a DICOM segmentation holds at least one</source>
+        <translation>sont vides, et une segmentation DICOM en contient au moins une</translation>
+    </message>
+    <message>
+        <source>are empty</source>
+        <translation>sont vides</translation>
+    </message>
+    <message>
+        <source>is not a finite point</source>
+        <translation>n’est pas un point fini</translation>
+    </message>
+    <message>
+        <source>%1 would give more than 200000 vertices</source>
+        <translation>%1 donnerait plus de 200000 sommets</translation>
+    </message>
+    <message>
+        <source>there are more than 240</source>
+        <translation>il y en a plus de 240</translation>
+    </message>
+    <message>
+        <source>all are degenerate</source>
+        <translation>tous sont dégénérés</translation>
+    </message>
+    <message>
+        <source>has holes or edges with more than two triangles</source>
+        <translation>a des trous ou des arêtes de plus de deux triangles</translation>
+    </message>
+    <message>
+        <source>encloses no volume</source>
+        <translation>n’enferme aucun volume</translation>
+    </message>
+    <message>
+        <source>there is no such list</source>
+        <translation>il n’y a pas de telle liste</translation>
+    </message>
+    <message>
+        <source>edits are read in LPS millimetres only</source>
+        <translation>les modifications ne sont lues qu’en millimètres LPS</translation>
+    </message>
+    <message>
+        <source>lies %1 mm from the vessel</source>
+        <translation>est à %1 mm du vaisseau</translation>
+    </message>
+    <message>
+        <source>could not be put into this format</source>
+        <translation>n’a pas pu être mis dans ce format</translation>
+    </message>
+    <message>
+        <source>measures %1 m across when read in %2, and a liver measures 0.08 to 0.6 m</source>
+        <translation>mesure %1 m, lu en %2, et un foie mesure 0,08 à 0,6 m</translation>
+    </message>
+    <message>
+        <source>Build the atlas again, or take another one</source>
+        <translation>Construisez l’atlas de nouveau, ou prenez-en un autre</translation>
+    </message>
+    <message>
+        <source>Build the atlas again with this program</source>
+        <translation>Construisez l’atlas de nouveau avec ce programme</translation>
+    </message>
+    <message>
+        <source>Copy both files of one atlas</source>
+        <translation>Copiez les deux fichiers d’un même atlas</translation>
+    </message>
+    <message>
+        <source>Give %1 livers at least</source>
+        <translation>Donnez au moins %1 foies</translation>
+    </message>
+    <message>
+        <source>Give each liver once</source>
+        <translation>Donnez chaque foie une fois</translation>
+    </message>
+    <message>
+        <source>Build the model of the liver first</source>
+        <translation>Construisez d’abord le modèle du foie</translation>
+    </message>
+    <message>
+        <source>Build the model from labels or surfaces</source>
+        <translation>Construisez le modèle à partir d’étiquettes ou de surfaces</translation>
+    </message>
+    <message>
+        <source>Give the closed surface of the liver</source>
+        <translation>Donnez la surface fermée du foie</translation>
+    </message>
+    <message>
+        <source>Give the whole liver&apos;s surface</source>
+        <translation>Donnez la surface du foie entier</translation>
+    </message>
+    <message>
+        <source>Mend left and right in the file&apos;s header, or leave this liver out</source>
+        <translation>Corrigez gauche et droite dans l’en-tête du fichier, ou laissez ce foie de côté</translation>
+    </message>
+    <message>
+        <source>Write it as a list of [x, y, z] in millimetres (LPS)</source>
+        <translation>Écrivez-le comme liste de [x, y, z] en millimètres (LPS)</translation>
+    </message>
+    <message>
+        <source>Give anterior_margin, umbilical_notch or vena_cava</source>
+        <translation>Donnez anterior_margin, umbilical_notch ou vena_cava</translation>
+    </message>
+    <message>
+        <source>Convert them, or correct the two fields</source>
+        <translation>Convertissez-les, ou corrigez les deux champs</translation>
+    </message>
+    <message>
+        <source>Give 3 x 3 numbers, symmetric and without negative variances, or leave it out</source>
+        <translation>Donnez 3 x 3 nombres, symétriques et sans variance négative, ou laissez-le de côté</translation>
+    </message>
+    <message>
+        <source>Write it as &apos;glisson register&apos; does, or leave it out</source>
+        <translation>Écrivez-le comme « glisson register », ou laissez-le de côté</translation>
+    </message>
+    <message>
+        <source>Write it as &apos;glisson register&apos; does, or leave both out</source>
+        <translation>Écrivez-le comme « glisson register », ou laissez les deux de côté</translation>
+    </message>
+    <message>
+        <source>Give lengths, or leave it out</source>
+        <translation>Donnez des longueurs, ou laissez-le de côté</translation>
+    </message>
+    <message>
+        <source>Give a number from 0 to 1, or leave the rival out</source>
+        <translation>Donnez un nombre de 0 à 1, ou laissez l’autre position de côté</translation>
+    </message>
+    <message>
+        <source>Give the file that &apos;glisson register&apos; wrote for this model</source>
+        <translation>Donnez le fichier que « glisson register » a écrit pour ce modèle</translation>
+    </message>
+    <message>
+        <source>Remove the file: operations are simulated anew</source>
+        <translation>Retirez le fichier : les opérations sont simulées de nouveau</translation>
+    </message>
+    <message>
+        <source>The mesh has nodes 0 to %1</source>
+        <translation>Le maillage a les nœuds 0 à %1</translation>
+    </message>
+    <message>
+        <source>The surface has triangles 0 to %1</source>
+        <translation>La surface a les triangles 0 à %1</translation>
+    </message>
+    <message>
+        <source>Move or widen the region (millimetres, in the mesh&apos;s frame)</source>
+        <translation>Déplacez ou élargissez la région (millimètres, dans le repère du maillage)</translation>
+    </message>
+    <message>
+        <source>Keep fixed and moved nodes apart</source>
+        <translation>Séparez les nœuds fixes des nœuds déplacés</translation>
+    </message>
+    <message>
+        <source>Give 0-based indices below %1</source>
+        <translation>Donnez des numéros de 0 à moins de %1</translation>
+    </message>
+    <message>
+        <source>Leave some free to move</source>
+        <translation>Laissez-en quelques-uns libres</translation>
+    </message>
+    <message>
+        <source>Give Young&apos;s modulus in pascals, between 1 and 1e12 (3.5 kPa is 3500)</source>
+        <translation>Donnez le module de Young en pascals, entre 1 et 1e12 (3,5 kPa font 3500)</translation>
+    </message>
+    <message>
+        <source>Give a Poisson ratio from 0 to below 0.5</source>
+        <translation>Donnez un coefficient de Poisson de 0 à moins de 0,5</translation>
+    </message>
+    <message>
+        <source>Give a Poisson ratio above 0 or take the co-rotational law</source>
+        <translation>Donnez un coefficient de Poisson supérieur à 0, ou prenez la loi corotationnelle</translation>
+    </message>
+    <message>
+        <source>Give a value between %1 and %2 %3</source>
+        <translation>Donnez une valeur entre %1 et %2 %3</translation>
+    </message>
+    <message>
+        <source>Drop unused vertices from the mesh</source>
+        <translation>Retirez du maillage les sommets inutilisés</translation>
+    </message>
+    <message>
+        <source>Give a tetrahedral mesh of the liver</source>
+        <translation>Donnez un maillage de tétraèdres du foie</translation>
+    </message>
+    <message>
+        <source>Give one label a tetrahedron, or none</source>
+        <translation>Donnez une étiquette par tétraèdre, ou aucune</translation>
+    </message>
+    <message>
+        <source>Give relative moduli</source>
+        <translation>Donnez des modules relatifs</translation>
+    </message>
+    <message>
+        <source>Mend the mesh</source>
+        <translation>Réparez le maillage</translation>
+    </message>
+    <message>
+        <source>Correct the load</source>
+        <translation>Corrigez la charge</translation>
+    </message>
+    <message>
+        <source>Give a step between 1e-6 and 10 s</source>
+        <translation>Donnez un pas entre 1e-6 et 10 s</translation>
+    </message>
+    <message>
+        <source>Give a relative residual between 1e-12 and 0.1</source>
+        <translation>Donnez un résidu relatif entre 1e-12 et 0,1</translation>
+    </message>
+    <message>
+        <source>Give 1 or more</source>
+        <translation>Donnez 1 ou plus</translation>
+    </message>
+    <message>
+        <source>Give 1 or 2</source>
+        <translation>Donnez 1 ou 2</translation>
+    </message>
+    <message>
+        <source>Name it among the fixed nodes of the integrator</source>
+        <translation>Nommez-le parmi les nœuds fixes de l’intégrateur</translation>
+    </message>
+    <message>
+        <source>Take supine, prone, left_flank, right_flank, standing, none or three numbers in m/s2</source>
+        <translation>Prenez supine, prone, left_flank, right_flank, standing, none ou trois nombres en m/s2</translation>
+    </message>
+    <message>
+        <source>Correct it</source>
+        <translation>Corrigez-le</translation>
+    </message>
+    <message>
+        <source>Take one of %1</source>
+        <translation>Prenez l’un de %1</translation>
+    </message>
+    <message>
+        <source>Give Young&apos;s modulus in Pa, the section in m2 and the length in m, all above 0</source>
+        <translation>Donnez le module de Young en Pa, la section en m2 et la longueur en m, tous supérieurs à 0</translation>
+    </message>
+    <message>
+        <source>Fix nodes or attach springs to it</source>
+        <translation>Fixez des nœuds ou attachez-y des ressorts</translation>
+    </message>
+    <message>
+        <source>Give 1 to 1000000</source>
+        <translation>Donnez 1 à 1000000</translation>
+    </message>
+    <message>
+        <source>Give 1e-8 or so</source>
+        <translation>Donnez 1e-8 environ</translation>
+    </message>
+    <message>
+        <source>Build the vessel tree anew</source>
+        <translation>Construisez l’arbre de vaisseaux de nouveau</translation>
+    </message>
+    <message>
+        <source>Give one outer radius a node</source>
+        <translation>Donnez un rayon extérieur par nœud</translation>
+    </message>
+    <message>
+        <source>Give outer radii between 0 and 100 mm, in metres</source>
+        <translation>Donnez des rayons extérieurs entre 0 et 100 mm, en mètres</translation>
+    </message>
+    <message>
+        <source>Make the mesh coarser, or save it in binary</source>
+        <translation>Rendez le maillage plus grossier, ou enregistrez-le en binaire</translation>
+    </message>
+    <message>
+        <source>Make the mesh coarser, or leave out what is no point and no face</source>
+        <translation>Rendez le maillage plus grossier, ou laissez de côté ce qui n’est ni point ni face</translation>
+    </message>
+    <message>
+        <source>Export the mesh anew</source>
+        <translation>Exportez le maillage de nouveau</translation>
+    </message>
+    <message>
+        <source>Export the surface anew</source>
+        <translation>Exportez la surface de nouveau</translation>
+    </message>
+    <message>
+        <source>Remove the vertices that the volume does not use</source>
+        <translation>Retirez les sommets que le volume n’utilise pas</translation>
+    </message>
+    <message>
+        <source>Give .vtu, .vtk, .msh, .vtp, .stl, .obj or .ply</source>
+        <translation>Donnez .vtu, .vtk, .msh, .vtp, .stl, .obj ou .ply</translation>
+    </message>
+    <message>
+        <source>Give .vtu, legacy .vtk or .msh</source>
+        <translation>Donnez .vtu, .vtk ancien ou .msh</translation>
+    </message>
+    <message>
+        <source>Name the file .vtu or .vtk</source>
+        <translation>Nommez le fichier .vtu ou .vtk</translation>
+    </message>
+    <message>
+        <source>Name the file .vtp, .vtk, .stl, .obj or .ply</source>
+        <translation>Nommez le fichier .vtp, .vtk, .stl, .obj ou .ply</translation>
+    </message>
+    <message>
+        <source>Give a closed surface</source>
+        <translation>Donnez une surface fermée</translation>
+    </message>
+    <message>
+        <source>Give one node as &quot;x y z&quot; a line</source>
+        <translation>Donnez un nœud « x y z » par ligne</translation>
+    </message>
+    <message>
+        <source>Give 0-based node numbers of this mesh</source>
+        <translation>Donnez des numéros de nœuds de ce maillage, à partir de 0</translation>
+    </message>
+    <message>
+        <source>Convert the mesh to linear tetrahedra</source>
+        <translation>Convertissez le maillage en tétraèdres linéaires</translation>
+    </message>
+    <message>
+        <source>Give a tetrahedral mesh, or a closed surface to be meshed</source>
+        <translation>Donnez un maillage de tétraèdres, ou une surface fermée à mailler</translation>
+    </message>
+    <message>
+        <source>Remove one of them</source>
+        <translation>Retirez l’un d’eux</translation>
+    </message>
+    <message>
+        <source>Swap two of its vertices, or mesh anew</source>
+        <translation>Échangez deux de ses sommets, ou maillez de nouveau</translation>
+    </message>
+    <message>
+        <source>Remove it by mesh optimisation (perturb and exude), or mesh anew</source>
+        <translation>Retirez-le par optimisation du maillage (perturb et exude), ou maillez de nouveau</translation>
+    </message>
+    <message>
+        <source>Segment the liver first</source>
+        <translation>Segmentez d’abord le foie</translation>
+    </message>
+    <message>
+        <source>Join them or erase those that are not liver</source>
+        <translation>Joignez-les, ou effacez ceux qui ne sont pas du foie</translation>
+    </message>
+    <message>
+        <source>Ask for 1 to 100000 beams</source>
+        <translation>Demandez 1 à 100000 poutres</translation>
+    </message>
+    <message>
+        <source>Ask for 20 to 200000 vertices</source>
+        <translation>Demandez 20 à 200000 sommets</translation>
+    </message>
+    <message>
+        <source>Ask for longer edges</source>
+        <translation>Demandez des arêtes plus longues</translation>
+    </message>
+    <message>
+        <source>Place it on the vessel&apos;s entrance</source>
+        <translation>Placez-le à l’entrée du vaisseau</translation>
+    </message>
+    <message>
+        <source>Give an edge length of 1 to 100 mm</source>
+        <translation>Donnez une longueur d’arête de 1 à 100 mm</translation>
+    </message>
+    <message>
+        <source>Give a ratio of 0.2 to 1</source>
+        <translation>Donnez un rapport de 0,2 à 1</translation>
+    </message>
+    <message>
+        <source>Give a ratio of 0.1 to 10</source>
+        <translation>Donnez un rapport de 0,1 à 10</translation>
+    </message>
+    <message>
+        <source>Keep those that matter</source>
+        <translation>Gardez celles qui comptent</translation>
+    </message>
+    <message>
+        <source>Close it (fill its holes) before it is meshed</source>
+        <translation>Fermez-la (bouchez ses trous) avant de la mailler</translation>
+    </message>
+    <message>
+        <source>Keep the one that is the liver, or join them</source>
+        <translation>Gardez celui qui est le foie, ou joignez-les</translation>
+    </message>
+    <message>
+        <source>Write {&quot;edits&quot;: [...]}</source>
+        <translation>Écrivez {&quot;edits&quot;: [...]}</translation>
+    </message>
+    <message>
+        <source>Write {&quot;edit&quot;: &quot;prune&quot;, &quot;at&quot;: [x, y, z]} in millimetres (LPS)</source>
+        <translation>Écrivez {&quot;edit&quot;: &quot;prune&quot;, &quot;at&quot;: [x, y, z]} en millimètres (LPS)</translation>
+    </message>
+    <message>
+        <source>Choose another one</source>
+        <translation>Choisissez-en un autre</translation>
+    </message>
+    <message>
+        <source>Check what the file holds; no usual unit makes a liver of it</source>
+        <translation>Vérifiez ce que contient le fichier ; aucune unité usuelle n’en fait un foie</translation>
+    </message>
+    <message>
+        <source>Read it in %1</source>
+        <translation>Lisez-le en %1</translation>
+    </message>
+    <message>
+        <source>cannot be followed: %1</source>
+        <translation>ne peut pas être suivi : %1</translation>
+    </message>
+    <message>
+        <source>is %1 x %2, the calibration&apos;s is %3 x %4</source>
+        <translation>fait %1 x %2, celle du calibrage %3 x %4</translation>
+    </message>
+    <message>
+        <source>is %1, the calibration&apos;s %2</source>
+        <translation>fait %1, celle du calibrage %2</translation>
+    </message>
+    <message>
+        <source>there are %1, the model has %2</source>
+        <translation>il y en a %1, le modèle en a %2</translation>
+    </message>
+    <message>
+        <source>the mesh has nodes 0 to %1</source>
+        <translation>le maillage a les nœuds 0 à %1</translation>
+    </message>
+    <message>
+        <source>is not CT, and the network&apos;s window is of Hounsfield units</source>
+        <translation>n’est pas un scanner, et la fenêtre du réseau est en unités Hounsfield</translation>
+    </message>
+    <message>
+        <source>is more than 1 GB</source>
+        <translation>dépasse 1 Go</translation>
+    </message>
+    <message>
+        <source>are %1, not one</source>
+        <translation>sont %1, pas un</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>ne peut pas être lu</translation>
+    </message>
+    <message>
+        <source>is not a finite number</source>
+        <translation>n’est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>names no label code</source>
+        <translation>ne nomme aucun code d’étiquette</translation>
+    </message>
+    <message>
+        <source>is not a label code</source>
+        <translation>n’est pas un code d’étiquette</translation>
+    </message>
+    <message>
+        <source>has a normal without a direction</source>
+        <translation>a une normale sans direction</translation>
+    </message>
+    <message>
+        <source>has the label %1, which is none</source>
+        <translation>a l’étiquette %1, qui n’en est pas une</translation>
+    </message>
+    <message>
+        <source>has a sigma that is no standard deviation</source>
+        <translation>a un sigma qui n’est pas un écart type</translation>
+    </message>
+    <message>
+        <source>is missing: the file holds no points</source>
+        <translation>manque : le fichier ne contient pas de points</translation>
+    </message>
+    <message>
+        <source>half of its points lie within %1 m of its middle when read in %2, which is no liver</source>
+        <translation>la moitié de ses points est, lue en %2, à moins de %1 m de son milieu, ce qui n’est pas un foie</translation>
+    </message>
+    <message>
+        <source>is of another moment than the video&apos;s</source>
+        <translation>est d’un autre moment que celui de la vidéo</translation>
+    </message>
+    <message>
+        <source>has no mesh of tetrahedra</source>
+        <translation>n’a pas de maillage de tétraèdres</translation>
+    </message>
+    <message>
+        <source>is %1, and the mesh&apos;s is %2</source>
+        <translation>est %1, et celle du maillage %2</translation>
+    </message>
+    <message>
+        <source>there are %1, at least 10 are needed</source>
+        <translation>il y en a %1, il en faut au moins 10</translation>
+    </message>
+    <message>
+        <source>its place is not known</source>
+        <translation>sa place n’est pas connue</translation>
+    </message>
+    <message>
+        <source>there are not as many as points</source>
+        <translation>il n’y en a pas autant que de points</translation>
+    </message>
+    <message>
+        <source>is not of this model</source>
+        <translation>n’est pas de ce modèle</translation>
+    </message>
+    <message>
+        <source>has been seen at %1 places only, where %2 are needed</source>
+        <translation>n’a été vu qu’en %1 endroits, il en faut %2</translation>
+    </message>
+    <message>
+        <source>is not 16 numbers</source>
+        <translation>n’est pas 16 nombres</translation>
+    </message>
+    <message>
+        <source>its upper left 3 x 3 block is not a rotation</source>
+        <translation>son bloc 3 x 3 en haut à gauche n’est pas une rotation</translation>
+    </message>
+    <message>
+        <source>there are %1 other places, not %2</source>
+        <translation>il y a %1 autres positions, pas %2</translation>
+    </message>
+    <message>
+        <source>is not a list of numbers</source>
+        <translation>n’est pas une liste de nombres</translation>
+    </message>
+    <message>
+        <source>is not a number</source>
+        <translation>n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>has an empty picture</source>
+        <translation>a une image vide</translation>
+    </message>
+    <message>
+        <source>is %1 pixels, the others %2</source>
+        <translation>fait %1 pixels, les autres %2</translation>
+    </message>
+    <message>
+        <source>is %1 pixels, its calibration is for %2</source>
+        <translation>fait %1 pixels, son calibrage est pour %2</translation>
+    </message>
+    <message>
+        <source>is %1 pixels, the left image %2</source>
+        <translation>fait %1 pixels, l’image gauche %2</translation>
+    </message>
+    <message>
+        <source>is %1 pixels wide, so it has no two halves</source>
+        <translation>fait %1 pixels de large, donc n’a pas deux moitiés</translation>
+    </message>
+    <message>
+        <source>is %1 pixels high, so it has no two halves</source>
+        <translation>fait %1 pixels de haut, donc n’a pas deux moitiés</translation>
+    </message>
+    <message>
+        <source>holds one picture twice</source>
+        <translation>contient deux fois une même image</translation>
+    </message>
+    <message>
+        <source>is seen as a board of %1, where %2 inner corners are told</source>
+        <translation>est vue comme une mire de %1, alors que %2 coins intérieurs sont indiqués</translation>
+    </message>
+    <message>
+        <source>%1 of %2 pairs show a board of %3 inner corners in both pictures, %4 are needed</source>
+        <translation>%1 paires sur %2 montrent une mire de %3 coins intérieurs dans les deux images, il en faut %4</translation>
+    </message>
+    <message>
+        <source>leave the focal length open (%1 px, give or take %2): all %3 show the board at nearly one slant</source>
+        <translation>laissent la distance focale ouverte (%1 px, à %2 près) : toutes les %3 montrent la mire presque sous la même inclinaison</translation>
+    </message>
+    <message>
+        <source>of %1 mm gives a baseline of %2 mm, where a stereo laparoscope has 1 to 30 mm</source>
+        <translation>de %1 mm donne une base de %2 mm, alors qu’un laparoscope stéréo a 1 à 30 mm</translation>
+    </message>
+    <message>
+        <source>holds a view without a name</source>
+        <translation>contient une vue sans nom</translation>
+    </message>
+    <message>
+        <source>are %1 without those left out</source>
+        <translation>sont %1 sans celles laissées de côté</translation>
+    </message>
+    <message>
+        <source>is %1x%2, not 3x3</source>
+        <translation>est %1x%2, pas 3x3</translation>
+    </message>
+    <message>
+        <source>is %1x%2, not a vector of %3 or more numbers</source>
+        <translation>est %1x%2, pas un vecteur de %3 nombres ou plus</translation>
+    </message>
+    <message>
+        <source>is %1x%2, not a vector of %3 numbers</source>
+        <translation>est %1x%2, pas un vecteur de %3 nombres</translation>
+    </message>
+    <message>
+        <source>is not a number of pixels from 16 to 16384</source>
+        <translation>n’est pas un nombre de pixels de 16 à 16384</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;, which is no unit of length here</source>
+        <translation>vaut « %1 », qui n’est pas ici une unité de longueur</translation>
+    </message>
+    <message>
+        <source>uses more than the five terms k1 k2 p1 p2 k3</source>
+        <translation>utilise plus que les cinq termes k1 k2 p1 p2 k3</translation>
+    </message>
+    <message>
+        <source>is too large for a matrix</source>
+        <translation>est trop grand pour une matrice</translation>
+    </message>
+    <message>
+        <source>has no calibration in it that is whole (of cameras, distortions and the transform between them, one file is missing)</source>
+        <translation>ne contient pas de calibrage entier (des caméras, des distorsions et de la transformation entre elles, un fichier manque)</translation>
+    </message>
+    <message>
+        <source>is a second file of its kind beside %1</source>
+        <translation>est un second fichier de ce genre à côté de %1</translation>
+    </message>
+    <message>
+        <source>holds %1 numbers, not 3x3</source>
+        <translation>contient %1 nombres, pas 3x3</translation>
+    </message>
+    <message>
+        <source>holds %1 numbers, not 4 or 5</source>
+        <translation>contient %1 nombres, pas 4 ou 5</translation>
+    </message>
+    <message>
+        <source>holds %1 numbers, not 3x4 or 4x4</source>
+        <translation>contient %1 nombres, pas 3x4 ou 4x4</translation>
+    </message>
+    <message>
+        <source>is not 0 0 0 1</source>
+        <translation>n’est pas 0 0 0 1</translation>
+    </message>
+    <message>
+        <source>is not valid OpenCV YAML (at %1)</source>
+        <translation>n’est pas du YAML OpenCV valide (à %1)</translation>
+    </message>
+    <message>
+        <source>is not valid OpenCV YAML</source>
+        <translation>n’est pas du YAML OpenCV valide</translation>
+    </message>
+    <message>
+        <source>fit the calibration better when swapped (%1 matches in front of the cameras, %2 as given)</source>
+        <translation>vont mieux avec le calibrage si on les échange (%1 correspondances devant les caméras, %2 telles quelles)</translation>
+    </message>
+    <message>
+        <source>is not the left one</source>
+        <translation>n’est pas la gauche</translation>
+    </message>
+    <message>
+        <source>is not the number of a frame</source>
+        <translation>n’est pas le numéro d’une image</translation>
+    </message>
+    <message>
+        <source>is not a camera matrix (fx 0 cx; 0 fy cy; 0 0 1)</source>
+        <translation>n’est pas une matrice de caméra (fx 0 cx; 0 fy cy; 0 0 1)</translation>
+    </message>
+    <message>
+        <source>has its principal point (%1, %2) outside the image of %3x%4</source>
+        <translation>a son point principal (%1, %2) hors de l’image de %3x%4</translation>
+    </message>
+    <message>
+        <source>leaves nothing of the picture</source>
+        <translation>ne laisse rien de l’image</translation>
+    </message>
+    <message>
+        <source>the picture could not be encoded</source>
+        <translation>l’image n’a pas pu être encodée</translation>
+    </message>
+    <message>
+        <source>no picture has such a name</source>
+        <translation>aucune image n’a un tel nom</translation>
+    </message>
+    <message>
+        <source>%1 of %2 frames can be read back</source>
+        <translation>%1 images sur %2 peuvent être relues</translation>
+    </message>
+    <message>
+        <source>holds %1 numbers where %2 are expected</source>
+        <translation>contient %1 nombres, %2 sont attendus</translation>
+    </message>
+    <message>
+        <source>holds %1, which is no number of voxels</source>
+        <translation>contient %1, qui n’est pas un nombre de voxels</translation>
+    </message>
+    <message>
+        <source>names &quot;%1&quot;, which lies in another folder</source>
+        <translation>nomme « %1 », qui est dans un autre dossier</translation>
+    </message>
+    <message>
+        <source>names %1, which is missing</source>
+        <translation>nomme %1, qui manque</translation>
+    </message>
+    <message>
+        <source>is not that of a NIfTI-1 file that holds its voxels itself</source>
+        <translation>n’est pas celui d’un fichier NIfTI-1 qui contient lui-même ses voxels</translation>
+    </message>
+    <message>
+        <source>marks no array as the scalars</source>
+        <translation>ne marque aucun tableau comme scalaires</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;, which is no number format that is known</source>
+        <translation>vaut « %1 », qui n’est pas un format de nombres connu</translation>
+    </message>
+    <message>
+        <source>holds fewer values than there are voxels</source>
+        <translation>contient moins de valeurs qu’il n’y a de voxels</translation>
+    </message>
+    <message>
+        <source>is a DICOM directory that was cut or is damaged</source>
+        <translation>est un répertoire DICOM coupé ou endommagé</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;, not a whole number from %2 to %3</source>
+        <translation>vaut « %1 », pas un nombre entier de %2 à %3</translation>
+    </message>
+    <message>
+        <source>cannot be written as a DICOM segmentation (%1)</source>
+        <translation>ne peuvent pas être écrites comme segmentation DICOM (%1)</translation>
+    </message>
+    <message>
+        <source>is more than the 65535 pixels a side that DICOM counts</source>
+        <translation>dépasse les 65535 pixels par côté que compte DICOM</translation>
+    </message>
+    <message>
+        <source>is more than NIfTI can hold</source>
+        <translation>dépasse ce que NIfTI peut contenir</translation>
+    </message>
+    <message>
+        <source>cannot be searched (%1)</source>
+        <translation>ne peut pas être parcouru (%1)</translation>
+    </message>
+    <message>
+        <source>could not be made (%1)</source>
+        <translation>n’a pas pu être créé (%1)</translation>
+    </message>
+    <message>
+        <source>is %1, not %2</source>
+        <translation>est %1, pas %2</translation>
+    </message>
+    <message>
+        <source>left what is no result of it</source>
+        <translation>a laissé ce qui n’est pas un résultat de lui</translation>
+    </message>
+    <message>
+        <source>Register again, from more of the surface</source>
+        <translation>Recalez de nouveau, avec plus de surface</translation>
+    </message>
+    <message>
+        <source>Register again</source>
+        <translation>Recalez de nouveau</translation>
+    </message>
+    <message>
+        <source>Register from the start</source>
+        <translation>Recalez depuis le début</translation>
+    </message>
+    <message>
+        <source>Give both views of every frame</source>
+        <translation>Donnez les deux vues de chaque image</translation>
+    </message>
+    <message>
+        <source>Use the calibration of this video</source>
+        <translation>Utilisez le calibrage de cette vidéo</translation>
+    </message>
+    <message>
+        <source>Give a registration of this model</source>
+        <translation>Donnez un recalage de ce modèle</translation>
+    </message>
+    <message>
+        <source>Export a network whose input is [1, 1, rows, columns] or [1, 1, slices, rows, columns]</source>
+        <translation>Exportez un réseau dont l’entrée est [1, 1, lignes, colonnes] ou [1, 1, coupes, lignes, colonnes]</translation>
+    </message>
+    <message>
+        <source>Export a network whose input has a batch and a channel of 1</source>
+        <translation>Exportez un réseau dont l’entrée a un lot et un canal de 1</translation>
+    </message>
+    <message>
+        <source>Open a CT</source>
+        <translation>Ouvrez un scanner</translation>
+    </message>
+    <message>
+        <source>Use a coarser spacing, or tiles of fewer slices</source>
+        <translation>Utilisez un pas plus grossier, ou des tuiles de moins de coupes</translation>
+    </message>
+    <message>
+        <source>Use a smaller network</source>
+        <translation>Utilisez un réseau plus petit</translation>
+    </message>
+    <message>
+        <source>Export a network with one input and one output</source>
+        <translation>Exportez un réseau avec une entrée et une sortie</translation>
+    </message>
+    <message>
+        <source>Connect again</source>
+        <translation>Connectez de nouveau</translation>
+    </message>
+    <message>
+        <source>Give pixels of the picture</source>
+        <translation>Donnez des pixels de l’image</translation>
+    </message>
+    <message>
+        <source>Give lines as &apos;glisson track --correct&apos; writes them into frames.jsonl</source>
+        <translation>Donnez des lignes comme « glisson track --correct » les écrit dans frames.jsonl</translation>
+    </message>
+    <message>
+        <source>Write a JSON object such as {&quot;6&quot;: &quot;parenchyma&quot;, &quot;10&quot;: &quot;portal_vein&quot;}</source>
+        <translation>Écrivez un objet JSON comme {&quot;6&quot;: &quot;parenchyma&quot;, &quot;10&quot;: &quot;portal_vein&quot;}</translation>
+    </message>
+    <message>
+        <source>Codes are whole numbers from 0 to 65535, in quotes</source>
+        <translation>Les codes sont des nombres entiers de 0 à 65535, entre guillemets</translation>
+    </message>
+    <message>
+        <source>Use background, parenchyma, portal_vein, hepatic_veins, vena_cava, artery, gallbladder or lesion_1 to lesion_240 (or other_1 to other_9)</source>
+        <translation>Utilisez background, parenchyma, portal_vein, hepatic_veins, vena_cava, artery, gallbladder ou lesion_1 à lesion_240 (ou other_1 à other_9)</translation>
+    </message>
+    <message>
+        <source>Export the cloud again as PLY</source>
+        <translation>Exportez le nuage de nouveau en PLY</translation>
+    </message>
+    <message>
+        <source>Compute the normals again or leave nx ny nz out</source>
+        <translation>Calculez les normales de nouveau, ou laissez nx ny nz de côté</translation>
+    </message>
+    <message>
+        <source>Labels are 1 (surface), 2 (anterior margin) and 3 (umbilical notch)</source>
+        <translation>Les étiquettes sont 1 (surface), 2 (bord antérieur) et 3 (échancrure ombilicale)</translation>
+    </message>
+    <message>
+        <source>It must be a number of 0 or more</source>
+        <translation>Ce doit être un nombre de 0 ou plus</translation>
+    </message>
+    <message>
+        <source>Check what the file holds</source>
+        <translation>Vérifiez ce que contient le fichier</translation>
+    </message>
+    <message>
+        <source>Give what &apos;glisson track&apos; wrote</source>
+        <translation>Donnez ce que « glisson track » a écrit</translation>
+    </message>
+    <message>
+        <source>Give a folder that &apos;glisson track&apos; filled</source>
+        <translation>Donnez un dossier que « glisson track » a rempli</translation>
+    </message>
+    <message>
+        <source>Give the track of this video</source>
+        <translation>Donnez le suivi de cette vidéo</translation>
+    </message>
+    <message>
+        <source>Track the case itself: --model CASE</source>
+        <translation>Suivez le cas lui-même : --model CAS</translation>
+    </message>
+    <message>
+        <source>Give the case whose model was tracked</source>
+        <translation>Donnez le cas dont le modèle a été suivi</translation>
+    </message>
+    <message>
+        <source>Reconstruct with more features or larger regions</source>
+        <translation>Reconstruisez avec plus de points ou des régions plus grandes</translation>
+    </message>
+    <message>
+        <source>Place it among the landmarks</source>
+        <translation>Placez-la parmi les repères</translation>
+    </message>
+    <message>
+        <source>Remove the point</source>
+        <translation>Retirez le point</translation>
+    </message>
+    <message>
+        <source>Give one a point, or none</source>
+        <translation>Donnez-en une par point, ou aucune</translation>
+    </message>
+    <message>
+        <source>Follow the organ for a second and show more of it</source>
+        <translation>Suivez l’organe une seconde et montrez-en davantage</translation>
+    </message>
+    <message>
+        <source>Write a 4 x 4 matrix, cloud_from_model, row by row</source>
+        <translation>Écrivez une matrice 4 x 4, cloud_from_model, ligne par ligne</translation>
+    </message>
+    <message>
+        <source>Take out scale and mirroring</source>
+        <translation>Retirez l’échelle et le miroir</translation>
+    </message>
+    <message>
+        <source>Choose one of those that it tells</source>
+        <translation>Choisissez l’une de celles qu’il indique</translation>
+    </message>
+    <message>
+        <source>Choose up to 100 mm</source>
+        <translation>Choisissez jusqu’à 100 mm</translation>
+    </message>
+    <message>
+        <source>Choose up to 20 mm</source>
+        <translation>Choisissez jusqu’à 20 mm</translation>
+    </message>
+    <message>
+        <source>Choose up to 1</source>
+        <translation>Choisissez jusqu’à 1</translation>
+    </message>
+    <message>
+        <source>Choose 0.3 to 5 mm</source>
+        <translation>Choisissez 0,3 à 5 mm</translation>
+    </message>
+    <message>
+        <source>Write {&quot;liver&quot;: [[x, y, z], ...], ...}</source>
+        <translation>Écrivez {&quot;liver&quot;: [[x, y, z], ...], ...}</translation>
+    </message>
+    <message>
+        <source>Give the pictures of both cameras</source>
+        <translation>Donnez les images des deux caméras</translation>
+    </message>
+    <message>
+        <source>Give a picture of each camera</source>
+        <translation>Donnez une image de chaque caméra</translation>
+    </message>
+    <message>
+        <source>Calibrate with pictures of one size, that of the operation</source>
+        <translation>Calibrez avec des images d’une seule taille, celle de l’opération</translation>
+    </message>
+    <message>
+        <source>Count the corners where four squares meet, along each side</source>
+        <translation>Comptez le long de chaque côté les coins où quatre cases se touchent</translation>
+    </message>
+    <message>
+        <source>Check the board&apos;s size and dictionary, and take sharp pictures of it</source>
+        <translation>Vérifiez la taille et le dictionnaire de la mire, et prenez-en des images nettes</translation>
+    </message>
+    <message>
+        <source>Take sharp pictures of the whole board, with a white border around it</source>
+        <translation>Prenez des images nettes de toute la mire, avec un bord blanc autour</translation>
+    </message>
+    <message>
+        <source>Tilt the board by 20 to 40 degrees, each time another way</source>
+        <translation>Inclinez la mire de 20 à 40 degrés, chaque fois autrement</translation>
+    </message>
+    <message>
+        <source>Give the left camera&apos;s pictures as the left ones</source>
+        <translation>Donnez les images de la caméra gauche comme images gauches</translation>
+    </message>
+    <message>
+        <source>Measure the side of a square</source>
+        <translation>Mesurez le côté d’une case</translation>
+    </message>
+    <message>
+        <source>Name views as the report does</source>
+        <translation>Nommez les vues comme le rapport</translation>
+    </message>
+    <message>
+        <source>Keep %1 or more</source>
+        <translation>Gardez-en %1 ou plus</translation>
+    </message>
+    <message>
+        <source>Leave that pair out: it does not fit the others</source>
+        <translation>Laissez cette paire de côté : elle ne va pas avec les autres</translation>
+    </message>
+    <message>
+        <source>Write mm, cm or m: the unit of T</source>
+        <translation>Écrivez mm, cm ou m : l’unité de T</translation>
+    </message>
+    <message>
+        <source>Calibrate without the rational, thin-prism and tilted models</source>
+        <translation>Calibrez sans les modèles rational, thin-prism et tilted</translation>
+    </message>
+    <message>
+        <source>Leave one of them in the folder</source>
+        <translation>Laissez l’un d’eux dans le dossier</translation>
+    </message>
+    <message>
+        <source>Expected calib.left.intrinsic.txt (3x3), calib.left.distortion.txt (4 or 5 numbers), the same for right, and calib.l2r.txt (4x4)</source>
+        <translation>Attendus : calib.left.intrinsic.txt (3x3), calib.left.distortion.txt (4 ou 5 nombres), de même pour right, et calib.l2r.txt (4x4)</translation>
+    </message>
+    <message>
+        <source>Write &quot;left&quot; here, and &quot;right&quot; as the image of each region of the right one</source>
+        <translation>Écrivez ici « left », et « right » comme image de chaque région de la droite</translation>
+    </message>
+    <message>
+        <source>Check image_width and image_height: the calibration is of another image size</source>
+        <translation>Vérifiez image_width et image_height : le calibrage est d’une autre taille d’image</translation>
+    </message>
+    <message>
+        <source>Use .png</source>
+        <translation>Utilisez .png</translation>
+    </message>
+    <message>
+        <source>Check the pattern</source>
+        <translation>Vérifiez le motif</translation>
+    </message>
+    <message>
+        <source>Free some space on the disk and record again</source>
+        <translation>Libérez de l’espace sur le disque et enregistrez de nouveau</translation>
+    </message>
+    <message>
+        <source>Put it beside the header and name it there without a folder</source>
+        <translation>Placez-le à côté de l’en-tête et nommez-le là sans dossier</translation>
+    </message>
+    <message>
+        <source>Export it as NIfTI-1</source>
+        <translation>Exportez-le en NIfTI-1</translation>
+    </message>
+    <message>
+        <source>Export it as one .nii or .nii.gz file</source>
+        <translation>Exportez-le en un seul fichier .nii ou .nii.gz</translation>
+    </message>
+    <message>
+        <source>Write one scalar array on the points</source>
+        <translation>Écrivez un tableau de scalaires sur les points</translation>
+    </message>
+    <message>
+        <source>Export the labels as .seg.nrrd instead</source>
+        <translation>Exportez plutôt les étiquettes en .seg.nrrd</translation>
+    </message>
+    <message>
+        <source>Segment the CT first</source>
+        <translation>Segmentez d’abord le scanner</translation>
+    </message>
+    <message>
+        <source>Write .nrrd instead</source>
+        <translation>Écrivez plutôt .nrrd</translation>
+    </message>
+    <message>
+        <source>Check its permissions, or copy it to a disk of this computer</source>
+        <translation>Vérifiez ses droits, ou copiez-le sur un disque de cet ordinateur</translation>
+    </message>
+    <message>
+        <source>Do not trust the file; export it again</source>
+        <translation>Ne vous fiez pas au fichier ; exportez-le de nouveau</translation>
+    </message>
+    <message>
+        <source>is larger than 100 MB, more than any list needs</source>
+        <translation>dépasse 100 Mo, plus qu’il n’en faut à une liste</translation>
+    </message>
+    <message>
+        <source>has no voxel of %1 within 5 mm</source>
+        <translation>n’a pas de voxel de %1 à moins de 5 mm</translation>
+    </message>
+    <message>
+        <source>lies at the tree&apos;s root</source>
+        <translation>est à la racine de l’arbre</translation>
+    </message>
+    <message>
+        <source>lies outside the volume</source>
+        <translation>est hors du volume</translation>
+    </message>
+    <message>
+        <source>are not the one list of the file</source>
+        <translation>ne sont pas l’unique liste du fichier</translation>
+    </message>
+    <message>
+        <source>brick %1 is missing</source>
+        <translation>le bloc %1 manque</translation>
+    </message>
+    <message>
+        <source>belongs to labels of another size</source>
+        <translation>appartient à des étiquettes d’une autre taille</translation>
+    </message>
+    <message>
+        <source>counts more steps than there are</source>
+        <translation>compte plus d’étapes qu’il n’y en a</translation>
+    </message>
+    <message>
+        <source>do not lead to the case&apos;s labels</source>
+        <translation>ne mènent pas aux étiquettes du cas</translation>
+    </message>
+    <message>
+        <source>is not a JSON object</source>
+        <translation>n’est pas un objet JSON</translation>
+    </message>
+    <message>
+        <source>lies on %1, not on %2</source>
+        <translation>est sur %1, pas sur %2</translation>
+    </message>
+    <message>
+        <source>runs through several slices</source>
+        <translation>traverse plusieurs coupes</translation>
+    </message>
+    <message>
+        <source>%1 lies in air, fat or bone</source>
+        <translation>%1 est dans l’air, la graisse ou l’os</translation>
+    </message>
+    <message>
+        <source>%1 lies in %2, which may not become the vessel there</source>
+        <translation>%1 est dans %2, qui ne peut pas y devenir le vaisseau</translation>
+    </message>
+    <message>
+        <source>has no way from %1 to %2 through soft tissue that may become the vessel</source>
+        <translation>n’a pas de chemin de %1 à %2 par des tissus mous qui peuvent devenir le vaisseau</translation>
+    </message>
+    <message>
+        <source>is %1, which is no vessel</source>
+        <translation>est %1, qui n’est pas un vaisseau</translation>
+    </message>
+    <message>
+        <source>%1 lies outside the volume</source>
+        <translation>%1 est hors du volume</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are one voxel</source>
+        <translation>%1 et %2 sont un même voxel</translation>
+    </message>
+    <message>
+        <source>is not followed</source>
+        <translation>n’est pas suivi</translation>
+    </message>
+    <message>
+        <source>lies on other voxels than the CT (origin, spacing, direction or size)</source>
+        <translation>est sur d’autres voxels que le scanner (origine, pas, direction ou taille)</translation>
+    </message>
+    <message>
+        <source>names nothing of the liver in any segment</source>
+        <translation>ne nomme rien du foie dans aucun segment</translation>
+    </message>
+    <message>
+        <source>is kept already</source>
+        <translation>est déjà gardé</translation>
+    </message>
+    <message>
+        <source>is one more than the %1 that can be kept</source>
+        <translation>est un de plus que les %1 qui peuvent être gardés</translation>
+    </message>
+    <message>
+        <source>has not been seen often enough yet</source>
+        <translation>n’a pas encore été vu assez souvent</translation>
+    </message>
+    <message>
+        <source>has fewer than 3 points</source>
+        <translation>a moins de 3 points</translation>
+    </message>
+    <message>
+        <source>has %1 points</source>
+        <translation>a %1 points</translation>
+    </message>
+    <message>
+        <source>is not proposed</source>
+        <translation>n’est pas proposé</translation>
+    </message>
+    <message>
+        <source>is none</source>
+        <translation>n’en est pas un</translation>
+    </message>
+    <message>
+        <source>is not known, nor where a vessel enters: nothing holds the organ</source>
+        <translation>n’est pas connue, ni où un vaisseau entre : rien ne tient l’organe</translation>
+    </message>
+    <message>
+        <source>and the places where vessels enter lie on one line, about which the organ would turn freely</source>
+        <translation>et les endroits où entrent les vaisseaux sont sur une ligne, autour de laquelle l’organe tournerait librement</translation>
+    </message>
+    <message>
+        <source>is no number</source>
+        <translation>n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>no pipe to a helper process can be made (%1)</source>
+        <translation>aucun tube vers un processus auxiliaire ne peut être créé (%1)</translation>
+    </message>
+    <message>
+        <source>no socket to a helper process can be made (%1)</source>
+        <translation>aucune connexion vers un processus auxiliaire ne peut être créée (%1)</translation>
+    </message>
+    <message>
+        <source>no socket can be made (%1)</source>
+        <translation>aucune connexion ne peut être créée (%1)</translation>
+    </message>
+    <message>
+        <source>no event can be made</source>
+        <translation>aucun événement ne peut être créé</translation>
+    </message>
+    <message>
+        <source>cannot be opened to flush (%1)</source>
+        <translation>ne peut pas être ouvert pour être écrit sur le disque (%1)</translation>
+    </message>
+    <message>
+        <source>was replaced while it was written</source>
+        <translation>a été remplacé pendant son écriture</translation>
+    </message>
+    <message>
+        <source>its permissions could not be kept (%1)</source>
+        <translation>ses droits n’ont pas pu être gardés (%1)</translation>
+    </message>
+    <message>
+        <source>could not be replaced (%1)</source>
+        <translation>n’a pas pu être remplacé (%1)</translation>
+    </message>
+    <message>
+        <source>no folder for recovery can be made here (%1)</source>
+        <translation>aucun dossier de récupération ne peut être créé ici (%1)</translation>
+    </message>
+    <message>
+        <source>its folder does not exist</source>
+        <translation>son dossier n’existe pas</translation>
+    </message>
+    <message>
+        <source>its folder cannot be written to</source>
+        <translation>on ne peut pas écrire dans son dossier</translation>
+    </message>
+    <message>
+        <source>is a file, a folder is needed here</source>
+        <translation>est un fichier, il faut ici un dossier</translation>
+    </message>
+    <message>
+        <source>could not be completed (%1)</source>
+        <translation>n’a pas pu être achevé (%1)</translation>
+    </message>
+    <message>
+        <source>could not be written (%1)</source>
+        <translation>n’a pas pu être écrit (%1)</translation>
+    </message>
+    <message>
+        <source>others have saved it meanwhile, so that it stays as they left it; this run&apos;s is %1</source>
+        <translation>d’autres l’ont enregistré entre-temps, il reste comme ils l’ont laissé ; celui de cette exécution est %1</translation>
+    </message>
+    <message>
+        <source>a volume reads back differently from what was written</source>
+        <translation>un volume se relit autrement qu’il n’a été écrit</translation>
+    </message>
+    <message>
+        <source>this file system has no locks, so that two programs may write one case</source>
+        <translation>ce système de fichiers n’a pas de verrous : deux programmes pourraient écrire un même cas</translation>
+    </message>
+    <message>
+        <source>is no option of &apos;glisson %1&apos;</source>
+        <translation>n’est pas une option de « glisson %1 »</translation>
+    </message>
+    <message>
+        <source>unknown option</source>
+        <translation>option inconnue</translation>
+    </message>
+    <message>
+        <source>is needed</source>
+        <translation>est nécessaire</translation>
+    </message>
+    <message>
+        <source>one of them is needed</source>
+        <translation>l’un d’eux est nécessaire</translation>
+    </message>
+    <message>
+        <source>one of --pairs, --left with --right, and --video is needed</source>
+        <translation>il faut l’un de --pairs, --left avec --right et --video</translation>
+    </message>
+    <message>
+        <source>must end in %1</source>
+        <translation>doit se terminer par %1</translation>
+    </message>
+    <message>
+        <source>must be a number from %1 to %2</source>
+        <translation>doit être un nombre de %1 à %2</translation>
+    </message>
+    <message>
+        <source>must be %1 numbers between commas, each from %2 to %3</source>
+        <translation>doit être %1 nombres séparés par des virgules, chacun de %2 à %3</translation>
+    </message>
+    <message>
+        <source>must be a whole number from 0</source>
+        <translation>doit être un nombre entier à partir de 0</translation>
+    </message>
+    <message>
+        <source>must be a whole number</source>
+        <translation>doit être un nombre entier</translation>
+    </message>
+    <message>
+        <source>must be two whole numbers, as in 14x10</source>
+        <translation>doit être deux nombres entiers, comme 14x10</translation>
+    </message>
+    <message>
+        <source>must be mm, cm or m</source>
+        <translation>doit être mm, cm ou m</translation>
+    </message>
+    <message>
+        <source>must be direct, fast or reference</source>
+        <translation>doit être direct, fast ou reference</translation>
+    </message>
+    <message>
+        <source>must be sparse, dense or auto</source>
+        <translation>doit être sparse, dense ou auto</translation>
+    </message>
+    <message>
+        <source>must be surf, sift or akaze</source>
+        <translation>doit être surf, sift ou akaze</translation>
+    </message>
+    <message>
+        <source>must be automatic, forces, springs or paper</source>
+        <translation>doit être automatic, forces, springs ou paper</translation>
+    </message>
+    <message>
+        <source>must be operations or none</source>
+        <translation>doit être operations ou none</translation>
+    </message>
+    <message>
+        <source>must hold a number such as %02d, as in &apos;cloud_%02d.ply&apos;</source>
+        <translation>doit contenir un nombre comme %02d, comme dans &apos;cloud_%02d.ply&apos;</translation>
+    </message>
+    <message>
+        <source>%1 arguments were given besides the options, %2 is needed</source>
+        <translation>%1 arguments en dehors des options, il en faut %2</translation>
+    </message>
+    <message>
+        <source>no file of this name exists</source>
+        <translation>il n’y a pas de fichier de ce nom</translation>
+    </message>
+    <message>
+        <source>needs a matrix</source>
+        <translation>demande une matrice</translation>
+    </message>
+    <message>
+        <source>needs pictures</source>
+        <translation>demande des images</translation>
+    </message>
+    <message>
+        <source>needs --igtl-send</source>
+        <translation>demande --igtl-send</translation>
+    </message>
+    <message>
+        <source>is no lesion</source>
+        <translation>n’est pas une lésion</translation>
+    </message>
+    <message>
+        <source>is no pixel</source>
+        <translation>n’est pas un pixel</translation>
+    </message>
+    <message>
+        <source>is none of the looks</source>
+        <translation>n’est aucun des rendus</translation>
+    </message>
+    <message>
+        <source>does not exist, and is no command</source>
+        <translation>n’existe pas, et n’est pas une commande</translation>
+    </message>
+    <message>
+        <source>the window opens one case</source>
+        <translation>la fenêtre ouvre un seul cas</translation>
+    </message>
+    <message>
+        <source>there is no display for the window, but commands work without one</source>
+        <translation>il n’y a pas d’écran pour la fenêtre, mais les commandes s’en passent</translation>
+    </message>
+    <message>
+        <source>is not in the video</source>
+        <translation>n’est pas dans la vidéo</translation>
+    </message>
+    <message>
+        <source>is not in the video, or was not tracked</source>
+        <translation>n’est pas dans la vidéo, ou n’a pas été suivie</translation>
+    </message>
+    <message>
+        <source>is not in the video, or lies before the registered frame</source>
+        <translation>n’est pas dans la vidéo, ou est avant l’image recalée</translation>
+    </message>
+    <message>
+        <source>is beside the organ</source>
+        <translation>est à côté de l’organe</translation>
+    </message>
+    <message>
+        <source>has no frame to be drawn</source>
+        <translation>n’a pas d’image à dessiner</translation>
+    </message>
+    <message>
+        <source>Click on the branch that is to change</source>
+        <translation>Cliquez sur la branche à changer</translation>
+    </message>
+    <message>
+        <source>Click farther out on the branch</source>
+        <translation>Cliquez plus loin sur la branche</translation>
+    </message>
+    <message>
+        <source>Click inside the picture</source>
+        <translation>Cliquez dans l’image</translation>
+    </message>
+    <message>
+        <source>Click inside the vessel</source>
+        <translation>Cliquez dans le vaisseau</translation>
+    </message>
+    <message>
+        <source>Click a part of %1</source>
+        <translation>Cliquez sur une partie de %1</translation>
+    </message>
+    <message>
+        <source>Click beside it, or change what may be edited</source>
+        <translation>Cliquez à côté, ou changez ce qui peut être modifié</translation>
+    </message>
+    <message>
+        <source>Click points between them, or change what may be edited</source>
+        <translation>Cliquez des points entre eux, ou changez ce qui peut être modifié</translation>
+    </message>
+    <message>
+        <source>Click two different places</source>
+        <translation>Cliquez deux endroits différents</translation>
+    </message>
+    <message>
+        <source>Choose the portal vein, the hepatic veins, the vena cava or the artery</source>
+        <translation>Choisissez la veine porte, les veines hépatiques, la veine cave ou l’artère</translation>
+    </message>
+    <message>
+        <source>Draw a disc in one slice, or use a ball</source>
+        <translation>Dessinez un disque dans une coupe, ou utilisez une boule</translation>
+    </message>
+    <message>
+        <source>Write {&quot;edits&quot;: [{&quot;tool&quot;: ...}, ...]}</source>
+        <translation>Écrivez {&quot;edits&quot;: [{&quot;tool&quot;: ...}, ...]}</translation>
+    </message>
+    <message>
+        <source>Write {&quot;tool&quot;: ..., ...}</source>
+        <translation>Écrivez {&quot;tool&quot;: ..., ...}</translation>
+    </message>
+    <message>
+        <source>Delete the folder &apos;history&apos; of the case: only the undo steps are lost</source>
+        <translation>Supprimez le dossier « history » du cas : seules les étapes à annuler sont perdues</translation>
+    </message>
+    <message>
+        <source>Remove it from the case</source>
+        <translation>Retirez-le du cas</translation>
+    </message>
+    <message>
+        <source>Start tracking first</source>
+        <translation>Lancez d’abord le suivi</translation>
+    </message>
+    <message>
+        <source>Resample the segmentation to the CT&apos;s grid, or open the CT that it was drawn on</source>
+        <translation>Rééchantillonnez la segmentation sur la grille du scanner, ou ouvrez le scanner sur lequel elle a été dessinée</translation>
+    </message>
+    <message>
+        <source>Say which segment means what with --codes FILE (see &apos;glisson model --help&apos;)</source>
+        <translation>Dites avec --codes FICHIER quel segment signifie quoi (voir « glisson model --help »)</translation>
+    </message>
+    <message>
+        <source>Look from elsewhere and reconstruct again</source>
+        <translation>Regardez d’ailleurs et reconstruisez de nouveau</translation>
+    </message>
+    <message>
+        <source>Forget the earlier looks, or register with these</source>
+        <translation>Oubliez les vues précédentes, ou recalez avec celles-ci</translation>
+    </message>
+    <message>
+        <source>Follow the organ in a stereo video for a second</source>
+        <translation>Suivez l’organe dans une vidéo stéréo pendant une seconde</translation>
+    </message>
+    <message>
+        <source>Give the points of the contact</source>
+        <translation>Donnez les points du contact</translation>
+    </message>
+    <message>
+        <source>Give as many as are proposed: %1</source>
+        <translation>Donnez-en autant que proposé : %1</translation>
+    </message>
+    <message>
+        <source>Let an atlas that knows it propose it first</source>
+        <translation>Faites-le d’abord proposer par un atlas qui le connaît</translation>
+    </message>
+    <message>
+        <source>Correct first</source>
+        <translation>Corrigez d’abord</translation>
+    </message>
+    <message>
+        <source>Place the vena cava among the landmarks</source>
+        <translation>Placez la veine cave parmi les repères</translation>
+    </message>
+    <message>
+        <source>Place three points or more of the vena cava among the landmarks, where it touches the liver</source>
+        <translation>Placez trois points ou plus de la veine cave parmi les repères, là où elle touche le foie</translation>
+    </message>
+    <message>
+        <source>Remove the file&apos;s entry from case.json and transfer the atlas again</source>
+        <translation>Retirez l’entrée du fichier de case.json et transférez l’atlas de nouveau</translation>
+    </message>
+    <message>
+        <source>Write it again</source>
+        <translation>Écrivez-le de nouveau</translation>
+    </message>
+    <message>
+        <source>Close other programs</source>
+        <translation>Fermez d’autres programmes</translation>
+    </message>
+    <message>
+        <source>Check permissions and free space</source>
+        <translation>Vérifiez les droits et l’espace libre</translation>
+    </message>
+    <message>
+        <source>Check the disk</source>
+        <translation>Vérifiez le disque</translation>
+    </message>
+    <message>
+        <source>Keep cases elsewhere</source>
+        <translation>Gardez les cas ailleurs</translation>
+    </message>
+    <message>
+        <source>Choose another folder</source>
+        <translation>Choisissez un autre dossier</translation>
+    </message>
+    <message>
+        <source>Compare the two</source>
+        <translation>Comparez les deux</translation>
+    </message>
+    <message>
+        <source>See &apos;glisson %1 --help&apos;</source>
+        <translation>Voir « glisson %1 --help »</translation>
+    </message>
+    <message>
+        <source>See &apos;glisson --help&apos;</source>
+        <translation>Voir « glisson --help »</translation>
+    </message>
+    <message>
+        <source>See --help</source>
+        <translation>Voir --help</translation>
+    </message>
+    <message>
+        <source>Check --%1</source>
+        <translation>Vérifiez --%1</translation>
+    </message>
+    <message>
+        <source>Check the pattern&apos;s folder and number</source>
+        <translation>Vérifiez le dossier et le numéro du motif</translation>
+    </message>
+    <message>
+        <source>Give its file by --rigid FILE</source>
+        <translation>Donnez son fichier avec --rigid FICHIER</translation>
+    </message>
+    <message>
+        <source>Give --video with --calibration</source>
+        <translation>Donnez --video avec --calibration</translation>
+    </message>
+    <message>
+        <source>Give lesion_1 and so on</source>
+        <translation>Donnez lesion_1, etc.</translation>
+    </message>
+    <message>
+        <source>Give two numbers, as 480,270</source>
+        <translation>Donnez deux nombres, comme 480,270</translation>
+    </message>
+    <message>
+        <source>Give frames from 0 to %1</source>
+        <translation>Donnez des images de 0 à %1</translation>
+    </message>
+    <message>
+        <source>Give a pixel of the drawn organ</source>
+        <translation>Donnez un pixel de l’organe dessiné</translation>
+    </message>
+    <message>
+        <source>Give one on it</source>
+        <translation>Donnez-en un dessus</translation>
+    </message>
+    <message>
+        <source>Choose a frame that was tracked</source>
+        <translation>Choisissez une image qui a été suivie</translation>
+    </message>
+    <message>
+        <source>Choose a frame between the registered one and the video&apos;s end</source>
+        <translation>Choisissez une image entre celle recalée et la fin de la vidéo</translation>
+    </message>
+    <message>
+        <source>Give a track of this video, or register a frame that is not its last</source>
+        <translation>Donnez un suivi de cette vidéo, ou recalez une image qui n’est pas la dernière</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>

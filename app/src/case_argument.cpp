@@ -11,7 +11,9 @@ void declare_case(Arguments& arguments) {
 }
 
 void open_case(const Arguments& arguments, Session& session) {
-  session.call("case", arguments.required_path("case").string());
+  // The modules know what lies in it by the names of its parts.
+  for (const char* part : {"case", "image", "labels", "seeds", "regions", "calibration"})
+    session.call(part, arguments.required_path("case").string());
   session.post(engine::OpenCase{arguments.required_path("case"), engine::OpenCase::Access::write});
 }
 
@@ -21,7 +23,7 @@ void save_case(const Arguments& arguments, Session& session) {
   const std::filesystem::path& saved = session.state().path;
   if (saved != wanted)
     throw FileError(wanted.string() +
-                    ": others have saved it meanwhile. It stays as they left it; this run's is " +
+                    ": others have saved it meanwhile, so that it stays as they left it; this run's is " +
                     saved.string() + ". Compare the two.");
   session.texts["case"] = wanted.string();
 }

@@ -55,7 +55,7 @@ void require_place_for(const fs::path& file) {
   const fs::path place = place_for_file(file);
   const fs::path folder = place.has_parent_path() ? place.parent_path() : fs::path(".");
   if (::access(folder.c_str(), W_OK) != 0)
-    throw FileError(file.string() + ": its folder cannot be written to. Choose another.");
+    throw FileError(file.string() + ": its folder cannot be written to. Choose another folder.");
   sweep_leftovers(folder);
 }
 
@@ -200,7 +200,7 @@ bool Arguments::parse(const QStringList& given) {
 
 fs::path Arguments::required_path(const QString& name) const {
   if (!has(name) || value(name).isEmpty())
-    throw UsageError("--" + name.toStdString() + " is needed. See 'glisson " + command_.toStdString() +
+    throw UsageError("--" + name.toStdString() + ": is needed. See 'glisson " + command_.toStdString() +
                      " --help'.");
   return path(name);
 }
@@ -234,12 +234,11 @@ std::vector<double> Arguments::numbers(const QString& name, int count, double lo
     good = good && is_number && std::isfinite(found.back()) && found.back() >= low && found.back() <= high;
   }
   if (good) return found;
-  const std::string range =
-      QString::number(low).toStdString() + " to " + QString::number(high).toStdString() + ".";
-  throw UsageError(
-      "--" + name.toStdString() + " " + value(name).toStdString() + ": must be " +
-      (count == 1 ? "a number from " : std::to_string(count) + " numbers between commas, each from ") +
-      range);
+  const std::string least = QString::number(low).toStdString(), most = QString::number(high).toStdString(),
+                    told = "--" + name.toStdString() + " " + value(name).toStdString();
+  if (count == 1) throw UsageError(told + ": must be a number from " + least + " to " + most + ".");
+  throw UsageError(told + ": must be " + std::to_string(count) + " numbers between commas, each from " +
+                   least + " to " + most + ".");
 }
 
 int Arguments::integer(const QString& name, int low, int high) const {
@@ -260,12 +259,11 @@ LengthUnit Arguments::unit(const QString& name) const {
 
 QStringList Arguments::positionals(int low, int high) const {
   const QStringList given = parser_.positionalArguments();
-  if (given.size() < low || given.size() > high)
-    throw UsageError("glisson " + command_.toStdString() + ": " + std::to_string(given.size()) +
-                     " arguments were given besides the options, " + std::to_string(low) +
-                     (high > low ? " to " + std::to_string(high) : "") + " is needed. See 'glisson " +
-                     command_.toStdString() + " --help'.");
-  return given;
+  if (given.size() >= low && given.size() <= high) return given;
+  const std::string wanted = std::to_string(low) + (high > low ? "-" + std::to_string(high) : "");
+  throw UsageError("glisson " + command_.toStdString() + ": " + std::to_string(given.size()) +
+                   " arguments were given besides the options, " + wanted + " is needed. See 'glisson " +
+                   command_.toStdString() + " --help'.");
 }
 
 std::uint64_t Arguments::seed() const {
@@ -349,7 +347,9 @@ OutputFolder::OutputFolder(const fs::path& wanted)
   sweep_leftovers(wanted_.parent_path());
   working_ = std::make_unique<TemporaryFolder>(wanted_.parent_path());
   fs::create_directory(path(), failure);
-  if (failure) throw FileError(told_.string() + ": cannot be written (" + failure.message() + ").");
+  if (failure)
+    throw FileError(told_.string() + ": could not be written (" + failure.message() +
+                    "). Check permissions and free space.");
 }
 
 fs::path OutputFolder::path() const { return working_->path() / wanted_.filename(); }
@@ -367,7 +367,8 @@ void OutputFolder::commit(bool whole) {
     else
       merge(path(), wanted_);
   } catch (const fs::filesystem_error& failure) {
-    throw FileError(told_.string() + ": could not be completed (" + failure.code().message() + ").");
+    throw FileError(told_.string() + ": could not be completed (" + failure.code().message() +
+                    "). Check permissions and free space.");
   }
 }
 

@@ -106,8 +106,10 @@ class Session {
   /// Does a command. @throws Error with the engine's sentence, Interrupted.
   engine::Outcome post(engine::Command command);
   /// What the person calls what the modules know by another name: their sentences begin with the files then.
-  /// "stereo pair" -> "l.png, r.png".
-  void call(const std::string& name, const std::string& files) { files_of_[name] = files; }
+  /// "stereo pair" -> "l.png, r.png". Nothing where no file was given.
+  void call(const std::string& name, const std::string& files) {
+    if (!files.empty()) files_of_[name] = files;
+  }
   /// Follows one input, however long it takes. `fraction` of all inputs is done with it, for the terminal.
   /// @pre tracking was started. @throws Interrupted.
   OverlayFrame follow(engine::LiveInput input, double fraction);

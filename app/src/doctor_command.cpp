@@ -122,7 +122,7 @@ void try_locks() {
   if (Claim::make_file(folder.path(), "", one).empty() || !one.take())
     throw FileError(
         folder.path().string() +
-        ": this file system has no locks. Two programs may write one case: keep cases elsewhere.");
+        ": this file system has no locks, so that two programs may write one case. Keep cases elsewhere.");
 }
 
 void try_volumes() {

@@ -7,7 +7,9 @@
 #include <cstring>
 #include <exception>
 #include <filesystem>
+#include <functional>
 #include <optional>
+#include <string>
 
 #include "cli.h"
 #include "commands.h"
@@ -38,20 +40,38 @@ void print_usage() {
     say(QString("  %1 %2").arg(command.name, -12).arg(Cli::tr(command.description)));
 }
 
-/// Runs a command; what the modules say on an error is told in the person's language, while there is one.
-int run_told(const SubCommand& command, const QStringList& arguments) {
+int tell(const std::string& sentence, int code) {
+  std::fprintf(stderr, "glisson: %s\n", ui::error_text(sentence).toLocal8Bit().constData());
+  return code;
+}
+
+/// Does something; what is said on an error is told in the person's language, while there is one.
+int run_told(const std::function<int()>& work) {
   try {
-    return command.run(arguments);
-  } catch (const UsageError&) {
-    throw;
+    return work();
+  } catch (const UsageError& failure) {
+    return tell(failure.what(), kUsage);
   } catch (const Interrupted&) {
     throw;
   } catch (const Error& failure) {
-    std::fprintf(stderr, "glisson: %s\n", ui::error_text(failure.what()).toLocal8Bit().constData());
+    return tell(failure.what(), kFailed);
   } catch (const std::filesystem::filesystem_error& failure) {
-    std::fprintf(stderr, "glisson: %s\n", ui::error_text(sentence_of(failure)).toLocal8Bit().constData());
+    return tell(sentence_of(failure), kFailed);
   }
-  return kFailed;
+}
+
+int open_window(int argc, char** argv) {
+  try {
+    if (argc > 1 && argv[1][0] == '-')
+      throw UsageError(std::string(argv[1]) + ": unknown option. See 'glisson --help'.");
+    report_crashes(crash_folder(), "");
+    return run_window(argc, argv);
+  } catch (const Error&) {
+    // Without a window there was no language as yet.
+    QCoreApplication application(argc, argv);
+    ui::set_up_language(application);
+    return run_told([]() -> int { throw; });
+  }
 }
 
 int run(int argc, char** argv) {
@@ -71,7 +91,7 @@ int run(int argc, char** argv) {
     sweep_leftovers(work_folder());
     QStringList arguments;
     for (int i = 2; i < argc; ++i) arguments << QString::fromLocal8Bit(argv[i]);
-    return run_told(command, arguments);
+    return run_told([&] { return command.run(arguments); });
   }
   if (std::strcmp(first, "--help") == 0 || std::strcmp(first, "-h") == 0 || std::strcmp(first, "help") == 0) {
     QCoreApplication application(argc, argv);
@@ -83,9 +103,7 @@ int run(int argc, char** argv) {
     std::puts("glisson " GLISSON_VERSION);
     return 0;
   }
-  if (first[0] == '-') throw UsageError(std::string(first) + ": unknown option. See 'glisson --help'.");
-  report_crashes(crash_folder(), "");
-  return run_window(argc, argv);
+  return open_window(argc, argv);
 }
 
 }  // namespace

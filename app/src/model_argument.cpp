@@ -40,10 +40,11 @@ ModelArgument load_model(const Arguments& arguments, Session& session) {
   const bool is_folder = fs::is_directory(argument.path);
   if (is_folder && argument.path.lexically_normal().filename().empty())
     argument.path = argument.path.parent_path();
+  for (const char* name : {"case", "model", "mesh", "surfaces", "labels", "roots"})
+    session.call(name, argument.path.string());
   const engine::ModelSource kind = engine::model_source(argument.path);
   if (kind == engine::ModelSource::a_case) {
     session.post(engine::OpenCase{argument.path, engine::OpenCase::Access::read});
-    session.call("case", argument.path.string());
     session.need({part::model});
   } else if (kind == engine::ModelSource::tetrahedra) {
     session.post(engine::ImportMesh{argument.path, argument.unit});

@@ -160,6 +160,7 @@ int run_import(const QStringList& given) {
   const auto modality = modality_from(arguments.value("modality"));
   Session session(arguments);
   if (fs::exists(folder)) open_case(arguments, session);
+  session.call("image", input.toStdString());
   session.post(
       engine::ImportImage{input.toStdString(), arguments.value("series").toStdString(), false, modality});
   save_case(arguments, session);
@@ -211,6 +212,7 @@ int run_segment(const QStringList& given) {
   const LabelOutput output(arguments);
   Session session(arguments);
   open_case(arguments, session);
+  if (!seeds.empty()) session.call("seeds", seeds.string());
   if (by_network)
     session.post(
         engine::SegmentByNetwork{arguments.path("network"), command.options.locked, command.over_hand_work});

@@ -74,8 +74,7 @@ class ViewSource {
     if (arguments_.has("pairs") + arguments_.has("video") + sides != 1)
       throw UsageError(
           "glisson calibrate: one of --pairs, --left with --right, and --video is needed. See 'glisson "
-          "calibrate "
-          "--help'.");
+          "calibrate --help'.");
     const auto told = [this](const std::string& name, stereo::BoardViews::Found found) { tell(name, found); };
     const bool whole =
         arguments_.has("video") ? from_video(told)
@@ -119,6 +118,14 @@ class ViewSource {
   Session& session_;
   stereo::BoardViews views_;
 };
+
+/// As the person gave them.
+std::string pictures_of(const Arguments& arguments) {
+  QStringList given;
+  for (const char* option : {"pairs", "left", "right", "video", "video-right"})
+    if (arguments.has(option)) given << arguments.value(option);
+  return given.join(QStringLiteral(", ")).toStdString();
+}
 
 void tell_views(const stereo::Calibration& calibration) {
   say(Cli::tr(
@@ -200,6 +207,7 @@ int run_calibrate(const QStringList& given) {
   arguments.require_existing("reference");
   if (arguments.has("text")) return convert(arguments, out);
   Session session(arguments);
+  for (const char* name : {"board", "left and right pictures"}) session.call(name, pictures_of(arguments));
   engine::CalibrateRig command;
   command.found = std::make_shared<const stereo::BoardViews>(ViewSource(arguments, session).find());
   command.board = command.found->board();
@@ -252,7 +260,13 @@ int run_reconstruct(const QStringList& given) {
   const engine::SetCalibration calibration{arguments.required_path("calibration")};
   const engine::LoadStereoPair pair{arguments.required_path("left"), arguments.required_path("right"),
                                     arguments.path("mask")};
-  session.call("stereo pair", pair.left.string() + ", " + pair.right.string());
+  for (const char* both : {"stereo pair", "left and right images"})
+    session.call(both, pair.left.string() + ", " + pair.right.string());
+  session.call("left image", pair.left.string());
+  session.call("right image", pair.right.string());
+  session.call("mask", pair.mask.string());
+  session.call("calibration", calibration.path.string());
+  session.call("regions", arguments.path("regions").string());
   // Plain text does not tell the pictures' size: they come first then.
   const bool plain_text = stereo::is_text_calibration(calibration.path);
   if (!plain_text) session.post(calibration);

@@ -304,12 +304,17 @@ int run_register(const QStringList& given) {
   Session session(arguments);
   const ModelArgument argument = load_model(arguments, session);
   const LengthUnit unit = arguments.has("cloud-unit") ? arguments.unit("cloud-unit") : argument.unit;
+  session.call("cloud", cloud.string());
+  session.call("fixed nodes", arguments.path("fixed").string());
   session.post(engine::ImportCloud{cloud, unit});
   // Those of a case that the model was taken from belong to its own cloud.
   if (session.state()[part::earlier_looks]) session.post(engine::ForgetLooks{});
-  if (arguments.has("looks"))
-    for (const QString& look : arguments.value("looks").split(QLatin1Char(',')))
-      session.post(engine::KeepLook{look.toStdString(), unit});
+  int number = 1;
+  session.call("look 1", cloud.string());
+  for (const QString& look : arguments.value("looks").split(QLatin1Char(','), Qt::SkipEmptyParts)) {
+    session.call("look " + std::to_string(++number), look.toStdString());
+    session.post(engine::KeepLook{look.toStdString(), unit});
+  }
   engine::Register command;
   command.materials = given_materials(arguments);
   command.fixed_nodes = fixed_nodes(arguments, session);
@@ -403,7 +408,7 @@ int run_track(const QStringList& given) {
   FrameTeller teller(arguments);
   OutputFolder out(arguments.required_path("out"));
   if (arguments.has("video") == arguments.has("clouds"))
-    throw UsageError("Give either --video with --calibration, or --clouds.");
+    throw UsageError("--video, --clouds: one of them is needed. See 'glisson track --help'.");
   if (arguments.has("correct") && !arguments.has("video"))
     throw UsageError("--correct: needs pictures. Give --video with --calibration.");
   if (arguments.has("register-again") && !arguments.has("video"))
@@ -415,6 +420,7 @@ int run_track(const QStringList& given) {
   if (arguments.has("clouds")) clouds = expand(arguments.value("clouds"));
   Session session(arguments);
   const ModelArgument argument = load_model(arguments, session);
+  session.call("start", arguments.required_path("start").string());
   session.post(engine::ImportRegistration{arguments.required_path("start"), argument.unit});
   engine::StartTracking command;
   command.materials = given_materials(arguments);

@@ -22,7 +22,7 @@ namespace {
 Label lesion_named(const QString& name) {
   const std::optional<Label> label = structure_named(name.toStdString());
   if (!label || !is_lesion(*label))
-    throw UsageError("--lesion: '" + name.toStdString() + "' is no lesion. Give lesion_1, lesion_2, ...");
+    throw UsageError("--lesion " + name.toStdString() + ": is no lesion. Give lesion_1 and so on.");
   return *label;
 }
 
@@ -32,7 +32,7 @@ Eigen::Vector2d pixel_named(const QString& text) {
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
   if (numbers.size() == 2) pixel = {numbers[0].toDouble(&is_u), numbers[1].toDouble(&is_v)};
   if (!is_u || !is_v || !pixel.allFinite())
-    throw UsageError("--mark: '" + text.toStdString() + "' is no pixel. Give two numbers, as 480,270.");
+    throw UsageError("--mark " + text.toStdString() + ": is no pixel. Give two numbers, as 480,270.");
   return pixel;
 }
 
@@ -52,7 +52,7 @@ scene::OverlayStyle style_of(const Arguments& arguments) {
     style.look = look;
     if (arguments.value("look") == scene::look_code(look)) return style;
   }
-  throw UsageError("--look: '" + arguments.value("look").toStdString() + "' is none. See --help.");
+  throw UsageError("--look " + arguments.value("look").toStdString() + ": is none of the looks. See --help.");
 }
 
 /// What the person wants to know.

@@ -27,7 +27,7 @@ InputError::InputError(std::string file, std::string field, std::string problem,
       remedy_(std::move(remedy)) {}
 
 void OptionCheck::operator()(bool good, const char* field, double value, const char* remedy) const {
-  if (!good) throw InputError(options_, field, "is " + std::to_string(value), remedy);
+  if (!good) throw InputError(options_, field, "is " + std::to_string(value) + ", out of range", remedy);
 }
 
 void require(bool condition, const char* message) {

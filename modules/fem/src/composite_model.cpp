@@ -19,16 +19,16 @@ std::string number(double value) {
 
 void check_material(const Material& material, const std::string& name) {
   if (!std::isfinite(material.young_modulus) || material.young_modulus < 1.0 || material.young_modulus > 1e12)
-    throw InputError(name, "young_modulus", "is " + number(material.young_modulus) + " Pa",
+    throw InputError(name, "young_modulus", "is " + number(material.young_modulus) + " Pa, out of range",
                      "Give Young's modulus in pascals, between 1 and 1e12 (3.5 kPa is 3500)");
   if (!(material.poisson_ratio >= 0.0 && material.poisson_ratio < 0.5))
-    throw InputError(name, "poisson_ratio", "is " + number(material.poisson_ratio),
+    throw InputError(name, "poisson_ratio", "is " + number(material.poisson_ratio) + ", out of range",
                      "Give a Poisson ratio from 0 to below 0.5");
 }
 
 void check_range(double value, double low, double high, const std::string& field, const std::string& unit) {
   if (!(value >= low && value <= high))
-    throw InputError("composite options", field, "is " + number(value) + " " + unit,
+    throw InputError("composite options", field, "is " + number(value) + " " + unit + ", out of range",
                      "Give a value between " + number(low) + " and " + number(high) + " " + unit);
 }
 

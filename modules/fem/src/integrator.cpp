@@ -14,16 +14,18 @@ namespace glisson::fem {
 
 void IntegratorOptions::validate() const {
   if (!(time_step >= 1e-6 && time_step <= 10.0))
-    throw InputError("integrator options", "time_step", "is " + std::to_string(time_step) + " s",
+    throw InputError("integrator options", "time_step",
+                     "is " + std::to_string(time_step) + " s, out of range",
                      "Give a step between 1e-6 and 10 s");
   if (!(tolerance >= 1e-12 && tolerance <= 0.1))
-    throw InputError("integrator options", "tolerance", "is " + std::to_string(tolerance),
+    throw InputError("integrator options", "tolerance", "is " + std::to_string(tolerance) + ", out of range",
                      "Give a relative residual between 1e-12 and 0.1");
   if (max_iterations < 1)
-    throw InputError("integrator options", "max_iterations", "is " + std::to_string(max_iterations),
-                     "Give 1 or more");
+    throw InputError("integrator options", "max_iterations",
+                     "is " + std::to_string(max_iterations) + ", out of range", "Give 1 or more");
   if (threads < 1 || threads > 2)
-    throw InputError("integrator options", "threads", "is " + std::to_string(threads), "Give 1 or 2");
+    throw InputError("integrator options", "threads", "is " + std::to_string(threads) + ", out of range",
+                     "Give 1 or 2");
 }
 
 struct Integrator::Impl {

@@ -63,12 +63,14 @@ Cancellable<SimulationResult> simulate_static(
 
 void SimulationOptions::validate() const {
   if (steps < 1 || steps > 1'000'000)
-    throw InputError("simulation options", "steps", "is " + std::to_string(steps), "Give 1 to 1000000");
+    throw InputError("simulation options", "steps", "is " + std::to_string(steps) + ", out of range",
+                     "Give 1 to 1000000");
   if (max_iterations < 1)
-    throw InputError("simulation options", "max_iterations", "is " + std::to_string(max_iterations),
-                     "Give 1 or more");
+    throw InputError("simulation options", "max_iterations",
+                     "is " + std::to_string(max_iterations) + ", out of range", "Give 1 or more");
   if (!(solver_tolerance >= 1e-12 && solver_tolerance <= 0.1))
-    throw InputError("simulation options", "solver_tolerance", "is " + std::to_string(solver_tolerance),
+    throw InputError("simulation options", "solver_tolerance",
+                     "is " + std::to_string(solver_tolerance) + ", out of range",
                      "Give a relative residual between 1e-12 and 0.1");
   if (!(tolerance > 0.0))
     throw InputError("simulation options", "tolerance", "is not positive", "Give 1e-8 or so");

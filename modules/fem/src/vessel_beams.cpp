@@ -23,7 +23,7 @@ void check_tree(const VesselTree& tree, std::size_t number) {
   for (int i = 0; i < count; ++i)
     if (!(tree.radii[i] > 0.0) || tree.radii[i] > 0.1)
       throw InputError(name, "radius " + std::to_string(i),
-                       "is " + std::to_string(tree.radii[i] * 1e3) + " mm",
+                       "is " + std::to_string(tree.radii[i] * 1e3) + " mm, out of range",
                        "Give outer radii between 0 and 100 mm, in metres");
   for (std::size_t k = 0; k < tree.beams.size(); ++k)
     for (const int i : tree.beams[k])

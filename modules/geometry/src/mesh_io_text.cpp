@@ -127,7 +127,8 @@ TriangleMesh read_ply_surface(const std::filesystem::path& path) {
       for (const char* key : {"x", "y", "z"}) {
         const auto column = element.scalars.find(key);
         if (column == element.scalars.end())
-          throw InputError(name, "vertex", std::string("has no property ") + key, "Export the file anew");
+          throw InputError(name, "vertex", std::string("has no property \"") + key + "\"",
+                           "Export the file anew");
         for (std::size_t i = 0; i < column->second.size(); ++i) coordinates[3 * i + axis] = column->second[i];
         ++axis;
       }

@@ -162,8 +162,7 @@ class Body {
     if (tiny && word.find_first_not_of("+-.0123456789eE") == std::string_view::npos) return 0.0;
     throw InputError(
         name_, field,
-        word.empty() ? "the file ends here" : "holds \"" + shown(word) + "\", which is not a number",
-        kExport);
+        word.empty() ? "the file ends here" : "holds \"" + shown(word) + "\", which is no number", kExport);
   }
 
   double read_binary(Type type, const std::string& field) {

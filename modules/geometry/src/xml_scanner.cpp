@@ -19,7 +19,7 @@ bool is_name(char c) {
 void XmlScanner::fail(const std::string& problem) const {
   const auto line =
       1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(position_), '\n');
-  throw InputError(name_, "line " + std::to_string(line), problem, "The file is damaged: export it anew");
+  throw InputError(name_, "line " + std::to_string(line), problem, "The file is damaged: export it again");
 }
 
 void XmlScanner::skip_to(std::string_view mark, const char* what) {

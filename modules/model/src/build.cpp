@@ -153,7 +153,7 @@ void count_vessel_nodes(const PatientModel& model, std::vector<std::string>& not
 void ModelOptions::validate() const {
   mesh.validate();
   if (target_beams < 1 || target_beams > 100000)
-    throw InputError("model options", "target_beams", std::to_string(target_beams) + " is out of range",
+    throw InputError("model options", "target_beams", "is " + std::to_string(target_beams) + ", out of range",
                      "Ask for 1 to 100000 beams");
   if (!portal_root.allFinite() || !hepatic_root.allFinite())
     throw InputError("model options", "root", "is not a finite point", "Place it on the vessel's entrance");

@@ -12,17 +12,20 @@ namespace glisson::model {
 
 void MeshOptions::validate() const {
   if (target_vertices < 20 || target_vertices > 200000)
-    throw InputError("mesh options", "target_vertices", std::to_string(target_vertices) + " is out of range",
+    throw InputError("mesh options", "target_vertices",
+                     "is " + std::to_string(target_vertices) + ", out of range",
                      "Ask for 20 to 200000 vertices");
   if (edge_mm != 0.0 && !(edge_mm >= 1.0 && edge_mm <= 100.0))
-    throw InputError("mesh options", "edge_mm", std::to_string(edge_mm) + " is out of range",
+    throw InputError("mesh options", "edge_mm", "is " + std::to_string(edge_mm) + ", out of range",
                      "Give an edge length of 1 to 100 mm");
   if (!(vessel_refinement >= 0.2 && vessel_refinement <= 1.0))
     throw InputError("mesh options", "vessel_refinement",
-                     std::to_string(vessel_refinement) + " is out of range", "Give a ratio of 0.2 to 1");
+                     "is " + std::to_string(vessel_refinement) + ", out of range",
+                     "Give a ratio of 0.2 to 1");
   if (!(lesion_refinement >= 0.1 && lesion_refinement <= 10.0))
     throw InputError("mesh options", "lesion_refinement",
-                     std::to_string(lesion_refinement) + " is out of range", "Give a ratio of 0.1 to 10");
+                     "is " + std::to_string(lesion_refinement) + ", out of range",
+                     "Give a ratio of 0.1 to 10");
 }
 
 Cancellable<TetMesh> mesh_surface(const TriangleMesh& surface, const MeshOptions& options,

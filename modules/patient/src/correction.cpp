@@ -114,9 +114,12 @@ std::vector<CorrectionLine> read_corrections(const std::filesystem::path& path) 
     try {
       const json object = json::parse(one);
       if (object.contains(kKey)) lines.push_back(line_of(object));
-    } catch (const std::exception& problem) {
+    } catch (const InputError& error) {
+      throw InputError(path.string(), "line " + std::to_string(count) + ", " + error.field(), error.problem(),
+                       error.remedy());
+    } catch (const std::exception& failure) {
       throw InputError(path.string(), "line " + std::to_string(count),
-                       std::string("cannot be used: ") + problem.what(),
+                       std::string("is malformed (") + failure.what() + ")",
                        "Give lines as 'glisson track --correct' writes them into frames.jsonl");
     }
   }

@@ -193,9 +193,13 @@ OverlayRecord read_overlay_record(const std::filesystem::path& path) {
         record.complete = object.at("complete").get<bool>();
       else if (!object.contains("correct") && !object.contains(kAgain))  // by hand: see correction.h
         record.frames.push_back(line_of(object));
-    } catch (const std::exception& problem) {
+    } catch (const InputError& error) {
+      throw InputError(path.string(), "line " + std::to_string(count) + ", " + error.field(), error.problem(),
+                       error.remedy());
+    } catch (const std::exception& failure) {
       throw InputError(path.string(), "line " + std::to_string(count),
-                       std::string("cannot be used: ") + problem.what(), "Give what 'glisson track' wrote");
+                       std::string("is malformed (") + failure.what() + ")",
+                       "Give what 'glisson track' wrote");
     }
   }
   return record;

@@ -44,8 +44,8 @@ std::optional<OverlayFrame> TrackReplay::at(int frame, double seconds, double fr
   overlay.nodes_in_camera = file.mesh.vertices;
   if (overlay.nodes_in_camera.rows() != nodes_)
     throw InputError(mesh.string(), "nodes",
-                     "there are " + std::to_string(overlay.nodes_in_camera.rows()) +
-                         ", the case's model has " + std::to_string(nodes_),
+                     "there are " + std::to_string(overlay.nodes_in_camera.rows()) + ", the model has " +
+                         std::to_string(nodes_),
                      "Give the case whose model was tracked");
   return overlay;
 }

@@ -300,16 +300,18 @@ void BoardViews::require(int least) const {
   const int count = static_cast<int>(views_.size());
   if (count >= least) return;
   const std::string wanted = size_text(board_.columns, board_.rows);
-  const std::string found = std::to_string(count) + " of " + std::to_string(pairs_) +
-                            " pairs show a board of " + wanted + " inner corners in both pictures";
   const std::pair<int, int> expected(std::max(board_.columns, board_.rows),
                                      std::min(board_.columns, board_.rows));
   std::pair<int, int> shown = expected;
   if (!without_.empty() && !board_.charuco()) shown = chessboard_size(without_).value_or(expected);
   if (shown != expected)
-    throw InputError("board", "size", found + "; one of " + size_text(shown.first, shown.second) + " is seen",
+    throw InputError("board", "size",
+                     "is seen as a board of " + size_text(shown.first, shown.second) + ", where " + wanted +
+                         " inner corners are told",
                      "Count the corners where four squares meet, along each side");
-  throw InputError("board", "", found + ", " + std::to_string(least) + " are needed",
+  throw InputError("board", "",
+                   std::to_string(count) + " of " + std::to_string(pairs_) + " pairs show a board of " +
+                       wanted + " inner corners in both pictures, " + std::to_string(least) + " are needed",
                    board_.charuco()
                        ? "Check the board's size and dictionary, and take sharp pictures of it"
                        : "Take sharp pictures of the whole board, with a white border around it");

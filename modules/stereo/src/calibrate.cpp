@@ -381,7 +381,7 @@ void CalibrateOptions::validate() const {
     (void)checked_rotation("reference", "R", reference->right_from_left.rotation);
     check_rig("reference", *reference);
   } catch (const InputError& failure) {
-    throw InputError("calibration options", "reference", failure.field() + " " + failure.problem(),
+    throw InputError("calibration options", "reference, " + failure.field(), failure.problem(),
                      failure.remedy());
   }
 }
@@ -437,11 +437,10 @@ Cancellable<Calibration> calibrate(const BoardViews& views, const CalibrateOptio
     if (const auto complaint = complaint_about(result, report_poses(result, views), views.board().square)) {
       for (const ViewReport& view : result.views)
         if (view.used && view.outlier)
-          throw InputError("board", view.name,
-                           "does not fit the others, and " +
-                               (complaint->field().empty() ? complaint->file() : complaint->field()) + " " +
-                               complaint->problem(),
-                           "Leave that pair out");
+          throw InputError(
+              "board",
+              view.name + ", " + (complaint->field().empty() ? complaint->file() : complaint->field()),
+              complaint->problem(), "Leave that pair out: it does not fit the others");
       throw InputError(*complaint);
     }
   } catch (const cv::Exception& failure) {

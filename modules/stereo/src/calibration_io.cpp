@@ -39,8 +39,8 @@ class Reader {
     if (std::min(values.rows(), values.cols()) != 1 || values.size() < least || values.size() > most)
       throw InputError(file_, name,
                        "is " + std::to_string(values.rows()) + "x" + std::to_string(values.cols()) +
-                           ", not a vector of " + std::to_string(least) + (most > least ? " or more" : "") +
-                           " numbers",
+                           ", not a vector of " + std::to_string(least) +
+                           (most > least ? " or more numbers" : " numbers"),
                        kCalibrateAgain);
     return std::vector<double>(values.data(), values.data() + values.size());
   }

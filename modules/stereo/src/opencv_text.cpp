@@ -73,7 +73,8 @@ void OpenCvText::read_yaml(std::string_view content) {
   long open = 0;
   const auto fail = [&] {
     throw InputError(name_, "",
-                     "is not valid OpenCV YAML" + (key.empty() ? "" : " (at " + key.substr(0, 40) + ")"),
+                     key.empty() ? std::string("is not valid OpenCV YAML")
+                                 : "is not valid OpenCV YAML (at " + key.substr(0, 40) + ")",
                      kRemedy);
   };
   const auto finish = [&] {

@@ -168,7 +168,7 @@ PairCheck check_pair(const Picture& left, const Picture& right, const StereoRig&
   for (const auto& [picture, camera] : {std::pair(&left, &rig.left), {&right, &rig.right}})
     if (picture->empty() || picture->width != camera->width || picture->height != camera->height)
       throw InputError("stereo pair", "size",
-                       size_text(picture->width, picture->height) + " is not that of the calibration, " +
+                       "is " + size_text(picture->width, picture->height) + ", the calibration's " +
                            size_text(camera->width, camera->height),
                        "Use the calibration of this laparoscope at this image size");
   PairCheck check;

@@ -51,10 +51,11 @@ class OneStream : public Views {
     rate = stream_->rate;
     const bool across = layout == Layout::side_by_side;
     if ((across ? width : height) % 2 != 0)
-      throw InputError(stream_->name, "",
-                       "is " + std::to_string(across ? width : height) +
-                           (across ? " pixels wide" : " pixels high") + ", so it has no two halves",
-                       "Both views are of one size; give two files otherwise");
+      throw InputError(
+          stream_->name, "",
+          "is " + std::to_string(across ? width : height) +
+              (across ? " pixels wide, so it has no two halves" : " pixels high, so it has no two halves"),
+          "Both views are of one size; give two files otherwise");
     if (across) width /= 2;
     if (layout == Layout::top_bottom) height /= 2;
   }

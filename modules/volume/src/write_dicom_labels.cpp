@@ -41,7 +41,7 @@ class Writer {
     if (condition.bad())
       throw InputError(path_.string(), "labels",
                        std::string("cannot be written as a DICOM segmentation (") + condition.text() + ")",
-                       "Export them as .seg.nrrd instead");
+                       "Export the labels as .seg.nrrd instead");
   }
 
   /// A decimal of the at most 16 letters that DICOM allows.

@@ -5,7 +5,7 @@
 
 namespace glisson::ui {
 
-const std::vector<const char*>& known_problems() {
+const std::vector<const char*>& general_problems() {
   static const std::vector<const char*> kPhrases = {
       QT_TRANSLATE_NOOP("ErrorPhrases", "does not exist"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is no ONNX network that can be run here (%1)"),
@@ -255,7 +255,7 @@ const std::vector<const char*>& known_problems() {
   return kPhrases;
 }
 
-const std::vector<const char*>& known_remedies() {
+const std::vector<const char*>& general_remedies() {
   static const std::vector<const char*> kPhrases = {
       QT_TRANSLATE_NOOP("ErrorPhrases", "Start it, and check its address and port"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Start the server again"),

@@ -13,4 +13,14 @@ namespace glisson::ui {
 const std::vector<const char*>& known_problems();
 const std::vector<const char*>& known_remedies();
 
+// Those of some rooms, each in a file of its own. Where two fit a sentence, the one that stands first counts.
+const std::vector<const char*>& general_problems();
+const std::vector<const char*>& general_remedies();
+const std::vector<const char*>& model_problems();
+const std::vector<const char*>& model_remedies();
+const std::vector<const char*>& view_problems();
+const std::vector<const char*>& view_remedies();
+const std::vector<const char*>& work_problems();
+const std::vector<const char*>& work_remedies();
+
 }  // namespace glisson::ui

@@ -32,7 +32,7 @@ void load(CaseState& state, const json& entry, const CaseFolder& folder) {
   const auto count = entry.at("count").get<std::int64_t>();
   if (count < 1 || count > static_cast<std::int64_t>(kMostLooks))
     throw InputError((folder.path / "case.json").string(), "earlier_looks.count",
-                     "is " + std::to_string(count) + ", not 1 to " + std::to_string(kMostLooks),
+                     "is " + std::to_string(count) + ", not between 1 and " + std::to_string(kMostLooks),
                      "Restore the case from a copy");
   EarlierLooks looks;
   for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k)
