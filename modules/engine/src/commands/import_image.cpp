@@ -21,6 +21,24 @@ std::string note_of(const std::vector<std::string>& missing) {
   return missing.size() > kNamed ? note + ", ..." : note;
 }
 
+/// @throws InputError the files tell another one.
+void choose_modality(Scan& scan, Modality chosen, const std::filesystem::path& path) {
+  if (chosen != scan.image.modality && !scan.source.empty())
+    throw InputError(path.string(), "modality", "is told by its DICOM files, and is another one",
+                     "Leave the choice out");
+  scan.image.modality = chosen;
+}
+
+Figures figures_of(const VolumeGrid& grid) {
+  Figures figures;
+  for (int k = 0; k < 3; ++k) {
+    const std::string axis(1, static_cast<char>('i' + k));
+    figures["image_size_" + axis] = grid.size[k];
+    figures["image_spacing_" + axis + "_mm"] = grid.spacing_mm[k];
+  }
+  return figures;
+}
+
 }  // namespace
 
 CommandTraits ImportImage::traits() const {
@@ -32,23 +50,10 @@ CommandTraits ImportImage::traits() const {
 Cancellable<Applied> ImportImage::apply(const CaseState& state, const RunContext& context) const {
   auto scan = read_scan(path, context, series);
   if (!scan) return {};
-  Image* image = &scan->image;
-  if (modality && *modality != image->modality) {
-    if (!scan->source.empty())
-      throw InputError(path.string(), "modality", "is told by its DICOM files, and is another one",
-                       "Leave the choice out");
-    image->modality = *modality;
-  }
-  Applied applied;
-  if (!new_case) applied.state = state;
-  for (int k = 0; k < 3; ++k) {
-    const std::string axis(1, static_cast<char>('i' + k));
-    applied.figures["image_size_" + axis] = image->grid.size[k];
-    applied.figures["image_spacing_" + axis + "_mm"] = image->grid.spacing_mm[k];
-  }
-  applied.notes = image_doubts(*image);
+  if (modality) choose_modality(*scan, *modality, path);
+  Applied applied{new_case ? CaseState() : state, figures_of(scan->image.grid), image_doubts(scan->image)};
   if (!scan->missing.empty()) applied.notes.push_back(note_of(scan->missing));
-  applied.state[part::image] = std::make_shared<const Image>(std::move(*image));
+  applied.state[part::image] = std::make_shared<const Image>(std::move(scan->image));
   applied.state[part::source] =
       scan->source.empty() ? nullptr : std::make_shared<const DicomSource>(std::move(scan->source));
   return applied;

@@ -10,6 +10,25 @@
 #include "glisson/engine/parts/earlier_looks.h"
 
 namespace glisson::engine {
+namespace {
+
+std::shared_ptr<const LabelledCloud> look_in(const std::filesystem::path& path, LengthUnit unit) {
+  auto look = std::make_shared<const LabelledCloud>(read_cloud(path, unit));
+  require_liver_sized(*look, unit, path.string());
+  return look;
+}
+
+/// @throws InputError it is kept already, or as many as can be are.
+void require_room_for(const LabelledCloud& look, const EarlierLooks& kept, const std::string& name) {
+  if (std::any_of(kept.clouds.begin(), kept.clouds.end(),
+                  [&](const auto& other) { return same_points(other->points, look.points); }))
+    throw InputError(name, "look", "is kept already", "Look from elsewhere and reconstruct again");
+  if (kept.clouds.size() >= kMostLooks)
+    throw InputError(name, "look", "is one more than the " + std::to_string(kMostLooks) + " that can be kept",
+                     "Forget the earlier looks, or register with these");
+}
+
+}  // namespace
 
 CommandTraits KeepLook::traits() const {
   CommandTraits traits{
@@ -22,20 +41,10 @@ CommandTraits KeepLook::traits() const {
 }
 
 Cancellable<Applied> KeepLook::apply(const CaseState& state, const RunContext&) const {
-  std::shared_ptr<const LabelledCloud> look = state[part::cloud];
-  if (path) {
-    look = std::make_shared<const LabelledCloud>(read_cloud(*path, unit));
-    require_liver_sized(*look, unit, path->string());
-  }
+  auto look = path ? look_in(*path, unit) : state[part::cloud];
   EarlierLooks kept;
   if (state[part::earlier_looks]) kept = *state[part::earlier_looks];
-  const std::string name = path ? path->string() : "cloud";
-  if (std::any_of(kept.clouds.begin(), kept.clouds.end(),
-                  [&](const auto& other) { return same_points(other->points, look->points); }))
-    throw InputError(name, "look", "is kept already", "Look from elsewhere and reconstruct again");
-  if (kept.clouds.size() >= kMostLooks)
-    throw InputError(name, "look", "is one more than the " + std::to_string(kMostLooks) + " that can be kept",
-                     "Forget the earlier looks, or register with these");
+  require_room_for(*look, kept, path ? path->string() : "cloud");
   kept.clouds.push_back(std::move(look));
   Applied applied{state};
   applied.figures["looks_kept"] = static_cast<double>(kept.clouds.size());

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/engine/commands/open_case.h"
 
+#include <memory>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "glisson/engine/case_io.h"
 #include "glisson/engine/parts/keeping.h"
@@ -25,6 +28,26 @@ Cancellable<CaseState> read_steadily(const std::filesystem::path& path, Keeping&
   }
 }
 
+/// The place, held where it is opened for writing. @throws InputError who else has it.
+std::shared_ptr<Keeping> held_for(const OpenCase& command, const Keeping* kept) {
+  auto keeping = std::make_shared<Keeping>();
+  keeping->folder = case_place(command.path);
+  if (command.access == OpenCase::Access::read) return keeping;
+  // The case that is open may be opened again.
+  if (kept != nullptr && kept->lock && kept->folder == keeping->folder)
+    keeping->lock = kept->lock;
+  else if (std::filesystem::exists(keeping->folder))
+    keeping->lock = CaseLock::take(keeping->folder, keeping->writer);
+  if (keeping->writer && command.access == OpenCase::Access::write)
+    throw held_error(command.path, *keeping->writer);
+  return keeping;
+}
+
+/// Why it is open for reading.
+std::string note_of(const CaseOwner& writer) {
+  return writer.host.empty() ? "case.folder_not_writable" : "case.open_for_reading " + writer.told();
+}
+
 }  // namespace
 
 CommandTraits OpenCase::traits() const {
@@ -33,21 +56,8 @@ CommandTraits OpenCase::traits() const {
 
 Cancellable<Applied> OpenCase::apply(const CaseState& before, const RunContext& context) const {
   Applied applied;
-  auto keeping = std::make_shared<Keeping>();
-  keeping->folder = case_place(path);
-  if (access != Access::read) {
-    // The case that is open may be opened again.
-    const auto& kept = before[part::keeping];
-    if (kept && kept->lock && kept->folder == keeping->folder)
-      keeping->lock = kept->lock;
-    else if (std::filesystem::exists(keeping->folder))
-      keeping->lock = CaseLock::take(keeping->folder, keeping->writer);
-    if (keeping->writer && access == Access::write) throw held_error(path, *keeping->writer);
-    if (keeping->writer)
-      applied.notes.push_back(keeping->writer->host.empty()
-                                  ? "case.folder_not_writable"
-                                  : "case.open_for_reading " + keeping->writer->told());
-  }
+  const auto keeping = held_for(*this, before[part::keeping].get());
+  if (keeping->writer) applied.notes.push_back(note_of(*keeping->writer));
   auto opened = read_steadily(path, *keeping, context, applied.notes);
   if (!opened) return {};
   applied.state = std::move(*opened);

@@ -17,6 +17,19 @@ stereo::KnownPoints known_points(const CaseState& state) {
   return {known->options, known->whole};
 }
 
+stereo::PairInput input_of(const CaseState& state) {
+  const auto& frame = state[part::frame];
+  const auto& regions = state[part::regions];
+  return {frame->frame, *state[part::rig], frame->mask, regions ? *regions : stereo::Regions{}};
+}
+
+void tell(const stereo::PairCheck& check, Applied& applied) {
+  applied.figures["pair_matches"] = check.matches;
+  applied.figures["pair_rows_px"] = check.rows_px;
+  for (const stereo::Fault fault : check.faults)
+    applied.notes.push_back("stereo." + std::string(stereo::fault_code(fault)));
+}
+
 void add_figures(Figures& figures, const stereo::PairCloud& made) {
   const stereo::ReconstructReport& report = made.whole->report;
   figures["cloud_features_left"] = report.features_left;
@@ -42,23 +55,14 @@ CommandTraits Reconstruct::traits() const {
 }
 
 Cancellable<Applied> Reconstruct::apply(const CaseState& state, const RunContext& context) const {
-  const auto& frame = state[part::frame];
-  const auto& regions = state[part::regions];
-  const auto& rig = state[part::rig];
-  const stereo::PairInput input{frame->frame, *rig, frame->mask, regions ? *regions : stereo::Regions{}};
-  auto made = stereo::reconstruct_pair(input, options, context, known_points(state));
+  auto made = stereo::reconstruct_pair(input_of(state), options, context, known_points(state));
   if (!made) return {};
   Applied applied{state};
   add_figures(applied.figures, *made);
-  if (made->check) {
-    applied.figures["pair_matches"] = made->check->matches;
-    applied.figures["pair_rows_px"] = made->check->rows_px;
-    for (const stereo::Fault fault : made->check->faults)
-      applied.notes.push_back("stereo." + std::string(stereo::fault_code(fault)));
-  }
+  if (made->check) tell(*made->check, applied);
   applied.state[part::points] = std::make_shared<const PairPoints>(
-      PairPoints{frame, rig, options, std::move(made->whole), made->part.area_cm2, made->part.density_per_cm2,
-                 std::move(made->density), std::move(made->frame_identity)});
+      PairPoints{state[part::frame], state[part::rig], options, std::move(made->whole), made->part.area_cm2,
+                 made->part.density_per_cm2, std::move(made->density), std::move(made->frame_identity)});
   applied.state[part::cloud] = std::make_shared<const LabelledCloud>(std::move(made->part.cloud));
   return applied;
 }

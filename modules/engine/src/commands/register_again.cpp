@@ -16,6 +16,30 @@
 #include "registration_figures.h"
 
 namespace glisson::engine {
+namespace {
+
+Cancellable<registration::RegisteredAgain> registered(const CaseState& state,
+                                                      const PointsIn<CameraFrame>& tissue,
+                                                      registration::RegisterOptions options,
+                                                      const RunContext& context) {
+  options.landmarks_are_placed = state[part::landmarks] != nullptr;
+  const LabelledCloud none;
+  return registration::register_again(effective_model(state), state[part::cloud] ? *state[part::cloud] : none,
+                                      tissue, *state[part::registration], options, context,
+                                      known_operations(state, context.seed()));
+}
+
+Figures figures_of(const registration::RegisteredAgain& again) {
+  Figures figures = engine::figures_of(again.examined);
+  figures["again_better"] = again.is_better ? 1.0 : 0.0;
+  figures["again_kept_out"] = again.kept_out;
+  figures["again_former_gap_mm"] = 1e3 * again.former_gap;
+  figures["again_gap_mm"] = 1e3 * again.gap;
+  figures["again_moved_mm"] = 1e3 * again.moved;
+  return figures;
+}
+
+}  // namespace
 
 CommandTraits RegisterAgain::traits() const {
   return {.code = "register_again",
@@ -31,19 +55,9 @@ Cancellable<Applied> RegisterAgain::apply(const CaseState& state, const RunConte
   if (!tissue)
     throw InputError("registration", "tissue", "has not been seen often enough yet",
                      "Follow the organ in a stereo video for a second");
-  registration::RegisterOptions options = *this;
-  options.landmarks_are_placed = state[part::landmarks] != nullptr;
-  const LabelledCloud none;
-  auto again = registration::register_again(
-      effective_model(state), state[part::cloud] ? *state[part::cloud] : none, *tissue,
-      *state[part::registration], options, context, known_operations(state, context.seed()));
+  auto again = registered(state, *tissue, *this, context);
   if (!again) return {};
-  Applied applied{state, figures_of(again->examined)};
-  applied.figures["again_better"] = again->is_better ? 1.0 : 0.0;
-  applied.figures["again_kept_out"] = again->kept_out;
-  applied.figures["again_former_gap_mm"] = 1e3 * again->former_gap;
-  applied.figures["again_gap_mm"] = 1e3 * again->gap;
-  applied.figures["again_moved_mm"] = 1e3 * again->moved;
+  Applied applied{state, figures_of(*again)};
   Registration& made = again->examined.registered.registration;
   applied.notes = made.doubts;
   applied.state[part::other_registration] = std::make_shared<const OtherRegistration>(OtherRegistration{

@@ -33,6 +33,20 @@ std::shared_ptr<const CaseLock> lock_for(const fs::path& told, const fs::path& f
   return lock;
 }
 
+/// Where the case goes, held: beside the wanted place where others have saved there since. That is theirs,
+/// and both are kept.
+std::shared_ptr<Keeping> place_of(const fs::path& wanted, const Keeping* before) {
+  auto keeping = std::make_shared<Keeping>();
+  keeping->folder = case_place(wanted);
+  keeping->lock = lock_for(wanted, keeping->folder, before);
+  const bool is_newer = before != nullptr && before->folder == keeping->folder &&
+                        fs::exists(keeping->folder) && edition_on_disk(keeping->folder) != before->edition;
+  if (!is_newer) return keeping;
+  keeping->folder = unused_beside(keeping->folder);
+  keeping->lock = lock_for(keeping->folder, keeping->folder, nullptr);
+  return keeping;
+}
+
 }  // namespace
 
 CommandTraits SaveCase::traits() const {
@@ -49,18 +63,10 @@ Cancellable<Applied> SaveCase::apply(const CaseState& state, const RunContext& c
     throw InputError("case", "path", "the case has never been saved",
                      "Choose a folder NAME.glisson to save it to");
   Applied applied{state};
-  const auto before = state[part::keeping];
-  auto keeping = std::make_shared<Keeping>();
-  keeping->folder = case_place(place);
-  keeping->lock = lock_for(place, keeping->folder, before.get());
-  // What was saved by others since is theirs: both are kept.
-  const bool is_newer = before && before->folder == keeping->folder && fs::exists(keeping->folder) &&
-                        edition_on_disk(keeping->folder) != before->edition;
-  if (is_newer) {
-    const fs::path other = unused_beside(keeping->folder);
-    applied.notes.push_back("case.saved_beside " + other.string());
-    place = keeping->folder = other;
-    keeping->lock = lock_for(place, other, nullptr);
+  const auto keeping = place_of(place, state[part::keeping].get());
+  if (keeping->folder != case_place(place)) {
+    place = keeping->folder;
+    applied.notes.push_back("case.saved_beside " + place.string());
   }
   if (!engine::save_case(place, state, context, &applied.notes)) return {};
   keeping->edition = edition_on_disk(keeping->folder);

@@ -29,6 +29,41 @@ void write_step(const Simulate& command, const fem::CompositeModel& model, int s
   write_tet_mesh(command.folder / step_name(step), file, command.unit);
 }
 
+/// Writes steps on the way, and tells how far anything went on it.
+Cancellable<fem::SimulationResult> simulated(const Simulate& command,
+                                             const std::shared_ptr<const fem::CompositeModel>& model,
+                                             const RunContext& context, Figures& figures) {
+  double peak = 0.0;
+  auto result = fem::simulate(
+      model, command.load, command.options, context,
+      [&](const fem::SimulationRecord& record, const Points& positions) {
+        peak = std::max(peak, record.displacement_max);
+        if (record.step % std::max(1, command.every) == 0 && record.step != command.options.steps)
+          write_step(command, *model, record.step, positions);
+      });
+  figures["displacement_peak_mm"] = 1e3 * peak;
+  return result;
+}
+
+/// @pre it has records.
+void add_figures(Figures& figures, const fem::CompositeModel& model, const fem::SimulationResult& result) {
+  const fem::SimulationRecord& last = result.records.back();
+  figures["simulation_steps"] = static_cast<double>(result.records.size());
+  figures["simulation_converged"] = result.converged ? 1.0 : 0.0;
+  figures["simulation_force_residual"] = last.force_residual;
+  figures["simulation_solver_residual"] = last.solver_residual;
+  figures["simulation_elastic_energy_j"] = last.elastic_energy;
+  figures["simulation_kinetic_energy_j"] = last.kinetic_energy;
+  figures["simulation_von_mises_max_pa"] = last.von_mises_max;
+  figures["simulation_inverted_tetrahedra"] = last.inverted_tetrahedra;
+  figures["simulation_beams"] = model.beam_count();
+  figures["displacement_mean_mm"] = 1e3 * last.displacement_mean;
+  figures["displacement_max_mm"] = 1e3 * last.displacement_max;
+  std::vector<double> milliseconds;
+  for (const fem::SimulationRecord& record : result.records) milliseconds.push_back(record.milliseconds);
+  figures["step_p50_ms"] = upper_median(std::move(milliseconds));
+}
+
 }  // namespace
 
 CommandTraits Simulate::traits() const {
@@ -38,33 +73,12 @@ CommandTraits Simulate::traits() const {
 Cancellable<Applied> Simulate::apply(const CaseState& state, const RunContext& context) const {
   const PatientModel& patient = state[part::model]->model;
   const auto model = std::make_shared<const fem::CompositeModel>(patient.mesh, patient.vessels, materials);
-  double peak = 0.0;
-  const auto result = fem::simulate(
-      model, load, options, context, [&](const fem::SimulationRecord& record, const Points& positions) {
-        peak = std::max(peak, record.displacement_max);
-        if (record.step % std::max(1, every) == 0 && record.step != options.steps)
-          write_step(*this, *model, record.step, positions);
-      });
-  if (!result || result->records.empty()) return {};
-  const fem::SimulationRecord& last = result->records.back();
-  write_step(*this, *model, last.step, result->positions);
-  fem::write_simulation_csv(folder / "steps.csv", result->records);
-  std::vector<double> milliseconds;
-  for (const fem::SimulationRecord& record : result->records) milliseconds.push_back(record.milliseconds);
   Applied applied{state};
-  applied.figures["simulation_steps"] = static_cast<double>(result->records.size());
-  applied.figures["simulation_converged"] = result->converged ? 1.0 : 0.0;
-  applied.figures["simulation_force_residual"] = last.force_residual;
-  applied.figures["simulation_solver_residual"] = last.solver_residual;
-  applied.figures["simulation_elastic_energy_j"] = last.elastic_energy;
-  applied.figures["simulation_kinetic_energy_j"] = last.kinetic_energy;
-  applied.figures["simulation_von_mises_max_pa"] = last.von_mises_max;
-  applied.figures["simulation_inverted_tetrahedra"] = last.inverted_tetrahedra;
-  applied.figures["simulation_beams"] = model->beam_count();
-  applied.figures["displacement_mean_mm"] = 1e3 * last.displacement_mean;
-  applied.figures["displacement_max_mm"] = 1e3 * last.displacement_max;
-  applied.figures["displacement_peak_mm"] = 1e3 * peak;
-  applied.figures["step_p50_ms"] = upper_median(std::move(milliseconds));
+  const auto result = simulated(*this, model, context, applied.figures);
+  if (!result || result->records.empty()) return {};
+  write_step(*this, *model, result->records.back().step, result->positions);
+  fem::write_simulation_csv(folder / "steps.csv", result->records);
+  add_figures(applied.figures, *model, *result);
   if (!result->converged) applied.notes.emplace_back("simulation_not_converged");
   return applied;
 }
