@@ -176,9 +176,11 @@ bool Arguments::parse(const QStringList& given) {
     if (may_stand_alone_.contains(arguments[i]) &&
         (i + 1 == arguments.size() || arguments[i + 1].startsWith(QLatin1String("--"))))
       arguments[i] += QLatin1Char('=');
-  if (!parser_.parse(QStringList("glisson " + command_) + arguments))
-    throw UsageError(parser_.errorText().toStdString() + " See 'glisson " + command_.toStdString() +
-                     " --help'.");
+  if (!parser_.parse(QStringList("glisson " + command_) + arguments)) {
+    QString told = parser_.errorText();
+    if (told.endsWith(QLatin1Char('.'))) told.chop(1);
+    throw UsageError(told.toStdString() + ". See 'glisson " + command_.toStdString() + " --help'.");
+  }
   if (!parser_.isSet("help")) {
     if (!takes_positionals_ && !positionals().isEmpty())
       throw UsageError(positionals().front().toStdString() + ": is no option of 'glisson " +

@@ -22,6 +22,7 @@ class CommandsTest : public QObject, private test::Program {
 
   void EveryCommandHelps();
   void HelpIsInThePersonsLanguage();
+  void WrongUsageIsToldInThePersonsLanguage();
   void NumbersInFilesAreTheSameInEveryLanguage();
   void WrongUsageIsRefusedWithCodeTwo();
   void MissingInputIsNamed();
@@ -48,6 +49,16 @@ void CommandsTest::HelpIsInThePersonsLanguage() {
   QVERIFY(run({"simulate", "--help"}, "de_DE.UTF-8").out.contains("Zeitschritt, s."));
   QVERIFY(run({"simulate", "--help"}, "fr_FR.UTF-8").out.contains("Pas de temps, s."));
   QVERIFY(run({"--help"}, "de_DE.UTF-8").out.contains("nicht für den klinischen Gebrauch"));
+}
+
+void CommandsTest::WrongUsageIsToldInThePersonsLanguage() {
+  const auto told = [this](const QStringList& command) {
+    const Ran ran = run(command, "de_DE.UTF-8");
+    return ran.code == 2 ? ran.error : QString::number(ran.code);
+  };
+  const QString range = told({"demo", "--distance", "12"}), option = told({"--no-such-option"});
+  QVERIFY2(range.contains("--distance 12: muss eine Zahl von 80 bis 160 sein."), qPrintable(range));
+  QVERIFY2(option.contains("--no-such-option: unbekannte Option. Siehe "), qPrintable(option));
 }
 
 void CommandsTest::NumbersInFilesAreTheSameInEveryLanguage() {

@@ -61,6 +61,7 @@ QStringList unknown_of_sentence(const QString& argument) {
   QStringList unknown;
   if (argument.contains(QLatin1String("::tr("))) return unknown;  // told in the person's language already
   for (const QString& sentence : thrown::texts_of(argument)) {
+    if (sentence.startsWith(thrown::kValue + ". See ")) continue;  // Qt's own words on options
     const bool has_remedy = sentence.contains(QLatin1String(". "));
     if (sentence != thrown::kValue && !is_known(sentence.toStdString(), has_remedy)) unknown << sentence;
   }

@@ -381,7 +381,7 @@ void CalibrateOptions::validate() const {
     (void)checked_rotation("reference", "R", reference->right_from_left.rotation);
     check_rig("reference", *reference);
   } catch (const InputError& failure) {
-    throw InputError("calibration options", "reference, " + failure.field(), failure.problem(),
+    throw InputError("calibration options, " + failure.field(), "reference", failure.problem(),
                      failure.remedy());
   }
 }
