@@ -150,6 +150,38 @@ class ProposalsTest : public QObject {
     QVERIFY(has(landmark_notes(moved->state), "atlas.margin_left_out 75"));
   }
 
+  /// A point that is dragged makes the landmark no shorter: pieces of statistics between what the CT shows
+  /// are bridged where they are short, and where the atlas is sure.
+  void aDraggedMarginIsNoShorterThanBefore() {
+    const auto length = [](const Points& line) {
+      return (line.bottomRows(line.rows() - 1) - line.topRows(line.rows() - 1)).rowwise().norm().sum();
+    };
+    auto transfer = std::make_shared<atlas::Transfer>(*state_[part::proposals]);
+    atlas::Proposal& margin = transfer->proposals[index_of(Structure::anterior_margin)];
+    std::fill(margin.sources.begin(), margin.sources.end(), Source::both);
+    margin.sources[12] = margin.sources[13] = Source::statistics;  // short
+    for (std::size_t k = 24; k < 34; ++k) {                        // long, and sure
+      margin.sources[k] = Source::statistics;
+      margin.covariances[k] = 25e-6 * Eigen::Matrix3d::Identity();
+    }
+    CaseState now = state_;
+    now[part::proposals] = transfer;
+    const auto accepted =
+        ReviewProposal{Structure::anterior_margin, Decision::accepted}.apply(now, RunContext());
+    const double before = length(effective_landmarks(accepted->state).anterior_margin);
+    QVERIFY(std::abs(before - length(margin.points)) < 1e-9);
+    Points to = margin.points;
+    to.row(20) += Eigen::RowVector3d(0.0, 0.0, 0.006);
+    const auto moved =
+        ReviewProposal{Structure::anterior_margin, Decision::moved, to}.apply(accepted->state, RunContext());
+    QVERIFY(length(effective_landmarks(moved->state).anterior_margin) >= before);
+    // A long piece that nobody is sure of still parts it.
+    for (std::size_t k = 24; k < 34; ++k) margin.covariances[k] = 9e-4 * Eigen::Matrix3d::Identity();
+    const auto parted =
+        ReviewProposal{Structure::anterior_margin, Decision::moved, to}.apply(now, RunContext());
+    QVERIFY(apart(effective_landmarks(parted->state).anterior_margin, to.topRows(24)) < 1e-12);
+  }
+
   void theReviewIsClosedWhenEachHasBeenDecided() {
     CaseState now = state_;
     for (const Structure one :
@@ -233,6 +265,12 @@ class ProposalsTest : public QObject {
   }
 
  private:
+  static std::size_t index_of(Structure structure) {
+    return static_cast<std::size_t>(
+        std::find(atlas::kStructures.begin(), atlas::kStructures.end(), structure) -
+        atlas::kStructures.begin());
+  }
+
   std::shared_ptr<const atlas::Atlas> atlas_;
   CaseState state_;
   Figures figures_;

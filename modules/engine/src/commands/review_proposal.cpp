@@ -22,6 +22,9 @@ constexpr double kMoved = 0.0005;         // metres, from which on a point was m
 /// What follows a dragged point by less than this share of its way is still what it was.
 constexpr double kCarried = 0.6;
 constexpr Eigen::Index kLeastRun = 5;  // points of a margin
+constexpr double kCertain = 0.012;     // metres, deviation up to which statistics alone say where it runs
+constexpr double kBridged =
+    0.045;  // metres of a margin's course that may be statistics between what is shown
 
 /// Points of an area, none closer to another than kSpacing.
 Points thinned(const Points& area) {
@@ -37,17 +40,50 @@ Points thinned(const Points& area) {
   return points;
 }
 
-/// What registration may take for the margin: it knows no doubt of single pieces, so that it gets the longest
-/// run of those that the CT or a person shows. None: too little is shown.
+double length_of(const Points& line, Eigen::Index first, Eigen::Index last) {
+  double length = 0.0;
+  for (Eigen::Index k = first; k < last; ++k) length += (line.row(k + 1) - line.row(k)).norm();
+  return length;
+}
+
+/// Which points of a margin are used: those that the CT or a person shows, those that the atlas is sure of,
+/// and what lies between or beside these over a short way.
+std::vector<char> used_points(const Proposal& margin) {
+  const auto count = margin.points.rows();
+  std::vector<char> used(static_cast<std::size_t>(count), 0);
+  for (std::size_t k = 0; k < used.size(); ++k)
+    used[k] = margin.sources[k] != Source::statistics || margin.covariances[k].trace() <= kCertain * kCertain;
+  const std::vector<char> shown = used;
+  for (Eigen::Index begin = 0; begin < count;) {
+    Eigen::Index end = begin;
+    while (end < count && shown[static_cast<std::size_t>(end)] == shown[static_cast<std::size_t>(begin)])
+      ++end;
+    const Eigen::Index first = std::max<Eigen::Index>(0, begin - 1), last = std::min(count - 1, end);
+    const bool is_whole = begin == 0 && end == count;
+    if (!is_whole && length_of(margin.points, first, last) <= kBridged)
+      std::fill(used.begin() + begin, used.begin() + end, char{1});
+    begin = end;
+  }
+  return used;
+}
+
+/// What registration may take for the margin: the longest piece that is used. None: too little is shown.
 Points shown_margin(const Proposal& margin) {
-  Eigen::Index best = 0, length = 0, begin = 0;
+  const std::vector<char> used = used_points(margin);
+  Eigen::Index best = 0, count = 0, begin = 0;
+  double longest = -1.0;
   for (Eigen::Index k = 0; k < margin.points.rows(); ++k) {
-    if (margin.sources[static_cast<std::size_t>(k)] == Source::statistics) begin = k + 1;
-    if (k + 1 - begin <= length) continue;
-    length = k + 1 - begin;
+    if (used[static_cast<std::size_t>(k)] == 0) {
+      begin = k + 1;
+      continue;
+    }
+    const double length = length_of(margin.points, begin, k);
+    if (length <= longest) continue;
+    longest = length;
+    count = k + 1 - begin;
     best = begin;
   }
-  return length < kLeastRun ? Points(0, 3) : Points(margin.points.middleRows(best, length));
+  return count < kLeastRun ? Points(0, 3) : Points(margin.points.middleRows(best, count));
 }
 
 /// What becomes of an accepted or moved proposal.
