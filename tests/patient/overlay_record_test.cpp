@@ -65,6 +65,10 @@ class OverlayRecordTest : public QObject {
   Q_OBJECT
  private slots:
   void ARegistrationMadeMeanwhileIsALineOfItsOwn();
+  void TheEvidenceBehindALevelComesBack();
+  void EvidenceThatIsNoNumberIsLeftOut();
+  void NodesInTheLineComeBack();
+  void NodesThatAreNoPointsAreRefused();
   void ALesionsVerdictIsWrittenInTheUnitOfItsLine_data() {
     QTest::addColumn<int>("unit");
     QTest::addColumn<double>("per_metre");
@@ -217,6 +221,84 @@ void OverlayRecordTest::ARegistrationMadeMeanwhileIsALineOfItsOwn() {
   const OverlayRecord record = read_overlay_record(path);
   QCOMPARE(record.frames.size(), std::size_t{1});
   QVERIFY(record.complete);
+}
+
+namespace {
+
+OverlayLine read_back(const OverlayLine& line) {
+  const TemporaryFolder folder;
+  write_file_atomically(folder.path() / "frames.jsonl", overlay_line(line) + "\n");
+  return read_overlay_record(folder.path() / "frames.jsonl").frames.at(0);
+}
+
+}  // namespace
+
+void OverlayRecordTest::TheEvidenceBehindALevelComesBack() {
+  OverlayLine written = line();
+  written.overlay.tracked_left = 181;
+  written.overlay.tracked_right = 174;
+  written.overlay.pairs = 160;
+  written.overlay.milliseconds = 9.5;
+  written.overlay.evidence = {true, 0.83, 1.4, 0.07, 2.1e-3, 0.9e-3, 0.71, 3.2, 0.4};
+  written.remedy = "Take away what covers it.";
+  const QJsonObject object = object_of(written), evidence = object["evidence"].toObject();
+  QCOMPARE(evidence.size(), 8);
+  QVERIFY(is_near(evidence["pull_mm"].toDouble(), 2.1) && is_near(evidence["rows_px"].toDouble(), 0.4));
+  QCOMPARE(object["points"].toObject()["pairs"].toInt(), 160);
+  QCOMPARE(object["remedy"].toString(), QString("Take away what covers it."));
+  const OverlayLine read = read_back(written);
+  const Evidence &there = read.overlay.evidence, &here = written.overlay.evidence;
+  QVERIFY(there.judged && is_near(there.supported, here.supported) && is_near(there.gap, here.gap) &&
+          is_near(there.behind, here.behind) && is_near(there.pull, here.pull) &&
+          is_near(there.pull_sigma, here.pull_sigma) && is_near(there.contrast, here.contrast) &&
+          is_near(there.motion, here.motion) && is_near(there.rows, here.rows));
+  QVERIFY(read.overlay.tracked_left == 181 && read.overlay.tracked_right == 174 && read.overlay.pairs == 160);
+  QVERIFY(is_near(read.overlay.milliseconds, 9.5) && read.remedy == written.remedy);
+  // Before anything was judged nothing is said of it.
+  QVERIFY(!object_of(line()).contains("evidence"));
+  QVERIFY(!read_back(line()).overlay.evidence.judged);
+}
+
+void OverlayRecordTest::EvidenceThatIsNoNumberIsLeftOut() {
+  OverlayLine written = line();
+  written.overlay.evidence.judged = true;
+  written.overlay.evidence.gap = std::numeric_limits<double>::infinity();
+  const QJsonObject evidence = object_of(written)["evidence"].toObject();
+  QVERIFY(!evidence.contains("gap") && evidence.contains("behind"));
+  QVERIFY(read_back(written).overlay.evidence.judged);
+}
+
+void OverlayRecordTest::NodesInTheLineComeBack() {
+  OverlayLine written = line();
+  written.mesh.clear();
+  written.nodes_here = true;
+  written.film_frame = 17;
+  written.age = 0.034;
+  Points& nodes = written.overlay.nodes_in_camera;
+  nodes.resize(3, 3);
+  nodes << 0.0123456789, -0.02, 0.11, 0.01, 0.02, 0.12, -1e-5, 0.0, 0.13;
+  const OverlayLine read = read_back(written);
+  QVERIFY(read.nodes_here && read.mesh.empty());
+  QVERIFY(read.film_frame == 17 && is_near(*read.age, 0.034));
+  QCOMPARE(read.overlay.nodes_in_camera.rows(), Eigen::Index{3});
+  QVERIFY((read.overlay.nodes_in_camera - nodes).cwiseAbs().maxCoeff() < 0.6e-7);
+  QVERIFY(read.camera_from_model.has_value() && read.overlay.lesions.size() == 3);
+  QVERIFY(read_back(line()).film_frame == std::nullopt);
+}
+
+void OverlayRecordTest::NodesThatAreNoPointsAreRefused() {
+  OverlayLine written = line();
+  written.mesh.clear();
+  written.nodes_here = true;
+  written.overlay.nodes_in_camera = Points::Constant(2, 3, 0.1);
+  QJsonObject object = object_of(written);
+  QJsonArray nodes;
+  nodes.append(QJsonArray{1.0, 2.0});
+  object["nodes"] = nodes;
+  const TemporaryFolder folder;
+  write_file_atomically(folder.path() / "frames.jsonl",
+                        QJsonDocument(object).toJson(QJsonDocument::Compact).toStdString() + "\n");
+  QVERIFY_EXCEPTION_THROWN(read_overlay_record(folder.path() / "frames.jsonl"), InputError);
 }
 
 QTEST_APPLESS_MAIN(OverlayRecordTest)

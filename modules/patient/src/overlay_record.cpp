@@ -11,6 +11,7 @@
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/geometry/mesh_io.h"
+#include "glisson/geometry/rigid.h"
 #include "glisson/patient/label_map.h"
 
 namespace glisson {
@@ -30,6 +31,40 @@ json rows_of(const Eigen::MatrixXd& matrix) {
     for (Eigen::Index k = 0; k < matrix.cols(); ++k) row.push_back(matrix(i, k));
     rows.push_back(row);
   }
+  return rows;
+}
+
+/// What an overlay was judged by: each field's name, and its unit a metre where it is a length.
+struct EvidenceField {
+  const char* name;
+  double Evidence::*value;
+  double per = 1.0;
+};
+constexpr EvidenceField kEvidence[] = {{"supported", &Evidence::supported},
+                                       {"gap", &Evidence::gap},
+                                       {"behind", &Evidence::behind},
+                                       {"pull_mm", &Evidence::pull, 1e3},
+                                       {"pull_sigma_mm", &Evidence::pull_sigma, 1e3},
+                                       {"contrast", &Evidence::contrast},
+                                       {"motion", &Evidence::motion},
+                                       {"rows_px", &Evidence::rows}};
+
+json evidence_object(const Evidence& evidence) {
+  json object = json::object();
+  for (const EvidenceField& field : kEvidence) {
+    const double value = field.per * (evidence.*field.value);
+    if (std::isfinite(value)) object[field.name] = value;  // JSON has no other numbers
+  }
+  return object;
+}
+
+/// To 0.1 micrometres: more digits would only make the file long.
+json nodes_rows(const Points& nodes, double per) {
+  json rows = json::array();
+  const double step = 1e-7 * per;
+  const auto rounded = [&](double metres) { return std::round(metres * per / step) * step; };
+  for (Eigen::Index i = 0; i < nodes.rows(); ++i)
+    rows.push_back({rounded(nodes(i, 0)), rounded(nodes(i, 1)), rounded(nodes(i, 2))});
   return rows;
 }
 
@@ -82,6 +117,25 @@ Eigen::Matrix<double, Rows, Rows> square_of(const json& rows, const char* field)
   return matrix;
 }
 
+Evidence evidence_of(const json& object) {
+  Evidence evidence;
+  evidence.judged = true;
+  for (const EvidenceField& field : kEvidence)
+    if (object.contains(field.name)) evidence.*field.value = number(object, field.name) / field.per;
+  return evidence;
+}
+
+Points nodes_of(const json& rows, double metres) {
+  Points nodes(static_cast<Eigen::Index>(rows.size()), 3);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (rows[i].size() != 3) throw std::invalid_argument("nodes have another size");
+    for (std::size_t k = 0; k < 3; ++k)
+      nodes(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = metres * rows[i][k].get<double>();
+  }
+  if (!nodes.allFinite()) throw std::invalid_argument("nodes are not finite");
+  return nodes;
+}
+
 LesionVerdict verdict_of(const json& line, double metres) {
   LesionVerdict verdict;
   const auto name = line.at("lesion").get<std::string>();
@@ -122,20 +176,40 @@ OverlayLine line_of(const json& object) {
     overlay.mask =
         MaskUse{length(mask, "share"), length(mask, "age_seconds"), mask.at("held_out").get<int>()};
   }
-  if (object.at("mesh").is_null()) return line;
-  line.mesh = object.at("mesh").get<std::string>();
-  if (line.mesh.empty() || std::filesystem::path(line.mesh).filename() != line.mesh)
-    throw std::invalid_argument("mesh '" + line.mesh + "' is no file beside it");
+  if (object.contains("points")) {
+    const json& points = object.at("points");
+    overlay.tracked_left = points.at("left").get<int>();
+    overlay.tracked_right = points.at("right").get<int>();
+    overlay.pairs = points.at("pairs").get<int>();
+  }
+  if (object.contains("evidence")) overlay.evidence = evidence_of(object.at("evidence"));
+  if (object.contains("follow_ms")) overlay.milliseconds = length(object, "follow_ms");
+  if (object.contains("remedy")) line.remedy = object.at("remedy").get<std::string>();
+  if (object.contains("film_frame")) line.film_frame = object.at("film_frame").get<int>();
+  if (object.contains("age_ms")) line.age = 1e-3 * length(object, "age_ms");
+  line.nodes_here = object.contains("nodes");
+  if (object.at("mesh").is_null() && !line.nodes_here) return line;
+  if (!object.at("mesh").is_null()) {
+    line.mesh = object.at("mesh").get<std::string>();
+    if (line.mesh.empty() || std::filesystem::path(line.mesh).filename() != line.mesh)
+      throw std::invalid_argument("mesh '" + line.mesh + "' is no file beside it");
+  }
   line.unit = named(kUnits, unit_code, object.at("unit").get<std::string>(), "unit");
   const double metres = metres_per(line.unit);
   line.camera_from_model = square_of<4>(object.at("camera_from_model"), "camera_from_model");
   line.camera_from_model->topRightCorner<3, 1>() *= metres;
   overlay.residual = 1e-3 * length(object, "residual_mm");
   for (const json& lesion : object.at("lesions")) overlay.lesions.push_back(verdict_of(lesion, metres));
+  if (line.nodes_here) overlay.nodes_in_camera = nodes_of(object.at("nodes"), metres);
   return line;
 }
 
 }  // namespace
+
+std::optional<Eigen::Matrix4d> pose_of(const PointsIn<CtFrame>& at_rest, const OverlayFrame& overlay) {
+  if (overlay.nodes_in_camera.rows() == 0) return {};
+  return fit_rigid<CameraFrame, CtFrame>(at_rest, overlay.nodes_in_camera).matrix();
+}
 
 std::string overlay_line(const OverlayLine& line) {
   const OverlayFrame& overlay = line.overlay;
@@ -150,12 +224,20 @@ std::string overlay_line(const OverlayLine& line) {
     object["mask"] = {{"share", overlay.mask->share},
                       {"age_seconds", overlay.mask->age},
                       {"held_out", overlay.mask->held_out}};
-  if (line.mesh.empty()) return object.dump();
-  require(line.camera_from_model.has_value(), "a line with a mesh has its pose");
+  object["points"] = {
+      {"left", overlay.tracked_left}, {"right", overlay.tracked_right}, {"pairs", overlay.pairs}};
+  object["follow_ms"] = overlay.milliseconds;
+  if (overlay.evidence.judged) object["evidence"] = evidence_object(overlay.evidence);
+  if (!line.remedy.empty()) object["remedy"] = line.remedy;
+  if (line.film_frame) object["film_frame"] = *line.film_frame;
+  if (line.age) object["age_ms"] = 1e3 * *line.age;
+  if (line.mesh.empty() && !line.nodes_here) return object.dump();
+  require(line.camera_from_model.has_value(), "a line with nodes has their pose");
   const double per = 1.0 / metres_per(line.unit);
   Eigen::Matrix4d pose = *line.camera_from_model;
   pose.topRightCorner<3, 1>() *= per;
-  object["mesh"] = line.mesh;
+  if (!line.mesh.empty()) object["mesh"] = line.mesh;
+  if (line.nodes_here) object["nodes"] = nodes_rows(overlay.nodes_in_camera, per);
   object["camera_from_model"] = rows_of(pose);
   object["unit"] = unit_code(line.unit);
   object["residual_mm"] = 1e3 * overlay.residual;

@@ -10,8 +10,8 @@
 #include "glisson/patient/registration.h"
 
 /// @file
-/// frames.jsonl: what was known of the overlay in each frame of a track, a line of JSON a frame. With the
-/// meshes beside it the same film can be drawn again.
+/// frames.jsonl: what was known of the overlay in each frame of a track, or of a recording of the live view,
+/// a line of JSON a frame. With the meshes beside it, or the nodes in it, the same film can be drawn again.
 
 namespace glisson {
 
@@ -19,12 +19,21 @@ namespace glisson {
 struct OverlayLine {
   int number = 0;
   LengthUnit unit = LengthUnit::millimetre;
-  std::string mesh;  ///< file beside frames.jsonl with the nodes; empty: there are none
+  std::string mesh;         ///< file beside frames.jsonl with the nodes; empty: there is none
+  bool nodes_here = false;  ///< the overlay's nodes are in the line itself, to 0.1 micrometres
   /// The rigid motion that comes nearest to where the nodes are, metres.
   std::optional<Eigen::Matrix4d> camera_from_model;
-  /// Without the nodes, which are the mesh's. Figures of the tracker (pairs, evidence) are not in the line.
+  /// With the evidence behind its level. Without the nodes where they are the mesh's.
   OverlayFrame overlay;
+  std::string remedy;  ///< what to do about the reason, in words for people; empty: nothing is said
+  /// Of a recording: the number of its own frame, and seconds from the camera to the drawn picture.
+  std::optional<int> film_frame;
+  std::optional<double> age;
 };
+
+/// The rigid motion that comes nearest to where an overlay's nodes are; empty: it has none.
+/// @param at_rest the model's nodes, as many.
+std::optional<Eigen::Matrix4d> pose_of(const PointsIn<CtFrame>& at_rest, const OverlayFrame& overlay);
 
 /// Without a newline.
 std::string overlay_line(const OverlayLine& line);
