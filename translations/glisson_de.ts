@@ -1072,6 +1072,18 @@
         <translation>kann nicht zur Aufnahme geöffnet werden</translation>
     </message>
     <message>
+        <source>the disk is full after %1 frames</source>
+        <translation>die Platte ist nach %1 Bildern voll</translation>
+    </message>
+    <message>
+        <source>not one frame was recorded</source>
+        <translation>nicht ein Bild wurde aufgenommen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 frames can be read back</source>
+        <translation>%1 von %2 Bildern können zurückgelesen werden</translation>
+    </message>
+    <message>
         <source>holds no pictures</source>
         <translation>enthält keine Bilder</translation>
     </message>
@@ -1174,6 +1186,10 @@
     <message>
         <source>Check permissions and space</source>
         <translation>Prüfen Sie Rechte und freien Platz</translation>
+    </message>
+    <message>
+        <source>Free some space on the disk and record again</source>
+        <translation>Machen Sie Platz auf der Platte, und nehmen Sie noch einmal auf</translation>
     </message>
     <message>
         <source>Install Glisson again</source>
@@ -4807,16 +4823,16 @@
         <translation>Modell nicht geprüft</translation>
     </message>
     <message>
-        <source>the camera sees the organ elsewhere; register again</source>
-        <translation>die Kamera sieht das Organ woanders; neu registrieren</translation>
+        <source>the camera sees the organ elsewhere</source>
+        <translation>die Kamera sieht das Organ anderswo</translation>
     </message>
     <message>
-        <source>the picture stands still; check the camera</source>
-        <translation>das Bild steht still; Kamera prüfen</translation>
+        <source>the picture stands still</source>
+        <translation>das Bild steht still</translation>
     </message>
     <message>
-        <source>the two views do not show the same moment; check the cameras</source>
-        <translation>die beiden Ansichten zeigen nicht denselben Augenblick; Kameras prüfen</translation>
+        <source>the two views do not show the same moment</source>
+        <translation>die beiden Ansichten zeigen nicht denselben Augenblick</translation>
     </message>
     <message>
         <source>part of the organ is covered</source>
@@ -4965,6 +4981,58 @@
     <message>
         <source>Landmarks from statistics</source>
         <translation>Landmarken aus Statistik</translation>
+    </message>
+    <message>
+        <source>Register the model to what the camera sees.</source>
+        <translation>Registrieren Sie das Modell auf das, was die Kamera sieht.</translation>
+    </message>
+    <message>
+        <source>Show the part of the organ that was seen when it was registered, free of smoke and tools.</source>
+        <translation>Zeigen Sie den Teil des Organs, der bei der Registrierung zu sehen war, frei von Rauch und Instrumenten.</translation>
+    </message>
+    <message>
+        <source>Show the part of the organ that was seen when it was registered, and hold still for a moment.</source>
+        <translation>Zeigen Sie den Teil des Organs, der bei der Registrierung zu sehen war, und halten Sie einen Augenblick still.</translation>
+    </message>
+    <message>
+        <source>Register again (R), or choose a new frame and register that.</source>
+        <translation>Registrieren Sie neu (R), oder wählen Sie ein neues Bild und registrieren Sie dieses.</translation>
+    </message>
+    <message>
+        <source>Start tracking again.</source>
+        <translation>Starten Sie die Verfolgung neu.</translation>
+    </message>
+    <message>
+        <source>Run the steps again that are out of date, then register.</source>
+        <translation>Führen Sie die veralteten Schritte noch einmal aus, dann registrieren Sie.</translation>
+    </message>
+    <message>
+        <source>Register again (R), or correct by hand (C).</source>
+        <translation>Registrieren Sie neu (R), oder korrigieren Sie von Hand (C).</translation>
+    </message>
+    <message>
+        <source>Check the camera and its cable.</source>
+        <translation>Prüfen Sie die Kamera und ihr Kabel.</translation>
+    </message>
+    <message>
+        <source>Check that both cameras run, in the right order and at the same time.</source>
+        <translation>Prüfen Sie, ob beide Kameras laufen, in der richtigen Reihenfolge und zur selben Zeit.</translation>
+    </message>
+    <message>
+        <source>Take away what covers it, or show another part of the organ.</source>
+        <translation>Nehmen Sie weg, was es verdeckt, oder zeigen Sie einen anderen Teil des Organs.</translation>
+    </message>
+    <message>
+        <source>Clear the smoke, wipe the lens, check the lamp.</source>
+        <translation>Lassen Sie den Rauch ab, wischen Sie die Linse, prüfen Sie die Lampe.</translation>
+    </message>
+    <message>
+        <source>Use this place, refine it, or put it back.</source>
+        <translation>Nehmen Sie diese Lage, verfeinern Sie sie, oder setzen Sie sie zurück.</translation>
+    </message>
+    <message>
+        <source>Show more of the organ; if the network is wrong, remove it.</source>
+        <translation>Zeigen Sie mehr vom Organ; irrt das Netz, so entfernen Sie es.</translation>
     </message>
 </context>
 <context>
@@ -6823,8 +6891,8 @@
         <translation>Auch dünne ferne Äste der Gefäße zeichnen.</translation>
     </message>
     <message>
-        <source>A folder that &apos;glisson track&apos; filled for this case and video: what was known then is drawn again, and nothing is followed.</source>
-        <translation>Ein Ordner, den &apos;glisson track&apos; für diesen Fall und dieses Video gefüllt hat: Was damals bekannt war, wird wieder gezeichnet, und nichts wird verfolgt.</translation>
+        <source>A folder that &apos;glisson track&apos; filled for this case and video, or NAME.frames.jsonl that the window wrote beside a recording: what was known then is drawn again, and nothing is followed.</source>
+        <translation>Ein Ordner, den &apos;glisson track&apos; für diesen Fall und dieses Video gefüllt hat, oder NAME.frames.jsonl, das das Fenster neben eine Aufnahme geschrieben hat: was damals bekannt war, wird noch einmal gezeichnet, und nichts wird verfolgt.</translation>
     </message>
     <message>
         <source>Look at this lesion and tell its numbers, as lesion_1.</source>
@@ -7045,6 +7113,14 @@
     <message>
         <source>Also simulates operations on it, on which every registration of this case then rests: some seconds that no registration takes.</source>
         <translation>Simuliert auch Operationen darauf, auf denen dann jede Registrierung dieses Falls beruht: einige Sekunden, die keine Registrierung mehr braucht.</translation>
+    </message>
+    <message>
+        <source>The raw views that were recorded with --track&apos;s file: drawn into instead of the case&apos;s video, as of a live device.</source>
+        <translation>Die rohen Ansichten, die mit der Datei von --track aufgenommen wurden: in sie wird gezeichnet statt in das Video des Falls, etwa bei einem laufenden Gerät.</translation>
+    </message>
+    <message>
+        <source>A hand holds the laparoscope: it turns about the trocar, comes nearer, goes away and rolls.</source>
+        <translation>Eine Hand hält das Laparoskop: es dreht sich um den Trokar, kommt näher, geht weg und rollt.</translation>
     </message>
 </context>
 <context>
@@ -7899,6 +7975,14 @@
         <source>Pictures (*.png *.jpg)</source>
         <translation>Bilder (*.png *.jpg)</translation>
     </message>
+    <message>
+        <source>Raw</source>
+        <translation>Roh</translation>
+    </message>
+    <message>
+        <source>The raw picture beside the overlay (B)</source>
+        <translation>Das rohe Bild neben der Einblendung (B)</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::LiveViewModel</name>
@@ -7989,6 +8073,22 @@
     <message>
         <source>Paused at frame %1, not live</source>
         <translation>Angehalten bei Bild %1, nicht live</translation>
+    </message>
+    <message>
+        <source>Camera to screen, median / 99 %</source>
+        <translation>Kamera bis Schirm, Median / 99 %</translation>
+    </message>
+    <message>
+        <source>%1 / %2 ms</source>
+        <translation>%1 / %2 ms</translation>
+    </message>
+    <message>
+        <source>On the screen</source>
+        <translation>Auf dem Schirm</translation>
+    </message>
+    <message>
+        <source>%1 frames/s</source>
+        <translation>%1 Bilder/s</translation>
     </message>
 </context>
 <context>
@@ -8917,6 +9017,22 @@
         <source>Video (*.mkv)</source>
         <translation>Video (*.mkv)</translation>
     </message>
+    <message>
+        <source>Record the overlay</source>
+        <translation>Die Einblendung aufnehmen</translation>
+    </message>
+    <message>
+        <source>Record the raw views</source>
+        <translation>Die rohen Ansichten aufnehmen</translation>
+    </message>
+    <message>
+        <source>Record both</source>
+        <translation>Beides aufnehmen</translation>
+    </message>
+    <message>
+        <source>Raw views, side by side, can be followed again. What was known of each picture is written beside.</source>
+        <translation>Rohe Ansichten, nebeneinander, können noch einmal verfolgt werden. Was von jedem Bild bekannt war, wird daneben geschrieben.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::RecordingModel</name>
@@ -8931,6 +9047,10 @@
     <message>
         <source>Corrections and registrations made meanwhile: %1</source>
         <translation>Korrekturen und Registrierungen von unterwegs: %1</translation>
+    </message>
+    <message>
+        <source>Pictures left out because the computer or its disk is too slow: %1</source>
+        <translation>Bilder ausgelassen, weil der Rechner oder seine Platte zu langsam ist: %1</translation>
     </message>
 </context>
 <context>

@@ -1072,6 +1072,18 @@
         <translation>ne peut pas être ouvert pour enregistrer</translation>
     </message>
     <message>
+        <source>the disk is full after %1 frames</source>
+        <translation>le disque est plein après %1 images</translation>
+    </message>
+    <message>
+        <source>not one frame was recorded</source>
+        <translation>aucune image n&apos;a été enregistrée</translation>
+    </message>
+    <message>
+        <source>%1 of %2 frames can be read back</source>
+        <translation>%1 images sur %2 peuvent être relues</translation>
+    </message>
+    <message>
         <source>holds no pictures</source>
         <translation>ne contient pas d’images</translation>
     </message>
@@ -1174,6 +1186,10 @@
     <message>
         <source>Check permissions and space</source>
         <translation>Vérifiez les droits et l’espace libre</translation>
+    </message>
+    <message>
+        <source>Free some space on the disk and record again</source>
+        <translation>Libérez de la place sur le disque et enregistrez de nouveau</translation>
     </message>
     <message>
         <source>Install Glisson again</source>
@@ -4807,16 +4823,16 @@
         <translation>Modèle non vérifié</translation>
     </message>
     <message>
-        <source>the camera sees the organ elsewhere; register again</source>
-        <translation>la caméra voit l’organe ailleurs ; recaler à nouveau</translation>
+        <source>the camera sees the organ elsewhere</source>
+        <translation>la caméra voit l&apos;organe ailleurs</translation>
     </message>
     <message>
-        <source>the picture stands still; check the camera</source>
-        <translation>l’image est figée ; vérifier la caméra</translation>
+        <source>the picture stands still</source>
+        <translation>l&apos;image est figée</translation>
     </message>
     <message>
-        <source>the two views do not show the same moment; check the cameras</source>
-        <translation>les deux vues ne montrent pas le même instant ; vérifier les caméras</translation>
+        <source>the two views do not show the same moment</source>
+        <translation>les deux vues ne montrent pas le même instant</translation>
     </message>
     <message>
         <source>part of the organ is covered</source>
@@ -4965,6 +4981,58 @@
     <message>
         <source>Landmarks from statistics</source>
         <translation>Repères tirés de la statistique</translation>
+    </message>
+    <message>
+        <source>Register the model to what the camera sees.</source>
+        <translation>Recalez le modèle sur ce que voit la caméra.</translation>
+    </message>
+    <message>
+        <source>Show the part of the organ that was seen when it was registered, free of smoke and tools.</source>
+        <translation>Montrez la partie de l&apos;organe qui était vue lors du recalage, sans fumée ni instruments.</translation>
+    </message>
+    <message>
+        <source>Show the part of the organ that was seen when it was registered, and hold still for a moment.</source>
+        <translation>Montrez la partie de l&apos;organe qui était vue lors du recalage, sans bouger un instant.</translation>
+    </message>
+    <message>
+        <source>Register again (R), or choose a new frame and register that.</source>
+        <translation>Recalez de nouveau (R), ou choisissez une nouvelle image et recalez-la.</translation>
+    </message>
+    <message>
+        <source>Start tracking again.</source>
+        <translation>Relancez le suivi.</translation>
+    </message>
+    <message>
+        <source>Run the steps again that are out of date, then register.</source>
+        <translation>Refaites les étapes périmées, puis recalez.</translation>
+    </message>
+    <message>
+        <source>Register again (R), or correct by hand (C).</source>
+        <translation>Recalez de nouveau (R), ou corrigez à la main (C).</translation>
+    </message>
+    <message>
+        <source>Check the camera and its cable.</source>
+        <translation>Vérifiez la caméra et son câble.</translation>
+    </message>
+    <message>
+        <source>Check that both cameras run, in the right order and at the same time.</source>
+        <translation>Vérifiez que les deux caméras fonctionnent, dans le bon ordre et en même temps.</translation>
+    </message>
+    <message>
+        <source>Take away what covers it, or show another part of the organ.</source>
+        <translation>Écartez ce qui le couvre, ou montrez une autre partie de l&apos;organe.</translation>
+    </message>
+    <message>
+        <source>Clear the smoke, wipe the lens, check the lamp.</source>
+        <translation>Évacuez la fumée, essuyez l&apos;optique, vérifiez la lampe.</translation>
+    </message>
+    <message>
+        <source>Use this place, refine it, or put it back.</source>
+        <translation>Prenez cette position, affinez-la, ou remettez l&apos;ancienne.</translation>
+    </message>
+    <message>
+        <source>Show more of the organ; if the network is wrong, remove it.</source>
+        <translation>Montrez davantage de l&apos;organe ; si le réseau se trompe, retirez-le.</translation>
     </message>
 </context>
 <context>
@@ -6823,8 +6891,8 @@
         <translation>Dessiner aussi les branches distales fines des vaisseaux.</translation>
     </message>
     <message>
-        <source>A folder that &apos;glisson track&apos; filled for this case and video: what was known then is drawn again, and nothing is followed.</source>
-        <translation>Un dossier que &apos;glisson track&apos; a rempli pour ce cas et cette vidéo : ce qui était connu alors est dessiné de nouveau, et rien n&apos;est suivi.</translation>
+        <source>A folder that &apos;glisson track&apos; filled for this case and video, or NAME.frames.jsonl that the window wrote beside a recording: what was known then is drawn again, and nothing is followed.</source>
+        <translation>Un dossier que &apos;glisson track&apos; a rempli pour ce cas et cette vidéo, ou NAME.frames.jsonl que la fenêtre a écrit à côté d&apos;un enregistrement : ce que l&apos;on savait alors est dessiné de nouveau, et rien n&apos;est suivi.</translation>
     </message>
     <message>
         <source>Look at this lesion and tell its numbers, as lesion_1.</source>
@@ -7045,6 +7113,14 @@
     <message>
         <source>Also simulates operations on it, on which every registration of this case then rests: some seconds that no registration takes.</source>
         <translation>Simule aussi des opérations dessus, sur lesquelles repose ensuite chaque recalage de ce cas : quelques secondes qu’aucun recalage ne prendra plus.</translation>
+    </message>
+    <message>
+        <source>The raw views that were recorded with --track&apos;s file: drawn into instead of the case&apos;s video, as of a live device.</source>
+        <translation>Les vues brutes enregistrées avec le fichier de --track : on y dessine au lieu de la vidéo du cas, comme pour un appareil en direct.</translation>
+    </message>
+    <message>
+        <source>A hand holds the laparoscope: it turns about the trocar, comes nearer, goes away and rolls.</source>
+        <translation>Une main tient le laparoscope : il tourne autour du trocart, s&apos;approche, s&apos;éloigne et roule.</translation>
     </message>
 </context>
 <context>
@@ -7899,6 +7975,14 @@
         <source>Pictures (*.png *.jpg)</source>
         <translation>Images (*.png *.jpg)</translation>
     </message>
+    <message>
+        <source>Raw</source>
+        <translation>Brut</translation>
+    </message>
+    <message>
+        <source>The raw picture beside the overlay (B)</source>
+        <translation>L&apos;image brute à côté de la superposition (B)</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::LiveViewModel</name>
@@ -7989,6 +8073,22 @@
     <message>
         <source>Paused at frame %1, not live</source>
         <translation>En pause à l&apos;image %1, pas en direct</translation>
+    </message>
+    <message>
+        <source>Camera to screen, median / 99 %</source>
+        <translation>De la caméra à l&apos;écran, médiane / 99 %</translation>
+    </message>
+    <message>
+        <source>%1 / %2 ms</source>
+        <translation>%1 / %2 ms</translation>
+    </message>
+    <message>
+        <source>On the screen</source>
+        <translation>À l&apos;écran</translation>
+    </message>
+    <message>
+        <source>%1 frames/s</source>
+        <translation>%1 images/s</translation>
     </message>
 </context>
 <context>
@@ -8917,6 +9017,22 @@
         <source>Video (*.mkv)</source>
         <translation>Vidéo (*.mkv)</translation>
     </message>
+    <message>
+        <source>Record the overlay</source>
+        <translation>Enregistrer la superposition</translation>
+    </message>
+    <message>
+        <source>Record the raw views</source>
+        <translation>Enregistrer les vues brutes</translation>
+    </message>
+    <message>
+        <source>Record both</source>
+        <translation>Enregistrer les deux</translation>
+    </message>
+    <message>
+        <source>Raw views, side by side, can be followed again. What was known of each picture is written beside.</source>
+        <translation>Les vues brutes, côte à côte, peuvent être suivies de nouveau. Ce que l&apos;on savait de chaque image est écrit à côté.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::RecordingModel</name>
@@ -8931,6 +9047,10 @@
     <message>
         <source>Corrections and registrations made meanwhile: %1</source>
         <translation>Corrections et recalages faits entre-temps : %1</translation>
+    </message>
+    <message>
+        <source>Pictures left out because the computer or its disk is too slow: %1</source>
+        <translation>Images omises parce que l&apos;ordinateur ou son disque est trop lent : %1</translation>
     </message>
 </context>
 <context>

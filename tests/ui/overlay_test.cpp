@@ -86,6 +86,7 @@ class OverlayTest : public QObject {
   void WhatStandsDoesNotReadAsValid();
   void InvalidFramesSayWhyAndCarryABorder();
   void TheReasonFitsIntoASmallPicture();
+  void EveryReasonHasItsRemedy();
   void SamePictureFromTheSameInput();
   void VesselsThatLeaveTheLiverAreNotDrawnOutsideIt();
   void FrameOfAnotherSizeIsRefused();
@@ -358,6 +359,32 @@ void OverlayTest::TheReasonFitsIntoASmallPicture() {
     for (int v = camera.height / 8; v < camera.height * 3 / 4; ++v)
       for (const int u : {6, camera.width - 7})
         QCOMPARE((*picture.bytes)[static_cast<std::size_t>(3 * (v * camera.width + u))], std::uint8_t{90});
+  }
+}
+
+void OverlayTest::EveryReasonHasItsRemedy() {
+  const Camera camera = laparoscope();
+  scene::OverlayStyle style;
+  style.legend = style.status = false;
+  scene::OverlayPainter painter(box_patient(), camera, style);
+  QVERIFY(scene::remedy_text(Validity::valid).empty());
+  for (const Validity why : kValidities) {
+    if (why == Validity::valid) continue;
+    const std::string remedy = scene::remedy_text(why);
+    QVERIFY2(!remedy.empty() && remedy.back() == '.', validity_code(why));
+    QVERIFY2(remedy.find(scene::validity_text(why)) == std::string::npos, validity_code(why));
+    if (level_of(why) != Level::withdrawn) continue;
+    // In the picture, below the reason, in the colour of words and not of the border.
+    OverlayFrame overlay;
+    overlay.validity = why;
+    const Picture picture = painter.paint(grey_frame(camera), overlay);
+    int light = 0;
+    for (int v = 0; v < camera.height / 2; ++v)
+      for (int u = 20; u < camera.width - 20; ++u) {
+        const auto i = static_cast<std::size_t>(3 * (v * camera.width + u));
+        light += (*picture.bytes)[i] > 180 && (*picture.bytes)[i + 2] > 180;
+      }
+    QVERIFY2(light > 100, validity_code(why));
   }
 }
 

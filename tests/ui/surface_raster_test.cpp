@@ -63,6 +63,8 @@ class SurfaceRasterTest : public QObject {
   void NearerOneHidesTheOther();
   void FacingIsTheCosineToTheLineOfSight();
   void AClearedLayerIsAsGoodAsNew();
+  void BandsAreTheSameAsTheWhole();
+  void BandsShareTheVertices();
   void BadInputIsRefused();
 };
 
@@ -155,6 +157,56 @@ void SurfaceRasterTest::AClearedLayerIsAsGoodAsNew() {
   QVERIFY(scene::PixelBox().around(5, 100, 100).empty());
 }
 
+void SurfaceRasterTest::BandsAreTheSameAsTheWhole() {
+  const scene::SurfaceRaster raster(laparoscope(kHalf));
+  // Small triangles, and long ones that are divided and leave the picture.
+  TriangleMesh wall;
+  wall.vertices.resize(4, 3);
+  wall.vertices << -0.055, -0.03, 0.1, 0.06, -0.025, 0.12, 0.05, 0.04, 0.09, -0.05, 0.03, 0.11;
+  wall.triangles.resize(2, 3);
+  wall.triangles << 0, 1, 2, 0, 2, 3;
+  for (const TriangleMesh& mesh : {ball_mesh({0.015, -0.01, 0.12}, 0.03, 40), wall}) {
+    scene::SurfaceLayer whole = raster.layer(), pieces = raster.layer();
+    raster.draw(mesh.vertices, mesh.triangles, 3, whole);
+    scene::ProjectedSurface projected;
+    raster.project(mesh.vertices, mesh.triangles, projected);
+    scene::PixelBox touched;
+    for (const scene::RowBand& band : scene::row_bands({&projected}, pieces.height, 5))
+      touched.add(raster.fill(projected, mesh.triangles, 3, band, pieces));
+    QVERIFY(whole.kind == pieces.kind && whole.facing == pieces.facing &&
+            whole.inverse_depth == pieces.inverse_depth);
+    const scene::PixelBox& box = whole.touched;
+    QVERIFY(touched.left == box.left && touched.top == box.top && touched.width == box.width &&
+            touched.height == box.height);
+  }
+}
+
+void SurfaceRasterTest::BandsShareTheVertices() {
+  const scene::SurfaceRaster raster(laparoscope(kHalf));
+  const int height = raster.layer().height;
+  const TriangleMesh ball = ball_mesh({0.0, 0.015, 0.12}, 0.012, 40);
+  scene::ProjectedSurface projected;
+  raster.project(ball.vertices, ball.triangles, projected);
+  const auto bands = scene::row_bands({&projected}, height, 3);
+  QCOMPARE(bands.size(), std::size_t{3});
+  int end = 0;
+  std::vector<int> held;
+  for (const scene::RowBand& band : bands) {
+    QVERIFY(band.first == end && band.end > band.first);
+    end = band.end;
+    int count = 0;
+    for (const scene::RasterCorner& corner : projected.corners)
+      count += corner.pixel.y() >= static_cast<float>(band.first) &&
+               corner.pixel.y() < static_cast<float>(band.end);
+    held.push_back(count);
+  }
+  QCOMPARE(end, height);
+  const auto [least, most] = std::minmax_element(held.begin(), held.end());
+  QVERIFY2(*most < 1.3 * *least, qPrintable(QString("%1 and %2").arg(*least).arg(*most)));
+  // Where there is nothing one band is enough.
+  QCOMPARE(scene::row_bands({}, height, 4).size(), std::size_t{1});
+}
+
 void SurfaceRasterTest::BadInputIsRefused() {
   QVERIFY_EXCEPTION_THROWN(scene::SurfaceRaster(Camera{}), PreconditionError);
   const scene::SurfaceRaster raster(laparoscope(kHalf));
@@ -162,6 +214,8 @@ void SurfaceRasterTest::BadInputIsRefused() {
   scene::SurfaceLayer layer = raster.layer(), other;
   QVERIFY_EXCEPTION_THROWN(raster.draw(ball.vertices, ball.triangles, 0, layer), PreconditionError);
   QVERIFY_EXCEPTION_THROWN(raster.draw(ball.vertices, ball.triangles, 1, other), PreconditionError);
+  QVERIFY_EXCEPTION_THROWN(raster.fill({}, {}, 1, {0, layer.height + 1}, layer), PreconditionError);
+  QVERIFY_EXCEPTION_THROWN(scene::row_bands({}, 10, 0), PreconditionError);
 }
 
 }  // namespace glisson

@@ -6,7 +6,6 @@
 
 #include "glisson/patient/label_map.h"
 #include "glisson/ui/scene/colours.h"
-#include "glisson/ui/scene/picture_image.h"
 #include "overlay_layout.h"
 #include "overlay_words.h"
 
@@ -76,21 +75,29 @@ void draw_limit(QPainter& painter, const Layout& layout, Taken& taken, Validity 
   painter.setPen(QPen(colour, thickness, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
   painter.drawRect(QRectF(thickness / 2.0, thickness / 2.0, layout.size.width() - thickness,
                           layout.size.height() - thickness));
-  const QFont font = layout.font(true, 1.25);
-  const QString text = Overlay::limit(validity);
   // Why there is less than an overlay, or none, must be read whole: in a narrow picture it takes several
-  // lines.
+  // lines. What to do stands below, where the upper half of the picture has room for it.
+  const QFont font = layout.font(true, 1.25), small = layout.font(true);
+  const QString text = Overlay::limit(validity), remedy = Overlay::remedy(validity);
   const QRect room(0, 0, layout.size.width() - 8 * layout.margin, layout.size.height());
   const QRect words = QFontMetrics(font).boundingRect(room, Qt::AlignCenter | Qt::TextWordWrap, text);
-  QRectF box(0, 0, words.width() + 4 * layout.margin, words.height() + 2 * layout.margin);
+  QRect more = QFontMetrics(small).boundingRect(room, Qt::AlignCenter | Qt::TextWordWrap, remedy);
+  const int height = words.height() + 2 * layout.margin;
+  const double top = std::max(layout.size.height() / 6.0 - height / 2, 4.0 * layout.margin);
+  if (top + height + more.height() > 0.45 * layout.size.height()) more = QRect();
+  QRectF box(0, 0, std::max(words.width(), more.width()) + 4 * layout.margin, height + more.height());
   box.moveLeft((layout.size.width() - box.width()) / 2);
-  box.moveTop(std::max(layout.size.height() / 6.0 - box.height() / 2, 4.0 * layout.margin));
+  box.moveTop(top);
   box = taken.below(box);
   draw_plate(painter, box);
+  const QRectF inside = box.adjusted(layout.margin, layout.margin, -layout.margin, -layout.margin);
   painter.setFont(font);
   painter.setPen(colour);
-  painter.drawText(box.adjusted(layout.margin, 0, -layout.margin, 0), Qt::AlignCenter | Qt::TextWordWrap,
-                   text);
+  painter.drawText(inside.adjusted(0, 0, 0, -more.height()), Qt::AlignCenter | Qt::TextWordWrap, text);
+  if (more.isEmpty()) return;
+  painter.setFont(small);
+  painter.setPen(kWords);
+  painter.drawText(inside.adjusted(0, words.height(), 0, 0), Qt::AlignCenter | Qt::TextWordWrap, remedy);
 }
 
 /// The region of a lesion that is not known well enough to be drawn itself: dashed, and never filled.
@@ -153,15 +160,6 @@ void draw_lesion_limits(QPainter& painter, const Layout& layout, Taken& taken,
                    Qt::AlignLeft | Qt::TextWordWrap, text);
 }
 
-/// A copy in blue, green and red, and an image that paints into its bytes.
-std::pair<QImage, std::shared_ptr<std::vector<std::uint8_t>>> paintable(const Picture& picture) {
-  const Picture colour = picture.channels == 3 ? picture : to_picture(view_as_image(picture));
-  auto bytes = std::make_shared<std::vector<std::uint8_t>>(*colour.bytes);
-  QImage image(bytes->data(), picture.width, picture.height, static_cast<qsizetype>(picture.width) * 3,
-               QImage::Format_BGR888);
-  return {std::move(image), std::move(bytes)};
-}
-
 /// Level, frame, age, rate: what a person looks at first.
 void draw_status(QPainter& painter, const Layout& layout, Taken& taken, const OverlayFrame& overlay,
                  const OverlayStatus& status) {
@@ -193,9 +191,10 @@ void draw_doubts(QPainter& painter, const Layout& layout, Taken& taken, const Ov
 
 }  // namespace
 
-Picture annotate(const Picture& picture, const OverlayFrame& overlay, const Annotations& annotations,
-                 const OverlayStyle& style, const OverlayStatus& status) {
-  auto [image, bytes] = paintable(picture);
+void annotate(Canvas& picture, const OverlayFrame& overlay, const Annotations& annotations,
+              const OverlayStyle& style, const OverlayStatus& status) {
+  QImage image(picture.bytes->data(), picture.width, picture.height,
+               static_cast<qsizetype>(picture.width) * 3, QImage::Format_BGR888);
   const Layout layout(image.size());
   Taken taken(layout);
   QPainter painter(&image);
@@ -226,11 +225,10 @@ Picture annotate(const Picture& picture, const OverlayFrame& overlay, const Anno
     for (std::size_t i = 0; i < annotations.regions.size(); ++i)
       name_region(painter, layout, taken, annotations.lesions[i], annotations.regions[i]);
   }
-  painter.end();
-  return {picture.width, picture.height, 3, std::move(bytes)};
 }
 
 std::string validity_text(Validity validity) { return Overlay::reason(validity).toStdString(); }
+std::string remedy_text(Validity validity) { return Overlay::remedy(validity).toStdString(); }
 std::string lesion_reason_text(LesionReason reason) { return Overlay::reason(reason).toStdString(); }
 
 }  // namespace glisson::scene

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "canvas.h"
 #include "glisson/patient/registration.h"
 #include "glisson/ui/scene/overlay_painter.h"
 #include "glisson/volume/label_volume.h"
@@ -22,7 +23,7 @@ struct Annotations {
   std::optional<LesionCard> card;       ///< of the chosen one
   Camera camera;
 };
-Picture annotate(const Picture& picture, const OverlayFrame& overlay, const Annotations& annotations,
-                 const OverlayStyle& style, const OverlayStatus& status);
+void annotate(Canvas& picture, const OverlayFrame& overlay, const Annotations& annotations,
+              const OverlayStyle& style, const OverlayStatus& status);
 
 }  // namespace glisson::scene

@@ -267,17 +267,9 @@ void lay_outline(cv::Mat3b& picture, const SurfaceLayer& liver, bool is_bold) {
 
 }  // namespace
 
-Picture blend_layers(const Picture& frame, const OverlayLayers& layers, const OverlayStyle& style,
-                     const std::optional<Eigen::Vector2d>& focus) {
-  const cv::Mat source(frame.height, frame.width, frame.channels == 1 ? CV_8UC1 : CV_8UC3,
-                       const_cast<std::uint8_t*>(frame.bytes->data()));
-  auto bytes =
-      std::make_shared<std::vector<std::uint8_t>>(static_cast<std::size_t>(3 * frame.width * frame.height));
-  cv::Mat3b picture(frame.height, frame.width, reinterpret_cast<cv::Vec3b*>(bytes->data()));
-  if (frame.channels == 1)
-    cv::cvtColor(source, picture, cv::COLOR_GRAY2BGR);
-  else
-    source.copyTo(picture);
+void blend_layers(Canvas& frame, const OverlayLayers& layers, const OverlayStyle& style,
+                  const std::optional<Eigen::Vector2d>& focus) {
+  cv::Mat3b picture(frame.height, frame.width, reinterpret_cast<cv::Vec3b*>(frame.bytes->data()));
   const Window window(layers.liver, style, focus);
   open_window(picture, layers, window);
   // With room for the smoothing.
@@ -285,7 +277,6 @@ Picture blend_layers(const Picture& frame, const OverlayLayers& layers, const Ov
   if (!box.empty()) lay(picture(box), vessel_veil(layers, style, window, box));
   if (style.outline) lay_outline(picture, layers.liver, style.bold_outline);
   lay_lesions(picture, layers, window);
-  return {frame.width, frame.height, 3, bytes};
 }
 
 }  // namespace glisson::scene

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "glisson/patient/picture.h"
+#include "canvas.h"
 #include "glisson/ui/scene/overlay_painter.h"
 #include "overlay_layers.h"
 
@@ -11,7 +11,7 @@ namespace glisson::scene {
 
 /// Lays the layers over the frame. Everything outside the liver's silhouette is left as it is.
 /// @param focus what is looked at, pixel.
-Picture blend_layers(const Picture& frame, const OverlayLayers& layers, const OverlayStyle& style,
-                     const std::optional<Eigen::Vector2d>& focus);
+void blend_layers(Canvas& frame, const OverlayLayers& layers, const OverlayStyle& style,
+                  const std::optional<Eigen::Vector2d>& focus);
 
 }  // namespace glisson::scene

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <opencv2/core/utility.hpp>
+#include <optional>
 #include <vector>
 
 #include "glisson/core/error.h"
@@ -48,34 +49,93 @@ std::uint8_t kind_of(Label structure) {
   return vessel == kNoVessel ? kSomething : std::uint8_t{vessel};
 }
 
+/// A surface on its way into a layer.
+struct Work {
+  const DrawableSurface* surface;
+  const Triangles* triangles;
+  std::size_t layer;
+  std::uint8_t kind;
+};
+
+constexpr std::size_t kLayers = 3;  ///< liver, vessels, lesions
+
+std::optional<std::size_t> layer_of(Label structure) {
+  if (structure == structure::kParenchyma) return 0;
+  if (vessel_kind(structure) != kNoVessel) return 1;
+  if (is_lesion(structure)) return 2;
+  return {};
+}
+
+std::vector<Work> work_of(const DrawableModel& model, const OverlayStyle& style,
+                          const std::vector<Label>& lesions) {
+  std::vector<Work> all;
+  for (const DrawableSurface& surface : model.surfaces) {
+    const auto layer = layer_of(surface.structure);
+    if (surface.inside.rows() == 0 || !layer || !is_wanted(surface.structure, style, lesions)) continue;
+    all.push_back({&surface, style.thin_branches ? &surface.inside : &surface.thick, *layer,
+                   kind_of(surface.structure)});
+  }
+  return all;
+}
+
+/// Does each of `count` things, as many at a time as there are processors.
+template <class Thing>
+void side_by_side(std::size_t count, const Thing& thing) {
+  const int whole = static_cast<int>(count);
+  cv::parallel_for_(
+      cv::Range(0, whole),
+      [&](const cv::Range& range) {
+        for (int i = range.start; i < range.end; ++i) thing(static_cast<std::size_t>(i));
+      },
+      whole);
+}
+
+/// Rows of one layer.
+struct Part {
+  std::size_t layer;
+  RowBand band;
+  PixelBox touched;
+};
+
+/// Bands of each layer, so that each processor has its share whatever structure is the largest.
+std::vector<Part> parts_of(const std::vector<Work>& all, const std::vector<ProjectedSurface>& projected,
+                           int height) {
+  std::vector<Part> parts;
+  for (std::size_t layer = 0; layer < kLayers; ++layer) {
+    std::vector<const ProjectedSurface*> surfaces;
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (all[i].layer == layer) surfaces.push_back(&projected[i]);
+    if (surfaces.empty()) continue;
+    for (const RowBand& band : row_bands(surfaces, height, std::max(1, cv::getNumThreads())))
+      parts.push_back({layer, band, {}});
+  }
+  return parts;
+}
+
 }  // namespace
 
 void draw_layers(const DrawableModel& model, const Points& nodes_in_camera, const SurfaceRaster& raster,
                  const OverlayStyle& style, const std::vector<Label>& lesions, OverlayLayers& layers) {
   require(nodes_in_camera.rows() == model.model->mesh.vertex_count(),
           "the overlay's nodes are those of the model that it was made for");
-  std::array<std::vector<const DrawableSurface*>, 3> groups;  // liver, vessels, lesions
-  for (const DrawableSurface& surface : model.surfaces) {
-    if (surface.inside.rows() == 0 || !is_wanted(surface.structure, style, lesions)) continue;
-    if (surface.structure == structure::kParenchyma)
-      groups[0].push_back(&surface);
-    else if (vessel_kind(surface.structure) != kNoVessel)
-      groups[1].push_back(&surface);
-    else if (is_lesion(surface.structure))
-      groups[2].push_back(&surface);
-  }
-  const std::array<SurfaceLayer*, 3> targets = {&layers.liver, &layers.vessels, &layers.lesions};
-  cv::parallel_for_(cv::Range(0, 3), [&](const cv::Range& range) {
-    for (int g = range.start; g < range.end; ++g) {
-      const auto group = static_cast<std::size_t>(g);
-      raster.clear(*targets[group]);
-      for (const DrawableSurface* surface : groups[group]) {
-        const Points moved = surface->binding.apply(model.model->mesh, nodes_in_camera);
-        raster.draw(moved, style.thin_branches ? surface->inside : surface->thick,
-                    kind_of(surface->structure), *targets[group]);
-      }
-    }
+  const std::array<SurfaceLayer*, kLayers> targets = {&layers.liver, &layers.vessels, &layers.lesions};
+  const std::vector<Work> all = work_of(model, style, lesions);
+  layers.projected.resize(all.size());
+  side_by_side(kLayers + all.size(), [&](std::size_t i) {
+    if (i < kLayers) return raster.clear(*targets[i]);
+    const Work& work = all[i - kLayers];
+    raster.project(work.surface->binding.apply(model.model->mesh, nodes_in_camera), *work.triangles,
+                   layers.projected[i - kLayers]);
   });
+  std::vector<Part> parts = parts_of(all, layers.projected, layers.liver.height);
+  side_by_side(parts.size(), [&](std::size_t p) {
+    Part& part = parts[p];
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (all[i].layer == part.layer)
+        part.touched.add(raster.fill(layers.projected[i], *all[i].triangles, all[i].kind, part.band,
+                                     *targets[part.layer]));
+  });
+  for (const Part& part : parts) targets[part.layer]->touched.add(part.touched);
 }
 
 }  // namespace glisson::scene

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "glisson/ui/scene/drawable_model.h"
 #include "glisson/ui/scene/overlay_painter.h"
@@ -15,6 +16,7 @@ enum VesselKind : std::uint8_t { kNoVessel = 0, kPortal = 1, kHepatic = 2, kArte
 /// What the camera would see of the deformed model, class by class. Kinds of lesions are their labels.
 struct OverlayLayers {
   SurfaceLayer liver, vessels, lesions;
+  std::vector<ProjectedSurface> projected;  ///< memory for draw_layers()
 };
 
 /// Draws into layers that may hold a former picture: what is there is taken away, its memory is used again.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "canvas.h"
 #include "glisson/core/error.h"
 #include "glisson/patient/label_map.h"
 #include "glisson/ui/scene/model_surfaces.h"
@@ -211,7 +212,11 @@ Picture OverlayPainter::paint(const Picture& frame, const OverlayFrame& overlay,
                          std::to_string(camera.height),
                      "Use the calibration that belongs to this laparoscope.");
   impl_->measures.reset();
-  if (overlay.level() == Level::withdrawn) return annotate(frame, overlay, {}, impl_->style, status);
+  Canvas canvas = canvas_of(frame);
+  if (overlay.level() == Level::withdrawn) {
+    annotate(canvas, overlay, {}, impl_->style, status);
+    return picture_of(std::move(canvas));
+  }
   const OverlayStyle style = style_of(overlay, impl_->style);
   const auto begin = std::chrono::steady_clock::now();
   std::vector<LesionVerdict> verdicts =
@@ -223,12 +228,13 @@ Picture OverlayPainter::paint(const Picture& frame, const OverlayFrame& overlay,
   draw_layers(*impl_->drawable, overlay.nodes_in_camera, impl_->raster, style, bodies, layers);
   // An empty window would say that there is nothing.
   const auto focus = overlay.level() == Level::valid ? impl_->focus(verdicts, interest) : std::nullopt;
-  const Picture blended = blend_layers(frame, layers, style, focus);
+  blend_layers(canvas, layers, style, focus);
   OverlayStatus now = status;
   if (status.age_seconds > 0.0)  // a live picture grows older while it is drawn
     now.age_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  return annotate(blended, overlay,
-                  impl_->annotations(overlay.nodes_in_camera, std::move(verdicts), interest), style, now);
+  annotate(canvas, overlay, impl_->annotations(overlay.nodes_in_camera, std::move(verdicts), interest), style,
+           now);
+  return picture_of(std::move(canvas));
 }
 
 }  // namespace glisson::scene

@@ -30,11 +30,11 @@ class Overlay {
       case Validity::stale:
         return tr("an earlier step has changed since the registration");
       case Validity::surface_apart:
-        return tr("the camera sees the organ elsewhere; register again");
+        return tr("the camera sees the organ elsewhere");
       case Validity::picture_stands:
-        return tr("the picture stands still; check the camera");
+        return tr("the picture stands still");
       case Validity::views_apart:
-        return tr("the two views do not show the same moment; check the cameras");
+        return tr("the two views do not show the same moment");
       case Validity::partly_covered:
         return tr("part of the organ is covered");
       case Validity::poor_picture:
@@ -47,6 +47,43 @@ class Overlay {
         return tr("the mask network takes most of the organ for something else");
       case Validity::masked_out:
         return tr("the mask network leaves too little of the organ");
+    }
+    return {};
+  }
+  /// What a person does about it; empty: nothing.
+  static QString remedy(Validity validity) {
+    switch (validity) {
+      case Validity::valid:
+        return {};
+      case Validity::not_started:
+        return tr("Register the model to what the camera sees.");
+      case Validity::too_few_points:
+        return tr(
+            "Show the part of the organ that was seen when it was registered, free of smoke and tools.");
+      case Validity::inconsistent_motion:
+        return tr(
+            "Show the part of the organ that was seen when it was registered, and hold still for a moment.");
+      case Validity::residual_too_large:
+        return tr("Register again (R), or choose a new frame and register that.");
+      case Validity::mechanics_failed:
+        return tr("Start tracking again.");
+      case Validity::stale:
+        return tr("Run the steps again that are out of date, then register.");
+      case Validity::surface_apart:
+        return tr("Register again (R), or correct by hand (C).");
+      case Validity::picture_stands:
+        return tr("Check the camera and its cable.");
+      case Validity::views_apart:
+        return tr("Check that both cameras run, in the right order and at the same time.");
+      case Validity::partly_covered:
+        return tr("Take away what covers it, or show another part of the organ.");
+      case Validity::poor_picture:
+        return tr("Clear the smoke, wipe the lens, check the lamp.");
+      case Validity::proposed:
+        return tr("Use this place, refine it, or put it back.");
+      case Validity::mostly_masked:
+      case Validity::masked_out:
+        return tr("Show more of the organ; if the network is wrong, remove it.");
     }
     return {};
   }

@@ -2,6 +2,9 @@
 #include "glisson/ui/scene/picture_image.h"
 
 #include <algorithm>
+#include <opencv2/imgproc.hpp>
+
+#include "canvas.h"
 
 namespace glisson::scene {
 
@@ -21,6 +24,27 @@ QImage view_as_image(const Picture& picture) {
 
 QImage copy_to_image(const Picture& picture) {
   return view_as_image(picture).convertToFormat(QImage::Format_RGB32);
+}
+
+QImage screen_image(const Picture& picture, const QSize& size) {
+  if (picture.empty() || size.isEmpty()) return {};
+  const cv::Mat source(picture.height, picture.width, picture.channels == 1 ? CV_8UC1 : CV_8UC3,
+                       const_cast<std::uint8_t*>(picture.bytes->data()));
+  cv::Mat scaled = source;
+  const cv::Size wanted(size.width(), size.height());
+  // Beyond half of the size two neighbours do not tell what lies between.
+  const bool is_much_smaller = 2 * wanted.width < source.cols || 2 * wanted.height < source.rows;
+  if (wanted != source.size())
+    cv::resize(source, scaled, wanted, 0.0, 0.0, is_much_smaller ? cv::INTER_AREA : cv::INTER_LINEAR);
+  QImage image(size, QImage::Format_RGB32);
+  cv::Mat target(wanted, CV_8UC4, image.bits(), static_cast<std::size_t>(image.bytesPerLine()));
+  cv::cvtColor(scaled, target, picture.channels == 1 ? cv::COLOR_GRAY2BGRA : cv::COLOR_BGR2BGRA);
+  return image;
+}
+
+Canvas canvas_of(const Picture& picture) {
+  const Picture colour = picture.channels == 3 ? picture : to_picture(view_as_image(picture));
+  return {picture.width, picture.height, std::make_shared<std::vector<std::uint8_t>>(*colour.bytes)};
 }
 
 Picture to_picture(const QImage& image) {

@@ -29,7 +29,7 @@ double largest_slope(const Eigen::Matrix<double, 5, 1>& distortion) {
 }
 
 /// |cosine| between the surface and the line of sight at each vertex, smooth over the surface.
-std::vector<float> facings(const Points& vertices, const Triangles& triangles) {
+void set_facings(const Points& vertices, const Triangles& triangles, std::vector<RasterCorner>& corners) {
   Points normals = Points::Zero(vertices.rows(), 3);
   for (Eigen::Index t = 0; t < triangles.rows(); ++t) {
     const Eigen::RowVector3d a = vertices.row(triangles(t, 0));
@@ -37,19 +37,30 @@ std::vector<float> facings(const Points& vertices, const Triangles& triangles) {
         (vertices.row(triangles(t, 1)) - a).cross(vertices.row(triangles(t, 2)) - a);
     for (int k = 0; k < 3; ++k) normals.row(triangles(t, k)) += normal;
   }
-  std::vector<float> result(static_cast<std::size_t>(vertices.rows()), 0.0F);
   for (Eigen::Index i = 0; i < vertices.rows(); ++i) {
     const double lengths = std::sqrt(normals.row(i).squaredNorm() * vertices.row(i).squaredNorm());
-    if (lengths > 0.0)
-      result[static_cast<std::size_t>(i)] =
-          static_cast<float>(std::abs(normals.row(i).dot(vertices.row(i))) / lengths);
+    corners[static_cast<std::size_t>(i)].facing =
+        lengths > 0.0 ? static_cast<float>(std::abs(normals.row(i).dot(vertices.row(i))) / lengths) : 0.0F;
   }
-  return result;
 }
 
 float longest_edge(const Eigen::Vector2f& a, const Eigen::Vector2f& b, const Eigen::Vector2f& c) {
-  return std::sqrt(std::max({(a - b).squaredNorm(), (b - c).squaredNorm(), (c - a).squaredNorm()}));
+  return std::sqrt(std::max(std::max((a - b).squaredNorm(), (b - c).squaredNorm()), (c - a).squaredNorm()));
 }
+
+// Without a call into the library for each, as the common processor needs for std::ceil and std::floor.
+/// @pre the value fits into an int, here and below.
+int up(float value) {
+  const int whole = static_cast<int>(value);
+  return whole + static_cast<int>(static_cast<float>(whole) < value);
+}
+int down(float value) {
+  const int whole = static_cast<int>(value);
+  return whole - static_cast<int>(static_cast<float>(whole) > value);
+}
+
+float least(float a, float b, float c) { return std::min(std::min(a, b), c); }
+float most(float a, float b, float c) { return std::max(std::max(a, b), c); }
 
 struct ScreenCorner {
   float x, y, inverse_depth, facing;
@@ -76,17 +87,19 @@ struct Weight {
   }
 };
 
-/// Fills one small triangle. Pixel centres are whole numbers.
-void fill(const std::array<ScreenCorner, 3>& corners, std::uint8_t kind, SurfaceLayer& layer) {
+/// Fills a band's rows of one small triangle. Pixel centres are whole numbers.
+void fill_small(const std::array<ScreenCorner, 3>& corners, std::uint8_t kind, const RowBand& band,
+                SurfaceLayer& layer, PixelBox& touched) {
   const auto& [a, b, c] = corners;
   const float area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
   if (!(std::abs(area) > 1e-6F)) return;
-  const int left = std::max(0, static_cast<int>(std::ceil(std::min({a.x, b.x, c.x}))));
-  const int right = std::min(layer.width - 1, static_cast<int>(std::floor(std::max({a.x, b.x, c.x}))));
-  const int top = std::max(0, static_cast<int>(std::ceil(std::min({a.y, b.y, c.y}))));
-  const int bottom = std::min(layer.height - 1, static_cast<int>(std::floor(std::max({a.y, b.y, c.y}))));
+  // Limited before they are whole numbers: a corner may lie far beside the picture.
+  const int left = up(std::max(0.0F, least(a.x, b.x, c.x)));
+  const int right = down(std::min(static_cast<float>(layer.width - 1), most(a.x, b.x, c.x)));
+  const int top = up(std::max(static_cast<float>(band.first), least(a.y, b.y, c.y)));
+  const int bottom = down(std::min(static_cast<float>(band.end - 1), most(a.y, b.y, c.y)));
   if (left > right || top > bottom) return;
-  layer.touched.add(left, right, top, bottom);
+  touched.add(left, right, top, bottom);
   const float scale = 1.0F / area;
   // The corners' weights are linear over the picture.
   const Weight weight_a((b.y - c.y) * scale, (c.x - b.x) * scale, b.x, b.y);
@@ -96,7 +109,8 @@ void fill(const std::array<ScreenCorner, 3>& corners, std::uint8_t kind, Surface
     const auto row = static_cast<float>(y);
     float from = static_cast<float>(left), to = static_cast<float>(right);
     for (const Weight* weight : {&weight_a, &weight_b, &weight_c}) weight->bound(row, from, to);
-    const int first = static_cast<int>(std::ceil(from)), last = static_cast<int>(std::floor(to));
+    if (!(from <= to)) continue;
+    const int first = up(from), last = down(to);
     if (first > last) continue;
     const auto start = static_cast<float>(first);
     const float at_a = weight_a.at(start, row), at_b = weight_b.at(start, row),
@@ -127,6 +141,10 @@ void PixelBox::add(int from, int to, int first, int last) {
   height = (is_first ? last + 1 : std::max(bottom(), last + 1)) - new_top;
   left = new_left;
   top = new_top;
+}
+
+void PixelBox::add(const PixelBox& other) {
+  if (!other.empty()) add(other.left, other.right() - 1, other.top, other.bottom() - 1);
 }
 
 PixelBox PixelBox::around(int pixels, int picture_width, int picture_height) const {
@@ -172,57 +190,118 @@ void SurfaceRaster::clear(SurfaceLayer& layer) const {
   layer.touched = {};
 }
 
-void SurfaceRaster::project(Corner& corner) const {
+void SurfaceRaster::project(RasterCorner& corner) const {
   const double z = corner.p.z();
   corner.visible =
       z > kNear && corner.p.head<2>().squaredNorm() < largest_slope_squared_ * z * z && corner.p.allFinite();
   if (corner.visible) corner.pixel = camera_.project(corner.p).cast<float>();
 }
 
-void SurfaceRaster::draw(const Points& vertices, const Triangles& triangles, std::uint8_t kind,
-                         SurfaceLayer& layer) const {
-  require(kind != 0, "kind 0 stands for nothing");
-  require(layer.width == camera_.width && layer.height == camera_.height, "a layer has the camera's size");
-  const std::vector<float> facing = facings(vertices, triangles);
-  std::vector<Corner> corners(static_cast<std::size_t>(vertices.rows()));
+void SurfaceRaster::project(const Points& vertices, const Triangles& triangles,
+                            ProjectedSurface& surface) const {
+  std::vector<RasterCorner>& corners = surface.corners;
+  corners.resize(static_cast<std::size_t>(vertices.rows()));
+  set_facings(vertices, triangles, corners);
   for (std::size_t i = 0; i < corners.size(); ++i) {
     corners[i].p = vertices.row(static_cast<Eigen::Index>(i)).transpose();
-    corners[i].facing = facing[i];
     project(corners[i]);
   }
-  for (Eigen::Index t = 0; t < triangles.rows(); ++t)
-    draw_divided(corners[static_cast<std::size_t>(triangles(t, 0))],
-                 corners[static_cast<std::size_t>(triangles(t, 1))],
-                 corners[static_cast<std::size_t>(triangles(t, 2))], 0, kind, layer);
 }
 
-void SurfaceRaster::draw_divided(const Corner& a, const Corner& b, const Corner& c, int depth,
-                                 std::uint8_t kind, SurfaceLayer& layer) const {
-  const bool whole = a.visible && b.visible && c.visible;
-  if (whole && (depth == kDeepest || longest_edge(a.pixel, b.pixel, c.pixel) <= kLongestEdge)) {
-    const auto on_screen = [](const Corner& corner) {
-      return ScreenCorner{corner.pixel.x(), corner.pixel.y(), static_cast<float>(1.0 / corner.p.z()),
-                          corner.facing};
-    };
-    fill({on_screen(a), on_screen(b), on_screen(c)}, kind, layer);
-    return;
+/// Fills what of a surface lies in a band.
+class SurfaceRaster::BandFiller {
+ public:
+  BandFiller(const SurfaceRaster& raster, std::uint8_t kind, const RowBand& band, SurfaceLayer& layer)
+      : raster_(raster), kind_(kind), band_(band), layer_(layer) {}
+
+  void add(const RasterCorner& a, const RasterCorner& b, const RasterCorner& c) { add(a, b, c, 0); }
+  const PixelBox& touched() const { return touched_; }
+
+ private:
+  void add(const RasterCorner& a, const RasterCorner& b, const RasterCorner& c, int depth) {
+    const bool whole = a.visible && b.visible && c.visible;
+    if (whole && (depth == kDeepest || longest_edge(a.pixel, b.pixel, c.pixel) <= kLongestEdge)) {
+      if (is_beside(a, b, c)) return;
+      fill_small({on_screen(a), on_screen(b), on_screen(c)}, kind_, band_, layer_, touched_);
+      return;
+    }
+    if (!whole) {
+      const double size = std::max({(a.p - b.p).norm(), (b.p - c.p).norm(), (c.p - a.p).norm()});
+      if (depth == kDeepest || !(size > kSmallestDivided)) return;
+    }
+    const RasterCorner ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+    add(a, ab, ca, depth + 1);
+    add(ab, b, bc, depth + 1);
+    add(ca, bc, c, depth + 1);
+    add(ab, bc, ca, depth + 1);
   }
-  if (!whole) {
-    const double size = std::max({(a.p - b.p).norm(), (b.p - c.p).norm(), (c.p - a.p).norm()});
-    if (depth == kDeepest || !(size > kSmallestDivided)) return;
+  bool is_beside(const RasterCorner& a, const RasterCorner& b, const RasterCorner& c) const {
+    return least(a.pixel.y(), b.pixel.y(), c.pixel.y()) > static_cast<float>(band_.end - 1) ||
+           most(a.pixel.y(), b.pixel.y(), c.pixel.y()) < static_cast<float>(band_.first);
   }
-  const auto middle = [this](const Corner& one, const Corner& other) {
-    Corner corner;
+  static ScreenCorner on_screen(const RasterCorner& corner) {
+    return {corner.pixel.x(), corner.pixel.y(), static_cast<float>(1.0 / corner.p.z()), corner.facing};
+  }
+  RasterCorner middle(const RasterCorner& one, const RasterCorner& other) const {
+    RasterCorner corner;
     corner.p = 0.5 * (one.p + other.p);
     corner.facing = 0.5F * (one.facing + other.facing);
-    project(corner);
+    raster_.project(corner);
     return corner;
-  };
-  const Corner ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
-  draw_divided(a, ab, ca, depth + 1, kind, layer);
-  draw_divided(ab, b, bc, depth + 1, kind, layer);
-  draw_divided(ca, bc, c, depth + 1, kind, layer);
-  draw_divided(ab, bc, ca, depth + 1, kind, layer);
+  }
+
+  const SurfaceRaster& raster_;
+  std::uint8_t kind_;
+  RowBand band_;
+  SurfaceLayer& layer_;
+  PixelBox touched_;
+};
+
+PixelBox SurfaceRaster::fill(const ProjectedSurface& surface, const Triangles& triangles, std::uint8_t kind,
+                             const RowBand& band, SurfaceLayer& layer) const {
+  require(kind != 0, "kind 0 stands for nothing");
+  require(layer.width == camera_.width && layer.height == camera_.height, "a layer has the camera's size");
+  require(band.first >= 0 && band.end <= layer.height, "a band lies in its picture");
+  BandFiller filler(*this, kind, band, layer);
+  const std::vector<RasterCorner>& corners = surface.corners;
+  for (Eigen::Index t = 0; t < triangles.rows(); ++t)
+    filler.add(corners[static_cast<std::size_t>(triangles(t, 0))],
+               corners[static_cast<std::size_t>(triangles(t, 1))],
+               corners[static_cast<std::size_t>(triangles(t, 2))]);
+  return filler.touched();
+}
+
+void SurfaceRaster::draw(const Points& vertices, const Triangles& triangles, std::uint8_t kind,
+                         SurfaceLayer& layer) const {
+  ProjectedSurface surface;
+  project(vertices, triangles, surface);
+  layer.touched.add(fill(surface, triangles, kind, {0, layer.height}, layer));
+}
+
+std::vector<RowBand> row_bands(const std::vector<const ProjectedSurface*>& surfaces, int height, int count) {
+  require(height > 0 && count > 0, "a picture has rows, and is cut into bands");
+  std::vector<std::size_t> vertices(static_cast<std::size_t>(height), 0);
+  std::size_t all = 0;
+  for (const ProjectedSurface* surface : surfaces)
+    for (const RasterCorner& corner : surface->corners) {
+      if (!corner.visible || !(corner.pixel.y() >= 0.0F) || !(corner.pixel.y() < static_cast<float>(height)))
+        continue;
+      ++vertices[static_cast<std::size_t>(corner.pixel.y())];
+      ++all;
+    }
+  std::vector<RowBand> bands;
+  int begin = 0;
+  std::size_t before = 0;
+  for (int row = 0; row < height; ++row) {
+    before += vertices[static_cast<std::size_t>(row)];
+    const auto made = bands.size() + 1;
+    if (made == static_cast<std::size_t>(count)) break;
+    if (before * static_cast<std::size_t>(count) < all * made || before == 0) continue;
+    bands.push_back({begin, row + 1});
+    begin = row + 1;
+  }
+  if (begin < height) bands.push_back({begin, height});
+  return bands;
 }
 
 }  // namespace glisson::scene

@@ -103,6 +103,8 @@ class OverlayPainter {
 
 /// The sentence for a person behind a validity (translated): "too few points are tracked".
 std::string validity_text(Validity validity);
+/// What a person does about it (translated), whole sentences; empty for what is valid.
+std::string remedy_text(Validity validity);
 /// "nothing near it has been tracked for a while"
 std::string lesion_reason_text(LesionReason reason);
 /// What is told of a chosen lesion (translated): names and values. None of one that is withdrawn.

@@ -17,6 +17,7 @@ struct PixelBox {
   int bottom() const { return top + height; }  ///< likewise
   /// Grows to hold columns `from` to `to` and rows `first` to `last`, all included.
   void add(int from, int to, int first, int last);
+  void add(const PixelBox& other);
   /// Wider by `pixels` on all sides, cut to a picture of this size.
   PixelBox around(int pixels, int picture_width, int picture_height) const;
 };
@@ -37,6 +38,27 @@ struct SurfaceLayer {
   float depth(std::size_t pixel) const { return 1.0F / inverse_depth[pixel]; }
 };
 
+/// A vertex before the camera.
+struct RasterCorner {
+  Eigen::Vector3d p;      ///< camera frame, metres
+  Eigen::Vector2f pixel;  ///< only when `visible`
+  float facing = 0.0F;
+  bool visible = false;
+};
+
+/// A surface's vertices before the camera.
+struct ProjectedSurface {
+  std::vector<RasterCorner> corners;
+};
+
+/// Some rows of a picture.
+struct RowBand {
+  int first = 0, end = 0;  ///< one beyond the last
+};
+/// Cuts a picture's rows into bands that hold about as many vertices each.
+/// @pre count is positive
+std::vector<RowBand> row_bands(const std::vector<const ProjectedSurface*>& surfaces, int height, int count);
+
 /// Draws triangles into layers with a depth buffer, through the camera's whole model, lens included: vertices
 /// go through Camera::project(), and what would be long on the picture is divided, so that straight edges
 /// follow the lens within a fraction of a pixel. A live overlay holds tens of thousands of triangles of a few
@@ -55,18 +77,20 @@ class SurfaceRaster {
   /// polynomial no longer grows, is not drawn. @pre kind is not 0.
   void draw(const Points& vertices, const Triangles& triangles, std::uint8_t kind, SurfaceLayer& layer) const;
 
+  /// The first half of draw(): where the vertices are on the picture. Surfaces may be projected side by side.
+  /// @param surface its memory is used again.
+  void project(const Points& vertices, const Triangles& triangles, ProjectedSurface& surface) const;
+  /// The second half, of the rows of a band alone: bands of one layer may be filled side by side, and are the
+  /// same to the bit as the whole. @param triangles those that were projected. @pre as draw()
+  /// @return where something was drawn; the layer's `touched` is left to the caller.
+  PixelBox fill(const ProjectedSurface& surface, const Triangles& triangles, std::uint8_t kind,
+                const RowBand& band, SurfaceLayer& layer) const;
+
   static constexpr double kNear = 0.005;  ///< metres
 
  private:
-  struct Corner {
-    Eigen::Vector3d p;      ///< camera frame, metres
-    Eigen::Vector2f pixel;  ///< only when `visible`
-    float facing = 0.0F;
-    bool visible = false;
-  };
-  void project(Corner& corner) const;
-  void draw_divided(const Corner& a, const Corner& b, const Corner& c, int depth, std::uint8_t kind,
-                    SurfaceLayer& layer) const;
+  class BandFiller;
+  void project(RasterCorner& corner) const;
 
   Camera camera_;
   double largest_slope_squared_ = 0.0;  ///< of a ray that the lens maps one to one
