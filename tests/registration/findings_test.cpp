@@ -184,9 +184,9 @@ void FindingsTest::WhatLiesBehindTheModelIsCounted() {
   registration.camera_from_ct = pose;
   registration.nodes_in_camera = pose.apply(model_.mesh.vertices);
   const ErrorModel error = error_of(model_, pose, cloud, 0.2e-3);
-  QVERIFY(examine({model_, cloud, registration, nullptr, error}).hidden < 0.01);
+  QVERIFY(examine({model_, cloud, registration, nullptr, error})->hidden < 0.01);
   for (Eigen::Index i = 0; i < cloud.points.rows(); i += 2) cloud.points.row(i) *= 1.15;
-  QVERIFY(std::abs(examine({model_, cloud, registration, nullptr, error}).hidden - 0.5) < 0.1);
+  QVERIFY(std::abs(examine({model_, cloud, registration, nullptr, error})->hidden - 0.5) < 0.1);
 }
 
 QTEST_APPLESS_MAIN(FindingsTest)

@@ -6,6 +6,8 @@
 #include <random>
 
 #include "glisson/core/error.h"
+#include "glisson/patient/label_map.h"
+#include "glisson/registration/examined_registration.h"
 #include "phantom.h"
 
 using namespace glisson;
@@ -73,6 +75,7 @@ class RegisterModelTest : public QObject {
   void OptionsThatAreUsedAreChecked();
   void ABareMeshIsTakenForHomogeneous();
   void WhatIsLeftEmptyTheModelDecides();
+  void OneThreadGivesTheBitsOfTwo();
   void CancelGivesNothing();
 
  private:
@@ -256,6 +259,40 @@ void RegisterModelTest::WhatIsLeftEmptyTheModelDecides() {
   const Registered published = registered(paper);
   QVERIFY(!published.operations);
   QVERIFY(published.registration.nodes_in_camera == registered(springs).registration.nodes_in_camera);
+}
+
+/// From the rigid start to what is expected of the error, with another look.
+void RegisterModelTest::OneThreadGivesTheBitsOfTwo() {
+  PatientModel model = model_;
+  model.mesh.labels[200] = structure::kFirstLesion;
+  const Pulled pulled(model);
+  const auto made_on = [&](int threads) {
+    RegisterOptions options = brief();
+    options.start = RegisterOptions::Start::automatic;
+    options.looks = {phantom::patch(model, phantom::view(0.3).apply(model.mesh.vertices), {.seed = 2})};
+    options.threads = threads;
+    return register_and_examine(model, pulled.cloud, options, RunContext()).value();
+  };
+  const ExaminedRegistration one = made_on(1), two = made_on(2);
+  const Registration &a = one.registered.registration, &b = two.registered.registration;
+  QVERIFY(a.nodes_in_camera == b.nodes_in_camera);
+  QVERIFY(a.expected == b.expected);
+  QCOMPARE(a.doubts, b.doubts);
+  QVERIFY(one.registered.operations->modes == two.registered.operations->modes);
+  QVERIFY(one.lesions.front().covariance == two.lesions.front().covariance);
+  QCOMPARE(a.rivals.size(), b.rivals.size());
+  for (std::size_t k = 0; k < a.rivals.size(); ++k) {
+    QVERIFY(a.rivals[k].nodes_in_camera == b.rivals[k].nodes_in_camera);
+    QCOMPARE(a.rivals[k].probability, b.rivals[k].probability);
+  }
+  QVERIFY(one.findings.mirror_odds == two.findings.mirror_odds);
+  // Two operations of one kind are the same, whoever has simulated them.
+  OperationOptions slow;
+  slow.threads = 1;
+  QVERIFY(slow == OperationOptions());
+  RegisterOptions three = brief();
+  three.threads = 3;
+  QVERIFY_EXCEPTION_THROWN(registered(three), InputError);
 }
 
 void RegisterModelTest::CancelGivesNothing() {

@@ -84,14 +84,15 @@ void ErrorModelOptions::validate() const {
 ErrorModel::ErrorModel(const PatientModel& model, const OperationPrior* prior,
                        const Eigen::VectorXd& amplitudes, const CameraFromCt& camera_from_ct,
                        const Points& nodes, const PreparedCloud& cloud, double noise,
-                       const ErrorModelOptions& options) {
+                       const ErrorModelOptions& options, const RunContext& context) {
   options.validate();
   nodes_ = nodes;
   modes_ = prior != nullptr ? prior->modes.cols() : 0;
   Unforeseen others;
   others.motion = options.unforeseen;
   others.fixed_nodes = options.fixed_nodes;
-  const fem::NodalColumns forces = unforeseen_motions(model, others);
+  const fem::NodalColumns forces = unforeseen_motions(model, others, context);
+  if (context.cancelled()) return;
   fem::NodalColumns motions(3L * model.mesh.vertex_count(), modes_ + forces.cols());
   if (modes_ > 0) motions.leftCols(modes_) = prior->modes;
   motions.rightCols(forces.cols()) = forces;
@@ -107,12 +108,14 @@ ErrorModel::ErrorModel(const PatientModel& model, const OperationPrior* prior,
   motions.middleCols(deforming + 6, looks).setZero();
   motions.rightCols<1>() = pose.rightCols<1>();
 
+  if (context.cancelled()) return;
   MovingSurface surface(model, SurfaceDetail::fine);
   surface.move(nodes);
   const double sigma = std::hypot(noise, options.surface);
   point_variance_ = sigma * sigma / options.information;
   const ForceRows rows =
       find_rows(cloud, surface, {sigma, std::sqrt(kTolerance) * sigma, options.information});
+  if (context.cancelled()) return;
   const Eigen::MatrixXd all = rows.along(motions);
   rows_ = all.leftCols(unknowns);
   if (looks > 0) rows_.rightCols(looks) = of_looks(rows, looks, nodes.colwise().mean());
@@ -121,13 +124,16 @@ ErrorModel::ErrorModel(const PatientModel& model, const OperationPrior* prior,
   Eigen::VectorXd y = rows.gap;
   if (amplitudes.size() == modes_ && modes_ > 0) y += rows_.leftCols(modes_) * amplitudes;
 
+  if (context.cancelled()) return;
   const Eigen::MatrixXd weighted = variance_.cwiseInverse().asDiagonal() * rows_;
   Eigen::MatrixXd h = rows_.transpose() * weighted;
   h.diagonal().array() += 1.0;
+  if (context.cancelled()) return;
   const Eigen::LLT<Eigen::MatrixXd> factor(h);
   root_ = factor.matrixU().solve(Eigen::MatrixXd::Identity(unknowns, unknowns));
   mean_ = factor.solve(weighted.transpose() * y);
   left_ = y - rows_ * mean_;
+  if (context.cancelled()) return;
   spread_ = kLeftOut * (motions.leftCols(unknowns) * root_);
 
   const Eigen::VectorXd larger = all.col(unknowns);
@@ -199,10 +205,11 @@ double ErrorModel::misfit() const {
   return places_.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(places_.size()));
 }
 
-ErrorModel::HeldOut ErrorModel::held_out() const {
+ErrorModel::HeldOut ErrorModel::held_out(const RunContext& context) const {
   HeldOut held;
   if (places_.size() < 2) return held;
   for (const auto& place : places_) {
+    if (context.cancelled()) return {};
     // Left out, the place's residual is V (V - H)^-1 e, of covariance V (V - H)^-1 V; H = A S A^T.
     const Eigen::MatrixXd a = rows_(place, Eigen::all) * root_;
     Eigen::MatrixXd m = -a * a.transpose();

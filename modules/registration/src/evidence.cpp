@@ -100,9 +100,9 @@ EvidencePosterior posterior(const EvidenceProblem& problem, const Eigen::VectorX
 }
 
 Eigen::VectorXd maximise_evidence(const EvidenceProblem& problem, Eigen::VectorXd gamma, int updates,
-                                  double gone) {
+                                  double gone, const RunContext& context) {
   const int size = problem.group_size;
-  for (int update = 0; update < updates; ++update) {
+  for (int update = 0; update < updates && !context.cancelled(); ++update) {
     const Whitened white(problem, problem.column_variances(gamma));
     const auto n = static_cast<Eigen::Index>(white.columns.size());
     Eigen::MatrixXd lower = Eigen::MatrixXd::Identity(n, n);
@@ -139,8 +139,9 @@ Eigen::VectorXd evidence_of_groups(const EvidenceProblem& problem, const Eigen::
   return added;
 }
 
-Eigen::VectorXd keep_worth(const EvidenceProblem& problem, Eigen::VectorXd gamma, double price) {
-  for (;;) {
+Eigen::VectorXd keep_worth(const EvidenceProblem& problem, Eigen::VectorXd gamma, double price,
+                           const RunContext& context) {
+  while (!context.cancelled()) {
     const Eigen::VectorXd added = evidence_of_groups(problem, gamma);
     int least = -1;
     for (int j = 0; j < problem.groups; ++j)
@@ -149,6 +150,7 @@ Eigen::VectorXd keep_worth(const EvidenceProblem& problem, Eigen::VectorXd gamma
     gamma[least] = 0.0;
     gamma = maximise_evidence(problem, std::move(gamma), 1);
   }
+  return gamma;
 }
 
 }  // namespace glisson::registration

@@ -34,9 +34,9 @@ double roughness_at(const Points& points, const std::vector<int>& neighbours, Ei
   return std::sqrt(left.squaredNorm() / static_cast<double>(n - kTerms));
 }
 
-double hidden_share(const MovingSurface& surface, const PreparedCloud& cloud) {
+double hidden_share(const MovingSurface& surface, const PreparedCloud& cloud, const RunContext& context) {
   int hidden = 0;
-  for (int i = 0; i < cloud.cloud.size(); ++i) {
+  for (int i = 0; i < cloud.cloud.size() && !context.cancelled(); ++i) {
     const Eigen::Vector3d eye = cloud.cloud.eye(i), ray = cloud.cloud.points.row(i).transpose() - eye;
     const double length = ray.norm();
     if (length > kBehind && surface.first_hit(eye, ray / length, 0.0, length - kBehind).triangle >= 0)
@@ -71,11 +71,13 @@ void look_at_pairs(const MovingSurface& surface, const PreparedCloud& cloud, Fin
 
 }  // namespace
 
-double roughness_of(const PreparedCloud& cloud) {
+double roughness_of(const PreparedCloud& cloud, const RunContext& context) {
   std::vector<double> values;
-  for (Eigen::Index i = 0; i < cloud.cloud.points.rows(); ++i)
+  for (Eigen::Index i = 0; i < cloud.cloud.points.rows(); ++i) {
+    if (context.cancelled()) return 0.0;
     if (cloud.neighbours[static_cast<std::size_t>(i)].size() >= 8)
       values.push_back(roughness_at(cloud.cloud.points, cloud.neighbours[static_cast<std::size_t>(i)], i));
+  }
   return values.empty() ? 0.0 : upper_median(std::move(values));
 }
 
@@ -87,12 +89,13 @@ LabelledCloud mirrored(const LabelledCloud& cloud) {
   return image;
 }
 
-Findings examine(const Examined& examined) {
+Cancellable<Findings> examine(const Examined& examined, const RunContext& context) {
   const PreparedCloud cloud = prepare_cloud(examined.cloud, {3.9, 1000, kNeighbours});
   Findings findings;
-  findings.roughness = roughness_of(cloud);
+  findings.roughness = roughness_of(cloud, context);
   const ErrorModel& error = examined.error;
-  const ErrorModel::HeldOut held = error.held_out();
+  const ErrorModel::HeldOut held = error.held_out(context);
+  if (context.cancelled()) return std::nullopt;
   findings.held_out = held.distance;
   findings.held_out_z = held.z;
   findings.misfit = error.misfit();
@@ -104,7 +107,8 @@ Findings examine(const Examined& examined) {
   MovingSurface surface(examined.model, SurfaceDetail::fine);
   const Points& final_nodes = examined.registration.nodes_in_camera;
   surface.move(final_nodes);
-  findings.hidden = hidden_share(surface, cloud);
+  findings.hidden = hidden_share(surface, cloud, context);
+  if (context.cancelled()) return std::nullopt;
   look_at_pairs(surface, cloud, findings);
   if (examined.shapes != nullptr) {
     const ShapeFit& best = examined.shapes->best();

@@ -351,10 +351,10 @@ bool ForceFitter::stage(double sigma, const RunContext& context) {
     if (iteration == 0) variances_.setConstant(groups, y.squaredNorm() / a.leftCols(columns).squaredNorm());
     const EvidenceProblem problem(a, y, rows.sigma, groups, 3, fixed_variances());
     const EvidenceProblem forces_alone = problem.of_groups();
-    variances_ =
-        maximise_evidence(forces_alone, variances_, iteration == 0 ? kFirstUpdates : kUpdates, kGone);
+    variances_ = maximise_evidence(forces_alone, variances_, iteration == 0 ? kFirstUpdates : kUpdates, kGone,
+                                   context);
     const double price = problem_.options.patch_price * std::log(static_cast<double>(groups));
-    if (price > 0.0) variances_ = keep_worth(forces_alone, variances_, price);
+    if (price > 0.0) variances_ = keep_worth(forces_alone, variances_, price, context);
     if (context.cancelled()) return false;
     found = posterior(problem, variances_);
     const auto acting = static_cast<double>((variances_.array() > 0.0).count());

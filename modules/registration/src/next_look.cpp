@@ -139,7 +139,7 @@ class LandmarkLooks {
 /// model's own error there stays.
 std::vector<Look> surface_looks(const PatientModel& model, const LabelledCloud& cloud,
                                 const Registration& registration, const ErrorModel& error,
-                                const Places& places) {
+                                const Places& places, const RunContext& context) {
   const std::vector<int>& nodes = model.surface.node_of_vertex;
   TriangleMesh now = model.surface.mesh;
   for (Eigen::Index i = 0; i < now.vertices.rows(); ++i)
@@ -163,7 +163,7 @@ std::vector<Look> surface_looks(const PatientModel& model, const LabelledCloud& 
   };
   std::vector<Look> looks(places.spread.chosen.size());
   for (std::size_t p = 0; p < looks.size(); ++p) {
-    if (!offered[p]) continue;
+    if (!offered[p] || context.cancelled()) continue;
     std::vector<Eigen::Index> shown;
     for (std::size_t q = 0; q < looks.size(); ++q)
       if (is_new[q] && is_shown(places.spread.chosen[q], places.spread.chosen[p]))
@@ -197,16 +197,18 @@ const char* lobe_of(const Landmarks& landmarks, const Eigen::RowVector3d& at) {
 }  // namespace
 
 std::vector<LesionLooks> looks_of(const PatientModel& model, const LabelledCloud& cloud,
-                                  const Registration& registration, const ErrorModel& error) {
+                                  const Registration& registration, const ErrorModel& error,
+                                  const RunContext& context) {
   std::vector<LesionLooks> all;
   const auto centres = lesion_centres(model);
   if (centres.empty()) return all;
   const Places places(model.surface.mesh);
-  const std::vector<Look> looks = surface_looks(model, cloud, registration, error, places);
+  const std::vector<Look> looks = surface_looks(model, cloud, registration, error, places, context);
   const LandmarkLooks landmarks(model, cloud, registration);
   const ForceRows margin = landmarks.margin(), notch = landmarks.notch();
   const Look of_margin = look_along(error, margin), of_notch = look_along(error, notch);
   for (const auto& [lesion, centre] : centres) {
+    if (context.cancelled()) return {};
     const Binding binding = bind_points(model.mesh, centre.transpose());
     const Eigen::MatrixXd deviations = error.deviations(
         model.mesh.tetrahedra.row(binding.tetrahedron[0]).transpose(), binding.weights.row(0).transpose());
@@ -218,7 +220,10 @@ std::vector<LesionLooks> looks_of(const PatientModel& model, const LabelledCloud
     told.notch = of_notch.variance.size() > 0 ? after(of_notch) : told.now;
     std::vector<double> of_places;
     of_places.reserve(looks.size());
-    for (const Look& look : looks) of_places.push_back(look.variance.size() > 0 ? after(look) : told.now);
+    for (const Look& look : looks) {
+      if (context.cancelled()) return {};
+      of_places.push_back(look.variance.size() > 0 ? after(look) : told.now);
+    }
     told.seen = Eigen::VectorXd::Constant(model.mesh.vertex_count(), told.now);
     for (std::size_t v = 0; v < places.spread.nearest.size(); ++v)
       told.seen[model.surface.node_of_vertex[v]] = of_places[places.spread.nearest[v]];

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 #include "glisson/core/error.h"
@@ -27,11 +28,11 @@ constexpr double kCavaRadius = 0.02, kLigamentHalfWidth = 0.01;
 /// m from the vena cava to about the middle of a lobe: the unit of the bed's polynomial.
 constexpr double kReach = 0.09;
 
-fem::NodalColumns unforeseen_of(const PatientModel& model, double motion) {
+fem::NodalColumns unforeseen_of(const PatientModel& model, double motion, const RunContext& context) {
   Unforeseen forces;
   forces.motion = motion;
   forces.modes = kUnforeseenModes;
-  return unforeseen_motions(model, forces);
+  return unforeseen_motions(model, forces, context);
 }
 
 /// One operation's loads, each in standard deviations.
@@ -171,8 +172,17 @@ Eigen::MatrixXd components(const Eigen::MatrixXd& motions, const Eigen::MatrixXd
 
 }  // namespace
 
+bool OperationOptions::operator==(const OperationOptions& other) const {
+  const auto all = [](const OperationOptions& o) {
+    return std::tie(o.operations, o.modes, o.gravity, o.gas_pa, o.bed_m, o.ligament_m, o.contact_spread,
+                    o.unforeseen_m);
+  };
+  return all(*this) == all(other);
+}
+
 void OperationOptions::validate() const {
   const OptionCheck demand("operation options");
+  demand(threads == 1 || threads == 2, "threads", threads, "Give 1 or 2");
   demand(operations >= kFewest + 10, "operations", operations, "Give 40 at least");
   demand(modes >= 1, "modes", modes, "Give one at least");
   demand(gravity >= 0.0 && gravity <= 20.0, "gravity", gravity, "Give 0 to 20 m/s2");
@@ -190,9 +200,9 @@ Points OperationPrior::shape(const Points& rest, const Eigen::VectorXd& amplitud
   return rest + Eigen::Map<const Points>(moved.data(), rest.rows(), 3);
 }
 
-OperationPrior unknown_operations(const PatientModel& model) {
+OperationPrior unknown_operations(const PatientModel& model, const RunContext& context) {
   OperationPrior prior;
-  prior.modes = unforeseen_of(model, kUnknownMotion);
+  prior.modes = unforeseen_of(model, kUnknownMotion, context);
   return prior;
 }
 
@@ -212,7 +222,7 @@ Cancellable<OperationPrior> simulate_operations(const PatientModel& model, const
   for (std::size_t i = 0; i < count; ++i)
     draws.emplace_back(context.random("registration.operation." + std::to_string(i)));
   std::vector<std::optional<Points>> outcomes(count);
-  share_out(count, 2, [&](std::size_t i, bool here) {
+  share_out(count, options.threads, [&](std::size_t i, bool here) {
     if (context.cancelled()) return;
     outcomes[i] = organ.run(draws[i], context.quiet());
     if (here)
@@ -235,7 +245,8 @@ Cancellable<OperationPrior> simulate_operations(const PatientModel& model, const
     loads.col(prior.operations++) = draws[i].loads();
   }
   const Eigen::MatrixXd foreseen = components(motions, loads, options.modes);
-  const fem::NodalColumns unforeseen = unforeseen_of(model, options.unforeseen_m);
+  const fem::NodalColumns unforeseen = unforeseen_of(model, options.unforeseen_m, context);
+  if (context.cancelled()) return std::nullopt;
   prior.modes.resize(foreseen.rows(), foreseen.cols() + unforeseen.cols());
   prior.modes << foreseen, unforeseen;
   return prior;

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "glisson/core/error.h"
 #include "glisson/registration/examine.h"
 #include "glisson/registration/examined_registration.h"
 #include "glisson/registration/looks.h"
@@ -166,7 +167,8 @@ std::vector<FoundForce> found_forces(const ContactForceFit& fit) {
 
 ErrorModel error_of(const PatientModel& model, const LabelledCloud& cloud, const ElasticOptions& elastic,
                     const std::optional<ShapeFits>& shapes, const Registered& made,
-                    const Registration& registration, const std::vector<RegistrationRival>& rivals) {
+                    const Registration& registration, const std::vector<RegistrationRival>& rivals,
+                    const RunContext& context) {
   const PreparedCloud prepared = prepare_cloud(cloud, {3.9, 600, 30});
   const ShapeFit* shape = shapes && !made.forces ? &shapes->best() : nullptr;
   ErrorModelOptions known;
@@ -180,7 +182,8 @@ ErrorModel error_of(const PatientModel& model, const LabelledCloud& cloud, const
                               : Eigen::VectorXd(),
                    shape ? shape->camera_from_ct : registration.camera_from_ct,
                    shape ? shape->nodes_in_camera : registration.nodes_in_camera, prepared,
-                   roughness_of(prepared), known);
+                   roughness_of(prepared, context), known, context);
+  if (context.cancelled()) return error;
   for (const RegistrationRival& rival : rivals)
     if (rival.probability > 1e-4) error.add_rival(rival.nodes_in_camera, rival.probability);
   return error;
@@ -254,7 +257,18 @@ ElasticOptions elastic_of(const RegisterOptions& options, const PatientModel& mo
   return elastic;
 }
 
+namespace {
+
+/// Every step's own options with the threads of all.
+RegisterOptions shared_out(RegisterOptions options) {
+  options.rigid.threads = options.operation.threads = options.forces.threads = options.threads;
+  return options;
+}
+
+}  // namespace
+
 void RegisterOptions::validate() const {
+  OptionCheck("register options")(threads == 1 || threads == 2, "threads", threads, "Give 1 or 2");
   if (start == Start::automatic || start == Start::near) rigid.validate();
   if (operations) operation.validate();
   if (elastic) elastic->validate();
@@ -271,10 +285,12 @@ class Run {
       const KnownOperations& known, const RunContext& context)
       : model_(model),
         cloud_(cloud),
-        options_(options),
+        options_(shared_out(options)),
         known_(known),
         context_(context),
-        elastic_(elastic_of(options, model)) {}
+        elastic_(elastic_of(options, model)) {
+    elastic_.shape.threads = options_.threads;
+  }
 
   Cancellable<ExaminedRegistration> run() {
     if (!find_start() || !join() || !know_shapes() || !fit_the_shapes() || !deform() || !examine_it())
@@ -323,7 +339,8 @@ class Run {
       if (!prior) return false;
       result().operations = elastic_.prior = *prior;
     } else {
-      elastic_.prior = std::make_shared<const OperationPrior>(unknown_operations(model_));
+      elastic_.prior = std::make_shared<const OperationPrior>(unknown_operations(model_, context_.quiet()));
+      if (context_.cancelled()) return false;
     }
     return true;
   }
@@ -374,10 +391,13 @@ class Run {
   bool examine_it() {
     std::vector<RegistrationRival> rivals = rivals_of(shapes_, result(), registration_, elastic_);
     examined_.error = std::make_shared<const ErrorModel>(
-        error_of(model_, cloud_, elastic_, shapes_, result(), registration_, rivals));
+        error_of(model_, cloud_, elastic_, shapes_, result(), registration_, rivals, context_));
+    if (context_.cancelled()) return false;
     examined_.lesions = lesions_of(model_, *examined_.error, registration_);
-    examined_.findings =
-        examine({model_, cloud_, registration_, shapes_ ? &*shapes_ : nullptr, *examined_.error});
+    auto findings = examine({model_, cloud_, registration_, shapes_ ? &*shapes_ : nullptr, *examined_.error},
+                            context_.quiet());
+    if (!findings) return false;
+    examined_.findings = *findings;
     examined_.findings.elsewhere = elsewhere(registration_.nodes_in_camera, rivals);
     if (is_sought() && shapes_) {
       const auto odds = mirror_odds(model_, cloud_, options_, elastic_, shapes_->best().cost, up_to(1.0));
@@ -390,7 +410,8 @@ class Run {
     tell(judge(examined_.findings));
     // Around a place that is contradicted there is nothing to look for.
     if (!is_refused(registration_))
-      registration_.looks = looks_of(model_, cloud_, registration_, *examined_.error);
+      registration_.looks = looks_of(model_, cloud_, registration_, *examined_.error, context_.quiet());
+    if (context_.cancelled()) return false;
     tell_of_places(std::move(rivals));
     result().displacement =
         point_errors(registration_.nodes_in_camera, registration_.camera_from_ct.apply(model_.mesh.vertices));
@@ -419,7 +440,7 @@ class Run {
 
   const PatientModel& model_;
   LabelledCloud cloud_;  ///< with all looks
-  const RegisterOptions& options_;
+  const RegisterOptions options_;
   const KnownOperations& known_;
   const RunContext& context_;
   ElasticOptions elastic_;

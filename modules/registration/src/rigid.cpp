@@ -323,6 +323,7 @@ std::vector<std::string> doubts_about(const PatientModel& model, const LabelledC
 void RigidOptions::validate() const {
   const OptionCheck demand("rigid options");
   demand(starts >= 1, "starts", starts, "Give one at least");
+  demand(threads == 1 || threads == 2, "threads", threads, "Give 1 or 2");
   demand(outlier_share >= 0.0 && outlier_share < 0.9, "outlier_share", outlier_share,
          "Give a share from 0 to 0.9");
 }
@@ -348,7 +349,7 @@ Cancellable<RigidStart> best_of(
   for (int k = 0; k < options.starts; ++k) poses.push_back({draw(k, aligner.normals(), prepared), 0.0});
   const auto refine = [&](const std::vector<int>& chosen, int iterations, double tangential, bool look,
                           const RunContext& part) {
-    share_out(poses.size(), 2, [&](std::size_t k, bool here) {
+    share_out(poses.size(), options.threads, [&](std::size_t k, bool here) {
       if (part.cancelled()) return;
       if (here)
         part.progress(static_cast<double>(k) / static_cast<double>(poses.size()), "registration.rigid");

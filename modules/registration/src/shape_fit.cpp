@@ -242,26 +242,28 @@ class ShapeFitter {
   bool rest_reached_ = false;
 };
 
-/// Each on its own, on two threads.
-void run_each(const std::vector<ShapeFitter*>& fitters, int until, const RunContext& context) {
+/// Each on its own.
+void run_each(const std::vector<ShapeFitter*>& fitters, int until, int threads, const RunContext& context) {
   const double share = 1.0 / static_cast<double>(fitters.size());
-  share_out(fitters.size(), 2, [&](std::size_t k, bool here) {
+  share_out(fitters.size(), threads, [&](std::size_t k, bool here) {
     const auto before = static_cast<double>(k);
     fitters[k]->run(until, here ? context.part(share * before, share * (before + 1.0)) : context.quiet());
   });
 }
 
 /// All for a while, then to their ends those that are not far behind the best.
-void run_all(const std::vector<std::unique_ptr<ShapeFitter>>& fitters, int until, const RunContext& context) {
+void run_all(const std::vector<std::unique_ptr<ShapeFitter>>& fitters, const ShapeFitOptions& options,
+             const RunContext& context) {
+  const int until = options.max_iterations;
   std::vector<ShapeFitter*> going;
   double least = std::numeric_limits<double>::infinity();
   for (const auto& fitter : fitters) going.push_back(fitter.get());
-  run_each(going, std::min(kFirstIterations, until), context.part(0.0, 0.5));
+  run_each(going, std::min(kFirstIterations, until), options.threads, context.part(0.0, 0.5));
   for (const ShapeFitter* fitter : going) least = std::min(least, fitter->least_cost());
   std::erase_if(going, [&](const ShapeFitter* fitter) {
     return fitter->least_cost() > 2.0 * least && fitter->least_cost() > least + kFarBehind;
   });
-  run_each(going, until, context.part(0.5, 1.0));
+  run_each(going, until, options.threads, context.part(0.5, 1.0));
 }
 
 }  // namespace
@@ -273,6 +275,7 @@ void ShapeFitOptions::validate() const {
   demand(sigma_notch > 0.0, "sigma_notch", sigma_notch, "Give a positive length in metres");
   demand(information > 0.0 && information <= 1.0, "information", information, "Give a share in (0, 1]");
   demand(max_iterations > 0, "max_iterations", max_iterations, "Give one at least");
+  demand(threads == 1 || threads == 2, "threads", threads, "Give 1 or 2");
 }
 
 Cancellable<ShapeFit> fit_shape(const PatientModel& model, const OperationPrior& prior,
@@ -303,7 +306,7 @@ Cancellable<ShapeFits> fit_shapes(const PatientModel& model, const OperationPrio
   std::vector<std::unique_ptr<ShapeFitter>> fitters;
   for (const ShapeStart& start : starts)
     fitters.push_back(std::make_unique<ShapeFitter>(model, surface, prior, prepared, start, options));
-  run_all(fitters, options.max_iterations, context);
+  run_all(fitters, options, context);
   if (context.cancelled()) return std::nullopt;
   ShapeFits found;
   std::vector<ShapeFit>& fits = found.fits;

@@ -15,12 +15,14 @@ constexpr Eigen::Index kAtOnce = 96;                   ///< columns solved for t
 constexpr double kNothing = 1e-6;                      ///< variance of a component over the largest: rounding
 
 /// What a unit force does in each patch and direction. No columns: the body cannot be held.
-fem::NodalColumns responses_of(const PatientModel& model, const Unforeseen& forces) {
+fem::NodalColumns responses_of(const PatientModel& model, const Unforeseen& forces,
+                               const RunContext& context) {
+  const fem::NodalColumns none(3L * model.mesh.vertex_count(), 0);
   fem::ElasticBody body(model.mesh, forces.fixed_nodes);
   body.set_material({fem::BodyLaw::linear, 0.45});
   Eigen::VectorXd springs;
   if (forces.fixed_nodes.empty()) springs = kGround / (kGroundLength * kGroundLength) * body.node_volumes();
-  if (!body.factorise(body.rest(), springs)) return fem::NodalColumns(3L * body.node_count(), 0);
+  if (context.cancelled() || !body.factorise(body.rest(), springs)) return none;
   std::vector<char> fixed(static_cast<std::size_t>(body.node_count()), 0);
   for (const int node : forces.fixed_nodes) fixed[static_cast<std::size_t>(node)] = 1;
   const ForceSurface surface(model.surface, model.mesh.vertices, fixed);
@@ -28,6 +30,7 @@ fem::NodalColumns responses_of(const PatientModel& model, const Unforeseen& forc
       surface.patches(model.surface.mesh.vertices, {forces.patch_spacing, forces.patch_radius, 1e-3}),
       body.node_count());
   for (Eigen::Index first = 0; first < columns.cols(); first += kAtOnce) {
+    if (context.cancelled()) return none;
     fem::NodalColumns some = columns.middleCols(first, std::min(kAtOnce, columns.cols() - first));
     body.solve(some);
     columns.middleCols(first, some.cols()) = some;
@@ -50,8 +53,9 @@ Eigen::MatrixXd rigid_motions(const Points& nodes) {
 
 }  // namespace
 
-fem::NodalColumns unforeseen_motions(const PatientModel& model, const Unforeseen& forces) {
-  Eigen::MatrixXd motions = responses_of(model, forces);
+fem::NodalColumns unforeseen_motions(const PatientModel& model, const Unforeseen& forces,
+                                     const RunContext& context) {
+  Eigen::MatrixXd motions = responses_of(model, forces, context);
   if (motions.cols() == 0 || !(forces.motion > 0.0)) return fem::NodalColumns(motions.rows(), 0);
   if (forces.fixed_nodes.empty()) {
     const Eigen::MatrixXd rigid = rigid_motions(model.mesh.vertices);

@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "glisson/core/run_context.h"
 #include "glisson/fem/elastic_body.h"
 #include "glisson/patient/patient_model.h"
 #include "glisson/registration/operation_prior.h"
@@ -23,6 +24,8 @@ struct Unforeseen {
 /// first. Independent forces of one size in every patch and direction; where no node is fixed soft springs to
 /// the ground hold the body and its rigid motion is left out: the pose is sought for itself.
 /// Shape: 3 N x K, CT frame, m; no columns where the body cannot be held.
-fem::NodalColumns unforeseen_motions(const PatientModel& model, const Unforeseen& forces);
+/// Cancelled: no columns.
+fem::NodalColumns unforeseen_motions(const PatientModel& model, const Unforeseen& forces,
+                                     const RunContext& context = {});
 
 }  // namespace glisson::registration

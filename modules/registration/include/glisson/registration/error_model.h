@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "glisson/core/run_context.h"
 #include "glisson/patient/labelled_cloud.h"
 #include "glisson/patient/patient_model.h"
 #include "glisson/registration/moving_surface.h"
@@ -47,10 +48,12 @@ class ErrorModel {
  public:
   /// @param prior null: unforeseen forces alone. @param amplitudes of its modes; empty: none.
   /// @param nodes where the organ is, camera's frame; @param camera_from_ct its rigid part.
-  /// @param noise of the cloud's points, m. @throws InputError options.
+  /// @param noise of the cloud's points, m. @throws InputError options. Cancelled: it is not finished, and of
+  /// no use.
   ErrorModel(const PatientModel& model, const OperationPrior* prior, const Eigen::VectorXd& amplitudes,
              const CameraFromCt& camera_from_ct, const PointsIn<CameraFrame>& nodes,
-             const PreparedCloud& cloud, double noise, const ErrorModelOptions& options = {});
+             const PreparedCloud& cloud, double noise, const ErrorModelOptions& options = {},
+             const RunContext& context = {});
 
   /// The nodes may as well be elsewhere, with this probability: adds the spread between the two.
   void add_rival(const PointsIn<CameraFrame>& elsewhere, double probability);
@@ -75,7 +78,7 @@ class ErrorModel {
   struct HeldOut {
     double distance = 0.0, z = 0.0;
   };
-  HeldOut held_out() const;
+  HeldOut held_out(const RunContext& context = {}) const;
   /// rms over places of the mean distance that the most probable motion leaves, m.
   double misfit() const;
   /// Squared amplitudes of modes and forces over what is expected of them.

@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 
+#include "glisson/core/run_context.h"
+
 /// @file
 /// Sparse Bayesian learning (Tipping 2001, in groups): y = A a + e, e ~ N(0, Sigma), amplitudes a of unknown
 /// variance, one variance a group of columns. The variances are those under which y is most probable; most
@@ -47,13 +49,16 @@ EvidencePosterior posterior(const EvidenceProblem& problem, const Eigen::VectorX
 /// Raises the evidence by `updates` of all variances, gamma_j = |a_j| / sqrt(tr A_j^T M^-1 A_j), M = Sigma +
 /// A Gamma A^T (each update lowers a convex bound; none lowers the evidence). Groups whose variance falls
 /// below `gone` times the largest are given zero, and stay there: the work falls with the cube of those left.
+/// Cancelled: what it was until then.
 Eigen::VectorXd maximise_evidence(const EvidenceProblem& problem, Eigen::VectorXd group_variance, int updates,
-                                  double gone = 1e-9);
+                                  double gone = 1e-9, const RunContext& context = {});
 
 /// Groups that do not earn their price are given zero, the one that loses least first, and the others'
 /// variances raised again. What a group adds to the log evidence is the ratio of its amplitudes' densities at
 /// zero, after and before the observations (Dickey 1971).
-Eigen::VectorXd keep_worth(const EvidenceProblem& problem, Eigen::VectorXd group_variance, double price);
+/// Cancelled: as it is by then.
+Eigen::VectorXd keep_worth(const EvidenceProblem& problem, Eigen::VectorXd group_variance, double price,
+                           const RunContext& context = {});
 
 /// What each group adds to the log evidence; 0 where its variance is.
 Eigen::VectorXd evidence_of_groups(const EvidenceProblem& problem, const Eigen::VectorXd& group_variance);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "glisson/core/run_context.h"
 #include "glisson/registration/error_model.h"
 #include "glisson/registration/findings.h"
 #include "glisson/registration/pairs.h"
@@ -10,7 +11,8 @@ namespace glisson::registration {
 
 /// Deviation of points from a smooth surface: the rms residual of a paraboloid through each point's
 /// neighbours, median over the points. @pre neighbours: 8 and more are taken where there are as many.
-double roughness_of(const PreparedCloud& cloud);
+/// Cancelled: 0.
+double roughness_of(const PreparedCloud& cloud, const RunContext& context = {});
 
 /// The cloud as a mirror would show it: x changes its sign.
 LabelledCloud mirrored(const LabelledCloud& cloud);
@@ -24,6 +26,6 @@ struct Examined {
   const ErrorModel& error;
 };
 /// All but mirror_odds. @throws InputError the cloud's as in prepare_cloud.
-Findings examine(const Examined& examined);
+Cancellable<Findings> examine(const Examined& examined, const RunContext& context = {});
 
 }  // namespace glisson::registration

@@ -26,9 +26,10 @@ inline constexpr double kLookReach = 30e-3, kLookFacing = 0.5;
 /// L^T the lesion's covariance and B the answers of the look's rows, of variance V, the posterior is C' = L
 /// (I - B^T (V + B B^T)^-1 B) L^T: what the error model would say after it, whatever will be seen (linear,
 /// Gaussian; Lindley 1956). What is seen already counts as nothing new. @param cloud that was registered to,
-/// not empty; @param error what the registration does not know.
+/// not empty; @param error what the registration does not know. Cancelled: none.
 std::vector<LesionLooks> looks_of(const PatientModel& model, const LabelledCloud& cloud,
-                                  const Registration& registration, const ErrorModel& error);
+                                  const Registration& registration, const ErrorModel& error,
+                                  const RunContext& context = {});
 
 /// The look that tells most of a lesion.
 struct NextLook {

@@ -19,6 +19,7 @@ namespace glisson::registration {
 struct RigidOptions {
   int starts = 200;            ///< seeded orientations tried
   double outlier_share = 0.1;  ///< of the points that are farthest off, left out of each fit, in [0, 0.9)
+  int threads = 2;             ///< 1 or 2: the same bits
   /// @throws InputError naming the option.
   void validate() const;
 };

@@ -62,6 +62,8 @@ struct RegisterOptions {
   /// false: elasticity alone. A prior in `elastic` is taken instead.
   bool operations = true;
   OperationOptions operation;
+  /// Of every step, 1 or 2, over those of the steps' own options: the same bits.
+  int threads = 2;
   /// What is used of them. @throws InputError naming the option.
   void validate() const;
 };
