@@ -3056,10 +3056,6 @@
         <translation>kein Bild heißt so</translation>
     </message>
     <message>
-        <source>%1 of %2 frames can be read back</source>
-        <translation>%1 von %2 Bildern lassen sich wieder lesen</translation>
-    </message>
-    <message>
         <source>holds %1 numbers where %2 are expected</source>
         <translation>enthält %1 Zahlen, erwartet sind %2</translation>
     </message>
@@ -3370,10 +3366,6 @@
     <message>
         <source>Check the pattern</source>
         <translation>Prüfen Sie das Muster</translation>
-    </message>
-    <message>
-        <source>Free some space on the disk and record again</source>
-        <translation>Schaffen Sie Platz auf dem Datenträger, und nehmen Sie noch einmal auf</translation>
     </message>
     <message>
         <source>Put it beside the header and name it there without a folder</source>

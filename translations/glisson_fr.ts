@@ -3056,10 +3056,6 @@
         <translation>aucune image n’a un tel nom</translation>
     </message>
     <message>
-        <source>%1 of %2 frames can be read back</source>
-        <translation>%1 images sur %2 peuvent être relues</translation>
-    </message>
-    <message>
         <source>holds %1 numbers where %2 are expected</source>
         <translation>contient %1 nombres, %2 sont attendus</translation>
     </message>
@@ -3370,10 +3366,6 @@
     <message>
         <source>Check the pattern</source>
         <translation>Vérifiez le motif</translation>
-    </message>
-    <message>
-        <source>Free some space on the disk and record again</source>
-        <translation>Libérez de l’espace sur le disque et enregistrez de nouveau</translation>
     </message>
     <message>
         <source>Put it beside the header and name it there without a folder</source>
