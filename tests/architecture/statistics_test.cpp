@@ -33,6 +33,15 @@ std::vector<std::string> faults_in(const std::string& code) {
   return faults;
 }
 
+std::vector<std::string> faults_of(const fs::path& source) {
+  std::ifstream stream(source);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  // Most sources have none of it and need not be taken apart.
+  for (const char* word : {"nth_element", "1.4826", "median", "percentile", "quantile"})
+    if (text.find(word) != std::string::npos) return faults_in(code_of(source));
+  return {};
+}
+
 bool is_core(const std::string& room) { return room == "core"; }
 
 }  // namespace
@@ -51,8 +60,7 @@ void StatisticsTest::StatisticsStandOnce() {
     for (const fs::path& source : sources) {
       const std::string name = source.filename().string();
       if (is_core(room) || of_their_own().contains(name)) continue;
-      for (const std::string& fault : faults_in(code_of(source)))
-        offences += room + "/" + name + ": " + fault + "\n";
+      for (const std::string& fault : faults_of(source)) offences += room + "/" + name + ": " + fault + "\n";
     }
   QVERIFY2(offences.empty(), ("use core/statistics.h:\n" + offences).c_str());
 }
@@ -62,7 +70,7 @@ void StatisticsTest::EveryExceptionIsNeeded() {
   for (const auto& [name, why] : of_their_own()) unused.insert(name);
   for (const auto& [room, sources] : rooms_on_disk())
     for (const fs::path& source : sources)
-      if (!faults_in(code_of(source)).empty()) unused.erase(source.filename().string());
+      if (!faults_of(source).empty()) unused.erase(source.filename().string());
   QVERIFY2(unused.empty(), unused.empty() ? "" : unused.begin()->c_str());
 }
 
