@@ -3,8 +3,10 @@
 
 #include <QtTest>
 
+#include "full_disk.h"
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
+#include "glisson/stereo/paced_writer.h"
 
 using namespace glisson;
 using namespace glisson::stereo;
@@ -21,6 +23,17 @@ Picture pattern(int width, int height, int channels, int frame = 0) {
         bytes->push_back(
             static_cast<std::uint8_t>(128.0 + 90.0 * std::sin(0.05 * x + 0.08 * y * (c + 1) + 0.3 * frame)));
   return {width, height, channels, std::move(bytes)};
+}
+
+/// It cannot be made small.
+Picture noise(int width, int height, int frame) {
+  auto bytes = std::make_shared<std::vector<std::uint8_t>>();
+  std::uint32_t state = 17U + static_cast<std::uint32_t>(frame);
+  for (int i = 0; i < 3 * width * height; ++i) {
+    state = state * 1664525U + 1013904223U;
+    bytes->push_back(static_cast<std::uint8_t>(state >> 24U));
+  }
+  return {width, height, 3, std::move(bytes)};
 }
 
 double mean_difference(const Picture& a, const Picture& b, int a_x0 = 0) {
@@ -189,6 +202,91 @@ class PictureIoTest : public QObject {
     write_video(own.path() / "a.mkv", 64, 48, 4);
     QCOMPARE(files_in(own.path()), std::size_t{1});
     QCOMPARE(StereoVideo(own.path() / "a.mkv").frame_count(), 4);
+  }
+
+  void AFullDiskIsSaidAtOnceAndWhatWasRecordedPlays() {
+    const fs::path path = folder_.path() / "full.mkv";
+    int asked = 0;
+    FilmPace pace(25.0);
+    PacedWriter writer(path, 64, 48, 25.0, [&](const fs::path& folder) {
+      return fs::equivalent(folder, folder_.path()) && ++asked <= 10 ? 1e9 : 0.0;
+    });
+    for (int i = 0; i < 10; ++i) writer.add(pattern(64, 48, 3, i), pace.next(i / 25.0));
+    try {
+      writer.add(pattern(64, 48, 3), pace.next(10 / 25.0));
+      QFAIL("was written");
+    } catch (const FileError& error) {
+      QVERIFY2(QByteArray(error.what()).contains("the disk is full after 10 frames"), error.what());
+    }
+    QVERIFY(!fs::exists(path));
+    QCOMPARE(writer.keep(), 10);
+    QCOMPARE(StereoVideo(path).frame_count(), 10);
+  }
+
+  void OfAFileThatCouldNotGrowThePartThatPlaysIsKept() {
+    const fs::path path = folder_.path() / "stuck.mkv";
+    constexpr int kFrames = 60;
+    int kept = 0;
+    QByteArray said;
+    {
+      VideoWriter writer(path, 320, 240, 25.0);
+      const test::FullDisk full(200000);
+      for (int i = 0; i < kFrames; ++i) writer.write(noise(320, 240, i));
+      try {
+        writer.close();
+      } catch (const PartlyRecorded& partly) {
+        kept = partly.frames();
+        said = partly.what();
+      }
+    }
+    QVERIFY2(kept > 0 && kept < kFrames, qPrintable(QString::number(kept)));
+    QVERIFY2(said.contains(QByteArray::number(kept) + " of 60 frames can be read back"), said);
+    StereoVideo video(path);
+    int played = 0;
+    try {
+      for (StereoFrame frame; video.read(frame);) ++played;
+    } catch (const InputError&) {
+      // The container may promise more than there is.
+    }
+    QCOMPARE(played, kept);
+  }
+
+  void OfNothingNothingIsKept() {
+    const fs::path path = folder_.path() / "none.mkv";
+    VideoWriter writer(path, 64, 48, 25.0);
+    QVERIFY_THROWS_EXCEPTION(FileError, writer.close());
+    QVERIFY(!fs::exists(path));
+  }
+
+  void AFilmRunsAsFastAsWhatWasFilmed() {
+    FilmPace pace(30.0);
+    const auto is = [](const FilmPace::Place& place, int repeats, int number) {
+      return !place.taken && place.repeats == repeats && place.number == number;
+    };
+    QVERIFY(is(pace.next(5.0), 0, 0));
+    QVERIFY(is(pace.next(5.0 + 1 / 30.0), 0, 1));
+    QVERIFY(is(pace.next(5.0 + 4 / 30.0), 2, 4));  // two were not drawn: the one before stays
+    QVERIFY(pace.next(5.0 + 4 / 30.0).taken);
+    QVERIFY(is(pace.next(15.0), 0, 5));  // a jump in the source is no pause
+    QVERIFY(is(pace.next(15.0 + 2 / 30.0), 1, 7));
+    QCOMPARE(pace.frames(), 8);
+  }
+
+  void WherePicturesAreMissingTheOneBeforeStays() {
+    const fs::path path = folder_.path() / "paced.mkv";
+    FilmPace pace(25.0);
+    PacedWriter writer(path, 64, 48, 25.0);
+    for (const int frame : {0, 1, 5}) writer.add(pattern(64, 48, 3, frame), pace.next(frame / 25.0));
+    writer.add(pattern(64, 48, 3, 40), pace.next(5 / 25.0));  // that moment is taken
+    writer.close();
+    StereoVideo video(path);
+    StereoFrame frame;
+    std::vector<Picture> read;
+    while (video.read(frame)) read.push_back(frame.left);
+    QCOMPARE(read.size(), std::size_t{6});
+    for (const int standing : {2, 3, 4})
+      QVERIFY(mean_difference(pattern(64, 48, 3, 1), read[static_cast<std::size_t>(standing)]) < 6.0);
+    QVERIFY(mean_difference(pattern(64, 48, 3, 5), read[5]) < 6.0);
   }
 
   void WriterRefusesWhatItCannotRecord() {

@@ -7,6 +7,7 @@
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/core/output_file.h"
+#include "glisson/stereo/paced_writer.h"
 #include "glisson/stereo/picture_io.h"
 #include "picture_cv.h"
 #include "streams.h"
@@ -21,16 +22,22 @@ struct VideoWriter::Impl {
   cv::VideoWriter writer;
   bool open = false;
 
-  ~Impl() {
+  ~Impl() { release(); }
+
+  void release() {
     if (open) writer.release();
+    open = false;
   }
 
-  void verify() const {
-    FileStream stream(file->path());
-    const int frames = stream.count_frames();
-    if (frames != written || stream.width != width || stream.height != height)
-      throw FileError(path.string() + ": " + std::to_string(frames) + " of " + std::to_string(written) +
-                      " frames can be read back. Free some space on the disk and record again.");
+  /// Frames that can be read back.
+  int readable() const {
+    try {
+      FileStream stream(file->path());
+      const int frames = stream.count_frames();
+      return stream.width == width && stream.height == height ? frames : 0;
+    } catch (const InputError&) {
+      return 0;  // broken off in its first second
+    }
   }
 };
 
@@ -64,17 +71,25 @@ void VideoWriter::write(const Picture& picture) {
   require(impl_->open, "a video that was closed takes no more pictures");
   require(picture.width == impl_->width && picture.height == impl_->height && picture.channels == 3,
           "a picture has the size of its video and three channels");
+  require_room(impl_->path, impl_->written, free_space);  // OpenCV says nothing of a full disk
   impl_->writer.write(view(picture));
   ++impl_->written;
 }
 
 void VideoWriter::close() {
   require(impl_->open, "a video is closed once");
-  impl_->writer.release();
+  impl_->release();
   flush_to_disk(impl_->file->path());
-  impl_->verify();
+  const int frames = impl_->readable();
+  if (frames == 0)
+    throw FileError(impl_->path.string() +
+                    ": not one frame was recorded. Free some space on the disk and record again.");
   impl_->file->commit();
-  impl_->open = false;
+  if (frames != impl_->written)
+    throw PartlyRecorded(impl_->path.string() + ": " + std::to_string(frames) + " of " +
+                             std::to_string(impl_->written) +
+                             " frames can be read back. Free some space on the disk and record again.",
+                         frames);
 }
 
 }  // namespace glisson::stereo
