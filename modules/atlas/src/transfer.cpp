@@ -2,6 +2,7 @@
 #include "glisson/atlas/transfer.h"
 
 #include <Eigen/LU>
+#include <Eigen/SVD>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -40,6 +41,7 @@ class Placed {
         out_(out) {
     const Similarity onto = fit_similarity(mean_.vertices, there_.vertices);
     overall_ = onto.scale * onto.rotation;
+    overall_scale_ = onto.scale;
     const Points shape = onto.inverse().apply(there_.vertices);
     out.surface = found.vertices;
     out.mean_distance = found.mean_distance;
@@ -58,8 +60,8 @@ class Placed {
     const Points on_mean = predicted(statistics, modes);
     proposal.points = points_at(places_of(mean_, on_mean, size_), there_, size_of(there_.vertices));
     for (Eigen::Index k = 0; k < on_mean.rows(); ++k) {
-      const Eigen::Matrix3d map =
-          local_map(mean_.vertices, there_.vertices, on_mean.row(k).transpose(), kReach, overall_);
+      const Eigen::Matrix3d map = unsqueezed(
+          local_map(mean_.vertices, there_.vertices, on_mean.row(k).transpose(), kReach, overall_));
       const Eigen::Matrix3d spread = covariance(statistics, static_cast<int>(k), -1, growth_);
       proposal.covariances.push_back(fit_growth_ * fit_growth_ * map * spread * map.transpose());
       proposal.sources.push_back(Source::statistics);
@@ -99,10 +101,20 @@ class Placed {
     if (found.turned_deg > kMuchTurned) doubts.push_back(note("atlas.turned", found.turned_deg, 0));
   }
 
+  /// What disease or a surgeon has squeezed is no better known for it: of a shape that is more unusual than
+  /// the members' no direction is narrower than on the mean liver.
+  Eigen::Matrix3d unsqueezed(const Eigen::Matrix3d& map) const {
+    if (growth_ <= 1.0) return map;
+    const double least = std::max(1.0, overall_scale_);
+    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(map, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    return svd.matrixU() * svd.singularValues().cwiseMax(least).asDiagonal() * svd.matrixV().transpose();
+  }
+
   const Atlas& atlas_;
   TriangleMesh there_, mean_;
   double size_;
-  double growth_ = 1.0;      ///< of deviations, by what is unusual of the shape
+  double growth_ = 1.0;  ///< of deviations, by what is unusual of the shape
+  double overall_scale_ = 1.0;
   double fit_growth_ = 1.0;  ///< of all, by what is wrong with the correspondence
   Eigen::Matrix3d upright_, overall_;
   Transfer& out_;
