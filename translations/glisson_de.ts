@@ -2450,6 +2450,12 @@
     <message>
         <source>measures %1 m across when read in %2, and a liver measures 0.08 to 0.6 m</source>
         <translation>misst %1 m, in %2 gelesen, und eine Leber misst 0,08 bis 0,6 m</translation>
+        <source>holds something else than an atlas</source>
+        <translation>enthält etwas anderes als einen Atlas</translation>
+    </message>
+    <message>
+        <source>are none in this folder</source>
+        <translation>gibt es in diesem Ordner nicht</translation>
     </message>
     <message>
         <source>Build the atlas again, or take another one</source>
@@ -2458,10 +2464,19 @@
     <message>
         <source>Build the atlas again with this program</source>
         <translation>Bauen Sie den Atlas mit diesem Programm noch einmal</translation>
+        <translation>Bauen Sie den Atlas noch einmal mit diesem Programm</translation>
     </message>
     <message>
         <source>Copy both files of one atlas</source>
         <translation>Kopieren Sie beide Dateien eines Atlas</translation>
+    </message>
+    <message>
+        <source>Name a new folder</source>
+        <translation>Nennen Sie einen neuen Ordner</translation>
+    </message>
+    <message>
+        <source>Name a case or a folder of cases</source>
+        <translation>Nennen Sie einen Fall oder einen Ordner mit Fällen</translation>
     </message>
     <message>
         <source>Give %1 livers at least</source>
@@ -4604,6 +4619,10 @@
         <source>The case was opened without the operations that were simulated on its model: the next registration simulates them anew. (%*)</source>
         <translation>Der Fall wurde ohne die Operationen geöffnet, die auf seinem Modell simuliert worden waren: Die nächste Registrierung simuliert sie neu. (%*)</translation>
     </message>
+    <message>
+        <source>The case %1 was left out: nobody has approved its liver, vena cava, gallbladder or portal vein.</source>
+        <translation>Der Fall %1 blieb weg: Niemand hat seine Leber, Vena cava, Gallenblase oder Pfortader freigegeben.</translation>
+    </message>
 </context>
 <context>
     <name>Obstacles</name>
@@ -5650,6 +5669,10 @@
     <message>
         <source>Simulating operations</source>
         <translation>Operationen werden simuliert</translation>
+    </message>
+    <message>
+        <source>Building an atlas</source>
+        <translation>Ein Atlas wird gebaut</translation>
     </message>
 </context>
 <context>
@@ -6723,16 +6746,8 @@
         <translation>--accept: %1 ist keine Struktur.</translation>
     </message>
     <message>
-        <source>Landmarks that the CT does not show. &apos;build CASE... --out A&apos; makes an atlas of reviewed cases, &apos;evaluate CASE...&apos; foretells each of them by the others, &apos;show&apos; tells what an atlas knows, &apos;transfer --case C&apos; proposes landmarks on a patient&apos;s liver.</source>
-        <translation>Landmarken, die das CT nicht zeigt. „build FALL... --out A“ macht einen Atlas aus geprüften Fällen, „evaluate FALL...“ sagt jeden aus den anderen vorher, „show“ sagt, was ein Atlas weiß, „transfer --case C“ schlägt Landmarken auf der Leber eines Patienten vor.</translation>
-    </message>
-    <message>
         <source>build, evaluate, show or transfer.</source>
         <translation>build, evaluate, show oder transfer.</translation>
-    </message>
-    <message>
-        <source>Cases with a model, for build and evaluate: five at least.</source>
-        <translation>Fälle mit einem Modell, für build und evaluate: mindestens fünf.</translation>
     </message>
     <message>
         <source>An atlas&apos; folder instead of the built-in atlas.</source>
@@ -7113,6 +7128,44 @@
     <message>
         <source>A hand holds the laparoscope: it turns about the trocar, comes nearer, goes away and rolls.</source>
         <translation>Eine Hand hält das Laparoskop: es dreht sich um den Trokar, kommt näher, geht weg und rollt.</translation>
+        <source>Landmarks that the CT does not show. &apos;build CASE... --out A&apos; makes an atlas of reviewed cases, &apos;evaluate CASE...&apos; foretells each of them by the others, &apos;show&apos; tells what an atlas knows, &apos;show --case C&apos; where a case&apos;s landmarks come from, &apos;transfer --case C&apos; proposes landmarks on a patient&apos;s liver.</source>
+        <translation>Landmarken, die das CT nicht zeigt. „build FALL... --out A“ macht einen Atlas aus geprüften Fällen, „evaluate FALL...“ sagt jeden aus den anderen vorher, „show“ sagt, was ein Atlas weiß, „show --case C“, woher die Landmarken eines Falls kommen, „transfer --case C“ schlägt Landmarken auf der Leber eines Patienten vor.</translation>
+    </message>
+    <message>
+        <source>Cases with a model, or folders of cases, for build and evaluate: five at least.</source>
+        <translation>Fälle mit einem Modell oder Ordner mit Fällen, für build und evaluate: mindestens fünf.</translation>
+    </message>
+    <message>
+        <source>Take cases whose labels nobody has approved, too.</source>
+        <translation>Auch Fälle nehmen, deren Label niemand freigegeben hat.</translation>
+    </message>
+    <message>
+        <source>Proposed by the atlas &apos;%1&apos;.</source>
+        <translation>Vom Atlas „%1“ vorgeschlagen.</translation>
+    </message>
+    <message>
+        <source>placed by hand</source>
+        <translation>von Hand gesetzt</translation>
+    </message>
+    <message>
+        <source>found in the CT</source>
+        <translation>im CT gefunden</translation>
+    </message>
+    <message>
+        <source>used by the registration</source>
+        <translation>von der Registrierung verwendet</translation>
+    </message>
+    <message>
+        <source>real livers by the others: vena cava&apos;s course, mean, mm</source>
+        <translation>echte Lebern aus den anderen: Verlauf der Vena cava, Mittel, mm</translation>
+    </message>
+    <message>
+        <source>real livers by the others: vena cava&apos;s course, worst liver, mm</source>
+        <translation>echte Lebern aus den anderen: Verlauf der Vena cava, schlechteste Leber, mm</translation>
+    </message>
+    <message>
+        <source>real livers by the built-in atlas: vena cava&apos;s course, mean, mm</source>
+        <translation>echte Lebern mit dem eingebauten Atlas: Verlauf der Vena cava, Mittel, mm</translation>
     </message>
 </context>
 <context>
@@ -7190,6 +7243,53 @@
     <message>
         <source>%1°</source>
         <translation>%1°</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::AtlasBox</name>
+    <message>
+        <source>Atlas…</source>
+        <translation>Atlas…</translation>
+    </message>
+    <message>
+        <source>The livers that the landmarks are proposed from</source>
+        <translation>Die Lebern, aus denen die Landmarken vorgeschlagen werden</translation>
+    </message>
+    <message>
+        <source>Built-in atlas</source>
+        <translation>Eingebauter Atlas</translation>
+    </message>
+    <message>
+        <source>Own atlas…</source>
+        <translation>Eigener Atlas…</translation>
+    </message>
+    <message>
+        <source>Build from cases…</source>
+        <translation>Aus Fällen bauen…</translation>
+    </message>
+    <message>
+        <source>Folder of an atlas</source>
+        <translation>Ordner eines Atlas</translation>
+    </message>
+    <message>
+        <source>Atlas in %1</source>
+        <translation>Atlas in %1</translation>
+    </message>
+    <message>
+        <source>Built-in atlas &apos;%1&apos;, %2 livers</source>
+        <translation>Eingebauter Atlas „%1“, %2 Lebern</translation>
+    </message>
+    <message>
+        <source>Own atlas &apos;%1&apos;, %2 livers</source>
+        <translation>Eigener Atlas „%1“, %2 Lebern</translation>
+    </message>
+    <message>
+        <source>The chosen atlas cannot be used: choose it anew, another one, or the built-in atlas.</source>
+        <translation>Der gewählte Atlas ist nicht verwendbar: Wählen Sie ihn neu, einen anderen oder den eingebauten.</translation>
+    </message>
+    <message>
+        <source>The proposals below are from the atlas &apos;%1&apos;.</source>
+        <translation>Die Vorschläge unten sind vom Atlas „%1“.</translation>
     </message>
 </context>
 <context>
@@ -7339,6 +7439,85 @@
     <message>
         <source>Suspicious places. Click one to go there; cut where the branch is wrong.</source>
         <translation>Verdächtige Stellen. Anklicken führt hin; abschneiden, wo der Ast falsch ist.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::BuildAtlasDialog</name>
+    <message>
+        <source>%1: off by %2 mm on average where the others foretell it</source>
+        <translation>%1: im Mittel %2 mm daneben, wo die anderen es vorhersagen</translation>
+    </message>
+    <message>
+        <source>Build an atlas</source>
+        <translation>Einen Atlas bauen</translation>
+    </message>
+    <message>
+        <source>Of your own cases, five at least, with a model and reviewed landmarks. What a case only took over from an atlas is no evidence and stays out. It takes some seconds a liver.</source>
+        <translation>Aus eigenen Fällen, mindestens fünf, mit einem Modell und geprüften Landmarken. Was ein Fall nur von einem Atlas übernommen hat, ist kein Beleg und bleibt weg. Es dauert einige Sekunden je Leber.</translation>
+    </message>
+    <message>
+        <source>Build</source>
+        <translation>Bauen</translation>
+    </message>
+    <message>
+        <source>Cases</source>
+        <translation>Fälle</translation>
+    </message>
+    <message>
+        <source>Add case or folder…</source>
+        <translation>Fall oder Ordner hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Cases whose labels nobody has approved, too</source>
+        <translation>Auch Fälle, deren Label niemand freigegeben hat</translation>
+    </message>
+    <message>
+        <source>A case, or a folder of cases</source>
+        <translation>Ein Fall oder ein Ordner mit Fällen</translation>
+    </message>
+    <message>
+        <source>own</source>
+        <translation>eigener</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>a new folder</source>
+        <translation>ein neuer Ordner</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
+    </message>
+    <message>
+        <source>Kept in</source>
+        <translation>Abgelegt in</translation>
+    </message>
+    <message>
+        <source>Folder for the atlas</source>
+        <translation>Ordner für den Atlas</translation>
+    </message>
+    <message>
+        <source>Choose an atlas to build on first.</source>
+        <translation>Wählen Sie zuerst einen Atlas, auf dem gebaut wird.</translation>
+    </message>
+    <message>
+        <source>Add your cases first.</source>
+        <translation>Fügen Sie zuerst Ihre Fälle hinzu.</translation>
+    </message>
+    <message>
+        <source>Give the atlas a name.</source>
+        <translation>Geben Sie dem Atlas einen Namen.</translation>
+    </message>
+    <message>
+        <source>Name a folder to keep it in.</source>
+        <translation>Nennen Sie einen Ordner, in dem er abgelegt wird.</translation>
     </message>
 </context>
 <context>
@@ -8845,10 +9024,6 @@
         <translation>Flächen bemalen</translation>
     </message>
     <message>
-        <source>Paint where it touches the liver, in 3D</source>
-        <translation>In 3D bemalen, wo es die Leber berührt</translation>
-    </message>
-    <message>
         <source>A smaller brush</source>
         <translation>Ein kleinerer Pinsel</translation>
     </message>
@@ -8861,8 +9036,16 @@
         <translation>Über die Leber ziehen oder in einen Schnitt klicken. Eingabe: ans Fadenkreuz. Esc: fertig.</translation>
     </message>
     <message>
-        <source>Drag over the liver to paint, with Ctrl to wipe. Brush %1 mm (+, −). Esc: done.</source>
-        <translation>Über die Leber ziehen malt, mit Strg wischt es weg. Pinsel %1 mm (+, −). Esc: fertig.</translation>
+        <source>Choose an atlas first.</source>
+        <translation>Wählen Sie zuerst einen Atlas.</translation>
+    </message>
+    <message>
+        <source>Paint where it touches the liver, in 3D or in a slice</source>
+        <translation>In 3D oder in einem Schnitt bemalen, wo es die Leber berührt</translation>
+    </message>
+    <message>
+        <source>Drag over the liver, in 3D or in a slice, to paint, with Ctrl to wipe. Brush %1 mm (+, −, Shift + wheel in a slice). Esc: done.</source>
+        <translation>In 3D oder in einem Schnitt über die Leber ziehen malt, mit Strg wischt es weg. Pinsel %1 mm (+, −, Umschalt + Rad im Schnitt). Esc: fertig.</translation>
     </message>
 </context>
 <context>

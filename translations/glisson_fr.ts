@@ -2462,6 +2462,36 @@
     <message>
         <source>Copy both files of one atlas</source>
         <translation>Copiez les deux fichiers d’un même atlas</translation>
+        <source>do not belong to this atlas.json</source>
+        <translation>n&apos;appartiennent pas à ce atlas.json</translation>
+    </message>
+    <message>
+        <source>holds something else than an atlas</source>
+        <translation>contient autre chose qu&apos;un atlas</translation>
+    </message>
+    <message>
+        <source>are none in this folder</source>
+        <translation>manquent dans ce dossier</translation>
+    </message>
+    <message>
+        <source>Build the atlas again, or take another one</source>
+        <translation>Construisez l&apos;atlas de nouveau, ou prenez-en un autre</translation>
+    </message>
+    <message>
+        <source>Build the atlas again with this program</source>
+        <translation>Construisez l&apos;atlas de nouveau avec ce programme</translation>
+    </message>
+    <message>
+        <source>Copy both files of one atlas</source>
+        <translation>Copiez les deux fichiers d&apos;un même atlas</translation>
+    </message>
+    <message>
+        <source>Name a new folder</source>
+        <translation>Indiquez un nouveau dossier</translation>
+    </message>
+    <message>
+        <source>Name a case or a folder of cases</source>
+        <translation>Indiquez un cas ou un dossier de cas</translation>
     </message>
     <message>
         <source>Give %1 livers at least</source>
@@ -3926,6 +3956,7 @@
     <message>
         <source>Give a track of this video, or register a frame that is not its last</source>
         <translation>Donnez un suivi de cette vidéo, ou recalez une image qui n’est pas la dernière</translation>
+        <translation>Donnez chaque foie une seule fois</translation>
     </message>
 </context>
 <context>
@@ -4603,6 +4634,10 @@
     <message>
         <source>The case was opened without the operations that were simulated on its model: the next registration simulates them anew. (%*)</source>
         <translation>Le cas a été ouvert sans les opérations simulées sur son modèle : le prochain recalage les simulera à nouveau. (%*)</translation>
+    </message>
+    <message>
+        <source>The case %1 was left out: nobody has approved its liver, vena cava, gallbladder or portal vein.</source>
+        <translation>Le cas %1 a été laissé de côté : personne n&apos;a approuvé son foie, sa veine cave, sa vésicule ou sa veine porte.</translation>
     </message>
 </context>
 <context>
@@ -5650,6 +5685,10 @@
     <message>
         <source>Simulating operations</source>
         <translation>Simulation d’opérations</translation>
+    </message>
+    <message>
+        <source>Building an atlas</source>
+        <translation>Construction d&apos;un atlas</translation>
     </message>
 </context>
 <context>
@@ -6723,16 +6762,8 @@
         <translation>--accept : %1 n&apos;est pas une structure.</translation>
     </message>
     <message>
-        <source>Landmarks that the CT does not show. &apos;build CASE... --out A&apos; makes an atlas of reviewed cases, &apos;evaluate CASE...&apos; foretells each of them by the others, &apos;show&apos; tells what an atlas knows, &apos;transfer --case C&apos; proposes landmarks on a patient&apos;s liver.</source>
-        <translation>Repères que le scanner ne montre pas. « build CAS... --out A » fait un atlas de cas révisés, « evaluate CAS... » prédit chacun par les autres, « show » dit ce qu&apos;un atlas sait, « transfer --case C » propose des repères sur le foie d&apos;un patient.</translation>
-    </message>
-    <message>
         <source>build, evaluate, show or transfer.</source>
         <translation>build, evaluate, show ou transfer.</translation>
-    </message>
-    <message>
-        <source>Cases with a model, for build and evaluate: five at least.</source>
-        <translation>Cas avec un modèle, pour build et evaluate : cinq au moins.</translation>
     </message>
     <message>
         <source>An atlas&apos; folder instead of the built-in atlas.</source>
@@ -7113,6 +7144,44 @@
     <message>
         <source>A hand holds the laparoscope: it turns about the trocar, comes nearer, goes away and rolls.</source>
         <translation>Une main tient le laparoscope : il tourne autour du trocart, s&apos;approche, s&apos;éloigne et roule.</translation>
+        <source>Landmarks that the CT does not show. &apos;build CASE... --out A&apos; makes an atlas of reviewed cases, &apos;evaluate CASE...&apos; foretells each of them by the others, &apos;show&apos; tells what an atlas knows, &apos;show --case C&apos; where a case&apos;s landmarks come from, &apos;transfer --case C&apos; proposes landmarks on a patient&apos;s liver.</source>
+        <translation>Repères que le scanner ne montre pas. « build CAS... --out A » fait un atlas de cas révisés, « evaluate CAS... » prédit chacun par les autres, « show » dit ce qu&apos;un atlas sait, « show --case C » d&apos;où viennent les repères d&apos;un cas, « transfer --case C » propose des repères sur le foie d&apos;un patient.</translation>
+    </message>
+    <message>
+        <source>Cases with a model, or folders of cases, for build and evaluate: five at least.</source>
+        <translation>Cas avec un modèle, ou dossiers de cas, pour build et evaluate : cinq au moins.</translation>
+    </message>
+    <message>
+        <source>Take cases whose labels nobody has approved, too.</source>
+        <translation>Prendre aussi les cas dont personne n&apos;a approuvé les étiquettes.</translation>
+    </message>
+    <message>
+        <source>Proposed by the atlas &apos;%1&apos;.</source>
+        <translation>Proposé par l&apos;atlas « %1 ».</translation>
+    </message>
+    <message>
+        <source>placed by hand</source>
+        <translation>placé à la main</translation>
+    </message>
+    <message>
+        <source>found in the CT</source>
+        <translation>trouvé dans le scanner</translation>
+    </message>
+    <message>
+        <source>used by the registration</source>
+        <translation>utilisé par le recalage</translation>
+    </message>
+    <message>
+        <source>real livers by the others: vena cava&apos;s course, mean, mm</source>
+        <translation>foies réels par les autres : trajet de la veine cave, moyenne, mm</translation>
+    </message>
+    <message>
+        <source>real livers by the others: vena cava&apos;s course, worst liver, mm</source>
+        <translation>foies réels par les autres : trajet de la veine cave, pire foie, mm</translation>
+    </message>
+    <message>
+        <source>real livers by the built-in atlas: vena cava&apos;s course, mean, mm</source>
+        <translation>foies réels par l&apos;atlas intégré : trajet de la veine cave, moyenne, mm</translation>
     </message>
 </context>
 <context>
@@ -7190,6 +7259,53 @@
     <message>
         <source>%1°</source>
         <translation>%1°</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::AtlasBox</name>
+    <message>
+        <source>Atlas…</source>
+        <translation>Atlas…</translation>
+    </message>
+    <message>
+        <source>The livers that the landmarks are proposed from</source>
+        <translation>Les foies d&apos;après lesquels les repères sont proposés</translation>
+    </message>
+    <message>
+        <source>Built-in atlas</source>
+        <translation>Atlas intégré</translation>
+    </message>
+    <message>
+        <source>Own atlas…</source>
+        <translation>Atlas personnel…</translation>
+    </message>
+    <message>
+        <source>Build from cases…</source>
+        <translation>Construire à partir de cas…</translation>
+    </message>
+    <message>
+        <source>Folder of an atlas</source>
+        <translation>Dossier d&apos;un atlas</translation>
+    </message>
+    <message>
+        <source>Atlas in %1</source>
+        <translation>Atlas dans %1</translation>
+    </message>
+    <message>
+        <source>Built-in atlas &apos;%1&apos;, %2 livers</source>
+        <translation>Atlas intégré « %1 », %2 foies</translation>
+    </message>
+    <message>
+        <source>Own atlas &apos;%1&apos;, %2 livers</source>
+        <translation>Atlas personnel « %1 », %2 foies</translation>
+    </message>
+    <message>
+        <source>The chosen atlas cannot be used: choose it anew, another one, or the built-in atlas.</source>
+        <translation>L&apos;atlas choisi est inutilisable : choisissez-le de nouveau, un autre, ou l&apos;atlas intégré.</translation>
+    </message>
+    <message>
+        <source>The proposals below are from the atlas &apos;%1&apos;.</source>
+        <translation>Les propositions ci-dessous viennent de l&apos;atlas « %1 ».</translation>
     </message>
 </context>
 <context>
@@ -7339,6 +7455,85 @@
     <message>
         <source>Suspicious places. Click one to go there; cut where the branch is wrong.</source>
         <translation>Endroits suspects. Cliquez pour y aller ; coupez là où la branche est fausse.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::BuildAtlasDialog</name>
+    <message>
+        <source>%1: off by %2 mm on average where the others foretell it</source>
+        <translation>%1 : à %2 mm en moyenne, prédit par les autres</translation>
+    </message>
+    <message>
+        <source>Build an atlas</source>
+        <translation>Construire un atlas</translation>
+    </message>
+    <message>
+        <source>Of your own cases, five at least, with a model and reviewed landmarks. What a case only took over from an atlas is no evidence and stays out. It takes some seconds a liver.</source>
+        <translation>De vos propres cas, cinq au moins, avec un modèle et des repères révisés. Ce qu&apos;un cas a seulement repris d&apos;un atlas n&apos;est pas une preuve et reste dehors. Cela prend quelques secondes par foie.</translation>
+    </message>
+    <message>
+        <source>Build</source>
+        <translation>Construire</translation>
+    </message>
+    <message>
+        <source>Cases</source>
+        <translation>Cas</translation>
+    </message>
+    <message>
+        <source>Add case or folder…</source>
+        <translation>Ajouter un cas ou un dossier…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Retirer</translation>
+    </message>
+    <message>
+        <source>Cases whose labels nobody has approved, too</source>
+        <translation>Aussi les cas dont personne n&apos;a approuvé les étiquettes</translation>
+    </message>
+    <message>
+        <source>A case, or a folder of cases</source>
+        <translation>Un cas, ou un dossier de cas</translation>
+    </message>
+    <message>
+        <source>own</source>
+        <translation>personnel</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>a new folder</source>
+        <translation>un nouveau dossier</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Choisir…</translation>
+    </message>
+    <message>
+        <source>Kept in</source>
+        <translation>Conservé dans</translation>
+    </message>
+    <message>
+        <source>Folder for the atlas</source>
+        <translation>Dossier de l&apos;atlas</translation>
+    </message>
+    <message>
+        <source>Choose an atlas to build on first.</source>
+        <translation>Choisissez d&apos;abord un atlas de départ.</translation>
+    </message>
+    <message>
+        <source>Add your cases first.</source>
+        <translation>Ajoutez d&apos;abord vos cas.</translation>
+    </message>
+    <message>
+        <source>Give the atlas a name.</source>
+        <translation>Donnez un nom à l&apos;atlas.</translation>
+    </message>
+    <message>
+        <source>Name a folder to keep it in.</source>
+        <translation>Indiquez un dossier où le conserver.</translation>
     </message>
 </context>
 <context>
@@ -8845,10 +9040,6 @@
         <translation>Peindre les faces</translation>
     </message>
     <message>
-        <source>Paint where it touches the liver, in 3D</source>
-        <translation>Peindre en 3D là où il touche le foie</translation>
-    </message>
-    <message>
         <source>A smaller brush</source>
         <translation>Un pinceau plus petit</translation>
     </message>
@@ -8861,8 +9052,16 @@
         <translation>Faire glisser sur le foie, ou cliquer dans une coupe. Entrée : au réticule. Échap : terminé.</translation>
     </message>
     <message>
-        <source>Drag over the liver to paint, with Ctrl to wipe. Brush %1 mm (+, −). Esc: done.</source>
-        <translation>Glisser sur le foie peint, avec Ctrl efface. Pinceau de %1 mm (+, −). Échap : terminé.</translation>
+        <source>Choose an atlas first.</source>
+        <translation>Choisissez d&apos;abord un atlas.</translation>
+    </message>
+    <message>
+        <source>Paint where it touches the liver, in 3D or in a slice</source>
+        <translation>Peindre où il touche le foie, en 3D ou dans une coupe</translation>
+    </message>
+    <message>
+        <source>Drag over the liver, in 3D or in a slice, to paint, with Ctrl to wipe. Brush %1 mm (+, −, Shift + wheel in a slice). Esc: done.</source>
+        <translation>Glisser sur le foie, en 3D ou dans une coupe, peint ; avec Ctrl, efface. Pinceau %1 mm (+, −, Maj + molette dans une coupe). Échap : terminé.</translation>
     </message>
 </context>
 <context>

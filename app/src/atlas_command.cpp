@@ -6,10 +6,10 @@
 #include "cli.h"
 #include "commands.h"
 #include "glisson/atlas/atlas.h"
-#include "glisson/engine/atlas_member.h"
-#include "glisson/engine/commands/open_case.h"
+#include "glisson/engine/commands/build_atlas.h"
 #include "glisson/engine/commands/propose_landmarks.h"
 #include "glisson/engine/commands/review_proposal.h"
+#include "glisson/engine/landmark_origin.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/proposals.h"
 #include "glisson/experiments/atlas_livers.h"
@@ -28,24 +28,6 @@ std::shared_ptr<const atlas::Atlas> atlas_of(const Arguments& arguments) {
 
 QString mm(double metres) { return QString::number(1e3 * metres, 'f', 1); }
 
-atlas::Member member_of_case(const fs::path& folder, Session& session) {
-  session.call("case", folder.string());
-  session.post(engine::OpenCase{folder});
-  session.need({part::model});
-  return engine::atlas_member(folder.stem().string(), session.state());
-}
-
-std::vector<atlas::Member> members_of(const Arguments& arguments, Session& session) {
-  std::vector<atlas::Member> members;
-  const int synthetic = arguments.integer("synthetic", 0, 1000);
-  for (int i = 0; i < synthetic; ++i)
-    members.push_back(experiments::synthetic_member(arguments.seed() + static_cast<std::uint64_t>(i)));
-  const QStringList given = arguments.positionals();
-  for (qsizetype i = 1; i < given.size(); ++i)
-    members.push_back(member_of_case(given[i].toStdString(), session));
-  return members;
-}
-
 /// A row a liver: surface, then each structure's mean error.
 void say_left_out(const atlas::BuildResult& built) {
   say(Cli::tr("Each liver foretold by the others (mm, in silico where the livers are synthetic):"));
@@ -60,31 +42,63 @@ void say_left_out(const atlas::BuildResult& built) {
   }
 }
 
-atlas::BuildResult built(const Arguments& arguments, Session& session) {
-  std::vector<atlas::Member> members = members_of(arguments, session);
-  atlas::BuildOptions options;
-  options.name = arguments.value("name").toStdString();
-  options.added_deviation = 1e-3 * arguments.number("added-deviation", 0.0, 50.0);
-  options.added_unusual = arguments.number("added-unusual", 1.0, 99.0);
-  const atlas::Atlas base =
-      arguments.has("fresh") ? atlas::bare_atlas(experiments::synthetic_template()) : *atlas_of(arguments);
-  auto result = atlas::build(std::move(members), base, options, session.context());
-  if (!result) throw Interrupted();
-  session.figures.merge(atlas::figures_of(*result));
-  session.notes.insert(session.notes.end(), result->notes.begin(), result->notes.end());
-  say_left_out(*result);
-  return std::move(*result);
+/// @param out where the atlas is kept; empty: nowhere.
+void build_of(const Arguments& arguments, Session& session, const fs::path& out) {
+  engine::BuildAtlas build;
+  const QStringList given = arguments.positionals();
+  for (qsizetype i = 1; i < given.size(); ++i) build.cases.emplace_back(given[i].toStdString());
+  build.base =
+      arguments.has("fresh")
+          ? std::make_shared<const atlas::Atlas>(atlas::bare_atlas(experiments::synthetic_template()))
+          : atlas_of(arguments);
+  build.options.name = arguments.value("name").toStdString();
+  build.options.added_deviation = 1e-3 * arguments.number("added-deviation", 0.0, 50.0);
+  build.options.added_unusual = arguments.number("added-unusual", 1.0, 99.0);
+  build.unapproved = arguments.has("unapproved");
+  build.out = out;
+  const int synthetic = arguments.integer("synthetic", 0, 1000);
+  for (int i = 0; i < synthetic; ++i)
+    build.members.push_back(experiments::synthetic_member(arguments.seed() + static_cast<std::uint64_t>(i)));
+  const engine::Outcome outcome = session.post(std::move(build));
+  say_left_out(*outcome.result.as<atlas::BuildResult>());
 }
 
 void build_atlas(const Arguments& arguments, Session& session) {
   OutputFolder folder(arguments.required_path("out"));
-  atlas::write_atlas(folder.path(), built(arguments, session).atlas);
+  build_of(arguments, session, folder.path());
   folder.commit();
 }
 
-void evaluate_atlas(const Arguments& arguments, Session& session) { built(arguments, session); }
+void evaluate_atlas(const Arguments& arguments, Session& session) { build_of(arguments, session, {}); }
+
+/// The table of decisions: per structure where it comes from, how sure that is, what a person made of it.
+void show_case_landmarks(const Arguments& arguments, Session& session) {
+  open_case(arguments, session);
+  session.need({part::model});
+  const engine::CaseState& state = session.state();
+  if (const auto& transfer = state[part::proposals])
+    say(Cli::tr("Proposed by the atlas '%1'.").arg(QString::fromStdString(transfer->atlas)));
+  for (const engine::LandmarkOrigin& one : engine::landmark_origins(state)) {
+    QStringList words;
+    if (one.deviation)
+      words << ui::reason_text(*engine::proposal_of(state, one.structure));
+    else if (one.source)
+      words << (*one.source == atlas::Source::person ? Cli::tr("placed by hand")
+                                                     : Cli::tr("found in the CT"));
+    else
+      words << Cli::tr("unknown");
+    if (one.decision) words << ui::decision_text(*one.decision);
+    if (one.is_used) words << Cli::tr("used by the registration");
+    say(QStringLiteral("%1: %2").arg(ui::landmark_text(one.structure), words.join(QStringLiteral(", "))));
+    const std::string code = atlas::structure_code(one.structure);
+    if (one.source) session.texts["landmark_" + code + "_source"] = atlas::source_code(*one.source);
+    if (one.decision) session.texts["landmark_" + code + "_decision"] = atlas::decision_code(*one.decision);
+    if (one.deviation) session.figures["landmark_" + code + "_deviation_mm"] = 1e3 * *one.deviation;
+  }
+}
 
 void show_atlas(const Arguments& arguments, Session& session) {
+  if (arguments.has("case")) return show_case_landmarks(arguments, session);
   const auto shown = atlas_of(arguments);
   say(Cli::tr("%1: %2 livers, %3 vertices, %4 modes")
           .arg(QString::fromStdString(shown->name))
@@ -146,10 +160,12 @@ int run_atlas(const QStringList& given) {
       "atlas",
       Cli::tr("Landmarks that the CT does not show. 'build CASE... --out A' makes an atlas of reviewed "
               "cases, 'evaluate CASE...' foretells each of them by the others, 'show' tells what an "
-              "atlas knows, 'transfer --case C' proposes landmarks on a patient's liver."));
+              "atlas knows, 'show --case C' where a case's landmarks come from, 'transfer --case C' "
+              "proposes landmarks on a patient's liver."));
   arguments.positional("ACTION", Cli::tr("build, evaluate, show or transfer."));
-  arguments.positional("CASE", Cli::tr("Cases with a model, for build and evaluate: five at least."),
-                       "[CASE...]");
+  arguments.positional(
+      "CASE", Cli::tr("Cases with a model, or folders of cases, for build and evaluate: five at least."),
+      "[CASE...]");
   declare_case(arguments);
   arguments.option("atlas", Cli::tr("An atlas' folder instead of the built-in atlas."), "DIR");
   arguments.option("out", Cli::tr("Folder for the atlas that is built."), "DIR");
@@ -166,6 +182,7 @@ int run_atlas(const QStringList& given) {
       Cli::tr("How unusual the livers were that --added-deviation was set on, over what is usual: "
               "it grows only beyond that."),
       "X", 1.0);
+  arguments.flag("unapproved", Cli::tr("Take cases whose labels nobody has approved, too."));
   arguments.flag("fresh", Cli::tr("Begin with the synthetic template instead of an atlas."));
   if (!arguments.parse(given)) return 0;
   const QString name = arguments.positionals(1, 10000).front();

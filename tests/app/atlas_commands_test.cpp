@@ -40,6 +40,38 @@ class AtlasCommandsTest : public QObject, private test::Program {
     const std::string landmarks = read_file(at("a.glisson/landmarks.json"));
     QVERIFY(landmarks.find("vena_cava") != std::string::npos);
     QVERIFY(landmarks.find("umbilical_notch") == std::string::npos);
+    // The table of decisions.
+    const Ran shown = run({"atlas", "show", "--case", "a.glisson", "--json", "t.json"});
+    QVERIFY2(shown.code == 0, qPrintable(shown.error));
+    const QJsonObject table = figures("t.json");
+    QCOMPARE(table["landmark_vena_cava_decision"].toString(), QStringLiteral("accepted"));
+    QCOMPARE(table["landmark_vena_cava_source"].toString(), QStringLiteral("statistics"));
+    QVERIFY(table["landmark_vena_cava_deviation_mm"].toDouble() > 1.0);
+    QCOMPARE(table["landmark_umbilical_notch_decision"].toString(), QStringLiteral("proposed"));
+  }
+
+  /// What is built is an atlas; what is evaluated is foretold by the others, and nothing is kept of it.
+  void anAtlasIsBuiltAndEvaluated() {
+    const QStringList livers = {"--synthetic", "5", "--seed", "31"};
+    const Ran built =
+        run(QStringList{"atlas", "build", "--out", "own", "--name", "mine", "--json", "b.json"} + livers);
+    QVERIFY2(built.code == 0, qPrintable(built.error));
+    QVERIFY(std::filesystem::exists(at("own/atlas.json")) && std::filesystem::exists(at("own/mean.vtp")));
+    const Ran shown = run({"atlas", "show", "--atlas", "own", "--json", "s.json"});
+    QCOMPARE(shown.code, 0);
+    QVERIFY(shown.out.contains("mine"));
+    QCOMPARE(figures("s.json")["atlas_members"].toInt(), 5);
+    const Ran judged = run(QStringList{"atlas", "evaluate", "--json", "e.json"} + livers);
+    QVERIFY2(judged.code == 0, qPrintable(judged.error));
+    const QJsonObject a = figures("b.json"), b = figures("e.json");
+    int compared = 0;
+    for (const QString& key : b.keys())
+      if (key.endsWith(QStringLiteral("_mean_mm"))) {
+        QCOMPARE(a[key].toDouble(), b[key].toDouble());
+        ++compared;
+      }
+    QVERIFY(compared > 3);
+    QVERIFY(judged.out.contains("synthetic_33"));
   }
 
   /// A vein that enters behind is what holds the organ.
@@ -72,6 +104,8 @@ class AtlasCommandsTest : public QObject, private test::Program {
     refused({"atlas", "show", "--atlas", "nowhere"}, "nowhere");
     refused({"atlas", "build", "--out", "a"}, "5 livers");
     refused({"atlas", "build"}, "--out", 2);
+    refused({"atlas", "build", "none.glisson", "--out", "a"}, "none.glisson");
+    refused({"atlas", "evaluate", "."}, "cases");
     refused({"atlas", "transfer", "--case", "a.glisson", "--accept", "navel"}, "navel", 2);
     refused({"atlas", "transfer", "--case", "none.glisson"}, "none.glisson");
   }

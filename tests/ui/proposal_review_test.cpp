@@ -42,6 +42,7 @@ class ProposalReviewTest : public QObject {
   void TheMarginIsTakenFromBesideTheLiver();
   void AClickInASliceMovesItAndEnterDoesAtTheCrosshair();
   void FacesArePaintedAndWiped();
+  void FacesArePaintedInSlicesWithTheBrushShown();
   void OfALineTheNeighboursFollow();
   void TheMarginFollowsTheRidge();
   void TheMarginsEndIsDragged();
@@ -307,6 +308,53 @@ void ProposalReviewTest::FacesArePaintedAndWiped() {
   press(Qt::Key_Escape);
   QVERIFY(window_->views().volume().patient().is_visible(structure::kVenaCava));
   QVERIFY(review().tool() == ui::ProposalReview::Tool::none);
+}
+
+/// The slices show the brush as a ball and what is painted; in 3D its border lies on the liver.
+void ProposalReviewTest::FacesArePaintedInSlicesWithTheBrushShown() {
+  choose(Structure::gallbladder_bed);
+  press(Qt::Key_P);
+  ui::ViewState& shared = const_cast<ui::ViewState&>(window_->views().state());
+  QVERIFY(shared.hand() == ui::Hand::brush && shared.brush().ball);
+  QCOMPARE(shared.brush().label, structure::kGallbladder);
+  const double radius = shared.brush().radius;
+  const Points before = proposal(Structure::gallbladder_bed).area;
+  // A place of the liver far from the bed.
+  const TriangleMesh& liver = state()[part::model]->model.surface.mesh;
+  Eigen::Index far = 0;
+  double most = 0.0;
+  for (int v = 0; v < liver.vertex_count(); ++v) {
+    const double away = (before.rowwise() - liver.vertex(v).transpose()).rowwise().norm().minCoeff();
+    if (away > most) most = away, far = v;
+  }
+  const Eigen::Vector3d there = liver.vertices.row(far).transpose();
+  const auto close = [&](const Points& area) {
+    return ((area.rowwise() - there.transpose()).rowwise().norm().array() < 0.9 * radius).count();
+  };
+  QCOMPARE(close(before), 0);
+  shared.set_crosshair(Point<CtFrame>(there));
+  ui::SliceView& axial = window_->views().slice(scene::Plane::axial);
+  const QPoint at = axial.widget_point(Point<CtFrame>(there)).toPoint();
+  QTest::mouseClick(&axial, Qt::LeftButton, {}, at);
+  QVERIFY(settle());
+  QVERIFY(close(proposal(Structure::gallbladder_bed).area) > 0);
+  QVERIFY(shared.ellipsoids().size() >=
+          static_cast<std::size_t>(before.rows()));  // what is painted is marked
+  QTest::mouseClick(&axial, Qt::LeftButton, Qt::ControlModifier, at);
+  QVERIFY(settle());
+  QCOMPARE(close(proposal(Structure::gallbladder_bed).area), 0);
+  shared.turn_brush(2.0);
+  QVERIFY(shared.brush().radius > radius);
+  ui::RenderView& view = window_->views().volume();
+  QVERIFY(!review().shows_ring());
+  QTest::mouseMove(&view, QPoint(view.width() / 2, view.height() / 2));
+  QTRY_VERIFY(review().shows_ring());
+  press(Qt::Key_Escape);
+  QVERIFY(!review().shows_ring());
+  QVERIFY(shared.hand() == ui::Hand::crosshair);
+  press(Qt::Key_U);
+  press(Qt::Key_U);
+  QVERIFY((proposal(Structure::gallbladder_bed).area - before).cwiseAbs().maxCoeff() < 1e-12);
 }
 
 void ProposalReviewTest::OfALineTheNeighboursFollow() {

@@ -350,7 +350,7 @@ class DemoRun {
     write_demo_report(
         result_.report,
         options_.patient.empty() ? "the synthetic patient" : options_.patient.filename().string(), kept_,
-        result_);
+        engine::landmark_origins(state()), result_);
     write_figures(folder_ / "figures.json", result_.figures);
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "demo_report.h"
 
+#include "landmark_table.h"
 #include "report.h"
 
 namespace glisson::experiments {
@@ -101,7 +102,8 @@ std::string caption(const std::string& name) {
 }  // namespace
 
 void write_demo_report(const std::filesystem::path& path, const std::string& patient,
-                       const std::vector<std::string>& pictures, const DemoResult& result) {
+                       const std::vector<std::string>& pictures,
+                       const std::vector<engine::LandmarkOrigin>& landmarks, const DemoResult& result) {
   std::vector<ReportPicture> shown;
   shown.reserve(pictures.size());
   for (const std::string& name : pictures) shown.push_back({"pictures/" + name + ".png", caption(name)});
@@ -110,7 +112,9 @@ void write_demo_report(const std::filesystem::path& path, const std::string& pat
       ". The liver was deformed and filmed by the in-silico theatre; all errors are against its known "
       "truth. " +
       (result.overlay_video.empty() ? std::string() : "The overlay video is overlay.mkv, beside this page.");
-  write_report(path, "Glisson demo: " + patient, introduction, tables(), shown, result.figures, result.notes);
+  std::vector<ReportTable> all = tables();
+  all.insert(all.begin(), landmark_table(landmarks));
+  write_report(path, "Glisson demo: " + patient, introduction, all, shown, result.figures, result.notes);
 }
 
 }  // namespace glisson::experiments

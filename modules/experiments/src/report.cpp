@@ -65,6 +65,12 @@ std::string with_unit(const std::string& key, double value) {
   return buffer.data();
 }
 
+std::string row_of(const std::vector<std::string>& cells, const std::string& tag) {
+  std::string row = "<tr>";
+  for (const std::string& cell : cells) row += "<" + tag + ">" + escaped(cell) + "</" + tag + ">";
+  return row + "</tr>\n";
+}
+
 constexpr const char* kStyle = R"(
 body { background: #14171c; color: #e6e9ee; font: 16px/1.5 "DejaVu Sans", sans-serif; max-width: 72rem; margin: 2rem auto; padding: 0 1rem; }
 h1, h2 { font-weight: 600; } h2 { margin-top: 2.5rem; border-bottom: 1px solid #39414d; padding-bottom: .3rem; }
@@ -91,6 +97,8 @@ void write_report(const std::filesystem::path& path, const std::string& title,
       rows += "<tr><td>" + escaped(meaning) + "</td><td class=\"value\">" + with_unit(key, figure->second) +
               "</td><td><code>" + escaped(key) + "</code></td></tr>\n";
     }
+    if (!table.lines.empty()) rows += row_of(table.heads, "th");
+    for (const std::vector<std::string>& line : table.lines) rows += row_of(line, "td");
     if (rows.empty()) continue;
     html += "<h2>" + escaped(table.title) + "</h2>\n";
     if (!table.remark.empty()) html += "<p class=\"remark\">" + escaped(table.remark) + "</p>\n";

@@ -13,6 +13,9 @@ namespace glisson::experiments {
 struct ReportTable {
   std::string title, remark;
   std::vector<std::pair<std::string, std::string>> rows;  ///< figure key, what it is for people
+  /// Of a table of words: a head a column, and its lines. Without lines it is left out.
+  std::vector<std::string> heads = {};
+  std::vector<std::vector<std::string>> lines = {};
 };
 struct ReportPicture {
   std::string file, caption;  ///< file: relative to the report

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/atlas/area_painter.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
+#include <numbers>
 
 #include "glisson/core/statistics.h"
 
@@ -11,6 +13,7 @@ namespace {
 
 constexpr double kAbove = 4e-4;   // metres
 constexpr double kLeast = 3e-4;   // metres: a point this close to a vertex is it
+constexpr int kRing = 36;         // corners of the brush's border
 constexpr double kFilled = 0.75;  // of the spacing of points that stand for the faces around them
 
 /// The median distance of a point to its closest neighbour, metres.
@@ -30,6 +33,7 @@ double spacing(const Points& points) {
 AreaPainter::AreaPainter(TriangleMesh liver)
     : liver_(std::move(liver)),
       normals_(vertex_normals(liver_)),
+      tree_(liver_),
       painted_(static_cast<std::size_t>(liver_.vertex_count()), 0) {}
 
 void AreaPainter::begin(const Points& area) {
@@ -90,6 +94,23 @@ TriangleMesh AreaPainter::faces() const {
   for (std::size_t i = 0; i < triangles.size(); ++i)
     faces.triangles.row(static_cast<Eigen::Index>(i)) = triangles[i];
   return faces;
+}
+
+Points AreaPainter::ring(const Eigen::Vector3d& p, double radius) const {
+  const auto normal_at = [&](const ClosestPoint& at) {
+    Eigen::RowVector3d normal = Eigen::RowVector3d::Zero();
+    for (int k = 0; k < 3; ++k) normal += at.barycentric[k] * normals_.row(liver_.triangles(at.triangle, k));
+    return Eigen::Vector3d(normal.normalized().transpose());
+  };
+  const Eigen::Vector3d outwards = normal_at(tree_.closest(p)), side = outwards.unitOrthogonal(),
+                        other = outwards.cross(side);
+  Points line(kRing + 1, 3);
+  for (int k = 0; k <= kRing; ++k) {
+    const double angle = 2.0 * std::numbers::pi * k / kRing;
+    const ClosestPoint at = tree_.closest(p + radius * (std::cos(angle) * side + std::sin(angle) * other));
+    line.row(k) = (at.point + 2.0 * kAbove * normal_at(at)).transpose();
+  }
+  return line;
 }
 
 }  // namespace glisson::ui

@@ -11,6 +11,8 @@
 #include "glisson/engine/obstacle.h"
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/model.h"
+#include "glisson/ui/atlas/atlas_box.h"
+#include "glisson/ui/atlas/atlas_choice.h"
 #include "glisson/ui/atlas/proposal_review.h"
 #include "glisson/ui/atlas/shape_modes.h"
 #include "glisson/ui/common/texts.h"
@@ -40,7 +42,9 @@ AtlasPanel::AtlasPanel(EngineBridge& engine, LinkedViews& views, ViewState& stat
       tr("Proposals"),
       tr("Where they should lie: from the CT where it shows them, else from other livers. Nothing "
          "is used before you accept it."));
-  review_ = new ProposalReview(engine, views, state, this);
+  choice_ = new AtlasChoice(this);
+  proposals->addWidget(new AtlasBox(engine, *choice_, this));
+  review_ = new ProposalReview(engine, views, state, *choice_, this);
   proposals->addWidget(review_);
   connect(review_, &ProposalReview::tool_taken, this, [this] {
     choose(Tool::none);
@@ -64,7 +68,7 @@ AtlasPanel::AtlasPanel(EngineBridge& engine, LinkedViews& views, ViewState& stat
   accept_->setObjectName(QStringLiteral("accept_landmarks"));
   accept_->setProperty("role", "run");
   end->addWidget(accept_);
-  modes_ = new ShapeModes(engine, views, this);
+  modes_ = new ShapeModes(engine, views, *choice_, this);
   add_section(tr("Shapes of livers"),
               tr("What the atlas knows of how livers differ. Nothing of the case changes."))
       ->addWidget(modes_);

@@ -21,7 +21,6 @@
 #include "glisson/ui/atlas/structure_look.h"
 #include "glisson/ui/atlas/surface_drag.h"
 #include "glisson/ui/common/atlas_texts.h"
-#include "glisson/ui/common/built_in_atlas.h"
 #include "glisson/ui/common/panel.h"
 #include "glisson/ui/common/task_button.h"
 #include "glisson/ui/common/texts.h"
@@ -58,26 +57,48 @@ std::vector<scene::EllipsoidMark> slice_marks(const Proposal& one) {
   return marks;
 }
 
+/// What is painted, as discs.
+std::vector<scene::EllipsoidMark> painted_marks(const Points& area, const QColor& colour) {
+  std::vector<scene::EllipsoidMark> marks;
+  for (Eigen::Index k = 0; k < area.rows(); ++k)
+    marks.push_back({area.row(k).transpose(), Eigen::Matrix3d::Identity(), 0.0, colour});
+  return marks;
+}
+
+Hand hand_of(ProposalReview::Tool tool) {
+  if (tool == ProposalReview::Tool::move) return Hand::point;
+  return tool == ProposalReview::Tool::paint ? Hand::brush : Hand::crosshair;
+}
+
 }  // namespace
 
-ProposalReview::ProposalReview(EngineBridge& engine, LinkedViews& views, ViewState& state, QWidget* parent)
+ProposalReview::ProposalReview(EngineBridge& engine, LinkedViews& views, ViewState& state,
+                               AtlasChoice& choice, QWidget* parent)
     : QWidget(parent),
       engine_(engine),
       views_(views),
       state_(state),
-      actors_(views.volume().patient().renderer()) {
+      choice_(choice),
+      actors_(views.volume().patient().renderer()),
+      ring_(views.volume().patient().renderer()) {
   setObjectName(QStringLiteral("proposal_review"));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   propose_ = new TaskButton(
       engine_, tr("Propose landmarks"),
-      []() -> std::optional<engine::Command> { return engine::ProposeLandmarks{built_in_atlas()}; }, this);
+      [this]() -> std::optional<engine::Command> {
+        auto atlas = choice_.atlas();
+        if (!atlas) return {};
+        return engine::ProposeLandmarks{std::move(atlas)};
+      },
+      this);
   propose_->setObjectName(QStringLiteral("propose_landmarks"));
   layout->addWidget(propose_);
   review_ = new QWidget(this);
   layout->addWidget(review_);
   make_list();
   connect(&engine_, &EngineBridge::case_changed, this, &ProposalReview::show_case);
+  connect(&choice_, &AtlasChoice::changed, this, &ProposalReview::show_case);
   connect(&engine_, &EngineBridge::finished, this, [this](const engine::Outcome& outcome) {
     if (posted_.erase(outcome.id) > 0) {
       dragged_.resize(0, 3);
@@ -90,6 +111,13 @@ ProposalReview::ProposalReview(EngineBridge& engine, LinkedViews& views, ViewSta
   connect(drag_, &SurfaceDrag::began, this, &ProposalReview::begin_drag);
   connect(drag_, &SurfaceDrag::moved, this, &ProposalReview::drag);
   connect(drag_, &SurfaceDrag::ended, this, &ProposalReview::end_drag);
+  connect(drag_, &SurfaceDrag::hovered, this, &ProposalReview::show_ring);
+  connect(drag_, &SurfaceDrag::left, this, &ProposalReview::hide_ring);
+  connect(&state_, &ViewState::gestured, this, &ProposalReview::paint_in_slice);
+  connect(&state_, &ViewState::gesture_dropped, this, [this] { dragging_ = false; });
+  connect(&state_, &ViewState::brush_turned, this, [this](double notches) {
+    if (tool_ == Tool::paint) set_brush(brush_ + kBrushStep * notches);
+  });
   connect(&state_, &ViewState::picked, this, [this](const Point<CtFrame>& p) {
     if (tool_ == Tool::move) move_to(p.xyz);
   });
@@ -128,7 +156,8 @@ void ProposalReview::make_list() {
   move_->setObjectName(QStringLiteral("move_proposal"));
   not_visible_->setObjectName(QStringLiteral("not_visible_proposal"));
   undo_->setObjectName(QStringLiteral("undo_review"));
-  paint_ = add_button(tr("Paint faces"), tr("Paint where it touches the liver, in 3D"), Qt::Key_P);
+  paint_ =
+      add_button(tr("Paint faces"), tr("Paint where it touches the liver, in 3D or in a slice"), Qt::Key_P);
   thinner_ = add_button(QStringLiteral("\u2212"), tr("A smaller brush"), Qt::Key_Minus);
   thicker_ = add_button(QStringLiteral("+"), tr("A larger brush"), Qt::Key_Plus);
   paint_->setObjectName(QStringLiteral("paint_proposal"));
@@ -188,7 +217,9 @@ const Proposal* ProposalReview::chosen() const {
 
 void ProposalReview::show_case() {
   const engine::CaseState& now = engine_.state();
-  propose_->set_obstacle(obstacle_text(engine::obstacle(now, engine::ProposeLandmarks{})));
+  const QString first = obstacle_text(engine::obstacle(now, engine::ProposeLandmarks{}));
+  propose_->set_obstacle(first.isEmpty() && !choice_.problem().isEmpty() ? tr("Choose an atlas first.")
+                                                                         : first);
   if (now[part::proposals] == shown_) return show_chosen();
   const bool is_new = !shown_ || !now[part::proposals] ||
                       shown_->surface.rows() != now[part::proposals]->surface.rows() ||
@@ -234,7 +265,9 @@ void ProposalReview::show_chosen() {
   if (tool_ == Tool::move)
     lines << tr("Drag it over the liver, or click in a slice. Enter: at the crosshair. Esc: done.");
   if (tool_ == Tool::paint)
-    lines << tr("Drag over the liver to paint, with Ctrl to wipe. Brush %1 mm (+, \u2212). Esc: done.")
+    lines << tr("Drag over the liver, in 3D or in a slice, to paint, with Ctrl to wipe. Brush %1 mm (+, "
+                "\u2212, "
+                "Shift + wheel in a slice). Esc: done.")
                  .arg(1e3 * brush_, 0, 'f', 0);
   reason_->setText(lines.join(QLatin1Char('\n')));
   for (QPushButton* button : {accept_, move_, not_visible_}) button->setEnabled(one != nullptr && is_open());
@@ -270,7 +303,8 @@ void ProposalReview::draw() {
       marks.push_back({one.points, one.covariances, is_chosen && !is_painted ? one.area : Points(),
                        is_painted ? painter_->faces() : TriangleMesh(), colour_of(one),
                        is_line(one.structure), is_chosen && !is_painted, kEllipsoid95});
-      if (is_chosen) in_slices = slice_marks(one);
+      if (is_chosen)
+        in_slices = is_painted ? painted_marks(painter_->area(), colour_of(one)) : slice_marks(one);
     }
   if (of_interest != nullptr && !dragging_)
     drag_->set_handles(tool_ == Tool::move ? of_interest->points : Points(0, 3));
@@ -334,8 +368,7 @@ void ProposalReview::set_tool(Tool wanted) {
   const bool can = one != nullptr && model_ && (wanted != Tool::paint || atlas::is_area(one->structure));
   const Tool tool = can ? wanted : Tool::none;
   if (tool != Tool::none && tool_ == Tool::none) emit tool_taken();
-  if ((tool == Tool::move) != (tool_ == Tool::move))
-    state_.set_hand(tool == Tool::move ? Hand::point : Hand::crosshair);
+  if (tool != tool_) state_.set_hand(hand_of(tool));
   tool_ = tool;
   dragging_ = false;
   if (posted_.empty()) dragged_.resize(0, 3);
@@ -348,6 +381,7 @@ void ProposalReview::set_tool(Tool wanted) {
     }
     if (!painter_) painter_ = std::make_unique<AreaPainter>(engine::fine_liver(model_->model));
     painter_->begin(one->area);
+    set_brush(brush_);
   }
   drag_->set_on(tool_ != Tool::none);
   emit tool_changed();
@@ -381,7 +415,10 @@ void ProposalReview::drag(const Eigen::Vector3d& p, Qt::KeyboardModifiers keys) 
   const Proposal* one = chosen();
   if (!dragging_ || one == nullptr) return;
   if (tool_ == Tool::move) dragged_ = mover_->moved(*one, taken_, p);
-  if (tool_ == Tool::paint) painter_->dab(p, brush_, !keys.testFlag(Qt::ControlModifier));
+  if (tool_ == Tool::paint) {
+    painter_->dab(p, brush_, !keys.testFlag(Qt::ControlModifier));
+    show_ring(p);
+  }
   draw();
 }
 
@@ -405,8 +442,37 @@ void ProposalReview::end_painting() {
   draw();
 }
 
+void ProposalReview::paint_in_slice(const SliceGesture& gesture) {
+  const Proposal* one = chosen();
+  if (tool_ != Tool::paint || one == nullptr) return;
+  if (gesture.phase == SliceGesture::Phase::begin) dragging_ = is_open();
+  if (!dragging_) return;
+  painter_->dab(gesture.p.xyz, brush_, !gesture.keys.testFlag(Qt::ControlModifier));
+  if (gesture.phase == SliceGesture::Phase::end) return end_drag();
+  draw();
+}
+
+void ProposalReview::show_ring(const Eigen::Vector3d& p) {
+  if (tool_ != Tool::paint) return;
+  scene::ProposalMark ring;
+  ring.points = painter_->ring(p, brush_);
+  ring.colour = Qt::white;
+  ring.is_line = true;
+  ring_.show({ring});
+  views_.volume().update();
+}
+
+void ProposalReview::hide_ring() {
+  if (!shows_ring()) return;
+  ring_.show({});
+  views_.volume().update();
+}
+
 void ProposalReview::set_brush(double radius) {
   brush_ = std::clamp(radius, kBrushStep, 10.0 * kBrushStep);
+  if (const Proposal* one = chosen(); one != nullptr && tool_ == Tool::paint)
+    state_.set_brush({.radius = brush_, .ball = true, .label = neighbour_of(one->structure)});
+  hide_ring();  // it is drawn anew where the pointer goes on
   show_chosen();
 }
 

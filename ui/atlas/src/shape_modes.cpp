@@ -16,7 +16,6 @@
 #include "glisson/engine/parts/proposals.h"
 #include "glisson/ui/atlas/bent_liver.h"
 #include "glisson/ui/atlas/structure_look.h"
-#include "glisson/ui/common/built_in_atlas.h"
 #include "glisson/ui/common/panel.h"
 
 namespace glisson::ui {
@@ -36,8 +35,12 @@ QString signed_text(double value) {
 
 }  // namespace
 
-ShapeModes::ShapeModes(EngineBridge& engine, LinkedViews& views, QWidget* parent)
-    : QWidget(parent), engine_(engine), views_(views), actors_(views.volume().patient().renderer()) {
+ShapeModes::ShapeModes(EngineBridge& engine, LinkedViews& views, AtlasChoice& choice, QWidget* parent)
+    : QWidget(parent),
+      engine_(engine),
+      views_(views),
+      choice_(choice),
+      actors_(views.volume().patient().renderer()) {
   setObjectName(QStringLiteral("shape_modes"));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -64,6 +67,11 @@ ShapeModes::ShapeModes(EngineBridge& engine, LinkedViews& views, QWidget* parent
   caption_->move(8, 28);  // below the view's title
   caption_->hide();
   connect(&engine_, &EngineBridge::case_changed, this, &ShapeModes::show_case);
+  connect(&choice_, &AtlasChoice::changed, this, [this] {
+    atlas_ = nullptr;
+    if (shown_ && choice_.atlas()) take_atlas();
+    show_case();
+  });
   show_case();
 }
 
@@ -108,25 +116,18 @@ void ShapeModes::set_active(bool active) {
 }
 
 void ShapeModes::show_case() {
-  const bool can = engine_.state()[part::model] != nullptr;
+  const bool can = engine_.state()[part::model] != nullptr && choice_.problem().isEmpty();
   toggle_->setEnabled(can);
   if (!can) show_modes(false);
   if (shown_) draw();
 }
 
 void ShapeModes::show_modes(bool on) {
-  const bool shown = on && active_ && engine_.state()[part::model];
+  const bool shown = on && active_ && engine_.state()[part::model] && choice_.problem().isEmpty();
   toggle_->setChecked(shown);
   if (shown == shown_) return;
   shown_ = shown;
-  if (shown_ && !atlas_) {
-    atlas_ = built_in_atlas();
-    const QSignalBlocker quiet(mode_);
-    for (int mode = 0; mode < std::min(kFirstModes, atlas_->shape.mode_count()); ++mode)
-      mode_->addItem(tr("Mode %1: %2 % of the variance")
-                         .arg(mode + 1)
-                         .arg(100.0 * share_of_variance(*atlas_, mode), 0, 'f', 0));
-  }
+  if (shown_ && !atlas_) take_atlas();
   for (QShortcut* key : keys_) key->setEnabled(shown_);
   controls_->setVisible(shown_);
   caption_->setVisible(shown_);
@@ -138,6 +139,16 @@ void ShapeModes::show_modes(bool on) {
     for (QWidget* around = parentWidget(); around != nullptr; around = around->parentWidget())
       if (auto* area = qobject_cast<QScrollArea*>(around)) area->ensureWidgetVisible(controls_, 0, 12);
   });
+}
+
+void ShapeModes::take_atlas() {
+  atlas_ = choice_.atlas();
+  const QSignalBlocker quiet(mode_);
+  mode_->clear();
+  for (int mode = 0; mode < std::min(kFirstModes, atlas_->shape.mode_count()); ++mode)
+    mode_->addItem(tr("Mode %1: %2 % of the variance")
+                       .arg(mode + 1)
+                       .arg(100.0 * share_of_variance(*atlas_, mode), 0, 'f', 0));
 }
 
 void ShapeModes::draw() {

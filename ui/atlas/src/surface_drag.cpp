@@ -19,10 +19,12 @@ void SurfaceDrag::set_on(bool on) {
   dragging_ = false;
   RenderView& view = views_.volume();
   view.setCursor(on ? Qt::CrossCursor : Qt::ArrowCursor);
+  view.setMouseTracking(on);
   if (on)
     view.installEventFilter(this);
   else
     view.removeEventFilter(this);
+  if (!on) emit left();
 }
 
 std::optional<Eigen::Vector3d> SurfaceDrag::place(const QPointF& at) const {
@@ -57,7 +59,15 @@ std::optional<Eigen::Vector3d> SurfaceDrag::dragged_to(const QPointF& at) {
   return p;
 }
 
+void SurfaceDrag::tell_hover(const QPointF& at) {
+  if (const auto p = place(at))
+    emit hovered(*p);
+  else
+    emit left();
+}
+
 bool SurfaceDrag::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == &views_.volume() && event->type() == QEvent::Leave && !dragging_) emit left();
   const auto* mouse = dynamic_cast<QMouseEvent*>(event);
   if (watched != &views_.volume() || mouse == nullptr) return QObject::eventFilter(watched, event);
   switch (event->type()) {
@@ -74,6 +84,10 @@ bool SurfaceDrag::eventFilter(QObject* watched, QEvent* event) {
       return true;
     }
     case QEvent::MouseMove:
+      if (!dragging_ && mouse->buttons() == Qt::NoButton) {
+        tell_hover(mouse->position());
+        return true;  // the camera is turned by drags alone
+      }
       if (!dragging_) return false;
       if (const auto p = dragged_to(mouse->position())) emit moved(*p, mouse->modifiers());
       return true;

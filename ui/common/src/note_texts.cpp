@@ -92,6 +92,8 @@ class Notes {
         {"atlas.several_pieces", tr("The liver's surface has %1 pieces; the largest was taken.")},
         {"atlas.contradiction",
          tr("%1: the image shows it %2 mm from where the atlas expects it. Check the segmentation.")},
+        {"atlas.not_approved", tr("The case %1 was left out: nobody has approved its liver, vena cava, "
+                                  "gallbladder or portal vein.")},
         {"atlas.outlier", tr("The liver %1 differs from the others and counts less.")},
         {"atlas.too_few", tr("%1: too few livers show it, so that the atlas does not know it.")},
         {"atlas.taken_over", tr("%1: too few livers show it; taken over from the atlas '%2'.")},

@@ -33,6 +33,7 @@ class Texts {
             {"edit_trees", tr("Editing the vessel trees")},
             {"check_model", tr("Noting the check of the model")},
             {"set_landmarks", tr("Storing the landmarks")},
+            {"build_atlas", tr("Building an atlas")},
             {"propose_landmarks", tr("Proposing the landmarks")},
             {"propose_seeds", tr("Looking for the liver")},
             {"review_proposal", tr("Storing the review of a landmark")},

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "glisson/geometry/mesh.h"
+#include "glisson/geometry/closest_point_tree.h"
 
 namespace glisson::ui {
 
@@ -15,7 +15,8 @@ class AreaPainter {
 
   /// Begins with a contact as it is: points on the surface.
   void begin(const Points& area);
-  /// @param p on the surface. @param radius metres; the far side of a thin lobe is not reached.
+  /// @param p on the surface, or beside it: a ball that does not reach it paints nothing. @param radius
+  /// metres; the far side of a thin lobe is not reached.
   /// @param add paints, else wipes
   void dab(const Eigen::Vector3d& p, double radius, bool add);
 
@@ -23,10 +24,13 @@ class AreaPainter {
   Points area() const;
   /// The painted faces, a little above the liver so that they are seen.
   TriangleMesh faces() const;
+  /// The brush's border on the liver around a point of it: a closed line, a little above it.
+  Points ring(const Eigen::Vector3d& p, double radius) const;
 
  private:
   TriangleMesh liver_;
   Points normals_;
+  ClosestPointTree tree_;
   std::vector<char> painted_;  ///< one a vertex
 };
 

@@ -11,6 +11,7 @@ class QPushButton;
 
 namespace glisson::ui {
 
+class AtlasChoice;
 class ProposalReview;
 class ShapeModes;
 
@@ -40,6 +41,7 @@ class AtlasPanel : public Panel {
   void show_landmarks();
 
   LinkedViews& views_;
+  AtlasChoice* choice_ = nullptr;
   ProposalReview* review_ = nullptr;
   ShapeModes* modes_ = nullptr;
   Tool tool_ = Tool::none;

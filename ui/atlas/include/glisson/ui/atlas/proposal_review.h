@@ -8,6 +8,7 @@
 
 #include "glisson/atlas/transfer.h"
 #include "glisson/ui/atlas/area_painter.h"
+#include "glisson/ui/atlas/atlas_choice.h"
 #include "glisson/ui/atlas/move_proposal.h"
 #include "glisson/ui/common/linked_views.h"
 #include "glisson/ui/scene/proposal_actors.h"
@@ -27,7 +28,9 @@ class TaskButton;
 class ProposalReview : public QWidget {
   Q_OBJECT
  public:
-  ProposalReview(EngineBridge& engine, LinkedViews& views, ViewState& state, QWidget* parent = nullptr);
+  /// @param choice the atlas that proposes
+  ProposalReview(EngineBridge& engine, LinkedViews& views, ViewState& state, AtlasChoice& choice,
+                 QWidget* parent = nullptr);
 
   /// The panel comes to the front, or leaves it: only then anything is drawn.
   void set_active(bool active);
@@ -39,6 +42,8 @@ class ProposalReview : public QWidget {
   void put_tool_away() { set_tool(Tool::none); }
   /// Of what is drawn in three dimensions.
   int actor_count() const { return actors_.actor_count(); }
+  /// Whether the brush's border is drawn on the liver.
+  bool shows_ring() const { return ring_.actor_count() > 0; }
 
  signals:
   /// The mouse works on a proposal from now on: other tools are put away.
@@ -71,6 +76,10 @@ class ProposalReview : public QWidget {
   void drag(const Eigen::Vector3d& p, Qt::KeyboardModifiers keys);
   void end_drag();
   void end_painting();
+  /// A drag in a slice with the brush.
+  void paint_in_slice(const SliceGesture& gesture);
+  void show_ring(const Eigen::Vector3d& p);
+  void hide_ring();
   void set_brush(double radius);
   /// Shows the body again that hid what is painted.
   void uncover();
@@ -82,7 +91,8 @@ class ProposalReview : public QWidget {
   EngineBridge& engine_;
   LinkedViews& views_;
   ViewState& state_;
-  scene::ProposalActors actors_;
+  AtlasChoice& choice_;
+  scene::ProposalActors actors_, ring_;
   std::shared_ptr<const atlas::Transfer> shown_;
   std::vector<Former> former_;
   std::set<engine::CommandId> posted_;

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "glisson/atlas/atlas.h"
+#include "glisson/ui/atlas/atlas_choice.h"
 #include "glisson/ui/common/linked_views.h"
 #include "glisson/ui/scene/proposal_actors.h"
 
@@ -22,7 +22,8 @@ namespace glisson::ui {
 class ShapeModes : public QWidget {
   Q_OBJECT
  public:
-  ShapeModes(EngineBridge& engine, LinkedViews& views, QWidget* parent = nullptr);
+  /// @param choice the atlas whose modes they are
+  ShapeModes(EngineBridge& engine, LinkedViews& views, AtlasChoice& choice, QWidget* parent = nullptr);
 
   /// The panel comes to the front, or leaves it: then nothing is shown any more.
   void set_active(bool active);
@@ -38,10 +39,13 @@ class ShapeModes : public QWidget {
   void add_key(const QKeySequence& key, const std::function<void()>& act);
   void show_case();
   void show_modes(bool on);
+  /// The chosen one, and what its modes are called.
+  void take_atlas();
   void draw();
 
   EngineBridge& engine_;
   LinkedViews& views_;
+  AtlasChoice& choice_;
   scene::ProposalActors actors_;
   std::shared_ptr<const atlas::Atlas> atlas_;
   bool active_ = false, shown_ = false;

@@ -27,9 +27,14 @@ class SurfaceDrag : public QObject {
   /// Without handles told only where the pointer is over the liver.
   void moved(const Eigen::Vector3d& p, Qt::KeyboardModifiers keys);
   void ended();
+  /// The pointer is over this place of the liver and nothing is pressed.
+  void hovered(const Eigen::Vector3d& p);
+  /// It is beside the liver, or elsewhere.
+  void left();
 
  private:
   std::optional<Eigen::Vector3d> place(const QPointF& at) const;
+  void tell_hover(const QPointF& at);
   std::optional<Eigen::Vector3d> handle_at(const QPointF& at) const;
   /// While it is dragged.
   std::optional<Eigen::Vector3d> dragged_to(const QPointF& at);

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/engine/commands/build_atlas.h"
+
+#include <algorithm>
+#include <array>
+
+#include "glisson/core/error.h"
+#include "glisson/core/files.h"
+#include "glisson/engine/atlas_member.h"
+#include "glisson/engine/case_io.h"
+#include "glisson/engine/review.h"
+
+namespace glisson::engine {
+namespace fs = std::filesystem;
+namespace {
+
+/// A case, or the cases in a folder, by name.
+std::vector<fs::path> cases_in(const fs::path& path) {
+  if (is_case(path)) return {path};
+  if (!fs::is_directory(path)) throw FileError(path.string() + ": does not exist. Check the path.");
+  std::vector<fs::path> found;
+  for (const fs::directory_entry& entry : fs::directory_iterator(path))
+    if (entry.is_directory() && holds_case(entry.path())) found.push_back(entry.path());
+  if (found.empty())
+    throw InputError(path.string(), "cases", "are none in this folder", "Name a case or a folder of cases");
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+/// Of what the atlas reads of a case.
+bool is_approved(const CaseState& state) {
+  constexpr std::array kRead = {structure::kParenchyma, structure::kVenaCava, structure::kGallbladder,
+                                structure::kPortalVein};
+  for (const auto& [review, labels] : unapproved_labels(state))
+    for (const Label label : labels)
+      if (std::find(kRead.begin(), kRead.end(), label) != kRead.end()) return false;
+  return true;
+}
+
+/// Before the work, so that minutes of it are not lost.
+void check_folder(const fs::path& out) {
+  if (out.empty() || !fs::exists(out)) return;
+  if (!fs::is_directory(out) || (!fs::is_empty(out) && !fs::exists(out / "atlas.json")))
+    throw InputError(out.string(), "folder", "holds something else than an atlas", "Name a new folder");
+}
+
+/// In place of an atlas that is there: both files come from one that is whole.
+void keep(const atlas::Atlas& built, const fs::path& out) {
+  const fs::path around = fs::absolute(out).parent_path();
+  fs::create_directories(around);
+  const TemporaryFolder beside(around);
+  atlas::write_atlas(beside.path(), built);
+  fs::create_directories(out);
+  for (const char* name : {"mean.vtp", "atlas.json"}) fs::rename(beside.path() / name, out / name);
+  flush_to_disk(out);
+}
+
+}  // namespace
+
+CommandTraits BuildAtlas::traits() const { return {.code = "build_atlas"}; }
+
+Cancellable<Applied> BuildAtlas::apply(const CaseState& state, const RunContext& context) const {
+  require(base != nullptr, "an atlas is built on a base");
+  check_folder(out);
+  Applied applied{state};
+  std::vector<fs::path> all;
+  for (const fs::path& path : cases) {
+    const std::vector<fs::path> found = cases_in(path);
+    all.insert(all.end(), found.begin(), found.end());
+  }
+  std::vector<atlas::Member> livers = members;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::string name = all[i].stem().string();
+    const auto opened = open_case(all[i], context.quiet());
+    if (!opened) return {};
+    if (unapproved || is_approved(*opened))
+      livers.push_back(atlas_member(name, *opened));
+    else
+      applied.notes.push_back("atlas.not_approved " + name);
+    context.progress(0.2 * static_cast<double>(i + 1) / static_cast<double>(all.size()), "atlas.livers");
+  }
+  auto built = atlas::build(std::move(livers), *base, options, context.part(0.2, 1.0));
+  if (!built) return {};
+  if (!out.empty()) keep(built->atlas, out);
+  applied.figures = atlas::figures_of(*built);
+  applied.notes.insert(applied.notes.end(), built->notes.begin(), built->notes.end());
+  applied.result = std::make_shared<const Result>(std::move(*built));
+  return applied;
+}
+
+}  // namespace glisson::engine
