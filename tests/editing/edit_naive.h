@@ -332,14 +332,6 @@ class Naive {
   }
   std::vector<Label> wanted(const Smooth& t) const {
     const double r = 1e3 * t.radius;
-    if (t.method == Smooth::Method::joint)
-      return each([&](const Voxel& v, Label old) {
-        std::vector<int> votes(256, 0);
-        in_ball(v, r, [&](const Voxel& w) { ++votes[before_[at(w)]]; });
-        const int most = *std::max_element(votes.begin(), votes.end());
-        if (votes[old] == most) return old;
-        return static_cast<Label>(std::find(votes.begin(), votes.end(), most) - votes.begin());
-      });
     const Mask mask = shape(t.label);
     if (t.method == Smooth::Method::closing) return reshaped(closed(mask, r), t.label);
     if (t.method == Smooth::Method::opening) return reshaped(opened(mask, r), t.label);

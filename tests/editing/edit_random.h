@@ -126,7 +126,7 @@ class RandomEdits {
       case 4:
         return FillHoles{label(), below(2) == 0};
       case 5:
-        return Smooth{label(), static_cast<Smooth::Method>(below(4)), between(1.2e-3, 3.1e-3)};
+        return Smooth{label(), static_cast<Smooth::Method>(below(3)), between(1.2e-3, 3.1e-3)};
       case 6:
         return Margin{label(), (below(2) == 0 ? 1 : -1) * between(0.8e-3, 3.4e-3)};
       default:

@@ -13,7 +13,7 @@ struct Smooth {
     median,   ///< majority in a ball (of its voxels inside the volume)
     closing,  ///< fills what a ball of the radius cannot enter
     opening,  ///< takes what a ball cannot fill
-    joint     ///< all labels at once, without gaps between them: each voxel to the commonest in a ball
+    joint     ///< all labels at once, without gaps between them; each keeps its volume and thin branches
   };
   Label label = structure::kParenchyma;  ///< not for joint
   Method method = Method::median;
