@@ -8,6 +8,7 @@
 #include "glisson/ui/scene/offscreen_renderer.h"
 #include "glisson/ui/scene/patient_scene.h"
 #include "glisson/ui/scene/picture_image.h"
+#include "glisson/ui/scene/seen_point.h"
 #include "glisson/ui/scene/surface_shapes.h"
 
 namespace glisson {
@@ -31,6 +32,13 @@ int pixels_that_differ(const Picture& a, const Picture& b) {
   return count;
 }
 
+/// At the lesion: in the middle of the box, 6 mm in radius.
+std::optional<Eigen::Vector3d> seen_at_lesion(const scene::PatientScene& patient,
+                                              const Eigen::Vector3d& off) {
+  const auto place = patient.view_point(Eigen::Vector3d(0.03, 0.0, 0.0) + off, kAspect);
+  return scene::seen_point(patient.renderer(), patient.surface_actors(), place->x(), place->y(), kAspect);
+}
+
 }  // namespace
 
 class PatientSceneTest : public QObject {
@@ -38,6 +46,9 @@ class PatientSceneTest : public QObject {
  private slots:
   void AnteriorViewHasThePatientsRightOnTheLeft();
   void PickedPointProjectsBackToWhereItWasPicked();
+  void AClickSeesThroughTheLiverToWhatIsSolid();
+  void AHiddenStructureIsNotSeen();
+  void ASliceHidesWhatLiesBehindIt();
   void DeformedNodesMoveSurfacesAndPicks();
   void HiddenStructureIsNotDrawn();
   void SliceIsDrawnUnmirrored();
@@ -75,6 +86,55 @@ void PatientSceneTest::PickedPointProjectsBackToWhereItWasPicked() {
   QVERIFY(std::abs(patient.surface_point(0.5, 0.5, kAspect)->y() + 0.04) <
           1e-9);  // the anterior face, not the back
   QVERIFY(!patient.surface_point(0.01, 0.01, kAspect).has_value());
+}
+
+void PatientSceneTest::AClickSeesThroughTheLiverToWhatIsSolid() {
+  scene::PatientScene patient;
+  patient.set_model(box_patient());
+  patient.look_from(scene::ViewFrom::superior);  // no vessel in the way
+  const auto lesion = seen_at_lesion(patient, {0, 0, 0});
+  QVERIFY(lesion && (*lesion - Eigen::Vector3d(0.03, 0.0, 0.006)).norm() < 1.5e-3);
+  const auto beside = seen_at_lesion(patient, {0.0, 0.012, 0.025});
+  QVERIFY(beside && (*beside - Eigen::Vector3d(0.03, 0.012, 0.025)).norm() < 1e-6);  // the liver's top
+  QVERIFY(!scene::seen_point(patient.renderer(), patient.surface_actors(), 0.01, 0.01, kAspect));
+  patient.set_opacity(structure::kParenchyma, 1.0);
+  const auto skin = seen_at_lesion(patient, {0, 0, 0});
+  QVERIFY(skin && std::abs(skin->z() - 0.025) < 1e-6);
+}
+
+void PatientSceneTest::AHiddenStructureIsNotSeen() {
+  scene::PatientScene patient;
+  patient.set_model(box_patient());
+  patient.look_from(scene::ViewFrom::superior);
+  patient.set_visible(structure::kFirstLesion, false);
+  const auto seen = seen_at_lesion(patient, {0, 0, 0});
+  QVERIFY(seen && std::abs(seen->z() - 0.025) < 1e-6);
+  patient.set_visible(structure::kParenchyma, false);
+  QVERIFY(!seen_at_lesion(patient, {0, 0, 0}));
+}
+
+void PatientSceneTest::ASliceHidesWhatLiesBehindIt() {
+  scene::PatientScene patient;
+  patient.set_model(box_patient());
+  patient.look_from(scene::ViewFrom::superior);
+  VolumeGrid grid;
+  grid.size = {120, 80, 50};
+  grid.origin_mm = {-59.5, -39.5, -24.5};
+  Image image{grid, Modality::ct, nullptr, {}};
+  image.voxels = std::make_shared<std::vector<std::int16_t>>(static_cast<std::size_t>(grid.voxel_count()));
+  const auto show = [&](double z) {
+    const auto slice = scene::slice_geometry(grid, scene::Plane::axial, Point<CtFrame>(0.0, 0.0, z));
+    patient.set_slice(slice, scene::slice_picture(image, nullptr, slice, {}));
+  };
+  show(0.015);
+  const auto skin = seen_at_lesion(patient, {0, 0, 0});
+  QVERIFY(skin && std::abs(skin->z() - 0.025) < 1e-6);  // the skin lies before the slice
+  patient.set_visible(structure::kParenchyma, false);
+  const auto slice = seen_at_lesion(patient, {0, 0, 0});
+  QVERIFY(slice && std::abs(slice->z() - 0.015) < 1e-6);
+  show(-0.015);
+  const auto lesion = seen_at_lesion(patient, {0, 0, 0});
+  QVERIFY(lesion && std::abs(lesion->z() - 0.006) < 5e-4);
 }
 
 void PatientSceneTest::DeformedNodesMoveSurfacesAndPicks() {

@@ -117,4 +117,10 @@ void LabelActors::set_visible(bool visible) {
 
 int LabelActors::actor_count() const { return static_cast<int>(impl_->blocks.size()); }
 
+std::vector<vtkActor*> LabelActors::actors() const {
+  std::vector<vtkActor*> all;
+  for (const auto& [key, block] : impl_->blocks) all.push_back(block->actor);
+  return all;
+}
+
 }  // namespace glisson::scene

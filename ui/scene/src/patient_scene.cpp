@@ -206,6 +206,14 @@ PatientScene::~PatientScene() = default;
 
 vtkRenderer& PatientScene::renderer() const { return *impl_->renderer; }
 
+std::vector<vtkActor*> PatientScene::surface_actors() const {
+  std::vector<vtkActor*> actors;
+  for (const auto& [label, shape] : impl_->structures) actors.push_back(shape->actor);
+  for (const auto& slice : impl_->slices)
+    if (slice) actors.push_back(slice->shape->actor);
+  return actors;
+}
+
 void PatientScene::set_model(const PatientModel& model) {
   set_model(make_drawable(std::make_shared<const PatientModel>(model)));
 }

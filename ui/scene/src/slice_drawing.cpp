@@ -16,7 +16,7 @@ bool same_slice(const SliceGeometry& a, const SliceGeometry& b) {
 }
 
 bool same_style(const SliceStyle& a, const SliceStyle& b) {
-  return a.level == b.level && a.width == b.width && a.label_opacity == b.label_opacity &&
+  return a.level == b.level && a.width == b.width && a.slab == b.slab && a.label_opacity == b.label_opacity &&
          a.hidden == b.hidden;
 }
 
@@ -54,7 +54,8 @@ QRect SliceDrawing::draw(const std::shared_ptr<const Image>& image,
     throw InputError("slice style", "width", "is " + std::to_string(style.width),
                      "Give a window width above 0.");
   const bool same_place = !picture_.empty() && image == image_ && same_slice(geometry, geometry_);
-  const bool same_greys = same_place && style.level == style_.level && style.width == style_.width;
+  const bool same_greys =
+      same_place && style.level == style_.level && style.width == style_.width && style.slab == style_.slab;
   const LabelVolume* now = voxels_of(labels);
   const LabelVolume* former = voxels_of(labels_);
   const bool comparable = same_place && now != nullptr && former != nullptr &&

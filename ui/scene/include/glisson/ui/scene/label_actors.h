@@ -6,6 +6,7 @@
 
 #include "glisson/ui/scene/label_surfaces.h"
 
+class vtkActor;
 class vtkRenderer;
 
 namespace glisson::scene {
@@ -25,6 +26,7 @@ class LabelActors {
   /// Takes all away, or puts them back.
   void set_visible(bool visible);
   int actor_count() const;
+  std::vector<vtkActor*> actors() const;
 
  private:
   struct Impl;

@@ -13,6 +13,7 @@
 #include "glisson/ui/scene/drawable_model.h"
 #include "glisson/ui/scene/slice_picture.h"
 
+class vtkActor;
 class vtkRenderer;
 
 namespace glisson::scene {
@@ -45,6 +46,8 @@ class PatientScene {
   PatientScene& operator=(const PatientScene&) = delete;
 
   vtkRenderer& renderer() const;
+  /// Of the structures and of the slices: what one points at (seen_point()).
+  std::vector<vtkActor*> surface_actors() const;
 
   /// Replaces the model (null: none), at rest.
   void set_model(std::shared_ptr<const DrawableModel> model);

@@ -58,11 +58,12 @@ struct SliceStyle {
   double level = 80.0, width = 400.0;  ///< grey window, in the image's units (HU)
   double label_opacity = 0.35;         ///< inside; a label's edge is always drawn
   std::vector<Label> hidden{};         ///< labels that are not drawn
+  double slab = 0.0;                   ///< metres over which the brightest is shown; 0: the slice alone
   bool hides(Label label) const { return std::find(hidden.begin(), hidden.end(), label) != hidden.end(); }
 };
-/// The volume on a slice (trilinear) with labels over it (nearest voxel, structure colours). Outside the
-/// volume it is black. @param labels may be null or empty; of any grid. @throws InputError window width not
-/// positive.
+/// The volume on a slice (trilinear), or the brightest of a slab about it, with the slice's labels over it
+/// (nearest voxel, structure colours). Outside the volume it is black. @param labels may be null or empty; of
+/// any grid. @throws InputError window width not positive.
 Picture slice_picture(const Image& image, const LabelVolume* labels, const SliceGeometry& geometry,
                       const SliceStyle& style);
 
