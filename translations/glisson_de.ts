@@ -4067,6 +4067,37 @@
     </message>
 </context>
 <context>
+    <name>GreyWindows</name>
+    <message>
+        <source>Abdomen</source>
+        <translation>Abdomen</translation>
+    </message>
+    <message>
+        <source>Liver</source>
+        <translation>Leber</translation>
+    </message>
+    <message>
+        <source>Vessels</source>
+        <translation>Gefäße</translation>
+    </message>
+    <message>
+        <source>Lung</source>
+        <translation>Lunge</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>Knochen</translation>
+    </message>
+    <message>
+        <source>Own</source>
+        <translation>Eigenes</translation>
+    </message>
+    <message>
+        <source>Whole range</source>
+        <translation>Ganzer Bereich</translation>
+    </message>
+</context>
+<context>
     <name>LesionTexts</name>
     <message>
         <source>shown</source>
@@ -8514,6 +8545,10 @@
         <translation>&amp;Bearbeiten</translation>
     </message>
     <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
         <source>Export &amp;labels…</source>
         <translation>&amp;Labels exportieren …</translation>
     </message>
@@ -8622,6 +8657,17 @@
     <message>
         <source>Masked of the organ in sight: %1 %. The mask is %2 ms old.</source>
         <translation>Vom sichtbaren Organ maskiert: %1 %. Die Maske ist %2 ms alt.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::MeasureBook</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm</source>
+        <translation>%1 × %2 mm</translation>
     </message>
 </context>
 <context>
@@ -9699,8 +9745,8 @@ Mode %3 bei %4 Abweichungen
 <context>
     <name>glisson::ui::SliceView</name>
     <message>
-        <source>Click: crosshair. Wheel: next slice. Right drag: contrast. Middle drag: move. Ctrl + wheel: zoom. Double click: whole picture.</source>
-        <translation>Klick: Fadenkreuz. Rad: nächste Schicht. Rechts ziehen: Kontrast. Mitte ziehen: verschieben. Strg + Rad: Zoom. Doppelklick: ganzes Bild.</translation>
+        <source>Click: crosshair. Wheel: next slice. Right drag: contrast. Middle drag: move. Ctrl + wheel: zoom. Double click: this view alone. Right click: menu.</source>
+        <translation>Klick: Fadenkreuz. Rad: nächste Schicht. Rechts ziehen: Kontrast. Mitte ziehen: verschieben. Strg + Rad: Zoom. Doppelklick: nur diese Ansicht. Rechtsklick: Menü.</translation>
     </message>
     <message>
         <source>No volume</source>
@@ -9723,8 +9769,12 @@ Mode %3 bei %4 Abweichungen
         <translation>%1 mm</translation>
     </message>
     <message>
-        <source>WL %1  WW %2</source>
-        <translation>WL %1  WW %2</translation>
+        <source>%1  WL %2  WW %3</source>
+        <translation>%1  WL %2  WW %3</translation>
+    </message>
+    <message>
+        <source>MIP %1 mm</source>
+        <translation>MIP %1 mm</translation>
     </message>
 </context>
 <context>
@@ -10701,6 +10751,77 @@ Mode %3 bei %4 Abweichungen
     <message>
         <source>%1 mm from the place that was clicked: too far to join.</source>
         <translation>%1 mm von der angeklickten Stelle: zu weit, um zu verbinden.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::ViewBar</name>
+    <message>
+        <source>Which greys the slices show. Right drag in a slice changes them.</source>
+        <translation>Welche Grauwerte die Schichten zeigen. Rechts ziehen in einer Schicht ändert sie.</translation>
+    </message>
+    <message>
+        <source>Hounsfield windows need a CT: an MRI&apos;s greys have no unit</source>
+        <translation>Hounsfield-Fenster brauchen ein CT: Grauwerte einer MRT haben keine Einheit</translation>
+    </message>
+    <message>
+        <source>Window: %1</source>
+        <translation>Fenster: %1</translation>
+    </message>
+    <message>
+        <source>MIP</source>
+        <translation>MIP</translation>
+    </message>
+    <message>
+        <source>The brightest of a slab about the slice, for vessels. Labels, values and tools stay those of the slice.</source>
+        <translation>Das Hellste einer Scheibe um die Schicht herum, für Gefäße. Labels, Werte und Werkzeuge bleiben die der Schicht.</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>How thick the slab is; also Shift + wheel in a slice</source>
+        <translation>Dicke der Scheibe; auch Umschalt + Rad in einer Schicht</translation>
+    </message>
+    <message>
+        <source>Measure a distance</source>
+        <translation>Abstand messen</translation>
+    </message>
+    <message>
+        <source>Drag from place to place in a slice. Esc ends.</source>
+        <translation>In einer Schicht von Stelle zu Stelle ziehen. Esc beendet.</translation>
+    </message>
+    <message>
+        <source>Measure two diameters</source>
+        <translation>Zwei Durchmesser messen</translation>
+    </message>
+    <message>
+        <source>Drag along the longest diameter in a slice, then along another one that crosses it. Esc ends.</source>
+        <translation>In einer Schicht den längsten Durchmesser entlang ziehen, dann einen, der ihn kreuzt. Esc beendet.</translation>
+    </message>
+    <message>
+        <source>Take the last measure back</source>
+        <translation>Letztes Maß zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Wipe all measures</source>
+        <translation>Alle Maße löschen</translation>
+    </message>
+    <message>
+        <source>Whole picture</source>
+        <translation>Ganzes Bild</translation>
+    </message>
+    <message>
+        <source>Takes zoom and shift of the slices away</source>
+        <translation>Nimmt Zoom und Verschiebung der Schichten weg</translation>
+    </message>
+    <message>
+        <source>One view alone</source>
+        <translation>Eine Ansicht allein</translation>
+    </message>
+    <message>
+        <source>The view under the pointer fills the place of all, as after a double click; Esc goes back</source>
+        <translation>Die Ansicht unter dem Zeiger füllt den Platz aller, wie nach einem Doppelklick; Esc geht zurück</translation>
     </message>
 </context>
 <context>

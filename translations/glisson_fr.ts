@@ -4083,6 +4083,37 @@
     </message>
 </context>
 <context>
+    <name>GreyWindows</name>
+    <message>
+        <source>Abdomen</source>
+        <translation>Abdomen</translation>
+    </message>
+    <message>
+        <source>Liver</source>
+        <translation>Foie</translation>
+    </message>
+    <message>
+        <source>Vessels</source>
+        <translation>Vaisseaux</translation>
+    </message>
+    <message>
+        <source>Lung</source>
+        <translation>Poumon</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>Os</translation>
+    </message>
+    <message>
+        <source>Own</source>
+        <translation>Personnelle</translation>
+    </message>
+    <message>
+        <source>Whole range</source>
+        <translation>Toute l’étendue</translation>
+    </message>
+</context>
+<context>
     <name>LesionTexts</name>
     <message>
         <source>shown</source>
@@ -8530,6 +8561,10 @@
         <translation>&amp;Édition</translation>
     </message>
     <message>
+        <source>&amp;View</source>
+        <translation>&amp;Affichage</translation>
+    </message>
+    <message>
         <source>Export &amp;labels…</source>
         <translation>Exporter les &amp;étiquettes…</translation>
     </message>
@@ -8638,6 +8673,17 @@
     <message>
         <source>Masked of the organ in sight: %1 %. The mask is %2 ms old.</source>
         <translation>Masqué de l’organe visible : %1 %. Le masque a %2 ms.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::MeasureBook</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm</source>
+        <translation>%1 × %2 mm</translation>
     </message>
 </context>
 <context>
@@ -9715,8 +9761,8 @@ Mode %3 à %4 écarts types
 <context>
     <name>glisson::ui::SliceView</name>
     <message>
-        <source>Click: crosshair. Wheel: next slice. Right drag: contrast. Middle drag: move. Ctrl + wheel: zoom. Double click: whole picture.</source>
-        <translation>Clic : réticule. Molette : coupe suivante. Glisser à droite : contraste. Glisser au milieu : déplacer. Ctrl + molette : zoom. Double clic : image entière.</translation>
+        <source>Click: crosshair. Wheel: next slice. Right drag: contrast. Middle drag: move. Ctrl + wheel: zoom. Double click: this view alone. Right click: menu.</source>
+        <translation>Clic : réticule. Molette : coupe suivante. Glisser droit : contraste. Glisser milieu : déplacer. Ctrl + molette : zoom. Double-clic : cette vue seule. Clic droit : menu.</translation>
     </message>
     <message>
         <source>No volume</source>
@@ -9739,8 +9785,12 @@ Mode %3 à %4 écarts types
         <translation>%1 mm</translation>
     </message>
     <message>
-        <source>WL %1  WW %2</source>
-        <translation>WL %1  WW %2</translation>
+        <source>%1  WL %2  WW %3</source>
+        <translation>%1  WL %2  WW %3</translation>
+    </message>
+    <message>
+        <source>MIP %1 mm</source>
+        <translation>MIP %1 mm</translation>
     </message>
 </context>
 <context>
@@ -10717,6 +10767,77 @@ Mode %3 à %4 écarts types
     <message>
         <source>%1 mm from the place that was clicked: too far to join.</source>
         <translation>À %1 mm de l’endroit cliqué : trop loin pour joindre.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::ViewBar</name>
+    <message>
+        <source>Which greys the slices show. Right drag in a slice changes them.</source>
+        <translation>Les gris que montrent les coupes. Un glisser droit dans une coupe les change.</translation>
+    </message>
+    <message>
+        <source>Hounsfield windows need a CT: an MRI&apos;s greys have no unit</source>
+        <translation>Les fenêtres Hounsfield demandent un scanner : les gris d’une IRM sont sans unité</translation>
+    </message>
+    <message>
+        <source>Window: %1</source>
+        <translation>Fenêtre : %1</translation>
+    </message>
+    <message>
+        <source>MIP</source>
+        <translation>MIP</translation>
+    </message>
+    <message>
+        <source>The brightest of a slab about the slice, for vessels. Labels, values and tools stay those of the slice.</source>
+        <translation>Le plus clair d’un bloc autour de la coupe, pour les vaisseaux. Labels, valeurs et outils restent ceux de la coupe.</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>How thick the slab is; also Shift + wheel in a slice</source>
+        <translation>Épaisseur du bloc ; aussi Maj + molette dans une coupe</translation>
+    </message>
+    <message>
+        <source>Measure a distance</source>
+        <translation>Mesurer une distance</translation>
+    </message>
+    <message>
+        <source>Drag from place to place in a slice. Esc ends.</source>
+        <translation>Glissez d’un endroit à l’autre dans une coupe. Échap termine.</translation>
+    </message>
+    <message>
+        <source>Measure two diameters</source>
+        <translation>Mesurer deux diamètres</translation>
+    </message>
+    <message>
+        <source>Drag along the longest diameter in a slice, then along another one that crosses it. Esc ends.</source>
+        <translation>Glissez le long du plus grand diamètre dans une coupe, puis d’un autre qui le croise. Échap termine.</translation>
+    </message>
+    <message>
+        <source>Take the last measure back</source>
+        <translation>Reprendre la dernière mesure</translation>
+    </message>
+    <message>
+        <source>Wipe all measures</source>
+        <translation>Effacer toutes les mesures</translation>
+    </message>
+    <message>
+        <source>Whole picture</source>
+        <translation>Image entière</translation>
+    </message>
+    <message>
+        <source>Takes zoom and shift of the slices away</source>
+        <translation>Annule zoom et déplacement des coupes</translation>
+    </message>
+    <message>
+        <source>One view alone</source>
+        <translation>Une seule vue</translation>
+    </message>
+    <message>
+        <source>The view under the pointer fills the place of all, as after a double click; Esc goes back</source>
+        <translation>La vue sous le pointeur occupe toute la place, comme après un double-clic ; Échap revient</translation>
     </message>
 </context>
 <context>

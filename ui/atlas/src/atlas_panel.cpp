@@ -157,6 +157,7 @@ void AtlasPanel::choose(Tool tool) {
   }
   place_notch_->setChecked(tool == Tool::notch);
   place_cava_->setChecked(tool == Tool::vena_cava);
+  views_.volume().set_taken(this, tool != Tool::none);
   views_.volume().setCursor(tool == Tool::none ? Qt::ArrowCursor : Qt::CrossCursor);
 }
 

@@ -18,6 +18,7 @@ void SurfaceDrag::set_on(bool on) {
   on_ = on;
   dragging_ = false;
   RenderView& view = views_.volume();
+  view.set_taken(this, on);
   view.setCursor(on ? Qt::CrossCursor : Qt::ArrowCursor);
   view.setMouseTracking(on);
   if (on)

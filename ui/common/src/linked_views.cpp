@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/common/linked_views.h"
 
+#include <QCoreApplication>
 #include <QGridLayout>
+#include <QKeyEvent>
 #include <QLabel>
+#include <QMenu>
 #include <QTimer>
 #include <QToolButton>
+#include <algorithm>
 #include <tuple>
 
 #include "glisson/engine/parts/image.h"
@@ -13,6 +17,7 @@
 #include "glisson/engine/parts/model.h"
 #include "glisson/ui/common/panel.h"
 #include "glisson/ui/common/texts.h"
+#include "glisson/ui/scene/seen_point.h"
 
 namespace glisson::ui {
 namespace {
@@ -46,12 +51,14 @@ LinkedViews::LinkedViews(EngineBridge& engine, ViewState& state, DrawableSource&
   auto* layout = new QGridLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(2);
-  layout->addWidget(slices_[0], 0, 0);
-  layout->addWidget(make_volume_pane(), 0, 1);
-  layout->addWidget(slices_[1], 1, 0);
-  layout->addWidget(slices_[2], 1, 1);
+  bar_ = new ViewBar(state_, this);
+  layout->addWidget(bar_, 0, 0, 1, 2);
+  layout->addWidget(slices_[0], 1, 0);
+  layout->addWidget(make_volume_pane(), 1, 1);
+  layout->addWidget(slices_[1], 2, 0);
+  layout->addWidget(slices_[2], 2, 1);
   for (int k = 0; k < 2; ++k) {
-    layout->setRowStretch(k, 1);
+    layout->setRowStretch(1 + k, 1);
     layout->setColumnStretch(k, 1);
   }
   const auto [line, row] = make_strip("probe", {10, 4, 10, 4}, 24, this);
@@ -63,8 +70,9 @@ LinkedViews::LinkedViews(EngineBridge& engine, ViewState& state, DrawableSource&
   row->addWidget(position_);
   row->addWidget(value_);
   row->addWidget(label_, 1);
-  layout->addWidget(line, 2, 0, 1, 2);
+  layout->addWidget(line, 3, 0, 1, 2);
 
+  connect_bar();
   connect_labels();
   connect(&engine_, &EngineBridge::case_changed, this, &LinkedViews::show_case);
   connect(&drawables_, &DrawableSource::changed, this, &LinkedViews::show_model);
@@ -75,6 +83,99 @@ LinkedViews::LinkedViews(EngineBridge& engine, ViewState& state, DrawableSource&
 }
 
 LinkedViews::~LinkedViews() = default;
+
+void LinkedViews::showEvent(QShowEvent* event) {
+  bar_->set_live(true);
+  QWidget::showEvent(event);
+}
+
+void LinkedViews::hideEvent(QHideEvent* event) {
+  bar_->set_live(false);
+  QWidget::hideEvent(event);
+}
+
+void LinkedViews::connect_bar() {
+  addActions(bar_->all_actions());  // keys reach them from here, too
+  connect(bar_->whole_action(), &QAction::triggered, this, [this] {
+    for (SliceView* view : slices_) view->show_whole();
+  });
+  connect(bar_->alone_action(), &QAction::triggered, this,
+          [this](bool on) { show_alone(on ? pointed_ : nullptr); });
+  for (SliceView* view : slices_) {
+    connect(view, &SliceView::double_clicked, this, [this, view] { show_alone(alone_ ? nullptr : view); });
+    connect(view, &SliceView::menu_wanted, this, [this](const QPoint& place) {
+      auto* menu = new QMenu(this);
+      menu->setAttribute(Qt::WA_DeleteOnClose);
+      menu->addActions(bar_->all_actions());
+      menu->popup(place);
+    });
+  }
+  connect(volume_, &RenderView::double_clicked, this, [this] { show_alone(alone_ ? nullptr : volume_); });
+  connect(volume_, &RenderView::clicked, this, [this](double x, double y) {
+    if (volume_->is_taken()) return;
+    if (const auto p = seen_point(x, y)) state_.set_crosshair(Point<CtFrame>(*p));
+  });
+  pointed_ = slices_[0];
+  QCoreApplication::instance()->installEventFilter(this);
+}
+
+void LinkedViews::show_alone(QWidget* view) {
+  alone_ = view;
+  auto* grid = static_cast<QGridLayout*>(layout());
+  std::array<int, 2> rows{}, columns{};
+  for (const auto& [pane, row, column] : std::array<std::tuple<QWidget*, int, int>, 4>{
+           {{slices_[0], 0, 0}, {volume_pane_, 0, 1}, {slices_[1], 1, 0}, {slices_[2], 1, 1}}}) {
+    const bool shown = view == nullptr || pane == (view == volume_ ? volume_pane_ : view);
+    pane->setVisible(shown);
+    if (shown) rows[static_cast<std::size_t>(row)] = columns[static_cast<std::size_t>(column)] = 1;
+  }
+  for (int k = 0; k < 2; ++k) {
+    grid->setRowStretch(1 + k, rows[static_cast<std::size_t>(k)]);
+    grid->setColumnStretch(k, columns[static_cast<std::size_t>(k)]);
+  }
+  bar_->alone_action()->setChecked(view != nullptr);
+}
+
+void LinkedViews::leave() {
+  MeasureBook& measures = state_.measures();
+  if (measures.is_drawing())
+    measures.drop();
+  else if (state_.is_measuring())
+    measures.set_tool(MeasureTool::none);
+  else
+    show_alone(nullptr);
+}
+
+bool LinkedViews::takes_escape() const {
+  if (!isVisible()) return false;
+  if (state_.is_measuring()) return true;
+  // A panel's tool lies above the views: it is put away first.
+  return alone_ != nullptr && state_.hand() == Hand::crosshair && !volume_->is_taken();
+}
+
+bool LinkedViews::eventFilter(QObject* watched, QEvent* event) {
+  switch (event->type()) {
+    case QEvent::Enter:
+    case QEvent::MouseMove:
+    case QEvent::MouseButtonPress:
+      if (watched == volume_ || std::find(slices_.begin(), slices_.end(), watched) != slices_.end())
+        pointed_ = static_cast<QWidget*>(watched);
+      return false;
+    case QEvent::ShortcutOverride:
+    case QEvent::KeyPress: {
+      const auto* key = static_cast<QKeyEvent*>(event);
+      const auto* widget = qobject_cast<QWidget*>(watched);
+      if (key->key() != Qt::Key_Escape || widget == nullptr || widget->window() != window() ||
+          !takes_escape())
+        return false;
+      if (event->type() == QEvent::KeyPress) leave();
+      event->accept();  // the key comes here and is no panel's
+      return true;
+    }
+    default:
+      return false;
+  }
+}
 
 void LinkedViews::connect_labels() {
   late_ = new QTimer(this);
@@ -142,7 +243,7 @@ void LinkedViews::lasso(const QPolygonF& outline, Qt::KeyboardModifiers keys) {
 }
 
 QWidget* LinkedViews::make_volume_pane() {
-  auto* pane = new QWidget(this);
+  auto* pane = volume_pane_ = new QWidget(this);
   auto* layout = new QVBoxLayout(pane);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
@@ -268,6 +369,13 @@ void LinkedViews::probe(const Point<CtFrame>& p) {
 
 QString LinkedViews::probe_line() const {
   return QStringLiteral("%1   %2   %3").arg(position_->text(), value_->text(), label_->text()).trimmed();
+}
+
+std::optional<Eigen::Vector3d> LinkedViews::seen_point(double x, double y) const {
+  std::vector<vtkActor*> actors = volume_->patient().surface_actors();
+  const std::vector<vtkActor*> labels = label_actors_->actors();
+  actors.insert(actors.end(), labels.begin(), labels.end());
+  return scene::seen_point(volume_->patient().renderer(), actors, x, y, volume_->aspect());
 }
 
 std::optional<Eigen::Vector3d> LinkedViews::surface_point(double x, double y) const {

@@ -177,6 +177,13 @@ void RenderView::set_lasso(bool on) {
   setCursor(on ? Qt::CrossCursor : Qt::ArrowCursor);
 }
 
+void RenderView::set_taken(const QObject* by, bool on) {
+  if (on)
+    takers_.insert(by);
+  else
+    takers_.erase(by);
+}
+
 void RenderView::drop_lasso() { lasso_->clear(); }
 
 Eigen::Matrix<double, 3, 4> RenderView::view_from_scene() const {
@@ -220,6 +227,12 @@ void RenderView::mouseReleaseEvent(QMouseEvent* event) {
   if (event->button() == Qt::RightButton) pass_on(event, vtkCommand::RightButtonReleaseEvent);
   if (event->button() == Qt::LeftButton && !impl_->dragged)
     emit clicked(event->position().x() / width(), event->position().y() / height());
+}
+
+void RenderView::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton || is_taken()) return mousePressEvent(event);
+  impl_->dragged = true;  // its release is no click
+  emit double_clicked();
 }
 
 void RenderView::wheelEvent(QWheelEvent* event) {

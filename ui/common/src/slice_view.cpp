@@ -12,6 +12,8 @@
 #include "glisson/ui/common/slice_lines.h"
 #include "glisson/ui/scene/difference_overlay.h"
 #include "glisson/ui/scene/picture_image.h"
+#include "slice_measures.h"
+#include "slice_texts.h"
 
 namespace glisson::ui {
 namespace {
@@ -19,32 +21,12 @@ namespace {
 constexpr double kMarkerReach = 4e-3;  ///< metres from the slice within which a marker is drawn
 constexpr int kFlash = 500;            ///< milliseconds that a preview is bright, and then dim
 constexpr double kReach = 7.0;         ///< pixels of the widget within which the pointer takes an edge
-
-QColor plane_colour(scene::Plane plane) {
-  switch (plane) {
-    case scene::Plane::axial:
-      return {239, 83, 80};
-    case scene::Plane::coronal:
-      return {102, 187, 106};
-    case scene::Plane::sagittal:
-      return {255, 202, 40};
-  }
-  return {};
-}
+constexpr double kSlabNotch = 1e-3;    ///< metres that a notch of the wheel makes a slab thicker
+constexpr double kTremble = 3.0;       ///< pixels of the widget: a drag is longer
 
 QColor colour_of(Label label) {
   const auto rgb = structure_colour(label);
   return QColor::fromRgbF(static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2]));
-}
-
-/// White on any grey.
-void draw_outlined(QPainter& painter, const QRectF& box, Qt::Alignment alignment, const QString& text,
-                   const QColor& colour) {
-  painter.setPen(QColor(0, 0, 0, 210));
-  for (const QPointF& shift : {QPointF(1, 1), QPointF(-1, 1), QPointF(1, -1), QPointF(-1, -1)})
-    painter.drawText(box.translated(shift), alignment, text);
-  painter.setPen(colour);
-  painter.drawText(box, alignment, text);
 }
 
 }  // namespace
@@ -55,7 +37,7 @@ SliceView::SliceView(ViewState& state, scene::Plane plane, QWidget* parent)
   setFocusPolicy(Qt::WheelFocus);
   setToolTip(
       tr("Click: crosshair. Wheel: next slice. Right drag: contrast. Middle drag: move. Ctrl + wheel: zoom. "
-         "Double click: whole picture."));
+         "Double click: this view alone. Right click: menu."));
   setToolTipDuration(4000);
   flash_ = new QTimer(this);
   flash_->setInterval(kFlash);
@@ -75,6 +57,8 @@ SliceView::SliceView(ViewState& state, scene::Plane plane, QWidget* parent)
   connect(&state_, &ViewState::markers_changed, this, qOverload<>(&QWidget::update));
   connect(&state_, &ViewState::ellipsoids_changed, this, qOverload<>(&QWidget::update));
   connect(&state_, &ViewState::hand_changed, this, &SliceView::show_hand);
+  connect(&state_.measures(), &MeasureBook::tool_changed, this, &SliceView::show_hand);
+  connect(&state_.measures(), &MeasureBook::changed, this, qOverload<>(&QWidget::update));
   connect(&state_, &ViewState::brush_changed, this, qOverload<>(&QWidget::update));
   connect(&state_, &ViewState::line_changed, this, qOverload<>(&QWidget::update));
   connect(&state_, &ViewState::box_changed, this, qOverload<>(&QWidget::update));
@@ -84,6 +68,7 @@ SliceView::SliceView(ViewState& state, scene::Plane plane, QWidget* parent)
   connect(&state_, &ViewState::gesture_dropped, this, [this] {
     dragging_ = false;
     lasso_.clear();
+    state_.measures().drop();
     update();
   });
   refresh_slice();
@@ -92,7 +77,7 @@ SliceView::SliceView(ViewState& state, scene::Plane plane, QWidget* parent)
 void SliceView::show_hand() {
   dragging_ = false;
   lasso_.clear();
-  setCursor(state_.hand() == Hand::crosshair ? Qt::ArrowCursor : Qt::CrossCursor);
+  setCursor(has_tool() ? Qt::CrossCursor : Qt::ArrowCursor);
   update();
 }
 
@@ -189,8 +174,9 @@ void SliceView::paintEvent(QPaintEvent*) {
   if (state_.line()) paint_line(painter);
   paint_marks(painter);
   paint_lasso(painter, widget_from_pixel().map(lasso_));
-  if (state_.hand() == Hand::brush && state_.pointer()) paint_brush(painter);
-  paint_texts(painter);
+  if (state_.hand() == Hand::brush && state_.pointer() && !state_.is_measuring()) paint_brush(painter);
+  paint_measures(painter);
+  paint_texts(painter, QRectF(rect()), slice_, shown_text(), slab_text());
 }
 
 void SliceView::resizeEvent(QResizeEvent*) { shown_ = {}; }
@@ -255,6 +241,22 @@ void SliceView::paint_line(QPainter& painter) const {
   paint_outline(painter, outline, colour_of(line.label), line.open);
 }
 
+void SliceView::paint_measures(QPainter& painter) const {
+  const auto on_widget = [this](const MeasureLine& line) {
+    return QLineF(widget_point(Point<CtFrame>(line.from)), widget_point(Point<CtFrame>(line.to)));
+  };
+  const auto paint = [&](const Measure& measure) {
+    // It belongs to its slice: elsewhere it would measure something else.
+    if (measure.plane != plane_ ||
+        std::abs(slice_.distance_of(Point<CtFrame>(measure.line.from))) > 0.5 * step_length())
+      return;
+    const auto across = measure.across ? std::optional(on_widget(*measure.across)) : std::nullopt;
+    paint_measure(painter, QRectF(rect()), on_widget(measure.line), across, MeasureBook::text(measure));
+  };
+  for (const Measure& measure : state_.measures().measures()) paint(measure);
+  if (const auto drawn = state_.measures().drawn()) paint(*drawn);
+}
+
 void SliceView::paint_marks(QPainter& painter) const {
   const QPointF cross = widget_point(state_.crosshair());
   // The lines have the colours of the planes that they are the traces of, and spare the crossing.
@@ -292,41 +294,30 @@ void SliceView::paint_disc(QPainter& painter, const Eigen::Vector3d& p, QColor c
   painter.drawEllipse(widget_point(Point<CtFrame>(p)), 5.0, 5.0);
 }
 
-void SliceView::paint_texts(QPainter& painter) const {
-  const QRectF area = QRectF(rect()).adjusted(8, 6, -8, -6);
-  QFont font = painter.font();
-  font.setBold(true);
-  painter.setFont(font);
-  const scene::EdgeLetters letters = scene::edge_letters(plane_);
-  const QColor white(238, 241, 243);
-  draw_outlined(painter, area, Qt::AlignLeft | Qt::AlignVCenter, QString(QLatin1Char(letters.left)), white);
-  draw_outlined(painter, area, Qt::AlignRight | Qt::AlignVCenter, QString(QLatin1Char(letters.right)), white);
-  draw_outlined(painter, area, Qt::AlignHCenter | Qt::AlignTop, QString(QLatin1Char(letters.top)), white);
-  draw_outlined(painter, area, Qt::AlignHCenter | Qt::AlignBottom, QString(QLatin1Char(letters.bottom)),
-                white);
+QString SliceView::shown_text() const {
+  return tr("%1  WL %2  WW %3")
+      .arg(preset_text(state_.preset()))
+      .arg(qRound(state_.style().level))
+      .arg(qRound(state_.style().width));
+}
 
-  const int axis = scene::normal_axis(plane_);
-  const QString name = plane_ == scene::Plane::axial     ? tr("Axial")
-                       : plane_ == scene::Plane::coronal ? tr("Coronal")
-                                                         : tr("Sagittal");
-  draw_outlined(painter, area, Qt::AlignLeft | Qt::AlignTop, name, plane_colour(plane_));
-  font.setBold(false);
-  painter.setFont(font);
-  const QString where =
-      tr("%1 mm").arg(QString::fromStdString(scene::anatomical_coordinate(axis, slice_.origin[axis])));
-  draw_outlined(painter, area, Qt::AlignRight | Qt::AlignTop, where, white);
-  const QString window =
-      tr("WL %1  WW %2").arg(qRound(state_.style().level)).arg(qRound(state_.style().width));
-  draw_outlined(painter, area, Qt::AlignLeft | Qt::AlignBottom, window, QColor(190, 198, 204));
+QString SliceView::slab_text() const {
+  return state_.shows_slab() ? tr("MIP %1 mm").arg(1e3 * state_.slab_thickness(), 0, 'f', 0) : QString();
 }
 
 void SliceView::tell(SliceGesture::Phase phase, const QMouseEvent& event) {
-  const double metres_per_pixel = slice_.right.norm() / widget_from_pixel().m11();
-  state_.gesture({phase, slice_, p_in_ct(event.position()), event.modifiers(), kReach * metres_per_pixel});
+  state_.gesture({phase, slice_, p_in_ct(event.position()), event.modifiers(), kReach * metres_per_pixel()});
 }
+
+double SliceView::metres_per_pixel() const { return slice_.right.norm() / widget_from_pixel().m11(); }
 
 void SliceView::begin_gesture(const QMouseEvent& event) {
   const Point<CtFrame> p = p_in_ct(event.position());
+  if (state_.is_measuring()) {
+    dragging_ = true;
+    state_.measures().begin(plane_, p);
+    return;
+  }
   switch (state_.hand()) {
     case Hand::crosshair:
       state_.set_crosshair(p);
@@ -347,27 +338,32 @@ void SliceView::begin_gesture(const QMouseEvent& event) {
 }
 
 void SliceView::mousePressEvent(QMouseEvent* event) {
-  last_ = event->position();
+  pressed_ = last_ = event->position();
+  moved_ = false;
   if (slice_.width > 0 && event->button() == Qt::LeftButton) begin_gesture(*event);
 }
 
 void SliceView::mouseMoveEvent(QMouseEvent* event) {
   if (slice_.width == 0) return;
   const QPointF moved = event->position() - last_;
-  last_ = event->position();
   const Point<CtFrame> p = p_in_ct(event->position());
+  if ((event->position() - pressed_).manhattanLength() > kTremble) moved_ = true;
+  if (moved_ || !(event->buttons() & Qt::RightButton)) last_ = event->position();
   if (event->buttons() & Qt::RightButton) {
+    if (!moved_) return;
     const double speed = state_.style().width / 300.0;
     state_.set_window(state_.style().level - speed * moved.y(), state_.style().width + speed * moved.x());
   } else if (event->buttons() & Qt::MiddleButton) {
     pan_ += moved;
     shown_ = {};
     update();
+  } else if (state_.measures().is_drawing()) {
+    state_.measures().move(p);
   } else if (dragging_) {
     if (state_.hand() == Hand::lasso) lasso_ << widget_from_pixel().inverted().map(event->position());
     tell(SliceGesture::Phase::move, *event);
     update();
-  } else if ((event->buttons() & Qt::LeftButton) && state_.hand() == Hand::crosshair) {
+  } else if ((event->buttons() & Qt::LeftButton) && !has_tool()) {
     state_.set_crosshair(p);
   }
   state_.set_pointer(PointerPlace{plane_, p});
@@ -375,18 +371,29 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void SliceView::mouseReleaseEvent(QMouseEvent* event) {
+  if (event->button() == Qt::RightButton) {
+    if (moved_)
+      state_.keep_window();
+    else if (slice_.width > 0)
+      emit menu_wanted(event->globalPosition().toPoint());
+  }
   if (event->button() != Qt::LeftButton || !dragging_) return;
   dragging_ = false;
+  if (state_.is_measuring()) return state_.measures().end(kTremble * metres_per_pixel());
   lasso_.clear();
   tell(SliceGesture::Phase::end, *event);
   update();
 }
 
 void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
-  if (state_.hand() != Hand::crosshair) {  // with a tool, a double click is two clicks
+  // With a tool, a double click is two clicks.
+  if (event->button() == Qt::LeftButton && slice_.width > 0 && !has_tool())
+    emit double_clicked();
+  else
     mousePressEvent(event);
-    return;
-  }
+}
+
+void SliceView::show_whole() {
   zoom_ = 1.0;
   pan_ = {};
   shown_ = {};
@@ -395,7 +402,7 @@ void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
 
 bool SliceView::event(QEvent* event) {
   // No tooltip under the brush.
-  if (event->type() == QEvent::ToolTip && state_.hand() != Hand::crosshair) return true;
+  if (event->type() == QEvent::ToolTip && has_tool()) return true;
   return QWidget::event(event);
 }
 
@@ -405,6 +412,8 @@ void SliceView::wheelEvent(QWheelEvent* event) {
   const double notches = (event->angleDelta().y() + event->angleDelta().x()) / 120.0;
   if ((event->modifiers() & Qt::ShiftModifier) && state_.hand() == Hand::brush) {
     state_.turn_brush(notches);
+  } else if ((event->modifiers() & Qt::ShiftModifier) && state_.shows_slab()) {
+    state_.set_slab_thickness(state_.slab_thickness() + kSlabNotch * notches);
   } else if (event->modifiers() & Qt::ControlModifier) {
     const QPointF pixel = widget_from_pixel().inverted().map(event->position());
     zoom_ = std::clamp(zoom_ * std::pow(1.2, notches), 0.5, 20.0);
@@ -439,14 +448,17 @@ void SliceView::keyPressEvent(QKeyEvent* event) {
 
 void SliceView::step(int slices) {
   if (slices == 0 || !state_.image()) return;
+  Point<CtFrame> p = state_.crosshair();
+  p.xyz[scene::normal_axis(plane_)] += slices * step_length();
+  state_.set_crosshair(p);
+}
+
+double SliceView::step_length() const {
   // One slice is a voxel along the volume's axis that is closest to this plane's normal.
   const VolumeGrid& grid = state_.image()->grid;
-  const int axis = scene::normal_axis(plane_);
   Eigen::Index voxel_axis = 0;
-  grid.direction.row(axis).cwiseAbs().maxCoeff(&voxel_axis);
-  Point<CtFrame> p = state_.crosshair();
-  p.xyz[axis] += slices * 1e-3 * grid.spacing_mm[voxel_axis];
-  state_.set_crosshair(p);
+  grid.direction.row(scene::normal_axis(plane_)).cwiseAbs().maxCoeff(&voxel_axis);
+  return 1e-3 * grid.spacing_mm[voxel_axis];
 }
 
 void SliceView::leaveEvent(QEvent*) {

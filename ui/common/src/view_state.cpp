@@ -4,6 +4,11 @@
 #include <algorithm>
 
 namespace glisson::ui {
+namespace {
+
+constexpr double kGreys = 32768.0;  ///< of a voxel, either side of none
+
+}  // namespace
 
 void ViewState::set_volume(std::shared_ptr<const Image> image, std::shared_ptr<const LabelMap> labels) {
   const bool other_image = image != image_;
@@ -13,8 +18,8 @@ void ViewState::set_volume(std::shared_ptr<const Image> image, std::shared_ptr<c
   if (other_image && image_ && !image_->empty()) {
     const scene::VolumeBox box = scene::bounding_box(image_->grid);
     crosshair_ = Point<CtFrame>(0.5 * (box.low + box.high));
-    style_.level = image_->modality == Modality::ct ? 80.0 : 300.0;
-    style_.width = image_->modality == Modality::ct ? 400.0 : 600.0;
+    if (!is_ct()) own_grey_ = whole_range(*image_);
+    begin_window();
   }
   if (!other_image) {
     emit labels_changed();
@@ -26,6 +31,7 @@ void ViewState::set_volume(std::shared_ptr<const Image> image, std::shared_ptr<c
   line_ = nullptr;
   box_.reset();
   pointer_.reset();
+  measures_->wipe();  // they lie in the former image
   emit volume_changed();
   emit crosshair_changed();
 }
@@ -39,14 +45,56 @@ void ViewState::set_crosshair(const Point<CtFrame>& p) {
   emit crosshair_changed();
 }
 
+void ViewState::take_window(WindowPreset preset, const GreyWindow& window) {
+  preset_ = preset;
+  style_.level = std::clamp(window.level, -kGreys, kGreys);
+  style_.width = std::clamp(window.width, 1.0, 2.0 * kGreys);
+}
+
+void ViewState::begin_window() {
+  if (is_ct())
+    take_window(WindowPreset::abdomen, hounsfield_window(WindowPreset::abdomen));
+  else
+    take_window(WindowPreset::whole, own_grey_);
+}
+
 void ViewState::set_window(double level, double width) {
-  style_.level = std::clamp(level, -2000.0, 5000.0);
-  style_.width = std::clamp(width, 1.0, 8000.0);
+  take_window(WindowPreset::own, {level, width});
+  (is_ct() ? own_ : own_grey_) = {style_.level, style_.width};
+  emit style_changed();
+}
+
+void ViewState::set_own_window(const GreyWindow& window) {
+  own_ = window;
+  own_.width = std::max(1.0, own_.width);
+}
+
+bool ViewState::applies(WindowPreset preset) const {
+  return is_hounsfield(preset) ? is_ct() : preset == WindowPreset::own || (image_ && !image_->empty());
+}
+
+void ViewState::set_preset(WindowPreset preset) {
+  if (!applies(preset)) return;
+  take_window(preset, preset == WindowPreset::own     ? (is_ct() ? own_ : own_grey_)
+                      : preset == WindowPreset::whole ? whole_range(*image_)
+                                                      : hounsfield_window(preset));
   emit style_changed();
 }
 
 void ViewState::set_label_opacity(double opacity) {
   style_.label_opacity = std::clamp(opacity, 0.0, 1.0);
+  emit style_changed();
+}
+
+void ViewState::set_shows_slab(bool on) {
+  if (on == shows_slab()) return;
+  style_.slab = on ? slab_thickness_ : 0.0;
+  emit style_changed();
+}
+
+void ViewState::set_slab_thickness(double metres) {
+  slab_thickness_ = std::clamp(metres, kThinnestSlab, kThickestSlab);
+  if (shows_slab()) style_.slab = slab_thickness_;
   emit style_changed();
 }
 
@@ -108,6 +156,7 @@ void ViewState::set_shows_labels(bool on) {
 void ViewState::set_hand(Hand hand) {
   if (hand == hand_) return;
   hand_ = hand;
+  if (hand_ != Hand::crosshair) measures_->set_tool(MeasureTool::none);
   emit hand_changed();
 }
 

@@ -57,6 +57,7 @@ void LoadTrialBox::begin() {
   started_ = false;
   escape_->setEnabled(true);
   views_.volume().installEventFilter(this);
+  views_.volume().set_taken(this, true);
   show_message(tr("Preparing…"), false);
   start_ = engine_.post(engine::StartTrial{});
 }
@@ -66,6 +67,7 @@ void LoadTrialBox::end(const QString& why, bool is_problem) {
   on_ = false;
   escape_->setEnabled(false);
   views_.volume().removeEventFilter(this);
+  views_.volume().set_taken(this, false);
   views_.volume().unsetCursor();
   pull_.reset();
   // Cancels a start that still waits, and stops one that runs: whichever applies.

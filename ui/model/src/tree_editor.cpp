@@ -104,6 +104,7 @@ void TreeEditor::choose(std::optional<Kind> tool) {
     scene.set_skeleton_visible(is_on());
     for (const Label vessel : {structure::kPortalVein, structure::kHepaticVeins, structure::kArtery})
       scene.set_opacity(vessel, is_on() ? kSeeThrough : 1.0);
+    views_.volume().set_taken(this, is_on());
     is_on() ? views_.volume().installEventFilter(this) : views_.volume().removeEventFilter(this);
     is_on() ? views_.volume().setCursor(Qt::PointingHandCursor) : views_.volume().unsetCursor();
     views_.volume().setMouseTracking(is_on());

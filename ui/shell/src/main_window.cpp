@@ -141,6 +141,7 @@ void MainWindow::build_menu() {
   file->addAction(tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
   QMenu* edit = menuBar()->addMenu(tr("&Edit"));
   edit->addActions(qobject_cast<SegmentationPanel*>(panels_[segmentation])->history_actions());
+  menuBar()->addMenu(tr("&View"))->addActions(views_->bar().all_actions());
   QMenu* go = menuBar()->addMenu(tr("&Step"));
   for (int step = 0; step < static_cast<int>(panels_.size()); ++step)
     go->addAction(panels_[static_cast<std::size_t>(step)]->title(), this, [this, step] { show_step(step); });

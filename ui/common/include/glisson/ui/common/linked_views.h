@@ -12,6 +12,7 @@
 #include "glisson/ui/common/label_surface_source.h"
 #include "glisson/ui/common/render_view.h"
 #include "glisson/ui/common/slice_view.h"
+#include "glisson/ui/common/view_bar.h"
 #include "glisson/ui/common/view_state.h"
 #include "glisson/ui/scene/label_actors.h"
 
@@ -32,17 +33,32 @@ class LinkedViews : public QWidget {
   SliceView& slice(scene::Plane plane) { return *slices_[static_cast<std::size_t>(plane)]; }
   RenderView& volume() { return *volume_; }
   const ViewState& state() const { return state_; }
+  ViewBar& bar() { return *bar_; }
+  /// Lets one of the four fill the place of all (null: all again).
+  void show_alone(QWidget* view);
+  QWidget* alone() const { return alone_; }
   /// "R 12.3  A 40.0  S 210.5 mm   104 HU   Portal vein"
   QString probe_line() const;
   /// The model's liver surface under a place in the 3D view, in the CT's frame.
   std::optional<Eigen::Vector3d> surface_point(double x, double y) const;
+  /// The place of the patient that one sees there: on a structure, a label or a slice.
+  std::optional<Eigen::Vector3d> seen_point(double x, double y) const;
   /// Draws these landmarks on the model instead of the case's, until the case's change. CT frame, metres.
   /// While labels are shown instead of the model, they wait until it is back.
   void set_landmarks(const Landmarks& landmarks);
   /// Of the labels, in three dimensions.
   const LabelSurfaceSource& label_surfaces() const { return *label_surfaces_; }
 
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
+  void connect_bar();
+  /// Whether Esc has something to leave here before it reaches a panel's tool.
+  bool takes_escape() const;
+  void leave();
   void connect_labels();
   /// The labels whose surfaces stand in for the model, where they are edited or while there is no model;
   /// null: the model is shown.
@@ -61,6 +77,10 @@ class LinkedViews : public QWidget {
   ViewState& state_;
   DrawableSource& drawables_;
   std::array<SliceView*, 3> slices_{};
+  ViewBar* bar_ = nullptr;
+  QWidget* alone_ = nullptr;
+  QWidget* pointed_ = nullptr;  ///< the view that the pointer was over last
+  QWidget* volume_pane_ = nullptr;
   RenderView* volume_ = nullptr;
   QToolButton* slices_toggle_ = nullptr;
   QLabel* position_ = nullptr;

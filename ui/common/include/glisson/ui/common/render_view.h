@@ -5,6 +5,7 @@
 #include <QPolygonF>
 #include <array>
 #include <memory>
+#include <set>
 
 #include "glisson/ui/scene/patient_scene.h"
 
@@ -37,6 +38,9 @@ class RenderView : public QOpenGLWidget {
   void set_lasso(bool on);
   /// Drops the line that is being drawn.
   void drop_lasso();
+  /// Whoever takes the clicks of this view for a while says so: meanwhile none means anything else.
+  void set_taken(const QObject* by, bool on);
+  bool is_taken() const { return lassoing_ || !takers_.empty(); }
   /// Homogeneous scene point (metres) to homogeneous place in the view ([0, 1] from the top left corner); the
   /// third component is positive before the viewer.
   Eigen::Matrix<double, 3, 4> view_from_scene() const;
@@ -46,6 +50,8 @@ class RenderView : public QOpenGLWidget {
  signals:
   /// A place in the view, [0, 1] from the top left corner.
   void clicked(double x, double y);
+  /// While nobody takes the clicks.
+  void double_clicked();
   /// A closed line was drawn, in the same coordinates.
   void lassoed(const QPolygonF& outline, Qt::KeyboardModifiers keys);
   void drawn();
@@ -58,6 +64,7 @@ class RenderView : public QOpenGLWidget {
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
 
  private:
@@ -72,6 +79,7 @@ class RenderView : public QOpenGLWidget {
   QLabel* title_ = nullptr;
   LassoLine* lasso_ = nullptr;
   bool lassoing_ = false;
+  std::set<const QObject*> takers_;
   std::array<QLabel*, 4> letters_{};  ///< left, right, top, bottom; null: not shown
   scene::ViewLetters shown_letters_;
 };

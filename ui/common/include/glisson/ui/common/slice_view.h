@@ -14,7 +14,8 @@ namespace glisson::ui {
 
 /// One anatomical slice with labels, previews, crosshair, markers, brush and orientation letters. Left click
 /// or drag: what ViewState::hand() says; right drag: grey window; middle drag: move; wheel: next slice;
-/// Ctrl + wheel: zoom; Shift + wheel: size of the brush; double click: whole picture.
+/// Ctrl + wheel: zoom; Shift + wheel: size of the brush, or of the
+/// slab; double click: this view alone; right click: menu.
 class SliceView : public QWidget {
   Q_OBJECT
  public:
@@ -26,6 +27,12 @@ class SliceView : public QWidget {
   const Picture& slice() const { return drawing_.picture(); }
   /// Where a point of the patient appears.
   QPointF widget_point(const Point<CtFrame>& p) const;
+  /// What the slice's corner says of how it is shown: "Liver  WL 100  WW 180".
+  QString shown_text() const;
+  /// "MIP 10 mm" above it; empty: the slice alone is shown.
+  QString slab_text() const;
+  /// Takes zoom and shift away.
+  void show_whole();
   QSize sizeHint() const override { return {360, 320}; }
   QSize minimumSizeHint() const override { return {160, 140}; }
 
@@ -33,6 +40,10 @@ class SliceView : public QWidget {
   /// The pointer is over this place of the patient.
   void hovered(const glisson::Point<glisson::CtFrame>& p);
   void left_view();
+  /// While the left button has no other meaning.
+  void double_clicked();
+  /// A right click that did not drag, on the screen.
+  void menu_wanted(const QPoint& place);
   /// Another slice, or how it is drawn; not where only its labels are others.
   void slice_changed();
 
@@ -53,8 +64,12 @@ class SliceView : public QWidget {
   void refresh_overlays();
   void show_hand();
   void step(int slices);
+  /// Metres from a slice to the next.
+  double step_length() const;
+  bool has_tool() const { return state_.is_measuring() || state_.hand() != Hand::crosshair; }
   QTransform widget_from_pixel() const;
   Point<CtFrame> p_in_ct(const QPointF& widget) const;
+  double metres_per_pixel() const;  ///< of the widget
   void begin_gesture(const QMouseEvent& event);
   void tell(SliceGesture::Phase phase, const QMouseEvent& event);
   /// Brings what is shown up to date with the slice's picture, in these pixels of it.
@@ -65,7 +80,7 @@ class SliceView : public QWidget {
   void paint_disc(QPainter& painter, const Eigen::Vector3d& p, QColor colour) const;
   void paint_brush(QPainter& painter) const;
   void paint_line(QPainter& painter) const;
-  void paint_texts(QPainter& painter) const;
+  void paint_measures(QPainter& painter) const;
 
   ViewState& state_;
   scene::Plane plane_;
@@ -81,7 +96,8 @@ class SliceView : public QWidget {
   QPolygonF lasso_;  ///< pixels of the slice
   double zoom_ = 1.0;
   QPointF pan_;
-  QPointF last_;
+  QPointF pressed_, last_;
+  bool moved_ = false;  ///< since the press, by more than a hand trembles
   double wheel_rest_ = 0.0;
 };
 

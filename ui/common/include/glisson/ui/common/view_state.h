@@ -9,7 +9,9 @@
 
 #include "glisson/engine/parts/offer.h"
 #include "glisson/patient/label_map.h"
+#include "glisson/ui/common/grey_window.h"
 #include "glisson/ui/common/hand.h"
+#include "glisson/ui/common/measure_book.h"
 #include "glisson/ui/scene/ellipsoid_mark.h"
 #include "glisson/ui/scene/patient_scene.h"
 #include "glisson/ui/scene/slice_picture.h"
@@ -22,6 +24,8 @@ namespace glisson::ui {
 class ViewState : public QObject {
   Q_OBJECT
  public:
+  static constexpr double kThinnestSlab = 1e-3, kThickestSlab = 0.1;  ///< metres
+
   using QObject::QObject;
 
   const std::shared_ptr<const Image>& image() const { return image_; }
@@ -34,8 +38,27 @@ class ViewState : public QObject {
   void set_crosshair(const Point<CtFrame>& p);
 
   const scene::SliceStyle& style() const { return style_; }
+  /// As a person drags it: from then on it is the own one.
   void set_window(double level, double width);
+  /// Which of the named windows is shown.
+  WindowPreset preset() const { return preset_; }
+  /// Shows it in all slices. One that does not apply changes nothing.
+  void set_preset(WindowPreset preset);
+  /// Hounsfield windows apply to a CT alone.
+  bool applies(WindowPreset preset) const;
+  /// Of a CT; the last one that was dragged.
+  const GreyWindow& own_window() const { return own_; }
+  /// As it was kept from an earlier sitting.
+  void set_own_window(const GreyWindow& window);
+  /// A drag has ended: its window is worth keeping.
+  void keep_window() { emit window_kept(); }
   void set_label_opacity(double opacity);
+  /// The brightest of a slab of the slab's thickness instead of the slice alone.
+  bool shows_slab() const { return style_.slab > 0.0; }
+  void set_shows_slab(bool on);
+  double slab_thickness() const { return slab_thickness_; }  ///< metres
+  /// Kept within kThinnestSlab and kThickestSlab.
+  void set_slab_thickness(double metres);
   /// Labels that are not drawn, in the slices or in three dimensions.
   void set_hidden(std::vector<Label> labels);
 
@@ -65,7 +88,13 @@ class ViewState : public QObject {
   bool shows_labels() const { return shows_labels_; }
   void set_shows_labels(bool on);
 
+  /// What is measured in the slices. While it has a tool, the left button is that tool's.
+  MeasureBook& measures() { return *measures_; }
+  const MeasureBook& measures() const { return *measures_; }
+  bool is_measuring() const { return measures_->tool() != MeasureTool::none; }
+
   Hand hand() const { return hand_; }
+  /// Another one than the crosshair's puts the measuring tool away.
   void set_hand(Hand hand);
   const BrushTip& brush() const { return brush_; }
   void set_brush(const BrushTip& brush);
@@ -86,6 +115,7 @@ class ViewState : public QObject {
   void labels_changed();  ///< and nothing else of the volume
   void crosshair_changed();
   void style_changed();
+  void window_kept();
   void markers_changed();
   void ellipsoids_changed();
   void overlays_changed();
@@ -111,9 +141,18 @@ class ViewState : public QObject {
   std::shared_ptr<const SliceLine> line_;
   std::optional<Eigen::AlignedBox3d> box_;
   Point<CtFrame> crosshair_;
+  void take_window(WindowPreset preset, const GreyWindow& window);
+  void begin_window();  ///< that an image is opened with
+  bool is_ct() const { return !image_ || image_->modality == Modality::ct; }
+
   scene::SliceStyle style_;
+  double slab_thickness_ = 1e-2;
+  WindowPreset preset_ = WindowPreset::abdomen;
+  GreyWindow own_;       ///< of any CT
+  GreyWindow own_grey_;  ///< of this image, where it is no CT
   std::vector<scene::Marker> markers_;
   std::vector<scene::EllipsoidMark> ellipsoids_;
+  MeasureBook* measures_ = new MeasureBook(this);
   Hand hand_ = Hand::crosshair;
   BrushTip brush_;
   std::optional<PointerPlace> pointer_;
