@@ -2474,18 +2474,6 @@
         <translation>manquent dans ce dossier</translation>
     </message>
     <message>
-        <source>Build the atlas again, or take another one</source>
-        <translation>Construisez l&apos;atlas de nouveau, ou prenez-en un autre</translation>
-    </message>
-    <message>
-        <source>Build the atlas again with this program</source>
-        <translation>Construisez l&apos;atlas de nouveau avec ce programme</translation>
-    </message>
-    <message>
-        <source>Copy both files of one atlas</source>
-        <translation>Copiez les deux fichiers d&apos;un même atlas</translation>
-    </message>
-    <message>
         <source>Name a new folder</source>
         <translation>Indiquez un nouveau dossier</translation>
     </message>
