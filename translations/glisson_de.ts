@@ -265,8 +265,8 @@
         <translation>Schließt, was das Label umschließt.</translation>
     </message>
     <message>
-        <source>All labels at once, without gaps between them.</source>
-        <translation>Alle Labels zugleich, ohne Lücken dazwischen.</translation>
+        <source>All labels at once, without gaps between them; each keeps its volume.</source>
+        <translation>Alle Labels zugleich, ohne Lücken dazwischen; jedes behält sein Volumen.</translation>
     </message>
     <message>
         <source>Evens the label&apos;s surface.</source>

@@ -265,8 +265,8 @@
         <translation>Comble ce que l&apos;étiquette entoure.</translation>
     </message>
     <message>
-        <source>All labels at once, without gaps between them.</source>
-        <translation>Toutes les étiquettes à la fois, sans vides entre elles.</translation>
+        <source>All labels at once, without gaps between them; each keeps its volume.</source>
+        <translation>Toutes les étiquettes à la fois, sans vides entre elles ; chacune garde son volume.</translation>
     </message>
     <message>
         <source>Evens the label&apos;s surface.</source>
