@@ -448,6 +448,14 @@
         <source>Segment, corrections kept</source>
         <translation>Segmentieren, Korrekturen behalten</translation>
     </message>
+    <message>
+        <source>Grow</source>
+        <translation>Wachsen</translation>
+    </message>
+    <message>
+        <source>Interpolate</source>
+        <translation>Auffüllen</translation>
+    </message>
 </context>
 <context>
     <name>ErrorPhrases</name>
@@ -3941,6 +3949,28 @@
     <message>
         <source>Give a track of this video, or register a frame that is not its last</source>
         <translation>Geben Sie eine Verfolgung dieses Videos an, oder registrieren Sie ein Bild, das nicht sein letztes ist</translation>
+        <source>there are neither labels nor a model</source>
+        <translation>es gibt weder Labels noch ein Modell</translation>
+    </message>
+    <message>
+        <source>lies there already and is none of the surfaces that are written</source>
+        <translation>liegt dort schon und ist keine der Oberflächen, die geschrieben werden</translation>
+    </message>
+    <message>
+        <source>Name a folder; it is made if there is none</source>
+        <translation>Nennen Sie einen Ordner; er wird angelegt, wenn es ihn nicht gibt</translation>
+    </message>
+    <message>
+        <source>Choose an empty folder</source>
+        <translation>Wählen Sie einen leeren Ordner</translation>
+    </message>
+    <message>
+        <source>Use stl, ply, obj or vtp</source>
+        <translation>Möglich sind stl, ply, obj und vtp</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is none that surfaces are written in</source>
+        <translation>„%1“ ist keines, in dem Oberflächen geschrieben werden</translation>
     </message>
 </context>
 <context>
@@ -5704,6 +5734,8 @@
     <message>
         <source>Building an atlas</source>
         <translation>Ein Atlas wird gebaut</translation>
+        <source>Writing the surfaces</source>
+        <translation>Oberflächen schreiben</translation>
     </message>
 </context>
 <context>
@@ -7197,6 +7229,16 @@
     <message>
         <source>real livers by the built-in atlas: vena cava&apos;s course, mean, mm</source>
         <translation>echte Lebern mit dem eingebauten Atlas: Verlauf der Vena cava, Mittel, mm</translation>
+        <source>Also write the surfaces of the liver and each structure into this folder, LPS mm, without the patient&apos;s name.</source>
+        <translation>Auch die Oberflächen der Leber und jeder Struktur in diesen Ordner schreiben, LPS mm, ohne den Namen des Patienten.</translation>
+    </message>
+    <message>
+        <source>Of these surfaces: stl, ply, obj or vtp.</source>
+        <translation>Format dieser Oberflächen: stl, ply, obj oder vtp.</translation>
+    </message>
+    <message>
+        <source>--format %1: write stl, ply, obj or vtp.</source>
+        <translation>--format %1: stl, ply, obj oder vtp schreiben.</translation>
     </message>
 </context>
 <context>
@@ -7883,6 +7925,14 @@
     <message>
         <source>Click the other end. Ctrl adds a point between, Esc drops the way.</source>
         <translation>Klicken Sie das andere Ende an. Strg fügt einen Punkt dazwischen hinzu, Esc verwirft den Weg.</translation>
+    </message>
+    <message>
+        <source>%1: %2 → %3 ml</source>
+        <translation>%1: %2 → %3 ml</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
     </message>
 </context>
 <context>
@@ -8607,6 +8657,14 @@
     <message>
         <source>Open</source>
         <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Export s&amp;urfaces…</source>
+        <translation>O&amp;berflächen exportieren …</translation>
+    </message>
+    <message>
+        <source>Export surfaces into a folder</source>
+        <translation>Oberflächen in einen Ordner exportieren</translation>
     </message>
 </context>
 <context>
@@ -9465,6 +9523,89 @@
     <message>
         <source>%1: no single look helps much.</source>
         <translation>%1: Kein einzelner Blick hilft viel.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::RunningWork</name>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Closing now stops it: what it would have made is lost, and the case stays as it is.</source>
+        <translation>Jetzt zu schließen bricht es ab: Was dabei entstünde, geht verloren, und der Fall bleibt, wie er ist.</translation>
+    </message>
+    <message>
+        <source>Wait, then close</source>
+        <translation>Warten, dann schließen</translation>
+    </message>
+    <message>
+        <source>Stop it and close</source>
+        <translation>Abbrechen und schließen</translation>
+    </message>
+    <message>
+        <source>Do not close</source>
+        <translation>Nicht schließen</translation>
+    </message>
+    <message>
+        <source>then the window closes</source>
+        <translation>danach schließt das Fenster</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Waiting saves the case with what it makes. Stopping it saves the case as it is now.</source>
+        <translation>Warten speichert den Fall mit dem, was dabei entsteht. Abbrechen speichert den Fall, wie er jetzt ist.</translation>
+    </message>
+    <message>
+        <source>Wait, then save</source>
+        <translation>Warten, dann speichern</translation>
+    </message>
+    <message>
+        <source>Stop it and save</source>
+        <translation>Abbrechen und speichern</translation>
+    </message>
+    <message>
+        <source>Do not save</source>
+        <translation>Nicht speichern</translation>
+    </message>
+    <message>
+        <source>then the case is saved</source>
+        <translation>danach wird der Fall gespeichert</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Stopping it loses what it would have made.</source>
+        <translation>Beim Abbrechen geht verloren, was dabei entstünde.</translation>
+    </message>
+    <message>
+        <source>Wait, then open</source>
+        <translation>Warten, dann öffnen</translation>
+    </message>
+    <message>
+        <source>Stop it and open</source>
+        <translation>Abbrechen und öffnen</translation>
+    </message>
+    <message>
+        <source>Do not open</source>
+        <translation>Nicht öffnen</translation>
+    </message>
+    <message>
+        <source>then it is opened</source>
+        <translation>danach wird geöffnet</translation>
+    </message>
+    <message>
+        <source>Still at work: %1.</source>
+        <translation>Noch bei der Arbeit: %1.</translation>
+    </message>
+    <message>
+        <source>The work has ended meanwhile.</source>
+        <translation>Die Arbeit ist inzwischen zu Ende.</translation>
     </message>
 </context>
 <context>
@@ -10337,6 +10478,10 @@ Mode %3 bei %4 Abweichungen
     <message>
         <source>%1: cancelled</source>
         <translation>%1: abgebrochen</translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
     </message>
 </context>
 <context>

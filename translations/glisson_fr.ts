@@ -448,6 +448,14 @@
         <source>Segment, corrections kept</source>
         <translation>Segmenter, corrections gardées</translation>
     </message>
+    <message>
+        <source>Grow</source>
+        <translation>Croissance</translation>
+    </message>
+    <message>
+        <source>Interpolate</source>
+        <translation>Interpoler</translation>
+    </message>
 </context>
 <context>
     <name>ErrorPhrases</name>
@@ -3945,6 +3953,28 @@
         <source>Give a track of this video, or register a frame that is not its last</source>
         <translation>Donnez un suivi de cette vidéo, ou recalez une image qui n’est pas la dernière</translation>
         <translation>Donnez chaque foie une seule fois</translation>
+        <source>there are neither labels nor a model</source>
+        <translation>il n’y a ni labels ni modèle</translation>
+    </message>
+    <message>
+        <source>lies there already and is none of the surfaces that are written</source>
+        <translation>s’y trouve déjà et n’est aucune des surfaces à écrire</translation>
+    </message>
+    <message>
+        <source>Name a folder; it is made if there is none</source>
+        <translation>Indiquez un dossier ; il est créé s’il n’existe pas</translation>
+    </message>
+    <message>
+        <source>Choose an empty folder</source>
+        <translation>Choisissez un dossier vide</translation>
+    </message>
+    <message>
+        <source>Use stl, ply, obj or vtp</source>
+        <translation>Utilisez stl, ply, obj ou vtp</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is none that surfaces are written in</source>
+        <translation>« %1 » n’est pas un format dans lequel on écrit des surfaces</translation>
     </message>
 </context>
 <context>
@@ -5708,6 +5738,8 @@
     <message>
         <source>Building an atlas</source>
         <translation>Construction d&apos;un atlas</translation>
+        <source>Writing the surfaces</source>
+        <translation>Écriture des surfaces</translation>
     </message>
 </context>
 <context>
@@ -7201,6 +7233,16 @@
     <message>
         <source>real livers by the built-in atlas: vena cava&apos;s course, mean, mm</source>
         <translation>foies réels par l&apos;atlas intégré : trajet de la veine cave, moyenne, mm</translation>
+        <source>Also write the surfaces of the liver and each structure into this folder, LPS mm, without the patient&apos;s name.</source>
+        <translation>Écrire aussi les surfaces du foie et de chaque structure dans ce dossier, LPS mm, sans le nom du patient.</translation>
+    </message>
+    <message>
+        <source>Of these surfaces: stl, ply, obj or vtp.</source>
+        <translation>Format de ces surfaces : stl, ply, obj ou vtp.</translation>
+    </message>
+    <message>
+        <source>--format %1: write stl, ply, obj or vtp.</source>
+        <translation>--format %1 : écrivez stl, ply, obj ou vtp.</translation>
     </message>
 </context>
 <context>
@@ -7887,6 +7929,14 @@
     <message>
         <source>Click the other end. Ctrl adds a point between, Esc drops the way.</source>
         <translation>Cliquez l&apos;autre extrémité. Ctrl ajoute un point intermédiaire, Échap abandonne le chemin.</translation>
+    </message>
+    <message>
+        <source>%1: %2 → %3 ml</source>
+        <translation>%1 : %2 → %3 ml</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>et %1 de plus</translation>
     </message>
 </context>
 <context>
@@ -8611,6 +8661,14 @@
     <message>
         <source>Open</source>
         <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Export s&amp;urfaces…</source>
+        <translation>Exporter les s&amp;urfaces…</translation>
+    </message>
+    <message>
+        <source>Export surfaces into a folder</source>
+        <translation>Exporter les surfaces dans un dossier</translation>
     </message>
 </context>
 <context>
@@ -9469,6 +9527,89 @@
     <message>
         <source>%1: no single look helps much.</source>
         <translation>%1 : aucun regard seul n’aide beaucoup.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::RunningWork</name>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Closing now stops it: what it would have made is lost, and the case stays as it is.</source>
+        <translation>Fermer maintenant l’interrompt : ce qui en serait sorti est perdu, et le cas reste tel qu’il est.</translation>
+    </message>
+    <message>
+        <source>Wait, then close</source>
+        <translation>Attendre, puis fermer</translation>
+    </message>
+    <message>
+        <source>Stop it and close</source>
+        <translation>Interrompre et fermer</translation>
+    </message>
+    <message>
+        <source>Do not close</source>
+        <translation>Ne pas fermer</translation>
+    </message>
+    <message>
+        <source>then the window closes</source>
+        <translation>puis la fenêtre se ferme</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Waiting saves the case with what it makes. Stopping it saves the case as it is now.</source>
+        <translation>Attendre enregistre le cas avec ce qui en sort. L’interrompre enregistre le cas tel qu’il est maintenant.</translation>
+    </message>
+    <message>
+        <source>Wait, then save</source>
+        <translation>Attendre, puis enregistrer</translation>
+    </message>
+    <message>
+        <source>Stop it and save</source>
+        <translation>Interrompre et enregistrer</translation>
+    </message>
+    <message>
+        <source>Do not save</source>
+        <translation>Ne pas enregistrer</translation>
+    </message>
+    <message>
+        <source>then the case is saved</source>
+        <translation>puis le cas est enregistré</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Stopping it loses what it would have made.</source>
+        <translation>L’interrompre perd ce qui en serait sorti.</translation>
+    </message>
+    <message>
+        <source>Wait, then open</source>
+        <translation>Attendre, puis ouvrir</translation>
+    </message>
+    <message>
+        <source>Stop it and open</source>
+        <translation>Interrompre et ouvrir</translation>
+    </message>
+    <message>
+        <source>Do not open</source>
+        <translation>Ne pas ouvrir</translation>
+    </message>
+    <message>
+        <source>then it is opened</source>
+        <translation>puis l’ouverture se fait</translation>
+    </message>
+    <message>
+        <source>Still at work: %1.</source>
+        <translation>Encore au travail : %1.</translation>
+    </message>
+    <message>
+        <source>The work has ended meanwhile.</source>
+        <translation>Le travail s’est terminé entre-temps.</translation>
     </message>
 </context>
 <context>
@@ -10341,6 +10482,10 @@ Mode %3 à %4 écarts types
     <message>
         <source>%1: cancelled</source>
         <translation>%1 : annulé</translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
     </message>
 </context>
 <context>

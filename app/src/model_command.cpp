@@ -1,20 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From labels or surfaces to the model.
+#include <algorithm>
+#include <string>
+
 #include "case_argument.h"
 #include "cli.h"
 #include "commands.h"
 #include "glisson/engine/case_io.h"
 #include "glisson/engine/commands/build_model.h"
 #include "glisson/engine/commands/edit_trees.h"
+#include "glisson/engine/commands/export_surfaces.h"
 #include "glisson/engine/commands/import_labels.h"
 #include "glisson/engine/commands/import_surfaces.h"
 #include "glisson/engine/commands/simulate_operations.h"
 #include "glisson/engine/parts/model.h"
+#include "glisson/engine/surface_export.h"
 #include "glisson/experiments/evaluate.h"
 #include "glisson/geometry/mesh_io.h"
 #include "glisson/model/tree_edits.h"
 
 namespace glisson::app {
+namespace {
+
+/// Looked at before the work.
+std::string surface_ending(const Arguments& arguments) {
+  const std::string ending = "." + arguments.value("format").toStdString();
+  const auto& known = engine::surface_endings();
+  if (std::find(known.begin(), known.end(), ending) == known.end())
+    throw UsageError(
+        Cli::tr("--format %1: write stl, ply, obj or vtp.").arg(arguments.value("format")).toStdString());
+  return ending;
+}
+
+}  // namespace
 
 int run_model(const QStringList& given) {
   model::ModelOptions options;
@@ -48,6 +66,12 @@ int run_model(const QStringList& given) {
   arguments.flag("operations", Cli::tr("Also simulates operations on it, on which every registration of this "
                                        "case then rests: some seconds that no registration takes."));
   arguments.option("mesh-out", Cli::tr("Also write the mesh here (.vtu, .vtk)."), "FILE");
+  arguments.option(
+      "surfaces-out",
+      Cli::tr("Also write the surfaces of the liver and each structure into this folder, LPS mm, "
+              "without the patient's name."),
+      "FOLDER");
+  arguments.option("format", Cli::tr("Of these surfaces: stl, ply, obj or vtp."), "FORMAT", "stl");
   if (!arguments.parse(given)) return 0;
   options.mesh.target_vertices = arguments.integer("vertices", 50, 200000);
   if (arguments.has("edge")) options.mesh.edge_mm = arguments.number("edge", 1.0, 100.0);
@@ -55,6 +79,7 @@ int run_model(const QStringList& given) {
   options.mesh.vessel_refinement = arguments.number("vessel-refinement", 0.2, 1.0);
   options.target_beams = arguments.integer("beams", 1, 100000);
   if (arguments.has("mesh-out")) arguments.output_file("mesh-out", {".vtu", ".vtk"});
+  const std::string ending = surface_ending(arguments);
   arguments.require_existing("truth");
   const std::vector<model::TreeEdit> edits = arguments.has("tree-edits")
                                                  ? model::read_tree_edits(arguments.path("tree-edits"))
@@ -80,6 +105,8 @@ int run_model(const QStringList& given) {
   }
   if (arguments.has("mesh-out"))
     write_tet_mesh(arguments.path("mesh-out"), model.mesh, LengthUnit::millimetre);
+  if (arguments.has("surfaces-out"))
+    session.post(engine::ExportSurfaces{arguments.path("surfaces-out"), ending});
   session.finish();
   return 0;
 }

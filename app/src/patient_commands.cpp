@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From the CT to the model: import, segment.
+#include <memory>
+
 #include "case_argument.h"
 #include "cli.h"
 #include "commands.h"
@@ -13,7 +15,9 @@
 #include "glisson/engine/commands/segment_by_network.h"
 #include "glisson/engine/commands/set_seeds.h"
 #include "glisson/engine/hand_edits.h"
+#include "glisson/engine/parts/image.h"
 #include "glisson/engine/parts/offer.h"
+#include "glisson/engine/parts/source.h"
 #include "glisson/ui/common/series_texts.h"
 
 namespace glisson::app {
@@ -132,6 +136,19 @@ void refuse_beside_network(const Arguments& arguments) {
   throw engine::hand_work_error(session.state()[part::offer]->edited);
 }
 
+/// What the case's image is, where its file did not say.
+void tell_modality(Session& session, const std::optional<Modality>& modality) {
+  const auto& image = session.state()[part::image];
+  if (!modality || !image || image->modality == *modality) return;
+  const auto& source = session.state()[part::source];
+  session.post(
+      engine::ImportImage{"--modality",
+                          {},
+                          false,
+                          modality,
+                          std::make_shared<const Scan>(Scan{*image, source ? *source : DicomSource()})});
+}
+
 void segment_by_seeds(Session& session, const engine::Segment& command, const fs::path& seeds,
                       bool proposes) {
   session.post(engine::SetSeeds{seeds.empty() ? segmentation::Seeds{} : segmentation::read_seeds(seeds)});
@@ -195,6 +212,8 @@ int run_segment(const QStringList& given) {
       "replace-edited",
       Cli::tr("Replace labels that were corrected by hand, corrections and all. Without these two it "
               "is only told what would change."));
+  arguments.option("modality", Cli::tr("ct or mr: what the volume is, where its file does not say."),
+                   "MODALITY");
   arguments.option("network",
                    Cli::tr("Your own segmentation network (ONNX) instead of seeds; MODEL.json beside it says "
                            "what it wants and what its channels mean (see the manual)."),
@@ -209,10 +228,12 @@ int run_segment(const QStringList& given) {
   command.options.region = region_from(arguments.value("region"));
   command.options.locked = locked_from(arguments.value("lock"));
   command.over_hand_work = over_hand_work(arguments);
+  const auto modality = modality_from(arguments.value("modality"));
   const LabelOutput output(arguments);
   Session session(arguments);
   open_case(arguments, session);
   if (!seeds.empty()) session.call("seeds", seeds.string());
+  tell_modality(session, modality);
   if (by_network)
     session.post(
         engine::SegmentByNetwork{arguments.path("network"), command.options.locked, command.over_hand_work});

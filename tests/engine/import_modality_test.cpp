@@ -3,6 +3,7 @@
 
 #include "glisson/core/files.h"
 #include "glisson/engine/commands/import_image.h"
+#include "glisson/engine/commands/read_image.h"
 #include "glisson/engine/parts/image.h"
 #include "glisson/engine/script.h"
 #include "glisson/volume/io.h"
@@ -14,6 +15,7 @@ class ImportModalityTest : public QObject {
   Q_OBJECT
  private slots:
   void WhatAFileDoesNotSayAPersonMay();
+  void WhatWasReadIsNotReadAgain();
 };
 
 void ImportModalityTest::WhatAFileDoesNotSayAPersonMay() {
@@ -32,6 +34,23 @@ void ImportModalityTest::WhatAFileDoesNotSayAPersonMay() {
   QCOMPARE(imported({}), Modality::other);
   QCOMPARE(imported(Modality::mr), Modality::mr);
   QCOMPARE(imported(Modality::ct), Modality::ct);
+}
+
+void ImportModalityTest::WhatWasReadIsNotReadAgain() {
+  const TemporaryFolder folder;
+  const std::filesystem::path path = folder.path() / "a.mha";
+  Image image;
+  image.grid.size = {12, 12, 12};
+  image.voxels =
+      std::make_shared<const std::vector<std::int16_t>>(std::vector<std::int16_t>(12 * 12 * 12, 70));
+  write_image(path, image);
+  Script script{RunContext()};
+  const Outcome read = script.run(ReadImage{path}).value();
+  QVERIFY(!script.state()[part::image]);  // nothing of the case has changed
+  std::filesystem::remove(path);
+  script.run(ImportImage{path, {}, true, Modality::mr, read.result.as<ReadImage::Result>()});
+  QCOMPARE(*script.state()[part::image]->voxels, *image.voxels);
+  QCOMPARE(script.state()[part::image]->modality, Modality::mr);
 }
 
 QTEST_APPLESS_MAIN(ImportModalityTest)

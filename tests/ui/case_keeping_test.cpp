@@ -2,7 +2,9 @@
 // What is the case's stays the case's: while it is saved, when another CT or video comes, when a frame loads.
 #include <QDialog>
 #include <QDoubleSpinBox>
+#include <QDropEvent>
 #include <QMessageBox>
+#include <QMimeData>
 #include <QPointer>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -44,11 +46,14 @@ class CaseKeepingTest : public QObject {
   void OneOfSeveralSeriesIsAskedFor();
   void WhereAFileDoesNotSayCtOrMriIsAsked();
   void AnotherCtIsAskedWhoseItIs();
+  void WhatCannotBeReadIsNobodys_data();
+  void WhatCannotBeReadIsNobodys();
   void AVideoThatCannotBeOpenedLeavesTheFrame();
   void RegionsAreOfTheFrameThatWasDrawnOn();
 
  private:
   ui::EngineBridge& engine() { return window_->engine(); }
+  QMessageBox* whose() { return window_->findChild<QMessageBox*>(QStringLiteral("whose_image")); }
   bool settle() {
     return QTest::qWaitFor([this] { return engine().tasks().empty(); }, 20000);
   }
@@ -164,7 +169,6 @@ void CaseKeepingTest::OneOfSeveralSeriesIsAskedFor() {
   QVERIFY(window_->findChild<QDialog*>(QStringLiteral("choose_series")) == nullptr);
 
   window_->open(folder.path() / "two_series");
-  QTest::mouseClick(window_->findChild<QPushButton*>(QStringLiteral("same_patient")), Qt::LeftButton);
   QTRY_VERIFY(window_->findChild<QDialog*>(QStringLiteral("choose_series")) != nullptr);
   auto* dialog = window_->findChild<QDialog*>(QStringLiteral("choose_series"));
   auto* list = dialog->findChild<QTreeWidget*>();
@@ -172,7 +176,10 @@ void CaseKeepingTest::OneOfSeveralSeriesIsAskedFor() {
   QCOMPARE(list->currentItem(), list->topLevelItem(0));  // the likeliest
   QVERIFY(list->topLevelItem(1)->text(0).contains(QStringLiteral("arterial")));
   list->setCurrentItem(list->topLevelItem(1));
+  QVERIFY(whose() == nullptr);
   QTest::keyClick(dialog, Qt::Key_Return);
+  QTRY_VERIFY(whose() != nullptr);
+  QTest::mouseClick(window_->findChild<QPushButton*>(QStringLiteral("same_patient")), Qt::LeftButton);
   QTRY_COMPARE(window_->engine().state()[part::image]->description, std::string("1.2.4"));
 }
 
@@ -201,8 +208,10 @@ void CaseKeepingTest::AnotherCtIsAskedWhoseItIs() {
   const auto open_and_answer = [this](const char* answer) {
     const auto before = engine().state()[part::image];
     window_->open("other.nii");
-    const QPointer<QMessageBox> question = window_->findChild<QMessageBox*>(QStringLiteral("whose_image"));
-    if (!question || !question->isVisible() || !engine().tasks().empty()) return false;
+    if (!QTest::qWaitFor([this] { return whose() != nullptr; })) return false;
+    const QPointer<QMessageBox> question = whose();
+    if (!question->isVisible() || !engine().tasks().empty()) return false;
+    if (engine().state()[part::image] != before) return false;  // read, and not taken yet
     QTest::mouseClick(answer == nullptr ? question->button(QMessageBox::Cancel)
                                         : window_->findChild<QAbstractButton*>(QLatin1String(answer)),
                       Qt::LeftButton);
@@ -215,6 +224,48 @@ void CaseKeepingTest::AnotherCtIsAskedWhoseItIs() {
   QVERIFY(open_and_answer("new_case"));
   QVERIFY(!engine().state()[part::seeds] && engine().state().path.empty());
   QVERIFY(window_->isWindowModified());
+}
+
+void CaseKeepingTest::WhatCannotBeReadIsNobodys_data() {
+  QTest::addColumn<QString>("name");
+  QTest::addColumn<bool>("is_folder");
+  QTest::addColumn<bool>("is_dropped");
+  for (const bool dropped : {false, true}) {
+    const char* how = dropped ? "dropped" : "opened";
+    QTest::addRow("volume %s", how) << "broken.nii" << false << dropped;
+    QTest::addRow("folder without DICOM %s", how) << "no_series" << true << dropped;
+    QTest::addRow("folder with a slice missing %s", how) << "broken" << true << dropped;
+  }
+}
+
+void CaseKeepingTest::WhatCannotBeReadIsNobodys() {
+  QFETCH(QString, name);
+  QFETCH(bool, is_folder);
+  QFETCH(bool, is_dropped);
+  QVERIFY(open_and_save());
+  const auto before = engine().state()[part::image];
+  const std::filesystem::path path = folder_->path() / name.toStdString();
+  if (is_folder) std::filesystem::create_directories(path);
+  bool asked = false;
+  QTimer looks;
+  connect(&looks, &QTimer::timeout, this, [&] { asked = asked || whose() != nullptr; });
+  looks.start(1);
+  if (is_dropped) {
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(QString::fromStdString(path.string()))});
+    QDropEvent drop(QPointF(300, 300), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(window_.get(), &drop);
+  } else {
+    window_->open(path);
+  }
+  QVERIFY(whose() == nullptr);
+  QVERIFY(settle());
+  QTest::qWait(20);
+  QVERIFY(!asked && whose() == nullptr);
+  // What is wrong is told.
+  const auto* problem = window_->findChild<QMessageBox*>();
+  QVERIFY(problem != nullptr && problem->text().contains(name));
+  QVERIFY(engine().state()[part::image] == before);
 }
 
 void CaseKeepingTest::AVideoThatCannotBeOpenedLeavesTheFrame() {

@@ -17,6 +17,7 @@
 #include "glisson/engine/commands/list_series.h"
 #include "glisson/engine/commands/load_video_frame.h"
 #include "glisson/engine/commands/open_case.h"
+#include "glisson/engine/commands/read_image.h"
 #include "glisson/engine/commands/reconstruct.h"
 #include "glisson/engine/commands/register.h"
 #include "glisson/engine/commands/register_again.h"
@@ -225,10 +226,10 @@ class FakeOperation {
     }
     engine::Applied applied{state};
     const auto done =
-        try_change<engine::ImportImage, engine::ListSeries, engine::SetSeeds, engine::Segment,
-                   engine::BuildModel, engine::SetLandmarks, engine::SetCalibration, engine::SetVideo,
-                   engine::LoadVideoFrame, engine::SetRegions, engine::Reconstruct, engine::Register,
-                   engine::RegisterAgain, engine::SaveCase>(applied, command, context);
+        try_change<engine::ImportImage, engine::ListSeries, engine::ReadImage, engine::SetSeeds,
+                   engine::Segment, engine::BuildModel, engine::SetLandmarks, engine::SetCalibration,
+                   engine::SetVideo, engine::LoadVideoFrame, engine::SetRegions, engine::Reconstruct,
+                   engine::Register, engine::RegisterAgain, engine::SaveCase>(applied, command, context);
     if (!done) throw InputError("test", "", "this command is not part of the fake operation", "Use another");
     if (!*done) return {};
     return applied;
@@ -246,9 +247,17 @@ class FakeOperation {
     return done;
   }
 
+  static void require_readable(const std::filesystem::path& path) {
+    if (path.filename() == "broken.nii" || path.filename() == "broken")
+      throw InputError(path.string(), "header", "is cut off after 12 bytes", "Copy the file again");
+  }
+  bool change(engine::Applied& applied, const engine::ReadImage& command, const RunContext&) const {
+    require_readable(command.path);
+    applied.result = std::make_shared<const Scan>(Scan{ct, {}});
+    return true;
+  }
   bool change(engine::Applied& applied, const engine::ImportImage& command, const RunContext&) const {
-    if (command.path.filename() == "broken.nii")
-      throw InputError(command.path.string(), "header", "is cut off after 12 bytes", "Copy the file again");
+    require_readable(command.path);
     if (command.new_case) applied.state = {};
     Image image = ct;
     image.description = command.series;
@@ -258,6 +267,8 @@ class FakeOperation {
   }
   bool change(engine::Applied& applied, const engine::ListSeries& command, const RunContext&) const {
     std::vector<DicomSeries> series = {{"1.2.3", "2", "portal venous", "CT", 129}};
+    if (command.path.filename() == "no_series")
+      throw InputError(command.path.string(), "", "holds no DICOM image", "Choose another folder");
     if (command.path.filename() == "two_series") series.push_back({"1.2.4", "3", "arterial", "CT", 90});
     applied.result = std::make_shared<const engine::ListSeries::Result>(std::move(series));
     return true;

@@ -10,8 +10,10 @@
 
 #include "segmentation_window.h"
 
+#include "glisson/editing/tools/smooth.h"
 #include "glisson/editing/tools/threshold.h"
 #include "glisson/engine/parts/preview.h"
+#include "glisson/ui/common/texts.h"
 
 namespace glisson {
 
@@ -33,6 +35,7 @@ class SegmentationEditTest : public QObject, private SegmentationWindow {
   void LassoErasesWhatItEnclosesInItsSlice();
   void LassoInThreeDimensionsCutsThrough();
   void ThresholdIsPreviewedThenApplied();
+  void JointSmoothingSaysWhatBecomesOfEachLabel();
   void TypedEndOfARangeLeavesTheOther();
   void CancelledPreviewChangesNothing();
   void EnterKeepsTheLargestIsland();
@@ -193,6 +196,33 @@ void SegmentationEditTest::ThresholdIsPreviewedThenApplied() {
   QCOMPARE(count(structure::kGallbladder), would);
   QCOMPARE(at({0, -0.015, 0}), structure::kGallbladder);
   QVERIFY(!session().shows_preview());
+}
+
+void SegmentationEditTest::JointSmoothingSaysWhatBecomesOfEachLabel() {
+  open_labels();
+  const double ml = 1e-3 * labels().grid().voxel_volume_mm3();
+  const std::vector<Label> all = {structure::kParenchyma, structure::kPortalVein, structure::kFirstLesion};
+  std::vector<long> before;
+  for (const Label label : all) before.push_back(count(label));
+  QTest::keyClick(window_.get(), Qt::Key_S);
+  find<QComboBox>("smooth_method")->setCurrentIndex(static_cast<int>(editing::Smooth::Method::joint));
+  find<QDoubleSpinBox>("smooth_radius")->setValue(5.0);
+  QTRY_VERIFY(session().shows_preview());
+  QVERIFY(settle());
+  QVERIFY(session().voxels_to_change() > 0);
+  const auto changes = session().volume_changes();
+  QVERIFY(!changes.empty());
+  const QString told = find<QLabel>("edit_outcome")->text();
+  for (const auto& change : changes) {
+    QCOMPARE(change.before, count(change.label));
+    QVERIFY2(told.contains(ui::structure_text(change.label) + QStringLiteral(": ")), qPrintable(told));
+  }
+  press("apply_edit");
+  QVERIFY(settle());
+  for (const auto& change : changes) QCOMPARE(count(change.label), change.after);
+  for (std::size_t n = 0; n < all.size(); ++n)
+    QVERIFY2(std::abs(count(all[n]) - before[n]) <= 0.02 * before[n],
+             qPrintable(QStringLiteral("%1 of %2 ml").arg(ml * count(all[n])).arg(ml * before[n])));
 }
 
 void SegmentationEditTest::TypedEndOfARangeLeavesTheOther() {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Segment over labels that a hand has corrected: what would change is seen, and the person decides.
+#include <QAction>
 #include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QTimer>
 
 #include "glisson/core/files.h"
+#include "glisson/engine/case_io.h"
 #include "glisson/engine/commands/save_case.h"
 #include "glisson/engine/hand_edits.h"
 #include "glisson/engine/parts/offer.h"
@@ -30,6 +32,7 @@ class SegmentationOfferTest : public QObject, private SegmentationWindow {
   void AnotherCaseIsNotOpenedWithoutSayingThatTheNewOneGoes();
   void DroppedLabelsAskFirst();
   void UndoWaitsForTheDecision();
+  void SavingWhileItIsGrownKeepsTheCorrections();
 
  private:
   /// A hand adds to the liver above it, and the liver is grown over that.
@@ -170,6 +173,28 @@ void SegmentationOfferTest::UndoWaitsForTheDecision() {
   press("offer_keep_all");
   QVERIFY(settle());
   QVERIFY(panel->history_actions().front()->isEnabled());  // in the same mode: it was the offer alone
+}
+
+void SegmentationOfferTest::SavingWhileItIsGrownKeepsTheCorrections() {
+  correct_by_hand();
+  seed_liver();
+  const LabelVolume mine = labels();
+  const TemporaryFolder folder;
+  const std::filesystem::path path = folder.path() / "patient.glisson";
+  window_->engine().post(engine::SaveCase{path});
+  QVERIFY(settle());
+  QSignalSpy ended(&window_->engine(), &ui::EngineBridge::finished);
+  press_segment();
+  for (QAction* action : window_->findChildren<QAction*>())
+    if (action->shortcut() == QKeySequence(QKeySequence::Save)) action->trigger();
+  auto* question = window_->findChild<QMessageBox*>(QStringLiteral("running_work"));
+  QVERIFY(question != nullptr);
+  QTest::mouseClick(question->findChild<QPushButton*>(QStringLiteral("wait_for_work")), Qt::LeftButton);
+  QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 2, 60000);  // grown and saved
+  QVERIFY(settle());
+  QVERIFY(waits() && labels() == mine);
+  const auto saved = engine::open_case(path, RunContext());
+  QVERIFY(saved && (*saved)[part::labels]->voxels == mine);
 }
 
 }  // namespace glisson

@@ -31,6 +31,7 @@ class SegmentationPanelTest : public QObject, private SegmentationWindow {
   void KeysChooseToolsAndEscLetsGo();
   void UndoWorksWhileANumberHasTheKeyboard();
   void ApprovalIsTakenBackByAnEdit();
+  void ToolsKeepTheirPlaceWhateverTheFiguresSay();
   void EditPanelFitsItsColumnInEveryLanguage_data();
   void EditPanelFitsItsColumnInEveryLanguage();
   void WholePathByHandIsSavedWithItsHistory();
@@ -145,6 +146,22 @@ void SegmentationPanelTest::ApprovalIsTakenBackByAnEdit() {
   QVERIFY(find<QPushButton>("approve_label")->isEnabled());
 }
 
+void SegmentationPanelTest::ToolsKeepTheirPlaceWhateverTheFiguresSay() {
+  open_labels();
+  const auto place = [&] {
+    QCoreApplication::processEvents();
+    return find<QToolButton>("tool_paint")->mapTo(&panel(), QPoint());
+  };
+  choose(structure::kVenaCava);  // "nothing yet"
+  const QPoint before = place();
+  for (const Label label : {structure::kParenchyma, structure::kPortalVein, structure::kFirstLesion}) {
+    choose(label);
+    QCOMPARE(place(), before);
+    const auto* figures = find<QLabel>("label_figures");
+    QVERIFY2(figures->heightForWidth(figures->width()) <= figures->height(), qPrintable(figures->text()));
+  }
+}
+
 void SegmentationPanelTest::EditPanelFitsItsColumnInEveryLanguage_data() {
   QTest::addColumn<QString>("language");
   for (const char* language : {"en", "de", "fr"}) QTest::newRow(language) << QString::fromLatin1(language);
@@ -171,6 +188,15 @@ void SegmentationPanelTest::EditPanelFitsItsColumnInEveryLanguage() {
                                 .arg(room)
                                 .toUtf8();
     QVERIFY2(panel().minimumSizeHint().width() <= room, what.constData());
+    // Its word can be read without pointing at it.
+    const auto* button = find<QToolButton>(("tool_" + tool->code).c_str());
+    QVERIFY(!button->text().isEmpty() && button->toolButtonStyle() != Qt::ToolButtonIconOnly);
+    QVERIFY2(button->sizeHint().width() <= button->width(), qPrintable(button->text()));
+  }
+  for (const Label label : {structure::kParenchyma, structure::kHepaticVeins, structure::kFirstLesion}) {
+    choose(label);
+    const auto* figures = find<QLabel>("label_figures");
+    QVERIFY2(figures->heightForWidth(figures->width()) <= figures->height(), qPrintable(figures->text()));
   }
   session().cancel();
   QVERIFY(settle());

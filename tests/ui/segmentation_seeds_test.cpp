@@ -22,6 +22,7 @@ class SegmentationSeedsTest : public QObject, private SegmentationWindow {
   void init() { show_window(); }
   void cleanup() { window_.reset(); }
   void PaintedLesionIsNotTheOneThatIsClickedNext();
+  void ButtonsKeepTheirPlaceHoweverManyLesionsThereAre();
   void ADragAcrossALesionTellsItsDiameter();
   void AProposalThatFindsNoLiverSaysSoAndASeedIsNotReplaced();
   void BoxDrawnInSlicesIsWhereGrowthWorks();
@@ -53,6 +54,41 @@ void SegmentationSeedsTest::PaintedLesionIsNotTheOneThatIsClickedNext() {
   QVERIFY(settle());
   QVERIFY(seeds()->lesions.empty());
   QVERIFY(find<QPushButton>("seed_lesion_2")->isVisible());
+}
+
+void SegmentationSeedsTest::ButtonsKeepTheirPlaceHoweverManyLesionsThereAre() {
+  open_ct();
+  press("mode_seeds");
+  const auto places = [&] {
+    QCoreApplication::processEvents();
+    QList<QPoint> all;
+    for (const char* name : {"seed_parenchyma", "seed_background", "seed_lesions", "delete_seeds"})
+      all << find<QWidget>(name)->mapTo(&panel(), QPoint());
+    for (const char* name : {"segment", "propose_seeds"})
+      all << window_->findChild<ui::TaskButton*>(QLatin1String(name))->button()->mapTo(&panel(), QPoint());
+    return all;
+  };
+  const auto click = [&](const Eigen::Vector3d& p) {
+    QTest::mouseClick(&slice(Plane::axial), Qt::LeftButton, {},
+                      slice(Plane::axial).widget_point(Point<CtFrame>(p)).toPoint());
+    QVERIFY(settle());
+  };
+  const QList<QPoint> before = places();
+  press("seed_parenchyma");
+  click({0.0, 0.02, 0});  // nothing is in the way of *Segment* any more
+  QCOMPARE(places(), before);
+  for (int lesion = 0; lesion < 8; ++lesion) {
+    const std::string name = "seed_" + structure_name(static_cast<Label>(structure::kFirstLesion + lesion));
+    press(name.c_str());
+    click({-0.03 + 0.006 * lesion, 0.0, 0});
+    QCOMPARE(places(), before);
+  }
+  // The ninth can be scrolled to, and is in sight when it is chosen.
+  auto* next =
+      find<QPushButton>(("seed_" + structure_name(static_cast<Label>(structure::kFirstLesion + 8))).c_str());
+  QVERIFY(next != nullptr);
+  panel().choose_structure(static_cast<Label>(structure::kFirstLesion + 8));
+  QVERIFY(!next->visibleRegion().isEmpty());
 }
 
 void SegmentationSeedsTest::ADragAcrossALesionTellsItsDiameter() {

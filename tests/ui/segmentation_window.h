@@ -158,9 +158,12 @@ class SegmentationWindow {
     QCOMPARE(window_->engine().state()[part::seeds]->liver.rows(), 3);
     QTest::keyClick(window_.get(), Qt::Key_Escape);
   }
-  void grow() {
+  void press_segment() {
     QTest::mouseClick(window_->findChild<ui::TaskButton*>(QStringLiteral("segment"))->button(),
                       Qt::LeftButton);
+  }
+  void grow() {
+    press_segment();
     QVERIFY(settle());
   }
 

@@ -5,6 +5,7 @@
 
 #include "anatomy.h"
 #include "glisson/core/error.h"
+#include "glisson/model/label_surfaces.h"
 #include "surface_field.h"
 
 namespace glisson::model {
@@ -123,6 +124,31 @@ Cancellable<Anatomy> anatomy_of(const LabelMap& labels, const ModelOptions& opti
   }
   context.progress(1.0, "model.labels");
   return anatomy;
+}
+
+Cancellable<std::vector<NamedSurface>> surfaces_of_labels(const LabelMap& labels, const RunContext& context) {
+  const LabelVolume& voxels = labels.voxels;
+  const VolumeGrid& grid = voxels.grid();
+  if (voxels.empty()) throw InputError("labels", "", "are empty", "Segment the liver first");
+  std::vector<NamedSurface> surfaces;
+  const std::vector<std::uint8_t> liver = inside_liver(labels);
+  if (count(liver) > 0)
+    surfaces.push_back({structure::kParenchyma, "liver",
+                        zero_level(resampled(field_of_mask(grid, liver, smoothing_of(grid)),
+                                             std::max(kFineSpacingMm, grid.spacing_mm.minCoeff())))});
+  const std::vector<long> histogram = voxels.histogram();
+  for (std::size_t code = 2; code < histogram.size(); ++code) {
+    if (context.cancelled()) return {};
+    context.progress(static_cast<double>(code) / static_cast<double>(histogram.size()), "model.labels");
+    const auto label = static_cast<Label>(code);
+    const double mm3 = static_cast<double>(histogram[code]) * grid.voxel_volume_mm3();
+    const bool is_known = is_lesion(label) ? mm3 >= kLeastLesionMm3 : label <= structure::kGallbladder;
+    if (histogram[code] == 0 || !is_known) continue;
+    const std::vector<std::uint8_t> mask = voxels.mask([&](Label other) { return other == label; });
+    surfaces.push_back(surface_of(label, field_of_mask(grid, mask, 0.5 * smoothing_of(grid))));
+  }
+  std::erase_if(surfaces, [](const NamedSurface& surface) { return surface.mesh.triangle_count() == 0; });
+  return surfaces;
 }
 
 }  // namespace glisson::model

@@ -52,6 +52,11 @@ std::optional<Meaning> meaning_of(std::string stem) {
       {"lesions", {Role::lesions, 0}},
       {"liver_cysts", {Role::lesions, 0}},
       {"cysts", {Role::lesions, 0}}};
+  // As they are written one by one.
+  const std::string lesion = "lesion_";
+  if (stem.starts_with(lesion) && stem.size() > lesion.size() &&
+      stem.find_first_not_of("0123456789", lesion.size()) == std::string::npos)
+    return Meaning{Role::lesions, 0};
   const auto found = kMeanings.find(stem);
   if (found == kMeanings.end()) return {};
   return found->second;

@@ -14,9 +14,11 @@ class Texts {
   Q_DECLARE_TR_FUNCTIONS(Texts)
  public:
   static QHash<QString, QString> commands() {
-    return {{"import_image", tr("Reading the volume")},
+    return {{"read_image", tr("Reading the volume")},
+            {"import_image", tr("Reading the volume")},
             {"import_labels", tr("Reading the labels")},
             {"export_labels", tr("Writing the labels")},
+            {"export_surfaces", tr("Writing the surfaces")},
             {"edit_labels", tr("Editing the labels")},
             {"preview_edit", tr("Preparing a preview")},
             {"undo_labels", tr("Undoing")},

@@ -28,7 +28,8 @@ namespace {
 
 using Area = editing::EditableRegion::Area;
 
-constexpr int kToolsInRow = 7;
+constexpr int kToolsInRow = 3;
+constexpr std::size_t kVolumesTold = 8;  ///< of labels that a preview changes
 
 QIcon icon(const std::string& name) {
   return QIcon(QStringLiteral(":/glisson/icons/%1.svg").arg(QString::fromStdString(name)));
@@ -104,7 +105,9 @@ void EditBox::build_tools(QWidget& page) {
     button->setProperty("role", "tool");
     button->setCheckable(true);
     button->setIcon(icon("tool_" + tool->code));
-    button->setIconSize({22, 22});
+    button->setIconSize({18, 18});
+    button->setText(tool_word(tool));
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     const QString key(QLatin1Char(tool->key));
     button->setToolTip(QStringLiteral("%1 (%2)").arg(tool_text(tool), key));
@@ -286,6 +289,24 @@ QString EditBox::text_of(const BranchPreview::Shown& shown) const {
              : tr("A click here moves %1 ml: %2 → %3.").arg(ml, from, structure_text(moved->to));
 }
 
+QString EditBox::volumes_text() const {
+  QString text;
+  std::size_t told = 0;
+  const auto& changes = session_.volume_changes();
+  for (const EditSession::VolumeChange& change : changes) {
+    if (++told > kVolumesTold) break;
+    const double before = session_.ml_of(change.before), after = session_.ml_of(change.after);
+    const int digits = std::max(before, after) < 10.0 ? 2 : 1;
+    text += QLatin1Char('\n') + tr("%1: %2 → %3 ml")
+                                    .arg(structure_text(change.label))
+                                    .arg(before, 0, 'f', digits)
+                                    .arg(after, 0, 'f', digits);
+  }
+  if (changes.size() > kVolumesTold)
+    text += QLatin1Char('\n') + tr("and %1 more").arg(changes.size() - kVolumesTold);
+  return text;
+}
+
 void EditBox::show_state() {
   undo_->setEnabled(session_.is_active() && session_.can_undo());
   redo_->setEnabled(session_.is_active() && session_.can_redo());
@@ -319,7 +340,7 @@ void EditBox::show_state() {
   } else if (session_.shows_preview()) {
     const long voxels = session_.voxels_to_change();
     text = voxels == 0 ? tr("Nothing would change.")
-                       : tr("%1 ml would change.").arg(session_.ml_of(voxels), 0, 'f', 2);
+                       : tr("%1 ml would change.").arg(session_.ml_of(voxels), 0, 'f', 2) + volumes_text();
   } else if (const auto branch = session_.branch()) {
     text = text_of(*branch);
   } else if (session_.clicked() > 0) {

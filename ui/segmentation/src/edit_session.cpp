@@ -16,6 +16,7 @@
 #include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/offer.h"
 #include "glisson/engine/parts/preview.h"
+#include "glisson/patient/label_difference.h"
 
 namespace glisson::ui {
 namespace {
@@ -167,9 +168,30 @@ void EditSession::show_case() {
       for (const auto& [label, figures] : statistics->figures())
         if (label != structure::kBackground && figures.voxels > 0) present_.push_back(label);
   }
+  measure_preview();
   show_pointer();
   show_preview();
   emit changed();
+}
+
+void EditSession::measure_preview() {
+  const auto preview = engine_.state()[part::preview];
+  if (preview == measured_) return;
+  measured_ = preview;
+  volume_changes_.clear();
+  if (!preview) return;
+  const LabelVolume& after = preview->result.labels.voxels;
+  const LabelVolume none(after.grid());
+  const LabelDifference difference =
+      label_difference(preview->base ? preview->base->voxels : none, after, none);
+  const auto& statistics = engine_.state()[part::statistics];
+  for (const auto& [label, shift] : difference.labels) {
+    VolumeChange change{label, 0, 0};
+    if (statistics && statistics->figures().count(label) > 0)
+      change.before = statistics->figures().at(label).voxels;
+    change.after = change.before + shift.gained - shift.lost;
+    volume_changes_.push_back(change);
+  }
 }
 
 int EditSession::steps_ahead() const {

@@ -9,6 +9,8 @@
 #include <QListWidget>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QShortcut>
 #include <QVBoxLayout>
 
@@ -30,6 +32,9 @@ namespace glisson::ui {
 namespace {
 
 constexpr double kLeastVoxels = 9.0;  ///< a side of the region: segment() wants eight of them whole
+constexpr int kColumns = 2;           ///< of the organs' buttons
+constexpr int kLesionColumns = 3, kLesionRows = 2;  ///< in sight; more are scrolled to
+constexpr int kGap = 4;                             ///< pixels between buttons
 
 QString seed_name(Label label) {
   return label == structure::kBackground ? SeedBox::tr("Not liver") : structure_text(label);
@@ -79,6 +84,12 @@ std::shared_ptr<const SliceLine> circle_of(const SliceGesture& gesture, const Ei
 
 QVBoxLayout* column_of(QWidget* widget) { return static_cast<QVBoxLayout*>(widget->layout()); }
 
+/// Put where it is already it would have the whole window laid out and painted again.
+void put_button(QGridLayout* grid, int cell, int columns, QPushButton* button) {
+  const QLayoutItem* there = grid->itemAtPosition(cell / columns, cell % columns);
+  if (there == nullptr || there->widget() != button) grid->addWidget(button, cell / columns, cell % columns);
+}
+
 }  // namespace
 
 SeedBox::SeedBox(EngineBridge& engine, ViewState& views, QWidget* parent)
@@ -111,8 +122,24 @@ void SeedBox::build_structures() {
          "diameter. Esc ends placing."),
       this));
   grid_ = new QGridLayout;
-  grid_->setSpacing(4);
+  grid_->setSpacing(kGap);
   column_of(this)->addLayout(grid_);
+  // However many lesions there are, what lies below keeps its place.
+  lesions_ = new QScrollArea(this);
+  lesions_->setObjectName(QStringLiteral("seed_lesions"));
+  lesions_->setFrameShape(QFrame::NoFrame);
+  lesions_->setWidgetResizable(true);
+  lesions_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* inside = new QWidget(lesions_);
+  auto* rows = new QVBoxLayout(inside);
+  rows->setContentsMargins(0, 0, 0, 0);
+  lesion_grid_ = new QGridLayout;
+  lesion_grid_->setSpacing(kGap);
+  for (int column = 0; column < kLesionColumns; ++column) lesion_grid_->setColumnStretch(column, 1);
+  rows->addLayout(lesion_grid_);
+  rows->addStretch(1);
+  lesions_->setWidget(inside);
+  column_of(this)->addWidget(lesions_);
 }
 
 void SeedBox::build_seed_list() {
@@ -195,6 +222,7 @@ void SeedBox::build_growth() {
   run_ = new TaskButton(
       engine_, tr("Segment"), [this] { return growth(); }, this);
   run_->setObjectName(QStringLiteral("segment"));
+  run_->reserve_line();
   column_of(this)->addWidget(run_);
   // Below: what it says moves nothing that is on its way to be clicked.
   propose_ = new TaskButton(
@@ -250,6 +278,8 @@ void SeedBox::choose_structure(std::optional<Label> structure) {
   if (!structure && !structure_) return;
   structure_ = structure;
   for (const auto& [label, button] : buttons_) button->setChecked(structure == label);
+  if (structure && is_lesion(*structure) && buttons_.contains(*structure))
+    lesions_->ensureWidgetVisible(buttons_[*structure], 0, 0);
   if (structure) {  // whoever has the mouse lets go
     region_->set_drawing(false);
     emit took_mouse();
@@ -366,32 +396,43 @@ std::vector<Label> SeedBox::choices() const {
   return labels;
 }
 
+QPushButton* SeedBox::make_button(Label label) {
+  QWidget* parent = this;
+  if (is_lesion(label)) parent = lesions_->widget();
+  auto* button = new QPushButton(parent);
+  button->setCheckable(true);
+  button->setProperty("role", "choice");
+  button->setIcon(structure_icon(label));
+  button->setObjectName(QStringLiteral("seed_%1").arg(QString::fromStdString(structure_name(label))));
+  connect(button, &QPushButton::clicked, this,
+          [this, label](bool on) { choose_structure(on ? std::optional(label) : std::nullopt); });
+  return button;
+}
+
 void SeedBox::show_buttons() {
   const std::vector<Label> labels = choices();
-  int cell = 0;
+  int cell = 0, lesion_cell = 0;
   for (const Label label : labels) {
     QPushButton*& button = buttons_[label];
-    if (button == nullptr) {
-      button = new QPushButton(this);
-      button->setCheckable(true);
-      button->setProperty("role", "choice");
-      button->setIcon(structure_icon(label));
-      button->setObjectName(QStringLiteral("seed_%1").arg(QString::fromStdString(structure_name(label))));
-      connect(button, &QPushButton::clicked, this,
-              [this, label](bool on) { choose_structure(on ? std::optional(label) : std::nullopt); });
-    }
+    if (button == nullptr) button = make_button(label);
     const int count = count_seeds(seeds_, label);
     button->setText(count > 0 ? QStringLiteral("%1 (%2)").arg(seed_name(label)).arg(count)
                               : seed_name(label));
     button->setEnabled(engine_.state()[part::image] != nullptr);
     button->show();
-    // Put where it is already it would have the whole window laid out and painted again.
-    const QLayoutItem* there = grid_->itemAtPosition(cell / 2, cell % 2);
-    if (there == nullptr || there->widget() != button) grid_->addWidget(button, cell / 2, cell % 2);
-    ++cell;
+    if (is_lesion(label))
+      put_button(lesion_grid_, lesion_cell++, kLesionColumns, button);
+    else
+      put_button(grid_, cell++, kColumns, button);
   }
   for (const auto& [label, button] : buttons_)
     if (std::find(labels.begin(), labels.end(), label) == labels.end()) button->hide();
+  lesions_->setFixedHeight(kLesionRows * buttons_[structure::kParenchyma]->sizeHint().height() +
+                           (kLesionRows - 1) * kGap);
+  // Where the bar comes to stand there is room for it from the first lesion on.
+  const bool bar = lesion_cell > kLesionRows * kLesionColumns;
+  lesions_->setVerticalScrollBarPolicy(bar ? Qt::ScrollBarAlwaysOn : Qt::ScrollBarAlwaysOff);
+  lesion_grid_->setContentsMargins(0, 0, bar ? 0 : lesions_->verticalScrollBar()->sizeHint().width(), 0);
   remove_->setEnabled(!list_->selectedItems().isEmpty());
   for (QPushButton* button : {clear_, save_}) button->setEnabled(!entries_.empty());
   run_->set_obstacle(obstacle());

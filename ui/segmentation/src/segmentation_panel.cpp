@@ -119,6 +119,10 @@ void SegmentationPanel::build_labels() {
   column->addWidget(table_);
   figures_ = make_explanation({}, this);
   figures_->setObjectName(QStringLiteral("label_figures"));
+  figures_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  figures_->ensurePolished();
+  figures_->setText(QStringLiteral("X\nX"));
+  figures_->setFixedHeight(figures_->sizeHint().height());  // the tools below keep their place
   column->addWidget(figures_);
   auto* row = new QHBoxLayout;
   approve_ = new QPushButton(tr("Approve"), this);
@@ -230,10 +234,12 @@ void SegmentationPanel::show_label() {
     return;
   }
   const segmentation::LabelFigures& figures = statistics->figures().at(label);
-  QStringList parts = {tr("%1 ml").arg(figures.ml, 0, 'f', 1),
-                       intensity_text(figures, session_->shows_hounsfield())};
-  if (is_lesion(label)) parts << tr("longest diameter %1 mm").arg(figures.longest_diameter_mm, 0, 'f', 1);
-  figures_->setText(tr("%1: %2").arg(structure_text(label), parts.join(QStringLiteral(", "))));
+  const QStringList parts = {tr("%1 ml").arg(figures.ml, 0, 'f', 1),
+                             intensity_text(figures, session_->shows_hounsfield())};
+  QString text = tr("%1: %2").arg(structure_text(label), parts.join(QStringLiteral(", ")));
+  if (is_lesion(label))
+    text += QLatin1Char('\n') + tr("longest diameter %1 mm").arg(figures.longest_diameter_mm, 0, 'f', 1);
+  figures_->setText(text);
 }
 
 }  // namespace glisson::ui

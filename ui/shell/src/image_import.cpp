@@ -6,9 +6,12 @@
 #include <algorithm>
 
 #include "glisson/core/files.h"
-#include "glisson/engine/commands/import_image.h"
 #include "glisson/engine/commands/list_series.h"
+#include "glisson/engine/commands/read_image.h"
+#include "glisson/engine/parts/cloud.h"
 #include "glisson/engine/parts/image.h"
+#include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/model.h"
 #include "glisson/ui/shell/series_dialog.h"
 
 namespace glisson::ui {
@@ -27,46 +30,76 @@ ImageImport::ImageImport(EngineBridge& engine, QWidget* window)
   connect(&engine_, &EngineBridge::finished, this, &ImageImport::take);
 }
 
-void ImageImport::start(const std::filesystem::path& path, bool new_case) {
-  path_ = path;
-  new_case_ = new_case;
+void ImageImport::start(const std::filesystem::path& path) {
+  image_ = {path};
   listing_.reset();
+  reading_.reset();
   if (may_hold_series(path))
     listing_ = engine_.post(engine::ListSeries{path});
   else
-    importing_ = engine_.post(engine::ImportImage{path, {}, new_case_});
+    read({});
+}
+
+bool ImageImport::is_case_open() const {
+  const engine::CaseState& now = engine_.state();
+  return now[engine::part::image] || now[engine::part::labels] || now[engine::part::model] ||
+         now[engine::part::cloud];
+}
+
+void ImageImport::read(const std::string& series) {
+  image_.series = series;
+  if (is_case_open())
+    reading_ = engine_.post(engine::ReadImage{image_.path, series});
+  else
+    finish(image_);
+}
+
+void ImageImport::finish(const engine::ImportImage& image) {
+  image_ = image;
+  importing_ = engine_.post(image);
 }
 
 void ImageImport::take(const engine::Outcome& outcome) {
+  const bool done = outcome.status == engine::Status::done;
   if (importing_ == outcome.id) {
     importing_.reset();
     const auto& image = engine_.state()[engine::part::image];
-    if (outcome.status == engine::Status::done && image && image->modality == Modality::other) ask_modality();
-    return;
+    if (done && image && image->modality == Modality::other) ask_modality();
+    image_.scan.reset();
+  } else if (reading_ == outcome.id) {
+    reading_.reset();
+    if (!done) return;
+    image_.scan = outcome.result.as<engine::ReadImage::Result>();
+    emit found(image_);
+  } else if (listing_ == outcome.id) {
+    listing_.reset();
+    if (done) take_series(outcome);
   }
-  if (listing_ != outcome.id) return;
-  listing_.reset();
-  if (outcome.status != engine::Status::done) return;
+}
+
+void ImageImport::take_series(const engine::Outcome& outcome) {
   const auto series = outcome.result.as<engine::ListSeries::Result>();
   const auto images = series ? std::ranges::count_if(*series, &DicomSeries::images) : 0;
   if (images > 1)
     ask(*series);
   else
-    engine_.post(engine::ImportImage{path_, {}, new_case_});
+    read({});
 }
 
 void ImageImport::ask_modality() {
   auto* box = new QMessageBox(QMessageBox::Question, tr("CT or MRI?"),
                               tr("%1 does not say whether it is a CT or an MRI.")
-                                  .arg(QString::fromStdString(path_.filename().string())),
+                                  .arg(QString::fromStdString(image_.path.filename().string())),
                               QMessageBox::NoButton, window_);
   box->setObjectName(QStringLiteral("modality_question"));
   box->setAttribute(Qt::WA_DeleteOnClose);
   const auto add = [&](const QString& text, const char* name, Modality modality) {
     QPushButton* button = box->addButton(text, QMessageBox::AcceptRole);
     button->setObjectName(QLatin1String(name));
-    connect(button, &QPushButton::clicked, this, [this, modality] {
-      engine_.post(engine::ImportImage{path_, {}, new_case_, modality});
+    connect(button, &QPushButton::clicked, this, [this, image = image_, modality]() mutable {
+      image.new_case = false;  // it is that already
+      image.modality = modality;
+      engine_.post(image);
     });
   };
   add(tr("MRI"), "modality_mr", Modality::mr);
@@ -78,9 +111,9 @@ void ImageImport::ask_modality() {
 void ImageImport::ask(const std::vector<DicomSeries>& series) {
   auto* dialog = new SeriesDialog(series, window_);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog, &QDialog::accepted, this, [this, dialog] {
-    if (const std::string uid = dialog->chosen_uid(); !uid.empty())
-      engine_.post(engine::ImportImage{path_, uid, new_case_});
+  connect(dialog, &QDialog::accepted, this, [this, dialog, path = image_.path] {
+    image_ = {path};
+    if (const std::string uid = dialog->chosen_uid(); !uid.empty()) read(uid);
   });
   dialog->open();  // does not stop the window
 }

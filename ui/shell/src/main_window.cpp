@@ -17,7 +17,7 @@
 #include <utility>
 
 #include "glisson/engine/commands/export_labels.h"
-#include "glisson/engine/commands/import_image.h"
+#include "glisson/engine/commands/export_surfaces.h"
 #include "glisson/engine/commands/open_case.h"
 #include "glisson/engine/commands/save_case.h"
 #include "glisson/engine/commands/set_video.h"
@@ -27,6 +27,7 @@
 #include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/offer.h"
+#include "glisson/engine/surface_export.h"
 #include "glisson/ui/atlas/atlas_panel.h"
 #include "glisson/ui/common/error_texts.h"
 #include "glisson/ui/common/texts.h"
@@ -38,6 +39,7 @@
 #include "glisson/ui/stereo/stereo_panel.h"
 #include "patient_identity.h"
 #include "recent_cases.h"
+#include "running_work.h"
 #include "step_bar.h"
 #include "task_status.h"
 #include "welcome_page.h"
@@ -78,9 +80,12 @@ MainWindow::MainWindow(engine::Engine::Options options, QWidget* parent)
   statusBar()->addWidget(status_, 1);
   statusBar()->setSizeGripEnabled(false);
   import_ = new ImageImport(engine_, this);
+  running_ = new RunningWork(engine_, this);
   build_menu();
   identity_ = new PatientIdentity(this);
   menuBar()->setCornerWidget(identity_);
+  connect(import_, &ImageImport::found, this, &MainWindow::ask_whose);
+  connect(running_, &RunningWork::waits, status_, &TaskStatus::set_afterwards);
   connect(welcome_, &WelcomePage::open_case, this, &MainWindow::open_case);
   connect(welcome_, &WelcomePage::open_dicom, this, &MainWindow::open_dicom);
   connect(welcome_, &WelcomePage::open_volume, this, &MainWindow::open_volume);
@@ -134,9 +139,10 @@ void MainWindow::build_menu() {
     show_problem(tr("%1 is not there any more. It was taken from the list.").arg(path));
   });
   file->addSeparator();
-  save_ = file->addAction(tr("&Save"), QKeySequence::Save, this, [this] { save(); });
-  save_as_ = file->addAction(tr("Save &as…"), QKeySequence::SaveAs, this, [this] { save_as(); });
+  save_ = file->addAction(tr("&Save"), QKeySequence::Save, this, &MainWindow::save);
+  save_as_ = file->addAction(tr("Save &as…"), QKeySequence::SaveAs, this, &MainWindow::save_as);
   export_labels_ = file->addAction(tr("Export &labels…"), this, &MainWindow::export_labels);
+  export_surfaces_ = file->addAction(tr("Export s&urfaces…"), this, &MainWindow::export_surfaces);
   file->addSeparator();
   file->addAction(tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
   QMenu* edit = menuBar()->addMenu(tr("&Edit"));
@@ -166,7 +172,9 @@ void MainWindow::open(const std::filesystem::path& path) {
         return qobject_cast<StereoPanel*>(panels_[stereo])->open_source({opening->path, {}});
       case Opening::Way::plain:
         return post_asking(opening->command,
-                           {opening->command.traits().writes.has(part::offer) ? waiting_words() : QString()});
+                           [this, loses = opening->command.traits().writes.has(part::offer)] {
+                             return QStringList{loses ? waiting_words() : QString()};
+                           });
     }
   }
   show_problem(tr("%1 is nothing that Glisson opens. Give a folder of DICOM slices, a volume (NIfTI, NRRD, "
@@ -181,30 +189,39 @@ QString MainWindow::waiting_words() const {
 }
 
 void MainWindow::replace_case(const std::filesystem::path& path) {
-  const QString unsaved = tr("The case has changes that are not saved. Opening another loses them.");
-  post_asking(engine::OpenCase{path}, {isWindowModified() ? unsaved : QString(), waiting_words()});
+  post_asking(engine::OpenCase{path}, [this] {
+    const QString unsaved = tr("The case has changes that are not saved. Opening another loses them.");
+    return QStringList{isWindowModified() ? unsaved : QString(), waiting_words()};
+  });
 }
 
-void MainWindow::post_asking(const engine::Command& command, QStringList losses) {
-  losses.removeAll(QString());
-  if (losses.isEmpty()) {
-    engine_.post(command);
-    return;
-  }
-  auto* box = new QMessageBox(QMessageBox::Question, tr("Open"), losses.join(QLatin1Char(' ')),
-                              QMessageBox::Discard | QMessageBox::Cancel, this);
-  box->setDefaultButton(QMessageBox::Cancel);
-  box->setAttribute(Qt::WA_DeleteOnClose);
-  connect(box, &QMessageBox::finished, this, [this, command](int answer) {
-    if (answer == QMessageBox::Discard) engine_.post(command);
-  });
-  box->open();  // does not stop the window
+void MainWindow::post_asking(const engine::Command& command, const std::function<QStringList()>& losses) {
+  // What is lost is known when the work has ended.
+  running_->before(RunningWork::opening(command.traits(), [this, command, losses] {
+    QStringList told = losses();
+    told.removeAll(QString());
+    if (told.isEmpty()) {
+      engine_.post(command);
+      return;
+    }
+    auto* box = new QMessageBox(QMessageBox::Question, tr("Open"), told.join(QLatin1Char(' ')),
+                                QMessageBox::Discard | QMessageBox::Cancel, this);
+    box->setDefaultButton(QMessageBox::Cancel);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    connect(box, &QMessageBox::finished, this, [this, command](int answer) {
+      if (answer == QMessageBox::Discard) engine_.post(command);
+    });
+    box->open();  // does not stop the window
+  }));
 }
 
 void MainWindow::import_image(const std::filesystem::path& path) {
-  const engine::CaseState& now = engine_.state();
-  if (!now[part::image] && !now[part::labels] && !now[part::model] && !now[part::cloud])
-    return import_->start(path, false);
+  // It may become a new case, of which this one has no part.
+  running_->before(RunningWork::opening(engine::ImportImage{path, {}, true}.traits(),
+                                        [this, path] { import_->start(path); }));
+}
+
+void MainWindow::ask_whose(const engine::ImportImage& image) {
   auto* box = new QMessageBox(QMessageBox::Question, tr("Open a CT"),
                               tr("Is this CT of another patient, or another one of the patient who is open?"),
                               QMessageBox::Cancel, this);
@@ -216,14 +233,20 @@ void MainWindow::import_image(const std::filesystem::path& path) {
                    waiting_words()};
   told.removeAll(QString());
   box->setInformativeText(told.join(QLatin1Char(' ')));
-  auto* another = box->addButton(tr("New case"), QMessageBox::AcceptRole);
-  another->setObjectName(QStringLiteral("new_case"));
-  auto* same = box->addButton(tr("Same patient"), QMessageBox::ActionRole);
-  same->setObjectName(QStringLiteral("same_patient"));
   box->setDefaultButton(QMessageBox::Cancel);
   box->setAttribute(Qt::WA_DeleteOnClose);
-  connect(another, &QPushButton::clicked, this, [this, path] { import_->start(path, true); });
-  connect(same, &QPushButton::clicked, this, [this, path] { import_->start(path, false); });
+  const auto add = [&](const QString& text, const char* name, QMessageBox::ButtonRole role, bool new_case) {
+    auto* button = box->addButton(text, role);
+    button->setObjectName(QLatin1String(name));
+    connect(button, &QPushButton::clicked, this, [this, image, new_case] {
+      engine::ImportImage answered = image;
+      answered.new_case = new_case;
+      running_->before(
+          RunningWork::opening(answered.traits(), [this, answered] { import_->finish(answered); }));
+    });
+  };
+  add(tr("New case"), "new_case", QMessageBox::AcceptRole, true);
+  add(tr("Same patient"), "same_patient", QMessageBox::ActionRole, false);
   box->open();  // does not stop the window
 }
 
@@ -251,16 +274,26 @@ void MainWindow::open_volume() {
   if (!path.isEmpty()) import_image(path.toStdString());
 }
 
-std::optional<engine::CommandId> MainWindow::save() {
-  return engine_.state().path.empty() ? save_as() : engine_.post(engine::SaveCase{});
+std::optional<std::filesystem::path> MainWindow::place_to_save() {
+  return engine_.state().path.empty() ? ask_place() : std::filesystem::path();
 }
 
-std::optional<engine::CommandId> MainWindow::save_as() {
+std::optional<std::filesystem::path> MainWindow::ask_place() {
   QString path = QFileDialog::getSaveFileName(this, tr("Save the case as a folder"),
                                               QStringLiteral("patient.glisson"), tr("Cases (*.glisson)"));
   if (path.isEmpty()) return {};
   if (!path.endsWith(QStringLiteral(".glisson"))) path += QStringLiteral(".glisson");
-  return engine_.post(engine::SaveCase{path.toStdString()});
+  return path.toStdString();
+}
+
+void MainWindow::save() {
+  if (const auto path = place_to_save())
+    running_->before(RunningWork::saving([this, path] { engine_.post(engine::SaveCase{*path}); }));
+}
+
+void MainWindow::save_as() {
+  if (const auto path = ask_place())
+    running_->before(RunningWork::saving([this, path] { engine_.post(engine::SaveCase{*path}); }));
 }
 
 void MainWindow::export_labels() {
@@ -268,6 +301,23 @@ void MainWindow::export_labels() {
       QFileDialog::getSaveFileName(this, tr("Export labels"), QStringLiteral("labels.seg.nrrd"),
                                    tr("Labels (*.seg.nrrd *.dcm *.nii.gz *.nrrd *.mha)"));
   if (!path.isEmpty()) engine_.post(engine::ExportLabels{path.toStdString()});
+}
+
+void MainWindow::export_surfaces() {
+  QString chosen;
+  const QString path = QFileDialog::getSaveFileName(
+      this, tr("Export surfaces into a folder"), QStringLiteral("surfaces"),
+      QStringLiteral("STL (*.stl);;PLY (*.ply);;OBJ (*.obj);;VTP (*.vtp)"), &chosen);
+  if (path.isEmpty()) return;
+  engine::ExportSurfaces command{path.toStdString()};
+  for (const std::string& ending : engine::surface_endings()) {
+    const QString text = QString::fromStdString(ending);
+    if (chosen.contains(text)) command.ending = ending;
+    // A file's ending that somebody has typed names the format, not the folder.
+    if (path.endsWith(text)) command = {path.chopped(text.size()).toStdString(), ending};
+    if (path.endsWith(text)) break;
+  }
+  engine_.post(command);
 }
 
 void MainWindow::show_step(int step) {
@@ -305,6 +355,7 @@ void MainWindow::show_case() {
   save_->setEnabled(!name.isEmpty());
   save_as_->setEnabled(!name.isEmpty());
   export_labels_->setEnabled(!engine::obstacle(now, engine::ExportLabels{}));
+  export_surfaces_->setEnabled(now[part::labels] || now[part::model]);
   setWindowModified(!name.isEmpty() && engine::editions(now) != saved_);
   show_middle();
 }
@@ -333,6 +384,11 @@ void MainWindow::show_outcome(const engine::Outcome& outcome) {
 QString MainWindow::status_text() const { return status_->text(); }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+  const RunningWork::Wish closing = RunningWork::closing([this] { close(); });
+  if (running_->concerns(closing)) {
+    event->ignore();
+    return running_->before(closing);
+  }
   QStringList losses;
   if (isWindowModified()) losses << tr("The case has changes that are not saved.");
   if (engine_.state()[part::offer])
@@ -350,7 +406,9 @@ void MainWindow::closeEvent(QCloseEvent* event) {
                                             QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
   if (answer == QMessageBox::Discard) return event->accept();
   event->ignore();
-  if (answer == QMessageBox::Save) closing_save_ = save();  // closes when the outcome comes
+  if (answer != QMessageBox::Save) return;
+  if (const auto path = place_to_save())
+    closing_save_ = engine_.post(engine::SaveCase{*path});  // closes when the outcome comes
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

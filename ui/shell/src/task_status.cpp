@@ -48,6 +48,11 @@ TaskStatus::TaskStatus(EngineBridge& engine, QWidget* parent) : QWidget(parent),
 
 QString TaskStatus::text() const { return text_->text(); }
 
+void TaskStatus::set_afterwards(const QString& afterwards) {
+  afterwards_ = afterwards;
+  show_tasks();
+}
+
 void TaskStatus::show_tasks() {
   const Task* running = nullptr;
   for (const Task& task : engine_.tasks())
@@ -63,9 +68,10 @@ void TaskStatus::show_tasks() {
   bar_->setTextVisible(is_unasked);
   if (is_unasked) return;
   set_style_property(text_, "role", "");
-  text_->setText(running->stage.empty()
-                     ? command_text(running->traits.code)
-                     : tr("%1: %2").arg(command_text(running->traits.code), stage_text(running->stage)));
+  const QString text = running->stage.empty()
+                           ? command_text(running->traits.code)
+                           : tr("%1: %2").arg(command_text(running->traits.code), stage_text(running->stage));
+  text_->setText(afterwards_.isEmpty() ? text : tr("%1 – %2").arg(text, afterwards_));
 }
 
 void TaskStatus::show_outcome(const engine::Outcome& outcome) {

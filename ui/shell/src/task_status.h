@@ -18,6 +18,8 @@ class TaskStatus : public QWidget {
  public:
   explicit TaskStatus(EngineBridge& engine, QWidget* parent = nullptr);
   QString text() const;
+  /// What is done when the work that runs has ended; empty: nothing.
+  void set_afterwards(const QString& afterwards);
 
  private:
   void show_tasks();
@@ -25,6 +27,7 @@ class TaskStatus : public QWidget {
 
   EngineBridge& engine_;
   engine::CommandId shown_ = 0;
+  QString afterwards_;
   QLabel* text_;
   QProgressBar* bar_;
   QToolButton* cancel_;

@@ -48,14 +48,14 @@ CommandTraits ImportImage::traits() const {
 }
 
 Cancellable<Applied> ImportImage::apply(const CaseState& state, const RunContext& context) const {
-  auto scan = read_scan(path, context, series);
-  if (!scan) return {};
-  if (modality) choose_modality(*scan, *modality, path);
-  Applied applied{new_case ? CaseState() : state, figures_of(scan->image.grid), image_doubts(scan->image)};
-  if (!scan->missing.empty()) applied.notes.push_back(note_of(scan->missing));
-  applied.state[part::image] = std::make_shared<const Image>(std::move(scan->image));
+  Cancellable<Scan> found = scan ? *scan : read_scan(path, context, series);
+  if (!found) return {};
+  if (modality) choose_modality(*found, *modality, path);
+  Applied applied{new_case ? CaseState() : state, figures_of(found->image.grid), image_doubts(found->image)};
+  if (!found->missing.empty()) applied.notes.push_back(note_of(found->missing));
+  applied.state[part::image] = std::make_shared<const Image>(std::move(found->image));
   applied.state[part::source] =
-      scan->source.empty() ? nullptr : std::make_shared<const DicomSource>(std::move(scan->source));
+      found->source.empty() ? nullptr : std::make_shared<const DicomSource>(std::move(found->source));
   return applied;
 }
 

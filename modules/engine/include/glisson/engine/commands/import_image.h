@@ -2,10 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "glisson/engine/command.h"
+#include "glisson/volume/dicom_source.h"
 #include "glisson/volume/image.h"
 
 namespace glisson::engine {
@@ -17,6 +19,8 @@ struct ImportImage {
   bool new_case = false;    ///< of another patient: nothing of the case stays, nor where it lay
   /// What the image is, where its file does not say. @throws InputError in apply(): DICOM says another one.
   std::optional<Modality> modality = {};
+  /// What ReadImage has read of path and series; null: it is read here.
+  std::shared_ptr<const Scan> scan = {};
 
   CommandTraits traits() const;
   Cancellable<Applied> apply(const CaseState& state, const RunContext& context) const;

@@ -41,6 +41,8 @@ class EditBox : public QWidget {
   void show_tool();
   /// What a click at the pointer would do.
   QString text_of(const BranchPreview::Shown& shown) const;
+  /// What becomes of each label by what is previewed, a line each.
+  QString volumes_text() const;
   void show_state();
   void show_region();
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/preview.h"
 #include "glisson/ui/common/engine_bridge.h"
 #include "glisson/ui/common/view_state.h"
 #include "glisson/ui/segmentation/branch_preview.h"
@@ -52,6 +53,13 @@ class EditSession : public QObject {
   /// Whether the preview that is shown is of the tool as it is set.
   bool shows_preview() const;
   long voxels_to_change() const;
+  /// Of a label, before and after what is previewed; voxels.
+  struct VolumeChange {
+    Label label = 0;
+    long before = 0, after = 0;
+  };
+  /// Of each label that would change; the background is not among them.
+  const std::vector<VolumeChange>& volume_changes() const { return volume_changes_; }
   double ml_of(long voxels) const;
   /// What a click at the pointer would move; null: nothing, or another tool is at hand.
   const std::shared_ptr<const BranchPreview::Shown>& branch() const { return branch_->shown(); }
@@ -101,6 +109,7 @@ class EditSession : public QObject {
   void take(const engine::Outcome& outcome);
   void settings_have_changed();
   void drop_preview();
+  void measure_preview();
 
   EngineBridge& engine_;
   ViewState& views_;
@@ -130,6 +139,8 @@ class EditSession : public QObject {
   BranchPreview* branch_ = nullptr;
   QTimer* soon_ = nullptr;  ///< a preview follows the settings when they rest
   std::optional<engine::CommandId> previewing_, applying_;
+  std::shared_ptr<const engine::EditPreview> measured_;
+  std::vector<VolumeChange> volume_changes_;   ///< of measured_
   std::set<engine::CommandId> edits_;          ///< that are not done yet
   std::set<engine::CommandId> undos_, redos_;  ///< the same
   std::string problem_;

@@ -16,6 +16,7 @@ class QGridLayout;
 class QLabel;
 class QListWidget;
 class QPushButton;
+class QScrollArea;
 
 namespace glisson::ui {
 
@@ -58,6 +59,7 @@ class SeedBox : public QWidget {
   void show_case();
   void show_seeds();
   void show_buttons();
+  QPushButton* make_button(Label label);
   void show_markers();
   void place(const Point<CtFrame>& p);
   void draw_lesion(const SliceGesture& gesture);
@@ -84,6 +86,8 @@ class SeedBox : public QWidget {
   std::optional<Point<CtFrame>> drawn_from_;  ///< one end of a lesion's diameter
   std::map<Label, QPushButton*> buttons_;
   QGridLayout* grid_ = nullptr;
+  QScrollArea* lesions_ = nullptr;
+  QGridLayout* lesion_grid_ = nullptr;
   TaskButton* propose_ = nullptr;
   QListWidget* list_ = nullptr;
   QPushButton* remove_ = nullptr;

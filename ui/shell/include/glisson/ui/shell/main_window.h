@@ -3,8 +3,11 @@
 
 #include <QMainWindow>
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <vector>
 
+#include "glisson/engine/commands/import_image.h"
 #include "glisson/ui/common/engine_bridge.h"
 #include "glisson/ui/common/linked_views.h"
 #include "glisson/ui/common/panel.h"
@@ -18,6 +21,7 @@ namespace glisson::ui {
 class ImageImport;
 class PatientIdentity;
 class RecentCases;
+class RunningWork;
 class StepBar;
 class TaskStatus;
 class WelcomePage;
@@ -53,20 +57,24 @@ class MainWindow : public QMainWindow {
   void build_panels();
   void add_panel(Panel* panel, const QString& icon);
   void open_case();
-  /// Asks whose it is, where a case is open.
   void import_image(const std::filesystem::path& path);
+  /// Asks whose an image is that was read while a case is open.
+  void ask_whose(const engine::ImportImage& image);
   /// Asks first when the present one has changes.
   void replace_case(const std::filesystem::path& path);
-  /// Asks first where something would be lost. @param losses a sentence each, or empty.
-  void post_asking(const engine::Command& command, QStringList losses);
+  /// Asks first where something would be lost. @param losses says it in a sentence each, or empty.
+  void post_asking(const engine::Command& command, const std::function<QStringList()>& losses);
   /// That a new segmentation waits and would be lost; empty: none.
   QString waiting_words() const;
   void open_dicom();
   void open_volume();
   void export_labels();
-  /// @return the command on its way; empty: no place was chosen.
-  std::optional<engine::CommandId> save();
-  std::optional<engine::CommandId> save_as();
+  void export_surfaces();
+  void save();
+  void save_as();
+  /// Empty path: where the case lies. None: no place was chosen.
+  std::optional<std::filesystem::path> place_to_save();
+  std::optional<std::filesystem::path> ask_place();
   void show_case();
   void show_outcome(const engine::Outcome& outcome);
   void show_middle();
@@ -76,6 +84,7 @@ class MainWindow : public QMainWindow {
   ViewState state_;
   DrawableSource drawables_;
   ImageImport* import_ = nullptr;
+  RunningWork* running_ = nullptr;
   PatientIdentity* identity_ = nullptr;
   RecentCases* recent_ = nullptr;
   StepBar* steps_ = nullptr;
@@ -87,6 +96,7 @@ class MainWindow : public QMainWindow {
   QAction* save_ = nullptr;
   QAction* save_as_ = nullptr;
   QAction* export_labels_ = nullptr;
+  QAction* export_surfaces_ = nullptr;
   std::vector<Panel*> panels_;
   int step_ = 0;
   engine::Editions saved_{};                       ///< what stands on the disk

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/engine/surface_export.h"
+
+#include <algorithm>
+#include <set>
+
+#include "glisson/core/error.h"
+#include "glisson/core/files.h"
+#include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/model.h"
+#include "glisson/geometry/mesh_io.h"
+#include "glisson/model/label_surfaces.h"
+
+namespace glisson::engine {
+namespace {
+namespace fs = std::filesystem;
+
+bool is_one_of(const std::string& ending, const std::vector<std::string>& endings) {
+  return std::find(endings.begin(), endings.end(), ending) != endings.end();
+}
+
+std::string name_of(const NamedSurface& surface) {
+  return surface.structure == structure::kParenchyma ? "liver" : structure_name(surface.structure);
+}
+
+Cancellable<std::vector<NamedSurface>> surfaces_of(const CaseState& state, const RunContext& context) {
+  const auto& labels = state[part::labels];
+  const auto& model = state[part::model];
+  if (!labels && !model)
+    throw InputError("surfaces", "", "there are neither labels nor a model", "Segment the liver first");
+  const bool is_current = stage_state(state, part::model) == StageState::current;
+  if (model && (is_current || !labels)) return model->model.surfaces;
+  return model::surfaces_of_labels(*labels, context);
+}
+
+/// What lies there from before and is not written anew would be taken for this patient's.
+void require_own_folder(const fs::path& folder, const std::set<std::string>& files) {
+  if (!fs::exists(folder)) return;
+  if (!fs::is_directory(folder))
+    throw InputError(folder.string(), "", "is no folder", "Name a folder; it is made if there is none");
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (is_one_of(lower_extension(entry.path()), surface_endings()) &&
+        !files.contains(entry.path().filename().string()))
+      throw InputError(folder.string(), entry.path().filename().string(),
+                       "lies there already and is none of the surfaces that are written",
+                       "Choose an empty folder");
+}
+
+}  // namespace
+
+const std::vector<std::string>& surface_endings() {
+  static const std::vector<std::string> kEndings = {".stl", ".ply", ".obj", ".vtp"};
+  return kEndings;
+}
+
+Cancellable<std::vector<fs::path>> write_case_surfaces(const fs::path& folder, const std::string& ending,
+                                                       const CaseState& state, const RunContext& context) {
+  if (!is_one_of(ending, surface_endings()))
+    throw InputError("surfaces", "format", "\"" + ending + "\" is none that surfaces are written in",
+                     "Use stl, ply, obj or vtp");
+  const auto surfaces = surfaces_of(state, context.part(0.0, 0.7));
+  if (!surfaces) return {};
+  std::set<std::string> names;
+  for (const NamedSurface& surface : *surfaces) names.insert(name_of(surface) + ending);
+  require_own_folder(folder, names);
+  fs::create_directories(folder);
+  std::vector<fs::path> files;
+  for (const NamedSurface& surface : *surfaces) {
+    context.progress(0.7 + 0.3 * static_cast<double>(files.size()) / static_cast<double>(surfaces->size()),
+                     "case.write");
+    files.push_back(folder / (name_of(surface) + ending));
+    write_triangle_mesh(files.back(), surface.mesh, LengthUnit::millimetre);
+  }
+  return files;
+}
+
+}  // namespace glisson::engine
