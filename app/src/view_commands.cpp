@@ -144,6 +144,7 @@ int run_render(const QStringList& given) {
     if (const auto& measures = drawer.measures()) add_measures(*measures, session.figures);
     session.texts["validity"] = validity_code(overlay.validity);
     session.texts["level"] = level_code(overlay.level());
+    if (overlay.level() != Level::valid) session.texts["remedy"] = scene::remedy_text(overlay.validity);
     for (const LesionVerdict& verdict : overlay.lesions) {
       const std::string lesion = structure_name(verdict.lesion);
       session.texts[lesion + "_level"] = level_code(verdict.level);

@@ -374,7 +374,8 @@ void LiveViewModel::show_freshness() {
   const QString why = QString::fromStdString(scene::validity_text(shown_.validity));
   if (level == Level::withdrawn) text += tr("   NO OVERLAY: %1").arg(why);
   if (level == Level::degraded) text += tr("   OUTLINE ONLY: %1").arg(why);
-  line = text;
+  const QString remedy = QString::fromStdString(scene::remedy_text(shown_.validity));
+  line = remedy.isEmpty() ? text : text + QStringLiteral(". ") + remedy;
   const bool old = age > kFreshSeconds, preparing = drawables_.is_preparing();
   is_fresh = QVariant(level == Level::valid && age < kFreshSeconds && !preparing);
   if (old)
