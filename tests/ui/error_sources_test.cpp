@@ -44,7 +44,8 @@ QStringList unknown_of_input(const QStringList& arguments) {
     // Some are known with their remedy only.
     const QString remedy = thrown::texts_of(arguments[3]).front();
     const InputError error("file", field, problem.toStdString(), remedy.toStdString());
-    if (!is_known(error.what(), false)) unknown << problem;
+    const InputError with_another("file", field, problem.toStdString(), "Check the path");
+    if (!is_known(error.what(), false) && !is_known(with_another.what(), false)) unknown << problem;
   }
   for (const QString& remedy : thrown::texts_of(arguments[3])) {
     if (remedy == thrown::kValue || remedy.isEmpty()) continue;
