@@ -73,13 +73,13 @@ void SliceSlabTest::WhatLiesWithinHalfTheThicknessIsSeen() {
   for (const Eigen::Matrix3d& direction : directions())
     for (const Plane plane : kPlanes)
       for (const double side : {-1.0, 1.0}) {
-        const Eigen::Vector3d off = side * 8e-3 * Eigen::Vector3d::Unit(scene::normal_axis(plane));
-        const Image image = phantom(direction, off, 2e-3);
+        const Eigen::Vector3d off = side * 1e-2 * Eigen::Vector3d::Unit(scene::normal_axis(plane));
+        const Image image = phantom(direction, off, 3.5e-3);
         const scene::SliceGeometry slice =
             scene::slice_geometry(image.grid, plane, Point<CtFrame>(0.0, 0.0, 0.0));
         QCOMPARE(brightest(scene::slice_picture(image, nullptr, slice, slab(0.0))), 0);
         QCOMPARE(brightest(scene::slice_picture(image, nullptr, slice, slab(8e-3))), 0);
-        const Picture seen = scene::slice_picture(image, nullptr, slice, slab(18e-3));
+        const Picture seen = scene::slice_picture(image, nullptr, slice, slab(22e-3));
         QCOMPARE(brightest(seen), 255);
         const Eigen::Vector2d there = slice.pixel_of(Point<CtFrame>(off));
         QVERIFY((*seen.bytes)[static_cast<std::size_t>(
