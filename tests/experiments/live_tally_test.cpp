@@ -3,6 +3,8 @@
 #include "live_tally.h"
 
 #include <QtTest>
+#include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "live_roc.h"
@@ -95,7 +97,8 @@ void LiveTallyTest::AScoreFromOneOnReachesALimit() {
   QCOMPARE(scored([&](Seen& e) { e.local = 1.5 * limits.local; }), 1.5);
   QCOMPARE(scored([&](Seen& e) { e.lifted = 2.0 * limits.lifted; }), 2.0);
   QCOMPARE(scored([&](Seen& e) { e.rows = -2.0 * limits.rows; }), 2.0);
-  QVERIFY(scored([&](Seen& e) { e.pull = 2.0 * limits.pull, e.pull_sigma = e.pull; }) < 1.0 + 1e-9);
+  QVERIFY(scored([&](Seen& e) { e.pull = 2.0 * limits.pull, e.pull_sigma = 0.8 * limits.unknown; }) <
+          1.0 + 1e-9);
   QVERIFY(scored([&](Seen& e) { e.motion = 1.0, e.fresh = 0.0; }) > 1.0);
   QVERIFY(scored([&](Seen& e) { e.motion = 1.0, e.fresh = 1.0; }) < 1.0);
   overlay.validity = Validity::too_few_points;

@@ -4,7 +4,6 @@
 #include "anchored_points.h"
 #include "filmed_phantom.h"
 #include "glisson/core/error.h"
-#include "scope_motion.h"
 #include "stereo_follower.h"
 #include "triangulate.h"
 
@@ -22,8 +21,6 @@ class FollowerTest : public QObject {
   void PointsFollowTheTissue();
   void ForgottenFrameLeavesThePointsWhereTheyWere();
   void LonelyGapIsInconsistentAndCommonMotionIsNot();
-  void WhatMovesOnItsOwnDoesNotTurnTheScope_data();
-  void WhatMovesOnItsOwnDoesNotTurnTheScope();
   void PicturesOfAnotherSizeAreRefused();
   void ABeadDoesNotHidePlainTissue();
   void NoiseIsNoTexture();
@@ -141,45 +138,6 @@ void FollowerTest::LonelyGapIsInconsistentAndCommonMotionIsNot() {
   gaps[37] += Eigen::Vector3d(0.0, 0.006, 0.0);
   const std::vector<char> good = consistent(points, gaps, 4.0, 1.5e-3);
   for (std::size_t i = 0; i < 100; ++i) QCOMPARE(good[i] != 0, i != 37);
-}
-
-void FollowerTest::WhatMovesOnItsOwnDoesNotTurnTheScope_data() {
-  QTest::addColumn<int>("columns");  // of ten, that move on their own
-  QTest::addColumn<double>("by");
-  QTest::newRow("nothing") << 0 << 0.0;
-  QTest::newRow("a tool on a fifth") << 2 << 20e-3;
-  QTest::newRow("a tool on two fifths") << 4 << 20e-3;
-  QTest::newRow("a lobe of two fifths, slowly") << 4 << 6e-3;
-}
-
-void FollowerTest::WhatMovesOnItsOwnDoesNotTurnTheScope() {
-  QFETCH(int, columns);
-  QFETCH(double, by);
-  const Eigen::Matrix3d turn = rotation_by({0.01, -0.02, 0.03});
-  const Eigen::Vector3d shift(2e-3, -1e-3, 3e-3);
-  std::mt19937 random(4);
-  std::normal_distribution<double> noise(0.0, 0.1e-3);
-  std::vector<FollowedPoint> points;
-  std::vector<Eigen::Vector3d> gaps;
-  for (int i = 0; i < 100; ++i) {
-    const Eigen::Vector3d modelled(8e-3 * (i % 10 - 5), 6e-3 * (i / 10 - 5), 0.1 + 6e-3 * std::sin(0.8 * i));
-    Eigen::Vector3d seen = turn * modelled + shift;
-    if (i % 10 >= 10 - columns) seen += Eigen::Vector3d(0.0, by, -0.5 * by);
-    const Eigen::Vector3d ray = seen.normalized();
-    // Depth is known twenty times less well than what lies across the sight.
-    seen += Eigen::Vector3d(noise(random), noise(random), noise(random)) + 20.0 * noise(random) * ray;
-    FollowedPoint point;
-    point.id = i;
-    point.p_in_camera = seen;
-    point.information = Eigen::Matrix3d::Identity() - (1.0 - 1.0 / 400.0) * ray * ray.transpose();
-    points.push_back(point);
-    gaps.push_back(seen - modelled);
-  }
-  const RigidMotion found = scope_motion(points, gaps);
-  const Eigen::Vector3d middle(0.0, 0.0, 0.1);
-  const double off = (found.rotation * middle + found.translation - turn * middle - shift).norm();
-  const double turned = Eigen::AngleAxisd(found.rotation * turn.transpose()).angle();
-  QVERIFY2(off < 0.7e-3 && turned < 0.01, qPrintable(QString("%1 mm, %2").arg(1e3 * off).arg(turned)));
 }
 
 void FollowerTest::PicturesOfAnotherSizeAreRefused() {

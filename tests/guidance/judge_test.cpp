@@ -203,7 +203,7 @@ void JudgeTest::WhatIsWrongFromTheFirstIsNoNorm() {
   StereoFrame dull = first_;
   for (Picture* picture : {&dull.left, &dull.right}) {
     auto bytes = std::make_shared<std::vector<std::uint8_t>>(*picture->bytes);
-    for (auto& byte : *bytes) byte = static_cast<std::uint8_t>(150 + 0.02 * byte);
+    for (auto& byte : *bytes) byte = static_cast<std::uint8_t>(150 + 0.004 * byte);
     picture->bytes = bytes;
   }
   for (const auto& [first, said] : {std::pair{dull, Validity::poor_picture},
@@ -212,6 +212,7 @@ void JudgeTest::WhatIsWrongFromTheFirstIsNoNorm() {
     options.supported = options.least_supported = 0.0;  // what is seen less is another reason
     options.unknown = options.gap = options.local = options.pull = 100.0;
     options.behind = options.lifted = 1.0;
+    options.before = 0.3;
     Judge judge(model_, rig_, {}, options);
     judge.begin(first, nodes_);
     OverlayFrame overlay;
@@ -498,8 +499,8 @@ void JudgeTest::WhatStaysOffIsToldFromWhatErrsOnce_data() {
 void JudgeTest::WhatStaysOffIsToldFromWhatErrsOnce() {
   QFETCH(double, off);
   JudgeOptions options;
-  options.gap = options.pull = 100.0;  // no single surface speaks
-  options.behind = 1.0;
+  options.gap = options.local = options.pull = 100.0;  // no single surface speaks
+  options.behind = options.lifted = 1.0;
   options.motion = options.supported = options.least_supported = 0.0;
   options.unknown = 100.0;
   Judge judge(model_, rig_, {}, options);

@@ -18,7 +18,6 @@
 #include "judge.h"
 #include "point_memory.h"
 #include "relocator.h"
-#include "scope_motion.h"
 #include "stereo_follower.h"
 
 namespace glisson::guidance {
@@ -166,11 +165,18 @@ struct Tracker::Impl {
     anchors.retain(follower->points());
   }
 
-  /// The rigid motion that most points share is taken over at once, with what holds the organ:
+  /// The common rigid motion of the points that agree is taken over at once, with what holds the organ:
   /// nothing in them tells whether the camera or the organ moved, and mechanics would lag behind it.
   void follow_camera() {
     if (!options.scope_moves || !options.fixed_nodes.empty()) return;
-    body.move(scope_motion(follower->points(), anchors.gaps(follower->points(), body.surface())));
+    const std::vector<FollowedPoint>& points = follower->points();
+    const std::vector<Eigen::Vector3d> gaps = anchors.gaps(points, body.surface());
+    Points seen_now(static_cast<Eigen::Index>(points.size()), 3), modelled = seen_now;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      seen_now.row(static_cast<Eigen::Index>(i)) = points[i].p_in_camera.transpose();
+      modelled.row(static_cast<Eigen::Index>(i)) = (points[i].p_in_camera - gaps[i]).transpose();
+    }
+    body.move(fit_rigid_motion(modelled, seen_now, {}));
   }
 
   /// Whether it is time to look for the organ by its texture. @param is_lost without an overlay, because it
