@@ -15,21 +15,23 @@ bool is_joint(const EditSettings& s) { return s.of<Smooth>().method == Smooth::M
 
 const WindowTool& smooth_window_tool() {
   static const WindowTool kTool = [] {
-    WindowTool tool{"smooth",
-                    90,
-                    'S',
-                    QT_TRANSLATE_NOOP("EditTexts", "Smooth"),
-                    {{"smooth.median", QT_TRANSLATE_NOOP("EditTexts", "Smooth: median")},
-                     {"smooth.closing", QT_TRANSLATE_NOOP("EditTexts", "Smooth: closing")},
-                     {"smooth.opening", QT_TRANSLATE_NOOP("EditTexts", "Smooth: opening")},
-                     {"smooth.joint", QT_TRANSLATE_NOOP("EditTexts", "Smooth: joint")}},
-                    [](const EditSettings& s) {
-                      return is_joint(s) ? QT_TRANSLATE_NOOP("EditTexts",
-                                                             "All labels at once, without gaps between them; each keeps its volume.")
-                                         : QT_TRANSLATE_NOOP("EditTexts", "Evens the label's surface.");
-                    },
-                    "median, closing (fills gaps), opening (takes spikes), or all labels together without "
-                    "gaps between them, each with its volume and its thin branches"};
+    WindowTool tool{
+        "smooth",
+        90,
+        'S',
+        QT_TRANSLATE_NOOP("EditTexts", "Smooth"),
+        {{"smooth.median", QT_TRANSLATE_NOOP("EditTexts", "Smooth: median")},
+         {"smooth.closing", QT_TRANSLATE_NOOP("EditTexts", "Smooth: closing")},
+         {"smooth.opening", QT_TRANSLATE_NOOP("EditTexts", "Smooth: opening")},
+         {"smooth.joint", QT_TRANSLATE_NOOP("EditTexts", "Smooth: joint")}},
+        [](const EditSettings& s) {
+          return is_joint(s) ? QT_TRANSLATE_NOOP(
+                                   "EditTexts",
+                                   "All labels at once, without gaps between them; each keeps its volume.")
+                             : QT_TRANSLATE_NOOP("EditTexts", "Evens the label's surface.");
+        },
+        "median, closing (fills gaps), opening (takes spikes), or all labels together without "
+        "gaps between them, each with its volume and its thin branches"};
     tool.page = {choice_box("smooth_method", QT_TRANSLATE_NOOP("glisson::ui::ToolPages", "Method"),
                             {QT_TRANSLATE_NOOP("glisson::ui::ToolPages", "Median"),
                              QT_TRANSLATE_NOOP("glisson::ui::ToolPages", "Closing: fills gaps"),
