@@ -265,6 +265,10 @@
         <translation>Schließt, was das Label umschließt.</translation>
     </message>
     <message>
+        <source>All labels at once, without gaps between them.</source>
+        <translation>Alle Labels zugleich, ohne Lücken dazwischen.</translation>
+    </message>
+    <message>
         <source>All labels at once, without gaps between them; each keeps its volume.</source>
         <translation>Alle Labels zugleich, ohne Lücken dazwischen; jedes behält sein Volumen.</translation>
     </message>
@@ -1088,10 +1092,6 @@
         <translation>nicht ein Bild wurde aufgenommen</translation>
     </message>
     <message>
-        <source>%1 of %2 frames can be read back</source>
-        <translation>%1 von %2 Bildern können zurückgelesen werden</translation>
-    </message>
-    <message>
         <source>holds no pictures</source>
         <translation>enthält keine Bilder</translation>
     </message>
@@ -1194,10 +1194,6 @@
     <message>
         <source>Check permissions and space</source>
         <translation>Prüfen Sie Rechte und freien Platz</translation>
-    </message>
-    <message>
-        <source>Free some space on the disk and record again</source>
-        <translation>Machen Sie Platz auf der Platte, und nehmen Sie noch einmal auf</translation>
     </message>
     <message>
         <source>Install Glisson again</source>
@@ -2124,12 +2120,44 @@
         <translation>Lassen Sie die Angabe weg</translation>
     </message>
     <message>
+        <source>there are neither labels nor a model</source>
+        <translation>es gibt weder Labels noch ein Modell</translation>
+    </message>
+    <message>
+        <source>lies there already and is none of the surfaces that are written</source>
+        <translation>liegt dort schon und ist keine der Oberflächen, die geschrieben werden</translation>
+    </message>
+    <message>
+        <source>Name a folder; it is made if there is none</source>
+        <translation>Nennen Sie einen Ordner; er wird angelegt, wenn es ihn nicht gibt</translation>
+    </message>
+    <message>
+        <source>Choose an empty folder</source>
+        <translation>Wählen Sie einen leeren Ordner</translation>
+    </message>
+    <message>
+        <source>Use stl, ply, obj or vtp</source>
+        <translation>Möglich sind stl, ply, obj und vtp</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is none that surfaces are written in</source>
+        <translation>„%1“ ist keines, in dem Oberflächen geschrieben werden</translation>
+    </message>
+    <message>
         <source>is missing, or no vector a vertex</source>
         <translation>fehlt oder hat nicht je Eckpunkt einen Vektor</translation>
     </message>
     <message>
         <source>do not belong to this atlas.json</source>
         <translation>gehören nicht zu dieser atlas.json</translation>
+    </message>
+    <message>
+        <source>holds something else than an atlas</source>
+        <translation>enthält etwas anderes als einen Atlas</translation>
+    </message>
+    <message>
+        <source>are none in this folder</source>
+        <translation>gibt es in diesem Ordner nicht</translation>
     </message>
     <message>
         <source>has two of the name %1</source>
@@ -2458,12 +2486,6 @@
     <message>
         <source>measures %1 m across when read in %2, and a liver measures 0.08 to 0.6 m</source>
         <translation>misst %1 m, in %2 gelesen, und eine Leber misst 0,08 bis 0,6 m</translation>
-        <source>holds something else than an atlas</source>
-        <translation>enthält etwas anderes als einen Atlas</translation>
-    </message>
-    <message>
-        <source>are none in this folder</source>
-        <translation>gibt es in diesem Ordner nicht</translation>
     </message>
     <message>
         <source>Build the atlas again, or take another one</source>
@@ -2472,7 +2494,6 @@
     <message>
         <source>Build the atlas again with this program</source>
         <translation>Bauen Sie den Atlas mit diesem Programm noch einmal</translation>
-        <translation>Bauen Sie den Atlas noch einmal mit diesem Programm</translation>
     </message>
     <message>
         <source>Copy both files of one atlas</source>
@@ -3079,6 +3100,10 @@
         <translation>kein Bild heißt so</translation>
     </message>
     <message>
+        <source>%1 of %2 frames can be read back</source>
+        <translation>%1 von %2 Bildern lassen sich wieder lesen</translation>
+    </message>
+    <message>
         <source>holds %1 numbers where %2 are expected</source>
         <translation>enthält %1 Zahlen, erwartet sind %2</translation>
     </message>
@@ -3389,6 +3414,10 @@
     <message>
         <source>Check the pattern</source>
         <translation>Prüfen Sie das Muster</translation>
+    </message>
+    <message>
+        <source>Free some space on the disk and record again</source>
+        <translation>Schaffen Sie Platz auf dem Datenträger, und nehmen Sie noch einmal auf</translation>
     </message>
     <message>
         <source>Put it beside the header and name it there without a folder</source>
@@ -3949,28 +3978,6 @@
     <message>
         <source>Give a track of this video, or register a frame that is not its last</source>
         <translation>Geben Sie eine Verfolgung dieses Videos an, oder registrieren Sie ein Bild, das nicht sein letztes ist</translation>
-        <source>there are neither labels nor a model</source>
-        <translation>es gibt weder Labels noch ein Modell</translation>
-    </message>
-    <message>
-        <source>lies there already and is none of the surfaces that are written</source>
-        <translation>liegt dort schon und ist keine der Oberflächen, die geschrieben werden</translation>
-    </message>
-    <message>
-        <source>Name a folder; it is made if there is none</source>
-        <translation>Nennen Sie einen Ordner; er wird angelegt, wenn es ihn nicht gibt</translation>
-    </message>
-    <message>
-        <source>Choose an empty folder</source>
-        <translation>Wählen Sie einen leeren Ordner</translation>
-    </message>
-    <message>
-        <source>Use stl, ply, obj or vtp</source>
-        <translation>Möglich sind stl, ply, obj und vtp</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is none that surfaces are written in</source>
-        <translation>„%1“ ist keines, in dem Oberflächen geschrieben werden</translation>
     </message>
 </context>
 <context>
@@ -4094,37 +4101,6 @@
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
-    </message>
-</context>
-<context>
-    <name>GreyWindows</name>
-    <message>
-        <source>Abdomen</source>
-        <translation>Abdomen</translation>
-    </message>
-    <message>
-        <source>Liver</source>
-        <translation>Leber</translation>
-    </message>
-    <message>
-        <source>Vessels</source>
-        <translation>Gefäße</translation>
-    </message>
-    <message>
-        <source>Lung</source>
-        <translation>Lunge</translation>
-    </message>
-    <message>
-        <source>Bone</source>
-        <translation>Knochen</translation>
-    </message>
-    <message>
-        <source>Own</source>
-        <translation>Eigenes</translation>
-    </message>
-    <message>
-        <source>Whole range</source>
-        <translation>Ganzer Bereich</translation>
     </message>
 </context>
 <context>
@@ -4895,6 +4871,18 @@
         <translation>Modell nicht geprüft</translation>
     </message>
     <message>
+        <source>the camera sees the organ elsewhere; register again</source>
+        <translation>die Kamera sieht das Organ woanders; neu registrieren</translation>
+    </message>
+    <message>
+        <source>the picture stands still; check the camera</source>
+        <translation>das Bild steht still; Kamera prüfen</translation>
+    </message>
+    <message>
+        <source>the two views do not show the same moment; check the cameras</source>
+        <translation>die beiden Ansichten zeigen nicht denselben Augenblick; Kameras prüfen</translation>
+    </message>
+    <message>
         <source>the camera sees the organ elsewhere</source>
         <translation>die Kamera sieht das Organ anderswo</translation>
     </message>
@@ -5085,6 +5073,10 @@
     <message>
         <source>Check the camera and its cable.</source>
         <translation>Prüfen Sie die Kamera und ihr Kabel.</translation>
+    </message>
+    <message>
+        <source>Move the laparoscope a little, or wait for a breath.</source>
+        <translation>Bewegen Sie das Laparoskop ein wenig, oder warten Sie auf einen Atemzug.</translation>
     </message>
     <message>
         <source>Check that both cameras run, in the right order and at the same time.</source>
@@ -5732,10 +5724,12 @@
         <translation>Operationen werden simuliert</translation>
     </message>
     <message>
-        <source>Building an atlas</source>
-        <translation>Ein Atlas wird gebaut</translation>
         <source>Writing the surfaces</source>
         <translation>Oberflächen schreiben</translation>
+    </message>
+    <message>
+        <source>Building an atlas</source>
+        <translation>Ein Atlas wird gebaut</translation>
     </message>
 </context>
 <context>
@@ -6809,8 +6803,16 @@
         <translation>--accept: %1 ist keine Struktur.</translation>
     </message>
     <message>
+        <source>Landmarks that the CT does not show. &apos;build CASE... --out A&apos; makes an atlas of reviewed cases, &apos;evaluate CASE...&apos; foretells each of them by the others, &apos;show&apos; tells what an atlas knows, &apos;transfer --case C&apos; proposes landmarks on a patient&apos;s liver.</source>
+        <translation>Landmarken, die das CT nicht zeigt. „build FALL... --out A“ macht einen Atlas aus geprüften Fällen, „evaluate FALL...“ sagt jeden aus den anderen vorher, „show“ sagt, was ein Atlas weiß, „transfer --case C“ schlägt Landmarken auf der Leber eines Patienten vor.</translation>
+    </message>
+    <message>
         <source>build, evaluate, show or transfer.</source>
         <translation>build, evaluate, show oder transfer.</translation>
+    </message>
+    <message>
+        <source>Cases with a model, for build and evaluate: five at least.</source>
+        <translation>Fälle mit einem Modell, für build und evaluate: mindestens fünf.</translation>
     </message>
     <message>
         <source>An atlas&apos; folder instead of the built-in atlas.</source>
@@ -6959,6 +6961,10 @@
     <message>
         <source>Draw thin distal branches of vessels, too.</source>
         <translation>Auch dünne ferne Äste der Gefäße zeichnen.</translation>
+    </message>
+    <message>
+        <source>A folder that &apos;glisson track&apos; filled for this case and video: what was known then is drawn again, and nothing is followed.</source>
+        <translation>Ein Ordner, den &apos;glisson track&apos; für diesen Fall und dieses Video gefüllt hat: Was damals bekannt war, wird wieder gezeichnet, und nichts wird verfolgt.</translation>
     </message>
     <message>
         <source>A folder that &apos;glisson track&apos; filled for this case and video, or NAME.frames.jsonl that the window wrote beside a recording: what was known then is drawn again, and nothing is followed.</source>
@@ -7185,12 +7191,26 @@
         <translation>Simuliert auch Operationen darauf, auf denen dann jede Registrierung dieses Falls beruht: einige Sekunden, die keine Registrierung mehr braucht.</translation>
     </message>
     <message>
+        <source>Also write the surfaces of the liver and each structure into this folder, LPS mm, without the patient&apos;s name.</source>
+        <translation>Auch die Oberflächen der Leber und jeder Struktur in diesen Ordner schreiben, LPS mm, ohne den Namen des Patienten.</translation>
+    </message>
+    <message>
+        <source>Of these surfaces: stl, ply, obj or vtp.</source>
+        <translation>Format dieser Oberflächen: stl, ply, obj oder vtp.</translation>
+    </message>
+    <message>
+        <source>--format %1: write stl, ply, obj or vtp.</source>
+        <translation>--format %1: stl, ply, obj oder vtp schreiben.</translation>
+    </message>
+    <message>
         <source>The raw views that were recorded with --track&apos;s file: drawn into instead of the case&apos;s video, as of a live device.</source>
         <translation>Die rohen Ansichten, die mit der Datei von --track aufgenommen wurden: in sie wird gezeichnet statt in das Video des Falls, etwa bei einem laufenden Gerät.</translation>
     </message>
     <message>
         <source>A hand holds the laparoscope: it turns about the trocar, comes nearer, goes away and rolls.</source>
         <translation>Eine Hand hält das Laparoskop: es dreht sich um den Trokar, kommt näher, geht weg und rollt.</translation>
+    </message>
+    <message>
         <source>Landmarks that the CT does not show. &apos;build CASE... --out A&apos; makes an atlas of reviewed cases, &apos;evaluate CASE...&apos; foretells each of them by the others, &apos;show&apos; tells what an atlas knows, &apos;show --case C&apos; where a case&apos;s landmarks come from, &apos;transfer --case C&apos; proposes landmarks on a patient&apos;s liver.</source>
         <translation>Landmarken, die das CT nicht zeigt. „build FALL... --out A“ macht einen Atlas aus geprüften Fällen, „evaluate FALL...“ sagt jeden aus den anderen vorher, „show“ sagt, was ein Atlas weiß, „show --case C“, woher die Landmarken eines Falls kommen, „transfer --case C“ schlägt Landmarken auf der Leber eines Patienten vor.</translation>
     </message>
@@ -7229,16 +7249,6 @@
     <message>
         <source>real livers by the built-in atlas: vena cava&apos;s course, mean, mm</source>
         <translation>echte Lebern mit dem eingebauten Atlas: Verlauf der Vena cava, Mittel, mm</translation>
-        <source>Also write the surfaces of the liver and each structure into this folder, LPS mm, without the patient&apos;s name.</source>
-        <translation>Auch die Oberflächen der Leber und jeder Struktur in diesen Ordner schreiben, LPS mm, ohne den Namen des Patienten.</translation>
-    </message>
-    <message>
-        <source>Of these surfaces: stl, ply, obj or vtp.</source>
-        <translation>Format dieser Oberflächen: stl, ply, obj oder vtp.</translation>
-    </message>
-    <message>
-        <source>--format %1: write stl, ply, obj or vtp.</source>
-        <translation>--format %1: stl, ply, obj oder vtp schreiben.</translation>
     </message>
 </context>
 <context>
@@ -7316,53 +7326,6 @@
     <message>
         <source>%1°</source>
         <translation>%1°</translation>
-    </message>
-</context>
-<context>
-    <name>glisson::ui::AtlasBox</name>
-    <message>
-        <source>Atlas…</source>
-        <translation>Atlas…</translation>
-    </message>
-    <message>
-        <source>The livers that the landmarks are proposed from</source>
-        <translation>Die Lebern, aus denen die Landmarken vorgeschlagen werden</translation>
-    </message>
-    <message>
-        <source>Built-in atlas</source>
-        <translation>Eingebauter Atlas</translation>
-    </message>
-    <message>
-        <source>Own atlas…</source>
-        <translation>Eigener Atlas…</translation>
-    </message>
-    <message>
-        <source>Build from cases…</source>
-        <translation>Aus Fällen bauen…</translation>
-    </message>
-    <message>
-        <source>Folder of an atlas</source>
-        <translation>Ordner eines Atlas</translation>
-    </message>
-    <message>
-        <source>Atlas in %1</source>
-        <translation>Atlas in %1</translation>
-    </message>
-    <message>
-        <source>Built-in atlas &apos;%1&apos;, %2 livers</source>
-        <translation>Eingebauter Atlas „%1“, %2 Lebern</translation>
-    </message>
-    <message>
-        <source>Own atlas &apos;%1&apos;, %2 livers</source>
-        <translation>Eigener Atlas „%1“, %2 Lebern</translation>
-    </message>
-    <message>
-        <source>The chosen atlas cannot be used: choose it anew, another one, or the built-in atlas.</source>
-        <translation>Der gewählte Atlas ist nicht verwendbar: Wählen Sie ihn neu, einen anderen oder den eingebauten.</translation>
-    </message>
-    <message>
-        <source>The proposals below are from the atlas &apos;%1&apos;.</source>
-        <translation>Die Vorschläge unten sind vom Atlas „%1“.</translation>
     </message>
 </context>
 <context>
@@ -7512,85 +7475,6 @@
     <message>
         <source>Suspicious places. Click one to go there; cut where the branch is wrong.</source>
         <translation>Verdächtige Stellen. Anklicken führt hin; abschneiden, wo der Ast falsch ist.</translation>
-    </message>
-</context>
-<context>
-    <name>glisson::ui::BuildAtlasDialog</name>
-    <message>
-        <source>%1: off by %2 mm on average where the others foretell it</source>
-        <translation>%1: im Mittel %2 mm daneben, wo die anderen es vorhersagen</translation>
-    </message>
-    <message>
-        <source>Build an atlas</source>
-        <translation>Einen Atlas bauen</translation>
-    </message>
-    <message>
-        <source>Of your own cases, five at least, with a model and reviewed landmarks. What a case only took over from an atlas is no evidence and stays out. It takes some seconds a liver.</source>
-        <translation>Aus eigenen Fällen, mindestens fünf, mit einem Modell und geprüften Landmarken. Was ein Fall nur von einem Atlas übernommen hat, ist kein Beleg und bleibt weg. Es dauert einige Sekunden je Leber.</translation>
-    </message>
-    <message>
-        <source>Build</source>
-        <translation>Bauen</translation>
-    </message>
-    <message>
-        <source>Cases</source>
-        <translation>Fälle</translation>
-    </message>
-    <message>
-        <source>Add case or folder…</source>
-        <translation>Fall oder Ordner hinzufügen…</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Entfernen</translation>
-    </message>
-    <message>
-        <source>Cases whose labels nobody has approved, too</source>
-        <translation>Auch Fälle, deren Label niemand freigegeben hat</translation>
-    </message>
-    <message>
-        <source>A case, or a folder of cases</source>
-        <translation>Ein Fall oder ein Ordner mit Fällen</translation>
-    </message>
-    <message>
-        <source>own</source>
-        <translation>eigener</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Name</translation>
-    </message>
-    <message>
-        <source>a new folder</source>
-        <translation>ein neuer Ordner</translation>
-    </message>
-    <message>
-        <source>Choose…</source>
-        <translation>Wählen…</translation>
-    </message>
-    <message>
-        <source>Kept in</source>
-        <translation>Abgelegt in</translation>
-    </message>
-    <message>
-        <source>Folder for the atlas</source>
-        <translation>Ordner für den Atlas</translation>
-    </message>
-    <message>
-        <source>Choose an atlas to build on first.</source>
-        <translation>Wählen Sie zuerst einen Atlas, auf dem gebaut wird.</translation>
-    </message>
-    <message>
-        <source>Add your cases first.</source>
-        <translation>Fügen Sie zuerst Ihre Fälle hinzu.</translation>
-    </message>
-    <message>
-        <source>Give the atlas a name.</source>
-        <translation>Geben Sie dem Atlas einen Namen.</translation>
-    </message>
-    <message>
-        <source>Name a folder to keep it in.</source>
-        <translation>Nennen Sie einen Ordner, in dem er abgelegt wird.</translation>
     </message>
 </context>
 <context>
@@ -8718,17 +8602,6 @@
     </message>
 </context>
 <context>
-    <name>glisson::ui::MeasureBook</name>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>%1 × %2 mm</source>
-        <translation>%1 × %2 mm</translation>
-    </message>
-</context>
-<context>
     <name>glisson::ui::ModelPanel</name>
     <message>
         <source>Model</source>
@@ -9128,6 +9001,10 @@
         <translation>Flächen bemalen</translation>
     </message>
     <message>
+        <source>Paint where it touches the liver, in 3D</source>
+        <translation>In 3D bemalen, wo es die Leber berührt</translation>
+    </message>
+    <message>
         <source>A smaller brush</source>
         <translation>Ein kleinerer Pinsel</translation>
     </message>
@@ -9138,6 +9015,10 @@
     <message>
         <source>Drag it over the liver, or click in a slice. Enter: at the crosshair. Esc: done.</source>
         <translation>Über die Leber ziehen oder in einen Schnitt klicken. Eingabe: ans Fadenkreuz. Esc: fertig.</translation>
+    </message>
+    <message>
+        <source>Drag over the liver to paint, with Ctrl to wipe. Brush %1 mm (+, −). Esc: done.</source>
+        <translation>Über die Leber ziehen malt, mit Strg wischt es weg. Pinsel %1 mm (+, −). Esc: fertig.</translation>
     </message>
     <message>
         <source>Choose an atlas first.</source>
@@ -9526,89 +9407,6 @@
     </message>
 </context>
 <context>
-    <name>glisson::ui::RunningWork</name>
-    <message>
-        <source>Close</source>
-        <translation>Schließen</translation>
-    </message>
-    <message>
-        <source>Closing now stops it: what it would have made is lost, and the case stays as it is.</source>
-        <translation>Jetzt zu schließen bricht es ab: Was dabei entstünde, geht verloren, und der Fall bleibt, wie er ist.</translation>
-    </message>
-    <message>
-        <source>Wait, then close</source>
-        <translation>Warten, dann schließen</translation>
-    </message>
-    <message>
-        <source>Stop it and close</source>
-        <translation>Abbrechen und schließen</translation>
-    </message>
-    <message>
-        <source>Do not close</source>
-        <translation>Nicht schließen</translation>
-    </message>
-    <message>
-        <source>then the window closes</source>
-        <translation>danach schließt das Fenster</translation>
-    </message>
-    <message>
-        <source>Save</source>
-        <translation>Speichern</translation>
-    </message>
-    <message>
-        <source>Waiting saves the case with what it makes. Stopping it saves the case as it is now.</source>
-        <translation>Warten speichert den Fall mit dem, was dabei entsteht. Abbrechen speichert den Fall, wie er jetzt ist.</translation>
-    </message>
-    <message>
-        <source>Wait, then save</source>
-        <translation>Warten, dann speichern</translation>
-    </message>
-    <message>
-        <source>Stop it and save</source>
-        <translation>Abbrechen und speichern</translation>
-    </message>
-    <message>
-        <source>Do not save</source>
-        <translation>Nicht speichern</translation>
-    </message>
-    <message>
-        <source>then the case is saved</source>
-        <translation>danach wird der Fall gespeichert</translation>
-    </message>
-    <message>
-        <source>Open</source>
-        <translation>Öffnen</translation>
-    </message>
-    <message>
-        <source>Stopping it loses what it would have made.</source>
-        <translation>Beim Abbrechen geht verloren, was dabei entstünde.</translation>
-    </message>
-    <message>
-        <source>Wait, then open</source>
-        <translation>Warten, dann öffnen</translation>
-    </message>
-    <message>
-        <source>Stop it and open</source>
-        <translation>Abbrechen und öffnen</translation>
-    </message>
-    <message>
-        <source>Do not open</source>
-        <translation>Nicht öffnen</translation>
-    </message>
-    <message>
-        <source>then it is opened</source>
-        <translation>danach wird geöffnet</translation>
-    </message>
-    <message>
-        <source>Still at work: %1.</source>
-        <translation>Noch bei der Arbeit: %1.</translation>
-    </message>
-    <message>
-        <source>The work has ended meanwhile.</source>
-        <translation>Die Arbeit ist inzwischen zu Ende.</translation>
-    </message>
-</context>
-<context>
     <name>glisson::ui::SeedBox</name>
     <message>
         <source>Not liver</source>
@@ -9886,10 +9684,6 @@ Mode %3 bei %4 Abweichungen
 <context>
     <name>glisson::ui::SliceView</name>
     <message>
-        <source>Click: crosshair. Wheel: next slice. Right drag: contrast. Middle drag: move. Ctrl + wheel: zoom. Double click: this view alone. Right click: menu.</source>
-        <translation>Klick: Fadenkreuz. Rad: nächste Schicht. Rechts ziehen: Kontrast. Mitte ziehen: verschieben. Strg + Rad: Zoom. Doppelklick: nur diese Ansicht. Rechtsklick: Menü.</translation>
-    </message>
-    <message>
         <source>No volume</source>
         <translation>Kein Volumen</translation>
     </message>
@@ -9916,6 +9710,10 @@ Mode %3 bei %4 Abweichungen
     <message>
         <source>MIP %1 mm</source>
         <translation>MIP %1 mm</translation>
+    </message>
+    <message>
+        <source>Click: crosshair. Wheel: next slice. Right drag: contrast. Middle drag: move. Ctrl + wheel: zoom. Double click: this view alone. Right click: menu.</source>
+        <translation>Klick: Fadenkreuz. Rad: nächste Schicht. Rechts ziehen: Kontrast. Mitte ziehen: verschieben. Strg + Rad: Zoom. Doppelklick: nur diese Ansicht. Rechtsklick: Menü.</translation>
     </message>
 </context>
 <context>
@@ -10899,6 +10697,280 @@ Mode %3 bei %4 Abweichungen
     </message>
 </context>
 <context>
+    <name>glisson::ui::WelcomePage</name>
+    <message>
+        <source>Glisson</source>
+        <translation>Glisson</translation>
+    </message>
+    <message>
+        <source>Open a patient&apos;s CT or a case, or drop it here.</source>
+        <translation>Das CT eines Patienten oder einen Fall öffnen oder hierher ziehen.</translation>
+    </message>
+    <message>
+        <source>DICOM folder…</source>
+        <translation>DICOM-Ordner…</translation>
+    </message>
+    <message>
+        <source>Volume file…</source>
+        <translation>Volumendatei…</translation>
+    </message>
+    <message>
+        <source>Case…</source>
+        <translation>Fall…</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::AtlasBox</name>
+    <message>
+        <source>Atlas…</source>
+        <translation>Atlas…</translation>
+    </message>
+    <message>
+        <source>The livers that the landmarks are proposed from</source>
+        <translation>Die Lebern, aus denen die Landmarken vorgeschlagen werden</translation>
+    </message>
+    <message>
+        <source>Built-in atlas</source>
+        <translation>Eingebauter Atlas</translation>
+    </message>
+    <message>
+        <source>Own atlas…</source>
+        <translation>Eigener Atlas…</translation>
+    </message>
+    <message>
+        <source>Build from cases…</source>
+        <translation>Aus Fällen bauen…</translation>
+    </message>
+    <message>
+        <source>Folder of an atlas</source>
+        <translation>Ordner eines Atlas</translation>
+    </message>
+    <message>
+        <source>Atlas in %1</source>
+        <translation>Atlas in %1</translation>
+    </message>
+    <message>
+        <source>Built-in atlas &apos;%1&apos;, %2 livers</source>
+        <translation>Eingebauter Atlas „%1“, %2 Lebern</translation>
+    </message>
+    <message>
+        <source>Own atlas &apos;%1&apos;, %2 livers</source>
+        <translation>Eigener Atlas „%1“, %2 Lebern</translation>
+    </message>
+    <message>
+        <source>The chosen atlas cannot be used: choose it anew, another one, or the built-in atlas.</source>
+        <translation>Der gewählte Atlas ist nicht verwendbar: Wählen Sie ihn neu, einen anderen oder den eingebauten.</translation>
+    </message>
+    <message>
+        <source>The proposals below are from the atlas &apos;%1&apos;.</source>
+        <translation>Die Vorschläge unten sind vom Atlas „%1“.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::BuildAtlasDialog</name>
+    <message>
+        <source>%1: off by %2 mm on average where the others foretell it</source>
+        <translation>%1: im Mittel %2 mm daneben, wo die anderen es vorhersagen</translation>
+    </message>
+    <message>
+        <source>Build an atlas</source>
+        <translation>Einen Atlas bauen</translation>
+    </message>
+    <message>
+        <source>Of your own cases, five at least, with a model and reviewed landmarks. What a case only took over from an atlas is no evidence and stays out. It takes some seconds a liver.</source>
+        <translation>Aus eigenen Fällen, mindestens fünf, mit einem Modell und geprüften Landmarken. Was ein Fall nur von einem Atlas übernommen hat, ist kein Beleg und bleibt weg. Es dauert einige Sekunden je Leber.</translation>
+    </message>
+    <message>
+        <source>Build</source>
+        <translation>Bauen</translation>
+    </message>
+    <message>
+        <source>Cases</source>
+        <translation>Fälle</translation>
+    </message>
+    <message>
+        <source>Add case or folder…</source>
+        <translation>Fall oder Ordner hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Cases whose labels nobody has approved, too</source>
+        <translation>Auch Fälle, deren Label niemand freigegeben hat</translation>
+    </message>
+    <message>
+        <source>A case, or a folder of cases</source>
+        <translation>Ein Fall oder ein Ordner mit Fällen</translation>
+    </message>
+    <message>
+        <source>own</source>
+        <translation>eigener</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>a new folder</source>
+        <translation>ein neuer Ordner</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
+    </message>
+    <message>
+        <source>Kept in</source>
+        <translation>Abgelegt in</translation>
+    </message>
+    <message>
+        <source>Folder for the atlas</source>
+        <translation>Ordner für den Atlas</translation>
+    </message>
+    <message>
+        <source>Choose an atlas to build on first.</source>
+        <translation>Wählen Sie zuerst einen Atlas, auf dem gebaut wird.</translation>
+    </message>
+    <message>
+        <source>Add your cases first.</source>
+        <translation>Fügen Sie zuerst Ihre Fälle hinzu.</translation>
+    </message>
+    <message>
+        <source>Give the atlas a name.</source>
+        <translation>Geben Sie dem Atlas einen Namen.</translation>
+    </message>
+    <message>
+        <source>Name a folder to keep it in.</source>
+        <translation>Nennen Sie einen Ordner, in dem er abgelegt wird.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::RunningWork</name>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Closing now stops it: what it would have made is lost, and the case stays as it is.</source>
+        <translation>Jetzt zu schließen bricht es ab: Was dabei entstünde, geht verloren, und der Fall bleibt, wie er ist.</translation>
+    </message>
+    <message>
+        <source>Wait, then close</source>
+        <translation>Warten, dann schließen</translation>
+    </message>
+    <message>
+        <source>Stop it and close</source>
+        <translation>Abbrechen und schließen</translation>
+    </message>
+    <message>
+        <source>Do not close</source>
+        <translation>Nicht schließen</translation>
+    </message>
+    <message>
+        <source>then the window closes</source>
+        <translation>danach schließt das Fenster</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Waiting saves the case with what it makes. Stopping it saves the case as it is now.</source>
+        <translation>Warten speichert den Fall mit dem, was dabei entsteht. Abbrechen speichert den Fall, wie er jetzt ist.</translation>
+    </message>
+    <message>
+        <source>Wait, then save</source>
+        <translation>Warten, dann speichern</translation>
+    </message>
+    <message>
+        <source>Stop it and save</source>
+        <translation>Abbrechen und speichern</translation>
+    </message>
+    <message>
+        <source>Do not save</source>
+        <translation>Nicht speichern</translation>
+    </message>
+    <message>
+        <source>then the case is saved</source>
+        <translation>danach wird der Fall gespeichert</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Stopping it loses what it would have made.</source>
+        <translation>Beim Abbrechen geht verloren, was dabei entstünde.</translation>
+    </message>
+    <message>
+        <source>Wait, then open</source>
+        <translation>Warten, dann öffnen</translation>
+    </message>
+    <message>
+        <source>Stop it and open</source>
+        <translation>Abbrechen und öffnen</translation>
+    </message>
+    <message>
+        <source>Do not open</source>
+        <translation>Nicht öffnen</translation>
+    </message>
+    <message>
+        <source>then it is opened</source>
+        <translation>danach wird geöffnet</translation>
+    </message>
+    <message>
+        <source>Still at work: %1.</source>
+        <translation>Noch bei der Arbeit: %1.</translation>
+    </message>
+    <message>
+        <source>The work has ended meanwhile.</source>
+        <translation>Die Arbeit ist inzwischen zu Ende.</translation>
+    </message>
+</context>
+<context>
+    <name>GreyWindows</name>
+    <message>
+        <source>Abdomen</source>
+        <translation>Abdomen</translation>
+    </message>
+    <message>
+        <source>Liver</source>
+        <translation>Leber</translation>
+    </message>
+    <message>
+        <source>Vessels</source>
+        <translation>Gefäße</translation>
+    </message>
+    <message>
+        <source>Lung</source>
+        <translation>Lunge</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>Knochen</translation>
+    </message>
+    <message>
+        <source>Own</source>
+        <translation>Eigenes</translation>
+    </message>
+    <message>
+        <source>Whole range</source>
+        <translation>Ganzer Bereich</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::MeasureBook</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm</source>
+        <translation>%1 × %2 mm</translation>
+    </message>
+</context>
+<context>
     <name>glisson::ui::ViewBar</name>
     <message>
         <source>Which greys the slices show. Right drag in a slice changes them.</source>
@@ -10967,29 +11039,6 @@ Mode %3 bei %4 Abweichungen
     <message>
         <source>The view under the pointer fills the place of all, as after a double click; Esc goes back</source>
         <translation>Die Ansicht unter dem Zeiger füllt den Platz aller, wie nach einem Doppelklick; Esc geht zurück</translation>
-    </message>
-</context>
-<context>
-    <name>glisson::ui::WelcomePage</name>
-    <message>
-        <source>Glisson</source>
-        <translation>Glisson</translation>
-    </message>
-    <message>
-        <source>Open a patient&apos;s CT or a case, or drop it here.</source>
-        <translation>Das CT eines Patienten oder einen Fall öffnen oder hierher ziehen.</translation>
-    </message>
-    <message>
-        <source>DICOM folder…</source>
-        <translation>DICOM-Ordner…</translation>
-    </message>
-    <message>
-        <source>Volume file…</source>
-        <translation>Volumendatei…</translation>
-    </message>
-    <message>
-        <source>Case…</source>
-        <translation>Fall…</translation>
     </message>
 </context>
 </TS>

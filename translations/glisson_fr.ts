@@ -265,6 +265,10 @@
         <translation>Comble ce que l&apos;étiquette entoure.</translation>
     </message>
     <message>
+        <source>All labels at once, without gaps between them.</source>
+        <translation>Toutes les étiquettes à la fois, sans vides entre elles.</translation>
+    </message>
+    <message>
         <source>All labels at once, without gaps between them; each keeps its volume.</source>
         <translation>Toutes les étiquettes à la fois, sans vides entre elles ; chacune garde son volume.</translation>
     </message>
@@ -1088,10 +1092,6 @@
         <translation>aucune image n&apos;a été enregistrée</translation>
     </message>
     <message>
-        <source>%1 of %2 frames can be read back</source>
-        <translation>%1 images sur %2 peuvent être relues</translation>
-    </message>
-    <message>
         <source>holds no pictures</source>
         <translation>ne contient pas d’images</translation>
     </message>
@@ -1194,10 +1194,6 @@
     <message>
         <source>Check permissions and space</source>
         <translation>Vérifiez les droits et l’espace libre</translation>
-    </message>
-    <message>
-        <source>Free some space on the disk and record again</source>
-        <translation>Libérez de la place sur le disque et enregistrez de nouveau</translation>
     </message>
     <message>
         <source>Install Glisson again</source>
@@ -2124,12 +2120,44 @@
         <translation>Ne donnez pas ce choix</translation>
     </message>
     <message>
+        <source>there are neither labels nor a model</source>
+        <translation>il n’y a ni labels ni modèle</translation>
+    </message>
+    <message>
+        <source>lies there already and is none of the surfaces that are written</source>
+        <translation>s’y trouve déjà et n’est aucune des surfaces à écrire</translation>
+    </message>
+    <message>
+        <source>Name a folder; it is made if there is none</source>
+        <translation>Indiquez un dossier ; il est créé s’il n’existe pas</translation>
+    </message>
+    <message>
+        <source>Choose an empty folder</source>
+        <translation>Choisissez un dossier vide</translation>
+    </message>
+    <message>
+        <source>Use stl, ply, obj or vtp</source>
+        <translation>Utilisez stl, ply, obj ou vtp</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is none that surfaces are written in</source>
+        <translation>« %1 » n’est pas un format dans lequel on écrit des surfaces</translation>
+    </message>
+    <message>
         <source>is missing, or no vector a vertex</source>
         <translation>manque, ou n’a pas un vecteur par sommet</translation>
     </message>
     <message>
         <source>do not belong to this atlas.json</source>
         <translation>n’appartiennent pas à cet atlas.json</translation>
+    </message>
+    <message>
+        <source>holds something else than an atlas</source>
+        <translation>contient autre chose qu&apos;un atlas</translation>
+    </message>
+    <message>
+        <source>are none in this folder</source>
+        <translation>manquent dans ce dossier</translation>
     </message>
     <message>
         <source>has two of the name %1</source>
@@ -2470,16 +2498,6 @@
     <message>
         <source>Copy both files of one atlas</source>
         <translation>Copiez les deux fichiers d’un même atlas</translation>
-        <source>do not belong to this atlas.json</source>
-        <translation>n&apos;appartiennent pas à ce atlas.json</translation>
-    </message>
-    <message>
-        <source>holds something else than an atlas</source>
-        <translation>contient autre chose qu&apos;un atlas</translation>
-    </message>
-    <message>
-        <source>are none in this folder</source>
-        <translation>manquent dans ce dossier</translation>
     </message>
     <message>
         <source>Name a new folder</source>
@@ -3082,6 +3100,10 @@
         <translation>aucune image n’a un tel nom</translation>
     </message>
     <message>
+        <source>%1 of %2 frames can be read back</source>
+        <translation>%1 images sur %2 peuvent être relues</translation>
+    </message>
+    <message>
         <source>holds %1 numbers where %2 are expected</source>
         <translation>contient %1 nombres, %2 sont attendus</translation>
     </message>
@@ -3392,6 +3414,10 @@
     <message>
         <source>Check the pattern</source>
         <translation>Vérifiez le motif</translation>
+    </message>
+    <message>
+        <source>Free some space on the disk and record again</source>
+        <translation>Libérez de l’espace sur le disque et enregistrez de nouveau</translation>
     </message>
     <message>
         <source>Put it beside the header and name it there without a folder</source>
@@ -3952,29 +3978,6 @@
     <message>
         <source>Give a track of this video, or register a frame that is not its last</source>
         <translation>Donnez un suivi de cette vidéo, ou recalez une image qui n’est pas la dernière</translation>
-        <translation>Donnez chaque foie une seule fois</translation>
-        <source>there are neither labels nor a model</source>
-        <translation>il n’y a ni labels ni modèle</translation>
-    </message>
-    <message>
-        <source>lies there already and is none of the surfaces that are written</source>
-        <translation>s’y trouve déjà et n’est aucune des surfaces à écrire</translation>
-    </message>
-    <message>
-        <source>Name a folder; it is made if there is none</source>
-        <translation>Indiquez un dossier ; il est créé s’il n’existe pas</translation>
-    </message>
-    <message>
-        <source>Choose an empty folder</source>
-        <translation>Choisissez un dossier vide</translation>
-    </message>
-    <message>
-        <source>Use stl, ply, obj or vtp</source>
-        <translation>Utilisez stl, ply, obj ou vtp</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is none that surfaces are written in</source>
-        <translation>« %1 » n’est pas un format dans lequel on écrit des surfaces</translation>
     </message>
 </context>
 <context>
@@ -4098,37 +4101,6 @@
     <message>
         <source>%1: %2</source>
         <translation>%1 : %2</translation>
-    </message>
-</context>
-<context>
-    <name>GreyWindows</name>
-    <message>
-        <source>Abdomen</source>
-        <translation>Abdomen</translation>
-    </message>
-    <message>
-        <source>Liver</source>
-        <translation>Foie</translation>
-    </message>
-    <message>
-        <source>Vessels</source>
-        <translation>Vaisseaux</translation>
-    </message>
-    <message>
-        <source>Lung</source>
-        <translation>Poumon</translation>
-    </message>
-    <message>
-        <source>Bone</source>
-        <translation>Os</translation>
-    </message>
-    <message>
-        <source>Own</source>
-        <translation>Personnelle</translation>
-    </message>
-    <message>
-        <source>Whole range</source>
-        <translation>Toute l’étendue</translation>
     </message>
 </context>
 <context>
@@ -4899,6 +4871,18 @@
         <translation>Modèle non vérifié</translation>
     </message>
     <message>
+        <source>the camera sees the organ elsewhere; register again</source>
+        <translation>la caméra voit l’organe ailleurs ; recaler à nouveau</translation>
+    </message>
+    <message>
+        <source>the picture stands still; check the camera</source>
+        <translation>l’image est figée ; vérifier la caméra</translation>
+    </message>
+    <message>
+        <source>the two views do not show the same moment; check the cameras</source>
+        <translation>les deux vues ne montrent pas le même instant ; vérifier les caméras</translation>
+    </message>
+    <message>
         <source>the camera sees the organ elsewhere</source>
         <translation>la caméra voit l&apos;organe ailleurs</translation>
     </message>
@@ -5089,6 +5073,10 @@
     <message>
         <source>Check the camera and its cable.</source>
         <translation>Vérifiez la caméra et son câble.</translation>
+    </message>
+    <message>
+        <source>Move the laparoscope a little, or wait for a breath.</source>
+        <translation>Bougez un peu le laparoscope, ou attendez une respiration.</translation>
     </message>
     <message>
         <source>Check that both cameras run, in the right order and at the same time.</source>
@@ -5736,10 +5724,12 @@
         <translation>Simulation d’opérations</translation>
     </message>
     <message>
-        <source>Building an atlas</source>
-        <translation>Construction d&apos;un atlas</translation>
         <source>Writing the surfaces</source>
         <translation>Écriture des surfaces</translation>
+    </message>
+    <message>
+        <source>Building an atlas</source>
+        <translation>Construction d&apos;un atlas</translation>
     </message>
 </context>
 <context>
@@ -6813,8 +6803,16 @@
         <translation>--accept : %1 n&apos;est pas une structure.</translation>
     </message>
     <message>
+        <source>Landmarks that the CT does not show. &apos;build CASE... --out A&apos; makes an atlas of reviewed cases, &apos;evaluate CASE...&apos; foretells each of them by the others, &apos;show&apos; tells what an atlas knows, &apos;transfer --case C&apos; proposes landmarks on a patient&apos;s liver.</source>
+        <translation>Repères que le scanner ne montre pas. « build CAS... --out A » fait un atlas de cas révisés, « evaluate CAS... » prédit chacun par les autres, « show » dit ce qu&apos;un atlas sait, « transfer --case C » propose des repères sur le foie d&apos;un patient.</translation>
+    </message>
+    <message>
         <source>build, evaluate, show or transfer.</source>
         <translation>build, evaluate, show ou transfer.</translation>
+    </message>
+    <message>
+        <source>Cases with a model, for build and evaluate: five at least.</source>
+        <translation>Cas avec un modèle, pour build et evaluate : cinq au moins.</translation>
     </message>
     <message>
         <source>An atlas&apos; folder instead of the built-in atlas.</source>
@@ -6963,6 +6961,10 @@
     <message>
         <source>Draw thin distal branches of vessels, too.</source>
         <translation>Dessiner aussi les branches distales fines des vaisseaux.</translation>
+    </message>
+    <message>
+        <source>A folder that &apos;glisson track&apos; filled for this case and video: what was known then is drawn again, and nothing is followed.</source>
+        <translation>Un dossier que &apos;glisson track&apos; a rempli pour ce cas et cette vidéo : ce qui était connu alors est dessiné de nouveau, et rien n&apos;est suivi.</translation>
     </message>
     <message>
         <source>A folder that &apos;glisson track&apos; filled for this case and video, or NAME.frames.jsonl that the window wrote beside a recording: what was known then is drawn again, and nothing is followed.</source>
@@ -7189,12 +7191,26 @@
         <translation>Simule aussi des opérations dessus, sur lesquelles repose ensuite chaque recalage de ce cas : quelques secondes qu’aucun recalage ne prendra plus.</translation>
     </message>
     <message>
+        <source>Also write the surfaces of the liver and each structure into this folder, LPS mm, without the patient&apos;s name.</source>
+        <translation>Écrire aussi les surfaces du foie et de chaque structure dans ce dossier, LPS mm, sans le nom du patient.</translation>
+    </message>
+    <message>
+        <source>Of these surfaces: stl, ply, obj or vtp.</source>
+        <translation>Format de ces surfaces : stl, ply, obj ou vtp.</translation>
+    </message>
+    <message>
+        <source>--format %1: write stl, ply, obj or vtp.</source>
+        <translation>--format %1 : écrivez stl, ply, obj ou vtp.</translation>
+    </message>
+    <message>
         <source>The raw views that were recorded with --track&apos;s file: drawn into instead of the case&apos;s video, as of a live device.</source>
         <translation>Les vues brutes enregistrées avec le fichier de --track : on y dessine au lieu de la vidéo du cas, comme pour un appareil en direct.</translation>
     </message>
     <message>
         <source>A hand holds the laparoscope: it turns about the trocar, comes nearer, goes away and rolls.</source>
         <translation>Une main tient le laparoscope : il tourne autour du trocart, s&apos;approche, s&apos;éloigne et roule.</translation>
+    </message>
+    <message>
         <source>Landmarks that the CT does not show. &apos;build CASE... --out A&apos; makes an atlas of reviewed cases, &apos;evaluate CASE...&apos; foretells each of them by the others, &apos;show&apos; tells what an atlas knows, &apos;show --case C&apos; where a case&apos;s landmarks come from, &apos;transfer --case C&apos; proposes landmarks on a patient&apos;s liver.</source>
         <translation>Repères que le scanner ne montre pas. « build CAS... --out A » fait un atlas de cas révisés, « evaluate CAS... » prédit chacun par les autres, « show » dit ce qu&apos;un atlas sait, « show --case C » d&apos;où viennent les repères d&apos;un cas, « transfer --case C » propose des repères sur le foie d&apos;un patient.</translation>
     </message>
@@ -7233,16 +7249,6 @@
     <message>
         <source>real livers by the built-in atlas: vena cava&apos;s course, mean, mm</source>
         <translation>foies réels par l&apos;atlas intégré : trajet de la veine cave, moyenne, mm</translation>
-        <source>Also write the surfaces of the liver and each structure into this folder, LPS mm, without the patient&apos;s name.</source>
-        <translation>Écrire aussi les surfaces du foie et de chaque structure dans ce dossier, LPS mm, sans le nom du patient.</translation>
-    </message>
-    <message>
-        <source>Of these surfaces: stl, ply, obj or vtp.</source>
-        <translation>Format de ces surfaces : stl, ply, obj ou vtp.</translation>
-    </message>
-    <message>
-        <source>--format %1: write stl, ply, obj or vtp.</source>
-        <translation>--format %1 : écrivez stl, ply, obj ou vtp.</translation>
     </message>
 </context>
 <context>
@@ -7320,53 +7326,6 @@
     <message>
         <source>%1°</source>
         <translation>%1°</translation>
-    </message>
-</context>
-<context>
-    <name>glisson::ui::AtlasBox</name>
-    <message>
-        <source>Atlas…</source>
-        <translation>Atlas…</translation>
-    </message>
-    <message>
-        <source>The livers that the landmarks are proposed from</source>
-        <translation>Les foies d&apos;après lesquels les repères sont proposés</translation>
-    </message>
-    <message>
-        <source>Built-in atlas</source>
-        <translation>Atlas intégré</translation>
-    </message>
-    <message>
-        <source>Own atlas…</source>
-        <translation>Atlas personnel…</translation>
-    </message>
-    <message>
-        <source>Build from cases…</source>
-        <translation>Construire à partir de cas…</translation>
-    </message>
-    <message>
-        <source>Folder of an atlas</source>
-        <translation>Dossier d&apos;un atlas</translation>
-    </message>
-    <message>
-        <source>Atlas in %1</source>
-        <translation>Atlas dans %1</translation>
-    </message>
-    <message>
-        <source>Built-in atlas &apos;%1&apos;, %2 livers</source>
-        <translation>Atlas intégré « %1 », %2 foies</translation>
-    </message>
-    <message>
-        <source>Own atlas &apos;%1&apos;, %2 livers</source>
-        <translation>Atlas personnel « %1 », %2 foies</translation>
-    </message>
-    <message>
-        <source>The chosen atlas cannot be used: choose it anew, another one, or the built-in atlas.</source>
-        <translation>L&apos;atlas choisi est inutilisable : choisissez-le de nouveau, un autre, ou l&apos;atlas intégré.</translation>
-    </message>
-    <message>
-        <source>The proposals below are from the atlas &apos;%1&apos;.</source>
-        <translation>Les propositions ci-dessous viennent de l&apos;atlas « %1 ».</translation>
     </message>
 </context>
 <context>
@@ -7516,85 +7475,6 @@
     <message>
         <source>Suspicious places. Click one to go there; cut where the branch is wrong.</source>
         <translation>Endroits suspects. Cliquez pour y aller ; coupez là où la branche est fausse.</translation>
-    </message>
-</context>
-<context>
-    <name>glisson::ui::BuildAtlasDialog</name>
-    <message>
-        <source>%1: off by %2 mm on average where the others foretell it</source>
-        <translation>%1 : à %2 mm en moyenne, prédit par les autres</translation>
-    </message>
-    <message>
-        <source>Build an atlas</source>
-        <translation>Construire un atlas</translation>
-    </message>
-    <message>
-        <source>Of your own cases, five at least, with a model and reviewed landmarks. What a case only took over from an atlas is no evidence and stays out. It takes some seconds a liver.</source>
-        <translation>De vos propres cas, cinq au moins, avec un modèle et des repères révisés. Ce qu&apos;un cas a seulement repris d&apos;un atlas n&apos;est pas une preuve et reste dehors. Cela prend quelques secondes par foie.</translation>
-    </message>
-    <message>
-        <source>Build</source>
-        <translation>Construire</translation>
-    </message>
-    <message>
-        <source>Cases</source>
-        <translation>Cas</translation>
-    </message>
-    <message>
-        <source>Add case or folder…</source>
-        <translation>Ajouter un cas ou un dossier…</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Retirer</translation>
-    </message>
-    <message>
-        <source>Cases whose labels nobody has approved, too</source>
-        <translation>Aussi les cas dont personne n&apos;a approuvé les étiquettes</translation>
-    </message>
-    <message>
-        <source>A case, or a folder of cases</source>
-        <translation>Un cas, ou un dossier de cas</translation>
-    </message>
-    <message>
-        <source>own</source>
-        <translation>personnel</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Nom</translation>
-    </message>
-    <message>
-        <source>a new folder</source>
-        <translation>un nouveau dossier</translation>
-    </message>
-    <message>
-        <source>Choose…</source>
-        <translation>Choisir…</translation>
-    </message>
-    <message>
-        <source>Kept in</source>
-        <translation>Conservé dans</translation>
-    </message>
-    <message>
-        <source>Folder for the atlas</source>
-        <translation>Dossier de l&apos;atlas</translation>
-    </message>
-    <message>
-        <source>Choose an atlas to build on first.</source>
-        <translation>Choisissez d&apos;abord un atlas de départ.</translation>
-    </message>
-    <message>
-        <source>Add your cases first.</source>
-        <translation>Ajoutez d&apos;abord vos cas.</translation>
-    </message>
-    <message>
-        <source>Give the atlas a name.</source>
-        <translation>Donnez un nom à l&apos;atlas.</translation>
-    </message>
-    <message>
-        <source>Name a folder to keep it in.</source>
-        <translation>Indiquez un dossier où le conserver.</translation>
     </message>
 </context>
 <context>
@@ -8722,17 +8602,6 @@
     </message>
 </context>
 <context>
-    <name>glisson::ui::MeasureBook</name>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>%1 × %2 mm</source>
-        <translation>%1 × %2 mm</translation>
-    </message>
-</context>
-<context>
     <name>glisson::ui::ModelPanel</name>
     <message>
         <source>Model</source>
@@ -9132,6 +9001,10 @@
         <translation>Peindre les faces</translation>
     </message>
     <message>
+        <source>Paint where it touches the liver, in 3D</source>
+        <translation>Peindre en 3D là où il touche le foie</translation>
+    </message>
+    <message>
         <source>A smaller brush</source>
         <translation>Un pinceau plus petit</translation>
     </message>
@@ -9142,6 +9015,10 @@
     <message>
         <source>Drag it over the liver, or click in a slice. Enter: at the crosshair. Esc: done.</source>
         <translation>Faire glisser sur le foie, ou cliquer dans une coupe. Entrée : au réticule. Échap : terminé.</translation>
+    </message>
+    <message>
+        <source>Drag over the liver to paint, with Ctrl to wipe. Brush %1 mm (+, −). Esc: done.</source>
+        <translation>Glisser sur le foie peint, avec Ctrl efface. Pinceau de %1 mm (+, −). Échap : terminé.</translation>
     </message>
     <message>
         <source>Choose an atlas first.</source>
@@ -9530,89 +9407,6 @@
     </message>
 </context>
 <context>
-    <name>glisson::ui::RunningWork</name>
-    <message>
-        <source>Close</source>
-        <translation>Fermer</translation>
-    </message>
-    <message>
-        <source>Closing now stops it: what it would have made is lost, and the case stays as it is.</source>
-        <translation>Fermer maintenant l’interrompt : ce qui en serait sorti est perdu, et le cas reste tel qu’il est.</translation>
-    </message>
-    <message>
-        <source>Wait, then close</source>
-        <translation>Attendre, puis fermer</translation>
-    </message>
-    <message>
-        <source>Stop it and close</source>
-        <translation>Interrompre et fermer</translation>
-    </message>
-    <message>
-        <source>Do not close</source>
-        <translation>Ne pas fermer</translation>
-    </message>
-    <message>
-        <source>then the window closes</source>
-        <translation>puis la fenêtre se ferme</translation>
-    </message>
-    <message>
-        <source>Save</source>
-        <translation>Enregistrer</translation>
-    </message>
-    <message>
-        <source>Waiting saves the case with what it makes. Stopping it saves the case as it is now.</source>
-        <translation>Attendre enregistre le cas avec ce qui en sort. L’interrompre enregistre le cas tel qu’il est maintenant.</translation>
-    </message>
-    <message>
-        <source>Wait, then save</source>
-        <translation>Attendre, puis enregistrer</translation>
-    </message>
-    <message>
-        <source>Stop it and save</source>
-        <translation>Interrompre et enregistrer</translation>
-    </message>
-    <message>
-        <source>Do not save</source>
-        <translation>Ne pas enregistrer</translation>
-    </message>
-    <message>
-        <source>then the case is saved</source>
-        <translation>puis le cas est enregistré</translation>
-    </message>
-    <message>
-        <source>Open</source>
-        <translation>Ouvrir</translation>
-    </message>
-    <message>
-        <source>Stopping it loses what it would have made.</source>
-        <translation>L’interrompre perd ce qui en serait sorti.</translation>
-    </message>
-    <message>
-        <source>Wait, then open</source>
-        <translation>Attendre, puis ouvrir</translation>
-    </message>
-    <message>
-        <source>Stop it and open</source>
-        <translation>Interrompre et ouvrir</translation>
-    </message>
-    <message>
-        <source>Do not open</source>
-        <translation>Ne pas ouvrir</translation>
-    </message>
-    <message>
-        <source>then it is opened</source>
-        <translation>puis l’ouverture se fait</translation>
-    </message>
-    <message>
-        <source>Still at work: %1.</source>
-        <translation>Encore au travail : %1.</translation>
-    </message>
-    <message>
-        <source>The work has ended meanwhile.</source>
-        <translation>Le travail s’est terminé entre-temps.</translation>
-    </message>
-</context>
-<context>
     <name>glisson::ui::SeedBox</name>
     <message>
         <source>Not liver</source>
@@ -9890,10 +9684,6 @@ Mode %3 à %4 écarts types
 <context>
     <name>glisson::ui::SliceView</name>
     <message>
-        <source>Click: crosshair. Wheel: next slice. Right drag: contrast. Middle drag: move. Ctrl + wheel: zoom. Double click: this view alone. Right click: menu.</source>
-        <translation>Clic : réticule. Molette : coupe suivante. Glisser droit : contraste. Glisser milieu : déplacer. Ctrl + molette : zoom. Double-clic : cette vue seule. Clic droit : menu.</translation>
-    </message>
-    <message>
         <source>No volume</source>
         <translation>Pas de volume</translation>
     </message>
@@ -9920,6 +9710,10 @@ Mode %3 à %4 écarts types
     <message>
         <source>MIP %1 mm</source>
         <translation>MIP %1 mm</translation>
+    </message>
+    <message>
+        <source>Click: crosshair. Wheel: next slice. Right drag: contrast. Middle drag: move. Ctrl + wheel: zoom. Double click: this view alone. Right click: menu.</source>
+        <translation>Clic : réticule. Molette : coupe suivante. Glisser droit : contraste. Glisser milieu : déplacer. Ctrl + molette : zoom. Double-clic : cette vue seule. Clic droit : menu.</translation>
     </message>
 </context>
 <context>
@@ -10903,6 +10697,280 @@ Mode %3 à %4 écarts types
     </message>
 </context>
 <context>
+    <name>glisson::ui::WelcomePage</name>
+    <message>
+        <source>Glisson</source>
+        <translation>Glisson</translation>
+    </message>
+    <message>
+        <source>Open a patient&apos;s CT or a case, or drop it here.</source>
+        <translation>Ouvrez le scanner d&apos;un patient ou un cas, ou déposez-le ici.</translation>
+    </message>
+    <message>
+        <source>DICOM folder…</source>
+        <translation>Dossier DICOM…</translation>
+    </message>
+    <message>
+        <source>Volume file…</source>
+        <translation>Fichier de volume…</translation>
+    </message>
+    <message>
+        <source>Case…</source>
+        <translation>Cas…</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::AtlasBox</name>
+    <message>
+        <source>Atlas…</source>
+        <translation>Atlas…</translation>
+    </message>
+    <message>
+        <source>The livers that the landmarks are proposed from</source>
+        <translation>Les foies d&apos;après lesquels les repères sont proposés</translation>
+    </message>
+    <message>
+        <source>Built-in atlas</source>
+        <translation>Atlas intégré</translation>
+    </message>
+    <message>
+        <source>Own atlas…</source>
+        <translation>Atlas personnel…</translation>
+    </message>
+    <message>
+        <source>Build from cases…</source>
+        <translation>Construire à partir de cas…</translation>
+    </message>
+    <message>
+        <source>Folder of an atlas</source>
+        <translation>Dossier d&apos;un atlas</translation>
+    </message>
+    <message>
+        <source>Atlas in %1</source>
+        <translation>Atlas dans %1</translation>
+    </message>
+    <message>
+        <source>Built-in atlas &apos;%1&apos;, %2 livers</source>
+        <translation>Atlas intégré « %1 », %2 foies</translation>
+    </message>
+    <message>
+        <source>Own atlas &apos;%1&apos;, %2 livers</source>
+        <translation>Atlas personnel « %1 », %2 foies</translation>
+    </message>
+    <message>
+        <source>The chosen atlas cannot be used: choose it anew, another one, or the built-in atlas.</source>
+        <translation>L&apos;atlas choisi est inutilisable : choisissez-le de nouveau, un autre, ou l&apos;atlas intégré.</translation>
+    </message>
+    <message>
+        <source>The proposals below are from the atlas &apos;%1&apos;.</source>
+        <translation>Les propositions ci-dessous viennent de l&apos;atlas « %1 ».</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::BuildAtlasDialog</name>
+    <message>
+        <source>%1: off by %2 mm on average where the others foretell it</source>
+        <translation>%1 : à %2 mm en moyenne, prédit par les autres</translation>
+    </message>
+    <message>
+        <source>Build an atlas</source>
+        <translation>Construire un atlas</translation>
+    </message>
+    <message>
+        <source>Of your own cases, five at least, with a model and reviewed landmarks. What a case only took over from an atlas is no evidence and stays out. It takes some seconds a liver.</source>
+        <translation>De vos propres cas, cinq au moins, avec un modèle et des repères révisés. Ce qu&apos;un cas a seulement repris d&apos;un atlas n&apos;est pas une preuve et reste dehors. Cela prend quelques secondes par foie.</translation>
+    </message>
+    <message>
+        <source>Build</source>
+        <translation>Construire</translation>
+    </message>
+    <message>
+        <source>Cases</source>
+        <translation>Cas</translation>
+    </message>
+    <message>
+        <source>Add case or folder…</source>
+        <translation>Ajouter un cas ou un dossier…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Retirer</translation>
+    </message>
+    <message>
+        <source>Cases whose labels nobody has approved, too</source>
+        <translation>Aussi les cas dont personne n&apos;a approuvé les étiquettes</translation>
+    </message>
+    <message>
+        <source>A case, or a folder of cases</source>
+        <translation>Un cas, ou un dossier de cas</translation>
+    </message>
+    <message>
+        <source>own</source>
+        <translation>personnel</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>a new folder</source>
+        <translation>un nouveau dossier</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Choisir…</translation>
+    </message>
+    <message>
+        <source>Kept in</source>
+        <translation>Conservé dans</translation>
+    </message>
+    <message>
+        <source>Folder for the atlas</source>
+        <translation>Dossier de l&apos;atlas</translation>
+    </message>
+    <message>
+        <source>Choose an atlas to build on first.</source>
+        <translation>Choisissez d&apos;abord un atlas de départ.</translation>
+    </message>
+    <message>
+        <source>Add your cases first.</source>
+        <translation>Ajoutez d&apos;abord vos cas.</translation>
+    </message>
+    <message>
+        <source>Give the atlas a name.</source>
+        <translation>Donnez un nom à l&apos;atlas.</translation>
+    </message>
+    <message>
+        <source>Name a folder to keep it in.</source>
+        <translation>Indiquez un dossier où le conserver.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::RunningWork</name>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Closing now stops it: what it would have made is lost, and the case stays as it is.</source>
+        <translation>Fermer maintenant l’interrompt : ce qui en serait sorti est perdu, et le cas reste tel qu’il est.</translation>
+    </message>
+    <message>
+        <source>Wait, then close</source>
+        <translation>Attendre, puis fermer</translation>
+    </message>
+    <message>
+        <source>Stop it and close</source>
+        <translation>Interrompre et fermer</translation>
+    </message>
+    <message>
+        <source>Do not close</source>
+        <translation>Ne pas fermer</translation>
+    </message>
+    <message>
+        <source>then the window closes</source>
+        <translation>puis la fenêtre se ferme</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Waiting saves the case with what it makes. Stopping it saves the case as it is now.</source>
+        <translation>Attendre enregistre le cas avec ce qui en sort. L’interrompre enregistre le cas tel qu’il est maintenant.</translation>
+    </message>
+    <message>
+        <source>Wait, then save</source>
+        <translation>Attendre, puis enregistrer</translation>
+    </message>
+    <message>
+        <source>Stop it and save</source>
+        <translation>Interrompre et enregistrer</translation>
+    </message>
+    <message>
+        <source>Do not save</source>
+        <translation>Ne pas enregistrer</translation>
+    </message>
+    <message>
+        <source>then the case is saved</source>
+        <translation>puis le cas est enregistré</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Stopping it loses what it would have made.</source>
+        <translation>L’interrompre perd ce qui en serait sorti.</translation>
+    </message>
+    <message>
+        <source>Wait, then open</source>
+        <translation>Attendre, puis ouvrir</translation>
+    </message>
+    <message>
+        <source>Stop it and open</source>
+        <translation>Interrompre et ouvrir</translation>
+    </message>
+    <message>
+        <source>Do not open</source>
+        <translation>Ne pas ouvrir</translation>
+    </message>
+    <message>
+        <source>then it is opened</source>
+        <translation>puis l’ouverture se fait</translation>
+    </message>
+    <message>
+        <source>Still at work: %1.</source>
+        <translation>Encore au travail : %1.</translation>
+    </message>
+    <message>
+        <source>The work has ended meanwhile.</source>
+        <translation>Le travail s’est terminé entre-temps.</translation>
+    </message>
+</context>
+<context>
+    <name>GreyWindows</name>
+    <message>
+        <source>Abdomen</source>
+        <translation>Abdomen</translation>
+    </message>
+    <message>
+        <source>Liver</source>
+        <translation>Foie</translation>
+    </message>
+    <message>
+        <source>Vessels</source>
+        <translation>Vaisseaux</translation>
+    </message>
+    <message>
+        <source>Lung</source>
+        <translation>Poumon</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>Os</translation>
+    </message>
+    <message>
+        <source>Own</source>
+        <translation>Personnelle</translation>
+    </message>
+    <message>
+        <source>Whole range</source>
+        <translation>Toute l’étendue</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::MeasureBook</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm</source>
+        <translation>%1 × %2 mm</translation>
+    </message>
+</context>
+<context>
     <name>glisson::ui::ViewBar</name>
     <message>
         <source>Which greys the slices show. Right drag in a slice changes them.</source>
@@ -10971,29 +11039,6 @@ Mode %3 à %4 écarts types
     <message>
         <source>The view under the pointer fills the place of all, as after a double click; Esc goes back</source>
         <translation>La vue sous le pointeur occupe toute la place, comme après un double-clic ; Échap revient</translation>
-    </message>
-</context>
-<context>
-    <name>glisson::ui::WelcomePage</name>
-    <message>
-        <source>Glisson</source>
-        <translation>Glisson</translation>
-    </message>
-    <message>
-        <source>Open a patient&apos;s CT or a case, or drop it here.</source>
-        <translation>Ouvrez le scanner d&apos;un patient ou un cas, ou déposez-le ici.</translation>
-    </message>
-    <message>
-        <source>DICOM folder…</source>
-        <translation>Dossier DICOM…</translation>
-    </message>
-    <message>
-        <source>Volume file…</source>
-        <translation>Fichier de volume…</translation>
-    </message>
-    <message>
-        <source>Case…</source>
-        <translation>Cas…</translation>
     </message>
 </context>
 </TS>

@@ -73,6 +73,8 @@ class Overlay {
         return tr("Register again (R), or correct by hand (C).");
       case Validity::picture_stands:
         return tr("Check the camera and its cable.");
+      case Validity::picture_still:
+        return tr("Move the laparoscope a little, or wait for a breath.");
       case Validity::views_apart:
         return tr("Check that both cameras run, in the right order and at the same time.");
       case Validity::partly_covered:
