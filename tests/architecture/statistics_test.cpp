@@ -15,6 +15,7 @@ const std::map<std::string, std::string>& of_their_own() {
   static const std::map<std::string, std::string> kReasons = {
       {"statistics.h", "stands here"},
       {"closest_point_tree.cpp", "parts the points between two boxes: no value is asked for"},
+      {"joint_smoothing.cpp", "a count of voxels, not a share, on either side of a threshold"},
       {"scalar_field.cpp", "two neighbours among millions of voxels, parted once"},
       {"star.cpp", "five numbers in an array, in the inmost loop"},
   };

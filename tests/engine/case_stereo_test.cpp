@@ -33,6 +33,16 @@ using namespace glisson;
 using namespace glisson::engine;
 namespace fs = std::filesystem;
 
+namespace {
+
+/// Without the notes that others have changed a file, as these tests do.
+std::vector<std::string> of_parts(std::vector<std::string> notes) {
+  std::erase_if(notes, [](const std::string& note) { return note.starts_with("case.changed_outside "); });
+  return notes;
+}
+
+}  // namespace
+
 class CaseStereoTest : public QObject {
   Q_OBJECT
  private slots:
@@ -224,7 +234,7 @@ void CaseStereoTest::ACaseOfBeforeHasACloudOnly() {
   write_file_atomically(path / "case.json", text);
   std::vector<std::string> lost;
   const auto read = open_case(path, RunContext(), &lost);
-  QVERIFY(lost.empty() && (*read)[part::cloud] && !(*read)[part::points]);
+  QVERIFY(of_parts(lost).empty() && (*read)[part::cloud] && !(*read)[part::points]);
   QCOMPARE((*read)[part::cloud]->size(), state_[part::cloud]->size());
 }
 
@@ -284,6 +294,7 @@ void CaseStereoTest::WhatIsWrongWithThePointsIsNamedAndTheRestIsThere() {
   QVERIFY(std::all_of(thrown.begin(), thrown.end(), [](char letter) { return letter >= ' '; }));
   std::vector<std::string> lost;
   const auto read = open_case(path, RunContext(), &lost);
+  lost = of_parts(std::move(lost));
   QCOMPARE(lost.size(), std::size_t{1});
   QCOMPARE(lost[0], "case.points_lost " + thrown);
   QVERIFY(!(*read)[part::points] && (*read)[part::rig] && (*read)[part::frame] && (*read)[part::regions]);
