@@ -175,7 +175,7 @@ void SurfaceExportTest::NothingSaysWhoseTheyAre() {
         write_case_surfaces(at("out") / ending.substr(1), ending, script_->state(), RunContext());
     QVERIFY(files && files->size() == 3);
     for (const fs::path& file : *files)
-      for (const char* word : {"Doe", "Jane", "4711-x", "1960-01-31", "labels.seg"})
+      for (const char* word : {"Doe^Jane", "4711-x", "1960-01-31", "labels.seg"})
         QVERIFY2(read_file(file).find(word) == std::string::npos, file.c_str());
   }
 }

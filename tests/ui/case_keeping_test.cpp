@@ -264,7 +264,8 @@ void CaseKeepingTest::WhatCannotBeReadIsNobodys() {
   QVERIFY(!asked && whose() == nullptr);
   // What is wrong is told.
   const auto* problem = window_->findChild<QMessageBox*>();
-  QVERIFY(problem != nullptr && problem->text().contains(name));
+  QVERIFY2(problem != nullptr && problem->text().contains(name),
+           problem == nullptr ? "nothing is told" : qPrintable(problem->text()));
   QVERIFY(engine().state()[part::image] == before);
 }
 

@@ -188,7 +188,7 @@ void SegmentationPanelTest::EditPanelFitsItsColumnInEveryLanguage() {
                                 .arg(room)
                                 .toUtf8();
     QVERIFY2(panel().minimumSizeHint().width() <= room, what.constData());
-    // Its word can be read without pointing at it.
+    // Its key can be read without pointing at it.
     const auto* button = find<QToolButton>(("tool_" + tool->code).c_str());
     QVERIFY(!button->text().isEmpty() && button->toolButtonStyle() != Qt::ToolButtonIconOnly);
     QVERIFY2(button->sizeHint().width() <= button->width(), qPrintable(button->text()));

@@ -237,9 +237,6 @@ const std::vector<const char*>& general_problems() {
       QT_TRANSLATE_NOOP("ErrorPhrases", "is no folder"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "there are neither labels nor a model"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "lies there already and is none of the surfaces that are written"),
-      QT_TRANSLATE_NOOP("ErrorPhrases", "Name a folder; it is made if there is none"),
-      QT_TRANSLATE_NOOP("ErrorPhrases", "Choose an empty folder"),
-      QT_TRANSLATE_NOOP("ErrorPhrases", "Use stl, ply, obj or vtp"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "\"%1\" is none that surfaces are written in"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is black in both views"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "shows nothing in the left view"),
@@ -269,6 +266,9 @@ const std::vector<const char*>& general_problems() {
 
 const std::vector<const char*>& general_remedies() {
   static const std::vector<const char*> kPhrases = {
+      QT_TRANSLATE_NOOP("ErrorPhrases", "Name a folder; it is made if there is none"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "Choose an empty folder"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "Use stl, ply, obj or vtp"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Start it, and check its address and port"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Start the server again"),
       QT_TRANSLATE_NOOP("ErrorPhrases",

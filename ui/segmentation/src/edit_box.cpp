@@ -28,7 +28,7 @@ namespace {
 
 using Area = editing::EditableRegion::Area;
 
-constexpr int kToolsInRow = 3;
+constexpr int kToolsInRow = 7;
 constexpr std::size_t kVolumesTold = 8;  ///< of labels that a preview changes
 
 QIcon icon(const std::string& name) {
@@ -106,10 +106,10 @@ void EditBox::build_tools(QWidget& page) {
     button->setCheckable(true);
     button->setIcon(icon("tool_" + tool->code));
     button->setIconSize({18, 18});
-    button->setText(tool_word(tool));
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     const QString key(QLatin1Char(tool->key));
+    button->setText(key);
     button->setToolTip(QStringLiteral("%1 (%2)").arg(tool_text(tool), key));
     button->setAccessibleName(tool_text(tool));
     const auto choose = [this, tool] {

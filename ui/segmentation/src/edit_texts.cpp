@@ -16,7 +16,6 @@ class EditTexts {
   Q_DECLARE_TR_FUNCTIONS(EditTexts)
  public:
   static QString tool(EditTool tool) { return tool == nullptr ? tr("No tool") : tr(tool->name); }
-  static QString word(EditTool tool) { return tr(tool->word != nullptr ? tool->word : tool->name); }
   static QString hint(EditTool tool, const EditSettings& settings) {
     return tool == nullptr ? tr("Choose a label and a tool.") : tr(tool->hint(settings));
   }
@@ -69,7 +68,6 @@ class EditTexts {
 }  // namespace
 
 QString tool_text(EditTool tool) { return EditTexts::tool(tool); }
-QString tool_word(EditTool tool) { return EditTexts::word(tool); }
 QString tool_hint(EditTool tool, const EditSettings& settings) { return EditTexts::hint(tool, settings); }
 QString obstacle_text(EditObstacle obstacle) { return EditTexts::obstacle(obstacle); }
 QString review_text(ReviewState state) { return EditTexts::review(state); }

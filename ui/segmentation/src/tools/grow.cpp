@@ -30,7 +30,6 @@ const WindowTool& grow_window_tool() {
                     },
                     "paint a stroke or two of each label, then let them grow into what is not labelled, "
                     "along like intensities"};
-    tool.word = QT_TRANSLATE_NOOP("EditTexts", "Grow");
     tool.page = {number_box("grow_reach", QT_TRANSLATE_NOOP("glisson::ui::ToolPages", "No farther than"),
                             range_of("grow_from_seeds", "reach_mm", 1.0, 1.0, 0),
                             &editing::GrowFromSeeds::reach, 1e3)};

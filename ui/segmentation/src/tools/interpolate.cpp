@@ -27,7 +27,6 @@ const WindowTool& interpolate_window_tool() {
                                                "Paint the label in some slices; those between are filled.");
                     },
                     "paint every fifth slice or so: those between are filled"};
-    tool.word = QT_TRANSLATE_NOOP("EditTexts", "Interpolate");
     tool.page = {choice_box("interpolate_plane", QT_TRANSLATE_NOOP("glisson::ui::ToolPages", "Slices"),
                             {QT_TRANSLATE_NOOP("glisson::ui::ToolPages", "Axial"),
                              QT_TRANSLATE_NOOP("glisson::ui::ToolPages", "Coronal"),

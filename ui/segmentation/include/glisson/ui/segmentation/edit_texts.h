@@ -8,8 +8,6 @@
 namespace glisson::ui {
 
 QString tool_text(EditTool tool);
-/// The same in a word, for its button.
-QString tool_word(EditTool tool);
 /// What to do with the mouse, in one line.
 QString tool_hint(EditTool tool, const EditSettings& settings);
 QString obstacle_text(EditObstacle obstacle);

@@ -136,8 +136,6 @@ struct WindowTool {
   /// What the manual says of it. Empty: its row is that of the tool before.
   const char* manual;
   std::vector<PageField> page = {};
-  /// On its button, where the name is too long for it; null: the name. For translators.
-  const char* word = nullptr;
   /// The tool whose page it has; null: its own.
   const char* page_of = nullptr;
 
