@@ -239,10 +239,17 @@ void OverlayRecordTest::TheEvidenceBehindALevelComesBack() {
   written.overlay.tracked_right = 174;
   written.overlay.pairs = 160;
   written.overlay.milliseconds = 9.5;
-  written.overlay.evidence = {true, 0.83, 1.4, 0.07, 2.1e-3, 0.9e-3, 0.71, 3.2, 0.4};
+  Evidence& said = written.overlay.evidence;
+  said.judged = true;
+  int n = 0;
+  for (double* value : {&said.supported, &said.gap, &said.local, &said.behind, &said.before, &said.lifted,
+                        &said.pull_sigma, &said.contrast, &said.motion, &said.fresh})
+    *value = 0.1 * ++n;
+  said.pull = 2.1e-3;
+  said.rows = 0.4;
   written.remedy = "Take away what covers it.";
   const QJsonObject object = object_of(written), evidence = object["evidence"].toObject();
-  QCOMPARE(evidence.size(), 8);
+  QCOMPARE(evidence.size(), 12);
   QVERIFY(is_near(evidence["pull_mm"].toDouble(), 2.1) && is_near(evidence["rows_px"].toDouble(), 0.4));
   QCOMPARE(object["points"].toObject()["pairs"].toInt(), 160);
   QCOMPARE(object["remedy"].toString(), QString("Take away what covers it."));
@@ -251,7 +258,9 @@ void OverlayRecordTest::TheEvidenceBehindALevelComesBack() {
   QVERIFY(there.judged && is_near(there.supported, here.supported) && is_near(there.gap, here.gap) &&
           is_near(there.behind, here.behind) && is_near(there.pull, here.pull) &&
           is_near(there.pull_sigma, here.pull_sigma) && is_near(there.contrast, here.contrast) &&
-          is_near(there.motion, here.motion) && is_near(there.rows, here.rows));
+          is_near(there.motion, here.motion) && is_near(there.rows, here.rows) &&
+          is_near(there.local, here.local) && is_near(there.before, here.before) &&
+          is_near(there.lifted, here.lifted) && is_near(there.fresh, here.fresh));
   QVERIFY(read.overlay.tracked_left == 181 && read.overlay.tracked_right == 174 && read.overlay.pairs == 160);
   QVERIFY(is_near(read.overlay.milliseconds, 9.5) && read.remedy == written.remedy);
   // Before anything was judged nothing is said of it.

@@ -40,14 +40,13 @@ struct EvidenceField {
   double Evidence::*value;
   double per = 1.0;
 };
-constexpr EvidenceField kEvidence[] = {{"supported", &Evidence::supported},
-                                       {"gap", &Evidence::gap},
-                                       {"behind", &Evidence::behind},
-                                       {"pull_mm", &Evidence::pull, 1e3},
-                                       {"pull_sigma_mm", &Evidence::pull_sigma, 1e3},
-                                       {"contrast", &Evidence::contrast},
-                                       {"motion", &Evidence::motion},
-                                       {"rows_px", &Evidence::rows}};
+constexpr EvidenceField kEvidence[] = {
+    {"supported", &Evidence::supported}, {"gap", &Evidence::gap},
+    {"local", &Evidence::local},         {"behind", &Evidence::behind},
+    {"before", &Evidence::before},       {"lifted", &Evidence::lifted},
+    {"pull_mm", &Evidence::pull, 1e3},   {"pull_sigma_mm", &Evidence::pull_sigma, 1e3},
+    {"contrast", &Evidence::contrast},   {"motion", &Evidence::motion},
+    {"fresh", &Evidence::fresh},         {"rows_px", &Evidence::rows}};
 
 json evidence_object(const Evidence& evidence) {
   json object = json::object();
