@@ -464,6 +464,18 @@
 <context>
     <name>ErrorPhrases</name>
     <message>
+        <source>is not of a recording</source>
+        <translation>gehört zu keiner Aufnahme</translation>
+    </message>
+    <message>
+        <source>Give a folder that &apos;glisson track&apos; filled, or what was written beside a recording</source>
+        <translation>Geben Sie einen Ordner an, den &apos;glisson track&apos; gefüllt hat, oder was neben einer Aufnahme geschrieben wurde</translation>
+    </message>
+    <message>
+        <source>Give the file NAME.frames.jsonl that was written beside it</source>
+        <translation>Geben Sie die Datei NAME.frames.jsonl an, die daneben geschrieben wurde</translation>
+    </message>
+    <message>
         <source>does not exist</source>
         <translation>gibt es nicht</translation>
     </message>

@@ -464,6 +464,18 @@
 <context>
     <name>ErrorPhrases</name>
     <message>
+        <source>is not of a recording</source>
+        <translation>ne vient pas d’un enregistrement</translation>
+    </message>
+    <message>
+        <source>Give a folder that &apos;glisson track&apos; filled, or what was written beside a recording</source>
+        <translation>Donnez un dossier rempli par &apos;glisson track&apos;, ou ce qui a été écrit à côté d’un enregistrement</translation>
+    </message>
+    <message>
+        <source>Give the file NAME.frames.jsonl that was written beside it</source>
+        <translation>Donnez le fichier NAME.frames.jsonl écrit à côté</translation>
+    </message>
+    <message>
         <source>does not exist</source>
         <translation>n’existe pas</translation>
     </message>

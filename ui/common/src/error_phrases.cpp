@@ -235,6 +235,7 @@ const std::vector<const char*>& general_problems() {
       QT_TRANSLATE_NOOP("ErrorPhrases", "holds no pair (%1 left pictures, %2 right ones)"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "hold %1 and %2 pictures with no name in common"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "is no folder"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "is not of a recording"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "there are neither labels nor a model"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "lies there already and is none of the surfaces that are written"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "\"%1\" is none that surfaces are written in"),
@@ -267,6 +268,9 @@ const std::vector<const char*>& general_problems() {
 const std::vector<const char*>& general_remedies() {
   static const std::vector<const char*> kPhrases = {
       QT_TRANSLATE_NOOP("ErrorPhrases", "Name a folder; it is made if there is none"),
+      QT_TRANSLATE_NOOP("ErrorPhrases",
+                        "Give a folder that 'glisson track' filled, or what was written beside a recording"),
+      QT_TRANSLATE_NOOP("ErrorPhrases", "Give the file NAME.frames.jsonl that was written beside it"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Choose an empty folder"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Use stl, ply, obj or vtp"),
       QT_TRANSLATE_NOOP("ErrorPhrases", "Start it, and check its address and port"),

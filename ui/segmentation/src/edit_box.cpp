@@ -80,7 +80,7 @@ void EditBox::build_history() {
     auto* button = new QToolButton(this);
     button->setObjectName(QString::fromLatin1(name));
     button->setDefaultAction(action);
-    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
     row->addWidget(button);
     return std::pair(action, button);
   };
@@ -106,7 +106,7 @@ void EditBox::build_tools(QWidget& page) {
     button->setCheckable(true);
     button->setIcon(icon("tool_" + tool->code));
     button->setIconSize({18, 18});
-    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     const QString key(QLatin1Char(tool->key));
     button->setText(key);
