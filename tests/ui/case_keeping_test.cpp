@@ -230,7 +230,7 @@ void CaseKeepingTest::WhatCannotBeReadIsNobodys_data() {
   QTest::addColumn<QString>("name");
   QTest::addColumn<bool>("is_folder");
   QTest::addColumn<bool>("is_dropped");
-  for (const bool dropped : {false}) {
+  for (const bool dropped : {false, true}) {
     const char* how = dropped ? "dropped" : "opened";
     QTest::addRow("volume %s", how) << "broken.nii" << false << dropped;
     QTest::addRow("folder without DICOM %s", how) << "no_series" << true << dropped;
@@ -253,6 +253,8 @@ void CaseKeepingTest::WhatCannotBeReadIsNobodys() {
   if (is_dropped) {
     QMimeData data;
     data.setUrls({QUrl::fromLocalFile(QString::fromStdString(path.string()))});
+    QDragEnterEvent enter(QPoint(300, 300), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(window_.get(), &enter);  // without it no drop arrives
     QDropEvent drop(QPointF(300, 300), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QCoreApplication::sendEvent(window_.get(), &drop);
   } else {
