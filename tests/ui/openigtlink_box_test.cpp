@@ -7,6 +7,7 @@
 
 #include "../openigtlink/peer_process.h"
 #include "fake_operation.h"
+#include "glisson/core/files.h"
 #include "glisson/engine/commands/register.h"
 #include "glisson/engine/commands/stop_tracking.h"
 #include "glisson/ui/common/task_button.h"

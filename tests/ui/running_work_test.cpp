@@ -7,6 +7,7 @@
 #include <QTimer>
 
 #include "glisson/engine/commands/save_case.h"
+#include "glisson/engine/parts/labels.h"
 #include "operated_window.h"
 
 namespace glisson {

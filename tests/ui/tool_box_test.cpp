@@ -8,6 +8,7 @@
 
 #include "../openigtlink/peer_process.h"
 #include "fake_operation.h"
+#include "glisson/core/files.h"
 #include "glisson/engine/commands/register.h"
 #include "glisson/ui/common/task_button.h"
 #include "glisson/ui/guidance/tool_box.h"

@@ -5,6 +5,9 @@
 #include <memory>
 
 #include "fake_operation.h"
+#include "glisson/core/files.h"
+#include "glisson/engine/commands/register.h"
+#include "glisson/engine/parts/registration.h"
 #include "glisson/ui/common/task_button.h"
 #include "live_part.h"
 

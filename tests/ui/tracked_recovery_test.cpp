@@ -10,6 +10,8 @@
 
 #include "glisson/engine/case_io.h"
 #include "glisson/engine/parts/live.h"
+#include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/registration.h"
 #include "glisson/engine/recovery.h"
 #include "glisson/ui/shell/autosaver.h"
 #include "run_in_window.h"

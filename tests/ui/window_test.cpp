@@ -19,6 +19,7 @@
 #include "glisson/engine/parts/image.h"
 #include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/landmarks.h"
+#include "glisson/stereo/picture_io.h"
 #include "glisson/ui/common/task_button.h"
 #include "glisson/ui/guidance/guidance_panel.h"
 #include "glisson/ui/segmentation/seed_book.h"

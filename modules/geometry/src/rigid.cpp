@@ -5,6 +5,35 @@
 
 namespace glisson {
 
+RigidMotion RigidMotion::after(const RigidMotion& inner) const {
+  return {rotation * inner.rotation, rotation * inner.translation + translation};
+}
+
+RigidMotion RigidMotion::inverse() const {
+  return {rotation.transpose(), -(rotation.transpose() * translation)};
+}
+
+Points RigidMotion::apply(const Points& points) const {
+  return (points * rotation.transpose()).rowwise() + translation.transpose();
+}
+
+Eigen::Matrix4d RigidMotion::matrix() const {
+  Eigen::Matrix4d m = Eigen::Matrix4d::Identity();
+  m.topLeftCorner<3, 3>() = rotation;
+  m.topRightCorner<3, 1>() = translation;
+  return m;
+}
+
+RigidMotion RigidMotion::from_matrix(const Eigen::Matrix4d& m) {
+  return {m.topLeftCorner<3, 3>(), m.topRightCorner<3, 1>()};
+}
+
+Eigen::Matrix3d rotation_by(const Eigen::Vector3d& vector) {
+  const double angle = vector.norm();
+  return angle > 0.0 ? Eigen::AngleAxisd(angle, vector / angle).toRotationMatrix()
+                     : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+}
+
 RigidMotion fit_rigid_motion(const Points& source, const Points& target, const Eigen::VectorXd& weights) {
   const Eigen::VectorXd w =
       weights.size() == source.rows() ? weights : Eigen::VectorXd::Ones(source.rows()).eval();

@@ -3,6 +3,17 @@
 
 namespace glisson {
 
+// Not in the header: some seven hundred units read it, and each would instantiate these expressions again.
+Point<CtFrame> VolumeGrid::p_in_ct(const Eigen::Vector3d& index) const {
+  return Point<CtFrame>(1e-3 * (origin_mm + direction * index.cwiseProduct(spacing_mm)));
+}
+
+Eigen::Vector3d VolumeGrid::index_of(const Point<CtFrame>& p) const {
+  return (direction.inverse() * (1e3 * p.xyz - origin_mm)).cwiseQuotient(spacing_mm);
+}
+
+double VolumeGrid::voxel_volume_mm3() const { return spacing_mm.prod(); }
+
 bool VolumeGrid::same_as(const VolumeGrid& other) const {
   if (size != other.size) return false;
   // The two far corners decide: a difference in origin, spacing or direction shows in one of them.

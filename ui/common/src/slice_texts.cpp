@@ -51,11 +51,15 @@ void paint_texts(QPainter& painter, const QRectF& view, const scene::SliceGeomet
   const QString where = SliceView::tr("%1 mm").arg(
       QString::fromStdString(scene::anatomical_coordinate(axis, slice.origin[axis])));
   draw_outlined(painter, area, Qt::AlignRight | Qt::AlignTop, where, white);
-  draw_outlined(painter, area, Qt::AlignLeft | Qt::AlignBottom, shown, QColor(190, 198, 204));
+  // In a narrow view the line would reach the lower edge's letter: then it stands above that.
+  const QFontMetrics metrics = painter.fontMetrics();
+  const bool is_wide = metrics.horizontalAdvance(shown) + 2 * metrics.height() < 0.5 * area.width();
+  const QRectF lower = is_wide ? area : area.adjusted(0, 0, 0, -metrics.height());
+  draw_outlined(painter, lower, Qt::AlignLeft | Qt::AlignBottom, shown, QColor(190, 198, 204));
   if (slab.isEmpty()) return;
   font.setBold(true);
   painter.setFont(font);
-  draw_outlined(painter, area.adjusted(0, 0, 0, -painter.fontMetrics().height()),
+  draw_outlined(painter, lower.adjusted(0, 0, 0, -painter.fontMetrics().height()),
                 Qt::AlignLeft | Qt::AlignBottom, slab, QColor(255, 183, 77));
 }
 

@@ -13,18 +13,25 @@
 #include "glisson/ui/common/texts.h"
 
 namespace glisson::ui {
+namespace {
+constexpr int kGap = 5;  ///< pixels between the lines
+}  // namespace
 
 TaskButton::TaskButton(EngineBridge& engine, const QString& text,
                        std::function<std::optional<engine::Command>()> make, QWidget* parent)
     : QWidget(parent), engine_(engine), make_(std::move(make)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(5);
+  layout->setSpacing(kGap);
   button_ = new QPushButton(text, this);
   button_->setProperty("role", "run");
   layout->addWidget(button_);
 
-  progress_row_ = new QWidget(this);
+  below_ = new QWidget(this);
+  auto* lines = new QVBoxLayout(below_);
+  lines->setContentsMargins(0, 0, 0, 0);
+  lines->setSpacing(kGap);
+  progress_row_ = new QWidget(below_);
   auto* row = new QHBoxLayout(progress_row_);
   row->setContentsMargins(0, 0, 0, 0);
   bar_ = new QProgressBar(progress_row_);
@@ -34,14 +41,16 @@ TaskButton::TaskButton(EngineBridge& engine, const QString& text,
   cancel_->setText(tr("Cancel"));
   row->addWidget(bar_, 1);
   row->addWidget(cancel_);
-  layout->addWidget(progress_row_);
-  stage_ = make_explanation({}, this);
-  layout->addWidget(stage_);
-  outcome_ = new QLabel(this);
+  lines->addWidget(progress_row_);
+  stage_ = make_explanation({}, below_);
+  lines->addWidget(stage_);
+  outcome_ = new QLabel(below_);
   outcome_->setWordWrap(true);
   outcome_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  layout->addWidget(outcome_);
+  lines->addWidget(outcome_);
+  lines->addStretch(1);
   outcome_->hide();
+  layout->addWidget(below_);
 
   connect(button_, &QPushButton::clicked, this, &TaskButton::start);
   connect(cancel_, &QToolButton::clicked, this, [this] {
@@ -59,15 +68,14 @@ void TaskButton::set_obstacle(const QString& obstacle) {
   show_state();
 }
 
-void TaskButton::reserve_line() {
-  QSizePolicy policy = stage_->sizePolicy();
-  policy.setRetainSizeWhenHidden(true);
-  stage_->setSizePolicy(policy);
+void TaskButton::reserve_lines() {
   stage_->ensurePolished();
   const QString said = stage_->text();
   stage_->setText(QStringLiteral("X"));
-  stage_->setMinimumHeight(stage_->sizeHint().height());
+  below_->setMinimumHeight(progress_row_->sizeHint().height() + kGap + stage_->sizeHint().height());
   stage_->setText(said);
+  is_reserved_ = true;
+  show_state();
 }
 
 void TaskButton::watch(engine::Command command) {
@@ -134,6 +142,8 @@ void TaskButton::show_state() {
   button_->setEnabled(!running_ && first.isEmpty());
   if (!running_) stage_->setText(first);
   if (!first.isEmpty()) outcome_->hide();
+  // Nothing to say: the layout's gap above it goes with it.
+  below_->setVisible(is_reserved_ || running_ || !first.isEmpty() || !outcome_->isHidden());
 }
 
 }  // namespace glisson::ui

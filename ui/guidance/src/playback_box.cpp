@@ -17,7 +17,7 @@ PlaybackBox::PlaybackBox(EngineBridge& engine, PlaybackModel& model, QWidget* pa
   auto* start = new TaskButton(
       engine, tr("Start tracking"), [&model] { return engine::Command(model.command()); }, this);
   start->setObjectName(QStringLiteral("start_tracking"));
-  start->reserve_line();  // what stands below is wanted in a hurry
+  start->reserve_lines();  // what stands below is wanted in a hurry
   box->addWidget(start);
   auto* stop = new QPushButton(tr("Stop"), this);
   stop->setObjectName(QStringLiteral("stop_tracking"));

@@ -222,7 +222,7 @@ void SeedBox::build_growth() {
   run_ = new TaskButton(
       engine_, tr("Segment"), [this] { return growth(); }, this);
   run_->setObjectName(QStringLiteral("segment"));
-  run_->reserve_line();
+  run_->reserve_lines();
   column_of(this)->addWidget(run_);
   // Below: what it says moves nothing that is on its way to be clicked.
   propose_ = new TaskButton(

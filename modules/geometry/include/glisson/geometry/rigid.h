@@ -8,6 +8,19 @@
 
 namespace glisson {
 
+/// A Rigid whose frames are not said. What it and Rigid compute is compiled once: some five hundred units
+/// read this header, and each would instantiate the expressions again.
+struct RigidMotion {
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d translation = Eigen::Vector3d::Zero();
+
+  RigidMotion after(const RigidMotion& inner) const;  ///< what first moves by `inner`
+  RigidMotion inverse() const;
+  Points apply(const Points& points) const;
+  Eigen::Matrix4d matrix() const;
+  static RigidMotion from_matrix(const Eigen::Matrix4d& m);
+};
+
 /// A rotation and a translation (metres) from one frame to another: p_in_target = R p_in_source + t. Named
 /// target_from_source, so that neighbours must match: camera_from_ct * p_in_ct.
 template <class Target, class Source>
@@ -21,44 +34,27 @@ struct Rigid {
 
   template <class Origin>
   Rigid<Target, Origin> operator*(const Rigid<Source, Origin>& inner) const {
-    return {rotation * inner.rotation, rotation * inner.translation + translation};
+    return Rigid<Target, Origin>::of(motion().after(inner.motion()));
   }
 
-  Rigid<Source, Target> inverse() const {
-    return {rotation.transpose(), -(rotation.transpose() * translation)};
-  }
+  Rigid<Source, Target> inverse() const { return Rigid<Source, Target>::of(motion().inverse()); }
 
   /// Every row of an N x 3 array of points in Source, into Target.
-  Points apply(const Points& points) const {
-    return (points * rotation.transpose()).rowwise() + translation.transpose();
-  }
+  Points apply(const Points& points) const { return motion().apply(points); }
 
   /// Homogeneous 4 x 4, metres.
-  Eigen::Matrix4d matrix() const {
-    Eigen::Matrix4d m = Eigen::Matrix4d::Identity();
-    m.topLeftCorner<3, 3>() = rotation;
-    m.topRightCorner<3, 1>() = translation;
-    return m;
-  }
-  static Rigid from_matrix(const Eigen::Matrix4d& m) {
-    return {m.topLeftCorner<3, 3>(), m.topRightCorner<3, 1>()};
-  }
+  Eigen::Matrix4d matrix() const { return motion().matrix(); }
+  static Rigid from_matrix(const Eigen::Matrix4d& m) { return of(RigidMotion::from_matrix(m)); }
+
+  RigidMotion motion() const { return {rotation, translation}; }
+  static Rigid of(const RigidMotion& motion) { return {motion.rotation, motion.translation}; }
 };
 
 using CameraFromCt = Rigid<CameraFrame, CtFrame>;
 
 /// About a rotation vector (its length: radians; none: the identity).
-inline Eigen::Matrix3d rotation_by(const Eigen::Vector3d& vector) {
-  const double angle = vector.norm();
-  return angle > 0.0 ? Eigen::AngleAxisd(angle, vector / angle).toRotationMatrix()
-                     : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
-}
+Eigen::Matrix3d rotation_by(const Eigen::Vector3d& vector);
 
-/// A Rigid whose frames are not said.
-struct RigidMotion {
-  Eigen::Matrix3d rotation;
-  Eigen::Vector3d translation;
-};
 /// What fit_rigid() computes; compiled once.
 RigidMotion fit_rigid_motion(const Points& source, const Points& target, const Eigen::VectorXd& weights);
 
@@ -68,8 +64,7 @@ RigidMotion fit_rigid_motion(const Points& source, const Points& target, const E
 template <class Target, class Source>
 Rigid<Target, Source> fit_rigid(const Points& source, const Points& target,
                                 const Eigen::VectorXd& weights = {}) {
-  const RigidMotion motion = fit_rigid_motion(source, target, weights);
-  return {motion.rotation, motion.translation};
+  return Rigid<Target, Source>::of(fit_rigid_motion(source, target, weights));
 }
 
 }  // namespace glisson

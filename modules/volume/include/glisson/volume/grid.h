@@ -22,16 +22,12 @@ struct VolumeGrid {
     return v.x() + static_cast<long>(size.x()) * (v.y() + static_cast<long>(size.y()) * v.z());
   }
   bool contains(const Eigen::Vector3i& v) const {
-    return (v.array() >= 0).all() && (v.array() < size.array()).all();
+    return v[0] >= 0 && v[1] >= 0 && v[2] >= 0 && v[0] < size[0] && v[1] < size[1] && v[2] < size[2];
   }
   /// Centre of a (fractional) voxel index.
-  Point<CtFrame> p_in_ct(const Eigen::Vector3d& index) const {
-    return Point<CtFrame>(1e-3 * (origin_mm + direction * index.cwiseProduct(spacing_mm)));
-  }
-  Eigen::Vector3d index_of(const Point<CtFrame>& p) const {
-    return (direction.inverse() * (1e3 * p.xyz - origin_mm)).cwiseQuotient(spacing_mm);
-  }
-  double voxel_volume_mm3() const { return spacing_mm.prod(); }
+  Point<CtFrame> p_in_ct(const Eigen::Vector3d& index) const;
+  Eigen::Vector3d index_of(const Point<CtFrame>& p) const;
+  double voxel_volume_mm3() const;
   /// Same size, and same place to within a hundredth of a voxel.
   bool same_as(const VolumeGrid& other) const;
 };

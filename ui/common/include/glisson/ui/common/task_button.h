@@ -23,8 +23,9 @@ class TaskButton : public QWidget {
   TaskButton(EngineBridge& engine, const QString& text, std::function<std::optional<engine::Command>()> make,
              QWidget* parent = nullptr);
 
-  /// Keeps a line for what is in the way, so that nothing below moves when it is said.
-  void reserve_line();
+  /// Keeps room for the progress, for what is in the way and for how it ended, a line each, so that nothing
+  /// below moves when it is said.
+  void reserve_lines();
   /// Why the button cannot be pressed now; empty: it can.
   void set_obstacle(const QString& obstacle);
   /// From now on what stands in the way of a command like this one (engine::obstacle) is told, too, and comes
@@ -53,6 +54,8 @@ class TaskButton : public QWidget {
   std::optional<engine::Command> watched_;
   QString asked_, obstacle_;  ///< what the engine says; what set_obstacle() has said
   QPushButton* button_;
+  bool is_reserved_ = false;
+  QWidget* below_;  ///< the button: all that it tells
   QWidget* progress_row_;
   QProgressBar* bar_;
   QLabel* stage_;
