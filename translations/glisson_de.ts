@@ -7756,7 +7756,7 @@
     </message>
     <message>
         <source> HU</source>
-        <translation> HU</translation>
+        <translation> HE</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -7928,7 +7928,7 @@
     </message>
     <message>
         <source>HU</source>
-        <translation>HU</translation>
+        <translation>HE</translation>
     </message>
     <message>
         <source>⌀ mm</source>
@@ -7952,7 +7952,7 @@
     </message>
     <message>
         <source>%1 ± %2 HU</source>
-        <translation>%1 ± %2 HU</translation>
+        <translation>%1 ± %2 HE</translation>
     </message>
     <message>
         <source>Hidden: click to show</source>
@@ -10470,7 +10470,7 @@ Mode %3 bei %4 Abweichungen
     </message>
     <message>
         <source> HU</source>
-        <translation> HU</translation>
+        <translation> HE</translation>
     </message>
     <message>
         <source>To</source>

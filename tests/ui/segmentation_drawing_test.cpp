@@ -94,7 +94,7 @@ double volume_of(const TriangleMesh& mesh) {
 }
 
 /// Each edge once in each direction: closed, and all triangles look to one side.
-bool is_closed(const TriangleMesh& mesh) {
+bool looks_to_one_side(const TriangleMesh& mesh) {
   std::multiset<std::pair<int, int>> edges;
   for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t)
     for (int k = 0; k < 3; ++k) edges.emplace(mesh.triangles(t, k), mesh.triangles(t, (k + 1) % 3));
@@ -311,7 +311,7 @@ void SegmentationDrawingTest::BallsSurfaceIsClosedAndAsLargeAsTheBall() {
   const auto surfaces = scene::LabelSurfaces::of(labels, nullptr);
   QVERIFY(surfaces && surfaces->blocks().size() > 4);
   const TriangleMesh ball = whole(*surfaces, static_cast<Label>(label));
-  QVERIFY(is_closed(ball));
+  QVERIFY(looks_to_one_side(ball));
   const double truth = 4.0 / 3.0 * M_PI * std::pow(radius, 3);
   QVERIFY2(std::abs(volume_of(ball) / truth - 1.0) < 0.03,
            qPrintable(QString::number(volume_of(ball) / truth)));
@@ -331,7 +331,7 @@ void SegmentationDrawingTest::SurfaceTouchingTheVolumesEndIsClosed() {
       for (int i = 0; i < 64; ++i) labels.set({i, j, k}, structure::kVenaCava);
   const auto surfaces = scene::LabelSurfaces::of(labels, nullptr);
   const TriangleMesh box = whole(*surfaces, structure::kVenaCava);
-  QVERIFY(is_closed(box));
+  QVERIFY(looks_to_one_side(box));
   QVERIFY(std::abs(volume_of(box) / (64e-3 * 40e-3 * 70e-3) - 1.0) < 0.02);
 }
 

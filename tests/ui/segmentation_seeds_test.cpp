@@ -64,7 +64,7 @@ void SegmentationSeedsTest::ButtonsKeepTheirPlaceHoweverManyLesionsThereAre() {
     QList<QPoint> all;
     for (const char* name : {"seed_parenchyma", "seed_background", "seed_lesions", "delete_seeds"})
       all << find<QWidget>(name)->mapTo(&panel(), QPoint());
-    for (const char* name : {"segment"})
+    for (const char* name : {"segment", "propose_seeds"})
       all << window_->findChild<ui::TaskButton*>(QLatin1String(name))->button()->mapTo(&panel(), QPoint());
     return all;
   };
@@ -82,13 +82,15 @@ void SegmentationSeedsTest::ButtonsKeepTheirPlaceHoweverManyLesionsThereAre() {
     press(name.c_str());
     click({-0.03 + 0.006 * lesion, 0.0, 0});
     QCOMPARE(places(), before);
+    const auto* button = find<QPushButton>(name.c_str());
+    QCOMPARE(button->visibleRegion().boundingRect(), button->rect());
   }
-  // The ninth can be scrolled to, and is in sight when it is chosen.
+  // The ninth can be scrolled to, and is in sight, all of it, when it is chosen.
   auto* next =
       find<QPushButton>(("seed_" + structure_name(static_cast<Label>(structure::kFirstLesion + 8))).c_str());
   QVERIFY(next != nullptr);
   panel().choose_structure(static_cast<Label>(structure::kFirstLesion + 8));
-  QVERIFY(!next->visibleRegion().isEmpty());
+  QCOMPARE(next->visibleRegion().boundingRect(), next->rect());
 }
 
 void SegmentationSeedsTest::ADragAcrossALesionTellsItsDiameter() {

@@ -32,9 +32,9 @@ namespace glisson::ui {
 namespace {
 
 constexpr double kLeastVoxels = 9.0;  ///< a side of the region: segment() wants eight of them whole
-constexpr int kColumns = 2;           ///< of the organs' buttons
-constexpr int kLesionColumns = 3, kLesionRows = 2;  ///< in sight; more are scrolled to
-constexpr int kGap = 4;                             ///< pixels between buttons
+constexpr int kColumns = 2;           ///< of buttons
+constexpr int kLesionRows = 2;        ///< in sight; more are scrolled to
+constexpr int kGap = 4;               ///< pixels between buttons
 
 QString seed_name(Label label) {
   return label == structure::kBackground ? SeedBox::tr("Not liver") : structure_text(label);
@@ -135,7 +135,7 @@ void SeedBox::build_structures() {
   rows->setContentsMargins(0, 0, 0, 0);
   lesion_grid_ = new QGridLayout;
   lesion_grid_->setSpacing(kGap);
-  for (int column = 0; column < kLesionColumns; ++column) lesion_grid_->setColumnStretch(column, 1);
+  for (int column = 0; column < kColumns; ++column) lesion_grid_->setColumnStretch(column, 1);
   rows->addLayout(lesion_grid_);
   rows->addStretch(1);
   lesions_->setWidget(inside);
@@ -421,7 +421,7 @@ void SeedBox::show_buttons() {
     button->setEnabled(engine_.state()[part::image] != nullptr);
     button->show();
     if (is_lesion(label))
-      put_button(lesion_grid_, lesion_cell++, kLesionColumns, button);
+      put_button(lesion_grid_, lesion_cell++, kColumns, button);
     else
       put_button(grid_, cell++, kColumns, button);
   }
@@ -430,7 +430,7 @@ void SeedBox::show_buttons() {
   lesions_->setFixedHeight(kLesionRows * buttons_[structure::kParenchyma]->sizeHint().height() +
                            (kLesionRows - 1) * kGap);
   // Where the bar comes to stand there is room for it from the first lesion on.
-  const bool bar = lesion_cell > kLesionRows * kLesionColumns;
+  const bool bar = lesion_cell > kLesionRows * kColumns;
   lesions_->setVerticalScrollBarPolicy(bar ? Qt::ScrollBarAlwaysOn : Qt::ScrollBarAlwaysOff);
   lesion_grid_->setContentsMargins(0, 0, bar ? 0 : lesions_->verticalScrollBar()->sizeHint().width(), 0);
   remove_->setEnabled(!list_->selectedItems().isEmpty());
