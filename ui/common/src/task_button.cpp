@@ -51,6 +51,7 @@ TaskButton::TaskButton(EngineBridge& engine, const QString& text,
   lines->addStretch(1);
   outcome_->hide();
   layout->addWidget(below_);
+  layout->addStretch(1);  // what room a panel has to spare does not push the button down
 
   connect(button_, &QPushButton::clicked, this, &TaskButton::start);
   connect(cancel_, &QToolButton::clicked, this, [this] {

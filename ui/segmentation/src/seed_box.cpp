@@ -236,6 +236,7 @@ void SeedBox::build_growth() {
   column_of(this)->addWidget(notes_);
   network_ = new NetworkBox(engine_, this);
   column_of(this)->addWidget(network_);
+  column_of(this)->addStretch(1);
   connect(what_, &QComboBox::currentIndexChanged, this, [this] { run_->set_obstacle(obstacle()); });
 }
 
