@@ -39,6 +39,7 @@ class ElasticTest : public QObject {
   void StepLimitIsReported();
   void PrintedFormDoesNotRegister();
   void ForeignDeformationIsRecovered();
+  void AnUnsurePieceOfTheMarginPullsLess();
   void CancelIsObeyed();
   void UnusableInputIsRefused();
 
@@ -67,6 +68,30 @@ class ElasticTest : public QObject {
 
   PatientModel model_ = phantom::model(10, 8, 4), truth_ = phantom::model(17, 13, 6);
 };
+
+/// A third of the margin lies 20 mm behind where it is.
+void ElasticTest::AnUnsurePieceOfTheMarginPullsLess() {
+  const LabelledCloud cloud = seen(0.0);
+  const auto placed = [&](const PatientModel& model) {
+    return register_elastic(model, cloud, phantom::view(), brief(), RunContext())->nodes_in_camera;
+  };
+  const Points right = placed(model_);
+  const auto moved_by = [&](double deviation) {
+    PatientModel model = model_;
+    Points& margin = model.landmarks.anterior_margin;
+    const ClosestPointTree tree(model.surface.mesh);
+    constexpr Eigen::Index kPiece = 14;
+    for (Eigen::Index k = 0; k < kPiece; ++k)
+      margin.row(k) =
+          tree.closest(margin.row(k).transpose() + Eigen::Vector3d(0.0, 0.02, 0.0)).point.transpose();
+    model.landmarks.margin_deviation = Eigen::VectorXd::Zero(margin.rows());
+    model.landmarks.margin_deviation.head(kPiece).setConstant(deviation);
+    return (placed(model) - right).rowwise().norm().mean();
+  };
+  const double sure = moved_by(0.0), unsure = moved_by(15e-3);
+  QVERIFY2(unsure < 0.8 * sure, qPrintable(QStringLiteral("%1 %2").arg(unsure).arg(sure)));
+  QCOMPARE(moved_by(6e-3), sure);  // as a person's
+}
 
 void ElasticTest::LittleSeenRaisesADoubt() {
   for (const double share : {0.08, 0.12, 0.3, 0.4}) {

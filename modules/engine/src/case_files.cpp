@@ -178,6 +178,32 @@ bool same_points(const Points& a, const Points& b) {
   return a.rows() == b.rows() && (a.rows() == 0 || (a - b).cwiseAbs().maxCoeff() < kMicrometre);
 }
 
+namespace {
+
+double deviation_in(const json& value, const std::string& file, const char* field) {
+  if (!value.is_number() || !(value.get<double>() >= 0.0) || !std::isfinite(value.get<double>()))
+    throw InputError(file, field, "is no deviation", "Give millimetres from 0, or leave the field out");
+  return 1e-3 * value.get<double>();
+}
+
+/// Files of before have none: all was a person's.
+void take_deviations(const json& document, const std::string& file, Landmarks& landmarks) {
+  if (document.contains("umbilical_notch_deviation_mm"))
+    landmarks.notch_deviation =
+        deviation_in(document["umbilical_notch_deviation_mm"], file, "umbilical_notch_deviation_mm");
+  if (!document.contains("anterior_margin_deviation_mm")) return;
+  const json& list = document["anterior_margin_deviation_mm"];
+  if (!list.is_array() || static_cast<Eigen::Index>(list.size()) != landmarks.anterior_margin.rows())
+    throw InputError(file, "anterior_margin_deviation_mm", "are not as many as points",
+                     "Give one a point of the margin, or leave the field out");
+  landmarks.margin_deviation.resize(static_cast<Eigen::Index>(list.size()));
+  for (std::size_t i = 0; i < list.size(); ++i)
+    landmarks.margin_deviation[static_cast<Eigen::Index>(i)] =
+        deviation_in(list[i], file, "anterior_margin_deviation_mm");
+}
+
+}  // namespace
+
 Landmarks read_landmarks(const fs::path& path) {
   const json document = read_json(path);
   const std::string file = path.string();
@@ -196,6 +222,7 @@ Landmarks read_landmarks(const fs::path& path) {
   take("anterior_margin", landmarks.anterior_margin);
   take("umbilical_notch", landmarks.umbilical_notch);
   take("vena_cava", landmarks.vena_cava);
+  take_deviations(document, file, landmarks);
   if (landmarks.empty() && landmarks.vena_cava.rows() == 0)
     throw InputError(file, "", "holds no landmark", "Give anterior_margin, umbilical_notch or vena_cava");
   return landmarks;
@@ -207,6 +234,13 @@ void write_landmarks(const fs::path& path, const Landmarks& landmarks) {
     document["anterior_margin"] = points_to_json(landmarks.anterior_margin);
   if (landmarks.umbilical_notch.rows() > 0)
     document["umbilical_notch"] = points_to_json(landmarks.umbilical_notch);
+  if (landmarks.margin_deviation.size() > 0) {
+    json list = json::array();
+    for (const double deviation : landmarks.margin_deviation) list.push_back(1e3 * deviation);
+    document["anterior_margin_deviation_mm"] = list;
+  }
+  if (landmarks.notch_deviation > 0.0)
+    document["umbilical_notch_deviation_mm"] = 1e3 * landmarks.notch_deviation;
   if (landmarks.vena_cava.rows() > 0) document["vena_cava"] = points_to_json(landmarks.vena_cava);
   write_json(path, document);
 }

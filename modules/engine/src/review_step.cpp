@@ -2,6 +2,7 @@
 #include "review_step.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "glisson/core/error.h"
@@ -17,6 +18,33 @@ Points* points_of(Landmarks& landmarks, atlas::Structure structure) {
   if (structure == atlas::Structure::anterior_margin) return &landmarks.anterior_margin;
   if (structure == atlas::Structure::vena_cava) return &landmarks.vena_cava;
   return nullptr;
+}
+
+/// Standard deviation of a point across its course (of a single point: in any direction), metres; 0 where a
+/// person has placed it or the image shows it.
+double deviation_of(const atlas::Proposal& proposal, Eigen::Index k) {
+  const auto i = static_cast<std::size_t>(k);
+  if (proposal.sources[i] == atlas::Source::person || proposal.sources[i] == atlas::Source::image) return 0.0;
+  const Eigen::Matrix3d& spread = proposal.covariances[i];
+  if (proposal.points.rows() == 1) return std::sqrt(spread.trace() / 3.0);
+  const Eigen::Index last = proposal.points.rows() - 1;
+  const Eigen::Vector3d along =
+      (proposal.points.row(std::min(k + 1, last)) - proposal.points.row(std::max<Eigen::Index>(k - 1, 0)))
+          .transpose()
+          .normalized();
+  return std::sqrt(0.5 * std::max(0.0, spread.trace() - along.dot(spread * along)));
+}
+
+/// Of a landmark's points: of the proposal's points that they are, and none of others.
+Eigen::VectorXd deviations_of(const atlas::Proposal& proposal, const Points& landmark) {
+  constexpr double kSame = 1e-9;
+  Eigen::VectorXd deviations = Eigen::VectorXd::Zero(landmark.rows());
+  for (Eigen::Index k = 0; k < landmark.rows(); ++k) {
+    Eigen::Index at = 0;
+    if ((proposal.points.rowwise() - landmark.row(k)).rowwise().norm().minCoeff(&at) < kSame)
+      deviations[k] = deviation_of(proposal, at);
+  }
+  return deviations;
 }
 
 /// Those that are of this model. Empty: none.
@@ -57,6 +85,10 @@ Applied with_review(const CaseState& state, const atlas::Proposal& proposal, con
   Landmarks landmarks = placed(state);
   if (Points* points = points_of(landmarks, proposal.structure)) {
     *points = landmark;
+    if (proposal.structure == atlas::Structure::anterior_margin)
+      landmarks.margin_deviation = deviations_of(proposal, landmark);
+    if (proposal.structure == atlas::Structure::umbilical_notch)
+      landmarks.notch_deviation = landmark.rows() > 0 ? deviations_of(proposal, landmark).maxCoeff() : 0.0;
     const bool none = landmarks.empty() && landmarks.vena_cava.rows() == 0;
     applied.state[part::landmarks] = none ? nullptr : std::make_shared<const Landmarks>(std::move(landmarks));
   }

@@ -118,8 +118,9 @@ class ElasticRun {
     fem::Loads loads;
     loads.attached.reserve(pairs_.size());
     for (const Pair& pair : pairs_) {
-      const double k =
-          factor(pair.feature, n, last) * modulus * cloud_.weight[static_cast<std::size_t>(pair.point)];
+      const double k = factor(pair.feature, n, last) * modulus *
+                       cloud_.weight[static_cast<std::size_t>(pair.point)] *
+                       landmark_share(pair.feature, pair.deviation);
       if (pair.kept && k > 0.0)
         loads.attached.push_back(
             pair_load(pair, surface_, options_.form, options_.s, k, options_.tangential));

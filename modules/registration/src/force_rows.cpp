@@ -37,7 +37,8 @@ void add_labelled(ForceRows& rows, const PreparedCloud& cloud, const MovingSurfa
       rows.points.row(first + c) = pair.on_model.point.transpose();
       rows.directions.row(first + c) = Eigen::RowVector3d::Unit(c);
       rows.gap[first + c] = pair.gap[c];
-      rows.sigma[first + c] = std::max(sigma, notch ? kNotchSigma : kMarginSigma) / std::sqrt(information);
+      rows.sigma[first + c] =
+          std::max({sigma, notch ? kNotchSigma : kMarginSigma, pair.deviation}) / std::sqrt(information);
     }
   }
 }

@@ -10,8 +10,6 @@
 
 namespace glisson::registration {
 
-/// Deviations of margin points and of the notch's centroid, m, not less than the surface's.
-inline constexpr double kMarginSigma = 6e-3, kNotchSigma = 3e-3;
 /// Neighbouring margin points share the model's error: independent information in a reference spacing's
 /// point.
 inline constexpr double kMarginInformation = 0.2;

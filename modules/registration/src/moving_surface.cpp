@@ -73,6 +73,25 @@ const TriangleMesh* fine_outline(const PatientModel& model) {
   return nullptr;
 }
 
+/// Of each triangle the deviation at the landmark's closest point.
+std::vector<double> deviations_of(const TriangleMesh& mesh, const std::vector<int>& triangles,
+                                  const Points& line, const Eigen::VectorXd& deviation) {
+  std::vector<double> of_triangle;
+  if (deviation.size() == 0 || deviation.maxCoeff() <= 0.0) return of_triangle;
+  require(deviation.size() == line.rows(), "each point of a margin has its deviation, or none has");
+  of_triangle.reserve(triangles.size());
+  for (const int t : triangles) {
+    const Eigen::RowVector3d middle =
+        (mesh.vertices.row(mesh.triangles(t, 0)) + mesh.vertices.row(mesh.triangles(t, 1)) +
+         mesh.vertices.row(mesh.triangles(t, 2))) /
+        3.0;
+    Eigen::Index closest = 0;
+    (line.rowwise() - middle).rowwise().squaredNorm().minCoeff(&closest);
+    of_triangle.push_back(deviation[closest]);
+  }
+  return of_triangle;
+}
+
 }  // namespace
 
 MovingSurface::MovingSurface(const PatientModel& model, SurfaceDetail detail, double margin_radius,
@@ -94,10 +113,13 @@ MovingSurface::MovingSurface(const PatientModel& model, SurfaceDetail detail, do
   if (model.landmarks.anterior_margin.rows() > 0) {
     part_[1] = triangles_near(mesh_, whole_, densify(model.landmarks.anterior_margin), margin_radius);
     margin_ = ClosestPointTree(mesh_, part_[1]);
+    margin_deviation_ =
+        deviations_of(mesh_, part_[1], model.landmarks.anterior_margin, model.landmarks.margin_deviation);
   }
   if (model.landmarks.umbilical_notch.rows() > 0) {
     part_[2] = triangles_near(mesh_, whole_, model.landmarks.umbilical_notch, notch_radius);
     notch_ = ClosestPointTree(mesh_, part_[2]);
+    notch_deviation_ = model.landmarks.notch_deviation;
     notch_point_ = whole_.closest(model.landmarks.umbilical_notch.colwise().mean().transpose());
   }
 }
@@ -153,6 +175,15 @@ const ClosestPointTree& MovingSurface::tree(Feature feature) const {
 ClosestPoint MovingSurface::closest(Feature feature, const Eigen::Vector3d& p, int near) const {
   const ClosestPointTree& part = tree(feature);
   return part.empty() ? whole_.closest_from(near, p) : part.closest_from(near, p);
+}
+
+double MovingSurface::deviation(Feature feature, const ClosestPoint& at) const {
+  if (feature == Feature::umbilical_notch) return notch_deviation_;
+  if (feature != Feature::anterior_margin || margin_deviation_.empty()) return 0.0;
+  const auto found = std::lower_bound(part_[1].begin(), part_[1].end(), at.triangle);
+  return found == part_[1].end() || *found != at.triangle
+             ? 0.0
+             : margin_deviation_[static_cast<std::size_t>(found - part_[1].begin())];
 }
 
 Eigen::Vector3d MovingSurface::normal(const ClosestPoint& at) const {

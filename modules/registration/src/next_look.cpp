@@ -102,7 +102,8 @@ class LandmarkLooks {
   ForceRows notch() const {
     const Points& notch = model_.landmarks.umbilical_notch;
     return rows_of(notch.rows() > 0 ? Points(notch.colwise().mean()) : notch, Feature::umbilical_notch,
-                   std::numeric_limits<double>::infinity(), kNotchSigma);
+                   std::numeric_limits<double>::infinity(),
+                   std::max(kNotchSigma, model_.landmarks.notch_deviation));
   }
 
  private:

@@ -241,6 +241,7 @@ std::vector<Pair> find_pairs(const PreparedCloud& prepared, const MovingSurface&
     pair.gap = p - pair.on_model.point;
     pair.on_model.distance = pair.gap.norm();
     pair.normal = surface.normal(pair.on_model);
+    pair.deviation = surface.deviation(pair.feature, pair.on_model);
     // The ridge and the notch have no one normal: they are kept whatever the cloud's says.
     if (cloud.normals.rows() > 0 && pair.feature == Feature::surface &&
         pair.normal.dot(cloud.normals.row(i).transpose()) < options.minimum_normal_cosine)
@@ -248,6 +249,12 @@ std::vector<Pair> find_pairs(const PreparedCloud& prepared, const MovingSurface&
   }
   reject_outliers(prepared, options, pairs);
   return pairs;
+}
+
+double landmark_share(Feature feature, double deviation) {
+  const double own = feature == Feature::umbilical_notch ? kNotchSigma : kMarginSigma;
+  if (feature == Feature::surface || deviation <= own) return 1.0;
+  return (own / deviation) * (own / deviation);
 }
 
 bool is_seen(const Points& cloud, const Eigen::RowVector3d& at) {

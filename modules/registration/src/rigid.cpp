@@ -135,6 +135,7 @@ class Aligner {
       m.p = ct_from_camera.rotation * cloud_.cloud.points.row(i).transpose() + ct_from_camera.translation;
       const ClosestPoint at = surface_.closest(m.feature, m.p, near[k]);
       near[k] = at.triangle;
+      m.weight *= landmark_share(m.feature, surface_.deviation(m.feature, at));
       m.q = at.point;
       m.normal = surface_.normal(at);
       m.distance = std::min(at.distance, kCap);

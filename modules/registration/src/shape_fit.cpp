@@ -118,10 +118,10 @@ class ShapeFitter {
     const auto inverse_square = [](double sigma) { return 1.0 / (sigma * sigma); };
     switch (pair.feature) {
       case Feature::umbilical_notch:  // a look's points share one gap
-        return inverse_square(options_.sigma_notch) /
+        return inverse_square(std::max(options_.sigma_notch, pair.deviation)) /
                cloud_.notch_points[static_cast<std::size_t>(cloud_.cloud.look(pair.point))];
       case Feature::anterior_margin:
-        return share(pair) * inverse_square(options_.sigma_margin);
+        return share(pair) * inverse_square(std::max(options_.sigma_margin, pair.deviation));
       case Feature::surface:
         break;
     }

@@ -128,6 +128,7 @@ QPushButton* AtlasPanel::add_tool(const QString& heading, const QString& explana
   });
   connect(clear, &QPushButton::clicked, this, [this, points, tool] {
     (landmarks_.*points).resize(0, 3);
+    if (tool == Tool::notch) landmarks_.notch_deviation = 0.0;
     // Those that the model brought come back where nobody has placed any: the next click takes their place.
     const auto model = engine().state()[part::model];
     if (model && (model->model.landmarks.*points).rows() > 0) begin_anew_.insert(tool);
@@ -167,6 +168,7 @@ void AtlasPanel::place(double x, double y) {
   if (!p) return;
   Points& list = tool_ == Tool::notch ? landmarks_.umbilical_notch : landmarks_.vena_cava;
   if (begin_anew_.erase(tool_) > 0) list.resize(0, 3);
+  if (tool_ == Tool::notch) landmarks_.notch_deviation = 0.0;  // from now on it is the person's
   list.conservativeResize(list.rows() + 1, 3);
   list.row(list.rows() - 1) = p->transpose();
   store();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/engine/parts/landmarks.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "case_files.h"
@@ -23,6 +24,10 @@ void load(CaseState& state, const json&, const CaseFolder& folder) {
 bool same(const CaseState& written, const CaseState& read) {
   const Landmarks &a = *written[part::landmarks], &b = *read[part::landmarks];
   return same_points(a.anterior_margin, b.anterior_margin) &&
+         a.margin_deviation.size() == b.margin_deviation.size() &&
+         (a.margin_deviation.size() == 0 ||
+          (a.margin_deviation - b.margin_deviation).cwiseAbs().maxCoeff() < 1e-9) &&
+         std::abs(a.notch_deviation - b.notch_deviation) < 1e-9 &&
          same_points(a.umbilical_notch, b.umbilical_notch) && same_points(a.vena_cava, b.vena_cava);
 }
 

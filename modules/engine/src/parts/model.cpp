@@ -107,8 +107,14 @@ Landmarks effective_landmarks(const CaseState& state) {
   require(state[part::model] != nullptr, "landmarks belong to a model");
   Landmarks landmarks = state[part::model]->model.landmarks;
   if (const auto& placed = state[part::landmarks]) {
-    if (placed->anterior_margin.rows() > 0) landmarks.anterior_margin = placed->anterior_margin;
-    if (placed->umbilical_notch.rows() > 0) landmarks.umbilical_notch = placed->umbilical_notch;
+    if (placed->anterior_margin.rows() > 0) {
+      landmarks.anterior_margin = placed->anterior_margin;
+      landmarks.margin_deviation = placed->margin_deviation;
+    }
+    if (placed->umbilical_notch.rows() > 0) {
+      landmarks.umbilical_notch = placed->umbilical_notch;
+      landmarks.notch_deviation = placed->notch_deviation;
+    }
     if (placed->vena_cava.rows() > 0) landmarks.vena_cava = placed->vena_cava;
   }
   return landmarks;

@@ -32,6 +32,10 @@ struct Landmarks {
   PointsIn<CtFrame> anterior_margin;  ///< ordered polyline along the ridge
   PointsIn<CtFrame> umbilical_notch;  ///< one point or a few
   PointsIn<CtFrame> vena_cava;        ///< points of the surface attached to it
+  /// How far each point of the margin, and the notch, may lie from where they are: a standard deviation
+  /// across, metres. 0, and an empty list: a person's own mark, or a sharp edge in the CT.
+  Eigen::VectorXd margin_deviation = {};
+  double notch_deviation = 0.0;
   bool empty() const { return anterior_margin.rows() == 0 && umbilical_notch.rows() == 0; }
 };
 

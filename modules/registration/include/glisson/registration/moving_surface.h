@@ -49,6 +49,9 @@ class MovingSurface {
   ClosestPoint closest(Feature feature, const Eigen::Vector3d& p, int near = -1) const;
   /// The notch as the landmark has it, carried by the surface; triangle -1: unknown.
   ClosestPoint notch() const;
+  /// How far a landmark may lie from where the model has it at this place, a standard deviation in metres
+  /// (see Landmarks); 0: no more than a person's mark, and on the surface.
+  double deviation(Feature feature, const ClosestPoint& at) const;
   /// First hit of a ray with the whole surface; see ClosestPointTree::first_hit.
   ClosestPoint first_hit(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, double t_min,
                          double t_max) const {
@@ -84,6 +87,9 @@ class MovingSurface {
   VertexStars stars_;
   Points normals_;  ///< of all vertices where it stands still; else empty: few of many are asked for
   std::array<std::vector<int>, 3> part_;
+  std::vector<double>
+      margin_deviation_;  ///< of the triangles of the margin's part, in its order; may be none
+  double notch_deviation_ = 0.0;
   ClosestPointTree whole_, margin_, notch_;
   ClosestPoint notch_point_;  ///< triangle and weights, bound at rest
 };

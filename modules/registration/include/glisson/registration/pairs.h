@@ -45,8 +45,15 @@ struct Pair {
   ClosestPoint on_model;
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< of the model, outwards
   Eigen::Vector3d gap = Eigen::Vector3d::Zero();     ///< cloud point - model point, metres
+  double deviation = 0.0;  ///< of the landmark there, metres (MovingSurface::deviation)
   bool kept = true;
 };
+
+/// Deviations of margin points and of the notch's centroid where a person has marked the landmark, metres.
+inline constexpr double kMarginSigma = 6e-3, kNotchSigma = 3e-3;
+/// What a mark on a landmark of this deviation counts for, over one on a person's own: (own / deviation)^2 in
+/// (0, 1]. @param deviation metres; what is below the feature's own is as a person's.
+double landmark_share(Feature feature, double deviation);
 
 /// Which pairs are not believed.
 struct PairOptions {
