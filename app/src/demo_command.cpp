@@ -88,6 +88,9 @@ int run_demo(const QStringList& given) {
                    options.theatre.frames);
   arguments.option("distance", Cli::tr("Distance of the laparoscope, mm (80 to 160)."), "MM",
                    options.theatre.camera_distance_mm);
+  arguments.flag("moving-scope",
+                 Cli::tr("A hand holds the laparoscope: it turns about the trocar, comes nearer, "
+                         "goes away and rolls."));
   arguments.option("share", Cli::tr("Share of the surface in the patch of the paper's protocol."), "SHARE",
                    options.patch_share);
   arguments.option("shape", Cli::tr("Which member of the synthetic population."), "SEED",
@@ -111,6 +114,8 @@ int run_demo(const QStringList& given) {
   options.theatre.frames = arguments.integer("frames", 1, 100000);
   options.theatre.camera_distance_mm = arguments.number("distance", 80.0, 160.0);
   options.theatre.seed = options.clicks.seed = arguments.seed();
+  // Up to 10 degrees and 45 mm a second, a third nearer and farther.
+  if (arguments.has("moving-scope")) options.scope = {.pivot_deg = 6.0, .slide_mm = 30.0, .roll_deg = 10.0};
   if (arguments.has("start-off")) {
     const std::vector<double> off = arguments.numbers("start-off", 3, -100.0, 100.0);
     options.start_off = 1e-3 * Eigen::Vector3d(off[0], off[1], off[2]);

@@ -44,16 +44,18 @@ std::optional<guidance::SurfacePlace> OverlayDrawer::place_at(const Eigen::Vecto
 
 OverlayRecorder::OverlayRecorder(const engine::CaseState& state, const std::filesystem::path& path,
                                  double frames_per_second, const scene::OverlayStyle& style,
-                                 const scene::OverlayInterest& interest)
+                                 const scene::OverlayInterest& interest, bool is_paced)
     : drawer_(state, style),
       interest_(interest),
-      writer_(path, state[part::rig]->left.width, state[part::rig]->left.height, frames_per_second) {}
+      writer_(path, state[part::rig]->left.width, state[part::rig]->left.height, frames_per_second) {
+  if (is_paced) pace_.emplace(frames_per_second);
+}
 
 double OverlayRecorder::add(const StereoFrame& frame, const OverlayFrame& overlay) {
   const Stopwatch watch;
   const Picture drawn = drawer_.draw(frame, overlay, interest_);
   const double milliseconds = watch.milliseconds();
-  writer_.write(drawn);
+  writer_.add(drawn, pace_ ? pace_->next(overlay.seconds) : stereo::FilmPace::Place());
   return milliseconds;
 }
 
@@ -91,9 +93,8 @@ void follow_video(Session& session, const guidance::TrackerOptions& options, int
   }
 }
 
-void replay_video(Session& session, const TrackReplay& replay, int last, const FrameTaker& frame) {
-  session.need({part::video});
-  const engine::VideoSource& source = *session.state()[part::video];
+void replay_video(Session& session, const TrackReplay& replay, const engine::VideoSource& source, int last,
+                  const FrameTaker& frame) {
   stereo::StereoVideo video(source.left, source.right);
   for (StereoFrame next; video.read(next);) {
     if (session.context().cancelled()) throw Interrupted();

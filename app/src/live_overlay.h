@@ -7,8 +7,10 @@
 
 #include "cli.h"
 #include "glisson/engine/parts/proposals.h"
+#include "glisson/engine/parts/video.h"
 #include "glisson/guidance/tracker.h"
 #include "glisson/patient/track_replay.h"
+#include "glisson/stereo/paced_writer.h"
 #include "glisson/stereo/picture_io.h"
 #include "glisson/ui/scene/overlay_painter.h"
 
@@ -24,6 +26,7 @@ class OverlayDrawer {
   explicit OverlayDrawer(const engine::CaseState& state, const scene::OverlayStyle& style = {});
   Picture draw(const StereoFrame& frame, const OverlayFrame& overlay,
                const scene::OverlayInterest& interest = {});
+  void set_style(const scene::OverlayStyle& style) { painter_.set_style(style); }
   /// Of the chosen lesion in the picture drawn last; empty: it was not shown.
   const std::optional<guidance::LesionMeasures>& measures() const { return painter_.measures(); }
   /// The place of the organ's surface at a pixel of the left picture; empty: there is none.
@@ -41,8 +44,12 @@ class OverlayDrawer {
 /// Records drawn frames as a video of the left camera. Without close() nothing remains.
 class OverlayRecorder {
  public:
+  /// @param is_paced each frame stands for its own moment, and where one is missing the one before stays;
+  /// else
+  ///   they follow one another.
   OverlayRecorder(const engine::CaseState& state, const std::filesystem::path& path, double frames_per_second,
-                  const scene::OverlayStyle& style = {}, const scene::OverlayInterest& interest = {});
+                  const scene::OverlayStyle& style = {}, const scene::OverlayInterest& interest = {},
+                  bool is_paced = false);
   /// @return milliseconds that drawing took.
   double add(const StereoFrame& frame, const OverlayFrame& overlay);
   void close();
@@ -50,7 +57,8 @@ class OverlayRecorder {
  private:
   OverlayDrawer drawer_;
   scene::OverlayInterest interest_;
-  stereo::VideoWriter writer_;
+  stereo::PacedWriter writer_;
+  std::optional<stereo::FilmPace> pace_;  ///< empty: frames follow one another
 };
 
 /// Draws a frame of a case. Makes the drawer when the first frame comes, and again only for another model.
@@ -61,9 +69,10 @@ using FrameTaker = std::function<void(const StereoFrame&, const OverlayFrame&)>;
 /// @param last number of the last frame, or -1 for all. @throws Error, Interrupted.
 void follow_video(Session& session, const guidance::TrackerOptions& options, int last,
                   const FrameTaker& frame);
-/// Hands over each tracked frame of the case's video with what was known of it.
-/// @param last number of the last frame, or -1 for all.
+/// Hands over each tracked frame of a video with what was known of it.
+/// @param video the source of the frames. @param last number of the last frame, or -1 for all.
 /// @throws Error, Interrupted; InputError where the track's time of a frame is not the video's.
-void replay_video(Session& session, const TrackReplay& replay, int last, const FrameTaker& frame);
+void replay_video(Session& session, const TrackReplay& replay, const engine::VideoSource& video, int last,
+                  const FrameTaker& frame);
 
 }  // namespace glisson::app

@@ -35,6 +35,7 @@
 #include "glisson/registration/registration_files.h"
 #include "glisson/stereo/picture_io.h"
 #include "glisson/ui/common/error_texts.h"
+#include "glisson/ui/scene/overlay_painter.h"
 #include "igtl_argument.h"
 #include "model_argument.h"
 
@@ -219,6 +220,7 @@ experiments::TrackOutput output_of(const Arguments& arguments, const ModelArgume
   output.write_mesh = [&](const fs::path& path, const Registration& registration, const NamedArrays& said) {
     write_deformed(path, argument, session, registration, said);
   };
+  output.remedy = scene::remedy_text;
   if (arguments.has("truth"))
     output.truth = [pattern = arguments.value("truth")](int frame) { return numbered(pattern, frame); };
   return output;

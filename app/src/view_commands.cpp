@@ -13,6 +13,7 @@
 #include "glisson/experiments/track_evaluation.h"
 #include "glisson/patient/label_map.h"
 #include "glisson/stereo/picture_io.h"
+#include "glisson/ui/scene/montage.h"
 #include "live_overlay.h"
 
 namespace glisson::app {
@@ -36,23 +37,43 @@ Eigen::Vector2d pixel_named(const QString& text) {
   return pixel;
 }
 
-void declare_look(Arguments& arguments) {
+constexpr const char* kAllLooks = "all";  ///< side by side, for `render`
+
+void declare_look(Arguments& arguments, bool with_all = false) {
   QStringList codes;
   for (const scene::Look look : scene::kLooks) codes << scene::look_code(look);
+  if (with_all) codes << kAllLooks;
   arguments.option("look", Cli::tr("How depth is told: %1.").arg(codes.join(", ")), "NAME",
                    scene::look_code(scene::OverlayStyle().look));
   arguments.flag("thin-branches", Cli::tr("Draw thin distal branches of vessels, too."));
   arguments.option("lesion", Cli::tr("Look at this lesion and tell its numbers, as lesion_1."), "NAME");
 }
 
-scene::OverlayStyle style_of(const Arguments& arguments) {
+scene::OverlayStyle style_of(const Arguments& arguments, bool with_all = false) {
   scene::OverlayStyle style;
   style.thin_branches = arguments.has("thin-branches");
   for (const scene::Look look : scene::kLooks) {
     style.look = look;
     if (arguments.value("look") == scene::look_code(look)) return style;
   }
+  if (with_all && arguments.value("look") == kAllLooks) {
+    style.look = scene::OverlayStyle().look;
+    return style;
+  }
   throw UsageError("--look " + arguments.value("look").toStdString() + ": is none of the looks. See --help.");
+}
+
+/// One frame in each of the looks, side by side.
+Picture all_looks(OverlayDrawer& drawer, scene::OverlayStyle style, const StereoFrame& frame,
+                  const OverlayFrame& overlay, const scene::OverlayInterest& interest) {
+  constexpr double kScale = 0.75;  // the words stay readable
+  std::vector<scene::NamedPicture> pictures;
+  for (const scene::Look look : scene::kLooks) {
+    style.look = look;
+    drawer.set_style(style);
+    pictures.push_back({scene::look_code(look), drawer.draw(frame, overlay, interest)});
+  }
+  return scene::montage(pictures, 2, kScale);
 }
 
 /// What the person wants to know.
@@ -77,23 +98,44 @@ struct Question {
 void declare_track(Arguments& arguments) {
   arguments.option(
       "track",
-      Cli::tr("A folder that 'glisson track' filled for this case and video: what was known then "
-              "is drawn again, and nothing is followed."),
-      "DIR");
+      Cli::tr(
+          "A folder that 'glisson track' filled for this case and video, or NAME.frames.jsonl that the "
+          "window wrote beside a recording: what was known then is drawn again, and nothing is followed."),
+      "DIR|FILE");
+  arguments.option(
+      "recording",
+      Cli::tr("The raw views that were recorded with --track's file: drawn into instead of the case's video, "
+              "as of a live device."),
+      "V");
 }
 
-/// What --track names, if it is given.
-std::optional<TrackReplay> replay_of(const Arguments& arguments, const Session& session) {
-  if (!arguments.has("track")) return std::nullopt;
-  session.need({part::model});
-  return TrackReplay(arguments.path("track"), session.state()[part::model]->model.mesh.vertex_count());
-}
+/// What --track and --recording name, if they are given.
+struct Replayed {
+  std::optional<TrackReplay> track;
+  engine::VideoSource video;
+
+  Replayed(const Arguments& arguments, const Session& session) {
+    const bool is_recorded = arguments.has("recording");
+    if (is_recorded && !arguments.has("track"))
+      throw UsageError("--recording: needs what was known. Give --track NAME.frames.jsonl.");
+    if (is_recorded)
+      video = {arguments.path("recording"), {}};
+    else if (session.state()[part::video])
+      video = *session.state()[part::video];
+    if (!arguments.has("track")) return;
+    session.need({part::model});
+    if (!is_recorded) session.need({part::video});
+    track.emplace(arguments.path("track"), session.state()[part::model]->model.mesh.vertex_count(),
+                  is_recorded ? TrackReplay::Frames::of_the_recording : TrackReplay::Frames::of_the_source);
+    first = is_recorded ? 0 : track->first();
+  }
+  int first = 0;  ///< number of the track's first frame
+};
 
 /// Hands over each frame with what is known of it: from a track's record, or by following the video.
-void show_video(Session& session, const std::optional<TrackReplay>& replay, int last,
-                const FrameTaker& frame) {
-  if (replay)
-    replay_video(session, *replay, last, frame);
+void show_video(Session& session, const Replayed& replayed, int last, const FrameTaker& frame) {
+  if (replayed.track)
+    replay_video(session, *replayed.track, replayed.video, last, frame);
   else
     follow_video(session, {}, last, frame);
 }
@@ -120,7 +162,7 @@ int run_render(const QStringList& given) {
                    "CASE");
   arguments.option("frame", Cli::tr("Number of the frame, from 0."), "N", "0");
   arguments.option("out", Cli::tr("The picture (.png, .jpg)."), "picture.png");
-  declare_look(arguments);
+  declare_look(arguments, true);
   declare_track(arguments);
   arguments.option(
       "mark",
@@ -131,16 +173,18 @@ int run_render(const QStringList& given) {
   const std::filesystem::path out = arguments.output_file("out", {".png", ".jpg", ".jpeg"});
   const int wanted = arguments.integer("frame", 0, 10000000);
   const Question question(arguments);
-  const scene::OverlayStyle style = style_of(arguments);
+  const scene::OverlayStyle style = style_of(arguments, true);
   Session session(arguments);
   session.call("case", arguments.required_path("case").string());
   session.post(engine::OpenCase{arguments.required_path("case"), engine::OpenCase::Access::read});
   Picture picture;
-  const std::optional<TrackReplay> replay = replay_of(arguments, session);
-  show_video(session, replay, wanted, [&](const StereoFrame& frame, const OverlayFrame& overlay) {
+  const Replayed replayed(arguments, session);
+  show_video(session, replayed, wanted, [&](const StereoFrame& frame, const OverlayFrame& overlay) {
     if (frame.index != wanted) return;
     OverlayDrawer drawer(session.state(), style);
-    picture = drawer.draw(frame, overlay, question.interest(drawer, overlay));
+    const scene::OverlayInterest interest = question.interest(drawer, overlay);
+    picture = drawer.draw(frame, overlay, interest);
+    if (arguments.value("look") == kAllLooks) picture = all_looks(drawer, style, frame, overlay, interest);
     if (const auto& measures = drawer.measures()) add_measures(*measures, session.figures);
     session.texts["validity"] = validity_code(overlay.validity);
     session.texts["level"] = level_code(overlay.level());
@@ -157,10 +201,10 @@ int run_render(const QStringList& given) {
   });
   if (picture.empty())
     throw InputError(arguments.path("case").string(), "frame " + std::to_string(wanted),
-                     replay ? "is not in the video, or was not tracked"
-                            : "is not in the video, or lies before the registered frame",
-                     replay ? "Choose a frame that was tracked"
-                            : "Choose a frame between the registered one and the video's end");
+                     replayed.track ? "is not in the video, or was not tracked"
+                                    : "is not in the video, or lies before the registered frame",
+                     replayed.track ? "Choose a frame that was tracked"
+                                    : "Choose a frame between the registered one and the video's end");
   stereo::write_picture(out, picture);
   session.finish();
   return 0;
@@ -183,23 +227,23 @@ int run_overlay(const QStringList& given) {
   Session session(arguments);
   session.call("case", arguments.required_path("case").string());
   session.post(engine::OpenCase{arguments.required_path("case"), engine::OpenCase::Access::read});
-  session.need({part::video});
-  const double rate =
-      stereo::StereoVideo(session.state()[part::video]->left, session.state()[part::video]->right)
-          .frames_per_second();
-  const std::optional<TrackReplay> replay = replay_of(arguments, session);
+  const Replayed replayed(arguments, session);
+  if (!arguments.has("recording")) session.need({part::video});
+  const double rate = stereo::StereoVideo(replayed.video.left, replayed.video.right).frames_per_second();
+  const std::optional<TrackReplay>& replay = replayed.track;
   // Under another name until it is whole: a recording that is cut short is kept there.
   const std::filesystem::path unfinished =
       out.parent_path() / (out.stem().string() + ".incomplete" + out.extension().string());
-  OverlayRecorder recorder(session.state(), unfinished, rate, style, interest);
-  const int first = replay                         ? replay->first()
+  OverlayRecorder recorder(session.state(), unfinished, rate, style, interest,
+                           replay && replay->is_recording());
+  const int first = replay                         ? replayed.first
                     : session.state()[part::frame] ? session.state()[part::frame]->frame.index
                                                    : 0;
   const int last = arguments.has("frames") ? first + arguments.integer("frames", 1, 10000000) - 1 : -1;
   experiments::FrameTimes times(rate);
   double drawing = 0.0;
   const bool whole = until_interrupted([&] {
-    show_video(session, replay, last, [&](const StereoFrame& frame, const OverlayFrame& overlay) {
+    show_video(session, replayed, last, [&](const StereoFrame& frame, const OverlayFrame& overlay) {
       drawing += recorder.add(frame, overlay);
       times.add(overlay);
     });

@@ -78,6 +78,25 @@ class OutlineDistanceTest : public QObject {
                               depth([](int, int) { return true; })));
   }
 
+  void ALineBesideTheTrueOneIsOffByItsDistance() {
+    const std::vector<Eigen::Vector2d> truth = {{20.0, 50.0}, {180.0, 50.0}};
+    const auto shifted = line_distance({{20.0, 57.0}, {100.0, 57.0}, {180.0, 57.0}}, truth, kWidth, kHeight);
+    QVERIFY(shifted && std::abs(shifted->mean - 7.0) < 1e-9 && std::abs(shifted->percentile_95 - 7.0) < 1e-9);
+    // Half of it is missing: that counts, too.
+    const auto half = line_distance({{20.0, 50.0}, {100.0, 50.0}}, truth, kWidth, kHeight);
+    QVERIFY2(half && half->mean > 10.0 && half->percentile_95 > 60.0,
+             qPrintable(QString::number(half->mean)));
+  }
+
+  void BeyondThePictureALineDoesNotCount() {
+    // The true one ends at the border, the drawn one goes on far beyond it.
+    const auto found =
+        line_distance({{20.0, 50.0}, {900.0, 50.0}}, {{20.0, 50.0}, {199.0, 50.0}}, kWidth, kHeight);
+    QVERIFY(found && found->mean < 1e-9);
+    QVERIFY(!line_distance({{500.0, 50.0}, {600.0, 50.0}}, {{20.0, 50.0}}, kWidth, kHeight));
+    QVERIFY(!line_distance({}, {{20.0, 50.0}}, kWidth, kHeight));
+  }
+
   void FramesAreSummedUp() {
     OutlineTally tally;
     QVERIFY(tally.figures().empty());
@@ -88,6 +107,7 @@ class OutlineDistanceTest : public QObject {
     QCOMPARE(figures.at("outline_mean_px"), 3.0);
     QCOMPARE(figures.at("outline_p95_px"), 7.0);
     QCOMPARE(figures.at("outline_worst_mean_px"), 4.0);
+    QCOMPARE(tally.figures("margin").at("margin_p95_px"), 7.0);
   }
 
   void AnotherSizeIsRefused() {

@@ -22,6 +22,7 @@
 #include "glisson/engine/commands/start_tracking.h"
 #include "glisson/engine/obstacle.h"
 #include "glisson/engine/parts/registration.h"
+#include "glisson/stereo/picture_io.h"
 #include "glisson/ui/common/task_button.h"
 #include "glisson/ui/guidance/playback_box.h"
 #include "glisson/ui/guidance/recording_box.h"
@@ -52,6 +53,7 @@ class GuidanceBoxesTest : public QObject {
   void PlaybackRepeatsOnlyWhenItShould_data();
   void PlaybackRepeatsOnlyWhenItShould();
   void RecordingIsOfferedWhileThereIsSomethingToRecord();
+  void WhatIsRecordedIsChosenBefore();
   void RecordingEndsWithThePlaying();
   void RecordingThatFailsSaysWhy();
 
@@ -349,6 +351,38 @@ void GuidanceBoxesTest::RecordingIsOfferedWhileThereIsSomethingToRecord() {
   box.button()->click();
   QTRY_VERIFY(!model.is_recording);
   QVERIFY2(words_on(box).startsWith(QStringLiteral("Frames recorded: 1")), qPrintable(words_on(box)));
+}
+
+void GuidanceBoxesTest::WhatIsRecordedIsChosenBefore() {
+  ui::OverlayWorker worker;
+  ui::PlaybackModel playback(*engine_);
+  ui::ReviewModel review(*engine_, playback);
+  ui::CorrectionModel correction(*engine_, playback, review);
+  ui::AgainModel again(*engine_, playback);
+  ui::RecordingModel model(worker, playback, correction, again);
+  const ui::RecordingBox box(model);
+  auto* what = box.findChild<QComboBox*>(QStringLiteral("recorded"));
+  QVERIFY(model.what.value() == ui::Recorded::overlay);
+  what->setCurrentIndex(2);
+  QVERIFY(model.what.value() == ui::Recorded::both);
+  const std::filesystem::path file = folder_->path() / "both.mkv";
+  model.start(QString::fromStdString(file.string()));
+  QVERIFY(!what->isEnabled());
+  int painted = 0;
+  connect(&worker, &ui::OverlayWorker::painted, this, [&painted] { ++painted; });
+  for (int k = 0; k < 3; ++k) {
+    ui::OverlayJob job = live_job(k);
+    job.right = FakeOperation::picture(64, 32, k + 1);
+    worker.submit(job);
+    QTRY_COMPARE(painted, k + 1);
+  }
+  model.stop();
+  QTRY_VERIFY(!model.is_recording);
+  QCOMPARE(model.tone.value(), QStringLiteral("good"));
+  QVERIFY(what->isEnabled());
+  stereo::StereoVideo raw(ui::Recorder::raw_path(file));
+  QVERIFY(raw.width() == 64 && raw.frame_count() == 3);
+  QVERIFY(std::filesystem::exists(file) && std::filesystem::exists(ui::Recorder::lines_path(file)));
 }
 
 void GuidanceBoxesTest::RecordingEndsWithThePlaying() {

@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QToolButton>
 #include <QTreeWidget>
 #include <QtTest>
 #include <algorithm>
@@ -50,6 +51,8 @@ class GuidancePanelTest : public QObject {
   void NothingOfTheFormerCaseStays();
   void NothingOfTheFormerLiveViewStays();
   void TheLiveLineTellsTheLevelAndWhy();
+  void TimesFromTheCameraToTheScreenAreTold();
+  void TheRawPictureStandsBesideTheOverlay();
   void TheTableTellsOfEachLesion();
   void AChosenLesionTellsItsNumbers();
   void LastPictureStaysUntilAnotherCaseWhateverItsStyle();
@@ -236,7 +239,50 @@ void GuidancePanelTest::TheLiveLineTellsTheLevelAndWhy() {
   QTRY_VERIFY_WITH_TIMEOUT(said().contains(QStringLiteral("OUTLINE ONLY: part of the organ is covered")),
                            20000);
   operation_->live_validity = Validity::picture_stands;
-  QTRY_VERIFY_WITH_TIMEOUT(said().contains(QStringLiteral("NO OVERLAY: the picture stands still")), 20000);
+  QTRY_VERIFY_WITH_TIMEOUT(
+      said().contains(QStringLiteral("NO OVERLAY: the picture stands still. Check the camera")), 20000);
+}
+
+void GuidancePanelTest::TimesFromTheCameraToTheScreenAreTold() {
+  reach_registration(60);
+  QVERIFY(rests());
+  QCOMPARE(panel().live().screen_times().count(), 0);  // the registered frame is not live
+  QStringList told;
+  connect(&panel().live(), &ui::LiveViewModel::times_told, window_.get(),
+          [&told](const ui::ScreenTimes& times) { told << QString::fromStdString(line_of(times)); });
+  press("start_tracking");
+  QTRY_VERIFY_WITH_TIMEOUT(words_on(panel()).contains(QStringLiteral("Camera to screen, median / 99 %")),
+                           20000);
+  QTRY_VERIFY_WITH_TIMEOUT(panel().live().screen_times().count() >= 3, 20000);
+  QVERIFY(*panel().live().screen_times().percentile(0.5) > 0.0);
+  // What is on the screen was made for it beside the window's thread.
+  QTRY_VERIFY_WITH_TIMEOUT(!panel().live().on_screen().screen.isNull(), 20000);
+  const ui::LivePicture& view = live_view().picture();
+  QCOMPARE(panel().live().on_screen().screen.size(), view.screen_size({picture().width, picture().height}));
+  QTRY_COMPARE_WITH_TIMEOUT(told.size(), qsizetype{1}, 20000);
+  QVERIFY2(told.front().startsWith(QStringLiteral("camera to screen ")), qPrintable(told.front()));
+}
+
+void GuidancePanelTest::TheRawPictureStandsBesideTheOverlay() {
+  reach_registration(60);
+  QVERIFY(rests());
+  auto* raw = live_view().findChild<ui::PictureView*>(QStringLiteral("raw_picture"));
+  QVERIFY(!raw->isVisible());
+  QTest::keyClick(const_cast<ui::LivePicture*>(&live_view().picture()), Qt::Key_B);
+  QVERIFY(raw->isVisible());
+  const auto& frame = window_->engine().state()[part::frame]->frame;
+  QTRY_VERIFY_WITH_TIMEOUT(!raw->picture().empty() && *raw->picture().bytes == *frame.left.bytes, 20000);
+  QVERIFY(*raw->picture().bytes != *picture().bytes);
+  QVERIFY(raw->width() > 200 && std::abs(raw->width() - live_view().picture().width()) < 4);
+  press("start_tracking");
+  QTRY_VERIFY_WITH_TIMEOUT(said().contains(QStringLiteral("LIVE")), 20000);
+  // Both are of one moment.
+  QTRY_VERIFY_WITH_TIMEOUT(
+      panel().live().on_screen().raw_screen.size() == panel().live().on_screen().screen.size() &&
+          raw->picture().bytes == panel().live().on_screen().raw.bytes,
+      20000);
+  live_view().findChild<QToolButton*>(QStringLiteral("show_raw"))->click();
+  QVERIFY(!raw->isVisible());
 }
 
 void GuidancePanelTest::TheTableTellsOfEachLesion() {

@@ -37,6 +37,7 @@
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/operations.h"
 #include "glisson/engine/parts/registration.h"
+#include "glisson/engine/parts/rig.h"
 #include "glisson/engine/parts/video.h"
 #include "glisson/experiments/again_every.h"
 #include "glisson/experiments/evaluate.h"
@@ -60,6 +61,15 @@ bool is_volume(const fs::path& path) {
   for (const char* ending : {".nii", ".nii.gz", ".nrrd", ".mha", ".mhd", ".vti"})
     if (name.ends_with(ending)) return true;
   return false;
+}
+
+/// @param points camera frame, metres; those behind the camera are left out.
+std::vector<Eigen::Vector2d> on_picture(const Points& points, const Camera& camera) {
+  constexpr double kNear = 5e-3;  // metres
+  std::vector<Eigen::Vector2d> line;
+  for (Eigen::Index i = 0; i < points.rows(); ++i)
+    if (points(i, 2) > kNear) line.push_back(camera.project(points.row(i).transpose()));
+  return line;
 }
 
 /// Thrown inside a run when it was cancelled, so that every stage need not hand it on; never leaves run_demo.
@@ -153,6 +163,7 @@ class DemoRun {
   void open_theatre() {
     const Stopwatch watch;
     theatre_ = take(insilico::Theatre::build(theatre_patient_, options_.theatre, progress_.begin("theatre")));
+    theatre_->move_scope(options_.scope);
     const insilico::Film film =
         take(insilico::film(*theatre_, folder_ / "theatre", {}, progress_.begin("film")));
     result_.figures["seconds_theatre"] = watch.seconds();
@@ -271,7 +282,7 @@ class DemoRun {
       overlay_video = std::make_unique<stereo::VideoWriter>(folder_ / "overlay.mkv", video.width(),
                                                             video.height(), video.frames_per_second());
     double drawing = 0.0;
-    OutlineTally outline;
+    OutlineTally outline, margin;
     const int frames = theatre_->frame_count();
     const RunContext progress = progress_.begin("track");
     for (StereoFrame frame; video.read(frame);) {
@@ -281,7 +292,10 @@ class DemoRun {
       if (const auto tried = again.after(frame.index, frame.seconds, context_)) tell_again(*tried);
       if (overlay.nodes_in_camera.rows() == truth.rows()) evaluation.compare(overlay, truth, "theatre");
       if (overlay_video) drawing += draw(*overlay_video, frame, overlay);
-      if (frame.index % kOutlineEvery == 0) compare_outline(overlay, outline);
+      if (frame.index % kOutlineEvery == 0) {
+        compare_outline(overlay, outline);
+        compare_margin(overlay, margin);
+      }
       progress.progress(static_cast<double>(frame.index + 1) / frames, "demo.track");
     }
     if (overlay_video) {
@@ -292,6 +306,7 @@ class DemoRun {
     post(engine::StopTracking{});
     add_track(evaluation);
     result_.figures.merge(outline.figures());
+    result_.figures.merge(margin.figures("margin"));
   }
 
   /// The last registration's error where tracking began.
@@ -309,6 +324,21 @@ class DemoRun {
     if (!pictures_.outline || overlay.level() == Level::withdrawn) return;
     const auto distance =
         outline_distance(pictures_.outline(state(), overlay), theatre_->depth(overlay.index));
+    if (distance) tally.add(*distance);
+  }
+
+  /// The margin as the overlay puts it against the patient's own, carried by the truth.
+  void compare_margin(const OverlayFrame& overlay, OutlineTally& tally) const {
+    const Points drawn = engine::effective_landmarks(state()).anterior_margin;
+    const Points& truth = theatre_->landmarks().anterior_margin;
+    const bool is_there =
+        overlay.level() != Level::withdrawn && overlay.nodes_in_camera.rows() == model().mesh.vertex_count();
+    if (!is_there || drawn.rows() == 0 || truth.rows() == 0) return;
+    const Camera& camera = state()[part::rig]->left;
+    const Points placed = bind_points(model().mesh, drawn).apply(model().mesh, overlay.nodes_in_camera);
+    const auto distance = line_distance(
+        on_picture(placed, camera), on_picture(theatre_->carry(truth, overlay.index), theatre_->rig().left),
+        camera.width, camera.height);
     if (distance) tally.add(*distance);
   }
 
@@ -378,6 +408,7 @@ void DemoOptions::validate() const {
   demand(patch_share > 0.0 && patch_share <= 1.0, "patch_share", patch_share, "Give a share up to 1");
   synthetic.validate();
   theatre.validate();
+  scope.validate();
   clicks.validate();
 }
 

@@ -2,6 +2,7 @@
 #include "glisson/experiments/outline_distance.h"
 
 #include <algorithm>
+#include <cmath>
 #include <opencv2/imgproc.hpp>
 
 #include "cv_picture.h"
@@ -78,17 +79,59 @@ std::optional<OutlineDistance> outline_distance(const Picture& drawn, const std:
   return OutlineDistance{mean_of(distances), lower_percentile(distances, 0.95)};
 }
 
-Figures OutlineTally::figures() const {
+namespace {
+
+using Line = std::vector<Eigen::Vector2d>;
+
+/// Places along a line, a pixel apart at the most, that lie in the picture.
+Line samples(const Line& line, int width, int height) {
+  Line inside;
+  const auto keep = [&](const Eigen::Vector2d& p) {
+    if (p.x() >= 0.0 && p.y() >= 0.0 && p.x() <= width - 1.0 && p.y() <= height - 1.0) inside.push_back(p);
+  };
+  if (line.size() == 1) keep(line.front());
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const int steps = std::max(1, static_cast<int>(std::ceil((line[i + 1] - line[i]).norm())));
+    for (int k = i == 0 ? 0 : 1; k <= steps; ++k)
+      keep(line[i] + (line[i + 1] - line[i]) * (static_cast<double>(k) / steps));
+  }
+  return inside;
+}
+
+double distance_to(const Line& line, const Eigen::Vector2d& p) {
+  double nearest = (line.front() - p).norm();
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const Eigen::Vector2d along = line[i + 1] - line[i];
+    const double length = along.squaredNorm();
+    const double share = length > 0.0 ? std::clamp((p - line[i]).dot(along) / length, 0.0, 1.0) : 0.0;
+    nearest = std::min(nearest, (line[i] + share * along - p).norm());
+  }
+  return nearest;
+}
+
+}  // namespace
+
+std::optional<OutlineDistance> line_distance(const Line& drawn, const Line& truth, int width, int height) {
+  const Line of_drawn = samples(drawn, width, height), of_truth = samples(truth, width, height);
+  if (of_drawn.empty() || of_truth.empty()) return std::nullopt;
+  // To the whole of the other line: what it goes on beyond the picture's border is no error.
+  std::vector<double> distances;
+  for (const Eigen::Vector2d& p : of_drawn) distances.push_back(distance_to(truth, p));
+  for (const Eigen::Vector2d& p : of_truth) distances.push_back(distance_to(drawn, p));
+  return OutlineDistance{mean_of(distances), lower_percentile(distances, 0.95)};
+}
+
+Figures OutlineTally::figures(const std::string& line) const {
   if (distances_.empty()) return {};
   std::vector<double> means, percentiles;
   for (const OutlineDistance& distance : distances_) {
     means.push_back(distance.mean);
     percentiles.push_back(distance.percentile_95);
   }
-  return {{"outline_frames", static_cast<double>(distances_.size())},
-          {"outline_mean_px", mean_of(means)},
-          {"outline_p95_px", mean_of(percentiles)},
-          {"outline_worst_mean_px", *std::max_element(means.begin(), means.end())}};
+  return {{line + "_frames", static_cast<double>(distances_.size())},
+          {line + "_mean_px", mean_of(means)},
+          {line + "_p95_px", mean_of(percentiles)},
+          {line + "_worst_mean_px", *std::max_element(means.begin(), means.end())}};
 }
 
 }  // namespace glisson::experiments

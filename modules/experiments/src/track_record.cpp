@@ -5,7 +5,6 @@
 
 #include "glisson/core/files.h"
 #include "glisson/experiments/evaluate.h"
-#include "glisson/geometry/rigid.h"
 #include "glisson/patient/label_map.h"
 
 namespace glisson::experiments {
@@ -39,6 +38,7 @@ void TrackRecord::add(int number, const OverlayFrame& overlay) {
   line.number = number;
   line.unit = output_.unit;
   line.overlay = overlay;
+  if (output_.remedy) line.remedy = output_.remedy(overlay.validity);
   if (overlay.level() != Level::valid) figures_["frames_" + reason] += 1.0;
   if (overlay.mask) {
     figures_["frames_with_mask"] += 1.0;
@@ -49,8 +49,7 @@ void TrackRecord::add(int number, const OverlayFrame& overlay) {
     figures_[lesion + "_frames_" + level_code(verdict.level)] += 1.0;
   }
   if (overlay.nodes_in_camera.rows() > 0) {
-    line.camera_from_model =
-        fit_rigid<CameraFrame, CtFrame>(model_.mesh.vertices, overlay.nodes_in_camera).matrix();
+    line.camera_from_model = pose_of(model_.mesh.vertices, overlay);
     Eigen::Matrix4d pose = *line.camera_from_model;
     pose.topRightCorner<3, 1>() /= metres_per(output_.unit);
     const auto mark = [](double value) { return Eigen::MatrixXd::Constant(1, 1, value); };

@@ -15,14 +15,19 @@ PictureView::PictureView(const QString& title, QWidget* parent) : QWidget(parent
   setMouseTracking(true);
 }
 
-void PictureView::set_picture(const Picture& picture) {
+void PictureView::set_picture(const Picture& picture, const QImage& ready) {
   if (picture.width != picture_.width || picture.height != picture_.height) {
     zoom_ = 1.0;
     moved_ = {};
   }
   picture_ = picture;
   image_ = scene::view_as_image(picture_);
+  ready_ = ready;
   update();
+}
+
+QSize PictureView::screen_size(const QSize& size) const {
+  return (QSizeF(size.scaled(this->size(), Qt::KeepAspectRatio)) * devicePixelRatioF()).toSize();
 }
 
 void PictureView::set_hint(const QString& hint) {
@@ -82,7 +87,14 @@ void PictureView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void PictureView::paintEvent(QPaintEvent*) {
-  QPainter painter(this);
+  {
+    QPainter painter(this);
+    paint(painter);
+  }
+  if (!image_.isNull()) emit drawn();
+}
+
+void PictureView::paint(QPainter& painter) {
   painter.fillRect(rect(), QColor(0, 0, 0));
   if (image_.isNull()) {
     painter.setPen(QColor(140, 150, 158));
@@ -105,7 +117,14 @@ void PictureView::paintEvent(QPaintEvent*) {
   painter.drawText(plate, Qt::AlignCenter, title_);
 }
 
-void PictureView::draw_picture(QPainter& painter) const { painter.drawImage(picture_area(), image_); }
+void PictureView::draw_picture(QPainter& painter) const {
+  const bool fits =
+      zoom_ == 1.0 && !ready_.isNull() && ready_.size() == screen_size({picture_.width, picture_.height});
+  if (!fits) return painter.drawImage(picture_area(), image_);
+  QImage image = ready_;
+  image.setDevicePixelRatio(devicePixelRatioF());
+  painter.drawImage(picture_area().topLeft().toPoint(), image);  // between pixels it would be scaled again
+}
 
 void PictureView::paint_over(QPainter&) {}
 

@@ -2,6 +2,7 @@
 #include "glisson/ui/guidance/live_view.h"
 
 #include <QFileDialog>
+#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMessageBox>
@@ -25,7 +26,8 @@ LiveView::LiveView(LiveViewModel& model, ReviewModel& review, CorrectionModel& c
       correction_(correction),
       again_(again),
       timeline_(new TimelineBar(review, this)),
-      picture_(new LivePicture(this)) {
+      picture_(new LivePicture(this)),
+      raw_(new PictureView(tr("Raw"), this)) {
   setObjectName(QStringLiteral("guidance_view"));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -36,7 +38,13 @@ LiveView::LiveView(LiveViewModel& model, ReviewModel& review, CorrectionModel& c
   layout->addWidget(banner);
   picture_->set_hint(
       tr("Register the model to a frame of the laparoscope; the augmented picture appears here."));
-  layout->addWidget(picture_, 1);
+  auto* pictures = new QHBoxLayout;
+  pictures->setSpacing(2);
+  raw_->setObjectName(QStringLiteral("raw_picture"));
+  raw_->hide();
+  pictures->addWidget(picture_, 1);
+  pictures->addWidget(raw_, 1);
+  layout->addLayout(pictures, 1);
   auto* line = new QLabel(this);
   line->setProperty("role", "probe");
   line->setContentsMargins(10, 4, 10, 4);
@@ -46,21 +54,17 @@ LiveView::LiveView(LiveViewModel& model, ReviewModel& review, CorrectionModel& c
   line->setMinimumHeight(kLinesHeight);
   layout->addWidget(line);
   layout->addWidget(timeline_);
-  auto* save = new QToolButton(this);
-  save->setObjectName(QStringLiteral("save_picture"));
-  save->setText(tr("Picture…"));
-  save->setToolTip(tr("Save the picture as it is drawn (P)"));
-  auto* whole = new QToolButton(this);
-  whole->setObjectName(QStringLiteral("whole_screen"));
-  whole->setText(QStringLiteral("F11"));
-  whole->setToolTip(tr("Whole screen (F11)"));
-  for (QToolButton* button : {save, whole}) {
-    button->setFocusPolicy(Qt::NoFocus);
-    timeline_->add_at_end(button);
-  }
+  show_raw_ = add_button("show_raw", tr("Raw"), tr("The raw picture beside the overlay (B)"));
+  show_raw_->setCheckable(true);
+  QToolButton* save = add_button("save_picture", tr("Picture…"), tr("Save the picture as it is drawn (P)"));
+  QToolButton* whole = add_button("whole_screen", QStringLiteral("F11"), tr("Whole screen (F11)"));
+  connect(show_raw_, &QToolButton::toggled, this, [this](bool on) {
+    raw_->setVisible(on);
+    raw_->set_picture(model_.on_screen().raw);
+  });
   connect(save, &QToolButton::clicked, this, &LiveView::save_picture);
   connect(whole, &QToolButton::clicked, this, &LiveView::switch_whole_screen);
-  picture_->set_picture(model.picture());
+  show_picture();
 
   connect(picture_, &LivePicture::clicked, &model, &LiveViewModel::choose_at);
   connect(picture_, &LivePicture::pointed, &model,
@@ -74,10 +78,34 @@ LiveView::LiveView(LiveViewModel& model, ReviewModel& review, CorrectionModel& c
   couplings_.add(correction.line, [this](const std::optional<CorrectionModel::Line>& drag) {
     picture_->set_drag_line(drag ? std::optional(std::pair(drag->from, drag->to)) : std::nullopt);
   });
-  connect(&model, &LiveViewModel::picture_changed, picture_, &PictureView::set_picture);
+  connect(&model, &LiveViewModel::picture_changed, this, &LiveView::show_picture);
+  connect(picture_, &PictureView::drawn, &model, &LiveViewModel::note_drawn);
   couplings_.add(model.banner, [banner](const QString& text) { show_warning(*banner, text); });
   couplings_.add(model.line, [line](const QString& text) { line->setText(text); });
   couplings_.add(model.is_fresh, [line](const QVariant& is) { set_style_property(line, "fresh", is); });
+}
+
+QToolButton* LiveView::add_button(const char* name, const QString& text, const QString& tip) {
+  auto* button = new QToolButton(this);
+  button->setObjectName(QLatin1String(name));
+  button->setText(text);
+  button->setToolTip(tip);
+  button->setFocusPolicy(Qt::NoFocus);
+  timeline_->add_at_end(button);
+  return button;
+}
+
+void LiveView::show_picture() {
+  const PaintedOverlay& shown = model_.on_screen();
+  picture_->set_picture(shown.picture, shown.screen);
+  if (raw_->isVisible()) raw_->set_picture(shown.raw, shown.raw_screen);
+  tell_screen();
+}
+
+void LiveView::tell_screen() {
+  if (whole_screen_ || model_.picture().empty()) return;  // the larger one decides
+  model_.set_screen(picture_->screen_size({model_.picture().width, model_.picture().height}),
+                    show_raw_->isChecked());
 }
 
 void LiveView::keyPressEvent(QKeyEvent* event) {
@@ -88,6 +116,8 @@ void LiveView::keyPressEvent(QKeyEvent* event) {
       return;
     case Qt::Key_F11:
       return switch_whole_screen();
+    case Qt::Key_B:
+      return show_raw_->toggle();
     case Qt::Key_P:
       return save_picture();
     case Qt::Key_C:

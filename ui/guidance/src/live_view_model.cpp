@@ -22,6 +22,7 @@ namespace {
 
 constexpr double kFreshSeconds = 0.5;  ///< a live picture that is older is marked
 constexpr qint64 kRateWindow = 2000;   ///< milliseconds over which the frame rate is counted
+constexpr qint64 kFigures = 250;       ///< milliseconds between two looks at figures: nobody reads faster
 
 }  // namespace
 
@@ -40,6 +41,8 @@ LiveViewModel::LiveViewModel(EngineBridge& engine, DrawableSource& drawables, Pl
   connect(&playback_, &PlaybackModel::begun, this, [this] {
     painted_at_.clear();
     since_painted_.invalidate();
+    since_figures_.invalidate();
+    screen_times_.clear();
   });
   couplings_.add(playback_.frozen_why, [this](const QString& why) {
     if (!why.isEmpty()) show_frozen();
@@ -94,14 +97,16 @@ void LiveViewModel::read_case() {
   // What is still being painted is not live, or of the case as it was, or of another one.
   const bool is_still = !tracking && !playback_.is_frozen;
   if ((tracking && !was_tracking_) || is_still) ++generation_;
+  if (!tracking && was_tracking_) tell_times();
   was_tracking_ = tracking;
   if (is_still) show_registered();
 }
 
 void LiveViewModel::put_away() {
   job_.reset();
-  picture_ = {};
-  emit picture_changed(picture_);
+  on_screen_ = {};
+  undrawn_.reset();
+  emit picture_changed();
   line = QString();
   is_fresh = QVariant();
   figures = FigureRows();
@@ -113,8 +118,25 @@ void LiveViewModel::put_away() {
 
 void LiveViewModel::submit(OverlayJob job) {
   job.generation = generation_;
+  job.screen = screen_;
+  job.with_raw = with_raw_;
   job_ = job;
   worker_.submit(std::move(job));
+}
+
+void LiveViewModel::set_screen(const QSize& size, bool with_raw) {
+  screen_ = size;
+  with_raw_ = with_raw;
+}
+
+void LiveViewModel::note_drawn() {
+  if (!undrawn_) return;  // by another view already, or not live
+  screen_times_.add(*undrawn_, ScreenTimes::Clock::now());
+  undrawn_.reset();
+}
+
+void LiveViewModel::tell_times() {
+  if (screen_times_.count() > 0) emit times_told(screen_times_);
 }
 
 void LiveViewModel::redraw() {
@@ -182,6 +204,7 @@ void LiveViewModel::show_live() {
   if (review_.is_reviewing) return;  // one that was on its way
   OverlayJob job = make_job();
   job.frame = now[part::live]->frame.left;
+  job.right = now[part::live]->frame.right;
   job.overlay = now[part::live]->overlay;
   if (engine_.snapshot()->stage(part::live) == engine::StageState::stale)
     job.overlay.validity = Validity::stale;
@@ -239,8 +262,10 @@ void LiveViewModel::show_frozen() {
 
 void LiveViewModel::show_painted(const PaintedOverlay& painted) {
   if (painted.generation != generation_) return;
-  picture_ = painted.picture;
-  emit picture_changed(picture_);
+  const bool goes_on = shows_live_ && painted.is_live && painted.overlay.validity == shown_.validity;
+  on_screen_ = painted;
+  undrawn_ = painted.is_live ? painted.taken : std::nullopt;
+  emit picture_changed();
   ++pictures_shown_;
   last_age_ = painted.age;
   shown_ = painted.overlay;
@@ -255,7 +280,8 @@ void LiveViewModel::show_painted(const PaintedOverlay& painted) {
   const engine::Snapshot& now = *engine_.snapshot();
   if (!now.tracking || !now.state[part::live]) return show_still(painted.overlay);
   show_live_figures(painted.overlay, painted.draw);
-  show_freshness();
+  // Words take the window's time: a change is said at once, an age by the timer.
+  if (!goes_on) show_freshness();
 }
 
 void LiveViewModel::show_lesions(const PaintedOverlay& painted) {
@@ -328,7 +354,10 @@ void LiveViewModel::show_live_figures(const OverlayFrame& overlay, double draw) 
   const engine::LiveState& live = *engine_.state()[part::live];
   painted_at_.push_back(clock_.elapsed());
   while (painted_at_.back() - painted_at_.front() > kRateWindow) painted_at_.pop_front();
+  if (since_figures_.isValid() && since_figures_.elapsed() < kFigures) return;
+  since_figures_.start();
   const auto ms = [](double value) { return tr("%1 ms").arg(value, 0, 'f', 0); };
+  const auto screen = [&](double share) { return 1e3 * screen_times_.percentile(share).value_or(0.0); };
   figures =
       FigureRows{{tr("Tracked points, left / right"),
                   tr("%1 / %2").arg(overlay.tracked_left).arg(overlay.tracked_right)},
@@ -336,13 +365,16 @@ void LiveViewModel::show_live_figures(const OverlayFrame& overlay, double draw) 
                  {tr("Residual (not an accuracy)"), tr("%1 mm").arg(1e3 * overlay.residual, 0, 'f', 2)},
                  {tr("Tracking and mechanics"), ms(overlay.milliseconds)},
                  {tr("Drawing"), ms(1e3 * draw)},
+                 {tr("Camera to screen, median / 99 %"),
+                  tr("%1 / %2 ms").arg(screen(0.5), 0, 'f', 0).arg(screen(0.99), 0, 'f', 0)},
+                 {tr("On the screen"), tr("%1 frames/s").arg(screen_times_.rate(), 0, 'f', 1)},
                  {tr("Frames late / dropped"), tr("%1 / %2").arg(live.frames_late).arg(live.frames_dropped)}};
 }
 
 QString LiveViewModel::save_picture(const QString& path) const {
-  if (picture_.empty()) return tr("There is no picture to save.");
+  if (picture().empty()) return tr("There is no picture to save.");
   try {
-    stereo::write_picture(path.toStdString(), picture_);
+    stereo::write_picture(path.toStdString(), picture());
   } catch (const Error& error) {
     return error_text(error.what());
   }

@@ -1,31 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/guidance/overlay_worker.h"
 
-#include <algorithm>
-#include <cmath>
+#include <list>
+#include <utility>
 
 #include "glisson/core/error.h"
-#include "glisson/stereo/picture_io.h"
 #include "glisson/ui/common/error_texts.h"
+#include "glisson/ui/scene/picture_image.h"
 
 namespace glisson::ui {
-namespace {
 
-constexpr double kLongestGap = 2.0;  ///< seconds without a picture that a recording keeps
-
-}  // namespace
-
-/// What lives on the worker's thread only: the painter and the recorder.
+/// What lives on the worker's thread only: the painter and the recorders.
 struct OverlayWorker::Studio {
+  explicit Studio(OverlayWorker& worker) : said_by(worker) {}
+
+  OverlayWorker& said_by;
   std::unique_ptr<scene::OverlayPainter> painter;
   std::shared_ptr<const scene::DrawableModel> model;
   std::shared_ptr<const Points> margin;
   std::shared_ptr<const StereoRig> rig;
-  std::optional<std::filesystem::path> wanted;
-  std::unique_ptr<stereo::VideoWriter> writer;
-  int written = 0;
-  double rate = 30.0, begun = 0.0;  ///< frames a second; the video's time of the first frame
-  Picture last;
+  std::optional<RecordingOptions> wanted;        ///< until the first picture tells its rate
+  std::unique_ptr<Recorder> recorder;            ///< of what is drawn now
+  std::list<std::unique_ptr<Recorder>> closing;  ///< they write on
 
   Picture paint(const OverlayJob& job, double age) {
     if (!job.model || !job.rig) return job.frame;
@@ -48,42 +44,34 @@ struct OverlayWorker::Studio {
     return painter ? painter->measures() : std::nullopt;
   }
 
-  /// A frame of the file stands for its own moment of the video, so that the recording runs as fast as what
-  /// was filmed, however many frames were drawn.
-  void record(const Picture& picture, const OverlayJob& job) {
-    if (!wanted) return;
-    if (!writer) {
-      rate = job.source_rate;
-      begun = job.overlay.seconds;
-      writer = std::make_unique<stereo::VideoWriter>(*wanted, picture.width, picture.height, rate);
-    }
-    const long place = std::lround((job.overlay.seconds - begun) * rate);
-    if (place < written) return;  // this moment is written already
-    const long longest_gap = std::lround(kLongestGap * rate);
-    if (place - written <= longest_gap)
-      while (written < place) write(last);
-    else
-      begun += static_cast<double>(place - written) / rate;  // a jump in the source is no pause
-    write(picture);
-    last = picture;
+  void start(RecordingOptions options) {
+    stop();
+    wanted = std::move(options);
   }
 
-  void write(const Picture& picture) {
-    writer->write(picture);
-    ++written;
+  void record(const PaintedOverlay& painted, const OverlayJob& job) {
+    if (wanted) {
+      wanted->frames_per_second = job.source_rate;
+      recorder = std::make_unique<Recorder>(*std::exchange(wanted, {}), listener());
+    }
+    if (!recorder) return;
+    recorder->add({painted.picture, job.frame, job.right, job.overlay, painted.age,
+                   job.model ? job.model->model : nullptr});
   }
 
-  /// @return the error, if any.
-  QString close() {
-    QString error;
-    try {
-      if (writer) writer->close();
-    } catch (const Error& problem) {
-      error = error_text(problem.what());
-    }
-    writer.reset();
+  Recorder::Listener listener() {
+    return {[this](int pictures) { emit said_by.recording_left_out(pictures); },
+            [&worker = said_by](const QString& error) { emit worker.recording_failed(error); },
+            [&worker = said_by](const RecordingEnd& end) { emit worker.recording_ended(end); }};
+  }
+
+  void stop() {
+    closing.remove_if([](const std::unique_ptr<Recorder>& one) { return one->is_done(); });
+    if (wanted) emit said_by.recording_ended({QString::fromStdString(wanted->path.string()), 0, 0, {}});
     wanted.reset();
-    return error;
+    if (!recorder) return;
+    recorder->finish();
+    closing.push_back(std::move(recorder));
   }
 };
 
@@ -104,10 +92,10 @@ void OverlayWorker::submit(OverlayJob job) {
   changed_.notify_one();
 }
 
-void OverlayWorker::start_recording(const std::filesystem::path& path) {
+void OverlayWorker::start_recording(RecordingOptions options) {
   {
     const std::lock_guard lock(mutex_);
-    start_ = path;
+    start_ = std::move(options);
   }
   changed_.notify_one();
 }
@@ -121,47 +109,43 @@ void OverlayWorker::stop_recording() {
 }
 
 void OverlayWorker::run(const std::stop_token& stop) {
-  Studio studio;
-  const auto end_recording = [&](const QString& problem) {
-    if (!studio.wanted) return;
-    const QString path = QString::fromStdString(studio.wanted->string());
-    const int frames = studio.written;
-    const QString error = studio.close();
-    emit recording_ended(path, frames, problem.isEmpty() ? error : problem);
-  };
+  Studio studio(*this);
   while (true) {
     std::optional<OverlayJob> job;
-    bool finish = false;
     {
       std::unique_lock lock(mutex_);
       changed_.wait(lock, stop, [this] { return job_ || start_ || stop_recording_; });
       if (stop.stop_requested()) break;
       std::swap(job, job_);
-      if (start_) {
-        studio.wanted = start_;
-        studio.written = 0;
-        start_.reset();
-      }
-      finish = std::exchange(stop_recording_, false);
+      if (std::exchange(stop_recording_, false)) studio.stop();
+      if (start_) studio.start(*std::exchange(start_, {}));
     }
-    if (finish) end_recording({});
     if (!job || job->frame.empty()) continue;
     const auto begin = std::chrono::steady_clock::now();
     const auto seconds_since = [](std::chrono::steady_clock::time_point then) {
       return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
     };
     try {
-      const Picture picture = studio.paint(*job, job->taken ? seconds_since(*job->taken) : 0.0);
-      emit painted({picture, job->overlay, studio.measures(), job->taken ? seconds_since(*job->taken) : 0.0,
-                    seconds_since(begin), job->is_live, job->generation});
-      if (job->taken) studio.record(picture, *job);
+      PaintedOverlay done;
+      done.picture = studio.paint(*job, job->taken ? seconds_since(*job->taken) : 0.0);
+      done.raw = job->frame;
+      done.screen = scene::screen_image(done.picture, job->screen);
+      if (job->with_raw) done.raw_screen = scene::screen_image(done.raw, job->screen);
+      done.overlay = job->overlay;
+      done.measures = studio.measures();
+      done.taken = job->taken;
+      done.age = job->taken ? seconds_since(*job->taken) : 0.0;
+      done.draw = seconds_since(begin);
+      done.is_live = job->is_live;
+      done.generation = job->generation;
+      emit painted(done);
+      if (job->taken) studio.record(done, *job);
     } catch (const std::exception& problem) {
-      const QString message = error_text(problem.what());
-      emit failed(message, job->generation);
-      end_recording(message);
+      emit failed(error_text(problem.what()), job->generation);
+      studio.stop();
     }
   }
-  end_recording({});
+  studio.stop();
 }
 
 }  // namespace glisson::ui

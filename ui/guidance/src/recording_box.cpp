@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/guidance/recording_box.h"
 
+#include <QComboBox>
 #include <QFileDialog>
 #include <QLabel>
 #include <QPushButton>
@@ -16,7 +17,17 @@ RecordingBox::RecordingBox(RecordingModel& model, QWidget* parent)
   auto* said = new QLabel(this);
   said->setObjectName(QStringLiteral("recording_said"));
   said->setWordWrap(true);
-  make_box_layout(this)->addWidget(said);
+  auto* what = new QComboBox(this);
+  what->setObjectName(QStringLiteral("recorded"));
+  what->addItems({tr("Record the overlay"), tr("Record the raw views"), tr("Record both")});
+  what->setToolTip(tr(
+      "Raw views, side by side, can be followed again. What was known of each picture is written beside."));
+  QVBoxLayout* box = make_box_layout(this);
+  box->addWidget(what);
+  box->addWidget(said);
+  connect(what, &QComboBox::currentIndexChanged, this,
+          [this](int index) { model_.what = static_cast<Recorded>(index); });
+  couplings_.add(model_.is_recording, [what](bool is) { what->setEnabled(!is); });
 
   connect(button_, &QPushButton::clicked, this, &RecordingBox::toggle);
   couplings_.add(model_.is_offered, [this](bool is) { button_->setEnabled(is); });

@@ -13,6 +13,7 @@
 #include "glisson/engine/outcome_log.h"
 #include "glisson/ui/common/error_texts.h"
 #include "glisson/ui/common/render_view.h"
+#include "glisson/ui/guidance/guidance_panel.h"
 #include "glisson/ui/shell/autosaver.h"
 #include "glisson/ui/shell/language.h"
 #include "glisson/ui/shell/main_window.h"
@@ -62,6 +63,10 @@ int run_window(int argc, char** argv, const std::filesystem::path& path) {
   QObject::connect(
       &window.engine(), &EngineBridge::finished, &application,
       [&log](const engine::Outcome& outcome) { engine::log_outcome(log, outcome, logged_error); });
+  if (const auto* guidance = window.findChild<GuidancePanel*>())
+    QObject::connect(
+        &guidance->live(), &LiveViewModel::times_told, &application,
+        [&log](const ScreenTimes& times) { log.write(LogLevel::info, "live view: " + line_of(times)); });
   sweep_leftovers(work_folder());
   Autosaver* autosaver = make_autosaver(window);
   new OperationsAhead(window.engine(), window);  // the window's

@@ -25,6 +25,8 @@ struct TrackOutput {
   LengthUnit unit = LengthUnit::millimetre;  ///< of the meshes, the record and the truth
   /// Writes the organ where the registration puts it, with more field data.
   std::function<void(const std::filesystem::path&, const Registration&, const NamedArrays&)> write_mesh;
+  /// What a person is to do about a reason, in words; empty: nothing. May be absent.
+  std::function<std::string(Validity)> remedy;
   /// File of a frame's true nodes, which need not exist; empty: nothing is compared.
   std::function<std::filesystem::path(int frame)> truth;
 };

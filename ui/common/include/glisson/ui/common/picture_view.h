@@ -16,8 +16,13 @@ class PictureView : public QWidget {
  public:
   explicit PictureView(const QString& title, QWidget* parent = nullptr);
 
-  void set_picture(const Picture& picture);
+  /// @param ready the same as the screen takes it (scene::screen_image()), of screen_size(): shown as it is,
+  /// so
+  ///   that nothing is scaled on the window's thread. Null, or of another size: the picture is scaled.
+  void set_picture(const Picture& picture, const QImage& ready = {});
   const Picture& picture() const { return picture_; }
+  /// Of a picture of `size` as large as it fits here, in the screen's pixels.
+  QSize screen_size(const QSize& size) const;
   /// Shown while there is no picture.
   void set_hint(const QString& hint);
   /// Whether the wheel enlarges it about the pointer (up to 16 times), and the middle button moves it.
@@ -30,6 +35,8 @@ class PictureView : public QWidget {
  signals:
   /// The same pixels are elsewhere now.
   void zoomed();
+  /// The picture has been painted.
+  void drawn();
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -43,11 +50,13 @@ class PictureView : public QWidget {
 
  private:
   QRectF picture_area() const;
+  void paint(QPainter& painter);
   /// Shows `pixel` at a place of the widget, as far as the picture still fills it.
   void place(const Eigen::Vector2d& pixel, const QPointF& widget);
 
   Picture picture_;
   QImage image_;
+  QImage ready_;  ///< the same for the screen; null: there is none
   QString title_, hint_;
   bool zoomable_ = false;
   double zoom_ = 1.0;  ///< 1: as large as it fits

@@ -36,6 +36,7 @@ class GuidancePanel : public Panel {
   /// Records the live view into a file until it is called with an empty path.
   void record_to(const QString& path) { path.isEmpty() ? recording_.stop() : recording_.start(path); }
   const PictureView& picture() const { return view_->live().picture(); }
+  const LiveViewModel& live() const { return live_; }
 
  private:
   /// Over the picture: where a hand holds the organ, else the place that is compared.

@@ -11,12 +11,14 @@
 #include "glisson/ui/guidance/live_view_model.h"
 #include "glisson/ui/guidance/timeline_bar.h"
 
+class QToolButton;
+
 namespace glisson::ui {
 
 /// The augmented picture, with what is said of it above and below, and the way through the video. Keys, while
 /// it has the focus: space, arrows, Home and End (see TimelineBar), F11 the whole screen, P saves the
-/// picture, R registers again, C corrects by hand, Ctrl+Z takes a correction back, Esc lets go of what the
-/// hand holds, of the choice, or of the whole screen.
+/// picture, B shows the raw picture beside it, R registers again, C corrects by hand, Ctrl+Z takes a
+/// correction back, Esc lets go of what the hand holds, of the choice, or of the whole screen.
 class LiveView : public QWidget {
   Q_OBJECT
  public:
@@ -30,6 +32,9 @@ class LiveView : public QWidget {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
+  void show_picture();
+  void tell_screen();
+  QToolButton* add_button(const char* name, const QString& text, const QString& tip);
   void switch_whole_screen();
   void save_picture();
 
@@ -40,6 +45,8 @@ class LiveView : public QWidget {
   TimelineBar* timeline_;
   QPointer<LiveView> whole_screen_;  ///< shown on the whole screen for this one
   LivePicture* picture_;
+  PictureView* raw_;  ///< beside it, where it is wanted
+  QToolButton* show_raw_;
   Couplings couplings_;
 };
 

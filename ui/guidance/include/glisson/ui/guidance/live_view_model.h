@@ -16,6 +16,7 @@
 #include "glisson/ui/guidance/overlay_worker.h"
 #include "glisson/ui/guidance/playback_model.h"
 #include "glisson/ui/guidance/review_model.h"
+#include "glisson/ui/guidance/screen_times.h"
 
 namespace glisson::ui {
 
@@ -55,7 +56,16 @@ class LiveViewModel : public QObject {
   /// a hand can take hold of them and correct it.
   void show_refuted(bool on);
   /// The one on the screen; empty: none.
-  const Picture& picture() const { return picture_; }
+  const Picture& picture() const { return on_screen_.picture; }
+  /// The same, with the raw picture, and both ready for the screen.
+  const PaintedOverlay& on_screen() const { return on_screen_; }
+  /// From now on pictures are made ready for a view of this size, in the screen's pixels.
+  /// @param with_raw the raw picture, too.
+  void set_screen(const QSize& size, bool with_raw);
+  /// A view has painted the picture that is on the screen.
+  void note_drawn();
+  /// From the camera to the screen, of this playing.
+  const ScreenTimes& screen_times() const { return screen_times_; }
   /// Writes it (.png, .jpg). @return what went wrong; empty: nothing.
   QString save_picture(const QString& path) const;
   /// Of the frame on the screen.
@@ -75,8 +85,10 @@ class LiveViewModel : public QObject {
   QProperty<FigureRows> numbers;  ///< of the chosen one
 
  signals:
-  /// @param picture empty: none.
-  void picture_changed(const glisson::Picture& picture);
+  /// See on_screen().
+  void picture_changed();
+  /// A playing has ended, of which pictures were drawn.
+  void times_told(const glisson::ui::ScreenTimes& times);
 
  private:
   void read_case();
@@ -101,6 +113,7 @@ class LiveViewModel : public QObject {
   void show_failed(const QString& message, int generation);
   void show_still(const OverlayFrame& overlay);
   void show_live_figures(const OverlayFrame& overlay, double draw);
+  void tell_times();
   void show_freshness();
   /// Live pictures a second; 0: unknown yet.
   double rate() const;
@@ -115,7 +128,7 @@ class LiveViewModel : public QObject {
   scene::OverlayInterest interest_;
   OverlayFrame shown_;  ///< of the picture on the screen
   QTimer freshness_;
-  QElapsedTimer clock_, since_painted_;
+  QElapsedTimer clock_, since_painted_, since_figures_;
   std::deque<qint64> painted_at_;  ///< milliseconds
   double last_age_ = 0.0;
   int pictures_shown_ = 0;
@@ -123,7 +136,12 @@ class LiveViewModel : public QObject {
   std::optional<Proposed> proposed_;
   std::optional<OverlayJob> job_;       ///< the last one
   std::optional<OverlayJob> live_job_;  ///< the last one of a live picture
-  Picture picture_;
+  PaintedOverlay on_screen_;
+  ScreenTimes screen_times_;
+  std::optional<std::chrono::steady_clock::time_point>
+      undrawn_;  ///< when the picture on the screen was taken
+  QSize screen_;
+  bool with_raw_ = false;
   int generation_ = 0;  ///< pictures of former ones are not shown any more
   std::shared_ptr<const Points> margin_;
   std::shared_ptr<const model::BuiltModel> model_source_;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QImage>
 #include <QObject>
+#include <QSize>
 #include <chrono>
 #include <condition_variable>
-#include <filesystem>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -15,6 +16,7 @@
 #include "glisson/patient/patient_model.h"
 #include "glisson/patient/picture.h"
 #include "glisson/patient/registration.h"
+#include "glisson/ui/guidance/recorder.h"
 #include "glisson/ui/scene/overlay_painter.h"
 
 namespace glisson::ui {
@@ -25,6 +27,7 @@ struct OverlayJob {
   std::shared_ptr<const Points> margin;               ///< anterior margin, CT frame; may be null
   std::shared_ptr<const StereoRig> rig;
   Picture frame;
+  Picture right;  ///< for a recording of the raw views; may be empty
   OverlayFrame overlay;
   /// When the picture was taken; empty: not live, age is not counted.
   std::optional<std::chrono::steady_clock::time_point> taken;
@@ -35,6 +38,8 @@ struct OverlayJob {
   engine::LandmarkReview landmarks;  ///< how far their review has come
   bool is_live = false;              ///< of now; else the picture says that it is not
   double source_rate = 30.0;         ///< frames a second of the video, for the recording
+  QSize screen;                      ///< wanted of PaintedOverlay::screen; empty: none
+  bool with_raw = false;             ///< PaintedOverlay::raw_screen is wanted, too
   /// Handed back with what became of the job, so that one that is not wanted any more is known.
   int generation = 0;
 };
@@ -42,16 +47,20 @@ struct OverlayJob {
 /// What became of a job.
 struct PaintedOverlay {
   Picture picture;
+  Picture raw;                ///< as it was taken
+  QImage screen, raw_screen;  ///< the same, ready for the screen (scene::screen_image()); null: not wanted
   OverlayFrame overlay;
   std::optional<guidance::LesionMeasures> measures;  ///< of the chosen lesion
-  double age = 0.0;      ///< seconds from the camera to the end of drawing; 0 when not live
-  double draw = 0.0;     ///< seconds that drawing took
-  bool is_live = false;  ///< it says so, or does not deny it
+  double age = 0.0;   ///< seconds from the camera to the end of drawing; 0 when not live
+  double draw = 0.0;  ///< seconds that drawing took
+  std::optional<std::chrono::steady_clock::time_point> taken;  ///< as the job's
+  bool is_live = false;                                        ///< it says so, or does not deny it
   int generation = 0;
 };
 
-/// Draws overlays, and records them, on a thread of its own, so that neither the window nor the engine waits
-/// for the drawing. Newest wins. Signals come from that thread.
+/// Draws overlays on a thread of its own, so that neither the window nor the engine waits for the drawing.
+/// Newest wins. What is drawn live is handed to a Recorder while one is wanted. Signals come from these
+/// threads.
 class OverlayWorker : public QObject {
   Q_OBJECT
  public:
@@ -61,15 +70,19 @@ class OverlayWorker : public QObject {
   void submit(OverlayJob job);
   /// From now on live pictures are written, each at its own time, at the video's rate: where a frame was not
   /// drawn, the one before stays, as it did on the screen.
-  void start_recording(const std::filesystem::path& path);
-  /// Closes the file; recording_ended() tells how it went.
+  /// @param options their rate is the video's.
+  void start_recording(RecordingOptions options);
+  /// Closes the files; recording_ended() tells how it went.
   void stop_recording();
 
  signals:
   void painted(const glisson::ui::PaintedOverlay& painted);
   void failed(const QString& message, int generation);
-  /// @param error empty: all is well.
-  void recording_ended(const QString& path, int frames, const QString& error);
+  /// So many pictures were shown and not recorded, so far.
+  void recording_left_out(int pictures);
+  /// At once; what was recorded is kept, as recording_ended() tells then.
+  void recording_failed(const QString& error);
+  void recording_ended(const glisson::ui::RecordingEnd& end);
 
  private:
   struct Studio;
@@ -78,7 +91,7 @@ class OverlayWorker : public QObject {
   std::mutex mutex_;
   std::condition_variable_any changed_;
   std::optional<OverlayJob> job_;
-  std::optional<std::filesystem::path> start_;
+  std::optional<RecordingOptions> start_;
   bool stop_recording_ = false;
   std::jthread thread_;
 };

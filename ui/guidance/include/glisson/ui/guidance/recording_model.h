@@ -12,9 +12,10 @@
 
 namespace glisson::ui {
 
-/// Records the live view. It may be asked for before the playing begins; it ends with the playing.
-/// Corrections by hand and registrations that were made meanwhile are written beside it, into
-/// NAME.corrections.jsonl.
+/// Records the live view: as it is drawn, the raw views, or both, with what was known of each picture beside
+/// them, in NAME.frames.jsonl. It may be asked for before the playing begins; it ends with the playing, and
+/// when the disk is full, which is said at once. Corrections by hand and registrations that were made
+/// meanwhile are written into NAME.mkv.corrections.jsonl.
 class RecordingModel : public QObject {
   Q_OBJECT
  public:
@@ -27,17 +28,22 @@ class RecordingModel : public QObject {
 
   // For widgets to read.
   QProperty<bool> is_recording{false};
-  QProperty<bool> is_offered;  ///< starting, or stopping, makes sense
+  QProperty<bool> is_ending{false};             ///< what was recorded is being brought to its end
+  QProperty<Recorded> what{Recorded::overlay};  ///< of the next recording
+  QProperty<bool> is_offered;                   ///< starting, or stopping, makes sense
   QProperty<QString> said;
   QProperty<QString> tone;  ///< of what is said, as the style sheet names it: good, warning, error
 
  private:
   void say(const QString& text, const QString& how);
-  void tell_end(const QString& path, int frames);
+  void take_end(const RecordingEnd& end);
+  void tell_end(const RecordingEnd& end);
+  static QString left_out_text(int pictures);
 
   OverlayWorker& worker_;
   CorrectionModel& correction_;
   AgainModel& again_;
+  QString recording_;  ///< what is said while it goes on
   Couplings couplings_;
 };
 
