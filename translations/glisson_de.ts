@@ -4672,6 +4672,14 @@
         <source>The case %1 was left out: nobody has approved its liver, vena cava, gallbladder or portal vein.</source>
         <translation>Der Fall %1 blieb weg: Niemand hat seine Leber, Vena cava, Gallenblase oder Pfortader freigegeben.</translation>
     </message>
+    <message>
+        <source>%1 has no elements of its own: its stiffness changes nothing. Build the model finer at lesions.</source>
+        <translation>%1 hat keine eigenen Elemente: Ihre Steifigkeit ändert nichts. Das Modell an Läsionen feiner bauen.</translation>
+    </message>
+    <message>
+        <source>The former registration could not be read and was left out (%*).</source>
+        <translation>Die frühere Registrierung war nicht lesbar und wurde weggelassen (%*).</translation>
+    </message>
 </context>
 <context>
     <name>Obstacles</name>
@@ -4798,6 +4806,14 @@
     <message>
         <source>No earlier look is kept (Stereo).</source>
         <translation>Kein früherer Blick ist gemerkt (Stereo).</translation>
+    </message>
+    <message>
+        <source>There is no former registration to go back to.</source>
+        <translation>Es gibt keine frühere Registrierung, zu der man zurückkehren könnte.</translation>
+    </message>
+    <message>
+        <source>Nobody has said how stiff the liver is (Model).</source>
+        <translation>Niemand hat gesagt, wie steif die Leber ist (Modell).</translation>
     </message>
     <message>
         <source>No operations have been simulated on this model: register it.</source>
@@ -5234,6 +5250,14 @@
     <message>
         <source>Storing the landmarks</source>
         <translation>Landmarken übernehmen</translation>
+    </message>
+    <message>
+        <source>Storing the stiffness</source>
+        <translation>Steifigkeit übernehmen</translation>
+    </message>
+    <message>
+        <source>Going back to the former registration</source>
+        <translation>Zurück zur früheren Registrierung</translation>
     </message>
     <message>
         <source>Reading the calibration</source>
@@ -5857,6 +5881,10 @@
     <message>
         <source>Poisson&apos;s ratio of the parenchyma.</source>
         <translation>Querdehnzahl des Parenchyms.</translation>
+    </message>
+    <message>
+        <source>Young&apos;s moduli, kPa, as lesion_1=20,lesions=12: of parenchyma (or healthy, cirrhotic), lesion_1, lesion_2, ... and lesions (all others) (or soft, as_liver, stiff). What is not named is as the case says, or as the liver.</source>
+        <translation>Elastizitätsmoduln, kPa, wie lesion_1=20,lesions=12: von parenchyma (oder healthy, cirrhotic), lesion_1, lesion_2, ... und lesions (alle anderen) (oder soft, as_liver, stiff). Was nicht genannt ist, ist wie im Fall gesagt oder wie die Leber.</translation>
     </message>
     <message>
         <source>The case&apos;s folder, NAME.glisson.</source>
@@ -6747,8 +6775,8 @@
         <translation>in silico, Läsionen über 1 ml, ein Klick: Dice, Median</translation>
     </message>
     <message>
-        <source>How the shape is found: forces (few contact forces on the surface, elastic law by evidence), springs, paper (springs with --prior none, as published) or automatic (forces for a bare mesh with --fixed, springs otherwise).</source>
-        <translation>Wie die Form gefunden wird: forces (wenige Kontaktkräfte auf der Oberfläche, Elastizitätsgesetz nach Evidenz), springs (Federn), paper (Federn mit --prior none, wie veröffentlicht) oder automatic (forces für ein bloßes Netz mit --fixed, sonst springs).</translation>
+        <source>How the shape is found: forces (few contact forces on the surface, elastic law by evidence), springs, paper (springs with --prior none, as published) or automatic (forces where operations are known and for a bare mesh with --fixed; springs where no force is worth its price, and otherwise).</source>
+        <translation>Wie die Form gefunden wird: forces (wenige Kontaktkräfte auf der Oberfläche, elastisches Gesetz nach Evidenz), springs (Federn), paper (Federn mit --prior none, wie veröffentlicht) oder automatic (Kräfte, wo Operationen bekannt sind, und für ein bloßes Netz mit --fixed; Federn, wo keine Kraft ihren Preis wert ist, und sonst).</translation>
     </message>
     <message>
         <source>Write the result even if it is refused; its doubts stay with it. Without this a refused registration writes no file, and the exit code is 3.</source>
@@ -6993,6 +7021,10 @@
     <message>
         <source>Takes the N-th of the other places where the organ may be (rival_N_probability, rival_N_away_mm) instead of the most probable one.</source>
         <translation>Nimmt den N-ten der anderen Orte, an denen das Organ liegen kann (rival_N_probability, rival_N_away_mm), statt des wahrscheinlichsten.</translation>
+    </message>
+    <message>
+        <source>Also write a page on the registration: how it ended, how far off organ and lesions may be, where else the organ may be, its doubts.</source>
+        <translation>Schreibt auch eine Seite über die Registrierung: wie sie endete, wie weit Organ und Läsionen daneben liegen können, wo das Organ sonst liegen kann, ihre Zweifel.</translation>
     </message>
     <message>
         <source>How unusual the livers were that --added-deviation was set on, over what is usual: it grows only beyond that.</source>
@@ -8743,6 +8775,14 @@
         <source>Beams</source>
         <translation>Balken</translation>
     </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Steifigkeit</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus. Trial, registration and what is simulated for it go by it; a registration made before is out of date then.</source>
+        <translation>Elastizitätsmodul. Versuch, Registrierung und was dafür simuliert wird richten sich danach; eine frühere Registrierung ist dann veraltet.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::NetworkBox</name>
@@ -9303,6 +9343,50 @@
         <translation>Registrieren</translation>
     </message>
     <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Few forces of tools where they are worth it, else springs; both from the most probable shape</source>
+        <translation>Wenige Kräfte von Instrumenten, wo sie sich lohnen, sonst Federn; beide von der wahrscheinlichsten Form aus</translation>
+    </message>
+    <message>
+        <source>Contact forces</source>
+        <translation>Kontaktkräfte</translation>
+    </message>
+    <message>
+        <source>Few forces on the surface, under the elastic law that is most probable</source>
+        <translation>Wenige Kräfte auf der Oberfläche, unter dem wahrscheinlichsten elastischen Gesetz</translation>
+    </message>
+    <message>
+        <source>Springs</source>
+        <translation>Federn</translation>
+    </message>
+    <message>
+        <source>Springs from the most probable shape to the points</source>
+        <translation>Federn von der wahrscheinlichsten Form zu den Punkten</translation>
+    </message>
+    <message>
+        <source>As published</source>
+        <translation>Wie veröffentlicht</translation>
+    </message>
+    <message>
+        <source>Springs alone, without simulated operations: to compare with</source>
+        <translation>Nur Federn, ohne simulierte Operationen: zum Vergleich</translation>
+    </message>
+    <message>
+        <source>Shape by</source>
+        <translation>Form durch</translation>
+    </message>
+    <message>
+        <source>Former registration</source>
+        <translation>Frühere Registrierung</translation>
+    </message>
+    <message>
+        <source>Back to the registration before this one, and forth again (Ctrl+Z while nothing is tracked). It is kept with the case.</source>
+        <translation>Zurück zur Registrierung vor dieser und wieder vor (Strg+Z, solange nichts verfolgt wird). Sie bleibt beim Fall.</translation>
+    </message>
+    <message>
         <source>Use it nevertheless</source>
         <translation>Dennoch verwenden</translation>
     </message>
@@ -9394,6 +9478,10 @@
         <translation>Anderer Ort %1: %2, %3 mm entfernt</translation>
     </message>
     <message>
+        <source>%1: %2, %3 mm</source>
+        <translation>%1: %2, %3 mm</translation>
+    </message>
+    <message>
         <source>How far off the organ may be is not known: register again.</source>
         <translation>Wie weit das Organ daneben liegen kann, ist nicht bekannt: erneut registrieren.</translation>
     </message>
@@ -9416,6 +9504,13 @@
     <message>
         <source>%1: no single look helps much.</source>
         <translation>%1: Kein einzelner Blick hilft viel.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::RivalPictures</name>
+    <message>
+        <source>The organ lies here: take this place</source>
+        <translation>Das Organ liegt hier: diesen Ort nehmen</translation>
     </message>
 </context>
 <context>
@@ -10342,6 +10437,45 @@ Mode %3 bei %4 Abweichungen
     <message>
         <source>Blue: overlay shown. Yellow: outline and regions only. Red: no overlay.</source>
         <translation>Blau: Overlay gezeigt. Gelb: nur Umriss und Bereiche. Rot: kein Overlay.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::TissueBox</name>
+    <message>
+        <source>Healthy</source>
+        <translation>Gesund</translation>
+    </message>
+    <message>
+        <source>Cirrhotic</source>
+        <translation>Zirrhotisch</translation>
+    </message>
+    <message>
+        <source>By value</source>
+        <translation>Nach Wert</translation>
+    </message>
+    <message>
+        <source> kPa</source>
+        <translation> kPa</translation>
+    </message>
+    <message>
+        <source>As liver</source>
+        <translation>Wie Leber</translation>
+    </message>
+    <message>
+        <source>Soft</source>
+        <translation>Weich</translation>
+    </message>
+    <message>
+        <source>Stiff</source>
+        <translation>Steif</translation>
+    </message>
+    <message>
+        <source>A third of the liver&apos;s Young&apos;s modulus</source>
+        <translation>Ein Drittel des Elastizitätsmoduls der Leber</translation>
+    </message>
+    <message>
+        <source>Five times the liver&apos;s Young&apos;s modulus</source>
+        <translation>Das Fünffache des Elastizitätsmoduls der Leber</translation>
     </message>
 </context>
 <context>

@@ -4672,6 +4672,14 @@
         <source>The case %1 was left out: nobody has approved its liver, vena cava, gallbladder or portal vein.</source>
         <translation>Le cas %1 a été laissé de côté : personne n&apos;a approuvé son foie, sa veine cave, sa vésicule ou sa veine porte.</translation>
     </message>
+    <message>
+        <source>%1 has no elements of its own: its stiffness changes nothing. Build the model finer at lesions.</source>
+        <translation>%1 n&apos;a pas d&apos;éléments propres : sa raideur ne change rien. Construisez le modèle plus fin aux lésions.</translation>
+    </message>
+    <message>
+        <source>The former registration could not be read and was left out (%*).</source>
+        <translation>Le recalage précédent n&apos;a pas pu être lu et a été laissé de côté (%*).</translation>
+    </message>
 </context>
 <context>
     <name>Obstacles</name>
@@ -4798,6 +4806,14 @@
     <message>
         <source>No earlier look is kept (Stereo).</source>
         <translation>Aucune vue antérieure n’est gardée (Stéréo).</translation>
+    </message>
+    <message>
+        <source>There is no former registration to go back to.</source>
+        <translation>Il n&apos;y a pas de recalage précédent auquel revenir.</translation>
+    </message>
+    <message>
+        <source>Nobody has said how stiff the liver is (Model).</source>
+        <translation>Personne n&apos;a dit quelle est la raideur du foie (Modèle).</translation>
     </message>
     <message>
         <source>No operations have been simulated on this model: register it.</source>
@@ -5234,6 +5250,14 @@
     <message>
         <source>Storing the landmarks</source>
         <translation>Enregistrement des repères</translation>
+    </message>
+    <message>
+        <source>Storing the stiffness</source>
+        <translation>Enregistrement de la raideur</translation>
+    </message>
+    <message>
+        <source>Going back to the former registration</source>
+        <translation>Retour au recalage précédent</translation>
     </message>
     <message>
         <source>Reading the calibration</source>
@@ -5857,6 +5881,10 @@
     <message>
         <source>Poisson&apos;s ratio of the parenchyma.</source>
         <translation>Coefficient de Poisson du parenchyme.</translation>
+    </message>
+    <message>
+        <source>Young&apos;s moduli, kPa, as lesion_1=20,lesions=12: of parenchyma (or healthy, cirrhotic), lesion_1, lesion_2, ... and lesions (all others) (or soft, as_liver, stiff). What is not named is as the case says, or as the liver.</source>
+        <translation>Modules d&apos;Young, kPa, comme lesion_1=20,lesions=12 : de parenchyma (ou healthy, cirrhotic), lesion_1, lesion_2, ... et lesions (toutes les autres) (ou soft, as_liver, stiff). Ce qui n&apos;est pas nommé est comme le dit le cas, ou comme le foie.</translation>
     </message>
     <message>
         <source>The case&apos;s folder, NAME.glisson.</source>
@@ -6747,8 +6775,8 @@
         <translation>in silico, lésions de plus de 1 ml, un clic : Dice, médiane</translation>
     </message>
     <message>
-        <source>How the shape is found: forces (few contact forces on the surface, elastic law by evidence), springs, paper (springs with --prior none, as published) or automatic (forces for a bare mesh with --fixed, springs otherwise).</source>
-        <translation>Comment la forme est trouvée : forces (peu de forces de contact sur la surface, loi élastique par l&apos;évidence), springs (ressorts), paper (ressorts avec --prior none, comme publié) ou automatic (forces pour un maillage nu avec --fixed, sinon springs).</translation>
+        <source>How the shape is found: forces (few contact forces on the surface, elastic law by evidence), springs, paper (springs with --prior none, as published) or automatic (forces where operations are known and for a bare mesh with --fixed; springs where no force is worth its price, and otherwise).</source>
+        <translation>Comment la forme est trouvée : forces (peu de forces de contact sur la surface, loi élastique selon l&apos;évidence), springs (ressorts), paper (ressorts avec --prior none, comme publié) ou automatic (forces là où des opérations sont connues et pour un maillage nu avec --fixed ; ressorts là où aucune force ne vaut son prix, et sinon).</translation>
     </message>
     <message>
         <source>Write the result even if it is refused; its doubts stay with it. Without this a refused registration writes no file, and the exit code is 3.</source>
@@ -6993,6 +7021,10 @@
     <message>
         <source>Takes the N-th of the other places where the organ may be (rival_N_probability, rival_N_away_mm) instead of the most probable one.</source>
         <translation>Prend la N-ième des autres positions possibles de l’organe (rival_N_probability, rival_N_away_mm) au lieu de la plus probable.</translation>
+    </message>
+    <message>
+        <source>Also write a page on the registration: how it ended, how far off organ and lesions may be, where else the organ may be, its doubts.</source>
+        <translation>Écrit aussi une page sur le recalage : comment il s&apos;est terminé, de combien l&apos;organe et les lésions peuvent être décalés, où l&apos;organe peut se trouver ailleurs, ses doutes.</translation>
     </message>
     <message>
         <source>How unusual the livers were that --added-deviation was set on, over what is usual: it grows only beyond that.</source>
@@ -8743,6 +8775,14 @@
         <source>Beams</source>
         <translation>Poutres</translation>
     </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Raideur</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus. Trial, registration and what is simulated for it go by it; a registration made before is out of date then.</source>
+        <translation>Module d&apos;Young. L&apos;essai, le recalage et ce qui est simulé pour lui le suivent ; un recalage fait avant est alors périmé.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::NetworkBox</name>
@@ -9303,6 +9343,50 @@
         <translation>Recaler</translation>
     </message>
     <message>
+        <source>Automatic</source>
+        <translation>Automatique</translation>
+    </message>
+    <message>
+        <source>Few forces of tools where they are worth it, else springs; both from the most probable shape</source>
+        <translation>Peu de forces d&apos;instruments là où elles en valent la peine, sinon des ressorts ; les deux à partir de la forme la plus probable</translation>
+    </message>
+    <message>
+        <source>Contact forces</source>
+        <translation>Forces de contact</translation>
+    </message>
+    <message>
+        <source>Few forces on the surface, under the elastic law that is most probable</source>
+        <translation>Peu de forces sur la surface, sous la loi élastique la plus probable</translation>
+    </message>
+    <message>
+        <source>Springs</source>
+        <translation>Ressorts</translation>
+    </message>
+    <message>
+        <source>Springs from the most probable shape to the points</source>
+        <translation>Des ressorts de la forme la plus probable vers les points</translation>
+    </message>
+    <message>
+        <source>As published</source>
+        <translation>Comme publié</translation>
+    </message>
+    <message>
+        <source>Springs alone, without simulated operations: to compare with</source>
+        <translation>Des ressorts seuls, sans opérations simulées : pour comparer</translation>
+    </message>
+    <message>
+        <source>Shape by</source>
+        <translation>Forme par</translation>
+    </message>
+    <message>
+        <source>Former registration</source>
+        <translation>Recalage précédent</translation>
+    </message>
+    <message>
+        <source>Back to the registration before this one, and forth again (Ctrl+Z while nothing is tracked). It is kept with the case.</source>
+        <translation>Retour au recalage avant celui-ci, et de nouveau en avant (Ctrl+Z tant que rien n&apos;est suivi). Il reste avec le cas.</translation>
+    </message>
+    <message>
         <source>Use it nevertheless</source>
         <translation>L&apos;utiliser malgré tout</translation>
     </message>
@@ -9394,6 +9478,10 @@
         <translation>Autre position %1 : %2, à %3 mm</translation>
     </message>
     <message>
+        <source>%1: %2, %3 mm</source>
+        <translation>%1 : %2, %3 mm</translation>
+    </message>
+    <message>
         <source>How far off the organ may be is not known: register again.</source>
         <translation>On ne sait pas de combien l’organe peut être décalé : recalez de nouveau.</translation>
     </message>
@@ -9416,6 +9504,13 @@
     <message>
         <source>%1: no single look helps much.</source>
         <translation>%1 : aucun regard seul n’aide beaucoup.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::RivalPictures</name>
+    <message>
+        <source>The organ lies here: take this place</source>
+        <translation>L&apos;organe est ici : prendre cette position</translation>
     </message>
 </context>
 <context>
@@ -10342,6 +10437,45 @@ Mode %3 à %4 écarts types
     <message>
         <source>Blue: overlay shown. Yellow: outline and regions only. Red: no overlay.</source>
         <translation>Bleu : superposition montrée. Jaune : contour et zones seulement. Rouge : aucune superposition.</translation>
+    </message>
+</context>
+<context>
+    <name>glisson::ui::TissueBox</name>
+    <message>
+        <source>Healthy</source>
+        <translation>Sain</translation>
+    </message>
+    <message>
+        <source>Cirrhotic</source>
+        <translation>Cirrhotique</translation>
+    </message>
+    <message>
+        <source>By value</source>
+        <translation>Par valeur</translation>
+    </message>
+    <message>
+        <source> kPa</source>
+        <translation> kPa</translation>
+    </message>
+    <message>
+        <source>As liver</source>
+        <translation>Comme le foie</translation>
+    </message>
+    <message>
+        <source>Soft</source>
+        <translation>Molle</translation>
+    </message>
+    <message>
+        <source>Stiff</source>
+        <translation>Raide</translation>
+    </message>
+    <message>
+        <source>A third of the liver&apos;s Young&apos;s modulus</source>
+        <translation>Un tiers du module d&apos;Young du foie</translation>
+    </message>
+    <message>
+        <source>Five times the liver&apos;s Young&apos;s modulus</source>
+        <translation>Cinq fois le module d&apos;Young du foie</translation>
     </message>
 </context>
 <context>

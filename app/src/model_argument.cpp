@@ -7,9 +7,11 @@
 #include "glisson/engine/commands/import_surfaces.h"
 #include "glisson/engine/commands/open_case.h"
 #include "glisson/engine/commands/set_landmarks.h"
+#include "glisson/engine/commands/set_tissue.h"
 #include "glisson/engine/model_source.h"
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/tissue.h"
 #include "glisson/fem/materials.h"
 #include "glisson/geometry/mesh_io.h"
 #include "glisson/registration/registration_files.h"
@@ -77,6 +79,26 @@ void declare_materials(Arguments& arguments) {
   arguments.flag("homogeneous", Cli::tr("Parenchyma only: no vessels, no capsule."));
   arguments.option("young", Cli::tr("Young's modulus of the parenchyma, Pa."), "E");
   arguments.option("poisson", Cli::tr("Poisson's ratio of the parenchyma."), "NU");
+  declare_stiffness(arguments);
+}
+
+void declare_stiffness(Arguments& arguments) {
+  arguments.option("stiffness",
+                   Cli::tr("Young's moduli, kPa, as lesion_1=20,lesions=12: of parenchyma (or healthy, "
+                           "cirrhotic), lesion_1, lesion_2, ... and lesions (all others) (or soft, as_liver, "
+                           "stiff). What is not named is as the case says, or as the liver."),
+                   "LIST");
+}
+
+std::optional<fem::Tissue> given_stiffness(const Arguments& arguments) {
+  if (!arguments.has("stiffness")) return {};
+  return fem::tissue_from(arguments.value("stiffness").toStdString());
+}
+
+void say_stiffness(const Arguments& arguments, Session& session) {
+  const auto given = given_stiffness(arguments);
+  if (!given) return;
+  session.post(engine::SetTissue{fem::said_over(engine::tissue_of(session.state()), *given)});
 }
 
 fem::CompositeOptions materials(const Arguments& arguments) {
@@ -88,6 +110,10 @@ fem::CompositeOptions materials(const Arguments& arguments) {
 }
 
 std::optional<fem::CompositeOptions> given_materials(const Arguments& arguments) {
+  const auto stiffness = given_stiffness(arguments);
+  if (stiffness && stiffness->parenchyma && (arguments.has("materials") || arguments.has("young")))
+    throw UsageError(
+        "--stiffness: the parenchyma's is said twice. Leave it out, or --materials and --young.");
   for (const char* name : {"materials", "homogeneous", "young", "poisson"})
     if (arguments.has(name)) return materials(arguments);
   return {};

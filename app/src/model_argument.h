@@ -7,6 +7,7 @@
 #include "cli.h"
 
 #include "glisson/fem/composite_model.h"
+#include "glisson/fem/tissue.h"
 #include "glisson/geometry/mesh_io.h"
 #include "glisson/patient/registration.h"
 
@@ -33,11 +34,18 @@ ModelArgument load_model(const Arguments& arguments, Session& session);
 void write_deformed(const std::filesystem::path& path, const ModelArgument& argument, const Session& session,
                     const Registration& registration, const NamedArrays& said = {});
 
-/// Declares what the mechanics is made of: --materials, --homogeneous, --young, --poisson.
+/// Declares --stiffness.
+void declare_stiffness(Arguments& arguments);
+/// What --stiffness says; empty: nothing. @throws InputError.
+std::optional<fem::Tissue> given_stiffness(const Arguments& arguments);
+/// Declares what the mechanics is made of: --materials, --homogeneous, --young, --poisson, --stiffness.
 void declare_materials(Arguments& arguments);
 fem::CompositeOptions materials(const Arguments& arguments);
-/// The same where one of them was given; empty: the model decides.
+/// The same where one of them was given; empty: the model decides. @throws UsageError where --stiffness says
+/// something of the parenchyma, too.
 std::optional<fem::CompositeOptions> given_materials(const Arguments& arguments);
+/// Brings what --stiffness says into the session. @throws Error.
+void say_stiffness(const Arguments& arguments, Session& session);
 /// Node numbers of --fixed, or none.
 std::vector<int> fixed_nodes(const Arguments& arguments, const Session& session);
 

@@ -18,6 +18,7 @@
 #include "glisson/experiments/evaluate.h"
 #include "glisson/geometry/mesh_io.h"
 #include "glisson/model/tree_edits.h"
+#include "model_argument.h"
 
 namespace glisson::app {
 namespace {
@@ -60,6 +61,7 @@ int run_model(const QStringList& given) {
                            "shortest side branches are left out, vessels of 4 mm across and more stay."),
                    "N", options.target_beams);
   arguments.option("tree-edits", Cli::tr("What is changed in the vessel trees (JSON, LPS mm)."), "FILE");
+  declare_stiffness(arguments);
   arguments.option("truth",
                    Cli::tr("A fine surface of the liver: adds the distances. Read after everything else."),
                    "FILE");
@@ -81,6 +83,7 @@ int run_model(const QStringList& given) {
   if (arguments.has("mesh-out")) arguments.output_file("mesh-out", {".vtu", ".vtk"});
   const std::string ending = surface_ending(arguments);
   arguments.require_existing("truth");
+  (void)given_stiffness(arguments);  // a slip is told before the work
   const std::vector<model::TreeEdit> edits = arguments.has("tree-edits")
                                                  ? model::read_tree_edits(arguments.path("tree-edits"))
                                                  : std::vector<model::TreeEdit>();
@@ -94,6 +97,7 @@ int run_model(const QStringList& given) {
     session.post(engine::BuildModel{options});
   }
   if (!edits.empty()) session.post(engine::EditTrees{edits});
+  say_stiffness(arguments, session);
   const PatientModel& model = session.state()[part::model]->model;
   if (arguments.has("truth"))
     session.figures.merge(experiments::surface_figures(

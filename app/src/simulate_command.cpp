@@ -4,6 +4,8 @@
 #include "model_argument.h"
 
 #include "glisson/engine/commands/simulate.h"
+#include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/tissue.h"
 
 namespace glisson::app {
 namespace {
@@ -54,6 +56,10 @@ int run_simulate(const QStringList& given) {
   command.folder = out.path();
   Session session(arguments);
   command.unit = load_model(arguments, session).unit;
+  say_stiffness(arguments, session);
+  command.materials =
+      fem::with_tissue(command.materials, engine::tissue_of(session.state(), !given_materials(arguments)),
+                       session.state()[part::model]->model.mesh);
   const bool whole = until_interrupted([&] { session.post(command); });
   int meshes = 0;
   for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(out.path())) ++meshes;

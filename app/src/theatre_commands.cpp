@@ -27,6 +27,7 @@
 #include "glisson/engine/parts/rig.h"
 #include "glisson/experiments/again_every.h"
 #include "glisson/experiments/evaluate.h"
+#include "glisson/experiments/registration_report.h"
 #include "glisson/experiments/track_record.h"
 #include "glisson/guidance/place_picker.h"
 #include "glisson/patient/correction.h"
@@ -35,6 +36,7 @@
 #include "glisson/registration/registration_files.h"
 #include "glisson/stereo/picture_io.h"
 #include "glisson/ui/common/error_texts.h"
+#include "glisson/ui/common/texts.h"
 #include "glisson/ui/scene/overlay_painter.h"
 #include "igtl_argument.h"
 #include "model_argument.h"
@@ -278,9 +280,11 @@ int run_register(const QStringList& given) {
                    "FILE");
   arguments.option(
       "method",
-      Cli::tr("How the shape is found: forces (few contact forces on the surface, elastic law by "
-              "evidence), springs, paper (springs with --prior none, as published) or automatic (forces for "
-              "a bare mesh with --fixed, springs otherwise)."),
+      Cli::tr(
+          "How the shape is found: forces (few contact forces on the surface, elastic law by "
+          "evidence), springs, paper (springs with --prior none, as published) or automatic (forces "
+          "where operations are known and for a bare mesh with --fixed; springs where no force is worth its "
+          "price, and otherwise)."),
       "automatic|forces|springs|paper", "automatic");
   arguments.option(
       "prior",
@@ -297,11 +301,19 @@ int run_register(const QStringList& given) {
                    Cli::tr("Takes the N-th of the other places where the organ may be (rival_N_probability, "
                            "rival_N_away_mm) instead of the most probable one."),
                    "N");
+  arguments.option(
+      "report",
+      Cli::tr("Also write a page on the registration: how it ended, how far off organ and lesions "
+              "may be, where else the organ may be, its doubts."),
+      "FILE.html");
   arguments.option("out", Cli::tr("The registered mesh (.vtu), or surface (.vtp) when a surface was given."),
                    "registered.vtu");
   if (!arguments.parse(given)) return 0;
   const fs::path out = arguments.output_file("out", {".vtu", ".vtk", ".vtp", ".stl", ".obj", ".ply"});
+  const fs::path report =
+      arguments.has("report") ? arguments.output_file("report", {".html", ".htm"}) : fs::path();
   const fs::path cloud = arguments.required_path("cloud");
+  const auto materials = given_materials(arguments);  // a slip is told before the work
   arguments.require_existing("truth");
   Session session(arguments);
   const ModelArgument argument = load_model(arguments, session);
@@ -317,8 +329,9 @@ int run_register(const QStringList& given) {
     session.call("look " + std::to_string(++number), look.toStdString());
     session.post(engine::KeepLook{look.toStdString(), unit});
   }
+  say_stiffness(arguments, session);
   engine::Register command;
-  command.materials = given_materials(arguments);
+  command.materials = materials;
   command.fixed_nodes = fixed_nodes(arguments, session);
   command.method = method_of(arguments.value("method"));
   const QString prior = arguments.value("prior");
@@ -348,6 +361,13 @@ int run_register(const QStringList& given) {
   }
   const bool refused = registration::is_refused(registration);
   if (!refused) write_deformed(out, argument, session, registration);
+  if (!report.empty()) {
+    std::vector<std::string> doubts;
+    for (const std::string& doubt : registration.doubts) doubts.push_back(ui::note_text(doubt).toStdString());
+    experiments::write_registration_report(
+        report, argument.path.filename().string() + ", " + cloud.filename().string(), session.figures,
+        refused, doubts);
+  }
   session.finish();
   if (!refused) return kDone;
   say(Cli::tr(
@@ -423,6 +443,7 @@ int run_track(const QStringList& given) {
   Session session(arguments);
   const ModelArgument argument = load_model(arguments, session);
   session.call("start", arguments.required_path("start").string());
+  say_stiffness(arguments, session);
   session.post(engine::ImportRegistration{arguments.required_path("start"), argument.unit});
   engine::StartTracking command;
   command.materials = given_materials(arguments);

@@ -39,6 +39,7 @@ class TheatreCommandsTest : public QObject, private test::Program {
   void ASurfaceComesBackAsThatSurface();
   void TrackWritesOneMeshACloud();
   void SimulateWritesItsSteps();
+  void StiffnessTravelsWithTheCaseAndIsSaidAnew();
 };
 
 void TheatreCommandsTest::ACloudWithNanIsRefused() {
@@ -149,8 +150,11 @@ void TheatreCommandsTest::RegisterFindsAKnownDeformationAndKeepsTheNodeOrder() {
   cloud.points = sample_surface(deformed, 900, 4);
   write_cloud(at("c.ply"), cloud);
   const Ran ran = run({"register", "--model", "m.vtu", "--cloud", "c.ply", "--rigid", "none", "--homogeneous",
-                       "--truth", "truth.xyz", "--out", "r.vtu", "--json", "r.json"});
+                       "--truth", "truth.xyz", "--report", "r.html", "--out", "r.vtu", "--json", "r.json"});
   QVERIFY2(ran.code == 0, qPrintable(ran.error));
+  const std::string page = read_file(at("r.html"));
+  for (const char* said : {"m.vtu, c.ply", "Expected error", "All nodes, mean", "expected_error_mean_mm"})
+    QVERIFY2(page.find(said) != std::string::npos, said);
   const QJsonObject json = figures("r.json");
   for (const char* key : {"tre_volume_mean_mm", "tre_volume_max_mm", "tre_surface_mean_mm",
                           "tre_target_mean_mm", "displacement_mean_mm", "seconds"})
@@ -258,6 +262,40 @@ void TheatreCommandsTest::SimulateWritesItsSteps() {
   QVERIFY(figures("s.json").contains("displacement_max_mm"));
   refused({"simulate", "--model", "m.vtu", "--load", "nothing.json", "--steps", "5", "--out", "other"},
           "nothing.json");
+}
+
+void TheatreCommandsTest::StiffnessTravelsWithTheCaseAndIsSaidAnew() {
+  TriangleMesh liver = boundary_surface(ball(8)).mesh, lesion = boundary_surface(ball(4)).mesh;
+  lesion.vertices *= 0.4;
+  write_triangle_mesh(at("liver.ply"), liver, LengthUnit::millimetre);
+  write_triangle_mesh(at("lesion.ply"), lesion, LengthUnit::millimetre);
+  write_text(at("list.json"), R"({"structures": {"liver": "liver.ply", "lesion_1": "lesion.ply"}})");
+  const QStringList model = {"model",     "--surfaces", "list.json", "--case",
+                             "a.glisson", "--vertices", "300",       "--stiffness"};
+  refused(model + QStringList{"lesion_1=hard"}, "lesion_1");
+  refused(model + QStringList{"lesion_2=20"}, "Take of lesion_1");
+  const Ran built = run(model + QStringList{"lesion_1=200,parenchyma=3"});
+  QVERIFY2(built.code == 0, qPrintable(built.error));
+  QVERIFY(read_file(at("a.glisson/case.json")).find("parenchyma=3,lesion_1=200") != std::string::npos);
+  LabelledCloud cloud;
+  liver.vertices = bent(liver.vertices, 0.012);
+  cloud.points = sample_surface(liver, 900, 4);
+  write_cloud(at("c.ply"), cloud);
+  const auto registered = [&](const QStringList& more) {
+    const Ran ran = run(QStringList{"register", "--model", "a.glisson", "--cloud", "c.ply", "--rigid", "none",
+                                    "--accept-doubts", "--out", "r.vtu"} +
+                        more);
+    return ran.code == 0 ? read_file(at("r.vtu")) : ran.error.toStdString();
+  };
+  const std::string stiff = registered({});
+  QVERIFY2(stiff.starts_with("<"), stiff.c_str());
+  // The same said once more changes nothing; the liver's own stiffness does.
+  QVERIFY(registered({"--stiffness", "lesion_1=200"}) == stiff);
+  const std::string soft = registered({"--stiffness", "lesions=as_liver"});
+  QVERIFY(soft.starts_with("<") && soft != stiff);
+  refused({"register", "--model", "a.glisson", "--cloud", "c.ply", "--out", "r2.vtu", "--young", "3000",
+           "--stiffness", "parenchyma=3"},
+          "said twice", 2);
 }
 
 QTEST_GUILESS_MAIN(TheatreCommandsTest)

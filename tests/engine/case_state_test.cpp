@@ -16,6 +16,7 @@
 #include "glisson/engine/parts/check.h"
 #include "glisson/engine/parts/cloud.h"
 #include "glisson/engine/parts/earlier_looks.h"
+#include "glisson/engine/parts/former_registration.h"
 #include "glisson/engine/parts/frame.h"
 #include "glisson/engine/parts/image.h"
 #include "glisson/engine/parts/keeping.h"
@@ -34,6 +35,7 @@
 #include "glisson/engine/parts/rig.h"
 #include "glisson/engine/parts/seeds.h"
 #include "glisson/engine/parts/source.h"
+#include "glisson/engine/parts/tissue.h"
 #include "glisson/engine/parts/video.h"
 
 using namespace glisson;
@@ -69,6 +71,8 @@ void CaseStateTest::EveryPartCanBeTakenAndTold() {
   full[part::regions] = std::make_shared<stereo::Regions>();
   full[part::cloud] = std::make_shared<LabelledCloud>();
   full[part::earlier_looks] = std::make_shared<EarlierLooks>();
+  full[part::tissue] = std::make_shared<fem::Tissue>();
+  full[part::former_registration] = std::make_shared<FormerRegistration>();
   full[part::operations] = std::make_shared<SimulatedOperations>();
   full[part::registration] = std::make_shared<Registration>();
   full[part::live] = std::make_shared<LiveState>();

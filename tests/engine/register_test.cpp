@@ -2,8 +2,11 @@
 #include <QtTest>
 
 #include "glisson/core/error.h"
+#include "glisson/engine/case_io.h"
 #include "glisson/engine/commands/accept_registration.h"
 #include "glisson/engine/commands/choose_rival.h"
+#include "glisson/engine/commands/undo_registration.h"
+#include "glisson/engine/parts/former_registration.h"
 #include "glisson/engine/parts/operations.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/registration/examine.h"
@@ -26,6 +29,10 @@ class RegisterTest : public QObject {
   void TheMirrorImageIsRefusedUntilSomebodyAcceptsIt();
   void TheExpectedErrorGoesWithTheRegistration();
   void AnotherPlaceIsTakenAndGivenBack();
+  void TheFormerRegistrationIsHadBackAndForth();
+  void AnotherPlaceLeavesTheFormerOne();
+  void OfOtherPointsThereIsNoFormerOne();
+  void TheFormerRegistrationIsKeptWithTheCase();
   void ABareMeshIsRegisteredAsWhatItIs();
 };
 
@@ -126,6 +133,74 @@ void RegisterTest::AnotherPlaceIsTakenAndGivenBack() {
   const CaseState back = apply(taken, ChooseRival{0}, RunContext()).value().state;
   QVERIFY(back[part::registration]->nodes_in_camera == told->nodes_in_camera);
   QVERIFY_EXCEPTION_THROWN(apply(done, ChooseRival{1}, RunContext()), InputError);
+}
+
+namespace {
+
+/// By springs from two places: two registrations of one cloud.
+CaseState registered_from(const CaseState& state, double aside) {
+  Register command = register_on_few();
+  command.method = registration::Method::paper;
+  command.given.translation.x() += aside;
+  return after(state, command);
+}
+
+}  // namespace
+
+void RegisterTest::TheFormerRegistrationIsHadBackAndForth() {
+  const CaseState first = registered_from(phantom_case(), 0.0);
+  QVERIFY(!has_former_registration(first));
+  const CaseState second = registered_from(first, 0.004);
+  QVERIFY(has_former_registration(second));
+  QVERIFY(second[part::registration] != first[part::registration]);
+  const CaseState back = after(second, UndoRegistration{});
+  QVERIFY(back[part::registration] == first[part::registration]);
+  const CaseState forth = after(back, UndoRegistration{});
+  QVERIFY(forth[part::registration] == second[part::registration]);
+}
+
+void RegisterTest::AnotherPlaceLeavesTheFormerOne() {
+  CaseState done = registered_from(phantom_case(), 0.0);
+  auto told = std::make_shared<Registration>(*done[part::registration]);
+  told->rivals = {{told->nodes_in_camera.rowwise() + Eigen::RowVector3d(0.02, 0, 0), 0.1}};
+  done[part::registration] = told;
+  const CaseState taken = after(done, ChooseRival{0});
+  QVERIFY(after(taken, UndoRegistration{})[part::registration] == told);
+}
+
+void RegisterTest::OfOtherPointsThereIsNoFormerOne() {
+  const CaseState both = registered_from(registered_from(phantom_case(), 0.0), 0.004);
+  CaseState others = both;
+  others[part::cloud] = std::make_shared<const LabelledCloud>(*both[part::cloud]);
+  QVERIFY(!has_former_registration(others));
+  QVERIFY_EXCEPTION_THROWN(after(others, UndoRegistration{}), InputError);
+  // One that was out of date is none to go back to.
+  CaseState stale = registered_from(phantom_case(), 0.0);
+  stale.stamp(part::registration) = {2, {{part::model, 1}}};
+  stale.stamp(part::model).revision = 3;
+  QVERIFY(!registered_from(stale, 0.004)[part::former_registration]);
+}
+
+void RegisterTest::TheFormerRegistrationIsKeptWithTheCase() {
+  const QTemporaryDir folder;
+  const std::filesystem::path path = folder.filePath("a.glisson").toStdString();
+  const CaseState both = registered_from(registered_from(phantom_case(), 0.0), 0.004);
+  save_case(path, both, RunContext());
+  const CaseState read = open_case(path, RunContext()).value();
+  QVERIFY(has_former_registration(read));
+  const CaseState back = after(read, UndoRegistration{});
+  QVERIFY((back[part::registration]->nodes_in_camera -
+           both[part::former_registration]->registration->nodes_in_camera)
+              .norm() < 1e-9);
+  QCOMPARE(back[part::registration]->doubts, both[part::former_registration]->registration->doubts);
+  // Without its file the case opens, and says so.
+  std::filesystem::remove(path / "former_registration.vtu");
+  std::vector<std::string> lost;
+  const CaseState without = open_case(path, RunContext(), &lost).value();
+  QVERIFY(without[part::registration] && !without[part::former_registration]);
+  QVERIFY(std::any_of(lost.begin(), lost.end(), [](const std::string& note) {
+    return note.starts_with("case.former_registration_lost ");
+  }));
 }
 
 /// The window posts Register with nothing said, the command line says materials where somebody has: one law.

@@ -53,7 +53,7 @@ void CancelTest::TheErrorModelLeavesUnfinished() {
 
 void CancelTest::UnforeseenForcesLeaveWithoutModes() {
   QVERIFY(unknown_operations(model_).modes.cols() > 0);
-  QCOMPARE(unknown_operations(model_, cancelled_).modes.cols(), Eigen::Index{0});
+  QCOMPARE(unknown_operations(model_, {}, cancelled_).modes.cols(), Eigen::Index{0});
 }
 
 void CancelTest::FindingsLeaveWithNothing() {

@@ -30,7 +30,9 @@
 #include "glisson/engine/commands/start_tracking.h"
 #include "glisson/engine/commands/take_registration.h"
 #include "glisson/engine/commands/undo_correction.h"
+#include "glisson/engine/commands/undo_registration.h"
 #include "glisson/engine/parts/cloud.h"
+#include "glisson/engine/parts/former_registration.h"
 #include "glisson/engine/parts/frame.h"
 #include "glisson/engine/parts/image.h"
 #include "glisson/engine/parts/labels.h"
@@ -190,12 +192,14 @@ Cancellable<engine::Applied> FakeOperation::apply(const engine::CaseState& state
                                                   const engine::Command& command, const RunContext& context) {
   if (const auto* accept = command.as<engine::AcceptRegistration>()) return accept->apply(state, context);
   if (const auto* choose = command.as<engine::ChooseRival>()) return choose->apply(state, context);
+  if (const auto* undo = command.as<engine::UndoRegistration>()) return undo->apply(state, context);
   if (const auto* keep = command.as<engine::KeepCopy>()) {
     if (!work(context, "case.write")) return {};
     return keep->apply(state, context);
   }
   if (const auto* given = command.as<engine::Register>()) {
     start.reset();
+    method = given->method;
     if (given->start == engine::Register::Start::near) start = given->given;
   }
   engine::Applied applied{state};
@@ -348,6 +352,7 @@ bool FakeOperation::change(engine::Applied& applied, const engine::Register&,
   if (rival_away > 0.0)
     registration.rivals = {
         {registration.nodes_in_camera.rowwise() + Eigen::RowVector3d(rival_away, 0, 0), 0.12}};
+  engine::keep_former_registration(applied.state, engine::CaseState(applied.state));
   applied.state[part::registration] = std::make_shared<const Registration>(std::move(registration));
   return true;
 }

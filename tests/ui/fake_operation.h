@@ -9,6 +9,7 @@
 
 #include "box_patient.h"
 #include "glisson/engine/engine.h"
+#include "glisson/registration/register.h"
 
 namespace glisson::engine {
 struct BuildModel;
@@ -49,6 +50,7 @@ class FakeOperation {
   std::optional<engine::MaskStatus> mask;                ///< of every live frame; before tracking begins
   double rival_away = 0.0;                               ///< metres; 0: the registration has no rival
   std::optional<CameraFromCt> start;                     ///< that the last registration was to begin near
+  registration::Method method{};                         ///< that the last registration was to take
 
   engine::Engine::Options options();
 

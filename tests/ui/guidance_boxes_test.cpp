@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QToolButton>
 #include <QtTest>
 
 #include "fake_operation.h"
@@ -44,6 +45,9 @@ class GuidanceBoxesTest : public QObject {
   void RegistrationShowsItsFiguresAndDoubts();
   void RefusedRegistrationIsUsedOnlyWhenSomebodySaysSo();
   void OtherPlacesAreOfferedAndTaken();
+  void OtherPlacesAreSeenSideBySideAndTakenByAClick();
+  void TheFormerRegistrationIsOneClickAway();
+  void TheMethodIsChosenInTheBox();
   void PlacedByHandTheModelIsRefinedFromThere();
   void PlacingEndsWithWhatItBelongsTo();
   void PlaybackSaysWhatItNeeds();
@@ -211,6 +215,84 @@ void GuidanceBoxesTest::OtherPlacesAreOfferedAndTaken() {
   QCOMPARE(choice->itemText(1), QStringLiteral("Other place 1: 88 %, 14 mm away"));
   QVERIFY(model.rival_nodes() == nullptr);  // nothing is compared until somebody chooses
   QVERIFY(words_on(box).contains(QStringLiteral("gave it 12 %")));
+}
+
+void GuidanceBoxesTest::OtherPlacesAreSeenSideBySideAndTakenByAClick() {
+  ui::RegistrationModel model(*engine_);
+  ui::PlacingModel placing(*engine_);
+  const ui::RegistrationBox box(*engine_, model, placing);
+  operation_->rival_away = 0.014;
+  reach_registration(4);
+  auto* first = box.findChild<QToolButton*>(QStringLiteral("take_rival_1"));
+  QVERIFY(!first->isHidden());
+  QVERIFY(box.findChild<QToolButton*>(QStringLiteral("take_rival_2"))->isHidden());
+  QCOMPARE(first->text(), QStringLiteral("1: 12 %, 14 mm"));
+  // The organ lies over the picture where that place puts it.
+  const Registration& registration = *engine_->state()[part::registration];
+  const QImage drawn = first->icon().pixmap(first->iconSize()).toImage();
+  const Eigen::Vector2d at = operation_->rig.left.project(
+      Eigen::Vector3d(registration.rivals[0].nodes_in_camera.colwise().mean().transpose()));
+  const double scale = std::max(drawn.width() / static_cast<double>(operation_->rig.left.width),
+                                drawn.height() / static_cast<double>(operation_->rig.left.height));
+  const QPoint pixel(
+      static_cast<int>(scale * at.x() - 0.5 * (scale * operation_->rig.left.width - drawn.width())),
+      static_cast<int>(scale * at.y() - 0.5 * (scale * operation_->rig.left.height - drawn.height())));
+  QVERIFY(drawn.rect().contains(pixel));
+  const QColor organ = drawn.pixelColor(pixel), corner = drawn.pixelColor(1, 1);
+  QVERIFY2(organ.blue() > organ.red() && corner.blue() <= corner.red(),
+           qPrintable(organ.name() + corner.name()));
+  const Points there = registration.rivals[0].nodes_in_camera;
+  first->click();
+  QVERIFY(QTest::qWaitFor([this] { return engine_->tasks().empty(); }, 20000));
+  QVERIFY(engine_->state()[part::registration]->nodes_in_camera == there);
+  QCOMPARE(first->text(), QStringLiteral("1: 88 %, 14 mm"));
+}
+
+void GuidanceBoxesTest::TheFormerRegistrationIsOneClickAway() {
+  ui::RegistrationModel model(*engine_);
+  ui::PlacingModel placing(*engine_);
+  const ui::RegistrationBox box(*engine_, model, placing);
+  reach_registration(4);
+  QPushButton* undo = button(box, "undo_registration");
+  QVERIFY(undo->isHidden());
+  const auto first = engine_->state()[part::registration];
+  operation_->rival_away = 0.014;
+  post(engine::Register{});
+  const auto second = engine_->state()[part::registration];
+  QVERIFY(!undo->isHidden() && second != first);
+  const auto press = [&] {
+    undo->click();
+    QVERIFY(QTest::qWaitFor([this] { return engine_->tasks().empty(); }, 20000));
+  };
+  press();
+  QVERIFY(engine_->state()[part::registration] == first);
+  QCOMPARE(engine_->snapshot()->stage(part::registration), engine::StageState::current);
+  press();
+  QVERIFY(engine_->state()[part::registration] == second);
+  // While the organ is followed the keys are for what hands set.
+  post(engine::StartTracking{});
+  QVERIFY(undo->isHidden());
+}
+
+void GuidanceBoxesTest::TheMethodIsChosenInTheBox() {
+  ui::RegistrationModel model(*engine_);
+  ui::PlacingModel placing(*engine_);
+  const ui::RegistrationBox box(*engine_, model, placing);
+  reach_cloud(4);
+  task(box, "register")->trigger();
+  QVERIFY(QTest::qWaitFor([this] { return engine_->tasks().empty(); }, 20000));
+  QVERIFY(operation_->method == registration::Method::automatic);
+  auto* choice = box.findChild<QComboBox*>(QStringLiteral("registration_method"));
+  QCOMPARE(choice->count(), 4);
+  choice->setCurrentIndex(3);
+  emit choice->activated(3);
+  task(box, "register")->trigger();
+  QVERIFY(QTest::qWaitFor([this] { return engine_->tasks().empty(); }, 20000));
+  QVERIFY(operation_->method == registration::Method::paper);
+  button(box, "place_by_hand")->click();
+  task(box, "refine")->trigger();
+  QVERIFY(QTest::qWaitFor([this] { return engine_->tasks().empty(); }, 20000));
+  QVERIFY(operation_->method == registration::Method::paper && operation_->start);
 }
 
 void GuidanceBoxesTest::PlacedByHandTheModelIsRefinedFromThere() {

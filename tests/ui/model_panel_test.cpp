@@ -21,8 +21,10 @@
 #include "glisson/engine/commands/segment.h"
 #include "glisson/engine/commands/set_review.h"
 #include "glisson/engine/commands/set_seeds.h"
+#include "glisson/engine/commands/set_tissue.h"
 #include "glisson/engine/parts/check.h"
 #include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/tissue.h"
 #include "glisson/engine/review.h"
 #include "glisson/ui/common/texts.h"
 #include "glisson/ui/model/quality_sheet.h"
@@ -45,6 +47,7 @@ class ModelPanelTest : public QObject {
   void LabelsThatNobodyApprovedAreNamedOnceWhereTheModelIsApproved();
   void FlattestElementsAreShownAndPutAway();
   void SizeIsGivenByVerticesOrEdges();
+  void StiffnessGoesToTheCaseAndComesBack();
   void AnEntranceIsMovedByAClickAndUndone();
   void APrunedTreeComesBackAndGoesAgain();
   void WhatAClickWouldCutIsToldBefore();
@@ -105,9 +108,9 @@ void ModelPanelTest::init() {
   engine::Engine::Options options = operation_->options();
   options.apply = [fake = options.apply](const engine::CaseState& now, const engine::Command& command,
                                          const RunContext& context, const engine::Services& services) {
-    const bool real = command.as<engine::EditTrees>() != nullptr ||
-                      command.as<engine::CheckModel>() != nullptr ||
-                      command.as<engine::SetReview>() != nullptr;
+    const bool real =
+        command.as<engine::EditTrees>() != nullptr || command.as<engine::CheckModel>() != nullptr ||
+        command.as<engine::SetReview>() != nullptr || command.as<engine::SetTissue>() != nullptr;
     return real ? engine::apply(now, command, context, services) : fake(now, command, context, services);
   };
   window_ = std::make_unique<MainWindow>(std::move(options));
@@ -209,6 +212,37 @@ void ModelPanelTest::SizeIsGivenByVerticesOrEdges() {
   auto* beams = window_->findChild<QSpinBox*>(QStringLiteral("model_beams"));
   QCOMPARE(beams->value(), model::ModelOptions{}.target_beams);
   QVERIFY(beams->isEnabled());
+}
+
+void ModelPanelTest::StiffnessGoesToTheCaseAndComesBack() {
+  const auto choose = [this](const char* name, int index) {
+    auto* combo = window_->findChild<QComboBox*>(QString::fromLatin1(name));
+    QVERIFY(combo != nullptr && combo->isVisible());
+    combo->setCurrentIndex(index);
+    emit combo->activated(index);
+    QVERIFY(settle());
+  };
+  const auto kilopascals = [this](const char* name) {
+    return window_->findChild<QDoubleSpinBox*>(QString::fromLatin1(name));
+  };
+  choose("stiffness_parenchyma", 1);  // cirrhotic
+  choose("stiffness_lesion_1", 2);    // stiff
+  QTRY_VERIFY(state()[part::tissue] != nullptr);
+  QVERIFY(*state()[part::tissue] == fem::tissue_from("parenchyma=cirrhotic,lesion_1=stiff"));
+  QCOMPARE(kilopascals("stiffness_lesion_1_kpa")->value(), 150.0);
+  QVERIFY(!kilopascals("stiffness_lesion_1_kpa")->isEnabled());
+  choose("stiffness_lesion_1", 3);  // by value
+  QVERIFY(kilopascals("stiffness_lesion_1_kpa")->isEnabled());
+  kilopascals("stiffness_lesion_1_kpa")->setValue(20.0);
+  QVERIFY(settle());
+  QTRY_VERIFY(*state()[part::tissue] == fem::tissue_from("parenchyma=cirrhotic,lesion_1=20"));
+  // What comes from elsewhere is shown.
+  window_->engine().post(engine::SetTissue{fem::tissue_from("lesion_1=soft")});
+  QVERIFY(settle());
+  QTRY_COMPARE(window_->findChild<QComboBox*>(QStringLiteral("stiffness_lesion_1"))->currentIndex(), 1);
+  QCOMPARE(window_->findChild<QComboBox*>(QStringLiteral("stiffness_parenchyma"))->currentIndex(), 0);
+  choose("stiffness_lesion_1", 0);
+  QTRY_VERIFY(!state()[part::tissue]);
 }
 
 void ModelPanelTest::AnEntranceIsMovedByAClickAndUndone() {

@@ -43,7 +43,14 @@ json written(const Stamp& stamp) {
   return made_from;
 }
 
-Stamp read_stamp(const fs::path& folder, const json& entry) {
+/// What a person may say at any time, and had not when this part was made by an edition that did not know it.
+void add_unsaid(Stamp& stamp, Part part) {
+  for (const Part input : part.type().spec().made_of)
+    if (input.type().spec().stands_alone && input.type().spec().is_input && !stamp.made_from.empty())
+      stamp.made_from.try_emplace(input, 0);
+}
+
+Stamp read_stamp(const fs::path& folder, const json& entry, Part of) {
   constexpr double kMost = 9007199254740992.0;  // doubles count so far
   Stamp stamp;
   stamp.revision = ranged<std::uint64_t>(folder, entry, "revision", 0.0, kMost);
@@ -53,6 +60,7 @@ Stamp read_stamp(const fs::path& folder, const json& entry) {
     if (inputs.contains(code))
       stamp.made_from[part] = ranged<std::uint64_t>(folder, inputs, code.c_str(), 0.0, kMost);
   }
+  add_unsaid(stamp, of);
   return stamp;
 }
 
@@ -244,7 +252,7 @@ Cancellable<CaseState> read_case(const fs::path& given, const fs::path& home, co
       else
         part.type().spec().load(state, *entry, folder);
       if (context.cancelled()) return {};
-      if (state.has(part)) state.stamp(part) = read_stamp(path, *entry);
+      if (state.has(part)) state.stamp(part) = read_stamp(path, *entry, part);
     }
     if (lost != nullptr)
       for (const std::string& changed : changed_files(path, document))

@@ -7,6 +7,7 @@
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/engine/parts/rig.h"
+#include "glisson/engine/parts/tissue.h"
 #include "glisson/network/live_mask.h"
 #include "glisson/stereo/faults.h"
 
@@ -21,7 +22,8 @@ guidance::TrackerOptions tracker_options(const CaseState& state, const PatientMo
       registration::options_for(model, state[part::landmarks] != nullptr);
   options.cloud.final_stiffening = own.final_stiffening;
   options.cloud.tangential = own.tangential;
-  options.materials = options.cloud.materials = command.materials.value_or(own.materials);
+  options.materials = options.cloud.materials = fem::with_tissue(
+      command.materials.value_or(own.materials), tissue_of(state, !command.materials), model.mesh);
   return options;
 }
 

@@ -8,6 +8,7 @@
 #include "glisson/core/error.h"
 #include "glisson/core/stopwatch.h"
 #include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/tissue.h"
 #include "glisson/fem/integrator.h"
 #include "glisson/guidance/boundary_springs.h"
 
@@ -198,7 +199,8 @@ Cancellable<std::unique_ptr<LoadTrial>> make_load_trial(const CaseState& state, 
         "and the places where vessels enter lie on one line, about which the organ would turn freely",
         "Place three points or more of the vena cava among the landmarks, where it touches the liver");
   context.progress(0.1, "trial.model");
-  auto composite = std::make_shared<const fem::CompositeModel>(model.mesh, model.vessels, options.materials);
+  auto composite = std::make_shared<const fem::CompositeModel>(
+      model.mesh, model.vessels, fem::with_tissue(options.materials, tissue_of(state), model.mesh));
   if (context.cancelled()) return {};
   context.progress(0.5, "trial.solver");
   auto trial = std::make_unique<ElasticTrial>(composite, std::move(springs), options);

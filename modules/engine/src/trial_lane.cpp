@@ -7,6 +7,7 @@
 #include "glisson/core/error.h"
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/tissue.h"
 
 namespace glisson::engine {
 
@@ -22,6 +23,7 @@ void TrialLane::begin(const CaseState& made_from) {
   steps_ = 0;
   model_ = made_from[part::model];
   landmarks_ = made_from[part::landmarks];
+  tissue_ = made_from[part::tissue];
 }
 
 void TrialLane::end() {
@@ -29,10 +31,12 @@ void TrialLane::end() {
   pull_.reset();
   model_.reset();
   landmarks_.reset();
+  tissue_.reset();
 }
 
 bool TrialLane::fits(const CaseState& state) const {
-  return !on_ || (state[part::model] == model_ && state[part::landmarks] == landmarks_);
+  return !on_ || (state[part::model] == model_ && state[part::landmarks] == landmarks_ &&
+                  state[part::tissue] == tissue_);
 }
 
 void TrialLane::submit(std::optional<TrialPull> pull) {

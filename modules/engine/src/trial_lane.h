@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "glisson/engine/load_trial.h"
+#include "glisson/fem/tissue.h"
 #include "glisson/model/build.h"
 #include "glisson/patient/patient_model.h"
 
@@ -54,6 +55,7 @@ class TrialLane {
   int steps_ = 0;
   std::shared_ptr<const model::BuiltModel> model_;
   std::shared_ptr<const Landmarks> landmarks_;
+  std::shared_ptr<const fem::Tissue> tissue_;
 };
 
 }  // namespace glisson::engine

@@ -19,7 +19,7 @@ constexpr int kDriftEvery = 6;    ///< frames
 
 /// A part of the organ, to one side, lies nearer to the lens than the start has it.
 Points bent_away(Points nodes, double by) {
-  constexpr double kFrom = 10e-3, kOver = 25e-3;
+  constexpr double kFrom = 10e-3, kOver = 50e-3;  // steeper, and elements of the model turn inside out
   const double middle = nodes.col(0).mean();
   for (Eigen::Index i = 0; i < nodes.rows(); ++i) {
     const double t = std::clamp((nodes(i, 0) - middle - kFrom) / kOver, 0.0, 1.0);

@@ -109,7 +109,7 @@ void write_report(const std::filesystem::path& path, const std::string& title,
     for (const std::string& note : notes) html += "<li>" + escaped(note) + "</li>\n";
     html += "</ul>\n";
   }
-  html += "<h2>Pictures</h2>\n";
+  if (!pictures.empty()) html += "<h2>Pictures</h2>\n";
   for (const ReportPicture& picture : pictures)
     html += "<figure><img src=\"" + escaped(picture.file) + "\" alt=\"" + escaped(picture.caption) +
             "\"><figcaption>" + escaped(picture.caption) + "</figcaption></figure>\n";

@@ -91,6 +91,7 @@ ErrorModel::ErrorModel(const PatientModel& model, const OperationPrior* prior,
   Unforeseen others;
   others.motion = options.unforeseen;
   others.fixed_nodes = options.fixed_nodes;
+  others.stiffness = options.stiffness;
   const fem::NodalColumns forces = unforeseen_motions(model, others, context);
   if (context.cancelled()) return;
   fem::NodalColumns motions(3L * model.mesh.vertex_count(), modes_ + forces.cols());

@@ -12,8 +12,10 @@
 #include "glisson/core/random.h"
 #include "glisson/core/share_out.h"
 #include "glisson/fem/integrator.h"
+#include "glisson/fem/tissue.h"
 #include "glisson/geometry/rigid.h"
 #include "glisson/geometry/topology.h"
+#include "glisson/patient/label_map.h"
 #include "unforeseen.h"
 
 namespace glisson::registration {
@@ -28,10 +30,23 @@ constexpr double kCavaRadius = 0.02, kLigamentHalfWidth = 0.01;
 /// m from the vena cava to about the middle of a lobe: the unit of the bed's polynomial.
 constexpr double kReach = 0.09;
 
-fem::NodalColumns unforeseen_of(const PatientModel& model, double motion, const RunContext& context) {
+/// No vessels, no capsule.
+fem::CompositeOptions tissue_alone(const OperationOptions& options) {
+  fem::CompositeOptions materials;
+  materials.with_vessels = materials.with_capsule = false;
+  materials.parenchyma.young_modulus = options.young_modulus;
+  for (const auto& [label, modulus] : options.lesions)
+    materials.by_label[label] = {modulus, materials.parenchyma.poisson_ratio};
+  return materials;
+}
+
+fem::NodalColumns unforeseen_of(const PatientModel& model, const OperationOptions& options, double motion,
+                                const RunContext& context) {
   Unforeseen forces;
   forces.motion = motion;
   forces.modes = kUnforeseenModes;
+  if (!options.lesions.empty())
+    forces.stiffness = fem::stiffness_over_parenchyma(model.mesh, tissue_alone(options));
   return unforeseen_motions(model, forces, context);
 }
 
@@ -69,7 +84,7 @@ Eigen::Vector3d bed_way(const Draw& draw, double x, double z) {
 class Operations {
  public:
   Operations(const PatientModel& model, const OperationOptions& options)
-      : options_(options), composite_(model.mesh, {}, homogeneous()), rest_(model.mesh.vertices) {
+      : options_(options), composite_(model.mesh, {}, tissue_alone(options)), rest_(model.mesh.vertices) {
     const TriangleMesh& surface = model.surface.mesh;
     const Points normals = vertex_normals(surface);
     const Eigen::VectorXd areas = vertex_areas(surface);
@@ -118,12 +133,6 @@ class Operations {
     bool under_gas = false;
     Eigen::Vector3d normal, from_cava;
   };
-
-  static fem::CompositeOptions homogeneous() {
-    fem::CompositeOptions materials;
-    materials.with_vessels = materials.with_capsule = false;
-    return materials;
-  }
 
   fem::Loads loads(const Draw& draw, const Points& x) const {
     fem::Loads loads;
@@ -175,7 +184,7 @@ Eigen::MatrixXd components(const Eigen::MatrixXd& motions, const Eigen::MatrixXd
 bool OperationOptions::operator==(const OperationOptions& other) const {
   const auto all = [](const OperationOptions& o) {
     return std::tie(o.operations, o.modes, o.gravity, o.gas_pa, o.bed_m, o.ligament_m, o.contact_spread,
-                    o.unforeseen_m);
+                    o.unforeseen_m, o.young_modulus, o.lesions);
   };
   return all(*this) == all(other);
 }
@@ -190,6 +199,10 @@ void OperationOptions::validate() const {
   demand(bed_m >= 0.0 && bed_m <= 0.1, "bed_m", bed_m, "Give 0 to 0.1 m");
   demand(ligament_m >= 0.0 && ligament_m <= 0.1, "ligament_m", ligament_m, "Give 0 to 0.1 m");
   demand(unforeseen_m >= 0.0 && unforeseen_m <= 0.05, "unforeseen_m", unforeseen_m, "Give 0 to 0.05 m");
+  const auto is_modulus = [](double pascals) { return pascals >= 1.0 && pascals <= 1e9; };
+  demand(is_modulus(young_modulus), "young_modulus", young_modulus, "Give 1 to 1e9 Pa");
+  for (const auto& [label, modulus] : lesions)
+    demand(is_modulus(modulus), structure_name(label).c_str(), modulus, "Give 1 to 1e9 Pa");
   demand(contact_spread >= 0.0 && contact_spread <= 2.0, "contact_spread", contact_spread, "Give 0 to 2");
 }
 
@@ -200,9 +213,10 @@ Points OperationPrior::shape(const Points& rest, const Eigen::VectorXd& amplitud
   return rest + Eigen::Map<const Points>(moved.data(), rest.rows(), 3);
 }
 
-OperationPrior unknown_operations(const PatientModel& model, const RunContext& context) {
+OperationPrior unknown_operations(const PatientModel& model, const OperationOptions& options,
+                                  const RunContext& context) {
   OperationPrior prior;
-  prior.modes = unforeseen_of(model, kUnknownMotion, context);
+  prior.modes = unforeseen_of(model, options, kUnknownMotion, context);
   return prior;
 }
 
@@ -245,7 +259,7 @@ Cancellable<OperationPrior> simulate_operations(const PatientModel& model, const
     loads.col(prior.operations++) = draws[i].loads();
   }
   const Eigen::MatrixXd foreseen = components(motions, loads, options.modes);
-  const fem::NodalColumns unforeseen = unforeseen_of(model, options.unforeseen_m, context);
+  const fem::NodalColumns unforeseen = unforeseen_of(model, options, options.unforeseen_m, context);
   if (context.cancelled()) return std::nullopt;
   prior.modes.resize(foreseen.rows(), foreseen.cols() + unforeseen.cols());
   prior.modes << foreseen, unforeseen;

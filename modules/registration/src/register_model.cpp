@@ -51,18 +51,6 @@ Cancellable<std::shared_ptr<const OperationPrior>> operations_of(const PatientMo
   return std::make_shared<const OperationPrior>(std::move(*prior));
 }
 
-/// How stiff each tetrahedron is, by its label, over the parenchyma.
-std::vector<double> stiffness_of(const TetMesh& mesh, const fem::CompositeOptions& materials) {
-  std::vector<double> stiffness;
-  for (const int label : mesh.labels) {
-    const auto found = materials.by_label.find(static_cast<Label>(label));
-    stiffness.push_back(found == materials.by_label.end()
-                            ? 1.0
-                            : found->second.young_modulus / materials.parenchyma.young_modulus);
-  }
-  return stiffness;
-}
-
 std::vector<std::string> doubts_of(const ContactForceFit& fit, double seen) {
   constexpr double kRival = 5.0;
   constexpr double kOtherShape = 5e-3;  // m
@@ -174,6 +162,8 @@ ErrorModel error_of(const PatientModel& model, const LabelledCloud& cloud, const
   ErrorModelOptions known;
   known.fixed_nodes = elastic.fixed_nodes;
   known.pose_known = !elastic.fixed_nodes.empty();
+  if (!elastic.materials.by_label.empty())
+    known.stiffness = fem::stiffness_over_parenchyma(model.mesh, elastic.materials);
   const bool together = made.forces && elastic.prior;
   if (elastic.prior) known.unforeseen = 0.0;  // the prior knows of them
   ErrorModel error(model, elastic.prior.get(),
@@ -245,7 +235,8 @@ bool takes_forces(Method method, const PatientModel& model, const ElasticOptions
 ContactForceOptions forces_with(const PatientModel& model, const ElasticOptions& elastic,
                                 ContactForceOptions forces) {
   forces.fixed_nodes = elastic.fixed_nodes;
-  if (forces.stiffness.empty()) forces.stiffness = stiffness_of(model.mesh, elastic.materials);
+  if (forces.stiffness.empty())
+    forces.stiffness = fem::stiffness_over_parenchyma(model.mesh, elastic.materials);
   return forces;
 }
 
@@ -253,8 +244,18 @@ ElasticOptions elastic_of(const RegisterOptions& options, const PatientModel& mo
   ElasticOptions elastic =
       options.elastic ? *options.elastic : options_for(model, options.landmarks_are_placed);
   if (options.materials) elastic.materials = *options.materials;
+  elastic.materials = fem::with_tissue(std::move(elastic.materials), options.tissue, model.mesh);
   if (!options.fixed_nodes.empty()) elastic.fixed_nodes = options.fixed_nodes;
   return elastic;
+}
+
+OperationOptions operation_of(const RegisterOptions& options, const PatientModel& model) {
+  OperationOptions operation = options.operation;
+  if (!options.materials && options.tissue.empty()) return operation;
+  const fem::CompositeOptions materials = elastic_of(options, model).materials;
+  operation.young_modulus = materials.parenchyma.young_modulus;
+  for (const auto& [label, material] : materials.by_label) operation.lesions[label] = material.young_modulus;
+  return operation;
 }
 
 namespace {
@@ -273,6 +274,7 @@ void RegisterOptions::validate() const {
   if (operations) operation.validate();
   if (elastic) elastic->validate();
   if (materials) materials->validate();
+  tissue.validate();
   forces.validate();
 }
 
@@ -334,12 +336,14 @@ class Run {
 
   bool know_shapes() {
     if (!needs_prior(model_, options_, elastic_)) return true;
+    const OperationOptions operation = operation_of(options_, model_);
     if (can_simulate_operations(model_)) {
-      auto prior = operations_of(model_, options_.operation, known_, up_to(0.7));
+      auto prior = operations_of(model_, operation, known_, up_to(0.7));
       if (!prior) return false;
       result().operations = elastic_.prior = *prior;
     } else {
-      elastic_.prior = std::make_shared<const OperationPrior>(unknown_operations(model_, context_.quiet()));
+      elastic_.prior =
+          std::make_shared<const OperationPrior>(unknown_operations(model_, operation, context_.quiet()));
       if (context_.cancelled()) return false;
     }
     return true;

@@ -18,7 +18,7 @@ constexpr double kNothing = 1e-6;                      ///< variance of a compon
 fem::NodalColumns responses_of(const PatientModel& model, const Unforeseen& forces,
                                const RunContext& context) {
   const fem::NodalColumns none(3L * model.mesh.vertex_count(), 0);
-  fem::ElasticBody body(model.mesh, forces.fixed_nodes);
+  fem::ElasticBody body(model.mesh, forces.fixed_nodes, forces.stiffness);
   body.set_material({fem::BodyLaw::linear, 0.45});
   Eigen::VectorXd springs;
   if (forces.fixed_nodes.empty()) springs = kGround / (kGroundLength * kGroundLength) * body.node_volumes();

@@ -17,6 +17,7 @@ struct Unforeseen {
   double patch_spacing = 25e-3;                 ///< of their places, m
   double patch_radius = kUnforeseenSpread;      ///< over which one spreads, m
   std::vector<int> fixed_nodes;                 ///< known to stay
+  std::vector<double> stiffness;                ///< of each tetrahedron over the parenchyma's; empty: all 1
   int modes = std::numeric_limits<int>::max();  ///< principal components kept, at most
 };
 

@@ -54,6 +54,11 @@ class Notes {
         {"vessels.beams", tr("Beams that stiffen the model along the vessels: %1.")},
         {"vessels.nodes_outside_mesh", tr("Vessel nodes just outside the mesh, tied to its surface: %1.")},
         {"vessels.outside_liver", tr("%1 lies outside the liver and was left out.")},
+        {"case.former_registration_lost",
+         tr("The former registration could not be read and was left out (%*).")},
+        {"tissue.no_elements",
+         tr("%1 has no elements of its own: its stiffness changes nothing. Build the model finer at "
+            "lesions.")},
         {"lesion.outside_liver", tr("%1 lies outside the liver and was left out.")},
         {"lesion.dropped", tr("%1 was left out: only %3 mm³.")},
         {"lesion.crumbs_dropped", tr("Crumbs of lesion surfaces left out: %1.")},

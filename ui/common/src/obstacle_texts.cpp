@@ -33,6 +33,8 @@ class Obstacles {
             {"review", tr("Review the labels first (Segmentation).")},
             {"cloud", tr("Reconstruct the surface first (Stereo).")},
             {"earlier_looks", tr("No earlier look is kept (Stereo).")},
+            {"former_registration", tr("There is no former registration to go back to.")},
+            {"tissue", tr("Nobody has said how stiff the liver is (Model).")},
             {"operations", tr("No operations have been simulated on this model: register it.")},
             {"registration", tr("Register first.")}};
   }

@@ -36,6 +36,8 @@ class Texts {
             {"check_model", tr("Noting the check of the model")},
             {"set_landmarks", tr("Storing the landmarks")},
             {"build_atlas", tr("Building an atlas")},
+            {"set_tissue", tr("Storing the stiffness")},
+            {"undo_registration", tr("Going back to the former registration")},
             {"propose_landmarks", tr("Proposing the landmarks")},
             {"propose_seeds", tr("Looking for the liver")},
             {"review_proposal", tr("Storing the review of a landmark")},

@@ -40,7 +40,9 @@ void AgainModel::read_other() {
 void AgainModel::start_or_cancel() {
   if (registering_) return engine_.cancel(*registering_);
   if (!is_offered || exchanging_) return;
-  registering_ = engine_.post(engine::RegisterAgain{});
+  engine::RegisterAgain command;
+  command.method = method_;
+  registering_ = engine_.post(command);
   is_running = true;
   say(tr("Registering again; the picture stays until it is better."));
   read_other();

@@ -2,6 +2,7 @@
 #include "glisson/ui/guidance/guidance_panel.h"
 
 #include <QPushButton>
+#include <QShortcut>
 #include <QVBoxLayout>
 
 #include "glisson/engine/parts/registration.h"
@@ -75,6 +76,13 @@ GuidancePanel::GuidancePanel(EngineBridge& engine, DrawableSource& drawables, QW
     if (is) view_->show_picture();
   });
   couplings_.add(correction_.is_correcting, [this](bool is) { live_.show_refuted(is); });
+  couplings_.add(registration_.method, [this](registration::Method method) { again_.set_method(method); });
+  for (QWidget* place : {static_cast<QWidget*>(this), static_cast<QWidget*>(view_.data())}) {
+    auto* undo = new QShortcut(QKeySequence::Undo, place, nullptr, nullptr, Qt::WidgetWithChildrenShortcut);
+    connect(undo, &QShortcut::activated, &registration_, &RegistrationModel::undo);
+    // While the organ is followed the keys take back what hands have set.
+    couplings_.add(registration_.can_undo, [undo](bool can) { undo->setEnabled(can); });
+  }
   couplings_.add(registration_.shown_rival, [this](int) { show_proposed(); });
 }
 

@@ -2,9 +2,11 @@
 #include "glisson/ui/guidance/registration_box.h"
 
 #include <QComboBox>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <array>
 
 #include "box_layout.h"
 #include "glisson/engine/commands/accept_registration.h"
@@ -12,6 +14,7 @@
 #include "glisson/engine/commands/register.h"
 #include "glisson/ui/common/panel.h"
 #include "glisson/ui/common/task_button.h"
+#include "glisson/ui/guidance/rival_pictures.h"
 
 namespace glisson::ui {
 
@@ -23,11 +26,19 @@ RegistrationBox::RegistrationBox(EngineBridge& engine, RegistrationModel& model,
   unchecked->setText(tr("Nobody has checked this model (Model, Quality). The picture says so."));
   unchecked->setObjectName(QStringLiteral("model_unchecked"));
   box->addWidget(unchecked);
+  box->addLayout(make_method_row(model));
   auto* start = new TaskButton(
-      engine, tr("Register"), [] { return engine::Command(engine::Register{}); }, this);
+      engine, tr("Register"),
+      [&model] {
+        engine::Register command;
+        command.method = model.method;
+        return engine::Command(command);
+      },
+      this);
   start->setObjectName(QStringLiteral("register"));
   start->watch(engine::Register{});
   box->addWidget(start);
+  box->addWidget(make_undo(model));
   auto* figures = new FiguresTable(this);
   box->addWidget(figures);
   QLabel* doubts = make_warning(this);
@@ -45,12 +56,56 @@ RegistrationBox::RegistrationBox(EngineBridge& engine, RegistrationModel& model,
   box->addWidget(accept);
 
   box->addWidget(make_rival_rows(engine, model));
-  box->addWidget(make_placing_rows(engine, placing));
+  box->addWidget(make_placing_rows(engine, model, placing));
 
   couplings_.add(model.is_refused, [accept](bool is) { accept->setVisible(is); });
   couplings_.add(model.is_unchecked, [unchecked](bool is) { unchecked->setVisible(is); });
   couplings_.add(model.figures, [figures](const FigureRows& rows) { figures->set_rows(rows); });
   couplings_.add(model.doubts, [doubts](const QString& text) { show_warning(*doubts, text); });
+}
+
+QLayout* RegistrationBox::make_method_row(RegistrationModel& model) {
+  struct Choice {
+    registration::Method method;
+    QString name, what;
+  };
+  const std::array<Choice, 4> choices = {
+      {{registration::Method::automatic, tr("Automatic"),
+        tr("Few forces of tools where they are worth it, else springs; both from the most probable shape")},
+       {registration::Method::forces, tr("Contact forces"),
+        tr("Few forces on the surface, under the elastic law that is most probable")},
+       {registration::Method::springs, tr("Springs"),
+        tr("Springs from the most probable shape to the points")},
+       {registration::Method::paper, tr("As published"),
+        tr("Springs alone, without simulated operations: to compare with")}}};
+  auto* row = new QHBoxLayout;
+  row->addWidget(new QLabel(tr("Shape by"), this));
+  QComboBox* combo = make_narrow_combo(this);
+  combo->setObjectName(QStringLiteral("registration_method"));
+  for (const Choice& choice : choices) {
+    combo->addItem(choice.name, static_cast<int>(choice.method));
+    combo->setItemData(combo->count() - 1, choice.what, Qt::ToolTipRole);
+  }
+  row->addWidget(combo, 1);
+  connect(combo, &QComboBox::activated, this, [&model, combo](int index) {
+    model.method = static_cast<registration::Method>(combo->itemData(index).toInt());
+  });
+  couplings_.add(model.method, [combo](registration::Method method) {
+    combo->setCurrentIndex(combo->findData(static_cast<int>(method)));
+    combo->setToolTip(combo->itemData(combo->currentIndex(), Qt::ToolTipRole).toString());
+  });
+  return row;
+}
+
+QWidget* RegistrationBox::make_undo(RegistrationModel& model) {
+  auto* undo = new QPushButton(tr("Former registration"), this);
+  undo->setObjectName(QStringLiteral("undo_registration"));
+  undo->setToolTip(
+      tr("Back to the registration before this one, and forth again (Ctrl+Z while nothing is "
+         "tracked). It is kept with the case."));
+  connect(undo, &QPushButton::clicked, &model, &RegistrationModel::undo);
+  couplings_.add(model.can_undo, [undo](bool can) { undo->setVisible(can); });
+  return undo;
 }
 
 QWidget* RegistrationBox::make_rival_rows(EngineBridge& engine, RegistrationModel& model) {
@@ -61,6 +116,7 @@ QWidget* RegistrationBox::make_rival_rows(EngineBridge& engine, RegistrationMode
       make_explanation(tr("The organ may be elsewhere. Look at the other places over the picture "
                           "and in 3D before going on."),
                        rows));
+  layout->addWidget(new RivalPictures(engine, model, rows));
   QComboBox* choice = make_narrow_combo(rows);
   choice->setObjectName(QStringLiteral("rival"));
   layout->addWidget(choice);
@@ -89,7 +145,8 @@ QWidget* RegistrationBox::make_rival_rows(EngineBridge& engine, RegistrationMode
   return rows;
 }
 
-QWidget* RegistrationBox::make_placing_rows(EngineBridge& engine, PlacingModel& placing) {
+QWidget* RegistrationBox::make_placing_rows(EngineBridge& engine, RegistrationModel& model,
+                                            PlacingModel& placing) {
   auto* rows = new QWidget(this);
   QVBoxLayout* layout = make_box_layout(rows);
   auto* hold = new QPushButton(rows);
@@ -102,9 +159,10 @@ QWidget* RegistrationBox::make_placing_rows(EngineBridge& engine, PlacingModel& 
   layout->addWidget(how);
   auto* refine = new TaskButton(
       engine, tr("Refine from here"),
-      [&placing]() -> std::optional<engine::Command> {
+      [&model, &placing]() -> std::optional<engine::Command> {
         if (!placing.is_placing) return {};
         engine::Register command;
+        command.method = model.method;
         command.start = engine::Register::Start::near;
         command.given = placing.pose();
         return engine::Command(command);

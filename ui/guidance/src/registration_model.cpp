@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/guidance/registration_model.h"
 
+#include "glisson/engine/commands/undo_registration.h"
 #include "glisson/engine/parts/check.h"
+#include "glisson/engine/parts/former_registration.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/registration/next_look.h"
@@ -23,11 +25,13 @@ RegistrationModel::RegistrationModel(EngineBridge& engine, QObject* parent)
 void RegistrationModel::read_case() {
   const engine::CaseState& now = engine_.state();
   is_unchecked = now[part::model] && !engine::is_model_checked(now);
+  can_undo = engine::has_former_registration(now) && !engine_.snapshot()->tracking;
   const bool is_new = now[part::registration] != source_;
   source_ = now[part::registration];
   if (is_new) shown_rival = -1;
   if (!now[part::registration]) {
     rivals = QStringList();
+    rival_words = QStringList();
     looked_for = QStringList();
     look_words_.clear();
     shown_look = -1;
@@ -58,15 +62,21 @@ void RegistrationModel::read_case() {
 }
 
 void RegistrationModel::read_rivals(const Registration& registration) {
-  QStringList lines;
+  QStringList lines, words;
   for (std::size_t k = 0; k < registration.rivals.size(); ++k) {
     const RegistrationRival& rival = registration.rivals[k];
     const double away = registration::distance_of(rival, registration);
     const QString percent =
         rival.probability < 0.01 ? tr("under 1 %") : tr("%1 %").arg(100.0 * rival.probability, 0, 'f', 0);
     lines << tr("Other place %1: %2, %3 mm away").arg(k + 1).arg(percent).arg(1e3 * away, 0, 'f', 0);
+    words << tr("%1: %2, %3 mm").arg(k + 1).arg(percent).arg(1e3 * away, 0, 'f', 0);
   }
   rivals = lines;
+  rival_words = words;
+}
+
+void RegistrationModel::undo() {
+  if (can_undo) engine_.post(engine::UndoRegistration{});
 }
 
 void RegistrationModel::read_error(const Registration& registration) {

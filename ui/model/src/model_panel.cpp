@@ -19,6 +19,7 @@
 #include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/ui/common/texts.h"
+#include "glisson/ui/model/tissue_box.h"
 #include "glisson/ui/scene/model_surfaces.h"
 
 namespace glisson::ui {
@@ -37,6 +38,7 @@ ModelPanel::ModelPanel(EngineBridge& engine, LinkedViews& views, QWidget* parent
   quality_ = new QualitySheet(engine, views_, this);
   result->addWidget(quality_);
   build_trees();
+  build_tissue();
   build_trial();
   build_look();
   // One hand in the 3D view at a time.
@@ -145,6 +147,22 @@ void ModelPanel::build_trees() {
   content()->addWidget(trees_section_);
 }
 
+void ModelPanel::build_tissue() {
+  tissue_section_ = new QWidget(this);
+  auto* layout = new QVBoxLayout(tissue_section_);
+  layout->setContentsMargins(0, 6, 0, 0);
+  layout->setSpacing(5);
+  auto* heading = new QLabel(tr("Stiffness"), tissue_section_);
+  heading->setProperty("role", "heading");
+  layout->addWidget(heading);
+  layout->addWidget(
+      make_explanation(tr("Young's modulus. Trial, registration and what is simulated for it go by "
+                          "it; a registration made before is out of date then."),
+                       tissue_section_));
+  layout->addWidget(new TissueBox(engine(), tissue_section_));
+  content()->addWidget(tissue_section_);
+}
+
 void ModelPanel::build_trial() {
   trial_section_ = new QWidget(this);
   auto* layout = new QVBoxLayout(trial_section_);
@@ -228,6 +246,7 @@ void ModelPanel::show_case() {
   if (now[part::model] == shown_ && shown_) return;
   shown_ = now[part::model];
   look_->setVisible(shown_ != nullptr);
+  tissue_section_->setVisible(shown_ != nullptr);
   trial_section_->setVisible(shown_ != nullptr);
   if (!shown_) trial_->end();
   trees_section_->setVisible(shown_ && !(shown_->model.vessels.empty() && shown_->tree_edits.empty()));

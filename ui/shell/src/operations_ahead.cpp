@@ -6,6 +6,7 @@
 #include "glisson/engine/commands/simulate_operations.h"
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/tissue.h"
 
 namespace glisson::ui {
 
@@ -26,7 +27,8 @@ void OperationsAhead::begin() {
   const auto& snapshot = engine_.snapshot();
   const bool idle = !running_ && engine_.tasks().empty() && !snapshot->tracking && !snapshot->trial;
   const engine::CaseState& now = snapshot->state;
-  const bool given_up = now[part::model] == given_up_model_ && now[part::landmarks] == given_up_landmarks_;
+  const bool given_up = now[part::model] == given_up_model_ && now[part::landmarks] == given_up_landmarks_ &&
+                        now[part::tissue] == given_up_tissue_;
   if (!idle || given_up || !window_.isWindowModified() || !engine::lacks_operations(now)) return;
   makes_way_ = false;
   posting_ = true;
@@ -49,6 +51,7 @@ void OperationsAhead::take(const engine::Outcome& outcome) {
   if (outcome.status == engine::Status::done || makes_way_) return;
   given_up_model_ = engine_.state()[part::model];
   given_up_landmarks_ = engine_.state()[part::landmarks];
+  given_up_tissue_ = engine_.state()[part::tissue];
 }
 
 }  // namespace glisson::ui

@@ -2,7 +2,7 @@
 #include "glisson/engine/commands/choose_rival.h"
 
 #include "glisson/engine/parts/cloud.h"
-#include "glisson/engine/parts/landmarks.h"
+#include "glisson/engine/parts/former_registration.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/registration/rivals.h"
@@ -11,8 +11,8 @@ namespace glisson::engine {
 
 CommandTraits ChooseRival::traits() const {
   return {.code = "choose_rival",
-          .reads = {part::model, part::landmarks, part::cloud, part::registration},
-          .writes = {part::registration},
+          .reads = inputs_of_former_registration(),
+          .writes = {part::registration, part::former_registration},
           .needs = {part::registration, part::cloud},
           .current = {part::registration},
           .lane = Lane::edits};
@@ -23,6 +23,7 @@ Cancellable<Applied> ChooseRival::apply(const CaseState& state, const RunContext
   Registration chosen = registration::choose_rival(*state[part::registration], rival,
                                                    state[part::model]->model, *state[part::cloud]);
   applied.notes = chosen.doubts;
+  keep_former_registration(applied.state, state);
   applied.state[part::registration] = std::make_shared<const Registration>(std::move(chosen));
   return applied;
 }

@@ -6,11 +6,13 @@
 
 #include "glisson/engine/parts/cloud.h"
 #include "glisson/engine/parts/earlier_looks.h"
+#include "glisson/engine/parts/former_registration.h"
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/operations.h"
 #include "glisson/engine/parts/proposals.h"
 #include "glisson/engine/parts/registration.h"
+#include "glisson/engine/parts/tissue.h"
 #include "glisson/registration/examined_registration.h"
 #include "glisson/registration/next_look.h"
 #include "registration_figures.h"
@@ -18,9 +20,9 @@
 namespace glisson::engine {
 CommandTraits Register::traits() const {
   return {.code = "register",
-          .reads = {part::model, part::landmarks, part::operations, part::proposals, part::cloud,
-                    part::earlier_looks},
-          .writes = {part::operations, part::registration},
+          .reads = {part::model, part::landmarks, part::tissue, part::operations, part::proposals,
+                    part::cloud, part::earlier_looks},
+          .writes = {part::operations, part::registration, part::former_registration},
           .needs = {part::model, part::cloud},
           .current = {part::model, part::landmarks, part::cloud}};
 }
@@ -29,6 +31,7 @@ Cancellable<Applied> Register::apply(const CaseState& state, const RunContext& c
   const registration::KnownOperations known = known_operations(state, context.seed());
   registration::RegisterOptions options = *this;
   options.landmarks_are_placed = state[part::landmarks] != nullptr;
+  if (options.tissue.empty()) options.tissue = tissue_of(state, !options.materials);
   for (const auto& look : looks_to_join(state)) options.looks.push_back(*look);
   const PatientModel model = effective_model(state);
   auto examined = registration::register_and_examine(model, *state[part::cloud], options, context, known);
@@ -41,7 +44,9 @@ Cancellable<Applied> Register::apply(const CaseState& state, const RunContext& c
     applied.notes.push_back(std::move(note));
   if (made->operations && made->operations != known.prior)
     applied.state[part::operations] = std::make_shared<const SimulatedOperations>(SimulatedOperations{
-        state[part::model], state[part::landmarks], operation, context.seed(), std::move(made->operations)});
+        state[part::model], state[part::landmarks], registration::operation_of(options, model),
+        context.seed(), std::move(made->operations)});
+  keep_former_registration(applied.state, state);
   applied.state[part::registration] = std::make_shared<const Registration>(std::move(made->registration));
   return applied;
 }

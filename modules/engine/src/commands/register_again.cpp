@@ -12,6 +12,7 @@
 #include "glisson/engine/parts/other_registration.h"
 #include "glisson/engine/parts/proposals.h"
 #include "glisson/engine/parts/registration.h"
+#include "glisson/engine/parts/tissue.h"
 #include "glisson/registration/register_again.h"
 #include "registration_figures.h"
 
@@ -23,6 +24,7 @@ Cancellable<registration::RegisteredAgain> registered(const CaseState& state,
                                                       registration::RegisterOptions options,
                                                       const RunContext& context) {
   options.landmarks_are_placed = state[part::landmarks] != nullptr;
+  if (options.tissue.empty()) options.tissue = tissue_of(state, !options.materials);
   const LabelledCloud none;
   return registration::register_again(effective_model(state), state[part::cloud] ? *state[part::cloud] : none,
                                       tissue, *state[part::registration], options, context,
@@ -43,8 +45,8 @@ Figures figures_of(const registration::RegisteredAgain& again) {
 
 CommandTraits RegisterAgain::traits() const {
   return {.code = "register_again",
-          .reads = {part::model, part::landmarks, part::operations, part::proposals, part::cloud,
-                    part::registration, part::live},
+          .reads = {part::model, part::landmarks, part::tissue, part::operations, part::proposals,
+                    part::cloud, part::registration, part::live},
           .writes = {part::other_registration},
           .needs = {part::registration, part::model, part::live},
           .current = {part::model, part::landmarks, part::registration}};

@@ -7,20 +7,22 @@
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/engine/parts/rig.h"
+#include "glisson/engine/parts/tissue.h"
 #include "glisson/engine/parts/video.h"
 
 namespace glisson::engine {
 
 CommandTraits StartTracking::traits() const {
-  CommandTraits traits{.code = "start_tracking",
-                       .reads = {part::model, part::landmarks, part::rig, part::frame, part::registration},
-                       .writes = {part::live},
-                       .needs = {part::registration, part::model},
-                       .current = {part::registration},
-                       .accepted = {part::registration},
-                       .lane = Lane::edits,
-                       .notice = Notice::quiet,
-                       .live = LiveLane::tracking};
+  CommandTraits traits{
+      .code = "start_tracking",
+      .reads = {part::model, part::landmarks, part::tissue, part::rig, part::frame, part::registration},
+      .writes = {part::live},
+      .needs = {part::registration, part::model},
+      .current = {part::registration},
+      .accepted = {part::registration},
+      .lane = Lane::edits,
+      .notice = Notice::quiet,
+      .live = LiveLane::tracking};
   if (source != Source::clouds) traits.needs.insert(traits.needs.end(), {part::rig, part::frame});
   if (source == Source::video) traits.needs.push_back(part::video);
   return traits;

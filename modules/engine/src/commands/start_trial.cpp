@@ -3,12 +3,13 @@
 
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/tissue.h"
 
 namespace glisson::engine {
 
 CommandTraits StartTrial::traits() const {
   return {.code = "start_trial",
-          .reads = {part::model, part::landmarks},
+          .reads = {part::model, part::landmarks, part::tissue},
           .needs = {part::model},
           .lane = Lane::edits,
           .live = LiveLane::trial};

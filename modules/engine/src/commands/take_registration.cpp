@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "changed_live.h"
+#include "glisson/engine/parts/former_registration.h"
 #include "glisson/engine/parts/other_registration.h"
 #include "glisson/engine/parts/registration.h"
 
@@ -12,8 +13,8 @@ namespace glisson::engine {
 CommandTraits TakeRegistration::traits() const {
   const Parts parts = {part::registration, part::other_registration, part::live};
   return {.code = "take_registration",
-          .reads = parts,
-          .writes = parts,
+          .reads = parts | inputs_of_former_registration(),
+          .writes = parts | Parts{part::former_registration},
           .needs = {part::live, part::other_registration},
           .current = {part::live, part::other_registration},
           .lane = Lane::edits,
@@ -26,6 +27,7 @@ Cancellable<Applied> TakeRegistration::apply(const CaseState& state, const RunCo
   OtherRegistration former = *state[part::other_registration];
   auto taken = std::make_shared<const Registration>(std::move(former.registration));
   Applied applied = with_live(state, follower.take(*taken), follower);
+  keep_former_registration(applied.state, state);
   former.registration = *state[part::registration];
   former.is_former = !former.is_former;
   applied.notes = taken->doubts;

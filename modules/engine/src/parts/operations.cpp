@@ -8,7 +8,9 @@
 #include "glisson/core/error.h"
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/tissue.h"
 #include "glisson/geometry/mesh_io.h"
+#include "glisson/patient/label_map.h"
 #include "ranged.h"
 
 namespace glisson::engine {
@@ -46,6 +48,27 @@ fem::NodalColumns by_mode(const Eigen::MatrixXd& rows) {
   return modes;
 }
 
+json lesions_of(const registration::OperationOptions& options) {
+  json lesions = json::object();
+  for (const auto& [label, modulus] : options.lesions) lesions[structure_name(label)] = modulus;
+  return lesions;
+}
+
+/// Cases of before say nothing of stiffness: all was healthy parenchyma.
+void read_stiffness(registration::OperationOptions& options, const json& entry, const CaseFolder& folder) {
+  if (entry.contains("young_modulus"))
+    options.young_modulus = ranged<double>(folder.path, entry, "young_modulus", 1.0, 1e9);
+  if (!entry.contains("lesions")) return;
+  const json& lesions = entry.at("lesions");
+  for (const auto& [name, modulus] : lesions.items()) {
+    const auto label = structure_named(name);
+    if (!label)
+      throw InputError((folder.path / "case.json").string(), "operations, lesions", "names " + name,
+                       "Restore the case from a copy");
+    options.lesions[*label] = ranged<double>(folder.path, lesions, name.c_str(), 1.0, 1e9);
+  }
+}
+
 json save(const CaseState& state, const CaseFolder& folder) {
   const SimulatedOperations& known = *state[part::operations];
   TetFile file;
@@ -54,7 +77,9 @@ json save(const CaseState& state, const CaseFolder& folder) {
   write_tet_mesh(folder.path / kFile, file, LengthUnit::millimetre);
   json entry{{"seed", known.seed},
              {"simulated", known.prior->operations},
-             {"motion_mean_mm", 1e3 * known.prior->mean_motion}};
+             {"motion_mean_mm", 1e3 * known.prior->mean_motion},
+             {"young_modulus", known.options.young_modulus},
+             {"lesions", lesions_of(known.options)}};
   each_option(known.options,
               [&](const char* name, const auto& value, double, double) { entry[name] = value; });
   return entry;
@@ -72,6 +97,7 @@ std::shared_ptr<const SimulatedOperations> read(const CaseState& state, const js
   each_option(known->options, [&](const char* name, auto& value, double least, double most) {
     value = ranged<std::remove_reference_t<decltype(value)>>(folder.path, entry, name, least, most);
   });
+  read_stiffness(known->options, entry, folder);
   known->seed = ranged<std::uint64_t>(folder.path, entry, "seed", 0.0, 1.8e19);
   TetFile file = read_tet_file(path, LengthUnit::millimetre);
   const Eigen::MatrixXd& rows = file.point_data[kModes];
@@ -97,7 +123,7 @@ bool same(const CaseState& written, const CaseState& read) {
 
 const PartOf<SimulatedOperations> part::operations{
     {.code = "operations",
-     .made_of = {part::model, part::landmarks},
+     .made_of = {part::model, part::landmarks, part::tissue},
      .remedy = "Simulate operations first",
      .files = {kFile},
      .save = save,
@@ -113,7 +139,19 @@ const PartOf<SimulatedOperations> part::operations{
 
 bool has_operations(const CaseState& state) {
   const auto& known = state[part::operations];
-  return known && known->model == state[part::model] && known->landmarks == state[part::landmarks];
+  return known && known->model == state[part::model] && known->landmarks == state[part::landmarks] &&
+         known->options == with_tissue_of(state, known->options);
+}
+
+registration::OperationOptions with_tissue_of(const CaseState& state,
+                                              registration::OperationOptions options) {
+  registration::RegisterOptions said;
+  said.tissue = tissue_of(state);
+  const registration::OperationOptions plain;
+  options.young_modulus = plain.young_modulus;
+  options.lesions = plain.lesions;
+  said.operation = std::move(options);
+  return registration::operation_of(said, state[part::model]->model);
 }
 
 registration::KnownOperations known_operations(const CaseState& state, std::uint64_t seed) {

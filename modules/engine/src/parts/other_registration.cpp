@@ -5,12 +5,13 @@
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/registration.h"
+#include "glisson/engine/parts/tissue.h"
 
 namespace glisson::engine {
 
 const PartOf<OtherRegistration> part::other_registration{
     {.code = "other_registration",
-     .made_of = {part::model, part::landmarks, part::cloud, part::registration},
+     .made_of = {part::model, part::landmarks, part::tissue, part::cloud, part::registration},
      .remedy = "Register again while the organ is followed",
      .is_input = false}};
 

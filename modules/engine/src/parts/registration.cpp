@@ -4,44 +4,26 @@
 #include <nlohmann/json.hpp>
 
 #include "case_files.h"
-#include "glisson/core/error.h"
-#include "glisson/engine/case_io.h"
 #include "glisson/engine/parts/cloud.h"
 #include "glisson/engine/parts/earlier_looks.h"
 #include "glisson/engine/parts/landmarks.h"
 #include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/tissue.h"
 #include "glisson/registration/refusal.h"
+#include "registration_entry.h"
 
 namespace glisson::engine {
 namespace {
 using nlohmann::json;
 
-constexpr LengthUnit kUnit = LengthUnit::millimetre;
+constexpr const char* kFile = "registration.vtu";
 
 json save(const CaseState& state, const CaseFolder& folder) {
-  const Registration& registration = *state[part::registration];
-  write_registration(folder.path / "registration.vtu", state[part::model]->model, registration, kUnit);
-  return {{"termination", static_cast<int>(registration.termination)},
-          {"plateaus", registration.plateaus},
-          {"steps", registration.steps},
-          {"residual_mm", 1e3 * registration.residual},
-          {"seen_share", registration.seen_share},
-          {"doubts", registration.doubts}};
+  return write_registration_entry(folder, kFile, *state[part::model], *state[part::registration]);
 }
 
 void load(CaseState& state, const json& entry, const CaseFolder& folder) {
-  if (!state[part::model])
-    throw InputError((folder.path / "case.json").string(), "registration",
-                     "there is no model that it belongs to", "Restore the case from a copy");
-  Registration registration =
-      read_registration(folder.path / "registration.vtu", state[part::model]->model, kUnit);
-  registration.termination = static_cast<Termination>(entry.at("termination").get<int>());
-  registration.plateaus = entry.at("plateaus");
-  registration.steps = entry.at("steps");
-  registration.residual = 1e-3 * entry.at("residual_mm").get<double>();
-  registration.seen_share = entry.value("seen_share", 0.0);  // cases of before have none
-  registration.doubts = entry.at("doubts").get<std::vector<std::string>>();
-  state[part::registration] = std::make_shared<const Registration>(std::move(registration));
+  state[part::registration] = read_registration_entry(folder, kFile, entry, state[part::model].get());
 }
 
 /// One of a former model has other nodes, is of no use any more, and is not written.
@@ -61,9 +43,9 @@ bool same(const CaseState& written, const CaseState& read) {
 
 const PartOf<Registration> part::registration{
     {.code = "registration",
-     .made_of = {part::model, part::landmarks, part::cloud, part::earlier_looks},
+     .made_of = {part::model, part::landmarks, part::tissue, part::cloud, part::earlier_looks},
      .remedy = "Register the model first",
-     .files = {"registration.vtu"},
+     .files = {kFile},
      .save = save,
      .load = load,
      .same = same,

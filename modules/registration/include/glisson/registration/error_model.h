@@ -35,8 +35,9 @@ struct ErrorModelOptions {
   double information = 0.2;
   /// Motion of a node, rms, m, by unforeseen forces beyond those that the prior knows (OperationOptions).
   double unforeseen = kUnforeseenMotion;
-  std::vector<int> fixed_nodes;  ///< known to stay
-  bool pose_known = false;       ///< the model needs no turning and shifting
+  std::vector<int> fixed_nodes;   ///< known to stay
+  std::vector<double> stiffness;  ///< of each tetrahedron over the parenchyma's; empty: all 1
+  bool pose_known = false;        ///< the model needs no turning and shifting
   /// @throws InputError naming the option.
   void validate() const;
 };

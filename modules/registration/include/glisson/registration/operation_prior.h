@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <map>
 
 #include "glisson/core/run_context.h"
 #include "glisson/fem/elastic_body.h"
@@ -31,6 +32,8 @@ struct OperationOptions {
   double ligament_m = 0.007;    ///< by which the abdominal wall takes the falciform ligament along
   double contact_spread = 0.5;  ///< of the logarithm of the stiffness of bed, diaphragm and ligament
   double unforeseen_m = kUnforeseenMotion;  ///< 0: there are none
+  double young_modulus = 3500.0;            ///< Pa, of the parenchyma
+  std::map<Label, double> lesions;          ///< Young's modulus of each, Pa; missing ones are parenchyma
   int threads = 2;                          ///< 1 or 2: the same bits
   /// @throws InputError naming the option.
   void validate() const;
@@ -53,16 +56,18 @@ struct OperationPrior {
 };
 
 /// Where operations cannot be simulated: unforeseen forces alone, which move a node by 8 mm (rms).
+/// @param options of which the moduli are taken.
 /// Cancelled: without modes.
-OperationPrior unknown_operations(const PatientModel& model, const RunContext& context = {});
+OperationPrior unknown_operations(const PatientModel& model, const OperationOptions& options = {},
+                                  const RunContext& context = {});
 
 /// Whether the model holds what operations are simulated with: its vena cava must be known.
 bool can_simulate_operations(const PatientModel& model);
 
-/// Simulates operations: the organ, homogeneous and co-rotational (vessels and capsule would cost ten times
-/// as much and change a distribution of loads by little), is held at the vena cava, rests on the bed behind
-/// and under the diaphragm, is tied to the wall by the falciform ligament where the notch is known; gravity
-/// turns, gas presses, the bed gives way as a polynomial of second order, the wall lifts. The
+/// Simulates operations: the organ, its parenchyma and lesions, co-rotational (vessels and capsule would cost
+/// ten times as much and change a distribution of loads by little), is held at the vena cava, rests on the
+/// bed behind and under the diaphragm, is tied to the wall by the falciform ligament where the notch is
+/// known; gravity turns, gas presses, the bed gives way as a polynomial of second order, the wall lifts. The
 /// same seed gives the same bits. Seconds for 2,000 tetrahedra.
 /// @throws InputError options, no vena cava; NumericalError when fewer than 30 operations have an
 /// equilibrium.

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "glisson/core/run_context.h"
+#include "glisson/fem/tissue.h"
 #include "glisson/geometry/distance.h"
 #include "glisson/patient/labelled_cloud.h"
 #include "glisson/patient/patient_model.h"
@@ -50,6 +51,9 @@ struct RegisterOptions {
   std::vector<LabelledCloud> looks;
   /// What the liver is made of, for springs and forces. Empty: as options_for() takes this model.
   std::optional<fem::CompositeOptions> materials;
+  /// What is said of this patient's parenchyma and lesions, over `materials`; holds for operations,
+  /// unforeseen forces and the error model, too.
+  fem::Tissue tissue;
   std::vector<int> fixed_nodes;  ///< stay where the start puts them, in springs and forces
   /// A person has placed or accepted the model's landmarks; false: they were only detected, which says
   /// nothing of the material of a bare mesh.
@@ -71,6 +75,10 @@ struct RegisterOptions {
 /// What the springs work with on a model: `options.elastic` or what the model decides, with the materials and
 /// fixed nodes of `options` in it.
 ElasticOptions elastic_of(const RegisterOptions& options, const PatientModel& model);
+
+/// What operations are simulated with: `options.operation`, and where something is said of materials or
+/// tissue the moduli of these.
+OperationOptions operation_of(const RegisterOptions& options, const PatientModel& model);
 
 /// Operations that are simulated already.
 struct KnownOperations {

@@ -7,7 +7,7 @@
 namespace glisson::engine {
 
 /// Brings the model to the cloud (see registration::register_and_examine). Whether
-/// landmarks are placed the case says.
+/// landmarks are placed the case says, and how stiff the tissue is where the command says nothing of it.
 struct Register : registration::RegisterOptions {
   CommandTraits traits() const;
   Cancellable<Applied> apply(const CaseState& state, const RunContext& context) const;

@@ -7,7 +7,8 @@
 namespace glisson::engine {
 
 /// Simulates operations on the case's model ahead of its registration, which then rests on them
-/// (registration::simulate_operations). Where they are there already nothing changes.
+/// (registration::simulate_operations), with the stiffness that the case's tissue has been given. Where they
+/// are there already nothing changes.
 struct SimulateOperations : registration::OperationOptions {
   CommandTraits traits() const;
   Cancellable<Applied> apply(const CaseState& state, const RunContext& context) const;

@@ -27,7 +27,8 @@ struct StartTracking {
   /// Materials, and of `cloud` final stiffening and tangential share, are those of the model
   /// (registration::options_for), whatever is said here.
   guidance::TrackerOptions options;
-  /// What the liver is made of; empty: as in a registration the model decides.
+  /// What the liver is made of; empty: as in a registration the model decides. What the case says
+  /// of the lesions holds over it.
   std::optional<fem::CompositeOptions> materials;
   MaskChoice mask;           ///< of frames
   int steps_per_cloud = 50;  ///< implicit Euler steps towards each cloud

@@ -26,6 +26,8 @@ extern const PartOf<SimulatedOperations> operations;
 
 /// Whether there are some, of the model and the landmarks as they are now.
 bool has_operations(const CaseState& state);
+/// `options` with the stiffness that the case's tissue has been given; without any as they are.
+registration::OperationOptions with_tissue_of(const CaseState& state, registration::OperationOptions options);
 /// Those of the model and the landmarks as they are now, of this seed; none: a null prior.
 registration::KnownOperations known_operations(const CaseState& state, std::uint64_t seed);
 

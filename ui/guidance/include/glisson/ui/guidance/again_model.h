@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "glisson/engine/parts/other_registration.h"
+#include "glisson/registration/register_model.h"
 #include "glisson/ui/common/couplings.h"
 #include "glisson/ui/common/engine_bridge.h"
 #include "glisson/ui/guidance/playback_model.h"
@@ -22,6 +23,8 @@ class AgainModel : public QObject {
   /// Both outlive this.
   AgainModel(EngineBridge& engine, PlaybackModel& playback, QObject* parent = nullptr);
 
+  /// How the shape is found from now on.
+  void set_method(registration::Method method) { method_ = method; }
   /// Begins, or cancels what is on its way.
   void start_or_cancel();
   /// The registration that is offered and the present one change places.
@@ -51,6 +54,7 @@ class AgainModel : public QObject {
   Couplings couplings_;
   std::optional<engine::CommandId> registering_, exchanging_;
   std::vector<std::string> record_;
+  registration::Method method_ = registration::Method::automatic;
 };
 
 }  // namespace glisson::ui

@@ -19,8 +19,10 @@ class RegistrationBox : public QWidget {
                   QWidget* parent = nullptr);
 
  private:
+  QLayout* make_method_row(RegistrationModel& model);
+  QWidget* make_undo(RegistrationModel& model);
   QWidget* make_rival_rows(EngineBridge& engine, RegistrationModel& model);
-  QWidget* make_placing_rows(EngineBridge& engine, PlacingModel& placing);
+  QWidget* make_placing_rows(EngineBridge& engine, RegistrationModel& model, PlacingModel& placing);
 
   Couplings couplings_;
 };

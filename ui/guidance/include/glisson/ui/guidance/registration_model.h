@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "glisson/patient/registration.h"
+#include "glisson/registration/register_model.h"
 #include "glisson/ui/common/couplings.h"
 #include "glisson/ui/common/engine_bridge.h"
 #include "glisson/ui/common/figures_table.h"
@@ -25,11 +26,17 @@ class RegistrationModel : public QObject {
   QProperty<bool> is_refused;     ///< and nobody has accepted it
   QProperty<QString>
       error_words;  ///< whether it holds, and what is expected of its error; empty: there is none
-  QProperty<QStringList> rivals;      ///< other places where the organ may be, a line each
+  QProperty<QStringList> rivals;       ///< other places where the organ may be, a line each
+  QProperty<QStringList> rival_words;  ///< the same, a few words each, for below a picture
+  QProperty<bool> can_undo{false};     ///< the registration before this one can be had back
+  /// How the shape is found when somebody registers.
+  QProperty<registration::Method> method{registration::Method::automatic};
   QProperty<int> shown_rival{-1};     ///< the one that is compared with the registration; -1: none
   QProperty<QStringList> looked_for;  ///< lesions that one more look may tell of, by name
   QProperty<int> shown_look{-1};      ///< of Registration::looks, the one that the colours show; -1: none
 
+  /// The former registration changes places with the present one.
+  void undo();
   /// The nodes of the one that is compared; null: none.
   const Points* rival_nodes() const;
 

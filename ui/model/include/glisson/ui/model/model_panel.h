@@ -28,6 +28,7 @@ class ModelPanel : public Panel {
  private:
   void build_options();
   void build_trees();
+  void build_tissue();
   void build_trial();
   void build_look();
   void show_case();
@@ -46,6 +47,7 @@ class ModelPanel : public Panel {
   QualitySheet* quality_ = nullptr;
   QWidget* trees_section_ = nullptr;
   TreeEditor* trees_ = nullptr;
+  QWidget* tissue_section_ = nullptr;
   QWidget* trial_section_ = nullptr;
   LoadTrialBox* trial_ = nullptr;
   QWidget* look_ = nullptr;

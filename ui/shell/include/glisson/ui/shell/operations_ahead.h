@@ -15,8 +15,8 @@ namespace glisson::ui {
 
 /// Simulates operations on a new model while nobody waits for anything, so that its registration need not.
 /// Other work comes first: it ends the simulation, which begins again once the program is idle. What a person
-/// cancels or what fails is left alone until model or landmarks are others. A case that was opened and not
-/// touched stays untouched.
+/// cancels or what fails is left alone until model, landmarks or tissue are others. A case that was opened
+/// and not touched stays untouched.
 class OperationsAhead : public QObject {
   Q_OBJECT
  public:
@@ -40,6 +40,7 @@ class OperationsAhead : public QObject {
   /// What they were not to be, or could not be, simulated on.
   std::shared_ptr<const model::BuiltModel> given_up_model_;
   std::shared_ptr<const Landmarks> given_up_landmarks_;
+  std::shared_ptr<const fem::Tissue> given_up_tissue_;
 };
 
 }  // namespace glisson::ui

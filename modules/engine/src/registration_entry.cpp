@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "registration_entry.h"
+
+#include <nlohmann/json.hpp>
+
+#include "glisson/core/error.h"
+#include "glisson/engine/case_io.h"
+
+namespace glisson::engine {
+namespace {
+using nlohmann::json;
+
+constexpr LengthUnit kUnit = LengthUnit::millimetre;
+
+}  // namespace
+
+json write_registration_entry(const CaseFolder& folder, const char* file, const model::BuiltModel& built,
+                              const Registration& registration) {
+  write_registration(folder.path / file, built.model, registration, kUnit);
+  return {{"termination", static_cast<int>(registration.termination)},
+          {"plateaus", registration.plateaus},
+          {"steps", registration.steps},
+          {"residual_mm", 1e3 * registration.residual},
+          {"seen_share", registration.seen_share},
+          {"doubts", registration.doubts}};
+}
+
+std::shared_ptr<const Registration> read_registration_entry(const CaseFolder& folder, const char* file,
+                                                            const json& entry,
+                                                            const model::BuiltModel* built) {
+  if (built == nullptr)
+    throw InputError((folder.path / "case.json").string(), "registration",
+                     "there is no model that it belongs to", "Restore the case from a copy");
+  Registration registration = read_registration(folder.path / file, built->model, kUnit);
+  registration.termination = static_cast<Termination>(entry.at("termination").get<int>());
+  registration.plateaus = entry.at("plateaus");
+  registration.steps = entry.at("steps");
+  registration.residual = 1e-3 * entry.at("residual_mm").get<double>();
+  registration.seen_share = entry.value("seen_share", 0.0);  // cases of before have none
+  registration.doubts = entry.at("doubts").get<std::vector<std::string>>();
+  return std::make_shared<const Registration>(std::move(registration));
+}
+
+}  // namespace glisson::engine

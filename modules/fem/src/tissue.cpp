@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glisson/fem/tissue.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <set>
+
+#include "glisson/core/error.h"
+#include "glisson/fem/materials.h"
+#include "glisson/patient/label_map.h"
+
+namespace glisson::fem {
+namespace {
+
+using Kind = Stiffness::Kind;
+
+constexpr const char* kParenchyma = "parenchyma";
+constexpr const char* kOthers = "lesions";
+constexpr std::array<std::pair<const char*, Kind>, 3> kWords = {
+    {{"as_liver", Kind::as_liver}, {"soft", Kind::soft}, {"stiff", Kind::stiff}}};
+
+/// The shortest text that is read back as the same number.
+std::string text_of(double value) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  return {text.data(), end};
+}
+
+[[noreturn]] void refuse(const std::string& name, const std::string& value, const std::string& words) {
+  throw InputError("stiffness", name, "is \"" + value + "\"",
+                   "Give Young's modulus in kPa, from " + text_of(1e-3 * kSoftestTissue) + " to " +
+                       text_of(1e-3 * kStiffestTissue) + ", or " + words);
+}
+
+/// Pa; empty: no such number.
+std::optional<double> modulus_from(std::string_view text) {
+  double kilopascals = 0.0;
+  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), kilopascals);
+  if (failure != std::errc() || end != text.data() + text.size()) return {};
+  const double pascals = 1e3 * kilopascals;
+  if (!(pascals >= kSoftestTissue && pascals <= kStiffestTissue)) return {};
+  return pascals;
+}
+
+double parenchyma_from(const std::string& value) {
+  if (value == "healthy" || value == "cirrhotic") return composite_preset(value).parenchyma.young_modulus;
+  const auto modulus = modulus_from(value);
+  if (!modulus) refuse(kParenchyma, value, "healthy or cirrhotic");
+  return *modulus;
+}
+
+Stiffness stiffness_from(const std::string& name, const std::string& value) {
+  for (const auto& [word, kind] : kWords)
+    if (value == word) return {kind, 0.0};
+  const auto modulus = modulus_from(value);
+  if (!modulus) refuse(name, value, "soft, as_liver or stiff");
+  return {Kind::given, *modulus};
+}
+
+std::string word_of(const Stiffness& stiffness) {
+  for (const auto& [word, kind] : kWords)
+    if (stiffness.kind == kind) return word;
+  return text_of(1e-3 * stiffness.young_modulus);
+}
+
+void check(double modulus, const std::string& name) {
+  if (!(modulus >= kSoftestTissue && modulus <= kStiffestTissue))
+    refuse(name, text_of(1e-3 * modulus), "none at all");
+}
+
+std::set<Label> lesions_of(const TetMesh& mesh) {
+  std::set<Label> lesions;
+  for (const int label : mesh.labels)
+    if (is_lesion(static_cast<Label>(label))) lesions.insert(static_cast<Label>(label));
+  return lesions;
+}
+
+}  // namespace
+
+double Stiffness::in(double parenchyma) const {
+  switch (kind) {
+    case Kind::as_liver:
+      return parenchyma;
+    case Kind::soft:
+      return kSoft * parenchyma;
+    case Kind::stiff:
+      return kStiff * parenchyma;
+    case Kind::given:
+      break;
+  }
+  return young_modulus;
+}
+
+bool Tissue::empty() const {
+  return !parenchyma && others.value_or(Stiffness()) == Stiffness() &&
+         std::all_of(lesions.begin(), lesions.end(),
+                     [](const auto& one) { return one.second == Stiffness(); });
+}
+
+Stiffness Tissue::of(Label lesion) const {
+  const auto found = lesions.find(lesion);
+  return found == lesions.end() ? others.value_or(Stiffness()) : found->second;
+}
+
+void Tissue::validate() const {
+  if (parenchyma) check(*parenchyma, kParenchyma);
+  if (others && others->kind == Kind::given) check(others->young_modulus, kOthers);
+  for (const auto& [label, stiffness] : lesions) {
+    if (!is_lesion(label))
+      throw InputError("stiffness", structure_name(label), "is no lesion", "Name lesion_1, lesion_2, ...");
+    if (stiffness.kind == Kind::given) check(stiffness.young_modulus, structure_name(label));
+  }
+}
+
+Tissue tissue_from(std::string_view list) {
+  Tissue tissue;
+  std::set<std::string> named;
+  while (!list.empty()) {
+    const std::size_t comma = std::min(list.find(','), list.size());
+    const std::string_view entry = list.substr(0, comma);
+    list.remove_prefix(std::min(comma + 1, list.size()));
+    const std::size_t sign = entry.find('=');
+    const std::string name(entry.substr(0, sign));
+    if (sign == std::string_view::npos)
+      throw InputError("stiffness", name, "has no value", "Write NAME=KPA, as in lesion_1=20,lesions=12");
+    const std::string value(entry.substr(sign + 1));
+    if (!named.insert(name).second) throw InputError("stiffness", name, "is given twice", "Give it once");
+    const auto label = structure_named(name);
+    if (name == kParenchyma)
+      tissue.parenchyma = parenchyma_from(value);
+    else if (name == kOthers)
+      tissue.others = stiffness_from(name, value);
+    else if (label && is_lesion(*label))
+      tissue.lesions[*label] = stiffness_from(name, value);
+    else
+      throw InputError("stiffness", name, "is no tissue of which stiffness can be said",
+                       "Name parenchyma, lesions, or lesion_1, lesion_2, ...");
+  }
+  return tissue;
+}
+
+std::string tissue_list(const Tissue& tissue) {
+  std::string list;
+  const auto add = [&](const std::string& name, const std::string& value) {
+    list += (list.empty() ? "" : ",") + name + "=" + value;
+  };
+  if (tissue.parenchyma) add(kParenchyma, text_of(1e-3 * *tissue.parenchyma));
+  for (const auto& [label, stiffness] : tissue.lesions) add(structure_name(label), word_of(stiffness));
+  if (tissue.others) add(kOthers, word_of(*tissue.others));
+  return list;
+}
+
+Tissue said_over(Tissue former, const Tissue& now) {
+  if (now.parenchyma) former.parenchyma = now.parenchyma;
+  if (now.others) {
+    former.others = now.others;
+    former.lesions.clear();
+  }
+  for (const auto& [label, stiffness] : now.lesions) former.lesions[label] = stiffness;
+  return former;
+}
+
+void require_lesions_of(const Tissue& tissue, const PatientModel& model) {
+  std::string known;
+  std::set<Label> there;
+  for (const auto& [label, centre] : lesion_centres(model)) {
+    known += (known.empty() ? "" : ", ") + structure_name(label);
+    there.insert(label);
+  }
+  const std::string remedy =
+      known.empty() ? "This model has none: give the parenchyma's alone" : "Take of " + known;
+  for (const auto& [label, stiffness] : tissue.lesions)
+    if (!there.contains(label))
+      throw InputError("stiffness", structure_name(label), "is no lesion of this model", remedy);
+  if (there.empty() && tissue.others)
+    throw InputError("stiffness", kOthers, "are none in this model", remedy);
+}
+
+std::vector<Label> lesions_without_elements(const Tissue& tissue, const PatientModel& model) {
+  const std::set<Label> meshed = lesions_of(model.mesh);
+  std::vector<Label> without;
+  for (const auto& [label, centre] : lesion_centres(model))
+    if (!meshed.contains(label) && tissue.of(label) != Stiffness()) without.push_back(label);
+  return without;
+}
+
+CompositeOptions with_tissue(CompositeOptions materials, const Tissue& tissue, const TetMesh& mesh) {
+  if (tissue.empty()) return materials;
+  tissue.validate();
+  if (tissue.parenchyma) materials.parenchyma.young_modulus = *tissue.parenchyma;
+  for (const Label lesion : lesions_of(mesh))
+    if (const Stiffness said = tissue.of(lesion); said != Stiffness())
+      materials.by_label[lesion] = {said.in(materials.parenchyma.young_modulus),
+                                    materials.parenchyma.poisson_ratio};
+  return materials;
+}
+
+std::vector<double> stiffness_over_parenchyma(const TetMesh& mesh, const CompositeOptions& materials) {
+  std::vector<double> stiffness;
+  stiffness.reserve(mesh.labels.size());
+  for (const int label : mesh.labels) {
+    const auto found = materials.by_label.find(static_cast<Label>(label));
+    stiffness.push_back(found == materials.by_label.end()
+                            ? 1.0
+                            : found->second.young_modulus / materials.parenchyma.young_modulus);
+  }
+  return stiffness;
+}
+
+}  // namespace glisson::fem
