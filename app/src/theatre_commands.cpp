@@ -360,6 +360,7 @@ int run_register(const QStringList& given) {
            experiments::motion_figures(model, registration.camera_from_ct.apply(model.mesh.vertices), truth));
   }
   const bool refused = registration::is_refused(registration);
+  session.texts["registration_ended"] = registration::ending_code(registration);
   if (!refused) write_deformed(out, argument, session, registration);
   if (!report.empty()) {
     std::vector<std::string> doubts;

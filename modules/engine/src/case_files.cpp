@@ -12,9 +12,11 @@
 #include <vtkXMLPolyDataWriter.h>
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <utility>
 
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
@@ -248,7 +250,9 @@ void write_landmarks(const fs::path& path, const Landmarks& landmarks) {
 namespace {
 
 const std::string kDoubt = "doubt_";
-const std::string kCovariance = "_covariance_mm2";  ///< behind a lesion's name
+const std::string kTermination = "termination_";    ///< before its code
+const std::string kCovariance = "_covariance_mm2";  ///< behind a lesion's or a fork's name
+const std::string kFork = "_centre_radius_mm";      ///< behind a fork's name
 
 Eigen::MatrixXd number(double value) { return Eigen::MatrixXd::Constant(1, 1, value); }
 
@@ -258,6 +262,7 @@ void write_report(const Registration& registration, NamedArrays& fields) {
   fields["residual_mm"] = number(1e3 * registration.residual);
   fields["seen_share"] = number(registration.seen_share);
   fields["converged"] = number(registration.termination == Termination::converged ? 1.0 : 0.0);
+  fields[kTermination + termination_code(registration.termination)] = number(1.0);
   for (const std::string& doubt : registration.doubts) {
     std::istringstream words(doubt);
     std::string code;
@@ -270,6 +275,12 @@ void write_report(const Registration& registration, NamedArrays& fields) {
   }
   for (const LesionSpread& spread : registration.lesions)
     fields[structure_name(spread.lesion) + kCovariance] = 1e6 * spread.covariance;
+  for (const ForkSpread& fork : registration.forks) {
+    fields[fork_name(fork) + kCovariance] = 1e6 * fork.covariance;
+    Eigen::RowVector4d place;
+    place << 1e3 * fork.centre.transpose(), 1e3 * fork.radius;
+    fields[fork_name(fork) + kFork] = place;
+  }
 }
 
 /// @throws InputError it is no covariance.
@@ -297,15 +308,38 @@ std::vector<LesionSpread> read_spreads(const fs::path& path, const NamedArrays& 
   return spreads;
 }
 
-const std::string kExpected = "expected_error_mm", kForce = "force_n_per_kpa", kRival = "rival_",
-                  kDisplacement = "_displacement_mm", kProbability = "_probability",
-                  kSeen = "_expected_error_after_look_mm",
+/// In the order of tree and size. @throws InputError covariance or place is none.
+std::vector<ForkSpread> read_forks(const fs::path& path, const NamedArrays& fields) {
+  std::vector<ForkSpread> forks;
+  for (const auto& [name, array] : fields) {
+    if (!name.ends_with(kFork)) continue;
+    const std::string fork = name.substr(0, name.size() - kFork.size());
+    const auto named = fork_named(fork);
+    const auto covariance = fields.find(fork + kCovariance);
+    if (!named || covariance == fields.end()) continue;
+    if (array.size() != 4 || !array.allFinite())
+      throw InputError(path.string(), name, "is not a place and a radius",
+                       "Write it as 'glisson register' does, or leave it out");
+    const auto values = array.reshaped();
+    forks.push_back({named->first, named->second, 1e-3 * values[3], 1e-3 * values.head<3>(),
+                     covariance_of(path, covariance->first, covariance->second)});
+  }
+  std::sort(forks.begin(), forks.end(), [](const ForkSpread& a, const ForkSpread& b) {
+    return std::pair(a.tree, a.order) < std::pair(b.tree, b.order);
+  });
+  return forks;
+}
+
+const std::string kExpected = "expected_error_mm", kNodeCovariance = "covariance_mm2",
+                  kForce = "force_n_per_kpa", kRival = "rival_", kDisplacement = "_displacement_mm",
+                  kProbability = "_probability", kSeen = "_expected_error_after_look_mm",
                   kLooks = "_looks_mm";  ///< behind a lesion's name: now, margin marked, notch marked
 
 /// What the registration knows of each node: its expected error, the force that acts there, and how far it
 /// is to where it may be as well.
 void write_places(const Registration& registration, TetFile& file) {
   if (registration.expected.size() > 0) file.point_data[kExpected] = 1e3 * registration.expected;
+  if (registration.covariances.rows() > 0) file.point_data[kNodeCovariance] = 1e6 * registration.covariances;
   if (!registration.forces.empty()) {
     Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(registration.nodes_in_camera.rows(), 3);
     for (const FoundForce& force : registration.forces) forces.row(force.node) = force.force.transpose();
@@ -360,6 +394,12 @@ void read_places(const fs::path& path, const TetFile& file, Registration& regist
       throw InputError(path.string(), kExpected, "is negative", "Give lengths, or leave it out");
     registration.expected = 1e-3 * *expected;
   }
+  if (const Eigen::MatrixXd* covariances = node_array(path, file, kNodeCovariance, 6)) {
+    if (covariances->leftCols<3>().minCoeff() < 0.0)
+      throw InputError(path.string(), kNodeCovariance, "holds a negative variance",
+                       "Write it as 'glisson register' does, or leave it out");
+    registration.covariances = 1e-6 * *covariances;
+  }
   if (const Eigen::MatrixXd* forces = node_array(path, file, kForce, 3)) {
     for (int node = 0; node < file.mesh.vertex_count(); ++node)
       if (!forces->row(node).isZero(0.0))
@@ -389,6 +429,13 @@ std::string doubt_of(const std::string& code, const Eigen::MatrixXd& values) {
   return doubt.str();
 }
 
+/// Files of before, and of other writers, say whether it converged at most.
+Termination read_termination(const NamedArrays& fields, bool has_converged) {
+  for (const auto& [termination, code] : kTerminations)
+    if (fields.contains(kTermination + code)) return termination;
+  return has_converged ? Termination::converged : Termination::step_limit;
+}
+
 /// What other writers leave out keeps its default.
 void read_report(const NamedArrays& fields, Registration& registration) {
   const auto value = [&](const char* name, double otherwise) {
@@ -397,8 +444,7 @@ void read_report(const NamedArrays& fields, Registration& registration) {
   };
   registration.residual = 1e-3 * value("residual_mm", 0.0);
   registration.seen_share = value("seen_share", 0.0);
-  registration.termination =
-      value("converged", 1.0) != 0.0 ? Termination::converged : Termination::step_limit;
+  registration.termination = read_termination(fields, value("converged", 1.0) != 0.0);
   for (const auto& [name, array] : fields)
     if (name.starts_with(kDoubt)) registration.doubts.push_back(doubt_of(name.substr(kDoubt.size()), array));
 }
@@ -433,6 +479,7 @@ Registration read_registration(const fs::path& path, const PatientModel& model, 
   registration.nodes_in_camera = file.mesh.vertices;
   read_report(file.field_data, registration);
   registration.lesions = read_spreads(path, file.field_data);
+  registration.forks = read_forks(path, file.field_data);
   registration.looks = read_looks(path, file);
   read_places(path, file, registration);
   const auto rigid = file.field_data.find("cloud_from_model");

@@ -12,12 +12,21 @@ using nlohmann::json;
 
 constexpr LengthUnit kUnit = LengthUnit::millimetre;
 
+/// Cases of before hold its number.
+Termination termination_of(const json& said, const CaseFolder& folder) {
+  for (const auto& [termination, code] : kTerminations)
+    if (said == code || (said.is_number_integer() && said == static_cast<int>(termination)))
+      return termination;
+  throw InputError((folder.path / "case.json").string(), "termination", "is " + said.dump(),
+                   "Restore the case from a copy");
+}
+
 }  // namespace
 
 json write_registration_entry(const CaseFolder& folder, const char* file, const model::BuiltModel& built,
                               const Registration& registration) {
   write_registration(folder.path / file, built.model, registration, kUnit);
-  return {{"termination", static_cast<int>(registration.termination)},
+  return {{"termination", termination_code(registration.termination)},
           {"plateaus", registration.plateaus},
           {"steps", registration.steps},
           {"residual_mm", 1e3 * registration.residual},
@@ -32,7 +41,7 @@ std::shared_ptr<const Registration> read_registration_entry(const CaseFolder& fo
     throw InputError((folder.path / "case.json").string(), "registration",
                      "there is no model that it belongs to", "Restore the case from a copy");
   Registration registration = read_registration(folder.path / file, built->model, kUnit);
-  registration.termination = static_cast<Termination>(entry.at("termination").get<int>());
+  registration.termination = termination_of(entry.at("termination"), folder);
   registration.plateaus = entry.at("plateaus");
   registration.steps = entry.at("steps");
   registration.residual = 1e-3 * entry.at("residual_mm").get<double>();

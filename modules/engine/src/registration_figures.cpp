@@ -2,6 +2,7 @@
 #include "registration_figures.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -33,6 +34,18 @@ void add_figures(Figures& figures, const registration::ContactForceFit& fit) {
   figures["forces_sum_n_per_kpa"] = sum;
 }
 
+/// Expected error of a place, half axes of its 95 % ellipsoid, and the six numbers of its covariance.
+void add_spread(Figures& figures, const std::string& name, const Eigen::Matrix3d& covariance) {
+  static constexpr std::array<const char*, 6> kTerms = {"xx", "yy", "zz", "xy", "yz", "xz"};
+  figures[name + "_expected_error_mm"] = 1e3 * registration::mean_error(covariance);
+  const Eigen::Vector3d axes = registration::half_axes_95(covariance);
+  for (int k = 0; k < 3; ++k)
+    figures[name + "_half_axis_95_" + std::to_string(k + 1) + "_mm"] = 1e3 * axes[k];
+  const auto six = symmetric_row(covariance);
+  for (int k = 0; k < 6; ++k)
+    figures[name + "_covariance_" + kTerms[static_cast<std::size_t>(k)] + "_mm2"] = 1e6 * six[k];
+}
+
 /// Expected errors: of the nodes, and of each lesion with the half axes of its 95 % ellipsoid.
 void add_expected(Figures& figures, const registration::ExaminedRegistration& examined) {
   const Registration& registration = examined.registered.registration;
@@ -41,10 +54,11 @@ void add_expected(Figures& figures, const registration::ExaminedRegistration& ex
   figures["expected_error_max_mm"] = 1e3 * nodes.maxCoeff();
   for (const registration::LesionError& lesion : examined.lesions) {
     const std::string name = structure_name(lesion.lesion);
-    figures[name + "_expected_error_mm"] = 1e3 * lesion.expected;
-    const Eigen::Vector3d axes = lesion.half_axes_95();
-    for (int k = 0; k < 3; ++k)
-      figures[name + "_half_axis_95_" + std::to_string(k + 1) + "_mm"] = 1e3 * axes[k];
+    add_spread(figures, name, lesion.covariance);
+  }
+  for (const ForkSpread& fork : registration.forks) {
+    add_spread(figures, fork_name(fork), fork.covariance);
+    figures[fork_name(fork) + "_radius_mm"] = 1e3 * fork.radius;
   }
   for (const LesionLooks& looks : registration.looks)
     if (const auto best = registration::best_look(looks))
@@ -94,6 +108,7 @@ void add_figures(Figures& figures, const registration::Registered& made) {
     figures["look_" + std::to_string(k + 1) + "_distance_mm"] = 1e3 * made.look_distances[k];
   figures["registration_steps"] = registration.steps;
   figures["registration_plateaus"] = registration.plateaus;
+  // The word stands in registered.vtu and in "registration_ended" (--json).
   figures["registration_converged"] = registration.termination == Termination::converged ? 1.0 : 0.0;
 }
 

@@ -1,7 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/patient/registration.h"
 
+#include <charconv>
+
+#include "glisson/patient/label_map.h"
+
 namespace glisson {
+namespace {
+
+const std::string kFork = "_fork_";
+
+}  // namespace
+
+Eigen::Matrix<double, 1, 6> symmetric_row(const Eigen::Matrix3d& m) {
+  Eigen::Matrix<double, 1, 6> row;
+  row << m(0, 0), m(1, 1), m(2, 2), m(0, 1), m(1, 2), m(0, 2);
+  return row;
+}
+
+std::string fork_name(const ForkSpread& fork) {
+  return structure_name(fork.tree) + kFork + std::to_string(fork.order);
+}
+
+std::optional<std::pair<Label, int>> fork_named(const std::string& name) {
+  const std::size_t at = name.find(kFork);
+  if (at == std::string::npos) return {};
+  const auto tree = structure_named(name.substr(0, at));
+  const std::string number = name.substr(at + kFork.size());
+  int order = 0;
+  const auto [end, failure] = std::from_chars(number.data(), number.data() + number.size(), order);
+  if (!tree || failure != std::errc() || end != number.data() + number.size() || order < 1) return {};
+  return std::pair(*tree, order);
+}
 
 const char* validity_code(Validity validity) {
   switch (validity) {

@@ -20,25 +20,32 @@ class Plateau {
  public:
   Plateau(const ElasticOptions& options, double mass) : options_(options), mass_(mass) {}
 
-  void start() { residuals_.clear(), steps_ = 0; }
+  void start() { residuals_.clear(), steps_ = 0, is_rest_ = true; }
+  /// Whether the stage that was reached rests; false: it was left, going to and fro.
+  bool is_rest() const { return is_rest_; }
 
   bool reached(double residual, double kinetic_energy) {
     ++steps_;
     residuals_.push_back(residual);
     const auto window = static_cast<std::size_t>(options_.plateau_window);
     if (residuals_.size() > window + 1) residuals_.pop_front();
-    if (steps_ >= kStageSteps) return true;
+    is_rest_ = rests(residual, kinetic_energy, window);
+    return is_rest_ || steps_ >= kStageSteps;
+  }
+
+ private:
+  bool rests(double residual, double kinetic_energy, std::size_t window) const {
     if (residuals_.size() <= window) return false;
     const double motion = std::sqrt(2.0 * kinetic_energy / mass_) * options_.time_step;
     const double change = std::abs(residuals_.back() - residuals_.front());
     return motion < options_.plateau_motion && change < options_.plateau_change * (residual + 1e-4);
   }
 
- private:
   const ElasticOptions& options_;
   double mass_;
   std::deque<double> residuals_;
   int steps_ = 0;
+  bool is_rest_ = true;
 };
 
 /// One registration while it runs.
@@ -75,7 +82,7 @@ class ElasticRun {
       registration_.plateaus = n + 1;
     }
     context.progress(1.0, "registration.elastic");
-    return finish(Termination::converged);
+    return finish(plateau_.is_rest() ? Termination::converged : Termination::stalled);
   }
 
  private:

@@ -60,7 +60,9 @@ Eigen::MatrixXd of_looks(const ForceRows& rows, Eigen::Index columns, const Eige
 
 }  // namespace
 
-Eigen::Vector3d LesionError::half_axes_95() const {
+Eigen::Vector3d LesionError::half_axes_95() const { return registration::half_axes_95(covariance); }
+
+Eigen::Vector3d half_axes_95(const Eigen::Matrix3d& covariance) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(covariance, Eigen::EigenvaluesOnly);
   return (kEllipsoid95 * eigen.eigenvalues().cwiseMax(0.0)).cwiseSqrt().reverse();
 }
@@ -198,6 +200,15 @@ Eigen::VectorXd ErrorModel::expected() const {
     errors[i] = mean_error(of_node * of_node.transpose());
   }
   return errors;
+}
+
+SymmetricRows ErrorModel::node_covariances() const {
+  SymmetricRows all(spread_.rows() / 3, 6);
+  for (Eigen::Index i = 0; i < all.rows(); ++i) {
+    const auto of_node = spread_.middleRows<3>(3 * i);
+    all.row(i) = symmetric_row(of_node * of_node.transpose());
+  }
+  return all;
 }
 
 double ErrorModel::misfit() const {

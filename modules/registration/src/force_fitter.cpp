@@ -332,7 +332,7 @@ bool ForceFitter::stage(double sigma, const RunContext& context) {
     factorised_ = body_.factorise(now_.x, springs_);
   if (!factorised_) return true;
   EvidencePosterior found;
-  double motion = 0.0;
+  double motion = 0.0, before = std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration < problem_.options.iterations; ++iteration) {
     const ForceRows rows = pair(sigma);
     if (context.cancelled()) return false;
@@ -361,6 +361,7 @@ bool ForceFitter::stage(double sigma, const RunContext& context) {
     now_.law.log_evidence = found.log_evidence - price * acting;
     now_.law.residual = rows.gap.head(rows.surface_count).cwiseAbs().mean();
     now_.outlier_share = rows.outlier_share;
+    before = iteration > 0 ? motion : before;
     motion = step(found, relax);
     ++iterations_;
     if (!std::isfinite(motion) || !std::isfinite(found.log_evidence)) {
@@ -370,7 +371,9 @@ bool ForceFitter::stage(double sigma, const RunContext& context) {
     if (motion < kAtRest) break;
   }
   strongest_ = strongest(now_);
-  now_.law.termination = motion < sigma ? Termination::converged : Termination::step_limit;
+  now_.law.termination = motion < sigma    ? Termination::converged
+                         : motion < before ? Termination::step_limit
+                                           : Termination::stalled;
   if (now_.law.log_evidence > best_.law.log_evidence) keep(found);
   return true;
 }

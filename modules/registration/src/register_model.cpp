@@ -11,6 +11,7 @@
 #include "glisson/core/error.h"
 #include "glisson/registration/examine.h"
 #include "glisson/registration/examined_registration.h"
+#include "glisson/registration/forks.h"
 #include "glisson/registration/looks.h"
 #include "glisson/registration/moving_surface.h"
 #include "glisson/registration/next_look.h"
@@ -193,6 +194,13 @@ std::vector<LesionError> lesions_of(const PatientModel& model, const ErrorModel&
     lesions.push_back({centres[i].first, found.row(static_cast<Eigen::Index>(i)).transpose(), covariances[i],
                        mean_error(covariances[i])});
   return lesions;
+}
+
+/// Each covariance with this rms length instead of its own.
+void sized_as(const Eigen::VectorXd& rms, SymmetricRows& covariances) {
+  for (Eigen::Index i = 0; i < covariances.rows(); ++i)
+    if (const double trace = covariances.row(i).head<3>().sum(); trace > 0.0)
+      covariances.row(i) *= rms[i] * rms[i] / trace;
 }
 
 /// Each doubt once: the rigid start and the elastic stages may share one.
@@ -430,6 +438,9 @@ class Run {
     const std::optional<ContactForceFit>& forces = result().forces;
     // Where supports are known and forces were found, their own posterior is the nearer one.
     registration_.expected = forces && !elastic_.prior ? forces->expected_error : examined_.error->expected();
+    registration_.covariances = examined_.error->node_covariances();
+    if (forces && !elastic_.prior) sized_as(forces->expected_error, registration_.covariances);
+    registration_.forks = forks_of(model_, registration_, *examined_.error);
     registration_.rivals = plausible_rivals(std::move(rivals));
     if (forces) registration_.forces = found_forces(*forces);
   }

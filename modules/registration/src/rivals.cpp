@@ -10,6 +10,7 @@
 #include "glisson/core/error.h"
 #include "glisson/geometry/distance.h"
 #include "glisson/geometry/rigid.h"
+#include "glisson/registration/forks.h"
 #include "glisson/registration/moving_surface.h"
 #include "glisson/registration/pairs.h"
 
@@ -84,6 +85,7 @@ Registration choose_rival(const Registration& registration, std::size_t which, c
                    [](const auto& a, const auto& b) { return a.probability > b.probability; });
   chosen.camera_from_ct = fit_rigid<CameraFrame, CtFrame>(model.mesh.vertices, chosen.nodes_in_camera);
   chosen.forces.clear();
+  place_forks(model, chosen);
   MovingSurface surface(model, SurfaceDetail::fine);
   surface.move(chosen.nodes_in_camera);
   chosen.seen_share = seen_share(surface.mesh(), cloud.points);

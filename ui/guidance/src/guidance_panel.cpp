@@ -54,7 +54,7 @@ GuidancePanel::GuidancePanel(EngineBridge& engine, DrawableSource& drawables, QW
   auto* figures = new FiguresTable(this);
   live->addWidget(figures);
   couplings_.add(live_.figures, [figures](const FigureRows& rows) { figures->set_rows(rows); });
-  live->addWidget(new LesionBox(live_, this));
+  live->addWidget(new LesionBox(live_, registration_, this));
   add_section(tr("Overlay"))->addWidget(new LookBox(live_, this));
   QVBoxLayout* others =
       add_section(tr("Other programs"), tr("3D Slicer, CustusX or PLUS may follow what is tracked here."));

@@ -22,8 +22,12 @@ QColor colour_of(Level level) {
 
 }  // namespace
 
-LesionBox::LesionBox(LiveViewModel& model, QWidget* parent)
-    : QWidget(parent), table_(new QTreeWidget(this)), why_(make_warning(this)), model_(model) {
+LesionBox::LesionBox(LiveViewModel& model, RegistrationModel& registration, QWidget* parent)
+    : QWidget(parent),
+      table_(new QTreeWidget(this)),
+      why_(make_warning(this)),
+      model_(model),
+      registration_(registration) {
   setObjectName(QStringLiteral("lesion_box"));
   QVBoxLayout* box = make_box_layout(this);
   table_->setObjectName(QStringLiteral("lesion_table"));
@@ -32,7 +36,11 @@ LesionBox::LesionBox(LiveViewModel& model, QWidget* parent)
   table_->setAllColumnsShowFocus(true);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  table_->setHeaderLabels({tr("Lesion"), tr("State"), tr("Within (95 %)")});
+  table_->setHeaderLabels({tr("Lesion, fork"), tr("State"), tr("Error"), tr("95 %")});
+  table_->headerItem()->setToolTip(
+      name, tr("Lesions, and the largest forks of portal vein and hepatic veins (1: the widest)."));
+  table_->headerItem()->setToolTip(expected, tr("Mean error that the registration expects there."));
+  table_->headerItem()->setTextAlignment(expected, Qt::AlignRight | Qt::AlignVCenter);
   table_->headerItem()->setToolTip(
       within, tr("How far from the place shown it may be in 95 of 100 cases, as the registration expects."));
   table_->headerItem()->setTextAlignment(within, Qt::AlignRight | Qt::AlignVCenter);
@@ -40,6 +48,7 @@ LesionBox::LesionBox(LiveViewModel& model, QWidget* parent)
   table_->header()->setSectionsClickable(false);
   table_->header()->setSectionResizeMode(name, QHeaderView::Stretch);
   table_->header()->setSectionResizeMode(state, QHeaderView::ResizeToContents);
+  table_->header()->setSectionResizeMode(expected, QHeaderView::ResizeToContents);
   table_->header()->setSectionResizeMode(within, QHeaderView::ResizeToContents);
   box->addWidget(table_);
   why_->setObjectName(QStringLiteral("lesion_reasons"));
@@ -56,14 +65,28 @@ LesionBox::LesionBox(LiveViewModel& model, QWidget* parent)
   box->addWidget(hint);
   connect(table_, &QTreeWidget::itemClicked, this, [this](const QTreeWidgetItem* item) {
     const Label lesion = static_cast<Label>(item->data(name, Qt::UserRole).toUInt());
+    if (lesion == 0) return;  // a fork
     model_.choose(lesion == model_.chosen ? Label{0} : lesion);
   });
-  couplings_.add(model.lesions, [this](const LesionRows& rows) { show_rows(rows); });
+  couplings_.add(model.lesions, [this](const LesionRows&) { show_rows(); });
+  couplings_.add(registration.spots, [this](const SpotRows&) { show_rows(); });
   couplings_.add(model.chosen, [this](Label lesion) { show_choice(lesion); });
   couplings_.add(model.numbers, [numbers](const FigureRows& rows) { numbers->set_rows(rows); });
 }
 
-void LesionBox::show_rows(const LesionRows& rows) {
+void LesionBox::show_rows() {
+  // Lesions that are in the picture, those of which the registration alone knows, then the forks.
+  std::vector<std::pair<LesionRow, SpotRow>> rows;
+  for (const LesionRow& row : model_.lesions.value()) rows.emplace_back(row, SpotRow());
+  for (const SpotRow& spot : registration_.spots.value()) {
+    const auto row = std::find_if(rows.begin(), rows.end(), [&](const auto& one) {
+      return spot.lesion != 0 && one.first.lesion == spot.lesion;
+    });
+    if (row != rows.end())
+      row->second = spot;
+    else
+      rows.emplace_back(LesionRow{.lesion = spot.lesion, .name = spot.name, .within = spot.within}, spot);
+  }
   setVisible(!rows.empty());
   const int count = static_cast<int>(rows.size());
   if (table_->topLevelItemCount() != count) {
@@ -75,25 +98,30 @@ void LesionBox::show_rows(const LesionRows& rows) {
   }
   QStringList reasons;
   for (int i = 0; i < count; ++i) {
-    const LesionRow& row = rows[static_cast<std::size_t>(i)];
-    QTreeWidgetItem* item = table_->topLevelItem(i);
-    item->setData(name, Qt::UserRole, static_cast<uint>(row.lesion));
-    item->setText(name, row.name);
-    item->setText(state, row.state);
-    item->setText(within, row.within);
-    item->setTextAlignment(within, Qt::AlignRight | Qt::AlignVCenter);
-    item->setForeground(state, colour_of(row.level));
-    item->setToolTip(state, row.why);
+    const auto& [row, spot] = rows[static_cast<std::size_t>(i)];
+    show_row(table_->topLevelItem(i), row, spot);
     if (!row.why.isEmpty()) reasons << tr("%1: %2").arg(row.name, row.why);
   }
   show_warning(*why_, reasons.join(QLatin1Char('\n')));
   show_choice(model_.chosen);
 }
 
+void LesionBox::show_row(QTreeWidgetItem* item, const LesionRow& row, const SpotRow& spot) const {
+  item->setData(name, Qt::UserRole, static_cast<uint>(row.lesion));
+  item->setText(name, row.name);
+  item->setText(state, row.state);
+  item->setText(expected, spot.expected);
+  item->setText(within, row.within);
+  for (const Column column : {expected, within})
+    item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+  item->setForeground(state, colour_of(row.level));
+  item->setToolTip(state, row.why);
+}
+
 void LesionBox::show_choice(Label lesion) {
   for (int i = 0; i < table_->topLevelItemCount(); ++i) {
     QTreeWidgetItem* item = table_->topLevelItem(i);
-    item->setSelected(item->data(name, Qt::UserRole).toUInt() == static_cast<uint>(lesion));
+    item->setSelected(lesion != 0 && item->data(name, Qt::UserRole).toUInt() == static_cast<uint>(lesion));
   }
 }
 

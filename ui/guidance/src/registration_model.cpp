@@ -6,6 +6,7 @@
 #include "glisson/engine/parts/former_registration.h"
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/registration.h"
+#include "glisson/registration/error_model.h"
 #include "glisson/registration/next_look.h"
 #include "glisson/registration/refusal.h"
 #include "glisson/registration/rivals.h"
@@ -32,6 +33,7 @@ void RegistrationModel::read_case() {
   if (!now[part::registration]) {
     rivals = QStringList();
     rival_words = QStringList();
+    spots = SpotRows();
     looked_for = QStringList();
     look_words_.clear();
     shown_look = -1;
@@ -44,21 +46,33 @@ void RegistrationModel::read_case() {
   const Registration& r = *now[part::registration];
   is_refused = registration::is_refused(r);
   read_rivals(r);
+  read_spots(r);
   if (is_new) {
     read_looks(r);
     shown_look = -1;
   }
   read_error(r);
-  FigureRows rows{
-      {tr("Residual (not an accuracy)"), tr("%1 mm").arg(1e3 * r.residual, 0, 'f', 2)},
-      {tr("Converged"), is_refused                                ? tr("refused")
-                        : r.termination == Termination::converged ? tr("yes, %1 plateaus").arg(r.plateaus)
-                                                                  : tr("no, %1 steps").arg(r.steps)}};
+  FigureRows rows{{tr("Residual (not an accuracy)"), tr("%1 mm").arg(1e3 * r.residual, 0, 'f', 2)},
+                  {tr("Computation"), is_refused ? tr("refused") : termination_words(r)}};
   if (r.expected.size() > 0)
     rows.emplace_back(tr("Expected error, mean"), tr("%1 mm").arg(1e3 * r.expected.mean(), 0, 'f', 1));
   if (!r.forces.empty()) rows.emplace_back(tr("Places where forces act"), QString::number(r.forces.size()));
   figures = rows;
   doubts = notes_text(r.doubts);
+}
+
+QString RegistrationModel::termination_words(const Registration& registration) {
+  switch (registration.termination) {
+    case Termination::converged:
+      return tr("came to rest, %1 plateaus").arg(registration.plateaus);
+    case Termination::stalled:
+      return tr("stalled, %1 steps").arg(registration.steps);
+    case Termination::step_limit:
+      return tr("stopped at its limit, %1 steps").arg(registration.steps);
+    case Termination::diverged:
+      break;
+  }
+  return tr("failed, %1 steps").arg(registration.steps);
 }
 
 void RegistrationModel::read_rivals(const Registration& registration) {
@@ -69,10 +83,23 @@ void RegistrationModel::read_rivals(const Registration& registration) {
     const QString percent =
         rival.probability < 0.01 ? tr("under 1 %") : tr("%1 %").arg(100.0 * rival.probability, 0, 'f', 0);
     lines << tr("Other place %1: %2, %3 mm away").arg(k + 1).arg(percent).arg(1e3 * away, 0, 'f', 0);
-    words << tr("%1: %2, %3 mm").arg(k + 1).arg(percent).arg(1e3 * away, 0, 'f', 0);
+    words << tr("%1: %2, %3 mm", "other place").arg(k + 1).arg(percent).arg(1e3 * away, 0, 'f', 0);
   }
   rivals = lines;
   rival_words = words;
+}
+
+void RegistrationModel::read_spots(const Registration& registration) {
+  SpotRows rows;
+  const auto add = [&rows](Label lesion, const QString& name, const Eigen::Matrix3d& covariance) {
+    rows.push_back({lesion, name, tr("%1 mm").arg(1e3 * registration::mean_error(covariance), 0, 'f', 1),
+                    tr("±%1 mm").arg(1e3 * registration::half_axes_95(covariance)[0], 0, 'f', 1)});
+  };
+  for (const LesionSpread& lesion : registration.lesions)
+    add(lesion.lesion, structure_text(lesion.lesion), lesion.covariance);
+  for (const ForkSpread& fork : registration.forks)
+    add(Label{0}, tr("%1, fork %2").arg(structure_text(fork.tree)).arg(fork.order), fork.covariance);
+  spots = rows;
 }
 
 void RegistrationModel::undo() {

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "glisson/core/termination.h"
@@ -35,6 +36,23 @@ struct LesionLooks {
   double margin = 0.0, notch = 0.0;
 };
 
+/// Symmetric matrices, a row each: xx, yy, zz, xy, yz, xz (VTK's order).
+using SymmetricRows = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>;
+Eigen::Matrix<double, 1, 6> symmetric_row(const Eigen::Matrix3d& matrix);
+
+/// Where a vessel tree forks, as far as it is known.
+struct ForkSpread {
+  Label tree = 0;                                    ///< structure of the vessel
+  int order = 1;                                     ///< by radius among its tree's forks: the largest is 1
+  double radius = 0.0;                               ///< metres
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< where it is thought to be, camera frame, metres
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of that, m2
+};
+/// For files and figures: "portal_vein_fork_1".
+std::string fork_name(const ForkSpread& fork);
+/// Tree and order of a name that fork_name() gives; empty: it is none.
+std::optional<std::pair<Label, int>> fork_named(const std::string& name);
+
 /// A model brought to what the camera sees.
 struct Registration {
   /// The rigid part: where the undeformed model was put before it was deformed.
@@ -54,8 +72,11 @@ struct Registration {
   std::vector<LesionSpread> lesions;
   std::vector<LesionLooks>
       looks;  ///< what one more look would tell of them; a lesion not in it: not known, or refused
+  std::vector<ForkSpread>
+      forks;  ///< the largest of portal vein and hepatic veins; none: there are none, or not known
   /// Mean error that is expected of each node, metres; empty: not known.
   Eigen::VectorXd expected;
+  SymmetricRows covariances;  ///< of each node's place, m2, camera frame; no rows: not known
   /// Where else the organ may be, the most probable first: to be looked at by a person.
   std::vector<RegistrationRival> rivals;
   std::vector<FoundForce> forces;  ///< of tools, say; the strongest first

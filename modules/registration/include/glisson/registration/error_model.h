@@ -7,6 +7,7 @@
 #include "glisson/core/run_context.h"
 #include "glisson/patient/labelled_cloud.h"
 #include "glisson/patient/patient_model.h"
+#include "glisson/patient/registration.h"
 #include "glisson/registration/moving_surface.h"
 #include "glisson/registration/operation_prior.h"
 #include "glisson/registration/pairs.h"
@@ -26,6 +27,8 @@ struct LesionError {
 };
 /// Mean length of a normal vector of this covariance, metres.
 double mean_error(const Eigen::Matrix3d& covariance);
+/// Half axes of the ellipsoid that holds a place of this covariance in 95 of 100 cases, m, the longest first.
+Eigen::Vector3d half_axes_95(const Eigen::Matrix3d& covariance);
 
 /// What an ErrorModel takes for granted.
 struct ErrorModelOptions {
@@ -73,6 +76,8 @@ class ErrorModel {
   double variance_of_area(double area) const;
   /// Of every node: the mean length of its error.
   Eigen::VectorXd expected() const;
+  /// Of every node.
+  SymmetricRows node_covariances() const;
 
   /// Places of the cloud, each predicted from all others: rms of the mean distance that remains, m, and in
   /// its standard deviations.

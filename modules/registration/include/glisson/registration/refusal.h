@@ -18,6 +18,10 @@ inline bool has_doubt(const Registration& registration, const char* code) {
 }
 /// Refused, and nobody has accepted it: no overlay may start from it.
 inline bool is_refused(const Registration& registration) { return has_doubt(registration, kRefused); }
+/// How it ended, for files and figures: "refused", else its termination's code.
+inline const char* ending_code(const Registration& registration) {
+  return is_refused(registration) ? kRefused : termination_code(registration.termination);
+}
 /// Goes on with it although it was refused. The other doubts stay.
 inline void accept_refusal(Registration& registration) {
   std::replace(registration.doubts.begin(), registration.doubts.end(), std::string(kRefused),

@@ -5,28 +5,33 @@
 
 #include "glisson/ui/common/couplings.h"
 #include "glisson/ui/guidance/live_view_model.h"
+#include "glisson/ui/guidance/registration_model.h"
 
 class QLabel;
 class QTreeWidget;
+class QTreeWidgetItem;
 
 namespace glisson::ui {
 
 /// What is known of each lesion in the picture, a row each, and why less than a lesion is drawn; the numbers
-/// of the one that is chosen, here or in the picture.
+/// of the one that is chosen, here or in the picture. Below them the largest vessel forks, as the
+/// registration expects their error.
 class LesionBox : public QWidget {
   Q_OBJECT
  public:
-  /// @param model outlives the box.
-  explicit LesionBox(LiveViewModel& model, QWidget* parent = nullptr);
+  /// Both outlive the box.
+  LesionBox(LiveViewModel& model, RegistrationModel& registration, QWidget* parent = nullptr);
 
  private:
-  enum Column { name, state, within, columns };
-  void show_rows(const LesionRows& rows);
+  enum Column { name, state, expected, within, columns };
+  void show_rows();
+  void show_row(QTreeWidgetItem* item, const LesionRow& row, const SpotRow& spot) const;
   void show_choice(Label lesion);
 
   QTreeWidget* table_;
   QLabel* why_;
   LiveViewModel& model_;
+  RegistrationModel& registration_;
   Couplings couplings_;
 };
 

@@ -5,6 +5,7 @@
 #include <QProperty>
 #include <QStringList>
 #include <memory>
+#include <vector>
 
 #include "glisson/patient/registration.h"
 #include "glisson/registration/register_model.h"
@@ -13,6 +14,15 @@
 #include "glisson/ui/common/figures_table.h"
 
 namespace glisson::ui {
+
+/// A place in the organ whose error the registration expects.
+struct SpotRow {
+  Label lesion = 0;  ///< 0: a vessel fork
+  QString name;
+  QString expected, within;  ///< mean error; reach of the region that holds it in 95 of 100 cases
+  bool operator==(const SpotRow&) const = default;
+};
+using SpotRows = std::vector<SpotRow>;
 
 /// What there is to say of the case's registration, and what it still needs. Widgets read the properties.
 class RegistrationModel : public QObject {
@@ -28,6 +38,7 @@ class RegistrationModel : public QObject {
       error_words;  ///< whether it holds, and what is expected of its error; empty: there is none
   QProperty<QStringList> rivals;       ///< other places where the organ may be, a line each
   QProperty<QStringList> rival_words;  ///< the same, a few words each, for below a picture
+  QProperty<SpotRows> spots;           ///< lesions, then vessel forks: how far off each may be
   QProperty<bool> can_undo{false};     ///< the registration before this one can be had back
   /// How the shape is found when somebody registers.
   QProperty<registration::Method> method{registration::Method::automatic};
@@ -41,8 +52,10 @@ class RegistrationModel : public QObject {
   const Points* rival_nodes() const;
 
  private:
+  static QString termination_words(const Registration& registration);
   void read_case();
   void read_rivals(const Registration& registration);
+  void read_spots(const Registration& registration);
   void read_error(const Registration& registration);
   void read_looks(const Registration& registration);
   /// Where one more look helps most, of the shown lesion, else of the one that it helps most.
