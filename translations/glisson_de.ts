@@ -8014,16 +8014,8 @@
 <context>
     <name>glisson::ui::LesionBox</name>
     <message>
-        <source>Lesion</source>
-        <translation>Läsion</translation>
-    </message>
-    <message>
         <source>State</source>
         <translation>Zustand</translation>
-    </message>
-    <message>
-        <source>Within (95 %)</source>
-        <translation>Innerhalb (95 %)</translation>
     </message>
     <message>
         <source>How far from the place shown it may be in 95 of 100 cases, as the registration expects.</source>
@@ -8036,6 +8028,26 @@
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Lesion, fork</source>
+        <translation>Läsion, Gabel</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>Lesions, and the largest forks of portal vein and hepatic veins (1: the widest).</source>
+        <translation>Läsionen und die größten Gabeln von Pfortader und Lebervenen (1: die weiteste).</translation>
+    </message>
+    <message>
+        <source>Mean error that the registration expects there.</source>
+        <translation>Mittlerer Fehler, den die Registrierung dort erwartet.</translation>
     </message>
 </context>
 <context>
@@ -9442,18 +9454,6 @@
         <translation>%1 mm</translation>
     </message>
     <message>
-        <source>Converged</source>
-        <translation>Konvergiert</translation>
-    </message>
-    <message>
-        <source>yes, %1 plateaus</source>
-        <translation>ja, %1 Stufen</translation>
-    </message>
-    <message>
-        <source>no, %1 steps</source>
-        <translation>nein, %1 Schritte</translation>
-    </message>
-    <message>
         <source>refused</source>
         <translation>abgelehnt</translation>
     </message>
@@ -9478,10 +9478,6 @@
         <translation>Anderer Ort %1: %2, %3 mm entfernt</translation>
     </message>
     <message>
-        <source>%1: %2, %3 mm</source>
-        <translation>%1: %2, %3 mm</translation>
-    </message>
-    <message>
         <source>How far off the organ may be is not known: register again.</source>
         <translation>Wie weit das Organ daneben liegen kann, ist nicht bekannt: erneut registrieren.</translation>
     </message>
@@ -9504,6 +9500,39 @@
     <message>
         <source>%1: no single look helps much.</source>
         <translation>%1: Kein einzelner Blick hilft viel.</translation>
+    </message>
+    <message>
+        <source>Computation</source>
+        <translation>Rechnung</translation>
+    </message>
+    <message>
+        <source>came to rest, %1 plateaus</source>
+        <translation>kam zur Ruhe, %1 Stufen</translation>
+    </message>
+    <message>
+        <source>stalled, %1 steps</source>
+        <translation>kam nicht weiter, %1 Schritte</translation>
+    </message>
+    <message>
+        <source>stopped at its limit, %1 steps</source>
+        <translation>an der Grenze beendet, %1 Schritte</translation>
+    </message>
+    <message>
+        <source>failed, %1 steps</source>
+        <translation>gescheitert, %1 Schritte</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 mm</source>
+        <comment>other place</comment>
+        <translation>%1: %2, %3 mm</translation>
+    </message>
+    <message>
+        <source>±%1 mm</source>
+        <translation>±%1 mm</translation>
+    </message>
+    <message>
+        <source>%1, fork %2</source>
+        <translation>%1, Gabel %2</translation>
     </message>
 </context>
 <context>

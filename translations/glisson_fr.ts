@@ -8014,16 +8014,8 @@
 <context>
     <name>glisson::ui::LesionBox</name>
     <message>
-        <source>Lesion</source>
-        <translation>Lésion</translation>
-    </message>
-    <message>
         <source>State</source>
         <translation>État</translation>
-    </message>
-    <message>
-        <source>Within (95 %)</source>
-        <translation>À moins de (95 %)</translation>
     </message>
     <message>
         <source>How far from the place shown it may be in 95 of 100 cases, as the registration expects.</source>
@@ -8036,6 +8028,26 @@
     <message>
         <source>%1: %2</source>
         <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>Lesion, fork</source>
+        <translation>Lésion, bifurcation</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Erreur</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>Lesions, and the largest forks of portal vein and hepatic veins (1: the widest).</source>
+        <translation>Lésions, et les plus grandes bifurcations de la veine porte et des veines hépatiques (1 : la plus large).</translation>
+    </message>
+    <message>
+        <source>Mean error that the registration expects there.</source>
+        <translation>Erreur moyenne que le recalage y attend.</translation>
     </message>
 </context>
 <context>
@@ -9442,18 +9454,6 @@
         <translation>%1 mm</translation>
     </message>
     <message>
-        <source>Converged</source>
-        <translation>Convergé</translation>
-    </message>
-    <message>
-        <source>yes, %1 plateaus</source>
-        <translation>oui, %1 paliers</translation>
-    </message>
-    <message>
-        <source>no, %1 steps</source>
-        <translation>non, %1 pas</translation>
-    </message>
-    <message>
         <source>refused</source>
         <translation>refusé</translation>
     </message>
@@ -9478,10 +9478,6 @@
         <translation>Autre position %1 : %2, à %3 mm</translation>
     </message>
     <message>
-        <source>%1: %2, %3 mm</source>
-        <translation>%1 : %2, %3 mm</translation>
-    </message>
-    <message>
         <source>How far off the organ may be is not known: register again.</source>
         <translation>On ne sait pas de combien l’organe peut être décalé : recalez de nouveau.</translation>
     </message>
@@ -9504,6 +9500,39 @@
     <message>
         <source>%1: no single look helps much.</source>
         <translation>%1 : aucun regard seul n’aide beaucoup.</translation>
+    </message>
+    <message>
+        <source>Computation</source>
+        <translation>Calcul</translation>
+    </message>
+    <message>
+        <source>came to rest, %1 plateaus</source>
+        <translation>arrivé au repos, %1 paliers</translation>
+    </message>
+    <message>
+        <source>stalled, %1 steps</source>
+        <translation>n&apos;avance plus, %1 pas</translation>
+    </message>
+    <message>
+        <source>stopped at its limit, %1 steps</source>
+        <translation>arrêté à sa limite, %1 pas</translation>
+    </message>
+    <message>
+        <source>failed, %1 steps</source>
+        <translation>échoué, %1 pas</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 mm</source>
+        <comment>other place</comment>
+        <translation>%1 : %2, %3 mm</translation>
+    </message>
+    <message>
+        <source>±%1 mm</source>
+        <translation>±%1 mm</translation>
+    </message>
+    <message>
+        <source>%1, fork %2</source>
+        <translation>%1, bifurcation %2</translation>
     </message>
 </context>
 <context>

@@ -119,6 +119,7 @@ class CaseIoTest : public QObject {
   void WhereARegistrationMayBeWrongTravelsWithItsFile();
   void WhatIsNoErrorAndNoProbabilityIsRefused();
   void WhatIsNoCovarianceIsRefused();
+  void CasesOfBeforeSayByNumberHowARegistrationEnded();
   void NumbersBeyondTheirRangeAreRefused_data();
   void NumbersBeyondTheirRangeAreRefused();
 };
@@ -338,13 +339,19 @@ void CaseIoTest::ARegistrationsDoubtsTravelWithItsFile() {
   const CaseState state = small_case();
   Registration doubted = *state[part::registration];
   doubted.doubts = {"cloud_noisy 6.25 3", "little_surface_seen"};
-  doubted.termination = Termination::step_limit;
+  doubted.termination = Termination::stalled;
   doubted.residual = 2.5e-3;
   doubted.seen_share = 0.125;
   Eigen::Matrix3d covariance;
   covariance << 4.0, 1.0, 0.5, 1.0, 9.0, -2.0, 0.5, -2.0, 16.0;
   doubted.lesions = {{structure::kFirstLesion, 1e-6 * covariance},
                      {static_cast<Label>(structure::kFirstLesion + 11), 2e-6 * covariance}};
+  doubted.forks = {{structure::kPortalVein, 1, 5e-3, {0.01, 0.02, 0.1}, 3e-6 * covariance},
+                   {structure::kPortalVein, 2, 2e-3, {0.03, 0.02, 0.1}, 1e-6 * covariance},
+                   {structure::kHepaticVeins, 1, 4e-3, {0.0, 0.01, 0.12}, 2e-6 * covariance}};
+  doubted.covariances.resize(doubted.nodes_in_camera.rows(), 6);
+  for (Eigen::Index i = 0; i < doubted.covariances.rows(); ++i)
+    doubted.covariances.row(i) = (1.0 + static_cast<double>(i)) * 1e-6 * symmetric_row(covariance);
   write_registration(folder.path() / "r.vtu", state[part::model]->model, doubted, LengthUnit::millimetre);
   const Registration read =
       read_registration(folder.path() / "r.vtu", state[part::model]->model, LengthUnit::millimetre);
@@ -357,6 +364,31 @@ void CaseIoTest::ARegistrationsDoubtsTravelWithItsFile() {
     const double factor = spread.lesion == structure::kFirstLesion ? 1e-6 : 2e-6;
     QVERIFY(spread.covariance.isApprox(factor * covariance, 1e-9));
   }
+  QCOMPARE(read.forks.size(), doubted.forks.size());
+  for (std::size_t i = 0; i < read.forks.size(); ++i) {
+    const ForkSpread &is = read.forks[i], &was = doubted.forks[i];
+    QCOMPARE(fork_name(is), fork_name(was));
+    QVERIFY(std::abs(is.radius - was.radius) < 1e-9 && (is.centre - was.centre).norm() < 1e-9);
+    QVERIFY(is.covariance.isApprox(was.covariance, 1e-9));
+  }
+  QVERIFY(read.covariances.isApprox(doubted.covariances, 1e-9));
+}
+
+void CaseIoTest::CasesOfBeforeSayByNumberHowARegistrationEnded() {
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / "a.glisson";
+  save_case(path, small_case(), RunContext());
+  const auto with = [&](const nlohmann::json& termination) {
+    nlohmann::json document = read_json(path / "case.json");
+    document["parts"]["registration"]["termination"] = termination;
+    write_json(path / "case.json", document);
+    return open_case(path, RunContext())->state[part::registration]->termination;
+  };
+  QVERIFY(with(0) == Termination::converged);
+  QVERIFY(with(1) == Termination::step_limit);
+  QVERIFY(with("stalled") == Termination::stalled);
+  QCOMPARE(test::refused_field([&] { (void)with(7); }), std::string("termination"));
+  QCOMPARE(test::refused_field([&] { (void)with("well"); }), std::string("termination"));
 }
 
 void CaseIoTest::WhereARegistrationMayBeWrongTravelsWithItsFile() {

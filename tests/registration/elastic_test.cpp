@@ -37,6 +37,7 @@ class ElasticTest : public QObject {
   void FixedNodesStay();
   void ScheduleRunsToItsLastPlateau();
   void StepLimitIsReported();
+  void WhatNeverRestsIsStalled();
   void PrintedFormDoesNotRegister();
   void ForeignDeformationIsRecovered();
   void AnUnsurePieceOfTheMarginPullsLess();
@@ -174,6 +175,14 @@ void ElasticTest::StepLimitIsReported() {
   const auto registration = register_elastic(model_, seen(0.02), phantom::view(), options, RunContext());
   QVERIFY(registration->termination == Termination::step_limit);
   QCOMPARE(registration->steps, 7);
+}
+
+void ElasticTest::WhatNeverRestsIsStalled() {
+  ElasticOptions options = brief();
+  options.plateau_motion = 1e-15;  // nothing comes to rest by this
+  const auto registration = register_elastic(model_, seen(0.01), phantom::view(), options, RunContext());
+  QVERIFY(registration->termination == Termination::stalled);
+  QVERIFY(registration->steps < options.max_steps);
 }
 
 void ElasticTest::PrintedFormDoesNotRegister() {

@@ -45,6 +45,7 @@ class FindingsTest : public QObject {
   void NinetyFiveOfAHundredSamplesLieInTheEllipsoid();
   void WhatIsSeenIsKnownBetter();
   void MoreOfTheSurfaceLeavesLessUnknownEverywhere();
+  void EachNodesCovarianceIsThatOfItsPlace();
   void TheCamerasPlaceDoesNotMatter();
   void ARightPlaceLeavesNothingToFind();
   void AnOrganOfAnotherSizeIsFoundOut();
@@ -141,6 +142,18 @@ void FindingsTest::MoreOfTheSurfaceLeavesLessUnknownEverywhere() {
                         of_little = error_of(model_, pose, little, 1e-3).expected();
   QVERIFY((of_much.array() < 1.05 * of_little.array()).all());
   QVERIFY(of_much.mean() < 0.8 * of_little.mean());
+}
+
+void FindingsTest::EachNodesCovarianceIsThatOfItsPlace() {
+  const ErrorModel error = error_of(model_, phantom::view(), patch(model_, 0.2, 1e-3), 1e-3);
+  const SymmetricRows rows = error.node_covariances();
+  QCOMPARE(rows.rows(), model_.mesh.vertex_count());
+  for (const int node : {0, 17, model_.mesh.vertex_count() - 1}) {
+    const Eigen::Matrix3d m = error.covariance({node, -1, -1, -1}, {1.0, 0.0, 0.0, 0.0});
+    Eigen::Matrix<double, 1, 6> expected;
+    expected << m(0, 0), m(1, 1), m(2, 2), m(0, 1), m(1, 2), m(0, 2);
+    QVERIFY((rows.row(node) - expected).norm() < 1e-9 * expected.norm());
+  }
 }
 
 void FindingsTest::TheCamerasPlaceDoesNotMatter() {

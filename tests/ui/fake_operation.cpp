@@ -346,6 +346,8 @@ bool FakeOperation::change(engine::Applied& applied, const engine::Register&,
   registration.residual = 1.1e-3;
   registration.doubts = doubts;
   registration.lesions = {{structure::kFirstLesion, 4e-6 * Eigen::Matrix3d::Identity()}};
+  registration.forks = {
+      {structure::kPortalVein, 1, 4e-3, {0.0, 0.0, 0.1}, 9e-6 * Eigen::Matrix3d::Identity()}};
   registration.expected = Eigen::VectorXd::LinSpaced(model.mesh.vertex_count(), 1e-3, 13e-3);
   registration.looks = {{structure::kFirstLesion, 6e-3,
                          Eigen::VectorXd::LinSpaced(model.mesh.vertex_count(), 3e-3, 6e-3), 6e-3, 6e-3}};

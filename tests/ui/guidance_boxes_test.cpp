@@ -157,7 +157,7 @@ void GuidanceBoxesTest::RegistrationShowsItsFiguresAndDoubts() {
   QVERIFY(doubts->isHidden());
   reach_registration(4);
   QVERIFY(words_on(box).contains(QStringLiteral("1.10 mm")));
-  QVERIFY(words_on(box).contains(QStringLiteral("yes, 11 plateaus")));
+  QVERIFY(words_on(box).contains(QStringLiteral("came to rest, 11 plateaus")));
   QVERIFY(!doubts->isHidden() && !doubts->text().isEmpty());
   QVERIFY(!box.findChild<QLabel*>(QStringLiteral("model_unchecked"))->isHidden());
 }

@@ -291,18 +291,23 @@ void GuidancePanelTest::TheTableTellsOfEachLesion() {
   auto* reasons = panel().findChild<QLabel*>(QStringLiteral("lesion_reasons"));
   const auto row = [table] {
     const QTreeWidgetItem* item = table->topLevelItem(0);
-    return item == nullptr ? QString() : item->text(0) + "|" + item->text(1) + "|" + item->text(2);
+    return item == nullptr ? QString()
+                           : item->text(0) + "|" + item->text(1) + "|" + item->text(2) + "|" + item->text(3);
   };
-  QTRY_COMPARE_WITH_TIMEOUT(row(), QStringLiteral("Lesion 1|shown|±5.6 mm"), 20000);
-  QCOMPARE(table->topLevelItemCount(), 1);
+  QTRY_COMPARE_WITH_TIMEOUT(row(), QStringLiteral("Lesion 1|shown|3.2 mm|±5.6 mm"), 20000);
+  QCOMPARE(table->topLevelItemCount(), 2);
+  const QTreeWidgetItem* fork = table->topLevelItem(1);  // as the registration expects, without a verdict
+  QCOMPARE(fork->text(0), QStringLiteral("Portal vein, fork 1"));
+  QCOMPARE(fork->text(1), QString());
+  QCOMPARE(fork->text(3), QStringLiteral("±8.4 mm"));
   QVERIFY(reasons->isHidden());
   press("start_tracking");
   QTRY_VERIFY_WITH_TIMEOUT(said().contains(QStringLiteral("LIVE")), 20000);
   operation_->live_validity = Validity::partly_covered;
-  QTRY_COMPARE_WITH_TIMEOUT(row(), QStringLiteral("Lesion 1|region only|±5.6 mm"), 20000);
+  QTRY_COMPARE_WITH_TIMEOUT(row(), QStringLiteral("Lesion 1|region only|3.2 mm|±5.6 mm"), 20000);
   QVERIFY(reasons->text().contains(QStringLiteral("Lesion 1: as the whole overlay")));
   operation_->live_validity = Validity::picture_stands;
-  QTRY_COMPARE_WITH_TIMEOUT(row(), QStringLiteral("Lesion 1|not shown|±5.6 mm"), 20000);
+  QTRY_COMPARE_WITH_TIMEOUT(row(), QStringLiteral("Lesion 1|not shown|3.2 mm|±5.6 mm"), 20000);
 }
 
 void GuidancePanelTest::AChosenLesionTellsItsNumbers() {
