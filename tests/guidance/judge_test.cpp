@@ -1,33 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Evidence that is not the tracker's own, and the verdicts on overlays.
+// What is judged of the surface by stereo, and alarms, repetition and options of all verdicts.
 #include <QtTest>
 
 #include "alarm.h"
-#include "filmed_phantom.h"
 #include "glisson/core/error.h"
 #include "glisson/guidance/tracker.h"
 #include "judge.h"
+#include "judged_film.h"
 #include "lifted_tissue.h"
-#include "motion_check.h"
-#include "picture_check.h"
 #include "surface_check.h"
 
 using namespace glisson;
 using namespace glisson::guidance;
 
-class JudgeTest : public QObject {
+class JudgeTest : public QObject, private phantom::JudgedFilm {
   Q_OBJECT
  private slots:
-  void initTestCase();
+  void initTestCase() { make_film(); }
   void AlarmNeedsSeveralToRiseAndMoreToGo();
   void AlarmBySecondsNeedsTwoMeasurementsAtLeast();
   void WithdrawnWithinHalfASecondAtAnyRate_data();
   void WithdrawnWithinHalfASecondAtAnyRate();
-  void SmokeAndDarknessLoseSignalAndNoiseIsNone();
-  void RowsStayWithBothViewsOfOneMoment();
-  void WhatIsWrongFromTheFirstIsNoNorm();
-  void NoiseIsNoMotionAndBreathIs_data();
-  void NoiseIsNoMotionAndBreathIs();
   void StereoSupportsTheTrueSurface();
   void StereoSpeaksAgainstAWrongSurface_data();
   void StereoSpeaksAgainstAWrongSurface();
@@ -37,9 +30,6 @@ class JudgeTest : public QObject {
   void AToolInFrontIsNoLiftedOrgan();
   void WhatLiesNearerIsTheOrganByItsBorderOrItsPoints();
   void WrongStartIsWithdrawnAndTheRightOneIsNot();
-  void StandingPictureIsWithdrawn();
-  void AStillPictureIsToldFromACopy_data();
-  void AStillPictureIsToldFromACopy();
   void WhatIsSetElsewhereIsShownOnlyWhenSurfacesAgree_data();
   void WhatIsSetElsewhereIsShownOnlyWhenSurfacesAgree();
   void WhatStaysOffIsToldFromWhatErrsOnce_data();
@@ -48,12 +38,6 @@ class JudgeTest : public QObject {
   void UnusableOptionsAreRefused();
 
  private:
-  static TrackerOptions options() { return phantom::free_body(); }
-  Points moved(const Eigen::Vector3d& by) const { return nodes_.rowwise() + by.transpose(); }
-  /// A film of the body moving down by half a millimetre a frame.
-  StereoFrame frame(int k) const {
-    return phantom::film(model_, moved({0.0, 0.5e-3 * k, -0.2e-3 * k}), rig_, k);
-  }
   /// A part of the organ lies nearer by so much, smoothly over 20 mm.
   Points lifted(double by) const {
     Points nodes = nodes_;
@@ -63,46 +47,7 @@ class JudgeTest : public QObject {
     }
     return nodes;
   }
-  /// Something flat and textured before the organ, 60 mm before the lens. @param half pixels of its width.
-  StereoFrame behind_a_tool(const StereoFrame& frame, double half = 22.0) const {
-    StereoFrame covered = frame;
-    for (Picture* picture : {&covered.left, &covered.right}) {
-      auto bytes = std::make_shared<std::vector<std::uint8_t>>(*picture->bytes);
-      // The cameras turn towards each other by 0.02, so what is far is shifted, too.
-      const double shift = picture == &covered.left ? 0.0 : 260.0 * (5e-3 / 60e-3 - 0.02);
-      for (int y = 0; y < picture->height; ++y)
-        for (int x = 0; x < picture->width; ++x)
-          if (const double u = x + shift, across = u - 190.0 + 0.3 * (y - 120.0); std::abs(across) < half)
-            (*bytes)[static_cast<std::size_t>(y * picture->width + x)] = static_cast<std::uint8_t>(
-                60.0 + 150.0 * phantom::value_noise(Eigen::Vector3d(u / 7.0, y / 7.0, 0.5)));
-      picture->bytes = bytes;
-    }
-    return covered;
-  }
-  static std::vector<FollowedPoint> grid(const StereoRig& rig) {
-    std::vector<FollowedPoint> points;
-    for (int i = 0; i < 200; ++i) {
-      FollowedPoint point;
-      point.id = i;
-      point.p_in_camera = {0.004 * (i % 20 - 10), 0.006 * (i / 20 - 5), 0.12};
-      point.left = rig.left.project(point.p_in_camera);
-      point.right = rig.right.project(rig.right_from_left.rotation * point.p_in_camera +
-                                      rig.right_from_left.translation);
-      points.push_back(point);
-    }
-    return points;
-  }
-
-  StereoRig rig_ = phantom::rig();
-  PatientModel model_ = phantom::model(8, 6, 3);
-  Points nodes_;
-  StereoFrame first_;
 };
-
-void JudgeTest::initTestCase() {
-  nodes_ = phantom::view().apply(model_.mesh.vertices);
-  first_ = phantom::film(model_, nodes_, rig_, 0);
-}
 
 void JudgeTest::AlarmNeedsSeveralToRiseAndMoreToGo() {
   Alarm alarm(2, 3);
@@ -161,118 +106,6 @@ void JudgeTest::WithdrawnWithinHalfASecondAtAnyRate() {
   }
   QVERIFY2(said == Validity::surface_apart, validity_code(said));
   QVERIFY2(wrong <= rate / 2, qPrintable(QString("%1 frames").arg(wrong)));
-}
-
-void JudgeTest::SmokeAndDarknessLoseSignalAndNoiseIsNone() {
-  const auto changed = [&](double gain, double offset, double noise) {
-    std::mt19937 random(5);
-    std::normal_distribution<double> normal(0.0, noise);
-    auto bytes = std::make_shared<std::vector<std::uint8_t>>(*first_.left.bytes);
-    for (auto& byte : *bytes)
-      byte = static_cast<std::uint8_t>(std::clamp(gain * byte + offset + normal(random), 0.0, 240.0));
-    Picture picture = first_.left;
-    picture.bytes = bytes;
-    return measure(picture);
-  };
-  const double clear = changed(1.0, 0.0, 2.0).signal();
-  QVERIFY(clear > 1.0);
-  QVERIFY(changed(0.4, 120.0, 2.0).signal() < 0.6 * clear);
-  QVERIFY(changed(0.15, 0.0, 2.0).signal() < 0.4 * clear);
-  QVERIFY(changed(0.0, 100.0, 4.0).signal() < 0.2);
-  QVERIFY(std::abs(changed(0.0, 100.0, 4.0).noise - 4.0) < 0.5);
-}
-
-void JudgeTest::RowsStayWithBothViewsOfOneMoment() {
-  MotionCheck check;
-  std::vector<FollowedPoint> now = grid(rig_);
-  for (int k = 0; k < 8; ++k) check.push(now, rig_, k / 30.0);
-  QVERIFY(std::abs(check.rows()) < 1e-6);
-  for (FollowedPoint& point : now) point.right.y() += 0.5;  // the right view shows another moment
-  check.push(now, rig_, 8 / 30.0);
-  QVERIFY2(std::abs(std::abs(check.rows()) - 0.5) < 0.05, qPrintable(QString::number(check.rows())));
-}
-
-void JudgeTest::WhatIsWrongFromTheFirstIsNoNorm() {
-  MotionCheck check;
-  std::vector<FollowedPoint> now = grid(rig_);
-  for (std::size_t i = 0; i < now.size(); ++i) now[i].right.y() += i % 2 == 0 ? 1.2 : 2.8;
-  for (int k = 0; k < 8; ++k) check.push(now, rig_, k / 30.0);
-  const double limit = std::max(JudgeOptions().rows, check.rows_scatter());
-  QVERIFY2(std::abs(check.rows()) > limit, qPrintable(QString("%1 of %2").arg(check.rows()).arg(limit)));
-
-  StereoFrame dull = first_;
-  for (Picture* picture : {&dull.left, &dull.right}) {
-    auto bytes = std::make_shared<std::vector<std::uint8_t>>(*picture->bytes);
-    for (auto& byte : *bytes) byte = static_cast<std::uint8_t>(150 + 0.004 * byte);
-    picture->bytes = bytes;
-  }
-  for (const auto& [first, said] : {std::pair{dull, Validity::poor_picture},
-                                    std::pair{behind_a_tool(first_, 110.0), Validity::partly_covered}}) {
-    JudgeOptions options;
-    options.supported = options.least_supported = 0.0;  // what is seen less is another reason
-    options.unknown = options.gap = options.local = options.pull = 100.0;
-    options.behind = options.lifted = 1.0;
-    options.before = 0.3;
-    Judge judge(model_, rig_, {}, options);
-    judge.begin(first, nodes_);
-    OverlayFrame overlay;
-    overlay.nodes_in_camera = nodes_;
-    const Validity found = judge.judge(first, grid(rig_), overlay);
-    QVERIFY2(found == said, qPrintable(QString("%1, before %2, contrast %3")
-                                           .arg(validity_code(found))
-                                           .arg(overlay.evidence.before)
-                                           .arg(overlay.evidence.contrast)));
-  }
-}
-
-void JudgeTest::NoiseIsNoMotionAndBreathIs_data() {
-  QTest::addColumn<QString>("way");
-  QTest::addColumn<bool>("moves");
-  QTest::addColumn<int>("rate");   // frames a second
-  QTest::addColumn<int>("first");  // frame that can be judged
-  for (const auto& [rate, first] : {std::pair{30, 11}, {60, 22}, {25, 9}, {12, 4}, {5, 3}}) {
-    const auto row = [&, rate = rate, first = first](const char* name, const char* way, bool moves) {
-      QTest::addRow("%s, %d frames a second", name, rate) << way << moves << rate << first;
-    };
-    row("still, each picture with its own noise", "still", false);
-    row("still, points that slip", "slip", false);
-    row("breath", "breath", true);
-    row("breath that turns", "turn", true);
-    row("still, one point that moves", "one", false);
-  }
-}
-
-void JudgeTest::NoiseIsNoMotionAndBreathIs() {
-  QFETCH(QString, way);
-  QFETCH(bool, moves);
-  QFETCH(int, rate);
-  QFETCH(int, first);
-  std::mt19937 random(9);
-  std::normal_distribution<double> noise(0.0, 0.05);
-  MotionCheck check;
-  const std::vector<FollowedPoint> start = grid(rig_);
-  std::vector<FollowedPoint> now = start;
-  for (int k = 0; k <= first + 2; ++k) {
-    const double frame = 30.0 * k / rate;  // in thirtieths of a second
-    // Four pixels of breath in four seconds, at half way and at its end.
-    const double along = way == "breath" ? 0.1 * frame
-                         : way == "turn" ? 2.0 - 2.0 * std::cos(0.052 * (frame - 7.0))
-                                         : 0.0;
-    for (std::size_t i = 0; i < now.size(); ++i) {
-      const FollowedPoint& from = way == "slip" ? now[i] : start[i];
-      const double down = along + (way == "one" && i == 20 ? 0.3 * frame : 0.0);
-      now[i].left = from.left + Eigen::Vector2d(noise(random), noise(random) + down);
-      now[i].right = from.right + Eigen::Vector2d(noise(random), noise(random) + down);
-    }
-    check.push(now, rig_, frame / 30.0);
-    QCOMPARE(check.motion_left() < 0.0, k < first);
-  }
-  const double limit = JudgeOptions().motion, left = check.motion_left(), right = check.motion_right();
-  const QByteArray found = QByteArray::number(left) + " and " + QByteArray::number(right);
-  if (moves)
-    QVERIFY2(left > limit && right > limit, found);
-  else
-    QVERIFY2(left > 0.4 && left < 0.7 * limit && right > 0.4 && right < 0.7 * limit, found);
 }
 
 void JudgeTest::StereoSupportsTheTrueSurface() {
@@ -389,79 +222,6 @@ void JudgeTest::WrongStartIsWithdrawnAndTheRightOneIsNot() {
       QVERIFY2((overlay.validity == Validity::valid) == (off == 0.0), validity_code(overlay.validity));
     }
   }
-}
-
-void JudgeTest::StandingPictureIsWithdrawn() {
-  Registration start;
-  start.nodes_in_camera = nodes_;
-  Tracker tracker(model_, start, options());
-  tracker.begin(rig_, first_, {});
-  OverlayFrame overlay;
-  for (int k = 1; k < 15; ++k) overlay = tracker.follow(first_);
-  QVERIFY2(overlay.validity == Validity::picture_stands, validity_code(overlay.validity));
-}
-
-void JudgeTest::AStillPictureIsToldFromACopy_data() {
-  QTest::addColumn<QString>("shown");
-  QTest::addColumn<int>("said");
-  const auto row = [](const char* name, const char* shown, Validity said) {
-    QTest::newRow(name) << shown << static_cast<int>(said);
-  };
-  row("breath held, alive", "alive", Validity::valid);
-  row("breath held from the first frame on", "alive from the first", Validity::picture_still);
-  row("breath held, smoothed in time by a codec", "smoothed", Validity::picture_still);
-  row("one moment again and again", "copies", Validity::picture_stands);
-  row("copies with noise", "noisy copies", Validity::picture_stands);
-  row("copies with loud noise", "loud copies", Validity::picture_stands);
-}
-
-void JudgeTest::AStillPictureIsToldFromACopy() {
-  QFETCH(QString, shown);
-  QFETCH(int, said);
-  Registration start;
-  start.nodes_in_camera = nodes_;
-  Tracker tracker(model_, start, options());
-  tracker.begin(rig_, first_, {});
-  constexpr int kStill = 14;  // it moves until then
-  const int from = shown == "alive from the first" ? 0 : kStill;
-  std::vector<StereoFrame> alive;  // one place, noise of its own in each
-  for (int k = 0; k < 4; ++k) {
-    alive.push_back(phantom::film(model_, moved({0.0, 0.5e-3 * from, -0.2e-3 * from}), rig_, from + k));
-  }
-  const auto noisy = [](const Picture& picture, double share, const Picture& other, double noise,
-                        unsigned seed) {
-    std::mt19937 random(seed);
-    std::normal_distribution<double> normal(0.0, std::max(noise, 1e-9));
-    Picture result = picture;
-    auto bytes = std::make_shared<std::vector<std::uint8_t>>(*picture.bytes);
-    for (std::size_t i = 0; i < bytes->size(); ++i)
-      (*bytes)[i] = static_cast<std::uint8_t>(std::clamp(
-          std::round((1.0 - share) * (*bytes)[i] + share * (*other.bytes)[i] + normal(random)), 0.0, 255.0));
-    result.bytes = bytes;
-    return result;
-  };
-  OverlayFrame overlay;
-  for (int k = 1; k < from + 16; ++k) {
-    StereoFrame now = k < from ? frame(k) : alive[0];
-    const StereoFrame& next = alive[static_cast<std::size_t>(k % 4)];
-    if (k >= from && shown.startsWith("alive")) now = next;
-    for (Picture StereoFrame::*view : {&StereoFrame::left, &StereoFrame::right}) {
-      if (k < from) break;
-      const auto seed = static_cast<unsigned>(2 * k + (view == &StereoFrame::left ? 0 : 1));
-      if (shown == "smoothed") now.*view = noisy(now.*view, 0.5, next.*view, 0.0, seed);
-      if (shown == "noisy copies") now.*view = noisy(now.*view, 0.0, now.*view, 1.5, seed);
-      if (shown == "loud copies") now.*view = noisy(now.*view, 0.0, now.*view, 4.0, seed);
-    }
-    now.index = k;
-    now.seconds = k / 30.0;
-    overlay = tracker.follow(now);
-    if (k < from) QVERIFY2(overlay.validity == Validity::valid, validity_code(overlay.validity));
-  }
-  QVERIFY2(overlay.validity == static_cast<Validity>(said),
-           qPrintable(QString("%1, motion %2, fresh %3")
-                          .arg(validity_code(overlay.validity))
-                          .arg(overlay.evidence.motion)
-                          .arg(overlay.evidence.fresh)));
 }
 
 void JudgeTest::WhatIsSetElsewhereIsShownOnlyWhenSurfacesAgree_data() {

@@ -20,14 +20,14 @@ namespace glisson::engine {
 namespace {
 
 Cancellable<registration::RegisteredAgain> registered(const CaseState& state,
-                                                      const PointsIn<CameraFrame>& tissue,
+                                                      const PointsIn<CameraFrame>& seen,
                                                       registration::RegisterOptions options,
                                                       const RunContext& context) {
   options.landmarks_are_placed = state[part::landmarks] != nullptr;
   if (options.tissue.empty()) options.tissue = tissue_of(state, !options.materials);
   const LabelledCloud none;
   return registration::register_again(effective_model(state), state[part::cloud] ? *state[part::cloud] : none,
-                                      tissue, *state[part::registration], options, context,
+                                      seen, *state[part::registration], options, context,
                                       known_operations(state, context.seed()));
 }
 
@@ -53,11 +53,11 @@ CommandTraits RegisterAgain::traits() const {
 }
 
 Cancellable<Applied> RegisterAgain::apply(const CaseState& state, const RunContext& context) const {
-  const auto& tissue = state[part::live]->tissue_at_start;
-  if (!tissue)
+  const auto& seen = state[part::live]->tissue_at_start;
+  if (!seen)
     throw InputError("registration", "tissue", "has not been seen often enough yet",
                      "Follow the organ in a stereo video for a second");
-  auto again = registered(state, *tissue, *this, context);
+  auto again = registered(state, *seen, *this, context);
   if (!again) return {};
   Applied applied{state, figures_of(*again)};
   Registration& made = again->examined.registered.registration;
