@@ -4680,6 +4680,10 @@
         <source>The former registration could not be read and was left out (%*).</source>
         <translation>Die frühere Registrierung war nicht lesbar und wurde weggelassen (%*).</translation>
     </message>
+    <message>
+        <source>%1 is no lesion of this model: what is said of its stiffness is left out.</source>
+        <translation>%1 ist keine Läsion dieses Modells: Was über ihre Steifigkeit gesagt ist, wird weggelassen.</translation>
+    </message>
 </context>
 <context>
     <name>Obstacles</name>
@@ -9276,6 +9280,14 @@
         <source>Pictures left out because the computer or its disk is too slow: %1</source>
         <translation>Bilder ausgelassen, weil der Rechner oder seine Platte zu langsam ist: %1</translation>
     </message>
+    <message>
+        <source>%1: lies there already. Choose another name.</source>
+        <translation>%1: liegt dort schon. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>The recording is being brought to its end.</source>
+        <translation>Die Aufnahme wird abgeschlossen.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::RegionBox</name>
@@ -9395,8 +9407,8 @@
         <translation>Frühere Registrierung</translation>
     </message>
     <message>
-        <source>Back to the registration before this one, and forth again (Ctrl+Z while nothing is tracked). It is kept with the case.</source>
-        <translation>Zurück zur Registrierung vor dieser und wieder vor (Strg+Z, solange nichts verfolgt wird). Sie bleibt beim Fall.</translation>
+        <source>Back to the registration before this one, and forth again (Ctrl+Z before anything is tracked). It is kept with the case.</source>
+        <translation>Zurück zur Registrierung vor dieser und wieder vor (Strg+Z, bevor etwas verfolgt wird). Sie bleibt beim Fall.</translation>
     </message>
     <message>
         <source>Use it nevertheless</source>
@@ -9506,20 +9518,20 @@
         <translation>Rechnung</translation>
     </message>
     <message>
-        <source>came to rest, %1 plateaus</source>
-        <translation>kam zur Ruhe, %1 Stufen</translation>
+        <source>came to rest</source>
+        <translation>kam zur Ruhe</translation>
     </message>
     <message>
-        <source>stalled, %1 steps</source>
-        <translation>kam nicht weiter, %1 Schritte</translation>
+        <source>stalled</source>
+        <translation>kam nicht weiter</translation>
     </message>
     <message>
-        <source>stopped at its limit, %1 steps</source>
-        <translation>an der Grenze beendet, %1 Schritte</translation>
+        <source>stopped at its limit</source>
+        <translation>an der Grenze beendet</translation>
     </message>
     <message>
-        <source>failed, %1 steps</source>
-        <translation>gescheitert, %1 Schritte</translation>
+        <source>failed</source>
+        <translation>gescheitert</translation>
     </message>
     <message>
         <source>%1: %2, %3 mm</source>
@@ -9540,6 +9552,14 @@
     <message>
         <source>The organ lies here: take this place</source>
         <translation>Das Organ liegt hier: diesen Ort nehmen</translation>
+    </message>
+    <message>
+        <source>A place is being taken.</source>
+        <translation>Ein Ort wird gerade übernommen.</translation>
+    </message>
+    <message>
+        <source>The organ is followed from the place it has now: stop tracking first.</source>
+        <translation>Das Organ wird von seinem jetzigen Ort aus verfolgt: Beenden Sie zuerst die Verfolgung.</translation>
     </message>
 </context>
 <context>

@@ -4680,6 +4680,10 @@
         <source>The former registration could not be read and was left out (%*).</source>
         <translation>Le recalage précédent n&apos;a pas pu être lu et a été laissé de côté (%*).</translation>
     </message>
+    <message>
+        <source>%1 is no lesion of this model: what is said of its stiffness is left out.</source>
+        <translation>%1 n&apos;est pas une lésion de ce modèle : ce qui est dit de sa raideur est omis.</translation>
+    </message>
 </context>
 <context>
     <name>Obstacles</name>
@@ -9276,6 +9280,14 @@
         <source>Pictures left out because the computer or its disk is too slow: %1</source>
         <translation>Images omises parce que l&apos;ordinateur ou son disque est trop lent : %1</translation>
     </message>
+    <message>
+        <source>%1: lies there already. Choose another name.</source>
+        <translation>%1 : existe déjà à cet endroit. Choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>The recording is being brought to its end.</source>
+        <translation>L&apos;enregistrement est en cours de finalisation.</translation>
+    </message>
 </context>
 <context>
     <name>glisson::ui::RegionBox</name>
@@ -9395,8 +9407,8 @@
         <translation>Recalage précédent</translation>
     </message>
     <message>
-        <source>Back to the registration before this one, and forth again (Ctrl+Z while nothing is tracked). It is kept with the case.</source>
-        <translation>Retour au recalage avant celui-ci, et de nouveau en avant (Ctrl+Z tant que rien n&apos;est suivi). Il reste avec le cas.</translation>
+        <source>Back to the registration before this one, and forth again (Ctrl+Z before anything is tracked). It is kept with the case.</source>
+        <translation>Retour au recalage avant celui-ci, et de nouveau en avant (Ctrl+Z avant tout suivi). Il reste avec le cas.</translation>
     </message>
     <message>
         <source>Use it nevertheless</source>
@@ -9506,20 +9518,20 @@
         <translation>Calcul</translation>
     </message>
     <message>
-        <source>came to rest, %1 plateaus</source>
-        <translation>arrivé au repos, %1 paliers</translation>
+        <source>came to rest</source>
+        <translation>arrivé au repos</translation>
     </message>
     <message>
-        <source>stalled, %1 steps</source>
-        <translation>n&apos;avance plus, %1 pas</translation>
+        <source>stalled</source>
+        <translation>n&apos;avance plus</translation>
     </message>
     <message>
-        <source>stopped at its limit, %1 steps</source>
-        <translation>arrêté à sa limite, %1 pas</translation>
+        <source>stopped at its limit</source>
+        <translation>arrêté à sa limite</translation>
     </message>
     <message>
-        <source>failed, %1 steps</source>
-        <translation>échoué, %1 pas</translation>
+        <source>failed</source>
+        <translation>échoué</translation>
     </message>
     <message>
         <source>%1: %2, %3 mm</source>
@@ -9540,6 +9552,14 @@
     <message>
         <source>The organ lies here: take this place</source>
         <translation>L&apos;organe est ici : prendre cette position</translation>
+    </message>
+    <message>
+        <source>A place is being taken.</source>
+        <translation>Une position est en train d&apos;être prise.</translation>
+    </message>
+    <message>
+        <source>The organ is followed from the place it has now: stop tracking first.</source>
+        <translation>L&apos;organe est suivi depuis sa position actuelle : arrêtez d&apos;abord le suivi.</translation>
     </message>
 </context>
 <context>

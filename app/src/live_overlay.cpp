@@ -21,7 +21,7 @@ const engine::CaseState& drawable(const engine::CaseState& state) {
 }  // namespace
 
 OverlayDrawer::OverlayDrawer(const engine::CaseState& state, const scene::OverlayStyle& style)
-    : camera_(state[part::rig]->left),
+    : camera_(drawable(state)[part::rig]->left),
       drawable_(scene::make_drawable(
           std::make_shared<const PatientModel>(engine::effective_model(drawable(state))))),
       painter_(drawable_, drawable_->model->landmarks.anterior_margin, camera_, style),
@@ -60,6 +60,8 @@ double OverlayRecorder::add(const StereoFrame& frame, const OverlayFrame& overla
 }
 
 void OverlayRecorder::close() { writer_.close(); }
+
+void OverlayRecorder::keep() { writer_.keep(); }
 
 std::function<Picture(const engine::CaseState&, const StereoFrame&, const OverlayFrame&)> overlay_hook() {
   struct Kept {

@@ -41,7 +41,7 @@ class OverlayDrawer {
   engine::LandmarkReview landmarks_;
 };
 
-/// Records drawn frames as a video of the left camera. Without close() nothing remains.
+/// Records drawn frames as a video of the left camera. Without close() or keep() nothing remains.
 class OverlayRecorder {
  public:
   /// @param is_paced each frame stands for its own moment, and where one is missing the one before stays;
@@ -52,7 +52,10 @@ class OverlayRecorder {
                   bool is_paced = false);
   /// @return milliseconds that drawing took.
   double add(const StereoFrame& frame, const OverlayFrame& overlay);
+  /// @throws FileError
   void close();
+  /// What an error has cut short stays as far as it plays.
+  void keep();
 
  private:
   OverlayDrawer drawer_;

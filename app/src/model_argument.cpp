@@ -98,13 +98,17 @@ std::optional<fem::Tissue> given_stiffness(const Arguments& arguments) {
 void say_stiffness(const Arguments& arguments, Session& session) {
   const auto given = given_stiffness(arguments);
   if (!given) return;
-  session.post(engine::SetTissue{fem::said_over(engine::tissue_of(session.state()), *given)});
+  const engine::CaseState& now = session.state();
+  const fem::Tissue former = fem::still_there(engine::tissue_of(now), now[part::model]->model);
+  session.post(engine::SetTissue{fem::said_over(former, *given)});
 }
 
 fem::CompositeOptions materials(const Arguments& arguments) {
   fem::CompositeOptions options = fem::composite_preset(arguments.value("materials").toStdString());
   if (arguments.has("young")) options.parenchyma.young_modulus = arguments.number("young", 1.0, 1e9);
   if (arguments.has("poisson")) options.parenchyma.poisson_ratio = arguments.number("poisson", 0.0, 0.499);
+  if (const auto said = given_stiffness(arguments); said && said->parenchyma)
+    options.parenchyma.young_modulus = *said->parenchyma;
   if (arguments.has("homogeneous")) options.with_capsule = options.with_vessels = false;
   return options;
 }

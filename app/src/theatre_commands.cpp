@@ -250,6 +250,19 @@ void remove_former(const fs::path& folder, const fs::path& fresh) {
 
 }  // namespace
 
+namespace {
+
+/// Of a registration whose place is not the one that is taken.
+void forget_the_place(Figures& figures) {
+  std::erase_if(figures, [](const auto& figure) {
+    const std::string& key = figure.first;
+    return key.starts_with("evidence_") || key.starts_with("forces_") || key.starts_with("rival_") ||
+           key.starts_with("displacement_") || key == "rigid_residual_mm" || key.ends_with("_after_look_mm");
+  });
+}
+
+}  // namespace
+
 int run_register(const QStringList& given) {
   Arguments arguments(
       "register",
@@ -347,8 +360,10 @@ int run_register(const QStringList& given) {
     command.given = registration::read_start(arguments.path("rigid"), argument.unit);
   }
   session.post(command);
-  if (arguments.has("rival"))
+  if (arguments.has("rival")) {
+    forget_the_place(session.figures);
     session.post(engine::ChooseRival{static_cast<std::size_t>(arguments.integer("rival", 1, 99) - 1)});
+  }
   if (arguments.has("accept-doubts")) session.post(engine::AcceptRegistration{});
   const Registration& registration = *session.state()[part::registration];
   if (arguments.has("truth")) {

@@ -242,12 +242,18 @@ int run_overlay(const QStringList& given) {
   const int last = arguments.has("frames") ? first + arguments.integer("frames", 1, 10000000) - 1 : -1;
   experiments::FrameTimes times(rate);
   double drawing = 0.0;
-  const bool whole = until_interrupted([&] {
-    show_video(session, replayed, last, [&](const StereoFrame& frame, const OverlayFrame& overlay) {
-      drawing += recorder.add(frame, overlay);
-      times.add(overlay);
+  bool whole = false;
+  try {
+    whole = until_interrupted([&] {
+      show_video(session, replayed, last, [&](const StereoFrame& frame, const OverlayFrame& overlay) {
+        drawing += recorder.add(frame, overlay);
+        times.add(overlay);
+      });
     });
-  });
+  } catch (const Error&) {
+    if (times.frames() > 0) recorder.keep();
+    throw;
+  }
   if (!whole && times.frames() == 0) throw Interrupted();
   if (times.frames() == 0)
     throw InputError(arguments.path("case").string(), "video", "has no frame to be drawn",

@@ -9,6 +9,7 @@
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/engine/commands/build_atlas.h"
+#include "glisson/engine/parts/cloud.h"
 #include "glisson/engine/parts/labels.h"
 #include "glisson/engine/parts/review.h"
 
@@ -101,6 +102,7 @@ class BuildAtlasTest : public QObject {
     give_labels(paths[2], false);
     BuildAtlas build{.cases = paths, .base = base_, .out = out};
     build.options.name = "newer";
+    build.cases[2] /= "";  // as a folder is completed on a command line
     const auto applied = build.apply(CaseState(), RunContext());
     QVERIFY(applied);
     QVERIFY(std::count(applied->notes.begin(), applied->notes.end(), "atlas.not_approved liver_2") == 1);
@@ -114,6 +116,21 @@ class BuildAtlasTest : public QObject {
     QVERIFY(is_begun(build));
     QCOMPARE(atlas::read_atlas(out).name, std::string("newer"));
     QCOMPARE(std::distance(fs::directory_iterator(out), fs::directory_iterator()), std::ptrdiff_t{2});
+  }
+
+  /// An atlas is made of none of it.
+  void aCaseWithoutItsCloudGoesIn() {
+    fs::create_directory(folder_.path() / "lossy");
+    const auto paths = test::write_atlas_cases(folder_.path() / "lossy", 5);
+    CaseState state = *open_case(paths[0], RunContext());
+    auto cloud = std::make_shared<LabelledCloud>();
+    cloud->points = cloud->normals = Points::Constant(40, 3, 0.1);
+    cloud->normals.rowwise().normalize();
+    cloud->sigma.assign(40, 1e-3);
+    state[part::cloud] = cloud;
+    QVERIFY(save_case(paths[0], state, RunContext()));
+    QVERIFY(fs::remove(paths[0] / "cloud.ply"));
+    QVERIFY(is_begun({.cases = paths, .base = base_}));
   }
 
   void cancelLeavesNothing() {

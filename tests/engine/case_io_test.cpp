@@ -382,7 +382,7 @@ void CaseIoTest::CasesOfBeforeSayByNumberHowARegistrationEnded() {
     nlohmann::json document = read_json(path / "case.json");
     document["parts"]["registration"]["termination"] = termination;
     write_json(path / "case.json", document);
-    return open_case(path, RunContext())->state[part::registration]->termination;
+    return open_case(path, RunContext()).value()[part::registration]->termination;
   };
   QVERIFY(with(0) == Termination::converged);
   QVERIFY(with(1) == Termination::step_limit);

@@ -6,9 +6,11 @@
 #include <QtTest>
 
 #include <atomic>
+#include <chrono>
 #include <mutex>
 #include <set>
 #include <thread>
+#include <vector>
 
 #include "gate.h"
 #include "glisson/core/error.h"
@@ -96,6 +98,14 @@ Engine::Options gated(const std::shared_ptr<Gate>& gate) {
   return made;
 }
 
+/// The same with a result.
+Cancellable<Applied> with_result(const CaseState& state, const Command& command, const RunContext& context,
+                                 const Services& services) {
+  auto applied = write_parts(state, command, context, services);
+  if (applied) applied->result = std::make_shared<const int>(7);
+  return applied;
+}
+
 StereoFrame numbered(int index) {
   StereoFrame frame;
   frame.index = index;
@@ -128,6 +138,9 @@ class EngineTest : public QObject {
   void SnapshotsAreImmutable_data() { both_runners(); }
   void SnapshotsAreImmutable();
   void WaitingForAnUnknownCommandIsRefused();
+  void OnlyTheLastResultsAreKept_data() { both_runners(); }
+  void OnlyTheLastResultsAreKept();
+  void WhoWaitsGetsTheResult();
 
   void ACancelBeforeTheStartIsNotLost();
   void ACancelDuringTheWorkIsNotLost();
@@ -311,6 +324,48 @@ void EngineTest::SnapshotsAreImmutable() {
 void EngineTest::WaitingForAnUnknownCommandIsRefused() {
   Engine engine(options(Runner::inline_));
   QVERIFY_EXCEPTION_THROWN(engine.wait(7), PreconditionError);
+}
+
+void EngineTest::OnlyTheLastResultsAreKept() {
+  QFETCH(Runner, runner);
+  Engine::Options made = options(runner);
+  made.apply = with_result;
+  Engine engine(std::move(made));
+  std::vector<CommandId> posted;
+  for (int i = 0; i < 12; ++i) posted.push_back(engine.post(SetSeeds{}));
+  engine.wait(posted.back());
+  for (std::size_t i = 0; i < posted.size(); ++i) {
+    const Outcome outcome = engine.wait(posted[i]);
+    QCOMPARE(outcome.status, Status::done);
+    QCOMPARE(outcome.result.as<int>() != nullptr, i >= 8);
+  }
+}
+
+/// However many commands end before a waiter has its turn.
+void EngineTest::WhoWaitsGetsTheResult() {
+  auto gate = std::make_shared<Gate>();
+  Engine::Options made = options(Runner::threaded);
+  made.apply = [gate](const CaseState& state, const Command& command, const RunContext& context,
+                      const Services& services) {
+    gate->pass();
+    return with_result(state, command, context, services);
+  };
+  Engine engine(std::move(made));
+  std::vector<CommandId> posted;
+  for (int i = 0; i < 12; ++i) posted.push_back(engine.post(SetSeeds{}));
+  std::atomic<int> asking{0}, served{0};
+  {
+    std::vector<std::jthread> waiters;
+    for (const CommandId id : posted)
+      waiters.emplace_back([&, id] {
+        ++asking;
+        served += engine.wait(id).result.as<int>() != nullptr;
+      });
+    while (asking.load() < 12) std::this_thread::yield();
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    gate->open();
+  }
+  QCOMPARE(served.load(), 12);
 }
 
 void EngineTest::ACancelBeforeTheStartIsNotLost() {

@@ -211,6 +211,31 @@ class ProposalsTest : public QObject {
     QVERIFY(proposal_of(back->state, Structure::umbilical_notch)->decision == Decision::proposed);
   }
 
+  /// Of landmarks that no proposal of now has put there, too.
+  void undoBringsBackHowSureALandmarkWas() {
+    Landmarks before;
+    before.anterior_margin = proposal_of(state_, Structure::anterior_margin)->points.topRows(4);
+    before.anterior_margin.array() += 0.002;
+    before.margin_deviation = Eigen::Vector4d(0.0, 0.003, 0.005, 0.004);
+    before.umbilical_notch = Points::Constant(1, 3, 0.02);
+    before.notch_deviation = 0.007;
+    CaseState then = state_;
+    then[part::landmarks] = std::make_shared<const Landmarks>(before);
+    QCOMPARE(placed_deviations(then, Structure::vena_cava).size(), 0);
+    for (const Structure one : {Structure::anterior_margin, Structure::umbilical_notch}) {
+      const RestoreReview undo{*proposal_of(then, one), placed_points(then, one),
+                               placed_deviations(then, one)};
+      const auto reviewed = ReviewProposal{one, Decision::not_visible}.apply(then, RunContext());
+      QCOMPARE(placed_deviations(reviewed->state, one).size(), 0);
+      const auto back = undo.apply(reviewed->state, RunContext());
+      const Landmarks& found = *back->state[part::landmarks];
+      QVERIFY(found.margin_deviation == before.margin_deviation);
+      QCOMPARE(found.notch_deviation, before.notch_deviation);
+      QVERIFY(apart(found.anterior_margin, before.anterior_margin) == 0.0);
+      QVERIFY(apart(found.umbilical_notch, before.umbilical_notch) == 0.0);
+    }
+  }
+
   /// A margin that follows the dragged place is not all the person's word.
   void whatMerelyFollowsADragKeepsItsSource() {
     const atlas::Proposal& margin = *proposal_of(state_, Structure::anterior_margin);

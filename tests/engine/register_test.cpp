@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QtTest>
 
+#include <nlohmann/json.hpp>
+
 #include "glisson/core/error.h"
+#include "glisson/core/json_file.h"
 #include "glisson/engine/case_io.h"
 #include "glisson/engine/commands/accept_registration.h"
 #include "glisson/engine/commands/choose_rival.h"
@@ -193,7 +196,13 @@ void RegisterTest::TheFormerRegistrationIsKeptWithTheCase() {
            both[part::former_registration]->registration->nodes_in_camera)
               .norm() < 1e-9);
   QCOMPARE(back[part::registration]->doubts, both[part::former_registration]->registration->doubts);
-  // Without its file the case opens, and says so.
+  // What is malformed of it, or without its file, lets the case open, and says so.
+  nlohmann::json document = read_json(path / "case.json");
+  document["parts"]["former_registration"].erase("plateaus");
+  write_json(path / "case.json", document);
+  std::vector<std::string> malformed;
+  QVERIFY(!open_case(path, RunContext(), &malformed).value()[part::former_registration]);
+  QCOMPARE(malformed.size(), std::size_t{1});
   std::filesystem::remove(path / "former_registration.vtu");
   std::vector<std::string> lost;
   const CaseState without = open_case(path, RunContext(), &lost).value();

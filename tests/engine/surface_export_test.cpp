@@ -10,15 +10,22 @@
 
 #include <Eigen/Geometry>
 #include <QtTest>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
 
 #include "glisson/core/error.h"
 #include "glisson/core/files.h"
 #include "glisson/engine/commands/export_surfaces.h"
 #include "glisson/engine/commands/import_image.h"
 #include "glisson/engine/commands/import_labels.h"
+#include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/model.h"
 #include "glisson/engine/script.h"
 #include "glisson/engine/surface_export.h"
 #include "glisson/model/build.h"
+#include "glisson/model/label_surfaces.h"
 #include "glisson/volume/io.h"
 
 using namespace glisson;
@@ -79,6 +86,24 @@ Body body_of(const LabelVolume& labels, const std::function<bool(Label)>& counts
   return body;
 }
 
+Body lesion_in(const LabelVolume& labels, Label lesion) {
+  return body_of(labels, [lesion](Label label) { return label == lesion; });
+}
+
+/// What a folder holds, by name.
+std::vector<fs::path> entries(const fs::path& folder) {
+  std::vector<fs::path> found;
+  for (const auto& entry : fs::directory_iterator(folder)) found.push_back(entry.path());
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+Cancellable<std::vector<fs::path>> written(const fs::path& folder, const std::string& ending,
+                                           const CaseState& state, const RunContext& context = {}) {
+  std::vector<std::string> notes;
+  return write_case_surfaces(folder, ending, state, context, notes);
+}
+
 }  // namespace
 
 class SurfaceExportTest : public QObject {
@@ -89,12 +114,18 @@ class SurfaceExportTest : public QObject {
   void EachFormatHoldsEachStructureWhereItIs();
   void NothingSaysWhoseTheyAre();
   void WhatIsWrittenComesInAgain();
+  void LesionsKeepTheirNumbers_data();
+  void LesionsKeepTheirNumbers();
+  void LesionsThatAreTooSmallAreTold();
   void SurfacesOfSomebodyElseAreNotMixedWithThem();
   void WhatCannotBeWrittenIsRefused();
   void ACancelLeavesNothing();
+  void WhatFailsLeavesNothing();
 
  private:
   fs::path at(const char* name) const { return folder_->path() / name; }
+  /// The case with balls in the liver for its lesions instead.
+  CaseState with_lesions(const std::map<Label, Eigen::Vector3d>& middles, double radius) const;
   std::unique_ptr<TemporaryFolder> folder_;
   std::unique_ptr<Script> script_;
   LabelMap labels_;
@@ -171,8 +202,7 @@ void SurfaceExportTest::EachFormatHoldsEachStructureWhereItIs() {
 
 void SurfaceExportTest::NothingSaysWhoseTheyAre() {
   for (const std::string& ending : surface_endings()) {
-    const auto files =
-        write_case_surfaces(at("out") / ending.substr(1), ending, script_->state(), RunContext());
+    const auto files = written(at("out") / ending.substr(1), ending, script_->state());
     QVERIFY(files && files->size() == 3);
     for (const fs::path& file : *files)
       for (const char* word : {"Doe^Jane", "4711-x", "1960-01-31", "labels.seg"})
@@ -193,11 +223,78 @@ void SurfaceExportTest::WhatIsWrittenComesInAgain() {
   }
 }
 
+CaseState SurfaceExportTest::with_lesions(const std::map<Label, Eigen::Vector3d>& middles,
+                                          double radius) const {
+  auto labels = std::make_shared<LabelMap>(labels_);
+  const VolumeGrid& grid = labels->voxels.grid();
+  const Eigen::Vector3d middle = grid.p_in_ct(0.5 * grid.size.cast<double>()).xyz;
+  for (int k = 0; k < grid.size.z(); ++k)
+    for (int j = 0; j < grid.size.y(); ++j)
+      for (int i = 0; i < grid.size.x(); ++i) {
+        if (is_lesion(labels->voxels.at({i, j, k}))) labels->voxels.set({i, j, k}, structure::kParenchyma);
+        const Eigen::Vector3d p = grid.p_in_ct(Eigen::Vector3d(i, j, k)).xyz - middle;
+        for (const auto& [label, lesion] : middles)
+          if ((p - lesion).norm() < radius) labels->voxels.set({i, j, k}, label);
+      }
+  for (const auto& [label, lesion] : middles) labels->infos.push_back(structure_info(label));
+  CaseState state = script_->state();
+  state[part::labels] = labels;
+  return state;
+}
+
+void SurfaceExportTest::LesionsKeepTheirNumbers_data() {
+  QTest::addColumn<int>("first");
+  QTest::addColumn<int>("last");
+  QTest::newRow("eleven") << 1 << 11;
+  QTest::newRow("without the first") << 2 << 4;
+}
+
+void SurfaceExportTest::LesionsKeepTheirNumbers() {
+  QFETCH(int, first);
+  QFETCH(int, last);
+  std::map<Label, Eigen::Vector3d> middles;
+  for (int number = first; number <= last; ++number) {
+    const double turn = 0.55 * number;
+    middles[static_cast<Label>(structure::kFirstLesion + number - 1)] =
+        Eigen::Vector3d(0.042 * std::cos(turn), 0.03 * std::sin(turn), number % 2 == 0 ? 0.013 : -0.013);
+  }
+  const CaseState state = with_lesions(middles, 0.005);
+  QVERIFY(written(at("out"), ".stl", state));
+  const model::SurfaceSet set = model::read_surfaces(at("out"), LengthUnit::millimetre);
+  std::size_t lesions = 0;
+  for (const NamedSurface& surface : set.others) {
+    if (!is_lesion(surface.structure)) continue;
+    ++lesions;
+    QVERIFY(middles.contains(surface.structure));
+    const Eigen::Vector3d centre_mm = 1e3 * surface.mesh.vertices.colwise().mean().transpose();
+    const double apart =
+        (centre_mm - lesion_in(state[part::labels]->voxels, surface.structure).centre_mm).norm();
+    QVERIFY2(apart < 1.5, qPrintable(QStringLiteral("%1: %2 mm").arg(surface.structure).arg(apart)));
+  }
+  QCOMPARE(lesions, middles.size());
+}
+
+/// One voxel has 10 mm3.
+void SurfaceExportTest::LesionsThatAreTooSmallAreTold() {
+  const VolumeGrid& grid = labels_.voxels.grid();
+  constexpr Label kSecond = structure::kFirstLesion + 1;
+  LabelVolume voxels = labels_.voxels;
+  voxels.set(grid.size / 2, kSecond);
+  write_labels(at("more.seg.nrrd"), voxels,
+               {structure_info(structure::kParenchyma), structure_info(structure::kFirstLesion),
+                structure_info(structure::kPortalVein), structure_info(kSecond)});
+  script_->run(ImportLabels{at("more.seg.nrrd"), {}});
+  const auto outcome = script_->run(ExportSurfaces{at("out"), ".stl"});
+  QCOMPARE(outcome->notes, (std::vector<std::string>{"lesion.dropped lesion_2 mm3 10"}));
+  QCOMPARE(outcome->figures.at("surfaces_written"), 3.0);
+  QVERIFY(!fs::exists(at("out") / "lesion_2.stl") && fs::exists(at("out") / "lesion_1.stl"));
+}
+
 void SurfaceExportTest::SurfacesOfSomebodyElseAreNotMixedWithThem() {
   fs::create_directories(at("out"));
   write_file_atomically(at("out") / "lesion_9.obj", std::string("v 0 0 0\n"));
   try {
-    write_case_surfaces(at("out"), ".stl", script_->state(), RunContext());
+    written(at("out"), ".stl", script_->state());
     QFAIL("was not refused");
   } catch (const InputError& error) {
     QVERIFY(std::string(error.what()).find("lesion_9.obj") != std::string::npos);
@@ -209,7 +306,7 @@ void SurfaceExportTest::WhatCannotBeWrittenIsRefused() {
   const auto refused = [&](const fs::path& folder, const char* ending, const CaseState& state,
                            const char* mentions) {
     try {
-      write_case_surfaces(folder, ending, state, RunContext());
+      written(folder, ending, state);
     } catch (const std::exception& error) {
       return std::string(error.what()).find(mentions) != std::string::npos;
     }
@@ -218,15 +315,58 @@ void SurfaceExportTest::WhatCannotBeWrittenIsRefused() {
   QVERIFY(refused(at("out"), ".step", script_->state(), "format"));
   QVERIFY(refused(at("out"), ".stl", CaseState(), "neither labels nor a model"));
   QVERIFY(refused(at("labels.seg.nrrd"), ".stl", script_->state(), "is no folder"));
-  QVERIFY(refused(at("labels.seg.nrrd") / "out", ".stl", script_->state(), "out"));
+  QVERIFY(refused(at("labels.seg.nrrd") / "out", ".stl", script_->state(), "labels.seg.nrrd"));
+  CaseState nothing;
+  nothing[part::labels] = std::make_shared<const LabelMap>(LabelMap{LabelVolume(labels_.voxels.grid()), {}});
+  QVERIFY(refused(at("out"), ".stl", nothing, "are empty"));
   QVERIFY(!fs::exists(at("out")));
 }
 
 void SurfaceExportTest::ACancelLeavesNothing() {
-  const auto cancel = std::make_shared<CancelFlag>();
-  cancel->request();
-  QVERIFY(!write_case_surfaces(at("out"), ".stl", script_->state(), RunContext({}, cancel, 1)));
+  const auto before = std::make_shared<CancelFlag>();
+  before->request();
+  QVERIFY(!written(at("out"), ".stl", script_->state(), RunContext({}, before, 1)));
   QVERIFY(!fs::exists(at("out")));
+  // While the second is written.
+  const std::vector<fs::path> was = entries(folder_->path());
+  const auto cancelled = [&](const CaseState& state) {
+    const auto cancel = std::make_shared<CancelFlag>();
+    int files = 0;
+    const auto sink = [&](double, std::string_view stage) {
+      if (stage == "case.write" && ++files == 2) cancel->request();
+    };
+    return !written(at("out"), ".stl", state, RunContext(sink, cancel, 1)) && files == 2;
+  };
+  QVERIFY(cancelled(script_->state()));
+  QVERIFY(entries(folder_->path()) == was);
+  // Those of a former state stay. The lesion makes the liver another one.
+  QVERIFY(written(at("out"), ".stl", script_->state()));
+  const std::string liver = read_file(at("out") / "liver.stl");
+  const std::vector<fs::path> there = entries(at("out"));
+  const CaseState later = with_lesions({{structure::kFirstLesion, Eigen::Vector3d(-0.055, 0.0, 0.0)}}, 0.02);
+  QVERIFY(cancelled(later));
+  QVERIFY(read_file(at("out") / "liver.stl") == liver);
+  QVERIFY(entries(at("out")) == there);
+  QVERIFY(written(at("out"), ".stl", later));
+  QVERIFY(read_file(at("out") / "liver.stl") != liver);
+  QVERIFY(entries(at("out")) == there);
+}
+
+void SurfaceExportTest::WhatFailsLeavesNothing() {
+  const std::vector<fs::path> was = entries(folder_->path());
+  CaseState state;
+  const auto built = std::make_shared<model::BuiltModel>();
+  std::vector<std::string> notes;
+  built->model.surfaces = *model::surfaces_of_labels(labels_, RunContext(), notes);
+  QCOMPARE(built->model.surfaces.size(), std::size_t{3});
+  built->model.surfaces.back().mesh.vertices(0, 0) = std::numeric_limits<double>::quiet_NaN();
+  state[part::model] = built;
+  QVERIFY_EXCEPTION_THROWN(written(at("out"), ".stl", state), Error);
+  QVERIFY(entries(folder_->path()) == was);
+  // A file cannot go where a folder is.
+  fs::create_directories(at("out") / "portal_vein.stl");
+  QVERIFY_EXCEPTION_THROWN(written(at("out"), ".stl", script_->state()), FileError);
+  QCOMPARE(entries(at("out")).size(), std::size_t{1});
 }
 
 QTEST_APPLESS_MAIN(SurfaceExportTest)

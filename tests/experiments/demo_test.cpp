@@ -75,10 +75,12 @@ void DemoTest::FromCtToTrackedVideo() {
                           "track_tre_volume_mean_mm", "track_tre_frozen_mean_mm", "cloud_error_median_mm"})
     QVERIFY2(figures.contains(key) && std::isfinite(figures.at(key)) && figures.at(key) > 0.0, key);
   QVERIFY(figures.at("cloud_error_median_mm") < 2.0);
-  // How far the drawn margin lies beside the true one is known of whatever is drawn.
-  if (figures.at("frames_valid") == 8.0)
-    QVERIFY(figures.at("margin_frames") == 2.0 && figures.at("margin_mean_px") > 0.0 &&
-            figures.at("margin_mean_px") < 200.0);
+  // How far the drawn margin lies beside the true one is known of every fifth frame that has an overlay. Some
+  // may be withdrawn; tracking that shows none from the first frame on has failed.
+  QVERIFY(figures.at("frames_valid") >= 1.0);
+  QVERIFY(figures.contains("margin_frames") && figures.at("margin_frames") >= 1.0);
+  QVERIFY2(figures.at("margin_mean_px") > 0.0 && figures.at("margin_mean_px") < 80.0,
+           qPrintable(QString::number(figures.at("margin_mean_px"))));
   QCOMPARE(figures.at("frames"), 8.0);
   const auto opened = engine::open_case(result->case_folder, RunContext());
   QVERIFY(opened && (*opened)[part::registration] && (*opened)[part::video]);

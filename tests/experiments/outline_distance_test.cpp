@@ -93,8 +93,11 @@ class OutlineDistanceTest : public QObject {
     const auto found =
         line_distance({{20.0, 50.0}, {900.0, 50.0}}, {{20.0, 50.0}, {199.0, 50.0}}, kWidth, kHeight);
     QVERIFY(found && found->mean < 1e-9);
-    QVERIFY(!line_distance({{500.0, 50.0}, {600.0, 50.0}}, {{20.0, 50.0}}, kWidth, kHeight));
-    QVERIFY(!line_distance({}, {{20.0, 50.0}}, kWidth, kHeight));
+    // Drawn where nobody sees it, and to be seen: as wrong as can be.
+    const auto lost = line_distance({{500.0, 50.0}, {600.0, 50.0}}, {{20.0, 50.0}}, kWidth, kHeight);
+    QVERIFY(lost && lost->mean == std::hypot(kWidth, kHeight));
+    QVERIFY(line_distance({}, {{20.0, 50.0}}, kWidth, kHeight)->mean > 100.0);
+    QVERIFY(!line_distance({{20.0, 50.0}}, {{500.0, 50.0}, {600.0, 50.0}}, kWidth, kHeight));
   }
 
   void FramesAreSummedUp() {

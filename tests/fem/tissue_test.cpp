@@ -16,6 +16,8 @@ class TissueTest : public QObject {
   Q_OBJECT
  private slots:
   void AListIsReadAndWrittenTheSame();
+  void EveryNumberComesBackToTheBit();
+  void OfAFormerModelsLesionsThoseThatAreGoneAreDropped();
   void SlipsAreNamed_data();
   void SlipsAreNamed();
   void LesionsGetWhatIsSaidOfThem();
@@ -44,12 +46,32 @@ PatientModel of_two(int a, int b) {
 void TissueTest::AListIsReadAndWrittenTheSame() {
   const Tissue tissue = tissue_from("parenchyma=cirrhotic,lesion_1=20.3,lesion_3=soft,lesions=12");
   QCOMPARE(*tissue.parenchyma, 30e3);
-  QVERIFY(tissue.of(kFirst) == (Stiffness{Kind::given, 1e3 * 20.3}));
+  QVERIFY(tissue.of(kFirst) == (Stiffness{Kind::given, 20300.0}));
   QVERIFY(tissue.of(kSecond) == (Stiffness{Kind::given, 12e3}));
   QVERIFY(tissue.of(kSecond + 1) == (Stiffness{Kind::soft, 0.0}));
   QVERIFY(tissue_from(tissue_list(tissue)) == tissue);
   QVERIFY(tissue_from("").empty());
   QVERIFY(tissue_from("lesions=as_liver").empty());
+}
+
+void TissueTest::EveryNumberComesBackToTheBit() {
+  for (int tenths = 1; tenths <= 10000; ++tenths) {
+    Tissue tissue;
+    tissue.parenchyma = 1e3 * (tenths / 10.0);  // as the window's spin box gives it
+    tissue.lesions[kFirst] = {Kind::given, 100.0 * tenths};
+    const Tissue kept = rounded(tissue);
+    QVERIFY2(tissue_from(tissue_list(kept)) == kept, tissue_list(kept).c_str());
+    QVERIFY(std::abs(*kept.parenchyma - *tissue.parenchyma) < 1e-9);
+  }
+}
+
+void TissueTest::OfAFormerModelsLesionsThoseThatAreGoneAreDropped() {
+  PatientModel model = of_two(structure::kParenchyma, kFirst);
+  model.surfaces.push_back({kFirst, structure_name(kFirst), boundary_surface(model.mesh).mesh});
+  const Tissue former = tissue_from("parenchyma=20,lesion_1=30,lesion_2=stiff,lesions=12");
+  QCOMPARE(lesions_not_there(former, model), std::vector<Label>{kSecond});
+  QVERIFY(still_there(former, model) == tissue_from("parenchyma=20,lesion_1=30,lesions=12"));
+  QVERIFY(still_there(former, of_two(1, 1)) == tissue_from("parenchyma=20"));
 }
 
 void TissueTest::SlipsAreNamed_data() {

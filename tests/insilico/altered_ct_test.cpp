@@ -3,6 +3,7 @@
 #include "glisson/insilico/altered_ct.h"
 
 #include <QtTest>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -33,6 +34,21 @@ Alteration with_tumour(LesionKind::Place place, double radius_mm) {
   Alteration alteration;
   alteration.lesions = {{LesionKind::Look::hypodense, place, radius_mm}};
   return alteration;
+}
+
+/// Middle of a label's voxels in the truth, LPS millimetres.
+Eigen::Vector3d centroid_of(const PathologyCt& made, Label wanted) {
+  const VolumeGrid& grid = made.ct.grid;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double count = 0.0;
+  for (int k = 0; k < grid.size.z(); ++k)
+    for (int j = 0; j < grid.size.y(); ++j)
+      for (int i = 0; i < grid.size.x(); ++i)
+        if (made.truth.voxels.at({i, j, k}) == wanted) {
+          sum += 1e3 * grid.p_in_ct(Eigen::Vector3d(i, j, k)).xyz;
+          count += 1.0;
+        }
+  return sum / count;
 }
 
 struct Spread {
@@ -137,6 +153,13 @@ void AlteredCtTest::OtherSeedsPutItElsewhere() {
                     other = altered(alteration, 2);
   QCOMPARE(*one.ct.voxels, *again.ct.voxels);
   QVERIFY(*one.ct.voxels != *other.ct.voxels);
+  std::vector<Eigen::Vector3d> centroids;
+  for (const PathologyCt& made : {one, other, altered(alteration, 3), altered(alteration, 4)})
+    centroids.push_back(centroid_of(made, structure::kFirstLesion));
+  double farthest = 0.0;
+  for (const Eigen::Vector3d& a : centroids)
+    for (const Eigen::Vector3d& b : centroids) farthest = std::max(farthest, (a - b).norm());
+  QVERIFY2(farthest > 10.0, qPrintable(QString::number(farthest)));
 }
 
 void AlteredCtTest::ALiverWithoutPlaceIsRefused() {

@@ -67,6 +67,7 @@ class OverlayRecordTest : public QObject {
   void ARegistrationMadeMeanwhileIsALineOfItsOwn();
   void TheEvidenceBehindALevelComesBack();
   void EvidenceThatIsNoNumberIsLeftOut();
+  void WhetherAPictureIsACopyNeedNotBeKnown();
   void NodesInTheLineComeBack();
   void NodesThatAreNoPointsAreRefused();
   void ALesionsVerdictIsWrittenInTheUnitOfItsLine_data() {
@@ -275,6 +276,16 @@ void OverlayRecordTest::EvidenceThatIsNoNumberIsLeftOut() {
   const QJsonObject evidence = object_of(written)["evidence"].toObject();
   QVERIFY(!evidence.contains("gap") && evidence.contains("behind"));
   QVERIFY(read_back(written).overlay.evidence.judged);
+}
+
+void OverlayRecordTest::WhetherAPictureIsACopyNeedNotBeKnown() {
+  OverlayLine written = line();
+  written.overlay.evidence.judged = true;
+  QVERIFY(!object_of(written)["evidence"].toObject().contains("fresh"));
+  QVERIFY(read_back(written).overlay.evidence.fresh < 0.0);
+  written.overlay.evidence.fresh = 0.0;  // it is one
+  QVERIFY(object_of(written)["evidence"].toObject().contains("fresh"));
+  QCOMPARE(read_back(written).overlay.evidence.fresh, 0.0);
 }
 
 void OverlayRecordTest::NodesInTheLineComeBack() {

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "glisson/core/error.h"
+#include "glisson/geometry/closest_point_tree.h"
 #include "glisson/geometry/distance.h"
 #include "glisson/geometry/mesh_io.h"
 #include "glisson/registration/register.h"

@@ -40,6 +40,7 @@ class ForksTest : public QObject {
   void OnlyVeinsAreTold();
   void EachIsWhereItsTissueIsAndAsUnsure();
   void AnotherPlaceTakesThemAlong();
+  void WhatIsKnownTurnsWithTheOrgan();
 };
 
 void ForksTest::TheLargestComeFirstAndThoseBesideThemAreOne() {
@@ -90,6 +91,35 @@ void ForksTest::AnotherPlaceTakesThemAlong() {
   registration.nodes_in_camera = model.mesh.vertices.rowwise() + Eigen::RowVector3d(0.0, 0.0, 0.1);
   place_forks(model, registration);
   QVERIFY((registration.forks[0].centre - Eigen::Vector3d(0.01, 0.0, 0.12)).norm() < 1e-9);
+}
+
+void ForksTest::WhatIsKnownTurnsWithTheOrgan() {
+  PatientModel model = phantom::model(7, 6, 3);
+  model.vessels = {tree_of(structure::kPortalVein)};
+  const Eigen::Matrix3d along_x = Eigen::Vector3d(9e-6, 1e-6, 1e-6).asDiagonal();
+  Registration registration;
+  registration.nodes_in_camera = phantom::view().apply(model.mesh.vertices);
+  registration.lesions = {{structure::kFirstLesion, along_x}};
+  registration.forks.resize(3);
+  for (ForkSpread& fork : registration.forks) fork.covariance = along_x;
+  registration.covariances = symmetric_row(along_x).replicate(model.mesh.vertex_count(), 1);
+  registration.rivals.resize(1);
+  registration.expected = Eigen::VectorXd::Constant(model.mesh.vertex_count(), 2e-3);
+  // A quarter turn about z, and away.
+  Points nodes = registration.nodes_in_camera;
+  nodes.col(0) = -registration.nodes_in_camera.col(1);
+  nodes.col(1) = registration.nodes_in_camera.col(0);
+  nodes.rowwise() += Eigen::RowVector3d(0.01, 0.02, 0.03);
+  const Registration moved = carried_to(model, registration, nodes);
+  const Eigen::Matrix3d along_y = Eigen::Vector3d(1e-6, 9e-6, 1e-6).asDiagonal();
+  QVERIFY((moved.lesions[0].covariance - along_y).norm() < 1e-12);
+  QVERIFY((moved.forks[0].covariance - along_y).norm() < 1e-12);
+  QVERIFY((moved.covariances.row(5) - symmetric_row(along_y)).norm() < 1e-12);
+  QVERIFY(moved.rivals.empty() && moved.expected == registration.expected);
+  place_forks(model, registration);
+  const Eigen::Vector3d was = registration.forks[0].centre;
+  QVERIFY((moved.forks[0].centre - Eigen::Vector3d(0.01 - was.y(), 0.02 + was.x(), 0.03 + was.z())).norm() <
+          1e-9);
 }
 
 QTEST_APPLESS_MAIN(ForksTest)

@@ -2,6 +2,9 @@
 // Lesions and parenchyma of a stiffness of their own: in operations, unforeseen forces, springs and forces.
 #include <Eigen/Dense>
 #include <QtTest>
+#include <cmath>
+#include <set>
+#include <utility>
 
 #include "glisson/patient/label_map.h"
 #include "glisson/registration/error_model.h"
@@ -43,6 +46,10 @@ class TissueTest : public QObject {
   }
   /// rms change of the lesion's edges under each mode of these columns, over that of all edges.
   double strain(const fem::NodalColumns& modes) const;
+  /// rms relative change of the lesion's edges from rest to these nodes.
+  double strain_to(const Points& nodes) const;
+  /// Of the lesion, those that lie farthest apart.
+  std::pair<int, int> far_nodes() const;
 
   PatientModel model_;
 };
@@ -71,6 +78,35 @@ double TissueTest::strain(const fem::NodalColumns& modes) const {
         inside += change.squaredNorm();
     }
   return std::sqrt(inside / all);
+}
+
+double TissueTest::strain_to(const Points& nodes) const {
+  double sum = 0.0;
+  int edges = 0;
+  for (int t = 0; t < model_.mesh.tetrahedron_count(); ++t) {
+    if (!is_lesion(static_cast<Label>(model_.mesh.labels[static_cast<std::size_t>(t)]))) continue;
+    for (int k = 0; k < 4; ++k)
+      for (int m = 0; m < k; ++m) {
+        const int a = model_.mesh.tetrahedra(t, k), b = model_.mesh.tetrahedra(t, m);
+        const double rest = (model_.mesh.vertex(a) - model_.mesh.vertex(b)).norm();
+        sum += std::pow((nodes.row(a) - nodes.row(b)).norm() / rest - 1.0, 2);
+        ++edges;
+      }
+  }
+  return std::sqrt(sum / edges);
+}
+
+std::pair<int, int> TissueTest::far_nodes() const {
+  std::set<int> lesion;
+  for (int t = 0; t < model_.mesh.tetrahedron_count(); ++t)
+    if (is_lesion(static_cast<Label>(model_.mesh.labels[static_cast<std::size_t>(t)])))
+      for (int k = 0; k < 4; ++k) lesion.insert(model_.mesh.tetrahedra(t, k));
+  std::pair<int, int> farthest{*lesion.begin(), *lesion.begin()};
+  const auto apart = [this](int a, int b) { return (model_.mesh.vertex(a) - model_.mesh.vertex(b)).norm(); };
+  for (const int a : lesion)
+    for (const int b : lesion)
+      if (apart(a, b) > apart(farthest.first, farthest.second)) farthest = {a, b};
+  return farthest;
 }
 
 void TissueTest::ALesionAsTheLiverChangesNoBit() {
@@ -109,10 +145,20 @@ void TissueTest::TheErrorModelKnowsOfIt() {
   ErrorModelOptions plain, stiff;
   stiff.stiffness = fem::stiffness_over_parenchyma(
       model_.mesh, fem::with_tissue({}, fem::tissue_from("lesion_1=70"), model_.mesh));
-  const auto expected = [&](const ErrorModelOptions& options) {
-    return ErrorModel(model_, nullptr, {}, phantom::lying_view(), there, cloud, 1e-3, options).expected();
+  // How one of its nodes may lie to another one: the place, which turns with the liver, and the distance.
+  const auto [a, b] = far_nodes();
+  const auto between = [&, a = a, b = b](const ErrorModelOptions& options) {
+    const ErrorModel known(model_, nullptr, {}, phantom::lying_view(), there, cloud, 1e-3, options);
+    const Eigen::Vector4d alone = Eigen::Vector4d::UnitX();
+    const Eigen::MatrixXd apart = known.deviations(Eigen::Vector4i::Constant(a), alone) -
+                                  known.deviations(Eigen::Vector4i::Constant(b), alone);
+    const Eigen::RowVector3d way = (there.row(a) - there.row(b)).normalized();
+    return std::pair(apart.norm(), (way * apart).norm());
   };
-  QVERIFY(expected(plain) != expected(stiff));
+  const auto [place, distance] = between(plain);
+  const auto [stiff_place, stiff_distance] = between(stiff);
+  QVERIFY2(stiff_place < 0.95 * place, qPrintable(QString("%1, %2").arg(stiff_place).arg(place)));
+  QVERIFY2(stiff_distance < 0.5 * distance, qPrintable(QString("%1, %2").arg(stiff_distance).arg(distance)));
 }
 
 void TissueTest::EveryMethodKnowsOfIt_data() {
@@ -135,15 +181,19 @@ void TissueTest::EveryMethodKnowsOfIt() {
   plain.start = RegisterOptions::Start::given;
   plain.given = phantom::lying_view();
   plain.operation = options();
-  RegisterOptions same = plain, stiff = plain;
+  RegisterOptions same = plain, stiff = plain, soft = plain;
   same.tissue = fem::tissue_from("parenchyma=3.5,lesion_1=as_liver");
   stiff.tissue = fem::tissue_from("lesion_1=70");
+  soft.tissue = fem::tissue_from("lesion_1=0.5");
   const auto nodes = [&](const RegisterOptions& options) {
     return register_model(model_, cloud, options, RunContext())->registration.nodes_in_camera;
   };
   const Points healthy = nodes(plain);
   QVERIFY(nodes(same) == healthy);
-  QVERIFY(nodes(stiff) != healthy);
+  const double as_liver = strain_to(healthy), stiffer = strain_to(nodes(stiff)),
+               softer = strain_to(nodes(soft));
+  QVERIFY2(stiffer < 0.5 * as_liver, qPrintable(QString("%1, %2").arg(stiffer).arg(as_liver)));
+  QVERIFY2(softer > 1.1 * as_liver, qPrintable(QString("%1, %2").arg(softer).arg(as_liver)));
 }
 
 void TissueTest::WhatIsKnownOfOtherTissueIsNotTaken() {

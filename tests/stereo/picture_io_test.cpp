@@ -272,6 +272,37 @@ class PictureIoTest : public QObject {
     QCOMPARE(pace.frames(), 8);
   }
 
+  void PicturesThatComeALittleEarlyOrLateAreAllInTheFilm() {
+    FilmPace pace(30.0);
+    QVERIFY(!pace.next(2.015).taken);  // late: all others seem early by nearly half a frame
+    for (int n = 1; n < 200; ++n) {
+      const double jitter = 3e-3 * ((7 * n) % 11 - 5) / 5.0;
+      const FilmPace::Place place = pace.next(2.0 + n / 30.0 + jitter);
+      QVERIFY(!place.taken && place.repeats == 0);
+      QCOMPARE(place.number, n);
+    }
+  }
+
+  void OfASourceThatRunsFasterSomeAreLeftOut() {
+    FilmPace pace(30.0);
+    int kept = 0;
+    for (int n = 0; n < 240; ++n) kept += pace.next(n / 60.0).taken ? 0 : 1;
+    QVERIFY2(std::abs(kept - 120) <= 2, qPrintable(QString::number(kept)));
+    QVERIFY(std::abs(pace.frames() - 120) <= 2);  // as long as what was filmed
+  }
+
+  void WhatCouldNotBeBroughtToItsEndIsKeptAsFarAsItPlays() {
+    const fs::path path = folder_.path() / "ended.mkv";
+    constexpr int kFrames = 60;
+    PacedWriter writer(path, 320, 240, 25.0);
+    const test::FullDisk full(200000);
+    FilmPace pace(25.0);
+    for (int i = 0; i < kFrames; ++i) writer.add(noise(320, 240, i), pace.next(i / 25.0));
+    QVERIFY_THROWS_EXCEPTION(PartlyRecorded, writer.close());
+    const int kept = writer.keep();  // a second time, as who cleans up after an error does
+    QVERIFY2(kept > 0 && kept < kFrames, qPrintable(QString::number(kept)));
+  }
+
   void WherePicturesAreMissingTheOneBeforeStays() {
     const fs::path path = folder_.path() / "paced.mkv";
     FilmPace pace(25.0);

@@ -31,7 +31,8 @@ class AtlasChoiceTest : public QObject {
   Q_OBJECT
  private slots:
   void initTestCase();
-  void cleanupTestCase() { window_.reset(); }
+  void init() { ui::user_settings()->clear(); }
+  void cleanup() { window_.reset(); }
   void ItIsRememberedAndSaidWhenItIsGone();
   void AFolderThatIsNoneLeavesTheChoice();
   void ProposalsAndModesComeFromIt();
@@ -127,7 +128,6 @@ void AtlasChoiceTest::ProposalsAndModesComeFromIt() {
 }
 
 void AtlasChoiceTest::AMissingOneIsNotReplacedUnasked() {
-  window_.reset();
   ui::user_settings()->setValue(QStringLiteral("atlas"),
                                 QString::fromStdString((folder_.path() / "gone").string()));
   open_window();
@@ -141,6 +141,7 @@ void AtlasChoiceTest::AMissingOneIsNotReplacedUnasked() {
 }
 
 void AtlasChoiceTest::OnesOwnIsBuiltInTheWindow() {
+  open_window();
   const auto cases = folder_.path() / "cases";
   std::filesystem::create_directory(cases);
   test::write_atlas_cases(cases, 5);

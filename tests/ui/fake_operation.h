@@ -9,7 +9,7 @@
 
 #include "box_patient.h"
 #include "glisson/engine/engine.h"
-#include "glisson/registration/register.h"
+#include "glisson/registration/register_model.h"
 
 namespace glisson::engine {
 struct BuildModel;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Each box of the guidance panel alone: its widgets say what its model's properties say.
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QScopeGuard>
 #include <QSignalSpy>
 #include <QToolButton>
 #include <QtTest>
@@ -22,8 +24,10 @@
 #include "glisson/engine/commands/set_video.h"
 #include "glisson/engine/commands/start_tracking.h"
 #include "glisson/engine/obstacle.h"
+#include "glisson/engine/parts/live.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/stereo/picture_io.h"
+#include "glisson/ui/common/drawable_source.h"
 #include "glisson/ui/common/task_button.h"
 #include "glisson/ui/guidance/playback_box.h"
 #include "glisson/ui/guidance/recording_box.h"
@@ -34,6 +38,33 @@ namespace glisson {
 
 using engine::Part;
 using ui::EngineBridge;
+
+namespace {
+
+/// What records, without the window.
+struct LiveRecording {
+  explicit LiveRecording(EngineBridge& engine)
+      : playback(engine),
+        review(engine, playback),
+        correction(engine, playback, review),
+        again(engine, playback),
+        model(worker, playback, correction, again) {
+    QObject::connect(&worker, &ui::OverlayWorker::painted, &listener, [this] { ++painted; });
+    QObject::connect(&worker, &ui::OverlayWorker::failed, &listener, [this] { ++failed; });
+  }
+  ui::OverlayWorker worker;
+  ui::PlaybackModel playback;
+  ui::ReviewModel review;
+  ui::CorrectionModel correction;
+  ui::AgainModel again;
+  ui::RecordingModel model;
+  int painted = 0, failed = 0;
+  QObject listener;
+
+  void start(const std::filesystem::path& file) { model.start(QString::fromStdString(file.string())); }
+};
+
+}  // namespace
 
 class GuidanceBoxesTest : public QObject {
   Q_OBJECT
@@ -46,6 +77,7 @@ class GuidanceBoxesTest : public QObject {
   void RefusedRegistrationIsUsedOnlyWhenSomebodySaysSo();
   void OtherPlacesAreOfferedAndTaken();
   void OtherPlacesAreSeenSideBySideAndTakenByAClick();
+  void ADoubleClickTakesOnePlaceOnly();
   void TheFormerRegistrationIsOneClickAway();
   void TheMethodIsChosenInTheBox();
   void PlacedByHandTheModelIsRefinedFromThere();
@@ -60,6 +92,10 @@ class GuidanceBoxesTest : public QObject {
   void WhatIsRecordedIsChosenBefore();
   void RecordingEndsWithThePlaying();
   void RecordingThatFailsSaysWhy();
+  void RecordingThatDrawingEndsSaysWhy();
+  void RecordingThatIsTakenBackAtOnceEnds();
+  void RecordingReplacesNothingBesideIt();
+  void WhatWasRegisteredMeanwhileIsWrittenWhateverComesNext();
 
  private:
   void post(engine::Command command) {
@@ -157,7 +193,7 @@ void GuidanceBoxesTest::RegistrationShowsItsFiguresAndDoubts() {
   QVERIFY(doubts->isHidden());
   reach_registration(4);
   QVERIFY(words_on(box).contains(QStringLiteral("1.10 mm")));
-  QVERIFY(words_on(box).contains(QStringLiteral("came to rest, 11 plateaus")));
+  QVERIFY(words_on(box).contains(QStringLiteral("came to rest")));
   QVERIFY(!doubts->isHidden() && !doubts->text().isEmpty());
   QVERIFY(!box.findChild<QLabel*>(QStringLiteral("model_unchecked"))->isHidden());
 }
@@ -172,8 +208,9 @@ void GuidanceBoxesTest::RefusedRegistrationIsUsedOnlyWhenSomebodySaysSo() {
   reach_registration(4);
   QVERIFY(!accept->isHidden());
   QVERIFY(words_on(box).contains(QStringLiteral("refused")));
-  QVERIFY(!words_on(box).contains(QStringLiteral("plateaus")));  // nothing that sounds like success
+  QVERIFY(!words_on(box).contains(QStringLiteral("came to rest")));  // nothing that sounds like success
   QVERIFY(model.error_words.value().startsWith(QStringLiteral("Refused")));
+  QVERIFY(model.spots.value().empty());
   const auto first = engine::obstacle(*engine_->snapshot(), engine::StartTracking{});
   QVERIFY(first && first->kind == engine::Obstacle::Kind::refused);
   ui::PlaybackModel playback(*engine_);
@@ -186,8 +223,10 @@ void GuidanceBoxesTest::RefusedRegistrationIsUsedOnlyWhenSomebodySaysSo() {
   QVERIFY2(words_on(box).contains(QStringLiteral("scatter by 6.30 mm")),
            qPrintable(words_on(box)));  // it stays
   QVERIFY(model.error_words.value().startsWith(QStringLiteral("Expected error")));
+  QCOMPARE(model.spots.value().size(), std::size_t{2});
   post(engine::SetSeeds{});
   QVERIFY(model.error_words.value().startsWith(QStringLiteral("Out of date")));
+  QVERIFY(model.spots.value().empty());
 }
 
 void GuidanceBoxesTest::OtherPlacesAreOfferedAndTaken() {
@@ -248,6 +287,32 @@ void GuidanceBoxesTest::OtherPlacesAreSeenSideBySideAndTakenByAClick() {
   QCOMPARE(first->text(), QStringLiteral("1: 88 %, 14 mm"));
 }
 
+void GuidanceBoxesTest::ADoubleClickTakesOnePlaceOnly() {
+  ui::RegistrationModel model(*engine_);
+  ui::PlacingModel placing(*engine_);
+  const ui::RegistrationBox box(*engine_, model, placing);
+  const auto usual = qScopeGuard(
+      [interval = QApplication::doubleClickInterval()] { QApplication::setDoubleClickInterval(interval); });
+  QApplication::setDoubleClickInterval(2000);  // however slow the machine is
+  operation_->rival_away = 0.014;
+  reach_registration(4);
+  auto* first = box.findChild<QToolButton*>(QStringLiteral("take_rival_1"));
+  const Points there = engine_->state()[part::registration]->rivals[0].nodes_in_camera;
+  for (int click = 0; click < 2; ++click) {  // by the second the picture shows the place that was left
+    first->click();
+    QVERIFY(!first->isEnabled());
+    QVERIFY(QTest::qWaitFor([this] { return engine_->tasks().empty(); }, 20000));
+  }
+  QVERIFY(engine_->state()[part::registration]->nodes_in_camera == there);
+  QTRY_VERIFY(first->isEnabled());
+  first->click();
+  QVERIFY(QTest::qWaitFor([this] { return engine_->tasks().empty(); }, 20000));
+  QVERIFY(engine_->state()[part::registration]->nodes_in_camera != there);
+  QTRY_VERIFY(first->isEnabled());
+  post(engine::StartTracking{});
+  QVERIFY(!first->isEnabled() && first->toolTip().contains(QStringLiteral("stop tracking first")));
+}
+
 void GuidanceBoxesTest::TheFormerRegistrationIsOneClickAway() {
   ui::RegistrationModel model(*engine_);
   ui::PlacingModel placing(*engine_);
@@ -269,9 +334,9 @@ void GuidanceBoxesTest::TheFormerRegistrationIsOneClickAway() {
   QCOMPARE(engine_->snapshot()->stage(part::registration), engine::StageState::current);
   press();
   QVERIFY(engine_->state()[part::registration] == second);
-  // While the organ is followed the keys are for what hands set.
+  // While the organ is followed it keeps its room, so that no button below it moves.
   post(engine::StartTracking{});
-  QVERIFY(undo->isHidden());
+  QVERIFY(!undo->isHidden() && !undo->isEnabled());
 }
 
 void GuidanceBoxesTest::TheMethodIsChosenInTheBox() {
@@ -412,55 +477,41 @@ void GuidanceBoxesTest::PlaybackRepeatsOnlyWhenItShould() {
 }
 
 void GuidanceBoxesTest::RecordingIsOfferedWhileThereIsSomethingToRecord() {
-  ui::OverlayWorker worker;
-  ui::PlaybackModel playback(*engine_);
-  ui::ReviewModel review(*engine_, playback);
-  ui::CorrectionModel correction(*engine_, playback, review);
-  ui::AgainModel again(*engine_, playback);
-  ui::RecordingModel model(worker, playback, correction, again);
-  const ui::RecordingBox box(model);
+  LiveRecording live(*engine_);
+  const ui::RecordingBox box(live.model);
   QVERIFY(!box.button()->isEnabled());
   QCOMPARE(box.button()->text(), QStringLiteral("Record…"));
-  playback.is_tracking = true;
+  live.playback.is_tracking = true;
   QVERIFY(box.button()->isEnabled());
-  model.start(QString::fromStdString((folder_->path() / "live.mkv").string()));
+  live.start(folder_->path() / "live.mkv");
   QCOMPARE(box.button()->text(), QStringLiteral("Stop recording"));
   QVERIFY(words_on(box).startsWith(QStringLiteral("Recording to")));
-  int painted = 0;
-  connect(&worker, &ui::OverlayWorker::painted, this, [&painted] { ++painted; });
-  worker.submit(live_job(0));
-  QTRY_COMPARE(painted, 1);
+  live.worker.submit(live_job(0));
+  QTRY_COMPARE(live.painted, 1);
   box.button()->click();
-  QTRY_VERIFY(!model.is_recording);
+  QTRY_VERIFY(!live.model.is_recording);
   QVERIFY2(words_on(box).startsWith(QStringLiteral("Frames recorded: 1")), qPrintable(words_on(box)));
 }
 
 void GuidanceBoxesTest::WhatIsRecordedIsChosenBefore() {
-  ui::OverlayWorker worker;
-  ui::PlaybackModel playback(*engine_);
-  ui::ReviewModel review(*engine_, playback);
-  ui::CorrectionModel correction(*engine_, playback, review);
-  ui::AgainModel again(*engine_, playback);
-  ui::RecordingModel model(worker, playback, correction, again);
-  const ui::RecordingBox box(model);
+  LiveRecording live(*engine_);
+  const ui::RecordingBox box(live.model);
   auto* what = box.findChild<QComboBox*>(QStringLiteral("recorded"));
-  QVERIFY(model.what.value() == ui::Recorded::overlay);
+  QVERIFY(live.model.what.value() == ui::Recorded::overlay);
   what->setCurrentIndex(2);
-  QVERIFY(model.what.value() == ui::Recorded::both);
+  QVERIFY(live.model.what.value() == ui::Recorded::both);
   const std::filesystem::path file = folder_->path() / "both.mkv";
-  model.start(QString::fromStdString(file.string()));
+  live.start(file);
   QVERIFY(!what->isEnabled());
-  int painted = 0;
-  connect(&worker, &ui::OverlayWorker::painted, this, [&painted] { ++painted; });
   for (int k = 0; k < 3; ++k) {
     ui::OverlayJob job = live_job(k);
     job.right = FakeOperation::picture(64, 32, k + 1);
-    worker.submit(job);
-    QTRY_COMPARE(painted, k + 1);
+    live.worker.submit(job);
+    QTRY_COMPARE(live.painted, k + 1);
   }
-  model.stop();
-  QTRY_VERIFY(!model.is_recording);
-  QCOMPARE(model.tone.value(), QStringLiteral("good"));
+  live.model.stop();
+  QTRY_VERIFY(!live.model.is_recording);
+  QCOMPARE(live.model.tone.value(), QStringLiteral("good"));
   QVERIFY(what->isEnabled());
   stereo::StereoVideo raw(ui::Recorder::raw_path(file));
   QVERIFY(raw.width() == 64 && raw.frame_count() == 3);
@@ -468,34 +519,114 @@ void GuidanceBoxesTest::WhatIsRecordedIsChosenBefore() {
 }
 
 void GuidanceBoxesTest::RecordingEndsWithThePlaying() {
-  ui::OverlayWorker worker;
-  ui::PlaybackModel playback(*engine_);
-  ui::ReviewModel review(*engine_, playback);
-  ui::CorrectionModel correction(*engine_, playback, review);
-  ui::AgainModel again(*engine_, playback);
-  ui::RecordingModel model(worker, playback, correction, again);
-  model.start(QString::fromStdString((folder_->path() / "early.mkv").string()));
-  QVERIFY(model.is_recording && model.is_offered);  // asked for before the playing begins
-  playback.is_tracking = true;
-  QVERIFY(!QTest::qWaitFor([&] { return !model.is_recording; }, 100));
-  playback.is_frozen = true;
-  QTRY_VERIFY(!model.is_recording);
-  QCOMPARE(model.tone.value(), QStringLiteral("good"));
+  LiveRecording live(*engine_);
+  live.start(folder_->path() / "early.mkv");
+  QVERIFY(live.model.is_recording && live.model.is_offered);  // asked for before the playing begins
+  live.playback.is_tracking = true;
+  QVERIFY(!QTest::qWaitFor([&] { return !live.model.is_recording; }, 100));
+  live.playback.is_frozen = true;
+  QTRY_VERIFY(!live.model.is_recording);
+  QCOMPARE(live.model.tone.value(), QStringLiteral("good"));
 }
 
 void GuidanceBoxesTest::RecordingThatFailsSaysWhy() {
-  ui::OverlayWorker worker;
-  ui::PlaybackModel playback(*engine_);
-  ui::ReviewModel review(*engine_, playback);
-  ui::CorrectionModel correction(*engine_, playback, review);
-  ui::AgainModel again(*engine_, playback);
-  ui::RecordingModel model(worker, playback, correction, again);
-  const ui::RecordingBox box(model);
-  model.start(QString::fromStdString((folder_->path() / "no_such_folder" / "live.mkv").string()));
-  worker.submit(live_job(0));
-  QTRY_VERIFY(!model.is_recording);
-  QCOMPARE(model.tone.value(), QStringLiteral("error"));
+  LiveRecording live(*engine_);
+  const ui::RecordingBox box(live.model);
+  live.start(folder_->path() / "no_such_folder" / "live.mkv");
+  live.worker.submit(live_job(0));
+  QTRY_VERIFY(!live.model.is_recording);
+  QCOMPARE(live.model.tone.value(), QStringLiteral("error"));
   QVERIFY(!words_on(box).isEmpty());
+}
+
+void GuidanceBoxesTest::RecordingThatDrawingEndsSaysWhy() {
+  reach_registration(4);
+  const ui::DrawableSource drawables(*engine_);
+  QTRY_VERIFY_WITH_TIMEOUT(drawables.drawable() != nullptr, 20000);
+  LiveRecording live(*engine_);
+  const ui::RecordingBox box(live.model);
+  live.start(folder_->path() / "live.mkv");
+  ui::OverlayJob wrong = live_job(1);  // smaller than the camera's pictures
+  wrong.model = drawables.drawable();
+  wrong.rig = std::make_shared<const StereoRig>(operation_->rig);
+  wrong.taken.reset();
+  live.worker.submit(wrong);
+  QTRY_COMPARE(live.failed, 1);
+  live.worker.submit(live_job(0));
+  QTRY_COMPARE(live.painted, 1);
+  QVERIFY(live.model.is_recording);  // a still picture is none of its own
+  wrong.taken = std::chrono::steady_clock::now();
+  live.worker.submit(wrong);
+  QTRY_VERIFY(!live.model.is_recording);
+  QCOMPARE(live.model.tone.value(), QStringLiteral("error"));
+  QVERIFY2(words_on(box).contains(QStringLiteral("Use the calibration")) &&
+               words_on(box).contains(QStringLiteral("Frames recorded: 1")),
+           qPrintable(words_on(box)));
+}
+
+void GuidanceBoxesTest::RecordingThatIsTakenBackAtOnceEnds() {
+  LiveRecording live(*engine_);
+  int ended = 0;
+  connect(&live.worker, &ui::OverlayWorker::recording_ended, &live.listener, [&ended] { ++ended; });
+  ui::RecordingOptions options;
+  options.path = folder_->path() / "never.mkv";
+  for (int time = 1; time <= 3; ++time) {
+    ui::OverlayJob busy = live_job(time);  // both wishes arrive while it is drawn
+    busy.frame = FakeOperation::picture(1920, 1080, time);
+    busy.taken.reset();
+    live.worker.submit(busy);
+    live.worker.start_recording(options);
+    live.worker.stop_recording();
+    QTRY_COMPARE(ended, time);
+  }
+}
+
+void GuidanceBoxesTest::RecordingReplacesNothingBesideIt() {
+  LiveRecording live(*engine_);
+  live.model.what = ui::Recorded::both;
+  const std::filesystem::path file = folder_->path() / "live.mkv";
+  for (const auto& former : {ui::Recorder::raw_path(file), ui::Recorder::lines_path(file)}) {
+    write_file_atomically(former, "of a former recording");
+    live.start(file);
+    QVERIFY(!live.model.is_recording);
+    QCOMPARE(live.model.tone.value(), QStringLiteral("error"));
+    QVERIFY2(live.model.said.value().startsWith(QString::fromStdString(former.string())),
+             qPrintable(live.model.said.value()));
+    std::filesystem::remove(former);
+  }
+  live.start(file);
+  QVERIFY(live.model.is_recording);
+}
+
+void GuidanceBoxesTest::WhatWasRegisteredMeanwhileIsWrittenWhateverComesNext() {
+  operation_->again_is_better = false;
+  reach_registration(200);
+  LiveRecording live(*engine_);
+  const ui::PlaybackBox box(*engine_, live.playback);
+  const auto register_again = [&] {
+    live.again.start_or_cancel();
+    QTRY_COMPARE(live.again.record().size(), std::size_t{1});
+  };
+  const auto beside = [](const std::filesystem::path& film) { return film.string() + ".corrections.jsonl"; };
+  task(box, "start_tracking")->trigger();
+  QTRY_VERIFY(live.playback.is_playing && engine_->state()[part::live] &&
+              engine_->state()[part::live]->frames > 0);
+  live.playback.pause(true);
+  const std::filesystem::path ended = folder_->path() / "ended.mkv", cut = folder_->path() / "cut.mkv";
+  live.start(ended);
+  register_again();
+  live.model.stop();
+  QCOMPARE(live.model.said.value(), QStringLiteral("The recording is being brought to its end."));
+  emit live.playback.begun();
+  QVERIFY(live.again.record().empty());
+  QTRY_VERIFY(!live.model.is_recording);
+  QVERIFY(read_file(beside(ended)).find("registered_again") != std::string::npos);
+  // The window closes while it records.
+  register_again();
+  auto last = std::make_unique<ui::RecordingModel>(live.worker, live.playback, live.correction, live.again);
+  last->start(QString::fromStdString(cut.string()));
+  last.reset();
+  QVERIFY(read_file(beside(cut)).find("registered_again") != std::string::npos);
 }
 
 }  // namespace glisson

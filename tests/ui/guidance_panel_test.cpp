@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QShortcut>
 #include <QToolButton>
 #include <QTreeWidget>
 #include <QtTest>
@@ -56,6 +57,7 @@ class GuidancePanelTest : public QObject {
   void TheTableTellsOfEachLesion();
   void AChosenLesionTellsItsNumbers();
   void LastPictureStaysUntilAnotherCaseWhateverItsStyle();
+  void OverTheLastPictureKeysTakeNoRegistrationBack();
   void TheOtherPlaceIsLookedAtOverThePicture();
   void AHandPlacesTheOrganOverThePicture();
   void TheOrganIsShownInThreeDimensions();
@@ -151,6 +153,14 @@ class GuidancePanelTest : public QObject {
           return since.elapsed() > 500;
         },
         20000);
+  }
+  /// Of both, the panel's and the picture's.
+  bool do_keys_undo() const {
+    const QList<QShortcut*> keys =
+        panel().findChildren<QShortcut*>() + panel().view()->findChildren<QShortcut*>();
+    return std::any_of(keys.begin(), keys.end(), [](const QShortcut* one) {
+      return one->key() == QKeySequence(QKeySequence::Undo) && one->isEnabled();
+    });
   }
   /// The next one, after the lesions were switched on or off. Empty: none came.
   Picture picture_with_other_style() const {
@@ -281,6 +291,13 @@ void GuidancePanelTest::TheRawPictureStandsBesideTheOverlay() {
       panel().live().on_screen().raw_screen.size() == panel().live().on_screen().screen.size() &&
           raw->picture().bytes == panel().live().on_screen().raw.bytes,
       20000);
+  // Also of what came while another page was shown.
+  window_->show_step(MainWindow::model);
+  QVERIFY(!raw->isVisible());
+  QTRY_VERIFY_WITH_TIMEOUT(!is_tracking(), 20000);
+  QVERIFY(rests());
+  window_->show_step(MainWindow::guidance);
+  QVERIFY(raw->isVisible() && raw->picture().bytes == panel().live().on_screen().raw.bytes);
   live_view().findChild<QToolButton*>(QStringLiteral("show_raw"))->click();
   QVERIFY(!raw->isVisible());
 }
@@ -372,6 +389,23 @@ void GuidancePanelTest::LastPictureStaysUntilAnotherCaseWhateverItsStyle() {
   QVERIFY2(*with.bytes != *registered.bytes, "it is still the last one, not the registered frame");
   post(engine::OpenCase{"other.glisson"});
   QVERIFY2(is_blank(), qPrintable(said()));
+}
+
+void GuidancePanelTest::OverTheLastPictureKeysTakeNoRegistrationBack() {
+  reach_registration(12);
+  QVERIFY(!do_keys_undo());
+  post(engine::Register{});
+  QVERIFY(do_keys_undo());
+  press("start_tracking");
+  QTRY_VERIFY_WITH_TIMEOUT(said().contains(QStringLiteral("Last picture, not live")) && !is_tracking(),
+                           20000);
+  QVERIFY(!do_keys_undo());
+  auto* undo = panel().findChild<QPushButton*>(QStringLiteral("undo_registration"));
+  QVERIFY(undo->isVisible() && undo->isEnabled());
+  const auto before = window_->engine().state()[part::registration];
+  undo->click();
+  QTRY_VERIFY(window_->engine().state()[part::registration] != before);
+  QTRY_VERIFY(do_keys_undo());  // the last picture has gone with its registration
 }
 
 void GuidancePanelTest::TheOtherPlaceIsLookedAtOverThePicture() {

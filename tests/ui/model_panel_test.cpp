@@ -48,6 +48,8 @@ class ModelPanelTest : public QObject {
   void FlattestElementsAreShownAndPutAway();
   void SizeIsGivenByVerticesOrEdges();
   void StiffnessGoesToTheCaseAndComesBack();
+  void ByValueTheParenchymaMayBeAsAHealthyOne();
+  void AGivenStiffnessIsNotRoundedByAnotherOnesChange();
   void AnEntranceIsMovedByAClickAndUndone();
   void APrunedTreeComesBackAndGoesAgain();
   void WhatAClickWouldCutIsToldBefore();
@@ -71,6 +73,22 @@ class ModelPanelTest : public QObject {
     QVERIFY(button->isEnabled());
     button->click();
     QVERIFY(settle());
+  }
+  void choose(const char* name, int index) {
+    auto* combo = window_->findChild<QComboBox*>(QString::fromLatin1(name));
+    QVERIFY(combo != nullptr && combo->isVisible());
+    combo->setCurrentIndex(index);
+    emit combo->activated(index);
+    QVERIFY(settle());
+  }
+  int chosen(const char* name) {
+    return window_->findChild<QComboBox*>(QString::fromLatin1(name))->currentIndex();
+  }
+  QDoubleSpinBox* kilopascals(const char* name) {
+    return window_->findChild<QDoubleSpinBox*>(QString::fromLatin1(name));
+  }
+  bool is_tissue(const char* list) {
+    return state()[part::tissue] && *state()[part::tissue] == fem::tissue_from(list);
   }
   void click_on(const Eigen::Vector3d& p) {
     const auto at = view().patient().view_point(p, view().aspect());
@@ -215,34 +233,58 @@ void ModelPanelTest::SizeIsGivenByVerticesOrEdges() {
 }
 
 void ModelPanelTest::StiffnessGoesToTheCaseAndComesBack() {
-  const auto choose = [this](const char* name, int index) {
-    auto* combo = window_->findChild<QComboBox*>(QString::fromLatin1(name));
-    QVERIFY(combo != nullptr && combo->isVisible());
-    combo->setCurrentIndex(index);
-    emit combo->activated(index);
-    QVERIFY(settle());
-  };
-  const auto kilopascals = [this](const char* name) {
-    return window_->findChild<QDoubleSpinBox*>(QString::fromLatin1(name));
-  };
   choose("stiffness_parenchyma", 1);  // cirrhotic
   choose("stiffness_lesion_1", 2);    // stiff
-  QTRY_VERIFY(state()[part::tissue] != nullptr);
-  QVERIFY(*state()[part::tissue] == fem::tissue_from("parenchyma=cirrhotic,lesion_1=stiff"));
+  QTRY_VERIFY(is_tissue("parenchyma=cirrhotic,lesion_1=stiff"));
   QCOMPARE(kilopascals("stiffness_lesion_1_kpa")->value(), 150.0);
   QVERIFY(!kilopascals("stiffness_lesion_1_kpa")->isEnabled());
   choose("stiffness_lesion_1", 3);  // by value
   QVERIFY(kilopascals("stiffness_lesion_1_kpa")->isEnabled());
   kilopascals("stiffness_lesion_1_kpa")->setValue(20.0);
   QVERIFY(settle());
-  QTRY_VERIFY(*state()[part::tissue] == fem::tissue_from("parenchyma=cirrhotic,lesion_1=20"));
+  QTRY_VERIFY(is_tissue("parenchyma=cirrhotic,lesion_1=20"));
   // What comes from elsewhere is shown.
   window_->engine().post(engine::SetTissue{fem::tissue_from("lesion_1=soft")});
   QVERIFY(settle());
-  QTRY_COMPARE(window_->findChild<QComboBox*>(QStringLiteral("stiffness_lesion_1"))->currentIndex(), 1);
-  QCOMPARE(window_->findChild<QComboBox*>(QStringLiteral("stiffness_parenchyma"))->currentIndex(), 0);
+  QTRY_COMPARE(chosen("stiffness_lesion_1"), 1);
+  QCOMPARE(chosen("stiffness_parenchyma"), 0);
   choose("stiffness_lesion_1", 0);
   QTRY_VERIFY(!state()[part::tissue]);
+}
+
+void ModelPanelTest::ByValueTheParenchymaMayBeAsAHealthyOne() {
+  QDoubleSpinBox* value = kilopascals("stiffness_parenchyma_kpa");
+  for (const int kind : {0, 1}) {
+    const double shown = kind == 0 ? 3.5 : 30.0;  // healthy, cirrhotic
+    choose("stiffness_parenchyma", kind);
+    choose("stiffness_parenchyma", 2);  // by value
+    QTRY_VERIFY(state()[part::tissue] && state()[part::tissue]->parenchyma == 1e3 * shown);
+    QCOMPARE(chosen("stiffness_parenchyma"), 2);
+    QVERIFY(value->isEnabled());
+    QCOMPARE(value->value(), shown);
+  }
+  value->setValue(5.0);
+  QVERIFY(settle());
+  QTRY_VERIFY(is_tissue("parenchyma=5"));
+  window_->engine().post(engine::SetTissue{});
+  QVERIFY(settle());
+  QTRY_COMPARE(chosen("stiffness_parenchyma"), 0);
+}
+
+void ModelPanelTest::AGivenStiffnessIsNotRoundedByAnotherOnesChange() {
+  const auto give = [this] {
+    window_->engine().post(engine::SetTissue{fem::tissue_from("parenchyma=12.34,lesion_1=45.67")});
+    QVERIFY(settle());
+    QTRY_COMPARE(kilopascals("stiffness_lesion_1_kpa")->value(), 45.7);
+  };
+  give();
+  QCOMPARE(kilopascals("stiffness_parenchyma_kpa")->value(), 12.3);
+  choose("stiffness_lesion_1", 2);  // stiff
+  QTRY_VERIFY(is_tissue("parenchyma=12.34,lesion_1=stiff"));
+  give();
+  kilopascals("stiffness_parenchyma_kpa")->setValue(20.0);
+  QVERIFY(settle());
+  QTRY_VERIFY(is_tissue("parenchyma=20,lesion_1=45.67"));
 }
 
 void ModelPanelTest::AnEntranceIsMovedByAClickAndUndone() {

@@ -83,6 +83,8 @@ class RecorderTest : public QObject {
   void EachPicturesLineDrawsItAgain();
   void NobodyWaitsForTheWritingAndWhatIsLeftOutIsCounted();
   void AFullDiskIsSaidAtOnceAndWhatWasRecordedPlays();
+  void WhatCannotBeBroughtToItsEndIsSaid();
+  void WhatEndsEarlySaysWhyAndPlays();
   void ARecordingWithoutPicturesLeavesNothing();
 };
 
@@ -192,6 +194,42 @@ void RecorderTest::AFullDiskIsSaidAtOnceAndWhatWasRecordedPlays() {
     QCOMPARE(stereo::StereoVideo(film).frame_count(), 6);
   const OverlayRecord record = read_overlay_record(Recorder::lines_path(at("full.mkv")));
   QVERIFY(!record.complete && record.frames.size() == 6);
+}
+
+void RecorderTest::WhatCannotBeBroughtToItsEndIsSaid() {
+  const fs::path folder = at("gone");
+  fs::create_directory(folder);
+  ui::RecordingOptions gone = options("gone/live.mkv", Recorded::both);
+  std::atomic<int> asked{0};
+  gone.space = [&asked](const fs::path&) {
+    ++asked;
+    return 1e9;
+  };
+  Heard heard;
+  auto trouble = heard.trouble.get_future();
+  auto ended = heard.ended.get_future();
+  Recorder recorder(gone, heard.listener());
+  recorder.add(frame(0));
+  QTRY_COMPARE(asked.load(), 2);  // both films are open
+  fs::remove_all(folder);
+  recorder.finish();
+  QVERIFY(!trouble.get().isEmpty());
+  const ui::RecordingEnd end = ended.get();
+  QVERIFY(!end.error.isEmpty() && end.frames == 0);
+  QTRY_VERIFY(recorder.is_done());
+}
+
+void RecorderTest::WhatEndsEarlySaysWhyAndPlays() {
+  Heard heard;
+  {
+    Recorder recorder(options("early.mkv", Recorded::overlay), heard.listener());
+    recorder.add(frame(0));
+    recorder.finish(QStringLiteral("The drawing failed."));
+  }
+  const ui::RecordingEnd end = heard.ended.get_future().get();
+  QCOMPARE(end.error, QStringLiteral("The drawing failed."));
+  QCOMPARE(end.frames, 1);
+  QVERIFY(fs::exists(at("early.mkv")));
 }
 
 void RecorderTest::ARecordingWithoutPicturesLeavesNothing() {

@@ -17,46 +17,82 @@ using Marks = std::vector<std::uint8_t>;
 
 constexpr float kNowhere = std::numeric_limits<float>::infinity();
 
+/// Asks for a cancel now and then: a place costs less than the question.
+class Poll {
+ public:
+  explicit Poll(const RunContext& context) : context_(context) {}
+  /// Of one more place.
+  bool cancelled() { return ++places_ % kEvery == 0 && context_.cancelled(); }
+
+ private:
+  static constexpr std::size_t kEvery = 4096;
+
+  const RunContext& context_;
+  std::size_t places_ = 0;
+};
+
 bool is_structure(Label label) { return label != structure::kBackground && label != structure::kParenchyma; }
 
-/// Balls and ways in a block. Beyond it nothing is known, and nothing is otherwise.
+/// Balls and ways in a block. Beyond it nothing is known, and nothing is otherwise. Once cancelled it is of
+/// no use any more.
 class Lattice {
  public:
-  Lattice(const Block& block, const Eigen::Vector3d& spacing_mm)
+  Lattice(const Block& block, const Eigen::Vector3d& spacing_mm, const RunContext& context)
       : block_(block),
         size_(block.box.size()),
         spacing_mm_(spacing_mm),
+        context_(context),
         way_(block.labels.size(), kNowhere) {}
 
   /// The places about which the ball lies within their label.
-  Places cores(const Places& places, const std::vector<BallRow>& ball) const {
+  Cancellable<Places> cores(const Places& places, const std::vector<BallRow>& ball) const {
     Places cores;
-    for (const std::size_t at : places)
+    Poll poll(context_);
+    for (const std::size_t at : places) {
+      if (poll.cancelled()) return std::nullopt;
       if (holds(at, ball)) cores.push_back(at);
+    }
     return cores;
   }
-  /// Marks the balls about places.
-  void mark(const Places& places, const std::vector<BallRow>& ball, std::uint8_t value, Marks& marks) const {
-    for (const std::size_t at : places)
+  /// Marks the balls about places. @return false when cancelled.
+  bool mark(const Places& places, const std::vector<BallRow>& ball, std::uint8_t value, Marks& marks) const {
+    Poll poll(context_);
+    for (const std::size_t at : places) {
+      if (poll.cancelled()) return false;
       each_run(at, ball, [&](std::size_t first, std::size_t count) {
         std::fill_n(marks.begin() + static_cast<std::ptrdiff_t>(first), count, value);
         return true;
       });
+    }
+    return true;
+  }
+  /// The places with a neighbour in `through`, of their label: ways into it begin at no others.
+  Cancellable<Places> beside(const Places& places, const Marks& through) const {
+    Places found;
+    Poll poll(context_);
+    for (const std::size_t at : places) {
+      if (poll.cancelled()) return std::nullopt;
+      bool is_beside = false;
+      each_neighbour(at, [&](std::size_t to, float) { is_beside |= leads(at, to, through); });
+      if (is_beside) found.push_back(at);
+    }
+    return found;
   }
   /// The places in `through` that a way of at most `mm` leads to from sources, from neighbour to neighbour
   /// (26 of them) of one label.
-  Places within(const Places& sources, const Marks& through, double mm) {
+  Cancellable<Places> within(const Places& sources, const Marks& through, double mm) {
     Places found;
+    Poll poll(context_);
     for (const std::size_t at : sources) put(at, 0.0F);
     while (!fronts_.empty()) {
+      if (poll.cancelled()) return std::nullopt;
       const float length = fronts_.top().first;
       const std::size_t at = fronts_.top().second;
       fronts_.pop();
       if (length > way_[at]) continue;
       if (through[at] != 0) found.push_back(at);
       each_neighbour(at, [&](std::size_t beside, float step) {
-        const bool leads_on = through[beside] != 0 && block_.labels[beside] == block_.labels[at];
-        if (leads_on && length + step <= static_cast<float>(mm)) put(beside, length + step);
+        if (leads(at, beside, through) && length + step <= static_cast<float>(mm)) put(beside, length + step);
       });
     }
     for (const std::size_t at : reached_) way_[at] = kNowhere;
@@ -70,6 +106,9 @@ class Lattice {
   Eigen::Vector3i index(std::size_t at) const {
     const auto nx = static_cast<std::size_t>(size_.x()), ny = static_cast<std::size_t>(size_.y());
     return {static_cast<int>(at % nx), static_cast<int>(at / nx % ny), static_cast<int>(at / (nx * ny))};
+  }
+  bool leads(std::size_t from, std::size_t to, const Marks& through) const {
+    return through[to] != 0 && block_.labels[to] == block_.labels[from];
   }
   void put(std::size_t at, float length) {
     if (length >= way_[at]) return;
@@ -110,23 +149,32 @@ class Lattice {
   const Block& block_;
   Eigen::Vector3i size_;
   Eigen::Vector3d spacing_mm_;
+  const RunContext& context_;
   std::vector<float> way_;
   Places reached_;
   std::priority_queue<Front, std::vector<Front>, std::greater<>> fronts_;
 };
 
 /// Those of `places`, in parts of structures, that a ball does not fit into.
-Places thin_among(const Places& places, const std::vector<BallRow>& ball, double radius_mm, double step_mm,
-                  std::size_t voxels, Lattice& lattice) {
-  Marks covered(voxels, 0), left(voxels, 0);
-  lattice.mark(lattice.cores(places, ball), ball, 1, covered);
+Cancellable<Places> thin_among(const Places& places, const std::vector<BallRow>& ball, double radius_mm,
+                               double step_mm, std::size_t voxels, Lattice& lattice) {
+  Marks left(voxels, 0);
   Places thick, rest;
-  for (const std::size_t at : places) {
-    (covered[at] != 0 ? thick : rest).push_back(at);
-    left[at] = covered[at] == 0 ? 1 : 0;
+  {
+    Marks covered(voxels, 0);
+    const auto cores = lattice.cores(places, ball);
+    if (!cores || !lattice.mark(*cores, ball, 1, covered)) return std::nullopt;
+    for (const std::size_t at : places) {
+      (covered[at] != 0 ? thick : rest).push_back(at);
+      left[at] = covered[at] == 0 ? 1 : 0;
+    }
   }
+  const auto joints = lattice.beside(thick, left);
+  if (!joints) return std::nullopt;
+  const auto near = lattice.within(*joints, left, radius_mm);
+  if (!near) return std::nullopt;
   Marks far = left;
-  for (const std::size_t at : lattice.within(thick, left, radius_mm)) far[at] = 0;
+  for (const std::size_t at : *near) far[at] = 0;
   Places ends;
   for (const std::size_t at : rest)
     if (far[at] != 0) ends.push_back(at);
@@ -143,7 +191,7 @@ Cancellable<FittingBalls> fitting_balls(const Block& block, const Eigen::Vector3
   Places structures;
   for (std::size_t at = 0; at < block.labels.size(); ++at)
     if (is_structure(block.labels[at])) structures.push_back(at);
-  Lattice lattice(block, spacing_mm);
+  Lattice lattice(block, spacing_mm, context);
   Marks is_thin(block.labels.size(), 1);  // for the ball before
   for (Places thin = structures; !thin.empty() || fitting.radii_mm.empty();) {
     const double r = fitting.radii_mm.empty() ? radius_mm : 0.5 * fitting.radii_mm.back();
@@ -151,11 +199,14 @@ Cancellable<FittingBalls> fitting_balls(const Block& block, const Eigen::Vector3
     if (context.cancelled()) return std::nullopt;
     fitting.radii_mm.push_back(r);
     const std::vector<BallRow> ball = ball_rows(spacing_mm, r);
-    thin = thin_among(structures, ball, r, spacing_mm.maxCoeff(), block.labels.size(), lattice);
+    auto found = thin_among(structures, ball, r, spacing_mm.maxCoeff(), block.labels.size(), lattice);
+    if (!found) return std::nullopt;
+    thin = std::move(*found);
     std::erase_if(thin, [&](std::size_t at) { return is_thin[at] == 0; });
     is_thin.assign(is_thin.size(), 0);
     for (const std::size_t at : thin) is_thin[at] = 1;
-    lattice.mark(thin, ball, static_cast<std::uint8_t>(fitting.radii_mm.size()), fitting.ball);
+    if (!lattice.mark(thin, ball, static_cast<std::uint8_t>(fitting.radii_mm.size()), fitting.ball))
+      return std::nullopt;
   }
   return fitting;
 }

@@ -505,6 +505,12 @@ bool or_lost(const CaseFolder& folder, const char* code, const std::function<voi
     if (folder.lost == nullptr) throw;
     folder.lost->push_back(std::string(code) + ' ' + failure.what());
     return false;
+  } catch (const json::exception&) {
+    const InputError failure((folder.path / "case.json").string(), code, "is malformed",
+                             "Restore the case from a copy, or make this part anew");
+    if (folder.lost == nullptr) throw failure;
+    folder.lost->push_back(std::string(code) + ' ' + failure.what());
+    return false;
   }
 }
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "registration_entry.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "case_files.h"
 #include "glisson/core/error.h"
 #include "glisson/engine/case_io.h"
 
@@ -48,6 +50,29 @@ std::shared_ptr<const Registration> read_registration_entry(const CaseFolder& fo
   registration.seen_share = entry.value("seen_share", 0.0);  // cases of before have none
   registration.doubts = entry.at("doubts").get<std::vector<std::string>>();
   return std::make_shared<const Registration>(std::move(registration));
+}
+
+bool same_registration(const Registration& written, const Registration& read) {
+  static constexpr double kClose = 1e-6;  // of numbers in files of their own unit, relative
+  const auto close = [](const auto& a, const auto& b) {
+    return a.rows() == b.rows() && (a.size() == 0 || a.isApprox(b, kClose) || (a - b).isZero(0.0));
+  };
+  const auto has_lesion = [&](const LesionSpread& a) {  // files hold them in another order
+    return std::any_of(read.lesions.begin(), read.lesions.end(), [&](const LesionSpread& b) {
+      return a.lesion == b.lesion && close(a.covariance, b.covariance);
+    });
+  };
+  const auto same_fork = [&](const ForkSpread& a, const ForkSpread& b) {
+    return a.tree == b.tree && a.order == b.order && close(a.centre, b.centre) &&
+           close(a.covariance, b.covariance);
+  };
+  return same_points(written.nodes_in_camera, read.nodes_in_camera) &&
+         written.termination == read.termination && written.doubts == read.doubts &&
+         written.lesions.size() == read.lesions.size() &&
+         std::all_of(written.lesions.begin(), written.lesions.end(), has_lesion) &&
+         std::equal(written.forks.begin(), written.forks.end(), read.forks.begin(), read.forks.end(), same_fork) && close(written.expected, read.expected) &&
+         close(written.covariances, read.covariances) && written.rivals.size() == read.rivals.size() &&
+         written.looks.size() == read.looks.size();
 }
 
 }  // namespace glisson::engine

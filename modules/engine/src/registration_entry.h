@@ -21,4 +21,7 @@ std::shared_ptr<const Registration> read_registration_entry(const CaseFolder& fo
                                                             const nlohmann::json& entry,
                                                             const model::BuiltModel* built);
 
+/// Whether one that was read back holds all that was written.
+bool same_registration(const Registration& written, const Registration& read);
+
 }  // namespace glisson::engine

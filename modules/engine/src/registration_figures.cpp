@@ -46,15 +46,12 @@ void add_spread(Figures& figures, const std::string& name, const Eigen::Matrix3d
     figures[name + "_covariance_" + kTerms[static_cast<std::size_t>(k)] + "_mm2"] = 1e6 * six[k];
 }
 
-/// Expected errors: of the nodes, and of each lesion with the half axes of its 95 % ellipsoid.
-void add_expected(Figures& figures, const registration::ExaminedRegistration& examined) {
-  const Registration& registration = examined.registered.registration;
+/// Expected errors of the nodes and the forks, what one look would change, and other places.
+void add_expected(Figures& figures, const Registration& registration) {
   const Eigen::VectorXd& nodes = registration.expected;
-  figures["expected_error_mean_mm"] = 1e3 * nodes.mean();
-  figures["expected_error_max_mm"] = 1e3 * nodes.maxCoeff();
-  for (const registration::LesionError& lesion : examined.lesions) {
-    const std::string name = structure_name(lesion.lesion);
-    add_spread(figures, name, lesion.covariance);
+  if (nodes.size() > 0) {
+    figures["expected_error_mean_mm"] = 1e3 * nodes.mean();
+    figures["expected_error_max_mm"] = 1e3 * nodes.maxCoeff();
   }
   for (const ForkSpread& fork : registration.forks) {
     add_spread(figures, fork_name(fork), fork.covariance);
@@ -112,16 +109,33 @@ void add_figures(Figures& figures, const registration::Registered& made) {
   figures["registration_converged"] = registration.termination == Termination::converged ? 1.0 : 0.0;
 }
 
+void add_verdict(Figures& figures, const Registration& registration) {
+  figures["registration_refused"] = registration::is_refused(registration) ? 1.0 : 0.0;
+  figures["registration_doubts"] = static_cast<double>(registration.doubts.size());
+}
+
 }  // namespace
 
 Figures figures_of(const registration::ExaminedRegistration& examined) {
   Figures figures;
   const Registration& registration = examined.registered.registration;
   add_figures(figures, examined.registered);
-  add_expected(figures, examined);
+  add_expected(figures, registration);
+  for (const registration::LesionError& lesion : examined.lesions)
+    add_spread(figures, structure_name(lesion.lesion), lesion.covariance);
   add_findings(figures, examined.findings);
-  figures["registration_refused"] = registration::is_refused(registration) ? 1.0 : 0.0;
-  figures["registration_doubts"] = static_cast<double>(registration.doubts.size());
+  add_verdict(figures, registration);
+  return figures;
+}
+
+Figures figures_of(const Registration& registration) {
+  Figures figures;
+  add_expected(figures, registration);
+  for (const LesionSpread& lesion : registration.lesions)
+    add_spread(figures, structure_name(lesion.lesion), lesion.covariance);
+  figures["registration_residual_mm"] = 1e3 * registration.residual;
+  figures["registration_seen_share"] = registration.seen_share;
+  add_verdict(figures, registration);
   return figures;
 }
 

@@ -8,5 +8,7 @@ namespace glisson::engine {
 
 /// What a registration comes to: residuals, forces, expected errors, findings.
 Figures figures_of(const registration::ExaminedRegistration& examined);
+/// Of one that was not made but chosen: what is known of it.
+Figures figures_of(const Registration& registration);
 
 }  // namespace glisson::engine

@@ -61,6 +61,13 @@ Points placed_points(const CaseState& state, atlas::Structure structure) {
   return points == nullptr ? Points(0, 3) : *points;
 }
 
+Eigen::VectorXd placed_deviations(const CaseState& state, atlas::Structure structure) {
+  const Landmarks landmarks = placed(state);
+  if (structure == atlas::Structure::anterior_margin) return landmarks.margin_deviation;
+  if (structure != atlas::Structure::umbilical_notch || landmarks.umbilical_notch.rows() == 0) return {};
+  return Eigen::VectorXd::Constant(1, landmarks.notch_deviation);
+}
+
 CommandTraits review_traits(std::string_view code) {
   return {.code = code,
           .reads = {part::model},  // a later step makes neither part out of date
@@ -71,7 +78,8 @@ CommandTraits review_traits(std::string_view code) {
           .notice = Notice::quiet};
 }
 
-Applied with_review(const CaseState& state, const atlas::Proposal& proposal, const Points& landmark) {
+Applied with_review(const CaseState& state, const atlas::Proposal& proposal, const Points& landmark,
+                    const std::optional<Eigen::VectorXd>& known) {
   auto transfer = std::make_shared<atlas::Transfer>(*state[part::proposals]);
   const auto found =
       std::find_if(transfer->proposals.begin(), transfer->proposals.end(),
@@ -85,10 +93,14 @@ Applied with_review(const CaseState& state, const atlas::Proposal& proposal, con
   Landmarks landmarks = placed(state);
   if (Points* points = points_of(landmarks, proposal.structure)) {
     *points = landmark;
-    if (proposal.structure == atlas::Structure::anterior_margin)
-      landmarks.margin_deviation = deviations_of(proposal, landmark);
+    const Eigen::VectorXd deviations = known ? *known : deviations_of(proposal, landmark);
+    if (proposal.structure == atlas::Structure::anterior_margin) {
+      require(deviations.size() == 0 || deviations.size() == landmark.rows(),
+              "there are as many deviations of a margin as points");
+      landmarks.margin_deviation = deviations;
+    }
     if (proposal.structure == atlas::Structure::umbilical_notch)
-      landmarks.notch_deviation = landmark.rows() > 0 ? deviations_of(proposal, landmark).maxCoeff() : 0.0;
+      landmarks.notch_deviation = deviations.size() > 0 ? deviations.maxCoeff() : 0.0;
     const bool none = landmarks.empty() && landmarks.vena_cava.rows() == 0;
     applied.state[part::landmarks] = none ? nullptr : std::make_shared<const Landmarks>(std::move(landmarks));
   }

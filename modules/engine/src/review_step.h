@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "glisson/atlas/transfer.h"
 #include "glisson/engine/command.h"
 
@@ -12,7 +14,10 @@ CommandTraits review_traits(std::string_view code);
 /// The case with this proposal in the place of the one of its structure, and with these points as its
 /// landmark (CT frame, metres; none: no landmark), where registration knows the structure. Other landmarks
 /// stay, unless they are of a former model.
+/// @param known how far the points may lie from where they are, as placed_deviations() had it; empty: what
+///   the proposal says of its own.
 /// @throws InputError nothing is proposed for the structure.
-Applied with_review(const CaseState& state, const atlas::Proposal& proposal, const Points& landmark);
+Applied with_review(const CaseState& state, const atlas::Proposal& proposal, const Points& landmark,
+                    const std::optional<Eigen::VectorXd>& known = {});
 
 }  // namespace glisson::engine

@@ -332,7 +332,7 @@ class DemoRun {
     const Points drawn = engine::effective_landmarks(state()).anterior_margin;
     const Points& truth = theatre_->landmarks().anterior_margin;
     const bool is_there =
-        overlay.level() != Level::withdrawn && overlay.nodes_in_camera.rows() == model().mesh.vertex_count();
+        overlay.level() == Level::valid && overlay.nodes_in_camera.rows() == model().mesh.vertex_count();
     if (!is_there || drawn.rows() == 0 || truth.rows() == 0) return;
     const Camera& camera = state()[part::rig]->left;
     const Points placed = bind_points(model().mesh, drawn).apply(model().mesh, overlay.nodes_in_camera);

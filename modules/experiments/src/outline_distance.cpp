@@ -113,7 +113,11 @@ double distance_to(const Line& line, const Eigen::Vector2d& p) {
 
 std::optional<OutlineDistance> line_distance(const Line& drawn, const Line& truth, int width, int height) {
   const Line of_drawn = samples(drawn, width, height), of_truth = samples(truth, width, height);
-  if (of_drawn.empty() || of_truth.empty()) return std::nullopt;
+  if (of_truth.empty()) return std::nullopt;
+  if (of_drawn.empty()) {  // drawn outside of the picture where it is to be seen: as wrong as can be
+    const double most = std::hypot(width, height);
+    return OutlineDistance{most, most};
+  }
   // To the whole of the other line: what it goes on beyond the picture's border is no error.
   std::vector<double> distances;
   for (const Eigen::Vector2d& p : of_drawn) distances.push_back(distance_to(truth, p));

@@ -6,6 +6,7 @@
 #include "glisson/core/files.h"
 #include "glisson/experiments/evaluate.h"
 #include "glisson/patient/label_map.h"
+#include "glisson/registration/forks.h"
 
 namespace glisson::experiments {
 namespace fs = std::filesystem;
@@ -60,10 +61,9 @@ void TrackRecord::add(int number, const OverlayFrame& overlay) {
                          {"reason_" + reason, mark(1.0)}};
     if (overlay.doubtful) marks["doubtful"] = mark(1.0);
     line.mesh = "registered_" + padded(number, output_.digits) + "." + output_.ending;
-    Registration registration = start_;
-    registration.nodes_in_camera = overlay.nodes_in_camera;
-    registration.residual = overlay.residual;
-    output_.write_mesh(output_.folder / line.mesh, registration, marks);
+    Registration carried = registration::carried_to(model_, start_, overlay.nodes_in_camera);
+    carried.residual = overlay.residual;
+    output_.write_mesh(output_.folder / line.mesh, carried, marks);
     if (output_.truth) compare(number, overlay);
   }
   lines_ += overlay_line(line) + "\n";

@@ -28,10 +28,15 @@ std::string text_of(double value) {
   return {text.data(), end};
 }
 
+/// Thousandths of a pascal: what decimals of kilopascals are read as, whichever way they were computed.
+double rounded(double pascals) { return std::round(1e3 * pascals) / 1e3; }
+
+std::string kilopascals_of(double pascals) { return text_of(pascals / 1e3); }
+
 [[noreturn]] void refuse(const std::string& name, const std::string& value, const std::string& words) {
   throw InputError("stiffness", name, "is \"" + value + "\"",
-                   "Give Young's modulus in kPa, from " + text_of(1e-3 * kSoftestTissue) + " to " +
-                       text_of(1e-3 * kStiffestTissue) + ", or " + words);
+                   "Give Young's modulus in kPa, from " + kilopascals_of(kSoftestTissue) + " to " +
+                       kilopascals_of(kStiffestTissue) + ", or " + words);
 }
 
 /// Pa; empty: no such number.
@@ -39,7 +44,7 @@ std::optional<double> modulus_from(std::string_view text) {
   double kilopascals = 0.0;
   const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), kilopascals);
   if (failure != std::errc() || end != text.data() + text.size()) return {};
-  const double pascals = 1e3 * kilopascals;
+  const double pascals = rounded(1e3 * kilopascals);
   if (!(pascals >= kSoftestTissue && pascals <= kStiffestTissue)) return {};
   return pascals;
 }
@@ -62,12 +67,12 @@ Stiffness stiffness_from(const std::string& name, const std::string& value) {
 std::string word_of(const Stiffness& stiffness) {
   for (const auto& [word, kind] : kWords)
     if (stiffness.kind == kind) return word;
-  return text_of(1e-3 * stiffness.young_modulus);
+  return kilopascals_of(stiffness.young_modulus);
 }
 
 void check(double modulus, const std::string& name) {
   if (!(modulus >= kSoftestTissue && modulus <= kStiffestTissue))
-    refuse(name, text_of(1e-3 * modulus), "none at all");
+    refuse(name, kilopascals_of(modulus), "none at all");
 }
 
 std::set<Label> lesions_of(const TetMesh& mesh) {
@@ -146,10 +151,17 @@ std::string tissue_list(const Tissue& tissue) {
   const auto add = [&](const std::string& name, const std::string& value) {
     list += (list.empty() ? "" : ",") + name + "=" + value;
   };
-  if (tissue.parenchyma) add(kParenchyma, text_of(1e-3 * *tissue.parenchyma));
+  if (tissue.parenchyma) add(kParenchyma, kilopascals_of(*tissue.parenchyma));
   for (const auto& [label, stiffness] : tissue.lesions) add(structure_name(label), word_of(stiffness));
   if (tissue.others) add(kOthers, word_of(*tissue.others));
   return list;
+}
+
+Tissue rounded(Tissue tissue) {
+  if (tissue.parenchyma) tissue.parenchyma = rounded(*tissue.parenchyma);
+  if (tissue.others) tissue.others->young_modulus = rounded(tissue.others->young_modulus);
+  for (auto& [label, stiffness] : tissue.lesions) stiffness.young_modulus = rounded(stiffness.young_modulus);
+  return tissue;
 }
 
 Tissue said_over(Tissue former, const Tissue& now) {
@@ -159,6 +171,21 @@ Tissue said_over(Tissue former, const Tissue& now) {
     former.lesions.clear();
   }
   for (const auto& [label, stiffness] : now.lesions) former.lesions[label] = stiffness;
+  return former;
+}
+
+std::vector<Label> lesions_not_there(const Tissue& tissue, const PatientModel& model) {
+  std::set<Label> there;
+  for (const auto& [label, centre] : lesion_centres(model)) there.insert(label);
+  std::vector<Label> gone;
+  for (const auto& [label, stiffness] : tissue.lesions)
+    if (!there.contains(label)) gone.push_back(label);
+  return gone;
+}
+
+Tissue still_there(Tissue former, const PatientModel& model) {
+  for (const Label gone : lesions_not_there(former, model)) former.lesions.erase(gone);
+  if (lesion_centres(model).empty()) former.others.reset();
   return former;
 }
 

@@ -49,6 +49,13 @@ NamedSurface surface_of(Label label, const ScalarField& field) {
           zero_level(resampled(field, std::max(kOtherSpacingMm, 0.6 * field.grid().spacing_mm.minCoeff())))};
 }
 
+/// Whether a lesion is too small; notes it then.
+bool is_dropped(Label lesion, double mm3, std::vector<std::string>& notes) {
+  if (mm3 >= kLeastLesionMm3) return false;
+  notes.push_back("lesion.dropped " + structure_name(lesion) + " mm3 " + shown(mm3));
+  return true;
+}
+
 /// Vessel voxels in the liver or at its entrances.
 VesselMask vessel_in_liver(Label structure, const LabelVolume& labels,
                            const std::vector<std::uint8_t>& near_liver) {
@@ -108,11 +115,8 @@ Cancellable<Anatomy> anatomy_of(const LabelMap& labels, const ModelOptions& opti
     std::vector<std::uint8_t> mask = voxels.mask([&](Label other) { return other == label; });
     if (is_lesion(label)) {
       for (std::size_t i = 0; i < mask.size(); ++i) mask[i] &= liver[i];
-      const double volume = static_cast<double>(count(mask)) * grid.voxel_volume_mm3();
-      if (volume < kLeastLesionMm3) {
-        anatomy.notes.push_back("lesion.dropped " + structure_name(label) + " mm3 " + shown(volume));
-        continue;
-      }
+      const double mm3 = static_cast<double>(count(mask)) * grid.voxel_volume_mm3();
+      if (is_dropped(label, mm3, anatomy.notes)) continue;
       anatomy.lesions.emplace_back(label, field_of_mask(grid, mask, 0.5 * smoothing_of(grid)));
       anatomy.surfaces.push_back(surface_of(label, anatomy.lesions.back().second));
     } else if (label <= structure::kGallbladder) {
@@ -126,24 +130,26 @@ Cancellable<Anatomy> anatomy_of(const LabelMap& labels, const ModelOptions& opti
   return anatomy;
 }
 
-Cancellable<std::vector<NamedSurface>> surfaces_of_labels(const LabelMap& labels, const RunContext& context) {
+Cancellable<std::vector<NamedSurface>> surfaces_of_labels(const LabelMap& labels, const RunContext& context,
+                                                          std::vector<std::string>& notes) {
   const LabelVolume& voxels = labels.voxels;
   const VolumeGrid& grid = voxels.grid();
-  if (voxels.empty()) throw InputError("labels", "", "are empty", "Segment the liver first");
+  const std::vector<long> histogram = voxels.histogram();
+  if (voxels.empty() || std::all_of(histogram.begin() + 1, histogram.end(), [](long n) { return n == 0; }))
+    throw InputError("labels", "", "are empty", "Segment the liver first");
   std::vector<NamedSurface> surfaces;
   const std::vector<std::uint8_t> liver = inside_liver(labels);
   if (count(liver) > 0)
     surfaces.push_back({structure::kParenchyma, "liver",
                         zero_level(resampled(field_of_mask(grid, liver, smoothing_of(grid)),
                                              std::max(kFineSpacingMm, grid.spacing_mm.minCoeff())))});
-  const std::vector<long> histogram = voxels.histogram();
   for (std::size_t code = 2; code < histogram.size(); ++code) {
     if (context.cancelled()) return {};
     context.progress(static_cast<double>(code) / static_cast<double>(histogram.size()), "model.labels");
     const auto label = static_cast<Label>(code);
+    if (histogram[code] == 0 || (!is_lesion(label) && label > structure::kGallbladder)) continue;
     const double mm3 = static_cast<double>(histogram[code]) * grid.voxel_volume_mm3();
-    const bool is_known = is_lesion(label) ? mm3 >= kLeastLesionMm3 : label <= structure::kGallbladder;
-    if (histogram[code] == 0 || !is_known) continue;
+    if (is_lesion(label) && is_dropped(label, mm3, notes)) continue;
     const std::vector<std::uint8_t> mask = voxels.mask([&](Label other) { return other == label; });
     surfaces.push_back(surface_of(label, field_of_mask(grid, mask, 0.5 * smoothing_of(grid))));
   }

@@ -4,6 +4,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include "anatomy.h"
 #include "glisson/core/error.h"
@@ -26,7 +28,7 @@ constexpr std::array<const char*, 5> kExtensions = {".vtk", ".vtp", ".stl", ".ob
 enum class Role { liver, vessel, lesions, other };
 struct Meaning {
   Role role = Role::other;
-  Label structure = 0;
+  Label structure = 0;  ///< of lesions: 0 where the name tells no number
 };
 
 std::optional<Meaning> meaning_of(std::string stem) {
@@ -53,10 +55,8 @@ std::optional<Meaning> meaning_of(std::string stem) {
       {"liver_cysts", {Role::lesions, 0}},
       {"cysts", {Role::lesions, 0}}};
   // As they are written one by one.
-  const std::string lesion = "lesion_";
-  if (stem.starts_with(lesion) && stem.size() > lesion.size() &&
-      stem.find_first_not_of("0123456789", lesion.size()) == std::string::npos)
-    return Meaning{Role::lesions, 0};
+  const auto named = structure_named(stem);
+  if (named && is_lesion(*named)) return Meaning{Role::lesions, *named};
   const auto found = kMeanings.find(stem);
   if (found == kMeanings.end()) return {};
   return found->second;
@@ -82,22 +82,36 @@ std::map<std::string, fs::path> files_in(const fs::path& folder, std::vector<std
   return chosen;
 }
 
-void add_lesions(const TriangleMesh& file, SurfaceSet& set) {
+/// The first lesion that no file names and no surface has.
+Label free_lesion(const SurfaceSet& set, const std::set<Label>& named) {
+  for (int number = structure::kFirstLesion; number <= structure::kLastLesion; ++number) {
+    const auto label = static_cast<Label>(number);
+    const bool is_taken =
+        std::any_of(set.others.begin(), set.others.end(),
+                    [label](const NamedSurface& other) { return other.structure == label; });
+    if (!is_taken && !named.contains(label)) return label;
+  }
+  throw InputError("surfaces", "lesions", "there are more than 240", "Keep those that matter");
+}
+
+/// The largest piece is the lesion that the file is named after; all others get numbers that are free.
+/// @param wanted of the largest piece; 0: the file tells none.
+/// @return whether nothing was left out because it is open.
+bool add_lesions(const TriangleMesh& file, Label wanted, const std::set<Label>& named, SurfaceSet& set) {
   int crumbs = 0;
+  bool is_whole = true;
   for (const TriangleMesh& piece : split_components(merge_vertices(file, 0.0))) {
-    if (std::abs(volume(piece)) < kLeastLesion || !is_closed(piece)) {
+    const bool is_open = !is_closed(piece);
+    if (std::abs(volume(piece)) < kLeastLesion || is_open) {
       ++crumbs;
+      is_whole &= !is_open;
       continue;
     }
-    int number = structure::kFirstLesion;
-    for (const NamedSurface& other : set.others)
-      if (is_lesion(other.structure)) ++number;
-    if (number > structure::kLastLesion)
-      throw InputError("surfaces", "lesions", "there are more than 240", "Keep those that matter");
-    const auto label = static_cast<Label>(number);
+    const Label label = wanted != 0 ? std::exchange(wanted, Label{0}) : free_lesion(set, named);
     set.others.push_back({label, structure_name(label), piece});
   }
   if (crumbs > 0) set.notes.push_back("lesion.crumbs_dropped " + std::to_string(crumbs));
+  return is_whole;
 }
 
 /// One file and what it holds.
@@ -160,6 +174,17 @@ void require_plausible(const Source& source, const TriangleMesh& mesh, const Tri
            "Export all surfaces of one patient in one frame (LPS)");
 }
 
+/// Lesions that files are named after. @throws InputError two of one.
+std::set<Label> named_lesions(const std::vector<Source>& sources, const fs::path& origin) {
+  std::set<Label> named;
+  for (const Source& source : sources) {
+    const Label lesion = source.meaning.role == Role::lesions ? source.meaning.structure : Label{0};
+    if (lesion != 0 && !named.insert(lesion).second)
+      refuse(origin, structure_name(lesion), "is named twice", "Keep one of them");
+  }
+  return named;
+}
+
 /// @throws InputError no liver, two livers, and what is wrong with a file.
 SurfaceSet read_sources(std::vector<Source> sources, const fs::path& origin, std::vector<std::string> notes) {
   SurfaceSet set;
@@ -186,14 +211,17 @@ SurfaceSet read_sources(std::vector<Source> sources, const fs::path& origin, std
     };
     return cyst(a) < cyst(b);
   });
+  const std::set<Label> named = named_lesions(sources, origin);
   for (const Source& source : sources) {
     if (source.meaning.role == Role::liver) continue;
     TriangleMesh mesh = read_structure(source);
     require_plausible(source, mesh, set.liver, liver_file);
     if (source.meaning.role == Role::lesions) {
       const std::size_t before = set.others.size();
-      add_lesions(mesh, set);
-      if (set.others.size() == before)
+      const bool is_whole = add_lesions(mesh, source.meaning.structure, named, set);
+      // One that is named, closed and too small does not hinder all others.
+      const bool is_told = source.meaning.structure != 0 && is_whole;
+      if (set.others.size() == before && !is_told)
         refuse(source.file, "lesions", "holds no closed surface of 15 mm3 or more",
                "Close the surfaces (fill their holes) in the program that made them");
     } else {

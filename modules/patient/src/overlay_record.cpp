@@ -51,6 +51,7 @@ constexpr EvidenceField kEvidence[] = {
 json evidence_object(const Evidence& evidence) {
   json object = json::object();
   for (const EvidenceField& field : kEvidence) {
+    if (field.value == &Evidence::fresh && evidence.fresh < 0.0) continue;  // not known
     const double value = field.per * (evidence.*field.value);
     if (std::isfinite(value)) object[field.name] = value;  // JSON has no other numbers
   }

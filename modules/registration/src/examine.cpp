@@ -58,10 +58,11 @@ void look_at_pairs(const MovingSurface& surface, const PreparedCloud& cloud, Fin
       case Feature::anterior_margin:
         if (!surface.has(pair.feature)) break;
         ++margin_points;
-        margin += pair.gap.squaredNorm();
+        margin += landmark_share(pair.feature, pair.deviation) * pair.gap.squaredNorm();
         break;
       case Feature::umbilical_notch:
-        if (surface.has(pair.feature)) findings.notch_off = pair.gap.norm();
+        if (surface.has(pair.feature))
+          findings.notch_off = std::sqrt(landmark_share(pair.feature, pair.deviation)) * pair.gap.norm();
         break;
     }
   }

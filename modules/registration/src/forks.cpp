@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "glisson/geometry/rigid.h"
 #include "glisson/patient/label_map.h"
 
 namespace glisson::registration {
@@ -52,7 +53,7 @@ Binding bound(const PatientModel& model, const std::vector<VesselFork>& forks) {
   Points places(static_cast<Eigen::Index>(forks.size()), 3);
   for (std::size_t i = 0; i < forks.size(); ++i)
     places.row(static_cast<Eigen::Index>(i)) = forks[i].place.transpose();
-  return bind_points(model.mesh, places);
+  return bind_points(model.mesh, places, false);  // at the hilum they may lie outside of the mesh
 }
 
 }  // namespace
@@ -71,6 +72,39 @@ std::vector<ForkSpread> forks_of(const PatientModel& model, const Registration& 
                        found.row(static_cast<Eigen::Index>(i)).transpose(), covariances[i]});
   }
   return spreads;
+}
+
+namespace {
+
+Eigen::Matrix3d matrix_of(const Eigen::Matrix<double, 1, 6>& row) {
+  Eigen::Matrix3d m;
+  m << row[0], row[3], row[5], row[3], row[1], row[4], row[5], row[4], row[2];
+  return m;
+}
+
+}  // namespace
+
+Registration carried_to(const PatientModel& model, Registration registration, const Points& nodes_in_camera) {
+  if (nodes_in_camera.rows() != registration.nodes_in_camera.rows()) {
+    Registration bare;
+    bare.nodes_in_camera = nodes_in_camera;
+    return bare;
+  }
+  const Eigen::Matrix3d turn = fit_rigid_motion(registration.nodes_in_camera, nodes_in_camera, {}).rotation;
+  const auto turned = [&turn](const Eigen::Matrix3d& covariance) -> Eigen::Matrix3d {
+    return turn * covariance * turn.transpose();
+  };
+  for (LesionSpread& lesion : registration.lesions) lesion.covariance = turned(lesion.covariance);
+  for (ForkSpread& fork : registration.forks) fork.covariance = turned(fork.covariance);
+  for (Eigen::Index i = 0; i < registration.covariances.rows(); ++i)
+    registration.covariances.row(i) = symmetric_row(turned(matrix_of(registration.covariances.row(i))));
+  registration.rivals.clear();
+  registration.looks.clear();
+  registration.forces.clear();
+  registration.nodes_in_camera = nodes_in_camera;
+  registration.camera_from_ct = fit_rigid<CameraFrame, CtFrame>(model.mesh.vertices, nodes_in_camera);
+  place_forks(model, registration);
+  return registration;
 }
 
 void place_forks(const PatientModel& model, Registration& registration) {

@@ -96,14 +96,23 @@ class LandmarkLooks {
       : model_(model), cloud_(cloud), registration_(registration) {}
 
   ForceRows margin() const {
-    return rows_of(pieces_of(model_.landmarks.anterior_margin), Feature::anterior_margin, kMarked,
-                   kMarginSigma / std::sqrt(kMarginInformation));
+    const Landmarks& landmarks = model_.landmarks;
+    const Points pieces = pieces_of(landmarks.anterior_margin);
+    return rows_of(pieces, Feature::anterior_margin, kMarked, [&](Eigen::Index i) {
+      double deviation = 0.0;
+      if (landmarks.margin_deviation.size() > 0) {
+        Eigen::Index at = 0;
+        (landmarks.anterior_margin.rowwise() - pieces.row(i)).rowwise().squaredNorm().minCoeff(&at);
+        deviation = landmarks.margin_deviation[at];
+      }
+      return std::max(kMarginSigma, deviation) / std::sqrt(kMarginInformation);
+    });
   }
   ForceRows notch() const {
     const Points& notch = model_.landmarks.umbilical_notch;
     return rows_of(notch.rows() > 0 ? Points(notch.colwise().mean()) : notch, Feature::umbilical_notch,
                    std::numeric_limits<double>::infinity(),
-                   std::max(kNotchSigma, model_.landmarks.notch_deviation));
+                   [this](Eigen::Index) { return std::max(kNotchSigma, model_.landmarks.notch_deviation); });
   }
 
  private:
@@ -113,7 +122,9 @@ class LandmarkLooks {
     return false;
   }
 
-  ForceRows rows_of(const Points& landmark, Feature feature, double marked, double sigma) const {
+  /// @param sigma of a point of the landmark, by its number, metres.
+  template <class Sigma>
+  ForceRows rows_of(const Points& landmark, Feature feature, double marked, const Sigma& sigma) const {
     ForceRows rows;
     if (landmark.rows() == 0) return rows;
     const Binding binding = bind_points(model_.mesh, landmark, false);
@@ -126,7 +137,7 @@ class LandmarkLooks {
         carrier.nodes[static_cast<std::size_t>(k)] = tetrahedron[k];
         carrier.weights[static_cast<std::size_t>(k)] = binding.weights(i, k);
       }
-      add_rows(rows, carrier, Eigen::Matrix3d::Identity(), sigma);
+      add_rows(rows, carrier, Eigen::Matrix3d::Identity(), sigma(i));
     }
     return rows;
   }

@@ -439,7 +439,12 @@ class Run {
     // Where supports are known and forces were found, their own posterior is the nearer one.
     registration_.expected = forces && !elastic_.prior ? forces->expected_error : examined_.error->expected();
     registration_.covariances = examined_.error->node_covariances();
-    if (forces && !elastic_.prior) sized_as(forces->expected_error, registration_.covariances);
+    if (forces && !elastic_.prior) {
+      if (forces->expected_error.size() == registration_.covariances.rows())
+        sized_as(forces->expected_error, registration_.covariances);
+      else
+        registration_.covariances.resize(0, 6);  // not known, as the expected errors
+    }
     registration_.forks = forks_of(model_, registration_, *examined_.error);
     registration_.rivals = plausible_rivals(std::move(rivals));
     if (forces) registration_.forces = found_forces(*forces);

@@ -48,7 +48,12 @@ class Aligner {
     if (look) hide(pose, matches);
     trim(matches);
     double sum = 0.0, weights = 0.0;
-    for (const Match& m : matches) sum += m.weight * m.distance, weights += m.weight;
+    for (const Match& m : matches) {
+      // The same at every pose: else one that lays the marks beside an unsure piece would be rid of them.
+      const double weight = weight_[static_cast<std::size_t>(m.point)] * mean_share_[index_of(m.feature)];
+      sum += weight * m.distance;
+      weights += weight;
+    }
     return weights > 0.0 ? sum / weights : kCap;
   }
 
@@ -107,7 +112,20 @@ class Aligner {
   };
 
   /// Surface, margin and notch weigh 1 : 1/2 : 1/4 in all, whatever their numbers.
+  static std::size_t index_of(Feature feature) { return static_cast<std::size_t>(feature) - 1; }
+
+  /// What a mark counts for on the mean of its landmark.
+  void share_out_landmarks() {
+    const std::vector<double>& margin = surface_.margin_deviations();
+    double sum = 0.0;
+    for (const double deviation : margin) sum += landmark_share(Feature::anterior_margin, deviation);
+    if (!margin.empty()) mean_share_[1] = sum / static_cast<double>(margin.size());
+    mean_share_[2] =
+        landmark_share(Feature::umbilical_notch, surface_.deviation(Feature::umbilical_notch, {}));
+  }
+
   void weigh() {
+    share_out_landmarks();
     double total[3] = {0.0, 0.0, 0.0};
     for (int i = 0; i < cloud_.cloud.size(); ++i)
       total[static_cast<int>(cloud_.cloud.feature(i)) - 1] += cloud_.weight[static_cast<std::size_t>(i)];
@@ -178,6 +196,7 @@ class Aligner {
   const RigidOptions& options_;
   Points normals_;
   std::vector<double> weight_;
+  std::array<double, 3> mean_share_ = {1.0, 1.0, 1.0};  ///< surface, margin, notch
 };
 
 /// Every feature in proportion, `count` points at most.

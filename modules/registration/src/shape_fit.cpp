@@ -147,6 +147,9 @@ class ShapeFitter {
       else
         sum += share(pair) * kTolerance *
                (std::log1p(square(pair) / (share(pair) * kTolerance)) + (pair.kept ? 0.0 : 1.0));
+      // Three axes: of the density's norm, which differs from place to place along a margin that is unsure.
+      if (pair.feature == Feature::anterior_margin && pair.deviation > options_.sigma_margin)
+        sum += share(pair) * 6.0 * std::log(pair.deviation / options_.sigma_margin);
     }
     return sum;
   }

@@ -3,6 +3,7 @@
 
 #include <sys/statvfs.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -11,6 +12,7 @@ namespace glisson::stereo {
 namespace {
 
 constexpr double kLongestGap = 2.0;  ///< seconds without a picture that a film keeps
+constexpr double kSameMoment = 0.6;  ///< of a frame's time: what comes sooner shows the same moment
 
 }  // namespace
 
@@ -28,8 +30,11 @@ void require_room(const std::filesystem::path& video, int written, const FreeSpa
 
 FilmPace::Place FilmPace::next(double seconds) {
   if (written_ == 0) begun_ = seconds;
-  const long wanted = std::lround((seconds - begun_) * rate_);
-  if (wanted < written_) return {true, 0, 0};
+  const long ideal = std::lround((seconds - begun_) * rate_);
+  const bool is_same_moment = written_ > 0 && seconds - last_ < kSameMoment / rate_;
+  if (ideal + 1 < written_ || (ideal < written_ && is_same_moment)) return {true, 0, 0};
+  const long wanted = std::max<long>(ideal, written_);
+  last_ = seconds;
   Place place;
   if (wanted - written_ <= std::lround(kLongestGap * rate_))
     place.repeats = static_cast<int>(wanted - written_);
@@ -57,15 +62,25 @@ void PacedWriter::write(const Picture& picture) {
   ++written_;
 }
 
-int PacedWriter::keep() {
+void PacedWriter::close() {
+  closed_ = true;
   try {
     writer_.close();
+    kept_ = written_;
   } catch (const PartlyRecorded& partly) {
-    return partly.frames();
-  } catch (const FileError&) {
-    return 0;
+    kept_ = partly.frames();
+    throw;
   }
-  return written_;
+}
+
+int PacedWriter::keep() {
+  if (closed_) return kept_;
+  try {
+    close();
+  } catch (const FileError&) {
+    // What is kept is known; what went wrong first is said already.
+  }
+  return kept_;
 }
 
 }  // namespace glisson::stereo

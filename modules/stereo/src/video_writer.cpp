@@ -29,15 +29,19 @@ struct VideoWriter::Impl {
     open = false;
   }
 
-  /// Frames that can be read back.
+  /// Frames that can be read back; all where no reader can be had, for then nothing speaks against them.
   int readable() const {
+    int frames = 0;
     try {
       FileStream stream(file->path());
-      const int frames = stream.count_frames();
-      return stream.width == width && stream.height == height ? frames : 0;
+      if (stream.width != width || stream.height != height) return 0;
+      while (stream.grab()) ++frames;
     } catch (const InputError&) {
-      return 0;  // broken off in its first second
+      // Broken off: what was read until then plays.
+    } catch (const FileError&) {
+      return written;
     }
+    return frames;
   }
 };
 

@@ -328,7 +328,8 @@ Proposal ProposalReview::as_dragged(const Proposal& one) const {
 void ProposalReview::decide(Decision decision, const Points& moved) {
   const Proposal* one = chosen();
   if (one == nullptr) return;
-  former_.push_back({*one, engine::placed_points(engine_.state(), one->structure)});
+  former_.push_back({*one, engine::placed_points(engine_.state(), one->structure),
+                     engine::placed_deviations(engine_.state(), one->structure)});
   posted_.insert(engine_.post(engine::ReviewProposal{one->structure, decision, moved}));
   if (decision != Decision::moved) go_on();
   show_chosen();
@@ -350,7 +351,7 @@ void ProposalReview::undo() {
   former_.pop_back();
   for (std::size_t i = 0; i < shown_->proposals.size(); ++i)
     if (shown_->proposals[i].structure == last.proposal.structure) list_->setCurrentRow(static_cast<int>(i));
-  posted_.insert(engine_.post(engine::RestoreReview{last.proposal, last.landmark}));
+  posted_.insert(engine_.post(engine::RestoreReview{last.proposal, last.landmark, last.deviations}));
   show_chosen();
 }
 

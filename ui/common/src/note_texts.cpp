@@ -56,6 +56,7 @@ class Notes {
         {"vessels.outside_liver", tr("%1 lies outside the liver and was left out.")},
         {"case.former_registration_lost",
          tr("The former registration could not be read and was left out (%*).")},
+        {"tissue.no_lesion", tr("%1 is no lesion of this model: what is said of its stiffness is left out.")},
         {"tissue.no_elements",
          tr("%1 has no elements of its own: its stiffness changes nothing. Build the model finer at "
             "lesions.")},

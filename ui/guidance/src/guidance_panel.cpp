@@ -79,9 +79,16 @@ GuidancePanel::GuidancePanel(EngineBridge& engine, DrawableSource& drawables, QW
   couplings_.add(registration_.method, [this](registration::Method method) { again_.set_method(method); });
   for (QWidget* place : {static_cast<QWidget*>(this), static_cast<QWidget*>(view_.data())}) {
     auto* undo = new QShortcut(QKeySequence::Undo, place, nullptr, nullptr, Qt::WidgetWithChildrenShortcut);
+    undo->setAutoRepeat(false);
     connect(undo, &QShortcut::activated, &registration_, &RegistrationModel::undo);
-    // While the organ is followed the keys take back what hands have set.
-    couplings_.add(registration_.can_undo, [undo](bool can) { undo->setEnabled(can); });
+    // While the organ is followed the keys take back what hands have set; over its last picture they would
+    // put away all that can be looked at again.
+    const auto enable = [this, undo](bool) {
+      undo->setEnabled(registration_.can_undo && !playback_.is_tracking && !playback_.is_frozen);
+    };
+    couplings_.add(registration_.can_undo, enable);
+    couplings_.add(playback_.is_tracking, enable);
+    couplings_.add(playback_.is_frozen, enable);
   }
   couplings_.add(registration_.shown_rival, [this](int) { show_proposed(); });
 }

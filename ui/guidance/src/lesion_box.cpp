@@ -82,10 +82,15 @@ void LesionBox::show_rows() {
     const auto row = std::find_if(rows.begin(), rows.end(), [&](const auto& one) {
       return spot.lesion != 0 && one.first.lesion == spot.lesion;
     });
-    if (row != rows.end())
+    if (row != rows.end()) {
       row->second = spot;
-    else
-      rows.emplace_back(LesionRow{.lesion = spot.lesion, .name = spot.name, .within = spot.within}, spot);
+      continue;
+    }
+    LesionRow of_registration;
+    of_registration.lesion = spot.lesion;
+    of_registration.name = spot.name;
+    of_registration.within = spot.within;
+    rows.emplace_back(of_registration, spot);
   }
   setVisible(!rows.empty());
   const int count = static_cast<int>(rows.size());

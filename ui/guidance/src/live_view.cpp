@@ -98,7 +98,7 @@ QToolButton* LiveView::add_button(const char* name, const QString& text, const Q
 void LiveView::show_picture() {
   const PaintedOverlay& shown = model_.on_screen();
   picture_->set_picture(shown.picture, shown.screen);
-  if (raw_->isVisible()) raw_->set_picture(shown.raw, shown.raw_screen);
+  if (show_raw_->isChecked()) raw_->set_picture(shown.raw, shown.raw_screen);
   tell_screen();
 }
 

@@ -65,14 +65,18 @@ struct OverlayWorker::Studio {
             [&worker = said_by](const RecordingEnd& end) { emit worker.recording_ended(end); }};
   }
 
-  void stop() {
+  /// @param why it ends before it should; empty: somebody wishes so.
+  void stop(const QString& why = {}) {
     closing.remove_if([](const std::unique_ptr<Recorder>& one) { return one->is_done(); });
-    if (wanted) emit said_by.recording_ended({QString::fromStdString(wanted->path.string()), 0, 0, {}});
+    if (wanted) emit said_by.recording_ended({QString::fromStdString(wanted->path.string()), 0, 0, why});
     wanted.reset();
     if (!recorder) return;
-    recorder->finish();
+    if (!why.isEmpty()) emit said_by.recording_failed(why);
+    recorder->finish(why);
     closing.push_back(std::move(recorder));
   }
+
+  void grant(std::optional<RecordingOptions> wish) { wish ? start(std::move(*wish)) : stop(); }
 };
 
 OverlayWorker::OverlayWorker(QObject* parent) : QObject(parent) {
@@ -95,7 +99,7 @@ void OverlayWorker::submit(OverlayJob job) {
 void OverlayWorker::start_recording(RecordingOptions options) {
   {
     const std::lock_guard lock(mutex_);
-    start_ = std::move(options);
+    wishes_.emplace_back(std::move(options));
   }
   changed_.notify_one();
 }
@@ -103,7 +107,7 @@ void OverlayWorker::start_recording(RecordingOptions options) {
 void OverlayWorker::stop_recording() {
   {
     const std::lock_guard lock(mutex_);
-    stop_recording_ = true;
+    wishes_.emplace_back();
   }
   changed_.notify_one();
 }
@@ -112,14 +116,15 @@ void OverlayWorker::run(const std::stop_token& stop) {
   Studio studio(*this);
   while (true) {
     std::optional<OverlayJob> job;
+    std::deque<std::optional<RecordingOptions>> wishes;
     {
       std::unique_lock lock(mutex_);
-      changed_.wait(lock, stop, [this] { return job_ || start_ || stop_recording_; });
+      changed_.wait(lock, stop, [this] { return job_ || !wishes_.empty(); });
       if (stop.stop_requested()) break;
       std::swap(job, job_);
-      if (std::exchange(stop_recording_, false)) studio.stop();
-      if (start_) studio.start(*std::exchange(start_, {}));
+      std::swap(wishes, wishes_);
     }
+    for (auto& wish : wishes) studio.grant(std::move(wish));
     if (!job || job->frame.empty()) continue;
     const auto begin = std::chrono::steady_clock::now();
     const auto seconds_since = [](std::chrono::steady_clock::time_point then) {
@@ -141,8 +146,9 @@ void OverlayWorker::run(const std::stop_token& stop) {
       emit painted(done);
       if (job->taken) studio.record(done, *job);
     } catch (const std::exception& problem) {
-      emit failed(error_text(problem.what()), job->generation);
-      studio.stop();
+      const QString why = error_text(problem.what());
+      emit failed(why, job->generation);
+      if (job->taken) studio.stop(why);  // a still picture is in no recording
     }
   }
   studio.stop();

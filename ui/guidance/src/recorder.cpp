@@ -140,10 +140,11 @@ void Recorder::add(RecordedFrame frame) {
   if (left_out > 0 && listener_.left_out) listener_.left_out(left_out);
 }
 
-void Recorder::finish() {
+void Recorder::finish(QString why) {
   {
     const std::lock_guard lock(mutex_);
     finishing_ = true;
+    if (why_.isEmpty()) why_ = std::move(why);
   }
   changed_.notify_one();
 }
@@ -183,11 +184,16 @@ void Recorder::run() {
     }
     end.error = error_text(problem.what());
     if (listener_.trouble) listener_.trouble(end.error);
-    if (reel) end.frames = reel->keep();
+    try {
+      if (reel) end.frames = reel->keep();
+    } catch (const std::exception&) {
+      // What went wrong first is said already.
+    }
   }
   {
     const std::lock_guard lock(mutex_);
     end.left_out = left_out_;
+    if (end.error.isEmpty()) end.error = why_;
   }
   reel.reset();
   if (listener_.ended) listener_.ended(end);

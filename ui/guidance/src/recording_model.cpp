@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/guidance/recording_model.h"
 
+#include <exception>
+#include <filesystem>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include "glisson/core/error.h"
@@ -24,29 +27,60 @@ RecordingModel::RecordingModel(OverlayWorker& worker, PlaybackModel& playback, C
     say(recording_ + QLatin1Char('\n') + left_out_text(pictures), QStringLiteral("warning"));
   });
   connect(&worker_, &OverlayWorker::recording_failed, this, [this](const QString& error) {
-    is_ending = true;
+    begin_end();
     say(error, QStringLiteral("error"));
   });
   connect(&worker_, &OverlayWorker::recording_ended, this, &RecordingModel::take_end);
 }
 
+RecordingModel::~RecordingModel() {
+  if (!is_recording) return;
+  try {
+    const std::string lines = is_ending ? lines_ : lines_now();
+    if (!lines.empty()) write_file_atomically(beside(path_).toStdString(), lines);
+  } catch (const std::exception&) {
+    // Nobody is there to be told.
+  }
+}
+
 void RecordingModel::start(const QString& path) {
   if (is_recording) return;
+  for (const auto& file : {Recorder::raw_path(path.toStdString()), Recorder::lines_path(path.toStdString())})
+    if (std::error_code ignored; std::filesystem::exists(file, ignored))
+      return say(
+          tr("%1: lies there already. Choose another name.").arg(QString::fromStdString(file.string())),
+          QStringLiteral("error"));
   RecordingOptions options;
   options.path = path.toStdString();
   options.what = what.value();
   options.remedy = scene::remedy_text;
   worker_.start_recording(std::move(options));
   is_recording = true;
+  path_ = path;
   recording_ = tr("Recording to %1").arg(path);
   say(recording_, QStringLiteral("warning"));
 }
 
 void RecordingModel::stop() {
   if (!is_recording || is_ending) return;
-  is_ending = true;
+  begin_end();
+  say(tr("The recording is being brought to its end."), QStringLiteral("warning"));
   worker_.stop_recording();
 }
+
+void RecordingModel::begin_end() {
+  if (!is_ending) lines_ = lines_now();
+  is_ending = true;
+}
+
+std::string RecordingModel::lines_now() const {
+  std::string lines;
+  for (const auto* record : {&correction_.record(), &again_.record()})
+    for (const std::string& line : *record) lines += line + "\n";
+  return lines;
+}
+
+QString RecordingModel::beside(const QString& path) { return path + QStringLiteral(".corrections.jsonl"); }
 
 QString RecordingModel::left_out_text(int pictures) {
   return tr("Pictures left out because the computer or its disk is too slow: %1").arg(pictures);
@@ -54,6 +88,7 @@ QString RecordingModel::left_out_text(int pictures) {
 
 void RecordingModel::take_end(const RecordingEnd& end) {
   if (!end.error.isEmpty()) worker_.stop_recording();  // it has ended by itself
+  begin_end();
   is_recording = false;
   is_ending = false;
   tell_end(end);
@@ -63,17 +98,14 @@ void RecordingModel::tell_end(const RecordingEnd& end) {
   QString text = tr("Frames recorded: %1, in %2").arg(end.frames).arg(end.path);
   if (end.left_out > 0) text += QLatin1Char('\n') + left_out_text(end.left_out);
   if (!end.error.isEmpty()) text = end.error + QLatin1Char('\n') + text;
-  std::string lines;
-  for (const auto* record : {&correction_.record(), &again_.record()})
-    for (const std::string& line : *record) lines += line + "\n";
-  if (!lines.empty()) {
-    const QString beside = end.path + QStringLiteral(".corrections.jsonl");
+  if (!lines_.empty()) {
+    const QString file = beside(end.path);
     try {
-      write_file_atomically(beside.toStdString(), lines);
+      write_file_atomically(file.toStdString(), lines_);
     } catch (const Error& problem) {
       return say(text + QLatin1Char('\n') + error_text(problem.what()), QStringLiteral("error"));
     }
-    text += QLatin1Char('\n') + tr("Corrections and registrations made meanwhile: %1").arg(beside);
+    text += QLatin1Char('\n') + tr("Corrections and registrations made meanwhile: %1").arg(file);
   }
   const bool is_whole = end.error.isEmpty() && end.left_out == 0;
   say(text, is_whole              ? QStringLiteral("good")

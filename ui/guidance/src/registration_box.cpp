@@ -101,10 +101,11 @@ QWidget* RegistrationBox::make_undo(RegistrationModel& model) {
   auto* undo = new QPushButton(tr("Former registration"), this);
   undo->setObjectName(QStringLiteral("undo_registration"));
   undo->setToolTip(
-      tr("Back to the registration before this one, and forth again (Ctrl+Z while nothing is "
+      tr("Back to the registration before this one, and forth again (Ctrl+Z before anything is "
          "tracked). It is kept with the case."));
   connect(undo, &QPushButton::clicked, &model, &RegistrationModel::undo);
-  couplings_.add(model.can_undo, [undo](bool can) { undo->setVisible(can); });
+  couplings_.add(model.has_former, [undo](bool has) { undo->setVisible(has); });
+  couplings_.add(model.can_undo, [undo](bool can) { undo->setEnabled(can); });  // nothing below it moves
   return undo;
 }
 

@@ -26,7 +26,8 @@ RegistrationModel::RegistrationModel(EngineBridge& engine, QObject* parent)
 void RegistrationModel::read_case() {
   const engine::CaseState& now = engine_.state();
   is_unchecked = now[part::model] && !engine::is_model_checked(now);
-  can_undo = engine::has_former_registration(now) && !engine_.snapshot()->tracking;
+  has_former = engine::has_former_registration(now);
+  can_undo = has_former && !engine_.snapshot()->tracking;
   const bool is_new = now[part::registration] != source_;
   source_ = now[part::registration];
   if (is_new) shown_rival = -1;
@@ -64,15 +65,15 @@ void RegistrationModel::read_case() {
 QString RegistrationModel::termination_words(const Registration& registration) {
   switch (registration.termination) {
     case Termination::converged:
-      return tr("came to rest, %1 plateaus").arg(registration.plateaus);
+      return tr("came to rest");
     case Termination::stalled:
-      return tr("stalled, %1 steps").arg(registration.steps);
+      return tr("stalled");
     case Termination::step_limit:
-      return tr("stopped at its limit, %1 steps").arg(registration.steps);
+      return tr("stopped at its limit");
     case Termination::diverged:
       break;
   }
-  return tr("failed, %1 steps").arg(registration.steps);
+  return tr("failed");
 }
 
 void RegistrationModel::read_rivals(const Registration& registration) {
@@ -91,6 +92,10 @@ void RegistrationModel::read_rivals(const Registration& registration) {
 
 void RegistrationModel::read_spots(const Registration& registration) {
   SpotRows rows;
+  if (is_refused || engine_.snapshot()->stage(part::registration) != engine::StageState::current) {
+    spots = rows;
+    return;
+  }
   const auto add = [&rows](Label lesion, const QString& name, const Eigen::Matrix3d& covariance) {
     rows.push_back({lesion, name, tr("%1 mm").arg(1e3 * registration::mean_error(covariance), 0, 'f', 1),
                     tr("±%1 mm").arg(1e3 * registration::half_axes_95(covariance)[0], 0, 'f', 1)});

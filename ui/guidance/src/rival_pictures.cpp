@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/guidance/rival_pictures.h"
 
+#include <QApplication>
 #include <QHBoxLayout>
 #include <QPainter>
+#include <QTimer>
 #include <QToolButton>
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <optional>
 
 #include "glisson/engine/commands/choose_rival.h"
 #include "glisson/engine/obstacle.h"
@@ -107,11 +108,12 @@ RivalPictures::RivalPictures(EngineBridge& engine, RegistrationModel& model, QWi
     button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
     button->setIconSize(kSize);
     row->addWidget(button);
-    connect(button, &QToolButton::clicked, this, [this, k] { engine_.post(engine::ChooseRival{k}); });
+    connect(button, &QToolButton::clicked, this, [this, k] { take(k); });
     buttons_[k] = button;
   }
   row->addStretch(1);
   connect(&engine_, &EngineBridge::case_changed, this, &RivalPictures::show_case);
+  connect(&engine_, &EngineBridge::finished, this, &RivalPictures::finish);
   couplings_.add(model.rival_words, [this](const QStringList& words) {
     for (std::size_t k = 0; k < kMost; ++k) {
       buttons_[k]->setVisible(static_cast<int>(k) < words.size());
@@ -122,13 +124,34 @@ RivalPictures::RivalPictures(EngineBridge& engine, RegistrationModel& model, QWi
   });
 }
 
+void RivalPictures::take(std::size_t rival) {
+  if (taking_ || engine_.state()[part::registration] != shown_) return;
+  taking_ = engine_.post(engine::ChooseRival{rival});
+  show_case();
+}
+
+void RivalPictures::finish(const engine::Outcome& outcome) {
+  if (outcome.id != taking_) return;
+  QTimer::singleShot(QApplication::doubleClickInterval(), this, [this] {
+    taking_.reset();
+    show_case();
+  });
+}
+
+QString RivalPictures::obstacle() const {
+  if (taking_) return tr("A place is being taken.");
+  if (engine_.snapshot()->tracking)
+    return tr("The organ is followed from the place it has now: stop tracking first.");
+  return obstacle_text(engine::obstacle(engine_.state(), engine::ChooseRival{}));
+}
+
 void RivalPictures::show_case() {
   const engine::CaseState& now = engine_.state();
   const auto& registration = now[part::registration];
-  const QString obstacle = obstacle_text(engine::obstacle(now, engine::ChooseRival{}));
+  const QString why_not = obstacle();
   for (QToolButton* button : buttons_) {
-    button->setEnabled(obstacle.isEmpty());
-    button->setToolTip(obstacle.isEmpty() ? tr("The organ lies here: take this place") : obstacle);
+    button->setEnabled(why_not.isEmpty());
+    button->setToolTip(why_not.isEmpty() ? tr("The organ lies here: take this place") : why_not);
   }
   const bool is_shown = registration == shown_ && now[part::frame] == frame_;
   if (is_shown || !registration || registration->rivals.empty() || !now[part::model]) return;

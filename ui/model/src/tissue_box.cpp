@@ -8,6 +8,7 @@
 #include <QSignalBlocker>
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "glisson/engine/commands/set_tissue.h"
 #include "glisson/engine/parts/model.h"
@@ -35,6 +36,16 @@ void show_value(QDoubleSpinBox& box, double pascals, bool is_given) {
   box.setEnabled(is_given);
 }
 
+/// Whether this, rounded, is what the box says.
+bool says(const QDoubleSpinBox& box, double pascals) {
+  return box.textFromValue(1e-3 * pascals) == box.textFromValue(box.value());
+}
+
+/// Pascals: `former` to the bit where the box says it. @param former negative: there was none
+double value_in(const QDoubleSpinBox& box, double former) {
+  return former > 0.0 && says(box, former) ? former : 1e3 * box.value();
+}
+
 }  // namespace
 
 TissueBox::TissueBox(EngineBridge& engine, QWidget* parent) : QWidget(parent), engine_(engine) {
@@ -50,6 +61,7 @@ TissueBox::Row TissueBox::add_row(const QString& name, const QString& object, co
   Row row;
   row.choice = make_narrow_combo(this);
   row.choice->setObjectName(object);
+  row.choice->setMinimumContentsLength(6);  // beside it stands a number
   row.choice->addItems(choices);
   row.kilopascals = new QDoubleSpinBox(this);
   row.kilopascals->setObjectName(object + QStringLiteral("_kpa"));
@@ -93,7 +105,11 @@ void TissueBox::show_rows() {
 
 void TissueBox::show_values(const fem::Tissue& tissue) {
   const double healthy = modulus_of("healthy"), parenchyma = tissue.parenchyma.value_or(healthy);
-  const int which = parenchyma == healthy                   ? kHealthy
+  // By value somebody may want just what a healthy or a cirrhotic one has.
+  const bool stays_by_value = parenchyma_.choice->currentIndex() == kParenchymaByValue && tissue.parenchyma &&
+                              says(*parenchyma_.kilopascals, parenchyma);
+  const int which = stays_by_value                          ? kParenchymaByValue
+                    : parenchyma == healthy                 ? kHealthy
                     : parenchyma == modulus_of("cirrhotic") ? kCirrhotic
                                                             : kParenchymaByValue;
   parenchyma_.choice->setCurrentIndex(which);
@@ -104,6 +120,7 @@ void TissueBox::show_values(const fem::Tissue& tissue) {
     row.choice->setCurrentIndex(static_cast<int>(at - kKinds.begin()));
     show_value(*row.kilopascals, said.in(parenchyma), said.kind == Kind::given);
   }
+  shown_values_ = tissue;
 }
 
 void TissueBox::post() {
@@ -116,12 +133,15 @@ fem::Tissue TissueBox::chosen() const {
   fem::Tissue tissue;
   const int which = parenchyma_.choice->currentIndex();
   if (which == kCirrhotic) tissue.parenchyma = modulus_of("cirrhotic");
-  if (which == kParenchymaByValue) tissue.parenchyma = 1e3 * parenchyma_.kilopascals->value();
+  if (which == kParenchymaByValue)
+    tissue.parenchyma = value_in(*parenchyma_.kilopascals, shown_values_.parenchyma.value_or(-1.0));
   for (const auto& [lesion, row] : lesions_) {
     const int choice = row.choice->currentIndex();
-    if (choice > 0)
-      tissue.lesions[lesion] = {kKinds.at(static_cast<std::size_t>(choice)),
-                                choice == kByValue ? 1e3 * row.kilopascals->value() : 0.0};
+    if (choice == 0) continue;
+    const fem::Stiffness shown = shown_values_.of(lesion);
+    const double former = shown.kind == Kind::given ? shown.young_modulus : -1.0;
+    tissue.lesions[lesion] = {kKinds.at(static_cast<std::size_t>(choice)),
+                              choice == kByValue ? value_in(*row.kilopascals, former) : 0.0};
   }
   return tissue;
 }

@@ -27,6 +27,12 @@ std::vector<fs::path> cases_in(const fs::path& path) {
   return found;
 }
 
+/// "a" of "cases/a.glisson/".
+std::string name_of(const fs::path& path) {
+  const fs::path place = fs::absolute(path).lexically_normal();
+  return (place.has_filename() ? place : place.parent_path()).stem().string();
+}
+
 /// Of what the atlas reads of a case.
 bool is_approved(const CaseState& state) {
   constexpr std::array kRead = {structure::kParenchyma, structure::kVenaCava, structure::kGallbladder,
@@ -70,8 +76,9 @@ Cancellable<Applied> BuildAtlas::apply(const CaseState& state, const RunContext&
   }
   std::vector<atlas::Member> livers = members;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const std::string name = all[i].stem().string();
-    const auto opened = open_case(all[i], context.quiet());
+    const std::string name = name_of(all[i]);
+    std::vector<std::string> lost;  // cloud and operations, of which the atlas reads nothing
+    const auto opened = open_case(all[i], context.quiet(), &lost);
     if (!opened) return {};
     if (unapproved || is_approved(*opened))
       livers.push_back(atlas_member(name, *opened));

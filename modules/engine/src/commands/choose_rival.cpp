@@ -6,6 +6,7 @@
 #include "glisson/engine/parts/model.h"
 #include "glisson/engine/parts/registration.h"
 #include "glisson/registration/rivals.h"
+#include "registration_figures.h"
 
 namespace glisson::engine {
 
@@ -23,6 +24,7 @@ Cancellable<Applied> ChooseRival::apply(const CaseState& state, const RunContext
   Registration chosen = registration::choose_rival(*state[part::registration], rival,
                                                    state[part::model]->model, *state[part::cloud]);
   applied.notes = chosen.doubts;
+  applied.figures = figures_of(chosen);
   keep_former_registration(applied.state, state);
   applied.state[part::registration] = std::make_shared<const Registration>(std::move(chosen));
   return applied;

@@ -12,9 +12,9 @@ CommandTraits ExportSurfaces::traits() const {
 }
 
 Cancellable<Applied> ExportSurfaces::apply(const CaseState& state, const RunContext& context) const {
-  const auto files = write_case_surfaces(folder, ending, state, context);
-  if (!files) return {};
   Applied applied{state};
+  const auto files = write_case_surfaces(folder, ending, state, context, applied.notes);
+  if (!files) return {};
   applied.figures["surfaces_written"] = static_cast<double>(files->size());
   return applied;
 }

@@ -39,6 +39,8 @@ Cancellable<Applied> Register::apply(const CaseState& state, const RunContext& c
   registration::Registered* made = &examined->registered;
   Applied applied{state, figures_of(*examined)};
   applied.notes = made->registration.doubts;
+  for (const Label gone : fem::lesions_not_there(options.tissue, model))
+    applied.notes.push_back("tissue.no_lesion " + structure_name(gone));
   for (std::string& note : landmark_notes(state)) applied.notes.push_back(std::move(note));
   for (std::string& note : registration::look_notes(model, made->registration))
     applied.notes.push_back(std::move(note));

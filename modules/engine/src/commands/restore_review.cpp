@@ -8,7 +8,7 @@ namespace glisson::engine {
 CommandTraits RestoreReview::traits() const { return review_traits("restore_review"); }
 
 Cancellable<Applied> RestoreReview::apply(const CaseState& state, const RunContext&) const {
-  return with_review(state, before, landmark);
+  return with_review(state, before, landmark, deviations);
 }
 
 }  // namespace glisson::engine

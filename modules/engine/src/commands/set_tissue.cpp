@@ -24,8 +24,9 @@ Cancellable<Applied> SetTissue::apply(const CaseState& state, const RunContext&)
   for (const Label lesion : fem::lesions_without_elements(tissue, model))
     applied.notes.push_back("tissue.no_elements " + structure_name(lesion));
   // The same once more makes nothing out of date.
-  if (tissue == tissue_of(state)) return applied;
-  applied.state[part::tissue] = tissue.empty() ? nullptr : std::make_shared<const fem::Tissue>(tissue);
+  const fem::Tissue said = fem::rounded(tissue);  // as a case on disk keeps it
+  if (said == tissue_of(state)) return applied;
+  applied.state[part::tissue] = said.empty() ? nullptr : std::make_shared<const fem::Tissue>(said);
   return applied;
 }
 

@@ -36,8 +36,8 @@ void load(CaseState& state, const json& entry, const CaseFolder& folder) {
 }
 
 bool same(const CaseState& written, const CaseState& read) {
-  return same_points(read[part::former_registration]->registration->nodes_in_camera,
-                     written[part::former_registration]->registration->nodes_in_camera);
+  return same_registration(*written[part::former_registration]->registration,
+                           *read[part::former_registration]->registration);
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ bool is_of_its_model(const CaseState& state) {
 bool is_refused(const CaseState& state) { return registration::is_refused(*state[part::registration]); }
 
 bool same(const CaseState& written, const CaseState& read) {
-  return same_points(read[part::registration]->nodes_in_camera, written[part::registration]->nodes_in_camera);
+  return same_registration(*written[part::registration], *read[part::registration]);
 }
 
 }  // namespace

@@ -15,14 +15,17 @@ const std::vector<std::string>& surface_endings();
 
 /// The closed surfaces of the liver and of each structure: those of the model where it is there and up to
 /// date, else those that the labels enclose. A file each, `liver`, `portal_vein`, `lesion_1`, ..., LPS
-/// millimetres; nothing in them says whose they are. The folder is made if there is none.
+/// millimetres; nothing in them says whose they are. The folder is made if there is none. All files are
+/// written before the first is put there: what fails leaves none.
 /// @param ending one of surface_endings().
+/// @param notes takes what was left out (surfaces_of_labels).
 /// @return the files; empty: cancelled, nothing is written.
 /// @throws InputError no labels and no model; another ending; surfaces in the folder that are not among those
 ///   to be written, as they would be taken for this patient's. FileError.
 Cancellable<std::vector<std::filesystem::path>> write_case_surfaces(const std::filesystem::path& folder,
                                                                     const std::string& ending,
                                                                     const CaseState& state,
-                                                                    const RunContext& context);
+                                                                    const RunContext& context,
+                                                                    std::vector<std::string>& notes);
 
 }  // namespace glisson::engine

@@ -28,9 +28,9 @@ struct OutlineDistance {
 std::optional<OutlineDistance> outline_distance(const Picture& drawn, const std::vector<float>& true_depth);
 
 /// The same of a line of the organ, as its anterior margin, whose true place on the picture is known.
-/// @param drawn, truth corners in order, pixels; what lies outside of the picture does not count. Empty: one
-/// of
-///   both has nothing inside.
+/// @param drawn, truth corners in order, pixels; what lies outside of the picture does not count, but where
+///   nothing drawn lies inside and the truth does, the distance is the picture's diagonal. Empty: the truth
+///   is not in the picture.
 std::optional<OutlineDistance> line_distance(const std::vector<Eigen::Vector2d>& drawn,
                                              const std::vector<Eigen::Vector2d>& truth, int width,
                                              int height);

@@ -43,13 +43,19 @@ struct Tissue {
 /// stiff; of the parenchyma healthy and cirrhotic, as composite_preset() has them); "lesions" are all that
 /// are not named. @throws InputError naming the entry.
 Tissue tissue_from(std::string_view list);
-/// The same list; what is read from it is the same to the bit.
+/// The same list; what is read from it is rounded() to the bit.
 std::string tissue_list(const Tissue& tissue);
+/// Every modulus to thousandths of a pascal, as tissue_from() gives it.
+Tissue rounded(Tissue tissue);
 
 /// What is said now over what was said before: all other lesions replace every former one.
 Tissue said_over(Tissue former, const Tissue& now);
 
-/// The lesions of which something is said and that the model does not have. @throws InputError naming the
+/// Lesions of which something is said and that the model does not have.
+std::vector<Label> lesions_not_there(const Tissue& tissue, const PatientModel& model);
+/// What was said before of a former model, without lesions that this one does not have.
+Tissue still_there(Tissue former, const PatientModel& model);
+/// All lesions of which something is said must be in the model. @throws InputError naming the
 /// first of them and what there is.
 void require_lesions_of(const Tissue& tissue, const PatientModel& model);
 /// Lesions of which something is said and that have no elements of their own: it changes nothing.

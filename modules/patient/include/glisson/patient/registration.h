@@ -139,8 +139,9 @@ struct Evidence {
   double pull_sigma = 0.0;  ///< metres, standard deviation of that motion: what stereo cannot tell
   double contrast = 1.0;    ///< of the picture, over its noise, as a share of what it was at the start
   double motion = 0.0;      ///< of the picture in the last moments, standard deviations; about 1: it stands
-  double fresh = 0.0;  ///< share of the picture's noise that the one before did not have; 0: it is a copy
-  double rows = 0.0;   ///< pixels by which the views have come apart across the epipolar lines
+  double fresh = -1.0;  ///< share of the picture's noise that the one before did not have; 0: it is a copy;
+                        ///< negative: not known
+  double rows = 0.0;    ///< pixels by which the views have come apart across the epipolar lines
 };
 
 /// What a mask of what is not liver did in a frame (PictureMask).

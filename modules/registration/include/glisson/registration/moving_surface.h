@@ -52,6 +52,8 @@ class MovingSurface {
   /// How far a landmark may lie from where the model has it at this place, a standard deviation in metres
   /// (see Landmarks); 0: no more than a person's mark, and on the surface.
   double deviation(Feature feature, const ClosestPoint& at) const;
+  /// Of each triangle of the margin's part; empty: all are 0.
+  const std::vector<double>& margin_deviations() const { return margin_deviation_; }
   /// First hit of a ray with the whole surface; see ClosestPointTree::first_hit.
   ClosestPoint first_hit(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, double t_min,
                          double t_max) const {

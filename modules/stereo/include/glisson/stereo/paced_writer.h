@@ -31,8 +31,10 @@ class PartlyRecorded : public FileError {
 };
 
 /// Where the pictures of a film stand that runs as fast as what was filmed, however many of them there are: a
-/// picture stands for its own moment of the source, and where none came the one before stays. A gap of more
-/// than two seconds is no pause of the film but a jump in the source: it is left out.
+/// picture stands for its own moment of the source, and where none came the one before stays. One that came a
+/// little early, as cameras' pictures do, takes the next place: it is left out only where the source runs
+/// faster than the film. A gap of more than two seconds is no pause of the film but a jump in the source: it
+/// is left out.
 class FilmPace {
  public:
   explicit FilmPace(double frames_per_second) : rate_(frames_per_second) {}
@@ -47,6 +49,7 @@ class FilmPace {
 
  private:
   double rate_, begun_ = 0.0;  ///< the source's time of the film's first frame
+  double last_ = 0.0;          ///< the source's time of the last picture
   int written_ = 0;
 };
 
@@ -59,9 +62,9 @@ class PacedWriter {
               FreeSpace space = free_space);
   /// @throws FileError
   void add(const Picture& picture, const FilmPace::Place& place);
-  /// @throws FileError; PartlyRecorded.
-  void close() { writer_.close(); }
-  /// The same for what an error has cut short. @return frames that are kept.
+  /// Once. @throws FileError; PartlyRecorded.
+  void close();
+  /// The same for what an error has cut short, also one of close(). @return frames that are kept.
   int keep();
 
  private:
@@ -71,7 +74,8 @@ class PacedWriter {
   FreeSpace space_;
   VideoWriter writer_;
   Picture last_;
-  int written_ = 0;
+  int written_ = 0, kept_ = 0;
+  bool closed_ = false;
 };
 
 }  // namespace glisson::stereo

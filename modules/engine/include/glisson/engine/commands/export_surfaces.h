@@ -15,7 +15,7 @@ struct ExportSurfaces {
   std::string ending = ".stl";
 
   CommandTraits traits() const;
-  /// `surfaces_written` in the figures.
+  /// `surfaces_written` in the figures; what was left out in the notes.
   Cancellable<Applied> apply(const CaseState& state, const RunContext& context) const;
 };
 

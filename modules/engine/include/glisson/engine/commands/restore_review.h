@@ -11,6 +11,7 @@ namespace glisson::engine {
 struct RestoreReview {
   atlas::Proposal before;
   PointsIn<CtFrame> landmark = {};  ///< as placed_points() had it; none: there was none
+  Eigen::VectorXd deviations = {};  ///< of these, as placed_deviations() had it, metres; none: 0
 
   CommandTraits traits() const;
   /// @throws InputError nothing is proposed for the structure any more.

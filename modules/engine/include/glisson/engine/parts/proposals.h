@@ -17,6 +17,9 @@ const atlas::Proposal* proposal_of(const CaseState& state, atlas::Structure stru
 /// What a person has placed or accepted of a structure on this model, CT frame, metres; none: nothing, or of
 /// a former model.
 PointsIn<CtFrame> placed_points(const CaseState& state, atlas::Structure structure);
+/// How far these may lie from where they are, as Landmarks has it, metres: one each of the margin, one of the
+/// notch; none: not known of the structure, or nothing is placed.
+Eigen::VectorXd placed_deviations(const CaseState& state, atlas::Structure structure);
 /// How far the review of the landmarks that registration knows (notch, margin, vena cava) has come.
 struct LandmarkReview {
   bool is_open = false;          ///< of one nobody has said whether it lies there

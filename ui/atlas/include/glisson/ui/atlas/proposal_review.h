@@ -53,7 +53,8 @@ class ProposalReview : public QWidget {
  private:
   struct Former {
     atlas::Proposal proposal;
-    Points landmark;  ///< of its structure
+    Points landmark;             ///< of its structure
+    Eigen::VectorXd deviations;  ///< of the landmark, metres
   };
   QPushButton* add_button(const QString& text, const QString& explanation, const QKeySequence& key);
   void make_list();

@@ -6,6 +6,7 @@
 #include <QSize>
 #include <chrono>
 #include <condition_variable>
+#include <deque>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -91,8 +92,7 @@ class OverlayWorker : public QObject {
   std::mutex mutex_;
   std::condition_variable_any changed_;
   std::optional<OverlayJob> job_;
-  std::optional<RecordingOptions> start_;
-  bool stop_recording_ = false;
+  std::deque<std::optional<RecordingOptions>> wishes_;  ///< in their order; empty: to stop recording
   std::jthread thread_;
 };
 

@@ -72,7 +72,8 @@ class Recorder {
   /// Any one thread.
   void add(RecordedFrame frame);
   /// No more come; `ended` is called when all is written.
-  void finish();
+  /// @param why the recording ends before it should; empty: it is as long as it was to be.
+  void finish(QString why = {});
   /// `ended` has been called.
   bool is_done() const;
 
@@ -87,6 +88,7 @@ class Recorder {
   std::condition_variable changed_;
   std::deque<RecordedFrame> waiting_;
   bool finishing_ = false, failed_ = false, done_ = false;
+  QString why_;  ///< it was finished early; empty: it was not
   int left_out_ = 0;
   std::thread thread_;
 };

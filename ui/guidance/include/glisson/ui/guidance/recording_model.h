@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <QProperty>
+#include <string>
 
 #include "glisson/ui/common/couplings.h"
 #include "glisson/ui/guidance/again_model.h"
@@ -21,7 +22,10 @@ class RecordingModel : public QObject {
  public:
   RecordingModel(OverlayWorker& worker, PlaybackModel& playback, CorrectionModel& correction,
                  AgainModel& again, QObject* parent = nullptr);
+  /// What was corrected and registered in a recording that still goes on is written beside it.
+  ~RecordingModel() override;
 
+  /// Not where files of a former recording would stand beside this one's; `said` names the first then.
   void start(const QString& path);
   /// The file is closed; `said` tells how that went.
   void stop();
@@ -36,6 +40,11 @@ class RecordingModel : public QObject {
 
  private:
   void say(const QString& text, const QString& how);
+  /// No more is recorded: what comes from now on is of no concern.
+  void begin_end();
+  /// A line each: corrections by hand and registrations of this playing.
+  std::string lines_now() const;
+  static QString beside(const QString& path);
   void take_end(const RecordingEnd& end);
   void tell_end(const RecordingEnd& end);
   static QString left_out_text(int pictures);
@@ -43,7 +52,9 @@ class RecordingModel : public QObject {
   OverlayWorker& worker_;
   CorrectionModel& correction_;
   AgainModel& again_;
+  QString path_;       ///< of the recording
   QString recording_;  ///< what is said while it goes on
+  std::string lines_;  ///< lines_now() when it ended: the next playing clears what they are made from
   Couplings couplings_;
 };
 

@@ -38,8 +38,11 @@ class RegistrationModel : public QObject {
       error_words;  ///< whether it holds, and what is expected of its error; empty: there is none
   QProperty<QStringList> rivals;       ///< other places where the organ may be, a line each
   QProperty<QStringList> rival_words;  ///< the same, a few words each, for below a picture
-  QProperty<SpotRows> spots;           ///< lesions, then vessel forks: how far off each may be
-  QProperty<bool> can_undo{false};     ///< the registration before this one can be had back
+  /// Lesions, then vessel forks: how far off each may be. None of a registration that is refused or out of
+  /// date.
+  QProperty<SpotRows> spots;
+  QProperty<bool> has_former{false};  ///< there is a registration before this one
+  QProperty<bool> can_undo{false};    ///< it can be had back now
   /// How the shape is found when somebody registers.
   QProperty<registration::Method> method{registration::Method::automatic};
   QProperty<int> shown_rival{-1};     ///< the one that is compared with the registration; -1: none

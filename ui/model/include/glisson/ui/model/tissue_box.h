@@ -40,6 +40,7 @@ class TissueBox : public QWidget {
   std::map<Label, Row> lesions_;
   std::shared_ptr<const model::BuiltModel> shown_;
   std::shared_ptr<const fem::Tissue> shown_tissue_;
+  fem::Tissue shown_values_;  ///< to the bit, which the boxes for numbers round
 };
 
 }  // namespace glisson::ui
