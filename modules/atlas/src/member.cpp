@@ -7,7 +7,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "entrance.h"
 #include "glisson/core/error.h"
 #include "glisson/core/statistics.h"
 #include "glisson/geometry/closest_point_tree.h"
@@ -22,7 +21,6 @@ constexpr double kTrim = 0.02;          // share of an area's points beyond eith
 constexpr double kLeastLiver = 200e-6;  // cubic metres
 constexpr double kCrumb = 0.02;         // share of the area that a second piece may have unsaid
 constexpr double kHanging = 0.004;      // metres, between points of one contact
-constexpr double kBranching = 0.025;    // metres, between both branches' entrances
 constexpr int kMarginToNotch = 26;      // number of the margin's point at the notch
 
 const TriangleMesh* surface_of(const PatientModel& model, Label structure) {
@@ -109,20 +107,6 @@ Points largest_cluster(const Points& points) {
   return chosen;
 }
 
-/// Of all places where a vein crosses the liver's hull those of its stem, or of its two first branches where
-/// it parts before it comes in.
-Points main_entrance(const Points& crossings) {
-  if (crossings.rows() == 0) return crossings;
-  const Eigen::RowVector3d middle = largest_cluster(crossings).colwise().mean();
-  std::vector<Eigen::Index> kept;
-  for (Eigen::Index i = 0; i < crossings.rows(); ++i)
-    if ((crossings.row(i) - middle).norm() < kBranching) kept.push_back(i);
-  Points chosen(static_cast<Eigen::Index>(kept.size()), 3);
-  for (std::size_t i = 0; i < kept.size(); ++i)
-    chosen.row(static_cast<Eigen::Index>(i)) = crossings.row(kept[i]);
-  return chosen;
-}
-
 }  // namespace
 
 bool is_area(Structure structure) {
@@ -156,8 +140,7 @@ Member member_of(const std::string& name, const PatientModel& model, const Landm
   if (const TriangleMesh* bladder = surface_of(model, structure::kGallbladder))
     member.structures[Structure::gallbladder_bed] = contact(*liver, *bladder);
   if (const TriangleMesh* portal = surface_of(model, structure::kPortalVein)) {
-    Points entrance = main_entrance(entrance_loop(*liver, *portal));
-    if (entrance.rows() == 0) entrance = largest_cluster(contact(*liver, *portal));
+    const Points entrance = largest_cluster(contact(*liver, *portal));
     if (entrance.rows() > 0) member.structures[Structure::portal_entrance] = entrance.colwise().mean();
   }
   return member;
