@@ -70,9 +70,10 @@ bool same_registration(const Registration& written, const Registration& read) {
          written.termination == read.termination && written.doubts == read.doubts &&
          written.lesions.size() == read.lesions.size() &&
          std::all_of(written.lesions.begin(), written.lesions.end(), has_lesion) &&
-         std::equal(written.forks.begin(), written.forks.end(), read.forks.begin(), read.forks.end(), same_fork) && close(written.expected, read.expected) &&
-         close(written.covariances, read.covariances) && written.rivals.size() == read.rivals.size() &&
-         written.looks.size() == read.looks.size();
+         std::equal(written.forks.begin(), written.forks.end(), read.forks.begin(), read.forks.end(),
+                    same_fork) &&
+         close(written.expected, read.expected) && close(written.covariances, read.covariances) &&
+         written.rivals.size() == read.rivals.size() && written.looks.size() == read.looks.size();
 }
 
 }  // namespace glisson::engine

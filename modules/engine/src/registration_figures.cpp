@@ -34,13 +34,17 @@ void add_figures(Figures& figures, const registration::ContactForceFit& fit) {
   figures["forces_sum_n_per_kpa"] = sum;
 }
 
-/// Expected error of a place, half axes of its 95 % ellipsoid, and the six numbers of its covariance.
+/// Expected error of a place and half axes of its 95 % ellipsoid.
 void add_spread(Figures& figures, const std::string& name, const Eigen::Matrix3d& covariance) {
-  static constexpr std::array<const char*, 6> kTerms = {"xx", "yy", "zz", "xy", "yz", "xz"};
   figures[name + "_expected_error_mm"] = 1e3 * registration::mean_error(covariance);
   const Eigen::Vector3d axes = registration::half_axes_95(covariance);
   for (int k = 0; k < 3; ++k)
     figures[name + "_half_axis_95_" + std::to_string(k + 1) + "_mm"] = 1e3 * axes[k];
+}
+
+void add_lesion(Figures& figures, const std::string& name, const Eigen::Matrix3d& covariance) {
+  static constexpr std::array<const char*, 6> kTerms = {"xx", "yy", "zz", "xy", "yz", "xz"};
+  add_spread(figures, name, covariance);
   const auto six = symmetric_row(covariance);
   for (int k = 0; k < 6; ++k)
     figures[name + "_covariance_" + kTerms[static_cast<std::size_t>(k)] + "_mm2"] = 1e6 * six[k];
@@ -122,7 +126,7 @@ Figures figures_of(const registration::ExaminedRegistration& examined) {
   add_figures(figures, examined.registered);
   add_expected(figures, registration);
   for (const registration::LesionError& lesion : examined.lesions)
-    add_spread(figures, structure_name(lesion.lesion), lesion.covariance);
+    add_lesion(figures, structure_name(lesion.lesion), lesion.covariance);
   add_findings(figures, examined.findings);
   add_verdict(figures, registration);
   return figures;
@@ -132,7 +136,7 @@ Figures figures_of(const Registration& registration) {
   Figures figures;
   add_expected(figures, registration);
   for (const LesionSpread& lesion : registration.lesions)
-    add_spread(figures, structure_name(lesion.lesion), lesion.covariance);
+    add_lesion(figures, structure_name(lesion.lesion), lesion.covariance);
   figures["registration_residual_mm"] = 1e3 * registration.residual;
   figures["registration_seen_share"] = registration.seen_share;
   add_verdict(figures, registration);
