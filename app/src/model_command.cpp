@@ -25,13 +25,13 @@ namespace {
 
 /// Looked at before the work.
 std::string surface_ending(const Arguments& arguments) {
-  if (arguments.has("format") && !arguments.has("surfaces-out"))
-    throw UsageError("--format: needs a folder. Give --surfaces-out FOLDER.");
   const std::string ending = "." + arguments.value("format").toStdString();
   const auto& known = engine::surface_endings();
   if (std::find(known.begin(), known.end(), ending) == known.end())
     throw UsageError(
         Cli::tr("--format %1: write stl, ply, obj or vtp.").arg(arguments.value("format")).toStdString());
+  if (arguments.has("format") && !arguments.has("surfaces-out"))
+    throw UsageError("--format: needs a folder. Give --surfaces-out FOLDER.");
   return ending;
 }
 
