@@ -3991,6 +3991,102 @@
         <source>Give a track of this video, or register a frame that is not its last</source>
         <translation>Geben Sie eine Verfolgung dieses Videos an, oder registrieren Sie ein Bild, das nicht sein letztes ist</translation>
     </message>
+    <message>
+        <source>Give Young&apos;s modulus in kPa, from %1 to %2, or %3</source>
+        <translation>Elastizitätsmodul in kPa angeben, von %1 bis %2, oder %3</translation>
+    </message>
+    <message>
+        <source>Name lesion_1, lesion_2, ...</source>
+        <translation>Nennen Sie lesion_1, lesion_2, ...</translation>
+    </message>
+    <message>
+        <source>has no value</source>
+        <translation>hat keinen Wert</translation>
+    </message>
+    <message>
+        <source>Write NAME=KPA, as in lesion_1=20,lesions=12</source>
+        <translation>Schreiben Sie NAME=KPA, wie lesion_1=20,lesions=12</translation>
+    </message>
+    <message>
+        <source>is given twice</source>
+        <translation>ist zweimal angegeben</translation>
+    </message>
+    <message>
+        <source>Give it once</source>
+        <translation>Geben Sie es einmal an</translation>
+    </message>
+    <message>
+        <source>is no tissue of which stiffness can be said</source>
+        <translation>ist kein Gewebe, über dessen Steifigkeit etwas gesagt werden kann</translation>
+    </message>
+    <message>
+        <source>Name parenchyma, lesions, or lesion_1, lesion_2, ...</source>
+        <translation>Nennen Sie parenchyma, lesions oder lesion_1, lesion_2, ...</translation>
+    </message>
+    <message>
+        <source>is no lesion of this model</source>
+        <translation>ist keine Läsion dieses Modells</translation>
+    </message>
+    <message>
+        <source>are none in this model</source>
+        <translation>gibt es in diesem Modell nicht</translation>
+    </message>
+    <message>
+        <source>is no deviation</source>
+        <translation>ist keine Abweichung</translation>
+    </message>
+    <message>
+        <source>Give millimetres from 0, or leave the field out</source>
+        <translation>Millimeter ab 0 angeben oder das Feld weglassen</translation>
+    </message>
+    <message>
+        <source>are not as many as points</source>
+        <translation>sind nicht so viele wie Punkte</translation>
+    </message>
+    <message>
+        <source>Give one a point of the margin, or leave the field out</source>
+        <translation>Eine je Punkt des Randes angeben oder das Feld weglassen</translation>
+    </message>
+    <message>
+        <source>is not a place and a radius</source>
+        <translation>ist nicht Ort und Radius</translation>
+    </message>
+    <message>
+        <source>holds a negative variance</source>
+        <translation>enthält eine negative Varianz</translation>
+    </message>
+    <message>
+        <source>is of another model, other landmarks, stiffness or points</source>
+        <translation>gehört zu anderem Modell, anderen Landmarken, anderer Steifigkeit oder anderen Punkten</translation>
+    </message>
+    <message>
+        <source>the parenchyma&apos;s is said twice</source>
+        <translation>die des Parenchyms ist zweimal gesagt</translation>
+    </message>
+    <message>
+        <source>Leave it out, or --materials and --young</source>
+        <translation>Lassen Sie sie weg, oder --materials und --young</translation>
+    </message>
+    <message>
+        <source>needs a folder</source>
+        <translation>braucht einen Ordner</translation>
+    </message>
+    <message>
+        <source>Give --surfaces-out FOLDER</source>
+        <translation>Geben Sie --surfaces-out ORDNER an</translation>
+    </message>
+    <message>
+        <source>needs what was known</source>
+        <translation>braucht, was bekannt war</translation>
+    </message>
+    <message>
+        <source>Give --track NAME.frames.jsonl</source>
+        <translation>Geben Sie --track NAME.frames.jsonl an</translation>
+    </message>
+    <message>
+        <source>names what is no lesion</source>
+        <translation>nennt, was keine Läsion ist</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>

@@ -3991,6 +3991,102 @@
         <source>Give a track of this video, or register a frame that is not its last</source>
         <translation>Donnez un suivi de cette vidéo, ou recalez une image qui n’est pas la dernière</translation>
     </message>
+    <message>
+        <source>Give Young&apos;s modulus in kPa, from %1 to %2, or %3</source>
+        <translation>Donnez le module de Young en kPa, de %1 à %2, ou %3</translation>
+    </message>
+    <message>
+        <source>Name lesion_1, lesion_2, ...</source>
+        <translation>Nommez lesion_1, lesion_2, ...</translation>
+    </message>
+    <message>
+        <source>has no value</source>
+        <translation>n&apos;a pas de valeur</translation>
+    </message>
+    <message>
+        <source>Write NAME=KPA, as in lesion_1=20,lesions=12</source>
+        <translation>Écrivez NOM=KPA, comme lesion_1=20,lesions=12</translation>
+    </message>
+    <message>
+        <source>is given twice</source>
+        <translation>est donné deux fois</translation>
+    </message>
+    <message>
+        <source>Give it once</source>
+        <translation>Donnez-le une fois</translation>
+    </message>
+    <message>
+        <source>is no tissue of which stiffness can be said</source>
+        <translation>n&apos;est pas un tissu dont on puisse dire la raideur</translation>
+    </message>
+    <message>
+        <source>Name parenchyma, lesions, or lesion_1, lesion_2, ...</source>
+        <translation>Nommez parenchyma, lesions, ou lesion_1, lesion_2, ...</translation>
+    </message>
+    <message>
+        <source>is no lesion of this model</source>
+        <translation>n&apos;est pas une lésion de ce modèle</translation>
+    </message>
+    <message>
+        <source>are none in this model</source>
+        <translation>n&apos;existent pas dans ce modèle</translation>
+    </message>
+    <message>
+        <source>is no deviation</source>
+        <translation>n&apos;est pas un écart</translation>
+    </message>
+    <message>
+        <source>Give millimetres from 0, or leave the field out</source>
+        <translation>Donnez des millimètres à partir de 0, ou omettez le champ</translation>
+    </message>
+    <message>
+        <source>are not as many as points</source>
+        <translation>ne sont pas aussi nombreux que les points</translation>
+    </message>
+    <message>
+        <source>Give one a point of the margin, or leave the field out</source>
+        <translation>Donnez-en un par point du bord, ou omettez le champ</translation>
+    </message>
+    <message>
+        <source>is not a place and a radius</source>
+        <translation>n&apos;est pas un lieu et un rayon</translation>
+    </message>
+    <message>
+        <source>holds a negative variance</source>
+        <translation>contient une variance négative</translation>
+    </message>
+    <message>
+        <source>is of another model, other landmarks, stiffness or points</source>
+        <translation>est d&apos;un autre modèle, d&apos;autres repères, d&apos;une autre raideur ou d&apos;autres points</translation>
+    </message>
+    <message>
+        <source>the parenchyma&apos;s is said twice</source>
+        <translation>celle du parenchyme est dite deux fois</translation>
+    </message>
+    <message>
+        <source>Leave it out, or --materials and --young</source>
+        <translation>Omettez-la, ou --materials et --young</translation>
+    </message>
+    <message>
+        <source>needs a folder</source>
+        <translation>demande un dossier</translation>
+    </message>
+    <message>
+        <source>Give --surfaces-out FOLDER</source>
+        <translation>Donnez --surfaces-out DOSSIER</translation>
+    </message>
+    <message>
+        <source>needs what was known</source>
+        <translation>demande ce qui était connu</translation>
+    </message>
+    <message>
+        <source>Give --track NAME.frames.jsonl</source>
+        <translation>Donnez --track NAME.frames.jsonl</translation>
+    </message>
+    <message>
+        <source>names what is no lesion</source>
+        <translation>nomme ce qui n&apos;est pas une lésion</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>

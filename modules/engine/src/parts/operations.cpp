@@ -63,8 +63,8 @@ void read_stiffness(registration::OperationOptions& options, const json& entry, 
   for (const auto& [name, modulus] : lesions.items()) {
     const auto label = structure_named(name);
     if (!label)
-      throw InputError((folder.path / "case.json").string(), "operations, lesions", "names " + name,
-                       "Restore the case from a copy");
+      throw InputError((folder.path / "case.json").string(), "operations, lesions, " + name,
+                       "names what is no lesion", "Restore the case from a copy");
     options.lesions[*label] = ranged<double>(folder.path, lesions, name.c_str(), 1.0, 1e9);
   }
 }
