@@ -3996,8 +3996,8 @@
         <translation>Elastizitätsmodul in kPa angeben, von %1 bis %2, oder %3</translation>
     </message>
     <message>
-        <source>Name lesion_1, lesion_2, ...</source>
-        <translation>Nennen Sie lesion_1, lesion_2, ...</translation>
+        <source>Name lesion_1, lesion_2 and so on</source>
+        <translation>Nennen Sie lesion_1, lesion_2 und so weiter</translation>
     </message>
     <message>
         <source>has no value</source>
@@ -4020,8 +4020,8 @@
         <translation>ist kein Gewebe, über dessen Steifigkeit etwas gesagt werden kann</translation>
     </message>
     <message>
-        <source>Name parenchyma, lesions, or lesion_1, lesion_2, ...</source>
-        <translation>Nennen Sie parenchyma, lesions oder lesion_1, lesion_2, ...</translation>
+        <source>Name parenchyma, lesions, or lesion_1, lesion_2 and so on</source>
+        <translation>Nennen Sie parenchyma, lesions oder lesion_1, lesion_2 und so weiter</translation>
     </message>
     <message>
         <source>is no lesion of this model</source>

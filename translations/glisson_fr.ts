@@ -3996,8 +3996,8 @@
         <translation>Donnez le module de Young en kPa, de %1 à %2, ou %3</translation>
     </message>
     <message>
-        <source>Name lesion_1, lesion_2, ...</source>
-        <translation>Nommez lesion_1, lesion_2, ...</translation>
+        <source>Name lesion_1, lesion_2 and so on</source>
+        <translation>Nommez lesion_1, lesion_2 et ainsi de suite</translation>
     </message>
     <message>
         <source>has no value</source>
@@ -4020,8 +4020,8 @@
         <translation>n&apos;est pas un tissu dont on puisse dire la raideur</translation>
     </message>
     <message>
-        <source>Name parenchyma, lesions, or lesion_1, lesion_2, ...</source>
-        <translation>Nommez parenchyma, lesions, ou lesion_1, lesion_2, ...</translation>
+        <source>Name parenchyma, lesions, or lesion_1, lesion_2 and so on</source>
+        <translation>Nommez parenchyma, lesions, ou lesion_1, lesion_2 et ainsi de suite</translation>
     </message>
     <message>
         <source>is no lesion of this model</source>

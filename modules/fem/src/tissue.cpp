@@ -114,7 +114,8 @@ void Tissue::validate() const {
   if (others && others->kind == Kind::given) check(others->young_modulus, kOthers);
   for (const auto& [label, stiffness] : lesions) {
     if (!is_lesion(label))
-      throw InputError("stiffness", structure_name(label), "is no lesion", "Name lesion_1, lesion_2, ...");
+      throw InputError("stiffness", structure_name(label), "is no lesion",
+                       "Name lesion_1, lesion_2 and so on");
     if (stiffness.kind == Kind::given) check(stiffness.young_modulus, structure_name(label));
   }
 }
@@ -141,7 +142,7 @@ Tissue tissue_from(std::string_view list) {
       tissue.lesions[*label] = stiffness_from(name, value);
     else
       throw InputError("stiffness", name, "is no tissue of which stiffness can be said",
-                       "Name parenchyma, lesions, or lesion_1, lesion_2, ...");
+                       "Name parenchyma, lesions, or lesion_1, lesion_2 and so on");
   }
   return tissue;
 }
