@@ -114,8 +114,7 @@ int run_demo(const QStringList& given) {
   options.theatre.frames = arguments.integer("frames", 1, 100000);
   options.theatre.camera_distance_mm = arguments.number("distance", 80.0, 160.0);
   options.theatre.seed = options.clicks.seed = arguments.seed();
-  // Up to 10 degrees and 45 mm a second, a third nearer and farther.
-  if (arguments.has("moving-scope")) options.scope = {.pivot_deg = 6.0, .slide_mm = 30.0, .roll_deg = 10.0};
+  if (arguments.has("moving-scope")) options.scope = insilico::ScopePath::in_a_hand();
   if (arguments.has("start-off")) {
     const std::vector<double> off = arguments.numbers("start-off", 3, -100.0, 100.0);
     options.start_off = 1e-3 * Eigen::Vector3d(off[0], off[1], off[2]);

@@ -183,8 +183,8 @@ int run_render(const QStringList& given) {
     if (frame.index != wanted) return;
     OverlayDrawer drawer(session.state(), style);
     const scene::OverlayInterest interest = question.interest(drawer, overlay);
-    picture = drawer.draw(frame, overlay, interest);
-    if (arguments.value("look") == kAllLooks) picture = all_looks(drawer, style, frame, overlay, interest);
+    picture = arguments.value("look") == kAllLooks ? all_looks(drawer, style, frame, overlay, interest)
+                                                   : drawer.draw(frame, overlay, interest);
     if (const auto& measures = drawer.measures()) add_measures(*measures, session.figures);
     session.texts["validity"] = validity_code(overlay.validity);
     session.texts["level"] = level_code(overlay.level());

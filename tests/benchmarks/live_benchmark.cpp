@@ -48,7 +48,7 @@ Film make_film(int frames) {
   insilico::TheatreOptions options;
   options.frames = frames;
   const auto theatre = insilico::Theatre::build(shown, options, RunContext());
-  (*theatre)->move_scope({.pivot_deg = 6.0, .slide_mm = 30.0, .roll_deg = 10.0});
+  (*theatre)->move_scope(insilico::ScopePath::in_a_hand());
   film.rig = (*theatre)->rig();
   film.start = (*theatre)->carry(film.model.mesh.vertices, 0);
   for (int k = 0; k < frames; ++k) film.frames.push_back((*theatre)->render(k));

@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <map>
 #include <mutex>
-#include <set>
 #include <thread>
 #include <utility>
 
@@ -18,18 +17,12 @@
 #include "glisson/engine/obstacle.h"
 #include "glisson/engine/parts/live.h"
 #include "job.h"
+#include "outcome_store.h"
 #include "stamps.h"
 #include "trial_lane.h"
 
 namespace glisson::engine {
-namespace {
-
-/// Outcomes that nobody waited for are kept so long that a late wait() still finds them, but not for ever.
-constexpr std::size_t kOutcomesKept = 1024;
-/// Their results may be as large as a scan.
-constexpr std::size_t kResultsKept = 4;
-
-}  // namespace
+namespace {}  // namespace
 
 struct Engine::Impl final : LiveLanes {
   explicit Impl(Options given)
@@ -48,14 +41,12 @@ struct Engine::Impl final : LiveLanes {
   std::shared_ptr<const Snapshot> current;
   std::deque<Event> events;
   bool wake_sent = false;
-  std::map<CommandId, Outcome> outcomes;
-  std::deque<CommandId> ended;       // of the outcomes, in the order in which they came
-  std::multiset<CommandId> awaited;  // of which somebody waits for the outcome
-  CommandId evolving_of = 0;         // the command whose contour is shown; 0: none
-  std::optional<LiveInput> frame;    // newest wins
-  bool following = false;            // a frame is being followed just now
-  LiveState live;                    // counters since tracking began
-  TrialLane trial;                   // its mechanics are touched by the edits lane only
+  OutcomeStore outcomes;
+  CommandId evolving_of = 0;       // the command whose contour is shown; 0: none
+  std::optional<LiveInput> frame;  // newest wins
+  bool following = false;          // a frame is being followed just now
+  LiveState live;                  // counters since tracking began
+  TrialLane trial;                 // its mechanics are touched by the edits lane only
 
   std::shared_ptr<Follower> follower;  // touched by the edits lane only
   std::jthread edits_thread, work_thread;
@@ -269,23 +260,9 @@ struct Engine::Impl final : LiveLanes {
       return progress != nullptr && progress->id == outcome.id;
     });
     events.emplace_back(outcome);
-    ended.push_back(outcome.id);
-    outcomes.emplace(outcome.id, std::move(outcome));
-    forget_old();
+    outcomes.add(std::move(outcome));
     finished.notify_all();
     wake(lock);
-  }
-
-  /// What somebody waits for stays: it may end and be old before a waiter has its turn.
-  void forget_old() {
-    const auto is_awaited = [this](CommandId id) { return awaited.contains(id); };
-    for (std::size_t i = 0; i + kResultsKept < ended.size(); ++i)
-      if (!is_awaited(ended[i])) outcomes.at(ended[i]).result = {};
-    if (ended.size() <= kOutcomesKept) return;
-    const auto oldest = std::find_if_not(ended.begin(), ended.end(), is_awaited);
-    if (oldest == ended.end()) return;
-    outcomes.erase(*oldest);
-    ended.erase(oldest);
   }
 
   /// Follows the newest frame. Called with the lock held; lets go of it meanwhile.
@@ -492,10 +469,9 @@ std::vector<Event> Engine::take_events() {
 Outcome Engine::wait(CommandId id) {
   std::unique_lock lock(impl_->mutex);
   require(id > 0 && id < impl_->next_id, "wait needs the id of a posted command");
-  const auto mine = impl_->awaited.insert(id);
-  impl_->finished.wait(lock, [&] { return impl_->outcomes.contains(id); });
-  impl_->awaited.erase(mine);
-  return impl_->outcomes.at(id);
+  const OutcomeStore::Wanted wanted(impl_->outcomes, id);
+  impl_->finished.wait(lock, [&] { return impl_->outcomes.find(id) != nullptr; });
+  return *impl_->outcomes.find(id);
 }
 
 void Engine::wait_for_frames() {

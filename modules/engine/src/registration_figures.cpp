@@ -50,13 +50,15 @@ void add_lesion(Figures& figures, const std::string& name, const Eigen::Matrix3d
     figures[name + "_covariance_" + kTerms[static_cast<std::size_t>(k)] + "_mm2"] = 1e6 * six[k];
 }
 
-/// Expected errors of the nodes and the forks, what one look would change, and other places.
+/// Expected errors of nodes, lesions and forks, what one look would change, and other places.
 void add_expected(Figures& figures, const Registration& registration) {
   const Eigen::VectorXd& nodes = registration.expected;
   if (nodes.size() > 0) {
     figures["expected_error_mean_mm"] = 1e3 * nodes.mean();
     figures["expected_error_max_mm"] = 1e3 * nodes.maxCoeff();
   }
+  for (const LesionSpread& lesion : registration.lesions)
+    add_lesion(figures, structure_name(lesion.lesion), lesion.covariance);
   for (const ForkSpread& fork : registration.forks) {
     add_spread(figures, fork_name(fork), fork.covariance);
     figures[fork_name(fork) + "_radius_mm"] = 1e3 * fork.radius;
@@ -103,8 +105,6 @@ void add_figures(Figures& figures, const registration::Registered& made) {
   }
   figures["displacement_mean_mm"] = 1e3 * made.displacement.mean;
   figures["displacement_max_mm"] = 1e3 * made.displacement.maximum;
-  figures["registration_residual_mm"] = 1e3 * registration.residual;
-  figures["registration_seen_share"] = registration.seen_share;
   for (std::size_t k = 0; k < made.look_distances.size(); ++k)
     figures["look_" + std::to_string(k + 1) + "_distance_mm"] = 1e3 * made.look_distances[k];
   figures["registration_steps"] = registration.steps;
@@ -113,33 +113,22 @@ void add_figures(Figures& figures, const registration::Registered& made) {
   figures["registration_converged"] = registration.termination == Termination::converged ? 1.0 : 0.0;
 }
 
-void add_verdict(Figures& figures, const Registration& registration) {
-  figures["registration_refused"] = registration::is_refused(registration) ? 1.0 : 0.0;
-  figures["registration_doubts"] = static_cast<double>(registration.doubts.size());
-}
-
 }  // namespace
-
-Figures figures_of(const registration::ExaminedRegistration& examined) {
-  Figures figures;
-  const Registration& registration = examined.registered.registration;
-  add_figures(figures, examined.registered);
-  add_expected(figures, registration);
-  for (const registration::LesionError& lesion : examined.lesions)
-    add_lesion(figures, structure_name(lesion.lesion), lesion.covariance);
-  add_findings(figures, examined.findings);
-  add_verdict(figures, registration);
-  return figures;
-}
 
 Figures figures_of(const Registration& registration) {
   Figures figures;
   add_expected(figures, registration);
-  for (const LesionSpread& lesion : registration.lesions)
-    add_lesion(figures, structure_name(lesion.lesion), lesion.covariance);
   figures["registration_residual_mm"] = 1e3 * registration.residual;
   figures["registration_seen_share"] = registration.seen_share;
-  add_verdict(figures, registration);
+  figures["registration_refused"] = registration::is_refused(registration) ? 1.0 : 0.0;
+  figures["registration_doubts"] = static_cast<double>(registration.doubts.size());
+  return figures;
+}
+
+Figures figures_of(const registration::ExaminedRegistration& examined) {
+  Figures figures = figures_of(examined.registered.registration);
+  add_figures(figures, examined.registered);
+  add_findings(figures, examined.findings);
   return figures;
 }
 

@@ -8,7 +8,7 @@ namespace glisson::engine {
 
 /// What a registration comes to: residuals, forces, expected errors, findings.
 Figures figures_of(const registration::ExaminedRegistration& examined);
-/// Of one that was not made but chosen: what is known of it.
+/// What is known of one by itself, as where it was not made but chosen.
 Figures figures_of(const Registration& registration);
 
 }  // namespace glisson::engine

@@ -37,8 +37,7 @@ Cancellable<LiveStage> theatre_stage(std::uint64_t seed, int frames, const RunCo
   stage.model = std::move(synthetic->model);
   stage.rig = (*theatre)->rig();
   if (!film(**theatre, stage.standing, context.part(0.6, 0.8))) return std::nullopt;
-  // Up to 10 degrees and 45 mm a second, a third nearer and farther.
-  (*theatre)->move_scope({.pivot_deg = 6.0, .slide_mm = 30.0, .roll_deg = 10.0});
+  (*theatre)->move_scope(insilico::ScopePath::in_a_hand());
   if (!film(**theatre, stage.held, context.part(0.8, 1.0))) return std::nullopt;
   stage.start = (*theatre)->carry(stage.model.mesh.vertices, 0);
   const auto& targets = (*theatre)->targets();

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "glisson/registration/refusal.h"
 #include "report.h"
 
 namespace glisson::experiments {
@@ -59,7 +60,6 @@ std::vector<ReportTable> tables(const Figures& figures) {
         {"registration_residual_mm", "Residual of the points to the surface"},
         {"registration_steps", "Steps"},
         {"registration_plateaus", "Plateaus"},
-        {"registration_converged", "Came to rest (1) or not (0)"},
         {"operations_simulated", "Simulated operations that it rests on"},
         {"forces_active", "Places where forces act"},
         {"forces_poisson_ratio", "Poisson's ratio of the most probable law"}}},
@@ -92,10 +92,13 @@ std::vector<ReportTable> tables(const Figures& figures) {
 }  // namespace
 
 void write_registration_report(const std::filesystem::path& path, const std::string& subject,
-                               const Figures& figures, bool refused, const std::vector<std::string>& doubts) {
+                               const Figures& figures, const std::string& ending,
+                               const std::vector<std::string>& doubts) {
   const std::string introduction =
-      refused ? "Refused: what is known contradicts that the organ lies where this registration has put it."
-              : "Where the organ lies before the camera, and how far off that may be.";
+      ending == registration::kRefused
+          ? "Refused: what is known contradicts that the organ lies where this registration has put it."
+          : "Where the organ lies before the camera, and how far off that may be. The computation ended: " +
+                spoken(ending) + ".";
   write_report(path, "Registration: " + subject, introduction, tables(figures), {}, figures, doubts);
 }
 

@@ -50,7 +50,9 @@ void TrackRecord::add(int number, const OverlayFrame& overlay) {
     figures_[lesion + "_frames_" + level_code(verdict.level)] += 1.0;
   }
   if (overlay.nodes_in_camera.rows() > 0) {
-    line.camera_from_model = pose_of(model_.mesh.vertices, overlay);
+    Registration carried = registration::carried_to(model_, start_, overlay.nodes_in_camera);
+    carried.residual = overlay.residual;
+    line.camera_from_model = carried.camera_from_ct.matrix();
     Eigen::Matrix4d pose = *line.camera_from_model;
     pose.topRightCorner<3, 1>() /= metres_per(output_.unit);
     const auto mark = [](double value) { return Eigen::MatrixXd::Constant(1, 1, value); };
@@ -61,8 +63,6 @@ void TrackRecord::add(int number, const OverlayFrame& overlay) {
                          {"reason_" + reason, mark(1.0)}};
     if (overlay.doubtful) marks["doubtful"] = mark(1.0);
     line.mesh = "registered_" + padded(number, output_.digits) + "." + output_.ending;
-    Registration carried = registration::carried_to(model_, start_, overlay.nodes_in_camera);
-    carried.residual = overlay.residual;
     output_.write_mesh(output_.folder / line.mesh, carried, marks);
     if (output_.truth) compare(number, overlay);
   }

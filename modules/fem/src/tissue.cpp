@@ -192,17 +192,13 @@ Tissue still_there(Tissue former, const PatientModel& model) {
 
 void require_lesions_of(const Tissue& tissue, const PatientModel& model) {
   std::string known;
-  std::set<Label> there;
-  for (const auto& [label, centre] : lesion_centres(model)) {
+  for (const auto& [label, centre] : lesion_centres(model))
     known += (known.empty() ? "" : ", ") + structure_name(label);
-    there.insert(label);
-  }
   const std::string remedy =
       known.empty() ? "This model has none: give the parenchyma's alone" : "Take of " + known;
-  for (const auto& [label, stiffness] : tissue.lesions)
-    if (!there.contains(label))
-      throw InputError("stiffness", structure_name(label), "is no lesion of this model", remedy);
-  if (there.empty() && tissue.others)
+  if (const auto gone = lesions_not_there(tissue, model); !gone.empty())
+    throw InputError("stiffness", structure_name(gone.front()), "is no lesion of this model", remedy);
+  if (known.empty() && tissue.others)
     throw InputError("stiffness", kOthers, "are none in this model", remedy);
 }
 

@@ -64,6 +64,8 @@ void TheatreOptions::validate() const {
         "give 500 to 100000 Pa");
 }
 
+ScopePath ScopePath::in_a_hand() { return {.pivot_deg = 6.0, .slide_mm = 30.0, .roll_deg = 10.0}; }
+
 void ScopePath::validate() const {
   const OptionCheck check("scope path");
   check(pivot_deg >= 0.0 && pivot_deg <= 30.0, "pivot_deg", pivot_deg, "give 0 to 30 degrees");

@@ -34,25 +34,32 @@ json rows_of(const Eigen::MatrixXd& matrix) {
   return rows;
 }
 
-/// What an overlay was judged by: each field's name, and its unit a metre where it is a length.
+/// What an overlay was judged by: each field's name, its unit a metre where it is a length, and whether it is
+/// not known where it is negative.
 struct EvidenceField {
   const char* name;
   double Evidence::*value;
   double per = 1.0;
+  bool may_be_unknown = false;
 };
-constexpr EvidenceField kEvidence[] = {
-    {"supported", &Evidence::supported}, {"gap", &Evidence::gap},
-    {"local", &Evidence::local},         {"behind", &Evidence::behind},
-    {"before", &Evidence::before},       {"lifted", &Evidence::lifted},
-    {"pull_mm", &Evidence::pull, 1e3},   {"pull_sigma_mm", &Evidence::pull_sigma, 1e3},
-    {"contrast", &Evidence::contrast},   {"motion", &Evidence::motion},
-    {"fresh", &Evidence::fresh},         {"rows_px", &Evidence::rows}};
+constexpr EvidenceField kEvidence[] = {{"supported", &Evidence::supported},
+                                       {"gap", &Evidence::gap},
+                                       {"local", &Evidence::local},
+                                       {"behind", &Evidence::behind},
+                                       {"before", &Evidence::before},
+                                       {"lifted", &Evidence::lifted},
+                                       {"pull_mm", &Evidence::pull, 1e3},
+                                       {"pull_sigma_mm", &Evidence::pull_sigma, 1e3},
+                                       {"contrast", &Evidence::contrast},
+                                       {"motion", &Evidence::motion},
+                                       {"fresh", &Evidence::fresh, 1.0, true},
+                                       {"rows_px", &Evidence::rows}};
 
 json evidence_object(const Evidence& evidence) {
   json object = json::object();
   for (const EvidenceField& field : kEvidence) {
-    if (field.value == &Evidence::fresh && evidence.fresh < 0.0) continue;  // not known
     const double value = field.per * (evidence.*field.value);
+    if (field.may_be_unknown && value < 0.0) continue;
     if (std::isfinite(value)) object[field.name] = value;  // JSON has no other numbers
   }
   return object;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "glisson/core/error.h"
 #include "glisson/geometry/rigid.h"
 #include "glisson/patient/label_map.h"
 
@@ -85,11 +86,8 @@ Eigen::Matrix3d matrix_of(const Eigen::Matrix<double, 1, 6>& row) {
 }  // namespace
 
 Registration carried_to(const PatientModel& model, Registration registration, const Points& nodes_in_camera) {
-  if (nodes_in_camera.rows() != registration.nodes_in_camera.rows()) {
-    Registration bare;
-    bare.nodes_in_camera = nodes_in_camera;
-    return bare;
-  }
+  require(nodes_in_camera.rows() == registration.nodes_in_camera.rows(),
+          "an organ that has moved has the nodes that it had");
   const Eigen::Matrix3d turn = fit_rigid_motion(registration.nodes_in_camera, nodes_in_camera, {}).rotation;
   const auto turned = [&turn](const Eigen::Matrix3d& covariance) -> Eigen::Matrix3d {
     return turn * covariance * turn.transpose();

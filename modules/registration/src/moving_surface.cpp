@@ -73,26 +73,31 @@ const TriangleMesh* fine_outline(const PatientModel& model) {
   return nullptr;
 }
 
-/// Of each triangle the deviation at the landmark's closest point.
+/// Of each triangle; empty: all are 0.
 std::vector<double> deviations_of(const TriangleMesh& mesh, const std::vector<int>& triangles,
-                                  const Points& line, const Eigen::VectorXd& deviation) {
+                                  const Landmarks& landmarks) {
   std::vector<double> of_triangle;
+  const Eigen::VectorXd& deviation = landmarks.margin_deviation;
   if (deviation.size() == 0 || deviation.maxCoeff() <= 0.0) return of_triangle;
-  require(deviation.size() == line.rows(), "each point of a margin has its deviation, or none has");
   of_triangle.reserve(triangles.size());
-  for (const int t : triangles) {
-    const Eigen::RowVector3d middle =
-        (mesh.vertices.row(mesh.triangles(t, 0)) + mesh.vertices.row(mesh.triangles(t, 1)) +
-         mesh.vertices.row(mesh.triangles(t, 2))) /
-        3.0;
-    Eigen::Index closest = 0;
-    (line.rowwise() - middle).rowwise().squaredNorm().minCoeff(&closest);
-    of_triangle.push_back(deviation[closest]);
-  }
+  for (const int t : triangles)
+    of_triangle.push_back(margin_deviation_at(
+        landmarks, (mesh.vertices.row(mesh.triangles(t, 0)) + mesh.vertices.row(mesh.triangles(t, 1)) +
+                    mesh.vertices.row(mesh.triangles(t, 2))) /
+                       3.0));
   return of_triangle;
 }
 
 }  // namespace
+
+double margin_deviation_at(const Landmarks& landmarks, const Eigen::RowVector3d& p_in_ct) {
+  if (landmarks.margin_deviation.size() == 0) return 0.0;
+  require(landmarks.margin_deviation.size() == landmarks.anterior_margin.rows(),
+          "each point of a margin has its deviation, or none has");
+  Eigen::Index nearest = 0;
+  (landmarks.anterior_margin.rowwise() - p_in_ct).rowwise().squaredNorm().minCoeff(&nearest);
+  return landmarks.margin_deviation[nearest];
+}
 
 MovingSurface::MovingSurface(const PatientModel& model, SurfaceDetail detail, double margin_radius,
                              double notch_radius)
@@ -113,8 +118,7 @@ MovingSurface::MovingSurface(const PatientModel& model, SurfaceDetail detail, do
   if (model.landmarks.anterior_margin.rows() > 0) {
     part_[1] = triangles_near(mesh_, whole_, densify(model.landmarks.anterior_margin), margin_radius);
     margin_ = ClosestPointTree(mesh_, part_[1]);
-    margin_deviation_ =
-        deviations_of(mesh_, part_[1], model.landmarks.anterior_margin, model.landmarks.margin_deviation);
+    margin_deviation_ = deviations_of(mesh_, part_[1], model.landmarks);
   }
   if (model.landmarks.umbilical_notch.rows() > 0) {
     part_[2] = triangles_near(mesh_, whole_, model.landmarks.umbilical_notch, notch_radius);

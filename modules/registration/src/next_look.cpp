@@ -96,16 +96,10 @@ class LandmarkLooks {
       : model_(model), cloud_(cloud), registration_(registration) {}
 
   ForceRows margin() const {
-    const Landmarks& landmarks = model_.landmarks;
-    const Points pieces = pieces_of(landmarks.anterior_margin);
+    const Points pieces = pieces_of(model_.landmarks.anterior_margin);
     return rows_of(pieces, Feature::anterior_margin, kMarked, [&](Eigen::Index i) {
-      double deviation = 0.0;
-      if (landmarks.margin_deviation.size() > 0) {
-        Eigen::Index at = 0;
-        (landmarks.anterior_margin.rowwise() - pieces.row(i)).rowwise().squaredNorm().minCoeff(&at);
-        deviation = landmarks.margin_deviation[at];
-      }
-      return std::max(kMarginSigma, deviation) / std::sqrt(kMarginInformation);
+      return std::max(kMarginSigma, margin_deviation_at(model_.landmarks, pieces.row(i))) /
+             std::sqrt(kMarginInformation);
     });
   }
   ForceRows notch() const {

@@ -111,7 +111,6 @@ class Aligner {
     bool usable = true;
   };
 
-  /// Surface, margin and notch weigh 1 : 1/2 : 1/4 in all, whatever their numbers.
   static std::size_t index_of(Feature feature) { return static_cast<std::size_t>(feature) - 1; }
 
   /// What a mark counts for on the mean of its landmark.
@@ -124,6 +123,7 @@ class Aligner {
         landmark_share(Feature::umbilical_notch, surface_.deviation(Feature::umbilical_notch, {}));
   }
 
+  /// Surface, margin and notch weigh 1 : 1/2 : 1/4 in all, whatever their numbers.
   void weigh() {
     share_out_landmarks();
     double total[3] = {0.0, 0.0, 0.0};

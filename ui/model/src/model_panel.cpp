@@ -132,53 +132,41 @@ void ModelPanel::build_options() {
   build->addWidget(import);
 }
 
-void ModelPanel::build_trees() {
-  trees_section_ = new QWidget(this);
-  auto* layout = new QVBoxLayout(trees_section_);
+QWidget* ModelPanel::make_part(const QString& heading, const QString& explanation) {
+  auto* part = new QWidget(this);
+  auto* layout = new QVBoxLayout(part);
   layout->setContentsMargins(0, 6, 0, 0);
   layout->setSpacing(5);
-  auto* heading = new QLabel(tr("Vessel trees"), trees_section_);
-  heading->setProperty("role", "heading");
-  layout->addWidget(heading);
-  layout->addWidget(make_explanation(
-      tr("The centrelines that stiffen the model. Each tree is held where it enters."), trees_section_));
+  auto* label = new QLabel(heading, part);
+  label->setProperty("role", "heading");
+  layout->addWidget(label);
+  layout->addWidget(make_explanation(explanation, part));
+  content()->addWidget(part);
+  return part;
+}
+
+void ModelPanel::build_trees() {
+  trees_section_ = make_part(
+      tr("Vessel trees"), tr("The centrelines that stiffen the model. Each tree is held where it enters."));
   trees_ = new TreeEditor(engine(), views_, trees_section_);
-  layout->addWidget(trees_);
-  content()->addWidget(trees_section_);
+  trees_section_->layout()->addWidget(trees_);
 }
 
 void ModelPanel::build_tissue() {
-  tissue_section_ = new QWidget(this);
-  auto* layout = new QVBoxLayout(tissue_section_);
-  layout->setContentsMargins(0, 6, 0, 0);
-  layout->setSpacing(5);
-  auto* heading = new QLabel(tr("Stiffness"), tissue_section_);
-  heading->setProperty("role", "heading");
-  layout->addWidget(heading);
-  layout->addWidget(
-      make_explanation(tr("Young's modulus. Trial, registration and what is simulated for it go by "
-                          "it; a registration made before is out of date then."),
-                       tissue_section_));
-  layout->addWidget(new TissueBox(engine(), tissue_section_));
-  content()->addWidget(tissue_section_);
+  tissue_section_ =
+      make_part(tr("Stiffness"), tr("Young's modulus. Trial, registration and what is simulated for it go by "
+                                    "it; a registration made before is out of date then."));
+  tissue_section_->layout()->addWidget(new TissueBox(engine(), tissue_section_));
 }
 
 void ModelPanel::build_trial() {
-  trial_section_ = new QWidget(this);
-  auto* layout = new QVBoxLayout(trial_section_);
-  layout->setContentsMargins(0, 6, 0, 0);
-  layout->setSpacing(5);
-  auto* heading = new QLabel(tr("Mechanics"), trial_section_);
-  heading->setProperty("role", "heading");
-  layout->addWidget(heading);
-  layout->addWidget(make_explanation(tr("Drag a point of the liver and see it follow with its vessels and "
-                                        "lesions. It is held at the vena cava and "
-                                        "where vessels enter; its neighbours are not modelled. A trial: the "
-                                        "case stays as it is. Esc ends it."),
-                                     trial_section_));
+  trial_section_ =
+      make_part(tr("Mechanics"), tr("Drag a point of the liver and see it follow with its vessels and "
+                                    "lesions. It is held at the vena cava and "
+                                    "where vessels enter; its neighbours are not modelled. A trial: the "
+                                    "case stays as it is. Esc ends it."));
   trial_ = new LoadTrialBox(engine(), views_, trial_section_);
-  layout->addWidget(trial_);
-  content()->addWidget(trial_section_);
+  trial_section_->layout()->addWidget(trial_);
 }
 
 void ModelPanel::deactivate() {

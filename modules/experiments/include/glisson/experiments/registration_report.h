@@ -13,9 +13,10 @@ namespace glisson::experiments {
 /// may be, what speaks for and against it. Atomic. @throws FileError.
 /// @param subject model and cloud, as they were named.
 /// @param figures of the registration (engine::Register), left out where they are not there.
-/// @param refused nothing may go on from it.
+/// @param ending registration::ending_code().
 /// @param doubts sentences.
 void write_registration_report(const std::filesystem::path& path, const std::string& subject,
-                               const Figures& figures, bool refused, const std::vector<std::string>& doubts);
+                               const Figures& figures, const std::string& ending,
+                               const std::vector<std::string>& doubts);
 
 }  // namespace glisson::experiments

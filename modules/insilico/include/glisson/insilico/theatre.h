@@ -43,6 +43,8 @@ struct ScopePath {
   double roll_deg = 0.0;     ///< amplitude about the optical axis
   double period_s = 4.0;     ///< of the pivot; the others' are 1.3 and 1.7 times as long
   double trocar_mm = 150.0;  ///< behind the optical centre
+  /// As a hand holds it: up to 10 degrees and 45 mm a second, a third nearer and farther.
+  static ScopePath in_a_hand();
   /// @throws InputError naming the option.
   void validate() const;
 };

@@ -25,6 +25,10 @@ struct Carrier {
   std::array<double, 4> weights{};
 };
 
+/// How far the margin may lie from where it is at its point that is nearest to this one, metres; see
+/// Landmarks.
+double margin_deviation_at(const Landmarks& landmarks, const Eigen::RowVector3d& p_in_ct);
+
 /// A model's surface while it moves, with the parts of it that points of each feature may be paired with.
 /// The trees are built once and refitted. Queries are const and thread-safe; move() is not.
 class MovingSurface {

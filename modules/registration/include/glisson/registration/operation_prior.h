@@ -6,6 +6,7 @@
 #include <map>
 
 #include "glisson/core/run_context.h"
+#include "glisson/fem/composite_model.h"
 #include "glisson/fem/elastic_body.h"
 #include "glisson/patient/patient_model.h"
 
@@ -32,9 +33,10 @@ struct OperationOptions {
   double ligament_m = 0.007;    ///< by which the abdominal wall takes the falciform ligament along
   double contact_spread = 0.5;  ///< of the logarithm of the stiffness of bed, diaphragm and ligament
   double unforeseen_m = kUnforeseenMotion;  ///< 0: there are none
-  double young_modulus = 3500.0;            ///< Pa, of the parenchyma
-  std::map<Label, double> lesions;          ///< Young's modulus of each, Pa; missing ones are parenchyma
-  int threads = 2;                          ///< 1 or 2: the same bits
+  /// Pa, of the parenchyma
+  double young_modulus = fem::CompositeOptions().parenchyma.young_modulus;
+  std::map<Label, double> lesions;  ///< Young's modulus of each, Pa; missing ones are parenchyma
+  int threads = 2;                  ///< 1 or 2: the same bits
   /// @throws InputError naming the option.
   void validate() const;
   /// Whether the same operations come of both: of the threads they know nothing.

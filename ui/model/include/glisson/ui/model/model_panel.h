@@ -27,6 +27,8 @@ class ModelPanel : public Panel {
 
  private:
   void build_options();
+  /// A part of the panel that may be hidden as a whole; what belongs into it is added to its layout.
+  QWidget* make_part(const QString& heading, const QString& explanation);
   void build_trees();
   void build_tissue();
   void build_trial();

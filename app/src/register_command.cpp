@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From the cloud to the registered model.
+#include "cli.h"
+#include "commands.h"
+#include "exit_code.h"
+#include "glisson/engine/commands/accept_registration.h"
+#include "glisson/engine/commands/choose_rival.h"
+#include "glisson/engine/commands/forget_looks.h"
+#include "glisson/engine/commands/import_cloud.h"
+#include "glisson/engine/commands/keep_look.h"
+#include "glisson/engine/commands/register.h"
+#include "glisson/engine/parts/earlier_looks.h"
+#include "glisson/engine/parts/landmarks.h"
+#include "glisson/engine/parts/model.h"
+#include "glisson/engine/parts/registration.h"
+#include "glisson/experiments/evaluate.h"
+#include "glisson/experiments/registration_report.h"
+#include "glisson/registration/refusal.h"
+#include "glisson/registration/registration_files.h"
+#include "glisson/ui/common/texts.h"
+#include "model_argument.h"
+
+namespace glisson::app {
+namespace fs = std::filesystem;
+namespace {
+
+/// Those that are there already are replaced.
+void append(Figures& figures, const Figures& more) {
+  for (const auto& [key, value] : more) figures[key] = value;
+}
+
+registration::Method method_of(const QString& name) {
+  if (name == "automatic") return registration::Method::automatic;
+  if (name == "forces") return registration::Method::forces;
+  if (name == "springs") return registration::Method::springs;
+  if (name == "paper") return registration::Method::paper;
+  throw UsageError("--method " + name.toStdString() + ": must be automatic, forces, springs or paper.");
+}
+
+}  // namespace
+
+int run_register(const QStringList& given) {
+  Arguments arguments(
+      "register",
+      Cli::tr(
+          "Registers a model to a cloud: rigid start, then elastically. What is written keeps the model's "
+          "node "
+          "order and unit and is in the cloud's frame; its field data cloud_from_model is the rigid part."));
+  declare_model(arguments);
+  declare_materials(arguments);
+  arguments.option("cloud",
+                   Cli::tr("The cloud (PLY); an integer property label is optional: 1 surface, 2 anterior "
+                           "margin, 3 umbilical notch."),
+                   "cloud.ply");
+  arguments.option(
+      "looks",
+      Cli::tr("Earlier looks at the same organ, which has not moved since: clouds (PLY), commas "
+              "between them, each in its own camera's frame. Where they were seen from is found; "
+              "the result is in the frame of --cloud."),
+      "FILE,FILE...");
+  arguments.option("cloud-unit", Cli::tr("Unit of the cloud: mm, cm or m. Without it, the model's."), "UNIT");
+  arguments.option("rigid",
+                   Cli::tr("Rigid start: auto, none, or a file with a 4 x 4 matrix cloud_from_model."),
+                   "auto|none|FILE", "auto");
+  arguments.flag("near",
+                 Cli::tr("The file of --rigid is near the right place only: refined rigidly first, as "
+                         "a model that was placed by hand."));
+  arguments.option("fixed", Cli::tr("Nodes that stay where the rigid start puts them (0-based numbers)."),
+                   "FILE");
+  arguments.option(
+      "method",
+      Cli::tr(
+          "How the shape is found: forces (few contact forces on the surface, elastic law by "
+          "evidence), springs, paper (springs with --prior none, as published) or automatic (forces "
+          "where operations are known and for a bare mesh with --fixed; springs where no force is worth its "
+          "price, and otherwise)."),
+      "automatic|forces|springs|paper", "automatic");
+  arguments.option(
+      "prior",
+      Cli::tr("What is known of the deformation before the cloud is seen: operations (simulated on this "
+              "model; needs the vena cava's landmark) or none (elasticity alone, the paper's method)."),
+      "operations|none", "operations");
+  arguments.option(
+      "truth", Cli::tr("True node positions (.xyz or a mesh): adds the errors. Read after everything else."),
+      "FILE");
+  arguments.flag("accept-doubts",
+                 Cli::tr("Write the result even if it is refused; its doubts stay with it. Without this a "
+                         "refused registration writes no file, and the exit code is 3."));
+  arguments.option("rival",
+                   Cli::tr("Takes the N-th of the other places where the organ may be (rival_N_probability, "
+                           "rival_N_away_mm) instead of the most probable one."),
+                   "N");
+  arguments.option(
+      "report",
+      Cli::tr("Also write a page on the registration: how it ended, how far off organ and lesions "
+              "may be, where else the organ may be, its doubts."),
+      "FILE.html");
+  arguments.option("out", Cli::tr("The registered mesh (.vtu), or surface (.vtp) when a surface was given."),
+                   "registered.vtu");
+  if (!arguments.parse(given)) return 0;
+  const fs::path out = arguments.output_file("out", {".vtu", ".vtk", ".vtp", ".stl", ".obj", ".ply"});
+  const fs::path report =
+      arguments.has("report") ? arguments.output_file("report", {".html", ".htm"}) : fs::path();
+  const fs::path cloud = arguments.required_path("cloud");
+  const auto materials = given_materials(arguments);  // a slip is told before the work
+  arguments.require_existing("truth");
+  Session session(arguments);
+  const ModelArgument argument = load_model(arguments, session);
+  const LengthUnit unit = arguments.has("cloud-unit") ? arguments.unit("cloud-unit") : argument.unit;
+  session.call("cloud", cloud.string());
+  session.call("fixed nodes", arguments.path("fixed").string());
+  session.post(engine::ImportCloud{cloud, unit});
+  // Those of a case that the model was taken from belong to its own cloud.
+  if (session.state()[part::earlier_looks]) session.post(engine::ForgetLooks{});
+  int number = 1;
+  session.call("look 1", cloud.string());
+  for (const QString& look : arguments.value("looks").split(QLatin1Char(','), Qt::SkipEmptyParts)) {
+    session.call("look " + std::to_string(++number), look.toStdString());
+    session.post(engine::KeepLook{look.toStdString(), unit});
+  }
+  say_stiffness(arguments, session);
+  engine::Register command;
+  command.materials = materials;
+  command.fixed_nodes = fixed_nodes(arguments, session);
+  command.method = method_of(arguments.value("method"));
+  const QString prior = arguments.value("prior");
+  if (prior != "operations" && prior != "none")
+    throw UsageError("--prior " + prior.toStdString() + ": must be operations or none.");
+  command.operations = prior == "operations";
+  if (arguments.value("rigid") == "none") {
+    command.start = engine::Register::Start::none;
+  } else if (arguments.value("rigid") == "auto") {
+    if (arguments.has("near")) throw UsageError("--near: needs a matrix. Give its file by --rigid FILE.");
+  } else {
+    command.start = arguments.has("near") ? engine::Register::Start::near : engine::Register::Start::given;
+    command.given = registration::read_start(arguments.path("rigid"), argument.unit);
+  }
+  const Figures before = session.figures;
+  session.post(command);
+  if (arguments.has("rival")) {
+    session.figures = before;  // what is told is of the place that is taken
+    session.post(engine::ChooseRival{static_cast<std::size_t>(arguments.integer("rival", 1, 99) - 1)});
+  }
+  if (arguments.has("accept-doubts")) session.post(engine::AcceptRegistration{});
+  const Registration& registration = *session.state()[part::registration];
+  if (arguments.has("truth")) {
+    const PatientModel& model = session.state()[part::model]->model;
+    const Points truth = experiments::read_true_nodes(arguments.path("truth"), argument.unit);
+    append(session.figures, experiments::target_errors(model, registration.nodes_in_camera, truth,
+                                                       arguments.path("truth").string()));
+    append(session.figures,
+           experiments::motion_figures(model, registration.camera_from_ct.apply(model.mesh.vertices), truth));
+  }
+  const bool refused = registration::is_refused(registration);
+  session.texts["registration_ended"] = registration::ending_code(registration);
+  if (!refused) write_deformed(out, argument, session, registration);
+  if (!report.empty()) {
+    std::vector<std::string> doubts;
+    for (const std::string& doubt : registration.doubts) doubts.push_back(ui::note_text(doubt).toStdString());
+    experiments::write_registration_report(
+        report, argument.path.filename().string() + ", " + cloud.filename().string(), session.figures,
+        registration::ending_code(registration), doubts);
+  }
+  session.finish();
+  if (!refused) return kDone;
+  say(Cli::tr(
+      "The registration was refused: what is known contradicts it (see the notes above). Nothing was "
+      "written. Give a cloud that shows more of this patient's liver with less noise, mark margin and "
+      "notch, or start from --rigid FILE; --accept-doubts writes it nevertheless."));
+  return kRefused;
+}
+
+}  // namespace glisson::app
