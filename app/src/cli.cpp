@@ -325,6 +325,10 @@ OverlayFrame Session::follow(engine::LiveInput input, double fraction) {
   return *overlay;
 }
 
+void Session::tell(const Figures& more) {
+  for (const auto& [key, value] : more) figures[key] = value;
+}
+
 void Session::finish() {
   figures["seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
   for (const std::string& note : notes) say(Cli::tr("note: ") + ui::note_text(note));

@@ -125,6 +125,8 @@ class Session {
   std::map<std::string, std::string> texts;
   std::vector<std::string> notes;
 
+  /// Among the figures from now on; those that are there already are replaced.
+  void tell(const Figures& more);
   /// Prints the figures, and writes them where --json says, with `seconds`.
   void finish();
 

@@ -123,6 +123,15 @@ std::optional<fem::CompositeOptions> given_materials(const Arguments& arguments)
   return {};
 }
 
+registration::Method given_method(const Arguments& arguments) {
+  const QString name = arguments.value("method");
+  if (name == "automatic") return registration::Method::automatic;
+  if (name == "forces") return registration::Method::forces;
+  if (name == "springs") return registration::Method::springs;
+  if (name == "paper") return registration::Method::paper;
+  throw UsageError("--method " + name.toStdString() + ": must be automatic, forces, springs or paper.");
+}
+
 std::vector<int> fixed_nodes(const Arguments& arguments, const Session& session) {
   if (!arguments.has("fixed")) return {};
   return read_node_numbers(arguments.path("fixed"), session.state()[part::model]->model.mesh.vertex_count());

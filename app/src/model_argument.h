@@ -10,6 +10,7 @@
 #include "glisson/fem/tissue.h"
 #include "glisson/geometry/mesh_io.h"
 #include "glisson/patient/registration.h"
+#include "glisson/registration/register_model.h"
 
 /// @file
 /// "M" of the command line: a case, a tetrahedral mesh, or a closed surface.
@@ -44,6 +45,8 @@ fem::CompositeOptions materials(const Arguments& arguments);
 /// The same where one of them was given; empty: the model decides. @throws UsageError where --stiffness says
 /// something of the parenchyma, too.
 std::optional<fem::CompositeOptions> given_materials(const Arguments& arguments);
+/// How the shape is found, as --method names it. @throws UsageError.
+registration::Method given_method(const Arguments& arguments);
 /// Brings what --stiffness says into the session. @throws Error.
 void say_stiffness(const Arguments& arguments, Session& session);
 /// Node numbers of --fixed, or none.

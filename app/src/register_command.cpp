@@ -22,23 +22,6 @@
 
 namespace glisson::app {
 namespace fs = std::filesystem;
-namespace {
-
-/// Those that are there already are replaced.
-void append(Figures& figures, const Figures& more) {
-  for (const auto& [key, value] : more) figures[key] = value;
-}
-
-registration::Method method_of(const QString& name) {
-  if (name == "automatic") return registration::Method::automatic;
-  if (name == "forces") return registration::Method::forces;
-  if (name == "springs") return registration::Method::springs;
-  if (name == "paper") return registration::Method::paper;
-  throw UsageError("--method " + name.toStdString() + ": must be automatic, forces, springs or paper.");
-}
-
-}  // namespace
-
 int run_register(const QStringList& given) {
   Arguments arguments(
       "register",
@@ -122,7 +105,7 @@ int run_register(const QStringList& given) {
   engine::Register command;
   command.materials = materials;
   command.fixed_nodes = fixed_nodes(arguments, session);
-  command.method = method_of(arguments.value("method"));
+  command.method = given_method(arguments);
   const QString prior = arguments.value("prior");
   if (prior != "operations" && prior != "none")
     throw UsageError("--prior " + prior.toStdString() + ": must be operations or none.");
@@ -146,10 +129,10 @@ int run_register(const QStringList& given) {
   if (arguments.has("truth")) {
     const PatientModel& model = session.state()[part::model]->model;
     const Points truth = experiments::read_true_nodes(arguments.path("truth"), argument.unit);
-    append(session.figures, experiments::target_errors(model, registration.nodes_in_camera, truth,
-                                                       arguments.path("truth").string()));
-    append(session.figures,
-           experiments::motion_figures(model, registration.camera_from_ct.apply(model.mesh.vertices), truth));
+    session.tell(experiments::target_errors(model, registration.nodes_in_camera, truth,
+                                            arguments.path("truth").string()));
+    session.tell(
+        experiments::motion_figures(model, registration.camera_from_ct.apply(model.mesh.vertices), truth));
   }
   const bool refused = registration::is_refused(registration);
   session.texts["registration_ended"] = registration::ending_code(registration);

@@ -295,7 +295,7 @@ int run_track(const QStringList& given) {
   engine::StartTracking command;
   command.materials = given_materials(arguments);
   command.options.fixed_nodes = fixed_nodes(arguments, session);
-  command.options.cloud_method = method_of(arguments.value("method"));
+  command.options.cloud_method = given_method(arguments);
   command.steps_per_cloud = arguments.integer("cloud-steps", 1, 10000);
   const bool from_clouds = arguments.has("clouds");
   if (from_clouds) {
@@ -319,7 +319,7 @@ int run_track(const QStringList& given) {
       follow_film(session, arguments, record, teller);
   });
   record.finish(whole);
-  append(session.figures, record.figures());
+  session.tell(record.figures());
   if (whole || record.frames() > 0) {
     remove_former(arguments.path("out"), out.path());
     out.commit(whole);
