@@ -9639,8 +9639,8 @@
         <translation>±%1 mm</translation>
     </message>
     <message>
-        <source>%1, fork %2</source>
-        <translation>%1, Gabel %2</translation>
+        <source>fork %1</source>
+        <translation>Gabel %1</translation>
     </message>
 </context>
 <context>

@@ -89,6 +89,7 @@ void LesionBox::show_rows() {
     LesionRow of_registration;
     of_registration.lesion = spot.lesion;
     of_registration.name = spot.name;
+    of_registration.state = spot.kind;
     of_registration.within = spot.within;
     rows.emplace_back(of_registration, spot);
   }
@@ -114,12 +115,14 @@ void LesionBox::show_rows() {
 void LesionBox::show_row(QTreeWidgetItem* item, const LesionRow& row, const SpotRow& spot) const {
   item->setData(name, Qt::UserRole, static_cast<uint>(row.lesion));
   item->setText(name, row.name);
+  item->setToolTip(name, row.name);  // some are longer than their column
   item->setText(state, row.state);
   item->setText(expected, spot.expected);
   item->setText(within, row.within);
   for (const Column column : {expected, within})
     item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
-  item->setForeground(state, colour_of(row.level));
+  const bool is_fork = row.lesion == 0;
+  item->setForeground(state, is_fork ? table_->palette().text().color() : colour_of(row.level));
   item->setToolTip(state, row.why);
 }
 

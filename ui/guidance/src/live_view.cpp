@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glisson/ui/guidance/live_view.h"
 
+#include <QBoxLayout>
 #include <QFileDialog>
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMessageBox>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "glisson/ui/common/panel.h"
 
@@ -38,13 +39,13 @@ LiveView::LiveView(LiveViewModel& model, ReviewModel& review, CorrectionModel& c
   layout->addWidget(banner);
   picture_->set_hint(
       tr("Register the model to a frame of the laparoscope; the augmented picture appears here."));
-  auto* pictures = new QHBoxLayout;
-  pictures->setSpacing(2);
+  pictures_ = new QHBoxLayout;
+  pictures_->setSpacing(2);
   raw_->setObjectName(QStringLiteral("raw_picture"));
   raw_->hide();
-  pictures->addWidget(picture_, 1);
-  pictures->addWidget(raw_, 1);
-  layout->addLayout(pictures, 1);
+  pictures_->addWidget(picture_, 1);
+  pictures_->addWidget(raw_, 1);
+  layout->addLayout(pictures_, 1);
   auto* line = new QLabel(this);
   line->setProperty("role", "probe");
   line->setContentsMargins(10, 4, 10, 4);
@@ -95,8 +96,24 @@ QToolButton* LiveView::add_button(const char* name, const QString& text, const Q
   return button;
 }
 
+void LiveView::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  arrange();
+}
+
+void LiveView::arrange() {
+  const Picture& shown = model_.picture();
+  if (shown.empty() || size().isEmpty()) return;
+  // By the whole view: what is said above and below the pictures comes and goes.
+  const double across = static_cast<double>(width()) / shown.width,
+               down = static_cast<double>(height()) / shown.height;
+  const bool beside = std::min(0.5 * across, down) >= std::min(across, 0.5 * down);
+  pictures_->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+}
+
 void LiveView::show_picture() {
   const PaintedOverlay& shown = model_.on_screen();
+  arrange();
   picture_->set_picture(shown.picture, shown.screen);
   if (show_raw_->isChecked()) raw_->set_picture(shown.raw, shown.raw_screen);
   tell_screen();

@@ -96,14 +96,16 @@ void RegistrationModel::read_spots(const Registration& registration) {
     spots = rows;
     return;
   }
-  const auto add = [&rows](Label lesion, const QString& name, const Eigen::Matrix3d& covariance) {
-    rows.push_back({lesion, name, tr("%1 mm").arg(1e3 * registration::mean_error(covariance), 0, 'f', 1),
+  const auto add = [&rows](Label lesion, const QString& name, const QString& kind,
+                           const Eigen::Matrix3d& covariance) {
+    rows.push_back({lesion, name, kind,
+                    tr("%1 mm").arg(1e3 * registration::mean_error(covariance), 0, 'f', 1),
                     tr("±%1 mm").arg(1e3 * registration::half_axes_95(covariance)[0], 0, 'f', 1)});
   };
   for (const LesionSpread& lesion : registration.lesions)
-    add(lesion.lesion, structure_text(lesion.lesion), lesion.covariance);
+    add(lesion.lesion, structure_text(lesion.lesion), {}, lesion.covariance);
   for (const ForkSpread& fork : registration.forks)
-    add(Label{0}, tr("%1, fork %2").arg(structure_text(fork.tree)).arg(fork.order), fork.covariance);
+    add(Label{0}, structure_text(fork.tree), tr("fork %1").arg(fork.order), fork.covariance);
   spots = rows;
 }
 

@@ -11,6 +11,7 @@
 #include "glisson/ui/guidance/live_view_model.h"
 #include "glisson/ui/guidance/timeline_bar.h"
 
+class QBoxLayout;
 class QToolButton;
 
 namespace glisson::ui {
@@ -30,9 +31,12 @@ class LiveView : public QWidget {
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void show_picture();
+  /// The raw picture beside the other or below it, whichever leaves both larger.
+  void arrange();
   void tell_screen();
   QToolButton* add_button(const char* name, const QString& text, const QString& tip);
   void switch_whole_screen();
@@ -45,7 +49,8 @@ class LiveView : public QWidget {
   TimelineBar* timeline_;
   QPointer<LiveView> whole_screen_;  ///< shown on the whole screen for this one
   LivePicture* picture_;
-  PictureView* raw_;  ///< beside it, where it is wanted
+  PictureView* raw_;      ///< beside it, where it is wanted
+  QBoxLayout* pictures_;  ///< of both
   QToolButton* show_raw_;
   Couplings couplings_;
 };

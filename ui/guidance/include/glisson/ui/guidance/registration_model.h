@@ -17,8 +17,8 @@ namespace glisson::ui {
 
 /// A place in the organ whose error the registration expects.
 struct SpotRow {
-  Label lesion = 0;  ///< 0: a vessel fork
-  QString name;
+  Label lesion = 0;          ///< 0: a vessel fork
+  QString name, kind;        ///< kind: which of the structure's forks; empty of a lesion
   QString expected, within;  ///< mean error; reach of the region that holds it in 95 of 100 cases
   bool operator==(const SpotRow&) const = default;
 };
