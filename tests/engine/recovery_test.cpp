@@ -51,6 +51,7 @@ class RecoveryTest : public QObject {
   void ACaseThatWasNeverSavedComesBackWithoutAPlace();
   void WhatOthersSavedMeanwhileStays();
   void RecoveredACaseIsHeldAgain();
+  void WhatIsOpenHereIsRecoveredForWriting();
 
  private:
   fs::path root() const { return folder_->path() / "recovery"; }
@@ -242,6 +243,21 @@ void RecoveryTest::RecoveredACaseIsHeldAgain() {
   killed_at_work(true);
   Script script{RunContext()};
   script.run(RecoverCase{find_recoverable(root()).at(0)});
+  Script other{RunContext()};
+  QVERIFY_EXCEPTION_THROWN(other.run(OpenCase{path(), OpenCase::Access::write}), Error);
+}
+
+/// As after a crash the window is begun with the case, and offers the copy.
+void RecoveryTest::WhatIsOpenHereIsRecoveredForWriting() {
+  killed_at_work(true);
+  Script script{RunContext()};
+  script.run(OpenCase{path()});
+  QVERIFY(script.state()[part::keeping]->lock);
+  const auto recovered = script.run(RecoverCase{find_recoverable(root()).at(0)});
+  QVERIFY(recovered->notes.empty());
+  QVERIFY(script.state()[part::keeping]->lock && !script.state()[part::keeping]->writer);
+  script.run(SaveCase{});
+  QCOMPARE(seed_on_disk(path()), 0.3);
   Script other{RunContext()};
   QVERIFY_EXCEPTION_THROWN(other.run(OpenCase{path(), OpenCase::Access::write}), Error);
 }

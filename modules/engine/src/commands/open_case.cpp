@@ -33,11 +33,7 @@ std::shared_ptr<Keeping> held_for(const OpenCase& command, const Keeping* kept) 
   auto keeping = std::make_shared<Keeping>();
   keeping->folder = case_place(command.path);
   if (command.access == OpenCase::Access::read) return keeping;
-  // The case that is open may be opened again.
-  if (kept != nullptr && kept->lock && kept->folder == keeping->folder)
-    keeping->lock = kept->lock;
-  else if (std::filesystem::exists(keeping->folder))
-    keeping->lock = CaseLock::take(keeping->folder, keeping->writer);
+  if (std::filesystem::exists(keeping->folder)) hold(*keeping, kept);
   if (keeping->writer && command.access == OpenCase::Access::write)
     throw held_error(command.path, *keeping->writer);
   return keeping;

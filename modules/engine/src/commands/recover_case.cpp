@@ -12,7 +12,7 @@ CommandTraits RecoverCase::traits() const {
   return {.code = "recover_case", .writes = Parts::all(), .notice = Notice::files};
 }
 
-Cancellable<Applied> RecoverCase::apply(const CaseState&, const RunContext& context) const {
+Cancellable<Applied> RecoverCase::apply(const CaseState& before, const RunContext& context) const {
   Applied applied;
   auto opened = open_case(copy.copy, context, &applied.notes);
   if (!opened) return {};
@@ -23,8 +23,7 @@ Cancellable<Applied> RecoverCase::apply(const CaseState&, const RunContext& cont
   auto keeping = std::make_shared<Keeping>();
   keeping->folder = case_place(copy.of);
   keeping->edition = copy.edition;
-  if (std::filesystem::exists(keeping->folder))
-    keeping->lock = CaseLock::take(keeping->folder, keeping->writer);
+  if (std::filesystem::exists(keeping->folder)) hold(*keeping, before[part::keeping].get());
   if (keeping->writer && !keeping->writer->host.empty())
     applied.notes.push_back("case.open_for_reading " + keeping->writer->told());
   applied.state[part::keeping] = keeping;

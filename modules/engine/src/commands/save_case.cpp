@@ -22,15 +22,13 @@ fs::path unused_beside(const fs::path& folder) {
   }
 }
 
-/// The lock of the place: that which is held already, or a new one. @throws InputError who else has it.
-std::shared_ptr<const CaseLock> lock_for(const fs::path& told, const fs::path& folder,
-                                         const Keeping* before) {
-  if (before != nullptr && before->lock && before->folder == folder) return before->lock;
-  std::optional<CaseOwner> owner;
-  auto lock = CaseLock::take(folder, owner);
+/// @throws InputError who else has it.
+void hold_or_tell(const fs::path& told, Keeping& keeping, const Keeping* before) {
+  hold(keeping, before);
   // Where no lock can be written, no case can either: saving says it better.
-  if (!lock && owner && !owner->host.empty()) throw held_error(told, *owner);
-  return lock;
+  if (!keeping.lock && keeping.writer && !keeping.writer->host.empty())
+    throw held_error(told, *keeping.writer);
+  keeping.writer.reset();
 }
 
 /// Where the case goes, held: beside the wanted place where others have saved there since. That is theirs,
@@ -38,12 +36,12 @@ std::shared_ptr<const CaseLock> lock_for(const fs::path& told, const fs::path& f
 std::shared_ptr<Keeping> place_of(const fs::path& wanted, const Keeping* before) {
   auto keeping = std::make_shared<Keeping>();
   keeping->folder = case_place(wanted);
-  keeping->lock = lock_for(wanted, keeping->folder, before);
+  hold_or_tell(wanted, *keeping, before);
   const bool is_newer = before != nullptr && before->folder == keeping->folder &&
                         fs::exists(keeping->folder) && edition_on_disk(keeping->folder) != before->edition;
   if (!is_newer) return keeping;
   keeping->folder = unused_beside(keeping->folder);
-  keeping->lock = lock_for(keeping->folder, keeping->folder, nullptr);
+  hold_or_tell(keeping->folder, *keeping, nullptr);
   return keeping;
 }
 

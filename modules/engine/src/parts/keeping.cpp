@@ -5,6 +5,13 @@ namespace glisson::engine {
 
 const PartOf<Keeping> part::keeping{{.code = "keeping", .stands_alone = true, .is_input = false}};
 
+void hold(Keeping& keeping, const Keeping* now) {
+  if (now != nullptr && now->lock && now->folder == keeping.folder)
+    keeping.lock = now->lock;
+  else
+    keeping.lock = CaseLock::take(keeping.folder, keeping.writer);
+}
+
 InputError held_error(const std::filesystem::path& path, const CaseOwner& owner) {
   const std::string file = lock_file_of(case_place(path)).string();
   if (owner.host.empty())

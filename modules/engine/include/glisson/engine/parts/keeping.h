@@ -25,6 +25,10 @@ namespace part {
 extern const PartOf<Keeping> keeping;
 }  // namespace part
 
+/// Holds `keeping.folder` for writing: with the lock that this program has on it already, else with a new
+/// one; where another one has it, `keeping.writer` says who. @param now of the case that is open; may be
+/// null.
+void hold(Keeping& keeping, const Keeping* now);
 /// For a person who wants to write what another has open.
 InputError held_error(const std::filesystem::path& path, const CaseOwner& owner);
 
