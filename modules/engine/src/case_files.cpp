@@ -252,9 +252,9 @@ bool or_lost(const CaseFolder& folder, const char* code, const std::function<voi
     try {
       read();
       return true;
-    } catch (const json::exception&) {
-      throw InputError((folder.path / "case.json").string(), code, "is malformed",
-                       "Restore the case from a copy, or make this part anew");
+    } catch (const json::exception& failure) {
+      throw InputError((folder.path / "case.json").string(), code,
+                       std::string("is malformed (") + failure.what() + ")", "Restore the case from a copy");
     }
   } catch (const Error& failure) {
     if (folder.lost == nullptr) throw;
