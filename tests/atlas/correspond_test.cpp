@@ -88,7 +88,9 @@ class CorrespondTest : public QObject {
   }
   void numberingDoesNotMatter() {
     const double apart = mean_apart(found(shuffled(liver_)).vertices, found_.vertices);
-    QVERIFY2(apart < 1e-6, qPrintable(QString::number(1e3 * apart)));
+    // Sums in another order differ in their last bits, and the iterations let that grow: by 1.3 um on one
+    // processor, by less on another. A hundredth of what the surface is met to (1 mm) is nobody's matter.
+    QVERIFY2(apart < 1e-5, qPrintable(QString::number(1e3 * apart)));
   }
   /// The same surface told by four times as many triangles.
   void finerTrianglesDoNotMatter() {
