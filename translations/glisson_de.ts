@@ -453,6 +453,10 @@
         <translation>Segmentieren, Korrekturen behalten</translation>
     </message>
     <message>
+        <source>Correct around a click</source>
+        <translation>Um einen Klick korrigieren</translation>
+    </message>
+    <message>
         <source>Grow</source>
         <translation>Wachsen</translation>
     </message>
@@ -906,6 +910,14 @@
     <message>
         <source>has no point in the region</source>
         <translation>hat keinen Punkt im Gebiet</translation>
+    </message>
+    <message>
+        <source>is locked</source>
+        <translation>ist gesperrt</translation>
+    </message>
+    <message>
+        <source>has no click for or against the liver that the case does not have</source>
+        <translation>hat keinen Klick für oder gegen die Leber, den der Fall nicht hat</translation>
     </message>
     <message>
         <source>has no point</source>
@@ -1474,6 +1486,14 @@
     <message>
         <source>Click inside the parenchyma, away from vessels and lesions</source>
         <translation>Klicken Sie in das Parenchym, weg von Gefäßen und Läsionen</translation>
+    </message>
+    <message>
+        <source>Unlock it, or click another structure</source>
+        <translation>Entsperren Sie sie, oder klicken Sie eine andere Struktur an</translation>
+    </message>
+    <message>
+        <source>Add one, or leave --correct out</source>
+        <translation>Fügen Sie einen hinzu, oder lassen Sie --correct weg</translation>
     </message>
     <message>
         <source>Click at least one point inside the liver</source>
@@ -5472,6 +5492,10 @@
         <translation>aufräumen</translation>
     </message>
     <message>
+        <source>looking around the click</source>
+        <translation>um den Klick schauen</translation>
+    </message>
+    <message>
         <source>making surfaces</source>
         <translation>Oberflächen bilden</translation>
     </message>
@@ -5826,6 +5850,10 @@
     <message>
         <source>Segmenting by your network</source>
         <translation>Segmentieren mit Ihrem Netz</translation>
+    </message>
+    <message>
+        <source>Correcting around a click</source>
+        <translation>Korrigieren um einen Klick</translation>
     </message>
     <message>
         <source>reading the network</source>
@@ -6867,6 +6895,18 @@
         <translation>in silico, kranke Lebern, zehn Klicks eines Laien: Dice der Leber, schlechtester</translation>
     </message>
     <message>
+        <source>in silico, ill livers, ten clicks and three corrections: Dice of the liver, worst</source>
+        <translation>in silico, kranke Lebern, zehn Klicks und drei Korrekturen: Dice der Leber, schlechtester</translation>
+    </message>
+    <message>
+        <source>real CT, altered, ten clicks and three corrections: Dice of the liver, worst</source>
+        <translation>reales CT, verändert, zehn Klicks und drei Korrekturen: Dice der Leber, schlechtester</translation>
+    </message>
+    <message>
+        <source>real CTs, ten clicks and three corrections: Dice of the liver, worst</source>
+        <translation>reale CT, zehn Klicks und drei Korrekturen: Dice der Leber, schlechtester</translation>
+    </message>
+    <message>
         <source>real CT, lesions above 1 ml, one click: Dice, median</source>
         <translation>echtes CT, Läsionen über 1 ml, ein Klick: Dice, Median</translation>
     </message>
@@ -7167,6 +7207,10 @@
         <translation>Die Leber ohne einen Klick suchen. Sehen Sie sich an, was daraus wird.</translation>
     </message>
     <message>
+        <source>Correct the case&apos;s labels around the clicks for and against the liver that the case does not have yet; the labels elsewhere stay.</source>
+        <translation>Die Labels des Falls um die Klicks für und gegen die Leber korrigieren, die der Fall noch nicht hat; anderswo bleiben die Labels.</translation>
+    </message>
+    <message>
         <source>Listens at this address and tells programs that connect by OpenIGTLink (3D Slicer, CustusX, PLUS) of each frame: level, pose, surfaces. Without an address 127.0.0.1:18944, which other computers do not reach; port 0: a free one.</source>
         <translation>Wartet an dieser Adresse und teilt Programmen, die sich über OpenIGTLink verbinden (3D Slicer, CustusX, PLUS), jedes Bild mit: Stufe, Lage, Oberflächen. Ohne Adresse 127.0.0.1:18944, das andere Rechner nicht erreichen; Port 0: ein freier.</translation>
     </message>
@@ -7203,8 +7247,8 @@
         <translation>Registriert alle so viele Sekunden des Films erneut.</translation>
     </message>
     <message>
-        <source>--network, --%1: give one of them.</source>
-        <translation>--network, --%1: Geben Sie eines davon an.</translation>
+        <source>--%1, --%2: give one of them.</source>
+        <translation>--%1, --%2: Geben Sie eines davon an.</translation>
     </message>
     <message>
         <source>Segments the liver, its vessels and lesions from seeds, or by your own network.</source>
@@ -9771,6 +9815,30 @@
     <message>
         <source>Looks for the liver without a click in it: seeds that you can delete or add to.</source>
         <translation>Sucht die Leber ohne einen Klick: Saatpunkte, die Sie löschen oder ergänzen können.</translation>
+    </message>
+    <message>
+        <source>The labels say already what the click says.</source>
+        <translation>Die Labels sagen schon, was der Klick sagt.</translation>
+    </message>
+    <message>
+        <source>Corrected around the click: %1 ml, up to %2 mm from it.</source>
+        <translation>Um den Klick korrigiert: %1 ml, bis %2 mm von ihm.</translation>
+    </message>
+    <message>
+        <source>Correcting around the click…</source>
+        <translation>Um den Klick wird korrigiert …</translation>
+    </message>
+    <message>
+        <source>Where there are labels, a click on the liver that they leave out, or on what is not liver, changes them around it and nowhere else. One step back: Ctrl+Z.</source>
+        <translation>Wo es Labels gibt, ändert ein Klick auf Leber, die sie auslassen, oder auf das, was keine Leber ist, sie um ihn herum und sonst nirgends. Ein Schritt zurück: Strg+Z.</translation>
+    </message>
+    <message>
+        <source>With labels there: click what is missing, or too much.</source>
+        <translation>Wo es Labels gibt: klicken Sie an, was fehlt oder zu viel ist.</translation>
+    </message>
+    <message>
+        <source>Clicks correct the liver at once</source>
+        <translation>Klicks korrigieren die Leber sofort</translation>
     </message>
 </context>
 <context>

@@ -453,6 +453,10 @@
         <translation>Segmenter, corrections gardées</translation>
     </message>
     <message>
+        <source>Correct around a click</source>
+        <translation>Corriger autour d’un clic</translation>
+    </message>
+    <message>
         <source>Grow</source>
         <translation>Croissance</translation>
     </message>
@@ -906,6 +910,14 @@
     <message>
         <source>has no point in the region</source>
         <translation>n’a pas de point dans la région</translation>
+    </message>
+    <message>
+        <source>is locked</source>
+        <translation>est verrouillé</translation>
+    </message>
+    <message>
+        <source>has no click for or against the liver that the case does not have</source>
+        <translation>n’a aucun clic pour ou contre le foie que le cas n’ait déjà</translation>
     </message>
     <message>
         <source>has no point</source>
@@ -1474,6 +1486,14 @@
     <message>
         <source>Click inside the parenchyma, away from vessels and lesions</source>
         <translation>Cliquez dans le parenchyme, loin des vaisseaux et des lésions</translation>
+    </message>
+    <message>
+        <source>Unlock it, or click another structure</source>
+        <translation>Déverrouillez-le, ou cliquez sur une autre structure</translation>
+    </message>
+    <message>
+        <source>Add one, or leave --correct out</source>
+        <translation>Ajoutez-en un, ou omettez --correct</translation>
     </message>
     <message>
         <source>Click at least one point inside the liver</source>
@@ -5472,6 +5492,10 @@
         <translation>nettoyage</translation>
     </message>
     <message>
+        <source>looking around the click</source>
+        <translation>examen autour du clic</translation>
+    </message>
+    <message>
         <source>making surfaces</source>
         <translation>création des surfaces</translation>
     </message>
@@ -5826,6 +5850,10 @@
     <message>
         <source>Segmenting by your network</source>
         <translation>Segmentation par votre réseau</translation>
+    </message>
+    <message>
+        <source>Correcting around a click</source>
+        <translation>Correction autour d’un clic</translation>
     </message>
     <message>
         <source>reading the network</source>
@@ -6867,6 +6895,18 @@
         <translation>in silico, foies malades, dix clics d’un profane : Dice du foie, le pire</translation>
     </message>
     <message>
+        <source>in silico, ill livers, ten clicks and three corrections: Dice of the liver, worst</source>
+        <translation>in silico, foies malades, dix clics et trois corrections : Dice du foie, le pire</translation>
+    </message>
+    <message>
+        <source>real CT, altered, ten clicks and three corrections: Dice of the liver, worst</source>
+        <translation>scanner réel, modifié, dix clics et trois corrections : Dice du foie, le pire</translation>
+    </message>
+    <message>
+        <source>real CTs, ten clicks and three corrections: Dice of the liver, worst</source>
+        <translation>scanners réels, dix clics et trois corrections : Dice du foie, le pire</translation>
+    </message>
+    <message>
         <source>real CT, lesions above 1 ml, one click: Dice, median</source>
         <translation>CT réel, lésions de plus de 1 ml, un clic : Dice, médiane</translation>
     </message>
@@ -7167,6 +7207,10 @@
         <translation>Chercher le foie sans un clic. Regardez ce qui en résulte.</translation>
     </message>
     <message>
+        <source>Correct the case&apos;s labels around the clicks for and against the liver that the case does not have yet; the labels elsewhere stay.</source>
+        <translation>Corriger les étiquettes du cas autour des clics pour et contre le foie que le cas n’a pas encore ; ailleurs les étiquettes restent.</translation>
+    </message>
+    <message>
         <source>Listens at this address and tells programs that connect by OpenIGTLink (3D Slicer, CustusX, PLUS) of each frame: level, pose, surfaces. Without an address 127.0.0.1:18944, which other computers do not reach; port 0: a free one.</source>
         <translation>Attend à cette adresse et communique chaque image aux programmes qui se connectent par OpenIGTLink (3D Slicer, CustusX, PLUS) : niveau, pose, surfaces. Sans adresse 127.0.0.1:18944, que d&apos;autres ordinateurs n&apos;atteignent pas ; port 0 : un port libre.</translation>
     </message>
@@ -7203,8 +7247,8 @@
         <translation>Recale à nouveau toutes les tant de secondes du film.</translation>
     </message>
     <message>
-        <source>--network, --%1: give one of them.</source>
-        <translation>--network, --%1 : donnez l&apos;un des deux.</translation>
+        <source>--%1, --%2: give one of them.</source>
+        <translation>--%1, --%2 : donnez l&apos;un des deux.</translation>
     </message>
     <message>
         <source>Segments the liver, its vessels and lesions from seeds, or by your own network.</source>
@@ -9771,6 +9815,30 @@
     <message>
         <source>Looks for the liver without a click in it: seeds that you can delete or add to.</source>
         <translation>Cherche le foie sans un clic : des germes que vous pouvez supprimer ou compléter.</translation>
+    </message>
+    <message>
+        <source>The labels say already what the click says.</source>
+        <translation>Les étiquettes disent déjà ce que dit le clic.</translation>
+    </message>
+    <message>
+        <source>Corrected around the click: %1 ml, up to %2 mm from it.</source>
+        <translation>Corrigé autour du clic : %1 ml, jusqu’à %2 mm de lui.</translation>
+    </message>
+    <message>
+        <source>Correcting around the click…</source>
+        <translation>Correction autour du clic…</translation>
+    </message>
+    <message>
+        <source>Where there are labels, a click on the liver that they leave out, or on what is not liver, changes them around it and nowhere else. One step back: Ctrl+Z.</source>
+        <translation>Là où il y a des étiquettes, un clic sur du foie qu’elles omettent, ou sur ce qui n’est pas du foie, les change autour de lui et nulle part ailleurs. Un pas en arrière : Ctrl+Z.</translation>
+    </message>
+    <message>
+        <source>With labels there: click what is missing, or too much.</source>
+        <translation>Là où il y a des étiquettes : cliquez ce qui manque ou est en trop.</translation>
+    </message>
+    <message>
+        <source>Clicks correct the liver at once</source>
+        <translation>Les clics corrigent le foie aussitôt</translation>
     </message>
 </context>
 <context>

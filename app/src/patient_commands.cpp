@@ -8,6 +8,7 @@
 #include "label_output.h"
 
 #include "glisson/core/error.h"
+#include "glisson/engine/commands/correct_around.h"
 #include "glisson/engine/commands/import_image.h"
 #include "glisson/engine/commands/list_series.h"
 #include "glisson/engine/commands/propose_seeds.h"
@@ -17,6 +18,7 @@
 #include "glisson/engine/hand_edits.h"
 #include "glisson/engine/parts/image.h"
 #include "glisson/engine/parts/offer.h"
+#include "glisson/engine/parts/seeds.h"
 #include "glisson/engine/parts/source.h"
 #include "glisson/ui/common/series_texts.h"
 
@@ -123,11 +125,13 @@ engine::OverHandWork over_hand_work(const Arguments& arguments) {
 }
 
 /// What belongs to growth from seeds means nothing to a network.
-void refuse_beside_network(const Arguments& arguments) {
-  for (const char* option : {"seeds", "propose", "only", "region", "resolution"})
-    if (arguments.has(QLatin1String(option)))
-      throw UsageError(
-          Cli::tr("--network, --%1: give one of them.").arg(QLatin1String(option)).toStdString());
+void refuse_beside(const char* option, const Arguments& arguments,
+                   std::initializer_list<const char*> others) {
+  for (const char* other : others)
+    if (arguments.has(QLatin1String(other)))
+      throw UsageError(Cli::tr("--%1, --%2: give one of them.")
+                           .arg(QLatin1String(option), QLatin1String(other))
+                           .toStdString());
 }
 
 /// The figures say what would change; the case on the disk stays as it is.
@@ -154,6 +158,18 @@ void segment_by_seeds(Session& session, const engine::Segment& command, const fs
   session.post(engine::SetSeeds{seeds.empty() ? segmentation::Seeds{} : segmentation::read_seeds(seeds)});
   if (proposes) session.post(engine::ProposeSeeds{});
   session.post(command);
+}
+
+/// Around each click that the case does not have yet; the labels elsewhere stay.
+void correct_by_seeds(Session& session, const fs::path& path, const std::vector<Label>& locked) {
+  const auto known = session.state()[part::seeds];
+  const segmentation::Seeds seeds = segmentation::read_seeds(path);
+  const auto added = segmentation::clicks_added(known ? *known : segmentation::Seeds{}, seeds);
+  if (added.empty())
+    throw InputError(path.string(), "", "has no click for or against the liver that the case does not have",
+                     "Add one, or leave --correct out");
+  session.post(engine::SetSeeds{seeds});
+  for (const segmentation::Click& click : added) session.post(engine::CorrectAround{click, seeds, locked});
 }
 
 }  // namespace
@@ -190,6 +206,9 @@ int run_segment(const QStringList& given) {
       "segment", Cli::tr("Segments the liver, its vessels and lesions from seeds, or by your own network."));
   declare_case(arguments);
   arguments.option("seeds", Cli::tr("What was clicked (JSON, LPS mm)."), "FILE");
+  arguments.flag("correct",
+                 Cli::tr("Correct the case's labels around the clicks for and against the liver that the "
+                         "case does not have yet; the labels elsewhere stay."));
   arguments.flag("propose", Cli::tr("Look for the liver without a click in it. Look at what comes of it."));
   engine::Segment command;
   arguments.option("resolution", Cli::tr("Of the liver's contour, mm."), "MM",
@@ -221,7 +240,11 @@ int run_segment(const QStringList& given) {
   declare_label_output(arguments);
   if (!arguments.parse(given)) return 0;
   const bool proposes = arguments.has("propose"), by_network = arguments.has("network");
-  if (by_network) refuse_beside_network(arguments);
+  const bool corrects = arguments.has("correct");
+  if (by_network) refuse_beside("network", arguments, {"seeds", "propose", "only", "region", "resolution"});
+  if (corrects)
+    refuse_beside("correct", arguments,
+                  {"network", "propose", "only", "region", "keep-edited", "replace-edited"});
   const fs::path seeds = proposes || by_network ? arguments.path("seeds") : arguments.required_path("seeds");
   command.options.working_spacing_mm = arguments.number("resolution", 0.3, 5.0);
   command.options.structures = structures_from(arguments.value("only"));
@@ -237,6 +260,8 @@ int run_segment(const QStringList& given) {
   if (by_network)
     session.post(
         engine::SegmentByNetwork{arguments.path("network"), command.options.locked, command.over_hand_work});
+  else if (corrects)
+    correct_by_seeds(session, seeds, command.options.locked);
   else
     segment_by_seeds(session, command, seeds, proposes);
   if (session.state()[part::offer]) refuse_after_telling(session);

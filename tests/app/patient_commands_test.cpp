@@ -31,6 +31,7 @@ class PatientCommandsTest : public QObject, private test::Program {
   void SeriesOfAFolderAreListed();
   void ADicomdirOpensItsMedium();
   void ALiverIsFoundWithoutAClick();
+  void OneMoreClickCorrectsAroundItOnly();
   void AnOwnNetworkLabelsTheCt();
   void CorrectionsByHandAreReplacedOnlyWhenToldTo();
   void LabelsOfAnotherGridAreRefusedAndTheCaseStands();
@@ -132,6 +133,26 @@ void PatientCommandsTest::ALiverIsFoundWithoutAClick() {
   const double ml = figures("s.json")["label_parenchyma_ml"].toDouble(),
                ball_ml = 4.0 / 3.0 * M_PI * 6.0 * 6.0 * 6.0;
   QVERIFY2(std::abs(ml - ball_ml) < 0.1 * ball_ml, qPrintable(QString::number(ml)));
+}
+
+void PatientCommandsTest::OneMoreClickCorrectsAroundItOnly() {
+  write_image(at("ct.nrrd"), test::ball_ct(60.0));
+  QCOMPARE(run({"import", "ct.nrrd", "--case", "a.glisson"}).code, 0);
+  write_text(at("one.json"), R"({"liver": [[-80, 0, 0]]})");
+  write_text(at("two.json"), R"({"liver": [[-80, 0, 0]], "background": [[-80, 48, 0]]})");
+  const QStringList segment = {"segment", "--case", "a.glisson"};
+  QCOMPARE(run(segment + QStringList{"--seeds", "one.json", "--json", "before.json"}).code, 0);
+  refused(segment + QStringList{"--seeds", "one.json", "--correct"},
+          "has no click for or against the liver that the case does not have");
+  refused(segment + QStringList{"--seeds", "two.json", "--correct", "--propose"},
+          "--correct, --propose: give one of them", 2);
+  const Ran ran = run(segment + QStringList{"--seeds", "two.json", "--correct", "--json", "after.json"});
+  QVERIFY2(ran.code == 0, qPrintable(ran.error));
+  const double before = figures("before.json")["label_parenchyma_ml"].toDouble(),
+               after = figures("after.json")["label_parenchyma_ml"].toDouble(),
+               changed = figures("after.json")["changed_ml"].toDouble();
+  QVERIFY2(changed > 0.2 && changed < 0.5 * before, qPrintable(QString::number(changed)));
+  QVERIFY(std::abs(before - after - changed) < 1e-6);
 }
 
 void PatientCommandsTest::AnOwnNetworkLabelsTheCt() {

@@ -29,6 +29,7 @@ class SegmentationSeedsTest : public QObject, private SegmentationWindow {
   void BoxIsMovedByItsEdgesTypedAndCleared();
   void BoxWithoutALiverSeedIsSaid();
   void ContourIsDrawnWhileItEvolvesAndGoneWhenCancelled();
+  void AClickCorrectsTheLiverAroundItAtOnceUnlessThatIsOff();
 
  private:
   /// What the views share.
@@ -295,6 +296,49 @@ void SegmentationSeedsTest::ContourIsDrawnWhileItEvolvesAndGoneWhenCancelled() {
   QVERIFY(!window_->engine().snapshot()->evolving);
   QVERIFY(window_->engine().state()[part::labels] == nullptr);
   QCOMPARE(slice(Plane::axial).grab().toImage(), before);
+}
+
+void SegmentationSeedsTest::AClickCorrectsTheLiverAroundItAtOnceUnlessThatIsOff() {
+  open_labels();
+  press("mode_seeds");
+  const auto click = [&](const Eigen::Vector3d& p) {
+    QTest::mouseClick(&slice(Plane::axial), Qt::LeftButton, {},
+                      slice(Plane::axial).widget_point(Point<CtFrame>(p)).toPoint());
+    QVERIFY(settle());
+  };
+  const auto notes = [&] {
+    QString all;
+    for (const QLabel* label : panel().findChildren<QLabel*>())
+      if (label->isVisible()) all += label->text() + '\n';
+    return all;
+  };
+  // A place in the liver that is said to be none.
+  const Eigen::Vector3d wrong(-0.02, 0.025, 0.0);
+  QCOMPARE(at(wrong), structure::kParenchyma);
+  press("seed_background");
+  click(wrong);
+  QCOMPARE(at(wrong), structure::kBackground);
+  QVERIFY2(notes().contains(QLatin1String("Corrected around the click: ")), qPrintable(notes()));
+  const long lesion = count(structure::kFirstLesion), portal = count(structure::kPortalVein);
+  // Beside it that was too much.
+  const Eigen::Vector3d beside = wrong + Eigen::Vector3d(0.0035, 0.0, 0.0);
+  QCOMPARE(at(beside), structure::kBackground);
+  press("seed_parenchyma");
+  click(beside);
+  QCOMPARE(at(beside), structure::kParenchyma);
+  QCOMPARE(count(structure::kFirstLesion), lesion);
+  QCOMPARE(count(structure::kPortalVein), portal);
+  // Switched off, or with a locked liver, a seed is a seed.
+  const long liver = count(structure::kParenchyma);
+  press("correct_at_once");
+  press("seed_background");
+  click({0.0, -0.03, 0.0});
+  QCOMPARE(count(structure::kParenchyma), liver);
+  press("correct_at_once");
+  click_mark(structure::kParenchyma, ui::LabelTable::locked);
+  click({0.0, -0.032, 0.0});
+  QCOMPARE(count(structure::kParenchyma), liver);
+  QCOMPARE(window_->engine().state()[part::seeds]->background.rows(), Eigen::Index{3});
 }
 
 }  // namespace glisson

@@ -166,4 +166,57 @@ segmentation::Seeds click_as_layperson(const Image& ct, const LabelMap& truth,
   return seeds;
 }
 
+namespace {
+
+/// The deepest voxel of a body, and how deep it lies, mm; 0: there is none.
+struct Deepest {
+  Eigen::Vector3i voxel = Eigen::Vector3i::Zero();
+  float mm2 = 0.0F;
+};
+Deepest deepest_of(const Mask& body) {
+  Deepest deepest;
+  const VoxelBox box =
+      bounding_box(body.size, body.spacing_mm, body.voxels, 2.0 * body.spacing_mm.maxCoeff());
+  if (box.empty()) return deepest;
+  Mask beyond = crop(body.size, body.spacing_mm, body.voxels, box);
+  for (auto& voxel : beyond.voxels) voxel = voxel == 0 ? 1 : 0;
+  const std::vector<float> depth2 = squared_distance_mm2(beyond);
+  std::size_t at = 0;
+  for (int k = 0; k < beyond.size.z(); ++k)
+    for (int j = 0; j < beyond.size.y(); ++j)
+      for (int i = 0; i < beyond.size.x(); ++i, ++at)
+        if (depth2[at] > deepest.mm2 && std::isfinite(depth2[at]))
+          deepest = {box.low + Eigen::Vector3i(i, j, k), depth2[at]};
+  return deepest;
+}
+
+}  // namespace
+
+std::optional<segmentation::Click> correct_as_layperson(const LabelMap& truth, const LabelMap& labels,
+                                                        std::uint64_t seed) {
+  constexpr double kOff = 2.0;  // mm
+  const VolumeGrid& grid = truth.voxels.grid();
+  require_same_grid(labels.voxels.grid(), grid, "labels that are corrected, and the truth");
+  const std::vector<std::uint8_t> is = inside_liver(truth), found = inside_liver(labels);
+  Mask missing(grid.size, grid.spacing_mm), wrong = missing;
+  for (std::size_t i = 0; i < is.size(); ++i) {
+    missing.voxels[i] = is[i] != 0 && found[i] == 0;
+    wrong.voxels[i] = is[i] == 0 && found[i] != 0;
+  }
+  const Deepest in = deepest_of(missing), out = deepest_of(wrong);
+  const bool is_liver = in.mm2 >= out.mm2;
+  const Eigen::Vector3i middle = is_liver ? in.voxel : out.voxel;
+  if ((is_liver ? in : out).mm2 <= 0.0F) return {};
+  Hand hand(seed);
+  for (int attempt = 0; attempt < 20; ++attempt) {
+    const Eigen::Vector3d index =
+        middle.cast<double>() + kOff * hand.tremor3().cwiseQuotient(grid.spacing_mm);
+    const Eigen::Vector3i voxel = index.array().round().matrix().cast<int>();
+    if (!grid.contains(voxel)) continue;
+    if ((is[static_cast<std::size_t>(grid.offset(voxel))] != 0) == is_liver)
+      return segmentation::Click{grid.p_in_ct(index), is_liver};
+  }
+  return segmentation::Click{grid.p_in_ct(middle.cast<double>()), is_liver};
+}
+
 }  // namespace glisson::insilico

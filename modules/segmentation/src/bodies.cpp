@@ -11,6 +11,7 @@
 #include "level_set.h"
 #include "organs.h"
 #include "painting.h"
+#include "part.h"
 
 namespace glisson::segmentation {
 namespace {
@@ -18,9 +19,7 @@ namespace {
 constexpr double kCoarse = 2.0;        // mm: where the contour finds its way; finer is for its last moves
 constexpr double kParting = 1.5;       // mm: voxels on which organs are parted
 constexpr double kLiverReach = 250.0;  // mm: no liver is wider, and a click may lie at its end
-constexpr double kDiffusion = 15.0;    // HU: noise is below, edges are above
-constexpr int kDiffusionSteps = 10;
-constexpr double kFineBlur = 0.8;  // mm: fine voxels carry more noise than the diffusion tells from edges
+constexpr double kFineBlur = 0.8;      // mm: fine voxels carry more noise than the diffusion tells from edges
 constexpr double kLesionVoxel = 1.5, kLesionRim = 4.0;  // mm
 constexpr double kBite = 50.0;  // mm: a tumour at the rim that the liver's contour leaves out is smaller
 constexpr double kHeld = 4.0;   // mm around a click that are its side's whatever the CT shows
@@ -116,20 +115,6 @@ void hold_clicks(const VolumeGrid& image, const Seeds& seeds, Field& phi) {
   hold(outside, inside, 1.0F);
 }
 
-/// The image around points, in voxels, kept inside.
-VoxelBox box_around(const VolumeGrid& image, const Points& points, double reach_mm) {
-  VoxelBox box{image.size, Eigen::Vector3i::Zero()};
-  const Eigen::Vector3d reach = reach_mm * image.spacing_mm.cwiseInverse();
-  for (Eigen::Index n = 0; n < points.rows(); ++n) {
-    const Eigen::Vector3d at = image.index_of(Point<CtFrame>(Eigen::Vector3d(points.row(n).transpose())));
-    box.low = box.low.cwiseMin((at - reach).array().floor().matrix().cast<int>());
-    box.high = box.high.cwiseMax((at + reach).array().ceil().matrix().cast<int>());
-  }
-  box.low = box.low.cwiseMax(0);
-  box.high = box.high.cwiseMin(image.size);
-  return box;
-}
-
 /// What lesions are looked for in, mm to each, negative inside, on the grid of the bodies.
 struct LesionGround {
   Tissue liver;
@@ -150,7 +135,7 @@ LesionScene lesion_scene(const Image& image, const Points& clicks, double diamet
   LesionScene scene;
   scene.raw = resampled(image, box, kLesionVoxel);
   scene.ct = scene.raw;
-  diffuse(scene.ct, kDiffusion, kDiffusionSteps);
+  denoise(scene.ct);
   scene.liver = ground.liver;
   scene.barred = transferred(ground.barred, scene.ct);
   if (ground.organ) scene.organ = transferred(*ground.organ, scene.ct);
@@ -206,7 +191,7 @@ Cancellable<PartingView> parting_view(const Image& image, const Seeds& seeds, co
   view.raw = resampled(image, box, kParting);
   view.ct = view.raw;
   if (context.cancelled()) return std::nullopt;
-  diffuse(view.ct, kDiffusion, kDiffusionSteps);
+  denoise(view.ct);
   return view;
 }
 
@@ -223,7 +208,7 @@ Cancellable<bool> refine(const Image& image, const LiverSeeds& clicks, double sp
   Field ct = resampled(image, box, spacing_mm);
   smooth(ct, kFineBlur);
   if (context.cancelled()) return std::nullopt;
-  diffuse(ct, kDiffusion, kDiffusionSteps);
+  denoise(ct);
   Mask barred = bodies.cava;
   unite(barred, bodies.gallbladder);
   const Mask never = transferred(smooth_boundary(barred, bodies.grid), ct);
@@ -302,7 +287,7 @@ Cancellable<Bodies> find_bodies(const Image& image, const Seeds& seeds, double s
                                 const ShowContour& show) {
   context.progress(0.0, "segmentation.prepare");
   Field ct = resampled(image, {Eigen::Vector3i::Zero(), image.grid.size}, std::max(kCoarse, spacing_mm));
-  diffuse(ct, kDiffusion, kDiffusionSteps);
+  denoise(ct);
   if (context.cancelled()) return std::nullopt;
 
   Bodies bodies;

@@ -173,6 +173,8 @@ void diffuse(Field& field, double contrast, int iterations) {
   }
 }
 
+void denoise(Field& ct) { diffuse(ct, 15.0, 10); }
+
 void smooth(Field& field, double sigma_mm) {
   for (int axis = 0; axis < 3; ++axis) {
     const double sigma = sigma_mm / field.spacing_mm[axis];

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "glisson/core/error.h"
+#include "intensity_ratio.h"
 #include "level_set.h"
 #include "painting.h"
 
@@ -58,42 +59,16 @@ void quieten_on_edges(Field& region, const Field& edge) {
   for (std::size_t i = 0; i < region.values.size(); ++i) region.values[i] *= edge.values[i];
 }
 
-/// log of a smoothed histogram's ratio, as a table over intensity.
-class Ratio {
- public:
-  Ratio(const Field& ct, const Field& phi, double rim_mm) {
-    std::vector<double> in(kBins, 1e-3), out(kBins, 1e-3);
-    for (std::size_t i = 0; i < ct.values.size(); ++i) {
-      const float d = phi.values[i];
-      if (d < -2.0F) in[bin(ct.values[i])] += 1.0;
-      if (d > 2.0F && d < rim_mm) out[bin(ct.values[i])] += 1.0;
-    }
-    blur(in);
-    blur(out);
-    table_.resize(kBins);
-    const double si = sum(in), so = sum(out);
-    for (std::size_t b = 0; b < kBins; ++b)
-      table_[b] = static_cast<float>(std::log((in[b] / si + 1e-5) / (out[b] / so + 1e-5)));
+/// What the contour's inside says against a rim around it.
+IntensityRatio ratio_of(const Field& ct, const Field& phi, double rim_mm) {
+  IntensityHistogram in, out;
+  for (std::size_t i = 0; i < ct.values.size(); ++i) {
+    const float d = phi.values[i];
+    if (d < -2.0F) in.add(ct.values[i]);
+    if (d > 2.0F && d < rim_mm) out.add(ct.values[i]);
   }
-  float operator()(float intensity) const { return table_[bin(intensity)]; }
-
- private:
-  static constexpr std::size_t kBins = 400;  // of 1 HU from -150
-  static std::size_t bin(float v) { return static_cast<std::size_t>(std::clamp(v + 150.0F, 0.0F, 399.0F)); }
-  static double sum(const std::vector<double>& h) {
-    double s = 0.0;
-    for (const double v : h) s += v;
-    return s;
-  }
-  static void blur(std::vector<double>& h) {
-    for (int pass = 0; pass < 3; ++pass) {
-      std::vector<double> next = h;
-      for (std::size_t b = 1; b + 1 < h.size(); ++b) next[b] = 0.25 * h[b - 1] + 0.5 * h[b] + 0.25 * h[b + 1];
-      h.swap(next);
-    }
-  }
-  std::vector<float> table_;
-};
+  return {in, out};
+}
 
 /// The last region force, from what lies on either side close by (Lankton and Tannenbaum 2008): the contour
 /// comes to rest half way between the liver and its neighbour there, be that fat, muscle or lung. Where both
@@ -211,7 +186,7 @@ Cancellable<Field> run_contours(const Scene& scene, const Tissue& tissue, const 
   bound();
   if (!evolve(phi, forces, 48, context.part(0.0, 0.4), show)) return std::nullopt;
 
-  const Ratio ratio(ct, phi, 12.0);
+  const IntensityRatio ratio = ratio_of(ct, phi, 12.0);
   for (std::size_t i = 0; i < ct.values.size(); ++i)
     forces.region.values[i] = std::clamp(0.5F * ratio(ct.values[i]), -1.0F, 1.0F);
   bound();

@@ -10,13 +10,13 @@
 #include "live_view.h"
 #include "mr_scale.h"
 #include "painting.h"
+#include "part.h"
 #include "vessels.h"
 
 namespace glisson::segmentation {
 namespace {
 
 constexpr double kVesselSpacing = 1.0;  // mm
-constexpr int kLeastRegion = 8;         // voxels a side
 
 void check_points(const Image& image, const Points& points, const char* name) {
   for (Eigen::Index n = 0; n < points.rows(); ++n) {
@@ -41,84 +41,6 @@ void check_input(const Image& image, const Seeds& seeds) {
   check_diameters("seeds", seeds);
   if (seeds.lesions.size() > structure::kLastLesion - structure::kFirstLesion + 1U)
     throw InputError("seeds", "lesions", "are more than there are labels for", "Click the largest ones");
-}
-
-/// The voxels of a box in the patient.
-VoxelBox box_of(const VolumeGrid& grid, const std::optional<Eigen::AlignedBox3d>& region) {
-  VoxelBox box{Eigen::Vector3i::Zero(), grid.size};
-  if (!region) return box;
-  Eigen::AlignedBox3d indices;
-  for (int corner = 0; corner < 8; ++corner)
-    indices.extend(
-        grid.index_of(Point<CtFrame>(region->corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)))));
-  for (int axis = 0; axis < 3; ++axis) {
-    const double last = grid.size[axis];
-    box.low[axis] = static_cast<int>(std::clamp(std::ceil(indices.min()[axis]), 0.0, last));
-    box.high[axis] = static_cast<int>(std::clamp(std::floor(indices.max()[axis]) + 1.0, 0.0, last));
-  }
-  if ((box.size().array() < kLeastRegion).any())
-    throw InputError("options", "region", "holds too little of the image",
-                     "Draw the region around the liver");
-  return box;
-}
-
-/// Whether a voxel's centre lies in the region: of a volume that is askew in the patient, the region's box of
-/// voxels holds others, too.
-bool is_in(const std::optional<Eigen::AlignedBox3d>& region, const VolumeGrid& grid,
-           const Eigen::Vector3i& voxel) {
-  constexpr double kRounding = 1e-9;  // metres
-  return !region ||
-         region->squaredExteriorDistance(grid.p_in_ct(voxel.cast<double>()).xyz) <= kRounding * kRounding;
-}
-
-VolumeGrid part_of(const VolumeGrid& grid, const VoxelBox& box) {
-  VolumeGrid part = grid;
-  part.size = box.size();
-  part.origin_mm = 1e3 * grid.p_in_ct(box.low.cast<double>()).xyz;
-  return part;
-}
-
-Image part_of(const Image& image, const VoxelBox& box) {
-  if (box.size() == image.grid.size) return image;
-  Image part = image;
-  part.grid = part_of(image.grid, box);
-  std::vector<std::int16_t> voxels;
-  voxels.reserve(static_cast<std::size_t>(part.grid.voxel_count()));
-  for (int k = box.low.z(); k < box.high.z(); ++k)
-    for (int j = box.low.y(); j < box.high.y(); ++j) {
-      const auto row = image.voxels->begin() + image.grid.offset({box.low.x(), j, k});
-      voxels.insert(voxels.end(), row, row + box.size().x());
-    }
-  part.voxels = std::make_shared<const std::vector<std::int16_t>>(std::move(voxels));
-  return part;
-}
-
-LabelMap part_of(const LabelMap& labels, const VoxelBox& box) {
-  if (box.size() == labels.voxels.grid().size) return labels;
-  std::vector<Label> dense;
-  for (int k = box.low.z(); k < box.high.z(); ++k)
-    for (int j = box.low.y(); j < box.high.y(); ++j)
-      for (int i = box.low.x(); i < box.high.x(); ++i) dense.push_back(labels.voxels.at({i, j, k}));
-  return {LabelVolume(part_of(labels.voxels.grid(), box), dense), labels.infos};
-}
-
-Seeds part_of(const Seeds& seeds, const VolumeGrid& part, const std::optional<Eigen::AlignedBox3d>& region) {
-  const auto inside = [&](const Points& points) {
-    std::vector<Eigen::Index> rows;
-    for (Eigen::Index n = 0; n < points.rows(); ++n) {
-      const Eigen::Vector3d index = part.index_of(Point<CtFrame>(Eigen::Vector3d(points.row(n).transpose())));
-      const Eigen::Vector3i voxel = index.array().round().matrix().cast<int>();
-      if (part.contains(voxel) && is_in(region, part, voxel)) rows.push_back(n);
-    }
-    return Points(points(rows, Eigen::all));
-  };
-  Seeds result{inside(seeds.liver),         inside(seeds.portal_vein),
-               inside(seeds.hepatic_veins), inside(seeds.vena_cava),
-               inside(seeds.gallbladder),   {},
-               inside(seeds.background),    {}};
-  for (const Points& lesion : seeds.lesions) result.lesions.push_back(inside(lesion));
-  result.lesion_diameters_mm = seeds.lesion_diameters_mm;
-  return result;
 }
 
 /// What is locked is not found anew; with the parenchyma locked, nor is what borders on it from within.

@@ -54,6 +54,7 @@ class EditTexts {
   static QHash<QString, QString> steps(const EditTools& tools) {
     QHash<QString, QString> texts = {{"segment", tr("Segment")},
                                      {"segment_around_hand", tr("Segment, corrections kept")},
+                                     {"correct_around", tr("Correct around a click")},
                                      {"import_labels", tr("Import labels")}};
     for (const EditTool tool : tools)
       for (const WindowTool::Step& step : tool->steps) texts.insert(step.code, tr(step.text));

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "glisson/patient/label_map.h"
+#include "glisson/segmentation/correct_around.h"
 #include "glisson/segmentation/segment.h"
 #include "glisson/volume/image.h"
 
@@ -28,5 +30,12 @@ struct LaypersonOptions {
 /// @param truth of the CT, on its grid. @throws InputError options; when it holds no liver.
 segmentation::Seeds click_as_layperson(const Image& ct, const LabelMap& truth,
                                        const LaypersonOptions& options);
+
+/// Where somebody who compares the labels with the CT clicks next: in the middle of what is most deeply wrong
+/// of the liver, off by 2 mm (standard deviation, along each axis) but on the side that is meant. Unlike the
+/// clicks above this one comes of a result: that is what a correction is.
+/// @return empty where nothing is wrong. @throws InputError labels on another grid than the truth.
+std::optional<segmentation::Click> correct_as_layperson(const LabelMap& truth, const LabelMap& labels,
+                                                        std::uint64_t seed);
 
 }  // namespace glisson::insilico

@@ -11,6 +11,7 @@
 #include "glisson/ui/common/view_state.h"
 #include "glisson/ui/segmentation/seed_book.h"
 
+class QCheckBox;
 class QComboBox;
 class QGridLayout;
 class QLabel;
@@ -64,6 +65,9 @@ class SeedBox : public QWidget {
   void place(const Point<CtFrame>& p);
   void draw_lesion(const SliceGesture& gesture);
   void store();
+  /// What a click for or against the liver changes of labels that are there, at once.
+  void correct_around(const Point<CtFrame>& p, bool is_liver);
+  void tell_correction(const engine::Outcome& outcome);
   void remove_selected();
   segmentation::SegmentationOptions options() const;
   segmentation::Structures structures() const;
@@ -75,7 +79,7 @@ class SeedBox : public QWidget {
   ViewState& views_;
   segmentation::Seeds seeds_;
   std::shared_ptr<const segmentation::Seeds> taken_;
-  std::set<engine::CommandId> storing_;
+  std::set<engine::CommandId> storing_, correcting_;
   std::shared_ptr<const Image> image_;
   /// That have had seeds here: who deletes a seed to set a better one finds the lesion's number again.
   std::set<Label> known_lesions_;
@@ -94,6 +98,8 @@ class SeedBox : public QWidget {
   QPushButton* clear_ = nullptr;
   QPushButton* load_ = nullptr;
   QPushButton* save_ = nullptr;
+  QCheckBox* at_once_ = nullptr;
+  QLabel* correction_ = nullptr;
   QComboBox* what_ = nullptr;
   RegionBox* region_ = nullptr;
   TaskButton* run_ = nullptr;

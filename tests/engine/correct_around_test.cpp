@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A click that corrects the liver, as a step of the case.
+#include "glisson/engine/commands/correct_around.h"
+
+#include <QtTest>
+
+#include "ball_ct.h"
+#include "glisson/core/files.h"
+#include "glisson/editing/tools/paint.h"
+#include "glisson/engine/commands/edit_labels.h"
+#include "glisson/engine/commands/import_image.h"
+#include "glisson/engine/commands/set_review.h"
+#include "glisson/engine/commands/undo_labels.h"
+#include "glisson/engine/engine.h"
+#include "glisson/engine/hand_edits.h"
+#include "glisson/engine/parts/labels.h"
+#include "glisson/engine/parts/review.h"
+#include "glisson/volume/io.h"
+#include "runners.h"
+
+using namespace glisson;
+using namespace glisson::engine;
+using test::both_runners;
+
+namespace {
+
+constexpr double kRadius = 40.0;  // mm
+const Eigen::Vector3d kMiddle(-0.08, 0.0, 0.0);
+
+Outcome done(Engine& engine, Command command) { return engine.wait(engine.post(std::move(command))); }
+
+/// A case with a ball of liver, of which labels hold the middle only, if any.
+std::unique_ptr<Engine> engine_of(Runner runner, bool with_labels) {
+  TemporaryFolder folder;
+  write_image(folder.path() / "ct.nrrd", test::ball_ct(kRadius));
+  Engine::Options options;
+  options.runner = runner;
+  auto engine = std::make_unique<Engine>(std::move(options));
+  if (done(*engine, ImportImage{folder.path() / "ct.nrrd"}).status != Status::done) return nullptr;
+  editing::Paint paint;
+  paint.label = structure::kParenchyma;
+  paint.brush = editing::Paint::Brush::ball;
+  paint.radius = 0.5e-3 * kRadius;
+  paint.path = kMiddle.transpose();
+  if (with_labels && done(*engine, EditLabels{{paint, {}}}).status != Status::done) return nullptr;
+  return engine;
+}
+
+double ml_of(const Engine& engine) {
+  return engine.snapshot()->state[part::statistics]->figures().at(structure::kParenchyma).ml;
+}
+
+CorrectAround click_at(const Eigen::Vector3d& p, bool is_liver) {
+  return {{Point<CtFrame>(p), is_liver}, {}, {}};
+}
+
+}  // namespace
+
+class CorrectAroundTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void AClickIsAStepThatCanBeUndone_data() { both_runners(); }
+  void AClickIsAStepThatCanBeUndone();
+  void WhatWasApprovedIsToBeLookedAtAgain();
+  void AClickThatSaysNothingNewOutdatesNothing();
+  void WithoutLabelsThereIsNothingToCorrect();
+  void ALockedLiverIsSaid();
+};
+
+void CorrectAroundTest::AClickIsAStepThatCanBeUndone() {
+  QFETCH(Runner, runner);
+  const auto engine = engine_of(runner, true);
+  const double before = ml_of(*engine);
+  const Outcome outcome = done(*engine, click_at(kMiddle + Eigen::Vector3d(0.0, 0.032, 0.0), true));
+  QCOMPARE(outcome.status, Status::done);
+  QVERIFY(ml_of(*engine) > before + 20.0);
+  QVERIFY(std::abs(outcome.figures.at("changed_ml") - (ml_of(*engine) - before)) < 1e-6);
+  QVERIFY(edited_by_hand(engine->snapshot()->state).contains(structure::kParenchyma));
+  QCOMPARE(done(*engine, UndoLabels{}).status, Status::done);
+  QCOMPARE(ml_of(*engine), before);
+}
+
+void CorrectAroundTest::WhatWasApprovedIsToBeLookedAtAgain() {
+  const auto engine = engine_of(Runner::inline_, true);
+  QCOMPARE(done(*engine, SetReview{structure::kParenchyma, ReviewState::approved}).status, Status::done);
+  QCOMPARE(done(*engine, click_at(kMiddle, false)).status, Status::done);
+  QCOMPARE(engine->snapshot()->state[part::review]->at(structure::kParenchyma), ReviewState::to_review);
+}
+
+void CorrectAroundTest::AClickThatSaysNothingNewOutdatesNothing() {
+  const auto engine = engine_of(Runner::inline_, true);
+  const auto before = engine->snapshot()->state[part::labels];
+  const Outcome outcome = done(*engine, click_at(kMiddle, true));
+  QCOMPARE(outcome.figures.at("voxels_changed"), 0.0);
+  QCOMPARE(engine->snapshot()->state[part::labels], before);
+}
+
+void CorrectAroundTest::WithoutLabelsThereIsNothingToCorrect() {
+  const auto engine = engine_of(Runner::inline_, false);
+  const Outcome outcome = done(*engine, click_at(kMiddle, true));
+  QCOMPARE(outcome.status, Status::failed);
+  QVERIFY(QString::fromStdString(outcome.error).contains(QLatin1String("labels")));
+}
+
+void CorrectAroundTest::ALockedLiverIsSaid() {
+  const auto engine = engine_of(Runner::inline_, true);
+  CorrectAround command = click_at(kMiddle, false);
+  command.locked = {structure::kParenchyma};
+  const Outcome outcome = done(*engine, command);
+  QCOMPARE(outcome.status, Status::failed);
+  QVERIFY(QString::fromStdString(outcome.error).contains(QLatin1String("is locked")));
+}
+
+QTEST_APPLESS_MAIN(CorrectAroundTest)
+#include "correct_around_test.moc"
